@@ -65,6 +65,22 @@ Status write_mesh(const fs::path& path, const Mesh& mesh, const StopCheck& stop)
             return added;
         }
     }
+    if (mesh.parts().empty()) {
+        return file.finish();
+    }
+    const std::size_t parts = file.add_array("parts", NpyType::U4, 3);
+    const std::size_t names = file.add_array("part_names", NpyType::U1);
+    for (const Part& part : mesh.parts()) {
+        const std::array<std::uint32_t, 3> row{
+            part.triangles_begin, part.triangles_end, static_cast<std::uint32_t>(part.name.size())};
+        Status added = file.append(parts, std::span<const std::uint32_t>(row));
+        if (added) {
+            added = file.append(names, std::span<const char>(part.name));
+        }
+        if (!added) {
+            return added;
+        }
+    }
     return file.finish();
 }
 
@@ -150,6 +166,21 @@ Aabb posed_box(std::span<const Vec3> points, const Pose& pose) {
     return box;
 }
 
+/// The parts of a mesh of which only the triangles `kept`, in ascending order, remain.
+std::vector<Part> remaining_parts(const Mesh& mesh, const std::vector<std::uint32_t>& kept) {
+    const auto place = [&](std::uint32_t id) {
+        return static_cast<std::uint32_t>(std::ranges::lower_bound(kept, id) - kept.begin());
+    };
+    std::vector<Part> parts;
+    for (const Part& part : mesh.parts()) {
+        const Part remaining{part.name, place(part.triangles_begin), place(part.triangles_end)};
+        if (remaining.triangles_begin < remaining.triangles_end) {
+            parts.push_back(remaining);
+        }
+    }
+    return parts;
+}
+
 /// The triangles of a body whose boxes overlap the other body's box at one of the poses.
 Result<CaseBody> part_that_meets(const Mesh& mesh,
                                  const Mesh& other,
@@ -192,6 +223,7 @@ Result<CaseBody> part_that_meets(const Mesh& mesh,
                          " comes near the other body there: without --minimal the case has all"};
     }
     arrays.precision = mesh.precision();
+    arrays.parts = remaining_parts(mesh, body.ids);
     auto made = Mesh::create(std::move(arrays));
     if (!made) {
         return made.error();
@@ -249,11 +281,14 @@ Status check_smallest(const ScenarioResult& smallest,
 Result<std::vector<ScenarioResult>> run_smallest(const PreparedJob& job,
                                                  const CaseScenarios& given,
                                                  const std::array<CaseBody, 2>& bodies,
+                                                 const std::vector<IgnoredRange>& ignored,
                                                  const StopCheck& stop,
                                                  ThreadPool& pool) {
     const ObbTree a = build_tree(bodies[0].mesh, {}, pool);
     const ObbTree b = build_tree(bodies[1].mesh, {}, pool);
-    const ScenarioRunner runner(a, b, job.query, PairStage::Float, stop);
+    Query query = job.query;
+    query.ignored = ignored;
+    const ScenarioRunner runner(a, b, query, PairStage::Float, stop);
     std::vector<ScenarioResult> results;
     for (std::size_t i = 0; i < given.scenarios.size(); ++i) {
         ScenarioRun run = runner.run(given.scenarios[i]);
@@ -293,8 +328,32 @@ Status write_ids(const fs::path& path, const std::array<CaseBody, 2>& bodies) {
 
 // ---- The job and what it has to give ------------------------------------------------------------
 
-std::string
-case_job_text(const PreparedJob& job, const CaseScenarios& given, const PoseColumns& columns) {
+/// The rules of a job for a case's meshes, and the triangles that they ignore there.
+struct CaseRules {
+    std::vector<IgnoreRule> rules;
+    std::vector<IgnoredRange> ignored;
+};
+
+/// Leaves out rules of which no part remains in the case.
+CaseRules rules_for(const PreparedJob& job, const std::array<CaseBody, 2>& bodies) {
+    CaseRules found;
+    JobSpec spec = job.spec;
+    for (const IgnoreRule& rule : job.spec.ignore) {
+        spec.ignore = {rule};
+        const auto ignored = resolve_ignored(spec, *bodies[0].mesh, *bodies[1].mesh);
+        if (ignored) {
+            found.rules.push_back(rule);
+            found.ignored.insert(
+                found.ignored.end(), ignored.value().begin(), ignored.value().end());
+        }
+    }
+    return found;
+}
+
+std::string case_job_text(const PreparedJob& job,
+                          const CaseScenarios& given,
+                          const PoseColumns& columns,
+                          const std::vector<IgnoreRule>& rules) {
     JobSpec spec;
     spec.name = job.spec.name + " scenario " + std::to_string(given.results.front().index);
     if (given.results.size() > 1) {
@@ -303,13 +362,15 @@ case_job_text(const PreparedJob& job, const CaseScenarios& given, const PoseColu
     spec.unit = job.spec.unit;
     for (std::size_t i = 0; i < body_names.size(); ++i) {
         spec.bodies[i].path = std::string(body_names[i]) + ".npz";
+        spec.bodies[i].name = job.spec.bodies[i].name;
     }
-    constexpr double rigid_tolerance = 1; // The run has accepted these poses.
+    constexpr double rigid_tolerance = 1e300; // The run has accepted these poses.
     spec.poses = PoseFileSpec{"poses.csv", "", columns.of_both_bodies, rigid_tolerance};
     spec.level = job.query.level;
     spec.tolerance = job.query.tolerance;
     spec.limit_pairs = job.query.limit_pairs;
     spec.maps = job.query.maps;
+    spec.ignore = rules;
     return job_text(spec);
 }
 
@@ -340,10 +401,11 @@ Status check_expressible(const PreparedJob& job, const CaseScenarios& given, boo
                                           "give again"};
         }
     }
-    if (!job.query.ignored.empty()) {
+    const auto ignored = resolve_ignored(job.spec, *job.meshes[0], *job.meshes[1]);
+    if (!ignored || ignored.value() != job.query.ignored) {
         return Error{ErrorCode::BadInput,
-                     "the run passes over parts (ignore), and the meshes of a case have no parts: "
-                     "run the job without ignore into another folder, and extract from there"};
+                     "the run has no ignore rules that name the parts it passed over: run the job "
+                     "again into another folder, and extract from there"};
     }
     if (minimal && job.query.tolerance > 0) {
         return Error{ErrorCode::BadInput,
@@ -369,6 +431,7 @@ Status write_files(const PreparedJob& job,
                    const CaseScenarios& given,
                    const std::array<CaseBody, 2>& bodies,
                    const std::vector<ScenarioResult>& expected,
+                   const std::vector<IgnoreRule>& rules,
                    const StopCheck& stop,
                    const fs::path& dir) {
     const auto columns = columns_for(given.scenarios);
@@ -388,7 +451,7 @@ Status write_files(const PreparedJob& job,
     }
     for (const auto& [name, text] :
          {std::pair("poses.csv", poses_text(given.scenarios, columns.value())),
-          std::pair("job.toml", case_job_text(job, given, columns.value())),
+          std::pair("job.toml", case_job_text(job, given, columns.value(), rules)),
           std::pair("expected.json", expected_text(expected))}) {
         if (Status written = write_text(dir / name, text); !written) {
             return written;
@@ -415,6 +478,7 @@ Status write_case(const PreparedJob& job,
                            scenarios,
                            {CaseBody{job.meshes[0], {}}, CaseBody{job.meshes[1], {}}},
                            scenarios.results,
+                           job.spec.ignore,
                            options.stop,
                            dir);
     }
@@ -422,12 +486,13 @@ Status write_case(const PreparedJob& job,
     if (!bodies) {
         return bodies.error();
     }
-    auto expected = run_smallest(job, scenarios, bodies.value(), options.stop, pool);
+    const CaseRules rules = rules_for(job, bodies.value());
+    auto expected = run_smallest(job, scenarios, bodies.value(), rules.ignored, options.stop, pool);
     if (!expected) {
         return expected.error();
     }
-    const Status written =
-        write_files(job, scenarios, bodies.value(), expected.value(), options.stop, dir);
+    const Status written = write_files(
+        job, scenarios, bodies.value(), expected.value(), rules.rules, options.stop, dir);
     return written ? write_ids(dir / ids_name, bodies.value()) : written;
 }
 

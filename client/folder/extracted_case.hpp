@@ -32,10 +32,10 @@ struct CaseOptions {
 /// runs the scenarios here for the expected results, and writes ids.csv, which maps triangles to
 /// their numbers in the run.
 ///
-/// Errors: Io; Interrupted; BadInput for a job that such files cannot express (ignored triangles,
-/// poses in several forms), for a failed scenario, and for a folder with the job.toml of another
-/// job; with `minimal` also under a tolerance, without any such triangle, or with results other
-/// than the run's.
+/// Errors: Io; Interrupted; BadInput for a job that such files cannot express (ignored triangles
+/// that no rule names, poses in several forms), for a failed scenario, and for a folder with the
+/// job.toml of another job; with `minimal` also under a tolerance, without any such triangle, or
+/// with results other than the run's.
 [[nodiscard]] Status write_case(const PreparedJob& job,
                                 const CaseScenarios& scenarios,
                                 const CaseOptions& options,

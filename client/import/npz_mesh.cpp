@@ -4,6 +4,7 @@
 #include "common/core/limits/engine.hpp"
 
 #include <algorithm>
+#include <string_view>
 
 namespace cd {
 
@@ -11,6 +12,11 @@ namespace {
 
 Error bad(const std::filesystem::path& path, const std::string& detail) {
     return {ErrorCode::BadInput, path.string() + ": " + detail};
+}
+
+bool has_array(const NpzFile& file, const std::string& name) {
+    const std::vector<std::string> names = file.names();
+    return std::ranges::find(names, name) != names.end();
 }
 
 bool is_triples(const NpyHeader& header) {
@@ -71,8 +77,9 @@ class NpzMeshReader {
             return read.error();
         }
         arrays_.precision = Precision::Double;
-        arrays_.parts.push_back(
-            {nameless_part, 0, static_cast<std::uint32_t>(arrays_.triangles.size())});
+        if (Status added = add_parts(); !added) {
+            return added.error();
+        }
         return std::move(arrays_);
     }
 
@@ -107,6 +114,40 @@ class NpzMeshReader {
         return Done{};
     }
 
+    /// Reads the parts, or makes all triangles one part.
+    Status add_parts() {
+        if (!has_array(file_, "parts") || !has_array(file_, "part_names")) {
+            arrays_.parts.push_back(
+                {nameless_part, 0, static_cast<std::uint32_t>(arrays_.triangles.size())});
+            return Done{};
+        }
+        const auto table = file_.read("parts");
+        const auto names = file_.read("part_names");
+        if (!table || !names) {
+            return table ? names.error() : table.error();
+        }
+        const std::vector<std::uint64_t>& shape = table.value().shape;
+        if (table.value().type != NpyType::U4 || shape.size() != 2 || shape[1] != 3 ||
+            names.value().type != NpyType::U1) {
+            return bad(path_, "'parts' must be <u4 of shape (P, 3), and 'part_names' |u1");
+        }
+        const std::vector<std::int64_t> values = table.value().to_integers().value();
+        std::string_view rest(reinterpret_cast<const char*>(names.value().data.data()),
+                              names.value().data.size());
+        for (std::size_t i = 0; i < values.size(); i += 3) {
+            const auto name_bytes = static_cast<std::size_t>(values[i + 2]);
+            if (name_bytes > rest.size()) {
+                return bad(path_,
+                           "'part_names' ends within the name of part " + std::to_string(i / 3));
+            }
+            arrays_.parts.push_back({std::string(rest.substr(0, name_bytes)),
+                                     static_cast<std::uint32_t>(values[i]),
+                                     static_cast<std::uint32_t>(values[i + 1])});
+            rest.remove_prefix(name_bytes);
+        }
+        return Done{};
+    }
+
     const std::filesystem::path& path_;
     const NpzFile& file_;
     double factor_;
@@ -120,11 +161,7 @@ Result<ImportedMesh> import_npz(const std::filesystem::path& path, const ImportO
     if (!file) {
         return Error{ErrorCode::BadInput, file.error().detail};
     }
-    const std::vector<std::string> names = file.value().names();
-    const auto has = [&](const char* name) {
-        return std::ranges::find(names, name) != names.end();
-    };
-    if (!has("vertices") || !has("faces")) {
+    if (!has_array(file.value(), "vertices") || !has_array(file.value(), "faces")) {
         return bad(path, "has no arrays 'vertices' and 'faces'");
     }
     auto arrays = NpzMeshReader(path, file.value(), options.unit_factor).read();

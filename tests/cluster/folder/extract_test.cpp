@@ -112,11 +112,14 @@ TEST_F(Extract, PosesOfAnyFormAreThoseThatWereTested) {
         "0.6,-0.8,0,1.1,0.8,0.6,0,0.1,0,0,1,0.3\n1,0,0,0.3,0,1,0,0,0,0,1,0.1\n";
     const std::string both = "scenario,body,x,y,z,qx,qy,qz,qw\n0,a,0.1,0,0,0,0,0.1,1\n"
                              "0,b,1,0.1,0.2,0.1,0,0,1\n1,a,0,0,7,0,0,0,1\n1,b,0.9,0,7,0,0,0,1\n";
-    for (const auto& [poses, more] :
-         {std::pair(matrices, ""), std::pair(both, "of = \"both\"\n")}) {
+    const std::string scaled = "m00,m01,m02,m03,m10,m11,m12,m13,m20,m21,m22,m23\n"
+                               "2,0,0,1.1,0,2,0,0.1,0,0,2,0.3\n3,0,0,0.3,0,3,0,0,0,0,3,0.1\n";
+    for (const auto& [poses, more] : {std::pair(matrices, "rigid_tolerance = 1\n"),
+                                      std::pair(both, "rigid_tolerance = 1\nof = \"both\"\n"),
+                                      std::pair(scaled, "rigid_tolerance = 8\n")}) {
         SCOPED_TRACE(poses);
         write_text(folder_ / "poses.csv", poses);
-        write_job_of_file(std::string("rigid_tolerance = 1\n") + more, "level = \"contacts\"");
+        write_job_of_file(more, "level = \"contacts\"");
         ASSERT_EQ(run({"--out", folder_ / "out", "--overwrite"}).exit_code, 0);
         for (const char* scenarios : {"0", "1", "0-1"}) {
             const Ran made = extract(scenarios);
@@ -196,14 +199,31 @@ TEST_F(Extract, APictureOfEachScenarioIsDrawn) {
     EXPECT_NE(read_text(folder_ / "case" / "0.png"), read_text(folder_ / "case" / "1.png"));
 }
 
-TEST_F(Extract, ARunThatPassesOverPartsIsRefused) {
-    write_text(folder_ / "a.obj", "o front\n" + read_text(folder_ / "a.obj"));
-    write_job(2, "ignore = [[\"front\", \"*\"]]");
+TEST_F(Extract, ACasePassesOverThePartsOfItsRun) {
+    // Each box of A meets B once; the rule leaves the contacts of one of them.
+    write_text(folder_ / "a.obj",
+               "o wheel/*\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"
+               "o ground\nv 0 0 0.5\nv 1 0 0.5\nv 0 1 0.5\nf 4 5 6\n"
+               "o far\nv 50 0 0\nv 51 0 0\nv 50 1 0\nf 7 8 9\n");
+    write_text(folder_ / "b.obj", "o pole\nv 0.2 0.2 -1\nv 0.2 0.3 -1\nv 0.2 0.2 2\nf 1 2 3\n");
+    write_text(folder_ / "poses.csv", "x\n0\n0.1\n");
+    write_text(job_,
+               "[a]\nmesh = \"a.obj\"\nname = \"car\"\n[b]\nmesh = \"b.obj\"\n[poses]\n"
+               "file = \"poses.csv\"\n[query]\nlevel = \"contacts\"\nignore = "
+               "[[\"car/wheel\\\\/\\\\*\", \"*\"], [\"far\", \"pole\"]]\n");
     ASSERT_EQ(run({"--out", folder_ / "out"}).exit_code, 0);
-    const Ran refused = extract("0");
-    EXPECT_EQ(refused.exit_code, 2);
-    EXPECT_THAT(refused.errors, HasSubstr("the run passes over parts (ignore)"));
-    EXPECT_THAT(refused.errors, HasSubstr("run the job without ignore into another folder"));
+    for (const std::vector<std::string>& more : {{}, std::vector<std::string>{"--minimal"}}) {
+        SCOPED_TRACE(more.size());
+        const Ran made = extract("0-1", more);
+        ASSERT_EQ(made.exit_code, 0) << made.errors;
+        expect_the_case_gives_what_it_says();
+        const auto expected = read_json(folder_ / "case" / "expected.json");
+        EXPECT_EQ(expected["scenarios"][1]["count"], 1);
+        EXPECT_EQ(expected["scenarios"][1]["class"], "cross");
+        const std::string rules = read_text(folder_ / "case" / "job.toml");
+        EXPECT_THAT(rules, HasSubstr("[\"car/wheel\\\\/\\\\*\", \"*\"]"));
+        EXPECT_EQ(rules.find("\"far\"") == std::string::npos, !more.empty());
+    }
 }
 
 TEST_F(Extract, TheUsersOwnJobIsNotOverwrittenButAnEarlierCaseIs) {
