@@ -17,6 +17,7 @@
 #include <cstdlib>
 #include <numeric>
 #include <optional>
+#include <random>
 #include <variant>
 #include <vector>
 
@@ -37,14 +38,17 @@ double seconds_since(Clock::time_point start) {
     return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-/// Distinct indices, ascending, evenly spread over [0, count).
+/// Distinct indices, ascending: a random one of each of equal parts of [0, count). Equal steps
+/// would meet the same values of a grid's axes again and again.
 std::vector<std::uint64_t> spread(std::uint64_t count, std::uint64_t samples) {
     const std::uint64_t size = std::min(count, samples);
+    std::mt19937_64 random; // Its default seed makes estimates repeatable.
     std::vector<std::uint64_t> indices(size);
+    std::uint64_t begin = 0;
     for (std::uint64_t i = 0; i < size; ++i) {
-        const double place = (static_cast<double>(i) + 0.5) / static_cast<double>(size);
-        indices[i] =
-            std::min(count - 1, static_cast<std::uint64_t>(place * static_cast<double>(count)));
+        const std::uint64_t end = begin + (count - begin) / (size - i);
+        indices[i] = begin + random() % (end - begin);
+        begin = end;
     }
     return indices;
 }
