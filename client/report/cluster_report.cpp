@@ -118,7 +118,7 @@ Table jobs_table(const ClusterStatus& status) {
                      {"compute_seconds", "COMPUTE", CellKind::Seconds, true},
                      {"inside_scenarios", "INSIDE?", CellKind::Count, true},
                      {"inside_seconds", "FOR INSIDE", CellKind::Seconds, true},
-                     {"doubted", "DOUBTED", CellKind::Count, true},
+                     {"withdrawn", "WITHDRAWN", CellKind::Count, true},
                      {"recalled", "RECALLED", CellKind::Count, true},
                      {"copies", "COPIES", CellKind::Count, true},
                      {"copies_won", "COPIES WON", CellKind::Count, true},
@@ -153,7 +153,7 @@ Table jobs_table(const ClusterStatus& status) {
                               job.compute_seconds,
                               job.statistics.inside.scenarios,
                               job.statistics.inside.seconds,
-                              job.doubted,
+                              job.withdrawn,
                               job.recalled,
                               job.copies,
                               job.copies_won,
@@ -306,9 +306,9 @@ std::string long_text(const ClusterStatus& status) {
                     std::to_string(one.worker.value) + " (" + one.name + "); `cdctl cancel " + id +
                     " --scenario " + scenario + "` ends it\n";
         }
-        if (job.doubted != 0) {
-            text += counted(job.doubted, "result") + " of " + id +
-                    " came from a worker in quarantine and are done again\n";
+        if (job.withdrawn != 0) {
+            text += counted(job.withdrawn, "result") + " of " + id +
+                    " came from a worker in quarantine and were withdrawn\n";
         }
         if (job.recalled != 0 || job.copies != 0) {
             text += "at the end of " + id + " " + counted(job.recalled, "scenario") +

@@ -2,6 +2,7 @@
 // with.
 #pragma once
 
+#include "common/core/id.hpp"
 #include "common/core/limits/master.hpp"
 #include "common/job/poses/ordered_poses.hpp"
 
@@ -9,6 +10,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <string>
 
 namespace cd {
 
@@ -16,17 +18,28 @@ namespace cd {
 /// unknown.
 using WorkerProcess = std::uint64_t;
 
+/// A session of a worker as the author of results.
+struct Author {
+    WorkerProcess process = 0;
+    WorkerId worker;    ///< 0: the session belongs to an earlier incarnation of the master.
+    std::string name;   ///< Empty for an earlier session, like `holder`.
+    std::string holder; ///< Holder of its certificate; empty without one.
+
+    /// "sim-7 (w-3, certified as sim)".
+    [[nodiscard]] std::string to_text() const {
+        if (worker == WorkerId{}) {
+            return "a worker of an earlier run of the master";
+        }
+        return name + " (w-" + std::to_string(worker.value) +
+               (holder.empty() ? ")" : ", certified as " + holder + ")");
+    }
+};
+
 /// Counts the losses of scenarios by process. A process that returns was not killed by them, so it
 /// counts once. A scenario that silences its host each time would never be given up on a cluster of
 /// one host, so every `limits::losses_again_that_count`-th repeated loss counts, too.
 class Losses {
   public:
-    /// Marks scenarios whose results are suspect; they were not lost.
-    [[nodiscard]] static Losses in_doubt() {
-        Losses losses;
-        losses.in_doubt_ = true;
-        return losses;
-    }
     /// 0: an unknown process or one that is still connected; it counts each time.
     void add(WorkerProcess process) {
         const bool is_known =
@@ -40,9 +53,8 @@ class Losses {
         ++count_;
     }
     [[nodiscard]] std::size_t count() const { return count_; }
-    [[nodiscard]] bool are_in_doubt() const { return in_doubt_; }
     /// The scenarios may be handed out in bulk.
-    [[nodiscard]] bool none() const { return count_ == 0 && !in_doubt_; }
+    [[nodiscard]] bool none() const { return count_ == 0; }
 
     friend bool operator==(const Losses&, const Losses&) = default;
 
@@ -50,7 +62,6 @@ class Losses {
     std::array<WorkerProcess, limits::scenario_losses_max> processes_{};
     std::size_t count_ = 0;
     std::size_t again_ = 0; ///< Repeated losses with known processes.
-    bool in_doubt_ = false;
 };
 
 /// Consecutive order positions of a job, lost together.

@@ -31,7 +31,8 @@ Coordinator::Coordinator(CoordinatorParts parts)
       epoch_(std::random_device{}() | std::uint64_t{std::random_device{}()} << 32),
       watch_(parts_.times),
       blocks_(parts_.executor, trees_),
-      jobs_(limits::results_ended_kept_max, parts_.retention) {}
+      jobs_(limits::results_ended_kept_max, parts_.retention),
+      references_(parts_.executor, parts_.blocking) {}
 Coordinator::~Coordinator() = default;
 
 double Coordinator::now() const {
@@ -120,11 +121,7 @@ void Coordinator::perform(const GiveUp& action) {
     log_error("scenario given up: job={} scenario={}", job->id.value, action.scenario);
     const std::string why = "lost with " + std::to_string(limits::scenario_losses_max) +
                             " workers, one after the other, or with fewer again and again";
-    if (job->merger.has(action.scenario)) {
-        give_up_doubt(*job, analysis->scenario, why);
-    } else {
-        fail_scenario(*job, analysis->scenario, why);
-    }
+    fail_scenario(*job, analysis->scenario, why);
 }
 
 ClusterStatus Coordinator::cluster_status() {
@@ -143,8 +140,8 @@ ClusterStatus Coordinator::cluster_status() {
     for (JobStatus& job : status.jobs) {
         add_what_it_waits_for(job);
     }
-    status.alarms = alarms_.last;
-    status.alarm_count = alarms_.count;
+    status.alarms = alarms_.record().last;
+    status.alarm_count = alarms_.record().count;
     status.workers_lost = workers_lost_;
     status.sessions_resumed = sessions_resumed_;
     status.scenarios_given_back = scenarios_given_back_;

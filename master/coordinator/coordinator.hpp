@@ -12,9 +12,9 @@
 #include "master/jobs/job_spool.hpp"
 #include "master/journal/journal.hpp"
 #include "master/journal/ledger.hpp"
-#include "master/results/late_results.hpp"
+#include "master/verify/alarms.hpp"
+#include "master/verify/reference_run.hpp"
 #include "master/workers/awaited_workers.hpp"
-#include "master/workers/worker_sessions.hpp"
 #include "master/workers/worker_watch.hpp"
 #include "proto/channel/asio.hpp"
 #include "proto/channel/channel.hpp"
@@ -173,8 +173,10 @@ class Coordinator {
     [[nodiscard]] const std::string& paused() const { return paused_; }
 
     /// Quarantined processes. These and `alarm_count` cover all incarnations of the master.
-    [[nodiscard]] const std::set<std::uint64_t>& quarantined() const { return quarantined_; }
-    [[nodiscard]] std::uint64_t alarm_count() const { return alarms_.count; }
+    [[nodiscard]] const std::set<WorkerProcess>& quarantined() const {
+        return alarms_.quarantined();
+    }
+    [[nodiscard]] std::uint64_t alarm_count() const { return alarms_.record().count; }
 
     /// Aborts if an invariant is broken. For tests; call it between two events.
     void check_invariants() const;
@@ -186,12 +188,12 @@ class Coordinator {
     struct WorkerLink {
         std::shared_ptr<Channel> channel; ///< Closed while the worker is disconnected.
         PeerKey key;
-        std::string name;
-        bool is_settled = true;         ///< The master knows the worker's inventory.
-        bool is_cut_off = false;        ///< The worker may not resume its session.
-        bool is_dismissed = false;      ///< The worker has been ordered to exit at once.
-        std::uint64_t results_last = 0; ///< Highest sequence number of its result messages.
-        std::uint64_t bytes_seen = 0;   ///< Bytes received on its connection at the last check.
+        std::shared_ptr<const Author> author; ///< The session as author of results.
+        bool is_settled = true;               ///< The master knows the worker's inventory.
+        bool is_cut_off = false;              ///< The worker may not resume its session.
+        bool is_dismissed = false;            ///< The worker has been ordered to exit at once.
+        std::uint64_t results_last = 0;       ///< Highest sequence number of its result messages.
+        std::uint64_t bytes_seen = 0; ///< Bytes received on its connection at the last check.
         std::optional<RunningScenario> longest;
         std::uint64_t cache_bytes = 0;
         std::uint64_t cached_bytes = 0;
@@ -222,18 +224,20 @@ class Coordinator {
     };
     /// Results that belong to no current task: their session or their job has ended.
     struct LateResults {
-        WorkerId worker;
+        std::shared_ptr<const Author> author;
         std::shared_ptr<const Results> message;
         std::function<void()> done;
     };
     /// Checked results on their way into the job.
     struct ResultsInHand {
-        WorkerId worker;
+        std::shared_ptr<const Author> author;
         std::shared_ptr<const TaskContent> task; ///< Null for late results.
         std::shared_ptr<const Results> message;
         Result<TakenResults> taken;
         std::function<void()> done;
         std::vector<std::uint64_t> mapped; ///< Covered by the recomputed map; else empty.
+
+        [[nodiscard]] JobId job() const { return task == nullptr ? message->job : task->job; }
     };
 
     // Workers.
@@ -256,12 +260,8 @@ class Coordinator {
     void take_lost_jobs(WorkerLink& link, const Standing& standing);
     void take_lost_tasks(WorkerId worker, const Standing& standing);
     void forget_tasks(WorkerId worker);
-    /// `task` is null for late results. False: the job has ended, and the results must still be
-    /// compared with the stored ones.
-    [[nodiscard]] bool results_taken(WorkerId worker,
-                                     const TaskContent* task,
-                                     const Results& results,
-                                     Result<TakenResults> taken);
+    /// Merges checked results and promises their acknowledgement.
+    void results_taken(const ResultsInHand& hand, Result<TakenResults> taken);
     void take_in(std::shared_ptr<ResultsInHand> hand);
     /// Returns the scenarios of `results` that are not merged.
     [[nodiscard]] static std::vector<std::uint64_t>
@@ -282,23 +282,10 @@ class Coordinator {
     void put_away(LateResults late);
     void forget_late_results(WorkerId worker);
     [[nodiscard]] bool has_late_results(JobId job) const;
-    /// Resumes late results that waited for the job's geometry, or for its end to be durable.
+    /// Resumes late results that waited for the job's geometry, or for a disk until its end.
     void look_at_late_results(JobId job);
     void check_late_results(const MasterJob& job, LateResults late);
     void late_results_checked(std::shared_ptr<ResultsInHand> hand);
-    /// `kept` is the result store of the ended job.
-    asio::awaitable<void> compare_late_results(LateResults late,
-                                               std::shared_ptr<const ResultStore> kept);
-    /// Acknowledges late results that need no more work.
-    void finish(const LateResults& late);
-    struct EndedRun;
-    struct LateCase {
-        LateResults late;
-        LateDifference difference;
-    };
-    asio::awaitable<void> judge_late_cases();
-    /// Judges a late result by the master's own run of the scenario.
-    void judge(const LateCase& late, const Result<ScenarioResult>& right);
     void add_held_trees(WorkerLink& link);
     void end_task_if_complete(TaskId task);
     /// Cancels speculative copies of `scenario` on all workers except `worker`.
@@ -315,11 +302,12 @@ class Coordinator {
     /// that workers delivered again after a restart.
     void begin_analysis(MasterJob& job);
     void block_came(JobId job, AnalysedBlock block, std::vector<TakenResult> finished);
-    /// The only path by which results enter a job and the journal. `worker` 0 is the master.
-    void merge(MasterJob& job, TakenResults taken, WorkerId worker);
-    /// False: the scenario already had a result.
-    [[nodiscard]] bool
-    merge_one(MasterJob& job, const TakenResult& taken, WorkerId worker, AddResults& add);
+    /// The only path by which results enter a job and the journal. `author` is null for the master.
+    void merge(MasterJob& job, TakenResults taken, const std::shared_ptr<const Author>& author);
+    void merge_one(MasterJob& job,
+                   TakenResult taken,
+                   const std::shared_ptr<const Author>& author,
+                   AddResults& add);
     void end_if_complete(MasterJob& job);
     /// Holds back resumed jobs until the workers from before the restart have returned.
     void await_workers();
@@ -354,61 +342,18 @@ class Coordinator {
     answered_by(const MasterJob& job, std::uint64_t scenario, bool needs_worker) const;
 
     // Disputes (coordinator_disputes.cpp).
-    struct Evidence;
     /// Records the dispute in `add`, which is written next. Once that is durable, the master's own
     /// result decides the dispute.
     void open_dispute(MasterJob& job, const Dispute& dispute, AddResults& add);
-    asio::awaitable<void> settle_dispute(Dispute dispute);
-    /// Keeps the first result if there is no evidence.
-    void settle(MasterJob& job, const Dispute& dispute, std::optional<Evidence> evidence);
-    /// Adds the journal records that follow to `verdict`. Errors: TooLarge if the right result is
-    /// too large.
-    [[nodiscard]] Status
-    judge(MasterJob& job, const Dispute& dispute, Evidence evidence, AddResults& verdict);
-    /// Replaces the wrong merged result of a scenario and withdraws the job's map for the reason
-    /// `why`.
-    void correct(MasterJob& job,
-                 TakenResult right,
-                 const ScenarioFacts& wrong,
-                 const std::string& why,
-                 AddResults& verdict);
-    /// Stops the dispute runs of the job, or of one of its scenarios. False if there are none.
-    bool stop_judging(JobId job, std::optional<std::uint64_t> scenario);
-    void alarm(const std::string& text);
-
-    // Quarantine and suspect results (coordinator_doubts.cpp).
-    void quarantine(WorkerId worker);
-    [[nodiscard]] bool is_quarantined(WorkerId worker) const;
-    /// The worker's results are ignored: it, or the holder of its certificate, is quarantined.
-    [[nodiscard]] bool is_distrusted(WorkerId worker) const;
-    /// True if any process of this certificate holder was wrong.
-    [[nodiscard]] bool is_holder_quarantined(const std::string& holder) const;
-    void quarantine_holder(WorkerId worker);
-    /// Display name; also works for a worker that only an earlier master process knew.
-    [[nodiscard]] std::string name_of(WorkerId worker) const;
-    /// Allocates a worker id for a process from before the restart.
-    [[nodiscard]] WorkerId earlier_worker(WorkerProcess process);
-    /// Restores authors, suspect results and disputes from before the restart.
-    void restore_authors(MasterJob& job,
-                         std::span<const std::uint64_t> done,
-                         std::span<const WorkerProcess> authors,
-                         std::span<const Remark> disputes);
-    /// Call once the job's geometry is loaded.
-    void take_up_doubts(MasterJob& job);
-    /// Has other workers repeat every scenario that this worker answered.
-    void doubt_results_of(WorkerId worker);
-    void doubt(MasterJob& job, const std::vector<std::uint64_t>& scenarios);
-    /// Requires the job's geometry.
-    void answer_again(MasterJob& job, std::span<const std::uint64_t> scenarios);
-    void do_again(MasterJob& job, std::vector<std::uint64_t> places);
-    /// False if the scenario's result was not suspect.
-    bool doubt_ends(MasterJob& job, std::uint64_t scenario, WorkerId by);
-    /// Fails a suspect scenario that was lost with too many workers. Running it to judge it could
-    /// take the master down, too.
-    void give_up_doubt(MasterJob& job, const Scenario& scenario, const std::string& why);
-    asio::awaitable<void> fail_doubted(JobId job, Scenario scenario, std::string why);
-    /// Drops sessions of departed workers that no running job's results refer to.
-    void forget_sessions();
+    void run_disputed(const Dispute& dispute);
+    void settle(MasterJob& job, const Dispute& dispute, ReferenceResult right);
+    /// Gives the process no more work and withdraws its results from all running jobs.
+    void quarantine(const Author& wrong);
+    void withdraw_results_of(const Author& wrong);
+    void withdraw_results_of(const Author& wrong, MasterJob& job);
+    /// Queues scenarios whose results were withdrawn. Requires the job's geometry.
+    void hand_out_again(MasterJob& job, std::span<const std::uint64_t> scenarios);
+    void put_back_places(MasterJob& job, std::vector<std::uint64_t> places);
 
     void end_job(MasterJob& job, JobState state, const std::string& failure);
     void release_tree(TreeId tree);
@@ -504,16 +449,10 @@ class Coordinator {
     using LateKey = std::tuple<JobId, WorkerId, std::uint64_t>; ///< And sequence number.
     std::map<LateKey, LateResults> late_results_;               ///< Late results not examined yet.
     std::uint64_t aside_bytes_ = 0;                             ///< Bytes of all parked results.
-    std::deque<LateCase> late_cases_;                           ///< The front case is being judged.
     std::vector<std::function<void()>> waiting_for_room_;       ///< For room in the journal.
-    AlarmRecord alarms_;
-    std::set<WorkerProcess> quarantined_; ///< Quarantined processes and certificate holders.
-    WorkerSessions sessions_;
+    Alarms alarms_;
     std::map<WorkerProcess, std::weak_ptr<WorkerIntake>> intakes_;
-    /// Runs that settle disputes, by job and scenario; setting the flag stops a run.
-    using Judging =
-        std::multimap<std::pair<JobId, std::uint64_t>, std::shared_ptr<std::atomic<bool>>>;
-    Judging judging_;
+    ReferenceRuns references_; ///< Runs that settle disputes.
     AwaitedWorkers awaited_;
     std::shared_ptr<asio::steady_timer> awaited_until_; ///< Null if no worker is awaited.
 };

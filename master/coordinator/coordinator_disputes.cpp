@@ -1,13 +1,13 @@
-// Disputes: two results of one scenario differ. Each duplicate result is a free test of memory and
-// code.
+// Disputes and quarantine. Two results of one scenario differ: the master's own run decides. A
+// process that was wrong goes into quarantine, and in running jobs all its results count as never
+// having come. Each duplicate result is thus a free test of memory and code.
 //
 // A dispute is journaled before the result is acknowledged. The verdict is one journal entry: right
 // result, alarm, quarantine and end of the dispute. A restarted master therefore finds either the
 // open dispute or the whole verdict.
 #include "common/core/host/log.hpp"
-#include "common/core/host/stop_check.hpp"
-#include "common/job/run_scenario.hpp"
-#include "master/base/run_on.hpp"
+#include "common/core/limits/engine.hpp"
+#include "master/base/mutation.hpp"
 #include "master/coordinator/coordinator.hpp"
 #include "master/results/record_size.hpp"
 
@@ -15,124 +15,84 @@
 
 namespace cd {
 
-/// The evidence that settles a dispute.
-struct Coordinator::Evidence {
-    TakenResult right;
-    ScenarioFacts first;       ///< Facts of the merged result.
-    bool is_cancelled = false; ///< The right result is unknown; nobody is blamed.
-
-    struct Case {
-        std::shared_ptr<const JobMaterial> material;
-        std::shared_ptr<PoseSource> poses;
-        std::shared_ptr<const ResultStore> results;
-        std::uint64_t scenario = 0;
-        bool is_masters = false; ///< As far as is known, the merged result is the master's.
-    };
-    [[nodiscard]] static Result<std::optional<Evidence>> find(const Case& dispute,
-                                                              const StopCheck& stop);
-};
-
-/// Returns nothing if the merged result is a failure recorded by the master: it stays. Such a
-/// scenario may kill its runner or was cancelled, so the master must not run it. A failure reported
-/// by a worker is checked like any other answer.
-Result<std::optional<Coordinator::Evidence>> Coordinator::Evidence::find(const Case& dispute,
-                                                                         const StopCheck& stop) {
-    const Result<ScenarioResult> first = kept_result(*dispute.results, dispute.scenario);
-    if (!first) {
-        return first.error();
-    }
-    if (first.value().kind == ScenarioClass::Failed && dispute.is_masters) {
-        return std::optional<Evidence>();
-    }
-    const Result<std::vector<Scenario>> read = dispute.poses->read(dispute.scenario, 1);
-    if (!read) {
-        return read.error();
-    }
-    const Scenario& scenario = read.value().front();
-    const JobMaterial& material = *dispute.material;
-    const ScenarioRunner runner(*material.a, *material.b, material.query, PairStage::Float, stop);
-    ScenarioRun run;
-    run.is_stopped = stop();
-    if (!run.is_stopped) {
-        run = runner.run(scenario);
-    }
-    if (run.is_stopped) {
-        run.result = failed_result(scenario, material.query, {ErrorCode::Interrupted, "cancelled"});
-    }
-    return std::optional(
-        Evidence{take_result(std::move(run.result), {}), facts_of(first.value()), run.is_stopped});
-}
-
-void Coordinator::alarm(const std::string& text) {
-    log_critical("ALARM: {}", text);
-    alarms_.add(text);
-}
+// ---- Disputes -----------------------------------------------------------------------------------
 
 void Coordinator::open_dispute(MasterJob& job, const Dispute& dispute, AddResults& add) {
     log_error("results differ: job={} scenario={} worker={}",
               job.id.value,
               dispute.scenario,
-              dispute.second.value);
+              dispute.second->worker.value);
     ++job.disputes;
-    add.remarks.push_back({Remark::Kind::Disputed,
-                           dispute.scenario,
-                           dispute.digest,
-                           sessions_.process_of(dispute.second)});
+    add.remarks.push_back(
+        {Remark::Kind::Disputed, dispute.scenario, dispute.digest, dispute.second->process});
     ledger_.promise(dispute, written_ + 1);
 }
 
-asio::awaitable<void> Coordinator::settle_dispute(Dispute dispute) {
-    MasterJob* job = jobs_.find_running(dispute.job);
-    if (job == nullptr) {
-        co_return;
+void Coordinator::run_disputed(const Dispute& dispute) {
+    const MasterJob* job = jobs_.find_running(dispute.job);
+    if (job == nullptr || closed_) {
+        return; // After a restart the master judges it.
     }
-    const std::uint64_t index = dispute.scenario;
-    const auto stop = std::make_shared<std::atomic<bool>>(closed_);
-    const auto judging = judging_.emplace(std::pair(dispute.job, index), stop);
-    bool is_over = false;
-    std::optional<Evidence> evidence;
-    while (job != nullptr && !is_over) {
-        if (job->given_up.contains(index)) {
-            break; // The scenario fails; judging it would run it here.
-        }
-        const bool is_masters = index >= job->authors.size() || job->authors[index] == 0;
-        const Sha256 merged = job->merger.digest_of(index);
-        auto look = [content =
-                         Evidence::Case{job->material, job->poses, job->results, index, is_masters},
-                     stop] { return Evidence::find(content, [stop] { return stop->load(); }); };
-        Result<std::optional<Evidence>> found = co_await run_on(parts_.blocking, look);
-        job = closed_ ? nullptr : jobs_.find_running(dispute.job);
-        if (job == nullptr) {
-            break; // The next incarnation of the master judges it.
-        }
-        if (!found) {
-            job = co_await wait_until_mended(dispute.job, found.error());
-        } else if (job->merger.digest_of(index) == merged) { // Not corrected meanwhile.
-            disk_gives(*job);
-            evidence = std::move(found.value());
-            is_over = true;
-        }
-    }
-    judging_.erase(judging);
-    if (job != nullptr) {
-        settle(*job, dispute, std::move(evidence));
-        feed();
-    }
+    references_.start(job->id,
+                      dispute.scenario,
+                      job->material,
+                      job->poses,
+                      [this, dispute](Result<ReferenceResult> found) {
+                          MasterJob* running = jobs_.find_running(dispute.job);
+                          if (running == nullptr) {
+                              return;
+                          }
+                          if (!found) {
+                              return wait_for_disk(*running, found.error(), [this, dispute] {
+                                  run_disputed(dispute);
+                              });
+                          }
+                          disk_gives(*running);
+                          settle(*running, dispute, std::move(found.value()));
+                          feed();
+                      });
 }
 
-void Coordinator::settle(MasterJob& job, const Dispute& dispute, std::optional<Evidence> evidence) {
-    const std::uint64_t alarms_before = alarms_.count;
-    AddResults verdict{job.id, job.results, {}, {}, {}};
-    const WorkerProcess second = sessions_.process_of(dispute.second);
-    verdict.remarks.push_back({Remark::Kind::Settled, dispute.scenario, dispute.digest, second});
-    const Status fits =
-        evidence ? judge(job, dispute, std::move(*evidence), verdict) : Status(Done{});
-    if (alarms_.count != alarms_before) {
-        verdict.alarms = alarms_;
+void Coordinator::settle(MasterJob& job, const Dispute& dispute, ReferenceResult right) {
+    const std::uint64_t index = dispute.scenario;
+    const Status fits = check_record_size(index, right.taken.record.size());
+    const bool first_is_right = !job.merged.has(index) || job.merged.is_failed_by_master(index) ||
+                                job.merged.digest_of(index) == right.taken.digest;
+    if (!right.is_stopped) {
+        const std::string where = "results of job " + std::to_string(job.id.value) + ", scenario " +
+                                  std::to_string(index);
+        if (!first_is_right) {
+            const auto first = job.merged.author_of(index);
+            alarms_.raise(where + " differ, and the master's own says that the first one, of " +
+                          (first == nullptr ? "an unknown worker" : first->to_text()) +
+                          ", was wrong; it is corrected");
+            if (first != nullptr) {
+                quarantine(*first);
+            }
+        }
+        // A process whose results were withdrawn before proves nothing new.
+        if (dispute.digest != right.taken.digest &&
+            !alarms_.is_quarantined(dispute.second->process)) {
+            alarms_.raise(where + " differ, and the master's own says that " +
+                          dispute.second->to_text() + " is wrong");
+            quarantine(*dispute.second);
+        }
     }
+    AddResults verdict{job.id, job.results, {}, {}, {}};
+    verdict.remarks.push_back(
+        {Remark::Kind::Settled, index, dispute.digest, dispute.second->process});
+    if (!first_is_right && job.merged.has(index)) {
+        job.merged.withdraw_one(index);
+        ledger_.withdraw(job.id, std::span(&index, 1));
+        withdraw_map(job, "a result of the job was wrong and has been corrected");
+    }
+    if (!job.merged.has(index) && fits) {
+        merge_one(job, std::move(right.taken), nullptr, verdict);
+        act(dispatcher().scenario_answered(WorkerId{}, job.id, index));
+    }
+    verdict.alarms = alarms_.take_changed();
     verdict.progress = job.progress(Clock::now());
     write(std::move(verdict));
-    doubt_ends(job, dispute.scenario, WorkerId{}); // The author may be quarantined now.
     --job.disputes;
     ++job.changes;
     if (!fits) {
@@ -141,76 +101,131 @@ void Coordinator::settle(MasterJob& job, const Dispute& dispute, std::optional<E
     end_if_complete(job);
 }
 
-bool Coordinator::stop_judging(JobId job, std::optional<std::uint64_t> scenario) {
-    bool any = false;
-    for (const auto& [place, stop] : judging_) {
-        if (place.first == job && (!scenario || place.second == *scenario)) {
-            *stop = true;
-            any = true;
+// ---- Quarantine ---------------------------------------------------------------------------------
+
+void Coordinator::quarantine(const Author& wrong) {
+    if (!alarms_.quarantine(wrong.process)) {
+        return;
+    }
+    log_error("worker quarantined: worker={}", wrong.worker.value);
+    withdraw_results_of(wrong);
+    // The process may have left and rejoined under another id.
+    for (auto& [id, link] : workers_) {
+        if (link.author->process == wrong.process) {
+            link.quarantined = true;
+            blocks_.worker_left(id);
+            take_all_back(id); // The process is alive, so the work is not lost with it.
+            forget_tasks(id);
+            act(dispatcher().worker_lost(id));
         }
     }
-    return any;
 }
 
-Status
-Coordinator::judge(MasterJob& job, const Dispute& dispute, Evidence evidence, AddResults& verdict) {
-    const std::uint64_t index = dispute.scenario;
-    const std::string where =
-        "results of job " + std::to_string(job.id.value) + ", scenario " + std::to_string(index);
-    const WorkerId author{index < job.authors.size() ? job.authors[index] : 0};
-    const bool first_is_right = job.merger.digest_of(index) == evidence.right.digest;
-    const bool second_is_right = dispute.digest == evidence.right.digest;
-    if (author != WorkerId{}) {
-        job.authors[index] = 0; // The master's own result replaces it.
-    }
-    if (evidence.is_cancelled) {
-        if (!first_is_right) { // False if another dispute cancelled it before.
-            correct(job,
-                    std::move(evidence.right),
-                    evidence.first,
-                    "a scenario with results that differ was cancelled",
-                    verdict);
+void Coordinator::withdraw_results_of(const Author& wrong) {
+    std::string ended;
+    for (const JobStatus& known : jobs_.statuses(Clock::now())) {
+        MasterJob& job = *jobs_.find(known.job);
+        if (job.is_running() && !mutated(Mutation::LiarKept)) {
+            withdraw_results_of(wrong, job);
+        } else if (!job.is_running() && job.contributors.contains(wrong.process)) {
+            ended += (ended.empty() ? "" : ", ") + std::to_string(job.id.value);
         }
-        return Done{};
     }
-    const Status fits = check_record_size(index, evidence.right.record.size());
-    const bool is_known_wrong = !first_is_right && is_quarantined(author);
-    if (is_known_wrong) {
-        log_warning("a result in doubt is corrected: job={} scenario={}", job.id.value, index);
-    } else if (!first_is_right) {
-        alarm(where + " differ, and the master's own says that the first one, of " +
-              (author == WorkerId{} ? "an unknown worker" : name_of(author)) +
-              ", was wrong; it is corrected");
+    if (!ended.empty()) {
+        alarms_.raise("jobs that have ended hold results of " + wrong.to_text() +
+                      ", which was wrong elsewhere; check them with cdctl verify: " + ended);
     }
-    if (!first_is_right && fits) {
-        correct(job,
-                std::move(evidence.right),
-                evidence.first,
-                "a result of the job was wrong and has been corrected",
-                verdict);
-    }
-    // A repeated message, for example after a restart, proves nothing new.
-    if (!second_is_right && dispute.second != WorkerId{} && !is_quarantined(dispute.second)) {
-        alarm(where + " differ, and the master's own says that " + name_of(dispute.second) +
-              " is wrong");
-        quarantine(dispute.second);
-    }
-    if (!first_is_right) {
-        quarantine(author);
-    }
-    return fits;
 }
 
-void Coordinator::correct(MasterJob& job,
-                          TakenResult right,
-                          const ScenarioFacts& wrong,
-                          const std::string& why,
-                          AddResults& verdict) {
-    const std::uint64_t index = right.result.index;
-    job.merger.correct(index, wrong, facts_of(right.result), right.digest);
-    withdraw_map(job, why);
-    const ResultRow row{index, right.record.size(), facts_of(right.result), right.digest};
-    verdict.results.push_back({row, std::move(right.record)});
+void Coordinator::withdraw_results_of(const Author& wrong, MasterJob& job) {
+    std::vector<std::uint64_t> scenarios = job.merged.withdraw(wrong.process);
+    if (scenarios.empty()) {
+        return;
+    }
+    log_warning("results withdrawn: job={} scenarios={} worker={}",
+                job.id.value,
+                scenarios.size(),
+                wrong.worker.value);
+    job.withdrawn += scenarios.size();
+    job.done.reset();
+    ++job.changes;
+    withdraw_map(job, "a worker that has contributed to it was wrong elsewhere");
+    ledger_.withdraw(job.id, scenarios);
+    if (job.order != nullptr) { // Otherwise all scenarios without a result are handed out later.
+        hand_out_again(job, scenarios);
+    }
+    AddResults withdrawal{job.id, job.results, {}, {}, {}};
+    withdrawal.remarks.push_back({Remark::Kind::Withdrawn, 0, {}, wrong.process});
+    withdrawal.withdrawn = std::move(scenarios);
+    withdrawal.progress = job.progress(Clock::now());
+    write(std::move(withdrawal));
+}
+
+void Coordinator::hand_out_again(MasterJob& job, std::span<const std::uint64_t> scenarios) {
+    std::map<std::uint64_t, std::vector<std::uint64_t>> by_window;
+    for (const std::uint64_t index : scenarios) {
+        by_window[index / limits::order_window_scenarios].push_back(index);
+    }
+    for (auto& [window, indices] : by_window) {
+        if (job.order->grid() != nullptr) {
+            put_back_places(job, std::move(indices)); // On a grid the position equals the index.
+            continue;
+        }
+        job.places_loading += indices.size();
+        parts_.blocking.post([this,
+                              executor = parts_.executor,
+                              id = job.id,
+                              order = job.order,
+                              indices = std::move(indices)] {
+            asio::post(executor, [this, id, indices, found = order->window_of(indices.front())] {
+                MasterJob* running = jobs_.find_running(id);
+                if (running == nullptr) {
+                    return;
+                }
+                if (!found) {
+                    return wait_for_disk(*running, found.error(), [this, id, indices] {
+                        MasterJob& again = *jobs_.find(id);
+                        again.places_loading -= indices.size();
+                        hand_out_again(again, indices);
+                    });
+                }
+                running->places_loading -= indices.size();
+                disk_gives(*running);
+                std::vector<std::uint64_t> places;
+                for (const std::uint64_t index : indices) {
+                    places.push_back(found.value()->place_of(index));
+                }
+                put_back_places(*running, std::move(places));
+                feed();
+            });
+        });
+    }
+}
+
+/// Queues positions, except those that are queued or handed out already.
+void Coordinator::put_back_places(MasterJob& job, std::vector<std::uint64_t> places) {
+    std::sort(places.begin(), places.end());
+    std::vector<PlaceRange> runs;
+    for (const std::uint64_t place : places) {
+        if (runs.empty() || runs.back().end() != place) {
+            runs.push_back({place, 0});
+        }
+        ++runs.back().count;
+    }
+    for (const PlaceQueue::Piece& piece : job.todo.pieces()) {
+        runs = without(runs, piece.places);
+    }
+    for (const PlaceRange& unsent : dispatcher_.places_of(job.id)) {
+        runs = without(runs, unsent);
+    }
+    for (const auto& [id, task] : tasks_) {
+        if (task.content->job == job.id && task.places) {
+            runs = without(runs, *task.places);
+        }
+    }
+    for (const PlaceRange& run : runs) {
+        job.todo.put_back({run});
+    }
 }
 
 } // namespace cd

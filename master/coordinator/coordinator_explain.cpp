@@ -7,11 +7,11 @@ namespace cd {
 namespace {
 
 Result<Analysis> analyse_again(const AnalysisInput& input, std::uint64_t scenario) {
-    const Result<std::vector<Scenario>> read = input.poses->read(scenario, 1);
+    const Result<Scenario> read = read_one(*input.poses, scenario);
     if (!read) {
         return read.error();
     }
-    return analyse(input, read.value().front());
+    return analyse(input, read.value());
 }
 
 AnalysedScenario analysed_scenario(Analysis analysis) {
@@ -76,7 +76,7 @@ Result<Explained> Coordinator::explain(JobId id, Analysis analysis) {
     }
     Explained explained = dispatcher().explain(id, analysed_scenario(std::move(analysis)));
     const MasterJob& job = jobs_.at(id);
-    if (job.merger.has(explained.scenario)) {
+    if (job.merged.has(explained.scenario)) {
         explained.where = answered_by(job, explained.scenario, explained.roots_a != 0);
         explained.note = "it is answered: the scores are those that it would have now, not those "
                          "by which it was given out";
@@ -89,7 +89,7 @@ Explained Coordinator::explain_ended(const MasterJob& job, std::uint64_t scenari
     explained.job = job.id;
     explained.scenario = scenario;
     explained.strategy = job.submit.cluster.strategy;
-    explained.where = job.merger.has(scenario)
+    explained.where = job.merged.has(scenario)
                           ? answered_by(job, scenario, true)
                           : "never answered: the job is " + std::string(to_text(job.end->state));
     explained.note = "the job has ended, so no worker is scored";
@@ -98,23 +98,15 @@ Explained Coordinator::explain_ended(const MasterJob& job, std::uint64_t scenari
 
 std::string
 Coordinator::answered_by(const MasterJob& job, std::uint64_t scenario, bool needs_worker) const {
-    const WorkerId author{scenario < job.authors.size() ? job.authors[scenario] : 0};
-    if (author == WorkerId{}) {
+    const auto author = job.merged.author_of(scenario);
+    if (author == nullptr) {
         return needs_worker ? "answered by the master, or by a worker that is no longer on record"
                             : "answered by the master";
     }
-    const auto link = workers_.find(author);
-    const auto lost = lost_.find(author);
-    const std::string number = "w-" + std::to_string(author.value);
-    if (sessions_.is_earlier(author)) {
-        return "answered by " + name_of(author) + ", before the master was started again";
-    }
-    if (link != workers_.end()) {
-        return "answered by " + link->second.name + " (" + number + ")";
-    }
-    return "answered by " +
-           (lost == lost_.end() ? number : lost->second.status.name + " (" + number + ")") +
-           ", which is not here any more";
+    return "answered by " + author->to_text() +
+           (author->worker == WorkerId{} || workers_.contains(author->worker)
+                ? ""
+                : ", which is not here any more");
 }
 
 } // namespace cd

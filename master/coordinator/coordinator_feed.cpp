@@ -50,7 +50,10 @@ void Coordinator::feed() {
                 begin_analysis(*job);
             }
             const auto piece = job->todo.take(limits::analysis_block_scenarios);
-            job->submitter->start(piece.places, piece.losses);
+            if (job->done == nullptr) {
+                job->done = job->merged.marks();
+            }
+            job->submitter->start(piece.places, piece.losses, job->done);
             fed_last_ = job->id;
             ++under_way;
             any_started = true;
@@ -80,7 +83,7 @@ bool Coordinator::prefers_ranges_now(const MasterJob& job) const {
         return true;
     }
     RangeCosts costs;
-    costs.scenarios_left = job.merger.summary().total - job.merger.summary().merged();
+    costs.scenarios_left = job.merged.summary().total - job.merged.summary().merged();
     costs.analysis = job.analysis_seconds.value_or(0);
     costs.matching = job.matching_seconds.value_or(0);
     costs.work = job.work_seconds.value_or(0);
@@ -142,7 +145,7 @@ std::vector<PlaceRange> Coordinator::unmerged(const MasterJob& job, const GivenP
     for (std::uint64_t place = given.places.first; place < given.places.end(); ++place) {
         const std::uint64_t index =
             given.window == nullptr ? place : given.window->at({place, 1}).front().index;
-        if (job.merger.has(index)) {
+        if (job.merged.has(index)) {
             continue;
         }
         if (runs.empty() || runs.back().end() != place) {

@@ -54,7 +54,7 @@ void Coordinator::check_job(const MasterJob& job) const {
     }
     CD_CHECK(dispatcher_.unanswered(job.id) == job.open.size());
     for (const auto& [index, analysis] : job.open) {
-        CD_CHECK(job.lacks(index));
+        CD_CHECK(!job.merged.has(index));
     }
     if (job.analyses_under_way() != 0 || job.places_loading != 0) {
         return;
@@ -62,11 +62,7 @@ void Coordinator::check_job(const MasterJob& job) const {
     // No scenario is lost: each is merged, at the dispatcher, or still to be handed out.
     const std::vector<bool> in_ranges = scenarios_in_ranges(job);
     for (std::uint64_t index = 0; index < job.submit.scenarios; ++index) {
-        // The order positions of a list's suspect scenarios are looked up on a thread and then
-        // queued; the job does not end before.
-        const bool may_be_looked_up = job.order->grid() == nullptr && job.merger.has(index);
-        CD_CHECK(!job.lacks(index) || in_ranges[index] || job.open.contains(index) ||
-                 may_be_looked_up);
+        CD_CHECK(job.merged.has(index) || in_ranges[index] || job.open.contains(index));
     }
 }
 

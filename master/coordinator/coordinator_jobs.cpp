@@ -13,29 +13,13 @@
 
 namespace cd {
 
-namespace {
-
-/// Marks the scenarios that have a result, by index. Null if none has.
-std::shared_ptr<const std::vector<bool>> done_scenarios(const ResultMerger& merger) {
-    if (merger.summary().merged() == 0) {
-        return nullptr;
-    }
-    auto done = std::make_shared<std::vector<bool>>(merger.summary().total);
-    for (std::uint64_t scenario = 0; scenario < done->size(); ++scenario) {
-        (*done)[scenario] = merger.has(scenario);
-    }
-    return done;
-}
-
-} // namespace
-
 Status Coordinator::restore(Recovered recovered) {
     cluster_ = recovered.cluster;
-    alarms_ = std::move(recovered.alarms);
-    quarantined_ = {alarms_.quarantined.begin(), alarms_.quarantined.end()};
+    alarms_.restore(std::move(recovered.alarms));
+    std::map<WorkerProcess, std::shared_ptr<const Author>> known;
     jobs_.reserve(recovered.last_job);
     for (RecoveredJob& found : recovered.jobs) {
-        const std::vector<std::uint64_t> done = std::move(found.done);
+        const std::vector<ResultRow> done = std::move(found.done);
         const std::vector<WorkerProcess> authors = std::move(found.authors);
         const std::vector<Remark> disputes = std::move(found.disputes);
         MasterJob& job = jobs_.add(MasterJob(std::move(found), Clock::now()));
@@ -49,10 +33,22 @@ Status Coordinator::restore(Recovered recovered) {
         }
         job.poses = poses.value();
         ledger_.open_job(job.id);
-        for (const std::uint64_t scenario : done) {
-            ledger_.restore(job.id, scenario);
+        const auto author_of = [&](WorkerProcess process) {
+            std::shared_ptr<const Author>& author = known[process];
+            if (author == nullptr && process != 0) {
+                author = std::make_shared<const Author>(Author{process, {}, {}, {}});
+            }
+            return author;
+        };
+        for (std::size_t i = 0; i < done.size(); ++i) {
+            ledger_.restore(job.id, done[i].scenario);
+            job.merged.restore(done[i].scenario, done[i].facts, author_of(authors[i]));
         }
-        restore_authors(job, done, authors, disputes);
+        for (const Remark& open : disputes) {
+            job.disputes_left.push_back(
+                {job.id, open.scenario, author_of(open.author), open.digest});
+        }
+        job.disputes = job.disputes_left.size();
         log_info("job goes on: job={} name=\"{}\" done={} scenarios={}",
                  job.id.value,
                  job.submit.name,
@@ -70,9 +66,9 @@ void Coordinator::await_workers() {
     std::set<WorkerProcess> processes;
     for (const JobId id : jobs_.running()) {
         jobs.insert(id);
-        processes.merge(std::set(jobs_.at(id).contributors));
+        processes.merge(jobs_.at(id).merged.processes());
     }
-    std::erase_if(processes, [this](WorkerProcess one) { return quarantined_.contains(one); });
+    std::erase_if(processes, [this](WorkerProcess one) { return alarms_.is_quarantined(one); });
     const auto until = Clock::now() + parts_.times.return_within;
     awaited_ = AwaitedWorkers(std::move(jobs), std::move(processes), until);
     if (awaited_.size() != 0) {
@@ -183,7 +179,9 @@ void Coordinator::start_job(MasterJob& job, const JobGeometry& made) {
                                 dispatch_tree(job.tree_a, *made.cut_a),
                                 dispatch_tree(job.tree_b, *made.cut_b)));
     look_at_late_results(job.id);
-    take_up_doubts(job);
+    for (const Dispute& dispute : std::exchange(job.disputes_left, {})) {
+        run_disputed(dispute);
+    }
     end_if_complete(job); // The job may have no scenarios, or none left.
     feed();
 }
@@ -191,7 +189,6 @@ void Coordinator::start_job(MasterJob& job, const JobGeometry& made) {
 void Coordinator::begin_analysis(MasterJob& job) {
     AnalysisInput input = *job.analysis_input;
     input.poses = job.order;
-    input.done = done_scenarios(job.merger);
     // Runs on a pool thread and makes the records there.
     auto deliver = [this, executor = parts_.executor, id = job.id](AnalysedBlock came) {
         auto finished = std::make_shared<std::vector<TakenResult>>();
@@ -224,7 +221,7 @@ void Coordinator::block_came(JobId id, AnalysedBlock block, std::vector<TakenRes
     std::uint64_t handed_out = 0;
     for (Analysis& analysis : block.scenarios) {
         // A requeued or restored scenario may have been answered meanwhile.
-        if (analysis.finished || !job->lacks(analysis.scenario.index) ||
+        if (analysis.finished || job->merged.has(analysis.scenario.index) ||
             job->open.contains(analysis.scenario.index)) {
             continue;
         }
@@ -248,15 +245,14 @@ void Coordinator::block_came(JobId id, AnalysedBlock block, std::vector<TakenRes
         job->matching_seconds.add(seconds, static_cast<double>(handed_out));
     }
     job->answered_by_master += static_cast<std::uint64_t>(std::ranges::count_if(
-        finished, [&](const TakenResult& one) { return !job->merger.has(one.result.index); }));
-    merge(*job, {std::move(finished), {}}, WorkerId{});
+        finished, [&](const TakenResult& one) { return !job->merged.has(one.result.index); }));
+    merge(*job, {std::move(finished), {}}, nullptr);
     end_if_complete(*job);
     feed();
 }
 
 void Coordinator::end_if_complete(MasterJob& job) {
-    if (job.is_running() && job.disputes == 0 && job.doubted.empty() &&
-        job.merger.summary().is_complete()) {
+    if (job.is_running() && job.disputes == 0 && job.merged.summary().is_complete()) {
         end_job(job, JobState::Done, "");
     }
 }
@@ -267,7 +263,7 @@ void Coordinator::end_job(MasterJob& job, JobState state, const std::string& fai
     }
     const bool has_trees = job.material != nullptr;
     stop_waiting(job.id);
-    (void)stop_judging(job.id, std::nullopt);
+    (void)references_.stop(job.id, std::nullopt);
     jobs_.end(job, state, failure, Clock::now());
     act(dispatcher().job_closed(job.id));
     for (auto& [worker, link] : workers_) {
@@ -278,9 +274,6 @@ void Coordinator::end_job(MasterJob& job, JobState state, const std::string& fai
     if (has_trees) {
         release_tree(job.tree_a);
         release_tree(job.tree_b);
-    }
-    if (jobs_.running().empty()) {
-        forget_sessions();
     }
     ledger_.promise(JobEnded{job.id}, write(EndJob{job.id, *job.end, job.progress(Clock::now())}));
 }
@@ -360,15 +353,15 @@ asio::awaitable<Result<JobStatus>> Coordinator::cancel_scenario(JobId id, std::u
             return no_job();
         }
         const std::string name = "scenario " + std::to_string(scenario);
-        if (scenario >= job->merger.summary().total) {
+        if (scenario >= job->merged.summary().total) {
             return Error{ErrorCode::NotFound, "the job has no " + name};
         }
-        if (!job->is_running() || job->merger.has(scenario)) {
+        if (!job->is_running() || job->merged.has(scenario)) {
             return Error{ErrorCode::Refused, name + " has a result, or the job has ended"};
         }
         return job;
     };
-    if (stop_judging(id, scenario)) {
+    if (references_.stop(id, scenario)) {
         log_warning("scenario in dispute cancelled: job={} scenario={}", id.value, scenario);
         co_return job_status(id);
     }
@@ -376,17 +369,17 @@ asio::awaitable<Result<JobStatus>> Coordinator::cancel_scenario(JobId id, std::u
     if (!job) {
         co_return job.error();
     }
-    auto read = [poses = job.value()->poses, scenario] { return poses->read(scenario, 1); };
-    const Result<std::vector<Scenario>> poses = co_await run_on(parts_.blocking, read);
-    if (!poses) {
-        co_return poses.error();
+    auto read = [poses = job.value()->poses, scenario] { return read_one(*poses, scenario); };
+    const Result<Scenario> pose = co_await run_on(parts_.blocking, read);
+    if (!pose) {
+        co_return pose.error();
     }
     job = running(); // The job may have changed meanwhile.
     if (!job) {
         co_return job.error();
     }
     log_warning("scenario cancelled: job={} scenario={}", id.value, scenario);
-    fail_scenario(*job.value(), poses.value().front(), "cancelled");
+    fail_scenario(*job.value(), pose.value(), "cancelled");
     if (MasterJob* still = jobs_.find_running(id)) {
         still->cancelled.push_back(scenario);
         for (auto& [worker, link] : workers_) {
@@ -404,7 +397,7 @@ void Coordinator::fail_scenario(MasterJob& job, const Scenario& scenario, const 
     const Error error{ErrorCode::Interrupted, why};
     std::vector<TakenResult> taken;
     taken.push_back(take_result(failed_result(scenario, job.submit.query, error), {}));
-    merge(job, {std::move(taken), {}}, WorkerId{});
+    merge(job, {std::move(taken), {}}, nullptr);
     end_if_complete(job);
 }
 

@@ -69,7 +69,7 @@ void Coordinator::keep_promises() {
         } else if (const auto* ended = std::get_if<JobEnded>(&promise)) {
             job_ended(ended->job);
         } else if (const auto* dispute = std::get_if<Dispute>(&promise)) {
-            spawn(parts_.executor, "results that differ", settle_dispute(*dispute));
+            run_disputed(*dispute);
         } else {
             const JobId dropped = std::get<JobDropped>(promise).job;
             for (const auto& path : parts_.journal.files_of(dropped)) {

@@ -1,11 +1,6 @@
-// Late results: resent in another session, or received after their job has ended. An ended job is
-// not corrected, since its digest is published. The master still finds out who was wrong, and
-// raises an alarm for those who hold the results.
-#include "common/core/host/log.hpp"
-#include "common/job/run_scenario.hpp"
-#include "master/base/run_on.hpp"
+// Late results: resent in another session, so that they belong to no task. They are compared while
+// their job runs, and only acknowledged afterwards.
 #include "master/coordinator/coordinator.hpp"
-#include "master/jobs/job_geometry.hpp"
 
 #include <utility>
 
@@ -31,24 +26,21 @@ void Coordinator::take_up(const Results& message) {
 }
 
 void Coordinator::late_results_came(LateResults late) {
-    const JobId id = late.message->job;
-    const MasterJob* job = jobs_.find(id);
+    const MasterJob* job = jobs_.find_running(late.message->job);
     if (job == nullptr) {
-        // The job was never acknowledged to a client, or its results are dropped: discard.
-        ledger_.promise(Delivery{late.worker, late.message->sequence}, written_);
+        // Nobody needs the results: the job has ended or was never acknowledged to a client.
+        ledger_.promise(Delivery{late.author->worker, late.message->sequence}, written_);
         keep_promises();
-        late.done();
-    } else if (job->is_running() && job->material != nullptr) {
+        go_on(late.done);
+    } else if (job->material != nullptr) {
         check_late_results(*job, std::move(late));
-    } else if (job->state == JobState::Running) {
-        put_away(std::move(late));
     } else {
-        spawn(parts_.executor, "late results", compare_late_results(std::move(late), job->results));
+        put_away(std::move(late));
     }
 }
 
 void Coordinator::put_away(LateResults late) {
-    const LateKey key{late.message->job, late.worker, late.message->sequence};
+    const LateKey key{late.message->job, late.author->worker, late.message->sequence};
     const auto [place, is_new] = late_results_.try_emplace(key, std::move(late));
     if (is_new) {
         set_aside(*place->second.message, place->second.done);
@@ -77,15 +69,13 @@ void Coordinator::look_at_late_results(JobId job) {
 
 void Coordinator::forget_late_results(WorkerId worker) {
     std::erase_if(late_results_, [&](const auto& late) {
-        const bool is_its = late.second.worker == worker;
+        const bool is_its = late.second.author->worker == worker;
         if (is_its) {
             take_up(*late.second.message);
         }
         return is_its;
     });
 }
-
-// ---- Late results of a running job ------------------------------------------------------------
 
 void Coordinator::check_late_results(const MasterJob& job, LateResults late) {
     awaited_.check_begins(job.id);
@@ -97,7 +87,7 @@ void Coordinator::check_late_results(const MasterJob& job, LateResults late) {
                           late = std::move(late)] {
         auto taken = take_late_results(id, material, *poses, *late.message);
         const auto hand = std::make_shared<ResultsInHand>(
-            ResultsInHand{late.worker, nullptr, late.message, std::move(taken), late.done, {}});
+            ResultsInHand{late.author, nullptr, late.message, std::move(taken), late.done, {}});
         asio::post(executor, [this, hand] { late_results_checked(hand); });
     });
 }
@@ -114,7 +104,7 @@ void Coordinator::late_results_checked(std::shared_ptr<ResultsInHand> hand) {
         return feed();
     }
     // The worker is not to blame if the poses cannot be read.
-    LateResults late{hand->worker, hand->message, hand->done};
+    LateResults late{hand->author, hand->message, hand->done};
     if (job == nullptr) {
         return late_results_came(std::move(late));
     }
@@ -128,142 +118,6 @@ void Coordinator::late_results_checked(std::shared_ptr<ResultsInHand> hand) {
             look_at_late_results(id);
         });
     }
-}
-
-// ---- Late results of an ended job ---------------------------------------------------------------
-
-asio::awaitable<void> Coordinator::compare_late_results(LateResults late,
-                                                        std::shared_ptr<const ResultStore> kept) {
-    const JobId id = late.message->job;
-    auto compare = [kept, message = late.message, stop = closing_] {
-        return late_difference(*kept, *message, [stop] { return stop->load(); });
-    };
-    Result<std::optional<LateDifference>> found = co_await run_on(parts_.blocking, compare);
-    if (closed_) {
-        co_return; // The worker resends it to the next incarnation of the master.
-    }
-    if (!found && found.error().code != ErrorCode::Io) {
-        cut_off(late.worker, found.error());
-    } else if (!found) {
-        log_warning(
-            "late results are not compared: job={} error=\"{}\"", id.value, found.error().detail);
-    } else if (found.value()) {
-        late_cases_.push_back({std::move(late), std::move(*found.value())});
-        if (late_cases_.size() == 1) {
-            co_await judge_late_cases();
-        }
-        co_return;
-    }
-    finish(late);
-}
-
-void Coordinator::finish(const LateResults& late) {
-    ledger_.promise(Delivery{late.worker, late.message->sequence}, written_);
-    keep_promises();
-    go_on(late.done);
-}
-
-/// Runs one scenario of an ended job again.
-struct Coordinator::EndedRun {
-    GeometryStore& store;
-    Submit submit;
-    std::filesystem::path poses;
-    std::uint64_t scenario = 0;
-
-    /// May take long. Errors: those of missing meshes or poses; Interrupted.
-    [[nodiscard]] Result<ScenarioResult> run(const StopCheck& stop) const {
-        const auto a = store.tree(submit.bodies[0].mesh);
-        const auto b = store.tree(submit.bodies[1].mesh);
-        if (!a || !b) {
-            return a ? b.error() : a.error();
-        }
-        const Result<std::shared_ptr<PoseSource>> source = open_poses(submit, poses);
-        if (!source) {
-            return source.error();
-        }
-        const Result<std::vector<Scenario>> read = source.value()->read(scenario, 1);
-        if (!read) {
-            return read.error();
-        }
-        const ScenarioRunner runner(*a.value(), *b.value(), submit.query, PairStage::Float, stop);
-        ScenarioRun run;
-        if (!stop()) {
-            run = runner.run(read.value().front());
-        }
-        if (run.is_stopped || stop()) {
-            return Error{ErrorCode::Interrupted, "the master ends"};
-        }
-        return std::move(run.result);
-    }
-};
-
-/// Judges one case at a time: a run may take long, and the first wrong result discards all further
-/// cases of that worker.
-asio::awaitable<void> Coordinator::judge_late_cases() {
-    while (!late_cases_.empty() && !closed_) {
-        const LateCase& next = late_cases_.front();
-        const JobId id = next.late.message->job;
-        const MasterJob* job = jobs_.find(id);
-        if (job != nullptr && !is_distrusted(next.late.worker)) {
-            Result<ScenarioResult> right =
-                Error{ErrorCode::NotFound, "not all of its query was kept"};
-            if (!job->has_dropped_bulk) {
-                auto run = [again = EndedRun{parts_.geometry,
-                                             job->submit,
-                                             parts_.journal.poses_path(id),
-                                             next.difference.late.index},
-                            stop = closing_] { return again.run([stop] { return stop->load(); }); };
-                right = co_await run_on(parts_.blocking, run);
-            }
-            if (closed_) {
-                co_return;
-            }
-            judge(next, right);
-        }
-        const LateResults late = std::move(late_cases_.front().late);
-        late_cases_.pop_front();
-        finish(late);
-    }
-}
-
-void Coordinator::judge(const LateCase& late, const Result<ScenarioResult>& right) {
-    const WorkerId worker = late.late.worker;
-    const std::uint64_t index = late.difference.late.index;
-    MasterJob* job = jobs_.find(late.late.message->job);
-    if (job == nullptr || is_distrusted(worker)) {
-        return; // The results are dropped, or another case has judged the worker.
-    }
-    const std::uint64_t alarms_before = alarms_.count;
-    const std::string where = "results of job " + std::to_string(job->id.value) +
-                              ", which has ended, scenario " + std::to_string(index) + ", differ";
-    log_error(
-        "late results differ: job={} scenario={} worker={}", job->id.value, index, worker.value);
-    const auto repeat = [&](const std::string& why) {
-        if (!std::exchange(job->is_to_be_repeated, true)) {
-            alarm(where + why + "; submit the job again");
-        }
-    };
-    if (!right) {
-        repeat(", the later one of " + name_of(worker) +
-               ", and which is right cannot be found out: " + right.error().detail);
-    } else {
-        if (encode_result(late.difference.kept) != encode_result(right.value())) {
-            const WorkerId author{index < job->authors.size() ? job->authors[index] : 0};
-            repeat(", and the master's own says that what was kept, of " +
-                   (author == WorkerId{} ? "an unknown worker" : name_of(author)) + ", is wrong");
-            quarantine(author);
-        }
-        if (!agrees(late.difference.late, right.value()) && !is_quarantined(worker)) {
-            alarm(where + ", and the master's own says that " + name_of(worker) + " is wrong");
-            quarantine(worker);
-        }
-    }
-    if (alarms_.count != alarms_before) {
-        AddResults verdict{job->id, job->results, {}, job->progress(Clock::now()), {}};
-        verdict.alarms = alarms_;
-        write(std::move(verdict));
-    }
-    feed();
 }
 
 } // namespace cd

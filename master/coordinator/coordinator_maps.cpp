@@ -1,38 +1,15 @@
 // Contact maps. A message has one map for all its scenarios, so it counts only if all are new. If
 // some were merged before from another worker, the master recomputes the map of the others.
-#include "common/job/run_scenario.hpp"
 #include "master/base/run_on.hpp"
 #include "master/coordinator/coordinator.hpp"
 
-#include <algorithm>
-
 namespace cd {
-
-namespace {
-
-Result<ContactMap> map_of(const JobMaterial& material,
-                          PoseSource& poses,
-                          const std::vector<std::uint64_t>& scenarios) {
-    const ScenarioRunner runner(*material.a, *material.b, material.query);
-    ScenarioSession session(runner);
-    ContactMapSum sum;
-    for (const std::uint64_t index : scenarios) {
-        const Result<std::vector<Scenario>> scenario = poses.read(index, 1);
-        if (!scenario) {
-            return scenario.error();
-        }
-        sum.add(session.run(scenario.value().front()).found);
-    }
-    return sum.take();
-}
-
-} // namespace
 
 std::vector<std::uint64_t> Coordinator::new_scenarios(const MasterJob& job,
                                                       std::span<const TakenResult> results) {
     std::vector<std::uint64_t> scenarios;
     for (const TakenResult& one : results) {
-        if (!job.merger.has(one.result.index)) {
+        if (!job.merged.has(one.result.index)) {
             scenarios.push_back(one.result.index);
         }
     }
@@ -40,8 +17,7 @@ std::vector<std::uint64_t> Coordinator::new_scenarios(const MasterJob& job,
 }
 
 void Coordinator::take_in(std::shared_ptr<ResultsInHand> hand) {
-    const MasterJob* job =
-        jobs_.find_running(hand->task == nullptr ? hand->message->job : hand->task->job);
+    const MasterJob* job = jobs_.find_running(hand->job());
     if (job != nullptr && job->submit.query.maps && hand->taken) {
         TakenResults& taken = hand->taken.value();
         std::vector<std::uint64_t> fresh = new_scenarios(*job, taken.results);
@@ -53,11 +29,8 @@ void Coordinator::take_in(std::shared_ptr<ResultsInHand> hand) {
                          make_map(job->id, std::move(hand), std::move(fresh)));
         }
     }
-    if (results_taken(hand->worker, hand->task.get(), *hand->message, std::move(hand->taken))) {
-        go_on(hand->done);
-    } else {
-        late_results_came({hand->worker, hand->message, hand->done});
-    }
+    results_taken(*hand, std::move(hand->taken));
+    go_on(hand->done);
 }
 
 asio::awaitable<void> Coordinator::make_map(JobId id,
@@ -65,7 +38,7 @@ asio::awaitable<void> Coordinator::make_map(JobId id,
                                             std::vector<std::uint64_t> scenarios) {
     for (MasterJob* job = jobs_.find_running(id); job != nullptr;) {
         auto make = [material = job->material, poses = job->poses, &scenarios] {
-            return map_of(*material, *poses, scenarios);
+            return reference_map(*material, *poses, scenarios);
         };
         Result<ContactMap> map = co_await run_on(parts_.blocking, make);
         if (map) {

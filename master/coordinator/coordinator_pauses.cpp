@@ -98,7 +98,8 @@ void Coordinator::add_what_it_waits_for(JobStatus& status) const {
         if (longest && longest->job == status.job &&
             longest->seconds >= limits::scenario_seconds_shown &&
             status.long_scenarios.size() < limits::long_scenarios_shown) {
-            status.long_scenarios.push_back({longest->scenario, id, link.name, longest->seconds});
+            status.long_scenarios.push_back(
+                {longest->scenario, id, link.author->name, longest->seconds});
         }
     }
 }

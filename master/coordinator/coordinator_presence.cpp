@@ -66,7 +66,7 @@ Reception Coordinator::receive_worker(const Hello& hello, const std::string& hol
     const auto link = workers_.find(before);
     const bool is_of_this_life = hello.epoch == epoch_ || mutated(Mutation::OldEpochTaken);
     if (is_of_this_life && link != workers_.end() && !link->second.is_cut_off &&
-        link->second.instance == hello.instance && sessions_.holder_of(before) == holder) {
+        link->second.instance == hello.instance && link->second.author->holder == holder) {
         return {before, link->second.key, true};
     }
     return {WorkerId{++worker_last_}, random_secret(), false};
@@ -81,9 +81,8 @@ void Coordinator::worker_joined(const Reception& reception,
     }
     const auto& certified = channel->peer_identity();
     const std::string holder = certified ? certified->name : "";
-    if (hello.instance != 0) {
-        end_earlier_sessions(process_that_greets(hello, holder));
-    }
+    const WorkerProcess process = process_that_greets(hello, holder);
+    end_earlier_sessions(process);
     log_info("worker joined: worker={} name={} holder=\"{}\" threads={} cache_bytes={} peer={}",
              worker.value,
              hello.name,
@@ -94,16 +93,12 @@ void Coordinator::worker_joined(const Reception& reception,
     WorkerLink link;
     link.channel = channel;
     link.key = reception.key;
-    link.name = hello.name;
+    link.author = std::make_shared<const Author>(Author{process, worker, hello.name, holder});
     link.threads = std::max(1u, hello.threads);
     link.cache_bytes = hello.cache_bytes;
     link.instance = hello.instance;
-    if (sessions_.are_many()) {
-        forget_sessions();
-    }
-    sessions_.joined(worker, process_that_greets(hello, holder), holder);
-    const bool is_trusted = !is_quarantined(worker) && !is_holder_quarantined(holder);
-    link.quarantined = !is_trusted;
+    link.quarantined = alarms_.is_quarantined(process);
+    const bool is_trusted = !link.quarantined;
     workers_.emplace(worker, std::move(link));
     watch_.joined(worker, Clock::now());
     if (watch_timer_ == nullptr && !closed_) {
@@ -115,18 +110,15 @@ void Coordinator::worker_joined(const Reception& reception,
         return;
     }
     blocks_.worker_joined(worker, std::move(channel), reception.key, hello.peer_port);
-    act(dispatcher().worker_joined(worker,
-                                   {hello.name,
-                                    std::max(1u, hello.threads),
-                                    hello.weight,
-                                    hello.cache_bytes,
-                                    sessions_.process_of(worker)}));
+    act(dispatcher().worker_joined(
+        worker,
+        {hello.name, std::max(1u, hello.threads), hello.weight, hello.cache_bytes, process}));
     feed();
 }
 
 std::shared_ptr<WorkerIntake> Coordinator::intake_of(WorkerId worker) {
     std::erase_if(intakes_, [](const auto& intake) { return intake.second.expired(); });
-    std::weak_ptr<WorkerIntake>& known = intakes_[sessions_.process_of(worker)];
+    std::weak_ptr<WorkerIntake>& known = intakes_[workers_.at(worker).author->process];
     std::shared_ptr<WorkerIntake> intake = known.lock();
     if (intake == nullptr) {
         intake = std::make_shared<WorkerIntake>();
@@ -135,21 +127,10 @@ std::shared_ptr<WorkerIntake> Coordinator::intake_of(WorkerId worker) {
     return intake;
 }
 
-bool Coordinator::is_holder_quarantined(const std::string& holder) const {
-    return !holder.empty() && quarantined_.contains(number_of("holder " + holder));
-}
-
-void Coordinator::quarantine_holder(WorkerId worker) {
-    const std::string holder = sessions_.holder_of(worker);
-    if (!holder.empty() && !is_holder_quarantined(holder)) {
-        alarms_.quarantine(number_of("holder " + holder));
-    }
-}
-
 void Coordinator::end_earlier_sessions(WorkerProcess process) {
     std::vector<WorkerId> earlier;
     for (const auto& [id, link] : workers_) {
-        if (sessions_.process_of(id) == process) {
+        if (link.author->process == process) {
             earlier.push_back(id);
         }
     }
@@ -188,7 +169,7 @@ void Coordinator::worker_returned(WorkerId worker, std::shared_ptr<Channel> chan
     }
     log_info("worker came back: worker={} name={} peer={}",
              worker.value,
-             link->second.name,
+             link->second.author->name,
              channel->peer());
     ++sessions_resumed_;
     link->second.channel->close();
@@ -205,7 +186,7 @@ void Coordinator::worker_stands(WorkerId worker, const Standing& standing) {
         return;
     }
     if (link->second.is_settled) { // The session is new.
-        awaited_.has_told_all(sessions_.process_of(worker));
+        awaited_.has_told_all(link->second.author->process);
         return feed();
     }
     if (const Status sound = check_standing(standing); !sound) {
@@ -350,7 +331,7 @@ void Coordinator::connection_ended(WorkerId worker,
     }
     log_warning("connection broke: worker={} name={} working={} reason=\"{}\"",
                 worker.value,
-                link->second.name,
+                link->second.author->name,
                 status.working,
                 why);
     link->second.is_settled = false;
@@ -408,9 +389,7 @@ void Coordinator::close() {
     for (const auto& [job, retry] : retries_) {
         retry->cancel();
     }
-    for (const auto& [scenario, stop] : judging_) {
-        *stop = true;
-    }
+    references_.close();
 }
 
 // ---- Leaving ----------------------------------------------------------------------------------
@@ -478,7 +457,7 @@ void Coordinator::worker_lost(WorkerId worker, const std::string& why) {
     ++workers_lost_;
     scenarios_given_back_ += last.working;
     last.state = WorkerState::Lost;
-    lost_.emplace(worker, LostWorker{std::move(last), sessions_.process_of(worker)});
+    lost_.emplace(worker, LostWorker{std::move(last), link->second.author->process});
     watch_.lost(worker);
     link->second.channel->close();
     worker_left(worker, why);

@@ -26,27 +26,29 @@ measured_work(const MasterJob& job, const Results& results, std::span<const Take
 } // namespace
 
 void Coordinator::results_came(WorkerId worker, Results results, std::function<void()> done) {
-    if (is_distrusted(worker)) {
+    const auto link = workers_.find(worker);
+    if (link == workers_.end() || link->second.quarantined) {
         // Acknowledge: the worker may forget the ignored results.
         ledger_.promise(Delivery{worker, results.sequence}, written_);
         keep_promises();
         return done();
     }
+    const auto& author = link->second.author;
     const auto task = tasks_.find(results.task);
     if (is_repeated(worker, results.sequence) || task == tasks_.end() ||
         task->second.worker != worker || task->second.content->job != results.job) {
         return late_results_came(
-            {worker, std::make_shared<const Results>(std::move(results)), std::move(done)});
+            {author, std::make_shared<const Results>(std::move(results)), std::move(done)});
     }
     ++task->second.in_hand;
     parts_.compute.post([this,
                          executor = parts_.executor,
-                         worker,
+                         author,
                          content = task->second.content,
                          came = std::make_shared<const Results>(std::move(results)),
                          done = std::move(done)]() mutable {
         const auto hand = std::make_shared<ResultsInHand>(
-            ResultsInHand{worker, content, came, take_results(*content, *came), done, {}});
+            ResultsInHand{author, content, came, take_results(*content, *came), done, {}});
         asio::post(executor, [this, hand] { take_in(hand); });
     });
 }
@@ -60,31 +62,31 @@ bool Coordinator::is_repeated(WorkerId worker, std::uint64_t sequence) {
     return std::exchange(last, std::max(last, sequence)) >= sequence;
 }
 
-bool Coordinator::results_taken(WorkerId worker,
-                                const TaskContent* task,
-                                const Results& results,
-                                Result<TakenResults> taken) {
+void Coordinator::results_taken(const ResultsInHand& hand, Result<TakenResults> taken) {
+    const WorkerId worker = hand.author->worker;
+    const Results& results = *hand.message;
     if (!taken) {
-        cut_off(worker, taken.error());
-        return true;
+        return cut_off(worker, taken.error());
     }
-    const JobId id = task == nullptr ? results.job : task->job;
+    const JobId id = hand.job();
     const Delivery delivery{worker, results.sequence};
-    MasterJob* const job = is_distrusted(worker) ? nullptr : jobs_.find_running(id);
-    const bool is_late = job == nullptr && !is_distrusted(worker);
-    if (job != nullptr) {
+    MasterJob* const job =
+        alarms_.is_quarantined(hand.author->process) ? nullptr : jobs_.find_running(id);
+    if (job == nullptr) {
+        ledger_.promise(delivery, written_); // Nobody needs the results.
+    } else {
         job->statistics.search += results.statistics;
         job->compute_seconds += results.compute_seconds;
         job->traffic.result_bytes += results.records.size() + results.map.size();
         // A resent message that was counted already adds no traffic.
-        if (task != nullptr || !new_scenarios(*job, taken.value().results).empty()) {
+        if (hand.task != nullptr || !new_scenarios(*job, taken.value().results).empty()) {
             job->traffic.blocks += results.traffic;
         }
         const std::size_t count = taken.value().results.size();
         job->work_seconds.add(results.compute_seconds, static_cast<double>(count));
-        if (task == nullptr) {
+        if (hand.task == nullptr) {
             // Late results measure no task.
-        } else if (task->range) {
+        } else if (hand.task->range) {
             act(dispatcher().places_answered(worker, results.task, count, results.compute_seconds));
         } else {
             dispatcher().work_measured(worker, measured_work(*job, results, taken.value().results));
@@ -99,12 +101,12 @@ bool Coordinator::results_taken(WorkerId worker,
                 act(dispatcher().scenario_answered(worker, id, one.result.index));
             }
         }
-        const std::uint64_t merged_before = job->merger.summary().merged();
+        const std::uint64_t merged_before = job->merged.summary().merged();
         const std::uint64_t disputes_before = job->disputes;
-        merge(*job, std::move(taken.value()), worker);
+        merge(*job, std::move(taken.value()), hand.author);
         if (const auto running = tasks_.find(results.task);
             running != tasks_.end() && running->second.is_copy) {
-            job->help.copies_won += job->merger.summary().merged() - merged_before;
+            job->help.copies_won += job->merged.summary().merged() - merged_before;
         }
         for (const std::uint64_t scenario : scenarios) {
             if (job->help.copies != 0) {
@@ -118,44 +120,35 @@ bool Coordinator::results_taken(WorkerId worker,
             ledger_.promise(delivery, written_);
         }
         end_if_complete(*job);
-    } else if (!is_late) {
-        ledger_.promise(delivery, written_);
     }
     keep_promises();
     // The task is gone if its worker is.
     if (const auto running = tasks_.find(results.task);
-        task != nullptr && running != tasks_.end()) {
+        hand.task != nullptr && running != tasks_.end()) {
         --running->second.in_hand;
         end_task_if_complete(results.task);
     }
     note_work(worker);
     feed();
-    return !is_late;
 }
 
-void Coordinator::merge(MasterJob& job, TakenResults taken, WorkerId worker) {
+void Coordinator::merge(MasterJob& job,
+                        TakenResults taken,
+                        const std::shared_ptr<const Author>& author) {
     AddResults add{job.id, job.results, {}, {}, {}};
-    add.author = sessions_.process_of(worker);
+    add.author = author == nullptr ? 0 : author->process;
     add.results.reserve(taken.results.size());
     for (TakenResult& one : taken.results) {
         job.statistics += one.cost;
         if (const Status fits = check_record_size(one.result.index, one.record.size()); !fits) {
             return end_job(job, JobState::Failed, fits.error().detail);
         }
-        if (merge_one(job, one, worker, add)) {
-            const ResultRow row{
-                one.result.index, one.record.size(), facts_of(one.result), one.digest};
-            ledger_.write(job.id, row.scenario, written_ + 1);
-            add.results.push_back({row, std::move(one.record)});
-        }
-    }
-    if (!add.results.empty() && add.author != 0 && !mutated(Mutation::LiarKept)) {
-        job.contributors.insert(add.author);
+        merge_one(job, std::move(one), author, add);
     }
     if (!add.results.empty() || !add.remarks.empty()) {
         ++job.changes;
         add.progress = job.progress(Clock::now());
-        if (!add.results.empty() && !taken.map.empty()) {
+        if (!add.results.empty() && !taken.map.empty() && job.map.withdrawn().empty()) {
             job.map.add(taken.map);
             add.map = pack_map(taken.map);
         }
@@ -163,40 +156,34 @@ void Coordinator::merge(MasterJob& job, TakenResults taken, WorkerId worker) {
     }
 }
 
-bool Coordinator::merge_one(MasterJob& job,
-                            const TakenResult& taken,
-                            WorkerId worker,
+void Coordinator::merge_one(MasterJob& job,
+                            TakenResult taken,
+                            const std::shared_ptr<const Author>& author,
                             AddResults& add) {
     const std::uint64_t index = taken.result.index;
-    switch (job.merger.add(taken.result, taken.digest)) {
-    case ResultMerger::Outcome::Added:
+    const ScenarioFacts facts = facts_of(taken.result);
+    switch (job.merged.add(index, facts, taken.digest, author)) {
+    case MergedResults::Outcome::Repeated:
+        if (!mutated(Mutation::SecondAnswerMerged)) {
+            return;
+        }
         break;
-    case ResultMerger::Outcome::Repeated:
-        if (doubt_ends(job, index, worker)) {
-            job.authors[index] = 0; // The result no longer rests on its author alone.
-            add.remarks.push_back({Remark::Kind::Vouched, index, {}, 0});
+    case MergedResults::Outcome::Differs:
+        // A failure that the master itself has recorded stays: the scenario may take it down, or
+        // was cancelled.
+        if (author != nullptr && !job.merged.is_failed_by_master(index)) {
+            open_dispute(job, {job.id, index, author, taken.digest}, add);
         }
-        return mutated(Mutation::SecondAnswerMerged);
-    case ResultMerger::Outcome::Differs:
-        if (job.given_up.contains(index)) {
-            return false;
-        }
-        doubt_ends(job, index, worker);
-        open_dispute(job, {job.id, index, worker, taken.digest}, add);
-        return false;
-    case ResultMerger::Outcome::Foreign:
-        log_error("result for an unknown scenario: job={} scenario={} worker={}",
-                  job.id.value,
-                  index,
-                  worker.value);
-        return false;
+        return;
+    case MergedResults::Outcome::Foreign:
+        log_error("result for an unknown scenario: job={} scenario={}", job.id.value, index);
+        return;
+    case MergedResults::Outcome::Added:
+        close_analysis(job, index);
     }
-    if (worker != WorkerId{}) {
-        job.authors.resize(std::max<std::size_t>(job.authors.size(), index + 1));
-        job.authors[index] = static_cast<std::uint32_t>(worker.value);
-    }
-    close_analysis(job, index);
-    return true;
+    ledger_.write(job.id, index, written_ + 1);
+    const ResultRow row{index, taken.record.size(), facts, taken.digest};
+    add.results.push_back({row, std::move(taken.record)});
 }
 
 void Coordinator::close_analysis(MasterJob& job, std::uint64_t scenario) {

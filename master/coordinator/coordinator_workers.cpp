@@ -174,7 +174,7 @@ void Coordinator::note_work(WorkerId worker) {
 WorkerStatus Coordinator::worker_status(WorkerId worker, const WorkerLink& link) const {
     WorkerStatus status = dispatcher_.worker_status(worker);
     status.worker = worker;
-    status.name = link.name;
+    status.name = link.author->name;
     status.quarantined = link.quarantined;
     status.state = watch_.state(worker).value_or(WorkerState::Alive);
     status.silent_seconds = watch_.silence(worker, Clock::now()).count();

@@ -18,13 +18,14 @@ MasterJob::MasterJob(RecoveredJob recovered, Clock::time_point now)
       started(now),
       seconds_before(recovered.progress.seconds),
       state(recovered.end ? recovered.end->state : JobState::Running),
-      merger(std::move(recovered.merger)),
+      merged(std::move(recovered.merger)),
       results(std::move(recovered.results)),
       losses_before(std::move(recovered.losses)),
-      contributors(std::move(recovered.contributors)),
       end(std::move(recovered.end)),
       ended(now),
+      contributors(std::move(recovered.contributors)),
       answered_by_master(recovered.progress.answered_by_master),
+      withdrawn(recovered.withdrawn),
       statistics(recovered.progress.statistics),
       compute_seconds(recovered.progress.compute_seconds),
       traffic(recovered.progress.traffic),
@@ -32,7 +33,7 @@ MasterJob::MasterJob(RecoveredJob recovered, Clock::time_point now)
       depths(std::move(recovered.progress.depths)),
       map(std::move(recovered.map)) {
     if (end) {
-        has_dropped_bulk = drop_bulk(submit);
+        drop_bulk(submit);
     }
 }
 
@@ -69,7 +70,7 @@ JobStatus MasterJob::status(Clock::time_point now) const {
     status.job = id;
     status.name = submit.name;
     status.state = state;
-    status.summary = merger.summary();
+    status.summary = merged.summary();
     status.seconds = progress(now).seconds;
     if (status.seconds > 0) {
         status.scenarios_per_second = static_cast<double>(status.summary.merged()) / status.seconds;
@@ -85,7 +86,7 @@ JobStatus MasterJob::status(Clock::time_point now) const {
     status.answered_by_master = answered_by_master;
     status.statistics = statistics;
     status.compute_seconds = compute_seconds;
-    status.doubted = doubted.size();
+    status.withdrawn = withdrawn;
     status.recalled = help.recalled;
     status.copies = help.copies;
     status.copies_won = help.copies_won;
@@ -154,14 +155,15 @@ void JobBoard::end(MasterJob& job,
     job.ended = now;
     job.end = JobEnd{state, failure, {}, unix_seconds()};
     if (state == JobState::Done) {
-        job.end->digest = job.merger.digest();
+        job.end->digest = job.merged.digest();
         CD_CHECK(job.end->digest.has_value());
     }
-    job.merger.close();
+    job.contributors = job.merged.processes();
+    job.merged.close();
     job.submitter.reset();
     job.analysis_input.reset();
     job.material.reset();
-    job.has_dropped_bulk = drop_bulk(job.submit);
+    drop_bulk(job.submit);
     job.poses.reset();
     job.paused.clear();
     job.open.clear();
@@ -169,10 +171,7 @@ void JobBoard::end(MasterJob& job,
     job.losses_before = {};
     job.todo = PlaceQueue();
     job.order.reset();
-    job.authors.resize(std::min(job.authors.size(), limits::authors_kept_max));
-    job.authors.shrink_to_fit();
-    job.doubted = {};
-    job.given_up = {};
+    job.done.reset();
     job.disputes_left = {};
     job.cancelled = {};
     job.map.finish();
@@ -188,8 +187,8 @@ std::vector<JobId> JobBoard::announce(MasterJob& job) {
     std::uint64_t results = 0;
     for (const auto& [id, one] : jobs_) {
         if (one.state != JobState::Running) {
-            ended.emplace_back(one.ended, id, one.merger.summary().merged());
-            results += one.merger.summary().merged();
+            ended.emplace_back(one.ended, id, one.merged.summary().merged());
+            results += one.merged.summary().merged();
         }
     }
     std::ranges::sort(ended);

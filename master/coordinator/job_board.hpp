@@ -5,7 +5,6 @@
 #include "common/core/result.hpp"
 #include "common/job/poses/ordered_poses.hpp"
 #include "common/job/poses/pose_source.hpp"
-#include "common/job/result/merge.hpp"
 #include "master/dispatch/worker_pace.hpp"
 #include "master/geometry/mesh_hold.hpp"
 #include "master/jobs/job_retention.hpp"
@@ -15,6 +14,7 @@
 #include "master/journal/journal.hpp"
 #include "master/journal/ledger.hpp"
 #include "master/journal/result_store.hpp"
+#include "master/results/merged_results.hpp"
 #include "master/results/result_intake.hpp"
 #include "proto/messages/client_messages.hpp"
 #include "proto/messages/traffic.hpp"
@@ -50,7 +50,7 @@ struct MasterJob {
         : id(job),
           submit(std::move(submission)),
           started(now),
-          merger(submit.scenarios),
+          merged(submit.scenarios),
           results(std::move(store)) {}
     /// Restores a job from before a restart of the master.
     MasterJob(RecoveredJob recovered, Clock::time_point now);
@@ -62,7 +62,7 @@ struct MasterJob {
     double seconds_before = 0;              ///< Run time before the last restart of the master.
     JobState state = JobState::Running;     ///< State as shown to clients.
     std::shared_ptr<const MeshHold> meshes; ///< Prevents removal of the meshes.
-    ResultMerger merger;
+    MergedResults merged;
     std::shared_ptr<ResultStore> results;
     std::uint64_t changes = 0; ///< Incremented when the status changes, except for its times.
 
@@ -85,16 +85,8 @@ struct MasterJob {
     LearnedRate analysis_seconds;     ///< Analysis time per scenario.
     LearnedRate matching_seconds;     ///< Time to match and send one analysed scenario.
     LearnedRate work_seconds;         ///< Worker time per scenario.
-    /// Worker whose result was merged, by scenario; 0 is the master or unknown. An ended job keeps
-    /// at most `limits::authors_kept_max`.
-    std::vector<std::uint32_t> authors;
-    /// All authors of its results; filled at the end.
-    std::set<WorkerProcess> contributors;
-    /// Scenarios whose merged result is suspect: its worker was wrong elsewhere. They are repeated
-    /// and compared.
-    std::set<std::uint64_t> doubted;
-    /// Suspect scenarios lost with too many workers; they fail.
-    std::set<std::uint64_t> given_up;
+    /// By index: scenarios with a result, as the analysis skips them. Null: not made yet, or stale.
+    std::shared_ptr<const std::vector<bool>> done;
     std::vector<std::uint64_t> cancelled; ///< Scenarios cancelled one by one.
     std::uint64_t disputes = 0;           ///< Number of results to be judged.
     /// Disputes from before a restart, until the geometry to judge them is loaded.
@@ -103,10 +95,10 @@ struct MasterJob {
     // Set at the end; clients see it once the journal has committed it.
     std::optional<JobEnd> end;
     Clock::time_point ended;
-    bool has_dropped_bulk = false;  ///< Scenarios can no longer be run.
-    bool is_to_be_repeated = false; ///< An alarm has asked to submit the job again.
+    std::set<WorkerProcess> contributors; ///< All authors of its results.
 
     std::uint64_t answered_by_master = 0;
+    std::uint64_t withdrawn = 0; ///< Results of quarantined workers that were withdrawn.
     JobStatistics statistics;
     double compute_seconds = 0;
     JobTraffic traffic;
@@ -115,10 +107,6 @@ struct MasterJob {
     JobMap map;                        ///< Used only if the query asks for maps.
 
     [[nodiscard]] bool is_running() const { return !end; }
-    /// The scenario has no result, or a suspect one.
-    [[nodiscard]] bool lacks(std::uint64_t scenario) const {
-        return !merger.has(scenario) || doubted.contains(scenario);
-    }
     /// Blocks the submitter has started but not delivered.
     [[nodiscard]] std::uint64_t analyses_under_way() const {
         return submitter == nullptr ? 0 : submitter->under_way();

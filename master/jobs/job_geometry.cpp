@@ -64,8 +64,7 @@ AnalysisInput make_analysis_input(const JobGeometry& geometry,
             top_of(geometry.cut_b),
             query,
             std::make_shared<const Settler>(*geometry.tree_a, *geometry.tree_b, query.ignored),
-            std::move(poses),
-            nullptr};
+            std::move(poses)};
 }
 
 Result<std::shared_ptr<PoseSource>> open_poses(const Submit& submit,

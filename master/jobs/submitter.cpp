@@ -43,7 +43,9 @@ std::uint64_t bytes_in_batch(const Analysis& analysis, std::uint64_t pose_bytes)
     return pose_bytes + sizeof(std::uint32_t) + analysis.pairs.size() * sizeof(RootPair);
 }
 
-void analyse_block(const AnalysisInput& input, AnalysedBlock& block) {
+void analyse_block(const AnalysisInput& input,
+                   const std::vector<bool>* done,
+                   AnalysedBlock& block) {
     const auto begin = std::chrono::steady_clock::now();
     const PlaceRange& places = block.places;
     const Result<std::vector<Scenario>> scenarios = input.poses->read(places.first, places.count);
@@ -56,8 +58,7 @@ void analyse_block(const AnalysisInput& input, AnalysedBlock& block) {
     std::uint64_t place = places.first;
     for (const Scenario& scenario : scenarios.value()) {
         const std::uint64_t here = place++;
-        if (!block.losses.are_in_doubt() && input.done != nullptr &&
-            scenario.index < input.done->size() && (*input.done)[scenario.index]) {
+        if (done != nullptr && scenario.index < done->size() && (*done)[scenario.index]) {
             continue;
         }
         block.scenarios.push_back(analyse_uncounted(input, scenario));
@@ -89,18 +90,20 @@ struct Submitter::State {
     bool delivering = false;
     bool stopped = false;
 
-    void run_block(std::uint64_t number, AnalysedBlock block);
+    void run_block(std::uint64_t number, const std::vector<bool>* done, AnalysedBlock block);
     void deliver_ready();
 };
 
-void Submitter::State::run_block(std::uint64_t number, AnalysedBlock block) {
+void Submitter::State::run_block(std::uint64_t number,
+                                 const std::vector<bool>* done,
+                                 AnalysedBlock block) {
     {
         const std::lock_guard lock(mutex);
         if (stopped) {
             return;
         }
     }
-    analyse_block(input, block);
+    analyse_block(input, done, block);
     {
         const std::lock_guard lock(mutex);
         ready.emplace(number, std::move(block));
@@ -141,7 +144,9 @@ Submitter::~Submitter() {
     state_->changed.wait(lock, [this] { return !state_->delivering; });
 }
 
-void Submitter::start(const PlaceRange& places, const Losses& losses) {
+void Submitter::start(const PlaceRange& places,
+                      const Losses& losses,
+                      std::shared_ptr<const std::vector<bool>> done) {
     CD_CHECK(places.count != 0 && places.count <= limits::analysis_block_scenarios);
     std::uint64_t number = 0;
     {
@@ -151,8 +156,8 @@ void Submitter::start(const PlaceRange& places, const Losses& losses) {
         }
         number = state_->started++;
     }
-    pool_.post([state = state_, number, places, losses] {
-        state->run_block(number, {places, losses, {}, 0, std::nullopt});
+    pool_.post([state = state_, number, places, losses, done = std::move(done)] {
+        state->run_block(number, done.get(), {places, losses, {}, 0, std::nullopt});
     });
 }
 

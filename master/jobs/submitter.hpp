@@ -32,9 +32,6 @@ struct AnalysisInput {
     Query query;
     std::shared_ptr<const Settler> settler; ///< Settler for these two trees.
     std::shared_ptr<PoseSource> poses;      ///< `read` must be safe on several threads at once.
-    /// By index: scenarios with results from before the analysis. They are skipped, unless started
-    /// as suspect. Null: none.
-    std::shared_ptr<const std::vector<bool>> done;
 };
 
 /// One analysed scenario: either it has work for a worker, or it is finished.
@@ -77,9 +74,11 @@ class Submitter {
     /// Waits for a running `deliver`; none is called afterwards. Drops blocks not yet started.
     ~Submitter();
 
-    /// Starts a block of at most `limits::analysis_block_scenarios` positions. Does nothing
-    /// once the submitter is being destroyed.
-    void start(const PlaceRange& places, const Losses& losses = {});
+    /// Starts a block of at most `limits::analysis_block_scenarios` positions. Skips scenarios that
+    /// `done` marks by index; null marks none. Does nothing once the submitter is being destroyed.
+    void start(const PlaceRange& places,
+               const Losses& losses = {},
+               std::shared_ptr<const std::vector<bool>> done = nullptr);
 
     /// Number of blocks started and not yet delivered.
     [[nodiscard]] std::uint64_t under_way() const;

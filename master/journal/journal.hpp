@@ -38,6 +38,8 @@ struct AddResults {
     Bytes map; ///< `pack_map` of these results; empty: none.
     WorkerProcess author = 0;
     std::vector<Remark> remarks = {}; ///< Remarks on these or earlier results.
+    /// Scenarios whose results `remarks` withdraws: their records become unreadable.
+    std::vector<std::uint64_t> withdrawn = {};
     std::vector<LostPlaces> losses = {};
     /// New state of the alarms. It is committed with the results, so that no action follows from a
     /// quarantine that a crash could undo.
@@ -61,13 +63,14 @@ struct RecoveredJob {
     std::optional<JobEnd> end; ///< Empty: the job continues.
     ResultMerger merger{0};
     JobMap map;
-    /// Scenarios with results; like all members below, only for a job that continues.
-    std::vector<std::uint64_t> done;
-    /// Author of each of these results. 0: none, or another worker has confirmed the result.
-    std::vector<WorkerProcess> authors;
-    std::vector<Remark> disputes;   ///< Open disputes.
-    std::vector<LostPlaces> losses; ///< In order of the losses; only for a job that continues.
-    std::set<WorkerProcess> contributors; ///< All authors of results, also for an ended job.
+    std::uint64_t withdrawn = 0; ///< Number of results withdrawn.
+    /// Results; like all members below, only for a job that continues.
+    std::vector<ResultRow> done;
+    std::vector<WorkerProcess> authors; ///< Author of each of these results; 0: the master.
+    std::vector<Remark> disputes;       ///< Open disputes.
+    std::vector<LostPlaces> losses;     ///< In order of the losses; only for a job that continues.
+    /// All authors of results that were not withdrawn, also for an ended job.
+    std::set<WorkerProcess> contributors;
     std::shared_ptr<ResultStore> results;
 };
 

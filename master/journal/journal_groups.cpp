@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <functional>
 #include <map>
-#include <unordered_set>
+#include <set>
 #include <utility>
 
 namespace cd {
@@ -38,6 +38,7 @@ struct JobChanges {
     std::shared_ptr<ResultStore> store;
     std::vector<StoredRecord> records;
     ResultGroup rows;
+    std::set<std::uint64_t> withdrawn; ///< Scenarios without a result after these changes.
     const JobProgress* progress = nullptr;
 };
 
@@ -46,7 +47,9 @@ using ChangesByJob = std::map<JobId, JobChanges>;
 void add_results(JobChanges& changes, const AddResults& add) {
     changes.store = add.store;
     changes.progress = &add.progress;
+    changes.withdrawn.insert(add.withdrawn.begin(), add.withdrawn.end());
     for (const JournalResult& result : add.results) {
+        changes.withdrawn.erase(result.row.scenario);
         changes.records.push_back({result.row.scenario, result.record});
         changes.rows.rows.push_back(result.row);
     }
@@ -159,6 +162,9 @@ Status write_group(const JournalDisk& disk, std::span<const JournalEntry> group)
         if (!changes.records.empty()) {
             changes.store->commit();
         }
+        for (const std::uint64_t scenario : changes.withdrawn) {
+            changes.store->withdraw(scenario);
+        }
     }
     return Done{};
 }
@@ -172,9 +178,8 @@ struct FoundJob {
     RecoveredJob job;
     std::vector<ResultRow> rows;
     std::vector<RecordPlace> places;
-    std::vector<WorkerProcess> authors; ///< Authors of the rows.
-    /// Scenarios whose result does not rest on one author's word.
-    std::unordered_set<std::uint64_t> vouched;
+    std::vector<WorkerProcess> authors;           ///< Authors of the rows.
+    std::vector<bool> withdrawn;                  ///< Rows that count as never written.
     std::uint64_t end = ResultStore::first_end(); ///< Committed end of the segment.
 };
 
@@ -228,19 +233,32 @@ void take_rows(FoundJob& job, const ResultGroup& group) {
             job.job.contributors.insert(run.author);
         }
     }
+    job.withdrawn.resize(job.rows.size());
+}
+
+/// Withdraws the rows of an author up to here. A withdrawn author writes no more rows in a group.
+void withdraw_rows(FoundJob& job, WorkerProcess author) {
+    for (std::size_t i = 0; i < job.rows.size(); ++i) {
+        if (job.authors[i] == author && !job.withdrawn[i]) {
+            job.withdrawn[i] = true;
+            ++job.job.withdrawn;
+        }
+    }
+    job.job.contributors.erase(author);
 }
 
 void take_remarks(FoundJob& job, std::span<const Remark> remarks) {
     for (const Remark& remark : remarks) {
         if (remark.kind == Remark::Kind::Disputed) {
             job.job.disputes.push_back(remark);
-            continue;
+        } else if (remark.kind == Remark::Kind::Withdrawn) {
+            withdraw_rows(job, remark.author);
+        } else {
+            std::erase_if(job.job.disputes, [&](const Remark& open) {
+                return open.scenario == remark.scenario && open.digest == remark.digest &&
+                       open.author == remark.author;
+            });
         }
-        job.vouched.insert(remark.scenario);
-        std::erase_if(job.job.disputes, [&](const Remark& open) {
-            return remark.kind == Remark::Kind::Settled && open.scenario == remark.scenario &&
-                   open.digest == remark.digest && open.author == remark.author;
-        });
     }
 }
 
@@ -313,7 +331,7 @@ Status restore(FoundJob& found, const std::filesystem::path& path, bool check_re
     for (std::size_t i = found.rows.size(); i-- > 0;) {
         const ResultRow& row = found.rows[i];
         const bool is_missed = mutated(Mutation::GroupNotRecovered) && i + 1 == found.rows.size();
-        if (job.merger.has(row.scenario) || is_missed) {
+        if (found.withdrawn[i] || job.merger.has(row.scenario) || is_missed) {
             continue;
         }
         if (Status status = job.results->restore(row.scenario, found.places[i]); !status) {
@@ -324,13 +342,13 @@ Status restore(FoundJob& found, const std::filesystem::path& path, bool check_re
         }
         (void)job.merger.add(row.scenario, row.facts, row.digest);
         if (!job.end) {
-            job.done.push_back(row.scenario);
-            job.authors.push_back(found.vouched.contains(row.scenario) ? 0 : found.authors[i]);
+            job.done.push_back(row);
+            job.authors.push_back(found.authors[i]);
         }
     }
-    const auto is_there = [&](const Remark& open) { return job.merger.has(open.scenario); };
-    if (!job.end && !std::ranges::all_of(job.disputes, is_there)) {
-        return damaged(path, job.record.id, "a result that is in dispute is missing");
+    const auto is_scenario = [&](const Remark& open) { return open.scenario < scenarios; };
+    if (!std::ranges::all_of(job.disputes, is_scenario)) {
+        return damaged(path, job.record.id, "a scenario that it does not have is in dispute");
     }
     const auto is_place = [&](const LostPlaces& lost) { return lost.places.end() <= scenarios; };
     if (!std::ranges::all_of(job.losses, is_place)) {

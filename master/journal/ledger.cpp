@@ -45,6 +45,21 @@ void Ledger::write(JobId job, std::uint64_t scenario, std::uint64_t position) {
     entries_.push_back({position, job, scenario});
 }
 
+void Ledger::withdraw(JobId id, std::span<const std::uint64_t> scenarios) {
+    Job& job = jobs_.at(id);
+    for (const std::uint64_t scenario : scenarios) {
+        Block& block = block_of(job, scenario);
+        const std::uint64_t bit = scenario % block_scenarios;
+        CD_CHECK(block.written[bit]);
+        job.durable -= block.durable[bit] ? 1 : 0;
+        block.written.reset(bit);
+        block.durable.reset(bit);
+    }
+    std::erase_if(entries_, [&](const Entry& entry) {
+        return entry.job == id && state(id, entry.scenario) == State::Unknown;
+    });
+}
+
 void Ledger::promise(const Promise& promise, std::uint64_t position) {
     const bool is_early =
         (mutated(Mutation::JobAcceptedTooEarly) && std::holds_alternative<JobAccepted>(promise)) ||

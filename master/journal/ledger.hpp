@@ -4,6 +4,7 @@
 
 #include "common/core/files/hash.hpp"
 #include "common/core/id.hpp"
+#include "master/base/worker_process.hpp"
 
 #include <array>
 #include <bitset>
@@ -47,8 +48,9 @@ struct JobDropped {
 struct Dispute {
     JobId job;
     std::uint64_t scenario = 0;
-    WorkerId second; ///< Worker whose result differs from the merged one.
-    Sha256 digest;   ///< Digest of the differing result.
+    std::shared_ptr<const Author>
+        second;    ///< Author of the result that differs from the merged one.
+    Sha256 digest; ///< Digest of the differing result.
 
     friend bool operator==(const Dispute&, const Dispute&) = default;
 };
@@ -71,6 +73,8 @@ class Ledger {
     /// Records that the scenario's result is in the entry at `position`, which never decreases. The
     /// job must be open and the scenario unknown.
     void write(JobId job, std::uint64_t scenario, std::uint64_t position);
+    /// Forgets results of an open job that were withdrawn. They must be written or durable.
+    void withdraw(JobId job, std::span<const std::uint64_t> scenarios);
 
     /// Keeps the promise once all entries up to this position are committed.
     void promise(const Promise& promise, std::uint64_t position);

@@ -133,30 +133,33 @@ void put_remarks(ByteWriter& out, std::span<const Remark> remarks) {
     put_varint(out, remarks.size());
     for (const Remark& remark : remarks) {
         put_enumeration(out, remark.kind);
-        put_varint(out, remark.scenario);
-        if (remark.kind != Remark::Kind::Vouched) {
+        out.put(remark.author);
+        if (remark.kind != Remark::Kind::Withdrawn) {
+            put_varint(out, remark.scenario);
             put_hash(out, remark.digest);
-            out.put(remark.author);
         }
     }
 }
 
 bool get_remarks(ByteReader& in, std::vector<Remark>& remarks) {
     const auto count = get_varint(in);
-    if (!count || !may_hold(in, *count, 2)) {
+    if (!count || !may_hold(in, *count, 1 + sizeof(WorkerProcess))) {
         return false;
     }
     for (std::uint64_t i = 0; i < *count; ++i) {
         Remark remark;
-        const bool is_kind = get_enumeration(in, remark.kind, Remark::Kind::Vouched);
-        const auto scenario = get_varint(in);
-        if (!is_kind || !scenario) {
+        const bool is_kind = get_enumeration(in, remark.kind, Remark::Kind::Withdrawn);
+        remark.author = in.get<WorkerProcess>();
+        if (!is_kind) {
             return false;
         }
-        remark.scenario = *scenario;
-        if (remark.kind != Remark::Kind::Vouched) {
+        if (remark.kind != Remark::Kind::Withdrawn) {
+            const auto scenario = get_varint(in);
+            if (!scenario) {
+                return false;
+            }
+            remark.scenario = *scenario;
             remark.digest = get_hash(in);
-            remark.author = in.get<WorkerProcess>();
         }
         remarks.push_back(remark);
     }

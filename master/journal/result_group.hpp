@@ -32,18 +32,17 @@ struct AuthorRun {
     friend bool operator==(const AuthorRun&, const AuthorRun&) = default;
 };
 
-/// A finding about a result after it was written.
+/// A finding about results after they were written.
 struct Remark {
     enum class Kind : std::uint8_t {
-        Disputed, ///< Another result differs, and the master must recompute it.
-        Settled,  ///< The master has recomputed it: no author's word counts.
-        Vouched,  ///< Another worker gave an equal result.
+        Disputed,  ///< Another result of `scenario` differs; the master must recompute it.
+        Settled,   ///< The master has recomputed `scenario`.
+        Withdrawn, ///< All results of `author` so far count as never having come.
     };
-    Kind kind = Kind::Vouched;
+    Kind kind = Kind::Withdrawn;
     std::uint64_t scenario = 0;
-    // Digest and author of the other result in a dispute.
-    Sha256 digest;
-    WorkerProcess author = 0;
+    Sha256 digest;            ///< Digest of the other result in a dispute.
+    WorkerProcess author = 0; ///< Author of the other result, or of the withdrawn ones.
 
     friend bool operator==(const Remark&, const Remark&) = default;
 };

@@ -275,6 +275,14 @@ void ResultStore::commit() {
     state_->end = std::max(state_->end, state_->written_end);
 }
 
+void ResultStore::withdraw(std::uint64_t scenario) {
+    const std::lock_guard lock(state_->mutex);
+    if (state_->find(scenario).length != 0) {
+        state_->set(scenario, {});
+        --state_->records;
+    }
+}
+
 Status ResultStore::restore(std::uint64_t scenario, const RecordPlace& place) {
     const std::lock_guard lock(state_->mutex);
     const bool is_inside = scenario < state_->scenarios && place.length != 0 &&

@@ -76,6 +76,8 @@ class ResultStore {
     /// Makes the records of the last write readable. The last of several records of a scenario
     /// counts.
     void commit();
+    /// Makes a scenario's record unreadable.
+    void withdraw(std::uint64_t scenario);
 
     /// Adds a committed record. Errors: Io for a location outside the committed bytes.
     [[nodiscard]] Status restore(std::uint64_t scenario, const RecordPlace& place);

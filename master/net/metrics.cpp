@@ -140,9 +140,9 @@ void add_jobs(Page& page, const std::vector<JobStatus>& jobs) {
         "scenarios", "Of a job that runs.", [](const JobStatus& job) { return job.summary.total; });
     each("scenarios_done", "Of these.", [](const JobStatus& job) { return job.summary.merged(); });
     each("scenarios_failed", "Of these.", [](const JobStatus& job) { return job.summary.failed; });
-    each("scenarios_doubted", "Done again after an alarm.", [](const JobStatus& job) {
-        return job.doubted;
-    });
+    each("results_withdrawn",
+         "Results of quarantined workers, done again.",
+         [](const JobStatus& job) { return job.withdrawn; });
     each("compute_seconds", "Of workers' threads.", [](const JobStatus& job) {
         return job.compute_seconds;
     });

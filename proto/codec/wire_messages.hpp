@@ -372,7 +372,7 @@ void serialize(Archive& archive, JobStatus& m) {
     enumeration(archive, m.state, JobState::Running, JobState::Failed);
     archive(m.summary, m.digest, m.seconds, m.scenarios_per_second, m.failure, m.bodies);
     archive(m.answered_by_master, m.statistics, m.compute_seconds, m.paused);
-    archive(m.long_scenarios, m.doubted, m.recalled, m.copies, m.copies_won);
+    archive(m.long_scenarios, m.withdrawn, m.recalled, m.copies, m.copies_won);
     archive(m.traffic, m.depths, m.owner, m.began);
 }
 

@@ -185,7 +185,7 @@ struct JobStatus {
     double compute_seconds = 0;
     std::string paused; ///< Why the job is paused; empty if it is not.
     std::vector<LongScenario> long_scenarios;
-    std::uint64_t doubted = 0;    ///< Suspect results of quarantined workers, being recomputed.
+    std::uint64_t withdrawn = 0;  ///< Results of quarantined workers that were withdrawn.
     std::uint64_t recalled = 0;   ///< Scenarios returned by workers near the job's end.
     std::uint64_t copies = 0;     ///< Speculative copies of scenarios near the job's end.
     std::uint64_t copies_won = 0; ///< Speculative copies answered before their originals.

@@ -111,9 +111,20 @@ std::string Watcher::add_group(JobId id, const Bytes& bytes) {
         constexpr std::uint64_t any = 1u << 20;
         job.map.add(unpack_map(map, {any, any, any}).value());
     }
+    std::set<WorkerProcess> withdrawn;
+    for (const Remark& remark : group.remarks) {
+        if (remark.kind == Remark::Kind::Withdrawn) {
+            withdrawn.insert(remark.author);
+            withdraw(job, remark.author);
+        }
+    }
     const std::vector<WorkerProcess> authors = authors_of(group);
     for (std::size_t i = 0; i < group.rows.size(); ++i) {
         const ResultRow& row = group.rows[i];
+        if (withdrawn.contains(authors[i])) {
+            job.withdrawn.insert(row.scenario);
+            continue;
+        }
         const std::string name = name_of(id, row.scenario);
         const auto [result, is_new] =
             job.results.emplace(row.scenario, DurableResult{row.digest, authors[i]});
@@ -134,6 +145,17 @@ std::string Watcher::add_group(JobId id, const Bytes& bytes) {
         }
     }
     return wrong;
+}
+
+void Watcher::withdraw(DurableJob& job, WorkerProcess author) {
+    for (auto result = job.results.begin(); result != job.results.end();) {
+        const bool is_its = result->second.author == author;
+        if (is_its) {
+            job.withdrawn.insert(result->first);
+            ++corrected_;
+        }
+        result = is_its ? job.results.erase(result) : std::next(result);
+    }
 }
 
 void Watcher::master_began() {
@@ -205,21 +227,21 @@ std::string Watcher::check_awaited(JobId job) const {
 }
 
 std::string Watcher::sent(JobId job, std::span<const std::uint64_t> scenarios) {
-    if (std::string wrong = check_awaited(job); !wrong.empty()) {
-        return wrong;
-    }
     const std::set<std::uint64_t>& done = done_before_[job];
     for (const std::uint64_t scenario : scenarios) {
         ++scenarios_sent_;
         ++times_sent_[{job, scenario}];
-        const auto is_doubted = [&] {
-            return quarantine().contains(jobs_.at(job).results.at(scenario).author);
+        // The withdrawal may not be on the disk yet.
+        const auto is_withdrawn = [&] {
+            const auto result = jobs_.at(job).results.find(scenario);
+            return result == jobs_.at(job).results.end() ||
+                   quarantine().contains(result->second.author);
         };
-        if (done.contains(scenario) && !is_doubted()) {
+        if (done.contains(scenario) && !is_withdrawn()) {
             return name_of(job, scenario) + " is done again after a restart";
         }
     }
-    return {};
+    return check_awaited(job);
 }
 
 std::string Watcher::check_kept(std::uint64_t worker, std::uint64_t sequence) {
@@ -232,9 +254,10 @@ std::string Watcher::check_kept(std::uint64_t worker, std::uint64_t sequence) {
     }
     for (const auto& [id, scenario] : found->second) {
         const auto job = jobs_.find(id);
-        // Nobody needs results of a job that has ended or never existed.
+        // Nobody needs results of a job that has ended or never existed. A result that repeats one
+        // of an exposed worker is withdrawn with it.
         if (job != jobs_.end() && job->second.end.empty() &&
-            !job->second.results.contains(scenario)) {
+            !job->second.results.contains(scenario) && !job->second.withdrawn.contains(scenario)) {
             return name_of(id, scenario) + " is acknowledged, and not on the disk";
         }
         acknowledged(worker, id, scenario);

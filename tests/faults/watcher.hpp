@@ -43,7 +43,8 @@ struct DurableJob {
     Bytes progress;
     Bytes end;
     std::vector<Bytes> groups;
-    std::map<std::uint64_t, DurableResult> results; ///< Results in `groups`.
+    std::map<std::uint64_t, DurableResult> results; ///< Results in `groups` that count.
+    std::set<std::uint64_t> withdrawn; ///< Scenarios that had a result of an exposed worker.
     ContactMapTotal map;
     std::set<std::uint64_t> failed; ///< Failed scenarios among `results`.
     std::set<std::uint64_t> borne;  ///< Wrong results that the master could not detect.
@@ -95,6 +96,7 @@ class Watcher {
   private:
     using Key = std::pair<JobId, std::uint64_t>;
     [[nodiscard]] std::string add_group(JobId job, const Bytes& bytes);
+    void withdraw(DurableJob& job, WorkerProcess author);
     [[nodiscard]] std::string sent(JobId job, std::span<const std::uint64_t> scenarios);
     [[nodiscard]] std::string check_awaited(JobId job) const;
     void given_back(std::uint64_t worker, const Recalled& recalled);

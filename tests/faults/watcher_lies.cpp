@@ -42,8 +42,12 @@ void Watcher::acknowledged(std::uint64_t worker, JobId id, std::uint64_t scenari
         quarantine().contains(worker)) {
         return; // Nothing is compared any more, or nothing of this worker.
     }
+    const auto result = job->second.results.find(scenario);
+    if (result == job->second.results.end()) {
+        return; // Withdrawn since.
+    }
     if (!lies.is_told(worker, id, scenario)) {
-        job->second.results.at(scenario).is_witnessed = true;
+        result->second.is_witnessed = true;
     } else if (job->second.is_right(scenario)) {
         refuted_.insert({id, worker});
     }

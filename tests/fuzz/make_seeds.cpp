@@ -218,7 +218,7 @@ void add_rows(Seeds& seeds) {
     group.authors = {{1, 7}, {1, 0}};
     group.remarks = {{Remark::Kind::Disputed, 4, tests::some_hash(3), 8},
                      {Remark::Kind::Settled, 4, tests::some_hash(3), 8},
-                     {Remark::Kind::Vouched, 9, {}, 0}};
+                     {Remark::Kind::Withdrawn, 0, {}, 9}};
     add(3, "group", encode_group(group));
     add(4, "alarms", encode_alarms({2, {"results differ"}, {7, 8}}));
 

@@ -56,7 +56,7 @@ inline JobStatus some_job_status() {
     status.compute_seconds = 3.5;
     status.paused = "no space";
     status.long_scenarios = {{26, WorkerId{1}, "node-1", 27.5}};
-    status.doubted = 28;
+    status.withdrawn = 28;
     status.recalled = 42;
     status.copies = 43;
     status.copies_won = 44;

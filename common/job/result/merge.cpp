@@ -47,18 +47,14 @@ bool ResultMerger::has(std::uint64_t index) const {
     return index < merged_.size() && merged_[index];
 }
 
-void ResultMerger::correct(std::uint64_t index,
-                           const ScenarioFacts& wrong,
-                           const ScenarioFacts& right,
-                           const Sha256& digest) {
+void ResultMerger::remove(std::uint64_t index, const ScenarioFacts& facts) {
     CD_CHECK(is_open() && has(index));
-    digests_[index] = digest;
-    --count_of(wrong.kind);
-    summary_.pairs -= wrong.pair_count;
-    summary_.surfaces_only -= wrong.surfaces_only ? 1 : 0;
-    summary_.insides_skipped -= wrong.insides_skipped ? 1 : 0;
-    summary_.cut -= wrong.is_cut ? 1 : 0;
-    count(right);
+    merged_[index] = false;
+    --count_of(facts.kind);
+    summary_.pairs -= facts.pair_count;
+    summary_.surfaces_only -= facts.surfaces_only ? 1 : 0;
+    summary_.insides_skipped -= facts.insides_skipped ? 1 : 0;
+    summary_.cut -= facts.is_cut ? 1 : 0;
 }
 
 std::uint64_t& ResultMerger::count_of(ScenarioClass kind) {

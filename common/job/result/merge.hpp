@@ -64,12 +64,8 @@ class ResultMerger {
     /// The same for a result of which only this is known any more.
     [[nodiscard]] Outcome
     add(std::uint64_t index, const ScenarioFacts& facts, const Sha256& digest);
-    /// Replaces a result that turned out to be wrong. `wrong` are the facts of that one. It is
-    /// here.
-    void correct(std::uint64_t index,
-                 const ScenarioFacts& wrong,
-                 const ScenarioFacts& right,
-                 const Sha256& digest);
+    /// Removes a merged result, which has these facts.
+    void remove(std::uint64_t index, const ScenarioFacts& facts);
     [[nodiscard]] bool has(std::uint64_t index) const;
     /// Of a result that is here.
     [[nodiscard]] const Sha256& digest_of(std::uint64_t index) const;
@@ -79,7 +75,7 @@ class ResultMerger {
     /// SHA-256 over the scenarios' digests in submitted order; nothing until all are merged.
     [[nodiscard]] std::optional<Sha256> digest() const;
 
-    /// Gives back the memory of the hashes. What needs them is over: `add`, `correct`, `digest_of`
+    /// Gives back the memory of the hashes. What needs them is over: `add`, `remove`, `digest_of`
     /// and `digest`.
     void close();
 

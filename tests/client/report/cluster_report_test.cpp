@@ -130,7 +130,7 @@ TEST_F(Status, EndsWithTheBottleneck) {
     EXPECT_EQ(json["bottleneck"], bottleneck());
 }
 
-TEST_F(Status, TellsOfLostWorkersLongScenariosDoubtsAndAlarms) {
+TEST_F(Status, TellsOfLostWorkersLongScenariosWithdrawnResultsAndAlarms) {
     EXPECT_EQ(status_text(before_, after_).find("lost"), std::string::npos);
     after_.workers[1].state = WorkerState::Lost;
     after_.workers[1].working = 0;
@@ -141,7 +141,7 @@ TEST_F(Status, TellsOfLostWorkersLongScenariosDoubtsAndAlarms) {
     after_.alarms = {"results differ"};
     after_.alarm_count = 25;
     after_.jobs[0].long_scenarios = {{17, WorkerId{7}, "node-7", 75}};
-    after_.jobs[0].doubted = 5;
+    after_.jobs[0].withdrawn = 5;
     after_.jobs[0].recalled = 6;
     after_.jobs[0].copies = 8;
     after_.jobs[0].copies_won = 7;
@@ -165,7 +165,7 @@ TEST_F(Status, TellsOfLostWorkersLongScenariosDoubtsAndAlarms) {
     EXPECT_EQ(json["alarm_count"], 25);
     EXPECT_EQ(json["long_scenarios"][0]["scenario"], 17);
     EXPECT_EQ(json["long_scenarios"][0]["name"], "node-7");
-    EXPECT_EQ(json["jobs"][0]["doubted"], 5);
+    EXPECT_EQ(json["jobs"][0]["withdrawn"], 5);
     EXPECT_EQ(json["jobs"][0]["recalled"], 6);
     EXPECT_EQ(json["jobs"][0]["copies"], 8);
     EXPECT_EQ(json["jobs"][0]["copies_won"], 7);

@@ -29,12 +29,6 @@ TEST(Losses, RepeatedLossesOfOneProcessEventuallyFail) {
     EXPECT_EQ(losses.count(), limits::scenario_losses_max);
 }
 
-TEST(Losses, ASuspectResultCountsNoLoss) {
-    const Losses losses = Losses::in_doubt();
-    EXPECT_EQ(losses.count(), 0u);
-    EXPECT_FALSE(losses.none());
-}
-
 TEST(Losses, AnUnknownProcessCountsEachTime) {
     Losses losses;
     for (std::size_t i = 1; i <= 2 * limits::scenario_losses_max; ++i) {

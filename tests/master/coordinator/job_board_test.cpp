@@ -82,7 +82,7 @@ TEST_F(Jobs, WithManyResultsAreKeptInFewerNumbers) {
     const auto end_with = [&](std::uint64_t results) {
         const JobId id = open(100);
         for (std::uint64_t i = 0; i < results; ++i) {
-            (void)board_.find(id)->merger.add(i, {}, Sha256{});
+            (void)board_.find(id)->merged.add(i, {}, Sha256{}, nullptr);
         }
         return std::pair(id, end_and_announce(id));
     };

@@ -199,15 +199,16 @@ TEST_F(SubmitterTest, NothingIsDeliveredAfterTheEnd) {
     }
 }
 
-TEST_F(SubmitterTest, WhatIsDoneIsPassedOverUnlessItIsInDoubt) {
+TEST_F(SubmitterTest, SkipsScenariosThatHaveAResultWhenABlockStarts) {
     AnalysisInput input = make_input(make_sphere(1), make_sphere(1), 2);
     input.poses = make_list_source(make_scenarios(6, 0.1));
-    input.done = std::make_shared<const std::vector<bool>>(std::vector<bool>{true, false, true});
+    const auto done =
+        std::make_shared<const std::vector<bool>>(std::vector<bool>{true, false, true});
     Collected collected;
     Submitter submitter(pool_, input, collected.taker());
+    submitter.start({0, 6}, {}, done);
+    submitter.start({0, 6}, two_losses(), done);
     submitter.start({0, 6});
-    submitter.start({0, 6}, two_losses());
-    submitter.start({0, 6}, Losses::in_doubt());
     const auto blocks = collected.wait_for(3);
     for (std::size_t block = 0; block < 2; ++block) {
         EXPECT_EQ(blocks[block].scenarios.size(), 4u);

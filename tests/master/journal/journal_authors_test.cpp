@@ -28,7 +28,7 @@ std::map<std::uint64_t, WorkerProcess> authors_in(const RecoveredJob& job) {
     std::map<std::uint64_t, WorkerProcess> authors;
     EXPECT_EQ(job.done.size(), job.authors.size());
     for (std::size_t i = 0; i < job.done.size(); ++i) {
-        authors[job.done[i]] = job.authors.at(i);
+        authors[job.done[i].scenario] = job.authors.at(i);
     }
     return authors;
 }
@@ -70,24 +70,45 @@ TEST(JournalAuthors, OfAJobThatHasEndedItIsKnownWhoContributed) {
     EXPECT_EQ(again.recovered.jobs.at(0).contributors, (std::set<WorkerProcess>{7, 8}));
 }
 
-TEST(JournalAuthors, ConfirmedSettledOrCorrectedResultsAreNotSuspect) {
-    const TemporaryFolder folder;
-    {
-        Writer writer(folder.path());
-        const auto store = writer.accept(JobId{1}, 100);
-        writer.wait_for(writer.journal->add(results_by(7, store, 0, 10)));
-        writer.journal->add(remarks_on(store, {{Kind::Vouched, 1, {}, 0}}));
-        writer.journal->add(remarks_on(store, {{Kind::Settled, 2, some_hash(1), 8}}));
-        AddResults correction = results_of(JobId{1}, store, 3, 1, 70);
-        writer.wait_for(writer.journal->add(std::move(correction)));
+TEST(JournalAuthors, WithdrawnResultsCountAsNeverWrittenAndCorrectedOnesAreTheMasters) {
+    for (const bool is_one_commit : {true, false}) {
+        const TemporaryFolder folder;
+        {
+            Writer writer(folder.path());
+            const auto store = writer.accept(JobId{1}, 100);
+            const auto add = [&](AddResults entry) {
+                const auto at = writer.journal->add(std::move(entry));
+                if (!is_one_commit) {
+                    writer.wait_for(at);
+                }
+                return at;
+            };
+            add(results_by(7, store, 0, 10));
+            add(results_by(8, store, 10, 10));
+            AddResults withdrawal = remarks_on(store, {{Kind::Withdrawn, 0, {}, 7}});
+            for (std::uint64_t scenario = 0; scenario < 10; ++scenario) {
+                withdrawal.withdrawn.push_back(scenario);
+            }
+            add(std::move(withdrawal));
+            add(results_by(8, store, 4, 2));                              // Done again.
+            writer.wait_for(add(results_of(JobId{1}, store, 12, 1, 70))); // The master's.
+            EXPECT_EQ(store->count(), 12u);
+            EXPECT_FALSE(store->has(3));
+            EXPECT_TRUE(store->has(4));
+        }
+        const Writer again(folder.path());
+        const RecoveredJob& job = again.recovered.jobs.at(0);
+        const auto authors = authors_in(job);
+        ASSERT_EQ(authors.size(), 12u);
+        for (const auto& [scenario, author] : authors) {
+            EXPECT_TRUE(scenario == 4 || scenario == 5 || scenario >= 10) << scenario;
+            EXPECT_EQ(author, scenario == 12 ? 0u : 8u) << scenario;
+        }
+        EXPECT_EQ(job.withdrawn, 10u);
+        EXPECT_EQ(job.results->count(), 12u);
+        EXPECT_EQ(job.contributors, (std::set<WorkerProcess>{8}));
+        EXPECT_EQ(job.merger.digest_of(12), result_of(12, 70).row.digest);
     }
-    const Writer again(folder.path());
-    const RecoveredJob& job = again.recovered.jobs.at(0);
-    for (const auto& [scenario, author] : authors_in(job)) {
-        EXPECT_EQ(author, scenario >= 1 && scenario <= 3 ? 0u : 7u) << scenario;
-    }
-    EXPECT_EQ(job.contributors, (std::set<WorkerProcess>{7}));
-    EXPECT_EQ(job.merger.digest_of(3), result_of(3, 70).row.digest);
 }
 
 TEST(JournalAuthors, ADisputeIsOpenUntilItIsSettled) {
@@ -108,8 +129,8 @@ TEST(JournalAuthors, ADisputeIsOpenUntilItIsSettled) {
             }
             Remark settled = first;
             settled.kind = Kind::Settled;
-            // Another worker's equal result clears a suspect result, but settles no dispute.
-            writer.journal->add(remarks_on(store, {settled, {Kind::Vouched, 5, {}, 0}}));
+            // Withdrawing the first result settles no dispute.
+            writer.journal->add(remarks_on(store, {settled, {Kind::Withdrawn, 0, {}, 7}}));
         }
         const Writer again(folder.path());
         EXPECT_EQ(again.recovered.jobs.at(0).disputes, (std::vector<Remark>{second, other}));
@@ -207,7 +228,7 @@ void set_version(const std::filesystem::path& path, char version) {
 }
 
 TEST(JournalAuthors, AJournalOfAnotherVersionIsRefusedWithTheWayOut) {
-    for (const char version : {1, 4, 6}) {
+    for (const char version : {1, 5, 7}) {
         const TemporaryFolder folder;
         { const Writer writer(folder.path()); }
         set_version(folder / "journal.db", version);

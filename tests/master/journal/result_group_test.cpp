@@ -22,7 +22,7 @@ ResultGroup some_group() {
     group.authors = {{2, 77}, {1, 0}, {3, 77}};
     group.remarks = {{Kind::Disputed, 930, some_hash(8), 78},
                      {Kind::Settled, 930, some_hash(8), 78},
-                     {Kind::Vouched, 5, {}, 0}};
+                     {Kind::Withdrawn, 0, {}, 79}};
     group.losses = {{{7, 1}, 77}, {{300, 1000}, 0}};
     return group;
 }

@@ -1,5 +1,4 @@
-// Proves that quarantine applies to the certificate's holder, and not to another holder with a
-// process of equal number: neither a new number nor a restart of the master ends it.
+// Proves that equal process numbers of two certificate holders are two processes.
 #include "tests/master/fake_client.hpp"
 #include "tests/master/fake_worker.hpp"
 #include "tests/master/master_stage.hpp"
@@ -14,54 +13,6 @@ std::optional<WorkerStatus> alive_at(Master& master) {
     const auto workers = master.coordinator.cluster_status().workers;
     const auto here = std::ranges::find(workers, WorkerState::Alive, &WorkerStatus::state);
     return here == workers.end() ? std::nullopt : std::optional(*here);
-}
-
-/// Joins and leaves; returns whether the worker was in quarantine.
-bool joins_in_quarantine(Master& master, const std::string& holder, std::uint64_t instance) {
-    std::optional<WorkerStatus> found;
-    {
-        const FakeWorker worker(master, {.instance = instance, .holder = holder});
-        master.run_until([&] { return (found = alive_at(master)).has_value(); });
-    }
-    master.run_until([&] { return !alive_at(master); });
-    return found && found->quarantined;
-}
-
-TEST(ServerHolder, QuarantineFollowsTheCertificateToANewProcess) {
-    const TemporaryFolder state;
-    {
-        Master master(no_return, state.path(), secured);
-        Client client(master);
-        client.start_submitting(reference().submission());
-        master.run_until([&] { return client.done; });
-        {
-            const FakeWorker liar(master, {.lies_first = true, .instance = 1, .holder = "liar"});
-            master.run_until([&] { return !master.coordinator.quarantined().empty(); });
-        }
-        master.run_until([&] { return !alive_at(master); });
-        const std::uint64_t merged =
-            master.coordinator.job_status(*client.job).value().summary.merged();
-        EXPECT_TRUE(joins_in_quarantine(master, "liar", 1));
-        EXPECT_TRUE(joins_in_quarantine(master, "liar", 2));
-        {
-            // Results of a quarantined worker are rejected, even right ones.
-            Results results = right_results(*client.job, 89);
-            results.sequence = 1;
-            const FakeWorker again(master,
-                                   {.instance = 6, .comes_with = {results}, .holder = "liar"});
-            master.run_until([&] { return again.kept == 1; });
-            EXPECT_EQ(master.coordinator.job_status(*client.job).value().summary.merged(), merged);
-        }
-        master.run_until([&] { return !alive_at(master); });
-        EXPECT_FALSE(joins_in_quarantine(master, "honest", 3));
-        EXPECT_FALSE(joins_in_quarantine(master, "honest", 1)) << "the same number by chance";
-        const auto alarms = master.coordinator.cluster_status().alarms;
-        ASSERT_FALSE(alarms.empty());
-        EXPECT_NE(alarms.front().find("certified as liar"), std::string::npos) << alarms.front();
-    }
-    Master master(no_return, state.path(), secured);
-    EXPECT_TRUE(joins_in_quarantine(master, "liar", 4));
-    EXPECT_FALSE(joins_in_quarantine(master, "honest", 5));
 }
 
 TEST(ServerHolder, AnotherHolderWithTheSameNumberEndsNobodysSession) {

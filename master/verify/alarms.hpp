@@ -1,0 +1,38 @@
+// Alarms and quarantined worker processes of the cluster.
+#pragma once
+
+#include "master/journal/alarm_record.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <set>
+#include <string>
+#include <utility>
+
+namespace cd {
+
+/// Holds what the journal keeps of alarms and quarantine, across restarts of the master.
+class Alarms {
+  public:
+    void restore(AlarmRecord record);
+
+    /// Raises an alarm: logs it and adds it to the record.
+    void raise(const std::string& text);
+    /// False: the process is in quarantine already, or is the master (0).
+    bool quarantine(WorkerProcess process);
+
+    [[nodiscard]] bool is_quarantined(WorkerProcess process) const {
+        return quarantined_.contains(process);
+    }
+    [[nodiscard]] const std::set<WorkerProcess>& quarantined() const { return quarantined_; }
+    [[nodiscard]] const AlarmRecord& record() const { return record_; }
+    /// The record if it has changed since the last call; the caller writes it to the journal.
+    [[nodiscard]] std::optional<AlarmRecord> take_changed();
+
+  private:
+    AlarmRecord record_;
+    std::set<WorkerProcess> quarantined_; ///< Those of `record_`.
+    bool is_changed_ = false;
+};
+
+} // namespace cd
