@@ -51,9 +51,9 @@ namespace {
 
 constexpr double unit_roundoff = 0x1p-53;
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double skew_max = 0x1p-10;    ///< Beyond, the bounds above do not hold.
-constexpr double underflow = 0x1p-1000; ///< More than all that can be lost to it.
-constexpr double center_max = 0x1p1000; ///< Beyond, sums may overflow on the way.
+constexpr double skew_max = 0x1p-10;    ///< The bounds above hold only up to this skew.
+constexpr double underflow = 0x1p-1000; ///< Exceeds everything that can be lost to underflow.
+constexpr double center_max = 0x1p1000; ///< Beyond this, intermediate sums may overflow.
 
 double size_of(const std::array<double, 3>& v) {
     return std::abs(v[0]) + std::abs(v[1]) + std::abs(v[2]);
@@ -114,7 +114,7 @@ Aabb BoxTest::bounds(const Corners& b) const {
              rotation_[6] * c[0] + rotation_[7] * c[1] + rotation_[8] * c[2] + translation_[2]});
         size = std::max(size, size_of(c));
     }
-    // As for T in the comment above, without the frame; growing by the error rounds once more.
+    // The error is that of T in the comment above, without F; growing the box rounds once more.
     double error = rotation_error_ * size + translation_error_ +
                    12 * rounding_ * (size + translation_size_) + underflow;
     if (!(size + translation_size_ < center_max) || !(frame_error_ < infinity)) {
@@ -195,7 +195,7 @@ double BoxTest::distance_max(const ObbNode& a, const PosedBox& b) const {
     const double radii = std::sqrt(radius_a) + std::sqrt(radius_b);
     const double error = frame_error_ * radii + 2 * (b.error + 48 * rounding_ * size_of(a.center));
     const double distance = (std::sqrt(between) + radii + error) * (1 + 16 * rounding_);
-    return distance >= 0 ? distance : infinity; // NaN: a centre that overflowed.
+    return distance >= 0 ? distance : infinity; // NaN: a centre overflowed.
 }
 
 } // namespace cd

@@ -1,4 +1,4 @@
-// Whether two oriented boxes may overlap: never a wrong "no".
+// Overlap test of two oriented boxes (SAT), conservative: it never gives a wrong "no".
 #pragma once
 
 #include "common/geometry/aabb.hpp"
@@ -14,24 +14,24 @@ struct PosedBox {
     std::array<double, 9> axes{};   ///< Row-major: B's three directions in A's body coordinates.
     std::array<double, 3> center{}; ///< In A's body coordinates.
     std::array<double, 3> half{};
-    double error = 0; ///< What its rounding and the pose's errors can add to any projection.
+    double error = 0; ///< Bound on what rounding and the pose's errors add to any projection.
 };
 
-/// The separating axes of two boxes under one relative pose.
+/// The separating axis test (SAT) of two boxes under one relative pose.
 class BoxTest {
   public:
-    /// `error_scale` multiplies every error bound. Only from 1 on is an answer a proof: less is for
-    /// tests, which show that the bounds are needed.
+    /// `error_scale` multiplies every error bound. An answer is a proof only if it is at least 1;
+    /// tests use less to show that the bounds are needed.
     explicit BoxTest(const RelativePose& b_to_a, double error_scale = 1);
 
     [[nodiscard]] PosedBox pose(const ObbNode& b) const;
 
-    /// A box in A's body coordinates around a triangle of B, in exact terms. All of space, or NaN
-    /// on an axis, where numbers overflow or the pose's bounds are of no use.
+    /// Returns a box in A's body coordinates that encloses a triangle of B, in exact terms. It is
+    /// all of space, or NaN on an axis, where numbers overflow or the pose's bounds are of no use.
     [[nodiscard]] Aabb bounds(const Corners& b) const;
 
-    /// False only if no point of box `a` is a point of box `b`, in exact terms, under the true
-    /// poses. True wherever numbers overflow or the pose's bounds are of no use.
+    /// Returns false only if boxes `a` and `b` have no point in common, in exact terms, under the
+    /// true poses. Returns true wherever numbers overflow or the pose's bounds are of no use.
     [[nodiscard]] bool may_overlap(const ObbNode& a, const PosedBox& b) const;
     [[nodiscard]] bool may_overlap(const ObbNode& a, const ObbNode& b) const {
         return may_overlap(a, pose(b));
@@ -44,11 +44,12 @@ class BoxTest {
   private:
     std::array<double, 9> rotation_{};
     std::array<double, 3> translation_{};
-    double translation_size_ = 0; ///< The sum of its components' sizes.
+    double translation_size_ = 0; ///< Sum of the absolute values of the translation's components.
     double rotation_error_ = 0;
     double translation_error_ = 0;
-    double frame_error_ = 0; ///< Per half size of B: see the source.
-    double rounding_;        ///< The unit roundoff, or less: what the bounds say of roundings.
+    double frame_error_ = 0; ///< Error per half size of B, derived in box_test.cpp.
+    double rounding_; ///< The unit roundoff times `error_scale`: what the bounds assume of each
+                      ///< rounding.
 };
 
 } // namespace cd

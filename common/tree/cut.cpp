@@ -14,9 +14,9 @@ namespace {
 
 /// A node on the way down from the root to the cut.
 struct TopNode {
-    std::uint32_t node = 0; ///< In the tree.
+    std::uint32_t node = 0; ///< Index in the tree.
     std::uint32_t depth = 0;
-    std::uint32_t parent = 0; ///< In the top, if this is a right child.
+    std::uint32_t parent = 0; ///< Index of the parent in the upper tree, if this is a right child.
     bool is_right = false;
 };
 
@@ -24,7 +24,7 @@ struct TopNode {
 void for_each_top_node(const ObbTree& tree,
                        const std::function<void(const TopNode&)>& visit,
                        std::uint32_t depth) {
-    // Preorder: the place of a node in the top is the number of nodes visited before it.
+    // In preorder, the index of a node in the upper tree is the number of nodes visited before it.
     std::uint32_t place = 0;
     std::vector<TopNode> waiting{TopNode{}};
     while (!waiting.empty()) {
@@ -45,18 +45,18 @@ double size_of(const ObbNode& node) {
            static_cast<double>(node.half[2]);
 }
 
-/// Which of two nodes is opened: the larger, so that the boxes stay alike.
+/// Returns which of two nodes is opened: the larger one, so that the boxes stay alike in size.
 bool opens_a(const ObbNode& a, const ObbNode& b) {
     return !a.is_leaf() && (b.is_leaf() || size_of(a) >= size_of(b));
 }
 
-/// One simultaneous descent of two tops. Its pairs are places in `nodes`, not numbers of roots.
+/// One simultaneous descent of two upper trees. Its pairs are indices in `nodes`, not root numbers.
 class TopDescent {
   public:
     TopDescent(const TreeTop& a, const TreeTop& b, const PosePair& poses)
         : a_(a), b_(b), boxes_(relative_pose(poses)), posed_(boxes_.pose(b.nodes[0])) {}
 
-    /// Pairs of nodes without children. Errors: TooLarge.
+    /// Returns the pairs of leaves whose boxes overlap. Errors: TooLarge.
     [[nodiscard]] Result<std::vector<RootPair>> leaf_pairs() {
         std::vector<RootPair> found;
         push_if_overlapping({0, 0});
@@ -101,13 +101,14 @@ class TopDescent {
     const TreeTop& a_;
     const TreeTop& b_;
     BoxTest boxes_;
-    PosedBox posed_; ///< The box of B at `posed_place_`: going down A, one of B meets many.
+    PosedBox posed_; ///< The box of B at `posed_place_`; it is kept, as a descent of A tests one
+                     ///< box of B many times.
     std::uint32_t posed_place_ = 0;
     std::vector<RootPair> waiting_;
     std::uint64_t box_tests_ = 0;
 };
 
-/// The number of the root at a node of the top.
+/// Returns the number of the root at a node of the upper tree.
 RootIndex root_at(const TreeTop& top, std::uint32_t node) {
     const auto at = std::lower_bound(top.root_nodes.begin(), top.root_nodes.end(), node);
     return static_cast<RootIndex>(at - top.root_nodes.begin());

@@ -14,18 +14,18 @@
 
 namespace cd {
 
-/// The place of a distribution root in its cut, from left to right.
+/// The index of a distribution root in its cut, from left to right.
 using RootIndex = std::uint32_t;
 
-/// In place of a root's number: the top of the tree, which travels as a block as the roots' do.
+/// Stands for the upper tree instead of a root; it is sent as a block like the roots' subtrees.
 inline constexpr RootIndex top_root = std::numeric_limits<RootIndex>::max();
 
-/// The roots, which ascend, but for `top_root`.
+/// Drops `top_root` from ascending roots.
 [[nodiscard]] inline std::span<const RootIndex> without_top(std::span<const RootIndex> roots) {
     return roots.empty() || roots.back() != top_root ? roots : roots.first(roots.size() - 1);
 }
 
-/// One distribution root of each body whose boxes overlap.
+/// Two distribution roots, one of each body, whose boxes overlap.
 struct RootPair {
     RootIndex a = 0;
     RootIndex b = 0;
@@ -33,11 +33,11 @@ struct RootPair {
     friend auto operator<=>(const RootPair&, const RootPair&) = default;
 };
 
-/// The nodes above the cut and the cut itself. A node of `nodes` without children is a distribution
-/// root; roots are numbered in the order in which they stand. This is all that the master needs for
-/// its analysis, and a worker that makes it itself.
+/// The upper tree: the nodes above the cut and the cut itself. A node of `nodes` without children
+/// is a distribution root; roots are numbered in the order of `nodes`. The master needs nothing
+/// else for its analysis, nor does a worker that analyses poses itself.
 struct TreeTop {
-    std::vector<ObbNode> nodes;            ///< Preorder; triangle ranges are those of the tree.
+    std::vector<ObbNode> nodes;            ///< Preorder; triangle ranges refer to the whole tree.
     std::vector<std::uint32_t> root_nodes; ///< Index into `nodes` of each root, ascending.
 
     [[nodiscard]] std::uint32_t root_count() const {
@@ -49,27 +49,30 @@ struct TreeTop {
     }
 };
 
-/// The nodes at depth `depth` (0 is the root of the tree), or the leaves above it.
+/// Cuts the tree at depth `depth` (0 is the root of the tree). A leaf above that depth is a root,
+/// too.
 [[nodiscard]] TreeTop cut_tree(const ObbTree& tree, std::uint32_t depth);
 
-/// The place in `tree.nodes()` of each distribution root of `cut_tree(tree, depth)`.
+/// Returns the index in `tree.nodes()` of each distribution root of `cut_tree(tree, depth)`.
 [[nodiscard]] std::vector<std::uint32_t> cut_nodes(const ObbTree& tree, std::uint32_t depth);
 
-/// Finds the roots. The nodes are a tree in preorder whose triangle ranges are consecutive from 0.
+/// Makes an upper tree of `nodes` and finds its roots. The nodes are a tree in preorder whose
+/// triangle ranges are consecutive from 0.
 [[nodiscard]] TreeTop make_tree_top(std::vector<ObbNode> nodes);
 
 struct CollidingRoots {
     std::vector<RootPair> pairs;
-    std::uint64_t box_tests = 0; ///< Pairs of boxes that were tested.
+    std::uint64_t box_tests = 0; ///< Number of box pairs that were tested.
 };
 
-/// Descends both tops together. Each contact of the scenario lies under exactly one returned pair,
-/// so the pairs' contacts together are the answer, without duplicates; no pair means no contact.
-/// Sorted, and a function of the arguments alone. Errors: TooLarge over `limits::root_pairs_max`.
+/// Descends both upper trees together. Each contact of the scenario lies under exactly one returned
+/// pair, so the pairs' contacts together are the answer, without duplicates; no pair means no
+/// contact. The pairs are sorted and depend only on the arguments. Errors: TooLarge over
+/// `limits::root_pairs_max`.
 [[nodiscard]] Result<CollidingRoots>
 colliding_roots(const TreeTop& a, const TreeTop& b, const PosePair& poses);
 
-/// The distinct roots of one side of a list of pairs, ascending.
+/// Returns the distinct roots of body A in a list of pairs, ascending.
 [[nodiscard]] std::vector<RootIndex> roots_of_a(std::span<const RootPair> pairs);
 [[nodiscard]] std::vector<RootIndex> roots_of_b(std::span<const RootPair> pairs);
 

@@ -1,4 +1,4 @@
-// A run of a mesh's triangles.
+// A range of a mesh's triangle ids.
 #pragma once
 
 #include <compare>
@@ -6,7 +6,7 @@
 
 namespace cd {
 
-/// Triangles [begin, end), by their ids.
+/// The triangles with ids [begin, end).
 struct IdRange {
     std::uint32_t begin = 0;
     std::uint32_t end = 0;

@@ -1,4 +1,4 @@
-// Pairs of triangles that a search passes over.
+// Pairs of triangles that a search ignores.
 #pragma once
 
 #include <cstdint>
@@ -6,14 +6,14 @@
 
 namespace cd {
 
-/// Pairs of triangle ids that are to be passed over: a in [a_begin, a_end) with b in its range. A
-/// search is handed the ranges of the two bodies that it walks.
+/// Ignores pairs of triangle ids: a in [a_begin, a_end) with b in [b_begin, b_end). A search gets
+/// only the ranges of its two bodies.
 struct IgnoredRange {
     std::uint32_t a_begin = 0;
     std::uint32_t a_end = 0;
     std::uint32_t b_begin = 0;
     std::uint32_t b_end = 0;
-    std::uint32_t body_a = 0; ///< Places of the two bodies in the job's list.
+    std::uint32_t body_a = 0; ///< Indices of the two bodies in the job's list.
     std::uint32_t body_b = 1;
 
     friend bool operator==(const IgnoredRange&, const IgnoredRange&) = default;

@@ -30,7 +30,7 @@ bool is_valid_box(const ObbNode& node) {
 }
 
 bool is_preorder(std::span<const ObbNode> nodes) {
-    // The walk needs no stack beyond one place for each right child still to come.
+    // The loop over the preorder keeps one stack entry for each right child still to come.
     std::vector<std::uint32_t> rights;
     for (std::uint32_t i = 0; i < nodes.size(); ++i) {
         if (!nodes[i].is_leaf()) {
@@ -40,7 +40,7 @@ bool is_preorder(std::span<const ObbNode> nodes) {
             rights.push_back(nodes[i].right);
             continue;
         }
-        // After a leaf comes the right child of the innermost open node, or the end.
+        // The right child of the innermost open node follows a leaf, or the end does.
         const bool is_last = rights.empty();
         if (i + 1 != (is_last ? nodes.size() : rights.back())) {
             return false;

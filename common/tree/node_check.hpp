@@ -1,4 +1,4 @@
-// What is asked of boxes that come from elsewhere.
+// Checks boxes and nodes that come from outside.
 #pragma once
 
 #include "common/tree/obb_tree.hpp"
@@ -9,22 +9,22 @@
 
 namespace cd {
 
-/// True when the box is one that the box test can take: axes orthonormal within `axes_error_max`, a
+/// Returns true when the box test can take this box: axes orthonormal within `axes_error_max`, a
 /// finite centre, half sizes that are normal floats or infinite. Any such box is tested
-/// conservatively; that it contains its triangles cannot be told from it.
+/// conservatively; the check does not show that it contains its triangles.
 [[nodiscard]] bool is_valid_box(const ObbNode& node);
 
-/// Whether the children of each inner node stand where preorder puts them.
+/// Returns true when the children of each inner node are where preorder puts them.
 [[nodiscard]] bool is_preorder(std::span<const ObbNode> nodes);
 
-/// Whether the triangles of each node are those of its children, and all begin at 0. The nodes, one
-/// at least, are in preorder.
+/// Returns true when the triangle range of each node joins its children's ranges and the first
+/// begins at 0. There is at least one node, and the nodes are in preorder.
 [[nodiscard]] bool has_consecutive_ranges(std::span<const ObbNode> nodes);
 
-/// All that a descent to so many triangles relies on, but for the boxes.
+/// Checks everything that a descent to `triangles` triangles relies on, except the boxes.
 [[nodiscard]] bool is_tree_over(std::span<const ObbNode> nodes, std::size_t triangles);
 
-/// True when each of so many triangles is there once.
+/// Returns true when `ids` contains each of `triangles` triangles exactly once.
 [[nodiscard]] bool is_permutation_of_triangles(std::span<const std::uint32_t> ids,
                                                std::size_t triangles);
 

@@ -10,7 +10,7 @@ namespace cd {
 
 namespace {
 
-/// What a tree that was built here is shown of.
+/// Owns the arrays of a tree that this process built.
 struct BinaryArrays {
     std::vector<ObbNode> nodes;
     std::vector<std::uint32_t> triangle_ids;
@@ -76,7 +76,7 @@ void ObbTree::prepare_search(ThreadPool* pool) {
 }
 
 std::uint32_t ObbTree::depth() const {
-    // Parents stand before their children.
+    // Parents come before their children.
     const std::span<const ObbNode> all = nodes();
     std::vector<std::uint32_t> depths(all.size(), 0);
     std::uint32_t deepest = 0;

@@ -1,4 +1,4 @@
-// The OBB tree of a mesh (paper, sections 6.1 and 6.2), laid out flat.
+// The OBB tree of a mesh (paper, sections 6.1 and 6.2) in flat arrays.
 #pragma once
 
 #include "common/core/host/thread_pool.hpp"
@@ -25,10 +25,11 @@ struct ObbNode {
     std::array<double, 3> center{};
     std::array<float, 9> axes{}; ///< Row-major: three unit directions.
     std::array<float, 3> half{};
-    std::uint32_t right = 0; ///< Index of the right child; 0 for a leaf. The left child follows.
-    std::uint32_t triangles_begin = 0; ///< The triangles under this node, in tree order.
+    std::uint32_t right =
+        0; ///< Index of the right child; 0 for a leaf. The left child is the next node.
+    std::uint32_t triangles_begin = 0; ///< The range of triangles under this node, in tree order.
     std::uint32_t triangles_end = 0;
-    std::uint32_t unused = 0; ///< So that each byte of an array of nodes has a value.
+    std::uint32_t unused = 0; ///< Gives each byte of an array of nodes a value.
 
     [[nodiscard]] bool is_leaf() const { return right == 0; }
     [[nodiscard]] std::uint32_t triangle_count() const { return triangles_end - triangles_begin; }
@@ -37,21 +38,20 @@ struct ObbNode {
 };
 static_assert(sizeof(ObbNode) == 88);
 
-/// What a traversal reads, wherever the arrays live: a whole tree or one subtree. Node 0 is the
-/// root, children stand after their parents (preorder), and `triangles` and `triangle_ids` are in
-/// tree order.
+/// A tree as a traversal reads it, either a whole tree or one subtree. Node 0 is the root, children
+/// come after their parents (preorder), and `triangles` and `triangle_ids` are in tree order.
 struct TreeView {
     std::span<const ObbNode> nodes;
     std::span<const Vec3> vertices;
     std::span<const Triangle> triangles;
-    std::span<const std::uint32_t> triangle_ids; ///< Places in the mesh.
-    WideView wide = {};                          ///< Of the same triangles; empty if not made.
+    std::span<const std::uint32_t> triangle_ids; ///< Indices in the mesh.
+    WideView wide = {}; ///< The wide tree of these triangles; empty if not made.
 };
 
 class WideTree;
 
-/// The arrays of the tree that the paper has, which stay as they are while `owner` lives. Without
-/// nodes where a tree has another form alone.
+/// The arrays of the paper's binary tree; they do not change while `owner` lives. There are no
+/// nodes where a tree has only the wide form.
 struct BinaryTree {
     std::span<const ObbNode> nodes;
     std::span<const std::uint32_t> triangle_ids;
@@ -59,17 +59,17 @@ struct BinaryTree {
     std::shared_ptr<const void> owner;
 };
 
-/// An immutable tree with its triangles, shared freely between threads. It has one of two forms or
-/// both: the binary tree, which is cut, walked under a tolerance and asked for insides, and the
-/// wide one, which other searches walk. Copies share the forms.
+/// An immutable tree with its triangles, shared freely between threads. It has one or both of two
+/// forms: the binary tree, which is cut, descended under a tolerance and used for point-in-solid
+/// tests, and the wide tree, which all other searches descend. Copies share the forms.
 class ObbTree {
   public:
-    /// In the binary form.
+    /// Makes a tree in the binary form.
     ObbTree(std::shared_ptr<const Mesh> mesh,
             std::vector<ObbNode> nodes,
             std::vector<std::uint32_t> triangle_ids,
             Topology topology);
-    /// In the forms at hand: a binary one with nodes, a wide one that is not null.
+    /// Makes a tree in the forms given: a binary tree with nodes, a wide tree that is not null.
     ObbTree(std::shared_ptr<const Mesh> mesh,
             BinaryTree binary,
             std::shared_ptr<const WideTree> wide,
@@ -82,17 +82,19 @@ class ObbTree {
 
     [[nodiscard]] bool has_binary() const { return !binary_.nodes.empty(); }
     [[nodiscard]] const BinaryTree& binary() const { return binary_; }
-    /// The next are of the binary form, which is there.
+    /// Nodes in preorder. The tree has the binary form.
     [[nodiscard]] std::span<const ObbNode> nodes() const;
+    /// Mesh ids of the triangles in tree order. The tree has the binary form.
     [[nodiscard]] std::span<const std::uint32_t> triangle_ids() const;
-    [[nodiscard]] std::uint32_t depth() const; ///< Edges on the longest way down.
+    /// Edges on the longest path from the root. The tree has the binary form.
+    [[nodiscard]] std::uint32_t depth() const;
 
-    /// Null until searches were prepared.
+    /// Null until `prepare_search` was called or a wide tree was given.
     [[nodiscard]] const std::shared_ptr<const WideTree>& wide() const { return wide_; }
-    /// Makes the wide form of the binary one. Not while others use the tree.
+    /// Makes the wide form from the binary one. No other thread may use the tree meanwhile.
     void prepare_search(ThreadPool* pool = nullptr);
 
-    [[nodiscard]] std::uint64_t memory_bytes() const; ///< Mapped files count.
+    [[nodiscard]] std::uint64_t memory_bytes() const; ///< Bytes of both forms; mapped files count.
 
   private:
     std::shared_ptr<const Mesh> mesh_;

@@ -1,4 +1,4 @@
-// A worker's tree: the top, with a slot for each distribution root (paper, section 6.3).
+// A worker's tree: the upper tree, with a slot for each distribution root (paper, section 6.3).
 #pragma once
 
 #include "common/tree/cut.hpp"
@@ -9,9 +9,9 @@
 
 namespace cd {
 
-/// The paper's "parallel OBB tree". Slots are empty until filled; a scenario holds the subtrees
-/// that it uses by shared pointers, so a slot may be emptied while one runs. The top may come after
-/// subtrees: who is told which roots collide needs none.
+/// The paper's "parallel OBB tree". Slots are empty until filled. A scenario holds the subtrees
+/// that it uses by shared pointers, so a slot may be emptied while one runs. The upper tree may
+/// arrive after subtrees: a worker that receives the colliding roots needs no upper tree.
 class PartialObbTree {
   public:
     explicit PartialObbTree(std::uint32_t root_count) : slots_(root_count) {}
@@ -20,12 +20,12 @@ class PartialObbTree {
         return static_cast<std::uint32_t>(slots_.size());
     }
     [[nodiscard]] bool has_top() const { return top_ != nullptr; }
-    /// The top is here. Copies share it.
+    /// Returns the upper tree, which has been set. Copies share it.
     [[nodiscard]] const TreeTop& top() const { return *top_; }
-    /// Of as many roots.
+    /// Sets the upper tree, which has as many roots as there are slots.
     void set_top(std::shared_ptr<const TreeTop> top) { top_ = std::move(top); }
 
-    /// Null while the subtree is not here.
+    /// Null while the subtree is missing.
     [[nodiscard]] const std::shared_ptr<const Subtree>& at(RootIndex root) const {
         return slots_[root];
     }
@@ -34,7 +34,7 @@ class PartialObbTree {
     }
     void empty(RootIndex root) { slots_[root].reset(); }
 
-    /// Those of `roots` whose slots are empty.
+    /// Returns those of `roots` whose slots are empty.
     [[nodiscard]] std::vector<RootIndex> missing(std::span<const RootIndex> roots) const;
 
   private:

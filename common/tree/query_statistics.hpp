@@ -1,4 +1,4 @@
-// How many tests a search for contacts took.
+// Counts the tests of a contact search.
 #pragma once
 
 #include "common/pair/triangle_pair.hpp"
@@ -7,7 +7,7 @@
 
 namespace cd {
 
-/// The paper's N_b and N_p (section 3), and how the pairs were decided.
+/// The paper's N_b and N_p (section 3), and the counts of how pairs were decided.
 struct QueryStatistics {
     std::uint64_t box_tests = 0;
     std::uint64_t triangle_tests = 0;

@@ -28,7 +28,8 @@ void RootHolders::grow(std::uint32_t holder_count) {
     if (needed <= row_words_) {
         return;
     }
-    // Thousands come one by one, and each time all is copied.
+    // Rows grow by an eighth: holders join one by one by the thousand, and each growth copies all
+    // rows.
     const std::size_t words = std::max(needed, row_words_ + row_words_ / 8);
     std::vector<std::uint64_t> wider(words * root_count_, 0);
     for (std::size_t root = 0; root < root_count_; ++root) {

@@ -14,7 +14,7 @@ HWY_BEFORE_NAMESPACE();
 namespace cd {
 namespace HWY_NAMESPACE {
 
-#if HWY_TARGET == HWY_SCALAR // Its vectors have one lane, which no word fits in.
+#if HWY_TARGET == HWY_SCALAR // Vectors of the scalar target have one lane, too small for a word.
 
 void sum_run(const WeightedRoot* roots,
              std::size_t count,
@@ -42,8 +42,8 @@ using V = hn::Vec<Lanes>;
 constexpr std::size_t lanes = hn::MaxLanes(Lanes());
 constexpr std::size_t vectors = 64 / lanes;
 
-/// A word stands four times sixteen bits in each four lanes; place p (lane and vector in one) looks
-/// at bit p / 4 of the quarter p % 4, which is column 16 (p % 4) + p / 4.
+/// Each four lanes hold a word as four quarters of sixteen bits; slot p (lane and vector in one)
+/// reads bit p / 4 of quarter p % 4, which is column 16 (p % 4) + p / 4.
 HWY_INLINE std::array<V, vectors> bits_of_places() {
     std::array<V, vectors> bits;
     for (std::size_t i = 0; i < vectors; ++i) {
@@ -56,7 +56,7 @@ HWY_INLINE std::array<V, vectors> bits_of_places() {
     return bits;
 }
 
-/// Sums by place. The weights together fit sixteen bits.
+/// Adds up weights by slot. The sum of all weights of the run fits sixteen bits.
 void sum_run(const WeightedRoot* HWY_RESTRICT roots,
              std::size_t count,
              const std::uint64_t* HWY_RESTRICT words,
@@ -67,8 +67,8 @@ void sum_run(const WeightedRoot* HWY_RESTRICT roots,
     std::array<V, vectors> sums;
     sums.fill(hn::Zero(d));
     for (std::size_t i = 0; i < count; ++i) {
-        // Words without a bit are not left out: whether there is one cannot be foretold, and a
-        // wrong guess costs more than the additions.
+        // Words without a bit are not skipped: the branch is unpredictable, and a misprediction
+        // costs more than the additions.
         const V all = hn::BitCast(d, hn::Set(Words(), words[roots[i].root * stride]));
         const V weight = hn::Set(d, static_cast<std::uint16_t>(roots[i].weight));
         for (std::size_t v = 0; v < vectors; ++v) {
@@ -95,7 +95,7 @@ HWY_EXPORT(sum_run);
 
 constexpr std::uint32_t run_weight_max = 0xffff;
 
-/// How many roots from the first on weigh no more together than a run may.
+/// Returns the length of the longest prefix of `roots` whose weights fit one run.
 std::size_t run_length(std::span<const WeightedRoot> roots) {
     std::uint32_t left = run_weight_max;
     std::size_t count = 0;

@@ -1,4 +1,4 @@
-// Adds up weights over rows of bits, a column each.
+// Adds up weights over the columns of a bit matrix.
 #pragma once
 
 #include "common/tree/root_holders.hpp"
@@ -9,8 +9,8 @@
 
 namespace cd {
 
-/// Adds to `sums[c]` the weights of the roots r whose row has bit c: bit c % 64 of
-/// `rows[r * row_words + c / 64]`. As many sums as a row has bits.
+/// Adds to `sums[c]` the weights of the roots r whose row has bit c: bit c % 64 of `rows[r *
+/// row_words + c / 64]`. There are as many sums as a row has bits.
 void add_row_sums(std::span<const WeightedRoot> roots,
                   const std::uint64_t* rows,
                   std::size_t row_words,

@@ -10,7 +10,7 @@ namespace cd {
 
 namespace {
 
-/// The index after the last node under `node`.
+/// Returns the index after the last node under `node`.
 std::uint32_t end_of_subtree(std::span<const ObbNode> nodes, std::uint32_t node) {
     while (!nodes[node].is_leaf()) {
         node = nodes[node].right;
@@ -29,10 +29,11 @@ std::vector<ObbNode> renumbered(std::span<const ObbNode> nodes, std::uint32_t fi
     return own;
 }
 
-/// Which vertices are used, in the order of their first use; those in one place are one.
+/// The vertices that a set of triangles uses, in the order of first use; vertices with equal
+/// coordinates become one.
 struct VertexSelection {
     std::vector<Vec3> vertices;
-    std::vector<Triangle> triangles; ///< Into `vertices`.
+    std::vector<Triangle> triangles; ///< Indices into `vertices`.
 };
 
 VertexSelection select_vertices(std::span<const Triangle> triangles,
@@ -56,7 +57,8 @@ VertexSelection select_vertices(std::span<const Triangle> triangles,
     std::sort(by_place.begin(), by_place.end(), [&](std::uint32_t left, std::uint32_t right) {
         return key(used[left]) < key(used[right]);
     });
-    std::vector<std::uint32_t> place_of_used(used.size()); // Equal for vertices in one place.
+    std::vector<std::uint32_t> place_of_used(
+        used.size()); // Equal for vertices with equal coordinates.
     std::uint32_t places = 0;
     for (std::size_t i = 0; i < by_place.size(); ++i) {
         places += i > 0 && key(used[by_place[i]]) != key(used[by_place[i - 1]]) ? 1 : 0;

@@ -1,4 +1,4 @@
-// One distribution root's part of a tree, on its own.
+// A self-contained copy of one distribution root's part of a tree.
 #pragma once
 
 #include "common/tree/obb_tree.hpp"
@@ -9,24 +9,24 @@
 
 namespace cd {
 
-/// Which tree a subtree has.
+/// The form of a subtree.
 enum class SubtreeForm : std::uint8_t {
-    Binary, ///< The paper's, node for node: which boxes a tolerance leaves open hangs on it.
-    Wide,   ///< What exact searches walk. Of bodies that `suits_wide_tree` takes.
+    Binary, ///< The paper's tree, node for node. Results under a tolerance depend on its boxes.
+    Wide,   ///< The tree of exact searches, for bodies that `suits_wide_tree` accepts.
 };
 
-/// A subtree that stands on its own: its own vertices, local indices.
+/// A self-contained subtree with its own vertices and local indices.
 class Subtree {
   public:
-    /// Binary, its nodes renumbered from 0.
+    /// Makes a binary subtree; its nodes are renumbered from 0.
     Subtree(std::vector<ObbNode> nodes,
             std::vector<Vec3> vertices,
             std::vector<Triangle> triangles,
             std::vector<std::uint32_t> triangle_ids);
-    /// With nodes.
+    /// Makes a wide subtree; `wide` has nodes.
     explicit Subtree(WideTree wide);
 
-    /// Shows one of the two trees.
+    /// Views the subtree in its form.
     [[nodiscard]] TreeView view() const;
     [[nodiscard]] SubtreeForm form() const {
         return nodes_.empty() ? SubtreeForm::Wide : SubtreeForm::Binary;
@@ -43,8 +43,8 @@ class Subtree {
     std::size_t triangle_count_ = 0;
 };
 
-/// The part of the tree under `node`, with each vertex that it uses once, numbered in the order of
-/// first use. Vertices with equal coordinates become one.
+/// Copies the part of the tree under `node`, with each vertex that it uses once, numbered in the
+/// order of first use. Vertices with equal coordinates become one.
 [[nodiscard]] Subtree
 extract_subtree(const ObbTree& tree, std::uint32_t node, SubtreeForm form = SubtreeForm::Binary);
 

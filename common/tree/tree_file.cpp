@@ -19,7 +19,7 @@ constexpr FileKind wide_kind{0x31'45'44'49'57'44'43'00, 1};   // "\0CDWIDE1"
 enum TopologySection : std::size_t { counts, component_triangles, topology_sections };
 enum BinarySection : std::size_t { nodes = topology_sections, triangle_ids, binary_sections };
 enum WideSection : std::size_t {
-    sizes = topology_sections, ///< The view's extent and the triangles' reach.
+    sizes = topology_sections, ///< The view's extent and the blocks' largest coordinate.
     wide_nodes,
     floats,
     doubles,
@@ -62,7 +62,7 @@ Result<Topology> read_topology(const SectionFile& file, std::size_t triangles) {
         n[0], n[1], n[2], n[3], n[4], {components.value().begin(), components.value().end()}};
 }
 
-/// What a tree that was read is shown of.
+/// Owns the arrays of a tree that was read from a file.
 struct BinaryArrays {
     std::shared_ptr<const SectionFile> file;
     std::vector<Triangle> triangles;

@@ -18,11 +18,11 @@ namespace {
 
 constexpr std::uint32_t none = ~std::uint32_t{0};
 
-/// A node above the tasks, or the place of a task.
+/// A node of the upper tree; a task's subtree hangs below some of them.
 struct TopNode {
     ObbNode box;
-    std::array<std::uint32_t, 2> children = {none, none}; ///< Places among the top nodes.
-    std::vector<ObbNode> subtree;                         ///< Of a task; indices from 0.
+    std::array<std::uint32_t, 2> children = {none, none}; ///< Indices among the upper tree's nodes.
+    std::vector<ObbNode> subtree;                         ///< A task's nodes; indices start at 0.
 };
 
 class Builder {
@@ -47,7 +47,7 @@ class Builder {
         });
     }
 
-    /// All nodes in preorder.
+    /// Returns all nodes in preorder.
     [[nodiscard]] std::vector<ObbNode> assemble() const;
 
     [[nodiscard]] std::vector<std::uint32_t> triangle_ids() const {
@@ -75,11 +75,11 @@ class Builder {
     ThreadPool& pool_;
     std::vector<BuildTriangle> triangles_;
     std::vector<TopNode> top_;
-    std::vector<std::uint32_t> tasks_; ///< Places among the top nodes.
+    std::vector<std::uint32_t> tasks_; ///< Indices among the upper tree's nodes.
 };
 
 void Builder::build_top() {
-    std::vector<std::uint32_t> places; ///< Of the nodes of the next wave.
+    std::vector<std::uint32_t> places; ///< Indices of the next wave's nodes.
     std::vector<NodeToMake> wave;
     const auto add_node = [&](std::uint32_t begin, std::uint32_t end) {
         const auto place = static_cast<std::uint32_t>(top_.size());
@@ -117,7 +117,7 @@ void Builder::build_top() {
 std::vector<ObbNode> Builder::assemble() const {
     struct Waiting {
         std::uint32_t top;
-        std::uint32_t parent; ///< Of a right child, in the result.
+        std::uint32_t parent; ///< Index in the result of the parent of a right child.
     };
     std::size_t count = top_.size() - tasks_.size();
     for (const std::uint32_t task : tasks_) {
@@ -154,7 +154,7 @@ std::vector<ObbNode> Builder::assemble() const {
 ObbTree
 build_tree(std::shared_ptr<const Mesh> mesh, const BuildOptions& options, ThreadPool& pool) {
     CD_CHECK(options.leaf_triangles_max >= 1);
-    // As long as the tree, and apart from it.
+    // Analysing the topology takes as long as building the tree and is independent of it.
     Topology topology;
     std::latch analysed(1);
     pool.post([&] {

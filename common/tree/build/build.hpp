@@ -7,31 +7,34 @@
 namespace cd {
 
 enum class BoxKind : std::uint8_t {
-    Obb,  ///< A frame fitted to each node's points as a Gaussian (paper, 6.1).
-    Aabb, ///< The body's own axes for every node.
+    Obb,  ///< Fits a frame to each node's points as a Gaussian (paper, 6.1).
+    Aabb, ///< Uses the body's own axes for every node.
 };
 
 enum class SplitRule : std::uint8_t {
-    /// Minimal sum of relative segments among the splits that leave at least a quarter of the
-    /// triangles on each side.
+    /// Takes the minimal sum of relative segments among the splits that leave at least a quarter of
+    /// the triangles on each side.
     Quarter,
-    /// The paper's 6.2 to the letter: any split. It peels off single triangles on some meshes.
+    /// Follows the paper's 6.2 to the letter: any split is allowed. It peels off single triangles
+    /// on some meshes.
     Bare,
 };
 
 struct BuildOptions {
     BoxKind boxes = BoxKind::Obb;
     SplitRule rule = SplitRule::Quarter;
-    /// Two measured fastest on vehicles; one costs half as much memory again for the same time.
+    /// Two is the fastest measured on vehicles; one costs half as much memory again for the same
+    /// time.
     std::uint32_t leaf_triangles_max = 2;
     /// Under the quarter rule, a node with more triangles is split between two of 16 bins on an
     /// axis, by the same sum, instead of between any two triangles in a sorted order.
     std::uint32_t sweep_triangles_max = 32;
-    bool prepare_search = true; ///< ObbTree::prepare_search. False: for who cuts and sends it only.
+    bool prepare_search = true; ///< Calls ObbTree::prepare_search. False suits a caller that only
+                                ///< cuts and sends the tree.
 };
 
-/// The same tree for any number of threads. Near n log n with the quarter rule; needs no stack
-/// whose depth the input decides.
+/// Builds the tree of a mesh, the same one for any number of threads. Takes about n log n time with
+/// the quarter rule. The depth of the stack does not depend on the input.
 [[nodiscard]] ObbTree
 build_tree(std::shared_ptr<const Mesh> mesh, const BuildOptions& options, ThreadPool& pool);
 

@@ -57,7 +57,7 @@ std::optional<Bins::Candidate> Bins::best(std::size_t axis, std::uint32_t side) 
         return std::nullopt;
     }
     const Axis& bins = axes_[axis];
-    // Where the second submesh begins, and how many triangles it has, if it begins with a bin.
+    // Start of the second submesh and its number of triangles, for a split before each bin.
     std::array<double, BinScale::bin_count> low_from{};
     double low = infinity;
     std::uint32_t count = 0;

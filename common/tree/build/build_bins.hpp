@@ -11,15 +11,15 @@
 
 namespace cd {
 
-/// Which of the equal parts of the whole an interval ends in, counted from its low end. Rounded,
-/// but the same wherever it is asked, and never less for a higher end.
+/// Maps an interval to the bin that its high end falls in, counted from the low end of the whole.
+/// The result is rounded, but reproducible, and never less for a higher end.
 class BinScale {
   public:
     static constexpr std::uint32_t bin_count = 16;
 
     explicit BinScale(const Interval& whole);
 
-    /// False where the whole is too short or too long for numbers to tell its parts apart.
+    /// Returns false where the whole is too short or too long for doubles to tell the bins apart.
     [[nodiscard]] bool is_valid() const { return factor_ > 0; }
 
     [[nodiscard]] std::uint32_t bin_of(const Interval& triangle) const {
@@ -33,10 +33,11 @@ class BinScale {
     double factor_;
 };
 
-/// The triangles of a node by the bin of their maximal projection, on each of the three axes.
+/// Counts the triangles of a node by the bin of their maximal projection, on each of the three
+/// axes.
 class Bins {
   public:
-    /// A split behind a bin, and its sum of relative segments.
+    /// A split behind a bin, with its sum of relative segments.
     struct Candidate {
         double sum = 0;
         std::uint32_t last_bin = 0;
@@ -46,10 +47,11 @@ class Bins {
     explicit Bins(const Projection& whole);
 
     void add(std::span<const Projection> triangles);
-    /// Bins of other triangles of the same node.
+    /// Adds the bins of other triangles of the same node.
     Bins& operator+=(const Bins& other);
 
-    /// The least sum among the splits with at least `side` triangles on each side, if there is one.
+    /// Returns the split with the least sum among those with at least `side` triangles on each
+    /// side, or nothing if there is none.
     [[nodiscard]] std::optional<Candidate> best(std::size_t axis, std::uint32_t side) const;
 
   private:

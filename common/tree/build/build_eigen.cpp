@@ -1,6 +1,6 @@
-// Eberly, A Robust Eigensolver for 3 x 3 Symmetric Matrices (2014), section "A Noniterative
-// Algorithm", with Newton's steps in place of the cosine. A matrix is a lane, and no lane waits for
-// another: all choices are selections.
+// Implements Eberly, A Robust Eigensolver for 3 x 3 Symmetric Matrices (2014), section "A
+// Noniterative Algorithm", with Newton's steps in place of the cosine. Each SIMD lane holds one
+// matrix. All choices are selections, so that no lane waits for another.
 #include "common/tree/build/build_eigen.hpp"
 
 #include "common/core/check.hpp"
@@ -87,7 +87,8 @@ HWY_INLINE Matrices scaled(V factor, const Matrices& m) {
         factor * m.xx, factor * m.xy, factor * m.xz, factor * m.yy, factor * m.yz, factor * m.zz};
 }
 
-/// The largest entry is of size 1 afterwards; zero where an entry is not finite.
+/// Scales each matrix so that its largest entry has absolute value 1. Returns zero where an entry
+/// is not finite.
 HWY_INLINE Matrices normalised(const Matrices& m) {
     V largest = hn::Zero(Doubles());
     V none = largest; // Zero, or NaN where an entry is not finite.
@@ -100,11 +101,11 @@ HWY_INLINE Matrices normalised(const Matrices& m) {
     return {part(m.xx), part(m.xy), part(m.xz), part(m.yy), part(m.yz), part(m.zz)};
 }
 
-/// The largest root b of b^3 - 3 b = 2 h for h in [0, 1], within 1e-10.
+/// Returns the largest root b of b^3 - 3 b = 2 h for h in [0, 1], within 1e-10.
 HWY_INLINE V largest_root(V h) {
-    // The quadratic polynomial that is right at both ends and in its slope at 0 errs by less than
-    // 4e-3. Each step of Newton's squares that, as the root is at least sqrt(3) and so far from the
-    // zero of the slope.
+    // The starting value is a quadratic polynomial in h that is exact at both ends and in its slope
+    // at 0. It errs by less than 4e-3. Each Newton step squares the error, as the root is at least
+    // sqrt(3) and so is far from the zero of the slope.
     V root = all(1.7320508075688772) + h * (all(1.0 / 3) - h * all(0.0653841409021101));
     for (int step = 0; step < 2; ++step) {
         const V square = root * root;
@@ -113,9 +114,10 @@ HWY_INLINE V largest_root(V h) {
     return root;
 }
 
-/// A unit vector v with m v = value v, for an eigenvalue that is far from the two others.
+/// Returns a unit vector v with m v = value v, for an eigenvalue that is far from the two others.
 HWY_INLINE Vectors isolated_direction(const Matrices& m, V value) {
-    // The rows of m - value span the plane across v. That of any two may be small, not all three.
+    // The rows of m - value span the plane across v. The cross product of two of them may be small,
+    // but not all three products.
     const Vectors x{m.xx - value, m.xy, m.xz};
     const Vectors y{m.xy, m.yy - value, m.yz};
     const Vectors z{m.xz, m.yz, m.zz - value};
@@ -130,7 +132,7 @@ HWY_INLINE Vectors isolated_direction(const Matrices& m, V value) {
     return quotient(best, hn::Sqrt(best_square));
 }
 
-/// A unit vector across a unit vector.
+/// Returns a unit vector perpendicular to the unit vector `v`.
 HWY_INLINE Vectors any_across(const Vectors& v) {
     const M by_x = hn::Gt(hn::Abs(v.x), hn::Abs(v.y));
     const V zero = hn::Zero(Doubles());
@@ -174,7 +176,7 @@ HWY_INLINE void find_directions(const Matrices& any, Vectors* found) {
     const V determinant = b.xx * (b.yy * b.zz - b.yz * b.yz) - b.xy * (b.xy * b.zz - b.yz * b.xz) +
                           b.xz * (b.xy * b.yz - b.yy * b.xz);
     const V half = all(0.5) * determinant;
-    // Of the largest and the smallest eigenvalue one is at least 1.7 away from both others.
+    // Either the largest or the smallest eigenvalue is at least 1.7 away from both others.
     const V zero = hn::Zero(Doubles());
     const M largest_first = hn::Ge(half, zero);
     const V root = largest_root(hn::Min(hn::Abs(half), all(1)));
@@ -195,7 +197,7 @@ void find_all_directions(const SymmetricMatrix* matrices,
     for (std::size_t begin = 0; begin < count; begin += lanes) {
         alignas(64) double entries[6][lanes];
         for (std::size_t i = 0; i < lanes; ++i) {
-            // The last one stands in where lanes are left over.
+            // The last matrix fills the lanes that are left over.
             const SymmetricMatrix& m = matrices[std::min(begin + i, count - 1)];
             for (std::size_t k = 0; k < 6; ++k) {
                 entries[k][i] = m[k];

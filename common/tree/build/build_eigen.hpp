@@ -1,4 +1,4 @@
-// Principal directions of symmetric 3 x 3 matrices, many at a time.
+// Computes the principal directions of symmetric 3 x 3 matrices, many at a time.
 #pragma once
 
 #include "common/geometry/types.hpp"
@@ -8,18 +8,18 @@
 
 namespace cd {
 
-/// A symmetric matrix by its upper triangle: xx, xy, xz, yy, yz, zz.
+/// The upper triangle of a symmetric matrix: xx, xy, xz, yy, yz, zz.
 using SymmetricMatrix = std::array<double, 6>;
 
-/// Unit vectors.
+/// Three unit vectors.
 using Directions = std::array<Vec3, 3>;
 
-/// Unit eigenvectors, orthogonal within rounding, that of the smallest eigenvalue first; one set
-/// for each matrix. For a multiple of the unit matrix, and where an entry is not finite, the body's
-/// own directions.
+/// Computes unit eigenvectors, one set for each matrix. They are orthogonal within rounding; the
+/// smallest eigenvalue's comes first. For a multiple of the unit matrix, and where an entry is not
+/// finite, the result is the body's own directions.
 ///
-/// Of plain operations and square roots alone, and in a fixed number of them: every host, SIMD
-/// target and number of matrices gets the same bits.
+/// The computation uses only plain operations and square roots, a fixed number of them, so that
+/// every host, SIMD target and number of matrices gives the same bits.
 void principal_directions(std::span<const SymmetricMatrix> matrices,
                           std::span<Directions> directions);
 

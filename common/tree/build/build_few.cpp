@@ -12,7 +12,7 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// Puts the smaller of two in the first place.
+/// Swaps two keys, if need be, so that the smaller one comes first.
 struct Comparator {
     std::uint8_t low;
     std::uint8_t high;
@@ -57,7 +57,7 @@ constexpr std::size_t comparators_before(std::size_t keys) {
     return count;
 }
 
-/// The networks for 2 to `few_triangles_max` keys, one behind the other.
+/// Sorting networks for 2 to `few_triangles_max` keys, stored one behind the other.
 struct Networks {
     std::array<Comparator, comparators_before(few_triangles_max + 1)> comparators{};
     std::array<std::uint16_t, few_triangles_max + 2> begins{};
@@ -81,8 +81,8 @@ struct Networks {
 
 constexpr Networks networks;
 
-/// A number with a small one in place of its last bits. Compares by the number first, if both are
-/// positive.
+/// Replaces the last bits of `value` by a small number. Positive tagged numbers compare by value
+/// first, then by tag.
 double tagged(double value, std::uint64_t tag, std::uint64_t tag_max) {
     return std::bit_cast<double>((std::bit_cast<std::uint64_t>(value) & ~tag_max) | tag);
 }
@@ -93,7 +93,7 @@ std::uint32_t place_of(double key) {
     return static_cast<std::uint32_t>(std::bit_cast<std::uint64_t>(key) & place_max);
 }
 
-/// Maxima on the three axes, each within the whole and with the triangle's place.
+/// For each of the three axes, maxima relative to the whole, tagged with the triangle's index.
 using Keys = std::array<std::array<double, 3>, few_triangles_max>;
 
 void sort_keys(Keys& keys, std::size_t count) {
@@ -110,7 +110,8 @@ void sort_keys(Keys& keys, std::size_t count) {
 
 constexpr std::uint64_t choice_max = 4 * few_triangles_max - 1;
 
-/// The least of the sums of relative segments on an axis, tagged with how many triangles go left.
+/// Returns the least sum of relative segments on an axis, tagged with the number of triangles that
+/// go left.
 double least_sum(std::span<const Projection> triangles,
                  const Keys& keys,
                  std::size_t axis,
@@ -132,7 +133,7 @@ double least_sum(std::span<const Projection> triangles,
         first.high = std::max(first.high, triangle.high);
         if (i + 1 >= side) {
             const double sum = factor * ((first.high - first.low) + (whole.high - low_from[i + 1]));
-            // The widest axis is the last, and wins a tie.
+            // The widest axis has index 2; its tag is the smallest, so it wins a tie.
             const std::uint64_t tag = (2 - axis) * few_triangles_max + i;
             least = std::min(least, tagged(sum, tag, choice_max));
         }

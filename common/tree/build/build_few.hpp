@@ -1,4 +1,4 @@
-// The sweep of a node of few triangles, of which a tree has most.
+// Sweeps a node of few triangles. Most nodes of a tree are such.
 #pragma once
 
 #include "common/tree/build/build.hpp"
@@ -19,9 +19,9 @@ struct FewSplit {
     std::uint32_t left_count = 0;
 };
 
-/// As `sweep_split` (build_split.hpp) for 2 to `few_triangles_max` triangles, without branches that
-/// depend on where they lie. Maxima that differ by less than 2^-46 of the whole count as equal, and
-/// so do sums of relative segments within 2^-44.
+/// Finds the split that `sweep_split` (build_split.hpp) finds, for 2 to `few_triangles_max`
+/// triangles, without branches that depend on their positions. Maxima that differ by less than
+/// 2^-46 of the whole count as equal, and so do sums of relative segments within 2^-44.
 [[nodiscard]] std::optional<FewSplit>
 sweep_few(std::span<const Projection> triangles, const Projection& whole, SplitRule rule);
 

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double unit_roundoff = 0x1p-53;
 
-/// Up to a factor.
+/// Returns the covariance of the points up to a factor.
 SymmetricMatrix covariance(const Moments& moments) {
     const Vec3& sum = moments.sum;
     const Vec3 mean = sum / static_cast<double>(moments.corners);
@@ -30,7 +30,8 @@ bool is_orthonormal(const std::array<float, 9>& axes) {
             for (std::size_t k = 0; k < 3; ++k) {
                 dot += static_cast<double>(axes[3 * i + k]) * static_cast<double>(axes[3 * j + k]);
             }
-            // A little less than the bound, for the roundings of this sum. NaN fails, too.
+            // The limit is a little less than the bound, to allow for the roundings of this sum.
+            // NaN fails, too.
             if (!(std::abs(dot) <= axes_error_max - 0x1p-40)) {
                 return false;
             }
@@ -39,9 +40,9 @@ bool is_orthonormal(const std::array<float, 9>& axes) {
     return true;
 }
 
-/// A float that is at least `value` and a normal number, or infinity.
+/// Returns a float that is at least `value` and either a normal number or infinity.
 float round_up(double value) {
-    // Rounding to nearest takes away at most 2^-24 of it.
+    // Rounding to nearest loses at most 2^-24 of the value.
     const double grown = value * (1 + 0x1p-23);
     const auto floor = static_cast<double>(std::numeric_limits<float>::min());
     const auto ceiling = static_cast<double>(std::numeric_limits<float>::max());
@@ -71,7 +72,8 @@ Moments sum_moments(std::span<const BuildTriangle> triangles,
         const Vec3 a = vertices[triangle.vertices[0]] - origin;
         const Vec3 b = vertices[triangle.vertices[1]] - origin;
         const Vec3 c = vertices[triangle.vertices[2]] - origin;
-        // Within a triangle first: the sums over all are chains in which each step waits.
+        // Summing within a triangle first shortens the dependency chain of additions over all
+        // triangles.
         const auto product = [&](int i, int k) { return a[i] * a[k] + b[i] * b[k] + c[i] * c[k]; };
         all.sum += a + b + c;
         all.products[0] += product(0, 0);
@@ -154,19 +156,19 @@ void set_box(const Projection& whole, const Vec3& origin, ObbNode& node) {
     std::array<double, 9> f{};
     std::copy(node.axes.begin(), node.axes.end(), f.begin());
     std::array<double, 3> middle{};
-    double reach = 0; // The sum over the axes of the largest |projection|.
+    double reach = 0; // Sum over the axes of the largest |projection|.
     for (std::size_t k = 0; k < 3; ++k) {
         middle[k] = 0.5 * whole[k].low + 0.5 * whole[k].high;
         reach += std::max(std::abs(whole[k].low), std::abs(whole[k].high));
     }
-    // The rows are their own inverse but for rounding, which the last step makes good.
+    // The transpose of the rows is their inverse but for rounding, which the last step corrects.
     for (std::size_t k = 0; k < 3; ++k) {
         const double offset = f[k] * middle[0] + f[3 + k] * middle[1] + f[6 + k] * middle[2];
         node.center[k] = origin[static_cast<int>(k)] + offset;
     }
 
-    // With o the origin, x a vertex and c the centre (all doubles, exact numbers), what must be
-    // bounded is row.(x - c) = row.(x - o) - row.(c - o).
+    // Let o be the origin, x a vertex and c the centre, all doubles taken as exact numbers. The
+    // quantity to bound is row.(x - c) = row.(x - o) - row.(c - o).
     // - p = fl(row.fl(x - o)): the difference and the product round once each, the two sums once,
     // so
     //   it errs by at most 4.01 u S, S = sum |row_k| |x_k - o_k| <= |row| |x - o|. The rows are

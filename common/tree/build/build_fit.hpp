@@ -13,10 +13,10 @@
 
 namespace cd {
 
-/// A triangle on its way to its place in the tree.
+/// A triangle of a node that is being built.
 struct BuildTriangle {
     Triangle vertices{};
-    std::uint32_t id = 0; ///< Its place in the mesh.
+    std::uint32_t id = 0; ///< Index of the triangle in the mesh.
 };
 
 struct Interval {
@@ -24,14 +24,14 @@ struct Interval {
     double high = 0;
 };
 
-/// Where a triangle or all of a node lies on the three axes of a frame, as seen from an origin.
-/// Rounded.
+/// The intervals that a triangle, or all triangles of a node, cover on the three axes of a frame,
+/// relative to an origin. They are rounded.
 using Projection = std::array<Interval, 3>;
 
-/// The rows of `axes` are a body's own three directions, exactly.
+/// The axes of the body itself; they are exact.
 inline constexpr std::array<float, 9> body_axes = {1, 0, 0, 0, 1, 0, 0, 0, 1};
 
-/// Sums over the corners of triangles, as seen from an origin. A vertex counts once for each
+/// Sums over the corners of triangles, relative to an origin. A vertex counts once for each
 /// triangle that uses it, as in Eberly, 3D Game Engine Design (2001), fitting points with a
 /// Gaussian.
 struct Moments {
@@ -42,39 +42,39 @@ struct Moments {
     Moments& operator+=(const Moments& other);
 };
 
-/// One after the other: the same triangles in the same order give the same bits.
+/// Adds the triangles up in their order: equal triangles in equal order give equal bits.
 [[nodiscard]] Moments sum_moments(std::span<const BuildTriangle> triangles,
                                   std::span<const Vec3> vertices,
                                   const Vec3& origin);
 
-/// The frames of the Gaussian distributions fitted to the corners of some nodes: the eigenvectors
-/// of their covariances, narrowest direction first. The rows are orthonormal within
-/// `axes_error_max`. Where numbers overflow, the body's own axes.
+/// Returns the frames of the Gaussian distributions fitted to the corners of some nodes: the
+/// eigenvectors of their covariances, narrowest direction first. The rows are orthonormal within
+/// `axes_error_max`. Where numbers overflow, the frame is the body's own axes.
 [[nodiscard]] std::vector<std::array<float, 9>> fit_axes(std::span<const Moments> nodes);
 
 /// Bounds each |entry| of F F' - I for the frame F of every node.
 inline constexpr double axes_error_max = 0x1p-23;
 
-/// Coordinates below this in size can be measured: nothing below overflows.
+/// Coordinates of smaller absolute value can be measured without overflow.
 inline constexpr double coordinate_max = 0x1p1000;
 
-/// The box of a node with coordinates beyond that: all of space.
+/// Sets the box of a node with coordinates beyond `coordinate_max` to all of space.
 void set_unbounded_box(ObbNode& node);
 
-/// Writes one projection for each triangle to `out` and returns that of all.
+/// Writes one projection for each triangle to `out` and returns the projection of all of them.
 Projection project(std::span<const BuildTriangle> triangles,
                    std::span<const Vec3> vertices,
                    const Vec3& origin,
                    const std::array<float, 9>& axes,
                    std::span<Projection> out);
 
-/// The projection of nothing.
+/// Returns the projection of an empty set.
 [[nodiscard]] Projection empty_projection();
 
 void extend(Projection& whole, const Projection& part);
 
-/// Sets `center` and `half` of a node with these axes so that all vertices that `project` saw from
-/// `origin` lie inside, in exact terms.
+/// Sets `center` and `half` of a node whose axes are set, so that all vertices that `project`
+/// measured from `origin` lie inside, in exact terms.
 void set_box(const Projection& whole, const Vec3& origin, ObbNode& node);
 
 } // namespace cd

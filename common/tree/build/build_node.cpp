@@ -11,7 +11,7 @@ namespace cd {
 
 namespace {
 
-/// Triangles that no axis tells apart: any halves do.
+/// Returns the size of the left half, for triangles that no axis tells apart.
 std::uint32_t half_of(std::size_t count) {
     return static_cast<std::uint32_t>(count / 2);
 }
@@ -21,7 +21,7 @@ bool is_binned(const BuildOptions& options, std::size_t count) {
 }
 
 Vec3 origin_of(std::span<const BuildTriangle> triangles, std::span<const Vec3> vertices) {
-    // Seen from one of the corners, the squares do not swamp the differences.
+    // Measured from one of the corners, squares of coordinates do not swamp the differences.
     return vertices[triangles.front().vertices[0]];
 }
 
@@ -56,7 +56,7 @@ std::vector<ObbNode> SubtreeMaker::make(std::span<BuildTriangle> triangles, std:
     return in_preorder();
 }
 
-/// Sets the axes of the nodes from here on: all of a level at once.
+/// Sets the axes of the nodes from `level_begin` on, all at once.
 void SubtreeMaker::fit_level(std::size_t level_begin) {
     const std::span<LevelNode> level = std::span(nodes_).subspan(level_begin);
     if (!input_.measurable || input_.options.boxes == BoxKind::Aabb) {
@@ -77,8 +77,8 @@ void SubtreeMaker::fit_level(std::size_t level_begin) {
     }
 }
 
-/// Sets the box of a node with these axes and puts the triangles of the left child first. How many
-/// these are; 0 for a leaf.
+/// Sets the box of a node whose axes are set and moves the triangles of the left child to the
+/// front. Returns their number; 0 for a leaf.
 std::uint32_t SubtreeMaker::make_node(ObbNode& node) {
     const std::span<BuildTriangle> triangles = triangles_of(node);
     const bool leaf = triangles.size() <= input_.options.leaf_triangles_max;
@@ -143,14 +143,14 @@ std::uint32_t SubtreeMaker::part(std::span<BuildTriangle> triangles,
 }
 
 struct LargeNodeMaker::Piece {
-    std::size_t node;    ///< Among those of the wave.
-    std::uint32_t begin; ///< Among the triangles of the node.
+    std::size_t node;    ///< Index among the nodes of the wave.
+    std::uint32_t begin; ///< Index among the triangles of the node.
     std::uint32_t end;
-    std::uint32_t left_before = 0; ///< How many triangles of earlier pieces go left.
+    std::uint32_t left_before = 0; ///< Number of triangles of earlier pieces that go left.
     std::uint32_t left_count = 0;
 };
 
-/// The nodes that are made at once, step by step: each step runs on all pieces in any order.
+/// The nodes that are made at once, step by step. The pieces of one step run in any order.
 class LargeNodeMaker::Wave {
   public:
     Wave(LargeNodeMaker& maker, std::span<NodeToMake> nodes) : maker_(maker), nodes_(nodes) {
@@ -189,7 +189,7 @@ class LargeNodeMaker::Wave {
     LargeNodeMaker& maker_;
     std::span<NodeToMake> nodes_;
     std::vector<Piece> pieces_;
-    std::vector<Vec3> origins_; ///< One for each node, as the next ones.
+    std::vector<Vec3> origins_; ///< Indexed by node, like `wholes_` and `splits_`.
     std::vector<Projection> wholes_;
     std::vector<std::optional<Split>> splits_;
 };
@@ -290,7 +290,7 @@ void LargeNodeMaker::Wave::part() {
     }
 }
 
-/// Each piece has its own triangles of the left child first; afterwards the node has.
+/// Each piece already has the triangles of its left side first; this gives each node that order.
 void LargeNodeMaker::Wave::gather_sides() {
     const auto place_of = [&](const Piece& piece) {
         return maker_.triangles_.begin() + nodes_[piece.node].node.triangles_begin;

@@ -1,4 +1,4 @@
-// Makes the nodes of a tree that is being built: their boxes, and which triangles go left.
+// Makes the nodes of a tree during its build: their boxes and the split of their triangles.
 #pragma once
 
 #include "common/core/host/thread_pool.hpp"
@@ -13,39 +13,40 @@
 
 namespace cd {
 
-/// A node with more triangles is made by all threads together, in pieces of this size. The sums of
-/// its fit are those of the pieces, added up in their order.
+/// All threads together make a node with more triangles, in pieces of this size. The sums of its
+/// fit are the sums of the pieces, added up in their order.
 inline constexpr std::uint32_t piece_triangles_max = 4096;
 
-/// What all nodes of one build have in common.
+/// The input that all nodes of one build share.
 struct BuildInput {
     std::span<const Vec3> vertices;
     BuildOptions options;
-    /// False if coordinates are too large to be measured: all boxes are all of space, and any
-    /// halves are a split.
+    /// False if coordinates are too large to be measured: then every box is all of space, and a
+    /// node splits into any halves.
     bool measurable = true;
 };
 
 /// A node on its way into the tree.
 struct NodeToMake {
-    ObbNode node;                       ///< With its range of triangles.
-    std::span<BuildTriangle> triangles; ///< Those of the range.
-    std::uint32_t left_count = 0;       ///< Of a made node; 0 for a leaf.
+    ObbNode node;                       ///< Its range of triangles is set.
+    std::span<BuildTriangle> triangles; ///< The triangles of the range.
+    std::uint32_t left_count =
+        0; ///< Triangles of the left child, once the node is made; 0 for a leaf.
 };
 
-/// Makes nodes of no more than one piece with all that is below them. Keeps its memory between
-/// them.
+/// Makes a node of no more than one piece with the whole subtree below it. Keeps its scratch memory
+/// between calls.
 class SubtreeMaker {
   public:
     explicit SubtreeMaker(const BuildInput& input) : input_(input) {}
 
-    /// The nodes in preorder, with indices from 0. `begin` is the place of the first triangle in
-    /// the tree. The triangles are put in the order of the leaves.
+    /// Returns the nodes in preorder, with indices from 0. `begin` is the index of the first
+    /// triangle in the tree. Reorders the triangles to the order of the leaves.
     [[nodiscard]] std::vector<ObbNode> make(std::span<BuildTriangle> triangles,
                                             std::uint32_t begin);
 
   private:
-    /// A node with the place of its left child among the nodes by level; the right child follows.
+    /// A node with the index of its left child in `nodes_`; the right child follows the left.
     struct LevelNode {
         ObbNode node;
         std::uint32_t left = 0; ///< 0 for a leaf.
@@ -64,7 +65,7 @@ class SubtreeMaker {
     const BuildInput& input_;
     std::span<BuildTriangle> triangles_;
     std::uint32_t begin_ = 0;
-    std::vector<LevelNode> nodes_; ///< Level by level.
+    std::vector<LevelNode> nodes_; ///< All nodes, level by level.
     std::vector<Moments> moments_;
     std::vector<std::uint32_t> sizes_;
     std::vector<std::uint32_t> places_;
@@ -87,7 +88,8 @@ class LargeNodeMaker {
 
     const BuildInput& input_;
     ThreadPool& pool_;
-    std::vector<Projection> projections_; ///< By the places of the triangles in the tree.
+    std::vector<Projection>
+        projections_; ///< One per triangle, by the triangle's index in the tree.
     std::vector<BuildTriangle> triangles_;
 };
 

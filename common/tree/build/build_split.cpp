@@ -11,18 +11,18 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// A split and its sum of relative segments.
+/// A split with its sum of relative segments.
 struct Candidate {
     double sum = infinity;
     std::uint32_t left_count = 0;
     std::uint64_t last_rank = 0;
 };
 
-/// A triangle's place in the order along an axis: the maximum of its interval within the whole,
-/// then its place among the triangles. Distinct for distinct places.
+/// Returns the sort key of a triangle along an axis: the maximum of its interval relative to the
+/// whole, then its index. Keys of different indices are different.
 std::uint64_t rank_of(const Interval& triangle, const Interval& whole, std::uint32_t place) {
-    // In [0, 1], where the bits of floats stand in the order of their values. Differences below
-    // 2^-24 of the whole do not matter to the choice.
+    // The quotient is in [0, 1], where the bit patterns of floats sort as their values do.
+    // Differences below 2^-24 of the whole do not matter to the choice.
     const auto key = static_cast<float>((triangle.high - whole.low) / (whole.high - whole.low));
     return std::uint64_t{std::bit_cast<std::uint32_t>(key)} << 32 | place;
 }
@@ -31,12 +31,12 @@ std::uint32_t place_of(std::uint64_t rank) {
     return static_cast<std::uint32_t>(rank);
 }
 
-/// The fewest triangles that the rule leaves on either side.
+/// Returns the least number of triangles that the rule leaves on either side.
 std::uint32_t side_min(SplitRule rule, std::size_t count) {
     return rule == SplitRule::Quarter ? static_cast<std::uint32_t>((count + 3) / 4) : 1;
 }
 
-/// Sorts only as far as the rule needs: afterwards order[side - 1 .. count - side) stands as in the
+/// Sorts only as far as the rule needs: afterwards order[side - 1 .. count - side) is as in the
 /// sorted order, with no greater rank before it and no smaller one behind.
 void sort_ranks(std::vector<std::uint64_t>& order, std::size_t side) {
     const auto at = [&](std::size_t i) { return order.begin() + static_cast<std::ptrdiff_t>(i); };
@@ -63,7 +63,7 @@ Candidate sweep_axis(std::span<const Projection> triangles,
     }
     sort_ranks(order, side);
 
-    // Where the second submesh begins, if the first takes in `side` + i triangles.
+    // Entry i is where the second submesh begins if the first one has `side` + i triangles.
     std::vector<double>& low_after = scratch.low_after;
     low_after.resize(count - 2 * side + 1);
     double low = infinity;

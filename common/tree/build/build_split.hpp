@@ -1,4 +1,4 @@
-// Where to split the triangles of a node (paper, 6.2).
+// Chooses where to split the triangles of a node (paper, 6.2).
 #pragma once
 
 #include "common/tree/build/build.hpp"
@@ -14,14 +14,14 @@
 
 namespace cd {
 
-/// Memory that the sweeps use again.
+/// Scratch memory that sweeps reuse.
 struct SweepScratch {
     std::vector<std::uint64_t> order;
     std::vector<double> low_after;
 };
 
-/// The triangles of the left child are the first `left_count` in the order of their maximal
-/// projection on `axis`: those whose rank is at most `last_rank`.
+/// A split of a node. The left child has the first `left_count` triangles in the order of their
+/// maximal projection on `axis`: those whose rank is at most `last_rank`.
 struct Split {
     std::size_t axis = 0;
     std::uint32_t left_count = 0;
@@ -30,27 +30,27 @@ struct Split {
     std::uint64_t last_rank = 0;
 };
 
-/// The minimal sum of relative segments among all splits that the rule admits, on all three axes;
-/// the widest direction wins a tie. Nothing when no axis tells the triangles apart.
+/// Finds the minimal sum of relative segments among all splits that the rule admits, on all three
+/// axes; the widest direction wins a tie. Returns nothing when no axis tells the triangles apart.
 [[nodiscard]] std::optional<Split> sweep_split(std::span<const Projection> triangles,
                                                const Projection& whole,
                                                SplitRule rule,
                                                SweepScratch& scratch);
 
-/// The same among the splits between two bins, with a quarter of the triangles on each side at
-/// least. An axis on which no such split exists is swept.
+/// Finds the minimal sum of relative segments among the splits between two bins that leave at least
+/// a quarter of the triangles on each side. An axis on which no such split exists is swept.
 [[nodiscard]] std::optional<Split> binned_split(std::span<const Projection> triangles,
                                                 const Projection& whole,
                                                 const Bins& bins,
                                                 SweepScratch& scratch);
 
-/// Puts the triangles first of whose places `goes_left` is true; both sides keep their order. How
-/// many these are. `scratch` is as long as `triangles`.
+/// Moves to the front the triangles for whose indices `goes_left` is true; both sides keep their
+/// order. Returns the number of these. `scratch` is as long as `triangles`.
 template <class GoesLeft>
 std::uint32_t part_by(std::span<BuildTriangle> triangles,
                       std::span<BuildTriangle> scratch,
                       const GoesLeft& goes_left) {
-    // No branch: which side is anyone's guess.
+    // The loop has no branch, as a branch on the side would be unpredictable.
     std::uint32_t left = 0;
     std::uint32_t right = 0;
     for (std::uint32_t i = 0; i < triangles.size(); ++i) {
@@ -65,9 +65,9 @@ std::uint32_t part_by(std::span<BuildTriangle> triangles,
     return left;
 }
 
-/// Puts the triangles of the left child first; both sides keep their order. They are those at
-/// `first_place` and after in the node that was split. How many go left. `scratch` is as long as
-/// `triangles`.
+/// Moves the triangles of the left child to the front; both sides keep their order. `triangles`
+/// begins at `first_place` in the node that was split. Returns the number of triangles that go
+/// left. `scratch` is as long as `triangles`.
 std::uint32_t part_triangles(std::span<BuildTriangle> triangles,
                              std::span<const Projection> projections,
                              std::uint32_t first_place,

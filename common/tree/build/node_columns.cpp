@@ -13,8 +13,9 @@ namespace cd {
 
 namespace {
 
-/// What the third row of a frame is but for the sign and a few last places, by operations that
-/// round alike everywhere. Storing the difference costs next to nothing.
+/// Predicts the third row of a frame as the cross product of the others: equal up to the sign and a
+/// few last places, with operations that round alike on every host. Storing the difference costs
+/// next to nothing.
 std::array<std::uint32_t, 3> predicted_row(const std::array<float, 9>& axes) {
     const auto at = [&](std::size_t i) { return static_cast<double>(axes[i]); };
     const std::array<double, 3> cross{at(1) * at(5) - at(2) * at(4),
@@ -81,7 +82,8 @@ void put_shape(ByteWriter& out, std::span<const ObbNode> nodes) {
     }
 }
 
-/// Sets children and triangle ranges. False when the shape is no tree over `triangles` triangles.
+/// Sets children and triangle ranges. Returns false when the shape is no tree over `triangles`
+/// triangles.
 bool get_shape(ByteReader& in, std::span<ObbNode> nodes, std::uint32_t triangles) {
     std::uint32_t begin = 0;
     for (ObbNode& node : nodes) {
@@ -93,7 +95,7 @@ bool get_shape(ByteReader& in, std::span<ObbNode> nodes, std::uint32_t triangles
         begin += static_cast<std::uint32_t>(*count);
         node.triangles_end = begin;
     }
-    // From the back, the subtrees that are complete stand on a stack, the leftmost on top.
+    // The loop runs from the back; a stack holds the complete subtrees, the leftmost on top.
     std::vector<std::uint32_t> complete;
     for (auto i = static_cast<std::uint32_t>(nodes.size()); i-- > 0;) {
         ObbNode& node = nodes[i];
@@ -101,7 +103,7 @@ bool get_shape(ByteReader& in, std::span<ObbNode> nodes, std::uint32_t triangles
             if (complete.size() < 2) {
                 return false;
             }
-            complete.pop_back(); // The left child: the node that follows.
+            complete.pop_back(); // The left child is the node that follows.
             node.right = complete.back();
             node.triangles_end = nodes[node.right].triangles_end;
             complete.pop_back();

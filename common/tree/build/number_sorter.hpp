@@ -1,4 +1,4 @@
-// Sorts many numbers quickly.
+// Sorts many numbers.
 #pragma once
 
 #include <cstdint>
@@ -7,13 +7,13 @@
 
 namespace cd {
 
-/// Keeps scratch memory between calls; one thread at a time.
+/// A sorter that keeps scratch memory between calls; one thread at a time may use it.
 class NumberSorter {
   public:
     NumberSorter();
     ~NumberSorter();
 
-    /// Ascending.
+    /// Sorts ascending.
     void sort(std::vector<std::uint32_t>& numbers) const;
 
   private:

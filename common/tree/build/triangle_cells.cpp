@@ -7,18 +7,19 @@ namespace cd {
 
 namespace {
 
-/// Convex, its corners counter-clockwise.
+/// A convex polygon with its corners counter-clockwise.
 using Polygon = std::vector<PlanePoint>;
 
-/// Twice the signed area: above 0 where `x` lies to the left of the way from `p` to `q`.
+/// Returns twice the signed area of p, q, x: positive where `x` lies to the left of the ray from
+/// `p` to `q`.
 Rational left_of(const PlanePoint& p, const PlanePoint& q, const PlanePoint& x) {
     return (q[0] - p[0]) * (x[1] - p[1]) - (q[1] - p[1]) * (x[0] - p[0]);
 }
 
-/// True when some point of the cut lies in the polygon's interior.
+/// Returns true when some point of the cut lies in the polygon's interior.
 bool enters(const PlaneCut& cut, const Polygon& polygon) {
-    // The stretch of the cut, of parameters 0 to 1, that is left of all edges: bounds that come
-    // from an edge are not in it.
+    // [begin, end] is the parameter range of the cut, within 0 to 1, that is left of all edges. A
+    // bound that comes from an edge is excluded.
     Rational begin = 0;
     Rational end = 1;
     for (std::size_t i = 0; i < polygon.size(); ++i) {
@@ -41,7 +42,7 @@ bool enters(const PlaneCut& cut, const Polygon& polygon) {
     return true;
 }
 
-/// The part of the polygon to the left of the way from `p` to `q`.
+/// Returns the part of the polygon to the left of the line from `p` to `q`.
 Polygon left_part(const Polygon& polygon, const PlanePoint& p, const PlanePoint& q) {
     Polygon part;
     std::vector<Rational> sides;
@@ -75,7 +76,7 @@ PlanePoint centre_of(const Polygon& polygon) {
 
 struct Cell {
     Polygon polygon;
-    std::vector<std::size_t> cuts; ///< That may enter it, last first.
+    std::vector<std::size_t> cuts; ///< Cuts that may enter the polygon, last first.
 };
 
 } // namespace
@@ -112,7 +113,7 @@ bool any_cell_centre(const std::array<PlanePoint, 3>& triangle,
         }
         const PlaneCut& cut = cuts[cell.cuts.back()];
         cell.cuts.pop_back();
-        // A point in the interior is no corner of the cell.
+        // A point in the interior differs from corner 0, so the line through both splits the cell.
         const PlanePoint& to = cut.from == cut.to ? cell.polygon[0] : cut.to;
         waiting.push_back({left_part(cell.polygon, cut.from, to), cell.cuts});
         waiting.push_back({left_part(cell.polygon, to, cut.from), std::move(cell.cuts)});

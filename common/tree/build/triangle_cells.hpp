@@ -1,4 +1,5 @@
-// A triangle or a segment cut up along what another surface leaves in it: one point of each piece.
+// Cuts a triangle or a segment up along another surface's traces and visits one point of each
+// piece.
 #pragma once
 
 #include "common/pair/numbers/dyadic.hpp"
@@ -15,7 +16,7 @@ namespace cd {
 using Rational = boost::multiprecision::cpp_rational;
 using PlanePoint = std::array<Rational, 2>;
 
-/// A segment in the plane; a point if both ends are one.
+/// A segment in the plane; a point if both ends are equal.
 struct PlaneCut {
     PlanePoint from;
     PlanePoint to;
@@ -23,14 +24,15 @@ struct PlaneCut {
 
 [[nodiscard]] Rational to_rational(const Dyadic& value);
 
-/// Splits the triangle, which has area, into convex cells such that no cut has a point in the
-/// interior of a cell, and asks for the centre of each, an interior point, until the answer is yes.
-/// Only cells that a cut enters are split, along its line. Exact.
+/// Splits the triangle, which has nonzero area, into convex cells such that no cut has a point in
+/// the interior of a cell. Calls the predicate with the centre of each cell, an interior point,
+/// until it returns true. Splits only cells that a cut enters, along the cut's line. Exact.
 [[nodiscard]] bool any_cell_centre(const std::array<PlanePoint, 3>& triangle,
                                    std::span<const PlaneCut> cuts,
                                    const std::function<bool(const PlanePoint&)>& question);
 
-/// The same for the segment from 0 to 1, cut at the given places, which lie in it.
+/// Splits the segment from 0 to 1 at the given parameters, which lie in it. Calls the predicate
+/// with the midpoint of each piece until it returns true. Exact.
 [[nodiscard]] bool any_piece_centre(std::vector<Rational> cuts,
                                     const std::function<bool(const Rational&)>& question);
 

@@ -1,4 +1,4 @@
-// Pairs of nodes that wait to be looked at, the most promising first.
+// A priority queue of node pairs, the most promising pair first.
 #pragma once
 
 #include <algorithm>
@@ -9,16 +9,17 @@
 
 namespace cd {
 
-/// A node of A and one of B, by their indices.
+/// Indices of a node of A and a node of B.
 struct WidePair {
     std::uint32_t a = 0;
     std::uint32_t b = 0;
 };
 
-/// A priority queue of pairs of boxes that overlap. Their rank: on each axis of both frames the
-/// distance of their middles by the sum of half their sizes, the largest of the six, which is 0
-/// where one sits in the middle of the other and 1 where they barely meet; times `count`, cut off.
-/// Of equal ranks the last to come is the first to go, so that a search goes on where it is.
+/// A priority queue of pairs of boxes that overlap. The rank of a pair: on each axis of both
+/// frames, divide the distance of the boxes' centres by the sum of their half sizes, and take the
+/// largest of the six quotients, which is 0 where the centres coincide and 1 where the boxes barely
+/// meet; multiply it by `count` and truncate. Among equal ranks the last one pushed is popped
+/// first, so that a search continues locally.
 class PairBuckets {
   public:
     static constexpr std::int32_t count = 64;
@@ -32,7 +33,7 @@ class PairBuckets {
 
     [[nodiscard]] std::size_t size() const { return size_; }
 
-    /// Any rank: one out of range counts as the nearest in it.
+    /// Accepts any rank; one out of range is clamped.
     void push(WidePair pair, std::int32_t rank) {
         const auto bucket = static_cast<std::size_t>(std::clamp(rank, 0, count - 1));
         const std::uint32_t entry = take_entry();
@@ -43,7 +44,7 @@ class PairBuckets {
         ++size_;
     }
 
-    /// Takes the most promising. There is one.
+    /// Removes and returns the most promising pair. The queue is not empty.
     [[nodiscard]] WidePair pop() {
         const auto bucket = static_cast<std::size_t>(__builtin_ctzll(filled_));
         const std::uint32_t entry = heads_[bucket];
@@ -63,7 +64,7 @@ class PairBuckets {
 
     struct Entry {
         WidePair pair;
-        std::uint32_t next; ///< In the same bucket, or of those that are free.
+        std::uint32_t next; ///< Index of the next entry in the same bucket or in the free list.
     };
 
     std::uint32_t take_entry() {
@@ -86,11 +87,12 @@ class PairBuckets {
         room_ = room;
     }
 
-    std::uint64_t filled_ = 0; ///< Which buckets hold pairs.
+    std::uint64_t filled_ = 0; ///< Bit i is set if bucket i holds pairs.
     std::array<std::uint32_t, count> heads_{};
-    std::unique_ptr<Entry[]> entries_; // Not a vector, which would set what is written anyway.
+    std::unique_ptr<Entry[]>
+        entries_; // A vector would initialise entries that are written before they are read.
     std::uint32_t room_ = 0;
-    std::uint32_t used_ = 0; ///< The entries from there on were never used.
+    std::uint32_t used_ = 0; ///< Entries from this index on were never used.
     std::uint32_t free_ = none;
     std::size_t size_ = 0;
 };

@@ -12,8 +12,8 @@ namespace {
 
 using Axes = WideBoxes::Axes;
 
-/// No step is smaller: the largest sizes stay floats when they are counted in such steps, with room
-/// for sums (wide_kernel.cpp).
+/// The smallest step: the largest coordinates stay floats when counted in such steps, with room for
+/// sums (wide_kernel.cpp).
 constexpr double step_min = 0x1p-70;
 constexpr double u = 0x1p-53;
 
@@ -31,12 +31,12 @@ Spread united(const Spread& left, const Spread& right) {
     return both;
 }
 
-/// Sets steps, frame and origin for vertices that are spread so. Returns what makes steps of their
-/// places.
+/// Sets steps, frame and origin for vertices with this spread. Returns the conversion from places
+/// to steps.
 ///
-/// A vertex' coordinates as seen from the centre err by at most 6 u times the sum of its distances
-/// (one subtraction, three products, two sums, entries of at most 1.001). The origin's own are
-/// known as well.
+/// A vertex' coordinates relative to the centre err by at most 6 u times the sum of its distances
+/// (one subtraction, three products, two sums, entries of at most 1.001). The origin's coordinates
+/// err by no more.
 std::array<StepAxis, 3>
 set_frame(const Spread& whole, const SeenFrame& frame, bool float_origin, WideNode& node) {
     double largest = 0;
@@ -45,11 +45,11 @@ set_frame(const Spread& whole, const SeenFrame& frame, bool float_origin, WideNo
         largest = std::max(largest, whole.high[k] - whole.low[k]);
         size = std::max(size, std::abs(frame.center[k]));
     }
-    // A quarter of a step is more than all roundings of the origin.
+    // A quarter of a step exceeds all roundings of the origin.
     const double least = std::max((float_origin ? 0x1p-18 : 0x1p-44) * size, step_min);
     std::array<double, 3> corner{};
     for (std::size_t k = 0; k < 3; ++k) {
-        // No step is so small that quotients of steps grow out of bounds.
+        // A lower bound on the extent keeps quotients of steps bounded.
         const double extent = std::max(whole.high[k] - whole.low[k], 0x1p-10 * largest);
         const double step = std::max(extent / 254, least);
         node.steps[k] = static_cast<float>(step * (1 + 0x1p-20));
@@ -78,7 +78,7 @@ set_frame(const Spread& whole, const SeenFrame& frame, bool float_origin, WideNo
         axes[k] = {in_row(frame, k, from_center),
                    16 * u * (whole.reach + distance),
                    static_cast<double>(node.steps[k])};
-        // Steps times a byte are exact in doubles.
+        // A product of a step and a byte is exact in doubles.
         CD_CHECK(whole.low[k] - axes[k].origin - axes[k].error >= 0);
         CD_CHECK(whole.high[k] - axes[k].origin + axes[k].error <= 255 * axes[k].step);
     }

@@ -1,5 +1,5 @@
-// The boxes of a wide tree's nodes, made of the triangles' vertices: where the tree is built, and
-// where it comes from elsewhere without them.
+// Computes the boxes of a wide tree's nodes from the triangles' vertices, both in a build and when
+// a tree without boxes is decoded.
 #pragma once
 
 #include "common/tree/wide/wide_node.hpp"
@@ -15,18 +15,19 @@ namespace cd {
 inline constexpr double wide_coordinate_max = 0x1p50;
 inline constexpr double wide_size_min = 0x1p-40;
 
-/// Sets frame, origin, steps and boxes of all nodes that have `is_leaf`, `count` and `first`: a
-/// node's children, or a leaf's triangles, are bounded in the frame at hand for it, in exact terms.
-/// Frames are rows that are orthonormal within `axes_error_max`; coordinates are below
-/// `wide_coordinate_max`. The blocks under each node stand side by side, and children stand behind
-/// their parents. The same bits for the same nodes on every host and for any number of threads.
+/// Sets frame, origin, steps and boxes of all nodes that have `is_leaf`, `count` and `first`.
+/// Bounds a node's children, or a leaf's triangles, in the node's given frame, in exact terms. Rows
+/// of frames are orthonormal within `axes_error_max`; coordinates are below `wide_coordinate_max`.
+/// The blocks under each node are contiguous, and children come after their parents. Equal nodes
+/// give equal bits on every host and for any number of threads.
 class WideBoxes {
   public:
     using Axes = std::array<float, 9>; ///< Three rows.
 
     WideBoxes(const TriangleBlocks& blocks, std::span<const WideNode> nodes);
 
-    /// The node with its boxes in this frame. For any number of threads at once.
+    /// Returns the node with its boxes in the frame `axes`. Any number of threads may call it at
+    /// once.
     [[nodiscard]] WideNode in_frame(std::size_t node, const Axes& axes) const;
 
   private:
@@ -37,13 +38,13 @@ class WideBoxes {
 
     TriangleBlocks blocks_;
     std::span<const WideNode> nodes_;
-    std::vector<Run> vertices_; ///< Under each node.
+    std::vector<Run> vertices_; ///< The run of vertices under each node.
 };
 
-/// The sum of half the surfaces of its children's boxes.
+/// Half the sum of the surfaces of the children's boxes of `node`.
 [[nodiscard]] double cost_of(const WideNode& node);
 
-/// No origin has a larger coordinate.
+/// Largest absolute coordinate of any node's origin.
 [[nodiscard]] double extent_of(std::span<const WideNode> nodes);
 
 } // namespace cd

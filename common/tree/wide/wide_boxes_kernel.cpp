@@ -7,7 +7,7 @@
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "common/tree/wide/wide_boxes_kernel.cpp"
 #include <hwy/foreach_target.h>
-// What follows is compiled for every target.
+// Everything below is compiled for every target.
 #include <hwy/highway.h>
 
 HWY_BEFORE_NAMESPACE();
@@ -66,7 +66,7 @@ HWY_INLINE V dot(const Vectors& a, const Vectors& b) {
     return a.x * b.x + a.y * b.y + a.z * b.z;
 }
 
-/// Least and greatest in each lane.
+/// Minimum and maximum in each lane.
 struct Spreads {
     HWY_INLINE Spreads()
         : low{all(HUGE_VAL), all(HUGE_VAL), all(HUGE_VAL)},
@@ -92,8 +92,8 @@ struct Spreads {
     V reach;
 };
 
-/// Calls `keep(i, places)` for the vertices i and those that share its vector. Lanes after the last
-/// vertex have the place of the first.
+/// Calls `keep(i, places)` for vertex i and the vertices that share its vector. Lanes after the
+/// last vertex repeat the first vertex.
 template <class T, class Keep>
 HWY_INLINE Spread walk(const T* from, std::size_t count, const SeenFrame& seen, const Keep& keep) {
     const Doubles d;
@@ -156,13 +156,13 @@ void place_doubles(const double* from,
     *spread = walk_block(from, count, frame, *places);
 }
 
-/// The bounds of a vertex on all axes as bytes of which the least bounds a triangle: its low steps,
-/// and 255 less its high ones.
+/// The bounds of a vertex on all axes as bytes: its low steps, and 255 less its high steps. The
+/// bytewise minimum over its vertices bounds a triangle.
 using VertexBounds = std::array<std::uint8_t, 8>;
 
-/// Whole steps below or equal, and above or equal. The quotient rounds, and what it is multiplied
-/// by as well: a step to the side is taken where that went too far. Steps are floats and their
-/// numbers bytes, so that products are exact.
+/// Rounds a place down (`steps_below`) or up (`steps_above`) to whole steps. Both the quotient and
+/// its factor are rounded, so the result is moved by one step where they went too far. Steps are
+/// floats and their numbers bytes, so that products are exact.
 HWY_INLINE V steps_below(V place, V step, V per_step) {
     const V steps = hn::Floor(place * per_step);
     return steps - hn::IfThenElseZero(hn::Gt(steps * step, place), all(1));
@@ -173,7 +173,7 @@ HWY_INLINE V steps_above(V place, V step, V per_step) {
     return steps + hn::IfThenElseZero(hn::Lt(steps * step, place), all(1));
 }
 
-/// One axis in all lanes.
+/// The constants of one axis, broadcast to all lanes.
 struct StepVectors {
     HWY_INLINE explicit StepVectors(const StepAxis& axis)
         : origin(all(axis.origin)),

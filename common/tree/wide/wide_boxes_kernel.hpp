@@ -1,5 +1,5 @@
-// The SIMD code that makes boxes of vertices, compiled once for every target: plain values in and
-// out, the same bits from each.
+// The SIMD code that makes boxes of vertices, compiled once for every target. It takes and returns
+// plain values, and all targets give equal bits.
 #pragma once
 
 #include "common/geometry/triangle_blocks.hpp"
@@ -11,44 +11,44 @@
 
 namespace cd {
 
-/// A frame seen from a point: coordinate k of x is row_k . (x - center), rounded.
+/// A frame with an origin: coordinate k of x is row_k . (x - center), rounded.
 struct SeenFrame {
     std::array<double, 9> rows{};
     std::array<double, 3> center{};
 };
 
-/// Where some vertices lie on the axes of a seen frame.
+/// The range of some vertices on the axes of a SeenFrame.
 struct Spread {
     std::array<double, 3> low{};
     std::array<double, 3> high{};
-    double reach = 0; ///< No vertex is farther from the centre, by the sum of coordinates' sizes.
+    double reach = 0; ///< Largest sum of absolute coordinates of a vertex, relative to the centre.
 };
 
-/// Of vertices [begin, end) of these blocks; one at least.
+/// Computes the spread of vertices [begin, end) of these blocks; there is at least one.
 [[nodiscard]] Spread spread_of(const TriangleBlocks& blocks,
                                std::uint32_t begin,
                                std::uint32_t end,
                                const SeenFrame& frame);
 
-/// The coordinates of a block's vertices in a seen frame, by axis, with room for whole vectors.
+/// The coordinates of a block's vertices in a SeenFrame, by axis, padded to whole vectors.
 struct BlockPlaces {
     alignas(64) std::array<std::array<double, block_vertices_max + 16>, 3> along;
 };
 
-/// The same of one block, whose vertices' places it keeps.
+/// Computes the spread of one block and stores its vertices' coordinates in `places`.
 [[nodiscard]] Spread spread_of_block(const TriangleBlocks& blocks,
                                      std::uint32_t block,
                                      const SeenFrame& frame,
                                      BlockPlaces& places);
 
-/// What makes steps of places on one axis: places - origin, less or more `error`, over `step`.
+/// Converts places on one axis to steps: places - origin, less or more `error`, over `step`.
 struct StepAxis {
     double origin = 0;
     double error = 0;
     double step = 0;
 };
 
-/// The spreads of a node's children, by axis, then by child, with room for whole vectors.
+/// The spreads of a node's children, by axis, then by child, padded to whole vectors.
 struct ChildPlaces {
     alignas(64) std::array<std::array<double, wide_children_max>, 3> low{};
     alignas(64) std::array<std::array<double, wide_children_max>, 3> high{};

@@ -10,7 +10,7 @@ namespace cd {
 
 namespace {
 
-/// The byte of a bool may be any.
+/// Reads the flag as a byte, because the byte of a bool from outside may have any value.
 bool has_valid_flag(const WideNode& node) {
     std::uint8_t flag = 0;
     std::memcpy(&flag, &node.is_leaf, sizeof flag);
@@ -33,7 +33,7 @@ bool has_valid_frame(const WideNode& node, double extent) {
     return valid && node.steps[3] == 1 && std::isfinite(extent);
 }
 
-/// Children stand behind their parents, and each node but the first has one parent.
+/// Returns true if children come after their parents and each node but the first has one parent.
 bool is_tree(std::span<const WideNode> nodes) {
     std::vector<bool> has_parent(nodes.size(), false);
     std::size_t children = 0;
@@ -60,8 +60,8 @@ bool is_tree(std::span<const WideNode> nodes) {
     return children + 1 == nodes.size();
 }
 
-/// How many triangles each block has, by the leaf that it belongs to. Nothing where blocks and
-/// leaves do not belong together one by one.
+/// Returns the number of triangles of each block, which is that of its leaf. Returns nothing unless
+/// blocks and leaves correspond one to one.
 std::optional<std::vector<std::uint8_t>> counts_of_blocks(std::span<const WideNode> nodes,
                                                           std::size_t blocks) {
     std::vector<std::uint8_t> counts(blocks, 0);
@@ -98,8 +98,8 @@ bool have_blocks_their_sizes(const TriangleBlocks& blocks) {
            numbers == 3 * std::size_t{blocks.vertex_begin.back()} + spare_numbers;
 }
 
-/// The first `count` places of a block hold triangles, none of them `seen` before; the other places
-/// hold nothing.
+/// Returns true if the first `count` slots of a block hold triangles, none of them `seen` before,
+/// and the other slots are empty.
 bool holds_triangles(const TriangleBlocks& blocks,
                      std::uint32_t block,
                      std::uint32_t count,

@@ -1,4 +1,4 @@
-// What is asked of a wide tree that comes from elsewhere.
+// Checks wide trees that come from outside.
 #pragma once
 
 #include "common/core/result.hpp"
@@ -8,9 +8,9 @@
 
 namespace cd {
 
-/// Done when a descent of these arrays reads nothing but them, ends, and meets each of so many
-/// triangles once. Also for a tree without nodes, which has no arrays at all. That the corners are
-/// the mesh's and boxes contain them is not checked. Errors: Io.
+/// Succeeds when a descent of these arrays stays within them, ends, and meets each of `triangles`
+/// triangles once. Accepts a tree without nodes, which has no arrays at all. Does not check that
+/// the corners are the mesh's and that boxes contain them. Errors: Io.
 [[nodiscard]] Status check_wide_tree(const WideView& wide, std::size_t triangles);
 
 } // namespace cd

@@ -16,7 +16,7 @@ float surface(const ObbNode& node) {
     return 4 * (x * y + y * z + z * x);
 }
 
-/// Least sums of surfaces, where a part of the tree may become at most 1, 2, ... children.
+/// Entry i is the least sum of surfaces if a part of the tree becomes at most i + 1 children.
 using Costs = std::array<float, children_max>;
 
 class Planner {
@@ -27,9 +27,9 @@ class Planner {
     std::vector<WidePlanNode> plan();
 
   private:
-    /// Some triangles that become one child: a leaf, or a node with children of its own.
+    /// Triangles that become one child: a leaf, or a node with children of its own.
     struct Child {
-        std::uint32_t number = 0; ///< Of a leaf, or of a binary node.
+        std::uint32_t number = 0; ///< Number of the leaf or of the binary node.
         bool is_leaf = false;
     };
 
@@ -46,12 +46,13 @@ class Planner {
 
     const TreeView& tree_;
     const WideLeaves& leaves_;
-    std::vector<std::uint32_t> place_of_; ///< Of each binary node from the groups up.
-    std::vector<Costs> costs_;            ///< By place, as is the next: of a group 1 + its number.
+    std::vector<std::uint32_t>
+        place_of_;             ///< Place of each binary node that is a group or above one.
+    std::vector<Costs> costs_; ///< By place; a group's place is 1 + its number.
     std::vector<std::uint32_t> group_of_;
 };
 
-/// How many of `children` the left one of two parts best becomes.
+/// Returns how many of `children` the left one of two parts best becomes.
 std::uint32_t Planner::share_of_left(std::uint32_t node, std::uint32_t children) const {
     const Costs& left = costs_of(node + 1);
     const Costs& right = costs_of(tree_.nodes[node].right);
@@ -90,7 +91,7 @@ void Planner::add_inner_costs(std::uint32_t node, Costs& costs) const {
 }
 
 void Planner::find_costs() {
-    // All that stand above groups and the groups themselves, in preorder.
+    // All nodes above groups and the groups themselves, in preorder.
     std::vector<std::uint32_t> upper;
     std::vector<std::uint32_t> stack = {0};
     std::uint32_t group = 0;
@@ -120,7 +121,7 @@ void Planner::find_costs() {
 void Planner::children_of(std::uint32_t node, std::vector<Child>& to) const {
     struct Part {
         std::uint32_t node;
-        std::uint32_t children; ///< That it may become.
+        std::uint32_t children; ///< Most children that the node may become.
     };
     const auto add_leaves = [&](std::uint32_t of) {
         const WideGroup& group = leaves_.groups[group_of_[place_of_[of]] - 1];
@@ -168,7 +169,7 @@ WidePlanNode Planner::node_of(const Child& child) const {
         node.begin = tree_.nodes[child.number].triangles_begin;
         node.end = tree_.nodes[child.number].triangles_end;
         node.binary = child.number;
-        node.count = 1; // Until its children are known.
+        node.count = 1; // A preliminary count, until the children are known.
     }
     return node;
 }

@@ -11,11 +11,11 @@ namespace cd {
 
 namespace {
 
-/// Beyond, the bounds of wide_kernel.cpp do not hold.
+/// The bounds of wide_kernel.cpp hold only up to this error.
 constexpr double pose_error_max = 0x1p-10;
-/// Less than a millisecond of work.
+/// These visits take less than a millisecond.
 constexpr std::uint32_t visits_at_once = 4096;
-/// Who looks for a first contact looks at fewer pairs of leaves together.
+/// A search for a first contact processes fewer pairs of leaves together.
 constexpr std::size_t leaves_for_first = 2 * wide_batch_max;
 
 WideBody body_of(const WideView& tree) {
@@ -31,7 +31,7 @@ WideBody body_of(const WideView& tree) {
 
 WideDescent::WideDescent(const RelativePose& b_to_a, double error_scale)
     : error_scale_(error_scale) {
-    // Before the kernel's first call, so that a setting of the target is heeded.
+    // This call precedes the kernel's first one, so that a setting of the target takes effect.
     static_cast<void>(simd_target());
     walk_.waiting_room = 2 * wide_pairs_slack;
     waiting_ = std::make_unique_for_overwrite<WidePair[]>(walk_.waiting_room);
@@ -65,7 +65,7 @@ void WideDescent::start(const WideView& a, const WideView& b, Aim aim) {
     const double absolute =
         error_scale_ * 4.1 *
         (3 * b_to_a_.rotation_error * b.extent + b_to_a_.translation_error + 0x1p-49 * reach);
-    // NaN and overflow: nothing is apart.
+    // With NaN and overflow no pair counts as apart.
     pose_.absolute_margin = absolute < 0x1p100 ? static_cast<float>(absolute) + 0x1p-120F
                                                : std::numeric_limits<float>::infinity();
     walk_.a = body_of(a);
@@ -105,7 +105,8 @@ std::span<Candidate> WideDescent::next(std::size_t wanted) {
     return {candidates_.get(), walk_.candidate_count};
 }
 
-/// Goes on with the most promising pairs; what they leave waits, the most promising last.
+/// Visits the most promising pairs, then moves the remaining ones to `waiting_`, the most promising
+/// last.
 void WideDescent::dive() {
     walk_.visits_left = dive_visits_left_;
     walk_wide_ranked(pose_, walk_);

@@ -11,27 +11,28 @@
 
 namespace cd {
 
-/// The descent of two wide trees under one relative pose. Never passes over a pair that touches, in
-/// exact terms. Keeps scratch memory between calls; one thread at a time.
+/// The simultaneous descent of two wide trees under one relative pose. It never skips a pair that
+/// touches, in exact terms. It keeps scratch memory between calls; one thread at a time may use it.
 class WideDescent {
   public:
-    /// `error_scale` multiplies both margins. Only from 1 on is what is passed over proven to be
-    /// apart: less is for tests, which show that the margins are needed.
+    /// `error_scale` multiplies both margins. Skipped pairs are proven to be apart only if it is at
+    /// least 1; tests use less to show that the margins are needed.
     explicit WideDescent(const RelativePose& b_to_a, double error_scale = 1);
 
-    /// As if made anew with another pose, but keeps scratch memory.
+    /// Acts like construction with another pose, but keeps scratch memory.
     void restart(const RelativePose& b_to_a);
 
-    /// How the descent goes about it.
+    /// Selects the order of the descent.
     enum class Aim : std::uint8_t {
-        All,         ///< Every candidate: many pairs of nodes are looked at together.
-        First,       ///< A first contact that may not exist: as All, but finds candidates sooner.
+        All,         ///< Finds every candidate: many pairs of nodes are visited together.
+        First,       ///< Finds a first contact that may not exist: like All, but yields candidates
+                     ///< sooner.
         LikelyFirst, ///< A first contact: the most promising pairs of nodes (`PairBuckets`) one by
                      ///< one, and after `dive_visits` of them as First.
     };
 
-    /// Nearly all contacts that exist are found by then; each of these visits costs more than those
-    /// that follow.
+    /// Visits that LikelyFirst spends. They find nearly all existing contacts; each costs more than
+    /// a later visit.
     static constexpr std::uint32_t dive_visits = 16;
 
     /// Begins at the roots. The trees have nodes and outlive the descent.
@@ -39,13 +40,13 @@ class WideDescent {
     [[nodiscard]] bool is_done() const {
         return walk_.waiting_count + walk_.leaf_count + walk_.ranked.size() == 0;
     }
-    /// More candidates: as places in the blocks, `wanted` or some more, or fewer after much work
-    /// without finding so many. Valid until the next call.
+    /// Returns more candidates as indices in the blocks: about `wanted`, or fewer after much work
+    /// without finding so many. They are valid until the next call.
     [[nodiscard]] std::span<Candidate> next(std::size_t wanted);
 
-    /// Tests of boxes so far.
+    /// Box tests so far.
     [[nodiscard]] std::uint64_t box_tests() const { return walk_.box_tests; }
-    /// Pairs of nodes looked at so far.
+    /// Visited pairs of nodes so far.
     [[nodiscard]] std::uint64_t visits() const { return walk_.visits; }
 
   private:
@@ -57,7 +58,7 @@ class WideDescent {
     double error_scale_;
     WidePose pose_;
     WideWalk walk_;
-    // Not vectors, which would set what is written anyway.
+    // Arrays, because a vector would initialise elements that are written before they are read.
     std::unique_ptr<WidePair[]> waiting_;
     std::unique_ptr<Candidate[]> candidates_;
     std::size_t candidates_room_ = 0;

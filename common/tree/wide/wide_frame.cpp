@@ -13,7 +13,7 @@ using Axes = std::array<float, 9>;
 using Quaternion = std::array<double, 4>; ///< w, x, y, z.
 
 constexpr double part_unit = 0x1.6a09e667f3bcdp-1 / 32767;
-/// The square of a component that is the largest is 1/4 at least; parts are rounded.
+/// The largest component's square is at least 1/4; this bound allows for the rounding of the parts.
 constexpr double largest_square_min = 0.2499;
 
 Axes rows_of(const Quaternion& q) {
@@ -39,8 +39,8 @@ double determinant(const std::array<double, 9>& m) {
            m[2] * (m[3] * m[7] - m[4] * m[6]);
 }
 
-/// Four times the products of a rotation's quaternion with its component `largest`: that which is
-/// large loses no digits. Shepperd, Quaternion from Rotation Matrix (1978).
+/// Returns four times the products of a rotation's quaternion with its component `largest`. A large
+/// component causes no cancellation. Shepperd, Quaternion from Rotation Matrix (1978).
 Quaternion times_component(const std::array<double, 9>& m, std::size_t largest) {
     switch (largest) {
     case 0:
@@ -109,8 +109,8 @@ FrameCode code_of(const Axes& frame) {
             rotation[i] = -rotation[i];
         }
     }
-    // Where two components are about as large, rounding may have made either the one left out, and
-    // the two codes' frames differ: one of them is this frame if it has a code.
+    // If two components are nearly equal, rounding may have left out either one, and the two codes'
+    // frames differ. If this frame has a code, it is one of the two.
     std::array<double, 4> diagonal{};
     std::size_t largest = 0;
     for (std::size_t i = 0; i < 4; ++i) {

@@ -1,4 +1,4 @@
-// The frames of wide nodes, each named by three small numbers: a frame costs six bytes, not 36.
+// The frames of wide nodes, encoded as three small numbers: a frame takes six bytes instead of 36.
 #pragma once
 
 #include <array>
@@ -7,25 +7,26 @@
 
 namespace cd {
 
-/// A unit quaternion without one of its components, which is the positive root that is left: kind 1
-/// lacks the first of w, x, y, z, kind 4 the last. Kind 0 is the body's own frame, without parts.
+/// A unit quaternion without its largest component, which is the positive root that the others
+/// leave: kind 1 lacks the first of w, x, y, z, kind 4 the last. Kind 0 is the body's own frame and
+/// has no parts.
 struct FrameCode {
     std::uint8_t kind = 0;
-    std::array<std::int16_t, 3> parts{}; ///< From -32767 to 32767, of 1 / sqrt(2).
+    std::array<std::int16_t, 3> parts{}; ///< From -32767 to 32767, in units of 1 / (32767 sqrt(2)).
 
     friend bool operator==(const FrameCode&, const FrameCode&) = default;
 };
 
 inline constexpr std::uint8_t frame_kinds = 5;
 
-/// The frame that has this code: a rotation whose rows are orthonormal within `axes_error_max`. The
-/// same bits on every host. Nothing for an unknown kind, and where the parts are too large for what
-/// they leave out to be the largest component.
+/// Decodes a frame: a rotation whose rows are orthonormal within `axes_error_max`. The bits are
+/// equal on every host. Returns nothing for an unknown kind, and where the parts are so large that
+/// the omitted component would not be the largest.
 [[nodiscard]] std::optional<std::array<float, 9>> frame_of(const FrameCode& code);
 
-/// The code of a frame close to this one, or to this one with its third row turned round, which
-/// bounds the same boxes: within 1e-4 in each entry. A frame that `frame_of` made gets a code of
-/// exactly that frame. The rows are orthonormal within `axes_error_max`.
+/// Encodes a frame within 1e-4 in each entry of `frame`, or of `frame` with its third row negated,
+/// which bounds the same boxes. A frame from `frame_of` gets a code of exactly that frame. The rows
+/// are orthonormal within `axes_error_max`.
 [[nodiscard]] FrameCode code_of(const std::array<float, 9>& frame);
 
 } // namespace cd

@@ -1,9 +1,9 @@
-// With o, p the origins of the nodes of A and B, F and G their frames (rows, floats, exact
-// numbers), R, t the true relative pose: x = R y + t holds of every point that both share. With
-// alpha = F (x - o) and beta = G (y - p),
+// Let o, p be the origins of the nodes of A and B, F and G their frames (rows, floats taken as
+// exact numbers), and R, t the true relative pose: x = R y + t holds for every point that both
+// share. With alpha = F (x - o) and beta = G (y - p),
 //     alpha = T + N beta,  beta = N^-1 (alpha - T),  N = F R G^-1,  T = F (R p + t - o).
-// A child's box bounds one of alpha and beta; what it makes of the other is an interval on each
-// axis. Children whose intervals are apart on any axis of either frame share no point.
+// A child's box bounds one of alpha and beta; the equations turn it into an interval of the other
+// on each axis. Children whose intervals are apart on any axis of either frame share no point.
 //
 // Bounds, with u = 2^-24, e = axes_error_max = 2 u, r = rotation_error, s = skew, w = R p + t - o,
 // |.| the sum of sizes, E the largest coordinates, 255 steps on each axis, of a node.
@@ -49,21 +49,21 @@
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "common/tree/wide/wide_kernel.cpp"
 #include <hwy/foreach_target.h>
-// What follows is compiled for every target.
+// Everything below is compiled for every target.
 #include "common/tree/wide/wide_meeting-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace cd {
 namespace HWY_NAMESPACE {
 
-/// A pair of nodes on its way through a batch.
+/// The state of one node pair of a batch.
 struct Visit {
     Meeting meeting;
     Side side_a;
     Side side_b;
-    Intervals seen_a; ///< The children of A's node, in the frame of B's.
+    Intervals seen_a; ///< Intervals of A's children in the frame of B's node.
     Intervals seen_b;
-    std::uint32_t found_a; ///< The children of A's node that may reach into B's.
+    std::uint32_t found_a; ///< Bit mask of the children of A's node that may overlap B's node.
     std::uint32_t found_b;
 };
 
@@ -74,7 +74,7 @@ HWY_INLINE void prefetch(const void* from, std::size_t bytes) {
     }
 }
 
-/// Asks for the triangles of a leaf, of which most have at least so many vertices.
+/// Prefetches the triangles of a leaf, sized for the vertex count that most leaves have.
 HWY_INLINE void prefetch_triangles(const WideBody& body, const WideNode& leaf) {
     const std::size_t first = 3 * std::size_t{body.vertex_begin[leaf.first]};
     if (body.floats != nullptr) {
@@ -85,12 +85,12 @@ HWY_INLINE void prefetch_triangles(const WideBody& body, const WideNode& leaf) {
     prefetch(body.corners + std::size_t{block_size} * leaf.first, children * sizeof(BlockCorners));
 }
 
-// Pairs of one batch do not wait for each other: their nodes come from memory at the same time, and
-// the processor works on more than one. So that it need not guess how each goes on, all take one
-// step before any takes the next. Pairs of leaves are put aside until there are enough of them.
+// Pairs of one batch proceed in lockstep: all take one step before any takes the next, so that
+// their loads overlap and no branch depends on a single pair. Pairs of leaves are collected until
+// there are enough of them.
 
-/// Looks at as many pairs as have met, from both sides; names those where both have children that
-/// may reach into the other. How many these are.
+/// Tests the first `met` pairs from both sides and keeps those where both nodes have children that
+/// may overlap the other node. Returns their number.
 template <bool kBothLeaves>
 HWY_INLINE std::size_t see_both(
     const WidePose& pose, WideWalk& walk, Visit* visits, std::size_t count, std::size_t* left) {
@@ -99,7 +99,7 @@ HWY_INLINE std::size_t see_both(
         Visit& now = visits[i];
         const WideNode& a = walk.a.nodes[now.meeting.nodes.a];
         const WideNode& b = walk.b.nodes[now.meeting.nodes.b];
-        // A leaf waits until the other is one.
+        // A leaf is not opened before the other node is a leaf.
         now.side_a = side_of(a, now.meeting.nodes.a, !kBothLeaves && a.is_leaf);
         now.side_b = side_of(b, now.meeting.nodes.b, !kBothLeaves && b.is_leaf);
         walk.box_tests += now.side_b.count;
@@ -119,7 +119,7 @@ HWY_INLINE std::size_t see_both(
     return both_count;
 }
 
-/// The sides of a visit: rows are of the one of which fewer children were found.
+/// The two sides of a visit: the rows belong to the side with fewer children found.
 struct Rows {
     RowSide one;
     RowSide others;
@@ -137,7 +137,8 @@ HWY_INLINE Rows rows_of(const Visit& visit, std::uint64_t& box_tests) {
     return {by_a ? of_a : of_b, by_a ? of_b : of_a, by_a};
 }
 
-/// Looks at as many pairs as have met; writes what is left of them. How many pairs.
+/// Processes the first `met` pairs and writes their remaining pairs of children. Returns the number
+/// of pairs.
 template <bool kBothLeaves>
 HWY_INLINE std::size_t
 look_at(const WidePose& pose, WideWalk& walk, Visit* visits, std::size_t count, std::uint32_t* to) {
@@ -156,7 +157,7 @@ HWY_INLINE void count_visits(WideWalk& walk, std::size_t count) {
     walk.visits_left -= std::min(walk.visits_left, static_cast<std::uint32_t>(count));
 }
 
-/// Lets pairs meet, but puts those of leaves aside. How many have met.
+/// Prepares waiting pairs of nodes but sets pairs of leaves aside. Returns how many were prepared.
 HWY_INLINE std::size_t meet_inner(
     const WidePose& pose, WideWalk& walk, const WidePair* now, std::size_t count, Visit* visits) {
     for (std::size_t i = 0; i < count; ++i) {
@@ -178,7 +179,7 @@ HWY_INLINE std::size_t meet_inner(
     return inner;
 }
 
-/// Looks at some of the pairs that wait.
+/// Visits one batch of the waiting pairs.
 HWY_INLINE void visit_inner(const WidePose& pose, WideWalk& walk, Visit* visits) {
     const std::size_t count = std::min(walk.waiting_count, wide_batch_max);
     walk.waiting_count -= count;
@@ -189,7 +190,7 @@ HWY_INLINE void visit_inner(const WidePose& pose, WideWalk& walk, Visit* visits)
     count_visits(walk, inner);
 }
 
-/// Looks at some of the pairs of leaves.
+/// Visits one batch of the pairs of leaves.
 HWY_INLINE void visit_leaves(const WidePose& pose, WideWalk& walk, Visit* visits) {
     const std::size_t count = std::min(walk.leaf_count, wide_batch_max);
     walk.leaf_count -= count;
@@ -202,7 +203,7 @@ HWY_INLINE void visit_leaves(const WidePose& pose, WideWalk& walk, Visit* visits
     count_visits(walk, count);
 }
 
-/// Looks at the most promising pair.
+/// Visits the most promising pair.
 HWY_INLINE void visit_ranked(const WidePose& pose, WideWalk& walk, Visit& visit) {
     const WidePair now = walk.ranked.pop();
     const std::size_t inner = meet_inner(pose, walk, &now, 1, &visit);

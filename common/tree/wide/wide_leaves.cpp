@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::uint32_t group_triangles_max = block_size * block_size;
 
-/// A box for choosing splits: neither exact nor conservative.
+/// A box for choosing splits; it is neither exact nor conservative.
 struct RoughBox {
     std::array<float, 3> low;
     std::array<float, 3> high;
@@ -45,19 +45,19 @@ constexpr std::uint32_t leaves_for(std::uint32_t triangles) {
     return (triangles + block_size - 1) / block_size;
 }
 
-using Place = std::uint8_t; ///< Of a triangle in its group.
+using Place = std::uint8_t; ///< The index of a triangle in its group.
 static_assert(group_triangles_max - 1 <= std::numeric_limits<Place>::max());
 
-/// Numbers in the order of the floats; one for 0 and -0.
+/// Maps floats to integers in the same order; 0 and -0 give one integer.
 std::uint32_t rank_of(float value) {
     const auto bits = std::bit_cast<std::uint32_t>(value + 0.0F);
     return bits ^ ((bits >> 31) != 0 ? ~std::uint32_t{0} : std::uint32_t{1} << 31);
 }
 
-/// A rank, and the place that has it behind.
+/// A rank in the high bits and the index of its triangle in the low bits.
 using Key = std::uint64_t;
 
-/// Sorts by rank; equal ones stay in their order. `scratch` is as long as `keys`.
+/// Sorts stably by rank. `scratch` is as long as `keys`.
 void sort_by_rank(std::span<Key> keys, std::span<Key> scratch) {
     constexpr unsigned digits = 4;
     std::array<std::array<std::uint16_t, 256>, digits> counts{};
@@ -71,7 +71,7 @@ void sort_by_rank(std::span<Key> keys, std::span<Key> scratch) {
     std::span<Key> to = scratch;
     for (unsigned d = 0; d < digits; ++d) {
         if (counts[d][digit(from.front(), d)] == from.size()) {
-            continue; // All are alike here.
+            continue; // All keys have the same digit.
         }
         std::uint16_t begin = 0;
         for (std::uint16_t& count : counts[d]) {
@@ -87,12 +87,12 @@ void sort_by_rank(std::span<Key> keys, std::span<Key> scratch) {
     }
 }
 
-/// Makes the leaves of one group after the other.
+/// Makes the leaves of the groups, one group after the other.
 class GroupSplitter {
   public:
     explicit GroupSplitter(const TreeView& tree) : tree_(tree) {}
 
-    /// Writes the order of the node's triangles to `order` and adds the leaves to `leaves`.
+    /// Writes the order of the node's triangles to `order` and appends the leaves to `leaves`.
     void
     add_group(const ObbNode& node, std::span<std::uint32_t> order, std::vector<WideLeaf>& leaves);
 
@@ -114,13 +114,13 @@ class GroupSplitter {
     void add_leaf(std::uint32_t begin, std::uint32_t end, const OfTriangles<Place>& order);
 
     const TreeView& tree_;
-    std::uint32_t first_ = 0; ///< The group's first triangle.
+    std::uint32_t first_ = 0; ///< Index of the group's first triangle.
     std::uint32_t count_ = 0;
     std::span<std::uint32_t> order_;
     std::vector<WideLeaf>* leaves_ = nullptr;
-    OfTriangles<RoughBox> boxes_{}; ///< Of the group's triangles, in the tree's order.
-    /// The group's triangles by the middle of their boxes on each axis; where these are equal, in
-    /// the tree's order. Every part that is to be split is a range, the same on all axes.
+    OfTriangles<RoughBox> boxes_{}; ///< Boxes of the group's triangles, in the tree's order.
+    /// The group's triangles sorted by the middle of their boxes on each axis, ties in the tree's
+    /// order. Every part that is still to be split is one range, equal on all axes.
     std::array<OfTriangles<Place>, 3> sorted_{};
     OfTriangles<float> left_costs_{};
 };
@@ -187,7 +187,7 @@ void GroupSplitter::find_split(std::uint32_t begin,
     }
 }
 
-/// Puts the left part first on the other axes, too; both parts keep their order.
+/// Moves the left part to the front on the other axes, too; both parts keep their order.
 void GroupSplitter::part(std::uint32_t begin, std::uint32_t end, const Split& split) {
     OfTriangles<bool> is_left{};
     for (std::uint32_t i = begin; i < begin + split.left; ++i) {
@@ -226,14 +226,14 @@ void GroupSplitter::add_leaf(std::uint32_t begin,
     leaves_->push_back({first_ + begin, first_ + end, box.surface()});
 }
 
-/// The depth of this recursion is at most the number of a group's leaves.
+/// Splits a part recursively. The depth is at most the number of the group's leaves.
 void GroupSplitter::split(std::uint32_t begin, std::uint32_t end, const OfTriangles<Place>& order) {
     if (leaves_for(end - begin) == 1) {
         add_leaf(begin, end, order);
         return;
     }
     Split best;
-    best.left = block_size; // Where nothing can be compared.
+    best.left = block_size; // The default, where no cost can be compared.
     for (std::size_t axis = 0; axis < 3; ++axis) {
         find_split(begin, end, axis, best);
     }
@@ -258,7 +258,7 @@ void GroupSplitter::add_group(const ObbNode& node,
     split(0, count_, as_in_tree);
 }
 
-/// The nodes that become groups, from left to right.
+/// Returns the nodes that become groups, from left to right.
 std::vector<std::uint32_t> find_groups(std::span<const ObbNode> nodes) {
     std::vector<std::uint32_t> groups;
     std::vector<std::uint32_t> stack = {0};
@@ -285,7 +285,8 @@ WideLeaves make_wide_leaves(const TreeView& tree, ThreadPool* pool) {
         all.groups.push_back({node, 0, 0});
     }
     const std::size_t tasks = (all.groups.size() + groups_at_once - 1) / groups_at_once;
-    std::vector<std::vector<WideLeaf>> made(tasks); // Groups' leaf numbers count from there.
+    std::vector<std::vector<WideLeaf>> made(
+        tasks); // The leaf numbers of a task's groups count from the task's first leaf.
     parallel_for(pool, tasks, [&](std::size_t task) {
         GroupSplitter splitter(tree);
         const std::span<WideGroup> groups = std::span(all.groups).subspan(task * groups_at_once);

@@ -10,7 +10,7 @@
 
 namespace cd {
 
-/// The leaves that are made of one binary node's triangles: [leaves_begin, leaves_end).
+/// The leaves [leaves_begin, leaves_end) that are made of one binary node's triangles.
 struct WideGroup {
     std::uint32_t node = 0;
     std::uint32_t leaves_begin = 0;
@@ -18,13 +18,13 @@ struct WideGroup {
 };
 
 struct WideLeaf {
-    std::uint32_t begin = 0; ///< Its triangles, as places in WideLeaves::order.
+    std::uint32_t begin = 0; ///< Its triangles, as indices into WideLeaves::order.
     std::uint32_t end = 0;
-    float surface = 0; ///< About half that of its box.
+    float surface = 0; ///< About half the surface of its box.
 };
 
 struct WideLeaves {
-    std::vector<std::uint32_t> order; ///< Places in the binary tree's order.
+    std::vector<std::uint32_t> order; ///< Indices in the binary tree's order.
     std::vector<WideLeaf> leaves;
     std::vector<WideGroup> groups; ///< From left to right.
 };

@@ -1,7 +1,7 @@
-// Two wide nodes: what coordinates in the frame of each are in that of the other. Compiled for
-// every target; wide_kernel.cpp has the bounds.
+// Converts coordinates between the frames of two wide nodes. Compiled for every target;
+// wide_kernel.cpp has the bounds.
 
-// Highway's guard: once for each target.
+// Highway's include guard: it admits the file once for each target.
 #if defined(CD_WIDE_MEETING_INL_HPP) == defined(HWY_TARGET_TOGGLE)
 #ifdef CD_WIDE_MEETING_INL_HPP
 #undef CD_WIDE_MEETING_INL_HPP
@@ -20,7 +20,7 @@ namespace HWY_NAMESPACE {
 using VRow = hn::Vec<Row>;
 constexpr std::size_t row_lanes = hn::MaxLanes(Row());
 
-/// The sum of three columns, each times its weight: the lanes from `i` on.
+/// Returns the weighted sum of three columns: the lanes from `i` on.
 HWY_INLINE VRow combined(const float* columns, const float* weights, std::size_t i) {
     const Row d;
     VRow sum = hn::Mul(hn::Load(d, columns + i), hn::Set(d, weights[0]));
@@ -32,8 +32,9 @@ HWY_INLINE float absolute(float value) {
     return value < 0 ? -value : value;
 }
 
-/// What one node makes of coordinates in the other: `columns` of M or, where `kByAxis`, its rows,
-/// as they lie. `steps` and `per_step` (4 floats each) belong to the columns of M and to the other.
+/// Converts coordinates of one node to the other's: `columns` of M or, where `kByAxis`, its rows,
+/// as stored. `steps` and `per_step` (4 floats each) belong to the columns of M and to the other
+/// node.
 template <bool kByAxis>
 HWY_INLINE void finish_change(const float* columns,
                               const float* offset,
@@ -60,9 +61,9 @@ HWY_INLINE void finish_change(const float* columns,
     }
 }
 
-/// A pair of nodes on its way through a batch, with what both looks at it need.
+/// A pair of nodes of a batch, with the transforms between their frames.
 struct Meeting {
-    alignas(16) float columns[3][4]; ///< M: of B's coordinates in A's.
+    alignas(16) float columns[3][4]; ///< M, which maps B's coordinates to A's.
     alignas(16) float offset_a[4];   ///< -N^-1 T.
     alignas(16) float offset_b[4];   ///< T.
     alignas(16) float per_step_a[4];
@@ -118,7 +119,7 @@ meet(const WidePose& pose, const WideNode& a, const WideNode& b, WidePair nodes,
     to.margin = pose.relative_margin * (apart + whole_steps * steps) + pose.absolute_margin;
 }
 
-/// From a body's coordinates to the frame whose columns are given, in its steps.
+/// Converts from a body's coordinates to the frame whose columns are given, in its steps.
 HWY_INLINE void
 make_turn(const float* frame, const float* rotation, const float* per_step, Turn& to) {
     const Row d;

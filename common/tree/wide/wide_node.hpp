@@ -1,4 +1,4 @@
-// The nodes of a wide tree: up to sixteen children each, their boxes in one frame, as bytes.
+// The nodes of a wide tree: boxes of up to sixteen children, as bytes in one frame.
 #pragma once
 
 #include "common/geometry/triangle_blocks.hpp"
@@ -18,25 +18,25 @@ inline constexpr std::uint32_t wide_children_max = block_size;
 struct alignas(64) WideNode {
     using Bytes = std::array<std::uint8_t, wide_children_max>;
 
-    std::array<Bytes, 3> low{}; ///< Of each axis, then of each child. Unused children: 0.
+    std::array<Bytes, 3> low{}; ///< By axis, then by child. Unused children have 0.
     std::array<Bytes, 3> high{};
     /// columns[c][k] is entry c of row k; the rows are orthonormal within `axes_error_max`. The
     /// fourth entry is 0.
     std::array<std::array<float, 4>, 3> columns{};
-    std::array<double, 3> origin{}; ///< Of a leaf whose vertices are floats: floats.
+    std::array<double, 3> origin{}; ///< For a leaf whose vertices are floats, floats.
     std::array<float, 4> steps{};   ///< Positive. The fourth is 1.
-    std::uint32_t first = 0;        ///< The first child's index; of a leaf, its block's number.
+    std::uint32_t first = 0; ///< Index of the first child; for a leaf, the number of its block.
     std::uint8_t count = 0;
     bool is_leaf = false;
-    std::array<std::uint8_t, 2> unused{}; ///< So that each byte of an array has a value.
+    std::array<std::uint8_t, 2> unused{}; ///< Gives each byte of an array of nodes a value.
 };
 static_assert(sizeof(WideNode) == 192);
 
-/// Wherever the arrays live. Node 0 is the root; the children of a node stand side by side.
+/// A view of a wide tree's arrays. Node 0 is the root; the children of a node are contiguous.
 struct WideView {
-    std::span<const WideNode> nodes; ///< Empty where a body cannot have such a tree.
+    std::span<const WideNode> nodes; ///< Empty where a body is unfit for a wide tree.
     TriangleBlocks triangles;
-    double extent = 0; ///< No origin has a larger coordinate.
+    double extent = 0; ///< Upper bound on the absolute coordinates of origins.
 };
 
 } // namespace cd

@@ -1,6 +1,6 @@
-// Which children of two wide nodes may overlap. Compiled for every target.
+// Finds the pairs of children of two wide nodes that may overlap. Compiled for every target.
 
-// Highway's guard: once for each target.
+// Highway's include guard: it admits the file once for each target.
 #if defined(CD_WIDE_ROWS_INL_HPP) == defined(HWY_TARGET_TOGGLE)
 #ifdef CD_WIDE_ROWS_INL_HPP
 #undef CD_WIDE_ROWS_INL_HPP
@@ -17,7 +17,7 @@ HWY_BEFORE_NAMESPACE();
 namespace cd {
 namespace HWY_NAMESPACE {
 
-/// Bytes as floats: quicker to look up, one here and there, than to convert.
+/// Bytes as floats: a look-up of single bytes is faster than their conversion.
 struct ByteTable {
     std::array<float, 256> values{};
 
@@ -29,26 +29,26 @@ struct ByteTable {
 };
 inline constexpr ByteTable bytes_as_floats;
 
-/// The children of one of two nodes that meet.
+/// The children of one of the two nodes of a pair.
 struct RowSide {
     const Side& children;
-    const Intervals& seen; ///< In the other's frame.
-    std::uint32_t found;   ///< Those that may reach into the other.
+    const Intervals& seen; ///< Intervals of the children in the other node's frame.
+    std::uint32_t found;   ///< Bit mask of the children that may overlap the other node.
 };
 
-/// How unlike a contact pairs of children look, of each row and lane; pair_buckets.hpp has the
-/// measure.
+/// The rank of pairs of children for each row and lane, as pair_buckets.hpp defines it.
 struct Ranks {
     alignas(64) std::int32_t of[children][children];
 };
 
-/// The distance of the middles of two intervals by the sum of half their sizes.
+/// Returns the distance of the middles of two intervals, divided by the sum of their half sizes.
 HWY_INLINE V distance_ratio(V low, V high, V other_low, V other_high) {
     const V apart = hn::Abs(hn::Sub(hn::Add(low, high), hn::Add(other_low, other_high)));
     return hn::Div(apart, hn::Add(hn::Sub(high, low), hn::Sub(other_high, other_low)));
 }
 
-/// Which children of one side may overlap those of the other that it names. Ranks where asked for.
+/// Returns which children of one side may overlap the selected children of the other, with ranks if
+/// `kRanked`.
 template <bool kRanked>
 HWY_INLINE void
 find_rows(const RowSide& one, const RowSide& others, std::uint32_t* found, Ranks* ranks) {
@@ -100,8 +100,8 @@ find_rows(const RowSide& one, const RowSide& others, std::uint32_t* found, Ranks
     }
 }
 
-/// Writes the pairs of one child with those of the other side from `their_first` on that the bits
-/// name; how many.
+/// Writes the pairs of one child with those children of the other side, from `their_first` on,
+/// whose bits are set. Returns the number of pairs.
 HWY_INLINE std::size_t append(bool is_of_a,
                               std::uint32_t own,
                               std::uint32_t their_first,
@@ -126,7 +126,7 @@ HWY_INLINE std::size_t append(bool is_of_a,
     }
     return count;
 #else
-    // Few are found, and other targets have no such instruction.
+    // The loop suits few bits, and other targets lack a compress instruction.
     std::size_t count = 0;
     const std::size_t ours = is_of_a ? 0 : 1;
     for (; found != 0; found &= found - 1) {
@@ -138,7 +138,7 @@ HWY_INLINE std::size_t append(bool is_of_a,
 #endif
 }
 
-/// Writes the pairs of children that may overlap, row by row of `one`; how many.
+/// Writes the pairs of children that may overlap, row by row of `one`. Returns their number.
 HWY_INLINE std::size_t
 pair_up(const RowSide& one, const RowSide& others, bool one_is_a, std::uint32_t* to) {
     std::uint32_t found[children];
@@ -156,7 +156,7 @@ pair_up(const RowSide& one, const RowSide& others, bool one_is_a, std::uint32_t*
     return count;
 }
 
-/// Puts the pairs of children that may overlap where they wait, by their ranks.
+/// Pushes the pairs of children that may overlap to the queue, by their ranks.
 HWY_INLINE void
 rank_pairs(const RowSide& one, const RowSide& others, bool one_is_a, PairBuckets& to) {
     std::uint32_t found[children];

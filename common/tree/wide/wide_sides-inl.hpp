@@ -1,7 +1,7 @@
-// The children of a wide node: intervals that bound them in another node's frame. Compiled for
-// every target; wide_kernel.cpp has the bounds.
+// Bounds the children of a wide node by intervals in another node's frame. Compiled for every
+// target; wide_kernel.cpp has the bounds.
 
-// Highway's guard: once for each target.
+// Highway's include guard: it admits the file once for each target.
 #if defined(CD_WIDE_SIDES_INL_HPP) == defined(HWY_TARGET_TOGGLE)
 #ifdef CD_WIDE_SIDES_INL_HPP
 #undef CD_WIDE_SIDES_INL_HPP
@@ -19,7 +19,7 @@ namespace HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-// No more lanes than a node has children.
+// A vector has at most as many lanes as a node has children.
 using Floats = hn::CappedTag<float, wide_children_max>;
 using V = hn::Vec<Floats>;
 using M = hn::Mask<Floats>;
@@ -32,14 +32,14 @@ constexpr float whole_steps = 255;
 /// The children of a node, or the node itself as the only one.
 struct Side {
     const WideNode* node;
-    const WideNode::Bytes* low; ///< Of each axis.
+    const WideNode::Bytes* low; ///< By axis.
     const WideNode::Bytes* high;
     bool is_whole;
     std::uint32_t first;
     std::uint32_t count;
 };
 
-/// The bounds of a node as its own only child.
+/// The bounds of a node treated as its own only child.
 struct WholeBounds {
     std::array<WideNode::Bytes, 3> low{};
     std::array<WideNode::Bytes, 3> high{WideNode::Bytes{255}, {255}, {255}};
@@ -60,16 +60,17 @@ struct Intervals {
     alignas(64) float high[3][children];
 };
 
-/// How steps in one frame become steps in another. Entries count half a step, for sums and
-/// differences of two bounds.
+/// A linear map from steps in one frame to steps in another. Entries count half a step, for sums
+/// and differences of two bounds.
 template <bool kByAxis>
 struct Change {
-    alignas(16) float entries[3][4]; ///< Of each axis of the other frame, if by axis; else columns.
-    alignas(16) float sizes[3][4];   ///< Of the entries.
+    alignas(
+        16) float entries[3][4];   ///< By axis of the other frame if `kByAxis`; otherwise columns.
+    alignas(16) float sizes[3][4]; ///< Absolute values of the entries.
     alignas(16) float offset[4];
     alignas(16) float margin[4];
 
-    /// What coordinate `c` adds to axis `k`.
+    /// Returns the contribution of coordinate `c` to axis `k`.
     [[nodiscard]] HWY_INLINE float entry(std::size_t c, std::size_t k) const {
         return kByAxis ? entries[k][c] : entries[c][k];
     }
@@ -78,7 +79,7 @@ struct Change {
     }
 };
 
-/// How lengths in a body's coordinates become steps in the other's frame: columns.
+/// A linear map from lengths in a body's coordinates to steps in the other's frame, by columns.
 struct Turn {
     alignas(16) float entries[3][4];
 };
@@ -89,7 +90,7 @@ HWY_INLINE V from_bytes(const std::uint8_t* bytes) {
     return hn::ConvertTo(Floats(), hn::PromoteTo(di, hn::LoadU(d8, bytes)));
 }
 
-/// The bounds of a lane's children on axis `k` of their own frame, in steps.
+/// Returns the lower bounds of a lane's children on axis `k` of their own frame, in steps.
 HWY_INLINE V low_of(const Side& side, std::size_t k, std::size_t lane) {
     return from_bytes(side.low[k].data() + lane);
 }
@@ -99,7 +100,7 @@ HWY_INLINE V high_of(const Side& side, std::size_t k, std::size_t lane) {
 
 HWY_INLINE std::uint32_t bits_of(M mask) {
 #if HWY_TARGET == HWY_AVX3
-    return mask.raw; // Not by way of memory.
+    return mask.raw; // Avoids a round trip through memory.
 #else
     std::uint8_t bytes[8] = {};
     hn::StoreMaskBits(Floats(), mask, bytes);
@@ -107,7 +108,8 @@ HWY_INLINE std::uint32_t bits_of(M mask) {
 #endif
 }
 
-/// Where the other node sees the children; which of them may reach into its whole box.
+/// Computes the intervals of the children in the other node's frame and returns the mask of
+/// children that may overlap the other node's whole box.
 template <bool kByAxis>
 HWY_INLINE std::uint32_t see(const Side& side, const Change<kByAxis>& change, Intervals& seen) {
     const Floats d;
@@ -142,7 +144,7 @@ HWY_INLINE std::uint32_t see(const Side& side, const Change<kByAxis>& change, In
     return found & ((1u << side.count) - 1);
 }
 
-/// As `see`, of a node as its own only child.
+/// Computes what `see` does for a node treated as its own only child.
 template <bool kByAxis>
 HWY_INLINE std::uint32_t see_whole(const Change<kByAxis>& change, Intervals& seen) {
     bool is_apart = false;
@@ -162,7 +164,7 @@ HWY_INLINE std::uint32_t see_whole(const Change<kByAxis>& change, Intervals& see
 
 #if HWY_TARGET == HWY_SCALAR || HWY_MAX_BYTES < 32
 
-/// Too few lanes to look corners up in registers.
+/// The vectors have too few lanes for look-ups of corners in registers.
 constexpr std::uint32_t vertices_max = 0;
 
 template <bool kByAxis>
@@ -176,11 +178,11 @@ HWY_INLINE std::uint32_t see_triangles(const WideBody&,
 
 #else
 
-/// The most vertices of a block whose triangles are seen corner by corner: two vectors of sixteen
-/// lanes hold as many of one coordinate, or two of eight half as many.
+/// The most vertices of a block whose triangles are bounded corner by corner: two vectors of
+/// sixteen lanes hold so many values of one coordinate, two vectors of eight half as many.
 constexpr std::uint32_t vertices_max = 2 * lanes;
 
-/// Numbers of as many vertices.
+/// One number for each of up to `kHalves * lanes` vertices.
 template <std::size_t kHalves>
 struct Table {
     V numbers[kHalves];
@@ -204,7 +206,7 @@ struct Table {
     }
 };
 
-/// As many vertices as there are lanes, from an origin.
+/// Loads as many vertices as there are lanes, relative to an origin.
 HWY_INLINE void
 load_vertices(const float* vertices, const std::array<double, 3>& origin, V& x, V& y, V& z) {
     const Floats d;
@@ -287,7 +289,8 @@ HWY_INLINE std::uint32_t see_corners(const T* vertices,
     return found & ((1u << side.count) - 1);
 }
 
-/// As `see`, with intervals around the triangles themselves where they have few enough vertices.
+/// Computes what `see` does, with intervals around the triangles themselves where they have few
+/// enough vertices.
 template <bool kByAxis>
 HWY_INLINE std::uint32_t see_triangles(const WideBody& body,
                                        const Side& side,

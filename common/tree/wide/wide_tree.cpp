@@ -19,7 +19,7 @@ namespace {
 
 using Axes = WideBoxes::Axes;
 
-/// The moments of a block's triangles.
+/// Returns the moments of a block's triangles.
 Moments moments_of(const TriangleBlocks& blocks, std::uint32_t block, std::uint32_t count) {
     std::array<Vec3, block_vertices_max> vertices;
     const std::size_t first = blocks.vertex_begin[block];
@@ -36,8 +36,8 @@ Moments moments_of(const TriangleBlocks& blocks, std::uint32_t block, std::uint3
         std::span(triangles).first(count), std::span(vertices).first(vertex_count), vertices[0]);
 }
 
-/// In the frame that is closest to its own and has a code, or in the body's where the children's
-/// boxes are smaller there.
+/// Makes a node in the encodable frame that is closest to its own frame, or in the body's frame
+/// where the children's boxes are smaller there.
 WideNode make_node(const WideBoxes& boxes, std::size_t place, const Axes& own) {
     const WideNode in_body = boxes.in_frame(place, body_axes);
     const FrameCode code = code_of(own);
@@ -48,7 +48,7 @@ WideNode make_node(const WideBoxes& boxes, std::size_t place, const Axes& own) {
     return cost_of(in_body) < 1.001 * cost_of(in_own) ? in_body : in_own;
 }
 
-/// Makes the nodes of a plan in place of those that know their children alone.
+/// Replaces the nodes of a plan, which only know their children, by complete ones.
 class Maker {
   public:
     Maker(const TreeView& tree,
@@ -57,7 +57,7 @@ class Maker {
           std::span<WideNode> nodes)
         : tree_(tree), plan_(plan), blocks_(blocks), nodes_(nodes), boxes_(blocks, nodes) {}
 
-    /// For any number of threads at once.
+    /// Any number of threads may call it at once.
     void make(std::size_t begin, std::size_t count) const;
 
   private:
@@ -91,7 +91,7 @@ bool has_small_leaves(std::span<const ObbNode> nodes) {
     });
 }
 
-/// The leaves in the order in which the plan has them.
+/// Returns the leaves in the order of the plan.
 std::vector<std::uint32_t> leaves_in(std::span<const WidePlanNode> plan) {
     std::vector<std::uint32_t> leaves;
     for (const WidePlanNode& node : plan) {
@@ -102,7 +102,7 @@ std::vector<std::uint32_t> leaves_in(std::span<const WidePlanNode> plan) {
     return leaves;
 }
 
-/// The nodes without their boxes. Blocks have the order of the plan's leaves.
+/// Returns the nodes without their boxes. Blocks have the order of the plan's leaves.
 std::vector<WideNode> outline_of(std::span<const WidePlanNode> plan) {
     std::vector<WideNode> nodes(plan.size());
     std::uint32_t block = 0;
@@ -117,7 +117,7 @@ std::vector<WideNode> outline_of(std::span<const WidePlanNode> plan) {
 }
 
 void make_nodes(const Maker& maker, std::size_t count, ThreadPool* pool) {
-    // The first nodes take as long as many others: each is a task of its own.
+    // The first nodes take as long as many others, so each is a task of its own.
     constexpr std::size_t alone = 32;
     constexpr std::size_t at_once = 64;
     const std::size_t large = std::min(alone, count);

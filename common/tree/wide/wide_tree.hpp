@@ -1,4 +1,4 @@
-// The tree that queries walk: made of the paper's binary tree, sixteen children to a node.
+// The tree that queries descend: made from the paper's binary tree, sixteen children to a node.
 #pragma once
 
 #include "common/core/host/thread_pool.hpp"
@@ -10,21 +10,21 @@
 
 namespace cd {
 
-/// False where coordinates are so large or the body so small that floats cannot hold what is made
-/// of them, and where a binary leaf has too many triangles: such bodies are searched in the binary
-/// tree. A body that suits has parts that do.
+/// Returns false where coordinates are so large or the body so small that floats cannot hold the
+/// derived values, and where a binary leaf has too many triangles. Such bodies are searched in the
+/// binary tree. Every part of a body that suits suits, too.
 [[nodiscard]] bool suits_wide_tree(const TreeView& body);
 
 /// An immutable wide tree with its triangles, shared freely between threads.
 class WideTree {
   public:
-    /// Collapses the binary tree at hand; without nodes where it does not suit. The same for any
-    /// number of threads; without a pool it is made on the caller's alone.
+    /// Collapses `binary`; the result has no nodes where that tree does not suit. It is equal for
+    /// any number of threads; without a pool the caller's thread does all the work.
     explicit WideTree(const TreeView& binary, ThreadPool* pool = nullptr);
-    /// Of a part of a body that suits, or all of it.
+    /// Collapses a part of a body that suits, or all of it.
     [[nodiscard]] static WideTree of_part(const TreeView& binary, ThreadPool* pool = nullptr);
 
-    /// The tree in these arrays, which stay as they are while `owner` lives.
+    /// Wraps existing arrays, which do not change while `owner` lives.
     WideTree(const WideView& arrays, std::shared_ptr<const void> owner)
         : view_(arrays), owner_(std::move(owner)) {}
 
@@ -33,7 +33,7 @@ class WideTree {
 
   private:
     WideView view_;
-    std::shared_ptr<const void> owner_; ///< Of what the view shows.
+    std::shared_ptr<const void> owner_; ///< Owns the arrays that the view refers to.
 };
 
 } // namespace cd

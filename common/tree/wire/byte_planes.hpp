@@ -1,5 +1,5 @@
-// Columns of values as byte planes: all lowest bytes, then all second ones, and so on. Exponents
-// and leading digits, which are alike, then stand together and compress.
+// Encodes columns of values as byte planes: all lowest bytes, then all second ones, and so on.
+// Exponents and leading digits, which are alike, are then adjacent and compress well.
 #pragma once
 
 #include "common/core/files/bytes.hpp"
@@ -14,7 +14,7 @@
 
 namespace cd {
 
-/// The lowest `planes` bytes of each value; the others are 0.
+/// Writes the lowest `planes` bytes of each value; the other bytes are 0.
 template <std::unsigned_integral T>
 void put_planes(ByteWriter& out, std::span<const T> values, std::size_t planes = sizeof(T)) {
     std::vector<std::uint8_t> plane(values.size());
@@ -26,7 +26,7 @@ void put_planes(ByteWriter& out, std::span<const T> values, std::size_t planes =
     }
 }
 
-/// The inverse. Empty when the bytes end early.
+/// Reads what `put_planes` wrote. Returns an empty vector when the bytes end early.
 template <std::unsigned_integral T>
 std::vector<T> get_planes(ByteReader& in, std::size_t count, std::size_t planes = sizeof(T)) {
     const std::span<const std::byte> bytes = in.get_bytes(planes * std::uint64_t{count});
@@ -43,7 +43,7 @@ std::vector<T> get_planes(ByteReader& in, std::size_t count, std::size_t planes 
     return values;
 }
 
-/// The bytes that the largest of these values needs.
+/// Returns the number of bytes that the largest of these values needs.
 [[nodiscard]] inline std::size_t planes_for(std::span<const std::uint32_t> values) {
     std::uint32_t bits = 0;
     for (const std::uint32_t value : values) {
@@ -61,7 +61,7 @@ std::vector<T> get_planes(ByteReader& in, std::size_t count, std::size_t planes 
 template <class Float>
 using BitsOf = std::conditional_t<sizeof(Float) == 4, std::uint32_t, std::uint64_t>;
 
-/// One number of each item as a column; `number(i)` is that of item i.
+/// Writes one number of each item as a column; `number(i)` returns that of item i.
 template <class Float, class Number>
 void put_column(ByteWriter& out, std::size_t count, const Number& number) {
     std::vector<BitsOf<Float>> bits(count);
@@ -71,7 +71,7 @@ void put_column(ByteWriter& out, std::size_t count, const Number& number) {
     put_planes(out, std::span<const BitsOf<Float>>(bits));
 }
 
-/// The inverse; `number(i)` is set. False when the bytes end early.
+/// Reads a column; `number(i)` is assigned for each item. Returns false when the bytes end early.
 template <class Float, class Number>
 bool get_column(ByteReader& in, std::size_t count, const Number& number) {
     const auto bits = get_planes<BitsOf<Float>>(in, count);

@@ -21,15 +21,15 @@ constexpr std::uint8_t version = 1;
 constexpr std::uint8_t flag_double = 1;
 constexpr std::uint8_t flag_wide_indices = 2;
 
-/// Distances behind the next vertex reach the number of vertices.
+/// Distances behind the next vertex are at most the number of vertices.
 bool needs_wide_indices(std::size_t vertices) {
     return vertices > UINT16_MAX;
 }
 
 // ---- Triangles -------------------------------------------------------------------------------
 
-/// Each corner as how far it lies behind the next vertex not yet met: 0 is a new one. Vertices are
-/// numbered by first use, so that most numbers are small.
+/// Encodes each corner as its distance behind the next vertex not yet met: 0 is a new vertex.
+/// Vertices are numbered by first use, so that most distances are small.
 template <std::unsigned_integral Index>
 void put_corners(ByteWriter& out, std::span<const Triangle> triangles, std::size_t vertices) {
     std::vector<Index> distances;
@@ -46,7 +46,7 @@ void put_corners(ByteWriter& out, std::span<const Triangle> triangles, std::size
     put_planes(out, std::span<const Index>(distances));
 }
 
-/// Empty when a corner names no vertex, or a vertex is not used.
+/// Decodes corners. Returns an empty vector when a corner names no vertex, or a vertex is unused.
 template <std::unsigned_integral Index>
 std::vector<Triangle> get_corners(ByteReader& in, std::size_t count, std::size_t vertices) {
     const auto distances = get_planes<Index>(in, 3 * count);
@@ -70,7 +70,7 @@ void put_ids(ByteWriter& out, std::span<const std::uint32_t> ids) {
     steps.reserve(ids.size());
     std::uint32_t before = 0;
     for (const std::uint32_t id : ids) {
-        // Modulo 2^32, so that every step fits.
+        // Steps are modulo 2^32, so that every step fits.
         steps.push_back(static_cast<std::uint32_t>(zigzag(static_cast<std::int32_t>(id - before))));
         before = id;
     }
@@ -160,7 +160,8 @@ Result<Subtree> decode_subtree(std::span<const std::byte> bytes) {
     const auto triangle_count = in.get<std::uint32_t>();
     const bool is_double = (flags & flag_double) != 0;
     const bool is_wide = (flags & flag_wide_indices) != 0;
-    // A vertex takes 12 bytes at least, a triangle 10: what is not there is not allocated.
+    // A vertex takes at least 12 bytes, a triangle 10: nothing is allocated that the bytes cannot
+    // hold.
     if (in.failed() || flags > (flag_double | flag_wide_indices) || node_count == 0 ||
         triangle_count == 0 || is_wide != needs_wide_indices(vertex_count) ||
         node_count > in.remaining() / node_bytes_min || vertex_count > in.remaining() / 12 ||

@@ -1,4 +1,4 @@
-// One distribution root's subtree as bytes: what is streamed, cached, and named by its hash.
+// Encodes a distribution root's subtree as a block, which is sent, cached and named by its hash.
 #pragma once
 
 #include "common/core/files/bytes.hpp"
@@ -12,8 +12,8 @@
 
 namespace cd {
 
-/// The canonical, uncompressed bytes of a subtree as `extract_subtree` makes them: the same for the
-/// same tree, on any host. Of a wide one what `encode_wide_block` says. Of a binary one:
+/// Encodes a subtree that `extract_subtree` made as canonical, uncompressed bytes: equal trees give
+/// equal bytes on any host. A wide subtree is encoded by `encode_wide_block`, a binary one as:
 ///
 ///     u8 version = 1    u8 flags (1: double vertices, 2: 32-bit corners)
 ///     u32 nodes    u32 vertices    u32 triangles
@@ -22,13 +22,14 @@ namespace cd {
 ///     three corners of each triangle (u16 or u32): how far behind the next vertex not yet met
 ///     triangle ids (u32): the zigzag step from the id before
 ///
-/// Each column, the corners and the ids stand as byte planes.
+/// Each column, the corners and the ids are stored as byte planes.
 [[nodiscard]] Bytes encode_subtree(const Subtree& subtree);
 
-/// The inverse. The bytes may be hostile: every index, range and number is checked, and nothing is
-/// allocated that the bytes do not justify (at most 3 times their size, or what `decode_wide_block`
-/// says). That ids are distinct, and boxes of a binary subtree contain their triangles, is not
-/// checked: the block's hash vouches for its origin. Errors: BadFrame.
+/// Decodes `encode_subtree`. The bytes may be hostile: every index, range and number is checked,
+/// and nothing is allocated that the bytes do not justify (at most 3 times their size, or the bound
+/// of `decode_wide_block`). The function does not check that ids are distinct and that boxes of a
+/// binary subtree contain their triangles: the block's hash vouches for its origin. Errors:
+/// BadFrame.
 [[nodiscard]] Result<Subtree> decode_subtree(std::span<const std::byte> bytes);
 
 } // namespace cd

@@ -1,4 +1,4 @@
-// The top of a cut tree as bytes: streamed, cached and named by its hash like a subtree's block.
+// Encodes the upper tree as a block, which is sent, cached and named by its hash.
 #pragma once
 
 #include "common/core/files/bytes.hpp"
@@ -9,13 +9,13 @@
 
 namespace cd {
 
-/// The canonical, uncompressed bytes of a top:
+/// Encodes an upper tree as canonical, uncompressed bytes:
 ///
 ///     u8 version = 1    u32 nodes    u32 triangles    the nodes (node_columns.hpp)
 [[nodiscard]] Bytes encode_top(const TreeTop& top);
 
-/// The inverse. The bytes may be hostile; nothing is allocated that they do not justify. Errors:
-/// BadFrame.
+/// Decodes `encode_top`. The bytes may be hostile; nothing is allocated that they do not justify.
+/// Errors: BadFrame.
 [[nodiscard]] Result<TreeTop> decode_top(std::span<const std::byte> bytes);
 
 } // namespace cd

@@ -71,7 +71,7 @@ void put_nodes(ByteWriter& out, std::span<const WideNode> nodes) {
     }
 }
 
-/// How many triangles each block has.
+/// Returns the number of triangles of each block.
 std::vector<std::uint8_t> triangle_counts(const WideView& wide) {
     std::vector<std::uint8_t> counts;
     for (const WideNode& node : wide.nodes) {
@@ -99,10 +99,11 @@ void put_corners(ByteWriter& out,
     }
 }
 
-/// The vertices of all blocks, those in one place once, by their first use.
+/// The distinct vertices of all blocks, in the order of first use.
 struct SharedVertices {
-    std::vector<std::uint32_t> steps_back; ///< Of each vertex of each block.
-    std::vector<std::uint32_t> first_uses; ///< Of each of these vertices: one in the blocks.
+    std::vector<std::uint32_t> steps_back; ///< For each vertex of each block.
+    std::vector<std::uint32_t>
+        first_uses; ///< For each distinct vertex, the index of one use in the blocks.
 };
 
 template <class Float>
@@ -123,7 +124,7 @@ SharedVertices share_vertices(const TriangleBlocks& blocks) {
     std::ranges::sort(by_place, [&](std::uint32_t left, std::uint32_t right) {
         return std::pair(key(left), left) < std::pair(key(right), right);
     });
-    std::vector<std::uint32_t> first_in_place(count); // The first vertex that is where each is.
+    std::vector<std::uint32_t> first_in_place(count); // The first vertex with equal coordinates.
     for (std::size_t i = 0; i < count; ++i) {
         const bool is_new = i == 0 || key(by_place[i]) != key(by_place[i - 1]);
         first_in_place[by_place[i]] = is_new ? by_place[i] : first_in_place[by_place[i - 1]];
@@ -155,7 +156,7 @@ void put_vertices(ByteWriter& out,
     }
 }
 
-/// Modulo 2^32, so that every step fits.
+/// Returns the steps between ids modulo 2^32, so that every step fits.
 std::vector<std::uint32_t> id_steps(const TriangleBlocks& blocks,
                                     std::span<const std::uint8_t> counts) {
     std::vector<std::uint32_t> steps;
@@ -201,12 +202,12 @@ Bytes encode(const WideView& wide) {
 struct Outline {
     std::vector<WideNode> nodes;
     std::vector<FrameCode> frames;
-    std::vector<std::uint8_t> counts; ///< Triangles of each block.
+    std::vector<std::uint8_t> counts; ///< Number of triangles of each block.
     std::size_t triangles = 0;
 };
 
-/// Numbers children and blocks. False when the nodes are no tree, or one so deep that making its
-/// boxes could take long.
+/// Numbers children and blocks. Returns false when the nodes are no tree, or one so deep that
+/// making its boxes could take long.
 bool number_children(std::vector<WideNode>& nodes) {
     struct Open {
         std::size_t node;
@@ -275,7 +276,8 @@ bool get_outline(ByteReader& in, std::size_t count, Outline& outline) {
     return number_children(outline.nodes) && get_frames(in, kinds, outline.frames);
 }
 
-/// One column of coordinates; false when the bytes end early or a number is too large, or none.
+/// Reads one column of coordinates. Returns false when the bytes end early or a number is NaN or
+/// too large.
 template <class Float>
 bool get_coordinates(ByteReader& in, std::size_t count, std::vector<Float>& column, double& reach) {
     const std::vector<BitsOf<Float>> bits = get_planes<BitsOf<Float>>(in, count);
@@ -283,7 +285,7 @@ bool get_coordinates(ByteReader& in, std::size_t count, std::vector<Float>& colu
         return false;
     }
     column.resize(count);
-    // Sizes of floats have the order of their bits, and NaN comes last.
+    // The bits of floats without sign sort as the absolute values do, and NaN comes last.
     constexpr BitsOf<Float> sign = BitsOf<Float>{1} << (8 * sizeof(Float) - 1);
     BitsOf<Float> largest = 0;
     for (std::size_t i = 0; i < count; ++i) {
@@ -317,9 +319,9 @@ class BlockFiller {
         }
     }
 
-    /// False when corners name no vertex.
+    /// Returns false when corners name no vertex.
     bool fill(std::size_t block, std::size_t triangles);
-    /// All vertices were met.
+    /// True if all vertices were met.
     [[nodiscard]] bool is_complete() const {
         return next_ == vertices_[0].size() && step_back_ == steps_end_;
     }
@@ -335,7 +337,7 @@ class BlockFiller {
     WideBlocks& blocks_;
     Float* to_;
     std::size_t next_ = 0;           ///< The next vertex not yet met.
-    std::uint32_t first_before_ = 0; ///< The first id of the block before.
+    std::uint32_t first_before_ = 0; ///< The first id of the previous block.
     std::uint32_t vertices_before_ = 0;
 };
 
@@ -344,7 +346,8 @@ bool BlockFiller<Float>::copy_vertices(std::size_t count) {
     const std::size_t all = vertices_[0].size();
     for (std::size_t i = 0; i < count; ++i) {
         const std::uint32_t back = *step_back_++;
-        const std::size_t vertex = next_ - back; // Wraps round to what is refused.
+        const std::size_t vertex =
+            next_ - back; // An underflow wraps round to an index that is refused.
         if (vertex >= all) {
             return false;
         }
@@ -433,7 +436,7 @@ get_blocks(ByteReader& in, const Header& header, const Outline& outline, WideBlo
     return filler.is_complete() ? Status(Done{}) : bad("vertices that no triangle has");
 }
 
-/// Makes the boxes. False for a frame that is none.
+/// Makes the boxes. Returns false for an invalid frame.
 bool make_boxes(const std::vector<FrameCode>& frames, Arrays& arrays) {
     const WideBoxes boxes(arrays.blocks.view(), arrays.nodes);
     for (std::size_t i = 0; i < frames.size(); ++i) {
@@ -465,8 +468,8 @@ Result<WideTree> decode_wide_block(std::span<const std::byte> bytes) {
                         vertices.value_or(0),
                         std::size_t{flags} >> number_planes_shift & planes_mask,
                         std::size_t{flags} >> id_planes_shift & planes_mask};
-    // A leaf takes four bytes at least, a node above leaves one, and a vertex twelve: what is not
-    // there is not allocated.
+    // A leaf takes at least four bytes, a node above leaves one, and a vertex twelve: nothing is
+    // allocated that the bytes cannot hold.
     if (flags >= 128 || header.number_planes > 4 || header.id_planes > 4 ||
         header.nodes > in.remaining() / 2 || header.vertices > in.remaining() / 12) {
         return bad("a header that does not fit the bytes");

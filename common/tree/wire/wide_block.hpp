@@ -1,4 +1,4 @@
-// A wide tree as bytes: what exact searches of a subtree travel as.
+// Encodes a wide tree as a block: the form in which subtrees for exact searches are sent.
 #pragma once
 
 #include "common/core/files/bytes.hpp"
@@ -12,9 +12,9 @@ namespace cd {
 
 inline constexpr std::uint8_t wide_block_version = 2;
 
-/// The canonical, uncompressed bytes of a wide tree as `WideTree::of_part` makes them: the same for
-/// the same tree, on any host. No box is among them: who decodes makes each of the triangles that
-/// it bounds, in the frame that is named, and gets the same.
+/// Encodes a wide tree that `WideTree::of_part` made as canonical, uncompressed bytes: equal trees
+/// give equal bytes on any host. The bytes contain no boxes: the decoder recomputes each box from
+/// the triangles that it bounds, in the encoded frame, and gets equal bits.
 ///
 ///     u8 version = 2    u8 flags (bit 0: double vertices; bits 1 to 3 and 4 to 6: byte planes of
 ///         the vertices' numbers and of ids, 0 to 4)
@@ -31,13 +31,13 @@ inline constexpr std::uint8_t wide_block_version = 2;
 ///     ids: in each leaf ascending, less the one before and 1; the first of a leaf as zigzag step
 ///         from the first of the leaf before
 ///
-/// All columns but nodes and corners stand as byte planes. A tree without nodes has no block.
+/// All columns but nodes and corners are stored as byte planes. A tree without nodes has no block.
 [[nodiscard]] Bytes encode_wide_block(const WideView& wide);
 
-/// The inverse. The bytes may be hostile: every number is checked, and nothing is allocated that
-/// they do not justify (at most 150 times their size: a leaf has room for sixteen triangles and
-/// their boxes). That ids are distinct is not checked: the block's hash vouches for its origin.
-/// Errors: BadFrame.
+/// Decodes `encode_wide_block`. The bytes may be hostile: every number is checked, and nothing is
+/// allocated that they do not justify (at most 150 times their size: a leaf has room for sixteen
+/// triangles and their boxes). The function does not check that ids are distinct: the block's hash
+/// vouches for its origin. Errors: BadFrame.
 [[nodiscard]] Result<WideTree> decode_wide_block(std::span<const std::byte> bytes);
 
 } // namespace cd

@@ -49,7 +49,7 @@ WideBlocks make_wide_blocks(const TreeView& tree,
         parts[task] = make_part(tree, leaves, leaf_of_block.subspan(begin, count), precision);
     });
 
-    std::vector<std::uint32_t> vertices_before; // Of each part, and all.
+    std::vector<std::uint32_t> vertices_before; // Number of vertices before each part, then of all.
     WideBlocks all;
     std::uint32_t vertices = 0;
     for (const TriangleBlockArrays& part : parts) {
@@ -58,7 +58,7 @@ WideBlocks make_wide_blocks(const TreeView& tree,
         vertices += view.vertex_begin.back();
         all.reach = std::max(all.reach, view.reach);
     }
-    // What may be read after the last vertex comes with the last part.
+    // The padding after the last vertex comes with the last part.
     const TriangleBlocks last = parts.back().view();
     const std::size_t spare = 3 * std::size_t{last.vertex_begin.back()};
     const std::size_t numbers = 3 * std::size_t{vertices};

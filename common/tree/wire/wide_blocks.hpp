@@ -1,4 +1,4 @@
-// The triangles of a wide tree's leaves as blocks, made by several threads.
+// Makes blocks of the triangles of a wide tree's leaves, by several threads.
 #pragma once
 
 #include "common/core/host/thread_pool.hpp"
@@ -12,7 +12,7 @@
 
 namespace cd {
 
-/// What TriangleBlocks shows, in arrays that hold no more than it.
+/// The arrays that a TriangleBlocks views, without spare capacity.
 struct WideBlocks {
     std::vector<float> floats;
     std::vector<double> doubles;
@@ -26,8 +26,8 @@ struct WideBlocks {
     }
 };
 
-/// Block k holds the triangles of leaf `leaf_of_block[k]`. With Precision::Float all vertices are
-/// floats. The same for any number of threads.
+/// Makes block k of the triangles of leaf `leaf_of_block[k]`. With Precision::Float all vertices
+/// are floats. The result is equal for any number of threads.
 [[nodiscard]] WideBlocks make_wide_blocks(const TreeView& tree,
                                           const WideLeaves& leaves,
                                           std::span<const std::uint32_t> leaf_of_block,
