@@ -9,7 +9,7 @@
 
 namespace cd {
 
-/// A box of B as seen by A, rounded.
+/// A box of B in A's body coordinates, rounded.
 struct PosedBox {
     std::array<double, 9> axes{};   ///< Row-major: B's three directions in A's body coordinates.
     std::array<double, 3> center{}; ///< In A's body coordinates.
@@ -37,8 +37,9 @@ class BoxTest {
         return may_overlap(a, pose(b));
     }
 
-    /// Bounds the distance of any point of box `a` from any of box `b`, in A's body coordinates, in
-    /// exact terms. Infinite, never NaN, where numbers overflow or the pose's bounds are of no use.
+    /// Returns an upper bound on the distance between any point of box `a` and any point of box
+    /// `b`, in A's body coordinates, in exact terms. The bound is infinite, never NaN, where
+    /// numbers overflow or the pose's bounds are of no use.
     [[nodiscard]] double distance_max(const ObbNode& a, const PosedBox& b) const;
 
   private:

@@ -57,7 +57,8 @@ HWY_INLINE Vectors scaled(V factor, const Vectors& a) {
     return {factor * a.x, factor * a.y, factor * a.z};
 }
 
-/// Exactly a unit vector if `a` has one component that is not zero and `length` is its size.
+/// Divides `a` by `length`. The result is exactly a unit vector if `a` has one nonzero component
+/// and `length` is its absolute value.
 HWY_INLINE Vectors quotient(const Vectors& a, V length) {
     return {a.x / length, a.y / length, a.z / length};
 }

@@ -26,7 +26,7 @@ struct BuildInput {
     bool measurable = true;
 };
 
-/// A node on its way into the tree.
+/// A node that is still to be made.
 struct NodeToMake {
     ObbNode node;                       ///< Its range of triangles is set.
     std::span<BuildTriangle> triangles; ///< The triangles of the range.

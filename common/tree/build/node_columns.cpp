@@ -75,7 +75,8 @@ bool get_boxes(ByteReader& in, std::span<ObbNode> nodes) {
     return complete && !in.failed() && std::all_of(nodes.begin(), nodes.end(), is_valid_box);
 }
 
-/// The shape of the tree: of each node in preorder 0, or for a leaf the number of its triangles.
+/// Writes the shape of the tree: for each node in preorder 0, or for a leaf its number of
+/// triangles.
 void put_shape(ByteWriter& out, std::span<const ObbNode> nodes) {
     for (const ObbNode& node : nodes) {
         put_varint(out, node.is_leaf() ? node.triangle_count() : 0);

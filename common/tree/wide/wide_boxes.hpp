@@ -11,7 +11,8 @@
 
 namespace cd {
 
-/// Coordinates and the whole tree's size are between these, with room for products of floats.
+/// Coordinates are below the first bound and the whole tree's size is above the second, so that
+/// products of floats neither overflow nor underflow.
 inline constexpr double wide_coordinate_max = 0x1p50;
 inline constexpr double wide_size_min = 0x1p-40;
 

@@ -29,12 +29,13 @@ struct WideLeaves {
     std::vector<WideGroup> groups; ///< From left to right.
 };
 
-/// A group is a binary node with at most sixteen times sixteen triangles whose parent has more. It
-/// becomes as few leaves as hold its triangles: binary nodes with at most sixteen would fill two
-/// thirds of the lanes. It is halved where the boxes' surfaces, each times its leaves, sum to the
-/// least, as long as both halves fill their leaves; boxes are those of triangles in the node's
-/// frame. A leaf has its triangles by their ids. The same for any number of threads; without a pool
-/// on the caller's alone.
+/// Makes the leaves of a wide tree. A group is a binary node with at most sixteen times sixteen
+/// triangles whose parent has more. It becomes as few leaves as hold its triangles: binary nodes
+/// with at most sixteen would fill two thirds of the lanes. It is halved where the boxes' surfaces,
+/// each times its leaves, have the least sum, as long as both halves fill their leaves; the boxes
+/// are those of triangles in the node's frame. A leaf has its triangles in the order of their ids.
+/// The result is equal for any number of threads; without a pool the caller's thread does all the
+/// work.
 [[nodiscard]] WideLeaves make_wide_leaves(const TreeView& tree, ThreadPool* pool);
 
 } // namespace cd

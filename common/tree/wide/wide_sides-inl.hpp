@@ -236,8 +236,8 @@ load_vertices(const double* vertices, const std::array<double, 3>& origin, V& x,
     z = narrowed(2);
 }
 
-/// As `see`, with intervals around triangles of at most `kHalves * lanes` vertices, the first of
-/// which is given, instead of around their boxes.
+/// Computes what `see` does, with intervals around triangles of at most `kHalves * lanes` vertices,
+/// the first of which is given, instead of around their boxes.
 template <std::size_t kHalves, class T, bool kByAxis>
 HWY_INLINE std::uint32_t see_corners(const T* vertices,
                                      const BlockCorners* corners,
