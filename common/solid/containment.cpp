@@ -9,7 +9,7 @@ namespace cd {
 
 namespace {
 
-/// The exact frame of two bodies, made when it is first needed: it costs more than most searches.
+/// The exact frame of two bodies, made on first use because it costs more than most searches.
 class LateFrame {
   public:
     LateFrame(const Pose& outer, const Pose& inner) : outer_(outer), inner_(inner) {}

@@ -1,4 +1,4 @@
-// Whether a part of one closed body lies inside another.
+// Decides whether a part of one closed body lies inside another.
 #pragma once
 
 #include "common/geometry/pose.hpp"
@@ -8,10 +8,11 @@
 
 namespace cd {
 
-/// True when some of the probes, which are of `inner`, lies strictly in the solid that what they
-/// meet of `outer` bounds, by the parity of a ray's crossings. Meant for bodies of which nothing
-/// that meets touches. `outer` must be closed. Exact under the poses as given; never wrong through
-/// rounding. Adds what it costs; who knows that the bodies' boxes are apart need not ask.
+/// Returns true when some probe, a point of `inner`, lies strictly in the solid that is bounded by
+/// those triangles of `outer` that are not left out for it, by the parity of a ray's crossings. The
+/// bodies do not touch in any pair that is not ignored, and `outer` is closed. The answer is exact
+/// under the given poses. Adds the cost to the statistics. A caller that knows that the bodies'
+/// boxes are apart can skip the call.
 [[nodiscard]] bool contains_component(const ObbTree& outer,
                                       const Pose& outer_pose,
                                       const ObbTree& inner,

@@ -1,5 +1,4 @@
-// Doubles that know whether they are exact: where numbers are short, they
-// decide ties at once.
+// Doubles that record whether they are exact: short numbers decide ties without integers.
 #pragma once
 
 #include "common/pair/numbers/double_double.hpp"
@@ -9,7 +8,7 @@
 
 namespace cd {
 
-/// A value with whether every step to it was exact.
+/// A value with a flag that says whether every step to it was exact.
 struct ExactDouble {
     double value = 0;
     bool is_exact = true;
@@ -20,7 +19,7 @@ struct ExactDouble {
 };
 
 [[nodiscard]] inline ExactDouble operator+(const ExactDouble& l, const ExactDouble& r) {
-    const DoubleDouble sum = exact_sum(l.value, r.value); // What overflows has a NaN for its rest.
+    const DoubleDouble sum = exact_sum(l.value, r.value); // An overflow gives a NaN as the rest.
     return {sum.high, l.is_exact && r.is_exact && sum.low == 0};
 }
 
@@ -30,7 +29,7 @@ struct ExactDouble {
 
 [[nodiscard]] inline ExactDouble operator*(const ExactDouble& l, const ExactDouble& r) {
     const DoubleDouble product = exact_product(l.value, r.value);
-    // Above this nothing underflowed on the way to the rest.
+    // Above this bound the rest did not underflow.
     const bool in_range = l.value == 0 || r.value == 0 || std::abs(product.high) > 0x1p-900;
     return {product.high, l.is_exact && r.is_exact && in_range && product.low == 0};
 }

@@ -48,9 +48,10 @@ std::optional<int> proven_volume_sign(const std::array<Vec3, 3>& seen, double er
     const double size_2 = seen[2].cwiseAbs().maxCoeff();
     const double pairs = size_0 * size_1 + size_1 * size_2 + size_2 * size_0;
     const double sum = size_0 + size_1 + size_2 + error;
-    // Six products of three, each at most size_0 size_1 size_2. The differences, two products, a
-    // difference, a product and two sums round: 8 u to first order, twice that for the rest. An
-    // error of each component moves a product by error * pairs, and less for its powers.
+    // The determinant has six products of three, each at most size_0 size_1 size_2. The
+    // differences, two products, a difference, a product and two sums round: 8 u to first order;
+    // the bound takes twice that to cover higher orders. An error of each component moves a product
+    // by error * pairs, and less for its powers.
     const double bound = 96 * unit_roundoff * size_0 * size_1 * size_2 +
                          8 * error * (pairs + error * sum) + 0x1p-1000 * (1 + sum);
     return proven_sign(seen[2].dot(seen[0].cross(seen[1])), bound);
@@ -62,7 +63,7 @@ ExactFrame::ExactFrame(const Pose& outer, const Pose& inner) {
     // With world = (L x + t) / n of either body, the inner point x lies at
     //     y = Lo^-1 ((no / ni) (Li x + ti) - to)
     // in outer's coordinates. The frame has det(Lo) ni y, or minus that if the factor is negative:
-    // adj(Lo) stands for the inverse, and its rows are cross products of columns.
+    // adj(Lo) replaces the inverse; its rows are cross products of columns.
     std::array<DyadicVec, 3> adjugate{cross(column(o.linear, 1), column(o.linear, 2)),
                                       cross(column(o.linear, 2), column(o.linear, 0)),
                                       cross(column(o.linear, 0), column(o.linear, 1))};

@@ -1,4 +1,4 @@
-// Points in exact numbers, and one exact frame that two posed bodies share.
+// Exact points, and one exact frame that two posed bodies share.
 #pragma once
 
 #include "common/geometry/pose.hpp"
@@ -27,31 +27,31 @@ using DyadicVec = std::array<Dyadic, 3>;
     return value.mantissa.sign();
 }
 
-/// The sign of a value that errs by at most `error`; nothing when that leaves it open.
+/// Returns the sign of a value that errs by at most `error`, or nothing when that leaves it open.
 [[nodiscard]] inline std::optional<int> proven_sign(double value, double error) {
-    // Finite intermediate results are part of the bound; NaN and infinity decide nothing.
+    // The bound assumes finite intermediate results; NaN and infinity decide nothing.
     return std::isfinite(value) && std::abs(value) > error ? std::optional(sign_of(value))
                                                            : std::nullopt;
 }
 
-/// The sign of det(seen[0], seen[1], seen[2]) for vectors that are rounded differences of numbers
-/// of which some err by `error`; nothing when that leaves it open.
+/// Returns the sign of det(seen[0], seen[1], seen[2]) for rounded differences of vectors some of
+/// which err by `error` in each component. Returns nothing when that leaves the sign open.
 [[nodiscard]] std::optional<int> proven_volume_sign(const std::array<Vec3, 3>& seen, double error);
 
-/// The point value / weight; the weight is above 0.
+/// The point value / weight with a positive weight.
 struct ExactPoint {
     DyadicVec value;
     Dyadic weight{1, 0};
 };
 
 /// The coordinates of the outer one of two bodies, all multiplied by one positive number, the
-/// scale: so no pose needs a division. Exact.
+/// scale, so that no pose needs a division. Exact.
 class ExactFrame {
   public:
     ExactFrame(const Pose& outer, const Pose& inner);
 
-    /// -1 where the poses mirror the inner body as the outer one sees it, else 1; 0 where a matrix
-    /// flattens space. The rest of this class is only for use where the outer pose does not.
+    /// -1 where the relative pose mirrors the inner body, else 1; 0 where a matrix flattens space.
+    /// The other members require that the outer pose does not flatten space.
     [[nodiscard]] int orientation() const { return outer_orientation_ * inner_orientation_; }
     [[nodiscard]] bool has_inverse() const { return outer_orientation_ != 0; }
 
@@ -60,7 +60,7 @@ class ExactFrame {
     [[nodiscard]] const Dyadic& scale() const { return scale_; }
 
   private:
-    std::array<DyadicVec, 3> linear_; ///< Rows: inner's coordinates to the frame.
+    std::array<DyadicVec, 3> linear_; ///< Rows; they map inner's coordinates to the frame.
     DyadicVec translation_;
     Dyadic scale_;
     int outer_orientation_ = 0;

@@ -10,8 +10,8 @@ namespace cd {
 
 namespace {
 
-/// Where the inner body's ignored ranges begin and end: triangles between two such places meet the
-/// same.
+/// Returns the ends of the inner body's ignored ranges. Between two consecutive ends, all triangles
+/// are ignored with the same outer triangles.
 std::vector<std::uint32_t> bounds_of(std::span<const IgnoredRange> ignored, std::uint32_t count) {
     std::vector<std::uint32_t> bounds{0, count};
     for (const IgnoredRange& range : ignored) {
@@ -23,7 +23,7 @@ std::vector<std::uint32_t> bounds_of(std::span<const IgnoredRange> ignored, std:
     return bounds;
 }
 
-/// The outer triangles that are ignored with an inner one.
+/// Returns the outer triangles that are ignored with an inner triangle.
 std::vector<IdRange>
 left_out_of(std::span<const IgnoredRange> ignored, std::uint32_t inner, std::uint32_t outer_count) {
     std::vector<IdRange> ranges;
@@ -45,13 +45,13 @@ left_out_of(std::span<const IgnoredRange> ignored, std::uint32_t inner, std::uin
     return joined;
 }
 
-/// The kinds of inner triangles by what is left out for them.
+/// The kinds of inner triangles; triangles of one kind leave out equal outer triangles.
 struct Kinds {
-    std::vector<std::vector<IdRange>> left_out; ///< Of each kind.
+    std::vector<std::vector<IdRange>> left_out; ///< By kind.
     std::vector<std::uint32_t> of_triangle;
 };
 
-/// Nothing where they are too many.
+/// Returns nothing where there are too many kinds.
 std::optional<Kinds> kinds_of(std::span<const IgnoredRange> ignored,
                               std::uint32_t inner_count,
                               std::uint32_t outer_count) {
@@ -76,10 +76,12 @@ std::optional<Kinds> kinds_of(std::span<const IgnoredRange> ignored,
     return kinds;
 }
 
-/// Whether each component is left out as a whole or not at all.
+/// Returns true if each component is left out either as a whole or not at all.
 bool leaves_components_whole(std::span<const std::uint32_t> component_of,
                              std::span<const IdRange> left_out) {
-    std::vector<std::uint8_t> ways(component_of.size(), 0); // Of each component: 1 in, 2 out.
+    std::vector<std::uint8_t> ways(
+        component_of.size(),
+        0); // By component: bit 1 for triangles that are in, bit 2 for triangles left out.
     std::uint32_t next = 0;
     const auto note = [&](std::uint32_t end, std::uint8_t way) {
         for (; next < end; ++next) {

@@ -1,4 +1,4 @@
-// Which points of a body are asked whether they lie inside another one, and inside what of it.
+// Selects the points of a body to test against the other body's solid, and the parts of that solid.
 #pragma once
 
 #include "common/tree/id_range.hpp"
@@ -11,29 +11,30 @@
 
 namespace cd {
 
-/// Triangles of the inner body, of each the first corner is asked; they stand for all that is
-/// ignored with the same triangles of the outer body.
+/// Triangles of the inner body whose first corners are tested. They represent all triangles that
+/// are ignored with the same triangles of the outer body.
 struct ProbeGroup {
     std::vector<std::uint32_t> triangles;
-    std::vector<IdRange> left_out; ///< Of the outer body; ascending, apart.
+    std::vector<IdRange> left_out; ///< Ranges of the outer body; ascending and disjoint.
 };
 
 struct InsideProbes {
     std::vector<ProbeGroup> groups;
-    bool are_all = true; ///< False: there are triangles of which nothing can be said.
+    bool are_all = true; ///< False if there are triangles whose containment cannot be decided.
 };
 
-/// A triangle of the inner body meets those of the outer one that are not ignored with it. These
-/// bound a solid where they are whole components (connected by vertices) of a closed body, and then
-/// it can be told whether the triangle lies in that. A triangle that meets none lies in nothing.
+/// A triangle of the inner body meets those triangles of the outer body that are not ignored with
+/// it. They bound a solid where they are whole components (connected by vertices) of a closed body;
+/// only then can it be decided whether the triangle lies in that solid. A triangle that meets none
+/// lies in no solid.
 ///
-/// Triangles that meet the same, and are connected by such triangles, lie all inside or all
-/// outside, as long as nothing that meets touches: one of them is asked. Without ignored pairs that
-/// is one of each component.
+/// Connected triangles that meet the same outer triangles lie all inside or all outside, as long as
+/// no pair that is not ignored touches: one of them is tested. Without ignored pairs that is one of
+/// each component.
 ///
-/// `ignored` has the ranges of the inner body as those of A. Near linear in both bodies'
-/// triangles, times the kinds of triangles of the inner body by what they meet. Of too many kinds
-/// (limits/engine.hpp) nothing is asked.
+/// `ignored` has the ranges of the inner body as those of A. The cost is nearly linear in both
+/// bodies' triangles, times the number of kinds of inner triangles by what they meet. With too many
+/// kinds (limits/engine.hpp) there are no probes.
 [[nodiscard]] InsideProbes
 inside_probes(const ObbTree& inner, const ObbTree& outer, std::span<const IgnoredRange> ignored);
 

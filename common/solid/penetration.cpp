@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::uint64_t steps_between_stop_checks = 64;
 
-/// Asks only now and then.
+/// Calls the stop check only once in many steps.
 class StopChecks {
   public:
     explicit StopChecks(const StopCheck& stop) : stop_(stop) {}
@@ -26,7 +26,7 @@ class StopChecks {
     std::uint64_t steps_ = 0;
 };
 
-/// The side of the solid for each triangle that was asked, kept.
+/// Caches the side of the solid for each triangle that was tested.
 class SolidSides {
   public:
     explicit SolidSides(const ObbTree& body) : solid_(body) {}
@@ -69,7 +69,7 @@ bool any_faces_the_same_way(const ObbTree& a,
             }
             const PosedTriangle posed(frame, a_to_b, a.mesh().corners(contact.a));
             const int winding = posed.winding(b.mesh().corners(contact.b));
-            // (The contacts may come from elsewhere: triangles without area have no sides.)
+            // The contacts may name triangles without area, which have no sides.
             if (posed.is_flat() || winding == 0) {
                 return false;
             }
@@ -82,7 +82,7 @@ bool any_faces_the_same_way(const ObbTree& a,
     return found;
 }
 
-/// The contacts of the triangles of one body, in their order.
+/// The contacts of the triangles of one body, in the order of these triangles.
 struct InnerContact {
     std::uint32_t inner = 0;
     OuterContact outer;

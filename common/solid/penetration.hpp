@@ -1,4 +1,4 @@
-// Whether two closed bodies that touch without a proper pair still penetrate each other.
+// Decides whether two closed bodies that touch without a proper pair still penetrate each other.
 #pragma once
 
 #include "common/search/traverse.hpp"
@@ -9,25 +9,25 @@
 
 namespace cd {
 
-/// The rule of NUMERICS section 1 for `cross` without a proper pair, for two closed bodies with all
-/// their contacts, sorted. True if
+/// Implements the rule of NUMERICS section 1 for `cross` without a proper pair, for two closed
+/// bodies with all their contacts, sorted. Returns true if
 ///
-/// - two coplanar triangles that overlap face the same way: their solids then share what lies next
-///   to the overlap. A triangle faces away from its body's solid, by parity at its centroid
-///   (`SolidTest::solid_side`), so neither the winding nor a mirroring pose matters. One that lies
-///   on another of its own body there faces neither way.
+/// - two coplanar triangles that overlap face the same way: their solids then share a neighbourhood
+/// of the overlap. A triangle faces away from its body's solid, by parity at its centroid
+/// (`SolidTest::solid_side`), so neither the winding nor a mirroring pose matters. A triangle whose
+/// centroid lies on another triangle of its own body faces neither way;
 /// - or a point in the interior of a contacting triangle of one body lies strictly inside the
-///   other. The other's surface can reach that interior only along its edges, or at its corners, or
-///   in coplanar triangles: they divide it into cells, and a point of each is asked. A degenerate
-///   triangle is divided as the segment that it is.
+/// other. The other's surface can meet that interior only along its edges, at its corners, or in
+/// coplanar triangles: they divide the interior into cells, and one point of each is tested. A
+/// degenerate triangle is divided as the segment that it is.
 ///
-/// `ignored` pairs are not among the contacts. The first rule is for the pairs that are. The second
-/// is for triangles that no ignored range names: all that the other body does to them is among the
-/// contacts, and ignored parts that stick in each other are not asked.
+/// `ignored` pairs are not among the contacts. The first rule applies to all contacts. The second
+/// applies only to triangles that no ignored range names, because only their contacts are complete;
+/// ignored parts that penetrate each other are not tested.
 ///
-/// `stop` is asked all along; what is said after a yes is of no use.
+/// `stop` is called throughout; once it returns true the result is meaningless.
 ///
-/// Exact. A matrix that flattens a body leaves it no solid: nothing is inside it or faces a way.
+/// Exact. A body that a matrix flattens has no solid: nothing is inside it, and it faces no way.
 [[nodiscard]] bool penetrates(const ObbTree& a,
                               const ObbTree& b,
                               const PosePair& poses,

@@ -14,16 +14,17 @@ namespace {
 
 constexpr double unit_roundoff = 0x1p-53;
 
-/// The direction of the i-th attempt, on the curve (1, t, t^2), of which a plane holds two
-/// directions at most. Exact in double; t runs over distinct multiples of 2^-16 in [0, 1), then in
-/// [1, 2), and so on.
+/// Returns the direction of the i-th attempt, on the curve (1, t, t^2); a plane contains at most
+/// two directions of it. Exact in double; t runs over distinct multiples of 2^-16 in [0, 1), then
+/// in [1, 2), and so on.
 Vec3 ray_direction(std::uint64_t attempt) {
-    const std::uint64_t place = (attempt * 40503 + 26177) % 65536; // 40503 is odd: a permutation.
+    const std::uint64_t place =
+        (attempt * 40503 + 26177) % 65536; // 40503 is odd, so this is a permutation.
     const double t = static_cast<double>(attempt / 65536) + static_cast<double>(place) / 65536.0;
     return {1, t, t * t};
 }
 
-/// The corners of a triangle of the solid as seen from the point.
+/// The corners of a triangle of the solid relative to the point.
 class SeenTriangle {
   public:
     SeenTriangle(const Corners& corners, SolidPoint& point) : corners_(corners), point_(point) {
@@ -33,7 +34,8 @@ class SeenTriangle {
         }
     }
 
-    /// The sign of det(direction, corner i, corner j): on which side of the edge the line passes.
+    /// Returns the sign of det(direction, corner i, corner j): the side of the edge on which the
+    /// line passes.
     [[nodiscard]] int edge_side(const Vec3& direction, std::size_t i, std::size_t j) {
         // Each minor is at most 2 size_i size_j. The differences, two products, a difference, a
         // product and two sums round: 8 u to first order. The point's error moves each minor by at
@@ -48,7 +50,8 @@ class SeenTriangle {
         return sign_of(dot(to_dyadic(direction), cross(exact_seen(i), exact_seen(j))));
     }
 
-    /// The sign of det(corner 0, corner 1, corner 2): on which side of its plane the point lies.
+    /// Returns the sign of det(corner 0, corner 1, corner 2): the side of its plane on which the
+    /// point lies.
     [[nodiscard]] int plane_side() {
         if (const auto sign = proven_volume_sign(seen_, point_.error())) {
             return *sign;
@@ -56,14 +59,14 @@ class SeenTriangle {
         return sign_of(dot(exact_seen(2), cross(exact_seen(0), exact_seen(1))));
     }
 
-    /// True when the corners lie on one line, exactly.
+    /// Returns true when the corners lie on one line, exactly.
     [[nodiscard]] bool is_flat() const {
         const DyadicVec origin = to_dyadic(corners_[0]);
         return is_zero(cross(to_dyadic(corners_[1]) - origin, to_dyadic(corners_[2]) - origin));
     }
 
   private:
-    /// Times the point's weight, which is above 0.
+    /// Returns corner i relative to the point, times the point's weight, which is positive.
     [[nodiscard]] DyadicVec exact_seen(std::size_t i) {
         const ExactPoint& point = point_.exact();
         return point.weight * to_dyadic(corners_[i]) - point.value;
@@ -78,25 +81,25 @@ class SeenTriangle {
 enum class Crossing : std::uint8_t {
     None,
     Once,
-    Unclear,   ///< Through an edge or a corner, or along the plane: ask with another direction.
+    Unclear,   ///< The ray meets an edge, a corner or the plane: another direction is needed.
     OnSurface, ///< The point lies on the triangle.
 };
 
-/// Whether the ray from the point meets the triangle.
+/// Decides whether the ray from the point meets the triangle.
 Crossing crossing(SeenTriangle triangle, const Vec3& direction) {
     const std::array<int, 3> sides{triangle.edge_side(direction, 0, 1),
                                    triangle.edge_side(direction, 1, 2),
                                    triangle.edge_side(direction, 2, 0)};
     const auto [least, greatest] = std::minmax_element(sides.begin(), sides.end());
     if (*least < 0 && *greatest > 0) {
-        return Crossing::None; // The whole line passes by.
+        return Crossing::None; // The whole line misses the triangle.
     }
     if (*least == 0 && *greatest == 0) {
         // The line lies in the triangle's plane, or the triangle has no area and bounds nothing.
         return triangle.is_flat() ? Crossing::None : Crossing::Unclear;
     }
     // The line meets the closed triangle in one point. The sum of the three determinants is
-    // direction . normal, so their common sign tells in which direction it lies.
+    // direction . normal, so their common sign tells whether it lies forwards or backwards.
     const int forward = *least < 0 ? -1 : 1;
     const int side = triangle.plane_side();
     if (side == 0) {
@@ -114,13 +117,13 @@ Vec3 axis_of(const ObbNode& box, std::size_t i) {
             static_cast<double>(box.axes[3 * i + 2])};
 }
 
-/// Whether a ray can meet boxes, with a margin for all that rounds.
+/// Tests a ray against boxes, with a margin for all roundings.
 class BoxesOnRay {
   public:
     BoxesOnRay(const SolidPoint& point, const Vec3& direction, const ObbNode& root)
         : start_(point.rounded()), direction_(direction) {
-        // Only the stretch of the ray within the outermost box matters. There, no number below is
-        // greater than `scale`, and each errs by a few u of it; 2^-40 leaves room for all.
+        // Only the part of the ray within the outermost box matters. There, no number below is
+        // greater than `scale`, and each errs by a few u of it; 2^-40 is a sufficient margin.
         double reach = start_.cwiseAbs().maxCoeff();
         for (std::size_t i = 0; i < 3; ++i) {
             reach += std::abs(root.center[i]) + static_cast<double>(root.half[i]);
@@ -129,7 +132,7 @@ class BoxesOnRay {
         margin_ = 0x1p-40 * scale + 4 * point.error();
     }
 
-    /// False only if the start lies outside the box.
+    /// Returns false only if the start lies outside the box.
     [[nodiscard]] bool may_start_in(const ObbNode& box) const {
         for (std::size_t i = 0; i < 3; ++i) {
             if (std::abs(axis_of(box, i).dot(from_center(box))) > half(box, i)) {
@@ -139,8 +142,8 @@ class BoxesOnRay {
         return true;
     }
 
-    /// False only if no point of the ray lies in the box: its three slabs are left and entered in
-    /// turn. What overflowed does not reject.
+    /// Returns false only if no point of the ray lies in the box (slab test). Overflow does not
+    /// reject.
     [[nodiscard]] bool may_meet(const ObbNode& box) const {
         double enter = 0;
         double leave = std::numeric_limits<double>::infinity();
@@ -191,11 +194,11 @@ Vec3 centroid_of(const Corners& corners) {
     return (corners[0] + corners[1] + corners[2]) / 3;
 }
 
-/// The sign of normal . direction; the normal is that of the winding.
+/// Returns the sign of normal . direction; the normal is that of the winding.
 int forward_of(const Corners& corners, const Vec3& direction) {
     const Vec3 edge_1 = corners[1] - corners[0];
     const Vec3 edge_2 = corners[2] - corners[0];
-    // As an edge_side of two exact vectors, but for the rounding of the differences.
+    // The bound is that of edge_side for two exact vectors, plus the rounding of the differences.
     const double error =
         direction.cwiseAbs().sum() *
         (24 * unit_roundoff * edge_1.cwiseAbs().maxCoeff() * edge_2.cwiseAbs().maxCoeff() +
@@ -274,21 +277,22 @@ SolidTest::Verdict SolidTest::cast_ray(SolidPoint& point,
     return is_odd ? Verdict::Odd : Verdict::Even;
 }
 
-/// Of a triangle that the point is not on, its plane and the planes through the point and an edge
-/// hold the unclear directions: 4 planes, 8 directions. (Where the point lies on an edge's line
-/// there is no such plane, but then any direction off the triangle's plane is clear.) And two lie
-/// in a plane beside which the solid is looked for.
+/// Directions are unclear only in the triangle's plane and in the planes through the point and an
+/// edge, for each triangle that the point is not on: 4 planes, so 8 directions. (Where the point
+/// lies on an edge's line, that edge has no plane, but any direction off the triangle's plane is
+/// clear.) `is_inside_beside` excludes one more plane, so 2 more directions.
 std::uint64_t SolidTest::attempts_max() const {
     return 8 * std::uint64_t{solid_.mesh().triangles().size()} + 3;
 }
 
-/// Towards the nearest face of the solid's box, where few boxes are met; aslant, so that the edges
-/// of models along the box's axes are not. Nothing where the point lies outside the box.
+/// Returns a direction towards the nearest face of the solid's box, where the ray meets few boxes.
+/// It is oblique, so that it avoids edges parallel to the box's axes. Returns nothing where the
+/// point lies outside the box.
 std::optional<Vec3> SolidTest::shortest_way_out(const SolidPoint& point) const {
     const ObbNode& box = solid_.view().nodes[0];
     const Vec3 center(box.center[0], box.center[1], box.center[2]);
     const Vec3 from_center = point.rounded() - center;
-    // Each number below errs by a few u of this.
+    // Each number below errs by a few u of this scale.
     const double scale = point.rounded().cwiseAbs().maxCoeff() + center.cwiseAbs().maxCoeff();
     const double margin = 0x1p-40 * scale + 4 * point.error();
     std::size_t nearest = 0;
@@ -360,14 +364,15 @@ int SolidTest::solid_side(std::uint32_t triangle) {
     for (std::uint64_t i = 0; verdict == Verdict::Unclear; ++i) {
         CD_CHECK(i < attempts_max());
         const Vec3 direction = ray_direction(i);
-        // Along the normal: most triangles are wound so that this leaves the solid.
+        // The ray follows the normal: with the usual winding this leaves the solid.
         if (const int forward = forward_of(corners, direction); forward != 0) {
             verdict = cast_ray(point, forward * direction, {&itself, 1});
         }
     }
     statistics_.by_exact += point.needed_exact() ? 1u : 0u;
-    // The start lies on the triangle, which was passed over: an odd rest leads out of the solid, an
-    // even one out of what is no solid, and then that on the other side is.
+    // The start lies on the triangle, which was skipped. With an odd number of other crossings,
+    // this direction leads out of the solid. With an even number it leads out of empty space, so
+    // the solid is on the other side.
     return verdict == Verdict::OnSurface ? 0 : verdict == Verdict::Odd ? 1 : -1;
 }
 

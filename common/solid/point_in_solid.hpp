@@ -1,4 +1,4 @@
-// Where a point lies in the solid that a closed mesh bounds: exact parity.
+// Exact point-in-solid test by parity, for the solid that a closed mesh bounds.
 #pragma once
 
 #include "common/solid/exact_frame.hpp"
@@ -14,10 +14,10 @@
 
 namespace cd {
 
-/// A point in a solid's coordinates: rounded with a bound, and exactly if need be.
+/// A point in a solid's coordinates: rounded with an error bound, and exact on demand.
 class SolidPoint {
   public:
-    /// `error` bounds how far each component of `rounded` is from the exact one.
+    /// `error` bounds the error of each component of `rounded`.
     SolidPoint(const Vec3& rounded, double error, std::function<ExactPoint()> exact)
         : rounded_(rounded), error_(error), make_exact_(std::move(exact)) {}
 
@@ -36,26 +36,29 @@ class SolidPoint {
 enum class Place : std::uint8_t { Outside, Inside, OnSurface };
 
 /// A closed body as a solid: a point is inside when a ray from it crosses the surface an odd number
-/// of times. How the triangles are wound does not matter. The tree outlives this; one thread.
+/// of times. The winding of the triangles does not matter. The tree outlives this object; one
+/// thread at a time may use it.
 class SolidTest {
   public:
     explicit SolidTest(const ObbTree& solid) : solid_(solid) {}
 
-    /// `left_out`, ascending and apart, are not part of the surface; the others bound a solid.
+    /// Classifies `point`. The ranges `left_out`, ascending and disjoint, are not part of the
+    /// surface; the other triangles bound a solid.
     [[nodiscard]] Place place_of(SolidPoint& point, std::span<const IdRange> left_out = {});
 
-    /// Whether the solid lies right beside a point, on one side of a plane through it.
-    /// `passed_over` are triangles of the solid, ascending, with nothing on that side, and all that
-    /// hold the point. `side_of` tells on which side, 1 or -1, a direction leads from the plane, or
-    /// 0.
+    /// Decides whether the solid lies right beside a point, on one side of a plane through it.
+    /// `passed_over` are ascending ids of triangles of the solid: all that contain the point, none
+    /// of which extends to that side. `side_of` returns on which side of the plane, 1 or -1, a
+    /// direction leads, or 0 in the plane.
     [[nodiscard]] bool is_inside_beside(SolidPoint& point,
                                         const std::function<int(const Vec3& direction)>& side_of,
                                         int side,
                                         std::span<const std::uint32_t> passed_over);
 
-    /// On which side of a triangle with area the solid lies, next to the triangle's centroid: 1 for
-    /// the side to which the cross product of its edges points, -1 for the other; 0 where both
-    /// sides are alike because the centroid lies on another of the body's triangles as well.
+    /// Returns on which side of a triangle with area the solid lies, next to the triangle's
+    /// centroid: 1 for the side to which the cross product of its edges points, -1 for the other; 0
+    /// where both sides are alike because the centroid lies on another of the body's triangles as
+    /// well.
     [[nodiscard]] int solid_side(std::uint32_t triangle);
 
     [[nodiscard]] const SettleStatistics& statistics() const { return statistics_; }
@@ -69,8 +72,8 @@ class SolidTest {
     cast_ray(SolidPoint& point, const Vec3& direction, std::span<const IdRange> passed_over);
 
     const ObbTree& solid_;
-    std::vector<std::uint32_t> waiting_; ///< Nodes; empty between rays.
-    std::vector<IdRange> passed_over_;   ///< While rays beside one point are cast.
+    std::vector<std::uint32_t> waiting_; ///< Stack of nodes; empty between rays.
+    std::vector<IdRange> passed_over_;   ///< In use while rays beside one point are cast.
     SettleStatistics statistics_;
 };
 

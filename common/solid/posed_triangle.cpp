@@ -13,8 +13,8 @@ namespace {
 
 constexpr double unit_roundoff = 0x1p-53;
 
-/// A vector in the plane that is left when axis `drop` is: so that the cross
-/// product of two is the component `drop` of that in space.
+/// A vector without its component `drop`. The cross product of two such vectors is the component
+/// `drop` of the cross product in space.
 struct Planar {
     double x;
     double y;
@@ -50,10 +50,9 @@ ExactDouble cross(const ExactDoubles& l, const ExactDoubles& r, std::size_t drop
     return l[i] * r[j] - l[j] * r[i];
 }
 
-/// Bounds what `cross` of two rounded differences errs by, if the terms of the
-/// differences err by `error`. The differences, the products and the last
-/// difference round: 4 u of two products to first order, each at most l r; the
-/// terms move a product by 2 error (l + r + 2 error).
+/// Bounds the error of `cross` of two rounded differences whose terms err by `error`. The
+/// differences, the products and the last difference round: 4 u of two products to first order,
+/// each at most l r; the terms move a product by 2 error (l + r + 2 error).
 double cross_error(double l, double r, double error) {
     return 16 * unit_roundoff * l * r + 5 * error * (l + r + 2 * error) + 0x1p-1000;
 }
@@ -67,7 +66,7 @@ PosedTriangle::PosedTriangle(const ExactFrame& frame,
     for (std::size_t i = 0; i < 3; ++i) {
         const RoundedPoint corner = posed(inner_to_outer, corners[i]);
         rounded_[i] = corner.value;
-        // Whatever is not finite makes all that follows undecided.
+        // A bound that is not finite leaves every later answer undecided.
         error_ = corner.error > error_ || !std::isfinite(corner.error) ? corner.error : error_;
     }
     choose_projection();
@@ -131,7 +130,7 @@ std::optional<int> PosedTriangle::proven_plane_side(const Vec3& point) const {
 int PosedTriangle::forward(const Vec3& direction) {
     const Vec3 edge_1 = rounded_[1] - rounded_[0];
     const Vec3 edge_2 = rounded_[2] - rounded_[0];
-    // Each component of the normal errs by this; the dot product rounds by some u more of them.
+    // Each component of the normal errs by this; the dot product rounds by a few u more of them.
     const double largest = edge_1.cwiseAbs().maxCoeff() * edge_2.cwiseAbs().maxCoeff();
     const double error =
         cross_error(edge_1.cwiseAbs().maxCoeff(), edge_2.cwiseAbs().maxCoeff(), error_) +
@@ -205,7 +204,7 @@ int PosedTriangle::line_side(const Vec3& from, const Vec3& to, std::size_t k) {
 }
 
 int PosedTriangle::winding(const Corners& coplanar) const {
-    // Parallel normals: one component, which is not zero, tells.
+    // The normals are parallel, so one nonzero component decides.
     const Planar edge_1(coplanar[1] - coplanar[0], drop_);
     const Planar edge_2(coplanar[2] - coplanar[0], drop_);
     if (const auto sign =

@@ -5,13 +5,14 @@
 
 namespace cd {
 
-/// The work of telling insides, reported apart from the search for contacts.
+/// The work of point-in-solid tests, counted apart from the search for contacts.
 struct SettleStatistics {
-    std::uint64_t points = 0;             ///< Points whose place in a solid was asked.
-    std::uint64_t ray_box_tests = 0;      ///< Boxes held against a ray.
-    std::uint64_t ray_triangle_tests = 0; ///< Triangles held against a ray.
-    std::uint64_t by_exact = 0;           ///< Points for which doubles did not do.
-    std::uint64_t searches = 0; ///< Searches for contacts that a result did not hold any more.
+    std::uint64_t points = 0;             ///< Points whose place in a solid was computed.
+    std::uint64_t ray_box_tests = 0;      ///< Boxes tested against a ray.
+    std::uint64_t ray_triangle_tests = 0; ///< Triangles tested against a ray.
+    std::uint64_t by_exact = 0;           ///< Points that doubles could not decide.
+    std::uint64_t searches =
+        0; ///< Repeated contact searches, because a result no longer held its contacts.
 
     SettleStatistics& operator+=(const SettleStatistics& other);
 

@@ -11,7 +11,7 @@ namespace cd {
 
 namespace {
 
-/// A point in the outer body's coordinates, given in those of the frame.
+/// Converts a point from the frame's coordinates to the outer body's.
 SolidPoint to_solid_point(const std::array<Rational, 3>& in_frame, const ExactFrame& frame) {
     const Rational scale = to_rational(frame.scale());
     Vec3 rounded;
@@ -19,7 +19,7 @@ SolidPoint to_solid_point(const std::array<Rational, 3>& in_frame, const ExactFr
         const Rational coordinate = in_frame[i] / scale;
         rounded[static_cast<Eigen::Index>(i)] = coordinate.convert_to<double>();
     }
-    // A quotient of integers to the nearest double, or nearly.
+    // The quotient of integers is the nearest double, or nearly so.
     const double error = 0x1p-50 * rounded.cwiseAbs().maxCoeff() + 0x1p-1000;
     return {rounded, error, [in_frame, &frame] {
                 const ExactInt x(denominator(in_frame[0]));
@@ -41,7 +41,8 @@ std::array<double, 3> key(const Vec3& v) {
     return {v.x(), v.y(), v.z()};
 }
 
-/// What doubles tell of where the corners of an outer triangle lie in the plane of an inner one.
+/// What doubles prove about the position of an outer triangle's corners in an inner triangle's
+/// plane.
 class CornerSides {
   public:
     CornerSides(const PosedTriangle& inner, const Corners& outer) {
@@ -52,8 +53,8 @@ class CornerSides {
         }
     }
 
-    /// True when the segment from corner i to corner j surely passes by on one side of the inner
-    /// triangle; with i = j, when the corner lies outside.
+    /// Returns true when the segment from corner i to corner j provably lies beyond one edge of the
+    /// inner triangle; with i = j, when the corner lies outside.
     [[nodiscard]] bool pass_by(std::size_t i, std::size_t j) const {
         for (std::size_t k = 0; k < 3; ++k) {
             if (is_beyond_[i][k] && is_beyond_[j][k]) {
@@ -64,11 +65,12 @@ class CornerSides {
     }
 
   private:
-    std::array<std::array<bool, 3>, 3> is_beyond_{}; ///< Corner i, beyond edge k.
+    std::array<std::array<bool, 3>, 3>
+        is_beyond_{}; ///< [i][k] is true if corner i is beyond edge k.
 };
 
-/// True when no point of the segment, in the triangle's plane, lies in its interior: they are
-/// apart on the line of an edge, or on that of the segment.
+/// Returns true when no point of a segment in the triangle's plane lies in the triangle's interior:
+/// the line of an edge, or that of the segment, separates them.
 bool passes_by(PosedTriangle& triangle, const Vec3& from, const Vec3& to) {
     for (std::size_t k = 0; k < 3; ++k) {
         if (triangle.edge_side(k, from) <= 0 && triangle.edge_side(k, to) <= 0) {
@@ -85,7 +87,7 @@ bool passes_by(PosedTriangle& triangle, const Vec3& from, const Vec3& to) {
     return *least >= 0 || *greatest <= 0;
 }
 
-/// The plane of a triangle without the axis `drop`.
+/// The projection of a triangle's plane along the axis `drop`.
 class Projection {
   public:
     explicit Projection(PosedTriangle& triangle) : drop_(triangle.drop()) {
@@ -115,10 +117,10 @@ class Projection {
 
     std::size_t drop_;
     std::array<Rational, 3> normal_;
-    Rational height_; ///< normal . x of each point x of the plane.
+    Rational height_; ///< normal . x for each point x of the plane.
 };
 
-/// The two ends of a flat triangle, of which the third corner lies between.
+/// Returns the two ends of a flat triangle; its third corner lies between them.
 std::array<DyadicVec, 2> ends_of(const std::array<DyadicVec, 3>& corners) {
     std::array<DyadicVec, 3> sorted = corners;
     std::sort(sorted.begin(), sorted.end(), [](const DyadicVec& l, const DyadicVec& r) {
@@ -132,15 +134,15 @@ std::array<DyadicVec, 2> ends_of(const std::array<DyadicVec, 3>& corners) {
     return {sorted[0], sorted[2]};
 }
 
-/// Adds where, from 0 to 1 along the segment, f changes its sign, for f linear with these values at
-/// the ends.
+/// Adds the parameter, from 0 to 1 along the segment, at which f changes its sign, for a linear f
+/// with these values at the ends.
 void add_change(const Dyadic& from, const Dyadic& to, std::vector<Rational>& places) {
     if (sign_of(from) * sign_of(to) < 0) {
         places.push_back(to_rational(from) / to_rational(from - to));
     }
 }
 
-/// Adds where the segment passes through the triangle's plane, or in it over the edges' lines.
+/// Adds the parameters where the segment crosses the triangle's plane or, in it, the edges' lines.
 void add_crossings(const std::array<DyadicVec, 2>& ends,
                    const std::array<DyadicVec, 3>& triangle,
                    std::vector<Rational>& places) {
@@ -180,7 +182,8 @@ bool TriangleInSolid::reaches_inside(std::uint32_t triangle,
     }
     if (const auto side = open_side(inner, contacts)) {
         // The triangle, moved a little to that side, is clear of the outer surface, and so is the
-        // way back to each of its points that is not on it: one place tells for all of these.
+        // way back to each of its points that is not on the surface: one point decides for all of
+        // these.
         SolidPoint centroid = inner.centroid();
         const auto side_of = [&](const Vec3& direction) { return -inner.forward(direction); };
         if (!solid_.is_inside_beside(centroid, side_of, *side, ids_of(contacts))) {
@@ -196,7 +199,8 @@ bool TriangleInSolid::reaches_inside(std::uint32_t triangle,
             return contact.kind == PairClass::Coplanar;
         });
     if (is_covered) {
-        return false; // The coplanar triangles leave nothing out, or an edge would be in it.
+        return false; // The coplanar triangles cover this one completely; otherwise an edge would
+                      // be in it.
     }
     SolidPoint centroid = inner.centroid();
     return solid_.place_of(centroid) == Place::Inside;
@@ -222,8 +226,8 @@ int TriangleInSolid::plane_side(PosedTriangle& inner, std::uint32_t outer_vertex
     return place->second;
 }
 
-/// A side of the triangle's plane, as `plane_side` tells it, on which no contact has any points;
-/// nothing where there are some on both.
+/// Returns a side of the triangle's plane, as `plane_side` defines it, on which no contact has any
+/// points, or nothing where both sides have some.
 std::optional<int> TriangleInSolid::open_side(PosedTriangle& inner,
                                               std::span<const OuterContact> contacts) {
     plane_sides_.clear();
@@ -293,7 +297,7 @@ void TriangleInSolid::find_edges(PosedTriangle& inner, std::span<const OuterCont
     }
     keep_boundary_edges();
     std::erase_if(edges_, [&](const Edge& edge) { return passes_by(inner, edge.from, edge.to); });
-    // Corners last: most of them are ends of edges, and then divide no cell.
+    // Corners come last: most of them are ends of edges, and then divide no cell.
     std::stable_partition(
         edges_.begin(), edges_.end(), [](const Edge& edge) { return edge.from != edge.to; });
 }
@@ -309,8 +313,8 @@ void TriangleInSolid::keep_boundary_edges() {
         while (end < edges_.size() && ends(edges_[end]) == ends(edges_[begin])) {
             ++end;
         }
-        // Two coplanar triangles of one winding lie on both sides of their edge, which so divides
-        // nothing but surface.
+        // Two coplanar triangles of equal winding lie on both sides of their common edge, so that
+        // the edge divides only surface.
         const bool is_within = end - begin == 2 && edges_[begin].winding != 0 &&
                                edges_[begin].winding == edges_[begin + 1].winding;
         if (!is_within) {

@@ -1,4 +1,4 @@
-// Whether a triangle of one body reaches into the solid of another that it touches.
+// Decides whether a triangle of one body enters the solid of another body that it touches.
 #pragma once
 
 #include "common/pair/triangle_pair.hpp"
@@ -14,14 +14,14 @@
 
 namespace cd {
 
-/// A triangle of the outer body in contact with the inner triangle at hand.
+/// A triangle of the outer body in contact with the current inner triangle.
 struct OuterContact {
     std::uint32_t triangle = 0;
     PairClass kind = PairClass::Touch;
 };
 
-/// Asks triangles of an inner body, each with all its contacts, none of them proper. The trees and
-/// poses outlive this; one thread.
+/// Tests triangles of an inner body, each with all its contacts, none of them proper. The trees and
+/// poses outlive this object; one thread at a time may use it.
 class TriangleInSolid {
   public:
     TriangleInSolid(const ObbTree& outer,
@@ -29,19 +29,20 @@ class TriangleInSolid {
                     const ObbTree& inner,
                     const Pose& inner_pose);
 
-    /// True when a point in the interior of the triangle lies strictly inside the outer solid. The
-    /// contacts are sorted by their triangles.
+    /// Returns true when a point in the interior of the triangle lies strictly inside the outer
+    /// solid. The contacts are sorted by their triangles.
     [[nodiscard]] bool reaches_inside(std::uint32_t triangle,
                                       std::span<const OuterContact> contacts);
 
     [[nodiscard]] const SettleStatistics& statistics() const { return solid_.statistics(); }
 
   private:
-    /// An edge of the outer body in the triangle's plane, or a corner: then both ends are one.
+    /// An edge of the outer body in the triangle's plane, or a corner: then both ends are equal.
     struct Edge {
         Vec3 from;
         Vec3 to;
-        int winding = 0; ///< Of a coplanar triangle that it bounds; else 0.
+        int winding =
+            0; ///< Winding of a coplanar triangle that the edge bounds; 0 if there is none.
     };
 
     [[nodiscard]] std::span<const std::uint32_t> ids_of(std::span<const OuterContact> contacts);
@@ -61,10 +62,10 @@ class TriangleInSolid {
     ExactFrame frame_;
     RelativePose inner_to_outer_;
     SolidTest solid_;
-    /// Of outer vertices, where doubles do not tell: triangles in contact often share them.
+    /// By outer vertex, where doubles do not decide: triangles in contact often share vertices.
     std::unordered_map<std::uint32_t, int> plane_sides_;
-    std::vector<std::uint32_t> ids_; ///< Of the contacts at hand.
-    std::vector<Edge> edges_;        ///< That may enter the triangle at hand.
+    std::vector<std::uint32_t> ids_; ///< Ids of the current contacts.
+    std::vector<Edge> edges_;        ///< Edges that may enter the current triangle.
 };
 
 } // namespace cd
