@@ -1,4 +1,4 @@
-// A file of checked blocks that grows at its end, and whose whole blocks survive a crash.
+// A file of checksummed blocks that grows at its end; complete blocks survive a crash.
 #pragma once
 
 #include "common/core/files/bytes.hpp"
@@ -14,9 +14,9 @@
 
 namespace cd {
 
-/// Where a block is in its file, and which of the job's scenarios it holds.
+/// The location of a block in its file and the job's scenarios that it holds.
 struct BlockPlace {
-    std::uint64_t offset = 0; ///< Place of its first byte in the file.
+    std::uint64_t offset = 0; ///< Offset of its first byte in the file.
     std::uint64_t first = 0;  ///< Index of its first scenario.
     std::uint64_t count = 0;  ///< Scenarios in it, at least 1; there may be gaps between them.
     std::uint64_t bytes = 0;  ///< Size of its content.

@@ -1,4 +1,4 @@
-// What a job asks of every scenario.
+// What a job computes for every scenario.
 #pragma once
 
 #include "common/tree/ignored_range.hpp"
@@ -10,12 +10,12 @@
 
 namespace cd {
 
-/// How much is computed and sent back, ascending.
+/// How much is computed and sent back, in ascending order.
 enum class Level : std::uint8_t {
-    Any = 0,      ///< In contact or not.
-    Count = 1,    ///< The class, and how many pairs.
+    Any = 0,      ///< Whether the bodies are in contact.
+    Count = 1,    ///< The class and the number of pairs.
     Pairs = 2,    ///< Each pair with its class.
-    Contacts = 3, ///< And the shared points.
+    Contacts = 3, ///< Each pair with its class and its shared points.
 };
 
 [[nodiscard]] std::string_view to_text(Level level);
@@ -23,12 +23,13 @@ enum class Level : std::uint8_t {
 
 struct Query {
     Level level = Level::Pairs;
-    /// Above 0: boxes whose diameters sum to no more are left undecided, in the job's units. No
+    /// If positive, boxes whose diameters sum to no more are left undecided; in the job's units. No
     /// contact is missed: a scenario is separate only where that is proven.
     double tolerance = 0;
-    std::uint64_t limit_pairs = 0; ///< Of a scenario, the first so many are kept; 0 keeps all.
+    std::uint64_t limit_pairs =
+        0; ///< Keeps at most so many pairs of a scenario, the first ones; 0 keeps all.
     std::vector<IgnoredRange> ignored;
-    /// From level count on: the job says in how many scenarios each triangle was in contact.
+    /// At level count and above, the job counts for each triangle the scenarios that it touches.
     bool maps = false;
 };
 

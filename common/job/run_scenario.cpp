@@ -22,7 +22,7 @@ ScenarioResult empty_result(const Scenario& scenario, const Query& query) {
     return result;
 }
 
-/// What was found, also of pairs that are not kept; the class as far as pairs alone can tell.
+/// Counts all pairs found, kept or not, and sets the class as far as pairs alone decide it.
 void note_found(const ContactSearch& search, ScenarioResult& result) {
     result.pair_count = search.pair_count();
     if (result.pair_count > 0) {
@@ -30,7 +30,7 @@ void note_found(const ContactSearch& search, ScenarioResult& result) {
     }
 }
 
-/// Boxes that were left take the class over, but not what was proven.
+/// Boxes left undecided override the class, but not the pairs already proven.
 void note_undecided(const ContactSearch& search, ScenarioResult& result) {
     if (const std::optional<double> distance = search.undecided_distance()) {
         result.kind = ScenarioClass::Undecided;
@@ -76,7 +76,7 @@ void find_count(std::span<const SubtreePair> pairs,
     }
 }
 
-/// False if it was told to stop.
+/// Returns false if `stop` ended it.
 bool add_shared_points(ContactSearch& search, const StopCheck& stop, ScenarioResult& result) {
     constexpr std::size_t pairs_between_stop_checks = 1024;
     result.point_offsets.push_back(0);
@@ -93,8 +93,8 @@ bool add_shared_points(ContactSearch& search, const StopCheck& stop, ScenarioRes
     return true;
 }
 
-/// How many pairs a result can have: with one more, `within_limit` makes a failure of it. A map is
-/// of all pairs, however few of them the result keeps.
+/// Returns how many pairs a result can hold: with one more, `within_limit` makes a failure of it. A
+/// map counts all pairs, however few the result keeps.
 std::uint64_t pairs_worth_keeping(const Query& query) {
     if (query.limit_pairs != 0 && !query.maps) {
         return query.limit_pairs;
@@ -105,7 +105,7 @@ std::uint64_t pairs_worth_keeping(const Query& query) {
     return limits::result_record_bytes_max / bytes + 1;
 }
 
-/// False if it was told to stop while it made points.
+/// Returns false if `stop` ended the computation of points.
 bool find_pairs(std::span<const SubtreePair> pairs,
                 const Scenario& scenario,
                 const Query& query,
@@ -256,7 +256,7 @@ ScenarioRun ScenarioRunner::run_with_kept(const Scenario& scenario, KeptSearch& 
         const RelativePose* const b_to_a = cut_a_ ? nullptr : &kept.search->b_to_a();
         run.inside = settler_.settle(scenario, run.result, {run.found, options_.stop, b_to_a});
     }
-    // What a stopped settling says is no answer.
+    // The class of a stopped settling is no answer.
     return is_stopped() ? stopped_run(scenario, query_) : run;
 }
 

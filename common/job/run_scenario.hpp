@@ -1,4 +1,4 @@
-// One scenario, from poses to result. The worker, the one-process run and the tests all call this.
+// Runs one scenario, from poses to result. Workers, the one-process run and tests all call this.
 #pragma once
 
 #include "common/core/host/stop_check.hpp"
@@ -21,65 +21,66 @@
 
 namespace cd {
 
-/// A result with what it cost.
+/// A result with its cost.
 struct ScenarioRun {
     ScenarioResult result;
     QueryStatistics statistics;
-    InsideStatistics inside; ///< Of who settled the class; nothing from `run_on_subtrees`.
-    /// At level count: all pairs, sorted, with a query for maps; where none is proper and touches
-    /// were to be kept, if they are not too many.
+    InsideStatistics inside; ///< Cost of the settling of the class; empty from `run_on_subtrees`.
+    /// At level count, sorted: all pairs of a query for maps; otherwise the touches, if
+    /// `keep_touches` is set, no pair is proper and they are not too many.
     std::vector<ContactPair> found;
-    bool is_stopped = false; ///< It was told to stop. The result only says so, as a failed one.
+    bool is_stopped =
+        false; ///< True if `stop` ended the run. The result is then a failed one that says so.
 };
 
-/// One colliding pair of distribution roots with its two subtrees.
+/// A colliding pair of distribution roots, with both subtrees.
 struct SubtreePair {
     TreeView a;
     TreeView b;
 };
 
 struct RunOptions {
-    /// Stages of the pairs' decision before this one are passed over, which changes no answer.
+    /// Skips the stages of the pair decision before this one, which changes no answer.
     PairStage first_stage = PairStage::Float;
-    StopCheck stop = {};       ///< Asked all along.
-    bool keep_touches = false; ///< For `Settler` at level count.
+    StopCheck stop = {};       ///< Called throughout the run.
+    bool keep_touches = false; ///< Keeps touches at level count for `Settler`.
 };
 
-/// The contacts under the given pairs of subtrees (paper, 6.4.2, steps 1 to 3). No pairs: separate.
-/// The caller keeps the subtrees alive. The result does not depend on the order of the pairs, nor,
-/// without a tolerance, on how the trees were cut.
+/// Finds the contacts under the given pairs of subtrees (paper, 6.4.2, steps 1 to 3). Without pairs
+/// the scenario is separate. The caller keeps the subtrees alive. The result does not depend on the
+/// order of the pairs, nor, without a tolerance, on how the trees were cut.
 ///
-/// Level any: contact or separate; the search ends at the first contact, also under a tolerance;
-/// without one it is undecided if any boxes were left. Other levels: undecided if any boxes were
-/// left, with what was proven so far. (Pairs to be ignored are known by their triangles, so boxes
-/// of such pairs may be left undecided as well.) Else cross if any pair is proper, touch if there
-/// are pairs and none is proper, separate without pairs: what more there is to say, `Settler` finds
-/// in the whole bodies.
+/// Level any: contact or separate; the search ends at the first contact, also under a tolerance; if
+/// no contact is found and any boxes were left, undecided. Other levels: undecided if any boxes
+/// were left, with the pairs proven so far. (Ignored pairs are known by their triangles, so boxes
+/// of such pairs may be left undecided as well.) Otherwise cross if any pair is proper, touch if
+/// there are pairs and none is proper, separate without pairs; `Settler` refines the class with the
+/// whole bodies.
 [[nodiscard]] ScenarioRun run_on_subtrees(std::span<const SubtreePair> pairs,
                                           const Scenario& scenario,
                                           const Query& query,
                                           const RunOptions& options = {});
 
-/// A search that keeps its memory from one scenario to the next of the same query.
+/// A search that keeps its memory from one scenario to the next of one query.
 struct KeptSearch {
-    std::optional<ContactSearch> search; ///< Made by the first.
+    std::optional<ContactSearch> search; ///< Created by the first scenario.
 };
 
-/// The same with a search that is kept; the query and the options are those of the scenarios
-/// before.
+/// Does what the other overload does with a kept search; the query and the options are those of the
+/// previous scenarios.
 [[nodiscard]] ScenarioRun run_on_subtrees(KeptSearch& kept,
                                           std::span<const SubtreePair> pairs,
                                           const Scenario& scenario,
                                           const Query& query,
                                           const RunOptions& options = {});
 
-/// The failed result of a scenario, naming it.
+/// Makes the failed result of a scenario; the reason names it.
 [[nodiscard]] ScenarioResult
 failed_result(const Scenario& scenario, const Query& query, const Error& why);
 
-/// Answers scenarios of two whole trees as the cluster does: `run_on_subtrees` and `Settler`
+/// Runs scenarios of two whole trees as the cluster does: `run_on_subtrees` and `Settler`
 /// (settle.hpp) in one. Under a tolerance the trees are cut at `tolerance_depth` (tolerance.hpp),
-/// and this holds a copy of their subtrees.
+/// and the runner holds a copy of their subtrees.
 class ScenarioRunner {
   public:
     /// The trees and the query outlive the runner.
@@ -91,7 +92,7 @@ class ScenarioRunner {
 
     [[nodiscard]] const Query& query() const { return query_; }
 
-    /// For any number of threads at once. For many scenarios a `ScenarioSession` is faster.
+    /// Any number of threads may call it at once. For many scenarios a `ScenarioSession` is faster.
     [[nodiscard]] ScenarioRun run(const Scenario& scenario) const;
 
   private:
@@ -114,20 +115,20 @@ class ScenarioRunner {
     std::shared_ptr<const CutTree> cut_b_;
 };
 
-/// One thread's way through a runner's scenarios: what one needed of memory serves the next, so
-/// that after a few only results allocate.
+/// Runs a runner's scenarios on one thread. It reuses memory, so that after a few scenarios only
+/// results allocate.
 class ScenarioSession {
   public:
     /// The runner outlives the session.
     explicit ScenarioSession(const ScenarioRunner& runner) : runner_(runner) {}
 
-    /// What `ScenarioRunner::run` says.
+    /// Returns what `ScenarioRunner::run` returns.
     [[nodiscard]] ScenarioRun run(const Scenario& scenario);
 
-    /// A scenario's place among those given, and its run; false ends it.
+    /// Gets the index of a scenario in the list and its run; returns false to end.
     using OnRun = std::function<bool(std::size_t place, ScenarioRun run)>;
-    /// Runs of poses: each scenario once, in `coherent_order`, in which each finds in the caches
-    /// what the one before used. The results are those of `run`. Whether it got to the end.
+    /// Runs each scenario once, in `coherent_order`, in which each finds in the caches what the one
+    /// before used. The results are those of `run`. Returns true if all scenarios ran.
     bool run_all(std::span<const Scenario> scenarios, const OnRun& done);
 
   private:
@@ -135,7 +136,7 @@ class ScenarioSession {
     KeptSearch kept_;
 };
 
-/// One scenario of a `ScenarioRunner`.
+/// Runs one scenario of a `ScenarioRunner`.
 [[nodiscard]] ScenarioRun
 run_scenario(const ObbTree& a, const ObbTree& b, const Scenario& scenario, const Query& query);
 

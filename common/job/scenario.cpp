@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::uint8_t version = 1;
 
-/// Which numbers of a pose travel.
+/// Selects the numbers of a pose that are packed.
 enum class Form : std::uint8_t { Identity = 0, Translation = 1, Matrix = 2, Quaternion = 3 };
 
 Form form_of(const Pose& pose) {
@@ -30,7 +30,7 @@ constexpr std::size_t numbers_in(Form form) {
     return numbers[static_cast<std::size_t>(form)];
 }
 
-/// What the scenarios of one run have in common.
+/// The properties that the scenarios of one run share.
 struct RunKind {
     Form a = Form::Identity;
     Form b = Form::Identity;
@@ -47,10 +47,10 @@ RunKind kind_of(const Scenario& scenario) {
     return {form_of(scenario.poses.a), form_of(scenario.poses.b), scenario.body_a, scenario.body_b};
 }
 
-/// The length of the run that starts the given scenarios.
+/// Returns the length of the run at the start of the given scenarios.
 std::size_t run_length(std::span<const Scenario> scenarios) {
     const RunKind kind = kind_of(scenarios[0]);
-    // A run of scenarios that cost no bytes would let a few bytes claim any number of them.
+    // If scenarios of a run cost no bytes, a few bytes could claim any number of them.
     const std::size_t length_max = kind.scenario_bytes() == 0 ? 1 : scenarios.size();
     std::size_t length = 1;
     while (length < length_max && scenarios[length].index == scenarios[length - 1].index + 1 &&
@@ -76,7 +76,7 @@ void put_pose(ByteWriter& out, const Pose& pose, Form form) {
     }
 }
 
-/// Nothing when the numbers make no pose.
+/// Returns nothing when the numbers make no pose.
 std::optional<Pose> get_pose(ByteReader& in, Form form) {
     Mat3 matrix = Mat3::Identity();
     if (form == Form::Matrix) {
@@ -112,10 +112,10 @@ Error bad_frame(const char* what) {
 struct RunHeader {
     RunKind kind;
     std::uint64_t length = 0;
-    std::uint64_t index = 0; ///< Of the first scenario.
+    std::uint64_t index = 0; ///< Index of the first scenario.
 };
 
-/// Nothing unless the header is well formed and the bytes behind it hold the whole run.
+/// Returns nothing unless the header is well formed and the bytes behind it hold the whole run.
 std::optional<RunHeader> get_run_header(ByteReader& in, std::uint64_t index_expected) {
     const auto forms = in.get<std::uint8_t>();
     const auto length = get_varint(in);

@@ -1,4 +1,4 @@
-// One pose of two bodies to be tested, and the blocks in which poses travel.
+// One pair of poses to test, and the packed blocks in which poses are sent.
 #pragma once
 
 #include "common/core/files/bytes.hpp"
@@ -12,15 +12,15 @@
 namespace cd {
 
 struct Scenario {
-    std::uint64_t index = 0;  ///< Place in the job as submitted, from 0.
-    std::uint32_t body_a = 0; ///< Places in the job's list of bodies.
+    std::uint64_t index = 0;  ///< Index in the job as submitted, from 0.
+    std::uint32_t body_a = 0; ///< Index of body A in the job's list of bodies.
     std::uint32_t body_b = 1;
     PosePair poses;
 
     friend bool operator==(const Scenario&, const Scenario&) = default;
 };
 
-/// Scenarios as bytes: the exact numbers of their poses and no more, little-endian. Minus zero may
+/// Packs scenarios: the exact numbers of their poses and no more, little-endian. Minus zero may
 /// come back as zero.
 ///
 /// Version (u8, 1) and count, then runs: scenarios with consecutive indices, equal bodies and equal
@@ -31,7 +31,7 @@ struct Scenario {
 /// run in which a scenario has no doubles has length 1.
 [[nodiscard]] Bytes pack_scenarios(std::span<const Scenario> scenarios);
 
-/// The inverse. The bytes may be hostile, and take memory for no more than `count_max` scenarios.
+/// Unpacks `pack_scenarios`. The bytes may be hostile; memory is bounded by `count_max` scenarios.
 /// Errors: BadFrame; TooLarge when there are more; BadInput naming the scenario whose pose is not
 /// finite or whose quaternion is zero.
 [[nodiscard]] Result<std::vector<Scenario>> unpack_scenarios(std::span<const std::byte> bytes,

@@ -12,7 +12,7 @@ namespace {
 constexpr FileKind kind{0x31'4e'43'53'44'43'00'00, 1}; // "\0\0CDSCN1"
 constexpr std::uint64_t block_scenarios_max = 4096;
 
-/// Keeps the block that was read last: most reads go on where the one before ended.
+/// Caches the last block read, because most reads continue where the previous one ended.
 class ScenarioFileSource final : public PoseSource {
   public:
     explicit ScenarioFileSource(BlockFile file) : file_(std::move(file)) {}
@@ -67,7 +67,7 @@ class ScenarioFileSource final : public PoseSource {
     std::vector<Scenario> kept_;
 };
 
-/// Scenarios from the first on, without a gap.
+/// Makes a source of the scenarios from index 0 on; there must be no gap.
 Result<std::unique_ptr<PoseSource>> source_of(Result<BlockFile> file) {
     if (!file) {
         return file.error();

@@ -1,4 +1,4 @@
-// A run's poses on disk, so that it can be opened again without the files that they came from.
+// Stores a run's poses on disk, so that the run can be reopened without the original files.
 #pragma once
 
 #include "common/core/result.hpp"
@@ -21,14 +21,14 @@ class ScenarioWriter {
     [[nodiscard]] static Result<ScenarioWriter> create(const std::filesystem::path& path);
     [[nodiscard]] static Result<ScenarioWriter> resume(const std::filesystem::path& path);
 
-    /// Adds scenarios; their indices go on from those before. Errors: Io.
+    /// Adds scenarios; their indices continue those before. Errors: Io.
     [[nodiscard]] Status add(std::span<const Scenario> scenarios);
     /// Writes the table. Errors: Io.
     [[nodiscard]] Status finish();
 
-    /// Scenarios written so far, from the first on.
+    /// Number of scenarios written so far.
     [[nodiscard]] std::uint64_t written() const { return file_.written().count(); }
-    /// Bytes that the file has so far.
+    /// Size of the file so far, in bytes.
     [[nodiscard]] std::uint64_t bytes() const { return file_.written().end(); }
 
   private:
@@ -37,12 +37,12 @@ class ScenarioWriter {
     BlockFileWriter file_;
 };
 
-/// The scenarios of a finished file. Any thread may read. Errors: those of `BlockFile::open`; Io
-/// where scenarios are missing.
+/// Opens the scenarios of a finished file. Any thread may read. Errors: those of `BlockFile::open`;
+/// Io where scenarios are missing.
 [[nodiscard]] Result<std::unique_ptr<PoseSource>>
 open_scenario_file(const std::filesystem::path& path);
 
-/// The scenarios in the whole blocks of a file that is being written. Errors: those of
+/// Opens the scenarios in the complete blocks of a file that is being written. Errors: those of
 /// `BlockFile::open_unfinished`; Io.
 [[nodiscard]] Result<std::unique_ptr<PoseSource>>
 open_unfinished_scenario_file(const std::filesystem::path& path);

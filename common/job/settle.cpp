@@ -15,7 +15,7 @@ namespace cd {
 
 namespace {
 
-/// As B sees them.
+/// Exchanges the roles of A and B in ignored ranges.
 std::vector<IgnoredRange> swapped(std::span<const IgnoredRange> ignored) {
     std::vector<IgnoredRange> result;
     for (const IgnoredRange& range : ignored) {
@@ -24,7 +24,7 @@ std::vector<IgnoredRange> swapped(std::span<const IgnoredRange> ignored) {
     return result;
 }
 
-/// A box around one point.
+/// Returns a box around one point.
 ObbNode point_box(const Vec3& point) {
     ObbNode box;
     box.center = {point.x(), point.y(), point.z()};
@@ -140,7 +140,7 @@ InsideStatistics Settler::settle(const Scenario& scenario,
     if (!is_work(result)) {
         return {};
     }
-    // A body that lies in the other is in its box, and so are its probes.
+    // A body inside the other lies in the other's box, and so do its probes.
     if (result.kind == ScenarioClass::Separate && !may_be_inside(scenario.poses, options.b_to_a)) {
         return {1, 0, {}};
     }

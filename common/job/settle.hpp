@@ -1,4 +1,4 @@
-// The class of a scenario, as far as only the whole bodies can tell it.
+// Determines the parts of a scenario's class that depend on whole bodies.
 #pragma once
 
 #include "common/core/host/stop_check.hpp"
@@ -16,44 +16,45 @@
 
 namespace cd {
 
-/// What spares work, or ends it early.
+/// Options that save work or end it early.
 struct SettleOptions {
-    /// All pairs of a result that does not hold them, sorted; or none.
+    /// All pairs, sorted, of a result that does not hold them; empty if not available.
     std::span<const ContactPair> touches = {};
-    StopCheck stop = {}; ///< Once it says so, the class is of no use.
+    StopCheck stop = {}; ///< Once it returns true, the class is meaningless.
     /// The scenario's `relative_pose` if it is at hand, else null.
     const RelativePose* b_to_a = nullptr;
 };
 
-/// What only the whole bodies can tell (NUMERICS, section 1), for results of `run_on_subtrees`
-/// whose pairs are triangles of these bodies. One for all scenarios of a job.
+/// Refines the class of results of `run_on_subtrees` with the whole bodies (NUMERICS, section 1).
+/// The pairs of a result name triangles of these bodies. One settler serves all scenarios of a job.
 ///
-/// Of an open body only `surfaces_only` is said. Of two closed ones:
+/// If a body is open, only `surfaces_only` is set. For two closed bodies the class becomes:
 ///
-/// - `inside` where nothing touches and some component of one lies in the other. With ignored pairs
-///   a triangle lies inside what the triangles of the other body that are not ignored with it
-///   bound. (So a wheel may stick in the ground that it is ignored with, and the car may not.) They
-///   have to be whole components; of the other triangles nothing is said, and `insides_skipped`
-///   says that there are such. `inside_probes` has the rule.
-/// - `cross` instead of `touch` where they penetrate without a proper pair (`penetrates`, which
-///   says what ignored pairs mean for it).
+/// - `inside` where nothing touches and some component of one lies in the other. With ignored
+/// pairs, a triangle lies inside if it lies in the solid bounded by those triangles of the other
+/// body that are not ignored with it. (So a wheel may penetrate the ground that it is ignored with,
+/// and the car may not.) These have to be whole components; other triangles are not decided, and
+/// `insides_skipped` reports them. `inside_probes` has the rule;
+/// - `cross` instead of `touch` where the bodies penetrate without a proper pair (`penetrates`,
+/// which documents the effect of ignored pairs).
 ///
-/// Neither depends on which body is A, on the level, nor on `limit_pairs`: where the result does
-/// not hold all its pairs, and they are not given, they are searched again, in the whole trees,
-/// with the memory that level pairs takes. Other classes stay: no pair can overrule a proper one,
-/// contact at level any says all that was asked, and undecided is an answer.
+/// Neither class depends on which body is A, on the level or on `limit_pairs`: where the result
+/// does not hold all its pairs, and they are not given, they are searched again in the whole trees,
+/// with the memory that level pairs takes. Other classes stay: nothing overrules a proper pair,
+/// contact at level any is a complete answer, and so is undecided.
 class Settler {
   public:
-    /// The trees outlive it.
+    /// The trees outlive the settler.
     Settler(const ObbTree& a, const ObbTree& b, std::vector<IgnoredRange> ignored);
 
-    /// Called once by whoever merges; returns what it took. For any number of threads at once.
-    /// Where a few tests of boxes decide, no time is told: reading the clock would take as long.
+    /// Settles a result and returns the cost. The merging side calls it once per result; any number
+    /// of threads may call it at once. Where a few box tests decide, no time is measured: reading
+    /// the clock would take as long.
     InsideStatistics settle(const Scenario& scenario,
                             ScenarioResult& result,
                             const SettleOptions& options = {}) const;
 
-    /// True when `settle` may have more to do than set flags: it then deserves a thread.
+    /// Returns true when `settle` may have more to do than set flags: then it deserves a thread.
     [[nodiscard]] bool is_work(const ScenarioResult& result) const;
 
   private:
@@ -62,8 +63,8 @@ class Settler {
         InsideProbes of_b;
     };
     [[nodiscard]] const Probes& probes() const;
-    /// False only if neither body can lie in the other: their boxes are apart, or no probe of one
-    /// is in the box of the other.
+    /// Returns false only if neither body can lie in the other: their boxes are apart, or no probe
+    /// of one is in the box of the other.
     [[nodiscard]] bool may_be_inside(const PosePair& poses, const RelativePose* b_to_a) const;
     [[nodiscard]] SettleStatistics settle_closed(const Scenario& scenario,
                                                  ScenarioResult& result,
@@ -79,7 +80,7 @@ class Settler {
     std::vector<IgnoredRange> ignored_;
     bool are_closed_;
     mutable std::once_flag once_;
-    mutable Probes probes_; ///< Made when first needed.
+    mutable Probes probes_; ///< Made on first use.
 };
 
 } // namespace cd

@@ -1,4 +1,4 @@
-// What the answers of a job cost. Never part of a result or of the digest.
+// Statistics of a job's cost. They are never part of a result or of the digest.
 #pragma once
 
 #include "common/solid/settle_statistics.hpp"
@@ -8,17 +8,17 @@
 
 namespace cd {
 
-/// The cost of telling whether one body lies inside the other, or penetrates it without a proper
-/// pair, apart from all else.
+/// The cost of deciding whether one body lies inside the other, or penetrates it without a proper
+/// pair, without the contact search.
 struct InsideStatistics {
-    std::uint64_t scenarios = 0; ///< In which it was looked at.
-    double seconds = 0;    ///< Of one thread, by the clock on the wall; see `Settler::settle`.
-    SettleStatistics work; ///< What was looked at; stays on the machine that settled.
+    std::uint64_t scenarios = 0; ///< Number of scenarios in which this was decided.
+    double seconds = 0;    ///< Wall-clock time of one thread, in seconds; see `Settler::settle`.
+    SettleStatistics work; ///< Counts of tests; they stay on the machine that settled.
 
     InsideStatistics& operator+=(const InsideStatistics& other);
 };
 
-/// Summed over a job's scenarios.
+/// Sums over a job's scenarios.
 struct JobStatistics {
     QueryStatistics search;
     InsideStatistics inside;

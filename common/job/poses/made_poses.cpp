@@ -14,7 +14,7 @@ namespace cd {
 
 namespace {
 
-/// Neighbouring scenarios. One thread fills a window; it is read only when `is_whole`.
+/// Consecutive scenarios. One thread fills a window; others read it only when `is_whole`.
 struct Window {
     std::vector<Scenario> scenarios;
     bool is_whole = false;
@@ -57,7 +57,7 @@ class ComputedSource final : public PoseSource {
   private:
     static constexpr std::uint64_t window_size = limits::computed_window_scenarios;
 
-    /// Drops all windows but those of [first, first + bound), and has the missing ones computed.
+    /// Drops all windows but those of [first, first + bound), and schedules the missing ones.
     void order_windows(std::uint64_t first) {
         const std::uint64_t windows = (count_ + window_size - 1) / window_size;
         const std::uint64_t end = std::min(first + limits::computed_windows_max, windows);
@@ -106,8 +106,9 @@ class ComputedSource final : public PoseSource {
     std::atomic<bool> is_ending_ = false;
     std::mutex mutex_;
     std::condition_variable window_came_;
-    std::map<std::uint64_t, std::shared_ptr<Window>> windows_; ///< By number, ordered and kept.
-    ThreadPool pool_; ///< The last member: its threads use all others.
+    std::map<std::uint64_t, std::shared_ptr<Window>>
+        windows_;     ///< By number; both scheduled and complete windows.
+    ThreadPool pool_; ///< The pool is the last member because its threads use all others.
 };
 
 } // namespace

@@ -1,4 +1,4 @@
-// Scenarios that are computed while earlier ones run: random poses of any number in little memory.
+// Computes random scenarios while earlier ones run: any number of poses in bounded memory.
 #pragma once
 
 #include "common/core/host/stop_check.hpp"
@@ -10,17 +10,18 @@
 
 namespace cd {
 
-/// Computes a job's scenario of that index: a function of the index alone, called on any thread.
+/// Computes the job's scenario with a given index: a function of the index alone, called on any
+/// thread.
 using ScenarioMaker = std::function<Scenario(std::uint64_t)>;
 
-/// Makes the scenarios of `make_random_poses` one by one. The trees must outlive the maker.
+/// Makes the scenarios of `make_random_poses` singly. The trees outlive the maker.
 [[nodiscard]] ScenarioMaker
 random_scenarios(const RandomPoses& options, const ObbTree& a, const ObbTree& b);
 
-/// A source that computes windows of scenarios ahead, on threads of its own, and keeps a bounded
-/// number of them: fast for reads in ascending order. A read of one scenario computes it itself.
-/// One thread may read at a time. `stopped` is asked some times a second while a read waits.
-/// Errors of reads: Interrupted.
+/// Makes a source that computes windows of scenarios ahead, on threads of its own, and keeps a
+/// bounded number of them: reads in ascending order are fast. A read of one scenario computes it
+/// directly. One thread may read at a time. `stopped` is called several times a second while a read
+/// waits. Errors of reads: Interrupted.
 [[nodiscard]] std::unique_ptr<PoseSource>
 make_computed_source(std::uint64_t count, ScenarioMaker maker, unsigned threads, StopCheck stopped);
 

@@ -11,7 +11,7 @@ namespace cd {
 
 namespace {
 
-/// One that is handed out, and one whose scenarios came back.
+/// One window is handed out while results of the other one return.
 constexpr std::size_t windows_kept = 2;
 
 } // namespace
@@ -62,7 +62,8 @@ Result<std::vector<Scenario>> OrderedPoses::read(std::uint64_t first, std::uint6
 Result<std::shared_ptr<const PoseWindow>> OrderedPoses::window_of(std::uint64_t place) {
     CD_CHECK(place < count());
     const std::uint64_t first = place - place % limits::order_window_scenarios;
-    // Whoever comes meanwhile needs the same window, or has no other work.
+    // The lock is held while the source is read: other callers need this window or have no other
+    // work.
     const std::lock_guard lock(mutex_);
     const auto found = std::find_if(
         kept_.begin(), kept_.end(), [&](const auto& window) { return window->first() == first; });

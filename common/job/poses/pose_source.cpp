@@ -22,11 +22,11 @@ std::uint64_t turns_in(const std::vector<Quaternion>& rotation) {
     return rotation.empty() ? 1 : rotation.size();
 }
 
-/// The quaternion of a turn about an axis; multiples of 90 degrees without a rounding.
+/// Returns the quaternion of a rotation about an axis; exact for multiples of 90 degrees.
 Quaternion turn(double degrees, int axis) {
     CD_CHECK(axis >= 0);
     CD_CHECK(axis < 3);
-    const double reduced = std::fmod(degrees, 360.0); // Exact.
+    const double reduced = std::fmod(degrees, 360.0); // fmod is exact.
     double w = 1;
     double sine = 0;
     if (reduced == 90 || reduced == -270) {
@@ -88,7 +88,7 @@ class GridSource : public PoseSource {
 
 bool is_valid(const Grid& grid) {
     for (const GridAxis& axis : grid.position) {
-        // As `at` reckons, at its largest.
+        // This is the largest intermediate value of `at`.
         const double reach = (axis.last - axis.first) * static_cast<double>(axis.count);
         if (!std::isfinite(axis.first) || !std::isfinite(axis.last) || !std::isfinite(reach)) {
             return false;
@@ -96,7 +96,7 @@ bool is_valid(const Grid& grid) {
     }
     for (const std::vector<Quaternion>& rotation : grid.rotation) {
         for (const Quaternion& q : rotation) {
-            // Products of three stay what they are: neither zero nor infinite. Not NaN, either.
+            // Products of three remain finite and nonzero. NaN fails, too.
             const double square = q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z;
             if (!(square > 0.25 && square < 4)) {
                 return false;
@@ -122,7 +122,7 @@ double GridAxis::at(std::uint64_t place) const {
 std::uint64_t Grid::count() const {
     std::uint64_t count = 1;
     for (int i = 0; i < 3; ++i) {
-        // A zero stays one, whatever saturated before it.
+        // A zero stays zero, even if an earlier product saturated.
         if (position[static_cast<std::size_t>(i)].count == 0) {
             return 0;
         }
@@ -135,7 +135,7 @@ std::uint64_t Grid::count() const {
 Pose Grid::at(std::uint64_t place) const {
     CD_CHECK(place < count());
     std::uint64_t rest = place;
-    // Yaw is applied last and runs fastest.
+    // Yaw is applied last and varies fastest.
     Quaternion turned;
     for (std::size_t i = 3; i-- > 0;) {
         const std::uint64_t turns = turns_in(rotation[i]);

@@ -1,4 +1,4 @@
-// Where a job's scenarios come from, read in runs so that they never all stand in memory.
+// The source of a job's scenarios, read in ranges so that they are never all in memory.
 #pragma once
 
 #include "common/core/files/bytes.hpp"
@@ -19,7 +19,8 @@ namespace cd {
 
 struct Grid;
 
-/// The scenarios of a job by index. A seam: files (client), generators, and the master's spool.
+/// The scenarios of a job by index. Implementations: files (client), generators, the master's
+/// spool.
 class PoseSource {
   public:
     PoseSource() = default;
@@ -28,11 +29,11 @@ class PoseSource {
     virtual ~PoseSource() = default;
 
     [[nodiscard]] virtual std::uint64_t count() const = 0;
-    /// Scenarios [first, first + count), which must exist. A function of the arguments alone.
-    /// Errors: Io, BadInput naming the row.
+    /// Reads scenarios [first, first + count), which exist. The result depends on the arguments
+    /// alone. Errors: Io, BadInput naming the row.
     [[nodiscard]] virtual Result<std::vector<Scenario>> read(std::uint64_t first,
                                                              std::uint64_t count) = 0;
-    /// The grid whose places the scenarios are; null where that is not so.
+    /// Returns the grid whose places the scenarios are; null if there is none.
     [[nodiscard]] virtual const Grid* grid() const { return nullptr; }
 };
 
@@ -42,55 +43,59 @@ struct GridAxis {
     double last = 0;
     std::uint64_t count = 1;
 
-    /// The ends exactly; between them first + (last - first) * place / (count - 1), each operation
-    /// rounded in the order of C++.
+    /// Returns the ends exactly, and between them first + (last - first) * place / (count - 1),
+    /// each operation rounded in the order of C++.
     [[nodiscard]] double at(std::uint64_t place) const;
 
     friend bool operator==(const GridAxis&, const GridAxis&) = default;
 };
 
 /// The grid over positions and Euler angles, x slowest and yaw fastest in the order x, y, z, roll,
-/// pitch, yaw. It travels as this description; angles are already quaternions, so evaluating it
-/// takes + - * / only.
+/// pitch, yaw. It is sent as this description; angles are already quaternions, so evaluating it
+/// only takes + - * /.
 struct Grid {
     std::array<GridAxis, 3> position; ///< x, y, z
-    /// About x (roll), y (pitch), z (yaw); an empty list does not turn.
+    /// Rotations about x (roll), y (pitch), z (yaw); an empty list does not rotate.
     std::array<std::vector<Quaternion>, 3> rotation;
 
-    [[nodiscard]] std::uint64_t count() const; ///< Saturates instead of overflowing.
-    /// B's pose at a place below `count()`, always a quaternion's.
+    [[nodiscard]] std::uint64_t
+    count() const; ///< Number of places; saturates instead of overflowing.
+    /// Returns B's pose at a place below `count()`, always in quaternion form.
     [[nodiscard]] Pose at(std::uint64_t place) const;
 
     friend bool operator==(const Grid&, const Grid&) = default;
 };
 
-/// The quaternions of evenly spaced angles in degrees about axis 0, 1 or 2. The one use of sin and
-/// cos: where the job is read. Multiples of 90 degrees come out exact.
+/// Returns the quaternions of evenly spaced angles in degrees about axis 0, 1 or 2. Only here,
+/// where the job is read, sin and cos are used. Multiples of 90 degrees are exact.
 [[nodiscard]] std::vector<Quaternion> rotation_axis(const GridAxis& degrees, int axis);
 
-/// Roll about x first, then pitch about y, then yaw about z, in degrees (R = Rz Ry Rx).
+/// Converts angles in degrees: roll about x first, then pitch about y, then yaw about z (R = Rz Ry
+/// Rx).
 [[nodiscard]] Quaternion quaternion_from_euler(double roll_deg, double pitch_deg, double yaw_deg);
 
-/// The scenario at a place of the grid: B on it, A at the identity.
+/// Returns the scenario at a place of the grid: B at that pose, A at the identity.
 [[nodiscard]] Scenario scenario_on(const Grid& grid, std::uint64_t place);
 [[nodiscard]] std::unique_ptr<PoseSource> make_grid_source(Grid grid);
 
 [[nodiscard]] Bytes encode_grid(const Grid& grid);
-/// The bytes may be hostile: every place has a pose of finite numbers, quaternions are near to unit
-/// ones, and the count lies in [1, `limits::scenarios_max`]. Errors: BadFrame.
+/// Decodes a grid. The bytes may be hostile. On success every place has a pose of finite numbers,
+/// quaternions are nearly of unit length, and the count lies in [1, `limits::scenarios_max`].
+/// Errors: BadFrame.
 [[nodiscard]] Result<Grid> decode_grid(std::span<const std::byte> bytes);
 
-/// The same scenarios on every host and for any number of threads. B's poses are quaternions, A's
-/// the identity. A scenario depends on its index, the seed and the shares alone, not on `count`.
+/// Makes random scenarios, equal on every host and for any number of threads. B's poses are
+/// quaternions, A's the identity. A scenario depends on its index, the seed and the shares alone,
+/// not on `count`.
 ///
 /// B approaches the centre of A's box along a straight line. "First collides" is the first of 32
-/// places on the way that collides, made exact to some 1/32,000 of the way. Where a line leads to
-/// A's centre without a collision another direction and orientation are drawn; after 64 such lines
-/// B stays at the centre.
+/// steps on the way that collides, refined to some 1/32,000 of the way. Where a line reaches A's
+/// centre without a collision, another direction and orientation are drawn; after 64 such lines B
+/// stays at the centre.
 [[nodiscard]] std::vector<Scenario>
 make_random_poses(const RandomPoses& options, const ObbTree& a, const ObbTree& b, ThreadPool& pool);
 
-/// Scenarios that stand in memory.
+/// Makes a source of scenarios in memory.
 [[nodiscard]] std::unique_ptr<PoseSource> make_list_source(std::vector<Scenario> scenarios);
 
 } // namespace cd

@@ -10,11 +10,11 @@ namespace cd {
 namespace {
 
 constexpr std::uint64_t scenarios_at_once = 4096;
-/// `pack_scenarios` of one scenario 0 of bodies 0 and 1: its forms, and where its doubles begin.
+/// Offset of the forms in `pack_scenarios` of one scenario 0 of bodies 0 and 1; its doubles follow.
 constexpr std::size_t forms_offset = 2;
 constexpr std::size_t numbers_offset = 7;
 
-/// Adding zero makes -0 a 0 and leaves every other number alone.
+/// Adding zero turns -0 into 0 and leaves every other number unchanged.
 Pose without_minus_zero(const Pose& pose) {
     const Vec3 translation = pose.translation() + Vec3::Zero();
     if (pose.kind() == Pose::Kind::Matrix) {
@@ -24,7 +24,7 @@ Pose without_minus_zero(const Pose& pose) {
     return Pose::from_quaternion({q.w + 0.0, q.x + 0.0, q.y + 0.0, q.z + 0.0}, translation);
 }
 
-/// The form of A's pose and that of B's, then their doubles.
+/// Writes the form of A's pose and that of B's, then their doubles.
 void put_numbers(ByteWriter& out, const PosePair& poses) {
     Scenario alone;
     alone.poses = {without_minus_zero(poses.a), without_minus_zero(poses.b)};

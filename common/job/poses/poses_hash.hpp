@@ -1,4 +1,4 @@
-// A hash that names a job's poses. It depends on their numbers alone, not on how they are packed.
+// A hash that names a job's poses. It depends on their numbers, not on how they are packed.
 #pragma once
 
 #include "common/core/files/hash.hpp"
@@ -15,18 +15,18 @@ namespace cd {
 class PosesHash {
   public:
     void add(std::span<const Scenario> scenarios);
-    /// Nothing may be added afterwards.
+    /// Returns the hash. Nothing may be added afterwards.
     [[nodiscard]] Sha256 finish();
 
   private:
     Sha256Stream stream_;
 };
 
-/// SHA-256 of a grid's description (`encode_grid`), which is the hash of its poses.
+/// Returns SHA-256 of a grid's description (`encode_grid`), which is the hash of its poses.
 [[nodiscard]] Sha256 hash_of(const Grid& grid);
 
-/// The hash of all poses of a source: of its grid where it has one. Errors: those of reading;
-/// Interrupted.
+/// Returns the hash of all poses of a source; that of its grid where it has one. Errors: those of
+/// reading; Interrupted.
 [[nodiscard]] Result<Sha256> hash_of(PoseSource& poses, const StopCheck& stop = {});
 
 } // namespace cd

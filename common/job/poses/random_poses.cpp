@@ -12,14 +12,14 @@ namespace cd {
 
 namespace {
 
-/// Places along a line of approach that are tried for the first collision.
+/// Steps along a line of approach that are tried for the first collision.
 constexpr int approach_steps = 32;
 /// Halvings of the step in which the first collision lies.
 constexpr int bisection_steps = 10;
 /// Lines tried for one scenario. Bodies that never collide on so many hardly can.
 constexpr int lines_max = 64;
 
-/// Steele, Lea, Flood, Fast splittable pseudorandom number generators (2014).
+/// Implements Steele, Lea, Flood, Fast splittable pseudorandom number generators (2014).
 std::uint64_t split_mix(std::uint64_t& state) {
     state += 0x9e3779b97f4a7c15;
     std::uint64_t z = state;
@@ -28,7 +28,7 @@ std::uint64_t split_mix(std::uint64_t& state) {
     return z ^ (z >> 31);
 }
 
-/// Numbers of one scenario: a function of the seed and the index alone.
+/// Random numbers of one scenario: a function of the seed and the index alone.
 class Random {
   public:
     Random(std::uint64_t seed, std::uint64_t index) : state_(seed) {
@@ -36,7 +36,7 @@ class Random {
         state_ = split_mix(state_);
     }
 
-    /// In [0, 1), of 53 bits.
+    /// Returns a number in [0, 1) with 53 random bits.
     double unit() { return static_cast<double>(split_mix(state_) >> 11) * 0x1p-53; }
     double between(double low, double high) { return low + (high - low) * unit(); }
 
@@ -44,7 +44,7 @@ class Random {
     std::uint64_t state_;
 };
 
-/// A point of the disk or ball of radius 1, never its centre, and its squared length.
+/// Returns a point of the disk or ball of radius 1, never its centre, and its squared length.
 template <std::size_t Size>
 struct BallPoint {
     std::array<double, Size> at{};
@@ -71,7 +71,8 @@ Vec3 random_direction(Random& random) {
     return {point.at[0] / length, point.at[1] / length, point.at[2] / length};
 }
 
-/// Uniform over the rotations. Marsaglia, Choosing a point from the surface of a sphere (1972).
+/// Returns a uniformly random rotation. Marsaglia, Choosing a point from the surface of a sphere
+/// (1972).
 Quaternion random_rotation(Random& random) {
     const auto first = random_in_ball<2>(random);
     const auto second = random_in_ball<2>(random);
@@ -79,13 +80,13 @@ Quaternion random_rotation(Random& random) {
     return {first.at[0], first.at[1], second.at[0] * scale, second.at[1] * scale};
 }
 
-/// What all scenarios of a job share.
+/// Values that all scenarios of a job share.
 struct Bodies {
     const ObbTree& a;
     const ObbTree& b;
     Aabb box_a;
     Aabb box_b;
-    double reach = 0; ///< Centres this far apart: the boxes' spheres do not meet.
+    double reach = 0; ///< At this distance of the centres the boxes' spheres do not meet.
 };
 
 Bodies measure(const ObbTree& a, const ObbTree& b) {
@@ -94,7 +95,7 @@ Bodies measure(const ObbTree& a, const ObbTree& b) {
     return bodies;
 }
 
-/// B in one orientation, its centre on a ray from the centre of A.
+/// An approach of B, in one orientation, with its centre on a ray from the centre of A.
 class Approach {
   public:
     Approach(const Bodies& bodies, Random& random)
@@ -103,13 +104,13 @@ class Approach {
           turn_(random_rotation(random)),
           center_b_(Pose::from_quaternion(turn_, Vec3::Zero()).apply(bodies.box_b.center())) {}
 
-    /// B's pose when the centres of the boxes are so far apart.
+    /// Returns B's pose when the centres of the boxes have this distance.
     [[nodiscard]] Pose at(double distance) const {
         const Vec3 center = bodies_.box_a.center() + direction_ * distance;
         return Pose::from_quaternion(turn_, center - center_b_);
     }
 
-    /// The distance of the first collision on the way in; nothing when B goes in without one.
+    /// Returns the distance of the first collision on the way in, or nothing when there is none.
     [[nodiscard]] std::optional<double> first_collision() const {
         const double step = bodies_.reach / approach_steps;
         for (int i = approach_steps - 1; i >= 0; --i) {
@@ -136,7 +137,7 @@ class Approach {
     const Bodies& bodies_;
     Vec3 direction_;
     Quaternion turn_;
-    Vec3 center_b_; ///< Of B's box, turned but not moved.
+    Vec3 center_b_; ///< Centre of B's box, rotated but not translated.
 };
 
 Pose random_pose(const RandomPoses& options, const Bodies& bodies, std::uint64_t index) {
@@ -148,7 +149,7 @@ Pose random_pose(const RandomPoses& options, const Bodies& bodies, std::uint64_t
             return approach.at(*first - share * bodies.box_b.diagonal());
         }
     }
-    // B is too small to be met with: it stays where the last line would have ended.
+    // B is too small to collide: it stays at the end of the last line.
     return Approach(bodies, random).at(0);
 }
 

@@ -5,9 +5,9 @@
 
 namespace cd {
 
-/// The paper's scenarios (section 7): B comes in a random orientation from a random direction and
-/// is pushed in until it first collides, then by a random share in [penetration_min,
-/// penetration_max] of the diagonal of B's box further. Readers of a job check that 0 <=
+/// Parameters of the paper's scenarios (section 7): B comes in a random orientation from a random
+/// direction and is moved in until it first collides, then further by a random share in
+/// [penetration_min, penetration_max] of the diagonal of B's box. Readers of a job check that 0 <=
 /// penetration_min <= penetration_max <= 1.
 struct RandomPoses {
     std::uint64_t count = 1000;

@@ -12,11 +12,11 @@ namespace {
 
 using Entries = std::vector<TriangleContacts>;
 
-/// Entries for triangles that were touched once more are gathered up to this many, or as many as
-/// there are sums.
+/// Touched triangles are collected up to this many, or as many as there are sums, before they are
+/// added to the sums.
 constexpr std::size_t touched_enough = 1u << 16;
 
-/// Both ascend; equal triangles become one.
+/// Merges two ascending lists; the counts of equal triangles add up.
 Entries merged(const Entries& one, const Entries& other) {
     Entries sum;
     sum.reserve(one.size() + other.size());
@@ -34,7 +34,7 @@ Entries merged(const Entries& one, const Entries& other) {
     return sum;
 }
 
-/// How often each number stands in the ascending list.
+/// Counts how often each number occurs in an ascending list.
 Entries counted(std::span<const std::uint32_t> ascending) {
     Entries entries;
     for (const std::uint32_t triangle : ascending) {
@@ -52,12 +52,13 @@ Entries counted(std::span<const std::uint32_t> ascending) {
 
 struct ContactMapSum::Body {
     Entries sums;
-    std::vector<std::uint32_t> touched; ///< Once for each scenario that is not in the sums.
+    /// Contains a triangle once for each scenario that is not yet in the sums.
+    std::vector<std::uint32_t> touched;
 };
 
 struct ContactMapSum::State {
     NumberSorter sorter;
-    std::vector<std::uint32_t> triangles; ///< Of one scenario.
+    std::vector<std::uint32_t> triangles; ///< Triangles of one scenario.
     std::array<Body, 2> bodies;
 
     void sum_up(Body& body) const {
@@ -65,7 +66,7 @@ struct ContactMapSum::State {
         body.sums = merged(body.sums, counted(body.touched));
         body.touched.clear();
     }
-    /// The triangles are those of one scenario, in any order.
+    /// Counts the triangles of one scenario, given in any order.
     void touch(Body& body) {
         sorter.sort(triangles);
         triangles.erase(std::unique(triangles.begin(), triangles.end()), triangles.end());

@@ -1,5 +1,5 @@
-// Heat maps: in how many scenarios each triangle was in contact. Sums of integers, made where the
-// scenarios run, so that a job has them without sending a pair.
+// Heat maps: the number of scenarios in which each triangle was in contact. Workers sum integers
+// where scenarios run, so that a job has maps without sending a pair.
 #pragma once
 
 #include "common/core/files/hash.hpp"
@@ -13,7 +13,7 @@
 
 namespace cd {
 
-/// How many scenarios a triangle was in contact in, by its place in its mesh.
+/// A triangle's index in its mesh, with the number of scenarios in which it was in contact.
 struct TriangleContacts {
     std::uint32_t triangle = 0;
     std::uint64_t scenarios = 0;
@@ -21,7 +21,7 @@ struct TriangleContacts {
     friend bool operator==(const TriangleContacts&, const TriangleContacts&) = default;
 };
 
-/// Of A and of B: ascending triangles, each with at least one scenario.
+/// The touched triangles of A and of B, ascending, each with at least one scenario.
 struct ContactMap {
     std::array<std::vector<TriangleContacts>, 2> bodies;
 
@@ -29,8 +29,8 @@ struct ContactMap {
     friend bool operator==(const ContactMap&, const ContactMap&) = default;
 };
 
-/// Sums the scenarios of a thread or a task. Memory: a number for each triangle of each scenario,
-/// or, where that is more, a few for each triangle.
+/// Sums the scenarios of a thread or a task. Memory: one number for each triangle of each scenario
+/// or a few for each triangle, whichever is less.
 class ContactMapSum {
   public:
     ContactMapSum();
@@ -38,24 +38,24 @@ class ContactMapSum {
     ContactMapSum& operator=(ContactMapSum&&) noexcept;
     ~ContactMapSum();
 
-    /// All pairs of one scenario, in any order: each of their triangles counts once.
+    /// Adds all pairs of one scenario, in any order; each of their triangles counts once.
     void add(std::span<const ContactPair> pairs);
     void add(const ContactMap& map);
 
     [[nodiscard]] bool empty() const;
-    /// Held in memory.
+    /// Bytes of memory in use.
     [[nodiscard]] std::uint64_t bytes() const;
-    /// The sum so far; then there is none any more.
+    /// Returns the sum so far and resets it.
     [[nodiscard]] ContactMap take();
 
   private:
     struct Body;
     struct State;
     [[nodiscard]] State& state();
-    std::unique_ptr<State> state_; ///< Null while there is nothing in it.
+    std::unique_ptr<State> state_; ///< Null while the sum is empty.
 };
 
-/// Sums a whole job. Memory: eight bytes for each triangle up to the last.
+/// Sums a whole job. Memory: eight bytes for each triangle up to the last one touched.
 class ContactMapTotal {
   public:
     void add(const ContactMap& map);
@@ -65,8 +65,8 @@ class ContactMapTotal {
     std::array<std::vector<std::uint64_t>, 2> scenarios_;
 };
 
-/// SHA-256 over, of each body, the number of its triangles, and of each the triangle and its
-/// scenarios; all u64, little-endian. The same for every cluster that ran the job.
+/// Returns SHA-256 over, for each body, its number of triangles, and for each triangle its index
+/// and scenarios; all u64, little-endian. The digest is equal on every cluster that ran the job.
 [[nodiscard]] Sha256 digest_of(const ContactMap& map);
 
 } // namespace cd

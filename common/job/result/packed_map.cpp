@@ -42,7 +42,7 @@ Error bad_map() {
             "scenarios"};
 }
 
-/// Nothing where they are not those of a body with so many triangles.
+/// Returns nothing where the numbers do not fit a body with so many triangles.
 std::optional<Entries>
 get_entries(ByteReader& in, std::uint64_t triangles, std::uint64_t scenarios) {
     const auto count = get_varint(in);
@@ -73,7 +73,7 @@ get_entries(ByteReader& in, std::uint64_t triangles, std::uint64_t scenarios) {
 } // namespace
 
 Result<ContactMap> unpack_map(std::span<const std::byte> packed, const ContactMapBounds& bounds) {
-    // Of a triangle: its step in at most 5 bytes, its scenarios in at most 6; of a body: 10 bytes.
+    // A triangle's step takes at most 5 bytes, its scenarios at most 6; a body's header takes 10.
     static_assert(limits::scenarios_max < std::uint64_t{1} << 42);
     const std::uint64_t bytes_max = 11 * (bounds.triangles_a + bounds.triangles_b) + 20;
     const Result<Bytes> bytes = decompress(packed, bytes_max);

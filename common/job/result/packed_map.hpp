@@ -1,4 +1,4 @@
-// A map of contacts as it travels and as it is kept.
+// The packed form of a contact map, as sent and stored.
 #pragma once
 
 #include "common/core/files/bytes.hpp"
@@ -10,19 +10,20 @@
 
 namespace cd {
 
-/// Of each body, A first, the number of its triangles, the steps from one to the
-/// next less 1, and their scenarios less 1; all of it varints, compressed together.
+/// Writes for each body, A first, its number of triangles, the steps from one triangle to the next
+/// less 1, and the triangles' scenarios less 1; all are varints, compressed together.
 [[nodiscard]] Bytes pack_map(const ContactMap& map);
 
-/// What a map can hold.
+/// Bounds on the contents of a map.
 struct ContactMapBounds {
-    std::uint64_t triangles_a = 0; ///< Of the meshes.
+    std::uint64_t triangles_a = 0; ///< Number of triangles of the mesh of A.
     std::uint64_t triangles_b = 0;
-    std::uint64_t scenarios = 0; ///< That the map is the sum of.
+    std::uint64_t scenarios = 0; ///< Number of scenarios that the map sums up.
 };
 
-/// The inverse. The bytes may be hostile: triangles ascend and are below the meshes' numbers, none
-/// has more than `scenarios`, and nothing is allocated beyond what that allows. Errors: BadFrame.
+/// Unpacks `pack_map`. The bytes may be hostile: triangles must ascend and be below the meshes'
+/// numbers, none may have more than `scenarios`, and nothing is allocated beyond what that allows.
+/// Errors: BadFrame.
 [[nodiscard]] Result<ContactMap> unpack_map(std::span<const std::byte> packed,
                                             const ContactMapBounds& bounds);
 

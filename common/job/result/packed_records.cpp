@@ -28,13 +28,13 @@ enum Column : std::size_t {
     column_count
 };
 
-/// Makes a few hundredths less than the fastest level, of columns a quarter as long as the records.
+/// This level gains a few percent over the fastest, on columns a quarter as long as the records.
 constexpr int compression_level = 3;
 
-/// Pairs of one record: triangles of A, of B, then classes (result.hpp).
+/// Bytes of a pair in a record: triangles of A, of B, then classes (result.hpp).
 constexpr std::size_t pair_bytes = 2 * sizeof(std::uint32_t) + 1;
 
-/// The bytes up to the pairs, if a record has any.
+/// Returns the number of bytes before the pairs, if a record has any.
 std::optional<std::size_t> head_with_pairs(std::span<const std::byte> record) {
     ByteReader in(record);
     (void)in.get_bytes(1 + sizeof(std::uint64_t) + 2 * sizeof(std::uint32_t));
@@ -87,7 +87,7 @@ void Packer::add_pairs(std::span<const std::uint32_t> a, std::span<const std::ui
     for (std::size_t i = 0; i < a.size();) {
         std::size_t end = i + 1;
         while (end < a.size() && a[end] == a[i]) {
-            put_varint(columns_[b_steps], b[end] - b[end - 1] - 1); // Modulo 2^32.
+            put_varint(columns_[b_steps], b[end] - b[end - 1] - 1); // The step is modulo 2^32.
             ++end;
         }
         put_varint(columns_[a_steps], a[i] - a_before);
@@ -100,7 +100,7 @@ void Packer::add_pairs(std::span<const std::uint32_t> a, std::span<const std::ui
 }
 
 Bytes Packer::take() {
-    // Together they would share codes, and be a few hundredths larger.
+    // Compressed together, columns would share codes and be a few percent larger.
     std::array<Bytes, column_count> compressed;
     ByteWriter out;
     for (std::size_t i = 0; i < column_count; ++i) {
@@ -121,7 +121,7 @@ Error bad() {
 
 class Unpacker {
   public:
-    /// The columns outlive this.
+    /// The columns outlive the unpacker.
     Unpacker(const std::array<Bytes, column_count>& columns, std::uint64_t bytes_max)
         : bytes_max_(bytes_max) {
         for (const Bytes& column : columns) {
@@ -135,7 +135,7 @@ class Unpacker {
     [[nodiscard]] Bytes take() { return out_.take(); }
 
   private:
-    /// False when the columns end early or a number does not fit.
+    /// Returns false when the columns end early or a number does not fit.
     [[nodiscard]] bool get_pairs(std::uint32_t count);
     [[nodiscard]] std::uint64_t number(Column column) {
         const std::optional<std::uint64_t> value = get_varint(columns_[column]);

@@ -1,5 +1,5 @@
-// Records of results as they travel, many together: lists of pairs take a quarter of what they do
-// one by one.
+// Packs many records of results together for sending: lists of pairs take a quarter of the bytes
+// that they take singly.
 #pragma once
 
 #include "common/core/files/bytes.hpp"
@@ -10,9 +10,8 @@
 
 namespace cd {
 
-/// Canonical records (result.hpp), each behind its length as u32, packed: the lengths of eight
-/// columns as varints, then the columns, each compressed by itself, those that are empty not at
-/// all:
+/// Packs canonical records (result.hpp), each preceded by its length as u32: the lengths of eight
+/// columns as varints, then the columns, each compressed separately, empty ones left uncompressed:
 ///
 ///     0: of each record, varints: twice the bytes of its head, and 1 more if pairs follow; and the
 ///        bytes of its tail
@@ -25,13 +24,14 @@ namespace cd {
 ///     6: of each other pair a varint: the step from the triangle of B before, less 1
 ///     7: the class of each pair, u8
 ///
-/// Every record starts from triangles 0 and 0. A triangle's number is near to that of the one
-/// beside it, so most steps are small.
+/// Every record starts from triangles 0 and 0. Neighbouring triangles have close numbers, so most
+/// steps are small.
 [[nodiscard]] Bytes pack_records(std::span<const std::byte> records);
 
-/// The inverse. The bytes may be hostile: what comes back are records behind their lengths, which
-/// need not be canonical ones, and no more than `bytes_max`; nothing is allocated that is larger,
-/// or that the uncompressed columns do not justify (9 bytes for one). Errors: BadFrame, TooLarge.
+/// Unpacks `pack_records`. The bytes may be hostile: the result holds records preceded by their
+/// lengths, which need not be canonical, and at most `bytes_max` bytes; nothing is allocated that
+/// is larger, or that the uncompressed columns do not justify (9 bytes for one). Errors: BadFrame,
+/// TooLarge.
 [[nodiscard]] Result<Bytes> unpack_records(std::span<const std::byte> packed,
                                            std::uint64_t bytes_max);
 

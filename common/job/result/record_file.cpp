@@ -13,10 +13,10 @@ namespace {
 
 constexpr FileKind kind{0x31'43'45'52'44'43'00'00, 1}; // "\0\0CDREC1"
 constexpr std::uint64_t block_records_max = 4096;
-/// Uncompressed; a block that has reached it is written.
+/// Uncompressed bytes; a block that reaches this size is written.
 constexpr std::uint64_t block_bytes_enough = 4u << 20;
 
-/// Records behind their lengths, in the scenarios that the block is about.
+/// Reads records preceded by their lengths; all belong to the scenarios of the block.
 Result<std::vector<KeptRecord>> records_in(std::span<const std::byte> bytes,
                                            const BlockPlace& block) {
     std::vector<KeptRecord> records;
@@ -70,7 +70,7 @@ Result<std::vector<KeptRecord>> RecordFile::read(std::size_t block) const {
     if (!records) {
         return damaged(records.error());
     }
-    // Blocks may have gaps, so that their counts do not tell where they end.
+    // Blocks may have gaps, so their counts do not tell their last scenario.
     if (block + 1 < blocks() &&
         records.value().back().result.index >= file_.blocks()[block + 1].first) {
         return damaged({ErrorCode::Io, "the scenarios of two blocks overlap"});

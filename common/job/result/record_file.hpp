@@ -1,4 +1,4 @@
-// A run's results on disk: the canonical records, from which every export is made.
+// Stores a run's results on disk: the canonical records that every export reads.
 #pragma once
 
 #include "common/core/files/bytes.hpp"
@@ -17,14 +17,14 @@
 
 namespace cd {
 
-/// A record's bytes in the file, and the result that they encode.
+/// A record's bytes in the file, with the decoded result.
 struct KeptRecord {
     Bytes bytes;
     ScenarioResult result;
 };
 
 /// A block file (block_file.hpp) of `pack_records`, at most 4,096 in a block, with ascending
-/// scenarios. Scenarios without a result are left out.
+/// scenarios. Scenarios without a result are missing.
 class RecordFile {
   public:
     /// Errors: those of `BlockFile::open`.
@@ -34,13 +34,14 @@ class RecordFile {
 
     [[nodiscard]] std::uint64_t count() const { return file_.count(); }
     [[nodiscard]] std::size_t blocks() const { return file_.blocks().size(); }
-    /// The records of a block, decoded and checked. Errors: Io naming the file.
+    /// Reads the records of a block, decoded and checked. Errors: Io naming the file.
     [[nodiscard]] Result<std::vector<KeptRecord>> read(std::size_t block) const;
-    /// A scenario's record, good until the next call; null where it has none. Keeps its block, so
-    /// that scenarios in ascending order are found without reading a block twice. One thread at a
-    /// time. Errors: Io naming the file.
+    /// Finds a scenario's record; null where it has none. The pointer is valid until the next call.
+    /// The last block is cached, so that lookups in ascending order read each block once. One
+    /// thread at a time may call it. Errors: Io naming the file.
     [[nodiscard]] Result<const KeptRecord*> find(std::uint64_t scenario);
-    /// Calls `take` with each record in order; an error of `take` ends it. Errors: also Io.
+    /// Calls `take` with each record in order; an error of `take` ends the loop. Errors: Io, those
+    /// of `take`.
     [[nodiscard]] Status for_each(const std::function<Status(const KeptRecord&)>& take) const;
 
   private:
@@ -48,37 +49,38 @@ class RecordFile {
 
     BlockFile file_;
     std::optional<std::size_t> kept_block_;
-    std::vector<KeptRecord> kept_; ///< The records of `kept_block_`.
+    std::vector<KeptRecord> kept_; ///< Records of block `kept_block_`.
 };
 
-/// Writes a record file in blocks that are whole as soon as they are written.
+/// Writes a record file block by block; each block is complete once written.
 class RecordWriter {
   public:
     /// Errors: those of `BlockFileWriter`.
     [[nodiscard]] static Result<RecordWriter> create(const std::filesystem::path& path);
     [[nodiscard]] static Result<RecordWriter> resume(const std::filesystem::path& path);
 
-    /// Adds the canonical record of a scenario after all before. It waits until `flush`.
+    /// Adds the canonical record of a scenario after all before. It is buffered until `flush`.
     void add(std::uint64_t scenario, std::span<const std::byte> record);
-    /// Whether a block's worth waits; `add` may not be called before `flush` then.
+    /// True if a whole block is buffered; then `flush` must precede the next `add`.
     [[nodiscard]] bool is_full() const;
-    /// Writes what has been added, as a block of its own. Errors: Io.
+    /// Writes the buffered records as one block. Errors: Io.
     [[nodiscard]] Status flush();
-    /// Cuts off the blocks that reach `scenario`, in a file without gaps. Errors: Io.
+    /// Cuts off the blocks from the one that holds `scenario` on, in a file without gaps. Errors:
+    /// Io.
     [[nodiscard]] Status cut_before(std::uint64_t scenario);
-    /// Writes what has been added and the table. Errors: Io.
+    /// Writes the buffered records and the table. Errors: Io.
     [[nodiscard]] Status finish();
 
-    /// Records in blocks that are written.
+    /// Number of records in written blocks.
     [[nodiscard]] std::uint64_t written() const { return file_.written().count(); }
 
   private:
     explicit RecordWriter(BlockFileWriter file) : file_(std::move(file)) {}
 
     BlockFileWriter file_;
-    ByteWriter waiting_; ///< Each record behind its length.
+    ByteWriter waiting_; ///< Buffered records, each preceded by its length.
     std::uint64_t first_ = 0;
-    std::uint64_t count_ = 0; ///< Number of records that wait.
+    std::uint64_t count_ = 0; ///< Number of buffered records.
 };
 
 } // namespace cd

@@ -23,8 +23,8 @@ constexpr std::uint32_t points_of_pair_max = 6;
 constexpr std::array<std::string_view, 7> class_names{
     "separate", "touch", "cross", "inside", "contact", "undecided", "failed"};
 
-/// One bit pattern for each number: zero has no sign, and NaN (a point that left the range of
-/// double) has no payload.
+/// Returns one bit pattern for each number: zero has no sign, and NaN (a point that left the range
+/// of double) has no payload.
 double canonical(double value) {
     return std::isnan(value) ? std::numeric_limits<double>::quiet_NaN() : value + 0.0;
 }
@@ -74,7 +74,8 @@ Error bad(const char* what) {
     return {ErrorCode::BadFrame, std::string("result record: ") + what};
 }
 
-/// In one piece: at level count a record is nothing else, and the master writes a million a second.
+/// Writes the head in one piece: at level count it is the whole record, and the master writes a
+/// million a second.
 void put_head(ByteWriter& out, const ScenarioResult& result) {
     std::array<std::uint8_t, head_bytes> head;
     std::uint8_t* to = head.data();
@@ -184,7 +185,7 @@ Status get_shared_points(ByteReader& in, ScenarioResult& result) {
     return get_vectors(in, points, result.points);
 }
 
-/// Whether the fields can stand together.
+/// Checks that the fields are consistent.
 Status check_sense(const ScenarioResult& result) {
     const bool is_any = result.level == Level::Any;
     const bool in_contact =
@@ -268,7 +269,7 @@ Result<ScenarioResult> decode_result(std::span<const std::byte> bytes) {
 }
 
 ScenarioResult within_limit(ScenarioResult result, std::uint64_t bytes_max) {
-    // Of the record's layout, rounded up.
+    // Fixed size of the record's layout, rounded up.
     constexpr std::uint64_t fixed_bytes = 64;
     constexpr std::uint64_t pair_bytes = 2 * sizeof(std::uint32_t) + 1;
     constexpr std::uint64_t point_bytes = 3 * sizeof(double);

@@ -1,4 +1,4 @@
-// The answer for one scenario, in its one canonical form: digested, sent and stored alike.
+// The result of one scenario, in one canonical form that is digested, sent and stored.
 #pragma once
 
 #include "common/core/files/bytes.hpp"
@@ -17,7 +17,7 @@
 
 namespace cd {
 
-/// NUMERICS, section 1; level any does not tell Touch from Cross: both are Contact.
+/// The classes of NUMERICS, section 1. Level any reports Contact for both Touch and Cross.
 enum class ScenarioClass : std::uint8_t {
     Separate = 0,
     Touch = 1,
@@ -36,23 +36,24 @@ struct ScenarioResult {
     std::uint32_t body_b = 1;
     Level level = Level::Pairs;
     ScenarioClass kind = ScenarioClass::Separate;
-    bool surfaces_only = false;   ///< A body is open: nothing is said of insides.
-    bool insides_skipped = false; ///< Ignored pairs leave parts of which no insides are told.
-    /// The true number, even where the list is cut; 0 at level any. Where the class is undecided,
-    /// of the pairs proven so far, which need not be all.
+    bool surfaces_only = false;   ///< A body is open: containment is not decided.
+    bool insides_skipped = false; ///< Ignored pairs leave parts whose containment is not decided.
+    /// The true number, even where the list is cut off; 0 at level any. Where the class is
+    /// undecided, the number of pairs proven so far, which need not be all.
     std::uint64_t pair_count = 0;
-    /// Undecided only, else 0: the two bodies are at most this far apart in the world, in the job's
-    /// units; 0 where a contact was proven although other boxes stayed undecided. May be infinite.
+    /// For Undecided only, else 0: an upper bound on the distance of the two bodies in the world,
+    /// in the job's units; 0 where a contact was proven although other boxes stayed undecided. May
+    /// be infinite.
     double distance_bound = 0;
     std::vector<ContactPair> pairs; ///< Sorted; the first `limit_pairs` where a limit was set.
 
-    /// Of each listed pair, at level contacts: its origin in the world, and the run of its shared
-    /// points, relative to the origin.
+    /// For each listed pair at level contacts, the origin of its shared points in the world;
+    /// `points` are relative to it.
     std::vector<Vec3> point_origins;
     std::vector<std::uint32_t> point_offsets; ///< pairs + 1 entries, from 0; empty below contacts.
     std::vector<Vec3> points;
 
-    std::string failure; ///< Why, for Failed, which has no pairs.
+    std::string failure; ///< The reason, for Failed, which has no pairs.
 
     [[nodiscard]] bool is_cut() const { return level >= Level::Pairs && pairs.size() < pair_count; }
 };
@@ -68,19 +69,20 @@ struct ScenarioResult {
 ///     level contacts:   n x u8 points of the pair (at most 6); n x 3 f64 origins; points x 3 f64
 ///
 /// -0 is stored as 0, and a NaN (a point that left the range of double) as the one quiet NaN.
-/// Whoever fills a result keeps to what `decode_result` checks.
+/// Code that fills a result guarantees what `decode_result` checks.
 [[nodiscard]] Bytes encode_result(const ScenarioResult& result);
 
-/// The inverse: `encode_result` gives the same bytes again. The bytes may be hostile: everything is
-/// checked (classes and levels in range and fitting each other, pairs strictly ascending, counts
-/// that fit, numbers in canonical form). Errors: BadFrame.
+/// Decodes a record; `encode_result` gives equal bytes again. The bytes may be hostile: everything
+/// is checked (classes and levels in range and consistent, pairs strictly ascending, counts that
+/// fit, numbers in canonical form). Errors: BadFrame.
 [[nodiscard]] Result<ScenarioResult> decode_result(std::span<const std::byte> bytes);
 
-/// A result whose record would be larger than `bytes_max` becomes a failed one that says so.
-/// Whoever runs a scenario calls this, so that the failure is part of the answer everywhere.
+/// Replaces a result whose record would exceed `bytes_max` bytes by a failed one that says so.
+/// Every caller that runs a scenario calls this, so that the failure is part of the answer
+/// everywhere.
 [[nodiscard]] ScenarioResult within_limit(ScenarioResult result, std::uint64_t bytes_max);
 
-/// SHA-256 of the canonical record.
+/// Returns SHA-256 of the canonical record.
 [[nodiscard]] Sha256 digest_of(const ScenarioResult& result);
 
 } // namespace cd
