@@ -10,6 +10,7 @@
 #include "proto/messages/client_messages.hpp"
 #include "proto/messages/work_messages.hpp"
 
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 
@@ -33,9 +34,13 @@ struct JobGeometry {
                                                 const Query& query,
                                                 std::shared_ptr<PoseSource> poses);
 
+/// How much of a file of poses `open_poses` checks; a read checks what it reads in any case.
+enum class PoseCheck : std::uint8_t { Whole, AsRead };
+
 /// Opens the poses of a journalled job; `path` is their file if the job has no grid. Errors: Io
 /// naming a file that is missing or damaged.
 [[nodiscard]] Result<std::shared_ptr<PoseSource>> open_poses(const Submit& submit,
-                                                             const std::filesystem::path& path);
+                                                             const std::filesystem::path& path,
+                                                             PoseCheck check = PoseCheck::Whole);
 
 } // namespace cd

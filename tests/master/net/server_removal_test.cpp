@@ -117,6 +117,11 @@ TEST(Removal, JobsThatHaveEndedHoldNoFilesOpen) {
     const auto part = std::get<ResultsPart>(answer_to(master, {ResultsQuery{JobId{1}, 0, 10}}));
     EXPECT_GT(part.next, 0u);
     EXPECT_EQ(open_job_files(folder.path()), 0u) << "read, and closed again";
+    Client connected(master);
+    connected.start_asking({PosesQuery{JobId{1}, 0, 10}});
+    master.run_until([&] { return connected.done; });
+    EXPECT_TRUE(std::holds_alternative<JobPoses>(connected.answer->value()));
+    EXPECT_EQ(open_job_files(folder.path()), 0u) << "while the client stays";
 }
 
 TEST(Removal, AMeshIsSentFromAnyOffset) {
