@@ -5,6 +5,7 @@
 #include "common/core/limits/master.hpp"
 #include "common/core/limits/wire.hpp"
 #include "master/base/mutation.hpp"
+#include "master/base/run_on.hpp"
 #include "proto/access/peer_ticket.hpp"
 
 #include <algorithm>
@@ -205,28 +206,56 @@ asio::awaitable<void> BlockDelivery::send_queue(WorkerId worker) {
             }
             co_return;
         }
-        const TreeId tree = link->second.queue.front().tree;
-        send_some(link->second, tree, *trees_.find(tree));
+        const BlockKey first = link->second.queue.front();
         const auto channel = link->second.channel;
+        if (!send_some(link->second, first.tree, *trees_.find(first.tree))) {
+            co_await send_anew(worker, first);
+        }
         if (!mutated(Mutation::TooMuchInFlight)) {
             co_await channel->wait_until_queued_below(limits::subtrees_queue_bytes_max);
         }
     }
 }
 
-void BlockDelivery::send_some(Link& link, TreeId tree, const CutGeometry& geometry) {
+bool BlockDelivery::send_some(Link& link, TreeId tree, const CutGeometry& geometry) {
     Subtrees subtrees;
     subtrees.tree = tree;
     std::uint64_t bytes = 0;
     while (!link.queue.empty() && link.queue.front().tree == tree &&
            bytes < limits::subtrees_bytes_min) {
-        subtrees.blocks.push_back(geometry.block(link.queue.front().root));
-        bytes += subtrees.blocks.back().compressed.size();
+        Result<SubtreeBlock> block = geometry.read(link.queue.front().root);
+        if (!block) {
+            break;
+        }
+        bytes += block.value().compressed.size();
+        subtrees.blocks.push_back(std::move(block.value()));
         link.queue.pop_front();
     }
-    link.sent.blocks += subtrees.blocks.size();
-    link.sent.bytes += bytes;
+    const bool is_any = !subtrees.blocks.empty();
+    if (is_any) {
+        send_blocks(link, std::move(subtrees));
+    }
+    return is_any;
+}
+
+void BlockDelivery::send_blocks(Link& link, Subtrees subtrees) {
+    for (const SubtreeBlock& block : subtrees.blocks) {
+        ++link.sent.blocks;
+        link.sent.bytes += block.compressed.size();
+    }
     link.channel->send(subtrees);
+}
+
+asio::awaitable<void> BlockDelivery::send_anew(WorkerId worker, BlockKey block) {
+    const auto geometry = trees_.find(block.tree);
+    auto make = [geometry, block] { return geometry->block(block.root); };
+    SubtreeBlock made = co_await run_on(geometry->pool(), make);
+    const auto link = links_.find(worker);
+    if (link != links_.end() && !link->second.queue.empty() &&
+        link->second.queue.front() == block) {
+        link->second.queue.pop_front();
+        send_blocks(link->second, {block.tree, {std::move(made)}});
+    }
 }
 
 asio::awaitable<void> BlockDelivery::watch_time() {

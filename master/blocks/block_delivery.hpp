@@ -82,7 +82,12 @@ class BlockDelivery {
     void send(const SendBlock& action);
     void direct(const SendToPeers& action);
     [[nodiscard]] asio::awaitable<void> send_queue(WorkerId worker);
-    static void send_some(Link& link, TreeId tree, const CutGeometry& geometry);
+    /// Sends blocks from the head of the queue. Returns false if the first block cannot be read.
+    static bool send_some(Link& link, TreeId tree, const CutGeometry& geometry);
+    static void send_blocks(Link& link, Subtrees subtrees);
+    /// Makes the first block of the queue anew, on a pool, and sends it unless it is no longer
+    /// wanted.
+    [[nodiscard]] asio::awaitable<void> send_anew(WorkerId worker, BlockKey block);
     [[nodiscard]] asio::awaitable<void> watch_time();
 
     asio::any_io_executor executor_;

@@ -83,7 +83,7 @@ Status write_blocks_file(const std::filesystem::path& path,
                          const ObbTree& tree,
                          std::uint32_t depth,
                          SubtreeForm form,
-                         ThreadPool& pool) {
+                         ThreadPool* pool) {
     Result<DiskFile> file = DiskFile::create_for(path);
     if (!file) {
         return file.error();
@@ -91,7 +91,7 @@ Status write_blocks_file(const std::filesystem::path& path,
     const std::vector<std::uint32_t> roots = cut_nodes(tree, depth);
     std::vector<BlockPlace> places(roots.size());
     std::uint64_t offset = index_bytes(roots.size());
-    const std::size_t step = roots_at_once_per_thread * pool.size();
+    const std::size_t step = roots_at_once_per_thread * (pool == nullptr ? 1 : pool->size());
     for (std::size_t begin = 0; begin < roots.size(); begin += step) {
         std::vector<EncodedBlock> blocks(std::min(step, roots.size() - begin));
         parallel_for(pool, blocks.size(), [&](std::size_t i) {

@@ -33,13 +33,14 @@ struct BlocksFile {
     std::vector<BlockPlace> places; ///< Index entries, by root.
 };
 
-/// Encodes every subtree of the cut in this form, on the pool, and writes the file. Errors:
-/// TooLarge for a block over `limits::subtree_block_bytes_max`; Io.
+/// Encodes every subtree of the cut in this form and writes the file. Encodes on the caller's
+/// thread alone if `pool` is null. Errors: TooLarge for a block over
+/// `limits::subtree_block_bytes_max`; Io.
 [[nodiscard]] Status write_blocks_file(const std::filesystem::path& path,
                                        const ObbTree& tree,
                                        std::uint32_t depth,
                                        SubtreeForm form,
-                                       ThreadPool& pool);
+                                       ThreadPool* pool);
 
 /// Reads the whole file against its checksums. Errors: NotFound; Io naming the file.
 [[nodiscard]] Status check_blocks_file(const std::filesystem::path& path);

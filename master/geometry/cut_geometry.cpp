@@ -6,7 +6,7 @@
 #include "common/tree/wire/top_block.hpp"
 #include "master/geometry/blocks_file.hpp"
 
-#include <atomic>
+#include <mutex>
 #include <utility>
 
 namespace cd {
@@ -18,8 +18,15 @@ struct CutGeometry::State {
     TreeTop top;
     SubtreeBlock top_block;
     BlocksFile blocks;
+    ThreadPool& pool;
     std::uint64_t bytes = 0;
-    mutable std::atomic<bool> is_set_aside = false; ///< The blocks file was renamed as damaged.
+    mutable std::mutex writing{}; ///< Held while the file is written anew.
+    mutable bool is_lost = false; ///< The file could not be written anew; guarded by `writing`.
+    mutable std::mutex mutex{};   ///< Guards the next member.
+    /// Replaces `blocks` once its file was damaged.
+    mutable std::shared_ptr<const BlocksFile> anew{};
+
+    [[nodiscard]] Result<Bytes> read(RootIndex root) const;
 };
 
 namespace {
@@ -39,7 +46,8 @@ Result<SubtreeBlock> block_of(const TreeTop& top) {
 Result<std::shared_ptr<const CutGeometry>> CutGeometry::open(const std::filesystem::path& path,
                                                              std::shared_ptr<const ObbTree> tree,
                                                              std::uint32_t depth,
-                                                             SubtreeForm form) {
+                                                             SubtreeForm form,
+                                                             ThreadPool& pool) {
     Result<BlocksFile> blocks = open_blocks_file(path, *tree, depth, form);
     if (!blocks) {
         return blocks.error();
@@ -54,7 +62,8 @@ Result<std::shared_ptr<const CutGeometry>> CutGeometry::open(const std::filesyst
                                            form,
                                            std::move(top),
                                            std::move(top_block.value()),
-                                           std::move(blocks.value())});
+                                           std::move(blocks.value()),
+                                           pool});
     for (const BlockPlace& place : state->blocks.places) {
         state->bytes += place.bytes;
     }
@@ -98,23 +107,60 @@ std::uint64_t CutGeometry::bytes_total() const {
     return state_->bytes;
 }
 
-SubtreeBlock CutGeometry::block(RootIndex root) const {
-    return root == top_root ? state_->top_block
-                            : SubtreeBlock{root, hash(root), compressed_block(root)};
+ThreadPool& CutGeometry::pool() const {
+    return state_->pool;
 }
 
-Bytes CutGeometry::compressed_block(RootIndex root) const {
-    Result<Bytes> read = read_block(state_->blocks, root);
-    if (read) {
-        return std::move(read.value());
+Result<Bytes> CutGeometry::State::read(RootIndex root) const {
+    std::shared_ptr<const BlocksFile> replacement;
+    {
+        const std::lock_guard lock(mutex);
+        replacement = anew;
     }
-    if (!state_->is_set_aside.exchange(true)) {
-        const Status moved = set_aside(state_->blocks.file.path(), read.error().detail);
-        if (!moved) {
-            log_error("damaged file not moved away: error=\"{}\"", moved.error().detail);
+    return read_block(replacement == nullptr ? blocks : *replacement, root);
+}
+
+Result<SubtreeBlock> CutGeometry::read(RootIndex root) const {
+    if (root == top_root) {
+        return state_->top_block;
+    }
+    Result<Bytes> bytes = state_->read(root);
+    return bytes ? Result(SubtreeBlock{root, hash(root), std::move(bytes.value())}) : bytes.error();
+}
+
+SubtreeBlock CutGeometry::block(RootIndex root) const {
+    Result<SubtreeBlock> read = this->read(root);
+    if (!read) {
+        const std::lock_guard writing(state_->writing);
+        read = this->read(root); // Another thread may have written the file anew.
+        if (!read && !state_->is_lost) {
+            write_anew(read.error().detail);
+            read = this->read(root);
         }
     }
-    return make_block(*state_->tree, state_->depth, state_->form, root);
+    return read ? std::move(read.value())
+                : SubtreeBlock{root,
+                               hash(root),
+                               make_block(*state_->tree, state_->depth, state_->form, root)};
+}
+
+/// Sets `is_lost` if that fails. The index entries stay the same: they follow from the tree.
+void CutGeometry::write_anew(const std::string& why) const {
+    const std::filesystem::path path = state_->blocks.file.path();
+    Status status = set_aside(path, why);
+    if (status) {
+        status = write_blocks_file(path, *state_->tree, state_->depth, state_->form, nullptr);
+    }
+    Result<BlocksFile> opened =
+        status ? open_blocks_file(path, *state_->tree, state_->depth, state_->form)
+               : Result<BlocksFile>(status.error());
+    if (!opened) {
+        state_->is_lost = true;
+        log_error("blocks not written anew: error=\"{}\"", opened.error().detail);
+        return;
+    }
+    const std::lock_guard lock(state_->mutex);
+    state_->anew = std::make_shared<const BlocksFile>(std::move(opened.value()));
 }
 
 } // namespace cd

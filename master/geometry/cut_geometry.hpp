@@ -2,6 +2,7 @@
 #pragma once
 
 #include "common/core/files/hash.hpp"
+#include "common/core/host/thread_pool.hpp"
 #include "common/core/limits/engine.hpp"
 #include "common/core/result.hpp"
 #include "common/tree/cut.hpp"
@@ -12,6 +13,7 @@
 #include <filesystem>
 #include <memory>
 #include <span>
+#include <string>
 
 namespace cd {
 
@@ -25,7 +27,8 @@ class CutGeometry {
     open(const std::filesystem::path& path,
          std::shared_ptr<const ObbTree> tree,
          std::uint32_t depth,
-         SubtreeForm form);
+         SubtreeForm form,
+         ThreadPool& pool);
     CutGeometry(const CutGeometry&) = delete;
     CutGeometry& operator=(const CutGeometry&) = delete;
     ~CutGeometry();
@@ -43,15 +46,19 @@ class CutGeometry {
     [[nodiscard]] std::uint64_t
     bytes_total() const; ///< Bytes of all roots' blocks, without the upper tree.
 
-    /// Returns one block in wire form. One file read takes microseconds from the system's cache, so
-    /// the network thread may call this. A block that is damaged or unreadable is encoded again
-    /// from the tree, and its file is renamed.
+    /// Reads one block in wire form. One file read takes microseconds from the system's cache, so
+    /// the network thread may call this. Errors: Io when the file is damaged or unreadable.
+    [[nodiscard]] Result<SubtreeBlock> read(RootIndex root) const;
+    /// Returns one block in wire form. If it cannot be read, renames the file and writes it anew
+    /// from the tree, which may take seconds; encodes only this block if that fails. Any thread;
+    /// the network thread calls it on `pool()`.
     [[nodiscard]] SubtreeBlock block(RootIndex root) const;
+    [[nodiscard]] ThreadPool& pool() const; ///< For `block`.
 
   private:
     struct State;
     explicit CutGeometry(std::unique_ptr<const State> state);
-    [[nodiscard]] Bytes compressed_block(RootIndex root) const;
+    void write_anew(const std::string& why) const;
     std::unique_ptr<const State> state_;
 };
 

@@ -352,7 +352,8 @@ GeometryStore::State::load_cut(Entry& entry,
     if (const Status opens = check_opens(path); !opens) {
         return Cut::unwritten(opens.error());
     }
-    Result<std::shared_ptr<const CutGeometry>> cut = CutGeometry::open(path, tree, depth, form);
+    Result<std::shared_ptr<const CutGeometry>> cut =
+        CutGeometry::open(path, tree, depth, form, pool);
     if (!cut && cut.error().code != ErrorCode::NotFound) {
         if (const Status status = set_aside(path, cut.error().detail); !status) {
             return Cut::unwritten(status.error());
@@ -360,7 +361,7 @@ GeometryStore::State::load_cut(Entry& entry,
     }
     if (!cut) {
         const auto start = std::chrono::steady_clock::now();
-        if (const Status status = write_blocks_file(path, *tree, depth, form, pool); !status) {
+        if (const Status status = write_blocks_file(path, *tree, depth, form, &pool); !status) {
             const bool is_of_disk = status.error().code == ErrorCode::Io;
             return is_of_disk ? Cut::unwritten(status.error()) : Cut(status.error());
         }
@@ -368,7 +369,7 @@ GeometryStore::State::load_cut(Entry& entry,
                  to_short_hex(tree->mesh().hash()),
                  depth,
                  seconds_since(start));
-        cut = CutGeometry::open(path, tree, depth, form);
+        cut = CutGeometry::open(path, tree, depth, form, pool);
     }
     if (cut) {
         kept = cut.value();

@@ -97,7 +97,7 @@ Result<std::shared_ptr<const Subtree>> open_timed(const SubtreeBlock& block, Roo
 Result<CutBody>
 cut_body(const ObbTree& tree, std::uint32_t depth, const std::filesystem::path& path) {
     ThreadPool pool(1);
-    const Status written = write_blocks_file(path, tree, depth, SubtreeForm::Wide, pool);
+    const Status written = write_blocks_file(path, tree, depth, SubtreeForm::Wide, &pool);
     if (!written) {
         return written.error();
     }
