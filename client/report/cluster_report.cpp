@@ -218,6 +218,7 @@ Table meshes_table(const ClusterStatus& status) {
                      {"triangles", "TRIANGLES", CellKind::Count},
                      {"bytes", "BYTES", CellKind::Size},
                      {"build_seconds", "TREE BUILT IN", CellKind::Seconds},
+                     {"needed", "NEEDED", CellKind::Text},
                      {"sha256", "SHA-256", CellKind::Text, true}};
     for (const MeshStatus& mesh : status.meshes) {
         table.rows.push_back({to_short_hex(mesh.mesh),
@@ -225,6 +226,7 @@ Table meshes_table(const ClusterStatus& status) {
                               mesh.triangles,
                               mesh.bytes,
                               mesh.build_seconds,
+                              std::string(mesh.is_needed ? "yes" : "no"),
                               to_hex(mesh.mesh)});
     }
     return table;
@@ -283,6 +285,27 @@ std::string faults_text(const ClusterStatus& status) {
     return "connections that broke and came back: " + std::to_string(status.sessions_resumed) +
            "   workers lost: " + std::to_string(status.workers_lost) +
            "   scenarios given to others: " + std::to_string(status.scenarios_given_back) + "\n";
+}
+
+/// Counts the meshes, and those that no kept job uses, which `cdctl rm` may remove.
+std::string meshes_text(const std::vector<MeshStatus>& meshes) {
+    const auto count = [&](bool with_needed) {
+        std::uint64_t bytes = 0;
+        std::size_t number = 0;
+        for (const MeshStatus& mesh : meshes) {
+            const bool counts = with_needed || !mesh.is_needed;
+            bytes += counts ? mesh.bytes : 0;
+            number += counts ? 1 : 0;
+        }
+        return std::pair(number, cell_text(bytes, CellKind::Size));
+    };
+    const auto [all, size] = count(true);
+    const auto [unneeded, unneeded_size] = count(false);
+    return std::to_string(all) + (all == 1 ? " mesh" : " meshes") + "   " + size +
+           (unneeded == 0 ? ""
+                          : "   " + std::to_string(unneeded) + " of no job (" + unneeded_size +
+                                "): `cdctl rm MESH` removes one") +
+           "\n";
 }
 
 std::string sizes_text(const StateSizes& sizes) {
@@ -345,13 +368,7 @@ std::string status_text(const ClusterStatus& before, const ClusterStatus& after)
     for (const std::string& alarm : after.alarms) {
         text += "ALARM: " + alarm + "\n";
     }
-    std::uint64_t bytes = 0;
-    for (const MeshStatus& mesh : after.meshes) {
-        bytes += mesh.bytes;
-    }
-    text += std::to_string(after.meshes.size()) + (after.meshes.size() == 1 ? " mesh" : " meshes") +
-            "   " + cell_text(bytes, CellKind::Size) + "\n";
-    text += sizes_text(after.sizes);
+    text += meshes_text(after.meshes) + sizes_text(after.sizes);
     if (const std::string paused = paused_text(after); !paused.empty()) {
         text += "jobs wait, and go on by themselves when it can be written: " + paused + "\n";
     }

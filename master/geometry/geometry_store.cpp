@@ -131,7 +131,7 @@ void GeometryStore::State::add_stored(const Sha256& mesh) {
     const MeshInfo info = read_info(info_path(mesh));
     entry->stored = true;
     const std::lock_guard lock(mutex);
-    statuses[mesh] = {mesh, info.name, info.triangles, bytes, 0};
+    statuses[mesh] = {mesh, info.name, info.triangles, bytes, 0, false};
 }
 
 /// Lists a mesh that a person put into the folder while the master runs.
@@ -272,7 +272,7 @@ Status GeometryStore::State::store(Entry& entry, MeshUpload& upload) {
     }
     const Sha256& hash = upload.mesh();
     const std::uint64_t triangles = mesh.value()->triangles().size();
-    MeshStatus facts{hash, upload.name(), triangles, upload.bytes_total(), 0};
+    MeshStatus facts{hash, upload.name(), triangles, upload.bytes_total(), 0, false};
     const std::shared_ptr<const ObbTree> tree = build(mesh.value(), facts.build_seconds);
     if (Status status = write(*tree); !status) {
         return status;
@@ -551,6 +551,7 @@ std::vector<MeshStatus> GeometryStore::meshes() const {
     meshes.reserve(state_->statuses.size());
     for (const auto& [hash, status] : state_->statuses) {
         meshes.push_back(status);
+        meshes.back().is_needed = state_->uses->contains(hash);
     }
     return meshes;
 }

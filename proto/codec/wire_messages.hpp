@@ -393,7 +393,7 @@ void serialize(Archive& archive, WorkerStatus& s) {
 
 template <class Archive>
 void serialize(Archive& archive, MeshStatus& s) {
-    archive(s.mesh, s.name, s.triangles, s.bytes, s.build_seconds);
+    archive(s.mesh, s.name, s.triangles, s.bytes, s.build_seconds, s.is_needed);
 }
 
 template <class Archive>

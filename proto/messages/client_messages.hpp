@@ -244,6 +244,7 @@ struct MeshStatus {
     std::uint64_t triangles = 0;
     std::uint64_t bytes = 0;  ///< Size of the canonical form.
     double build_seconds = 0; ///< 0 if the tree was loaded from disk.
+    bool is_needed = false;   ///< A kept job or a submission uses it.
 };
 
 /// Disk usage of the state directory, bytes.

@@ -87,6 +87,7 @@ TEST_F(Upkeep, AMeshStaysAsLongAsAJobNamesIt) {
     const JobId first = run(job, Query{}).job;
     const JobId second = run(job, Query{}).job;
     const std::string mesh = to_short_hex(job.a->mesh().hash());
+    EXPECT_THAT(cdctl({"get", "meshes"}).output, HasSubstr("yes")) << "the job needs them";
     const Ran refused = cdctl({"rm", mesh, "--yes"});
     EXPECT_EQ(refused.exit_code, 5);
     EXPECT_THAT(refused.errors, HasSubstr("needed by a job"));

@@ -178,7 +178,7 @@ inline std::vector<Message> sample_messages() {
                       3.25,
                       {some_worker_status()},
                       {some_job_status()},
-                      {{some_hash(1), "sedan.obj", 5, 6, 0.5}},
+                      {{some_hash(1), "sedan.obj", 5, 6, 0.5, true}},
                       {"results differ"},
                       1,
                       2,

@@ -109,6 +109,19 @@ TEST_F(Status, SaysWhereThereIsTooLittleToDo) {
     EXPECT_THAT(bottleneck(), HasSubstr("none"));
 }
 
+TEST_F(Status, CountsTheMeshesThatNoJobNeeds) {
+    after_.meshes.resize(3);
+    for (MeshStatus& mesh : after_.meshes) {
+        mesh.bytes = 1u << 20;
+        mesh.is_needed = true;
+    }
+    EXPECT_THAT(status_text(before_, after_), HasSubstr("3 meshes   3.0 MiB\n"));
+    after_.meshes[1].is_needed = false;
+    EXPECT_THAT(status_text(before_, after_),
+                HasSubstr("3 meshes   3.0 MiB   1 of no job (1.0 MiB): `cdctl rm MESH` removes"));
+    EXPECT_EQ(nlohmann::json::parse(status_json(before_, after_))["meshes"][1]["needed"], "no");
+}
+
 TEST_F(Status, NamesGeometryOnItsWay) {
     for (WorkerStatus& worker : after_.workers) {
         worker.scenarios = 100;

@@ -274,7 +274,7 @@ TEST_F(GeometryStoreTest, DamageOfABlocksIndexIsEncodedAnew) {
     EXPECT_TRUE(std::filesystem::exists(path.string() + ".damaged-4"));
 }
 
-TEST_F(GeometryStoreTest, ABlockThatIsDamagedInUseIsMadeAgainAndItsFileSetAside) {
+TEST_F(GeometryStoreTest, BlocksThatAreDamagedInUseAreWrittenAnewOnce) {
     upload(sphere_);
     const auto cut = store_->cut(sphere_.hash(), 3).value();
     const RootIndex last = cut->root_count() - 1;
@@ -283,14 +283,38 @@ TEST_F(GeometryStoreTest, ABlockThatIsDamagedInUseIsMadeAgainAndItsFileSetAside)
     const std::string whole = read_text(path);
     flip_byte(path, 3); // In the last block.
 
-    for (int i = 0; i < 2; ++i) {
-        EXPECT_EQ(cut->block(last).compressed, sound.compressed);
-        EXPECT_EQ(files("blocks"),
-                  std::vector{std::filesystem::path(path.string() + ".damaged-1")});
-    }
-    open();
-    EXPECT_TRUE(store_->cut(sphere_.hash(), 3));
+    EXPECT_EQ(cut->read(last).error().code, ErrorCode::Io);
+    EXPECT_EQ(cut->block(last).compressed, sound.compressed);
     EXPECT_EQ(read_text(path), whole);
+    ASSERT_TRUE(cut->read(last)) << "from the new file";
+    EXPECT_EQ(cut->read(last).value().compressed, sound.compressed);
+    EXPECT_EQ(files("blocks"),
+              (std::vector<std::filesystem::path>{path, path.string() + ".damaged-1"}));
+}
+
+TEST_F(GeometryStoreTest, DamagedBlocksAreServedThoughTheDiskHasNoRoomForNewOnes) {
+    upload(sphere_);
+    const auto cut = store_->cut(sphere_.hash(), 3).value();
+    const SubtreeBlock sound = cut->block(0);
+    const auto path = only_file("blocks", ".blocks");
+    write_text(path, std::string(read_text(path).size(), 'x'));
+    {
+        const FileSizeLimit full(1000);
+        EXPECT_EQ(cut->block(0).compressed, sound.compressed);
+        EXPECT_FALSE(std::filesystem::exists(path));
+    }
+    EXPECT_EQ(cut->block(0).compressed, sound.compressed);
+}
+
+TEST_F(GeometryStoreTest, AMeshIsNeededWhileItIsHeldAndCanBeRemovedAfterwards) {
+    upload(sphere_);
+    auto hold = store_->hold({sphere_.hash()});
+    EXPECT_TRUE(store_->meshes().front().is_needed);
+    EXPECT_EQ(store_->remove(sphere_.hash()).error().code, ErrorCode::Refused);
+    hold.reset();
+    EXPECT_FALSE(store_->meshes().front().is_needed);
+    EXPECT_GT(store_->remove(sphere_.hash()).value(), 0u);
+    EXPECT_TRUE(store_->meshes().empty());
 }
 
 TEST_F(GeometryStoreTest, AFileWithADamagedBlockIsSetAsideAndMadeAgain) {

@@ -53,7 +53,7 @@ constexpr std::array<Golden, std::variant_size_v<Message>> golden{{
     {"watch", 8, "f0a0278e4372459c"},
     {"job status", 541, "f70eda492da339b4"},
     {"status query", 0, "e3b0c44298fc1c14"},
-    {"cluster status", 984, "fd7685a0edb98196"},
+    {"cluster status", 985, "49736fa76d6e5379"},
     {"results query", 24, "e2e2033ae7e19d68"},
     {"results part", 106, "152ae6c9b2d9f303"},
     {"cancel", 17, "6450d3157de527b9"},
