@@ -86,7 +86,7 @@ make_body_trees(const std::array<std::shared_ptr<const Mesh>, 2>& meshes,
                 ThreadPool& pool) {
     std::vector<Body> bodies;
     bodies.emplace_back(meshes[0], cache, pool);
-    if (meshes[1] != meshes[0]) {
+    if (meshes[1]->hash() != meshes[0]->hash()) {
         bodies.emplace_back(meshes[1], cache, pool);
     }
     if (use.searches_exactly) {
@@ -97,7 +97,8 @@ make_body_trees(const std::array<std::shared_ptr<const Mesh>, 2>& meshes,
         (use.settles && std::ranges::all_of(bodies, &Body::is_closed))) {
         std::ranges::for_each(bodies, &Body::need_binary);
     }
-    return {bodies.front().tree(), bodies.back().tree()};
+    const auto first = bodies.front().tree();
+    return {first, bodies.size() == 1 ? first : bodies.back().tree()};
 }
 
 } // namespace cd

@@ -17,8 +17,8 @@ struct TreeUse {
     bool settles = false;         ///< Detects containment: binary form if both bodies are closed.
 };
 
-/// Takes trees from the cache, or else builds and caches them. A mesh shared by both bodies is
-/// loaded once. If one of the bodies has no wide form, both get the binary form.
+/// Takes trees from the cache, or else builds and caches them. Bodies whose meshes have one hash
+/// share one tree. If one of the bodies has no wide form, both get the binary form.
 [[nodiscard]] std::array<std::shared_ptr<const ObbTree>, 2>
 make_body_trees(const std::array<std::shared_ptr<const Mesh>, 2>& meshes,
                 const TreeUse& use,

@@ -233,6 +233,12 @@ TEST_F(BodyTreesTest, WhereOneBodyHasNoWideTreeBothHaveTheBinaryOne) {
     }
 }
 
+TEST_F(BodyTreesTest, EqualMeshesShareOneTree) {
+    TreeCache cache(folder_);
+    const Trees trees = make_body_trees({closed_, share(make_sphere(3))}, {}, cache, pool_);
+    EXPECT_EQ(trees[0], trees[1]);
+}
+
 TEST_F(BodyTreesTest, AKeptBinaryTreeIsCollapsedInsteadOfBuilt) {
     TreeCache cache(folder_);
     cache.keep(TreeForm::Binary, build(closed_));
