@@ -99,7 +99,8 @@ void add_options(CLI::App& app, MasterConfig& config, Texts& texts) {
            "HOST:PORT");
     option(app.add_option("--state",
                           texts.state,
-                          "Folder of all that outlives the master: meshes, jobs, results"),
+                          "Folder of all that outlives the master: meshes, jobs, results; without "
+                          "XDG_STATE_HOME and HOME it is cdcluster-state in the current folder"),
            "DIR")
         ->capture_default_str();
     option(app.add_option("--threads", config.threads, "For trees and analysis; 0 is one per core"),

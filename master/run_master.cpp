@@ -196,7 +196,7 @@ Status run_master(const MasterConfig& config) {
     log_info("listening: host={} port={} state={} tls={}",
              config.listen.host,
              port,
-             config.state.string(),
+             std::filesystem::absolute(config.state).string(),
              secured);
     std::printf("%s\n", join_line({config.listen.host, port}, secured).c_str());
     std::fflush(stdout);

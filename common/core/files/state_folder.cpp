@@ -15,7 +15,9 @@ std::filesystem::path state_folder() {
     if (const char* home = std::getenv("HOME"); home != nullptr && *home != 0) {
         return std::filesystem::path(home) / ".local" / "state" / "cdcluster";
     }
-    return "cdcluster-state";
+    std::error_code unknown; // Without a current folder the name stays relative.
+    const std::filesystem::path here = std::filesystem::current_path(unknown);
+    return here / "cdcluster-state";
 }
 
 Status make_private_folder(const std::filesystem::path& folder) {

@@ -6,7 +6,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <fstream>
+#include <optional>
+#include <string>
 
 namespace cd::tests {
 namespace {
@@ -33,6 +36,42 @@ TEST(PrivateFolder, OneThatIsThereStaysAsItIs) {
     std::ofstream(folder / "file") << "text";
     EXPECT_FALSE(make_private_folder(folder / "file"));
     EXPECT_FALSE(make_private_folder(folder / "file" / "below"));
+}
+
+/// Sets an environment variable, or removes it, for the life of this object.
+class Variable {
+  public:
+    Variable(const char* name, const char* value) : name_(name) {
+        if (const char* before = std::getenv(name)) {
+            before_ = before;
+        }
+        set(value);
+    }
+    Variable(const Variable&) = delete;
+    Variable& operator=(const Variable&) = delete;
+    ~Variable() { set(before_ ? before_->c_str() : nullptr); }
+
+  private:
+    void set(const char* value) const {
+        if (value == nullptr) {
+            unsetenv(name_);
+        } else {
+            setenv(name_, value, 1);
+        }
+    }
+
+    const char* name_;
+    std::optional<std::string> before_;
+};
+
+TEST(StateFolder, IsAnAbsolutePathAlsoWithoutAHome) {
+    const Variable no_state("XDG_STATE_HOME", nullptr);
+    {
+        const Variable home("HOME", "/home/ada");
+        EXPECT_EQ(state_folder(), "/home/ada/.local/state/cdcluster");
+    }
+    const Variable no_home("HOME", nullptr);
+    EXPECT_EQ(state_folder(), fs::current_path() / "cdcluster-state");
 }
 
 } // namespace
