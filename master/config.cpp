@@ -27,7 +27,7 @@ constexpr const char* help =
     "  cdmaster init                              makes an identity: from then on TLS alone\n"
     "  cdmaster --listen 0.0.0.0:7600             beyond this machine, with an identity\n"
     "  cdmaster --listen 0.0.0.0:7600 --insecure  without one, for a network that you trust\n"
-    "  cdmaster check --state DIR                 tells what is wrong with a state directory\n"
+    "  cdmaster check --state DIR                 reports damage in a state directory\n"
     "  cdmaster --config /etc/cdcluster/cdmaster.toml\n"
     "\n"
     "Takes jobs from cdctl and has them done by cdworkers. Prints the line with which a worker\n"
@@ -116,7 +116,7 @@ void add_options(CLI::App& app, MasterConfig& config, Texts& texts) {
            "");
     option(app.add_option("--certificate-ttl",
                           texts.certificate_life,
-                          "How long certificates are good; they are renewed from half on"),
+                          "Lifetime of certificates; they are renewed after half of it"),
            "DURATION")
         ->capture_default_str();
     option(app.add_option("--keep-jobs",

@@ -342,7 +342,7 @@ void add_identity_verbs(CLI::App& app, Verbs& verbs) {
         ->check(CLI::IsMember(std::vector<std::string>{"worker", "submitter", "admin", "metrics"}))
         ->type_name("worker|submitter|admin|metrics")
         ->capture_default_str();
-    create->add_option("--ttl", verbs.token.ttl, "How long it is good")
+    create->add_option("--ttl", verbs.token.ttl, "Lifetime of the token")
         ->type_name("DURATION")
         ->capture_default_str();
     create->add_option("--uses", verbs.token.uses, "How many may join with it")

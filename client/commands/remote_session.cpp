@@ -228,7 +228,7 @@ Status fetch_results(Connection& connection,
         return fetched;
     }
     if (job.digest && merger.digest() != job.digest) {
-        return Error{ErrorCode::BadFrame, "the results that came do not have the job's digest"};
+        return Error{ErrorCode::BadFrame, "the received results do not have the job's digest"};
     }
     return Done{};
 }

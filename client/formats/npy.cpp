@@ -275,7 +275,7 @@ Result<NpyArray> parse_npy(std::span<const std::byte> file) {
     const NpyHeader& h = header.value();
     const auto data = file.subspan(h.data_offset);
     if (h.count() > data.size() || h.count() * size_of(h.type) != data.size()) {
-        return bad("a NumPy array whose data does not have the size that its header says");
+        return bad("a NumPy array whose data size contradicts its header");
     }
     return make_npy_array(h, Bytes(data.begin(), data.end()));
 }
@@ -312,7 +312,7 @@ Result<std::unique_ptr<NpyRows>> NpyRows::open(const std::filesystem::path& path
     const NpyHeader& h = header.value();
     const std::uint64_t data_bytes = file_size - h.data_offset;
     if (h.shape.empty() || h.count() > data_bytes || h.count() * size_of(h.type) != data_bytes) {
-        return bad(state->name + ": the array's data does not have the size that its header says");
+        return bad(state->name + ": the size of the array's data contradicts its header");
     }
     state->shape = h.shape;
     state->type = h.type;

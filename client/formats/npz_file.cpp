@@ -78,7 +78,7 @@ Result<NpzArray> NpzFile::array(const std::string& name) const {
     const NpyHeader& h = header.value();
     const std::uint64_t data_bytes = size - h.data_offset;
     if (h.count() > data_bytes || h.count() * size_of(h.type) != data_bytes) {
-        return bad(place + "has data of another size than its header says");
+        return bad(place + "has data whose size contradicts its header");
     }
     begun.erase(begun.begin(), begun.begin() + static_cast<std::ptrdiff_t>(h.data_offset));
     return NpzArray(h, std::move(entry.value()), std::move(begun), place);

@@ -112,7 +112,7 @@ Result<PoseTable> open_table(const PoseFileSpec& spec) {
         }
         return read_tum_poses(in);
     }
-    return bad("the ending '" + ending + "' is none of .csv, .npy, .npz, .tum, .txt");
+    return bad("the ending '" + ending + "' is not one of .csv, .npy, .npz, .tum, .txt");
 }
 
 Result<OpenedPoses> open_named(const PoseFileSpec& spec, const std::string& name) {

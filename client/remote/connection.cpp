@@ -477,7 +477,7 @@ Result<Mesh> Connection::fetch_mesh(const Sha256& mesh) {
         bytes.insert(bytes.end(), came.bytes.begin(), came.bytes.end());
     } while (bytes.size() < total);
     if (sha256(bytes) != mesh) {
-        return Error{ErrorCode::BadFrame, "the mesh that came does not have its hash"};
+        return Error{ErrorCode::BadFrame, "the received mesh does not have the requested hash"};
     }
     return Mesh::from_canonical_bytes(bytes);
 }

@@ -237,7 +237,7 @@ std::string bottleneck_text(const ClusterStatus& before, const ClusterStatus& af
         return "none: no job is running";
     }
     if (count_here(after) == 0) {
-        return "no worker is here: start `cdworker --master ...`";
+        return "no worker is connected: start `cdworker --master ...`";
     }
     std::uint64_t idle = 0;
     for (const WorkerStatus& worker : after.workers) {
@@ -336,7 +336,7 @@ std::string long_text(const ClusterStatus& status) {
         if (job.recalled != 0 || job.copies != 0) {
             text += "at the end of " + id + " " + counted(job.recalled, "scenario") +
                     " called back from workers that had not begun them, " +
-                    std::to_string(job.copies) + " copied, of which " +
+                    std::to_string(job.copies) + " copied; of the copies, " +
                     std::to_string(job.copies_won) + " ended first\n";
         }
     }
@@ -370,7 +370,7 @@ std::string status_text(const ClusterStatus& before, const ClusterStatus& after)
     }
     text += meshes_text(after.meshes) + sizes_text(after.sizes);
     if (const std::string paused = paused_text(after); !paused.empty()) {
-        text += "jobs wait, and go on by themselves when it can be written: " + paused + "\n";
+        text += "jobs are paused and continue when the disk can be written: " + paused + "\n";
     }
     return text + "bottleneck: " + bottleneck_text(before, after) + "\n";
 }

@@ -38,7 +38,7 @@ waiting_note(const JobStatus& job, const ClusterStatus& cluster, const std::stri
         return {"paused: " + escaped(job.paused), true};
     }
     if (cluster.workers.size() == lost) {
-        return {"no worker is here: start cdworker --master " + master, true};
+        return {"no worker is connected: start cdworker --master " + master, true};
     }
     if (silent != 0) {
         const double seconds = first_in(cluster, WorkerState::Silent).silent_seconds;

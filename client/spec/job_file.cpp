@@ -317,7 +317,7 @@ std::string export_name(const JobSpec& spec, std::size_t body) {
 Status check_depths(const JobSpec& spec) {
     if (spec.tolerance > 0 && (spec.cluster.depth(0) || spec.cluster.depth(1))) {
         return Error{ErrorCode::BadInput,
-                     "a tolerance above 0 goes without a distribution depth: what stays undecided "
+                     "a tolerance above 0 excludes a distribution depth: what stays undecided "
                      "depends on where trees are cut, so the meshes alone decide it; leave out "
                      "depth"};
     }
@@ -327,10 +327,9 @@ Status check_depths(const JobSpec& spec) {
 Status check_matching(const ClusterOptions& options) {
     if (options.strategy == Strategy::EarliestFinish &&
         (options.claim || options.q != ClusterOptions{}.q)) {
-        return Error{
-            ErrorCode::BadInput,
-            "q and claim are of the paper's strategies, and earliest-finish looks at "
-            "neither; leave them out, or add --strategy best-match (or [cluster] strategy)"};
+        return Error{ErrorCode::BadInput,
+                     "q and claim belong to the paper's strategies; earliest-finish ignores "
+                     "both. Leave them out, or add --strategy best-match (or [cluster] strategy)"};
     }
     return Done{};
 }
@@ -353,9 +352,10 @@ Result<std::optional<std::uint32_t>> parse_depth(std::string_view text) {
 
 Status check_maps(const JobSpec& spec) {
     if (spec.maps && spec.level == Level::Any) {
-        return Error{ErrorCode::BadInput,
-                     "maps go with level count, pairs and contacts: level any knows no triangles; "
-                     "set another level, or leave out maps"};
+        return Error{
+            ErrorCode::BadInput,
+            "maps need level count, pairs or contacts, since level any finds no triangles; "
+            "set another level, or leave out maps"};
     }
     return Done{};
 }

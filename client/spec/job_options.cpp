@@ -93,7 +93,7 @@ Status apply(const JobOptions& options, JobSpec& spec) {
         const auto level = level_from_text(options.level);
         if (!level) {
             return usage("--level \"" + options.level +
-                         "\" is none of any, count, pairs, contacts");
+                         "\" is not one of any, count, pairs, contacts");
         }
         spec.level = *level;
     }
@@ -128,7 +128,7 @@ Status apply(const JobOptions& options, JobSpec& spec) {
         const auto strategy = strategy_from_text(options.strategy);
         if (!strategy) {
             return usage("--strategy \"" + options.strategy +
-                         "\" is none of best-match, best-match-load, random, lowest, "
+                         "\" is not one of best-match, best-match-load, random, lowest, "
                          "best-match-pull, earliest-finish");
         }
         spec.cluster.strategy = *strategy;
@@ -136,7 +136,8 @@ Status apply(const JobOptions& options, JobSpec& spec) {
     if (!options.analysis.empty()) {
         const auto analysis = analysis_mode_from_text(options.analysis);
         if (!analysis) {
-            return usage("--analysis \"" + options.analysis + "\" is none of auto, always, never");
+            return usage("--analysis \"" + options.analysis +
+                         "\" is not one of auto, always, never");
         }
         spec.cluster.analysis = *analysis;
     }

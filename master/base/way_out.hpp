@@ -10,7 +10,7 @@ namespace cd {
     return {damage.code,
             damage.detail +
                 "; nothing was changed: restore the state directory from a copy, or move it away "
-                "and start with an empty one (`cdmaster check` tells all that is wrong)"};
+                "and start with an empty one (`cdmaster check` lists all damage)"};
 }
 
 } // namespace cd

@@ -33,7 +33,7 @@ bool BlockDelivery::knows(WorkerId worker, TreeId tree) const {
 Status BlockDelivery::check_roots(TreeId tree, const std::vector<RootIndex>& roots) const {
     return trees_.find(tree)->has_blocks(roots)
                ? Status(Done{})
-               : Error{ErrorCode::BadFrame, "it speaks of a root that does not exist"};
+               : Error{ErrorCode::BadFrame, "it names a root that does not exist"};
 }
 
 void BlockDelivery::worker_joined(WorkerId worker,

@@ -199,9 +199,9 @@ Status GeometryStore::State::check_room(const Sha256& mesh) const {
         return Done{};
     }
     return Error{ErrorCode::TooLarge,
-                 std::to_string(statuses.size()) + " meshes are stored, of " +
+                 std::to_string(statuses.size()) + " meshes are stored, of at most " +
                      std::to_string(meshes_max) +
-                     " that may be; whoever runs the master has to remove some"};
+                     "; an admin has to remove some (`cdctl rm MESH`)"};
 }
 
 std::shared_ptr<Entry> GeometryStore::State::find(const Sha256& mesh) const {

@@ -91,8 +91,7 @@ LabelSpool::open(const std::filesystem::path& path, LabelColumns columns, std::u
 
 Status LabelSpool::append(const PoseLabels& labels, std::size_t scenarios) {
     if (!columns_.fit(labels, scenarios)) {
-        return Error{ErrorCode::BadInput,
-                     "ids or times of scenarios that are not those that were announced"};
+        return Error{ErrorCode::BadInput, "ids or times that do not match the announced columns"};
     }
     const bool is_long = std::ranges::any_of(labels.texts, [](const std::string& text) {
         return text.size() > limits::label_bytes_max;

@@ -70,7 +70,7 @@ bool Journal::State::write_until_done(const std::vector<JournalEntry>& group) {
         const Status status = write(group);
         if (status) {
             if (!told.empty()) {
-                log_info("journal goes on");
+                log_info("journal resumed");
                 events.paused("");
             }
             return true;

@@ -23,7 +23,7 @@ Error without_room(const Error& why, const std::string& what, std::uint64_t byte
         return why;
     }
     log_error("no room: for=\"{}\" bytes={} error=\"{}\"", what, bytes, why.detail);
-    return {ErrorCode::Io, "its disk is full, or cannot be written; its log says why"};
+    return {ErrorCode::Io, "its disk is full or cannot be written; its log says why"};
 }
 
 } // namespace
@@ -79,12 +79,12 @@ asio::awaitable<Result<Message>> ClientSession::receive() {
     }
     // Only submission messages count as progress.
     const auto left = progressed_ + quota_.submission_idle_max - std::chrono::steady_clock::now();
-    Result<Message> message = Error{ErrorCode::Timeout, "nothing came in time"};
+    Result<Message> message = Error{ErrorCode::Timeout, "nothing was received in time"};
     if (left > std::chrono::steady_clock::duration::zero()) {
         message = co_await channel_->receive(left);
     }
     if (!message && message.error().code == ErrorCode::Timeout && channel_->is_open()) {
-        refuse({ErrorCode::Timeout, "a mesh or poses were begun, and did not go on in time"});
+        refuse({ErrorCode::Timeout, "an upload of a mesh or of poses stopped before its end"});
         channel_->close(true);
     }
     co_return message;
@@ -291,7 +291,7 @@ asio::awaitable<void> ClientSession::on(PosesEnd /*message*/) {
         refuse({ErrorCode::BadInput, "the end of poses without a job before it"});
     } else if (!spool->poses()->is_complete()) {
         refuse({ErrorCode::BadInput,
-                std::to_string(spool->poses()->count()) + " poses came, and " +
+                std::to_string(spool->poses()->count()) + " poses were received, but " +
                     std::to_string(submit_.scenarios) + " were announced"});
     } else {
         co_await open_job(std::move(submit_), spool);

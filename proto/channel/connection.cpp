@@ -153,7 +153,7 @@ accept_channel(asio::ip::tcp::socket socket,
                                       asio::socket_base::message_peek,
                                       asio::redirect_error(asio::use_awaitable, error));
         if (deadline.expired()) {
-            co_return Error{ErrorCode::Timeout, "nothing came in time"};
+            co_return Error{ErrorCode::Timeout, "nothing was received in time"};
         }
     }
     if (error) {

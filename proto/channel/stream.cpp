@@ -216,7 +216,7 @@ Error stream_error(const error_code& error) {
     const int reason = reason_of(error);
     if (reason >= alert_reason && tells_of_damage(reason - alert_reason)) {
         return {ErrorCode::BadFrame,
-                "bytes came damaged to the other end: " +
+                "bytes arrived damaged at the other end: " +
                     std::string(SSL_alert_desc_string_long(reason - alert_reason))};
     }
     if (reason >= alert_reason) {

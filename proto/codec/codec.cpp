@@ -23,10 +23,10 @@ Problem problem_of(const T& /*message*/) {
 
 Problem problem_of(const Hello& hello) {
     if (!(hello.weight > 0) || hello.weight > limits::worker_weight_max) {
-        return "a weight that is none";
+        return "a weight that is not positive or too large";
     }
     if (hello.threads > limits::worker_threads_max) {
-        return "more threads than a worker has";
+        return "more threads than a worker may have";
     }
     for (const std::string* text : {&hello.name, &hello.build, &hello.user}) {
         if (text->size() > limits::hello_text_bytes_max || !is_printable(*text)) {
@@ -46,7 +46,7 @@ Problem problem_of(const ResultsPart& part) {
     std::uint64_t count = 0;
     for (const ScenarioInterval& run : part.held) {
         if (run.first < end || run.first > part.next || run.count > part.next - run.first) {
-            return "scenarios that do not ascend, or beyond those that it is of";
+            return "scenarios that do not ascend or lie outside the part";
         }
         end = run.first + run.count;
         count += run.count;
@@ -60,7 +60,7 @@ Problem problem_of(const ScenarioRange& range) {
         return "no scenarios, or too many";
     }
     if (range.first > limits::scenarios_max) {
-        return "a place that no job has";
+        return "a first scenario beyond the largest job";
     }
     return nullptr;
 }
@@ -175,7 +175,7 @@ Problem problem_of(const Results& results) {
     if (!(results.compute_seconds >= 0)) {
         return "a negative time";
     }
-    return results.compute_seconds > limits::compute_seconds_max ? "a time that cannot be"
+    return results.compute_seconds > limits::compute_seconds_max ? "an impossibly long time"
                                                                  : nullptr;
 }
 

@@ -406,7 +406,7 @@ TEST_F(Restart, WithAFullDiskJobsWaitVisiblyAndGoOnWhenThereIsRoom) {
                             master_.address()});
     EXPECT_EQ(upload.exit_code, 3);
     EXPECT_EQ(upload.errors,
-              "cdctl: the master has no room for big.obj (1.4 MiB): its disk is full, or cannot be "
+              "cdctl: the master has no room for big.obj (1.4 MiB): its disk is full or cannot be "
               "written; its log says why\n");
     Submit another;
     another.bodies = {{job.a->mesh().hash()}, {job.b->mesh().hash()}};

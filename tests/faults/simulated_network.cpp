@@ -68,7 +68,7 @@ asio::awaitable<Result<Message>> Channel::receive(std::chrono::steady_clock::dur
         }
         if (std::chrono::steady_clock::now() >= deadline) {
             end->is_awaited = false;
-            co_return Error{ErrorCode::Timeout, "nothing came in time"};
+            co_return Error{ErrorCode::Timeout, "nothing was received in time"};
         }
         end->arrived.expires_at(deadline);
         boost::system::error_code ignored;

@@ -190,7 +190,7 @@ TEST_F(FirstHour, ARunWithoutWorkersSaysSoAndGoesOnWhenOneComes) {
     words.insert(words.end(), inputs.begin(), inputs.end());
     Process run(words, folder_ / "run");
     EXPECT_TRUE(comes_true([&] {
-        return run.errors().find("no worker is here: start cdworker --master " +
+        return run.errors().find("no worker is connected: start cdworker --master " +
                                  master.address()) != std::string::npos;
     })) << run.errors();
     Process worker({program("cdworker").string(), "--master", master.address(), "--threads", "1"},
@@ -215,7 +215,7 @@ TEST_F(FirstHour, AJobWithoutWorkersSaysSoToWhoFollowsIt) {
     }
     for (const auto& follower : followers) {
         EXPECT_TRUE(comes_true([&] {
-            return follower->errors().find("  no worker is here: start cdworker --master " +
+            return follower->errors().find("  no worker is connected: start cdworker --master " +
                                            master.address()) != std::string::npos;
         })) << follower->errors();
     }

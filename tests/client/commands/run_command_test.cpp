@@ -168,7 +168,7 @@ TEST_F(Run, AToleranceGoesWithoutDepths) {
     command_.job.tolerance = 0.1;
     command_.job.depth_b = "4";
     EXPECT_EQ(run(), exit_usage);
-    EXPECT_THAT(stderr_, HasSubstr("goes without a distribution depth"));
+    EXPECT_THAT(stderr_, HasSubstr("excludes a distribution depth"));
     command_.job.tolerance = 0;
     EXPECT_EQ(run(), exit_done);
 }

@@ -169,7 +169,7 @@ TEST_F(Status, TellsOfLostWorkersLongScenariosWithdrawnResultsAndAlarms) {
     EXPECT_THAT(text,
                 HasSubstr("at the end of " + id +
                           " 6 scenarios called back from workers that had "
-                          "not begun them, 8 copied, of which 7 ended first"));
+                          "not begun them, 8 copied; of the copies, 7 ended first"));
     EXPECT_THAT(bottleneck(), HasSubstr("1 of 1 worker")) << "a lost one is not here";
     const auto json = nlohmann::json::parse(status_json(before_, after_));
     EXPECT_EQ(json["workers_lost"], 1);

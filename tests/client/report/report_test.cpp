@@ -299,7 +299,7 @@ TEST(Progress, NoTimeIsLeftOnlyWhereNothingGoesOn) {
     ProgressState state = at(50);
     state.note = {"lost: w-1; others do the work"};
     EXPECT_THAT(progress_text(state, false), HasSubstr("ETA 0:50"));
-    state.note = {"no worker is here", true};
+    state.note = {"no worker is connected", true};
     EXPECT_THAT(progress_text(state, false), Not(HasSubstr("ETA")));
 }
 
@@ -308,12 +308,12 @@ TEST(Progress, NotesComeAloneWhereNoProgressIsWanted) {
         ProgressPrinter printer(ProgressPrinter::Style::Notes, stream);
         printer.update(at(20));
         ProgressState state = at(40);
-        state.note = {"no worker is here", true};
+        state.note = {"no worker is connected", true};
         printer.update(state);
         printer.update(state);
         printer.finish(at(60));
     });
-    EXPECT_EQ(text, "j-1  no worker is here\n");
+    EXPECT_EQ(text, "j-1  no worker is connected\n");
 }
 
 TEST(Progress, WithoutATerminalALineComesEachTenSeconds) {
@@ -344,12 +344,12 @@ TEST(Progress, ANoteStandsUnderTheBar) {
     const std::string text = printed([](std::FILE* stream) {
         ProgressPrinter printer(ProgressPrinter::Style::Bar, stream);
         ProgressState state = at(1);
-        state.note = {"no worker is here", true};
+        state.note = {"no worker is connected", true};
         printer.update(state);
         printer.update(state);
         printer.update(at(1.01));
     });
-    EXPECT_THAT(text, HasSubstr("\x1b[K\nno worker is here\x1b[K\x1b[A\r"));
+    EXPECT_THAT(text, HasSubstr("\x1b[K\nno worker is connected\x1b[K\x1b[A\r"));
     EXPECT_THAT(text, HasSubstr("\x1b[K\n\x1b[K\x1b[A\r")) << "taken away when it is over";
     EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 3) << "and not drawn without need";
 }
@@ -358,13 +358,13 @@ TEST(Progress, WithoutATerminalEachNoteIsPrintedOnce) {
     const std::string text = printed([](std::FILE* stream) {
         ProgressPrinter printer(ProgressPrinter::Style::Lines, stream);
         ProgressState state = at(1);
-        state.note = {"no worker is here", true};
+        state.note = {"no worker is connected", true};
         printer.update(state);
         printer.update(state);
         state.note = {"paused: disk full", true};
         printer.update(state);
     });
-    EXPECT_EQ(text, "j-1  no worker is here\nj-1  paused: disk full\n");
+    EXPECT_EQ(text, "j-1  no worker is connected\nj-1  paused: disk full\n");
 }
 
 TEST(Progress, OnANarrowTerminalALineIsCut) {
@@ -378,11 +378,11 @@ TEST(Progress, OnANarrowTerminalALineIsCut) {
         ProgressState state = at(1);
         state.name = "caf\xc3\xa9-caf\xc3\xa9-caf\xc3\xa9-x"; // Its 19th byte is inside a
                                                               // character.
-        state.note = {"no worker is here: start cdworker", true};
+        state.note = {"no worker is connected: start cdworker", true};
         printer.update(state);
     }
     std::string text; // A terminal splits written text at will.
-    const std::string note = "\nno worker is here: \x1b[K";
+    const std::string note = "\nno worker is connec\x1b[K";
     pollfd ready{screen, POLLIN, 0};
     while (text.find(note) == std::string::npos && ::poll(&ready, 1, 10'000) == 1) {
         std::array<char, 1024> bytes{};

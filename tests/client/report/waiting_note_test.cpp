@@ -44,10 +44,10 @@ TEST_F(Note, APauseIsToldBeforeAllElse) {
 }
 
 TEST_F(Note, WithoutWorkersItSaysHowToStartOne) {
-    EXPECT_EQ(note().text, "no worker is here: start cdworker --master node-1:7600");
+    EXPECT_EQ(note().text, "no worker is connected: start cdworker --master node-1:7600");
     EXPECT_TRUE(note().stands_still);
     cluster.workers = {worker(1, WorkerState::Lost), worker(2, WorkerState::Lost)};
-    EXPECT_EQ(note().text, "no worker is here: start cdworker --master node-1:7600")
+    EXPECT_EQ(note().text, "no worker is connected: start cdworker --master node-1:7600")
         << "those that are lost are not here";
 }
 

@@ -205,7 +205,7 @@ TEST(JobFile, AToleranceIsALengthAndFixesTheDepths) {
     EXPECT_THAT(problem_with(random_poses + "[query]\ntolerance = inf\n"), HasSubstr("finite"));
     EXPECT_THAT(problem_with(random_poses + "[query]\ntolerance = 0.1\n[cluster]\n" +
                              "depth = { a = 9 }\n"),
-                HasSubstr(":10: [cluster]: a tolerance above 0 goes without"));
+                HasSubstr(":10: [cluster]: a tolerance above 0 excludes"));
 }
 
 TEST(JobFile, ExactlyOneSourceOfPosesIsNeeded) {

@@ -346,7 +346,7 @@ TEST(Server, ANoRoomRefusalHidesTheMastersPaths) {
     const auto* failure = std::get_if<Failure>(&client.answer->value());
     ASSERT_NE(failure, nullptr);
     EXPECT_EQ(failure->code, ErrorCode::Io);
-    EXPECT_EQ(failure->detail, "its disk is full, or cannot be written; its log says why");
+    EXPECT_EQ(failure->detail, "its disk is full or cannot be written; its log says why");
     EXPECT_EQ(failure->detail.find(master.directory.string()), std::string::npos);
 }
 

@@ -172,8 +172,9 @@ TEST(ServerQuota, AbandonedOperationsEnd) {
     store_meshes(master);
     const Bytes bytes(1000);
     EXPECT_THAT(refusal_of(master, {MeshPart{Sha256{}, "mesh", 2000, 0, bytes}}),
-                HasSubstr("did not go on"));
-    EXPECT_THAT(refusal_of(master, {reference().submission()}), HasSubstr("did not go on"));
+                HasSubstr("stopped before its end"));
+    EXPECT_THAT(refusal_of(master, {reference().submission()}),
+                HasSubstr("stopped before its end"));
 }
 
 TEST(ServerQuota, OfAJobThatHasEndedALargeGridIsNotKept) {

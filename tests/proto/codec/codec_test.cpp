@@ -414,10 +414,10 @@ TEST(Codec, RecordsOfResultsAreOfAscendingScenariosOfTheirRange) {
         return decoded ? std::string() : decoded.error().detail;
     };
     EXPECT_EQ(refusal({{10, 2}, {15, 5}}, 7), "");
-    EXPECT_THAT(refusal({{9, 2}, {15, 5}}, 7), testing::HasSubstr("beyond"));
-    EXPECT_THAT(refusal({{10, 2}, {15, 6}}, 8), testing::HasSubstr("beyond"));
+    EXPECT_THAT(refusal({{9, 2}, {15, 5}}, 7), testing::HasSubstr("outside"));
+    EXPECT_THAT(refusal({{10, 2}, {15, 6}}, 8), testing::HasSubstr("outside"));
     EXPECT_THAT(refusal({{10, 2}, {11, 5}}, 7), testing::HasSubstr("do not ascend"));
-    EXPECT_THAT(refusal({{10, 2}, {15, ~0ull}}, 7), testing::HasSubstr("beyond"));
+    EXPECT_THAT(refusal({{10, 2}, {15, ~0ull}}, 7), testing::HasSubstr("outside"));
     EXPECT_THAT(refusal({{10, 2}, {15, 5}}, 8), testing::HasSubstr("another number of records"));
 }
 
