@@ -74,17 +74,17 @@ void add_local_verbs(CLI::App& app, Verbs& verbs) {
     add_folder_options(*run, verbs.run.folder);
     add_statistics(*run, verbs.run.statistics);
     add_master_options(*run, verbs.run.master, false);
-    run->add_option("--threads", verbs.run.threads, "Threads here; 0 is one for each core")
+    run->add_option("--threads", verbs.run.host.threads, "Threads here; 0 is one for each core")
         ->check(CLI::Range(0u, 4096u))
         ->type_name("N")
         ->capture_default_str();
     run->add_option("--simd",
-                    verbs.run.simd,
+                    verbs.run.host.simd,
                     "Instructions used here: avx512, avx2, sse4, neon, "
                     "scalar, auto (default); same answers. Also CD_SIMD")
         ->type_name("TARGET");
-    add_first_stage(*run, verbs.run.first_stage);
-    add_tree_cache(*run, verbs.run.tree_cache);
+    add_first_stage(*run, verbs.run.host.first_stage);
+    add_tree_cache(*run, verbs.run.host.tree_cache);
     add_fail_on(*run, verbs.run.fail_on);
     run->add_flag(
         "--dry-run", verbs.run.dry_run, "Check all inputs, estimate time and size, then stop");

@@ -30,14 +30,19 @@ struct FolderFlags {
     bool no_inputs = false;
 };
 
-struct RunCommand {
-    JobOptions job; ///< `job.file` may be a results folder.
-    FolderFlags folder;
-    MasterOptions master; ///< No address: run on this machine.
+/// How scenarios run on this machine.
+struct HostOptions {
     unsigned threads = 0; ///< 0: one per core.
     std::string simd;     ///< Name of a SIMD target; empty: CD_SIMD, or else the best.
     std::optional<PairStage> first_stage; ///< Only for runs on this machine.
     std::string tree_cache = "off";       ///< A folder, or off.
+};
+
+struct RunCommand {
+    JobOptions job; ///< `job.file` may be a results folder.
+    FolderFlags folder;
+    MasterOptions master; ///< No address: run on this machine.
+    HostOptions host;
     FailOn fail_on = FailOn::Never;
     bool dry_run = false;
     bool yes = false; ///< Write results above `results_bytes_max`.

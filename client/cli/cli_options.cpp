@@ -59,84 +59,95 @@ void add_job_options(CLI::App& verb, JobOptions& job) {
                     "For both meshes: auto (double if float loses digits) or float (rounded)")
         ->check(CLI::IsMember(std::vector<std::string>{"auto", "float"}))
         ->type_name("PRECISION");
-    verb.add_option("--poses", job.poses, "Poses of B in A's frame: .npy, .csv, TUM; - is stdin")
+    verb.add_option(
+            "--poses", job.poses.file, "Poses of B in A's frame: .npy, .csv, TUM; - is stdin")
         ->type_name("FILE")
         ->group(inputs);
-    verb.add_option("--poses-unit", job.poses_unit, "Unit of the poses' lengths, if not the job's")
+    verb.add_option("--poses-unit", job.poses.unit, "Unit of the poses' lengths, if not the job's")
         ->check(CLI::IsMember(units()))
         ->type_name("UNIT")
         ->group(inputs);
-    verb.add_option("--quat-order", job.quat_order, "Only for a bare (N,7): xyzw or wxyz")
+    verb.add_option("--quat-order", job.poses.quat_order, "Only for a bare (N,7): xyzw or wxyz")
         ->check(CLI::IsMember(std::vector<std::string>{"xyzw", "wxyz"}))
         ->type_name("ORDER")
         ->group(inputs);
-    verb.add_flag("--both", job.poses_of_both, "The file has poses of both bodies")->group(inputs);
-    verb.add_option("--rigid-tolerance", job.rigid_tolerance, "How far a matrix may be from rigid")
+    verb.add_flag("--both", job.poses.of_both, "The file has poses of both bodies")->group(inputs);
+    verb.add_option(
+            "--rigid-tolerance", job.poses.rigid_tolerance, "How far a matrix may be from rigid")
         ->check(CLI::NonNegativeNumber)
         ->type_name("X")
         ->group(inputs);
-    verb.add_option("--random", job.random, "N scenarios from random directions, pushed in")
+    verb.add_option("--random", job.poses.random, "N scenarios from random directions, pushed in")
         ->check(CLI::PositiveNumber)
         ->type_name("N")
         ->group(inputs);
-    verb.add_option("--seed", job.seed, "Seed of --random (1)")->type_name("N")->group(inputs);
-    verb.add_option(
-            "--penetration", job.penetration, "Least and most, of B's box diagonal (0.005 0.05)")
+    verb.add_option("--seed", job.poses.seed, "Seed of --random (1)")
+        ->type_name("N")
+        ->group(inputs);
+    verb.add_option("--penetration",
+                    job.poses.penetration,
+                    "Least and most, of B's box diagonal (0.005 0.05)")
         ->expected(2)
         ->type_name("X")
         ->group(inputs);
 
     const std::string query = "What is asked";
     verb.add_option("--name", job.name, "The job's name")->type_name("NAME")->group(query);
-    verb.add_option("--level", job.level, "any, count, pairs (default) or contacts")
+    verb.add_option("--level", job.query.level, "any, count, pairs (default) or contacts")
         ->check(CLI::IsMember(levels))
         ->type_name("LEVEL")
         ->group(query);
     verb.add_option("--tolerance",
-                    job.tolerance,
+                    job.query.tolerance,
                     "Find near misses: boxes this small stay undecided; 0 is exact and faster")
         ->check(CLI::NonNegativeNumber)
         ->type_name("LENGTH")
         ->group(query);
-    verb.add_option("--limit-pairs", job.limit_pairs, "Keep so many pairs a scenario; 0 keeps all")
+    verb.add_option(
+            "--limit-pairs", job.query.limit_pairs, "Keep so many pairs a scenario; 0 keeps all")
         ->type_name("N")
         ->group(query);
-    verb.add_flag(
-            "--maps", job.maps, "Count the contacts of each triangle; needs level count or above")
+    verb.add_flag("--maps",
+                  job.query.maps,
+                  "Count the contacts of each triangle; needs level count or above")
         ->group(query);
-    verb.add_option("--out", job.out, "Folder for the results")
+    verb.add_option("--out", job.output.dir, "Folder for the results")
         ->type_name("DIR")
         ->group(results_group);
-    add_formats(verb, job.formats, job.exact_points);
+    add_formats(verb, job.output.formats, job.output.exact_points);
 
     const std::string cluster = "On the cluster";
-    verb.add_option("--strategy", job.strategy, "How workers are chosen (earliest-finish)")
+    verb.add_option("--strategy", job.cluster.strategy, "How workers are chosen (earliest-finish)")
         ->check(CLI::IsMember(words_of(strategy_names())))
         ->type_name("NAME")
         ->group(cluster);
-    verb.add_option(
-            "--analysis", job.analysis, "By the master for each scenario, or by workers (auto)")
+    verb.add_option("--analysis",
+                    job.cluster.analysis,
+                    "By the master for each scenario, or by workers (auto)")
         ->check(CLI::IsMember(words_of(analysis_mode_names())))
         ->type_name("WHEN")
         ->group(cluster);
-    verb.add_option("--depth-a", job.depth_a, "Distribution depth of A: a number, or auto (auto)")
+    verb.add_option(
+            "--depth-a", job.cluster.depth_a, "Distribution depth of A: a number, or auto (auto)")
         ->check(is_depth)
         ->type_name("D")
         ->group(cluster);
-    verb.add_option("--depth-b", job.depth_b, "Distribution depth of B: a number, or auto (auto)")
+    verb.add_option(
+            "--depth-b", job.cluster.depth_b, "Distribution depth of B: a number, or auto (auto)")
         ->check(is_depth)
         ->type_name("D")
         ->group(cluster);
-    verb.add_option("--q", job.q, "Not by time: a buffer is full at so many scenarios (20)")
+    verb.add_option("--q", job.cluster.q, "Not by time: a buffer is full at so many scenarios (20)")
         ->check(CLI::Range(1u, limits::q_max))
         ->type_name("N")
         ->group(cluster);
-    verb.add_option("--v-kb", job.v_kb, "or at so many kB (4096)")
+    verb.add_option("--v-kb", job.cluster.v_kb, "or at so many kB (4096)")
         ->check(CLI::Range(1u, limits::v_kb_max))
         ->type_name("N")
         ->group(cluster);
-    verb.add_flag(
-            "--claim", job.claim, "Not by time: one task at a worker at a time, as in the paper")
+    verb.add_flag("--claim",
+                  job.cluster.claim,
+                  "Not by time: one task at a worker at a time, as in the paper")
         ->group(cluster);
 }
 

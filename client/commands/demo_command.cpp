@@ -25,10 +25,10 @@ RunCommand demo_run(const DemoCommand& command, const std::filesystem::path& cac
     run.job.a = command.a;
     run.job.b = command.b;
     run.job.name = "demo";
-    run.job.random = command.scenarios;
-    run.job.seed = 1;
-    run.job.penetration = {0.005, 0.05};
-    run.job.out = command.out.empty() ? (cache / "demo-results").string() : command.out;
+    run.job.poses.random = command.scenarios;
+    run.job.poses.seed = 1;
+    run.job.poses.penetration = {0.005, 0.05};
+    run.job.output.dir = command.out.empty() ? (cache / "demo-results").string() : command.out;
     run.folder.fresh = true;
     run.folder.overwrite = command.out.empty(); // The default folder belongs to the demo.
     run.quiet = command.quiet;

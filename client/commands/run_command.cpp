@@ -56,7 +56,7 @@ Result<RunOutcome> run_with_progress(const LocalJob& local,
                                      const std::function<Status(const DoneScenario&)>& take,
                                      const std::function<void()>& tick) {
     ProgressPrinter progress(ProgressPrinter::style_for(local.command.quiet));
-    options.first_stage = local.command.first_stage.value_or(PairStage::Float);
+    options.first_stage = local.command.host.first_stage.value_or(PairStage::Float);
     const std::uint64_t resumed = options.done ? options.done->summary().merged() : 0;
     const RunObserver observer{
         take,
@@ -243,7 +243,7 @@ std::string where_text(const RunCommand& command, Connection* connection, const 
 
 EstimateOptions estimate_options(const RunCommand& command) {
     EstimateOptions options;
-    options.first_stage = command.first_stage.value_or(PairStage::Float);
+    options.first_stage = command.host.first_stage.value_or(PairStage::Float);
     options.keeps_inputs = !command.folder.no_inputs;
     return options;
 }
@@ -357,11 +357,11 @@ Status add_hint(const PreparedJob& job, RunReport& report) {
 int run_job(const RunCommand& command) {
     const auto start = std::chrono::steady_clock::now();
     const bool here = command.master.address.empty();
-    if (command.first_stage && !here) {
+    if (command.host.first_stage && !here) {
         return fail({ErrorCode::BadInput, "--first-stage is for a run on this machine alone"});
     }
     const Status simd =
-        command.simd.empty() ? check_simd_environment() : force_simd_target(command.simd);
+        command.host.simd.empty() ? check_simd_environment() : force_simd_target(command.host.simd);
     if (!simd) {
         return fail(simd.error());
     }
@@ -369,7 +369,7 @@ int run_job(const RunCommand& command) {
     if (!asked) {
         return fail(asked.error());
     }
-    ThreadPool pool(command.threads);
+    ThreadPool pool(command.host.threads);
     auto connection =
         here ? Result<std::unique_ptr<Connection>>(nullptr) : open_master_for_job(command.master);
     if (!connection) {
@@ -378,7 +378,7 @@ int run_job(const RunCommand& command) {
     if (!command.quiet) {
         std::fputs(where_text(command, connection.value().get(), pool).c_str(), stderr);
     }
-    TreeCache cache(tree_cache_folder(command.tree_cache));
+    TreeCache cache(tree_cache_folder(command.host.tree_cache));
     const bool samples_run = command.dry_run || checks_size(command, asked.value().spec);
     auto job = prepare(std::move(asked.value()),
                        here || samples_run ? Trees::Always : Trees::ForPosesOnly,

@@ -28,6 +28,37 @@ std::uint64_t bytes_of(const DoneScenario& done) {
 
 } // namespace
 
+bool ResultQueue::is_full() const {
+    return bytes_ >= limits::run_bytes_ahead_max;
+}
+
+void ResultQueue::add(std::vector<DoneScenario>& results, std::uint64_t bytes) {
+    for (DoneScenario& done : results) {
+        const std::uint64_t slot = done.result.index - next_;
+        if (slot >= waiting_.size()) {
+            waiting_.resize(slot + 1);
+        }
+        waiting_[slot] = std::move(done);
+    }
+    bytes_ += bytes;
+}
+
+std::vector<DoneScenario> ResultQueue::take() {
+    std::vector<DoneScenario> taken;
+    while (is_next_here() && taken.size() < limits::run_taken_at_once_max) {
+        bytes_taken_ += bytes_of(*waiting_.front());
+        taken.push_back(std::move(*waiting_.front()));
+        waiting_.pop_front();
+        ++next_;
+    }
+    return taken;
+}
+
+void ResultQueue::release_taken() {
+    bytes_ -= bytes_taken_;
+    bytes_taken_ = 0;
+}
+
 OrderedRun::OrderedRun(const ScenarioRunner& runner,
                        std::atomic<bool>& ended,
                        ThreadPool& pool,
@@ -35,8 +66,8 @@ OrderedRun::OrderedRun(const ScenarioRunner& runner,
     : runner_(runner),
       ended_(ended),
       thread_count_(pool.size()),
+      done_(first),
       added_(first),
-      taken_(first),
       threads_left_(pool.size()) {
     for (unsigned i = 0; i < thread_count_; ++i) {
         pool.post([this] { work(); });
@@ -57,8 +88,8 @@ std::uint64_t OrderedRun::wanted() {
 }
 
 std::uint64_t OrderedRun::wanted_now() const {
-    const bool has_room = bytes_ahead_ < limits::run_bytes_ahead_max &&
-                          added_ - taken_ + block_scenarios <= limits::run_scenarios_ahead_max;
+    const bool has_room = !done_.is_full() && added_ - done_.next() + block_scenarios <=
+                                                  limits::run_scenarios_ahead_max;
     return has_room && waiting_.size() < waiting_enough * thread_count_ ? block_scenarios : 0;
 }
 
@@ -69,28 +100,18 @@ void OrderedRun::add(std::vector<Scenario> scenarios) {
     work_came_.notify_all();
 }
 
-bool OrderedRun::is_next_done() const {
-    return !done_.empty() && done_.front();
-}
-
 std::vector<DoneScenario> OrderedRun::take(std::chrono::milliseconds period, bool may_add) {
     std::unique_lock lock(mutex_);
-    const bool was_full = bytes_ahead_ >= limits::run_bytes_ahead_max;
-    bytes_ahead_ -= bytes_in_hand_;
-    bytes_in_hand_ = 0;
+    const bool was_full = done_.is_full();
+    done_.release_taken();
     if (was_full) {
         work_came_.notify_all();
     }
-    state_changed_.wait_for(
-        lock, period, [this, may_add] { return is_next_done() || (may_add && wanted_now() > 0); });
-    std::vector<DoneScenario> taken;
-    while (is_next_done() && taken.size() < limits::run_taken_at_once_max) {
-        bytes_in_hand_ += bytes_of(*done_.front());
-        taken.push_back(std::move(*done_.front()));
-        done_.pop_front();
-        ++taken_;
-    }
-    if (bytes_ahead_ >= limits::run_bytes_ahead_max) {
+    state_changed_.wait_for(lock, period, [this, may_add] {
+        return done_.is_next_here() || (may_add && wanted_now() > 0);
+    });
+    std::vector<DoneScenario> taken = done_.take();
+    if (done_.is_full()) {
         work_came_.notify_all(); // The next due scenario may have changed.
     }
     return taken;
@@ -118,8 +139,8 @@ bool OrderedRun::refill(Batch& batch) {
     std::unique_lock lock(mutex_);
     work_came_.wait(lock, [this] {
         // Beyond the bound only the next due scenario runs; without it no result can be taken.
-        return stopping_ || (!waiting_.empty() && (bytes_ahead_ < limits::run_bytes_ahead_max ||
-                                                   waiting_.front().index == taken_));
+        return stopping_ ||
+               (!waiting_.empty() && (!done_.is_full() || waiting_.front().index == done_.next()));
     });
     if (stopping_) {
         return false;
@@ -168,19 +189,12 @@ void OrderedRun::hand_over(Batch& batch) {
         waiting_.insert(place, not_run, batch.waiting.end());
         work_came_.notify_all();
     }
-    for (DoneScenario& done : batch.done) {
-        const std::uint64_t place = done.result.index - taken_;
-        if (place >= done_.size()) {
-            done_.resize(place + 1);
-        }
-        done_[place] = std::move(done);
-    }
+    done_.add(batch.done, batch.bytes);
     statistics_ += batch.statistics;
-    bytes_ahead_ += batch.bytes;
     batch.done.clear();
     batch.statistics = {};
     batch.bytes = 0;
-    if (is_next_done() || wanted_now() > 0) {
+    if (done_.is_next_here() || wanted_now() > 0) {
         state_changed_.notify_one();
     }
 }

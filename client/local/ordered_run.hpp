@@ -19,6 +19,33 @@
 
 namespace cd {
 
+/// Results that wait until all before them are taken. Scenarios are numbered by their indices.
+class ResultQueue {
+  public:
+    /// `first` is the index of the first result to take.
+    explicit ResultQueue(std::uint64_t first) : next_(first) {}
+
+    /// The index of the next result to take.
+    [[nodiscard]] std::uint64_t next() const { return next_; }
+    [[nodiscard]] bool is_next_here() const { return !waiting_.empty() && waiting_.front(); }
+    /// Whether the waiting results, and those that the last `take` returned, reach the bound of
+    /// bytes.
+    [[nodiscard]] bool is_full() const;
+
+    void add(std::vector<DoneScenario>& results, std::uint64_t bytes);
+    /// Takes the next results in order, at most `limits::run_taken_at_once_max`.
+    [[nodiscard]] std::vector<DoneScenario> take();
+    /// Stops counting the bytes of the results that the last `take` returned.
+    void release_taken();
+
+  private:
+    /// The first slot belongs to scenario `next_`.
+    std::deque<std::optional<DoneScenario>> waiting_;
+    std::uint64_t next_ = 0;
+    std::uint64_t bytes_ = 0;
+    std::uint64_t bytes_taken_ = 0; ///< Part of `bytes_` that the last `take` returned.
+};
+
 /// Scenarios are added in order; pool threads run them; results are taken in the same order.
 ///
 /// Threads exchange scenarios and results in batches of a fraction of a millisecond. Short
@@ -62,7 +89,6 @@ class OrderedRun {
     };
 
     [[nodiscard]] std::uint64_t wanted_now() const;
-    [[nodiscard]] bool is_next_done() const;
     void work();
     [[nodiscard]] bool refill(Batch& batch);
     void run_some(ScenarioSession& session, Batch& batch);
@@ -76,12 +102,8 @@ class OrderedRun {
     std::condition_variable work_came_;
     std::condition_variable state_changed_;
     std::deque<Scenario> waiting_; ///< Scenarios not yet taken by a thread, ascending.
-    /// Results not yet taken. The first slot belongs to scenario `taken_`.
-    std::deque<std::optional<DoneScenario>> done_;
-    std::uint64_t added_ = 0;
-    std::uint64_t taken_ = 0; ///< Index of the next result to take.
-    std::uint64_t bytes_ahead_ = 0;
-    std::uint64_t bytes_in_hand_ = 0; ///< Part of `bytes_ahead_` taken by the last call.
+    ResultQueue done_;
+    std::uint64_t added_ = 0; ///< Index of the next scenario to be added.
     JobStatistics statistics_;
     unsigned threads_left_; ///< Pool threads still in `work`.
     bool stopping_ = false;

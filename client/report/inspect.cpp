@@ -42,21 +42,12 @@ std::vector<double> to_list(const Vec3& v) {
 } // namespace
 
 MeshReport inspect_mesh(const std::string& file, const ImportedMesh& imported) {
-    const Mesh& mesh = *imported.mesh;
     MeshReport report;
     report.file = file;
-    report.triangles = mesh.triangles().size();
-    report.vertices = mesh.vertices().size();
-    report.precision = mesh.precision();
-    report.box = bounding_box(mesh.vertices());
+    report.imported = imported;
+    report.box = bounding_box(report.mesh().vertices());
     report.unit_guess = guess_unit(report.box.size().maxCoeff());
-    report.topology = analyse_topology(mesh);
-    report.parts = mesh.parts();
-    report.points_skipped = imported.points_skipped;
-    report.lines_skipped = imported.lines_skipped;
-    report.declared = imported.declared;
-    report.warnings = imported.warnings;
-    report.hash = mesh.hash();
+    report.topology = analyse_topology(report.mesh());
     return report;
 }
 
@@ -66,10 +57,11 @@ std::string to_text(const MeshReport& r) {
     const auto line = [&](std::string_view name, const std::string& value) {
         text += fmt::format("  {:<12} {}\n", name, value);
     };
-    line("triangles", fmt::format("{}", r.triangles));
+    line("triangles", fmt::format("{}", r.mesh().triangles().size()));
     line("vertices",
-         fmt::format(
-             "{} distinct, {}", r.vertices, r.precision == Precision::Float ? "float" : "double"));
+         fmt::format("{} distinct, {}",
+                     r.mesh().vertices().size(),
+                     r.mesh().precision() == Precision::Float ? "float" : "double"));
     line("size", fmt::format("{:.6g} x {:.6g} x {:.6g}", size.x(), size.y(), size.z()));
     line("box",
          fmt::format("[{:.7g}, {:.7g}, {:.7g}] to [{:.7g}, {:.7g}, {:.7g}]",
@@ -88,21 +80,23 @@ std::string to_text(const MeshReport& r) {
     line("components", fmt::format("{}", r.topology.component_triangles.size()));
     line("degenerate", fmt::format("{} triangles, kept", r.topology.degenerate));
     line("duplicate", fmt::format("{} triangles, kept", r.topology.duplicate));
-    if (r.points_skipped + r.lines_skipped != 0) {
-        line("skipped", fmt::format("{} points, {} lines", r.points_skipped, r.lines_skipped));
+    if (r.imported.points_skipped + r.imported.lines_skipped != 0) {
+        line("skipped",
+             fmt::format(
+                 "{} points, {} lines", r.imported.points_skipped, r.imported.lines_skipped));
     }
-    line("parts", fmt::format("{}", r.parts.size()));
-    for (std::size_t i = 0; i < std::min(r.parts.size(), parts_shown_max); ++i) {
-        const Part& part = r.parts[i];
+    line("parts", fmt::format("{}", r.mesh().parts().size()));
+    for (std::size_t i = 0; i < std::min(r.mesh().parts().size(), parts_shown_max); ++i) {
+        const Part& part = r.mesh().parts()[i];
         text += fmt::format(
             "    {:<28} {:>9} triangles\n", part.name, part.triangles_end - part.triangles_begin);
     }
-    if (r.parts.size() > parts_shown_max) {
-        text +=
-            fmt::format("    and {} more; all with -o json\n", r.parts.size() - parts_shown_max);
+    if (r.mesh().parts().size() > parts_shown_max) {
+        text += fmt::format("    and {} more; all with -o json\n",
+                            r.mesh().parts().size() - parts_shown_max);
     }
-    line("hash", to_hex(r.hash));
-    for (const std::string& warning : r.warnings) {
+    line("hash", to_hex(r.mesh().hash()));
+    for (const std::string& warning : r.imported.warnings) {
         line("warning", warning);
     }
     return text;
@@ -110,21 +104,21 @@ std::string to_text(const MeshReport& r) {
 
 std::string to_json(const MeshReport& r) {
     nlohmann::ordered_json parts = nlohmann::ordered_json::array();
-    for (const Part& part : r.parts) {
+    for (const Part& part : r.mesh().parts()) {
         parts.push_back({{"name", part.name},
                          {"first_triangle", part.triangles_begin},
                          {"triangles", part.triangles_end - part.triangles_begin}});
     }
     const nlohmann::ordered_json json{
         {"file", r.file},
-        {"triangles", r.triangles},
-        {"vertices", r.vertices},
-        {"precision", r.precision == Precision::Float ? "float" : "double"},
+        {"triangles", r.mesh().triangles().size()},
+        {"vertices", r.mesh().vertices().size()},
+        {"precision", r.mesh().precision() == Precision::Float ? "float" : "double"},
         {"box", {{"min", to_list(r.box.min)}, {"max", to_list(r.box.max)}}},
         {"unit_guess", r.unit_guess},
-        {"declared_unit", r.declared.unit},
-        {"declared_metres", r.declared.metres},
-        {"declared_up", r.declared.up},
+        {"declared_unit", r.imported.declared.unit},
+        {"declared_metres", r.imported.declared.metres},
+        {"declared_up", r.imported.declared.up},
         {"notes", r.notes},
         {"closed", r.topology.is_closed()},
         {"boundary_edges", r.topology.boundary_edges},
@@ -133,11 +127,11 @@ std::string to_json(const MeshReport& r) {
         {"components", r.topology.component_triangles.size()},
         {"degenerate", r.topology.degenerate},
         {"duplicate", r.topology.duplicate},
-        {"points_skipped", r.points_skipped},
-        {"lines_skipped", r.lines_skipped},
+        {"points_skipped", r.imported.points_skipped},
+        {"lines_skipped", r.imported.lines_skipped},
         {"parts", parts},
-        {"warnings", r.warnings},
-        {"hash", to_hex(r.hash)}};
+        {"warnings", r.imported.warnings},
+        {"hash", to_hex(r.mesh().hash())}};
     // Names may contain invalid UTF-8.
     return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }

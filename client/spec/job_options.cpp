@@ -16,30 +16,26 @@ Error usage(const std::string& what) {
 }
 
 bool gives_inputs(const JobOptions& options) {
-    return !options.a.empty() || !options.b.empty() || !options.poses.empty() ||
-           !options.unit.empty() || !options.unit_a.empty() || !options.unit_b.empty() ||
-           !options.poses_unit.empty() || !options.quat_order.empty() || options.poses_of_both ||
-           options.rigid_tolerance || options.random || options.seed ||
-           !options.penetration.empty();
+    return !options.a.empty() || !options.b.empty() || !options.unit.empty() ||
+           !options.unit_a.empty() || !options.unit_b.empty() || options.poses != PoseOptions();
 }
 
-Result<PosesSpec> poses_of(const JobOptions& options) {
-    if (options.poses.empty() == !options.random) {
+Result<PosesSpec> poses_of(const PoseOptions& poses, const std::string& job_unit) {
+    if (poses.file.empty() == !poses.random) {
         return usage("give the poses: either --poses FILE or --random N");
     }
-    const bool has_random_option = options.seed || !options.penetration.empty();
-    const bool has_file_option = !options.poses_unit.empty() || !options.quat_order.empty() ||
-                                 options.poses_of_both || options.rigid_tolerance;
-    if (!options.random) {
+    const bool has_random_option = poses.seed || !poses.penetration.empty();
+    const bool has_file_option =
+        !poses.unit.empty() || !poses.quat_order.empty() || poses.of_both || poses.rigid_tolerance;
+    if (!poses.random) {
         if (has_random_option) {
             return usage("--seed and --penetration belong to --random");
         }
-        PoseFileSpec file{
-            options.poses, options.quat_order, options.poses_of_both, options.rigid_tolerance};
-        const std::string& unit = options.unit.empty() ? JobSpec().unit : options.unit;
-        if (!options.poses_unit.empty()) {
-            file.length_factor = unit_factor(options.poses_unit, unit).value_or(1);
-            file.unit = options.poses_unit;
+        PoseFileSpec file{poses.file, poses.quat_order, poses.of_both, poses.rigid_tolerance};
+        const std::string& unit = job_unit.empty() ? JobSpec().unit : job_unit;
+        if (!poses.unit.empty()) {
+            file.length_factor = unit_factor(poses.unit, unit).value_or(1);
+            file.unit = poses.unit;
         }
         return PosesSpec(std::move(file));
     }
@@ -47,14 +43,14 @@ Result<PosesSpec> poses_of(const JobOptions& options) {
         return usage("--poses-unit, --quat-order, --both and --rigid-tolerance belong to --poses");
     }
     RandomPoses random;
-    random.count = *options.random;
-    random.seed = options.seed.value_or(random.seed);
+    random.count = *poses.random;
+    random.seed = poses.seed.value_or(random.seed);
     if (random.seed > std::numeric_limits<std::int64_t>::max()) {
         return usage("--seed is at most 9223372036854775807, as in a job file");
     }
-    if (!options.penetration.empty()) {
-        random.penetration_min = options.penetration.front();
-        random.penetration_max = options.penetration.back();
+    if (!poses.penetration.empty()) {
+        random.penetration_min = poses.penetration.front();
+        random.penetration_max = poses.penetration.back();
     }
     if (!(0 <= random.penetration_min && random.penetration_min <= random.penetration_max &&
           random.penetration_max <= 1)) {
@@ -67,7 +63,7 @@ Result<JobSpec> spec_without_file(const JobOptions& options) {
     if (options.a.empty() || options.b.empty()) {
         return usage("give a job file, or the two meshes with --a and --b");
     }
-    auto poses = poses_of(options);
+    auto poses = poses_of(options.poses, options.unit);
     if (!poses) {
         return poses.error();
     }
@@ -85,10 +81,7 @@ void replace(T& value, const std::optional<T>& given) {
     value = given.value_or(value);
 }
 
-} // namespace
-
-Status apply(const JobOptions& options, JobSpec& spec) {
-    spec.name = options.name.empty() ? spec.name : options.name;
+Status apply(const QueryOptions& options, JobSpec& spec) {
     if (!options.level.empty()) {
         const auto level = level_from_text(options.level);
         if (!level) {
@@ -96,10 +89,6 @@ Status apply(const JobOptions& options, JobSpec& spec) {
                          "\" is not one of any, count, pairs, contacts");
         }
         spec.level = *level;
-    }
-    for (BodySpec& body : spec.bodies) {
-        body.rounds_to_float =
-            options.precision.empty() ? body.rounds_to_float : options.precision == "float";
     }
     replace(spec.tolerance, options.tolerance);
     if (Status allowed = check_tolerance(spec.tolerance); !allowed) {
@@ -110,20 +99,25 @@ Status apply(const JobOptions& options, JobSpec& spec) {
         return usage("--limit-pairs is at most 4294967295, as in a job file");
     }
     spec.maps = spec.maps || options.maps;
-    if (Status allowed = check_maps(spec); !allowed) {
-        return allowed;
-    }
-    spec.output.dir = options.out.empty() ? spec.output.dir : std::filesystem::path(options.out);
+    return check_maps(spec);
+}
+
+Status apply(const OutputOptions& options, OutputSpec& output) {
+    output.dir = options.dir.empty() ? output.dir : std::filesystem::path(options.dir);
     if (!options.formats.empty()) {
-        spec.output.formats = options.formats;
-        keep_each_once(spec.output.formats);
+        output.formats = options.formats;
+        keep_each_once(output.formats);
     }
-    spec.output.exact_points = spec.output.exact_points || options.exact_points;
-    for (const std::string& format : spec.output.formats) {
+    output.exact_points = output.exact_points || options.exact_points;
+    for (const std::string& format : output.formats) {
         if (Status known = check_format(format); !known) {
             return known;
         }
     }
+    return Done{};
+}
+
+Status apply(const MatchingOptions& options, JobSpec& spec) {
     if (!options.strategy.empty()) {
         const auto strategy = strategy_from_text(options.strategy);
         if (!strategy) {
@@ -159,6 +153,23 @@ Status apply(const JobOptions& options, JobSpec& spec) {
     replace(spec.cluster.v_kb, options.v_kb);
     spec.cluster.claim = spec.cluster.claim || options.claim;
     return check_matching(spec.cluster);
+}
+
+} // namespace
+
+Status apply(const JobOptions& options, JobSpec& spec) {
+    spec.name = options.name.empty() ? spec.name : options.name;
+    for (BodySpec& body : spec.bodies) {
+        body.rounds_to_float =
+            options.precision.empty() ? body.rounds_to_float : options.precision == "float";
+    }
+    if (Status applied = apply(options.query, spec); !applied) {
+        return applied;
+    }
+    if (Status applied = apply(options.output, spec.output); !applied) {
+        return applied;
+    }
+    return apply(options.cluster, spec);
 }
 
 Status check_no_inputs(const JobOptions& options) {

@@ -11,6 +11,46 @@
 
 namespace cd {
 
+/// Options of the poses, which replace those of a job file.
+struct PoseOptions {
+    std::string file;
+    std::string unit; ///< Unit of translations; empty: the job's.
+    std::string quat_order;
+    bool of_both = false;
+    std::optional<double> rigid_tolerance;
+    std::optional<std::uint64_t> random; ///< Number of random scenarios instead of a file.
+    std::optional<std::uint64_t> seed;
+    std::vector<double> penetration;
+
+    friend bool operator==(const PoseOptions&, const PoseOptions&) = default;
+};
+
+/// Options that override a job file's table [query].
+struct QueryOptions {
+    std::string level;
+    std::optional<double> tolerance;
+    std::optional<std::uint64_t> limit_pairs;
+    bool maps = false;
+};
+
+/// Options that override a job file's table [output].
+struct OutputOptions {
+    std::string dir;
+    std::vector<std::string> formats;
+    bool exact_points = false;
+};
+
+/// Options that override a job file's table [cluster].
+struct MatchingOptions {
+    std::string strategy;
+    std::string analysis;
+    std::string depth_a; ///< A number, or "auto".
+    std::string depth_b;
+    std::optional<std::uint32_t> q;
+    std::optional<std::uint32_t> v_kb;
+    bool claim = false;
+};
+
 /// The values of options; empty if an option was not given.
 struct JobOptions {
     std::string file;
@@ -21,32 +61,14 @@ struct JobOptions {
     std::string unit;
     std::string unit_a;
     std::string unit_b;
-    std::string poses;
-    std::string poses_unit; ///< Unit of translations; empty: the job's.
-    std::string quat_order;
-    bool poses_of_both = false;
-    std::optional<double> rigid_tolerance;
-    std::optional<std::uint64_t> random;
-    std::optional<std::uint64_t> seed;
-    std::vector<double> penetration;
+    PoseOptions poses;
 
     // These options override a job file.
     std::string name;
     std::string precision; ///< "auto" or "float", for both bodies.
-    std::string level;
-    std::optional<double> tolerance;
-    std::optional<std::uint64_t> limit_pairs;
-    bool maps = false;
-    std::string out;
-    std::vector<std::string> formats;
-    bool exact_points = false;
-    std::string strategy;
-    std::string analysis;
-    std::string depth_a; ///< A number, or "auto".
-    std::string depth_b;
-    std::optional<std::uint32_t> q;
-    std::optional<std::uint32_t> v_kb;
-    bool claim = false;
+    QueryOptions query;
+    OutputOptions output;
+    MatchingOptions cluster;
 };
 
 /// Refuses options about meshes and poses, which `options.file` already names. Errors: BadInput

@@ -170,8 +170,8 @@ TEST_F(FirstHour, LargeResultsOfAMasterAreRefusedBeforeItHearsOfThem) {
     RunCommand command;
     command.job.a = path("car.obj");
     command.job.b = path("post.obj");
-    command.job.random = 100;
-    command.job.out = path("out");
+    command.job.poses.random = 100;
+    command.job.output.dir = path("out");
     command.master.address = master.address();
     command.results_bytes_max = 1000;
     testing::internal::CaptureStderr();

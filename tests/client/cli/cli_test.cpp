@@ -149,11 +149,11 @@ TEST(CommandLine, RunTakesMeshesInsteadOfAFile) {
     const auto& run = std::get<RunCommand>(*line.command);
     EXPECT_EQ(run.job.a, "a.obj");
     EXPECT_EQ(run.job.unit_b, "mm");
-    EXPECT_EQ(run.job.random, 50u);
-    EXPECT_EQ(run.job.penetration, (std::vector<double>{0.01, 0.02}));
-    EXPECT_EQ(run.job.level, "count");
-    EXPECT_EQ(run.job.formats, (std::vector<std::string>{"csv", "json"}));
-    EXPECT_EQ(run.threads, 3u);
+    EXPECT_EQ(run.job.poses.random, 50u);
+    EXPECT_EQ(run.job.poses.penetration, (std::vector<double>{0.01, 0.02}));
+    EXPECT_EQ(run.job.query.level, "count");
+    EXPECT_EQ(run.job.output.formats, (std::vector<std::string>{"csv", "json"}));
+    EXPECT_EQ(run.host.threads, 3u);
     EXPECT_EQ(run.fail_on, FailOn::Touch);
     EXPECT_EQ(run.output, "json");
     EXPECT_TRUE(run.quiet);
@@ -165,11 +165,11 @@ TEST(CommandLine, AToleranceAndAFirstStageAreRead) {
         {"run", "job.toml", "--tolerance", "0.05", "--first-stage", "wide-integer"});
     ASSERT_TRUE(line.command) << line.text;
     const auto& run = std::get<RunCommand>(*line.command);
-    EXPECT_EQ(run.job.tolerance, 0.05);
-    EXPECT_EQ(run.first_stage, PairStage::WideInteger);
+    EXPECT_EQ(run.job.query.tolerance, 0.05);
+    EXPECT_EQ(run.host.first_stage, PairStage::WideInteger);
     const CommandLine submit = parse_command_line({"submit", "job.toml", "--tolerance", "1e-3"});
     ASSERT_TRUE(submit.command) << submit.text;
-    EXPECT_EQ(std::get<SubmitCommand>(*submit.command).job.tolerance, 1e-3);
+    EXPECT_EQ(std::get<SubmitCommand>(*submit.command).job.query.tolerance, 1e-3);
 }
 
 TEST(CommandLine, TreesAreKeptWhereTheOptionOrTheEnvironmentSays) {
@@ -179,7 +179,8 @@ TEST(CommandLine, TreesAreKeptWhereTheOptionOrTheEnvironmentSays) {
             return line.text;
         }
         const auto* run = std::get_if<RunCommand>(&*line.command);
-        return run != nullptr ? run->tree_cache : std::get<SubmitCommand>(*line.command).tree_cache;
+        return run != nullptr ? run->host.tree_cache
+                              : std::get<SubmitCommand>(*line.command).tree_cache;
     };
     const auto before = [](const char* name) {
         const char* value = ::getenv(name);

@@ -15,12 +15,12 @@ namespace {
 RunEstimate estimate(const PosesSpec& poses, const EstimateOptions& how) {
     const TemporaryFolder folder;
     JobOptions options;
-    options.random = 1;
+    options.poses.random = 1;
     write_obj(folder / "a.obj", make_torus(1.0, 0.4, 24, 12));
     write_obj(folder / "b.obj", make_sphere(1));
     options.a = folder / "a.obj";
     options.b = folder / "b.obj";
-    options.out = folder / "out";
+    options.output.dir = folder / "out";
     auto spec = make_job_spec(options);
     spec.value().poses = poses;
     TreeCache cache{std::filesystem::path()};

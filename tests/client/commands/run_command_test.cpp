@@ -56,12 +56,12 @@ class Run : public testing::Test {
               "6,0,0,0,0,0,1\n");
         command_.job.a = (dir_ / "a.obj").string();
         command_.job.b = (dir_ / "b.obj").string();
-        command_.job.poses = (dir_ / "poses.csv").string();
-        command_.job.out = (dir_ / "out").string();
-        command_.job.formats = {"csv", "json"};
+        command_.job.poses.file = (dir_ / "poses.csv").string();
+        command_.job.output.dir = (dir_ / "out").string();
+        command_.job.output.formats = {"csv", "json"};
         command_.folder.overwrite = true;
         command_.folder.fresh = true; // Each run uses a new folder.
-        command_.threads = 2;
+        command_.host.threads = 2;
         command_.quiet = true;
     }
     ~Run() override { fs::remove_all(dir_); }
@@ -102,27 +102,27 @@ TEST_F(Run, GivesEachScenarioItsClass) {
     EXPECT_THAT(rows, HasSubstr("\n3,a,b,touch,"));
     EXPECT_THAT(stdout_, HasSubstr("tested 4 of 4"));
     EXPECT_THAT(stdout_, HasSubstr("most touched  body 50.0 %, wheel_left 25.0 %"));
-    EXPECT_THAT(stdout_, HasSubstr("open it: " + command_.job.out + "/summary.json"));
+    EXPECT_THAT(stdout_, HasSubstr("open it: " + command_.job.output.dir + "/summary.json"));
     EXPECT_EQ(stderr_, "");
 }
 
 TEST_F(Run, TheDigestIsThatOfOneThread) {
     ASSERT_EQ(run(), exit_done);
     const auto two = nlohmann::json::parse(read("out/summary.json"))["digest"];
-    command_.threads = 1;
+    command_.host.threads = 1;
     ASSERT_EQ(run(), exit_done);
     EXPECT_EQ(nlohmann::json::parse(read("out/summary.json"))["digest"], two);
     EXPECT_TRUE(two.is_string());
 }
 
 TEST_F(Run, TheMapOfCutListsSaysSo) {
-    command_.job.limit_pairs = 1;
+    command_.job.query.limit_pairs = 1;
     ASSERT_EQ(run(), exit_done);
     EXPECT_THAT(stdout_, HasSubstr("were in contact, of the first 1 pair a scenario; digest"));
     auto summary = nlohmann::json::parse(read("out/summary.json"));
     EXPECT_EQ(summary["limit_pairs"], 1);
     EXPECT_EQ(summary["map_of_listed_pairs"], true);
-    command_.job.maps = true;
+    command_.job.query.maps = true;
     ASSERT_EQ(run(), exit_done);
     EXPECT_THAT(stdout_, HasSubstr("were in contact; digest"));
     summary = nlohmann::json::parse(read("out/summary.json"));
@@ -143,7 +143,7 @@ TEST_F(Run, FailOnDecidesBetweenZeroAndOne) {
 }
 
 TEST_F(Run, FailOnOfLevelAnyIsForContactsAndInsides) {
-    command_.job.level = "any";
+    command_.job.query.level = "any";
     command_.fail_on = FailOn::Cross;
     EXPECT_EQ(run(), exit_usage);
     EXPECT_THAT(stderr_, HasSubstr("--fail-on cross needs level count"));
@@ -154,7 +154,7 @@ TEST_F(Run, FailOnOfLevelAnyIsForContactsAndInsides) {
 }
 
 TEST_F(Run, UnderAToleranceTheRestIsUndecided) {
-    command_.job.tolerance = 100;
+    command_.job.query.tolerance = 100;
     EXPECT_EQ(run(), exit_done) << stderr_;
     EXPECT_THAT(stdout_, HasSubstr("separate  1    touch 0    cross 0    inside 0    undecided 3"));
     EXPECT_THAT(stdout_, HasSubstr("boxes as small as the tolerance"));
@@ -165,24 +165,24 @@ TEST_F(Run, UnderAToleranceTheRestIsUndecided) {
 }
 
 TEST_F(Run, AToleranceGoesWithoutDepths) {
-    command_.job.tolerance = 0.1;
-    command_.job.depth_b = "4";
+    command_.job.query.tolerance = 0.1;
+    command_.job.cluster.depth_b = "4";
     EXPECT_EQ(run(), exit_usage);
     EXPECT_THAT(stderr_, HasSubstr("excludes a distribution depth"));
-    command_.job.tolerance = 0;
+    command_.job.query.tolerance = 0;
     EXPECT_EQ(run(), exit_done);
 }
 
 TEST_F(Run, WhatTheStrategyDoesNotLookAtMayNotBeGiven) {
-    command_.job.claim = true;
+    command_.job.cluster.claim = true;
     EXPECT_EQ(run(), exit_usage);
     EXPECT_THAT(stderr_, HasSubstr("--strategy best-match"));
-    command_.job.strategy = "lowest";
+    command_.job.cluster.strategy = "lowest";
     EXPECT_EQ(run(), exit_done);
-    command_.job.claim = false;
-    command_.job.q = 5;
+    command_.job.cluster.claim = false;
+    command_.job.cluster.q = 5;
     EXPECT_EQ(run(), exit_done);
-    command_.job.strategy = "";
+    command_.job.cluster.strategy = "";
     EXPECT_EQ(run(), exit_usage);
 }
 
@@ -195,26 +195,26 @@ TEST_F(Run, TheHeaderNamesColumnsThatAreLeftOut) {
 
 TEST_F(Run, PosesInAnotherUnitAreSuspected) {
     write("poses.csv", "x,y,z\n1125,0,0\n0,2000,0\n");
-    command_.job.level = "count";
+    command_.job.query.level = "count";
     EXPECT_EQ(run(), exit_done) << stderr_;
     EXPECT_THAT(
         stdout_,
         HasSubstr("no pose brings B within 1 119 m of A (A is 6.0 m long): are the poses in "
                   "mm? [poses] unit = \"mm\"\n"));
-    command_.job.poses_unit = "mm";
+    command_.job.poses.unit = "mm";
     EXPECT_EQ(run(), exit_done) << stderr_;
     EXPECT_THAT(stdout_, testing::Not(HasSubstr("no pose brings")));
     write("poses.csv", "x,y,z\n0,0,9\n");
-    command_.job.poses_unit = "";
+    command_.job.poses.unit = "";
     EXPECT_EQ(run(), exit_done) << stderr_;
     EXPECT_THAT(stdout_, HasSubstr("no pose brings B within 8.0 m of A (A is 6.0 m long)\n"));
 }
 
 TEST_F(Run, EveryFirstStageHasTheSameDigest) {
-    command_.job.level = "contacts";
+    command_.job.query.level = "contacts";
     ASSERT_EQ(run(), exit_done);
     const auto usual = nlohmann::json::parse(read("out/summary.json"));
-    command_.first_stage = PairStage::WideInteger;
+    command_.host.first_stage = PairStage::WideInteger;
     ASSERT_EQ(run(), exit_done);
     const auto exact = nlohmann::json::parse(read("out/summary.json"));
     EXPECT_EQ(exact["digest"], usual["digest"]);
@@ -225,11 +225,11 @@ TEST_F(Run, EveryFirstStageHasTheSameDigest) {
 }
 
 TEST_F(Run, EverySimdTargetHasTheSameDigest) {
-    command_.job.level = "contacts";
+    command_.job.query.level = "contacts";
     ASSERT_EQ(run(), exit_done);
     const auto usual = nlohmann::json::parse(read("out/summary.json"));
     for (const SimdTarget target : available_simd_targets()) {
-        command_.simd = to_text(target);
+        command_.host.simd = to_text(target);
         ASSERT_EQ(run(), exit_done) << stderr_;
         EXPECT_EQ(simd_target(), target);
         const auto forced = nlohmann::json::parse(read("out/summary.json"));
@@ -239,7 +239,7 @@ TEST_F(Run, EverySimdTargetHasTheSameDigest) {
 }
 
 TEST_F(Run, ASimdTargetThatIsNotHereIsWrongUsage) {
-    command_.simd = "abacus";
+    command_.host.simd = "abacus";
     EXPECT_EQ(run(), exit_usage);
     EXPECT_THAT(stderr_, HasSubstr("no SIMD target \"abacus\" on this host; there are auto"));
 }
@@ -251,7 +251,7 @@ TEST_F(Run, PrecisionFloatRoundsOnceAndSaysSo) {
     EXPECT_THAT(stderr_, Not(HasSubstr("rounded to floats")));
     EXPECT_THAT(read("out/summary.json"), HasSubstr("\"precision\": \"double\""));
     command_.job.precision = "float";
-    command_.job.out = (dir_ / "rounded").string();
+    command_.job.output.dir = (dir_ / "rounded").string();
     EXPECT_EQ(run(), exit_done) << stderr_;
     EXPECT_THAT(stderr_, HasSubstr("coordinates rounded to floats, as asked\n"));
     const auto summary = nlohmann::json::parse(read("rounded/summary.json"));
@@ -278,7 +278,7 @@ TEST_F(Run, MapCoordinatesOfAFileKeepTheirMillimetres) {
 }
 
 TEST_F(Run, AFirstStageIsForThisMachineAlone) {
-    command_.first_stage = PairStage::Double;
+    command_.host.first_stage = PairStage::Double;
     command_.master.address = "127.0.0.1:1";
     EXPECT_EQ(run(), exit_usage);
     EXPECT_THAT(stderr_, HasSubstr("--first-stage"));
@@ -389,9 +389,9 @@ double bytes_below(const fs::path& folder) {
 TEST_F(Run, ADryRunTellsWhatTheRunTakesWithinAFactorOfTwo) {
     write_obj((dir_ / "a.obj").string(), make_torus(1.5, 0.5, 60, 30));
     write("poses.csv", poses_all_around(3000));
-    command_.job.formats = {"csv", "npz"};
+    command_.job.output.formats = {"csv", "npz"};
     for (const char* level : {"count", "pairs", "contacts"}) {
-        command_.job.level = level;
+        command_.job.query.level = level;
         command_.dry_run = true;
         command_.output = "json";
         ASSERT_EQ(run(), exit_done) << stderr_;
@@ -417,7 +417,7 @@ TEST_F(Run, ADryRunTellsWhatTheRunTakesWithinAFactorOfTwo) {
 
 TEST_F(Run, ResultsThatNeedAWordAreRefusedWithoutIt) {
     write("poses.csv", poses_all_around(100));
-    command_.job.out = (dir_ / "new" / "out").string();
+    command_.job.output.dir = (dir_ / "new" / "out").string();
     command_.results_bytes_max = 2000;
     EXPECT_EQ(run(), exit_usage);
     EXPECT_THAT(stderr_,
@@ -428,7 +428,8 @@ TEST_F(Run, ResultsThatNeedAWordAreRefusedWithoutIt) {
 
     command_.dry_run = true;
     EXPECT_EQ(run(), exit_done);
-    EXPECT_THAT(stdout_, HasSubstr("; nothing was run\n" + command_.job.out + ": the run would"));
+    EXPECT_THAT(stdout_,
+                HasSubstr("; nothing was run\n" + command_.job.output.dir + ": the run would"));
     command_.output = "json";
     EXPECT_EQ(run(), exit_done);
     EXPECT_THAT(nlohmann::json::parse(stdout_)["refused"].get<std::string>(), HasSubstr("--yes"));
@@ -460,9 +461,9 @@ TEST_F(Run, WhatItCostIsToldWhereItIsAskedFor) {
 }
 
 TEST_F(Run, RandomPosesNeedNoFile) {
-    command_.job.poses.clear();
-    command_.job.random = 20;
-    command_.job.seed = 3;
+    command_.job.poses.file.clear();
+    command_.job.poses.random = 20;
+    command_.job.poses.seed = 3;
     command_.output = "json";
     EXPECT_EQ(run(), exit_done) << stderr_;
     EXPECT_EQ(std::count(stdout_.begin(), stdout_.end(), '\n'), 20);
@@ -494,8 +495,8 @@ TEST_F(Run, WrongInputsAreOneLineThatNamesTheFile) {
 
 TEST_F(Run, KeptTreesGiveTheSameDigestAndNeverAnError) {
     const auto digest_at = [&](const std::string& tree_cache, const std::string& level) {
-        command_.tree_cache = tree_cache;
-        command_.job.level = level;
+        command_.host.tree_cache = tree_cache;
+        command_.job.query.level = level;
         EXPECT_EQ(run(), exit_done) << stderr_;
         return nlohmann::json::parse(read("out/summary.json"))["digest"];
     };

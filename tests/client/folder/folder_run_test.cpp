@@ -38,10 +38,10 @@ class FolderRunTest : public testing::Test {
         JobOptions options;
         options.a = folder_ / "a.obj";
         options.b = folder_ / "b.obj";
-        options.poses = poses_;
-        options.poses_of_both = !poses_.empty();
-        options.random = poses_.empty() ? std::optional(count) : std::nullopt;
-        options.out = folder_ / out;
+        options.poses.file = poses_;
+        options.poses.of_both = !poses_.empty();
+        options.poses.random = poses_.empty() ? std::optional(count) : std::nullopt;
+        options.output.dir = folder_ / out;
         auto spec = make_job_spec(options);
         EXPECT_TRUE(spec);
         auto job = prepare_job(std::move(spec.value()), Trees::Always, cache_, pool_);
@@ -293,8 +293,8 @@ TEST_F(FolderRunTest, ResultsAreOnTheDiskWhenThePeriodIsOverOrABlockIsFull) {
 TEST_F(FolderRunTest, EachFormatIsTakenOnce) {
     JobOptions options;
     options.a = options.b = folder_ / "a.obj";
-    options.random = 1;
-    options.formats = {"csv", "npz", "csv"};
+    options.poses.random = 1;
+    options.output.formats = {"csv", "npz", "csv"};
     EXPECT_THAT(make_job_spec(options).value().output.formats, testing::ElementsAre("csv", "npz"));
     write_text(folder_ / "job.toml",
                "[a]\nmesh = \"a.obj\"\n[b]\nmesh = \"b.obj\"\n[poses]\nrandom = { n = 1 }\n"

@@ -107,10 +107,10 @@ Outcome run(const std::filesystem::path& a,
     RunCommand command;
     command.job.a = a.string();
     command.job.b = b.string();
-    command.job.poses = poses.string();
-    command.job.level = level;
-    command.job.out = out.string();
-    command.threads = 1;
+    command.job.poses.file = poses.string();
+    command.job.query.level = level;
+    command.job.output.dir = out.string();
+    command.host.threads = 1;
     command.quiet = true;
     testing::internal::CaptureStdout();
     testing::internal::CaptureStderr();

@@ -65,7 +65,7 @@ TEST_P(ImportModel, HasTheCountsAndTheSizeThatAreKnownOfIt) {
     ASSERT_TRUE(imported) << imported.error().detail;
     const MeshReport report = inspect_mesh(GetParam().file, imported.value());
 
-    EXPECT_EQ(report.triangles, GetParam().triangles);
+    EXPECT_EQ(report.mesh().triangles().size(), GetParam().triangles);
     EXPECT_EQ(report.topology.duplicate, GetParam().duplicate);
     EXPECT_EQ(report.topology.degenerate, GetParam().degenerate);
     EXPECT_EQ(report.topology.boundary_edges, GetParam().edges[0]);
@@ -74,8 +74,8 @@ TEST_P(ImportModel, HasTheCountsAndTheSizeThatAreKnownOfIt) {
     for (int axis = 0; axis < 3; ++axis) {
         EXPECT_NEAR(report.box.size()[axis], GetParam().size[axis], 2e-5 * GetParam().size[axis]);
     }
-    EXPECT_FALSE(report.parts.empty());
-    EXPECT_EQ(report.parts.back().triangles_end, report.triangles);
+    EXPECT_FALSE(report.mesh().parts().empty());
+    EXPECT_EQ(report.mesh().parts().back().triangles_end, report.mesh().triangles().size());
 }
 
 INSTANTIATE_TEST_SUITE_P(All, ImportModel, testing::ValuesIn(models), [](const auto& param) {
