@@ -99,8 +99,8 @@ class PairsCsvWriter final : public ResultWriter {
     }
 
   private:
-    Status add_pair(const ScenarioResult& result, std::size_t place) {
-        const ContactPair& pair = result.pairs[place];
+    Status add_pair(const ScenarioResult& result, std::size_t number) {
+        const ContactPair& pair = result.pairs[number];
         key_.clear();
         key_.add(result.index, ",", pair.a, ",", pair.b, ",");
         Status status = pairs_->add(key_.text(),
@@ -110,7 +110,7 @@ class PairsCsvWriter final : public ResultWriter {
                                     ",",
                                     parts_[result.body_b].of(pair.b),
                                     "\n");
-        for_each_point(result, place, [&](const Vec3& point) {
+        for_each_point(result, number, [&](const Vec3& point) {
             if (status && points_) {
                 status = points_->add(key_.text(), point.x(), ",", point.y(), ",", point.z(), "\n");
             }

@@ -9,11 +9,11 @@ namespace {
 
 std::string triangle_text(PartFinder& parts, std::uint32_t triangle) {
     const std::string number = std::to_string(triangle);
-    const auto place = parts.find(triangle);
-    if (!place || parts.parts()[*place].name.empty()) {
+    const auto number = parts.find(triangle);
+    if (!number || parts.parts()[*number].name.empty()) {
         return number;
     }
-    const Part& part = parts.parts()[*place];
+    const Part& part = parts.parts()[*number];
     return number + " (" + valid_utf8(part.name) + " " +
            std::to_string(triangle - part.triangles_begin) + ")";
 }
@@ -48,12 +48,12 @@ class TextWriter final : public ResultWriter {
     Status finish() override { return file_.commit(); }
 
   private:
-    [[nodiscard]] std::string pair_text(const ScenarioResult& result, std::size_t place) {
-        const ContactPair& pair = result.pairs[place];
+    [[nodiscard]] std::string pair_text(const ScenarioResult& result, std::size_t number) {
+        const ContactPair& pair = result.pairs[number];
         std::string text = "    A " + triangle_text(parts_[result.body_a], pair.a) + "  B " +
                            triangle_text(parts_[result.body_b], pair.b) + "  " +
                            std::string(pair_class_name(pair.kind));
-        for_each_point(result, place, [&](const Vec3& point) {
+        for_each_point(result, number, [&](const Vec3& point) {
             text += "  " + exact_text(point.x()) + " " + exact_text(point.y()) + " " +
                     exact_text(point.z());
         });

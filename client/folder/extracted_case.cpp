@@ -200,8 +200,8 @@ Result<CaseBody> part_that_meets(const Mesh& mesh,
         }
         const Corners corners = mesh.corners(id);
         const bool meets = std::ranges::any_of(poses, [&](const PosePair& pose) {
-            const auto place = static_cast<std::size_t>(&pose - poses.data());
-            return !are_apart(posed_box(corners, pose.a), boxes[place]);
+            const auto scenario = static_cast<std::size_t>(&pose - poses.data());
+            return !are_apart(posed_box(corners, pose.a), boxes[scenario]);
         });
         if (!meets) {
             continue;

@@ -13,8 +13,8 @@ PartFields::PartFields(const std::shared_ptr<const Mesh>& mesh) : parts_(mesh) {
 }
 
 std::string_view PartFields::of(std::uint32_t triangle) {
-    const auto place = parts_.find(triangle);
-    return place ? std::string_view(fields_[*place]) : std::string_view();
+    const auto part = parts_.find(triangle);
+    return part ? std::string_view(fields_[*part]) : std::string_view();
 }
 
 Result<RowFile> RowFile::create(const std::filesystem::path& path, std::string_view header) {

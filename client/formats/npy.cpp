@@ -42,11 +42,11 @@ const TypeName& name_of(NpyType type) {
 /// The value of 'key' in the header's dictionary, up to the next comma outside parentheses.
 std::optional<std::string_view> value_of(std::string_view dictionary, std::string_view key) {
     const std::string quoted = "'" + std::string(key) + "':";
-    const std::size_t place = dictionary.find(quoted);
-    if (place == std::string_view::npos) {
+    const std::size_t found = dictionary.find(quoted);
+    if (found == std::string_view::npos) {
         return std::nullopt;
     }
-    std::string_view rest = dictionary.substr(place + quoted.size());
+    std::string_view rest = dictionary.substr(found + quoted.size());
     int depth = 0;
     std::size_t end = 0;
     for (; end < rest.size(); ++end) {

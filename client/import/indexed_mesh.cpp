@@ -40,19 +40,19 @@ Status IndexedMesh::add_face(std::span<const std::int64_t> corners) {
 Status IndexedMesh::resolve(std::span<const std::int64_t> corners) {
     corners_.clear();
     for (const std::int64_t corner : corners) {
-        const auto place = static_cast<std::size_t>(corner);
-        if (corner < 0 || place >= vertices_.size()) {
+        const auto vertex = static_cast<std::size_t>(corner);
+        if (corner < 0 || vertex >= vertices_.size()) {
             return bad("names vertex " + std::to_string(corner) + " of " +
                        std::to_string(vertices_.size()));
         }
-        if (numbers_[place] == unused && corners.size() >= 3) {
-            const Vec3 scaled = unit_factor_ * vertices_[place];
+        if (numbers_[vertex] == unused && corners.size() >= 3) {
+            const Vec3 scaled = unit_factor_ * vertices_[vertex];
             if (!scaled.allFinite()) {
                 return bad("has a coordinate that is not finite in the job's unit");
             }
-            numbers_[place] = builder_.vertex(scaled);
+            numbers_[vertex] = builder_.vertex(scaled);
         }
-        corners_.push_back(numbers_[place]);
+        corners_.push_back(numbers_[vertex]);
     }
     return Done{};
 }

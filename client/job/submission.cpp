@@ -29,10 +29,10 @@ PosesOrigin origin_of(const PosesSpec& spec) {
     return origin;
 }
 
-BodySpec spec_of(const JobBody& body, std::size_t place) {
+BodySpec spec_of(const JobBody& body, std::size_t number) {
     BodySpec spec;
     spec.path = body.file;
-    spec.name = body.name == export_name({}, place) ? "" : body.name;
+    spec.name = body.name == export_name({}, number) ? "" : body.name;
     (body.is_unit_given ? spec.unit : spec.declared_unit) = body.unit;
     spec.up = body.up;
     spec.rounds_to_float = body.rounds_to_float;

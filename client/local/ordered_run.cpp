@@ -184,9 +184,9 @@ void OrderedRun::hand_over(Batch& batch) {
     const std::lock_guard lock(mutex_);
     if (not_run != batch.waiting.end()) {
         // Threads take scenarios in order, so those not run are consecutive in `waiting_`.
-        const auto place = std::ranges::lower_bound(
+        const auto position = std::ranges::lower_bound(
             waiting_, not_run->index, std::ranges::less(), &Scenario::index);
-        waiting_.insert(place, not_run, batch.waiting.end());
+        waiting_.insert(position, not_run, batch.waiting.end());
         work_came_.notify_all();
     }
     done_.add(batch.done, batch.bytes);

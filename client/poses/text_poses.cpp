@@ -76,7 +76,7 @@ constexpr std::size_t no_column = static_cast<std::size_t>(-1);
 
 /// The column of one number of a pose, and the number's factor.
 struct NumberColumn {
-    std::size_t place = no_column;
+    std::size_t index = no_column;
     double factor = 1;
 };
 
@@ -122,11 +122,11 @@ class HeaderNames {
 
     [[nodiscard]] const std::vector<std::string>& all() const { return names_; }
     /// The position of a column; the number of columns if there is no such name.
-    [[nodiscard]] std::size_t place_of(std::string_view name) const {
+    [[nodiscard]] std::size_t index_of(std::string_view name) const {
         return static_cast<std::size_t>(std::find(names_.begin(), names_.end(), name) -
                                         names_.begin());
     }
-    [[nodiscard]] bool has(std::string_view name) const { return place_of(name) < names_.size(); }
+    [[nodiscard]] bool has(std::string_view name) const { return index_of(name) < names_.size(); }
 
   private:
     std::vector<std::string> names_;
@@ -151,13 +151,13 @@ Status check_angles(const HeaderNames& names, std::uint64_t line) {
 /// The column of one number, under its name with or without a unit.
 NumberColumn find_column(const HeaderNames& names, const std::string& name, ColumnSet set) {
     if (names.has(name)) {
-        return {names.place_of(name)};
+        return {names.index_of(name)};
     }
     if (set == ColumnSet::Euler && names.has(name + "_deg")) {
-        return {names.place_of(name + "_deg")};
+        return {names.index_of(name + "_deg")};
     }
     if (set == ColumnSet::Euler && names.has(name + "_rad")) {
-        return {names.place_of(name + "_rad"), degrees_per_radian};
+        return {names.index_of(name + "_rad"), degrees_per_radian};
     }
     return {};
 }
@@ -168,7 +168,7 @@ Status find_numbers(const HeaderNames& names, std::uint64_t line, Columns& colum
     for (const std::string_view wanted : names_of(columns.set)) {
         const std::string name(wanted);
         columns.numbers.push_back(find_column(names, name, columns.set));
-        if (columns.numbers.back().place != no_column) {
+        if (columns.numbers.back().index != no_column) {
             continue;
         }
         columns.zeros.push_back(name);
@@ -189,12 +189,12 @@ Status check_others(const HeaderNames& names, std::uint64_t line, const Columns&
         const std::string& name = names.all()[i];
         const bool is_number =
             std::ranges::any_of(columns.numbers, [&](const NumberColumn& column) {
-                return column.place != no_column && names.all()[column.place] == name;
+                return column.index != no_column && names.all()[column.index] == name;
             });
         if (!is_number && std::find(others.begin(), others.end(), name) == others.end()) {
             return bad(line, "column '" + name + "' is not known; " + std::string(known_columns));
         }
-        if (names.place_of(name) != i) {
+        if (names.index_of(name) != i) {
             return bad(line, "column '" + name + "' stands there twice");
         }
     }
@@ -222,10 +222,10 @@ Result<Columns> read_header(std::string_view line, std::uint64_t number, bool of
     columns.set = names.has("qx") || names.has("qw") ? ColumnSet::Quaternion
                   : names.has("m00")                 ? ColumnSet::Matrix
                                                      : ColumnSet::Euler;
-    columns.scenario = names.place_of("scenario");
-    columns.body = names.place_of("body");
-    columns.id = names.has("id") ? names.place_of("id") : no_column;
-    columns.time = names.has("t") ? names.place_of("t") : no_column;
+    columns.scenario = names.index_of("scenario");
+    columns.body = names.index_of("body");
+    columns.id = names.has("id") ? names.index_of("id") : no_column;
+    columns.time = names.has("t") ? names.index_of("t") : no_column;
     Status is_good = check_angles(names, number);
     if (is_good) {
         is_good = find_numbers(names, number, columns);
@@ -246,11 +246,11 @@ Result<std::vector<double>> read_numbers(const std::vector<std::string_view>& wo
     std::vector<double> numbers;
     for (std::size_t i = 0; i < columns.numbers.size(); ++i) {
         const NumberColumn& column = columns.numbers[i];
-        if (column.place == no_column) {
+        if (column.index == no_column) {
             numbers.push_back(0);
             continue;
         }
-        const std::string_view word = words[column.place];
+        const std::string_view word = words[column.index];
         const auto number = to_number(word);
         if (!number || !std::isfinite(*number)) {
             return bad(line,
@@ -331,38 +331,38 @@ class BothBodies {
                        "scenario '" + std::string(scenario_word) + "', body '" +
                            std::string(body_word) + "': a count from 0, and a or b are expected");
         }
-        const std::size_t place = 2 * static_cast<std::size_t>(*scenario) + (is_b ? 1 : 0);
-        if (place >= seen_.size()) {
+        const std::size_t slot = 2 * static_cast<std::size_t>(*scenario) + (is_b ? 1 : 0);
+        if (slot >= seen_.size()) {
             // Rows may have any order. Only a broken file has large gaps.
-            if (place > 2 * (rows_ + gap_max)) {
+            if (slot > 2 * (rows_ + gap_max)) {
                 return bad(line, "scenario " + std::string(scenario_word) + " is far out of order");
             }
-            seen_.resize(place / 2 * 2 + 2, false);
+            seen_.resize(slot / 2 * 2 + 2, false);
             values_.resize(seen_.size() * numbers_);
             lines_.resize(seen_.size());
         }
-        if (seen_[place]) {
+        if (seen_[slot]) {
             return bad(line, "scenario " + std::string(scenario_word) + " has this body twice");
         }
         if (is_a) {
-            order_.push_back(place / 2);
+            order_.push_back(slot / 2);
         }
-        seen_[place] = true;
-        lines_[place] = line;
+        seen_[slot] = true;
+        lines_[slot] = line;
         ++rows_;
         std::copy(numbers.begin(),
                   numbers.end(),
-                  values_.begin() + static_cast<std::ptrdiff_t>(place * numbers_));
+                  values_.begin() + static_cast<std::ptrdiff_t>(slot * numbers_));
         return Done{};
     }
 
     Result<std::vector<double>> finish() {
         const auto missing = std::find(seen_.begin(), seen_.end(), false);
         if (missing != seen_.end()) {
-            const auto place = static_cast<std::size_t>(missing - seen_.begin());
+            const auto slot = static_cast<std::size_t>(missing - seen_.begin());
             return Error{ErrorCode::BadInput,
-                         "scenario " + std::to_string(place / 2) + " has no pose of body " +
-                             (place % 2 == 0 ? "a" : "b")};
+                         "scenario " + std::to_string(slot / 2) + " has no pose of body " +
+                             (slot % 2 == 0 ? "a" : "b")};
         }
         return std::move(values_);
     }

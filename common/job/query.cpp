@@ -14,9 +14,9 @@ constexpr std::array<std::string_view, 4> level_names{"any", "count", "pairs", "
 } // namespace
 
 std::string_view to_text(Level level) {
-    const auto place = static_cast<std::size_t>(level);
-    CD_CHECK(place < level_names.size());
-    return level_names[place];
+    const auto number = static_cast<std::size_t>(level);
+    CD_CHECK(number < level_names.size());
+    return level_names[number];
 }
 
 std::optional<Level> level_from_text(std::string_view text) {

@@ -45,7 +45,7 @@ std::string_view trimmed(std::string_view line) {
     return line.substr(begin, line.find_last_not_of(blank) + 1 - begin);
 }
 
-constexpr const char* way_out =
+constexpr const char* remedy =
     "; nothing was changed: restore it from a copy, or move the folder away, run `cdmaster init`, "
     "and have everybody join again";
 
@@ -57,7 +57,7 @@ Error no_authority(const std::filesystem::path& folder) {
     if (!error && files != std::filesystem::directory_iterator()) {
         return {ErrorCode::BadInput,
                 certificate_path(folder).string() + " is missing, but there is " +
-                    files->path().string() + way_out};
+                    files->path().string() + remedy};
     }
     return error && error != std::errc::no_such_file_or_directory
                ? Error{ErrorCode::Io, "cannot read " + folder.string() + ": " + error.message()}
@@ -79,7 +79,7 @@ Result<CertificateAuthority> read_authority(const std::filesystem::path& folder)
     auto authority = CertificateAuthority::parse(certificate.value(), key.value());
     if (!authority) {
         return Error{ErrorCode::BadInput,
-                     folder.string() + " holds " + authority.error().detail + way_out};
+                     folder.string() + " holds " + authority.error().detail + remedy};
     }
     return authority;
 }

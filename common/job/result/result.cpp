@@ -213,9 +213,9 @@ Status check_sense(const ScenarioResult& result) {
 } // namespace
 
 std::string_view to_text(ScenarioClass value) {
-    const auto place = static_cast<std::size_t>(value);
-    CD_CHECK(place < class_names.size());
-    return class_names[place];
+    const auto number = static_cast<std::size_t>(value);
+    CD_CHECK(number < class_names.size());
+    return class_names[number];
 }
 
 Bytes encode_result(const ScenarioResult& result) {
