@@ -314,8 +314,8 @@ int tell_complete(const RunCommand& command, const PreparedJob& job, FolderRun& 
         std::fprintf(stderr,
                      "%s already holds this run (of %s): digest %s; --fresh runs it again\n",
                      run.folder().dir().string().c_str(),
-                     manifest.started.c_str(),
-                     to_short_hex(*manifest.digest).c_str());
+                     manifest.origin.started.c_str(),
+                     to_short_hex(*manifest.outcome.digest).c_str());
     }
     const auto report = add_exports(opened.value(),
                                     &run.folder(),

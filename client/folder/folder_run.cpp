@@ -66,8 +66,8 @@ Status move_file(const fs::path& from, const fs::path& to) {
 
 Result<RunManifest> manifest_of(const PreparedJob& job) {
     RunManifest manifest;
-    manifest.program = "cdctl " + std::string(version);
-    manifest.commit = build_commit();
+    manifest.origin.program = "cdctl " + std::string(version);
+    manifest.origin.commit = build_commit();
     manifest.name = job.spec.name;
     manifest.unit = job.spec.unit;
     JobSpec spec = job.spec;
@@ -130,17 +130,18 @@ Result<FolderRun> FolderRun::begin(PreparedJob& job, FolderRunOptions options) {
     if (!manifest) {
         return manifest.error();
     }
-    manifest.value().command = std::move(options.command);
+    manifest.value().origin.command = std::move(options.command);
     manifest.value().where = std::move(options.where);
-    manifest.value().started = options.started.empty() ? iso_time(unix_seconds()) : options.started;
-    manifest.value().ended = std::move(options.ended);
+    manifest.value().origin.started =
+        options.started.empty() ? iso_time(unix_seconds()) : options.started;
+    manifest.value().origin.ended = std::move(options.ended);
     auto folder = RunFolder::open(job.spec.output.dir, manifest.value(), options.folder);
     if (!folder) {
         return folder.error();
     }
     FolderRun run(std::move(folder.value()), std::move(manifest.value()), job);
     if (run.folder_.unfinished()) {
-        run.manifest_.started = run.folder_.unfinished()->started;
+        run.manifest_.origin.started = run.folder_.unfinished()->origin.started;
     }
     run.maps_from_master_ = options.maps_from_master;
     run.inputs_bytes_max_ = options.inputs_bytes_max;
@@ -293,10 +294,11 @@ Status FolderRun::finish(RunReport& report,
     if (Status written = write_summary(folder_.out(), context, report); !written) {
         return written;
     }
-    manifest_.ended = manifest_.ended.empty() ? iso_time(unix_seconds()) : manifest_.ended;
-    manifest_.answered = records.value().count();
-    manifest_.digest = report.digest;
-    manifest_.map_digest =
+    manifest_.origin.ended =
+        manifest_.origin.ended.empty() ? iso_time(unix_seconds()) : manifest_.origin.ended;
+    manifest_.outcome.answered = records.value().count();
+    manifest_.outcome.digest = report.digest;
+    manifest_.outcome.map_digest =
         report.map ? std::optional(digest_of(*report.map)) : std::optional<Sha256>();
     report.summary_file = (folder_.dir() / "summary.json").string();
     const Status committed = folder_.commit(manifest_);

@@ -21,7 +21,7 @@ Error no_run(const fs::path& dir) {
         return {ErrorCode::BadInput,
                 dir.string() + " holds an unfinished run of " +
                     counted(unfinished.value().poses.count, "scenario") +
-                    "; resume it with: " + unfinished.value().command};
+                    "; resume it with: " + unfinished.value().origin.command};
     }
     if (holds_only_a_summary(dir)) {
         return {ErrorCode::BadInput,
@@ -63,11 +63,11 @@ Result<OpenedRun> OpenedRun::open(const fs::path& dir) {
     if (!records) {
         return records.error();
     }
-    if (records.value().count() != manifest.value().answered) {
+    if (records.value().count() != manifest.value().outcome.answered) {
         return Error{ErrorCode::Io,
                      (dir / "records").string() + " is damaged: it has " +
                          grouped(records.value().count()) + " records, and run.json says " +
-                         grouped(manifest.value().answered)};
+                         grouped(manifest.value().outcome.answered)};
     }
     return OpenedRun(dir, std::move(manifest.value()), std::move(records.value()));
 }

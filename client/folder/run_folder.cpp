@@ -58,7 +58,7 @@ bool holds_results(const fs::path& dir) {
 }
 
 std::string named(const RunManifest& manifest) {
-    return "another run (" + manifest.name + ", of " + manifest.started + ")";
+    return "another run (" + manifest.name + ", of " + manifest.origin.started + ")";
 }
 
 /// Refuses a folder with the results of another job.

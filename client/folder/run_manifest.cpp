@@ -277,11 +277,11 @@ RunManifest read_manifest(const Json& json) {
         throw Wrong{"its records are of another version; use the cdctl that wrote them"};
     }
     RunManifest manifest;
-    manifest.program = value_or<std::string>(json, "program", "");
-    manifest.commit = value_or<std::string>(json, "commit", "");
-    manifest.command = value_or<std::string>(json, "command", "");
-    manifest.started = value_or<std::string>(json, "started", "");
-    manifest.ended = value_or<std::string>(json, "ended", "");
+    manifest.origin.program = value_or<std::string>(json, "program", "");
+    manifest.origin.commit = value_or<std::string>(json, "commit", "");
+    manifest.origin.command = value_or<std::string>(json, "command", "");
+    manifest.origin.started = value_or<std::string>(json, "started", "");
+    manifest.origin.ended = value_or<std::string>(json, "ended", "");
     const Json where = json.value("where", Json::object());
     manifest.where = {value_or<std::uint64_t>(where, "threads", 0),
                       value_or<std::string>(where, "simd", ""),
@@ -294,9 +294,9 @@ RunManifest read_manifest(const Json& json) {
     manifest.bodies = read_bodies(json);
     manifest.poses = read_poses(json.at("poses"));
     manifest.query = read_query(json.at("query"));
-    manifest.answered = value_or<std::uint64_t>(json, "answered", 0);
-    manifest.digest = read_hash(json, "digest");
-    manifest.map_digest = read_hash(json, "map_digest");
+    manifest.outcome.answered = value_or<std::uint64_t>(json, "answered", 0);
+    manifest.outcome.digest = read_hash(json, "digest");
+    manifest.outcome.map_digest = read_hash(json, "map_digest");
     manifest.formats = value_or<std::vector<std::string>>(json, "formats", {});
     for (const Json& file : json.value("files", Json::array())) {
         manifest.files.push_back(
@@ -323,11 +323,11 @@ bool has_same_poses(const ManifestPoses& left, const ManifestPoses& right) {
 std::string manifest_json(const RunManifest& manifest) {
     const Json json{{"format", format_version},
                     {"record_version", record_version},
-                    {"program", manifest.program},
-                    {"commit", manifest.commit},
-                    {"command", manifest.command},
-                    {"started", manifest.started},
-                    {"ended", manifest.ended},
+                    {"program", manifest.origin.program},
+                    {"commit", manifest.origin.commit},
+                    {"command", manifest.origin.command},
+                    {"started", manifest.origin.started},
+                    {"ended", manifest.origin.ended},
                     {"where", where_json(manifest.where)},
                     {"name", manifest.name},
                     {"unit", manifest.unit},
@@ -336,9 +336,9 @@ std::string manifest_json(const RunManifest& manifest) {
                     {"poses", poses_json(manifest.poses)},
                     {"query", query_json(manifest.query)},
                     {"complete", manifest.is_complete()},
-                    {"answered", manifest.answered},
-                    {"digest", hash_json(manifest.digest)},
-                    {"map_digest", hash_json(manifest.map_digest)},
+                    {"answered", manifest.outcome.answered},
+                    {"digest", hash_json(manifest.outcome.digest)},
+                    {"map_digest", hash_json(manifest.outcome.map_digest)},
                     {"formats", manifest.formats},
                     {"files", files_json(manifest.files)}};
     // A name may contain bytes that are not UTF-8.

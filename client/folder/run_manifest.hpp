@@ -50,13 +50,25 @@ struct ManifestFile {
     std::uint64_t bytes = 0;
 };
 
-/// The content of run.json.
-struct RunManifest {
+/// What wrote the folder, and when.
+struct ManifestOrigin {
     std::string program; ///< "cdctl 0.1.0"
     std::string commit;  ///< `build_commit` of the program.
     std::string command; ///< The command line.
     std::string started; ///< UTC, ISO 8601; for a master's job the time it was accepted.
     std::string ended;
+};
+
+/// The results in the folder.
+struct ManifestOutcome {
+    std::uint64_t answered = 0;       ///< Scenarios with a record.
+    std::optional<Sha256> digest;     ///< Nothing while scenarios are missing.
+    std::optional<Sha256> map_digest; ///< Nothing without a contact map.
+};
+
+/// The content of run.json.
+struct RunManifest {
+    ManifestOrigin origin;
     ManifestPlace where;
     std::string name;
     std::string unit = "m"; ///< Unit of poses and results.
@@ -64,13 +76,11 @@ struct RunManifest {
     std::vector<ManifestBody> bodies;
     ManifestPoses poses;
     Query query;
-    std::uint64_t answered = 0; ///< Scenarios with a record.
-    std::optional<Sha256> digest;
-    std::optional<Sha256> map_digest;
+    ManifestOutcome outcome;
     std::vector<std::string> formats;
     std::vector<ManifestFile> files; ///< All files of the folder except run.json.
 
-    [[nodiscard]] bool is_complete() const { return digest.has_value(); }
+    [[nodiscard]] bool is_complete() const { return outcome.digest.has_value(); }
 };
 
 /// The manifest as a JSON document.

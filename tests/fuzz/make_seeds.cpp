@@ -530,7 +530,7 @@ void add_folders(Seeds& seeds) {
     grid.rotation[2] = rotation_axis({0, 90, 2}, 2);
     manifest.poses.grid = grid;
     manifest.poses.hash = sha256({});
-    manifest.digest = sha256({});
+    manifest.outcome.digest = sha256({});
     seeds.add("run_json", "grid", manifest_json(manifest));
 }
 

@@ -129,7 +129,7 @@ TEST_F(FolderRunTest, InputsThatAreTooLargeAreNotKeptAndThatIsTold) {
                     HasSubstr("  inputs        not kept, since they are too large"));
         EXPECT_FALSE(fs::exists(folder_ / out / "inputs"));
         EXPECT_EQ(manifest(out).poses.hash, manifest("kept").poses.hash);
-        EXPECT_EQ(manifest(out).digest, manifest("kept").digest);
+        EXPECT_EQ(manifest(out).outcome.digest, manifest("kept").outcome.digest);
     }
 }
 
@@ -203,7 +203,7 @@ TEST_F(FolderRunTest, ARunOfRandomPosesGoesOnUnderTheSameHash) {
         }
         run_into(out, options);
         EXPECT_EQ(manifest(out).poses.hash, manifest("whole").poses.hash);
-        EXPECT_EQ(manifest(out).digest, manifest("whole").digest);
+        EXPECT_EQ(manifest(out).outcome.digest, manifest("whole").outcome.digest);
         EXPECT_EQ(fs::exists(folder_ / out / "inputs"), keeps_inputs);
     }
     EXPECT_EQ(read_text(folder_ / "with" / "inputs" / "scenarios").size(),
@@ -232,7 +232,7 @@ TEST_F(FolderRunTest, ASignalEndsTheWorkBeforeAndAfterTheScenarios) {
     EXPECT_FALSE(fs::exists(folder_ / "out" / "run.json"));
     const InterruptGuard no_signal_yet;
     run_into("out");
-    EXPECT_EQ(manifest("out").digest, manifest("whole").digest);
+    EXPECT_EQ(manifest("out").outcome.digest, manifest("whole").outcome.digest);
 }
 
 TEST_F(FolderRunTest, ASignalEndsExportsAndCases) {

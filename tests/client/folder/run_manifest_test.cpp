@@ -18,8 +18,8 @@ using testing::HasSubstr;
 
 RunManifest example(PosesKind kind) {
     RunManifest manifest;
-    manifest.program = "cdctl 0.1.0";
-    manifest.commit = "0123abcd";
+    manifest.origin.program = "cdctl 0.1.0";
+    manifest.origin.commit = "0123abcd";
     if (kind == PosesKind::Random) {
         manifest.where.master = "node-1:7600";
         manifest.where.job = "j-4f2a";
@@ -54,8 +54,8 @@ RunManifest example(PosesKind kind) {
         manifest.poses.unit = "cm";
         manifest.poses.rigid_tolerance = 0.001;
     }
-    manifest.answered = 6;
-    manifest.digest = sha256({});
+    manifest.outcome.answered = 6;
+    manifest.outcome.digest = sha256({});
     manifest.formats = {"csv", "npz"};
     manifest.files = {{"records", 12}, {"inputs/scenarios", 34}};
     return manifest;
