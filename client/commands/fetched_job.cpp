@@ -74,7 +74,7 @@ fetched_report(Connection& connection, const Query& query, const JobStatus& stat
     report.limit_pairs = query.limit_pairs;
     report.maps_all_pairs = query.maps;
     const Result<ClusterStatus> cluster = connection.status();
-    report.where = cluster ? workers_text(cluster.value()) : std::string();
+    report.execution.where = cluster ? workers_text(cluster.value()) : std::string();
     if (query.maps && status.state == JobState::Done) {
         if (Status map = fetch_map(connection, status.job, report); !map) {
             return map.error();

@@ -285,10 +285,10 @@ RunReport report_of(const JobStatus& job, Level level) {
     report.summary = job.summary;
     report.level = level;
     report.digest = job.digest;
-    report.seconds = job.seconds;
-    report.statistics = job.statistics;
-    report.traffic = job.traffic;
-    report.depths = job.depths;
+    report.execution.seconds = job.seconds;
+    report.execution.statistics = job.statistics;
+    report.execution.traffic = job.traffic;
+    report.execution.depths = job.depths;
     return report;
 }
 

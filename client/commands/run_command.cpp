@@ -42,11 +42,11 @@ RunReport report_of(const LocalJob& local, const RunOutcome& outcome) {
     report.limit_pairs = local.job.query.limit_pairs;
     report.maps_all_pairs = local.job.query.maps;
     report.digest = outcome.digest;
-    report.seconds = outcome.seconds;
-    report.statistics = outcome.statistics;
-    report.cost = outcome.cost;
-    report.where = counted(local.pool.size(), "thread");
-    report.prepare_seconds = local.prepare_seconds;
+    report.execution.seconds = outcome.seconds;
+    report.execution.statistics = outcome.statistics;
+    report.execution.cost = outcome.cost;
+    report.execution.where = counted(local.pool.size(), "thread");
+    report.execution.prepare_seconds = local.prepare_seconds;
     return report;
 }
 
@@ -163,7 +163,7 @@ int run_into_folder(const LocalJob& local) {
         return fail_and_keep(local, run.value(), outcome.error());
     }
     RunReport report = report_of(local, outcome.value());
-    report.resumed_at = resumed_at;
+    report.execution.resumed_at = resumed_at;
     const Status hinted = add_hint(local.job, report);
     const Status finished =
         hinted ? run.value().finish(report, command.output, std::nullopt) : hinted;

@@ -75,13 +75,13 @@ class JsonWriter final : public ResultWriter {
 
 /// The paper's N_b and N_p, and if C_b and C_p are known, its cost N_b C_b + N_p C_p.
 Json statistics_json(const RunReport& report) {
-    const JobStatistics& statistics = report.statistics;
+    const JobStatistics& statistics = report.execution.statistics;
     Json settled;
     for (std::size_t i = 0; i < pair_stage_count; ++i) {
         const auto stage = static_cast<PairStage>(i);
         settled[std::string(to_text(stage))] = statistics.search.decisions[stage];
     }
-    const std::optional<SearchCost>& cost = report.cost;
+    const std::optional<SearchCost>& cost = report.execution.cost;
     return {{"box_tests", statistics.search.box_tests},
             {"candidates", statistics.search.triangle_tests},
             {"box_test_ns", cost ? Json(cost->box_test_ns) : Json()},
@@ -146,18 +146,18 @@ std::string summary_json(const ExportContext& context, const RunReport& report) 
               {"surfaces_only", summary.surfaces_only},
               {"insides_skipped", summary.insides_skipped},
               {"cut", summary.cut},
-              {"seconds", report.seconds},
-              {"where", report.where}};
+              {"seconds", report.execution.seconds},
+              {"where", report.execution.where}};
     if (context.tolerance) {
         json["tolerance"] = *context.tolerance;
     }
-    if (report.resumed_at != 0) {
-        json["resumed_at"] = report.resumed_at;
+    if (report.execution.resumed_at != 0) {
+        json["resumed_at"] = report.execution.resumed_at;
     }
     json["statistics"] = statistics_json(report);
-    if (report.traffic) {
-        json["depths"] = report.depths;
-        json["traffic"] = traffic_json(*report.traffic);
+    if (report.execution.traffic) {
+        json["depths"] = report.execution.depths;
+        json["traffic"] = traffic_json(*report.execution.traffic);
     }
     json["digest"] = report.digest ? Json(to_hex(*report.digest)) : Json();
     if (report.limit_pairs != 0) {

@@ -9,11 +9,11 @@ namespace {
 
 std::string triangle_text(PartFinder& parts, std::uint32_t triangle) {
     const std::string number = std::to_string(triangle);
-    const auto number = parts.find(triangle);
-    if (!number || parts.parts()[*number].name.empty()) {
+    const auto part_number = parts.find(triangle);
+    if (!part_number || parts.parts()[*part_number].name.empty()) {
         return number;
     }
-    const Part& part = parts.parts()[*number];
+    const Part& part = parts.parts()[*part_number];
     return number + " (" + valid_utf8(part.name) + " " +
            std::to_string(triangle - part.triangles_begin) + ")";
 }

@@ -42,10 +42,10 @@ RunReport report_of(const Json& json) {
     report.summary = classes_of(json);
     report.level = level_from_text(json.value("level", "")).value_or(Level::Pairs);
     report.limit_pairs = json.value("limit_pairs", std::uint64_t{0});
-    report.seconds = json.value("seconds", 0.0);
-    report.resumed_at =
+    report.execution.seconds = json.value("seconds", 0.0);
+    report.execution.resumed_at =
         std::min(json.value("resumed_at", std::uint64_t{0}), report.summary.merged());
-    report.where = json.value("where", "");
+    report.execution.where = json.value("where", "");
     if (json.contains("digest") && json["digest"].is_string()) {
         report.digest = sha256_from_hex(json["digest"].get<std::string>());
     }

@@ -201,7 +201,7 @@ cost_text(const SearchCost& cost, const QueryStatistics& search, std::uint64_t s
 
 std::string statistics_text(const RunReport& report) {
     std::string text;
-    const JobStatistics& statistics = report.statistics;
+    const JobStatistics& statistics = report.execution.statistics;
     const QueryStatistics& search = statistics.search;
     const std::uint64_t scenarios = std::max<std::uint64_t>(1, report.summary.merged());
     if (search.box_tests != 0) {
@@ -209,8 +209,8 @@ std::string statistics_text(const RunReport& report) {
                 counted(search.triangle_tests / scenarios, "candidate") + " a scenario" +
                 settled_text(search.decisions) + "\n";
     }
-    if (report.cost) {
-        text += cost_text(*report.cost, search, scenarios);
+    if (report.execution.cost) {
+        text += cost_text(*report.execution.cost, search, scenarios);
     }
     if (statistics.inside.scenarios != 0) {
         text += "  inside        looked at in " + counted(statistics.inside.scenarios, "scenario") +
@@ -241,17 +241,17 @@ std::string seconds_text(double seconds) {
 
 /// The time before the run, which `seconds` does not include; empty if it is short.
 std::string prepared_text(const RunReport& report) {
-    return report.prepare_seconds < 0.05
+    return report.execution.prepare_seconds < 0.05
                ? ""
-               : " (" + fixed_text(report.prepare_seconds, 1) + " s to read and build)";
+               : " (" + fixed_text(report.execution.prepare_seconds, 1) + " s to read and build)";
 }
 
 std::string depths_text(const RunReport& report) {
-    if (report.depths.size() != 2) {
+    if (report.execution.depths.size() != 2) {
         return "";
     }
-    return "  depths        A cut at " + std::to_string(report.depths[0]) + ", B at " +
-           std::to_string(report.depths[1]) + "\n";
+    return "  depths        A cut at " + std::to_string(report.execution.depths[0]) + ", B at " +
+           std::to_string(report.execution.depths[1]) + "\n";
 }
 
 } // namespace
@@ -276,14 +276,16 @@ double hit_share(const BlockTraffic& blocks) {
 
 std::string summary_text(const RunReport& report, const SummaryStyle& style) {
     const Summary& summary = report.summary;
-    const std::uint64_t run = summary.merged() - report.resumed_at;
-    const double rate = report.seconds > 0 ? static_cast<double>(run) / report.seconds : 0.0;
+    const std::uint64_t run = summary.merged() - report.execution.resumed_at;
+    const double rate =
+        report.execution.seconds > 0 ? static_cast<double>(run) / report.execution.seconds : 0.0;
     const double whole_rate = std::round(rate);
     std::string text =
-        (summary.is_complete() ? "done in " : "ended after ") + seconds_text(report.seconds) +
-        " s" + prepared_text(report) + "      " +
+        (summary.is_complete() ? "done in " : "ended after ") +
+        seconds_text(report.execution.seconds) + " s" + prepared_text(report) + "      " +
         (rate < 100 ? fixed_text(rate, 1) : grouped(static_cast<std::uint64_t>(whole_rate))) +
-        " scenarios/s" + (report.where.empty() ? "" : ", " + report.where) + "\n";
+        " scenarios/s" + (report.execution.where.empty() ? "" : ", " + report.execution.where) +
+        "\n";
     text += classes_text(summary, report.level, style.colours);
     if (summary.surfaces_only != 0) {
         text += "  surfaces only  in " + counted(summary.surfaces_only, "scenario") +
@@ -309,7 +311,7 @@ std::string summary_text(const RunReport& report, const SummaryStyle& style) {
     if (style.statistics) {
         text += statistics_text(report);
         text += depths_text(report);
-        text += report.traffic ? traffic_text(*report.traffic) : "";
+        text += report.execution.traffic ? traffic_text(*report.execution.traffic) : "";
     }
     if (report.digest) {
         text += "  digest        " + to_short_hex(*report.digest) + "\n";

@@ -44,6 +44,19 @@ describe_body(const std::string& name, const std::string& unit, const Mesh& mesh
 /// in another unit. Sizes are the diagonals of the boxes.
 [[nodiscard]] std::optional<std::string> unit_warning(const BodyLine& a, const BodyLine& b);
 
+/// Where the scenarios ran, and what that took.
+struct RunExecution {
+    std::string where;            ///< "2 threads", "2 workers"; may be empty.
+    double prepare_seconds = 0;   ///< Time to read and build; not in `seconds`.
+    double seconds = 0;           ///< Time to run the scenarios.
+    std::uint64_t resumed_at = 0; ///< Scenarios done by an earlier run.
+    JobStatistics statistics;
+    std::optional<SearchCost> cost;    ///< Cost of searches here; nothing on a cluster.
+    std::optional<JobTraffic> traffic; ///< Empty for a run on this machine.
+    /// The distribution depth of each body's tree; empty if none was cut, or it is unknown.
+    std::vector<std::uint32_t> depths;
+};
+
 /// The outcome of a run, for the summary.
 struct RunReport {
     Summary summary;
@@ -51,19 +64,11 @@ struct RunReport {
     std::uint64_t limit_pairs = 0; ///< Maximum number of pairs in a result; 0: all.
     bool maps_all_pairs = false;   ///< The map also counts pairs that are not listed.
     std::optional<Sha256> digest;  ///< Nothing while scenarios are missing.
-    double seconds = 0;
-    JobStatistics statistics;
-    std::optional<SearchCost> cost;    ///< Cost of searches here; nothing on a cluster.
-    std::optional<JobTraffic> traffic; ///< Empty for a run on this machine.
-    /// The distribution depth of each body's tree; empty if none was cut, or it is unknown.
-    std::vector<std::uint32_t> depths;
-    std::string where;                            ///< "2 threads", "2 workers"; may be empty.
+    RunExecution execution;
     std::optional<ContactMap> map;                ///< The job's contact map, if requested.
     std::string map_withdrawn;                    ///< The reason why a requested map is missing.
     std::vector<PartTally::Touched> most_touched; ///< Counts listed pairs only.
     std::string hint;                  ///< A line about poses without contact; may be empty.
-    double prepare_seconds = 0;        ///< Time to read and build; not in `seconds`.
-    std::uint64_t resumed_at = 0;      ///< Scenarios done by an earlier run.
     std::string summary_file;          ///< Path of summary.json; may be empty.
     bool inputs_are_too_large = false; ///< The results folder has no copy of the inputs.
 };

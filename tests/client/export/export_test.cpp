@@ -53,11 +53,11 @@ class Export : public testing::Test {
         ASSERT_TRUE(files) << files.error().detail;
         RunReport report;
         report.summary.total = 3;
-        report.statistics.search.box_tests = 5;
-        report.statistics.search.triangle_tests = 6;
-        report.statistics.search.decisions[PairStage::Lattice] = 6;
-        report.statistics.inside = {7, 0.5, {}};
-        report.cost = cost_;
+        report.execution.statistics.search.box_tests = 5;
+        report.execution.statistics.search.triangle_tests = 6;
+        report.execution.statistics.search.decisions[PairStage::Lattice] = 6;
+        report.execution.statistics.inside = {7, 0.5, {}};
+        report.execution.cost = cost_;
         for (ScenarioResult result : results()) {
             result.level = level;
             ASSERT_TRUE(files.value().add(result));

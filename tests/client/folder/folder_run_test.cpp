@@ -165,8 +165,8 @@ TEST_F(FolderRunTest, TheRateOfAResumedRunCountsWhatWasRunThen) {
         report = run(job, begun.value());
         ASSERT_TRUE(report);
     }
-    report.value().seconds = 2;
-    report.value().resumed_at = 100;
+    report.value().execution.seconds = 2;
+    report.value().execution.resumed_at = 100;
     const auto opened = OpenedRun::open(folder_ / "out");
     ASSERT_TRUE(opened);
     const auto context = export_context(opened.value());
@@ -174,7 +174,7 @@ TEST_F(FolderRunTest, TheRateOfAResumedRunCountsWhatWasRunThen) {
     ASSERT_TRUE(write_summary(folder_ / "out", context.value(), report.value()));
     const auto again = add_exports(opened.value(), nullptr, context.value(), {});
     ASSERT_TRUE(again);
-    EXPECT_EQ(again.value().resumed_at, 100u);
+    EXPECT_EQ(again.value().execution.resumed_at, 100u);
     EXPECT_THAT(summary_text(again.value()), HasSubstr(" 100 scenarios/s"));
 }
 

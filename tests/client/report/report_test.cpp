@@ -105,8 +105,8 @@ TEST(Report, TheSummaryCoversEveryScenario) {
     RunReport report;
     report.summary = example_summary();
     report.digest = sha256({});
-    report.seconds = 1.718;
-    report.where = "2 workers";
+    report.execution.seconds = 1.718;
+    report.execution.where = "2 workers";
     report.most_touched = {{"front_bumper", 6'100}};
     EXPECT_EQ(
         summary_text(report),
@@ -155,9 +155,9 @@ TEST(Report, AQuietRunWarnsAllTheSame) {
 TEST(Report, TheSummaryTellsWhatCameBeforeAndWhereItIs) {
     RunReport report;
     report.summary = example_summary();
-    report.seconds = 0.04;
-    report.prepare_seconds = 1.14;
-    report.resumed_at = 99'000;
+    report.execution.seconds = 0.04;
+    report.execution.prepare_seconds = 1.14;
+    report.execution.resumed_at = 99'000;
     report.summary_file = "out/summary.json";
     const std::string text = summary_text(report);
     EXPECT_THAT(text, testing::StartsWith("done in 0.04 s (1.1 s to read and build)      25 000 "));
@@ -199,11 +199,11 @@ TEST(Report, StatisticsSayWhatWasVisitedAndAtWhatPrecision) {
     RunReport report;
     report.summary.total = 10;
     report.summary.separate = 10;
-    report.statistics.search.box_tests = 135'170;
-    report.statistics.search.triangle_tests = 100'000;
-    report.statistics.search.decisions[PairStage::Float] = 99'999;
-    report.statistics.search.decisions[PairStage::WideInteger] = 1;
-    report.statistics.inside = {4, 0.25, {}};
+    report.execution.statistics.search.box_tests = 135'170;
+    report.execution.statistics.search.triangle_tests = 100'000;
+    report.execution.statistics.search.decisions[PairStage::Float] = 99'999;
+    report.execution.statistics.search.decisions[PairStage::WideInteger] = 1;
+    report.execution.statistics.inside = {4, 0.25, {}};
     EXPECT_THAT(summary_text(report), Not(HasSubstr("visited"))) << "unless it is asked for";
     const std::string text = summary_text(report, with_statistics);
     EXPECT_THAT(text,
@@ -217,9 +217,9 @@ TEST(Report, TheCostIsThePapersSumOfTheMeanScenario) {
     RunReport report;
     report.summary.total = 10;
     report.summary.separate = 10;
-    report.statistics.search.box_tests = 135'170;
-    report.statistics.search.triangle_tests = 100'000;
-    report.cost = SearchCost{2, 10};
+    report.execution.statistics.search.box_tests = 135'170;
+    report.execution.statistics.search.triangle_tests = 100'000;
+    report.execution.cost = SearchCost{2, 10};
     EXPECT_THAT(
         summary_text(report, with_statistics),
         HasSubstr("  cost          N_b C_b + N_p C_p = 13 517 x 2.00 ns + 10 000 x 10.00 ns "
@@ -230,7 +230,7 @@ TEST(Report, WhatTravelledIsToldWhereSomethingDid) {
     RunReport report;
     report.summary = example_summary();
     EXPECT_THAT(summary_text(report, with_statistics), Not(HasSubstr("geometry")));
-    report.traffic = JobTraffic{{990, 10, 0, 3, 2u << 20, 1u << 20}, 4096};
+    report.execution.traffic = JobTraffic{{990, 10, 0, 3, 2u << 20, 1u << 20}, 4096};
     const std::string text = summary_text(report, with_statistics);
     EXPECT_THAT(text, HasSubstr("  geometry      2.0 MiB from the master, 1.0 MiB from other"));
     EXPECT_THAT(text,
@@ -238,8 +238,8 @@ TEST(Report, WhatTravelledIsToldWhereSomethingDid) {
                           "evicted\n"));
     EXPECT_THAT(text, HasSubstr("  sent back     4.0 KiB of results\n"));
     EXPECT_THAT(text, Not(HasSubstr("depths")));
-    report.traffic->blocks.hinted = 7;
-    report.depths = {6, 4};
+    report.execution.traffic->blocks.hinted = 7;
+    report.execution.depths = {6, 4};
     EXPECT_THAT(summary_text(report, with_statistics),
                 HasSubstr("(99.00 %), 7 asked for ahead, 3 evicted\n"));
     EXPECT_THAT(summary_text(report, with_statistics),
