@@ -90,6 +90,7 @@ class DiskFile {
 /// Follows the final name in the names of temporary files.
 inline constexpr std::string_view temporary_marker = ".tmp-";
 
+/// Creates a directory and its missing parents; an existing one is no error. Errors: Io.
 [[nodiscard]] Status make_directories(const std::filesystem::path& directory);
 /// Flushes a folder's directory entries to the disk.
 [[nodiscard]] Status sync_directory(const std::filesystem::path& directory);

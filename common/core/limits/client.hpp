@@ -9,11 +9,11 @@ namespace cd::limits {
 
 // A run on one machine.
 inline constexpr std::uint64_t run_scenarios_ahead_max = 16384;  ///< Added and not yet taken.
-inline constexpr std::uint64_t run_bytes_ahead_max = 256u << 20; ///< Their results.
+inline constexpr std::uint64_t run_bytes_ahead_max = 256u << 20; ///< Results not yet taken.
 inline constexpr std::size_t run_taken_at_once_max = 256;        ///< Results taken at a time.
-inline constexpr std::size_t run_batch_scenarios_max = 64;       ///< A thread hands over so many,
-inline constexpr std::uint64_t run_batch_bytes_max = 1u << 20;   ///< or so many bytes.
-inline constexpr std::uint64_t run_poses_at_once_max = 128;      ///< Read before results are taken.
+inline constexpr std::size_t run_batch_scenarios_max = 64;     ///< Handed over by a thread at once.
+inline constexpr std::uint64_t run_batch_bytes_max = 1u << 20; ///< Handed over by a thread at once.
+inline constexpr std::uint64_t run_poses_at_once_max = 128;    ///< Read before results are taken.
 inline constexpr std::chrono::milliseconds progress_period{100};
 inline constexpr std::chrono::milliseconds slow_note_after{500}; ///< Then a line says what is slow.
 
@@ -40,7 +40,7 @@ inline constexpr std::size_t mesh_piece_bytes = 1u << 20; ///< In one message of
 inline constexpr std::size_t client_write_queue_bytes_max = 4u << 20; ///< Above it cdctl waits.
 inline constexpr std::chrono::seconds answer_timeout{30};        ///< For answers that need no work.
 inline constexpr std::chrono::seconds mesh_stored_timeout{3600}; ///< For answers that need work.
-// `watch` asks for the cluster's state this often while its job stands still, and while it goes on.
+// Period of `watch`'s questions: the first if its job makes no progress, the second if it does.
 inline constexpr std::chrono::seconds watch_look_period{1};
 inline constexpr std::chrono::seconds watch_look_period_going_on{10};
 inline constexpr std::chrono::milliseconds stop_patience{1000}; ///< For a call to end after Ctrl-C.

@@ -21,10 +21,10 @@ inline constexpr unsigned wide_tree_depth_max = 100; ///< A child has at most 3/
 // Queries.
 inline constexpr std::uint64_t scenarios_max = 1ull << 40; ///< In one job.
 inline constexpr std::uint32_t root_pairs_max = 1u << 22;  ///< A scenario; more is an error.
-/// With more ignored pairs of parts, insides are not looked at.
+/// With more ignored pairs of parts, containment is not decided.
 inline constexpr std::size_t inside_ignored_max = 4096;
 /// Triangles of a body are of one kind if the same parts of the other body are ignored with them.
-/// With more kinds, insides are not looked at.
+/// With more kinds, containment is not decided.
 inline constexpr std::size_t inside_kinds_max = 256;
 /// A call that waits checks this often whether it has been stopped.
 inline constexpr std::chrono::milliseconds stop_check_period{100};
@@ -33,9 +33,9 @@ inline constexpr std::chrono::milliseconds stop_check_period{100};
 /// Poses are reordered within windows of this size, so that neighbours touch the same subtrees.
 inline constexpr std::uint64_t order_window_scenarios = 1u << 16;
 inline constexpr std::uint64_t analysis_block_scenarios = 256; ///< Analysed together.
-/// Random poses are computed ahead of the run: one thread computes a window of so many at a time,
+/// Random poses are computed ahead of the run: scenarios of one window, which one thread computes.
 inline constexpr std::uint64_t computed_window_scenarios = 16;
-/// and at most so many windows are ahead.
+/// Most windows of random poses that are computed ahead of the run.
 inline constexpr std::uint64_t computed_windows_max = 128;
 
 // Results.

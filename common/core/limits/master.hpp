@@ -32,7 +32,7 @@ inline constexpr std::size_t refused_bytes_max = 1u << 20;     ///< The file of 
 // A client's share.
 inline constexpr std::size_t client_connections_max = 64;
 inline constexpr std::size_t client_jobs_max = 64;
-inline constexpr std::uint64_t client_bytes_max = 256ull << 30; ///< Sent in a period:
+inline constexpr std::uint64_t client_bytes_max = 256ull << 30; ///< Sent in one period.
 inline constexpr std::chrono::hours client_bytes_period{24};
 inline constexpr std::uint64_t client_queued_bytes_max = 64ull << 30; ///< Poses of its open jobs.
 inline constexpr std::uint64_t client_scenarios_max = 1ull << 27;     ///< In its running jobs.
@@ -63,12 +63,13 @@ inline constexpr double binary_block_bytes_per_triangle = 30; ///< On the wire; 
 inline constexpr std::size_t jobs_running_max = 256;
 inline constexpr std::size_t jobs_ended_kept_max =
     1024;                                             ///< By default; then the oldest is dropped.
-inline constexpr std::size_t jobs_kept_max = 100'000; ///< The highest setting of the above.
+inline constexpr std::size_t jobs_kept_max = 100'000; ///< The highest setting of ended jobs kept.
 inline constexpr std::chrono::seconds retention_check_period{30};
-/// In all running jobs. A scenario with a result takes 52 bytes: its hash, place in a file, author.
+/// Scenarios in all running jobs. One with a result takes 52 bytes: its hash, place in a file,
+/// author.
 inline constexpr std::uint64_t scenarios_running_max = 1ull << 28;
-/// In all ended jobs: 16 bytes each, for the place in a file. With more the oldest job is dropped,
-/// but never the latest.
+/// Results of all ended jobs: 16 bytes each, for the place in a file. With more, the oldest job is
+/// dropped, but never the latest.
 inline constexpr std::uint64_t results_ended_kept_max = 1ull << 27;
 inline constexpr std::size_t authors_kept_max = 1u << 18; ///< Results of an ended job with author.
 inline constexpr std::size_t grid_bytes_max = 8u << 20;   ///< In memory and in the journal, each.
@@ -113,14 +114,14 @@ inline constexpr std::size_t long_scenarios_shown = 16; ///< Of one job.
 
 // Delivery of blocks.
 inline constexpr std::size_t subtrees_queue_bytes_max = 16u << 20; ///< Towards one worker.
-inline constexpr std::size_t peer_unreachable_by_max = 2; ///< Then it is no source any more.
+inline constexpr std::size_t peer_unreachable_by_max = 2; ///< Then it is no longer a source.
 inline constexpr std::size_t sources_looked_at_max = 64;  ///< For one wanted block.
 inline constexpr std::chrono::seconds peer_fetch_max{60}; ///< One fetch from a peer.
 inline constexpr std::chrono::seconds peer_wait_max{10};  ///< For a block that only peers hold.
 
 // Dispatch.
 inline constexpr std::uint64_t unsent_scenarios_max = 4096; ///< Analysed, beyond workers' buffers.
-inline constexpr std::uint64_t unsent_by_time_max = 1u << 18; ///< The same, matching by time.
+inline constexpr std::uint64_t unsent_by_time_max = 1u << 18; ///< Analysed, if matched by time.
 inline constexpr std::uint64_t open_analyses_bytes_max = 512u << 20; ///< Unanswered, in memory.
 /// With more workers, an event looks at a part of them, so that its cost stays bounded.
 inline constexpr std::size_t workers_few = 64;
@@ -145,9 +146,9 @@ inline constexpr double copy_gain_min = 1.5;         ///< A copy must end so man
 inline constexpr double end_gain_seconds_min = 0.02; ///< Less is not worth the messages.
 inline constexpr double recall_answer_seconds = 0.5; ///< Then a recall counts as unanswered.
 inline constexpr std::uint32_t scenario_recalls_max = 3;
-inline constexpr std::chrono::milliseconds end_check_period{100}; ///< Between looks for stragglers.
-inline constexpr std::size_t late_looked_at_min = 64;  ///< Stragglers looked at together, or
-inline constexpr std::size_t late_looked_at_part = 16; ///< one in so many workers, if more.
+inline constexpr std::chrono::milliseconds end_check_period{100}; ///< Between straggler searches.
+inline constexpr std::size_t late_looked_at_min = 64;             ///< Stragglers examined at least.
+inline constexpr std::size_t late_looked_at_part = 16; ///< Or one in so many workers, if more.
 inline constexpr std::size_t helpers_tried_max = 4;    ///< For each straggler.
 
 } // namespace cd::limits

@@ -18,7 +18,7 @@ inline constexpr std::uint64_t binary_bytes_per_triangle = 128; ///< Binary subt
 // Results.
 inline constexpr std::size_t results_flush_bytes = 1u << 20; ///< Of one task, uncompressed.
 inline constexpr std::chrono::milliseconds results_flush_period{50};
-// With more unacknowledged results than these two, the worker begins no further task.
+// Bounds on unacknowledged results; above either one the worker begins no further task.
 inline constexpr std::uint64_t results_unkept_bytes_max = 64u << 20;
 inline constexpr std::size_t results_unkept_messages_max = 1u << 14;
 inline constexpr std::chrono::seconds results_kept_wait_max{
