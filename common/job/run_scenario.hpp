@@ -29,8 +29,8 @@ struct ScenarioRun {
     /// At level count, sorted: all pairs of a query for maps; otherwise the touches, if
     /// `keep_touches` is set, no pair is proper and they are not too many.
     std::vector<ContactPair> found;
-    bool is_stopped =
-        false; ///< True if `stop` ended the run. The result is then a failed one that says so.
+    /// True if `stop` ended the run. The result is then a failed one that says so.
+    bool is_stopped = false;
 };
 
 /// A colliding pair of distribution roots, with both subtrees.

@@ -49,8 +49,7 @@ class BoxTest {
     double rotation_error_ = 0;
     double translation_error_ = 0;
     double frame_error_ = 0; ///< Error per half size of B, derived in box_test.cpp.
-    double rounding_; ///< The unit roundoff times `error_scale`: what the bounds assume of each
-                      ///< rounding.
+    double rounding_;        ///< Bound on each rounding: the unit roundoff times `error_scale`.
 };
 
 } // namespace cd

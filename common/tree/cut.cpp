@@ -101,8 +101,8 @@ class TopDescent {
     const TreeTop& a_;
     const TreeTop& b_;
     BoxTest boxes_;
-    PosedBox posed_; ///< The box of B at `posed_place_`; it is kept, as a descent of A tests one
-                     ///< box of B many times.
+    /// The box of B at `posed_place_`, cached because a descent of A tests one box of B many times.
+    PosedBox posed_;
     std::uint32_t posed_place_ = 0;
     std::vector<RootPair> waiting_;
     std::uint64_t box_tests_ = 0;

@@ -28,7 +28,7 @@ class RootHolders {
     /// Adds holders that hold nothing. `holder_count` is not less than the current count.
     void grow(std::uint32_t holder_count);
 
-    // ---- These functions require that the root and the holder exist
+    // ---- The root and the holder must exist --------------------------------------------------
     // ------------------------------
     [[nodiscard]] bool holds(std::uint32_t holder, RootIndex root) const;
     /// Returns false where the bit was set already.

@@ -106,8 +106,7 @@ class ComputedSource final : public PoseSource {
     std::atomic<bool> is_ending_ = false;
     std::mutex mutex_;
     std::condition_variable window_came_;
-    std::map<std::uint64_t, std::shared_ptr<Window>>
-        windows_;     ///< By number; both scheduled and complete windows.
+    std::map<std::uint64_t, std::shared_ptr<Window>> windows_; ///< By number.
     ThreadPool pool_; ///< The pool is the last member because its threads use all others.
 };
 

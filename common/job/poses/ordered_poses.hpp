@@ -67,8 +67,7 @@ class OrderedPoses final : public PoseSource {
   private:
     std::shared_ptr<PoseSource> source_;
     std::mutex mutex_;
-    std::deque<std::shared_ptr<const PoseWindow>>
-        kept_; ///< The most recently used window is at the end.
+    std::deque<std::shared_ptr<const PoseWindow>> kept_; ///< Ends with the last used.
 };
 
 } // namespace cd

@@ -29,8 +29,8 @@ struct BuildOptions {
     /// Under the quarter rule, a node with more triangles is split between two of 16 bins on an
     /// axis, by the same sum, instead of between any two triangles in a sorted order.
     std::uint32_t sweep_triangles_max = 32;
-    bool prepare_search = true; ///< Calls ObbTree::prepare_search. False suits a caller that only
-                                ///< cuts and sends the tree.
+    /// Calls ObbTree::prepare_search. False suits a caller that only cuts and sends the tree.
+    bool prepare_search = true;
 };
 
 /// Builds the tree of a mesh, the same one for any number of threads. Takes about n log n time with

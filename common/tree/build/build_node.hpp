@@ -80,6 +80,8 @@ class LargeNodeMaker {
     LargeNodeMaker(const BuildInput& input, std::size_t triangle_count, ThreadPool& pool)
         : input_(input), pool_(pool), projections_(triangle_count), triangles_(triangle_count) {}
 
+    /// Makes the given nodes together: sets boxes and left counts, and moves the triangles of left
+    /// children to the front.
     void make(std::span<NodeToMake> nodes);
 
   private:
@@ -88,8 +90,7 @@ class LargeNodeMaker {
 
     const BuildInput& input_;
     ThreadPool& pool_;
-    std::vector<Projection>
-        projections_; ///< One per triangle, by the triangle's index in the tree.
+    std::vector<Projection> projections_; ///< By index in the tree.
     std::vector<BuildTriangle> triangles_;
 };
 

@@ -102,8 +102,7 @@ void put_corners(ByteWriter& out,
 /// The distinct vertices of all blocks, in the order of first use.
 struct SharedVertices {
     std::vector<std::uint32_t> steps_back; ///< For each vertex of each block.
-    std::vector<std::uint32_t>
-        first_uses; ///< For each distinct vertex, the index of one use in the blocks.
+    std::vector<std::uint32_t> first_uses; ///< By distinct vertex; indices in the blocks.
 };
 
 template <class Float>
