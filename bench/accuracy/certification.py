@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""What certification adds to ordinary whole queries: the product against the same code with every
-stage after the floats replaced, in turn, by the medians of the rounds.
+"""What certification adds to ordinary whole queries: exact decisions against those of floats alone,
+in turn, by the medians of the rounds.
 
     certification.py FOLDER_OF_PROGRAMS OUT [--rounds 20] [--scenarios 50] [--couples 4]
                      [--callgrind]
@@ -15,7 +15,7 @@ import re
 import statistics
 import subprocess
 
-PROGRAMS = ("query_cost", "query_cost_float_only")
+DECISIONS = ([], ["--floats-only"])
 LEVELS = ("any", "pairs")
 
 
@@ -45,21 +45,21 @@ def main():
     parser.add_argument("--callgrind", action="store_true")
     options = parser.parse_args()
     os.makedirs(options.out, exist_ok=True)
-    programs = [os.path.join(options.programs, name) for name in PROGRAMS]
+    program = os.path.join(options.programs, "query_cost")
     models = ["--models", options.models] if options.models else []
 
-    commands = {}  # By level: for each couple the commands of both programs.
+    commands = {}  # By level: for each couple the commands of both decisions.
     for couple in range(options.couples):
         poses = os.path.join(options.out, f"poses_{couple}.bin")
-        saved = subprocess.run([programs[0], "--save", poses, "--couple", str(couple),
+        saved = subprocess.run([program, "--save", poses, "--couple", str(couple),
                                 "--scenarios", str(options.scenarios), *models], check=False)
         if saved.returncode != 0:
             continue  # It has said which model is missing.
         for level in LEVELS:
             commands.setdefault(level, []).append(
                 [[program, "--load", poses, "--couple", str(couple), "--level", level,
-                  *models]
-                 for program in programs])
+                  *models, *decision]
+                 for decision in DECISIONS])
 
     with open(os.path.join(options.out, "certification.csv"), "w", newline="") as file:
         writer = csv.writer(file)

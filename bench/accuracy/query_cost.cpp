@@ -1,8 +1,9 @@
-// Measures whole queries of vehicles. Built twice: as the product, and with every stage after the
-// floats replaced (fallback_off.cpp); certification.py runs both in turn.
+// Measures whole queries of vehicles, exact or with floats alone; certification.py runs both in
+// turn.
 //
 //   query_cost --save FILE [--models FOLDER] [--couple 0] [--scenarios 50]   the poses, as a file
 //   query_cost --load FILE [--models FOLDER] [--couple 0] --level pairs [--repeat 5]
+//   [--floats-only]
 //
 // Prints the best seconds of `repeat` runs over all poses, and the number of contacts.
 #include "bench/accuracy/suites/sources.hpp"
@@ -33,6 +34,7 @@ struct Options {
     std::uint64_t scenarios = 50;
     std::string level = "pairs";
     std::size_t repeat = 5;
+    bool floats_only = false;
 };
 
 void save(const Options& options, const Scene& scene) {
@@ -60,11 +62,12 @@ std::vector<Scenario> load(const std::string& path) {
 [[gnu::noinline]] std::uint64_t run_queries(const ObbTree& a,
                                             const ObbTree& b,
                                             std::span<const Scenario> scenarios,
-                                            const Query& query) {
+                                            const Query& query,
+                                            const RunOptions& options) {
     std::uint64_t contacts = 0;
     for (const Scenario& scenario : scenarios) {
         const SubtreePair whole{a.view(), b.view()};
-        const ScenarioRun run = run_on_subtrees({&whole, 1}, scenario, query);
+        const ScenarioRun run = run_on_subtrees({&whole, 1}, scenario, query, options);
         contacts += run.result.pair_count + (run.result.kind == ScenarioClass::Contact ? 1u : 0u);
     }
     return contacts;
@@ -88,10 +91,13 @@ int run(const Options& options) {
     const std::vector<Scenario> scenarios = load(options.load);
     Query query;
     query.level = level_from_text(options.level).value_or(Level::Pairs);
+    RunOptions run_options;
+    run_options.decision = options.floats_only ? PairDecision::FloatsOnly : PairDecision::Exact;
     double best = std::numeric_limits<double>::infinity();
     std::uint64_t contacts = 0;
     for (std::size_t i = 0; i < options.repeat; ++i) {
-        best = std::min(best, seconds_of([&] { contacts = run_queries(a, b, scenarios, query); }));
+        best = std::min(
+            best, seconds_of([&] { contacts = run_queries(a, b, scenarios, query, run_options); }));
     }
     std::printf("%.9f %llu\n", best, static_cast<unsigned long long>(contacts));
     return 0;
@@ -110,7 +116,9 @@ int main(int argc, char** argv) {
     app.add_option("--couple", options.couple, "Which two vehicles, from 0");
     app.add_option("--scenarios", options.scenarios, "Random poses to save, and as many near them");
     app.add_option("--level", options.level, "any, count, pairs or contacts");
-    app.add_option("--repeat", options.repeat, "Runs, of which the best counts");
+    app.add_option("--repeat", options.repeat, "Runs; the best counts");
+    app.add_flag(
+        "--floats-only", options.floats_only, "Decide pairs by floats alone, often wrongly");
     CLI11_PARSE(app, argc, argv);
     return cd::bench::run(options);
 }

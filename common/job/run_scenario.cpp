@@ -141,6 +141,7 @@ SearchOptions search_options(const Query& query, const RunOptions& options) {
     search.pairs_max = pairs_worth_keeping(query);
     search.tolerance = query.tolerance;
     search.first_stage = options.first_stage;
+    search.decision = options.decision;
     search.stop = options.stop;
     return search;
 }

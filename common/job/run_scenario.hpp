@@ -44,6 +44,7 @@ struct RunOptions {
     PairStage first_stage = PairStage::Float;
     StopCheck stop = {};       ///< Called throughout the run.
     bool keep_touches = false; ///< Keeps touches at level count for `Settler`.
+    PairDecision decision = PairDecision::Exact;
 };
 
 /// Finds the contacts under the given pairs of subtrees (paper, 6.4.2, steps 1 to 3). Without pairs

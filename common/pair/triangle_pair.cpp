@@ -55,19 +55,23 @@ struct TrianglePairTest::State {
     std::optional<PairCascade> later;
     SharedPoints points;
     PairStage first;
+    PairDecision decision;
     PairStatistics statistics;
     std::vector<FloatVerdict> verdicts; ///< Per candidate of the last call, as are `kinds`.
     std::vector<PairClass> kinds;
 
-    State(const PosePair& given, PairStage first_stage)
-        : poses(given), points(given), first(first_stage) {}
+    State(const PosePair& given, PairStage first_stage, PairDecision until)
+        : poses(given), points(given), first(first_stage), decision(until) {}
+
+    [[nodiscard]] bool stops_after_floats() const { return decision == PairDecision::FloatsOnly; }
 
     /// Returns and counts the float verdict of each candidate; empty if floats are skipped.
     template <class Triangles>
     std::span<const FloatVerdict>
     float_verdicts(const Triangles& a, const Triangles& b, std::span<const Candidate> candidates) {
         verdicts.assign(candidates.size(), FloatVerdict::Unknown);
-        if (first <= PairStage::Float && candidates.size() >= float_candidates_min) {
+        if (first <= PairStage::Float &&
+            (candidates.size() >= float_candidates_min || stops_after_floats())) {
             if (!in_float) {
                 in_float.emplace(poses);
             }
@@ -80,8 +84,8 @@ struct TrianglePairTest::State {
     }
 };
 
-TrianglePairTest::TrianglePairTest(const PosePair& poses, PairStage first)
-    : state_(std::make_unique<State>(poses, first)) {}
+TrianglePairTest::TrianglePairTest(const PosePair& poses, PairStage first, PairDecision decision)
+    : state_(std::make_unique<State>(poses, first, decision)) {}
 TrianglePairTest::TrianglePairTest(TrianglePairTest&&) noexcept = default;
 TrianglePairTest& TrianglePairTest::operator=(TrianglePairTest&&) noexcept = default;
 TrianglePairTest::~TrianglePairTest() = default;
@@ -98,6 +102,9 @@ void TrianglePairTest::restart(const PosePair& poses) {
 
 PairClass TrianglePairTest::classify(const Corners& a, const Corners& b) {
     State& s = *state_;
+    if (s.stops_after_floats()) {
+        return PairClass::Touch;
+    }
     if (!s.later) {
         s.later.emplace(s.poses, s.first);
     }
@@ -140,7 +147,8 @@ void TrianglePairTest::classify_ties(const Triangles& a,
     State& s = *state_;
     const auto corners_a = [&](std::size_t i) { return corners_of(a, candidates[i].a); };
     const auto corners_b = [&](std::size_t i) { return corners_of(b, candidates[i].b); };
-    bool at_once = ties.size() >= ties_at_once_min && s.first <= PairStage::Double;
+    bool at_once =
+        ties.size() >= ties_at_once_min && s.first <= PairStage::Double && !s.stops_after_floats();
     if (at_once && !s.in_doubles) {
         s.in_doubles.emplace(plain_poses(s.poses));
     }

@@ -38,6 +38,13 @@ inline constexpr std::size_t pair_stage_count = 6;
 
 [[nodiscard]] std::string_view to_text(PairStage stage);
 
+/// How far a pair's decision goes.
+enum class PairDecision : std::uint8_t {
+    Exact,
+    FloatsOnly, ///< Pairs that floats leave open count as touching, which is often wrong. Measures
+                ///< what the exact answer costs.
+};
+
 /// Counts the pairs that each stage settled: a pair counts for the highest stage that it needed.
 /// Calls with few candidates skip floats, which cost as much for a few as for many.
 struct PairStatistics {
@@ -80,7 +87,9 @@ struct Candidate {
 class TrianglePairTest {
   public:
     /// Skips stages before `first`; the answers do not depend on it.
-    explicit TrianglePairTest(const PosePair& poses, PairStage first = PairStage::Float);
+    explicit TrianglePairTest(const PosePair& poses,
+                              PairStage first = PairStage::Float,
+                              PairDecision decision = PairDecision::Exact);
     TrianglePairTest(TrianglePairTest&&) noexcept;
     TrianglePairTest& operator=(TrianglePairTest&&) noexcept;
     ~TrianglePairTest();

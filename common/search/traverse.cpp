@@ -73,7 +73,7 @@ ContactSearch::ContactSearch(const PosePair& poses,
       ignored_(ignored),
       options_(options),
       stretch_(stretch_under(poses)),
-      test_(poses, options.first_stage) {}
+      test_(poses, options.first_stage, options.decision) {}
 
 void ContactSearch::restart(const PosePair& poses) {
     relative_ = relative_pose(poses);

@@ -31,7 +31,8 @@ struct SearchOptions {
     /// Above 0, two overlapping boxes whose diameters sum to no more than this are left undecided.
     double tolerance = 0;
     PairStage first_stage = PairStage::Float; ///< See TrianglePairTest.
-    StopCheck stop = {};                      ///< Asked every so many steps of the descent.
+    PairDecision decision = PairDecision::Exact;
+    StopCheck stop = {}; ///< Asked every so many steps of the descent.
 };
 
 /// One scenario's search, and then the next one's: after a few, `restart`, `any`, `collect` and

@@ -205,6 +205,31 @@ TEST(TrianglePair, AnEdgeThatLiesOnAFaceIsShared) {
     EXPECT_EQ(std::max(points[0].x(), points[1].x()), 8);
 }
 
+TEST(TrianglePair, FloatsAloneCountOpenPairsAsTouching) {
+    const std::vector<Vec3> vertices{{0, 0, 0},
+                                     {4, 0, 0},
+                                     {0, 4, 0}, // A triangle of A.
+                                     {1, 1, -1},
+                                     {1, 1, 1},
+                                     {2, 1, 1}, // Crosses it.
+                                     {9, 9, 9},
+                                     {9, 8, 9},
+                                     {8, 9, 9}, // Is far away.
+                                     {0, 0, 0x1p-40},
+                                     {4, 0, 0x1p-40},
+                                     {0, 4, 0x1p-40}};
+    const std::vector<Triangle> triangles{{0, 1, 2}, {3, 4, 5}, {6, 7, 8}, {9, 10, 11}};
+    const TriangleSpan span{vertices, triangles};
+    const std::vector<Candidate> candidates{{0, 1}, {0, 2}, {0, 3}};
+    TrianglePairTest floats({}, PairStage::Float, PairDecision::FloatsOnly);
+    const auto kinds = floats.classify(span, span, candidates);
+    EXPECT_EQ(std::vector(kinds.begin(), kinds.end()),
+              (std::vector{PairClass::Proper, PairClass::Separate, PairClass::Touch}));
+    EXPECT_EQ(floats.statistics().total(), 2u) << "the open pair is not settled";
+    TrianglePairTest exact({});
+    EXPECT_NE(exact.classify(span, span, candidates)[2], PairClass::Touch);
+}
+
 TEST(TrianglePair, OrdinaryPairsAreDecidedInDouble) {
     std::mt19937_64 random(7);
     TrianglePairTest test({make_pose(random, 0.3), make_pose(random, 0.3)});
