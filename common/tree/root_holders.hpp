@@ -29,7 +29,6 @@ class RootHolders {
     void grow(std::uint32_t holder_count);
 
     // ---- The root and the holder must exist --------------------------------------------------
-    // ------------------------------
     [[nodiscard]] bool holds(std::uint32_t holder, RootIndex root) const;
     /// Returns false where the bit was set already.
     bool set(std::uint32_t holder, RootIndex root);
