@@ -32,6 +32,10 @@ Coordinator::Coordinator(CoordinatorParts parts)
       watch_(parts_.times),
       blocks_(parts_.executor, trees_),
       jobs_(limits::results_ended_kept_max, parts_.retention),
+      writer_([executor = parts_.executor](
+                  std::function<void()> run) { asio::post(executor, std::move(run)); },
+              parts_.journal),
+      retries_(parts_.executor),
       references_(parts_.executor, parts_.blocking) {}
 Coordinator::~Coordinator() = default;
 

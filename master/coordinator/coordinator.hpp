@@ -3,6 +3,7 @@
 
 #include "common/core/host/thread_pool.hpp"
 #include "common/core/limits/master.hpp"
+#include "master/base/disk_retries.hpp"
 #include "master/blocks/block_delivery.hpp"
 #include "master/blocks/transfer_meter.hpp"
 #include "master/coordinator/job_board.hpp"
@@ -10,8 +11,7 @@
 #include "master/geometry/geometry_store.hpp"
 #include "master/geometry/tree_registry.hpp"
 #include "master/jobs/job_spool.hpp"
-#include "master/journal/journal.hpp"
-#include "master/journal/ledger.hpp"
+#include "master/journal/journal_writer.hpp"
 #include "master/verify/alarms.hpp"
 #include "master/verify/reference_run.hpp"
 #include "master/workers/awaited_workers.hpp"
@@ -170,7 +170,7 @@ class Coordinator {
     [[nodiscard]] Result<ContactMapAnswer> contact_map(JobId job);
     [[nodiscard]] ClusterStatus cluster_status();
     /// Reason why the master cannot accept or acknowledge now; empty if it can.
-    [[nodiscard]] const std::string& paused() const { return paused_; }
+    [[nodiscard]] const std::string& paused() const { return writer_.paused(); }
 
     /// Quarantined processes. These and `alarm_count` cover all incarnations of the master.
     [[nodiscard]] const std::set<WorkerProcess>& quarantined() const {
@@ -266,9 +266,9 @@ class Coordinator {
     /// Returns the scenarios of `results` that are not merged.
     [[nodiscard]] static std::vector<std::uint64_t>
     new_scenarios(const MasterJob& job, std::span<const TakenResult> results);
-    /// Recomputes the contact map for `scenarios` only, then resumes ingestion.
-    asio::awaitable<void>
-    make_map(JobId job, std::shared_ptr<ResultsInHand> hand, std::vector<std::uint64_t> scenarios);
+    /// Recomputes the contact map for `hand->mapped` only, then resumes ingestion.
+    void make_map(const MasterJob& job, std::shared_ptr<ResultsInHand> hand);
+    void map_made(const std::shared_ptr<ResultsInHand>& hand, Result<ContactMap> map);
     void withdraw_map(MasterJob& job, const std::string& why);
     /// True if this sequence number was received before; such a message's times are not measured.
     [[nodiscard]] bool is_repeated(WorkerId worker, std::uint64_t sequence);
@@ -304,10 +304,11 @@ class Coordinator {
     void block_came(JobId job, AnalysedBlock block, std::vector<TakenResult> finished);
     /// The only path by which results enter a job and the journal. `author` is null for the master.
     void merge(MasterJob& job, TakenResults taken, const std::shared_ptr<const Author>& author);
-    void merge_one(MasterJob& job,
-                   TakenResult taken,
-                   const std::shared_ptr<const Author>& author,
-                   AddResults& add);
+    /// Returns the dispute if the scenario has another result.
+    [[nodiscard]] std::optional<Dispute> merge_one(MasterJob& job,
+                                                   TakenResult taken,
+                                                   const std::shared_ptr<const Author>& author,
+                                                   AddResults& add);
     void end_if_complete(MasterJob& job);
     /// Holds back resumed jobs until the workers from before the restart have returned.
     void await_workers();
@@ -320,20 +321,10 @@ class Coordinator {
     /// Sets the job's pause reason; an empty one resumes it.
     void job_paused(MasterJob& job, const std::string& why);
     /// Pauses the job after a disk error and calls `again` a little later. A paused job prepares no
-    /// more work. Any other error fails the job.
-    void wait_for_disk(MasterJob& job, const Error& why, std::function<void()> again);
-    using DiskWaits = std::multimap<JobId, std::shared_ptr<asio::steady_timer>>;
-    using DiskWait = DiskWaits::iterator;
-    /// Pauses the job like `wait_for_disk`, in a coroutine. Null: the job or the master has ended.
-    asio::awaitable<MasterJob*> wait_until_mended(JobId job, Error why);
-    asio::awaitable<void> try_again(std::optional<DiskWait> wait, std::function<void()> again);
-    /// Empty if the job need not wait.
-    std::optional<DiskWait> begin_to_wait(MasterJob& job, const Error& why);
-    asio::awaitable<MasterJob*> end_of_wait(DiskWait wait);
+    /// more work. Any other error fails the job. `again` gets null if the job has ended.
+    void wait_for_disk(MasterJob& job, const Error& why, std::function<void(MasterJob*)> again);
     /// Reports that the disk works again for the job.
     void disk_gives(MasterJob& job);
-    /// Drops all waits of a job that is ending.
-    void stop_waiting(JobId job);
     void add_what_it_waits_for(JobStatus& job) const;
 
     // Explanations.
@@ -342,9 +333,8 @@ class Coordinator {
     answered_by(const MasterJob& job, std::uint64_t scenario, bool needs_worker) const;
 
     // Disputes (coordinator_disputes.cpp).
-    /// Records the dispute in `add`, which is written next. Once that is durable, the master's own
-    /// result decides the dispute.
-    void open_dispute(MasterJob& job, const Dispute& dispute, AddResults& add);
+    /// Records the dispute in `add`. Once that is durable, the master's own result decides it.
+    [[nodiscard]] Dispute open_dispute(MasterJob& job, Dispute dispute, AddResults& add);
     void run_disputed(const Dispute& dispute);
     void settle(MasterJob& job, const Dispute& dispute, ReferenceResult right);
     /// Gives the process no more work and withdraws its results from all running jobs.
@@ -382,18 +372,14 @@ class Coordinator {
 
     /// Seconds since a fixed point in time.
     [[nodiscard]] double now() const;
-    // Durability (coordinator_journal.cpp).
-    [[nodiscard]] JournalEvents journal_events();
-    std::uint64_t write(JournalEntry entry);
-    void journal_committed(std::uint64_t position);
-    [[nodiscard]] bool journal_has_room() const;
-    void keep_promises();
+    // What the journal has committed (coordinator_journal.cpp).
+    [[nodiscard]] JournalWriter::Events journal_events();
     void job_ended(JobId job);
+    /// Deletes the files of a job that the journal has forgotten.
+    void job_dropped(JobId job);
     void wake_waiting(JobId job);
     /// Deletes the record and then the files of a job that has left the board.
     void drop_from_journal(JobId job);
-    /// Calls `done` now, or when the journal has room.
-    void go_on(std::function<void()> done);
     [[nodiscard]] JobStatus status_of(const MasterJob& job) const;
 
     // Invariants (coordinator_invariants.cpp).
@@ -440,16 +426,13 @@ class Coordinator {
     JobId fed_last_;
     std::uint64_t open_bytes_ = 0; ///< Bytes of all jobs' open analyses.
     std::multimap<JobId, std::weak_ptr<asio::steady_timer>> waiting_for_end_;
-    Ledger ledger_;
+    JournalWriter writer_;
     Sha256 cluster_;
-    std::uint64_t written_ = 0; ///< Journal position of the last entry.
-    std::string paused_;        ///< Reason why the journal does not write; empty if it does.
     std::map<JobId, std::shared_ptr<asio::steady_timer>> waiting_for_acceptance_;
-    DiskWaits retries_; ///< Retry timers of jobs paused by the disk.
+    DiskRetries retries_; ///< Steps of jobs paused by the disk.
     using LateKey = std::tuple<JobId, WorkerId, std::uint64_t>; ///< And sequence number.
     std::map<LateKey, LateResults> late_results_;               ///< Late results not examined yet.
     std::uint64_t aside_bytes_ = 0;                             ///< Bytes of all parked results.
-    std::vector<std::function<void()>> waiting_for_room_;       ///< For room in the journal.
     Alarms alarms_;
     std::map<WorkerProcess, std::weak_ptr<WorkerIntake>> intakes_;
     ReferenceRuns references_; ///< Runs that settle disputes.

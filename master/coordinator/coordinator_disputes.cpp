@@ -2,9 +2,9 @@
 // process that was wrong goes into quarantine, and in running jobs all its results count as never
 // having come. Each duplicate result is thus a free test of memory and code.
 //
-// A dispute is journaled before the result is acknowledged. The verdict is one journal entry: right
-// result, alarm, quarantine and end of the dispute. A restarted master therefore finds either the
-// open dispute or the whole verdict.
+// A dispute is journaled before the result is acknowledged. The first entry that follows from a
+// verdict has the alarm and the quarantine. A restarted master therefore finds either the open
+// dispute or the quarantine, and then withdraws what is left of the process's results.
 #include "common/core/host/log.hpp"
 #include "common/core/limits/engine.hpp"
 #include "master/base/mutation.hpp"
@@ -17,7 +17,7 @@ namespace cd {
 
 // ---- Disputes -----------------------------------------------------------------------------------
 
-void Coordinator::open_dispute(MasterJob& job, const Dispute& dispute, AddResults& add) {
+Dispute Coordinator::open_dispute(MasterJob& job, Dispute dispute, AddResults& add) {
     log_error("results differ: job={} scenario={} worker={}",
               job.id.value,
               dispute.scenario,
@@ -25,7 +25,7 @@ void Coordinator::open_dispute(MasterJob& job, const Dispute& dispute, AddResult
     ++job.disputes;
     add.remarks.push_back(
         {Remark::Kind::Disputed, dispute.scenario, dispute.digest, dispute.second->process});
-    ledger_.promise(dispute, written_ + 1);
+    return dispute;
 }
 
 void Coordinator::run_disputed(const Dispute& dispute) {
@@ -43,9 +43,10 @@ void Coordinator::run_disputed(const Dispute& dispute) {
                               return;
                           }
                           if (!found) {
-                              return wait_for_disk(*running, found.error(), [this, dispute] {
-                                  run_disputed(dispute);
-                              });
+                              return wait_for_disk(
+                                  *running, found.error(), [this, dispute](MasterJob*) {
+                                      run_disputed(dispute);
+                                  });
                           }
                           disk_gives(*running);
                           settle(*running, dispute, std::move(found.value()));
@@ -83,16 +84,16 @@ void Coordinator::settle(MasterJob& job, const Dispute& dispute, ReferenceResult
         {Remark::Kind::Settled, index, dispute.digest, dispute.second->process});
     if (!first_is_right && job.merged.has(index)) {
         job.merged.withdraw_one(index);
-        ledger_.withdraw(job.id, std::span(&index, 1));
+        verdict.withdrawn = {index};
         withdraw_map(job, "a result of the job was wrong and has been corrected");
     }
     if (!job.merged.has(index) && fits) {
-        merge_one(job, std::move(right.taken), nullptr, verdict);
+        (void)merge_one(job, std::move(right.taken), nullptr, verdict);
         act(dispatcher().scenario_answered(WorkerId{}, job.id, index));
     }
     verdict.alarms = alarms_.take_changed();
     verdict.progress = job.progress(Clock::now());
-    write(std::move(verdict));
+    writer_.write(std::move(verdict));
     --job.disputes;
     ++job.changes;
     if (!fits) {
@@ -123,11 +124,12 @@ void Coordinator::quarantine(const Author& wrong) {
 
 void Coordinator::withdraw_results_of(const Author& wrong) {
     std::string ended;
+    std::vector<MasterJob*> running;
     for (const JobStatus& known : jobs_.statuses(Clock::now())) {
         MasterJob& job = *jobs_.find(known.job);
-        if (job.is_running() && !mutated(Mutation::LiarKept)) {
-            withdraw_results_of(wrong, job);
-        } else if (!job.is_running() && job.contributors.contains(wrong.process)) {
+        if (job.is_running()) {
+            running.push_back(&job);
+        } else if (job.contributors.contains(wrong.process)) {
             ended += (ended.empty() ? "" : ", ") + std::to_string(job.id.value);
         }
     }
@@ -135,9 +137,15 @@ void Coordinator::withdraw_results_of(const Author& wrong) {
         alarms_.raise("jobs that have ended hold results of " + wrong.to_text() +
                       ", which was wrong elsewhere; check them with cdctl verify: " + ended);
     }
+    for (MasterJob* job : running) {
+        withdraw_results_of(wrong, *job);
+    }
 }
 
 void Coordinator::withdraw_results_of(const Author& wrong, MasterJob& job) {
+    if (mutated(Mutation::LiarKept)) {
+        return;
+    }
     std::vector<std::uint64_t> scenarios = job.merged.withdraw(wrong.process);
     if (scenarios.empty()) {
         return;
@@ -150,7 +158,6 @@ void Coordinator::withdraw_results_of(const Author& wrong, MasterJob& job) {
     job.done.reset();
     ++job.changes;
     withdraw_map(job, "a worker that has contributed to it was wrong elsewhere");
-    ledger_.withdraw(job.id, scenarios);
     if (job.order != nullptr) { // Otherwise all scenarios without a result are handed out later.
         hand_out_again(job, scenarios);
     }
@@ -158,7 +165,8 @@ void Coordinator::withdraw_results_of(const Author& wrong, MasterJob& job) {
     withdrawal.remarks.push_back({Remark::Kind::Withdrawn, 0, {}, wrong.process});
     withdrawal.withdrawn = std::move(scenarios);
     withdrawal.progress = job.progress(Clock::now());
-    write(std::move(withdrawal));
+    withdrawal.alarms = alarms_.take_changed(); // No withdrawal is durable without its quarantine.
+    writer_.write(std::move(withdrawal));
 }
 
 void Coordinator::hand_out_again(MasterJob& job, std::span<const std::uint64_t> scenarios) {
@@ -183,11 +191,13 @@ void Coordinator::hand_out_again(MasterJob& job, std::span<const std::uint64_t> 
                     return;
                 }
                 if (!found) {
-                    return wait_for_disk(*running, found.error(), [this, id, indices] {
-                        MasterJob& again = *jobs_.find(id);
-                        again.places_loading -= indices.size();
-                        hand_out_again(again, indices);
-                    });
+                    return wait_for_disk(
+                        *running, found.error(), [this, indices](MasterJob* again) {
+                            if (again != nullptr) {
+                                again->places_loading -= indices.size();
+                                hand_out_again(*again, indices);
+                            }
+                        });
                 }
                 running->places_loading -= indices.size();
                 disk_gives(*running);

@@ -21,7 +21,7 @@ void Coordinator::feed() {
         under_way += job.analyses_under_way();
         const bool is_held_back =
             awaited_.holds_back(id, Clock::now()) && !mutated(Mutation::NobodyAwaited);
-        if (!retries_.contains(id) && !is_held_back) {
+        if (!retries_.any(id) && !is_held_back) {
             jobs.push_back(&job);
         }
     }
@@ -66,7 +66,7 @@ void Coordinator::feed() {
 
 bool Coordinator::has_room_for_analysis(std::uint64_t under_way) const {
     // Enough blocks to keep the pool busy; more would only delay results.
-    return journal_has_room() && under_way < parts_.compute.size() + 2 &&
+    return writer_.has_room() && under_way < parts_.compute.size() + 2 &&
            open_bytes_ < limits::open_analyses_bytes_max &&
            dispatcher_.unsent() + under_way * limits::analysis_block_scenarios <
                dispatcher_.unsent_enough();
@@ -97,7 +97,7 @@ bool Coordinator::prefers_ranges_now(const MasterJob& job) const {
 }
 
 void Coordinator::give_places(MasterJob& job) {
-    while (journal_has_room() && !job.todo.empty() && job.todo.front().losses.none() &&
+    while (writer_.has_room() && !job.todo.empty() && job.todo.front().losses.none() &&
            dispatcher_.places_unsent(job.id) + job.places_loading <
                dispatcher_.places_enough(job.id)) {
         const PlaceRange places = job.todo.take(limits::range_scenarios_max).places;
@@ -128,7 +128,7 @@ void Coordinator::places_came(JobId id,
         give_unmerged(*job, {places, window.value()});
     } else {
         job->todo.put_back({places});
-        wait_for_disk(*job, window.error(), [] {});
+        wait_for_disk(*job, window.error(), [](MasterJob*) {});
     }
     feed();
 }
@@ -264,7 +264,7 @@ void Coordinator::write_losses(MasterJob& job, std::vector<LostPlaces> losses) {
         AddResults add{job.id, job.results, {}, {}, {}};
         add.progress = job.progress(Clock::now());
         add.losses = std::move(losses);
-        write(std::move(add));
+        writer_.write(std::move(add));
     }
 }
 

@@ -8,7 +8,7 @@ void Coordinator::check_invariants() const {
     CD_CHECK(!acting_);
     CD_CHECK(actions_.empty());
     dispatcher_.check_invariants();
-    ledger_.check_invariants();
+    writer_.check_invariants();
     blocks_.check_invariants();
     check_leases();
     std::uint64_t open_bytes = 0;

@@ -32,7 +32,7 @@ Status Coordinator::restore(Recovered recovered) {
             return with_way_out(poses.error());
         }
         job.poses = poses.value();
-        ledger_.open_job(job.id);
+        writer_.restore(job.id, done);
         const auto author_of = [&](WorkerProcess process) {
             std::shared_ptr<const Author>& author = known[process];
             if (author == nullptr && process != 0) {
@@ -41,7 +41,6 @@ Status Coordinator::restore(Recovered recovered) {
             return author;
         };
         for (std::size_t i = 0; i < done.size(); ++i) {
-            ledger_.restore(job.id, done[i].scenario);
             job.merged.restore(done[i].scenario, done[i].facts, author_of(authors[i]));
         }
         for (const Remark& open : disputes) {
@@ -57,7 +56,14 @@ Status Coordinator::restore(Recovered recovered) {
         spawn(parts_.executor, "prepare job", prepare_job(job.id));
     }
     await_workers();
-    parts_.journal.start(journal_events());
+    writer_.start(journal_events());
+    for (const auto& [process, author] : known) {
+        for (const JobId job : jobs_.running()) {
+            if (alarms_.is_quarantined(process)) {
+                withdraw_results_of(*author, *jobs_.find(job));
+            }
+        }
+    }
     return Done{};
 }
 
@@ -90,8 +96,8 @@ asio::awaitable<void> Coordinator::end_waiting(std::shared_ptr<asio::steady_time
 
 asio::awaitable<Result<JobId>> Coordinator::open_job(Submit submit,
                                                      std::shared_ptr<JobSpool> spool) {
-    if (!paused_.empty()) {
-        co_return Error{ErrorCode::Io, "the master takes no jobs now: " + paused_};
+    if (!writer_.paused().empty()) {
+        co_return Error{ErrorCode::Io, "the master takes no jobs now: " + writer_.paused()};
     }
     const Result<JobId> next = jobs_.next(submit.scenarios);
     if (!next) {
@@ -111,9 +117,8 @@ asio::awaitable<Result<JobId>> Coordinator::open_job(Submit submit,
     const auto accepted = std::make_shared<asio::steady_timer>(
         parts_.executor, asio::steady_timer::time_point::max());
     waiting_for_acceptance_.emplace(id, accepted);
-    ledger_.open_job(id);
     const std::uint64_t began = unix_seconds();
-    ledger_.promise(JobAccepted{id}, write(AcceptJob{{id, submit, began}}));
+    writer_.write(AcceptJob{{id, submit, began}});
     boost::system::error_code ignored;
     co_await accepted->async_wait(asio::redirect_error(asio::use_awaitable, ignored));
 
@@ -153,9 +158,10 @@ asio::awaitable<void> Coordinator::prepare_job(JobId id) {
     }
     const Error& why = made.error();
     const bool may_be_mended = made.is_unwritten() || why.code == ErrorCode::NotFound;
-    wait_for_disk(*job, may_be_mended ? Error{ErrorCode::Io, why.detail} : why, [this, id] {
-        spawn(parts_.executor, "prepare job", prepare_job(id));
-    });
+    wait_for_disk(
+        *job, may_be_mended ? Error{ErrorCode::Io, why.detail} : why, [this, id](MasterJob*) {
+            spawn(parts_.executor, "prepare job", prepare_job(id));
+        });
 }
 
 void Coordinator::start_job(MasterJob& job, const JobGeometry& made) {
@@ -213,7 +219,7 @@ void Coordinator::block_came(JobId id, AnalysedBlock block, std::vector<TakenRes
     }
     if (block.error) {
         job->todo.put_back({block.places, block.losses});
-        wait_for_disk(*job, *block.error, [] {});
+        wait_for_disk(*job, *block.error, [](MasterJob*) {});
         return feed();
     }
     disk_gives(*job);
@@ -262,7 +268,7 @@ void Coordinator::end_job(MasterJob& job, JobState state, const std::string& fai
         open_bytes_ -= analysis->bytes;
     }
     const bool has_trees = job.material != nullptr;
-    stop_waiting(job.id);
+    retries_.stop(job.id);
     (void)references_.stop(job.id, std::nullopt);
     jobs_.end(job, state, failure, Clock::now());
     act(dispatcher().job_closed(job.id));
@@ -275,7 +281,7 @@ void Coordinator::end_job(MasterJob& job, JobState state, const std::string& fai
         release_tree(job.tree_a);
         release_tree(job.tree_b);
     }
-    ledger_.promise(JobEnded{job.id}, write(EndJob{job.id, *job.end, job.progress(Clock::now())}));
+    writer_.write(EndJob{job.id, *job.end, job.progress(Clock::now())});
 }
 
 void Coordinator::release_tree(TreeId tree) {
@@ -321,8 +327,8 @@ asio::awaitable<Status> Coordinator::forget_job(JobId id) {
     if (job->state == JobState::Running) {
         co_return Error{ErrorCode::Refused, "the job is running"};
     }
-    if (!paused_.empty()) {
-        co_return Error{ErrorCode::Io, "nothing can be removed now: " + paused_};
+    if (!writer_.paused().empty()) {
+        co_return Error{ErrorCode::Io, "nothing can be removed now: " + writer_.paused()};
     }
     jobs_.drop(id);
     const auto forgotten =
@@ -338,7 +344,7 @@ asio::awaitable<Status> Coordinator::forget_job(JobId id) {
 }
 
 void Coordinator::forget_expired_jobs(std::uint64_t now) {
-    if (!paused_.empty()) {
+    if (!writer_.paused().empty()) {
         return;
     }
     for (const JobId job : jobs_.drop_expired(now)) {

@@ -1,4 +1,4 @@
-// Durability: writes to the journal and acts on its commits.
+// Acts on what the journal has committed.
 #include "common/core/check.hpp"
 #include "common/core/host/log.hpp"
 #include "common/core/limits/master.hpp"
@@ -15,78 +15,36 @@ void remove_file(const std::filesystem::path& path) {
 
 } // namespace
 
-JournalEvents Coordinator::journal_events() {
-    return {[this, executor = parts_.executor](std::uint64_t position) {
-                asio::post(executor, [this, position] { journal_committed(position); });
+JournalWriter::Events Coordinator::journal_events() {
+    return {[this](WorkerId worker, const ResultsKept& kept) {
+                if (const auto link = workers_.find(worker); link != workers_.end()) {
+                    link->second.channel->send(kept);
+                }
             },
-            [this, executor = parts_.executor](const std::string& why) {
-                asio::post(executor, [this, why] {
-                    paused_ = why;
-                    for (const JobId job : jobs_.running()) {
-                        ++jobs_.find(job)->changes;
-                    }
-                    feed();
-                });
-            }};
+            [this](JobId job) {
+                waiting_for_acceptance_.at(job)->cancel();
+                waiting_for_acceptance_.erase(job);
+            },
+            [this](JobId job) { job_ended(job); },
+            [this](JobId job) { job_dropped(job); },
+            [this](const Dispute& dispute) { run_disputed(dispute); },
+            [this] {
+                for (const JobId job : jobs_.running()) {
+                    ++jobs_.find(job)->changes;
+                }
+                feed();
+            },
+            [this] { feed(); }};
 }
 
-std::uint64_t Coordinator::write(JournalEntry entry) {
-    written_ = parts_.journal.add(std::move(entry));
-    return written_;
-}
-
-bool Coordinator::journal_has_room() const {
-    return paused_.empty() && parts_.journal.queued_bytes() < limits::journal_queue_bytes_max;
-}
-
-void Coordinator::journal_committed(std::uint64_t position) {
-    ledger_.committed(position);
-    keep_promises();
-    if (parts_.journal.queued_bytes() < limits::journal_queue_bytes_max) {
-        for (const auto& done : std::exchange(waiting_for_room_, {})) {
-            done();
-        }
+void Coordinator::job_dropped(JobId job) {
+    for (const auto& path : parts_.journal.files_of(job)) {
+        parts_.blocking.post([path] { remove_file(path); });
     }
-    feed();
-}
-
-void Coordinator::go_on(std::function<void()> done) {
-    if (parts_.journal.queued_bytes() < limits::journal_queue_bytes_max) {
-        done();
-    } else {
-        waiting_for_room_.push_back(std::move(done));
-    }
-}
-
-void Coordinator::keep_promises() {
-    std::map<WorkerId, ResultsKept> kept;
-    for (const Promise& promise : ledger_.take_kept()) {
-        if (const auto* delivery = std::get_if<Delivery>(&promise)) {
-            kept[delivery->worker].sequences.push_back(delivery->sequence);
-        } else if (const auto* accepted = std::get_if<JobAccepted>(&promise)) {
-            waiting_for_acceptance_.at(accepted->job)->cancel();
-            waiting_for_acceptance_.erase(accepted->job);
-        } else if (const auto* ended = std::get_if<JobEnded>(&promise)) {
-            job_ended(ended->job);
-        } else if (const auto* dispute = std::get_if<Dispute>(&promise)) {
-            run_disputed(*dispute);
-        } else {
-            const JobId dropped = std::get<JobDropped>(promise).job;
-            for (const auto& path : parts_.journal.files_of(dropped)) {
-                parts_.blocking.post([path] { remove_file(path); });
-            }
-            wake_waiting(dropped);
-        }
-    }
-    for (const auto& [worker, message] : kept) {
-        if (const auto link = workers_.find(worker); link != workers_.end()) {
-            link->second.channel->send(message);
-        }
-    }
+    wake_waiting(job);
 }
 
 void Coordinator::job_ended(JobId id) {
-    ledger_.close_job(id);
     MasterJob* job = jobs_.find(id);
     CD_CHECK(job != nullptr);
     job->results->close();
@@ -121,7 +79,7 @@ void Coordinator::wake_waiting(JobId job) {
 }
 
 void Coordinator::drop_from_journal(JobId job) {
-    ledger_.promise(JobDropped{job}, write(DropJob{job}));
+    writer_.write(DropJob{job});
 }
 
 JobStatus Coordinator::status_of(const MasterJob& job) const {

@@ -29,9 +29,9 @@ void Coordinator::late_results_came(LateResults late) {
     const MasterJob* job = jobs_.find_running(late.message->job);
     if (job == nullptr) {
         // Nobody needs the results: the job has ended or was never acknowledged to a client.
-        ledger_.promise(Delivery{late.author->worker, late.message->sequence}, written_);
-        keep_promises();
-        go_on(late.done);
+        writer_.promise(Delivery{late.author->worker, late.message->sequence});
+        writer_.announce();
+        writer_.when_room(late.done);
     } else if (job->material != nullptr) {
         check_late_results(*job, std::move(late));
     } else {
@@ -111,9 +111,9 @@ void Coordinator::late_results_checked(std::shared_ptr<ResultsInHand> hand) {
     const bool others_wait = has_late_results(id);
     put_away(std::move(late));
     if (!others_wait) {
-        wait_for_disk(*job, hand->taken.error(), [this, id] {
-            if (!has_late_results(id)) { // The worker has left.
-                return disk_gives(*jobs_.find(id));
+        wait_for_disk(*job, hand->taken.error(), [this, id](MasterJob* running) {
+            if (running != nullptr && !has_late_results(id)) { // The worker has left.
+                return disk_gives(*running);
             }
             look_at_late_results(id);
         });

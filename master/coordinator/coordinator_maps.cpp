@@ -24,42 +24,49 @@ void Coordinator::take_in(std::shared_ptr<ResultsInHand> hand) {
         if (fresh.empty()) {
             taken.map = {};
         } else if (fresh.size() != taken.results.size() && fresh != hand->mapped) {
-            return spawn(parts_.executor,
-                         "a map of some scenarios",
-                         make_map(job->id, std::move(hand), std::move(fresh)));
+            hand->mapped = std::move(fresh);
+            return make_map(*job, std::move(hand));
         }
     }
     results_taken(*hand, std::move(hand->taken));
-    go_on(hand->done);
+    writer_.when_room(hand->done);
 }
 
-asio::awaitable<void> Coordinator::make_map(JobId id,
-                                            std::shared_ptr<ResultsInHand> hand,
-                                            std::vector<std::uint64_t> scenarios) {
-    for (MasterJob* job = jobs_.find_running(id); job != nullptr;) {
-        auto make = [material = job->material, poses = job->poses, &scenarios] {
-            return reference_map(*material, *poses, scenarios);
-        };
-        Result<ContactMap> map = co_await run_on(parts_.blocking, make);
+void Coordinator::make_map(const MasterJob& job, std::shared_ptr<ResultsInHand> hand) {
+    parts_.blocking.post([this,
+                          executor = parts_.executor,
+                          material = job.material,
+                          poses = job.poses,
+                          hand = std::move(hand)] {
+        auto map =
+            std::make_shared<Result<ContactMap>>(reference_map(*material, *poses, hand->mapped));
+        asio::post(executor, [this, hand, map] { map_made(hand, std::move(*map)); });
+    });
+}
+
+void Coordinator::map_made(const std::shared_ptr<ResultsInHand>& hand, Result<ContactMap> map) {
+    MasterJob* job = jobs_.find_running(hand->job());
+    if (closed_) {
+        return;
+    }
+    if (map || job == nullptr) {
         if (map) {
             hand->taken.value().map = std::move(map.value());
-            hand->mapped = std::move(scenarios);
-            job = jobs_.find_running(id);
-            if (job != nullptr) {
-                disk_gives(*job);
-            }
-            break;
         }
-        job = jobs_.find_running(id);
         if (job != nullptr) {
-            set_aside(*hand->message, hand->done);
-            job = co_await wait_until_mended(id, map.error());
-            take_up(*hand->message);
+            disk_gives(*job);
         }
+        return take_in(hand);
     }
-    if (!closed_) {
-        take_in(std::move(hand));
-    }
+    set_aside(*hand->message, hand->done);
+    wait_for_disk(*job, map.error(), [this, hand](const MasterJob* running) {
+        take_up(*hand->message);
+        if (running == nullptr) {
+            take_in(hand);
+        } else {
+            make_map(*running, hand);
+        }
+    });
 }
 
 void Coordinator::withdraw_map(MasterJob& job, const std::string& why) {

@@ -21,68 +21,27 @@ void Coordinator::job_paused(MasterJob& job, const std::string& why) {
     ++job.changes;
 }
 
-void Coordinator::wait_for_disk(MasterJob& job, const Error& why, std::function<void()> again) {
-    // Pauses the job at once, not when the coroutine starts.
-    spawn(
-        parts_.executor, "a job that waits", try_again(begin_to_wait(job, why), std::move(again)));
-}
-
-asio::awaitable<void> Coordinator::try_again(std::optional<DiskWait> wait,
-                                             std::function<void()> again) {
-    if (wait) {
-        MasterJob* job = co_await end_of_wait(std::move(*wait));
-        if (job != nullptr) {
-            again();
-            feed();
-        }
-    }
-}
-
-asio::awaitable<MasterJob*> Coordinator::wait_until_mended(JobId id, Error why) {
-    std::optional<DiskWait> wait = begin_to_wait(*jobs_.find_running(id), why);
-    if (!wait) {
-        co_return nullptr;
-    }
-    const MasterJob* job = co_await end_of_wait(std::move(*wait));
-    if (job == nullptr) {
-        co_return nullptr;
-    }
-    feed(); // Other jobs proceed, since the caller's next step may take long.
-    co_return jobs_.find_running(id);
-}
-
-std::optional<Coordinator::DiskWait> Coordinator::begin_to_wait(MasterJob& job, const Error& why) {
+void Coordinator::wait_for_disk(MasterJob& job,
+                                const Error& why,
+                                std::function<void(MasterJob*)> again) {
     if (why.code != ErrorCode::Io) {
         end_job(job, JobState::Failed, why.detail);
-        return std::nullopt;
+        return again(nullptr);
     }
     job_paused(job, why.detail);
-    if (closed_) {
-        return std::nullopt;
+    if (!closed_) {
+        retries_.start(job.id, [this, id = job.id, again = std::move(again)] {
+            if (!closed_) {
+                again(jobs_.find_running(id));
+                feed();
+            }
+        });
     }
-    auto timer =
-        std::make_shared<asio::steady_timer>(parts_.executor, limits::journal_retry_period);
-    return retries_.emplace(job.id, std::move(timer));
-}
-
-asio::awaitable<MasterJob*> Coordinator::end_of_wait(DiskWait wait) {
-    const JobId id = wait->first;
-    boost::system::error_code ignored;
-    co_await wait->second->async_wait(asio::redirect_error(asio::use_awaitable, ignored));
-    retries_.erase(wait);
-    co_return closed_ ? nullptr : jobs_.find_running(id);
 }
 
 void Coordinator::disk_gives(MasterJob& job) {
-    if (!retries_.contains(job.id)) {
+    if (!retries_.any(job.id)) {
         job_paused(job, "");
-    }
-}
-
-void Coordinator::stop_waiting(JobId job) {
-    const auto [begin, end] = retries_.equal_range(job);
-    for (auto retry = begin; retry != end; ++retry) {
-        retry->second->cancel();
     }
 }
 
@@ -90,8 +49,8 @@ void Coordinator::add_what_it_waits_for(JobStatus& status) const {
     if (status.state != JobState::Running) {
         return;
     }
-    if (!paused_.empty()) {
-        status.paused = paused_;
+    if (!writer_.paused().empty()) {
+        status.paused = writer_.paused();
     }
     for (const auto& [id, link] : workers_) {
         const auto& longest = link.longest;

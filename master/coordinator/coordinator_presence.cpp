@@ -386,9 +386,7 @@ void Coordinator::close() {
     if (awaited_until_ != nullptr) {
         awaited_until_->cancel();
     }
-    for (const auto& [job, retry] : retries_) {
-        retry->cancel();
-    }
+    retries_.close();
     references_.close();
 }
 
@@ -470,7 +468,7 @@ void Coordinator::worker_left(WorkerId worker, const std::string& why) {
         watch_.left(worker);
     }
     blocks_.worker_left(worker);
-    ledger_.forget(worker);
+    writer_.forget(worker);
     forget_late_results(worker);
     forget_tasks(worker);
     act(dispatcher().worker_lost(worker));

@@ -29,8 +29,8 @@ void Coordinator::results_came(WorkerId worker, Results results, std::function<v
     const auto link = workers_.find(worker);
     if (link == workers_.end() || link->second.quarantined) {
         // Acknowledge: the worker may forget the ignored results.
-        ledger_.promise(Delivery{worker, results.sequence}, written_);
-        keep_promises();
+        writer_.promise(Delivery{worker, results.sequence});
+        writer_.announce();
         return done();
     }
     const auto& author = link->second.author;
@@ -73,7 +73,7 @@ void Coordinator::results_taken(const ResultsInHand& hand, Result<TakenResults> 
     MasterJob* const job =
         alarms_.is_quarantined(hand.author->process) ? nullptr : jobs_.find_running(id);
     if (job == nullptr) {
-        ledger_.promise(delivery, written_); // Nobody needs the results.
+        writer_.promise(delivery); // Nobody needs the results.
     } else {
         job->statistics.search += results.statistics;
         job->compute_seconds += results.compute_seconds;
@@ -114,14 +114,14 @@ void Coordinator::results_taken(const ResultsInHand& hand, Result<TakenResults> 
             }
         }
         if (job->disputes == disputes_before) {
-            ledger_.promise(delivery, id, scenarios);
+            writer_.promise(delivery, id, scenarios);
         } else {
             // The dispute must be durable before the worker forgets the results.
-            ledger_.promise(delivery, written_);
+            writer_.promise(delivery);
         }
         end_if_complete(*job);
     }
-    keep_promises();
+    writer_.announce();
     // The task is gone if its worker is.
     if (const auto running = tasks_.find(results.task);
         hand.task != nullptr && running != tasks_.end()) {
@@ -136,6 +136,7 @@ void Coordinator::merge(MasterJob& job,
                         TakenResults taken,
                         const std::shared_ptr<const Author>& author) {
     AddResults add{job.id, job.results, {}, {}, {}};
+    std::vector<Dispute> disputes;
     add.author = author == nullptr ? 0 : author->process;
     add.results.reserve(taken.results.size());
     for (TakenResult& one : taken.results) {
@@ -143,7 +144,9 @@ void Coordinator::merge(MasterJob& job,
         if (const Status fits = check_record_size(one.result.index, one.record.size()); !fits) {
             return end_job(job, JobState::Failed, fits.error().detail);
         }
-        merge_one(job, std::move(one), author, add);
+        if (auto dispute = merge_one(job, std::move(one), author, add)) {
+            disputes.push_back(std::move(*dispute));
+        }
     }
     if (!add.results.empty() || !add.remarks.empty()) {
         ++job.changes;
@@ -152,38 +155,41 @@ void Coordinator::merge(MasterJob& job,
             job.map.add(taken.map);
             add.map = pack_map(taken.map);
         }
-        write(std::move(add));
+        writer_.write(std::move(add));
+    }
+    for (const Dispute& dispute : disputes) {
+        writer_.promise(dispute);
     }
 }
 
-void Coordinator::merge_one(MasterJob& job,
-                            TakenResult taken,
-                            const std::shared_ptr<const Author>& author,
-                            AddResults& add) {
+std::optional<Dispute> Coordinator::merge_one(MasterJob& job,
+                                              TakenResult taken,
+                                              const std::shared_ptr<const Author>& author,
+                                              AddResults& add) {
     const std::uint64_t index = taken.result.index;
     const ScenarioFacts facts = facts_of(taken.result);
     switch (job.merged.add(index, facts, taken.digest, author)) {
     case MergedResults::Outcome::Repeated:
         if (!mutated(Mutation::SecondAnswerMerged)) {
-            return;
+            return std::nullopt;
         }
         break;
     case MergedResults::Outcome::Differs:
         // A failure that the master itself has recorded stays: the scenario may take it down, or
         // was cancelled.
         if (author != nullptr && !job.merged.is_failed_by_master(index)) {
-            open_dispute(job, {job.id, index, author, taken.digest}, add);
+            return open_dispute(job, {job.id, index, author, taken.digest}, add);
         }
-        return;
+        return std::nullopt;
     case MergedResults::Outcome::Foreign:
         log_error("result for an unknown scenario: job={} scenario={}", job.id.value, index);
-        return;
+        return std::nullopt;
     case MergedResults::Outcome::Added:
         close_analysis(job, index);
     }
-    ledger_.write(job.id, index, written_ + 1);
     const ResultRow row{index, taken.record.size(), facts, taken.digest};
     add.results.push_back({row, std::move(taken.record)});
+    return std::nullopt;
 }
 
 void Coordinator::close_analysis(MasterJob& job, std::uint64_t scenario) {

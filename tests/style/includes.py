@@ -34,6 +34,7 @@ ORDERED = {
         "dispatch": ["messages"],
         "jobs": ["messages"],
         "results": ["messages"],
+        "verify": ["channel", "messages"],
         "coordinator": ["channel", "messages"],
         "net": ["access", "channel", "codec", "messages"],
         "": ["channel"],

@@ -241,6 +241,30 @@ TEST(ServerRestart, ReturnedResultsSkipAnalysis) {
               separate->cost.search.box_tests);
 }
 
+/// The master died after it had recorded a quarantine and before the withdrawal from another job.
+TEST(ServerRestart, WhatWasLeftToWithdrawIsWithdrawn) {
+    const TemporaryFolder state;
+    JobId job;
+    {
+        Master master(no_return, state.path());
+        job = submit_to(master, AnalysisMode::Never);
+        const FakeWorker liar(master,
+                              {.lies_alone = 3, .instance = liars_process, .batches_max = 3});
+        master.run_until([&] { return liar.kept == 3; });
+    }
+    {
+        Writer writer(state.path());
+        const RecoveredJob& known = writer.recovered.jobs.at(0);
+        AddResults add{job, known.results, {}, known.progress, {}};
+        add.alarms.emplace().quarantine(liars_process);
+        writer.wait_for(writer.journal->add(std::move(add)));
+    }
+    Master master(no_return, state.path());
+    EXPECT_GT(master.coordinator.job_status(job).value().withdrawn, 0u);
+    const FakeWorker good(master, {.instance = good_process});
+    expect_right_end(master, job);
+}
+
 TEST(ServerRestart, AnOldWrongResultWithdrawsItsAuthorsResults) {
     const TemporaryFolder state;
     JobId ended;
@@ -286,15 +310,15 @@ TEST(ServerRestart, AnOldWrongResultWithdrawsItsAuthorsResults) {
     expect_in_quarantine(master, liars_process);
 }
 
-/// The master dies after it has recorded two differing results and before its verdict.
+/// The master ends after it has recorded two differing results and before its verdict.
 TEST(ServerRestart, ADisputeThatWasOpenIsSettled) {
     for (const FakeWorker::Habits& habits :
          {FakeWorker::Habits{.lies_first = true, .instance = liars_process, .batches_max = 1},
           FakeWorker::Habits{.lies_second = true, .instance = liars_process, .batches_max = 1}}) {
-        const TemporaryFolder at_death;
+        const TemporaryFolder state;
         JobId job;
         {
-            Master master;
+            Master master({}, state.path());
             job = submit_to(master, AnalysisMode::Never);
             master.run_until([&] { return master.coordinator.analysis_input(job).has_value(); });
             std::latch released(1);
@@ -305,14 +329,11 @@ TEST(ServerRestart, ADisputeThatWasOpenIsSettled) {
                 const FakeWorker liar(master, habits);
                 master.run_until([&] { return liar.kept == 2; });
             }
-            wait_until_gone(master);
             EXPECT_EQ(master.coordinator.cluster_status().alarm_count, 0u);
-            // All results are acknowledged, so no write is in progress.
-            std::filesystem::copy(
-                master.directory, at_death.path(), std::filesystem::copy_options::recursive);
+            master.end();
             released.count_down();
         }
-        Master master(no_return, at_death.path());
+        Master master(no_return, state.path());
         EXPECT_EQ(master.coordinator.cluster_status().alarm_count, 0u);
         master.run_until([&] { return master.coordinator.cluster_status().alarm_count != 0; });
         FakeWorker good(master, {.instance = good_process});
