@@ -127,6 +127,7 @@ Result<OpenedPoses> open_named(const PoseFileSpec& spec, const std::string& name
     if (table.value().rows->row_count() == 0) {
         return named(bad("has no poses"));
     }
+    table.value().length_factor = spec.length_factor;
     const auto report = check_rows(table.value(), spec.rigid_tolerance);
     if (!report) {
         return named(report.error());
@@ -143,7 +144,6 @@ Result<OpenedPoses> open_named(const PoseFileSpec& spec, const std::string& name
     }
     opened.zeros = table.value().zeros;
     opened.labels = std::move(table.value().labels);
-    table.value().length_factor = spec.length_factor;
     table.value().name = name;
     opened.source = make_table_source(std::move(table.value()));
     return opened;

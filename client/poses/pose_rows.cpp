@@ -44,13 +44,20 @@ bool is_quaternion(PoseLayout layout) {
 }
 
 /// The distance of a pose from a rigid one. Errors: for errors that no tolerance allows.
-Result<double> distance_from_rigid(std::span<const double> v, PoseLayout layout) {
+Result<double>
+distance_from_rigid(std::span<const double> v, PoseLayout layout, double length_factor) {
     const auto bad = [](std::string detail) {
         return Error{ErrorCode::BadInput, std::move(detail)};
     };
     for (const double value : v) {
         if (!std::isfinite(value)) {
             return bad(fmt::format("the number {} is not finite", value));
+        }
+    }
+    for (std::size_t i = 0; i < 3; ++i) {
+        const double length = v[is_quaternion(layout) ? i : 4 * i + 3];
+        if (!std::isfinite(length_factor * length)) {
+            return bad(fmt::format("the translation {} is too large in the job's unit", length));
         }
     }
     if (is_quaternion(layout)) {
@@ -96,7 +103,8 @@ class TableSource final : public PoseSource {
         std::span<const double> rest = numbers.value();
         // The file may have changed since it was checked.
         for (std::size_t i = 0; i < rest.size(); i += size) {
-            const auto off = distance_from_rigid(rest.subspan(i, size), table_.layout);
+            const auto off =
+                distance_from_rigid(rest.subspan(i, size), table_.layout, table_.length_factor);
             if (!off) {
                 const std::uint64_t pose = first * (table_.of_both_bodies ? 2 : 1) + i / size;
                 return Error{ErrorCode::BadInput,
@@ -169,7 +177,8 @@ Result<RigidityReport> check_rows(const PoseTable& table, std::optional<double> 
         for (std::uint64_t i = 0; i < count * poses; ++i) {
             const std::uint64_t pose = first * poses + i;
             const auto off = distance_from_rigid(std::span(numbers.value()).subspan(i * size, size),
-                                                 table.layout);
+                                                 table.layout,
+                                                 table.length_factor);
             if (off && table.from_angles) {
                 continue;
             }

@@ -19,12 +19,33 @@ Error bad(std::uint64_t line, const std::string& detail) {
     return {ErrorCode::BadInput, "line " + std::to_string(line) + ": " + detail};
 }
 
-std::string_view trimmed(std::string_view text) {
-    constexpr std::string_view blanks = " \t\r\"";
+Error cut_short(std::uint64_t lines) {
+    return {ErrorCode::Io, "cannot be read beyond line " + std::to_string(lines)};
+}
+
+std::string_view without_blanks(std::string_view text) {
+    constexpr std::string_view blanks = " \t\r";
     const std::size_t first = text.find_first_not_of(blanks);
     return first == std::string_view::npos
                ? std::string_view{}
                : text.substr(first, text.find_last_not_of(blanks) - first + 1);
+}
+
+/// Removes blanks and one pair of quotes around a text.
+std::string_view trimmed(std::string_view text) {
+    text = without_blanks(text);
+    const bool is_quoted = text.size() >= 2 && text.front() == '"' && text.back() == '"';
+    return is_quoted ? without_blanks(text.substr(1, text.size() - 2)) : text;
+}
+
+/// The text with each pair of quotes as one quote (RFC 4180).
+std::string with_single_quotes(std::string_view text) {
+    std::string single;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        single += text[i];
+        i += text.substr(i).starts_with("\"\"") ? 1 : 0;
+    }
+    return single;
 }
 
 /// The first separator outside quotes.
@@ -252,7 +273,7 @@ Result<std::vector<double>> read_numbers(const std::vector<std::string_view>& wo
         }
         const std::string_view word = words[column.index];
         const auto number = to_number(word);
-        if (!number || !std::isfinite(*number)) {
+        if (!number || !std::isfinite(column.factor * *number)) {
             return bad(line,
                        std::string(names_of(columns.set)[i]) + " is '" + std::string(word) +
                            "', not a number");
@@ -272,12 +293,13 @@ class LabelRows {
   public:
     /// Errors: BadInput for an id that is too long.
     Status add_id(std::string_view word, std::uint64_t line) {
-        if (word.size() > limits::label_bytes_max) {
+        const std::string id = with_single_quotes(word);
+        if (id.size() > limits::label_bytes_max) {
             return bad(line,
                        "the id is longer than " + std::to_string(limits::label_bytes_max) +
                            " bytes");
         }
-        add_pose_id(labels_, word);
+        add_pose_id(labels_, id);
         return Done{};
     }
     /// Errors: BadInput for anything but a finite number.
@@ -439,6 +461,9 @@ Result<PoseTable> read_csv_poses(std::istream& in, bool of_both_bodies) {
             }
         }
     }
+    if (in.bad()) {
+        return cut_short(number);
+    }
     if (!columns) {
         return Error{ErrorCode::BadInput, "there is no line that names the columns"};
     }
@@ -492,6 +517,9 @@ Result<PoseTable> read_tum_poses(std::istream& in) {
             values.push_back(*value);
         }
         lines.push_back(number);
+    }
+    if (in.bad()) {
+        return cut_short(number);
     }
     PoseTable table = make_table(std::move(values), PoseLayout::Xyzw, false);
     table.lines = std::move(lines);

@@ -13,11 +13,11 @@ namespace cd {
 /// are integers if all of them are, else texts. `time` and `name` are ignored. `of_both_bodies`
 /// requires `scenario` (from 0) and `body` (a, b, 0 or 1), each pair once; labels are then taken
 /// from the rows of a. Blank lines and lines that begin with '#' are ignored. Errors: BadInput
-/// naming the line.
+/// naming the line; Io if reading fails.
 [[nodiscard]] Result<PoseTable> read_csv_poses(std::istream& in, bool of_both_bodies);
 
 /// Reads TUM: `time x y z qx qy qz qw` on each line, separated by blanks; times become labels.
-/// Errors: BadInput naming the line.
+/// Errors: BadInput naming the line; Io if reading fails.
 [[nodiscard]] Result<PoseTable> read_tum_poses(std::istream& in);
 
 } // namespace cd

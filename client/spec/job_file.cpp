@@ -13,6 +13,7 @@
 #include <fstream>
 #include <limits>
 #include <sstream>
+#include <utility>
 
 namespace cd {
 
@@ -86,6 +87,14 @@ GridSpec read_grid(const toml::table& table, TomlProblem& problem, double length
         spec.grid.position[i] = {axis.first * length_factor, axis.last * length_factor, axis.count};
         const GridAxis degrees = read_axis(fields, angles[i]);
         spec.axes[i + 3] = degrees;
+        for (const auto& [key, tested] :
+             {std::pair(positions[i], spec.grid.position[i]), std::pair(angles[i], degrees)}) {
+            const double reach = (tested.last - tested.first) * static_cast<double>(tested.count);
+            if (!std::isfinite(reach)) {
+                fields.report(key, std::string(key) + " is too long for numbers of 64 bits");
+                return {};
+            }
+        }
         if (degrees.count > grid_angles_max) {
             fields.report(angles[i], "more than " + grouped(grid_angles_max) + " angles");
             return {};

@@ -32,6 +32,9 @@ Result<PosesSpec> poses_of(const PoseOptions& poses, const std::string& job_unit
             return usage("--seed and --penetration belong to --random");
         }
         PoseFileSpec file{poses.file, poses.quat_order, poses.of_both, poses.rigid_tolerance};
+        if (poses.rigid_tolerance && !(*poses.rigid_tolerance >= 0)) {
+            return usage("--rigid-tolerance is a number of at least 0");
+        }
         const std::string& unit = job_unit.empty() ? JobSpec().unit : job_unit;
         if (!poses.unit.empty()) {
             file.length_factor = unit_factor(poses.unit, unit).value_or(1);

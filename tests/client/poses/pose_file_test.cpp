@@ -4,6 +4,7 @@
 
 #include "client/formats/npz.hpp"
 #include "client/poses/label_file.hpp"
+#include "client/poses/text_poses.hpp"
 #include "tests/support/memory_bound.hpp"
 #include "tests/support/process.hpp"
 #include "tests/support/shapes.hpp"
@@ -13,7 +14,10 @@
 #include <zip.h>
 
 #include <limits>
+#include <sstream>
+#include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace cd::tests {
@@ -278,6 +282,55 @@ TEST_F(PoseFile, CsvAnglesOfAnySizeAreRigid) {
                 HasSubstr("line 2"));
     EXPECT_THAT(error_of_text("r.csv", "x,y,z,roll_grad,pitch_deg,yaw_deg\n0,0,0,0,0,0\n"),
                 HasSubstr("roll"));
+}
+
+TEST_F(PoseFile, NumbersThatBecomeInfiniteInAnotherUnitAreRefused) {
+    EXPECT_THAT(error_of_text("a.csv", "yaw_rad\n0\n1e308\n"),
+                HasSubstr("line 3: yaw is '1e308', not a number"));
+    std::vector<double> far = turned;
+    far[11] = 1e308;
+    write_npy("far.npy", {1, 4, 4}, far);
+    write_text(folder_ / "far.csv", "x,y,z,qx,qy,qz,qw\n0,-1e308,0,0,0,0,1\n");
+    for (const auto& [name, place] : {std::pair("far.npy", "row 0"), {"far.csv", "line 2"}}) {
+        PoseFileSpec in_km = spec(name);
+        EXPECT_EQ(read_all(in_km).size(), 1u);
+        in_km.length_factor = 1000;
+        EXPECT_THAT(error_of(in_km),
+                    testing::AllOf(HasSubstr(place), HasSubstr("too large in the job's unit")));
+    }
+}
+
+TEST_F(PoseFile, QuotesInAnIdAreThoseOfTheFile) {
+    write_text(folder_ / "ids.csv", "id,x\n\"a \"\"b\"\"\",0\n\"x, y\",1\n\" 7 \",\"2\"\n");
+    const auto opened = open_pose_file(spec("ids.csv"));
+    ASSERT_TRUE(opened) << opened.error().detail;
+    EXPECT_EQ(opened.value().labels.texts, (std::vector<std::string>{"a \"b\"", "x, y", "7"}));
+}
+
+/// Text whose reading fails at its end.
+class BrokenText : public std::stringbuf {
+  public:
+    using std::stringbuf::stringbuf;
+
+  protected:
+    int_type underflow() override {
+        const int_type next = std::stringbuf::underflow();
+        return traits_type::eq_int_type(next, traits_type::eof()) ? throw std::runtime_error("gone")
+                                                                  : next;
+    }
+};
+
+TEST_F(PoseFile, WhatCannotBeReadToItsEndIsRefused) {
+    BrokenText csv("x\n1\n2\n");
+    std::istream csv_in(&csv);
+    const auto of_csv = read_csv_poses(csv_in, false);
+    ASSERT_FALSE(of_csv);
+    EXPECT_EQ(of_csv.error().detail, "cannot be read beyond line 3");
+    BrokenText tum("0 0 0 0 0 0 0 1\n");
+    std::istream tum_in(&tum);
+    const auto of_tum = read_tum_poses(tum_in);
+    ASSERT_FALSE(of_tum);
+    EXPECT_EQ(of_tum.error().detail, "cannot be read beyond line 1");
 }
 
 TEST_F(PoseFile, CsvAnglesSayTheirUnit) {

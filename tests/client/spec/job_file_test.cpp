@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <limits>
 #include <sstream>
 
 namespace cd::tests {
@@ -181,6 +182,12 @@ TEST(JobFile, ValuesOutOfRangeAreRefused) {
                 HasSubstr("poses"));
     EXPECT_THAT(problem_with(random_poses + "[cluster]\ndepth = { a = 99 }\n"),
                 HasSubstr("a = 99"));
+    for (const char* axis : {"x = [-1.7e308, 1.7e308, 3]", "yaw_deg = [-1.7e308, 1.7e308, 3]"}) {
+        EXPECT_THAT(problem_with("[poses]\ngrid = { " + std::string(axis) + " }\n"),
+                    HasSubstr("job.toml:6: [poses] grid: "));
+    }
+    EXPECT_THAT(problem_with("[poses]\nunit = \"km\"\ngrid = { z = [0, 1e306, 2] }\n"),
+                HasSubstr("z is too long"));
 }
 
 TEST(JobFile, UnknownWordsNameThoseThatExist) {
@@ -277,6 +284,9 @@ TEST(JobOptions, OptionsThatDoNotFitAreRefused) {
     options.poses.seed = 3;
     EXPECT_THAT(make_job_spec(options).error().detail, HasSubstr("--random"));
     options.poses.seed.reset();
+    options.poses.rigid_tolerance = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_THAT(make_job_spec(options).error().detail, HasSubstr("--rigid-tolerance is a number"));
+    options.poses.rigid_tolerance.reset();
     options.output.formats = {"h5"};
     EXPECT_THAT(make_job_spec(options).error().detail, HasSubstr("csv-pairs and npz"));
     options.file = "job.toml";
