@@ -5,6 +5,7 @@
 #include "client/cli/cli_mistakes.hpp"
 #include "client/cli/cli_options.hpp"
 #include "common/core/build_info.hpp"
+#include "common/core/limits/engine.hpp"
 #include "common/core/limits/wire.hpp"
 #include "common/geometry/simd_target.hpp"
 
@@ -103,7 +104,7 @@ void add_local_verbs(CLI::App& app, Verbs& verbs) {
                               "  cdctl demo --a car.obj --b tram.obj",
                               verbs.demo);
     demo->add_option("--scenarios", verbs.demo.scenarios, "How many")
-        ->check(CLI::PositiveNumber)
+        ->check(CLI::Range(std::uint64_t{1}, limits::scenarios_max))
         ->type_name("N")
         ->capture_default_str();
     CLI::Option* a = demo->add_option("--a", verbs.demo.a, "Mesh of body A")->type_name("MESH");
@@ -373,7 +374,7 @@ void add_check_verbs(CLI::App& app, Verbs& verbs) {
         ->type_name("FOLDER|JOB");
     add_master_options(*verify, verbs.verify.master, true);
     verify->add_option("--sample", verbs.verify.sample, "Number of scenarios, chosen by the seed")
-        ->check(CLI::PositiveNumber)
+        ->check(CLI::Range(std::uint64_t{1}, limits::scenarios_max))
         ->type_name("N")
         ->capture_default_str();
     verify->add_option("--seed", verbs.verify.seed, "Selects the scenarios")

@@ -3,6 +3,7 @@
 #include "client/base/units.hpp"
 #include "client/trees/tree_cache.hpp"
 #include "common/core/limits/client.hpp"
+#include "common/core/limits/engine.hpp"
 #include "common/core/limits/master.hpp"
 
 #include <CLI/CLI.hpp>
@@ -78,7 +79,7 @@ void add_job_options(CLI::App& verb, JobOptions& job) {
         ->type_name("X")
         ->group(inputs);
     verb.add_option("--random", job.poses.random, "N scenarios from random directions, pushed in")
-        ->check(CLI::PositiveNumber)
+        ->check(CLI::Range(std::uint64_t{1}, limits::scenarios_max))
         ->type_name("N")
         ->group(inputs);
     verb.add_option("--seed", job.poses.seed, "Seed of --random (1)")

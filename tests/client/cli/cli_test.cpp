@@ -64,6 +64,7 @@ TEST(CommandLine, WrongUsageIsTwo) {
                                                       {"run", "--level", "most"},
                                                       {"run", "job.toml", "--fail-on", "love"},
                                                       {"run", "--random", "-3"},
+                                                      {"run", "--random", "18446744073709551615"},
                                                       {"run", "j.toml", "--tolerance", "-1"},
                                                       {"run", "j.toml", "--first-stage", "half"},
                                                       {"demo", "--a", "a.obj"},
