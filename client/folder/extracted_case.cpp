@@ -442,7 +442,11 @@ Status write_files(const PreparedJob& job,
         return made;
     }
     std::error_code error;
-    fs::remove(dir / ids_name, error); // An earlier case may have left it.
+    // Parts of an earlier case must not mix with this one's if writing fails. expected.json marks
+    // job.toml as that of a case, so job.toml is removed before it and written after it.
+    for (const char* name : {"job.toml", "expected.json", ids_name}) {
+        fs::remove(dir / name, error);
+    }
     for (std::size_t i = 0; i < bodies.size(); ++i) {
         const fs::path path = dir / (std::string(body_names[i]) + ".npz");
         if (Status written = write_mesh(path, *bodies[i].mesh, stop); !written) {
@@ -451,8 +455,8 @@ Status write_files(const PreparedJob& job,
     }
     for (const auto& [name, text] :
          {std::pair("poses.csv", poses_text(given.scenarios, columns.value())),
-          std::pair("job.toml", case_job_text(job, given, columns.value(), rules)),
-          std::pair("expected.json", expected_text(expected))}) {
+          std::pair("expected.json", expected_text(expected)),
+          std::pair("job.toml", case_job_text(job, given, columns.value(), rules))}) {
         if (Status written = write_text(dir / name, text); !written) {
             return written;
         }

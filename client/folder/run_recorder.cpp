@@ -99,7 +99,7 @@ write_maps(const std::filesystem::path& path, const ContactMap& map, std::uint64
 }
 
 Result<ContactMap> read_maps(const std::filesystem::path& path) {
-    const auto file = BlockFile::open_unfinished(path, maps_kind);
+    const auto file = BlockFile::open(path, maps_kind);
     if (!file) {
         return file.error();
     }

@@ -247,6 +247,7 @@ TEST_F(FolderRunTest, ASignalEndsExportsAndCases) {
     CaseScenarios scenarios;
     scenarios.scenarios = job.poses->read(0, 1).value();
     scenarios.results = {run.value().records().find(0).value()->result};
+    ASSERT_TRUE(write_case(job, scenarios, {false, {}}, folder_ / "case", pool_));
 
     const InterruptGuard guard;
     ASSERT_EQ(std::raise(SIGINT), 0);
@@ -262,6 +263,16 @@ TEST_F(FolderRunTest, ASignalEndsExportsAndCases) {
         EXPECT_EQ(written.error().code, ErrorCode::Interrupted);
         EXPECT_FALSE(fs::exists(folder_ / "case" / "job.toml"));
     }
+}
+
+TEST_F(FolderRunTest, AKeptMapThatIsCutShortIsRefused) {
+    const fs::path path = folder_ / "maps";
+    ASSERT_TRUE(write_maps(path, ContactMap(), 5));
+    EXPECT_TRUE(read_maps(path));
+    fs::resize_file(path, fs::file_size(path) - 1);
+    const auto cut = read_maps(path);
+    ASSERT_FALSE(cut);
+    EXPECT_THAT(cut.error().detail, HasSubstr(path.string() + " is damaged"));
 }
 
 TEST_F(FolderRunTest, ResultsAreOnTheDiskWhenThePeriodIsOverOrABlockIsFull) {
