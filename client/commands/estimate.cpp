@@ -5,6 +5,7 @@
 #include "client/folder/folder_run.hpp"
 #include "client/folder/run_recorder.hpp"
 #include "client/local/done_scenario.hpp"
+#include "common/core/files/disk_file.hpp"
 #include "common/core/limits/client.hpp"
 #include "common/job/run_scenario.hpp"
 #include "common/job/scenario_file.hpp"
@@ -14,7 +15,6 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
-#include <cstdlib>
 #include <numeric>
 #include <optional>
 #include <random>
@@ -118,27 +118,21 @@ struct FolderBytes {
 /// A temporary folder; the destructor removes it.
 class TemporaryFiles {
   public:
-    TemporaryFiles() {
-        std::string name = (fs::temp_directory_path() / "cdctl-estimate-XXXXXX").string();
-        if (::mkdtemp(name.data()) != nullptr) {
-            own_ = name;
-            folder_ = own_ / "files";
-        }
-    }
+    TemporaryFiles() = default;
     TemporaryFiles(const TemporaryFiles&) = delete;
     TemporaryFiles& operator=(const TemporaryFiles&) = delete;
     ~TemporaryFiles() {
         std::error_code ignored;
-        fs::remove_all(own_, ignored);
+        if (own_) {
+            fs::remove_all(own_.value(), ignored);
+        }
     }
 
     /// Writes the files of a run with these results: the job's formats and the kept poses.
     Result<FolderBytes>
     write(const PreparedJob& job, bool keeps_inputs, const std::vector<Sample>& samples) {
-        if (own_.empty()) {
-            return Error{ErrorCode::Io,
-                         "cannot make a folder in " + fs::temp_directory_path().string() +
-                             "; TMPDIR names another place"};
+        if (!own_) {
+            return own_.error();
         }
         std::error_code ignored;
         fs::remove_all(folder_, ignored);
@@ -199,8 +193,8 @@ class TemporaryFiles {
         return added ? writer.value().finish() : added;
     }
 
-    fs::path own_;
-    fs::path folder_;
+    Result<fs::path> own_ = make_temporary_folder("cdctl-estimate");
+    fs::path folder_ = own_ ? own_.value() / "files" : fs::path();
 };
 
 /// The number of triangles of both bodies in contact in each `step`-th sample.

@@ -3,9 +3,9 @@
 #include "client/base/interrupt.hpp"
 #include "client/commands/fetched_job.hpp"
 #include "client/commands/run_command.hpp"
+#include "common/core/files/disk_file.hpp"
 
 #include <cstdint>
-#include <cstdlib>
 #include <filesystem>
 #include <system_error>
 #include <utility>
@@ -49,14 +49,14 @@ Result<RunAtHand> RunAtHand::open(const std::string& argument,
         return opened(argument);
     }
     InterruptGuard::begin_to_flag();
-    std::string name = (std::filesystem::temp_directory_path() / "cdctl-XXXXXX").string();
-    if (mkdtemp(name.data()) == nullptr) {
-        return Error{ErrorCode::Io, "cannot create " + name};
+    const auto folder = make_temporary_folder("cdctl");
+    if (!folder) {
+        return folder.error();
     }
-    const Status fetched = fetch_into(name, argument, master, tree_cache);
-    auto run = fetched ? opened(name) : Result<RunAtHand>(fetched.error());
+    const Status fetched = fetch_into(folder.value(), argument, master, tree_cache);
+    auto run = fetched ? opened(folder.value()) : Result<RunAtHand>(fetched.error());
     std::error_code ignored;
-    std::filesystem::remove_all(name, ignored);
+    std::filesystem::remove_all(folder.value(), ignored);
     InterruptGuard::begin_to_end();
     return run;
 }

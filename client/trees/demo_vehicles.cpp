@@ -61,7 +61,8 @@ std::optional<fs::path> own_cache_dir() {
 }
 
 fs::path cache_dir() {
-    return own_cache_dir().value_or(fs::temp_directory_path() / "cdcluster");
+    const auto own = own_cache_dir();
+    return own ? *own : fs::temp_directory_path() / "cdcluster";
 }
 
 Result<std::array<fs::path, 2>> find_vehicles(const fs::path& cache, const fs::path& root) {

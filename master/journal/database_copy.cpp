@@ -1,6 +1,7 @@
 #include "master/journal/database_copy.hpp"
 
-#include <cstdlib>
+#include "common/core/files/disk_file.hpp"
+
 #include <string>
 #include <system_error>
 
@@ -9,18 +10,19 @@ namespace cd {
 namespace fs = std::filesystem;
 
 Result<DatabaseCopy> DatabaseCopy::make(const fs::path& database) {
-    std::error_code error;
-    std::string name = (fs::temp_directory_path(error) / "cdmaster-XXXXXX").string();
-    if (error || ::mkdtemp(name.data()) == nullptr) {
-        return Error{ErrorCode::Io, "cannot make a temporary folder to read " + database.string()};
+    const auto folder = make_temporary_folder("cdmaster");
+    if (!folder) {
+        return Error{folder.error().code,
+                     database.string() + ": cannot be copied to be read: " + folder.error().detail};
     }
-    DatabaseCopy copy(name);
+    DatabaseCopy copy(folder.value());
+    std::error_code error;
     for (const char* part : {"", "-wal"}) {
         fs::copy_file(database.string() + part, copy.path().string() + part, error);
         if (error) {
             return Error{ErrorCode::Io,
-                         "cannot copy " + database.string() + part + " to " + name + ": " +
-                             error.message()};
+                         "cannot copy " + database.string() + part + " to " +
+                             folder.value().string() + ": " + error.message()};
         }
     }
     return copy;

@@ -11,6 +11,7 @@
 
 #include <cerrno>
 #include <cstdlib>
+#include <cstring>
 #include <system_error>
 
 namespace cd {
@@ -251,6 +252,18 @@ Status make_directories(const std::filesystem::path& directory) {
         return Error{ErrorCode::Io, "cannot create " + directory.string() + ": " + error.message()};
     }
     return Done{};
+}
+
+Result<std::filesystem::path> make_temporary_folder(const std::string& name) {
+    const char* const given = std::getenv("TMPDIR");
+    const std::filesystem::path place = given != nullptr && *given != '\0' ? given : "/tmp";
+    std::string folder = (place / (name + "-XXXXXX")).string();
+    if (::mkdtemp(folder.data()) == nullptr) {
+        return Error{ErrorCode::Io,
+                     "cannot create a folder in " + place.string() + ": " + std::strerror(errno) +
+                         "; TMPDIR names another place"};
+    }
+    return std::filesystem::path(folder);
 }
 
 Status sync_directory(const std::filesystem::path& directory) {

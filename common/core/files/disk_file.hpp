@@ -92,6 +92,9 @@ inline constexpr std::string_view temporary_marker = ".tmp-";
 
 /// Creates a directory and its missing parents; an existing one is no error. Errors: Io.
 [[nodiscard]] Status make_directories(const std::filesystem::path& directory);
+/// Creates an empty folder of a new name in TMPDIR, or in /tmp without it; `name` begins its name.
+/// Errors: Io naming that place and TMPDIR.
+[[nodiscard]] Result<std::filesystem::path> make_temporary_folder(const std::string& name);
 /// Flushes a folder's directory entries to the disk.
 [[nodiscard]] Status sync_directory(const std::filesystem::path& directory);
 
