@@ -4,6 +4,7 @@
 #include "client/base/exit_code.hpp"
 #include "client/commands/commands.hpp"
 #include "client/formats/npz.hpp"
+#include "client/import/mesh_import.hpp"
 #include "tests/support/process.hpp"
 
 #include <gmock/gmock.h>
@@ -15,6 +16,8 @@
 #include <limits>
 #include <span>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 namespace cd::tests {
@@ -22,6 +25,7 @@ namespace cd::tests {
 namespace {
 
 using testing::HasSubstr;
+using testing::StartsWith;
 
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 constexpr double infinite = std::numeric_limits<double>::infinity();
@@ -215,6 +219,42 @@ TEST(HostileMeshes, CoordinatesThatAreNotFiniteAreRefusedByFace) {
     // 2^400 exceeds floats, in which other formats are read.
     write_text(folder / "bad.ac", text_mesh("ac", "2.5822498780869086e120"));
     expect_refused(folder, "bad.ac", "poses.csv", "bad.ac: face 0");
+}
+
+TEST(HostileMeshes, PartsThatDoNotFitTheirMeshAreRefused) {
+    using Row = std::array<std::uint32_t, 3>;
+    const TemporaryFolder folder;
+    const std::filesystem::path path = folder / "parts.npz";
+    const auto import = [&](const std::vector<Row>& rows, std::size_t columns = 3) {
+        NpzWriter writer(path);
+        const auto v = writer.add_array("vertices", NpyType::F8, 3);
+        const auto f = writer.add_array("faces", NpyType::U4, 3);
+        const auto p = writer.add_array("parts", NpyType::U4, columns);
+        const auto n = writer.add_array("part_names", NpyType::U1);
+        EXPECT_TRUE(writer.append(v, std::span<const double>(std::array<double, 3>{})));
+        EXPECT_TRUE(
+            writer.append(f, std::span<const std::uint32_t>(std::array<std::uint32_t, 6>{})));
+        for (const Row& row : rows) {
+            EXPECT_TRUE(writer.append(p, std::span<const std::uint32_t>(row)));
+        }
+        EXPECT_TRUE(writer.append(n, std::span<const char>(std::string_view("a/bc"))));
+        EXPECT_TRUE(writer.finish());
+        return import_mesh(path, {});
+    };
+    const auto good = import({{0, 1, 3}, {1, 2, 1}});
+    ASSERT_TRUE(good) << good.error().detail;
+    EXPECT_EQ(good.value().mesh->parts(), (std::vector<Part>{{"a/b", 0, 1}, {"c", 1, 2}}));
+    for (const auto& [rows, what] :
+         {std::pair(std::vector<Row>{{0, 1, 3}, {1, 2, 2}}, "within the name of part 1"),
+          std::pair(std::vector<Row>{{0, 3, 1}}, "part 'a' is out of order or out of range"),
+          std::pair(std::vector<Row>{{1, 2, 1}, {0, 1, 1}}, "part '/' is out of order"),
+          std::pair(std::vector<Row>{{0, 1, UINT32_MAX}}, "within the name of part 0")}) {
+        const auto refused = import(rows);
+        ASSERT_FALSE(refused);
+        EXPECT_THAT(refused.error().detail, StartsWith(path.string() + ": "));
+        EXPECT_THAT(refused.error().detail, HasSubstr(what));
+    }
+    EXPECT_FALSE(import({{0, 1, 3}}, 1));
 }
 
 TEST(HostileMeshes, PosesThatAreNotFiniteAreRefusedByPlace) {
