@@ -1,6 +1,7 @@
 // Runs the real cdctl into results folders of the test.
 #pragma once
 
+#include "common/job/result/record_file.hpp"
 #include "tests/cluster/cdctl_runs.hpp"
 #include "tests/support/comes_true.hpp"
 #include "tests/support/shapes.hpp"
@@ -45,13 +46,13 @@ class FolderTest : public testing::Test {
         return nlohmann::json::parse(read_text(path));
     }
 
-    /// Starts the job into `out` and sends the signal once the first results are on disk.
+    /// Starts the job into `out` and sends the signal once a whole block of results is on disk.
     std::string stop_early(int signal, const std::string& out) {
         Process process(command("run", "", {"--out", folder_ / out}), folder_ / "stopped");
         const std::filesystem::path records = folder_ / out / ".part" / "records";
         EXPECT_TRUE(comes_true([&] {
-            std::error_code error;
-            return std::filesystem::file_size(records, error) > 1000 && !error;
+            const auto kept = RecordFile::open_unfinished(records);
+            return kept && kept.value().count() > 0;
         }));
         process.signal(signal);
         EXPECT_EQ(process.wait(), 128 + signal) << process.errors();
