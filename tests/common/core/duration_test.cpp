@@ -16,7 +16,7 @@ TEST(Duration, HasANumberAndAUnit) {
     EXPECT_EQ(parse_duration("0s").value(), 0s);
 }
 
-TEST(Duration, WhatIsNoneIsRefused) {
+TEST(Duration, MalformedTextIsRefused) {
     for (const char* text :
          {"", "h", "7", "7 d", "7w", "-1h", "1.5h", "1h30m", "99999999999999999999s", "36501d"}) {
         EXPECT_EQ(parse_duration(text).error().code, ErrorCode::BadInput) << text;

@@ -16,7 +16,7 @@ namespace {
 
 } // namespace
 
-TEST(Rounding, ToFloatAndBackIsDone) {
+TEST(Rounding, FloatRoundingIsNotOptimisedAway) {
     std::array<double, 2> values{0.1, 0.2};
     narrow(values.data());
     const volatile float first = 0.1f;

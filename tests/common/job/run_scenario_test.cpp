@@ -105,7 +105,7 @@ TEST(RunScenario, PartsGiveTheSameRecordAsTheWhole) {
     EXPECT_LT(in_contact, 55);
 }
 
-TEST(RunScenario, EachLevelSaysWhatItPromises) {
+TEST(RunScenario, EachLevelContainsWhatItPromises) {
     const ObbTree sphere = make_tree(make_sphere(2));
     const Scenario scenario = make_scenario(Pose{}, translation_pose(0.9, 0.1, 0.2));
     const auto expected = contact_pairs_brute_force(sphere.mesh(), sphere.mesh(), scenario.poses);
@@ -149,7 +149,7 @@ TEST(RunScenario, AnyStopsAtTheFirstContact) {
     EXPECT_LT(10 * any.triangle_tests, pairs.triangle_tests);
 }
 
-TEST(RunScenario, TheFirstStageDoesNotShow) {
+TEST(RunScenario, TheFirstStageChangesNoResult) {
     std::mt19937_64 random(9);
     const ObbTree box = make_tree(make_gridded_box(Vec3(1, 1, 1), 3));
     const ObbTree sphere = make_tree(make_sphere(2));
@@ -174,7 +174,7 @@ TEST(RunScenario, TheFirstStageDoesNotShow) {
     }
 }
 
-TEST(RunScenario, TheCostOfInsideIsToldApart) {
+TEST(RunScenario, TheCostOfContainmentIsReportedSeparately) {
     const ObbTree box = make_tree(make_box(Vec3(2, 2, 2)));
     const ObbTree small = make_tree(make_box(Vec3(0.5, 0.5, 0.5)));
     const Scenario inside = make_scenario(Pose{}, Pose{});
@@ -185,7 +185,7 @@ TEST(RunScenario, TheCostOfInsideIsToldApart) {
     EXPECT_EQ(run_scenario(box, small, across, query_of(Level::Count)).inside.scenarios, 0u);
 }
 
-TEST(RunScenario, OneThatIsToldToStopHasNoAnswer) {
+TEST(RunScenario, AStoppedScenarioHasNoAnswer) {
     const ObbTree sphere = make_tree(make_sphere(4));
     const ObbTree box = make_tree(make_gridded_box(Vec3(2, 2, 2), 12));
     const Scenario in_place = make_scenario(Pose{}, Pose{});
@@ -219,7 +219,7 @@ TEST(RunScenario, OneThatIsToldToStopHasNoAnswer) {
     }
 }
 
-TEST(RunScenario, ARunOfPosesSaysWhatEachSaysAlone) {
+TEST(RunScenario, RunAllGivesTheResultsOfSingleRuns) {
     std::mt19937_64 random(11);
     const ObbTree sphere = make_tree(make_sphere(3));
     const ObbTree box = make_tree(make_gridded_box(Vec3(1, 1, 1), 4));
@@ -246,7 +246,7 @@ TEST(RunScenario, ARunOfPosesSaysWhatEachSaysAlone) {
     }
 }
 
-TEST(RunScenario, ARunOfPosesEndsWhenItIsTold) {
+TEST(RunScenario, RunAllEndsWhenTheCallbackReturnsFalse) {
     const ObbTree sphere = make_tree(make_sphere(1));
     const std::vector<Scenario> scenarios(10, make_scenario(Pose{}, Pose{}));
     const Query query = query_of(Level::Any);

@@ -127,7 +127,7 @@ TEST(Scenario, RefusesEveryTruncation) {
     EXPECT_FALSE(unpack(longer));
 }
 
-TEST(Scenario, NoMoreAreUnpackedThanMayCome) {
+TEST(Scenario, UnpackingRefusesMoreThanTheMaximumCount) {
     const Bytes bytes = pack_scenarios(std::vector<Scenario>(10, make_scenario(3, Pose{}, Pose{})));
     EXPECT_TRUE(unpack_scenarios(bytes, 10));
     // The count is checked first: the bytes after it are neither read nor kept.

@@ -62,7 +62,7 @@ bool has_proper_pair(const ScenarioResult& result) {
 
 } // namespace
 
-TEST(Settle, TheClassIsThatOfTheBodiesAlone) {
+TEST(Settle, TheClassDependsOnTheBodiesAlone) {
     int refined = 0;
     int inside = 0;
     for (std::uint64_t seed = 0; seed < 400; ++seed) {
@@ -94,7 +94,7 @@ TEST(Settle, TheClassIsThatOfTheBodiesAlone) {
     EXPECT_GT(inside, 5);
 }
 
-TEST(Settle, OrdinaryScenariosPayNothing) {
+TEST(Settle, ScenariosThatNeedNoContainmentCostNothing) {
     const ObbTree box = make_tree(make_gridded_box(Vec3(2, 2, 2), 4));
     const SettleStatistics nothing;
     const InsideStatistics apart = run(box, box, {Pose{}, translation_pose(9, 0, 0)}).inside;
@@ -130,7 +130,7 @@ TEST(Settle, OpenBodiesAreSurfacesOnlyAndNotRefined) {
     EXPECT_EQ(run(closed, open, same).result.kind, ScenarioClass::Touch);
 }
 
-TEST(Settle, WhatIsIgnoredMakesNoClaim) {
+TEST(Settle, IgnoredPairsDecideNothing) {
     const ObbTree box = make_tree(make_gridded_box(Vec3(2, 2, 2), 2));
     const auto count = static_cast<std::uint32_t>(box.mesh().triangles().size());
     const PosePair crossing{Pose{}, translation_pose(1, 1, 1)};
@@ -147,7 +147,7 @@ TEST(Settle, WhatIsIgnoredMakesNoClaim) {
     EXPECT_EQ(class_of(box, box, crossing, query), some);
 }
 
-TEST(Settle, InsideIsToldOfPartsThatAreNotIgnored) {
+TEST(Settle, ContainmentIsDecidedForPartsThatAreNotIgnored) {
     // A car of a body and a wheel over ground; contacts of wheel and ground are ignored.
     const ObbTree ground = make_tree(make_box(Vec3(20, 20, 4)));
     const ObbTree car = make_tree(join({translated(make_box(Vec3(4, 2, 1)), Vec3(0, 0, 2)),
@@ -230,7 +230,7 @@ std::vector<ExactTriangle> exact_triangles(const Mesh& mesh, const std::vector<E
     return triangles;
 }
 
-TEST(Settle, WithIgnoredPairsInsideIsWhatTheOracleSays) {
+TEST(Settle, ContainmentWithIgnoredPairsEqualsTheOracle) {
     int inside = 0;
     int separate = 0;
     int skipped = 0;
@@ -278,7 +278,7 @@ TEST(Settle, WithIgnoredPairsInsideIsWhatTheOracleSays) {
     EXPECT_GT(skipped, 20);
 }
 
-TEST(Settle, WithTooManyIgnoredPairsInsidesAreSkipped) {
+TEST(Settle, TooManyIgnoredPairsSkipContainment) {
     const ObbTree box = make_tree(make_box(Vec3(2, 2, 2)));
     const ObbTree small = make_tree(make_box(Vec3(1, 1, 1)));
     Query query = query_of(Level::Count);

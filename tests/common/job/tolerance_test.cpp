@@ -66,7 +66,7 @@ void expect_true(const ScenarioResult& answer, const ScenarioResult& exact) {
 
 } // namespace
 
-TEST(Tolerance, WhatIsDecidedIsDecidedAsWithoutOne) {
+TEST(Tolerance, DecidedAnswersEqualThoseWithoutATolerance) {
     std::mt19937_64 random(3);
     const std::vector<ObbTree> trees = small_trees(random);
     int undecided = 0;
@@ -124,7 +124,7 @@ TEST(Tolerance, TheBoundIsNeverLessThanTheDistance) {
     EXPECT_GT(apart, 20);
 }
 
-TEST(Tolerance, TheDistanceOfTheTestItselfIsExact) {
+TEST(Tolerance, TheReferenceDistanceIsExact) {
     const Mesh box = make_box(Vec3(2, 2, 2));
     const auto is_within = [&](const Pose& pose, double bound) {
         return distance_is_at_most(box, box, {Pose{}, pose}, bound);

@@ -217,7 +217,7 @@ TEST_P(BlockPairsTest, ClassesAreThoseOfTheTrianglesAlone) {
     }
 }
 
-TEST_P(BlockPairsTest, WhatFloatsSayIsTrue) {
+TEST_P(BlockPairsTest, FloatVerdictsAreTrue) {
     std::mt19937_64 random(22);
     Counts counts;
     for (const auto& [name, make] : pair_makers()) {
@@ -233,7 +233,7 @@ TEST_P(BlockPairsTest, WhatFloatsSayIsTrue) {
     EXPECT_GT(counts.decided, counts.all / 4);
 }
 
-TEST_P(BlockPairsTest, WhatFloatsSayIsTrueAroundTheirBounds) {
+TEST_P(BlockPairsTest, FloatVerdictsAreTrueAroundTheirBounds) {
     const Counts counts = search_around_bounds(23, GetParam(), 1);
     EXPECT_EQ(counts.wrong, 0u);
     // The search crossed the bounds.
@@ -260,7 +260,7 @@ TEST_P(BlockPairsTest, EveryTargetGivesTheSameVerdicts) {
     }
 }
 
-TEST_P(BlockPairsTest, AVerdictDoesNotDependOnItsCompany) {
+TEST_P(BlockPairsTest, AVerdictDoesNotDependOnTheBatch) {
     std::mt19937_64 random(25);
     std::vector<PosedPair> pairs;
     for (int i = 0; i < 200; ++i) {

@@ -143,7 +143,7 @@ TEST(PairStages, TurnsAboutAnAxisGetTheOraclesAnswer) {
     }
 }
 
-TEST(PairStages, WhatIsTinyOrHugeIsNotTakenForZero) {
+TEST(PairStages, TinyAndHugeValuesAreNotTakenForZero) {
     // Products of these numbers underflow, so permanents of doubles are 0.
     int touching = 0;
     for (std::uint64_t seed = 0; seed < 2000; ++seed) {
@@ -200,7 +200,7 @@ TEST(PairStages, IntegersDecideAsUnlimitedOnesWhereverTheyReach) {
     EXPECT_LT(beyond, 200);
 }
 
-TEST(PairStages, WhatWasAskedBeforeChangesNoAnswer) {
+TEST(PairStages, EarlierPairsChangeNoAnswer) {
     // Use one test object for many pairs, of all scales.
     std::mt19937_64 random(17);
     const PosePair poses{translation_pose(0.1, 0, 3), translation_pose(-0.7, 1e-3, 0)};
@@ -291,7 +291,7 @@ TEST(PairStages, EachPairCountsForTheHighestStageThatItNeeded) {
     EXPECT_TRUE(settles_in(PairStage::Arbitrary, {turned, longer}, spread, spread));
 }
 
-TEST(PairStages, StagesThatArePassedOverSettleNothing) {
+TEST(PairStages, SkippedStagesSettleNothing) {
     for (std::uint64_t seed = 0; seed < 300; ++seed) {
         SCOPED_TRACE(testing::Message() << "seed " << seed);
         std::mt19937_64 random(seed);
@@ -318,7 +318,7 @@ TEST(PairStages, PlainPosesKeepEveryAnswer) {
     }
 }
 
-TEST(PairStages, PosesThatAreNoneBecomeNone) {
+TEST(PairStages, PosesWithoutEffectBecomeTheIdentity) {
     std::mt19937_64 random(1);
     const Pose turned = make_pose(random, 5);
     EXPECT_EQ(plain_poses({turned, turned}), PosePair{});

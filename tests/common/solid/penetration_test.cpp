@@ -222,7 +222,7 @@ TEST(Penetration, StackedBoxesTouchWhateverTheirGridsAndWindings) {
     }
 }
 
-TEST(Penetration, BoxesThatShareAFaceAnEdgeOrACorner) {
+TEST(Penetration, BoxesOnASharedFaceEdgeOrCornerAreClassified) {
     const Mesh box = box_at(Vec3(0, 0, 0), Vec3(4, 4, 4), 4);
     EXPECT_EQ(found(box, box), Found::Penetrate) << "on itself";
     EXPECT_EQ(found(box, reversed(box)), Found::Penetrate) << "on itself, inside out";
@@ -244,7 +244,7 @@ TEST(Penetration, APlateSlidAlongGridLinesIsFoundInAPieceOfItsTriangles) {
     EXPECT_EQ(found(box, box_at(Vec3(4, 1, 1), Vec3(19, 2, 3))), Found::Touch);
 }
 
-TEST(Penetration, WhereNoCentroidIsInsideThePiecesTell) {
+TEST(Penetration, PiecesDecideWhereNoCentroidIsInside) {
     // A bar through the slab. The surfaces meet along four lines, two of them edges of the bar and
     // two of the slab; so every triangle extends beyond the inside part.
     const Mesh bar = prism({{1, 1}, {1, -10}, {2, -10}, {2, 0}, {2, 10}, {1, 10}}, {1, 3});
@@ -363,7 +363,7 @@ TEST(Penetration, FlattenedBodiesHaveNoInside) {
     EXPECT_EQ(found(box, box, {middle, Pose{}}), Found::Penetrate);
 }
 
-TEST(Penetration, IgnoredPairsMakeNoClaim) {
+TEST(Penetration, IgnoredPairsDecideNothing) {
     const ObbTree box = make_tree(box_at(Vec3(0, 0, 0), Vec3(4, 4, 4), 4));
     const PosePair poses{Pose{}, translation_pose(1, 1, 1)};
     const auto count = static_cast<std::uint32_t>(box.mesh().triangles().size());

@@ -40,7 +40,7 @@ std::vector<std::uint32_t> holders(const Mesh& cube, const Vec3& point) {
 
 } // namespace
 
-TEST(PointInSolid, BesideAPointOfTheSurfaceIsWhereASmallStepLeads) {
+TEST(PointInSolid, BesideASurfacePointEqualsASmallStepAway) {
     for (const bool inside_out : {false, true}) {
         const Mesh mesh = make_gridded_box(Vec3(2, 2, 2), 3);
         const ObbTree tree = make_tree(inside_out ? reversed(mesh) : mesh);

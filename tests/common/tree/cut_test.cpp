@@ -144,7 +144,7 @@ TEST(TreeTop, ItsRootsAreTheNodesWithoutChildren) {
     EXPECT_EQ(make_tree_top(three_leaves()).root_nodes, (std::vector<std::uint32_t>{2, 3, 4}));
 }
 
-TEST(RootIndices, WithoutTheTopAreTheOthers) {
+TEST(RootIndices, WithoutTopKeepsAllOtherRoots) {
     const std::vector<RootIndex> roots{1, 5, top_root};
     EXPECT_EQ(without_top(roots).size(), 2u);
     EXPECT_EQ(without_top(std::span(roots).first(2)).size(), 2u);

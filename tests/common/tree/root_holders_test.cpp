@@ -79,7 +79,7 @@ TEST(RootHolders, SumsAreThoseOfEachHolderOnEveryTarget) {
     }
 }
 
-TEST(RootHolders, WhoComesLaterHoldsNothingAndTakesNothingAway) {
+TEST(RootHolders, NewHoldersHoldNothingAndChangeNoOther) {
     std::mt19937_64 random(1);
     RootHolders holders(root_count, 3);
     const Truth truth = set_some(random, holders);

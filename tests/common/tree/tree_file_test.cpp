@@ -158,7 +158,7 @@ TEST_F(TreeFile, AnyShorterFileIsDamage) {
     }
 }
 
-TEST_F(TreeFile, AnotherMeshAnotherBuildAnotherKindAndNoFileAreErrors) {
+TEST_F(TreeFile, AMissingFileOrOneOfAnotherMeshBuildOrKindIsAnError) {
     EXPECT_EQ(read_binary().error().code, ErrorCode::NotFound);
     EXPECT_EQ(read_wide().error().code, ErrorCode::NotFound);
     ASSERT_TRUE(write_binary());

@@ -37,7 +37,7 @@ TEST(Compress, RoundTripRestoresTheData) {
     }
 }
 
-TEST(Compress, IsSmallerWhereThereIsLittleToSay) {
+TEST(Compress, RepetitiveDataShrinks) {
     EXPECT_LT(compress(sample(10'000), compression_level_fast).size(), 5'000u);
 }
 
@@ -73,7 +73,7 @@ TEST(Compress, DamageStaysWithinTheLimit) {
     }
 }
 
-TEST(Compress, AClaimTakesNoMemory) {
+TEST(Compress, AClaimedSizeAllocatesNothing) {
     // A frame that claims a GiB but has one block, of one byte.
     Bytes lie = compress(Bytes(std::size_t{1} << 30), compression_level_fast);
     const Bytes little = compress(Bytes(1), compression_level_fast);
@@ -92,7 +92,7 @@ TEST(Compress, AClaimTakesNoMemory) {
     EXPECT_LT(peak() - before, 256 * 1024) << "KiB";
 }
 
-TEST(Compress, WhatCompressesWellComesBackAsWell) {
+TEST(Compress, HighlyCompressibleDataRoundTrips) {
     const Bytes nothing(10'000'000);
     const Bytes packed = compress(nothing, compression_level_geometry);
     ASSERT_LT(packed.size(), nothing.size() / 1000);

@@ -25,7 +25,7 @@ TEST(PrivateFolder, IsForItsUserAloneWhenItIsMade) {
     EXPECT_NE(fs::status(folder / "above").permissions(), fs::perms::owner_all);
 }
 
-TEST(PrivateFolder, OneThatIsThereStaysAsItIs) {
+TEST(PrivateFolder, AnExistingFolderIsUnchanged) {
     const TemporaryFolder folder;
     const fs::path there = folder / "there";
     fs::create_directory(there);

@@ -23,7 +23,7 @@ TEST(Log, ATextIsOneLineWhateverIsInIt) {
     EXPECT_EQ(logged.text().find('\n'), logged.text().size() - 1);
 }
 
-TEST(Log, NoLevelHidesWhatIsAlwaysSaid) {
+TEST(Log, WarnAlwaysIgnoresTheLevel) {
     for (const auto level : {LogLevel::Error, LogLevel::Off}) {
         const Logged logged(level);
         log_warning("hidden");

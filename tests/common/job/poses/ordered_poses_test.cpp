@@ -66,7 +66,7 @@ TEST(OrderedPoses, EachWindowHasItsScenariosOnceInCoherentOrder) {
     }
 }
 
-TEST(OrderedPoses, PlacesAndIndicesLeadToEachOther) {
+TEST(OrderedPoses, PlacesAndIndicesAreInverse) {
     const auto submitted = some_scenarios(500);
     OrderedPoses ordered(std::make_shared<CountingSource>(submitted));
     const auto window = ordered.window_of(17).value();
@@ -86,7 +86,7 @@ TEST(OrderedPoses, AWindowIsReadOnceWhileItIsInUse) {
     EXPECT_EQ(source->reads, 1);
 }
 
-TEST(OrderedPoses, WhatTheSourceCannotReadIsAnErrorAndNotKept) {
+TEST(OrderedPoses, AReadErrorIsReturnedAndNotCached) {
     auto source = std::make_shared<CountingSource>(some_scenarios(10));
     source->fails = true;
     OrderedPoses ordered(source);

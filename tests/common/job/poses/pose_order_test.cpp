@@ -49,7 +49,7 @@ double mean_step(const std::vector<Scenario>& scenarios, const std::vector<std::
 
 } // namespace
 
-TEST(CoherentOrder, NamesEachPlaceOnce) {
+TEST(CoherentOrder, IsAPermutation) {
     std::mt19937_64 random(1);
     for (const int side : {1, 2, 5}) {
         const std::vector<Scenario> scenarios = grid(random, side);

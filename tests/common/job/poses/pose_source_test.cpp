@@ -62,7 +62,7 @@ TEST(Grid, CountSaturates) {
     EXPECT_EQ(Grid{}.count(), 1u);
 }
 
-TEST(Grid, TheRunsReadTogetherAreTheWhole) {
+TEST(Grid, RangesReadOneByOneEqualTheWhole) {
     const auto source = make_grid_source(make_grid());
     const auto whole = source->read(0, source->count());
     ASSERT_TRUE(whole);
@@ -127,7 +127,7 @@ TEST(GridBytes, ComeBackAsTheyWere) {
     EXPECT_EQ(decoded.value(), make_grid());
 }
 
-TEST(GridBytes, RefuseWhatIsNoGrid) {
+TEST(GridBytes, InvalidGridsAreRefused) {
     const Bytes bytes = encode_grid(make_grid());
     for (std::size_t size = 0; size < bytes.size(); ++size) {
         ASSERT_FALSE(decode_grid(std::span(bytes).first(size))) << size;

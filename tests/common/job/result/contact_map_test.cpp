@@ -112,7 +112,7 @@ TEST(ContactMap, ComesBackFromItsPackedForm) {
     EXPECT_EQ(unpack_map(pack_map(most), bounds_of(std::uint64_t{1} << 40)).value(), most);
 }
 
-TEST(ContactMap, RefusesWhatCannotBeOne) {
+TEST(ContactMap, RefusesInvalidMaps) {
     const auto is_map = [](const std::vector<std::uint64_t>& numbers) {
         const auto map = unpack_map(packed_numbers(numbers), bounds_of(3));
         EXPECT_TRUE(map || map.error().code == ErrorCode::BadFrame);
@@ -129,7 +129,7 @@ TEST(ContactMap, RefusesWhatCannotBeOne) {
     EXPECT_FALSE(unpack_map(packed_numbers({1, 0, 0, 0}), bounds_of(0))) << "of no scenario";
 }
 
-TEST(ContactMap, TakesAnyBytes) {
+TEST(ContactMap, ArbitraryBytesDoNoHarm) {
     std::mt19937_64 random(3);
     ContactMap map = counted({some_pairs(random), some_pairs(random), some_pairs(random)});
     const Bytes packed = pack_map(map);

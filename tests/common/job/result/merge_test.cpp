@@ -88,7 +88,7 @@ TEST(ResultMerger, TheFirstResultStays) {
     EXPECT_EQ(merger.summary().pairs, 5u);
 }
 
-TEST(ResultMerger, ClosedItStillKnowsWhatCame) {
+TEST(ResultMerger, AfterCloseMergedScenariosAreStillKnown) {
     ResultMerger merger(4);
     for (const std::uint64_t index : {0u, 2u}) {
         EXPECT_EQ(merger.add(make_result(index)), ResultMerger::Outcome::Added);

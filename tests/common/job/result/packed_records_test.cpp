@@ -107,7 +107,7 @@ TEST(PackedRecords, NeedNotBeCanonical) {
     }
 }
 
-TEST(PackedRecords, OfPairsTakeFewBytes) {
+TEST(PackedRecords, ListsOfPairsTakeFewBytes) {
     // Triangles of a torus in strips, as files order them.
     const ObbTree tree = [] {
         ThreadPool pool(1);

@@ -60,7 +60,7 @@ TEST(Dyadic, EveryRatioIsRoundedToTheNearest) {
     }
 }
 
-TEST(Dyadic, TheMiddleGoesToEvenAndWhatIsBesideItDoesNot) {
+TEST(Dyadic, TiesRoundToEvenAndNearTiesToTheNearest) {
     std::mt19937_64 random(2);
     for (int round = 0; round < 5'000; ++round) {
         // Twice a mantissa plus 1, including denormals and values that round up to a power of two.
@@ -78,7 +78,7 @@ TEST(Dyadic, TheMiddleGoesToEvenAndWhatIsBesideItDoesNot) {
     }
 }
 
-TEST(Dyadic, TheEndsOfTheRange) {
+TEST(Dyadic, TheEndsOfTheRangeAreRoundedCorrectly) {
     constexpr double least = std::numeric_limits<double>::denorm_min();
     EXPECT_EQ(nearest_double(1, 1, -1074), least);
     EXPECT_EQ(nearest_double(1, 1, -1075), 0);

@@ -149,7 +149,7 @@ TEST(SharedPoints, BothPathsGiveTheSameBits) {
     EXPECT_GT(total.origins_exact, 500u);
 }
 
-TEST(SharedPoints, DoNotDependOnWhatWasAskedBefore) {
+TEST(SharedPoints, DoNotDependOnEarlierPairs) {
     std::mt19937_64 random(5);
     const PosePair poses{make_pose(random, 0.2), make_matrix_pose(random, 0.2)};
     SharedPoints one_for_all(poses);
@@ -236,7 +236,7 @@ TEST(SharedPoints, PairsThatTouchTakeTheFastPathToo) {
     EXPECT_GT(fast, meeting * 8 / 10); // Some are degenerate.
 }
 
-TEST(SharedPoints, WhatOnlyRoundsToARightAngleIsNone) {
+TEST(SharedPoints, ANearlyRightAngleIsNotTakenForOne) {
     // A quarter turn about z, plus a turn about x whose square is lost in double-doubles: the
     // corner's true x is some 1e-40.
     const double half = std::sqrt(0.5);

@@ -77,7 +77,7 @@ TEST(BuildEigen, ADiagonalMatrixGivesTheBodysAxes) {
     }
 }
 
-TEST(BuildEigen, AreTheBodysAxesWhereAnEntryIsNotFinite) {
+TEST(BuildEigen, NonFiniteEntriesGiveTheBodysAxes) {
     const double infinity = std::numeric_limits<double>::infinity();
     for (const double odd : {infinity, -infinity, std::nan("")}) {
         for (int i = 0; i < 3; ++i) {

@@ -146,7 +146,7 @@ TEST(BuildSplit, TheSweepFindsTheLeastSumOfAllSplits) {
     }
 }
 
-TEST(BuildSplit, TheSweepOfFewIsTheSweep) {
+TEST(BuildSplit, TheSweepOfFewTrianglesEqualsTheSweep) {
     std::mt19937_64 random(2);
     SweepScratch scratch;
     for (std::size_t count = 2; count <= few_triangles_max; ++count) {
@@ -168,7 +168,7 @@ TEST(BuildSplit, TheSweepOfFewIsTheSweep) {
     }
 }
 
-TEST(BuildSplit, BinsAreTheSweepWhereEachHoldsOneTriangle) {
+TEST(BuildSplit, BinsOfOneTriangleEachEqualTheSweep) {
     std::mt19937_64 random(3);
     SweepScratch scratch;
     for (int round = 0; round < 500; ++round) {

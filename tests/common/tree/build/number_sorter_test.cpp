@@ -8,7 +8,7 @@
 
 namespace cd::tests {
 
-TEST(NumberSorter, SortsWhateverTheNumbers) {
+TEST(NumberSorter, SortsAnyNumbers) {
     std::mt19937_64 random(1);
     const NumberSorter sorter;
     for (std::size_t size = 0; size < 3000; size += 1 + size / 7) {

@@ -40,7 +40,7 @@ std::vector<int> sides_of(const std::vector<PlaneCut>& lines, const PlanePoint& 
 
 } // namespace
 
-TEST(TriangleCells, UncutThereIsTheCentroidAlone) {
+TEST(TriangleCells, WithoutCutsTheOnlyCentreIsTheCentroid) {
     EXPECT_EQ(centres({}), (std::vector<PlanePoint>{{20, 20}}));
     // Along an edge, from outside to a corner, beside, and a point on an edge.
     EXPECT_EQ(centres({{{0, 0}, {60, 0}},
@@ -93,7 +93,7 @@ TEST(TriangleCells, EachFaceOfRandomLinesHasACentre) {
     }
 }
 
-TEST(TriangleCells, ItStopsAtTheFirstYes) {
+TEST(TriangleCells, StopsWhenThePredicateIsTrue) {
     int asked = 0;
     EXPECT_TRUE(any_cell_centre(triangle,
                                 std::vector<PlaneCut>{{{10, 10}, {20, 10}}},

@@ -34,7 +34,7 @@ TEST(PairBuckets, RanksOutOfRangeCountAsTheNearest) {
     EXPECT_EQ(buckets.pop().a, 1u);
 }
 
-TEST(PairBuckets, AsAListThatIsSortedByRankAndTimeSays) {
+TEST(PairBuckets, EqualsAListSortedByRankAndTime) {
     struct Waiting {
         std::int32_t rank;
         std::uint32_t name;

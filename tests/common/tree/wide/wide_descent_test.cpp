@@ -313,7 +313,7 @@ TEST(WideDescent, SearchesFindWhatTheyFindInBinaryTrees) {
     EXPECT_GT(contacts, 10'000u);
 }
 
-TEST(WideDescent, HowManyAreWantedAtOnceChangesNothing) {
+TEST(WideDescent, TheWantedCountChangesNoCandidates) {
     const ObbTree sphere = build(make_sphere(3));
     const WideView view = sphere.view().wide;
     std::mt19937_64 random(2);
@@ -383,7 +383,7 @@ TEST(WideDescent, PausesAfterMuchWorkAndResumes) {
     EXPECT_GT(descent.box_tests(), tests);
 }
 
-TEST(WideDescent, MakesRoomForAllThatWaits) {
+TEST(WideDescent, GrowsForAllWaitingPairs) {
     // Needles through one point: every box of one body overlaps every box of the other.
     std::mt19937_64 random(3);
     std::vector<Vec3> vertices;

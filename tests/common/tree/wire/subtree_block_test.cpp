@@ -91,7 +91,7 @@ TEST(Subtree, HoldsTheTrianglesUnderItsNode) {
     }
 }
 
-TEST(Subtree, VerticesInOnePlaceBecomeOne) {
+TEST(Subtree, EqualVerticesBecomeOne) {
     const Mesh sphere = make_sphere(2);
     const ObbTree tree = make_tree(unshared(sphere));
     const Subtree subtree = extract_subtree(tree, 0);

@@ -30,7 +30,7 @@ TEST(TopBlock, ComesBackAsItWas) {
     }
 }
 
-TEST(TopBlock, CutShortOrWithMoreBehindItIsRefused) {
+TEST(TopBlock, TruncatedOrExtendedBytesAreRefused) {
     Bytes bytes = encode_top(top_of_a_torus(3));
     for (std::size_t size = 0; size < bytes.size(); ++size) {
         const auto top = decode_top(std::span(bytes).first(size));
@@ -57,7 +57,7 @@ TEST(TopBlock, BoxesThatCannotBeTestedAreRefused) {
     EXPECT_FALSE(accepted([&](ObbNode& node) { node.axes[8] = nan; }));
 }
 
-TEST(TopBlock, WhateverBytesAreChangedIsRefusedOrATree) {
+TEST(TopBlock, ChangedBytesAreRefusedOrGiveATree) {
     const Bytes bytes = encode_top(top_of_a_torus(4));
     std::mt19937_64 random(1);
     std::size_t refused = 0;

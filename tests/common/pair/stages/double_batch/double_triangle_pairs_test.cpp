@@ -157,7 +157,7 @@ TEST_F(ManyInDoubles, ContactsInOnePlaneAreProvenAndOnlyThose) {
     EXPECT_GT(proofs_of(in_one_plane, 0.03).wrong, 10);
 }
 
-TEST_F(ManyInDoubles, WhatIsTinyOrHugeIsNotTakenForZero) {
+TEST_F(ManyInDoubles, TinyAndHugeValuesAreNotTakenForZero) {
     int touching = 0;
     for (std::uint64_t seed = 0; seed < 3000; ++seed) {
         SCOPED_TRACE(testing::Message() << "seed " << seed);
@@ -174,7 +174,7 @@ TEST_F(ManyInDoubles, WhatIsTinyOrHugeIsNotTakenForZero) {
     EXPECT_GT(touching, 100);
 }
 
-TEST_F(ManyInDoubles, EveryTargetGivesTheSameAnswersInAnyCompany) {
+TEST_F(ManyInDoubles, EveryTargetGivesTheSameAnswersInAnyBatch) {
     std::mt19937_64 random(19);
     for (int round = 0; round < 400; ++round) {
         SCOPED_TRACE(testing::Message() << "round " << round);

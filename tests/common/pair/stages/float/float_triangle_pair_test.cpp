@@ -165,7 +165,7 @@ TEST_F(FloatTrianglePairs, EveryTargetGivesTheSameVerdicts) {
     }
 }
 
-TEST_F(FloatTrianglePairs, AVerdictDoesNotDependOnItsCompany) {
+TEST_F(FloatTrianglePairs, AVerdictDoesNotDependOnTheBatch) {
     for (const SimdTarget target : available_simd_targets()) {
         SCOPED_TRACE(to_text(target));
         ASSERT_TRUE(force_simd_target(to_text(target)));
@@ -190,7 +190,7 @@ TEST_F(FloatTrianglePairs, AVerdictDoesNotDependOnItsCompany) {
     }
 }
 
-TEST_F(FloatTrianglePairs, TrianglesMayShareCornersAndComeOften) {
+TEST_F(FloatTrianglePairs, SharedCornersAndRepeatedTrianglesAreAllowed) {
     std::mt19937_64 random(15);
     const Mesh sphere = make_sphere(2);
     const TriangleSpan span{sphere.vertices(), sphere.triangles()};
@@ -236,7 +236,7 @@ TEST_F(FloatTrianglePairs, FarFromTheOriginTheyDecideAsWell) {
     EXPECT_LE(std::count(verdicts.begin(), verdicts.end(), FloatVerdict::Unknown), 2);
 }
 
-TEST_F(FloatTrianglePairs, AMirroredPoseOfAIsAPoseLikeOthers) {
+TEST_F(FloatTrianglePairs, MirroredPosesAreDecidedCorrectly) {
     std::mt19937_64 random(18);
     Mat3 mirror = Mat3::Identity();
     mirror(1, 1) = -1;
@@ -315,7 +315,7 @@ TEST_F(FloatTrianglePairs, TheyDecideFirstAndChangeNoAnswer) {
     EXPECT_EQ(without.statistics()[PairStage::Float], 0u);
 }
 
-TEST_F(FloatTrianglePairs, AProofOfContactSparesTheOtherStages) {
+TEST_F(FloatTrianglePairs, AProofOfContactSkipsTheOtherStages) {
     const Corners a{Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0)};
     const Corners through{Vec3(0.2, 0.2, -1), Vec3(0.3, 0.2, 1), Vec3(0.2, 0.3, 1)};
     Batch batch;
