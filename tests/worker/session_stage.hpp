@@ -4,6 +4,7 @@
 
 #include "common/core/limits/engine.hpp"
 #include "common/job/result/packed_records.hpp"
+#include "common/job/run_scenario.hpp"
 #include "tests/proto/loopback.hpp"
 #include "tests/proto/sample_messages.hpp"
 #include "tests/worker/cut_body.hpp"
@@ -155,9 +156,7 @@ class FakeMaster {
     }
     void on(const Drain&) {
         worker_drains = true;
-        if (answers_drain) {
-            channel->send(Drain{});
-        }
+        channel->send(Drain{});
     }
     void on(const Failure& failure) { complaint = failure.detail; }
     template <class T>
@@ -176,7 +175,6 @@ class FakeMaster {
     std::optional<Standing> standing;
     std::vector<Recalled> recalled;
     bool acknowledges = true;
-    bool answers_drain = true;
     const CutBody* other_body = nullptr; ///< For trees other than tree_a and tree_b.
     std::size_t subtrees_sent = 0;
     std::size_t subtrees_evicted = 0;
@@ -211,17 +209,16 @@ using Play = std::function<asio::awaitable<void>(Stage&)>;
 
 inline asio::awaitable<void> play_on(asio::io_context& context,
                                      Executor& executor,
-                                     std::uint64_t cache_bytes,
                                      const Play& play,
                                      bool adds_job,
                                      const std::shared_ptr<WorkerKeep>& keep,
                                      std::optional<SessionEnd>& how) {
     Ends ends = co_await connect_greeted_ends();
-    Stage stage{std::make_shared<Session>(
-                    std::move(ends.left), executor, cache_bytes, PeerParts{}, keep, quick_times),
-                FakeMaster(std::move(ends.right)),
-                how,
-                executor};
+    Stage stage{
+        std::make_shared<Session>(std::move(ends.left), executor, keep, PeerParts{}, quick_times),
+        FakeMaster(std::move(ends.right)),
+        how,
+        executor};
     spawn(context.get_executor(), "session", run_session(stage.session, how));
     if (adds_job) {
         stage.master.add_job();
@@ -235,12 +232,15 @@ inline std::optional<SessionEnd> perform(std::uint64_t cache_bytes,
                                          unsigned threads,
                                          const Play& play,
                                          bool adds_job = true,
-                                         const std::shared_ptr<WorkerKeep>& keep = nullptr) {
+                                         std::shared_ptr<WorkerKeep> keep = nullptr) {
+    if (keep == nullptr) {
+        keep = std::make_shared<WorkerKeep>(cache_bytes);
+    }
     asio::io_context context;
     Executor executor(context.get_executor(), threads);
     std::optional<SessionEnd> how;
     asio::co_spawn(context,
-                   play_on(context, executor, cache_bytes, play, adds_job, keep, how),
+                   play_on(context, executor, play, adds_job, keep, how),
                    [](const std::exception_ptr& thrown) { EXPECT_FALSE(thrown); });
     context.run_for(patience);
     EXPECT_TRUE(context.stopped()) << "something is still under way";

@@ -1,5 +1,7 @@
 #include "worker/execution/executor.hpp"
 
+#include "common/job/run_scenario.hpp"
+
 #include <algorithm>
 #include <chrono>
 #include <utility>

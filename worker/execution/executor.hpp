@@ -2,7 +2,6 @@
 #pragma once
 
 #include "common/core/host/thread_pool.hpp"
-#include "common/job/run_scenario.hpp"
 #include "proto/channel/asio.hpp"
 #include "worker/execution/walk.hpp"
 

@@ -1,11 +1,13 @@
-// Records which scenario a thread runs and when it started.
+// Records which scenario each thread runs and when it started.
 #pragma once
 
-#include "common/core/id.hpp"
+#include "proto/messages/session_messages.hpp"
 
 #include <atomic>
 #include <chrono>
 #include <cstdint>
+#include <list>
+#include <memory>
 #include <optional>
 
 namespace cd {
@@ -39,6 +41,17 @@ class ScenarioClock {
     JobId job_;
     std::atomic<std::uint64_t> scenario_ = 0;
     std::atomic<Time::rep> since_ = none;
+};
+
+/// The clocks of jobs that threads run or will run. A job owns its clock.
+class RunningClocks {
+  public:
+    [[nodiscard]] std::shared_ptr<ScenarioClock> add(JobId job);
+    /// The scenario that has run for the longest time. Empty if none runs.
+    [[nodiscard]] std::optional<RunningScenario> longest() const;
+
+  private:
+    std::list<std::weak_ptr<const ScenarioClock>> clocks_;
 };
 
 } // namespace cd

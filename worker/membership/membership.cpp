@@ -11,7 +11,6 @@ namespace cd {
 
 Membership::Membership(Executor& executor, std::uint64_t cache_bytes, const UnkeptBounds& bounds)
     : executor_(executor),
-      cache_bytes_(cache_bytes),
       keep_(std::make_shared<WorkerKeep>(cache_bytes, bounds)),
       drain_timer_(executor.home()) {}
 
@@ -25,7 +24,7 @@ void Membership::learn_from(bool was_silent, std::chrono::steady_clock::duration
     silence_borne_ = was_silent && was_short ? std::min(2 * silence_borne_, times_.lost_after)
                                              : times_.silent_after;
     if (session_ != nullptr) {
-        session_->bear_silence_for(silence_borne_);
+        session_->link().bear_silence_for(silence_borne_);
     }
 }
 
@@ -45,7 +44,7 @@ Membership::serve(std::shared_ptr<Channel> channel, Hello hello, PeerParts peers
              channel->peer(),
              welcome.id,
              executor_.threads(),
-             cache_bytes_);
+             keep_->cache.bytes_max());
     is_connected_ = true;
     const auto since = std::chrono::steady_clock::now();
     SessionEnd how = SessionEnd::Lost;
@@ -62,16 +61,16 @@ Membership::serve(std::shared_ptr<Channel> channel, Hello hello, PeerParts peers
         silence_borne_ = times_.silent_after;
         keep_->enter(welcome.cluster);
         peers.key = welcome.peer_key;
-        session_ = session = std::make_shared<Session>(
-            channel, executor_, cache_bytes_, std::move(peers), keep_, times_);
+        session_ = session =
+            std::make_shared<Session>(channel, executor_, keep_, std::move(peers), times_);
         if (is_draining_) {
             session->stop();
         }
         how = co_await session->run();
     }
     is_connected_ = false;
-    learn_from(session->met_silence(), std::chrono::steady_clock::now() - since);
-    Served served{how, session->reason()};
+    learn_from(session->link().met_silence(), std::chrono::steady_clock::now() - since);
+    Served served{how, session->link().reason()};
     if (how == SessionEnd::Disagreed) {
         session_.reset();
     }

@@ -35,6 +35,8 @@ class Membership {
     /// to acknowledge. At `timeout` it drops everything and calls `out_of_time`. False if there is
     /// nothing to drain: no connection, no task and no unacknowledged result.
     [[nodiscard]] bool drain(std::chrono::milliseconds timeout, std::function<void()> out_of_time);
+    /// Whether `drain` was called.
+    [[nodiscard]] bool is_draining() const { return is_draining_; }
     /// Whether tasks or unacknowledged results remain.
     [[nodiscard]] bool has_work() const;
     /// Ends the session and releases its share of the peer server.
@@ -58,7 +60,6 @@ class Membership {
                                       std::function<void()> out_of_time);
 
     Executor& executor_;
-    std::uint64_t cache_bytes_;
     std::shared_ptr<WorkerKeep> keep_;
     std::shared_ptr<Session> session_; ///< Kept without a connection while it may resume.
     std::uint64_t session_id_ = 0;

@@ -9,8 +9,8 @@
 
 namespace cd {
 
-void Fetcher::add(Token token, std::vector<SubtreeKey> roots) {
-    const bool is_new = needs_.try_emplace(token, Need{std::move(roots), 0, false}).second;
+void Fetcher::add(Token token, JobId job, std::vector<SubtreeKey> roots) {
+    const bool is_new = needs_.try_emplace(token, Need{job, std::move(roots), 0, false}).second;
     CD_CHECK(is_new);
     queue_.push_back(token);
 }
@@ -100,7 +100,7 @@ void Fetcher::admit(Token token, Need& need, Step& step) {
     need.is_admitted = true;
     ++admitted_;
     Admission& admission = step.admitted.emplace_back();
-    admission.token = token;
+    admission.job = need.job;
     for (const SubtreeKey& key : need.roots) {
         const auto [use, is_first] = used_.try_emplace(key);
         if (is_first) {

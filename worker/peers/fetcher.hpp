@@ -24,7 +24,7 @@ class Fetcher {
 
     /// The state of the cache when a scenario was admitted.
     struct Admission {
-        Token token = 0;
+        JobId job;
         std::uint64_t found = 0;       ///< Subtrees in the cache.
         std::vector<SubtreeKey> asked; ///< Subtrees that this scenario is the first to request.
     };
@@ -42,7 +42,7 @@ class Fetcher {
     explicit Fetcher(SubtreeCache& cache) : cache_(cache) {}
 
     /// `roots` are distinct and exist in the cache's trees. The token is new.
-    void add(Token token, std::vector<SubtreeKey> roots);
+    void add(Token token, JobId job, std::vector<SubtreeKey> roots);
     /// Announces a subtree that future scenarios will need. It is requested when no scenario waits
     /// for a subtree and few bytes are requested. The hint is dropped if the cache would have to
     /// evict for it, or once `limits::hints_max` newer hints wait. The root must exist in the
@@ -69,6 +69,7 @@ class Fetcher {
 
   private:
     struct Need {
+        JobId job;
         std::vector<SubtreeKey> roots;
         std::size_t missing = 0;
         bool is_admitted = false;

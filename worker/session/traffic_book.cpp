@@ -4,6 +4,10 @@
 
 namespace cd {
 
+void TrafficBook::job_added(JobId job, const std::array<TreeId, 2>& trees) {
+    jobs_.try_emplace(job, Job{trees, {}});
+}
+
 void TrafficBook::job_removed(JobId job) {
     jobs_.erase(job);
     std::erase_if(asked_by_, [&](const auto& entry) { return entry.second == job; });
@@ -11,12 +15,13 @@ void TrafficBook::job_removed(JobId job) {
 
 void TrafficBook::tree_removed(TreeId tree) {
     std::erase_if(asked_by_, [&](const auto& entry) { return entry.first.tree == tree; });
+    std::erase_if(jobs_, [&](const auto& job) { return job.second.uses(tree); });
 }
 
 void TrafficBook::add(JobId job, const BlockTraffic& traffic) {
     total_ += traffic;
     if (const auto found = jobs_.find(job); found != jobs_.end()) {
-        found->second += traffic;
+        found->second.traffic += traffic;
     }
 }
 
@@ -45,10 +50,11 @@ void TrafficBook::hinted(JobId job, const SubtreeKey& key) {
     asked_by_[key] = job;
 }
 
-void TrafficBook::evicted(JobId job) {
-    BlockTraffic traffic;
-    traffic.evictions = 1;
-    add(job, traffic);
+void TrafficBook::evicted(TreeId tree) {
+    ++total_.evictions;
+    for (auto& [id, job] : jobs_) {
+        job.traffic.evictions += job.uses(tree) ? 1 : 0;
+    }
 }
 
 void TrafficBook::came_from_master(const SubtreeKey& key, std::uint64_t bytes) {
@@ -65,7 +71,7 @@ void TrafficBook::came_from_peer(const SubtreeKey& key, std::uint64_t bytes) {
 
 BlockTraffic TrafficBook::take(JobId job) {
     const auto found = jobs_.find(job);
-    return found == jobs_.end() ? BlockTraffic{} : std::exchange(found->second, {});
+    return found == jobs_.end() ? BlockTraffic{} : std::exchange(found->second.traffic, {});
 }
 
 } // namespace cd

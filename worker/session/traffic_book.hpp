@@ -5,6 +5,7 @@
 #include "proto/messages/work_messages.hpp"
 #include "worker/cache/subtree_cache.hpp"
 
+#include <array>
 #include <cstdint>
 #include <map>
 
@@ -13,9 +14,11 @@ namespace cd {
 /// Charges a block to the job that requested it last, once per arrival.
 class TrafficBook {
   public:
-    void job_added(JobId job) { jobs_.try_emplace(job); }
+    void job_added(JobId job, const std::array<TreeId, 2>& trees);
     void job_removed(JobId job);
+    /// Removes the jobs that use the tree, too.
     void tree_removed(TreeId tree);
+    [[nodiscard]] bool has(JobId job) const { return jobs_.contains(job); }
 
     /// Counts cache hits: needed subtrees that scenarios of the job found.
     void found(JobId job, std::uint64_t subtrees);
@@ -23,7 +26,8 @@ class TrafficBook {
     void missed(JobId job, const SubtreeKey& key);
     /// Counts a subtree that only a hint requests.
     void hinted(JobId job, const SubtreeKey& key);
-    void evicted(JobId job);
+    /// Counts an eviction for each job that uses the tree.
+    void evicted(TreeId tree);
     void came_from_master(const SubtreeKey& key, std::uint64_t bytes);
     void came_from_peer(const SubtreeKey& key, std::uint64_t bytes);
 
@@ -33,13 +37,20 @@ class TrafficBook {
     [[nodiscard]] BlockTraffic take(JobId job);
 
   private:
+    struct Job {
+        std::array<TreeId, 2> trees;
+        BlockTraffic traffic; ///< Since the last call of `take`.
+
+        [[nodiscard]] bool uses(TreeId tree) const { return trees[0] == tree || trees[1] == tree; }
+    };
+
     /// Adds to the total, and to the job if it is known.
     void add(JobId job, const BlockTraffic& traffic);
     /// The job that requested the block last; 0 if none did.
     [[nodiscard]] JobId who_asked(const SubtreeKey& key) const;
 
     BlockTraffic total_;
-    std::map<JobId, BlockTraffic> jobs_;
+    std::map<JobId, Job> jobs_;
     std::map<SubtreeKey, JobId> asked_by_;
 };
 

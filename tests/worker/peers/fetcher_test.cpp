@@ -55,7 +55,7 @@ struct Bench {
 
 TEST(Fetcher, AScenarioIsReadyWhenItsLastSubtreeIsHere) {
     Bench bench(unlimited);
-    bench.fetcher.add(1, {{tree_a, 0}, {tree_a, 3}, {tree_b, 2}});
+    bench.fetcher.add(1, JobId{1}, {{tree_a, 0}, {tree_a, 3}, {tree_b, 2}});
     const Fetcher::Step first = bench.fetcher.advance();
     EXPECT_EQ(first.want, (Keys{{tree_a, 0}, {tree_a, 3}, {tree_b, 2}}));
     EXPECT_TRUE(first.ready.empty());
@@ -69,9 +69,9 @@ TEST(Fetcher, AScenarioIsReadyWhenItsLastSubtreeIsHere) {
 
 TEST(Fetcher, ScenariosDoNotWaitForEachOther) {
     Bench bench(unlimited);
-    bench.fetcher.add(1, {{tree_a, 0}});
-    bench.fetcher.add(2, {{tree_a, 1}});
-    bench.fetcher.add(3, {});
+    bench.fetcher.add(1, JobId{1}, {{tree_a, 0}});
+    bench.fetcher.add(2, JobId{1}, {{tree_a, 1}});
+    bench.fetcher.add(3, JobId{1}, {});
     EXPECT_EQ(bench.fetcher.advance().ready, Tokens{3});
     bench.deliver({tree_a, 1});
     EXPECT_EQ(bench.fetcher.advance().ready, Tokens{2});
@@ -84,7 +84,7 @@ TEST(Fetcher, WhatIsHintedIsAskedForOnceAndWhenNothingIsNeeded) {
     bench.fetcher.hint({JobId{1}, {tree_a, 0}}); // Already requested by a scenario.
     bench.fetcher.hint({JobId{7}, {tree_a, 1}});
     bench.fetcher.hint({JobId{1}, {tree_a, 1}});
-    bench.fetcher.add(1, {{tree_a, 0}});
+    bench.fetcher.add(1, JobId{1}, {{tree_a, 0}});
     const Fetcher::Step needed = bench.fetcher.advance();
     EXPECT_EQ(needed.want, (Keys{{tree_a, 0}}));
     EXPECT_TRUE(needed.hinted.empty());
@@ -97,7 +97,7 @@ TEST(Fetcher, WhatIsHintedIsAskedForOnceAndWhenNothingIsNeeded) {
     EXPECT_EQ(step.hinted[0].job, JobId{7});
 
     // A scenario that needs a hinted block waits for it and does not request it again.
-    bench.fetcher.add(2, {{tree_a, 1}});
+    bench.fetcher.add(2, JobId{1}, {{tree_a, 1}});
     EXPECT_TRUE(bench.fetcher.advance().want.empty());
     bench.deliver({tree_a, 1});
     EXPECT_EQ(bench.fetcher.advance().ready, Tokens{2});
@@ -112,7 +112,7 @@ TEST(Fetcher, AHintIsForgottenWhereSomethingWouldHaveToLeave) {
     bench.fetcher.hint({JobId{1}, {tree_a, 1}});
     bench.fetcher.hint({JobId{1}, {tree_a, 2}}); // The earlier block will take the room.
     EXPECT_EQ(bench.fetcher.advance().want, (Keys{{tree_a, 1}}));
-    bench.fetcher.add(1, {{tree_a, 2}}); // Only the hint needs room.
+    bench.fetcher.add(1, JobId{1}, {{tree_a, 2}}); // Only the hint needs room.
     EXPECT_EQ(bench.fetcher.advance().want, (Keys{{tree_a, 2}}));
 }
 
@@ -126,12 +126,12 @@ TEST(Fetcher, AHintOfARemovedTreeIsForgotten) {
 
 TEST(Fetcher, WhatIsUnderWayIsNotAskedForAgain) {
     Bench bench(unlimited);
-    bench.fetcher.add(1, {{tree_a, 0}, {tree_b, 0}});
+    bench.fetcher.add(1, JobId{1}, {{tree_a, 0}, {tree_b, 0}});
     EXPECT_EQ(bench.fetcher.advance().want.size(), 2u);
-    bench.fetcher.add(2, {{tree_a, 0}, {tree_b, 1}});
+    bench.fetcher.add(2, JobId{1}, {{tree_a, 0}, {tree_b, 1}});
     EXPECT_EQ(bench.fetcher.advance().want, (Keys{{tree_b, 1}}));
     bench.fetcher.finished(1); // The scenario is cancelled; its requests are in flight.
-    bench.fetcher.add(3, {{tree_b, 0}});
+    bench.fetcher.add(3, JobId{1}, {{tree_b, 0}});
     EXPECT_TRUE(bench.fetcher.advance().want.empty());
     bench.deliver({tree_b, 0});
     EXPECT_EQ(bench.fetcher.advance().ready, Tokens{3});
@@ -139,14 +139,14 @@ TEST(Fetcher, WhatIsUnderWayIsNotAskedForAgain) {
 
 TEST(Fetcher, AnAdmittedScenarioTellsWhatItFoundAndWhatIsAskedForBecauseOfIt) {
     Bench bench(unlimited);
-    bench.fetcher.add(1, {{tree_a, 0}, {tree_b, 0}});
+    bench.fetcher.add(1, JobId{1}, {{tree_a, 0}, {tree_b, 0}});
     Fetcher::Step step = bench.fetcher.advance();
     ASSERT_EQ(step.admitted.size(), 1u);
-    EXPECT_EQ(step.admitted[0].token, 1u);
+    EXPECT_EQ(step.admitted[0].job, JobId{1});
     EXPECT_EQ(step.admitted[0].found, 0u);
     EXPECT_EQ(step.admitted[0].asked, (Keys{{tree_a, 0}, {tree_b, 0}}));
     bench.deliver({tree_a, 0});
-    bench.fetcher.add(2, {{tree_a, 0}, {tree_b, 0}, {tree_b, 1}});
+    bench.fetcher.add(2, JobId{1}, {{tree_a, 0}, {tree_b, 0}, {tree_b, 1}});
     step = bench.fetcher.advance();
     ASSERT_EQ(step.admitted.size(), 1u);
     EXPECT_EQ(step.admitted[0].found, 1u);
@@ -155,8 +155,8 @@ TEST(Fetcher, AnAdmittedScenarioTellsWhatItFoundAndWhatIsAskedForBecauseOfIt) {
 
 TEST(Fetcher, ATooSmallCacheStillRunsOneScenarioAfterTheOther) {
     Bench bench(1);
-    bench.fetcher.add(1, {{tree_a, 0}, {tree_a, 1}, {tree_b, 0}});
-    bench.fetcher.add(2, {{tree_a, 1}, {tree_b, 1}});
+    bench.fetcher.add(1, JobId{1}, {{tree_a, 0}, {tree_a, 1}, {tree_b, 0}});
+    bench.fetcher.add(2, JobId{1}, {{tree_a, 1}, {tree_b, 1}});
     const Fetcher::Step first = bench.fetcher.advance();
     EXPECT_EQ(first.want.size(), 3u) << "the second is not admitted yet";
     for (const SubtreeKey& key : first.want) {
@@ -171,8 +171,8 @@ TEST(Fetcher, ATooSmallCacheStillRunsOneScenarioAfterTheOther) {
 
 TEST(Fetcher, ARemovedTreeLeavesTheOthersAlone) {
     Bench bench(unlimited);
-    bench.fetcher.add(1, {{tree_a, 0}, {tree_b, 0}});
-    bench.fetcher.add(2, {{tree_b, 1}});
+    bench.fetcher.add(1, JobId{1}, {{tree_a, 0}, {tree_b, 0}});
+    bench.fetcher.add(2, JobId{1}, {{tree_b, 1}});
     EXPECT_EQ(bench.fetcher.advance().want.size(), 3u);
     bench.fetcher.finished(1);
     bench.fetcher.forget_requests(tree_a);
@@ -213,7 +213,7 @@ class Random {
             std::sort(keys.begin(), keys.end());
             keys.erase(std::unique(keys.begin(), keys.end()), keys.end());
             roots_[++added_] = keys;
-            bench_.fetcher.add(added_, keys);
+            bench_.fetcher.add(added_, JobId{1}, keys);
         } else if (what == 1 && !asked_.empty()) {
             bench_.deliver(take(asked_));
         } else if (what == 2 && !running_.empty()) {
@@ -273,7 +273,7 @@ TEST(Fetcher, ATopIsAskedForOnceAndStays) {
     Bench bench(1);
     EXPECT_TRUE(bench.fetcher.want_top(tree_b));
     EXPECT_FALSE(bench.fetcher.want_top(tree_b)) << "it is under way";
-    bench.fetcher.add(1, {{tree_a, 2}});
+    bench.fetcher.add(1, JobId{1}, {{tree_a, 2}});
     EXPECT_EQ(bench.fetcher.advance().want, (Keys{{tree_a, 2}, {tree_b, top_root}}));
     EXPECT_TRUE(bench.fetcher.advance().want.empty());
     EXPECT_EQ(bench.fetcher.awaited(), (Keys{{tree_a, 2}, {tree_b, top_root}}));

@@ -1,9 +1,6 @@
-// Proves that removed, recalled or elsewhere answered scenarios are dropped and freed if they have
-// not begun, and that all others are answered.
+// Proves that scenarios of removed jobs and trees, and recalled ones, are dropped and freed if they
+// have not begun, and that all others are answered.
 #include "tests/worker/session_stage.hpp"
-
-#include <latch>
-#include <numeric>
 
 namespace cd::tests {
 namespace {
@@ -81,89 +78,6 @@ TEST(Session, WhatWaitsForARemovedTreeIsDroppedWithIt) {
         }
         EXPECT_LT(master.records.size(), scenarios.size());
     });
-}
-
-TEST(Session, ADroppedScenarioIsNotAnsweredAndTheOthersAre) {
-    for (const bool is_range : {false, true}) {
-        perform(unlimited, 1, [is_range](Stage& stage) -> asio::awaitable<void> {
-            FakeMaster& master = stage.master;
-            const auto scenarios = make_scenarios(0, 40);
-            master.channel->send(DropScenario{JobId{1}, 7});
-            master.channel->send(DropScenario{JobId{99}, 8}); // An unknown job: no effect.
-            if (is_range) {
-                master.channel->send(make_range(TaskId{1}, scenarios));
-            } else {
-                master.channel->send(make_batch(TaskId{1}, scenarios));
-            }
-            co_await master.serve_until_ended(1);
-            EXPECT_EQ(master.records.size(), 39u);
-            EXPECT_FALSE(master.records.contains(7));
-        });
-    }
-}
-
-/// Starts no scenario as long as the one thread is blocked.
-template <class Then>
-asio::awaitable<void> with_a_held_thread(Stage& stage, bool is_range, Then then) {
-    std::latch released(1);
-    stage.executor.submit([&released] {
-        released.wait();
-        return Executor::Continuation([] {});
-    });
-    const auto scenarios = make_scenarios(0, 40);
-    if (is_range) {
-        stage.master.channel->send(make_range(TaskId{1}, scenarios));
-    } else {
-        stage.master.channel->send(make_batch(TaskId{1}, scenarios));
-    }
-    Recall of_no_task;
-    of_no_task.task = TaskId{99};
-    stage.master.channel->send(of_no_task); // No effect.
-    then();
-    const std::function<bool()> is_told = [&] { return !stage.master.recalled.empty(); };
-    co_await stage.master.serve_until(is_told);
-    EXPECT_TRUE(stage.master.records.empty());
-    released.count_down();
-    co_await stage.master.serve_until_ended(1);
-}
-
-TEST(Session, UnbegunRecalledScenariosAreReturned) {
-    for (const bool is_range : {false, true}) {
-        perform(unlimited, 1, [is_range](Stage& stage) -> asio::awaitable<void> {
-            FakeMaster& master = stage.master;
-            std::vector<std::uint64_t> wanted(20);
-            std::iota(wanted.begin(), wanted.end(), 10);
-            const auto ask = [&] { master.channel->send(Recall{TaskId{1}, wanted, 10}); };
-            co_await with_a_held_thread(stage, is_range, ask);
-            EXPECT_EQ(master.recalled.size(), 1u);
-            EXPECT_EQ(master.recalled[0].task, TaskId{1});
-            EXPECT_EQ(master.recalled[0].scenarios,
-                      is_range ? std::vector<std::uint64_t>{} : wanted);
-            EXPECT_EQ(master.recalled[0].places, is_range ? 10u : 0u);
-            EXPECT_EQ(master.records.size(), is_range ? 10u : 20u);
-            EXPECT_TRUE(master.records.contains(9));
-            EXPECT_FALSE(master.records.contains(10));
-        });
-    }
-}
-
-TEST(Session, WhatAnotherWorkerHasAnsweredIsDroppedInItsTaskAlone) {
-    for (const bool is_range : {false, true}) {
-        perform(unlimited, 1, [is_range](Stage& stage) -> asio::awaitable<void> {
-            FakeMaster& master = stage.master;
-            const auto drop = [&] {
-                master.channel->send(DropScenario{JobId{1}, 7, TaskId{1}});
-                master.channel->send(DropScenario{JobId{1}, 8, TaskId{99}});
-                master.channel->send(Recall{TaskId{1}, {}, 40});
-            };
-            co_await with_a_held_thread(stage, is_range, drop);
-            EXPECT_EQ(master.records.size(), 39u);
-            EXPECT_FALSE(master.records.contains(7));
-            master.channel->send(make_batch(TaskId{2}, make_scenarios(7, 1)));
-            co_await master.serve_until_ended(2);
-            EXPECT_TRUE(master.records.contains(7)) << "in another task it is done";
-        });
-    }
 }
 
 /// The returned scenario's blocks are evicted: nothing else needs them, and the cache is full.

@@ -1,6 +1,5 @@
 // Proves that a session outlives its connection, and its results and subtrees outlive the session:
 // no scenario is answered twice or lost.
-#include "common/core/limits/wire.hpp"
 #include "tests/worker/session_stage.hpp"
 
 #include <memory>
@@ -58,44 +57,15 @@ TEST(Session, WhatIsNotAcknowledgedIsSentAgainAndSubtreesAreKept) {
     EXPECT_TRUE(keep->cache.parked().empty()) << "of another cluster";
 }
 
-asio::awaitable<void> go_on_with(Executor& executor, std::shared_ptr<WorkerKeep> keep) {
-    Ends first = co_await connect_greeted_ends();
-    const auto session = std::make_shared<Session>(
-        std::move(first.left), executor, unlimited, PeerParts{}, std::move(keep), quick_times);
-    Ends next = co_await connect_greeted_ends();
-    const SessionEnd how = co_await session->resume(std::move(next.left));
-    EXPECT_EQ(how, SessionEnd::Disagreed) << "it is to begin another session";
-    EXPECT_EQ(session->reason(), "it holds more than can be said at once");
-    const Result<Message> nothing = co_await next.right->receive(patience);
-    EXPECT_FALSE(nothing);
-}
-
-TEST(Session, AnInventoryTooLargeForOneMessageEndsTheSession) {
-    const auto keep = std::make_shared<WorkerKeep>(unlimited);
-    AddTree add = bodies().a.add(tree_a);
-    add.roots = limits::message_roots_bytes_max / sizeof(RootIndex);
-    add.triangles = add.roots;
-    ASSERT_TRUE(keep->cache.add_tree(add));
-    const Result<OpenedBlock> opened = open_block(bodies().a.block(0));
-    ASSERT_TRUE(opened);
-    for (RootIndex root = 0; root < add.roots; ++root) {
-        ASSERT_TRUE(keep->cache.insert({tree_a, root}, opened.value()));
-    }
-    asio::io_context context;
-    Executor executor(context.get_executor(), 1);
-    asio::co_spawn(context, go_on_with(executor, keep), [](const std::exception_ptr& thrown) {
-        EXPECT_FALSE(thrown);
-    });
-    context.run_for(patience);
-    EXPECT_TRUE(context.stopped()) << "something is still under way";
-}
-
 /// Keeps a session over several connections; the master played here remembers what it received.
 asio::awaitable<void>
 lose_the_connection_again_and_again(asio::io_context& context, Executor& executor, int losses) {
     Ends ends = co_await connect_greeted_ends();
-    const auto session = std::make_shared<Session>(
-        std::move(ends.left), executor, unlimited, PeerParts{}, nullptr, quick_times);
+    const auto session = std::make_shared<Session>(std::move(ends.left),
+                                                   executor,
+                                                   std::make_shared<WorkerKeep>(unlimited),
+                                                   PeerParts{},
+                                                   quick_times);
     FakeMaster master(std::move(ends.right));
     master.acknowledges = false;
     const auto scenarios = make_scenarios(700, 200);

@@ -1,13 +1,11 @@
 // Proves that a worker's session, over a real connection to a master played by the test, answers
 // its scenarios exactly as one process does on whole trees, and that every way of ending it neither
 // loses nor invents a result.
-#include "common/core/limits/worker.hpp"
 #include "tests/worker/session_stage.hpp"
 
 #include <gmock/gmock.h>
 
 #include <latch>
-#include <numeric>
 
 namespace cd::tests {
 namespace {
@@ -131,24 +129,6 @@ TEST(Session, StopHandsBackWhatItHasNotBegun) {
     EXPECT_EQ(how, SessionEnd::Drained);
 }
 
-/// Tasks the master sent before it received the notice are in flight, and would count as lost.
-TEST(Session, StopReturnsTasksSentBeforeTheMastersDrain) {
-    const auto how = perform(unlimited, 1, [](Stage& stage) -> asio::awaitable<void> {
-        FakeMaster& master = stage.master;
-        master.answers_drain = false;
-        stage.session->stop();
-        const std::function<bool()> says_so = [&] { return master.worker_drains; };
-        co_await master.serve_until(says_so);
-        master.channel->send(make_batch(TaskId{1}, make_scenarios(0, 20)));
-        master.channel->send(make_range(TaskId{2}, make_scenarios(20, 20)));
-        master.channel->send(Drain{});
-        co_await master.serve_until_ended(99); // Until the connection ends.
-        EXPECT_EQ(master.ended, (std::set<TaskId>{TaskId{1}, TaskId{2}}));
-        EXPECT_TRUE(master.records.empty());
-    });
-    EXPECT_EQ(how, SessionEnd::Drained);
-}
-
 /// Waits until a thread is inside scenario 0 of job 2, which takes long: half a million near
 /// contacts.
 asio::awaitable<void> begin_what_takes_long(FakeMaster& master, const CutBody& dense) {
@@ -196,33 +176,6 @@ TEST(Session, WhatIsCancelledInsideItsRunStopsThereAndItsThreadIsFree) {
             expect_all_right(master, scenarios); // And no others.
         });
     }
-}
-
-TEST(Session, BeginsNothingWhileTooManyResultsAreNotAcknowledged) {
-    const auto keep = std::make_shared<WorkerKeep>(unlimited, UnkeptBounds{1 << 20, 1});
-    const auto play = [&](Stage& stage) -> asio::awaitable<void> {
-        FakeMaster& master = stage.master;
-        master.acknowledges = false;
-        const auto scenarios = make_scenarios(100, 60); // Each is a task and so a message.
-        for (std::size_t i = 0; i < scenarios.size(); ++i) {
-            master.channel->send(make_batch(TaskId{i + 1}, std::span(scenarios).subspan(i, 1)));
-        }
-        const std::function<bool()> has_answered = [&] { return master.results_messages != 0; };
-        co_await master.serve_until(has_answered);
-        const std::size_t then = master.heartbeats;
-        const std::function<bool()> has_had_time = [&] { return master.heartbeats > then + 20; };
-        co_await master.serve_until(has_had_time);
-        // Scenarios running or finished when the first message was sent came, too.
-        EXPECT_LE(master.results_messages, 1 + 2 * limits::jobs_per_thread_max);
-        master.acknowledges = true;
-        std::vector<std::uint64_t> all(keep->results.messages().size());
-        std::iota(all.begin(), all.end(), 1);
-        master.channel->send(ResultsKept{all});
-        co_await master.serve_until_ended(scenarios.size());
-        expect_all_right(master, scenarios);
-    };
-    perform(unlimited, 1, play, true, keep);
-    EXPECT_TRUE(keep->results.empty());
 }
 
 TEST(Session, TerminateEndsAtOnce) {

@@ -13,8 +13,8 @@ constexpr SubtreeKey other_key{TreeId{5}, 4};
 
 struct Book : testing::Test {
     Book() {
-        book.job_added(job);
-        book.job_added(other_job);
+        book.job_added(job, {key.tree, other_key.tree});
+        book.job_added(other_job, {other_key.tree, other_key.tree});
     }
     TrafficBook book;
 };
@@ -32,12 +32,11 @@ TEST_F(Book, ABlockCountsForTheJobThatAskedForIt) {
 TEST_F(Book, ABlockThatIsAskedForAgainCountsForWhoDoes) {
     book.missed(job, key);
     book.came_from_master(key, 100);
-    book.evicted(job);
-    book.evicted(other_job);
+    book.evicted(key.tree);
     book.missed(other_job, key);
     book.came_from_master(key, 100);
     EXPECT_EQ(book.take(job), (BlockTraffic{0, 1, 0, 1, 100, 0}));
-    EXPECT_EQ(book.take(other_job), (BlockTraffic{0, 1, 0, 1, 100, 0}));
+    EXPECT_EQ(book.take(other_job), (BlockTraffic{0, 1, 0, 0, 100, 0}));
 }
 
 TEST_F(Book, WhatIsTakenIsNotTakenAgain) {

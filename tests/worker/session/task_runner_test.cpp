@@ -1,0 +1,162 @@
+// Proves that a session answers each scenario of its tasks once or returns it, begins nothing while
+// it may not, and ends each task after its results.
+#include "worker/session/task_runner.hpp"
+
+#include "tests/worker/session/parts.hpp"
+
+#include <gmock/gmock.h>
+
+#include <numeric>
+#include <set>
+
+namespace cd::tests {
+namespace {
+
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+constexpr TaskId task{1};
+
+struct Runner : HubStage {
+    Runner() : blocks(*hub, master, keep, {}), tasks(*hub, master, blocks, keep->computed) {
+        hub->on_settle = [this] { settle(); };
+        EXPECT_TRUE(blocks.add_tree(bodies().a.add(tree_a)));
+        EXPECT_TRUE(blocks.add_tree(bodies().b.add(tree_b)));
+        EXPECT_TRUE(tasks.add_job(add_job()));
+    }
+    void settle() {
+        has_ended_last = tasks.settle(blocks.settle()) || has_ended_last;
+        for (; wants_served < master.sent.size(); ++wants_served) {
+            const auto* want = std::get_if<WantSubtrees>(&master.sent[wants_served]);
+            Subtrees subtrees;
+            for (std::size_t i = 0; want != nullptr && i < want->roots.size(); ++i) {
+                const CutBody& body = want->tree == tree_a ? bodies().a : bodies().b;
+                subtrees.tree = want->tree;
+                subtrees.blocks.push_back(body.block(want->roots[i]));
+            }
+            blocks.receive(std::move(subtrees));
+        }
+    }
+    void run_to_the_end() {
+        run_until([&] { return has_ended_last; });
+        has_ended_last = false;
+    }
+    /// Adds 40 scenarios as a batch or a range, and begins none.
+    void add_unbegun(bool is_range) {
+        master.has_room = false;
+        const auto scenarios = make_scenarios(0, 40);
+        EXPECT_TRUE(is_range ? tasks.add(make_range(task, scenarios))
+                             : tasks.add(make_batch(task, scenarios)));
+        context.poll();
+    }
+    void go_on() {
+        master.has_room = true;
+        hub->settle_soon();
+        run_to_the_end();
+    }
+    /// Scenarios in the results, checked against those of whole trees.
+    [[nodiscard]] std::set<std::uint64_t> answered() const {
+        std::set<std::uint64_t> indices;
+        for (const Results& results : master.all<Results>()) {
+            const Bytes bytes = unpack_records(results.records, limits::results_bytes_max).value();
+            ByteReader in(bytes);
+            for (std::uint32_t i = 0; i < results.count; ++i) {
+                const auto found = in.get_bytes(in.get<std::uint32_t>());
+                const Bytes record(found.begin(), found.end());
+                const std::uint64_t index = decode_result(record).value().index;
+                EXPECT_EQ(record, expected_record(make_scenarios(index, 1)[0]));
+                EXPECT_TRUE(indices.insert(index).second) << "answered twice";
+            }
+        }
+        return indices;
+    }
+
+    std::shared_ptr<WorkerKeep> keep = std::make_shared<WorkerKeep>(unlimited);
+    BlockInbox blocks;
+    TaskRunner tasks;
+    std::size_t wants_served = 0;
+    bool has_ended_last = false;
+};
+
+TEST_F(Runner, AnswersEachScenarioAndThenEndsTheTask) {
+    for (const bool is_range : {false, true}) {
+        add_unbegun(is_range);
+        EXPECT_THAT(answered(), IsEmpty()) << "the master takes no results";
+        EXPECT_EQ(tasks.book().unanswered(), 40u);
+        go_on();
+        EXPECT_EQ(answered().size(), 40u);
+        EXPECT_EQ(std::get<EndOfTask>(master.sent.back()).task, task);
+        EXPECT_FALSE(tasks.book().has_tasks());
+        master.sent.clear();
+        wants_served = 0;
+    }
+    EXPECT_EQ(keep->computed->load(), 80u);
+}
+
+TEST_F(Runner, ReturnsRecalledScenariosThatHaveNotBegun) {
+    for (const bool is_range : {false, true}) {
+        add_unbegun(is_range);
+        std::vector<std::uint64_t> wanted(20);
+        std::iota(wanted.begin(), wanted.end(), 10);
+        tasks.recall({TaskId{99}, wanted, 10}); // An unknown task has ended.
+        tasks.recall({task, wanted, 10});
+        const auto recalled = master.all<Recalled>();
+        ASSERT_EQ(recalled.size(), 1u);
+        EXPECT_EQ(recalled[0].scenarios, is_range ? std::vector<std::uint64_t>{} : wanted);
+        EXPECT_EQ(recalled[0].places, is_range ? 10u : 0u);
+        go_on();
+        const std::set<std::uint64_t> indices = answered();
+        EXPECT_EQ(indices.size(), is_range ? 10u : 20u);
+        EXPECT_TRUE(indices.contains(9));
+        EXPECT_FALSE(indices.contains(10));
+        master.sent.clear();
+        wants_served = 0;
+    }
+}
+
+TEST_F(Runner, DropsAScenarioInOneTaskOrInAllOfItsJob) {
+    for (const bool is_range : {false, true}) {
+        add_unbegun(is_range);
+        tasks.drop({JobId{1}, 7, task});
+        tasks.drop({JobId{1}, 8, TaskId{99}}); // No effect, as the next one.
+        tasks.drop({JobId{99}, 9});
+        go_on();
+        EXPECT_EQ(answered().size(), 39u);
+        EXPECT_FALSE(answered().contains(7));
+        master.sent.clear();
+        wants_served = 0;
+    }
+    tasks.drop({JobId{1}, 8});
+    add_unbegun(false);
+    go_on();
+    EXPECT_EQ(answered().size(), 39u);
+    EXPECT_FALSE(answered().contains(8));
+    EXPECT_TRUE(answered().contains(7));
+}
+
+TEST_F(Runner, ReturnsEverythingUnbegunWhenItStops) {
+    add_unbegun(false);
+    EXPECT_TRUE(tasks.add(make_range(TaskId{2}, make_scenarios(40, 5))));
+    tasks.stop();
+    tasks.stop();
+    EXPECT_EQ(master.all<Drain>().size(), 1u);
+    // These were on their way before the master received the Drain.
+    EXPECT_TRUE(tasks.add(make_batch(TaskId{3}, make_scenarios(50, 5))));
+    EXPECT_TRUE(tasks.add(make_range(TaskId{4}, make_scenarios(60, 5))));
+    go_on();
+    EXPECT_EQ(master.all<EndOfTask>().size(), 4u);
+    EXPECT_THAT(answered(), IsEmpty());
+}
+
+TEST_F(Runner, EndsTheTasksOfARemovedJob) {
+    add_unbegun(true);
+    tasks.remove_job(JobId{1});
+    go_on();
+    EXPECT_EQ(master.all<EndOfTask>().size(), 1u);
+    EXPECT_THAT(answered(), IsEmpty());
+    EXPECT_THAT(tasks.add(make_range(TaskId{2}, make_scenarios(0, 1))).error().detail,
+                HasSubstr("job that is not here"));
+}
+
+} // namespace
+} // namespace cd::tests

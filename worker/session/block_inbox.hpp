@@ -1,0 +1,111 @@
+// The blocks of geometry of a session: requests, arrivals from the master and from other workers,
+// and the reports on what is held.
+#pragma once
+
+#include "worker/cache/subtree_cache.hpp"
+#include "worker/execution/worker_job.hpp"
+#include "worker/peers/fetcher.hpp"
+#include "worker/peers/peer_links.hpp"
+#include "worker/peers/peer_server.hpp"
+#include "worker/session/session_hub.hpp"
+#include "worker/session/traffic_book.hpp"
+#include "worker/session/worker_keep.hpp"
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace cd {
+
+/// The parts of a session that exchange blocks with other workers.
+struct PeerParts {
+    std::shared_ptr<PeerServer> server; ///< Null: serves no blocks.
+    PeerKey key;                        ///< From the Welcome.
+    std::string name;                   ///< This worker's name, for the logs of peers.
+    std::shared_ptr<const TlsSlot> tls = std::make_shared<TlsSlot>();
+};
+
+/// Gets the blocks that scenarios, ranges and hints need, and tells the master what the cache holds
+/// and has evicted.
+class BlockInbox {
+  public:
+    using Token = Fetcher::Token;
+
+    /// Takes the cache from `keep`, until `leave`.
+    BlockInbox(SessionHub& hub,
+               MasterLink& master,
+               std::shared_ptr<WorkerKeep> keep,
+               PeerParts peers);
+
+    // ---- Messages from the master -------------------------------------------------------------
+    /// Errors: those of `SubtreeCache::add_tree`.
+    [[nodiscard]] Status add_tree(const AddTree& add);
+    /// No scenario may need the tree any more.
+    void remove_tree(TreeId tree);
+    void add_job(const WorkerJob& job) { traffic_.job_added(job.id, {job.tree_a, job.tree_b}); }
+    void remove_job(JobId job) { traffic_.job_removed(job); }
+    /// Errors: BadFrame for an unknown job, tree or subtree.
+    [[nodiscard]] Status hint(const Hint& hint);
+    void receive(Subtrees subtrees);
+    /// Tries the sources in order, then the master.
+    void fetch(FetchFromPeers directions);
+
+    // ---- What the tasks need ------------------------------------------------------------------
+    /// Requests the blocks of a scenario; `settle` returns its token when all are cached. They stay
+    /// cached until `release`.
+    void need(Token token, JobId job, std::vector<SubtreeKey> roots);
+    void release(Token token) { fetcher_.finished(token); }
+    /// Requests the upper trees that descents of the job need.
+    void need_tops(const WorkerJob& job);
+    [[nodiscard]] bool has_tops(const WorkerJob& job) const;
+    /// Counts blocks that a descent found in the cache as used.
+    void found(JobId job, const Walked& walked);
+    /// Traffic of the job since the last call.
+    [[nodiscard]] BlockTraffic take_traffic(JobId job) { return traffic_.take(job); }
+
+    // ---- The session --------------------------------------------------------------------------
+    /// Lets other workers fetch the cached blocks.
+    void serve_peers();
+    /// Sends evictions, arrivals and new requests, in this order. Returns the scenarios whose
+    /// blocks are all cached now, each once.
+    [[nodiscard]] std::vector<Token> settle();
+    /// Lists the trees with their cached blocks.
+    [[nodiscard]] std::vector<StandingTree> standing() const;
+    /// Repeats all pending requests, after an inventory has reported all else.
+    void ask_again();
+    /// Evicts subtrees until the cache takes at most `bytes`. Returns the number of evicted ones.
+    std::size_t let_go(std::uint64_t bytes);
+    [[nodiscard]] CacheTraffic traffic() const;
+    [[nodiscard]] SubtreeCache& cache() { return cache_; }
+    [[nodiscard]] const SubtreeCache& cache() const { return cache_; }
+    /// Stops serving other workers, and returns the cache to its keep.
+    void leave();
+
+  private:
+    /// Decodes a block on a thread. `source` is the sender; 0 is the master.
+    void open_soon(TreeId tree, SubtreeBlock block, WorkerId source);
+    void block_opened(const SubtreeKey& key,
+                      const Result<OpenedBlock>& opened,
+                      const std::shared_ptr<const SubtreeBlock>& block,
+                      WorkerId source);
+    // Holds the hub, because it may start after the session has ended.
+    asio::awaitable<void> fetch_from_peers(std::shared_ptr<SessionHub> hub,
+                                           FetchFromPeers directions);
+    void count(const Fetcher::Step& step);
+    void send_evicted();
+    void send_held();
+    void send_wants(const std::vector<SubtreeKey>& want);
+
+    SessionHub& hub_;
+    MasterLink& master_;
+    std::shared_ptr<WorkerKeep> keep_;
+    SubtreeCache cache_;
+    Fetcher fetcher_;
+    PeerParts peers_;
+    PeerLinks links_;
+    std::map<TreeId, std::vector<RootIndex>> held_; ///< Blocks not yet reported in a Held.
+    TrafficBook traffic_;
+};
+
+} // namespace cd

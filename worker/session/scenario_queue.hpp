@@ -1,0 +1,51 @@
+// The unanswered scenarios of a session whose roots are known.
+#pragma once
+
+#include "proto/messages/work_messages.hpp"
+
+#include <atomic>
+#include <cstdint>
+#include <deque>
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace cd {
+
+/// A scenario waits for its subtrees, then for a thread, then runs.
+class ScenarioQueue {
+  public:
+    using Token = std::uint64_t; ///< Identifies a scenario; used once.
+    struct Place {
+        Token token = 0;
+        TaskId task;
+        std::size_t scenario = 0; ///< Position in the task.
+        /// Set by the thread that begins the scenario or by its return, whichever is first. Null
+        /// before the scenario is submitted to a thread.
+        std::shared_ptr<std::atomic<bool>> has_begun;
+    };
+
+    /// Adds a scenario that waits for its subtrees.
+    [[nodiscard]] Token add(TaskId task, std::size_t scenario);
+    /// Tells that these scenarios wait only for a thread. They exist.
+    void set_ready(std::span<const Token> tokens);
+    /// The next scenario for a thread, with its `has_begun`; they come in the order of `set_ready`.
+    /// Empty if none is ready.
+    [[nodiscard]] std::optional<Place> begin_next();
+    /// Removes a scenario that a thread has handled. Empty if it was dropped before it began.
+    [[nodiscard]] std::optional<Place> finish(Token token);
+    /// Removes the scenarios that match `concerned` and have not begun, and returns them.
+    std::vector<Place> drop_unbegun(const std::function<bool(const Place&)>& concerned);
+
+    [[nodiscard]] std::size_t size() const { return places_.size(); }
+
+  private:
+    std::map<Token, Place> places_;
+    std::deque<Token> ready_; ///< Not given to a thread.
+    Token last_ = 0;
+};
+
+} // namespace cd

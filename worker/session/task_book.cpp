@@ -1,0 +1,81 @@
+#include "worker/session/task_book.hpp"
+
+#include <string>
+#include <utility>
+
+namespace cd {
+
+namespace {
+
+Error unknown_job_of(TaskId task) {
+    return {ErrorCode::BadFrame,
+            "task " + std::to_string(task.value) + " names a job that is not here"};
+}
+
+} // namespace
+
+Result<std::shared_ptr<const WorkerJob>> TaskBook::add_job(AddJob add, const SubtreeCache& cache) {
+    const JobId id = add.job;
+    Result<std::shared_ptr<const WorkerJob>> job = make_worker_job(std::move(add), cache);
+    if (job && !jobs_.emplace(id, job.value()).second) {
+        return Error{ErrorCode::BadFrame, "job " + std::to_string(id.value) + " was added already"};
+    }
+    return job;
+}
+
+void TaskBook::remove_jobs_of(TreeId tree) {
+    std::erase_if(jobs_, [tree](const auto& job) { return job.second->uses(tree); });
+}
+
+std::shared_ptr<const WorkerJob> TaskBook::job(JobId job) const {
+    const auto found = jobs_.find(job);
+    return found == jobs_.end() ? nullptr : found->second;
+}
+
+Result<Task*> TaskBook::add(Batch batch, const SubtreeCache& cache) {
+    const TaskId id = batch.task;
+    auto its_job = job(batch.job);
+    return its_job == nullptr ? unknown_job_of(id)
+                              : add(id, Task::make(std::move(batch), std::move(its_job), cache));
+}
+
+Result<Task*> TaskBook::add(const ScenarioRange& range) {
+    auto its_job = job(range.job);
+    return its_job == nullptr ? unknown_job_of(range.task)
+                              : add(range.task, Task::make(range, std::move(its_job)));
+}
+
+Result<Task*> TaskBook::add(TaskId id, Result<Task> made) {
+    if (!made) {
+        return made.error();
+    }
+    const auto [place, is_new] = tasks_.emplace(id, std::move(made.value()));
+    if (!is_new) {
+        return Error{ErrorCode::BadFrame, "task " + std::to_string(id.value) + " came twice"};
+    }
+    return &place->second;
+}
+
+Task* TaskBook::find(TaskId task) {
+    const auto found = tasks_.find(task);
+    return found == tasks_.end() ? nullptr : &found->second;
+}
+
+std::uint64_t TaskBook::unanswered() const {
+    std::uint64_t unanswered = 0;
+    for (const auto& [id, task] : tasks_) {
+        unanswered += task.unanswered();
+    }
+    return unanswered;
+}
+
+void TaskBook::add_to(Standing& standing) const {
+    for (const auto& [id, job] : jobs_) {
+        standing.jobs.push_back(id);
+    }
+    for (const auto& [id, task] : tasks_) {
+        standing.tasks.push_back(task.given_back());
+    }
+}
+
+} // namespace cd

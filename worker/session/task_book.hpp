@@ -1,0 +1,45 @@
+// The jobs and tasks that a master has assigned in one session.
+#pragma once
+
+#include "worker/execution/task.hpp"
+#include "worker/execution/worker_job.hpp"
+
+#include <cstdint>
+#include <map>
+#include <memory>
+
+namespace cd {
+
+class TaskBook {
+  public:
+    /// Errors: BadFrame for a job that exists already; those of `make_worker_job`.
+    [[nodiscard]] Result<std::shared_ptr<const WorkerJob>> add_job(AddJob add,
+                                                                   const SubtreeCache& cache);
+    void remove_job(JobId job) { jobs_.erase(job); }
+    void remove_jobs_of(TreeId tree);
+    /// Null for an unknown job.
+    [[nodiscard]] std::shared_ptr<const WorkerJob> job(JobId job) const;
+
+    /// Errors: BadFrame for an unknown job or a task that exists already; those of `Task::make`.
+    [[nodiscard]] Result<Task*> add(Batch batch, const SubtreeCache& cache);
+    [[nodiscard]] Result<Task*> add(const ScenarioRange& range);
+    [[nodiscard]] std::map<TaskId, Task>& tasks() { return tasks_; }
+    /// Null for an unknown task.
+    [[nodiscard]] Task* find(TaskId task);
+    /// The task must exist.
+    [[nodiscard]] Task& at(TaskId task) { return tasks_.at(task); }
+
+    [[nodiscard]] bool has_tasks() const { return !tasks_.empty(); }
+    /// Unanswered scenarios of all tasks.
+    [[nodiscard]] std::uint64_t unanswered() const;
+    /// Adds the jobs, and the tasks with their returned scenarios.
+    void add_to(Standing& standing) const;
+
+  private:
+    [[nodiscard]] Result<Task*> add(TaskId id, Result<Task> made);
+
+    std::map<JobId, std::shared_ptr<const WorkerJob>> jobs_;
+    std::map<TaskId, Task> tasks_;
+};
+
+} // namespace cd

@@ -1,0 +1,347 @@
+#include "worker/session/task_runner.hpp"
+
+#include "common/core/host/log.hpp"
+#include "common/core/limits/worker.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace cd {
+
+namespace {
+
+bool names(const std::vector<std::uint64_t>& ascending, std::uint64_t scenario) {
+    return std::binary_search(ascending.begin(), ascending.end(), scenario);
+}
+
+} // namespace
+
+TaskRunner::TaskRunner(SessionHub& hub,
+                       MasterLink& master,
+                       BlockInbox& blocks,
+                       std::shared_ptr<std::atomic<std::uint64_t>> computed)
+    : hub_(hub),
+      master_(master),
+      blocks_(blocks),
+      computed_(std::move(computed)),
+      flush_timer_(hub.home()) {}
+
+void TaskRunner::stop() {
+    if (std::exchange(stopping_, true)) {
+        return;
+    }
+    log_info("draining: running={} unanswered={}", running_, book_.unanswered());
+    master_.send(Drain{});
+    drop_unstarted([](const Task&) { return true; });
+    hub_.settle_soon();
+}
+
+void TaskRunner::hand_back() {
+    log_warning("not drained in time: running={} unanswered={}", running_, book_.unanswered());
+    abandon([](const Task&) { return true; });
+    hub_.settle_soon();
+}
+
+void TaskRunner::leave() {
+    flush_timer_.cancel();
+    flush_all();
+}
+
+// ---- Messages from the master ---------------------------------------------------------------
+
+Status TaskRunner::add_job(AddJob add) {
+    const auto job = book_.add_job(std::move(add), blocks_.cache());
+    if (!job) {
+        return job.error();
+    }
+    blocks_.add_job(*job.value());
+    return Done{};
+}
+
+void TaskRunner::remove_job(JobId job) {
+    abandon([job](const Task& task) { return task.job().id == job; });
+    book_.remove_job(job);
+    blocks_.remove_job(job);
+    hub_.settle_soon();
+}
+
+void TaskRunner::remove_jobs_of(TreeId tree) {
+    abandon([tree](const Task& task) { return task.job().uses(tree); });
+    book_.remove_jobs_of(tree);
+}
+
+Status TaskRunner::add(Batch batch) {
+    const Result<Task*> added = book_.add(std::move(batch), blocks_.cache());
+    if (!added) {
+        return added.error();
+    }
+    Task& task = *added.value();
+    if (stopping_) {
+        task.drop(task.scenario_count());
+    } else {
+        for (std::size_t scenario = 0; scenario < task.scenario_count(); ++scenario) {
+            wait_for_subtrees(task, scenario);
+        }
+    }
+    hub_.settle_soon();
+    return Done{};
+}
+
+Status TaskRunner::add(const ScenarioRange& range) {
+    const Result<Task*> added = book_.add(range);
+    if (!added) {
+        return added.error();
+    }
+    if (stopping_) {
+        added.value()->drop_unwalked();
+    } else {
+        blocks_.need_tops(added.value()->job());
+    }
+    hub_.settle_soon();
+    return Done{};
+}
+
+void TaskRunner::recall(const Recall& recall) {
+    Task* const task = book_.find(recall.task);
+    if (task == nullptr) {
+        return; // The task has ended, and its EndOfTask is in transit.
+    }
+    const std::vector<Place> dropped = drop_unbegun([&](const Place& place) {
+        return place.task == recall.task && names(recall.scenarios, task->index_of(place.scenario));
+    });
+    for (const Place& place : dropped) {
+        task->give_back(task->index_of(place.scenario));
+    }
+    task->keep_places(recall.places);
+    const Recalled recalled = task->given_back();
+    log_debug("recalled: task={} scenarios={} places_kept={}",
+              recall.task.value,
+              recalled.scenarios.size(),
+              recalled.places);
+    master_.send(recalled);
+    hub_.settle_soon();
+}
+
+void TaskRunner::drop(const DropScenario& drop) {
+    const auto job = book_.job(drop.job);
+    if (job != nullptr && drop.task == TaskId{}) {
+        log_info("scenario dropped: job={} scenario={}", drop.job.value, drop.scenario);
+        job->dropped->add(drop.scenario);
+        return;
+    }
+    Task* const task = book_.find(drop.task);
+    if (job == nullptr || task == nullptr) {
+        return;
+    }
+    task->answered_elsewhere()->add(drop.scenario);
+    drop_unbegun([&](const Place& place) {
+        return place.task == drop.task && task->index_of(place.scenario) == drop.scenario;
+    });
+    hub_.settle_soon();
+}
+
+// ---- Dropping scenarios ---------------------------------------------------------------------
+
+std::vector<ScenarioQueue::Place>
+TaskRunner::drop_unbegun(const std::function<bool(const Place&)>& concerned) {
+    std::vector<Place> dropped = queue_.drop_unbegun(concerned);
+    for (const Place& place : dropped) {
+        book_.at(place.task).drop();
+        blocks_.release(place.token);
+    }
+    return dropped;
+}
+
+void TaskRunner::drop_unstarted(const std::function<bool(const Task&)>& concerned) {
+    drop_unbegun([&](const Place& place) { return concerned(book_.at(place.task)); });
+    for (auto& [id, task] : book_.tasks()) {
+        if (concerned(task)) {
+            task.drop_unwalked();
+        }
+    }
+}
+
+void TaskRunner::abandon(const std::function<bool(const Task&)>& concerned) {
+    drop_unstarted(concerned);
+    for (auto& [id, task] : book_.tasks()) {
+        if (concerned(task)) {
+            task.abandon(); // Running scenarios stop soon, without a result.
+        }
+    }
+}
+
+// ---- Scheduling -----------------------------------------------------------------------------
+
+void TaskRunner::wait_for_subtrees(const Task& task, std::size_t scenario) {
+    blocks_.need(queue_.add(task.id(), scenario), task.job().id, task.roots_of(scenario));
+}
+
+bool TaskRunner::settle(std::span<const ScenarioQueue::Token> ready) {
+    queue_.set_ready(ready);
+    const std::size_t running_max = limits::jobs_per_thread_max * hub_.threads();
+    bool is_more_ready = true;
+    while (is_more_ready && running_ < running_max && master_.takes_results()) {
+        is_more_ready = start_next();
+    }
+    return end_finished_tasks();
+}
+
+bool TaskRunner::start_next() {
+    if (const std::optional<Place> place = queue_.begin_next()) {
+        start(*place);
+        return true;
+    }
+    Task* const task = queue_.size() < limits::walked_waiting_max ? next_to_walk() : nullptr;
+    if (task != nullptr) {
+        start_walk(*task);
+    }
+    return task != nullptr;
+}
+
+Task* TaskRunner::next_to_walk() {
+    for (auto& [id, task] : book_.tasks()) {
+        if (task.has_unwalked() && blocks_.has_tops(task.job())) {
+            return &task;
+        }
+    }
+    return nullptr;
+}
+
+void TaskRunner::start(const Place& place) {
+    const Task& task = book_.at(place.task);
+    ++running_;
+    hub_.run_on_thread([this,
+                        over = hub_.over(),
+                        abandoned = task.abandoned(),
+                        has_begun = place.has_begun,
+                        clock = clocks_.add(task.job().id),
+                        dropped = task.job().dropped,
+                        answered = task.answered_elsewhere(),
+                        token = place.token,
+                        computed = computed_,
+                        ready = std::make_shared<const ReadyScenario>(
+                            task.ready(place.scenario, blocks_.cache()))] {
+        const std::uint64_t index = ready->scenario.index;
+        const auto stop = [&] {
+            return over->load() || abandoned->load() || dropped->contains(index) ||
+                   answered->contains(index);
+        };
+        std::optional<FinishedScenarios> finished;
+        if (!has_begun->exchange(true)) {
+            clock->begin(index);
+            finished = execute(*ready, stop);
+            *computed += finished ? finished->count : 0;
+        }
+        return [this, token, finished = std::move(finished)] { scenario_ran(token, finished); };
+    });
+}
+
+void TaskRunner::start_walk(Task& task) {
+    ++running_;
+    const auto part = std::make_shared<const Walk>(task.next_walk(blocks_.cache(), hub_.threads()));
+    hub_.run_on_thread([this,
+                        over = hub_.over(),
+                        abandoned = task.abandoned(),
+                        clock = clocks_.add(task.job().id),
+                        id = task.id(),
+                        computed = computed_,
+                        part] {
+        const auto stop = [&] { return over->load() || abandoned->load(); };
+        auto found = std::make_shared<Walked>(walk(*part, stop, *clock));
+        *computed += found->finished.count;
+        return [this, id, found] { walked(id, std::move(*found)); };
+    });
+}
+
+// ---- Results from the threads ---------------------------------------------------------------
+
+void TaskRunner::scenario_ran(ScenarioQueue::Token token,
+                              const std::optional<FinishedScenarios>& finished) {
+    --running_;
+    hub_.settle_soon();
+    const std::optional<Place> place = queue_.finish(token);
+    if (!place) {
+        return; // The scenario was returned before it began.
+    }
+    Task& task = book_.at(place->task);
+    blocks_.release(token);
+    if (finished) {
+        add_results(task, *finished);
+    } else {
+        task.drop();
+    }
+}
+
+void TaskRunner::walked(TaskId id, Walked walked) {
+    --running_;
+    hub_.settle_soon();
+    Task& task = book_.at(id);
+    blocks_.found(task.job().id, walked);
+    task.drop(walked.left);
+    if (stopping_ || task.abandoned()->load()) {
+        task.drop(walked.waiting.size());
+    } else {
+        for (Walked::Waiting& waiting : walked.waiting) {
+            const std::size_t scenario = waiting.scenario;
+            task.keep_roots(std::move(waiting));
+            wait_for_subtrees(task, scenario);
+        }
+    }
+    add_results(task, walked.finished);
+}
+
+void TaskRunner::add_results(Task& task, const FinishedScenarios& finished) {
+    task.add(finished);
+    if (task.result_bytes() >= limits::results_flush_bytes) {
+        flush(task);
+    } else {
+        flush_soon();
+    }
+}
+
+void TaskRunner::flush_soon() {
+    if (std::exchange(flushing_soon_, true)) {
+        return;
+    }
+    flush_timer_.expires_after(limits::results_flush_period);
+    flush_timer_.async_wait(
+        [this, weak = hub_.weak_from_this()](const boost::system::error_code& error) {
+            const auto hub = weak.lock();
+            if (hub != nullptr) {
+                flushing_soon_ = false;
+                if (!error) {
+                    flush_all();
+                }
+            }
+        });
+}
+
+void TaskRunner::flush(Task& task) {
+    if (auto results = task.take_results()) {
+        results->traffic = blocks_.take_traffic(task.job().id);
+        master_.send_results(std::move(*results));
+    }
+}
+
+void TaskRunner::flush_all() {
+    for (auto& [id, task] : book_.tasks()) {
+        flush(task);
+    }
+}
+
+bool TaskRunner::end_finished_tasks() {
+    const bool had_tasks = book_.has_tasks();
+    for (auto task = book_.tasks().begin(); task != book_.tasks().end();) {
+        if (task->second.unanswered() != 0) {
+            ++task;
+            continue;
+        }
+        flush(task->second);
+        master_.send(EndOfTask{task->first});
+        log_debug("task done: task={}", task->first.value);
+        task = book_.tasks().erase(task);
+    }
+    return had_tasks && !book_.has_tasks();
+}
+
+} // namespace cd

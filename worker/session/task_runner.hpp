@@ -1,0 +1,90 @@
+// Runs the tasks of a session on its threads: scenarios in, results out.
+#pragma once
+
+#include "worker/execution/scenario_clock.hpp"
+#include "worker/session/block_inbox.hpp"
+#include "worker/session/scenario_queue.hpp"
+#include "worker/session/session_hub.hpp"
+#include "worker/session/task_book.hpp"
+
+#include <atomic>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace cd {
+
+class TaskRunner {
+  public:
+    /// `computed` counts the scenarios computed to the end.
+    TaskRunner(SessionHub& hub,
+               MasterLink& master,
+               BlockInbox& blocks,
+               std::shared_ptr<std::atomic<std::uint64_t>> computed);
+
+    // ---- Messages from the master -------------------------------------------------------------
+    /// Errors: those of `TaskBook`.
+    [[nodiscard]] Status add_job(AddJob add);
+    void remove_job(JobId job);
+    /// Removes the jobs that use the tree.
+    void remove_jobs_of(TreeId tree);
+    /// Errors: those of `TaskBook`. Returns all scenarios of the task at once after `stop`.
+    [[nodiscard]] Status add(Batch batch);
+    [[nodiscard]] Status add(const ScenarioRange& range);
+    /// Returns recalled scenarios that have not begun.
+    void recall(const Recall& recall);
+    void drop(const DropScenario& drop);
+
+    // ---- The session --------------------------------------------------------------------------
+    /// Asks the master to send no more tasks, and returns the scenarios that have not begun.
+    void stop();
+    [[nodiscard]] bool is_stopping() const { return stopping_; }
+    /// Returns the running scenarios too.
+    void hand_back();
+    /// Starts scenarios on free threads; those of `ready` wait for nothing else. Then ends the
+    /// finished tasks. Returns whether the last task has ended.
+    [[nodiscard]] bool settle(std::span<const ScenarioQueue::Token> ready);
+    /// Sends all results.
+    void leave();
+    [[nodiscard]] const TaskBook& book() const { return book_; }
+    /// The scenario that has run for the longest time. Empty if none runs.
+    [[nodiscard]] std::optional<RunningScenario> longest() const { return clocks_.longest(); }
+
+  private:
+    using Place = ScenarioQueue::Place;
+
+    void wait_for_subtrees(const Task& task, std::size_t scenario);
+    [[nodiscard]] bool start_next();
+    void start(const Place& place);
+    void start_walk(Task& task);
+    /// The first task with scenarios for a descent, or null.
+    [[nodiscard]] Task* next_to_walk();
+    void scenario_ran(ScenarioQueue::Token token, const std::optional<FinishedScenarios>& finished);
+    void walked(TaskId task, Walked walked);
+    /// Drops the scenarios that match `concerned` and have not begun. Returns the dropped ones.
+    std::vector<Place> drop_unbegun(const std::function<bool(const Place&)>& concerned);
+    void drop_unstarted(const std::function<bool(const Task&)>& concerned);
+    void abandon(const std::function<bool(const Task&)>& concerned);
+    void add_results(Task& task, const FinishedScenarios& finished);
+    void flush_soon();
+    void flush(Task& task);
+    void flush_all();
+    [[nodiscard]] bool end_finished_tasks();
+
+    SessionHub& hub_;
+    MasterLink& master_;
+    BlockInbox& blocks_;
+    std::shared_ptr<std::atomic<std::uint64_t>> computed_;
+    TaskBook book_;
+    ScenarioQueue queue_;
+    std::size_t running_ = 0; ///< Jobs submitted to the threads.
+    RunningClocks clocks_;
+    bool stopping_ = false; ///< Set by `stop`.
+    bool flushing_soon_ = false;
+    asio::steady_timer flush_timer_;
+};
+
+} // namespace cd
