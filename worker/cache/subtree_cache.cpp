@@ -3,7 +3,6 @@
 #include "common/core/check.hpp"
 #include "common/core/files/compress.hpp"
 #include "common/core/limits/engine.hpp"
-#include "common/core/limits/worker.hpp"
 #include "common/tree/wire/top_block.hpp"
 
 #include <algorithm>
@@ -45,7 +44,7 @@ bool SubtreeCache::is_parked(TreeId tree) {
 void SubtreeCache::rename(TreeId from, TreeId to) {
     auto node = trees_.extract(from);
     node.key() = to;
-    for (Slot& slot : node.mapped().slots) {
+    for (Slot& slot : node.mapped().slots()) {
         if (slot.is_idle) {
             slot.place->tree = to;
         }
@@ -56,10 +55,10 @@ void SubtreeCache::rename(TreeId from, TreeId to) {
 
 void SubtreeCache::park() {
     for (auto& [id, tree] : trees_) {
-        for (RootIndex root = 0; root < tree.slots.size(); ++root) {
-            tree.slots[root].is_pinned = false;
-            if (tree.partial.at(root) != nullptr && !tree.slots[root].is_idle) {
-                set_idle(tree.slots[root], {id, root});
+        for (RootIndex root = 0; root < tree.slots().size(); ++root) {
+            tree.slots()[root].is_pinned = false;
+            if (tree.partial().at(root) != nullptr && !tree.slots()[root].is_idle) {
+                set_idle(tree.slots()[root], {id, root});
             }
         }
     }
@@ -74,7 +73,7 @@ std::vector<Sha256> SubtreeCache::parked() const {
     std::vector<Sha256> names;
     for (const auto& [id, tree] : trees_) {
         if (is_parked(id) && !held(id).empty()) {
-            names.push_back(tree.named.cut);
+            names.push_back(tree.named().cut);
         }
     }
     std::sort(names.begin(), names.end());
@@ -122,7 +121,7 @@ Status SubtreeCache::add_tree(const AddTree& add) {
         return Error{ErrorCode::BadFrame, name + " was added already"};
     }
     for (auto& [id, parked] : trees_) {
-        const AddTree& named = parked.named;
+        const AddTree& named = parked.named();
         // Equal names promise equal blocks. The other fields are compared too, to verify that.
         if (is_parked(id) && named.cut == add.cut && named.form == add.form &&
             named.top == add.top && named.roots == add.roots && named.triangles == add.triangles) {
@@ -139,60 +138,41 @@ void SubtreeCache::remove_tree(TreeId tree) {
     if (found == trees_.end()) {
         return;
     }
-    Tree& removed = found->second;
-    for (RootIndex root = 0; root < removed.slots.size(); ++root) {
-        if (removed.partial.at(root) != nullptr) {
-            bytes_ -= bytes_of(removed, root);
+    CachedTree& removed = found->second;
+    for (RootIndex root = 0; root < removed.slots().size(); ++root) {
+        if (removed.partial().at(root) != nullptr) {
+            bytes_ -= removed.bytes_of(root);
         }
-        if (removed.slots[root].is_idle) {
-            idle_.erase(removed.slots[root].place);
+        if (removed.slots()[root].is_idle) {
+            idle_.erase(removed.slots()[root].place);
         }
     }
-    bytes_ -= bytes_of_top(removed);
+    bytes_ -= removed.bytes_of_top();
     trees_.erase(found);
     std::erase_if(evicted_, [&](const SubtreeKey& key) { return key.tree == tree; });
 }
 
 const PartialObbTree* SubtreeCache::find(TreeId tree) const {
     const auto found = trees_.find(tree);
-    return found == trees_.end() ? nullptr : &found->second.partial;
+    return found == trees_.end() ? nullptr : &found->second.partial();
 }
 
 std::shared_ptr<const PartialObbTree> SubtreeCache::snapshot(TreeId tree) {
     const auto found = trees_.find(tree);
-    if (found == trees_.end()) {
-        return nullptr;
-    }
-    if (found->second.snapshot == nullptr) {
-        found->second.snapshot = std::make_shared<const PartialObbTree>(found->second.partial);
-    }
-    return found->second.snapshot;
+    return found == trees_.end() ? nullptr : found->second.snapshot();
 }
 
 void SubtreeCache::touch(const SubtreeKey& key) {
-    const Tree* const tree = find_tree(key);
-    if (tree != nullptr && tree->slots[key.root].is_idle) {
-        idle_.splice(idle_.end(), idle_, tree->slots[key.root].place);
+    CachedTree* const tree = find_tree(key);
+    if (tree != nullptr && tree->slots()[key.root].is_idle) {
+        idle_.splice(idle_.end(), idle_, tree->slots()[key.root].place);
     }
 }
 
-SubtreeCache::Tree* SubtreeCache::find_tree(const SubtreeKey& key) {
+CachedTree* SubtreeCache::find_tree(const SubtreeKey& key) {
     const auto found = trees_.find(key.tree);
-    const bool is_there = found != trees_.end() && key.root < found->second.slots.size();
+    const bool is_there = found != trees_.end() && key.root < found->second.slots().size();
     return is_there ? &found->second : nullptr;
-}
-
-std::uint64_t SubtreeCache::bytes_of(const Tree& tree, RootIndex root) {
-    const auto& block = tree.slots[root].block;
-    return tree.partial.at(root)->memory_bytes() +
-           (block == nullptr ? 0 : block->compressed.size());
-}
-
-std::uint64_t SubtreeCache::bytes_of_top(const Tree& tree) {
-    return tree.partial.has_top()
-               ? tree.partial.top().nodes.size() * sizeof(ObbNode) +
-                     (tree.top_block == nullptr ? 0 : tree.top_block->compressed.size())
-               : 0;
 }
 
 Status SubtreeCache::insert(const SubtreeKey& key,
@@ -202,62 +182,22 @@ Status SubtreeCache::insert(const SubtreeKey& key,
     if (found == trees_.end() || has(key)) {
         return Done{};
     }
+    CachedTree& tree = found->second;
     if (auto* const top = std::get_if<std::shared_ptr<const TreeTop>>(&opened)) {
-        return set_top(found->second, std::move(*top), std::move(block));
-    }
-    auto& subtree = std::get<std::shared_ptr<const Subtree>>(opened);
-    return fill(key, found->second, std::move(subtree), std::move(block));
-}
-
-Status SubtreeCache::fill(const SubtreeKey& key,
-                          Tree& tree,
-                          std::shared_ptr<const Subtree> subtree,
-                          std::shared_ptr<const SubtreeBlock> block) {
-    const std::string name = "a block for root " + std::to_string(key.root);
-    if (key.root >= tree.slots.size()) {
-        return Error{ErrorCode::BadFrame,
-                     name + " of a tree with " + std::to_string(tree.slots.size()) + " roots"};
-    }
-    if (subtree->form() != tree.named.form) {
-        return Error{ErrorCode::BadFrame, name + " has another form than the tree's"};
-    }
-    if (tree.partial.has_top() &&
-        subtree->triangle_count() != tree.partial.top().triangles_under(key.root)) {
-        return Error{ErrorCode::BadFrame,
-                     name + " has another number of triangles than the tree's top says"};
-    }
-    tree.partial.fill(key.root, std::move(subtree));
-    tree.snapshot.reset();
-    Slot& slot = tree.slots[key.root];
-    slot.block = std::move(block);
-    bytes_ += bytes_of(tree, key.root);
-    if (!slot.is_pinned) {
-        set_idle(slot, key);
-    }
-    evict_beyond_limit();
-    return Done{};
-}
-
-Status SubtreeCache::set_top(Tree& tree,
-                             std::shared_ptr<const TreeTop> top,
-                             std::shared_ptr<const SubtreeBlock> block) {
-    if (top->root_count() != tree.named.roots || top->triangle_count() != tree.named.triangles) {
-        return Error{ErrorCode::BadFrame,
-                     "a top of " + std::to_string(top->root_count()) + " roots for a tree with " +
-                         std::to_string(tree.named.roots)};
-    }
-    for (RootIndex root = 0; root < tree.named.roots; ++root) {
-        const auto& subtree = tree.partial.at(root);
-        if (subtree != nullptr && subtree->triangle_count() != top->triangles_under(root)) {
-            return Error{ErrorCode::BadFrame,
-                         "a top that says another number of triangles than the block of root " +
-                             std::to_string(root)};
+        if (Status set = tree.set_top(std::move(*top), std::move(block)); !set) {
+            return set;
+        }
+        bytes_ += tree.bytes_of_top();
+    } else {
+        auto& subtree = std::get<std::shared_ptr<const Subtree>>(opened);
+        if (Status filled = tree.fill(key.root, std::move(subtree), std::move(block)); !filled) {
+            return filled;
+        }
+        bytes_ += tree.bytes_of(key.root);
+        if (Slot& slot = tree.slots()[key.root]; !slot.is_pinned) {
+            set_idle(slot, key);
         }
     }
-    tree.partial.set_top(std::move(top));
-    tree.snapshot.reset();
-    tree.top_block = std::move(block);
-    bytes_ += bytes_of_top(tree);
     evict_beyond_limit();
     return Done{};
 }
@@ -275,19 +215,15 @@ bool SubtreeCache::has(const SubtreeKey& key) const {
 
 std::shared_ptr<const SubtreeBlock> SubtreeCache::block_at(const SubtreeKey& key) const {
     const auto tree = trees_.find(key.tree);
-    if (tree != trees_.end() && key.root == top_root) {
-        return tree->second.top_block;
-    }
-    const bool is_slot = tree != trees_.end() && key.root < tree->second.slots.size();
-    return is_slot ? tree->second.slots[key.root].block : nullptr;
+    return tree == trees_.end() ? nullptr : tree->second.block_at(key.root);
 }
 
 void SubtreeCache::pin(const SubtreeKey& key) {
-    Tree* const tree = find_tree(key);
+    CachedTree* const tree = find_tree(key);
     if (tree == nullptr) {
         return;
     }
-    Slot& slot = tree->slots[key.root];
+    Slot& slot = tree->slots()[key.root];
     slot.is_pinned = true;
     if (slot.is_idle) {
         idle_.erase(slot.place);
@@ -296,13 +232,13 @@ void SubtreeCache::pin(const SubtreeKey& key) {
 }
 
 void SubtreeCache::unpin(const SubtreeKey& key) {
-    Tree* const tree = find_tree(key);
-    if (tree == nullptr || !tree->slots[key.root].is_pinned) {
+    CachedTree* const tree = find_tree(key);
+    if (tree == nullptr || !tree->slots()[key.root].is_pinned) {
         return;
     }
-    Slot& slot = tree->slots[key.root];
+    Slot& slot = tree->slots()[key.root];
     slot.is_pinned = false;
-    if (tree->partial.at(key.root) != nullptr) {
+    if (tree->partial().at(key.root) != nullptr) {
         set_idle(slot, key);
         evict_beyond_limit();
     }
@@ -324,12 +260,10 @@ void SubtreeCache::evict_beyond(std::uint64_t bytes_max) {
     while (bytes_ > bytes_max && !idle_.empty()) {
         const SubtreeKey key = idle_.front();
         idle_.pop_front();
-        Tree& tree = trees_.at(key.tree);
-        tree.slots[key.root].is_idle = false;
-        bytes_ -= bytes_of(tree, key.root);
-        tree.partial.empty(key.root);
-        tree.snapshot.reset();
-        tree.slots[key.root].block.reset();
+        CachedTree& tree = trees_.at(key.tree);
+        tree.slots()[key.root].is_idle = false;
+        bytes_ -= tree.bytes_of(key.root);
+        tree.empty(key.root);
         if (!is_parked(key.tree)) {
             evicted_.push_back(key); // The master does not know of parked trees.
         }
@@ -344,14 +278,7 @@ std::vector<SubtreeKey> SubtreeCache::take_evicted() {
 std::uint64_t SubtreeCache::bytes_expected(const SubtreeKey& key) const {
     const auto found = trees_.find(key.tree);
     CD_CHECK(found != trees_.end());
-    const AddTree& named = found->second.named;
-    if (key.root == top_root) {
-        return (2ull * named.roots - 1) * sizeof(ObbNode);
-    }
-    // All roots of a cut have about the same number of triangles.
-    const std::uint64_t triangles = (named.triangles + named.roots - 1ull) / named.roots;
-    return triangles * (named.form == SubtreeForm::Wide ? limits::wide_bytes_per_triangle
-                                                        : limits::binary_bytes_per_triangle);
+    return found->second.bytes_expected(key.root);
 }
 
 } // namespace cd

@@ -1,11 +1,8 @@
 // A worker's cache of subtrees within a memory limit, and the upper trees above them.
 #pragma once
 
-#include "common/core/result.hpp"
-#include "common/tree/partial_tree.hpp"
-#include "proto/messages/work_messages.hpp"
+#include "worker/cache/cached_tree.hpp"
 
-#include <compare>
 #include <cstdint>
 #include <list>
 #include <map>
@@ -14,13 +11,6 @@
 #include <vector>
 
 namespace cd {
-
-struct SubtreeKey {
-    TreeId tree;
-    RootIndex root = 0; ///< May be `top_root` where documented.
-
-    friend auto operator<=>(const SubtreeKey&, const SubtreeKey&) = default;
-};
 
 /// A decoded block: a subtree or an upper tree.
 using OpenedBlock = std::variant<std::shared_ptr<const Subtree>, std::shared_ptr<const TreeTop>>;
@@ -54,12 +44,11 @@ class SubtreeCache {
     /// Null for an unknown tree.
     [[nodiscard]] const PartialObbTree* find(TreeId tree) const;
     /// The form of the tree's subtrees. The tree must be known.
-    [[nodiscard]] SubtreeForm form_of(TreeId tree) const { return trees_.at(tree).named.form; }
+    [[nodiscard]] SubtreeForm form_of(TreeId tree) const { return trees_.at(tree).named().form; }
 
     /// Fills a slot or sets the upper tree. Ignores unknown trees and blocks that are cached
-    /// already. Keeps `block`, its encoded form, for peers unless it is null. Errors: BadFrame for
-    /// a root that the tree lacks, a subtree of the wrong form, an upper tree with a wrong number
-    /// of roots or triangles, or an upper tree and a subtree that disagree.
+    /// already. Keeps `block`, its encoded form, for peers unless it is null. Errors: those of
+    /// `CachedTree::fill` and `CachedTree::set_top`.
     [[nodiscard]] Status insert(const SubtreeKey& key,
                                 OpenedBlock opened,
                                 std::shared_ptr<const SubtreeBlock> block = nullptr);
@@ -92,41 +81,18 @@ class SubtreeCache {
     [[nodiscard]] std::uint64_t bytes_max() const { return bytes_max_; }
 
   private:
-    struct Slot {
-        std::shared_ptr<const SubtreeBlock> block;
-        bool is_pinned = false;
-        bool is_idle = false; ///< Is in `idle_`.
-        std::list<SubtreeKey>::iterator place;
-    };
-    struct Tree {
-        explicit Tree(const AddTree& add) : named(add), partial(add.roots), slots(add.roots) {}
-        AddTree named;
-        PartialObbTree partial;
-        std::shared_ptr<const PartialObbTree> snapshot; ///< Null after `partial` changes.
-        std::vector<Slot> slots;
-        std::shared_ptr<const SubtreeBlock> top_block;
-    };
+    using Slot = CachedTree::Slot;
 
-    /// Bytes of a filled slot.
-    [[nodiscard]] static std::uint64_t bytes_of(const Tree& tree, RootIndex root);
-    [[nodiscard]] static std::uint64_t bytes_of_top(const Tree& tree); ///< 0 without an upper tree.
-    [[nodiscard]] Status fill(const SubtreeKey& key,
-                              Tree& tree,
-                              std::shared_ptr<const Subtree> subtree,
-                              std::shared_ptr<const SubtreeBlock> block);
-    [[nodiscard]] Status set_top(Tree& tree,
-                                 std::shared_ptr<const TreeTop> top,
-                                 std::shared_ptr<const SubtreeBlock> block);
     [[nodiscard]] static bool is_parked(TreeId tree);
     void rename(TreeId from, TreeId to);
-    Tree* find_tree(const SubtreeKey& key); ///< Null also for a root out of range.
+    CachedTree* find_tree(const SubtreeKey& key); ///< Null also for a root out of range.
     void set_idle(Slot& slot, const SubtreeKey& key);
     void evict_beyond_limit() { evict_beyond(bytes_max_); }
     void evict_beyond(std::uint64_t bytes_max);
 
     std::uint64_t bytes_max_;
     std::uint64_t bytes_ = 0;
-    std::map<TreeId, Tree> trees_;
+    std::map<TreeId, CachedTree> trees_;
     std::list<SubtreeKey> idle_; ///< Filled and not pinned; least recently used first.
     std::vector<SubtreeKey> evicted_;
     std::uint64_t evictions_ = 0;

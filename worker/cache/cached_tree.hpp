@@ -1,0 +1,71 @@
+// The cached blocks of one tree: its subtrees and the upper tree above them.
+#pragma once
+
+#include "common/core/result.hpp"
+#include "common/tree/partial_tree.hpp"
+#include "proto/messages/work_messages.hpp"
+
+#include <compare>
+#include <cstdint>
+#include <list>
+#include <memory>
+#include <vector>
+
+namespace cd {
+
+struct SubtreeKey {
+    TreeId tree;
+    RootIndex root = 0; ///< May be `top_root` where documented.
+
+    friend auto operator<=>(const SubtreeKey&, const SubtreeKey&) = default;
+};
+
+/// Checks that blocks belong to the tree, and knows their sizes. Not thread-safe.
+class CachedTree {
+  public:
+    /// What a `SubtreeCache` knows of one subtree, cached or not.
+    struct Slot {
+        std::shared_ptr<const SubtreeBlock> block; ///< Its encoded form, or null.
+        bool is_pinned = false;
+        bool is_idle = false; ///< `place` is valid.
+        std::list<SubtreeKey>::iterator place;
+    };
+
+    explicit CachedTree(const AddTree& add) : named_(add), partial_(add.roots), slots_(add.roots) {}
+
+    /// Fills an empty slot. `block` is the encoded form, or null. Errors: BadFrame for a root that
+    /// the tree lacks, and for a subtree of the wrong form or one that disagrees with the upper
+    /// tree.
+    [[nodiscard]] Status fill(RootIndex root,
+                              std::shared_ptr<const Subtree> subtree,
+                              std::shared_ptr<const SubtreeBlock> block);
+    /// Sets the upper tree. Errors: BadFrame for a wrong number of roots or triangles, or if it
+    /// disagrees with a cached subtree.
+    [[nodiscard]] Status set_top(std::shared_ptr<const TreeTop> top,
+                                 std::shared_ptr<const SubtreeBlock> block);
+    /// Empties a filled slot.
+    void empty(RootIndex root);
+
+    [[nodiscard]] const AddTree& named() const { return named_; }
+    [[nodiscard]] const PartialObbTree& partial() const { return partial_; }
+    /// Shares one copy until a block comes or goes.
+    [[nodiscard]] std::shared_ptr<const PartialObbTree> snapshot();
+    [[nodiscard]] std::vector<Slot>& slots() { return slots_; }
+    /// The encoded block of a subtree or of the upper tree; null if it is not cached or not kept.
+    [[nodiscard]] std::shared_ptr<const SubtreeBlock> block_at(RootIndex root) const;
+    /// Memory of a filled slot, bytes.
+    [[nodiscard]] std::uint64_t bytes_of(RootIndex root) const;
+    /// Memory of the upper tree, bytes; 0 without one.
+    [[nodiscard]] std::uint64_t bytes_of_top() const;
+    /// Estimated memory of any subtree, or of the upper tree, bytes; known before it arrives.
+    [[nodiscard]] std::uint64_t bytes_expected(RootIndex root) const;
+
+  private:
+    AddTree named_;
+    PartialObbTree partial_;
+    std::shared_ptr<const PartialObbTree> snapshot_; ///< Null after `partial_` changes.
+    std::vector<Slot> slots_;
+    std::shared_ptr<const SubtreeBlock> top_block_;
+};
+
+} // namespace cd
