@@ -1,7 +1,6 @@
 #include "worker/execution/task.hpp"
 
 #include "common/core/limits/worker.hpp"
-#include "common/job/result/packed_map.hpp"
 #include "common/job/result/packed_records.hpp"
 
 #include <algorithm>
@@ -52,8 +51,7 @@ Task::make(Batch batch, std::shared_ptr<const WorkerJob> job, const SubtreeCache
         return bad_task(batch.task, "has pairs for another number of scenarios");
     }
     Task task(batch.task, std::move(job), TaskScenarios(std::move(scenarios.value())));
-    task.pair_offsets_ = std::move(batch.pair_offsets);
-    task.pairs_ = std::move(batch.pairs);
+    task.pairs_ = TaskPairs(std::move(batch.pair_offsets), std::move(batch.pairs));
     return task;
 }
 
@@ -86,20 +84,12 @@ Task::Task(TaskId id, std::shared_ptr<const WorkerJob> job, TaskScenarios scenar
       scenarios_(std::move(scenarios)),
       unanswered_(scenarios_.size()) {}
 
-std::span<const RootPair> Task::pairs_of(std::size_t scenario) const {
-    if (pair_offsets_.empty()) {
-        return found_pairs_.at(scenario);
-    }
-    const std::uint32_t begin = pair_offsets_[scenario];
-    return std::span(pairs_).subspan(begin, pair_offsets_[scenario + 1] - begin);
-}
-
 std::vector<SubtreeKey> Task::roots_of(std::size_t scenario) const {
     std::vector<SubtreeKey> keys;
-    for (const RootIndex root : roots_of_a(pairs_of(scenario))) {
+    for (const RootIndex root : roots_of_a(pairs_.of(scenario))) {
         keys.push_back({job_->tree_a, root});
     }
-    for (const RootIndex root : roots_of_b(pairs_of(scenario))) {
+    for (const RootIndex root : roots_of_b(pairs_.of(scenario))) {
         keys.push_back({job_->tree_b, root});
     }
     // Both bodies may use one mesh.
@@ -109,7 +99,7 @@ std::vector<SubtreeKey> Task::roots_of(std::size_t scenario) const {
 }
 
 ReadyScenario Task::ready(std::size_t scenario, const SubtreeCache& cache) const {
-    const auto pairs = pairs_of(scenario);
+    const auto pairs = pairs_.of(scenario);
     ReadyScenario ready;
     ready.scenario = scenarios_.at(scenario);
     ready.query = {job_, &job_->query};
@@ -124,7 +114,8 @@ ReadyScenario Task::ready(std::size_t scenario, const SubtreeCache& cache) const
 Walk Task::next_walk(SubtreeCache& cache, unsigned threads) {
     const std::size_t unwalked = unwalked_end_ - walked_;
     const std::size_t share = unwalked / (2 * std::size_t{threads}) + 1;
-    const double fits = scenario_seconds_ > 0 ? limits::walk_seconds / scenario_seconds_ : 1;
+    const double each = results_.seconds_per_scenario();
+    const double fits = each > 0 ? limits::walk_seconds / each : 1;
     const auto most = static_cast<std::size_t>(
         std::clamp(fits, 1.0, static_cast<double>(limits::walk_scenarios_max)));
     const std::size_t begin = walked_;
@@ -138,10 +129,6 @@ Walk Task::next_walk(SubtreeCache& cache, unsigned threads) {
             answered_elsewhere_};
 }
 
-void Task::keep_roots(Walked::Waiting waiting) {
-    found_pairs_.emplace(waiting.scenario, std::move(waiting.pairs));
-}
-
 void Task::keep_places(std::size_t count) {
     const std::size_t end = std::clamp(count, walked_, unwalked_end_);
     drop(unwalked_end_ - end);
@@ -153,34 +140,8 @@ Recalled Task::given_back() const {
 }
 
 void Task::add(const FinishedScenarios& finished) {
-    results_.records.insert(
-        results_.records.end(), finished.records.begin(), finished.records.end());
-    results_.count += finished.count;
-    results_.statistics += finished.statistics;
-    map_.add(finished.map);
-    results_.seconds += finished.seconds;
+    results_.add(finished);
     unanswered_ -= finished.count;
-    if (finished.count != 0) {
-        scenario_seconds_ = finished.seconds / finished.count;
-    }
-}
-
-std::optional<Results> Task::take_results() {
-    if (results_.count == 0) {
-        return std::nullopt;
-    }
-    const FinishedScenarios finished = std::exchange(results_, {});
-    Results results;
-    results.task = id_;
-    results.job = job_->id;
-    results.count = finished.count;
-    results.records = pack_records(finished.records);
-    results.statistics = finished.statistics;
-    results.compute_seconds = finished.seconds;
-    if (job_->query.maps) {
-        results.map = pack_map(map_.take());
-    }
-    return results;
 }
 
 } // namespace cd

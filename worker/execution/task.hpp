@@ -5,6 +5,8 @@
 #include "proto/messages/work_messages.hpp"
 #include "worker/cache/subtree_cache.hpp"
 #include "worker/execution/executor.hpp"
+#include "worker/execution/task_pairs.hpp"
+#include "worker/execution/task_results.hpp"
 #include "worker/execution/walk.hpp"
 #include "worker/execution/worker_job.hpp"
 
@@ -13,8 +15,7 @@
 #include <memory>
 #include <optional>
 #include <set>
-#include <span>
-#include <unordered_map>
+#include <utility>
 #include <vector>
 
 namespace cd {
@@ -47,7 +48,7 @@ class Task {
     /// leave work for every thread. Requires `has_unwalked()`.
     [[nodiscard]] Walk next_walk(SubtreeCache& cache, unsigned threads);
     /// Stores the colliding roots of a scenario that waits for subtrees.
-    void keep_roots(Walked::Waiting waiting);
+    void keep_roots(Walked::Waiting waiting) { pairs_.add(std::move(waiting)); }
     /// Ends all scenarios that no descent has taken, without a result.
     void drop_unwalked() { keep_places(0); }
     /// Like `drop_unwalked`, but keeps the first `count` scenarios of the range.
@@ -76,15 +77,12 @@ class Task {
 
     [[nodiscard]] std::uint64_t unanswered() const { return unanswered_; }
     /// Uncompressed bytes of the results not yet taken.
-    [[nodiscard]] std::size_t result_bytes() const {
-        return results_.records.size() + map_.bytes();
-    }
+    [[nodiscard]] std::size_t result_bytes() const { return results_.bytes(); }
     /// Empty if there are no new results.
-    [[nodiscard]] std::optional<Results> take_results();
+    [[nodiscard]] std::optional<Results> take_results() { return results_.take(id_, *job_); }
 
   private:
     Task(TaskId id, std::shared_ptr<const WorkerJob> job, TaskScenarios scenarios);
-    [[nodiscard]] std::span<const RootPair> pairs_of(std::size_t scenario) const;
 
     TaskId id_;
     std::shared_ptr<const WorkerJob> job_;
@@ -93,16 +91,10 @@ class Task {
     std::shared_ptr<std::atomic<bool>> abandoned_ = std::make_shared<std::atomic<bool>>(false);
     std::shared_ptr<DroppedScenarios> answered_elsewhere_ = std::make_shared<DroppedScenarios>();
     std::set<std::uint64_t> given_back_; ///< Scenario indices; batches only.
-    FinishedScenarios results_;          ///< Not yet taken, without the contact map.
-    ContactMapSum map_;                  ///< Contact map of `results_`.
-
-    std::vector<std::uint32_t> pair_offsets_; ///< Batches only.
-    std::vector<RootPair> pairs_;
-
-    std::unordered_map<std::size_t, std::vector<RootPair>> found_pairs_; ///< Found by descents.
+    TaskResults results_;                ///< Not yet taken.
+    TaskPairs pairs_;
     std::size_t walked_ = 0; ///< Given to a descent so far.
     std::size_t unwalked_end_ = 0;
-    double scenario_seconds_ = 0; ///< Mean time per scenario in the last results.
 };
 
 } // namespace cd

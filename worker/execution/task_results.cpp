@@ -1,0 +1,39 @@
+#include "worker/execution/task_results.hpp"
+
+#include "common/job/result/packed_map.hpp"
+#include "common/job/result/packed_records.hpp"
+
+#include <utility>
+
+namespace cd {
+
+void TaskResults::add(const FinishedScenarios& finished) {
+    sum_.records.insert(sum_.records.end(), finished.records.begin(), finished.records.end());
+    sum_.count += finished.count;
+    sum_.statistics += finished.statistics;
+    sum_.seconds += finished.seconds;
+    map_.add(finished.map);
+    if (finished.count != 0) {
+        seconds_per_scenario_ = finished.seconds / finished.count;
+    }
+}
+
+std::optional<Results> TaskResults::take(TaskId task, const WorkerJob& job) {
+    if (sum_.count == 0) {
+        return std::nullopt;
+    }
+    const FinishedScenarios finished = std::exchange(sum_, {});
+    Results results;
+    results.task = task;
+    results.job = job.id;
+    results.count = finished.count;
+    results.records = pack_records(finished.records);
+    results.statistics = finished.statistics;
+    results.compute_seconds = finished.seconds;
+    if (job.query.maps) {
+        results.map = pack_map(map_.take());
+    }
+    return results;
+}
+
+} // namespace cd
