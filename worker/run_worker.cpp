@@ -27,6 +27,28 @@ constexpr int exit_unreachable = 4;
 constexpr int exit_refused = 5;
 constexpr int exit_at_once = 130;
 
+/// The waits between connections to the master.
+class ReconnectPause {
+  public:
+    explicit ReconnectPause(asio::io_context& context)
+        : timer_(context), backoff_(std::random_device{}()) {}
+
+    asio::awaitable<void> wait() {
+        timer_.expires_after(backoff_.next());
+        boost::system::error_code ignored;
+        co_await timer_.async_wait(asio::redirect_error(asio::use_awaitable, ignored));
+    }
+    /// Ends the current wait, and makes the next one short.
+    void skip() {
+        backoff_.reset();
+        timer_.cancel();
+    }
+
+  private:
+    asio::steady_timer timer_;
+    Backoff backoff_;
+};
+
 class Daemon {
   public:
     Daemon(const WorkerConfig& config,
@@ -35,18 +57,16 @@ class Daemon {
         : config_(config),
           context_(context),
           keeper_(std::move(keeper)),
-          tls_(keeper_->tls()),
           executor_(context.get_executor(), config.threads),
           membership_(executor_, config.cache_bytes),
           signals_(context.get_executor(), [this](unsigned count) { stop(count); }),
-          pause_(context),
-          backoff_(std::random_device{}()) {}
+          pause_(context) {}
 
     asio::awaitable<void> run() {
         spawn(context_.get_executor(), "renewal", keeper_->keep());
         const auto give_up_at = std::chrono::steady_clock::now() + config_.connect_for;
         for (;;) {
-            Target target{config_.master, tls_->now};
+            Target target{config_.master, keeper_->tls()->now};
             const Result<std::shared_ptr<Channel>> channel = co_await connect(
                 std::move(target), std::chrono::ceil<std::chrono::seconds>(membership_.patience()));
             if (channel) {
@@ -68,9 +88,7 @@ class Daemon {
                           config_.connect_for.count());
                 co_return end(exit_unreachable);
             }
-            pause_.expires_after(backoff_.next());
-            boost::system::error_code ignored;
-            co_await pause_.async_wait(asio::redirect_error(asio::use_awaitable, ignored));
+            co_await pause_.wait();
         }
     }
 
@@ -89,17 +107,17 @@ class Daemon {
         hello.peer_port = peer_server_ == nullptr ? std::uint16_t{0} : peer_server_->port();
         hello.weight = config_.weight;
         hello.instance = instance_;
-        PeerParts peers{peer_server_, {}, config_.name, tls_};
+        PeerParts peers{peer_server_, {}, config_.name, keeper_->tls()};
         const Result<Served> served =
             co_await membership_.serve(channel, std::move(hello), std::move(peers));
         if (!served) {
             co_return exit_code_of_failed_greeting(served.error(), had_answer(*channel));
         }
         patience_.accepted();
-        backoff_.reset();
+        pause_.skip();
         const SessionEnd how = served.value().how;
         const bool has_ended = how == SessionEnd::Drained || how == SessionEnd::Terminated;
-        if (has_ended || (stopping_ && !membership_.has_work())) {
+        if (has_ended || (membership_.is_draining() && !membership_.has_work())) {
             co_return exit_done;
         }
         log_warning("master lost: reason=\"{}\"", served.value().reason);
@@ -139,11 +157,11 @@ class Daemon {
     void listen_to_peers(const Channel& channel) {
         const Endpoint endpoint{channel.own_host(), config_.peer_port};
         if (config_.no_peers || peer_server_ != nullptr ||
-            !check_exposure(endpoint, {tls_->now != nullptr, config_.insecure, true})) {
+            !check_exposure(endpoint, {keeper_->is_secured(), config_.insecure, true})) {
             return;
         }
         Result<std::shared_ptr<PeerServer>> server =
-            PeerServer::listen(context_.get_executor(), endpoint, tls_);
+            PeerServer::listen(context_.get_executor(), endpoint, keeper_->tls());
         if (server) {
             peer_server_ = std::move(server.value());
         } else {
@@ -156,10 +174,8 @@ class Daemon {
             log_warning("ended at once by a second signal");
             std::_Exit(exit_at_once);
         }
-        stopping_ = true;
         if (membership_.drain(config_.drain_timeout, [this] { context_.stop(); })) {
-            backoff_.reset(); // Reconnects at once, to drain over the new connection.
-            pause_.cancel();
+            pause_.skip(); // Reconnects at once, to drain over the new connection.
         } else {
             log_info("ended: nothing was under way, scenarios_computed={}",
                      membership_.scenarios_computed());
@@ -180,17 +196,14 @@ class Daemon {
     const WorkerConfig& config_;
     asio::io_context& context_;
     std::unique_ptr<CredentialKeeper> keeper_;
-    std::shared_ptr<const TlsSlot> tls_;
     Executor executor_;
     Membership membership_;
     StopSignals signals_;
-    asio::steady_timer pause_;
-    Backoff backoff_;
+    ReconnectPause pause_;
     std::shared_ptr<PeerServer> peer_server_; ///< Null if peers get no blocks.
     const std::uint64_t instance_ = std::random_device{}() | std::uint64_t{std::random_device{}()}
                                                                  << 32;
     RefusalPatience patience_;
-    bool stopping_ = false;
     int exit_code_ = exit_done;
 };
 
