@@ -13,7 +13,8 @@ asio::awaitable<PeerOutcome> PeerLinks::fetch(const PeerSource& source,
                                               const FetchFromPeers& directions,
                                               const OnBlock& on_block) {
     const Address address{source.host, source.port};
-    if (const auto kept = take_kept(address)) {
+    const std::shared_ptr<Channel> kept = take_kept(address);
+    if (kept != nullptr) {
         const Answer answer = co_await ask(kept, source, directions, on_block);
         // The peer may just have closed the idle connection, so this one retries on a new one.
         if (answer.outcome != PeerOutcome::Unreachable || answer.blocks != 0) {
@@ -25,7 +26,10 @@ asio::awaitable<PeerOutcome> PeerLinks::fetch(const PeerSource& source,
         co_return PeerOutcome::Unreachable;
     }
     const Answer answer = co_await ask(channel, source, directions, on_block);
-    co_return answer.outcome;
+    // A ticket is valid once. The peer refuses it if the idle connection broke only after the
+    // request had arrived; then the failure was the connection's.
+    const bool was_asked_before = kept != nullptr && answer.outcome == PeerOutcome::Refused;
+    co_return was_asked_before ? PeerOutcome::Unreachable : answer.outcome;
 }
 
 asio::awaitable<PeerLinks::Answer> PeerLinks::ask(std::shared_ptr<Channel> channel,

@@ -21,7 +21,8 @@ class PeerLinks {
         : name_(std::move(name)), tls_(std::move(tls)) {}
 
     /// Calls `on_block` once for each received block. Only requested roots and hashes are accepted;
-    /// the bytes are not hashed here. The outcome Given means that all blocks came.
+    /// the bytes are not hashed here. The outcome Given means that all blocks came; Unreachable,
+    /// that no answer came.
     using OnBlock = std::function<void(SubtreeBlock)>;
     [[nodiscard]] asio::awaitable<PeerOutcome>
     fetch(const PeerSource& source, const FetchFromPeers& directions, const OnBlock& on_block);

@@ -81,6 +81,43 @@ TEST(PeerFaults, APeerThatFallsSilentIsWaitedForNoLongerThanAnAnswerMayTake) {
     });
 }
 
+/// Cuts all connections once bytes of an answer are lost.
+asio::awaitable<void> cut_after_loss(FaultyProxy& proxy) {
+    asio::steady_timer timer(co_await asio::this_coro::executor);
+    while (proxy.swallowed() == 0) {
+        timer.expires_after(std::chrono::milliseconds(1));
+        co_await timer.async_wait(asio::use_awaitable);
+    }
+    proxy.set(Weather::Fair);
+    proxy.cut();
+}
+
+/// A ticket is for one use. The fetch is repeated over a new connection, since the peer may just
+/// have closed the idle one; but here the peer had taken the ticket.
+TEST(PeerFaults, AFetchWhoseAnswerIsLostOnAnIdleConnectionIsNotCalledRefused) {
+    run_conversation([]() -> asio::awaitable<void> {
+        const auto executor = co_await asio::this_coro::executor;
+        BlockSource source(executor, bodies().a, tree_a);
+        FaultyProxy proxy(source.server->port());
+        bool is_lossy = false;
+        source.server->serve(source.key, [&](const SubtreeKey&) {
+            proxy.set(is_lossy ? Weather::Swallowed : Weather::Fair);
+            return std::make_shared<const SubtreeBlock>(bodies().a.blocks[0]);
+        });
+        PeerLinks links("a test");
+        const PeerLinks::OnBlock on_block = [](const SubtreeBlock&) {};
+        const std::vector<RootIndex> roots(1);
+        FetchFromPeers asked = source.directions(roots, proxy.port());
+        const PeerOutcome first = co_await links.fetch(asked.sources[0], asked, on_block);
+        EXPECT_EQ(first, PeerOutcome::Given);
+        is_lossy = true;
+        spawn(executor, "cut", cut_after_loss(proxy));
+        asked = source.directions(roots, proxy.port());
+        const PeerOutcome second = co_await links.fetch(asked.sources[0], asked, on_block);
+        EXPECT_EQ(second, PeerOutcome::Unreachable);
+    });
+}
+
 // ---- A session ------------------------------------------------------------------------------
 
 constexpr WorkerId far_worker{7};
