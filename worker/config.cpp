@@ -27,25 +27,24 @@ namespace {
 constexpr const char* help =
     "Examples:\n"
     "  cdworker                                          a master on this machine, all cores\n"
-    "  cdworker join node-1:7600 --token T               once; T is of `cdctl token create`\n"
-    "  cdworker --master node-1:7600                     then, with TLS\n"
-    "  cdworker --master node-1:7600 --insecure          without, on a network that you trust\n"
+    "  cdworker join node-1:7600 --token T               once; `cdctl token create` prints T\n"
+    "  cdworker --master node-1:7600                     after that, with TLS\n"
+    "  cdworker --master node-1:7600 --insecure          without TLS, on a trusted network\n"
     "  cdworker --threads 8 --cache 16GiB --name blade-3\n"
     "  CDWORKER_MASTER=127.0.0.1:7600 cdworker --config /etc/cdcluster/cdworker.toml\n"
     "\n"
-    "Does the collision tests that a cdmaster gives it. One on each host is enough: its threads\n"
-    "share one cache of geometry. Options may stand in the file of --config, as in\n"
-    "`cache = \"4GiB\"`, and in the environment, as in CDWORKER_CACHE.\n"
+    "Runs collision tests for a cdmaster. Start one on each host: its threads share one cache\n"
+    "of geometry. Options may also stand in the file of --config, as in `cache = \"4GiB\"`, and\n"
+    "in the environment, as in CDWORKER_CACHE.\n"
     "\n"
-    "SIGINT or SIGTERM: hands back what has not begun, finishes what runs, and ends; after\n"
-    "--drain-timeout what still runs is handed back, too. A second one ends at once.\n"
+    "SIGINT or SIGTERM: the worker returns the scenarios that it has not begun, finishes the\n"
+    "others and ends. After --drain-timeout it returns those that still run, too. A second\n"
+    "signal ends it at once.\n"
     "\n"
-    "Exit codes: 0 ended as asked; 2 wrong usage; 4 no master within --connect-for; 5 refused, by\n"
-    "the master, or without a credential (a worker that was accepted before tries again for an "
-    "hour\n"
-    "while TLS refuses its certificate, since a clock may be wrong); 130 ended at once by a "
-    "second\n"
-    "signal.";
+    "Exit codes: 0 ended as asked; 2 wrong usage; 4 no master within --connect-for; 5 refused\n"
+    "by the master, or no credential; 130 ended at once by a second signal. If TLS refuses the\n"
+    "certificate of a worker that was accepted before, the worker retries for an hour, since a\n"
+    "clock may be wrong.";
 
 constexpr const char* environment_prefix = "CDWORKER_";
 
@@ -74,53 +73,63 @@ void add_options(CLI::App& app, WorkerConfig& config, Texts& texts) {
     };
     option(app.add_option("--master", texts.master, "The master to work for"), "HOST:PORT")
         ->capture_default_str();
-    option(app.add_option("--threads", config.threads, "That compute; 0 is one per core"), "N")
+    option(app.add_option(
+               "--threads", config.threads, "Number of threads that compute; 0: one per core"),
+           "N")
         ->check(CLI::Range(0u, limits::worker_threads_max))
         ->capture_default_str();
-    option(app.add_option("--cache",
-                          texts.cache,
-                          "Memory for geometry; auto: half of what this process may use"),
+    option(app.add_option(
+               "--cache",
+               texts.cache,
+               "Memory limit for geometry; auto: half of the memory that this process may use"),
            "SIZE")
         ->capture_default_str();
-    option(app.add_option("--weight",
-                          config.weight,
-                          "Share of the work beside equal hosts, where the master goes by time"),
+    option(app.add_option(
+               "--weight", config.weight, "Factor of this host's share of the work; 0.5 halves it"),
            "FACTOR")
         ->check(CLI::Range(0.001, limits::worker_weight_max))
         ->capture_default_str();
-    option(app.add_option("--name", config.name, "For people; by default host and process"),
-           "TEXT");
     option(
-        app.add_option("--simd",
-                       config.simd,
-                       "Instructions used: avx512, avx2, sse4, neon, scalar, auto; same answers"),
-        "TARGET");
-    option(app.add_option("--state", texts.state, "Folder of the credential that `join` got"),
-           "DIR")
+        app.add_option("--name",
+                       config.name,
+                       "Name of this worker in logs and reports; default: host and process number"),
+        "TEXT");
+    option(app.add_option("--simd",
+                          config.simd,
+                          "SIMD instructions: avx512, avx2, sse4, neon, scalar or auto; the "
+                          "results are the same"),
+           "TARGET");
+    option(
+        app.add_option("--state", texts.state, "Folder of the credential file that `join` writes"),
+        "DIR")
         ->capture_default_str();
     option(
-        app.add_flag("--insecure", config.insecure, "Allow a master beyond loopback without TLS"),
+        app.add_flag("--insecure", config.insecure, "Allow a master on another host without TLS"),
         "");
     option(app.add_flag("--no-peers",
                         config.no_peers,
-                        "Give no geometry to other workers; they get it from the master"),
+                        "Send no geometry to other workers; they get it from the master"),
            "");
     option(app.add_option("--peer-port",
                           config.peer_port,
-                          "Where other workers fetch geometry; 0: the system chooses"),
+                          "Port on which other workers fetch geometry; 0: the system chooses one"),
            "PORT")
         ->capture_default_str();
-    option(app.add_option("--log-level", config.log_level, "How much is logged"), "LEVEL")
+    option(app.add_option("--log-level", config.log_level, "Least severe level that is logged"),
+           "LEVEL")
         ->check(CLI::IsMember({"trace", "debug", "info", "warning", "error", "off"}))
         ->capture_default_str();
-    option(app.add_option("--connect-for", texts.connect_for, "Try the first connection so long"),
+    option(app.add_option("--connect-for",
+                          texts.connect_for,
+                          "Time limit of the attempts to connect for the first time"),
            "SECONDS")
         ->check(CLI::Range(std::int64_t{0}, std::int64_t{1'000'000}))
         ->capture_default_str();
-    option(app.add_option("--drain-timeout",
-                          texts.drain_timeout,
-                          "After a signal it may take so long; what runs too long is handed back"),
-           "SECONDS")
+    option(
+        app.add_option("--drain-timeout",
+                       texts.drain_timeout,
+                       "Time limit for running scenarios after a signal; then they are returned"),
+        "SECONDS")
         ->check(CLI::Range(std::int64_t{0},
                            std::int64_t{std::chrono::seconds(limits::drain_timeout_max).count()}))
         ->capture_default_str();
@@ -133,15 +142,16 @@ void add_options(CLI::App& app, WorkerConfig& config, Texts& texts) {
 
 CLI::App* add_join(CLI::App& app, Texts& texts) {
     CLI::App* join =
-        app.add_subcommand("join", "Gets a certificate from a master with a token, and ends");
+        app.add_subcommand("join", "Get a certificate from a master with a token, and end");
     join->fallthrough();
     join->add_option("master", texts.master, "The master to join")
         ->required()
         ->type_name("HOST:PORT");
-    CLI::Option* token = join->add_option("--token", texts.token, "Of `cdctl token create`")
-                             ->envname("CDWORKER_TOKEN")
-                             ->type_name("TOKEN");
-    join->add_option("--token-file", texts.token_file, "Its first line is the token")
+    CLI::Option* token =
+        join->add_option("--token", texts.token, "Token that `cdctl token create` printed")
+            ->envname("CDWORKER_TOKEN")
+            ->type_name("TOKEN");
+    join->add_option("--token-file", texts.token_file, "File with the token in its first line")
         ->excludes(token)
         ->envname("CDWORKER_TOKEN_FILE")
         ->type_name("FILE");
@@ -192,10 +202,11 @@ WorkerCommandLine parse_worker_command_line(int count, const char* const* argume
     Texts texts;
     CLI::App app(help, "cdworker");
     app.formatter(make_examples_first());
-    app.set_version_flag("--version",
-                         version_text("cdworker", to_text(simd_target()), false),
-                         "Version, commit, compiler, libraries; with -o json for programs");
-    app.set_help_flag("-h,--help", "This text");
+    app.set_version_flag(
+        "--version",
+        version_text("cdworker", to_text(simd_target()), false),
+        "Print version, commit, compiler and libraries; with -o json for programs");
+    app.set_help_flag("-h,--help", "Print this text");
     add_options(app, config, texts);
     const CLI::App* join = add_join(app, texts);
     try {

@@ -143,6 +143,16 @@ TEST(WorkerConfig, HelpOpensWithExamplesAndTellsTheExitCodes) {
     EXPECT_THAT(parse({"--version"}).text, HasSubstr("cdworker 0."));
 }
 
+TEST(WorkerConfig, HelpIsUnderstoodByWhoReadsOneLineOfIt) {
+    const std::string help = parse({"--help"}).text;
+    EXPECT_THAT(help, HasSubstr("Number of threads that compute"));
+    EXPECT_THAT(help, HasSubstr("Name of this worker in logs and reports"));
+    EXPECT_THAT(help, HasSubstr("Get a certificate from a master"));
+    const std::string join = parse({"join", "--help"}).text;
+    EXPECT_THAT(join, HasSubstr("Token that `cdctl token create` printed"));
+    EXPECT_THAT(join, HasSubstr("File with the token in its first line"));
+}
+
 TEST(WorkerConfig, SizesHaveUnits) {
     EXPECT_EQ(parse_size("123").value(), 123u);
     EXPECT_EQ(parse_size("4GiB").value(), std::uint64_t{4} << 30);
