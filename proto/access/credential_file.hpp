@@ -32,7 +32,8 @@ namespace cd {
 /// another user than the process or root.
 [[nodiscard]] Result<std::string> read_private(const std::filesystem::path& path);
 
-/// When to renew the certificate: after half of its validity.
+/// When to renew the certificate: after half of the time for which it was issued. It also covers
+/// `limits::clock_difference_max` before its issue, which does not count.
 [[nodiscard]] WallTime renew_at(const Identity& identity);
 
 } // namespace cd

@@ -20,7 +20,7 @@ class CredentialKeeper {
     [[nodiscard]] bool is_secured() const { return tls_->now != nullptr; }
     [[nodiscard]] std::shared_ptr<const TlsSlot> tls() const { return tls_; }
 
-    /// Renews the certificate whenever half of its validity has passed, until `stop`.
+    /// Renews the certificate when `renew_at` says so, until `stop`.
     [[nodiscard]] asio::awaitable<void> keep();
     void stop();
 
