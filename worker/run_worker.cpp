@@ -130,7 +130,7 @@ class Daemon {
     /// Empty if the worker retries. It ends if the master itself refused it, or if TLS has refused
     /// its certificate for too long.
     std::optional<int> exit_code_of_failed_greeting(const Error& error, bool is_by_master) {
-        log_error("not welcome: error=\"{}\"", error.detail);
+        log_error("greeting failed: error=\"{}\"", error.detail);
         const bool tries_again = error.code != ErrorCode::Refused ||
                                  (!is_by_master && tries_again_after_refusal(error.detail));
         return tries_again ? std::nullopt : std::optional<int>(exit_refused);
@@ -165,7 +165,8 @@ class Daemon {
         if (server) {
             peer_server_ = std::move(server.value());
         } else {
-            log_warning("no geometry for other workers: error=\"{}\"", server.error().detail);
+            log_warning("cannot serve geometry to other workers: error=\"{}\"",
+                        server.error().detail);
         }
     }
 
@@ -177,7 +178,7 @@ class Daemon {
         if (membership_.drain(config_.drain_timeout, [this] { context_.stop(); })) {
             pause_.skip(); // Reconnects at once, to drain over the new connection.
         } else {
-            log_info("ended: nothing was under way, scenarios_computed={}",
+            log_info("ended: no work remained, scenarios_computed={}",
                      membership_.scenarios_computed());
             context_.stop();
         }
@@ -285,7 +286,7 @@ int run_worker(const WorkerConfig& config) {
         log_error("wrong usage: {}", simd.error().detail);
         return exit_usage;
     }
-    log_info("instructions chosen: simd={}", to_text(simd_target()));
+    log_info("SIMD instructions chosen: simd={}", to_text(simd_target()));
     Daemon daemon(config, context, std::move(keeper.value()));
     spawn(context.get_executor(), "worker", daemon.run());
     context.run();

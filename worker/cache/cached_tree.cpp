@@ -21,7 +21,7 @@ Status CachedTree::fill(RootIndex root,
     }
     if (partial_.has_top() && subtree->triangle_count() != partial_.top().triangles_under(root)) {
         return Error{ErrorCode::BadFrame,
-                     name + " has another number of triangles than the tree's top says"};
+                     name + " has another number of triangles than the upper tree says"};
     }
     partial_.fill(root, std::move(subtree));
     snapshot_.reset();
@@ -33,15 +33,16 @@ Status CachedTree::set_top(std::shared_ptr<const TreeTop> top,
                            std::shared_ptr<const SubtreeBlock> block) {
     if (top->root_count() != named_.roots || top->triangle_count() != named_.triangles) {
         return Error{ErrorCode::BadFrame,
-                     "a top of " + std::to_string(top->root_count()) + " roots for a tree with " +
-                         std::to_string(named_.roots)};
+                     "an upper tree of " + std::to_string(top->root_count()) +
+                         " roots for a tree with " + std::to_string(named_.roots)};
     }
     for (RootIndex root = 0; root < named_.roots; ++root) {
         const auto& subtree = partial_.at(root);
         if (subtree != nullptr && subtree->triangle_count() != top->triangles_under(root)) {
-            return Error{ErrorCode::BadFrame,
-                         "a top that says another number of triangles than the block of root " +
-                             std::to_string(root)};
+            return Error{
+                ErrorCode::BadFrame,
+                "an upper tree and the block of a root disagree on the number of triangles: root " +
+                    std::to_string(root)};
         }
     }
     partial_.set_top(std::move(top));

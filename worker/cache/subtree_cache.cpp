@@ -17,7 +17,8 @@ Result<OpenedBlock> open_block(const SubtreeBlock& block) {
     }
     if (sha256(bytes.value()) != block.hash) {
         return Error{ErrorCode::BadFrame,
-                     "the block of root " + std::to_string(block.root) + " has not its hash"};
+                     "the block of root " + std::to_string(block.root) +
+                         " does not have the announced hash"};
     }
     if (block.root == top_root) {
         Result<TreeTop> top = decode_top(bytes.value());
@@ -115,7 +116,8 @@ std::vector<RootIndex> SubtreeCache::held(TreeId tree) const {
 Status SubtreeCache::add_tree(const AddTree& add) {
     const std::string name = "tree " + std::to_string(add.tree.value);
     if (add.roots == 0 || add.roots > add.triangles || is_parked(add.tree)) {
-        return Error{ErrorCode::BadFrame, name + " cannot be"};
+        return Error{ErrorCode::BadFrame,
+                     name + " has an impossible number of roots or an impossible id"};
     }
     if (trees_.contains(add.tree)) {
         return Error{ErrorCode::BadFrame, name + " was added already"};

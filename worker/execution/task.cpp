@@ -69,7 +69,7 @@ Result<Task> Task::make(const ScenarioRange& range, std::shared_ptr<const Worker
             return list.error();
         }
         if (list.value().size() != range.count) {
-            return bad_task(range.task, "has another number of scenarios than it says");
+            return bad_task(range.task, "does not have the number of scenarios that it announces");
         }
         scenarios.emplace(std::move(list.value()));
     }

@@ -22,7 +22,7 @@ Result<std::shared_ptr<const WorkerJob>> make_worker_job(AddJob add, const Subtr
     const std::string name = "job " + std::to_string(add.job.value) + " ";
     if (add.trees.size() != 2) {
         return Error{ErrorCode::BadFrame,
-                     name + "has " + std::to_string(add.trees.size()) + " bodies and not two"};
+                     name + "has " + std::to_string(add.trees.size()) + " bodies instead of two"};
     }
     const auto [tree_a, tree_b] = std::pair(add.trees[0], add.trees[1]);
     if (cache.find(tree_a) == nullptr || cache.find(tree_b) == nullptr) {
@@ -30,7 +30,8 @@ Result<std::shared_ptr<const WorkerJob>> make_worker_job(AddJob add, const Subtr
     }
     const SubtreeForm form = cache.form_of(tree_a);
     if (form != cache.form_of(tree_b) || (add.query.tolerance > 0 && form != SubtreeForm::Binary)) {
-        return Error{ErrorCode::BadFrame, name + "has trees whose forms do not suit"};
+        return Error{ErrorCode::BadFrame,
+                     name + "has trees of forms that cannot be tested against each other"};
     }
     WorkerJob job{add.job, tree_a, tree_b, std::move(add.query), {}};
     if (add.grid) {

@@ -106,7 +106,7 @@ asio::awaitable<void> Membership::watch_drain(std::chrono::milliseconds to_finis
     drain_timer_.expires_after(last);
     co_await drain_timer_.async_wait(asio::redirect_error(asio::use_awaitable, error));
     if (!error) {
-        log_warning("ended before it was drained: results_not_acknowledged={}",
+        log_warning("drain timed out: results_not_acknowledged={}",
                     keep_->results.messages().size());
         end();
         out_of_time();

@@ -50,7 +50,7 @@ struct Session::Router {
     }
     /// The answer to this worker's own Drain, or the master's request to leave.
     Status operator()(Drain& /*drain*/) {
-        log_debug("draining: nothing more comes from the master");
+        log_debug("draining: the master sends no more tasks");
         session.draining_ = true;
         session.stop();
         session.settle_soon();

@@ -51,7 +51,7 @@ void SessionLink::resume(std::shared_ptr<Channel> channel, const Standing& stand
     const Message inventory(standing);
     if (encode_message(inventory).size() > payload_bytes_max(message_type(inventory))) {
         // A new session reports tree by tree.
-        return end(SessionEnd::Disagreed, "it holds more than can be said at once");
+        return end(SessionEnd::Disagreed, "its inventory exceeds the limit of a message");
     }
     for (const auto& [sequence, results] : keep_->results.messages()) {
         channel_->send(results);

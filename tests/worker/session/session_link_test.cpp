@@ -96,7 +96,7 @@ TEST(SessionLink, AnInventoryTooLargeForOneMessageEndsTheSession) {
         linked.link.resume(std::move(ends.left), standing);
         const SessionEnd end = co_await linked.link.serve();
         EXPECT_EQ(end, SessionEnd::Disagreed) << "it is to begin another session";
-        EXPECT_EQ(linked.link.reason(), "it holds more than can be said at once");
+        EXPECT_EQ(linked.link.reason(), "its inventory exceeds the limit of a message");
         const Result<Message> nothing = co_await ends.right->receive(patience);
         EXPECT_FALSE(nothing);
     });
