@@ -72,9 +72,9 @@ void add_candidates(const Scene& scene,
                     const ObbNode& b,
                     std::vector<Candidate>& to) {
     for (std::uint32_t i = a.triangles_begin; i < a.triangles_end; ++i) {
-        const Aabb own = bounding_box(triangles_of(scene.a).corners(i));
+        const Aabb own = bounding_box(triangles_of(scene.a).corners_at(i));
         for (std::uint32_t j = b.triangles_begin; j < b.triangles_end; ++j) {
-            const Aabb other = boxes.bounds(triangles_of(scene.b).corners(j));
+            const Aabb other = boxes.bounds(triangles_of(scene.b).corners_at(j));
             if ((own.min.array() <= other.max.array()).all() &&
                 (other.min.array() <= own.max.array()).all()) {
                 to.push_back({i, j});
@@ -83,7 +83,7 @@ void add_candidates(const Scene& scene,
     }
 }
 
-/// Descends the larger box first, as ContactSearch does.
+/// Descends the larger box first, as BinarySearch does.
 std::vector<Candidate> candidates_of(const Scene& scene, const PosePair& poses) {
     struct NodePair {
         std::uint32_t a;
@@ -141,8 +141,8 @@ struct MeshSource {
     TriangleSpan b;
 
     explicit MeshSource(const Scene& scene) : a(triangles_of(scene.a)), b(triangles_of(scene.b)) {}
-    [[nodiscard]] Corners corners_a(std::uint32_t place) const { return a.corners(place); }
-    [[nodiscard]] Corners corners_b(std::uint32_t place) const { return b.corners(place); }
+    [[nodiscard]] Corners corners_a(std::uint32_t place) const { return a.corners_at(place); }
+    [[nodiscard]] Corners corners_b(std::uint32_t place) const { return b.corners_at(place); }
 };
 
 struct BlockSource {

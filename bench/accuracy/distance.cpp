@@ -130,8 +130,8 @@ double distance_of_bodies(const ObbTree& a, const ObbTree& b, const PosePair& po
             for (std::uint32_t i = node_a.triangles_begin; i < node_a.triangles_end; ++i) {
                 for (std::uint32_t j = node_b.triangles_begin; j < node_b.triangles_end; ++j) {
                     least = std::min(least,
-                                     distance_of_triangles(to_world_a(triangles_a.corners(i)),
-                                                           to_world_b(triangles_b.corners(j))));
+                                     distance_of_triangles(to_world_a(triangles_a.corners_at(i)),
+                                                           to_world_b(triangles_b.corners_at(j))));
                 }
             }
             continue;

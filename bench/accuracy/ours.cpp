@@ -47,8 +47,8 @@ class Filters final : public PairEngine {
                 bool touches = verdicts[i] != FloatVerdict::Separate;
                 if (doubles_next_ && verdicts[i] == FloatVerdict::Unknown) {
                     const Candidate& c = group.candidates[i];
-                    touches = doubles_[g].classify(group.a.corners(c.a), group.b.corners(c.b)) !=
-                              PairClass::Separate;
+                    touches = doubles_[g].classify(group.a.corners_at(c.a),
+                                                   group.b.corners_at(c.b)) != PairClass::Separate;
                 }
                 answers[next++] = touches ? 1 : 0;
             }
@@ -96,8 +96,8 @@ class Certified final : public PairEngine {
 
     [[nodiscard]] SharedPoints shared_points(const PairGroup& group, const Candidate& c) override {
         TrianglePairTest test(group.poses);
-        const Corners a = group.a.corners(c.a);
-        const Corners b = group.b.corners(c.b);
+        const Corners a = group.a.corners_at(c.a);
+        const Corners b = group.b.corners_at(c.b);
         if (test.classify(a, b) == PairClass::Separate) {
             return {};
         }

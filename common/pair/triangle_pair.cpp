@@ -13,18 +13,6 @@
 
 namespace cd {
 
-namespace {
-
-Corners corners_of(const TriangleSpan& triangles, std::uint32_t place) {
-    return triangles.corners(place);
-}
-
-Corners corners_of(const TriangleBlocks& triangles, std::uint32_t place) {
-    return triangles.corners_at(place);
-}
-
-} // namespace
-
 std::string_view to_text(PairStage stage) {
     constexpr std::array<std::string_view, pair_stage_count> names{
         "float", "double", "lattice", "double-double", "wide integer", "arbitrary"};
@@ -114,9 +102,9 @@ PairClass TrianglePairTest::classify(const Corners& a, const Corners& b) {
 }
 
 template <class Triangles>
-std::span<const PairClass> TrianglePairTest::classify_all(const Triangles& a,
-                                                          const Triangles& b,
-                                                          std::span<const Candidate> candidates) {
+std::span<const PairClass> TrianglePairTest::classify(const Triangles& a,
+                                                      const Triangles& b,
+                                                      std::span<const Candidate> candidates) {
     const std::span<const FloatVerdict> verdicts = state_->float_verdicts(a, b, candidates);
     std::vector<PairClass>& kinds = state_->kinds;
     kinds.resize(candidates.size());
@@ -145,8 +133,8 @@ void TrianglePairTest::classify_ties(const Triangles& a,
                                      std::span<const Candidate> candidates,
                                      std::span<const std::size_t> ties) {
     State& s = *state_;
-    const auto corners_a = [&](std::size_t i) { return corners_of(a, candidates[i].a); };
-    const auto corners_b = [&](std::size_t i) { return corners_of(b, candidates[i].b); };
+    const auto corners_a = [&](std::size_t i) { return a.corners_at(candidates[i].a); };
+    const auto corners_b = [&](std::size_t i) { return b.corners_at(candidates[i].b); };
     bool at_once =
         ties.size() >= ties_at_once_min && s.first <= PairStage::Double && !s.stops_after_floats();
     if (at_once && !s.in_doubles) {
@@ -172,9 +160,9 @@ void TrianglePairTest::classify_ties(const Triangles& a,
 }
 
 template <class Triangles>
-std::optional<std::size_t> TrianglePairTest::find_any_touch(const Triangles& a,
-                                                            const Triangles& b,
-                                                            std::span<const Candidate> candidates) {
+std::optional<std::size_t> TrianglePairTest::find_touch(const Triangles& a,
+                                                        const Triangles& b,
+                                                        std::span<const Candidate> candidates) {
     const std::span<const FloatVerdict> verdicts = state_->float_verdicts(a, b, candidates);
     const auto proper = std::find(verdicts.begin(), verdicts.end(), FloatVerdict::Proper);
     if (proper != verdicts.end()) {
@@ -182,7 +170,7 @@ std::optional<std::size_t> TrianglePairTest::find_any_touch(const Triangles& a,
     }
     for (std::size_t i = 0; i < candidates.size(); ++i) {
         if (verdicts[i] == FloatVerdict::Unknown &&
-            classify(corners_of(a, candidates[i].a), corners_of(b, candidates[i].b)) !=
+            classify(a.corners_at(candidates[i].a), b.corners_at(candidates[i].b)) !=
                 PairClass::Separate) {
             return i;
         }
@@ -190,29 +178,16 @@ std::optional<std::size_t> TrianglePairTest::find_any_touch(const Triangles& a,
     return std::nullopt;
 }
 
-std::span<const PairClass> TrianglePairTest::classify(const TriangleSpan& a,
-                                                      const TriangleSpan& b,
-                                                      std::span<const Candidate> candidates) {
-    return classify_all(a, b, candidates);
-}
-
-std::span<const PairClass> TrianglePairTest::classify(const TriangleBlocks& a,
-                                                      const TriangleBlocks& b,
-                                                      std::span<const Candidate> candidates) {
-    return classify_all(a, b, candidates);
-}
-
-std::optional<std::size_t> TrianglePairTest::find_touch(const TriangleSpan& a,
-                                                        const TriangleSpan& b,
-                                                        std::span<const Candidate> candidates) {
-    return find_any_touch(a, b, candidates);
-}
-
-std::optional<std::size_t> TrianglePairTest::find_touch(const TriangleBlocks& a,
-                                                        const TriangleBlocks& b,
-                                                        std::span<const Candidate> candidates) {
-    return find_any_touch(a, b, candidates);
-}
+template std::span<const PairClass>
+TrianglePairTest::classify(const TriangleSpan&, const TriangleSpan&, std::span<const Candidate>);
+template std::span<const PairClass> TrianglePairTest::classify(const TriangleBlocks&,
+                                                               const TriangleBlocks&,
+                                                               std::span<const Candidate>);
+template std::optional<std::size_t>
+TrianglePairTest::find_touch(const TriangleSpan&, const TriangleSpan&, std::span<const Candidate>);
+template std::optional<std::size_t> TrianglePairTest::find_touch(const TriangleBlocks&,
+                                                                 const TriangleBlocks&,
+                                                                 std::span<const Candidate>);
 
 std::span<const Vec3> TrianglePairTest::shared_points(const Corners& a, const Corners& b) {
     return state_->points.points(a, b);

@@ -14,8 +14,6 @@
 
 namespace cd {
 
-struct TriangleBlocks;
-
 /// How two closed triangles meet (NUMERICS, section 1).
 enum class PairClass : std::uint8_t {
     Separate = 0, ///< No shared point.
@@ -67,7 +65,7 @@ struct TriangleSpan {
     std::span<const Vec3> vertices;
     std::span<const Triangle> triangles;
 
-    [[nodiscard]] Corners corners(std::uint32_t place) const {
+    [[nodiscard]] Corners corners_at(std::uint32_t place) const {
         const Triangle& t = triangles[place];
         return {vertices[t[0]], vertices[t[1]], vertices[t[2]]};
     }
@@ -100,21 +98,18 @@ class TrianglePairTest {
     /// Classifies one pair, from stage Double on.
     [[nodiscard]] PairClass classify(const Corners& a, const Corners& b);
 
-    /// Classifies the candidates, in order; valid until the next call. Many at once are much faster
-    /// than one by one; very few begin with stage Double.
+    /// Classifies the candidates of two bodies, each a TriangleSpan or TriangleBlocks, in order;
+    /// valid until the next call. Many at once are much faster than one by one; very few begin with
+    /// stage Double.
+    template <class Triangles>
     [[nodiscard]] std::span<const PairClass>
-    classify(const TriangleSpan& a, const TriangleSpan& b, std::span<const Candidate> candidates);
-    [[nodiscard]] std::span<const PairClass> classify(const TriangleBlocks& a,
-                                                      const TriangleBlocks& b,
-                                                      std::span<const Candidate> candidates);
+    classify(const Triangles& a, const Triangles& b, std::span<const Candidate> candidates);
 
-    /// Returns the index of any touching candidate, if there is one. A contact that a cheap stage
-    /// proves saves testing the others.
+    /// Returns the index of any touching candidate, if there is one. `Triangles` is TriangleSpan or
+    /// TriangleBlocks. A contact that a cheap stage proves saves testing the others.
+    template <class Triangles>
     [[nodiscard]] std::optional<std::size_t>
-    find_touch(const TriangleSpan& a, const TriangleSpan& b, std::span<const Candidate> candidates);
-    [[nodiscard]] std::optional<std::size_t> find_touch(const TriangleBlocks& a,
-                                                        const TriangleBlocks& b,
-                                                        std::span<const Candidate> candidates);
+    find_touch(const Triangles& a, const Triangles& b, std::span<const Candidate> candidates);
 
     /// Returns the corners of the set of shared points of two triangles, correctly rounded,
     /// relative to `point_origin(a)`: see SharedPoints. Valid until the next call.
@@ -127,18 +122,12 @@ class TrianglePairTest {
 
   private:
     struct State;
-    template <class Triangles>
-    std::span<const PairClass>
-    classify_all(const Triangles& a, const Triangles& b, std::span<const Candidate> candidates);
     /// Classifies the candidates that floats leave open.
     template <class Triangles>
     void classify_ties(const Triangles& a,
                        const Triangles& b,
                        std::span<const Candidate> candidates,
                        std::span<const std::size_t> ties);
-    template <class Triangles>
-    std::optional<std::size_t>
-    find_any_touch(const Triangles& a, const Triangles& b, std::span<const Candidate> candidates);
 
     std::unique_ptr<State> state_;
 };

@@ -31,13 +31,6 @@ TriangleSpan triangles_of(const TreeView& tree) {
     return {tree.vertices, tree.triangles};
 }
 
-Corners corners_of(const TriangleSpan& triangles, std::uint32_t place) {
-    return triangles.corners(place);
-}
-Corners corners_of(const TriangleBlocks& triangles, std::uint32_t place) {
-    return triangles.corners_at(place);
-}
-
 /// Half the diagonal.
 double radius_of(const ObbNode& node) {
     double sum = 0;
@@ -194,10 +187,10 @@ void ContactSearch::add_candidates(const TreeView& a, const TreeView& b, const N
     const ObbNode& node_b = b.nodes[leaves.b];
     bounds_.clear();
     for (std::uint32_t j = node_b.triangles_begin; j < node_b.triangles_end; ++j) {
-        bounds_.push_back(boxes().bounds(triangles_of(b).corners(j)));
+        bounds_.push_back(boxes().bounds(triangles_of(b).corners_at(j)));
     }
     for (std::uint32_t i = node_a.triangles_begin; i < node_a.triangles_end; ++i) {
-        const Aabb own = bounding_box(triangles_of(a).corners(i));
+        const Aabb own = bounding_box(triangles_of(a).corners_at(i));
         for (std::uint32_t j = node_b.triangles_begin; j < node_b.triangles_end; ++j) {
             if (!are_apart(own, bounds_[j - node_b.triangles_begin]) &&
                 !is_ignored(ignored_, a.triangle_ids[i], b.triangle_ids[j])) {
@@ -277,7 +270,7 @@ void ContactSearch::add_contacts(const Triangles& a,
         const Candidate& found = candidates[i];
         pairs_.push_back({ids_a[found.a], ids_b[found.b], kinds[i]});
         if (options_.keep_corners) {
-            corners_.push_back({corners_of(a, found.a), corners_of(b, found.b)});
+            corners_.push_back({a.corners_at(found.a), b.corners_at(found.b)});
         }
     }
     // Seldom enough that sorting costs little beside finding.

@@ -201,7 +201,7 @@ void print_vehicles(std::uint64_t seed, Counts& counts) {
     const auto found = test.classify(batch.a(), batch.b(), batch.candidates);
     const std::vector<PairClass> kinds(found.begin(), found.end());
     for (std::uint32_t i = 0; i < kinds.size(); ++i) {
-        const PosedPair pair{batch.a().corners(i), batch.b().corners(i), poses};
+        const PosedPair pair{batch.a().corners_at(i), batch.b().corners_at(i), poses};
         const std::string name = "vehicle " + std::to_string(seed) + " " + std::to_string(i);
         const std::size_t count = kinds.size();
         const std::array of_pair{

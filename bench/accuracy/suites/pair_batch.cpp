@@ -96,7 +96,7 @@ std::vector<PairClass> PairBatch::truth(unsigned threads) const {
     parallel_for(pool, pairs.size(), [&](std::size_t i) {
         const auto& [group, c] = pairs[i];
         classes[i] =
-            tests::oracle_class(group->a.corners(c->a), group->b.corners(c->b), group->poses);
+            tests::oracle_class(group->a.corners_at(c->a), group->b.corners_at(c->b), group->poses);
     });
     return classes;
 }

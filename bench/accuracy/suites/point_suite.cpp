@@ -58,8 +58,8 @@ std::vector<Contact> contacts_of(const PairBatch& batch, std::size_t pairs_max) 
             if (contacts.size() == pairs_max) {
                 return contacts;
             }
-            const Corners a = group.a.corners(c.a);
-            const Corners b = group.b.corners(c.b);
+            const Corners a = group.a.corners_at(c.a);
+            const Corners b = group.b.corners_at(c.b);
             std::vector<RationalPoint> corners = tests::clipping_oracle_points(a, b, group.poses);
             if (!corners.empty()) {
                 contacts.push_back({group,

@@ -137,9 +137,9 @@ std::vector<Candidate> candidates_of(const ObbTree& a, const ObbTree& b, const P
             stack.emplace_back(ia, ib + 1);
         } else {
             for (std::uint32_t i = node_a.triangles_begin; i < node_a.triangles_end; ++i) {
-                const Aabb own = bounding_box(triangles_a.corners(i));
+                const Aabb own = bounding_box(triangles_a.corners_at(i));
                 for (std::uint32_t j = node_b.triangles_begin; j < node_b.triangles_end; ++j) {
-                    const Aabb other = boxes.bounds(triangles_b.corners(j));
+                    const Aabb other = boxes.bounds(triangles_b.corners_at(j));
                     if ((own.min.array() <= other.max.array()).all() &&
                         (other.min.array() <= own.max.array()).all()) {
                         candidates.push_back({i, j});

@@ -148,8 +148,8 @@ class WorldPairEngine final : public PairEngine {
             const PairGroup& group = groups_[g];
             const auto& [to_world_a, to_world_b] = frames_[g];
             for (const Candidate& c : group.candidates) {
-                answers[next++] = test_.touches(to_world_a(group.a.corners(c.a)),
-                                                to_world_b(group.b.corners(c.b)))
+                answers[next++] = test_.touches(to_world_a(group.a.corners_at(c.a)),
+                                                to_world_b(group.b.corners_at(c.b)))
                                       ? 1
                                       : 0;
             }
@@ -165,8 +165,8 @@ class WorldPairEngine final : public PairEngine {
     [[nodiscard]] SharedPoints shared_points(const PairGroup& group, const Candidate& c) override {
         if constexpr (requires(Test test, Corners t) { test.points(t, t); }) {
             return {Vec3::Zero(),
-                    test_.points(WorldFrame(group.poses.a)(group.a.corners(c.a)),
-                                 WorldFrame(group.poses.b)(group.b.corners(c.b)))};
+                    test_.points(WorldFrame(group.poses.a)(group.a.corners_at(c.a)),
+                                 WorldFrame(group.poses.b)(group.b.corners_at(c.b)))};
         } else {
             return {};
         }

@@ -86,8 +86,8 @@ class OdePairEngine final : public PairEngine {
         pairs_.clear();
         for (const PairGroup& group : groups) {
             for (const Candidate& c : group.candidates) {
-                pairs_.emplace_back(made(group.poses.a, group.a.corners(c.a), -1),
-                                    made(group.poses.b, group.b.corners(c.b), 1));
+                pairs_.emplace_back(made(group.poses.a, group.a.corners_at(c.a), -1),
+                                    made(group.poses.b, group.b.corners_at(c.b), 1));
             }
         }
     }
@@ -107,8 +107,8 @@ class OdePairEngine final : public PairEngine {
     [[nodiscard]] bool gives_points() const override { return true; }
 
     [[nodiscard]] SharedPoints shared_points(const PairGroup& group, const Candidate& c) override {
-        const auto a = made(group.poses.a, group.a.corners(c.a), -1);
-        const auto b = made(group.poses.b, group.b.corners(c.b), 1);
+        const auto a = made(group.poses.a, group.a.corners_at(c.a), -1);
+        const auto b = made(group.poses.b, group.b.corners_at(c.b), 1);
         std::vector<dContactGeom> contacts(16);
         const int count = collide(*a, *b, contacts, 0);
         SharedPoints shared;

@@ -85,8 +85,8 @@ TEST(PairAllocations, NoStageUpToWideIntegerAllocatesInTheSteadyState) {
                                       PairStage::WideInteger}) {
             TrianglePairTest test(batch.poses, first);
             const auto run = [&] {
-                static_cast<void>(test.classify({batch.vertices_a, batch.triangles},
-                                                {batch.vertices_b, batch.triangles},
+                static_cast<void>(test.classify(TriangleSpan{batch.vertices_a, batch.triangles},
+                                                TriangleSpan{batch.vertices_b, batch.triangles},
                                                 batch.candidates));
             };
             run();

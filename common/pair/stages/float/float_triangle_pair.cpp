@@ -88,25 +88,6 @@ FloatPairPose make_pose(const PosePair& poses, double bound_scale) {
     return pose;
 }
 
-template <class Triangles>
-void classify_all(const FloatPairPose& pose,
-                  const Triangles& a,
-                  const Triangles& b,
-                  std::span<const Candidate> candidates,
-                  std::span<FloatVerdict> verdicts) {
-    CD_CHECK(candidates.size() == verdicts.size());
-    if (!pose.is_usable || candidates.empty()) {
-        std::fill(verdicts.begin(), verdicts.end(), FloatVerdict::Unknown);
-        return;
-    }
-    classify_in_floats(pose,
-                       body_of(a),
-                       body_of(b),
-                       &candidates.front().a,
-                       candidates.size(),
-                       reinterpret_cast<std::uint8_t*>(verdicts.data()));
-}
-
 } // namespace
 
 FloatTrianglePair::FloatTrianglePair(const PosePair& poses, double bound_scale)
@@ -115,18 +96,31 @@ FloatTrianglePair::FloatTrianglePair(const PosePair& poses, double bound_scale)
     static_cast<void>(simd_target());
 }
 
-void FloatTrianglePair::classify(const TriangleSpan& a,
-                                 const TriangleSpan& b,
+template <class Triangles>
+void FloatTrianglePair::classify(const Triangles& a,
+                                 const Triangles& b,
                                  std::span<const Candidate> candidates,
                                  std::span<FloatVerdict> verdicts) const {
-    classify_all(pose_, a, b, candidates, verdicts);
+    CD_CHECK(candidates.size() == verdicts.size());
+    if (!pose_.is_usable || candidates.empty()) {
+        std::fill(verdicts.begin(), verdicts.end(), FloatVerdict::Unknown);
+        return;
+    }
+    classify_in_floats(pose_,
+                       body_of(a),
+                       body_of(b),
+                       &candidates.front().a,
+                       candidates.size(),
+                       reinterpret_cast<std::uint8_t*>(verdicts.data()));
 }
 
-void FloatTrianglePair::classify(const TriangleBlocks& a,
-                                 const TriangleBlocks& b,
-                                 std::span<const Candidate> candidates,
-                                 std::span<FloatVerdict> verdicts) const {
-    classify_all(pose_, a, b, candidates, verdicts);
-}
+template void FloatTrianglePair::classify(const TriangleSpan&,
+                                          const TriangleSpan&,
+                                          std::span<const Candidate>,
+                                          std::span<FloatVerdict>) const;
+template void FloatTrianglePair::classify(const TriangleBlocks&,
+                                          const TriangleBlocks&,
+                                          std::span<const Candidate>,
+                                          std::span<FloatVerdict>) const;
 
 } // namespace cd

@@ -27,13 +27,11 @@ class FloatTrianglePair {
     /// Multiplies all error bounds by `bound_scale`; tests show that smaller bounds are wrong.
     explicit FloatTrianglePair(const PosePair& poses, double bound_scale = 1);
 
-    /// Writes one verdict per candidate. Never allocates.
-    void classify(const TriangleSpan& a,
-                  const TriangleSpan& b,
-                  std::span<const Candidate> candidates,
-                  std::span<FloatVerdict> verdicts) const;
-    void classify(const TriangleBlocks& a,
-                  const TriangleBlocks& b,
+    /// Writes one verdict per candidate of two bodies, each a TriangleSpan or TriangleBlocks. Never
+    /// allocates.
+    template <class Triangles>
+    void classify(const Triangles& a,
+                  const Triangles& b,
                   std::span<const Candidate> candidates,
                   std::span<FloatVerdict> verdicts) const;
 

@@ -205,7 +205,8 @@ TEST_F(FloatTrianglePairs, SharedCornersAndRepeatedTrianglesAreAllowed) {
     std::vector<FloatVerdict> verdicts(candidates.size());
     test.classify(span, span, candidates, verdicts);
     for (std::size_t i = 0; i < candidates.size(); ++i) {
-        const PosedPair pair{span.corners(candidates[i].a), span.corners(candidates[i].b), poses};
+        const PosedPair pair{
+            span.corners_at(candidates[i].a), span.corners_at(candidates[i].b), poses};
         EXPECT_EQ(verdicts[i], verdict_of(pair));
     }
 }
