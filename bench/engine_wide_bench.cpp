@@ -14,7 +14,7 @@
 #include "bench/posed_trees.hpp"
 #include "bench/timed_work.hpp"
 #include "common/geometry/simd_target.hpp"
-#include "common/search/traverse.hpp"
+#include "common/search/wide_search.hpp"
 #include "common/tree/wide/candidates_at_once.hpp"
 #include "common/tree/wide/wide_descent.hpp"
 
@@ -68,19 +68,20 @@ void descend(const PosedTrees& trees, const PosePair& poses, Found& found) {
 void search(const PosedTrees& trees, const PosePair& poses, const char* level, Found& found) {
     const std::string_view wanted = level;
     // Reused from pose to pose, as a user does.
-    static ContactSearch keeping(poses, {});
-    static ContactSearch counting(poses, {}, {.keep_pairs = false});
+    static WideSearch keeping(poses);
+    static WideSearch counting(poses, {}, {.keep_pairs = false});
     ContactSearch& search = wanted == "pairs" ? keeping : counting;
     search.restart(poses);
     if (wanted == "any") {
         found.contacts = search.any(trees.a.view(), trees.b.view()) ? 1 : 0;
     } else {
         search.collect(trees.a.view(), trees.b.view());
-        found.contacts = search.pair_count();
+        found.contacts = search.contacts().count();
     }
-    keep(search.pairs(), found);
-    found.box_tests = search.statistics().box_tests;
-    found.candidates = search.statistics().triangle_tests;
+    keep(search.contacts().pairs(), found);
+    const QueryStatistics statistics = search.report().statistics;
+    found.box_tests = statistics.box_tests;
+    found.candidates = statistics.triangle_tests;
 }
 
 /// One kind of work on all targets.

@@ -7,7 +7,7 @@
 // rounds), pairs on the fast path, and whether all points have equal bits.
 #include "common/pair/points/shared_points.hpp"
 
-#include "common/search/traverse.hpp"
+#include "common/search/contact_search.hpp"
 #include "common/tree/build/build.hpp"
 #include "tests/corpus/pairs.hpp"
 #include "tests/corpus/scenes.hpp"
@@ -98,10 +98,10 @@ Group contacts_of(const tests::Scene& scene, std::size_t pairs_max, ThreadPool& 
     SearchOptions options;
     options.keep_corners = true;
     options.pairs_max = pairs_max;
-    ContactSearch search(scene.poses, {}, options);
-    search.collect(a.view(), b.view());
-    search.sort();
-    return {scene.poses, std::move(search.corners())};
+    const auto search = make_search(a.view(), b.view(), scene.poses, {}, options);
+    search->collect(a.view(), b.view());
+    search->contacts().sort();
+    return {scene.poses, search->contacts().corners()};
 }
 
 int run(const Options& options) {

@@ -27,7 +27,7 @@
 #include "common/job/poses/pose_source.hpp"
 #include "common/job/result/merge.hpp"
 #include "common/job/run_scenario.hpp"
-#include "common/search/traverse.hpp"
+#include "common/search/contact_search.hpp"
 #include "common/tree/build/build.hpp"
 #include "common/tree/cut.hpp"
 
@@ -193,9 +193,9 @@ double search_seconds(const ObbTree& a,
     const double before = processor_seconds();
     total = {};
     for (const Scenario& scenario : scenarios) {
-        ContactSearch search(scenario.poses, ignored);
-        search.collect(a.view(), b.view());
-        total += search.statistics();
+        const auto search = make_search(a.view(), b.view(), scenario.poses, ignored);
+        search->collect(a.view(), b.view());
+        total += search->report().statistics;
     }
     return processor_seconds() - before;
 }

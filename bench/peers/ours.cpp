@@ -3,8 +3,8 @@
 #include "common/core/check.hpp"
 #include "common/core/host/thread_pool.hpp"
 #include "common/geometry/simd_target.hpp"
+#include "common/search/contact_search.hpp"
 #include "common/search/search_cost.hpp"
-#include "common/search/traverse.hpp"
 #include "common/tree/build/build.hpp"
 
 #include <string>
@@ -43,25 +43,34 @@ class OurMeshes final : public MeshEngine {
     void load(const std::shared_ptr<const Mesh>& a, const std::shared_ptr<const Mesh>& b) override {
         a_ = tree_of(a, 1);
         b_ = tree_of(b, 1);
+        keeping_.reset();
+        counting_.reset();
     }
 
     MeshAnswer ask(const PosePair& poses, Level level) override {
-        ContactSearch& search = level >= Level::Pairs ? keeping_ : counting_;
-        search.restart(poses);
+        const TreeView a = a_->view();
+        const TreeView b = b_->view();
+        std::unique_ptr<ContactSearch>& kept = level >= Level::Pairs ? keeping_ : counting_;
+        if (kept) {
+            kept->restart(poses);
+        } else {
+            kept = make_search(a, b, poses, {}, {.keep_pairs = level >= Level::Pairs});
+        }
+        ContactSearch& search = *kept;
         MeshAnswer answer;
         if (level == Level::Any) {
-            answer.touches = search.any(a_->view(), b_->view());
+            answer.touches = search.any(a, b);
             answer.pair_count = answer.touches ? 1 : 0;
         } else {
-            search.collect(a_->view(), b_->view());
-            answer.pair_count = search.pair_count();
+            search.collect(a, b);
+            answer.pair_count = search.contacts().count();
             answer.touches = answer.pair_count > 0;
-            answer.pairs.reserve(search.pairs().size());
-            for (const ContactPair& pair : search.pairs()) {
+            answer.pairs.reserve(search.contacts().pairs().size());
+            for (const ContactPair& pair : search.contacts().pairs()) {
                 answer.pairs.emplace_back(pair.a, pair.b);
             }
         }
-        const QueryStatistics statistics = search.statistics();
+        const QueryStatistics statistics = search.report().statistics;
         answer.box_tests = statistics.box_tests;
         answer.triangle_tests = statistics.triangle_tests;
         return answer;
@@ -86,8 +95,8 @@ class OurMeshes final : public MeshEngine {
     std::shared_ptr<const ObbTree> a_;
     std::shared_ptr<const ObbTree> b_;
     // Reused from pose to pose, as a user does.
-    ContactSearch keeping_{PosePair{}, {}};
-    ContactSearch counting_{PosePair{}, {}, {.keep_pairs = false}};
+    std::unique_ptr<ContactSearch> keeping_;
+    std::unique_ptr<ContactSearch> counting_;
 };
 
 } // namespace

@@ -23,16 +23,16 @@ ScenarioResult empty_result(const Scenario& scenario, const Query& query) {
 }
 
 /// Counts all pairs found, kept or not, and sets the class as far as pairs alone decide it.
-void note_found(const ContactSearch& search, ScenarioResult& result) {
-    result.pair_count = search.pair_count();
+void note_found(const FoundContacts& found, ScenarioResult& result) {
+    result.pair_count = found.count();
     if (result.pair_count > 0) {
-        result.kind = search.has_proper() ? ScenarioClass::Cross : ScenarioClass::Touch;
+        result.kind = found.has_proper() ? ScenarioClass::Cross : ScenarioClass::Touch;
     }
 }
 
 /// Boxes left undecided override the class, but not the pairs already proven.
 void note_undecided(const ContactSearch& search, ScenarioResult& result) {
-    if (const std::optional<double> distance = search.undecided_distance()) {
+    if (const std::optional<double> distance = search.report().undecided_distance) {
         result.kind = ScenarioClass::Undecided;
         result.distance_bound = result.pair_count > 0 ? 0 : *distance;
     }
@@ -50,12 +50,12 @@ void find_any(std::span<const SubtreePair> pairs, ContactSearch& search, Scenari
 }
 
 ScenarioResult
-too_many_for_a_map(const ContactSearch& search, const Scenario& scenario, const Query& query) {
+too_many_for_a_map(const FoundContacts& found, const Scenario& scenario, const Query& query) {
     return failed_result(
         scenario,
         query,
         {ErrorCode::TooLarge,
-         std::to_string(search.pair_count()) + " pairs are too many for a map; leave out maps"});
+         std::to_string(found.count()) + " pairs are too many for a map; leave out maps"});
 }
 
 void find_count(std::span<const SubtreePair> pairs,
@@ -66,27 +66,28 @@ void find_count(std::span<const SubtreePair> pairs,
     for (const SubtreePair& pair : pairs) {
         search.collect(pair.a, pair.b);
     }
-    note_found(search, run.result);
+    FoundContacts& found = search.contacts();
+    note_found(found, run.result);
     note_undecided(search, run.result);
-    if (search.pairs().size() == search.pair_count()) {
-        search.sort();
-        run.found = search.take_pairs();
+    if (found.pairs().size() == found.count()) {
+        found.sort();
+        run.found = found.take_pairs();
     } else if (query.maps) {
-        run.result = too_many_for_a_map(search, scenario, query);
+        run.result = too_many_for_a_map(found, scenario, query);
     }
 }
 
 /// Returns false if `stop` ended it.
-bool add_shared_points(ContactSearch& search, const StopCheck& stop, ScenarioResult& result) {
+bool add_shared_points(FoundContacts& found, const StopCheck& stop, ScenarioResult& result) {
     constexpr std::size_t pairs_between_stop_checks = 1024;
     result.point_offsets.push_back(0);
     for (std::size_t i = 0; i < result.pairs.size(); ++i) {
         if (stop && i % pairs_between_stop_checks == 0 && stop()) {
             return false;
         }
-        const PairCorners& corners = search.corners()[i];
-        result.point_origins.push_back(search.test().point_origin(corners.a));
-        const std::span<const Vec3> points = search.test().shared_points(corners.a, corners.b);
+        const PairCorners& corners = found.corners()[i];
+        result.point_origins.push_back(found.test().point_origin(corners.a));
+        const std::span<const Vec3> points = found.test().shared_points(corners.a, corners.b);
         result.points.insert(result.points.end(), points.begin(), points.end());
         result.point_offsets.push_back(static_cast<std::uint32_t>(result.points.size()));
     }
@@ -115,13 +116,14 @@ bool find_pairs(std::span<const SubtreePair> pairs,
     for (const SubtreePair& pair : pairs) {
         search.collect(pair.a, pair.b);
     }
-    search.sort();
+    FoundContacts& found = search.contacts();
+    found.sort();
     ScenarioResult& result = run.result;
-    result.pairs = search.take_pairs();
-    note_found(search, result);
+    result.pairs = found.take_pairs();
+    note_found(found, result);
     note_undecided(search, result);
     if (query.maps && result.pairs.size() != result.pair_count) {
-        result = too_many_for_a_map(search, scenario, query);
+        result = too_many_for_a_map(found, scenario, query);
         return true;
     }
     if (query.maps) {
@@ -130,7 +132,7 @@ bool find_pairs(std::span<const SubtreePair> pairs,
     if (query.limit_pairs != 0 && result.pairs.size() > query.limit_pairs) {
         result.pairs.resize(query.limit_pairs);
     }
-    return query.level != Level::Contacts || add_shared_points(search, stop, result);
+    return query.level != Level::Contacts || add_shared_points(found, stop, result);
 }
 
 SearchOptions search_options(const Query& query, const RunOptions& options) {
@@ -178,7 +180,8 @@ ScenarioRun run_on_subtrees(KeptSearch& kept,
     if (kept.search) {
         kept.search->restart(scenario.poses);
     } else {
-        kept.search.emplace(scenario.poses, query.ignored, search_options(query, options));
+        kept.search = make_search(
+            pairs[0].a, pairs[0].b, scenario.poses, query.ignored, search_options(query, options));
     }
     ContactSearch& search = *kept.search;
     bool is_whole = true;
@@ -194,10 +197,11 @@ ScenarioRun run_on_subtrees(KeptSearch& kept,
         is_whole = find_pairs(pairs, scenario, query, options.stop, search, run);
         break;
     }
-    if (search.is_stopped() || !is_whole) {
+    const SearchReport report = search.report();
+    if (report.is_stopped || !is_whole) {
         return stopped_run(scenario, query);
     }
-    run.statistics = search.statistics();
+    run.statistics = report.statistics;
     run.result = within_limit(std::move(run.result), limits::result_record_bytes_max);
     return run;
 }
@@ -254,7 +258,7 @@ ScenarioRun ScenarioRunner::run_with_kept(const Scenario& scenario, KeptSearch& 
     ScenarioRun run = cut_a_ ? run_on_cuts(scenario, kept)
                              : run_on_subtrees(kept, {&whole, 1}, scenario, query_, options_);
     if (!run.is_stopped) {
-        const RelativePose* const b_to_a = cut_a_ ? nullptr : &kept.search->b_to_a();
+        const RelativePose* const b_to_a = cut_a_ ? nullptr : kept.search->report().b_to_a;
         run.inside = settler_.settle(scenario, run.result, {run.found, options_.stop, b_to_a});
     }
     // The class of a stopped settling is no answer.

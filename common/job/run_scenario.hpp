@@ -7,14 +7,13 @@
 #include "common/job/scenario.hpp"
 #include "common/job/settle.hpp"
 #include "common/job/statistics.hpp"
-#include "common/search/traverse.hpp"
+#include "common/search/contact_search.hpp"
 #include "common/tree/cut.hpp"
 #include "common/tree/obb_tree.hpp"
 #include "common/tree/wire/subtree_block.hpp"
 
 #include <functional>
 #include <memory>
-#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -64,11 +63,11 @@ struct RunOptions {
 
 /// A search that keeps its memory from one scenario to the next of one query.
 struct KeptSearch {
-    std::optional<ContactSearch> search; ///< Created by the first scenario.
+    std::unique_ptr<ContactSearch> search; ///< Created by the first scenario with a pair.
 };
 
-/// Does what the other overload does with a kept search; the query and the options are those of the
-/// previous scenarios.
+/// Does what the other overload does with a kept search; the query, the options and the form of the
+/// trees are those of the previous scenarios.
 [[nodiscard]] ScenarioRun run_on_subtrees(KeptSearch& kept,
                                           std::span<const SubtreePair> pairs,
                                           const Scenario& scenario,

@@ -1,6 +1,6 @@
 #include "common/job/settle.hpp"
 
-#include "common/search/traverse.hpp"
+#include "common/search/contact_search.hpp"
 #include "common/solid/containment.hpp"
 #include "common/solid/penetration.hpp"
 #include "common/tree/box_test.hpp"
@@ -42,10 +42,10 @@ std::vector<ContactPair> search_again(const ObbTree& a,
     ++statistics.searches;
     SearchOptions options;
     options.stop = stop;
-    ContactSearch search(poses, ignored, options);
-    search.collect(a.view(), b.view());
-    search.sort();
-    return search.take_pairs();
+    const auto search = make_search(a.view(), b.view(), poses, ignored, options);
+    search->collect(a.view(), b.view());
+    search->contacts().sort();
+    return search->contacts().take_pairs();
 }
 
 } // namespace

@@ -1,11 +1,15 @@
-// The slow twin of the traversal: every triangle against every other. Obviously right.
+// The slow twin of the contact search: tests every triangle against every other.
 #pragma once
 
-#include "common/search/traverse.hpp"
+#include "common/geometry/mesh.hpp"
+#include "common/geometry/pose.hpp"
+#include "common/search/contact_pair.hpp"
+
+#include <vector>
 
 namespace cd {
 
-/// All contact pairs, sorted.
+/// Returns all contact pairs, sorted.
 [[nodiscard]] std::vector<ContactPair>
 contact_pairs_brute_force(const Mesh& a, const Mesh& b, const PosePair& poses);
 

@@ -16,7 +16,7 @@ constexpr unsigned kind_bits = 2;
 constexpr unsigned place_bits = 31;
 static_assert(limits::mesh_triangles_max <= std::uint64_t{1} << place_bits);
 
-/// Keys are ordered as their pairs are.
+/// Returns a key; keys have the order of their pairs.
 std::uint64_t key_of(const ContactPair& pair) {
     return (std::uint64_t{pair.a} << place_bits | pair.b) << kind_bits |
            static_cast<std::uint64_t>(pair.kind);
@@ -34,7 +34,8 @@ ContactPair pair_of(std::uint64_t key) {
 struct PairSorter::Scratch {
     hwy::Sorter sorter;
     std::vector<std::uint64_t> keys;
-    std::vector<std::pair<std::uint64_t, std::size_t>> places; ///< Each key's place before.
+    std::vector<std::pair<std::uint64_t, std::size_t>>
+        places; ///< Each key with its index before the sort.
     std::vector<PairCorners> corners;
 };
 

@@ -1,4 +1,4 @@
-// Pairs of triangles that share a point, and how they are put in order.
+// Pairs of triangles that share a point, and their order.
 #pragma once
 
 #include "common/core/limits/engine.hpp"
@@ -12,7 +12,7 @@
 
 namespace cd {
 
-/// Triangles `a` of A and `b` of B that share a point, by their places in their meshes.
+/// Triangles `a` of A and `b` of B that share a point, by their indices in the meshes.
 struct ContactPair {
     std::uint32_t a = 0;
     std::uint32_t b = 0;
@@ -21,13 +21,13 @@ struct ContactPair {
     friend auto operator<=>(const ContactPair&, const ContactPair&) = default;
 };
 
-/// The corners of one found pair, each in its body's coordinates.
+/// The corners of a pair's triangles, each in its body's coordinates.
 struct PairCorners {
     Corners a;
     Corners b;
 };
 
-/// Sorts pairs, ascending. Keeps scratch memory between calls; one thread at a time.
+/// Sorts pairs in ascending order. Keeps scratch memory between calls; one thread at a time.
 class PairSorter {
   public:
     PairSorter();
@@ -35,9 +35,9 @@ class PairSorter {
     PairSorter& operator=(PairSorter&&) noexcept;
     ~PairSorter();
 
-    /// Places in meshes are below `limits::mesh_triangles_max`.
+    /// Sorts pairs whose indices are below `limits::mesh_triangles_max`.
     void sort(std::vector<ContactPair>& pairs);
-    /// The same, each pair with its corners.
+    /// Sorts pairs with such indices, and moves the corners of each pair along with it.
     void sort(std::vector<ContactPair>& pairs, std::vector<PairCorners>& corners);
 
   private:

@@ -18,7 +18,7 @@ double nanoseconds(Clock::duration duration) {
     return std::chrono::duration<double, std::nano>(duration).count();
 }
 
-/// What the search under one pose took.
+/// Time and number of tests of a search under one pose.
 struct PoseCost {
     Clock::duration boxes{};
     Clock::duration triangles{};
@@ -55,7 +55,7 @@ PoseCost search(const WideView& a,
     return cost;
 }
 
-/// What tests of one kind cost under the poses.
+/// Collects the cost of one kind of test under each pose.
 class TestCost {
   public:
     void add(Clock::duration spent, std::uint64_t tests) {
@@ -66,7 +66,7 @@ class TestCost {
         }
     }
     [[nodiscard]] bool is_known() const { return !costs_.empty(); }
-    /// That below which half of the tests cost.
+    /// Returns the median cost per test, ns; some cost is known.
     [[nodiscard]] double median() {
         std::sort(costs_.begin(), costs_.end());
         double below = 0;
@@ -80,7 +80,7 @@ class TestCost {
     }
 
   private:
-    std::vector<std::pair<double, double>> costs_; ///< Of a test, and the number of tests.
+    std::vector<std::pair<double, double>> costs_; ///< Cost of a test in ns, and number of tests.
     double tests_ = 0;
 };
 

@@ -1,8 +1,10 @@
 // Decides whether two closed bodies that touch without a proper pair still penetrate each other.
 #pragma once
 
-#include "common/search/traverse.hpp"
+#include "common/core/host/stop_check.hpp"
+#include "common/search/contact_pair.hpp"
 #include "common/solid/point_in_solid.hpp"
+#include "common/tree/ignored_range.hpp"
 #include "common/tree/obb_tree.hpp"
 
 #include <span>

@@ -170,10 +170,10 @@ TEST_P(Metamorphic, TheFirstStageChangesNothing) {
         for (std::size_t stage = 1; stage < pair_stage_count; ++stage) {
             SearchOptions options;
             options.first_stage = static_cast<PairStage>(stage);
-            ContactSearch search(scene->poses, {}, options);
-            search.collect(a.view(), b.view());
-            search.sort();
-            EXPECT_EQ(search.pairs(), expected) << "first stage " << stage;
+            const auto search = make_search(a.view(), b.view(), scene->poses, {}, options);
+            search->collect(a.view(), b.view());
+            search->contacts().sort();
+            EXPECT_EQ(search->contacts().pairs(), expected) << "first stage " << stage;
         }
     }
 }

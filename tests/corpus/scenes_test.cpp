@@ -5,7 +5,7 @@
 
 #include "common/core/host/thread_pool.hpp"
 #include "common/geometry/simd_target.hpp"
-#include "common/search/traverse.hpp"
+#include "common/search/contact_search.hpp"
 #include "common/tree/build/build.hpp"
 #include "tests/corpus/categories.hpp"
 #include "tests/corpus/fingerprint.hpp"
@@ -164,11 +164,11 @@ void expect_found(const TreeView& a,
                   const TreeView& b,
                   const PosePair& poses,
                   const std::vector<ContactPair>& expected) {
-    ContactSearch search(poses, {});
-    search.collect(a, b);
-    search.sort();
-    ASSERT_EQ(search.pairs(), expected);
-    ASSERT_EQ(ContactSearch(poses, {}).any(a, b), !expected.empty());
+    const auto search = make_search(a, b, poses);
+    search->collect(a, b);
+    search->contacts().sort();
+    ASSERT_EQ(search->contacts().pairs(), expected);
+    ASSERT_EQ(make_search(a, b, poses)->any(a, b), !expected.empty());
 }
 
 bool is_extreme(const Mesh& mesh) {

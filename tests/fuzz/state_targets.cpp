@@ -1,6 +1,6 @@
 #include "common/core/files/hash.hpp"
 #include "common/core/limits/master.hpp"
-#include "common/search/traverse.hpp"
+#include "common/search/contact_search.hpp"
 #include "common/tree/tree_file.hpp"
 #include "master/identity/token_book.hpp"
 #include "master/jobs/pose_spool.hpp"

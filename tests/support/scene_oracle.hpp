@@ -3,7 +3,7 @@
 
 #include "common/geometry/mesh.hpp"
 #include "common/job/result/result.hpp"
-#include "common/search/traverse.hpp"
+#include "common/search/contact_pair.hpp"
 #include "tests/support/exact_world.hpp"
 
 #include <vector>

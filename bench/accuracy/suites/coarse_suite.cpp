@@ -5,7 +5,7 @@
 #include "common/core/check.hpp"
 #include "common/core/host/thread_pool.hpp"
 #include "common/geometry/aabb.hpp"
-#include "common/search/traverse.hpp"
+#include "common/search/binary_search.hpp"
 #include "common/tree/build/build.hpp"
 #include "common/tree/cut.hpp"
 
@@ -45,11 +45,11 @@ CoarseAnswer
 ask_with_tolerance(const ObbTree& a, const ObbTree& b, const PosePair& poses, double tolerance) {
     SearchOptions options;
     options.tolerance = tolerance;
-    ContactSearch search(poses, {}, options);
+    BinarySearch search(poses, {}, options);
     if (search.any(a.view(), b.view())) {
         return {CoarseAnswer::Kind::Contact, 0};
     }
-    const auto distance = search.undecided_distance();
+    const auto distance = search.report().undecided_distance;
     return distance ? CoarseAnswer{CoarseAnswer::Kind::Undecided, *distance} : CoarseAnswer{};
 }
 

@@ -1,7 +1,7 @@
 #include "common/core/check.hpp"
 #include "common/geometry/aabb.hpp"
 #include "common/job/poses/made_poses.hpp"
-#include "common/search/traverse.hpp"
+#include "common/search/contact_search.hpp"
 
 #include <array>
 #include <cmath>
@@ -130,8 +130,9 @@ class Approach {
 
   private:
     [[nodiscard]] bool collides(double distance) const {
-        ContactSearch search({Pose{}, at(distance)}, {});
-        return search.any(bodies_.a.view(), bodies_.b.view());
+        const TreeView a = bodies_.a.view();
+        const TreeView b = bodies_.b.view();
+        return make_search(a, b, {Pose{}, at(distance)})->any(a, b);
     }
 
     const Bodies& bodies_;

@@ -2,7 +2,7 @@
 // constants are measured if there is data. Checks no times.
 #include "common/search/search_cost.hpp"
 
-#include "common/search/traverse.hpp"
+#include "common/search/contact_search.hpp"
 #include "common/tree/build/build.hpp"
 #include "tests/support/shapes.hpp"
 

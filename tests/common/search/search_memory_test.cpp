@@ -1,7 +1,7 @@
-// Proves that a search reused from pose to pose finds what a new one finds, stops allocating once
-// it has enough memory, and begins with its last contact.
+// Proves that a search reused from pose to pose finds what a new one finds, and stops allocating
+// once it has enough memory.
 
-#include "common/search/traverse.hpp"
+#include "common/search/wide_search.hpp"
 #include "common/tree/build/build.hpp"
 #include "tests/support/hard_pairs.hpp"
 #include "tests/support/shapes.hpp"
@@ -46,7 +46,7 @@ ObbTree build(Mesh mesh) {
     return build_tree(share(std::move(mesh)), BuildOptions{}, pool);
 }
 
-/// Makes poses of two unit spheres: most in contact, some apart.
+/// Makes poses under which most pairs of unit spheres are in contact and some are apart.
 std::vector<PosePair> poses_around(std::mt19937_64& random, std::size_t count) {
     std::vector<PosePair> poses;
     for (std::size_t i = 0; i < count; ++i) {
@@ -55,10 +55,10 @@ std::vector<PosePair> poses_around(std::mt19937_64& random, std::size_t count) {
     return poses;
 }
 
-std::vector<ContactPair> sorted_pairs(ContactSearch& search, const ObbTree& a, const ObbTree& b) {
+std::vector<ContactPair> sorted_pairs(WideSearch& search, const ObbTree& a, const ObbTree& b) {
     search.collect(a.view(), b.view());
-    search.sort();
-    return search.pairs();
+    search.contacts().sort();
+    return search.contacts().pairs();
 }
 
 } // namespace
@@ -69,19 +69,20 @@ TEST(SearchMemory, ASearchThatGoesOnFindsWhatANewOneFinds) {
     const ObbTree b = build(make_sphere(4));
     for (const bool keep_corners : {false, true}) {
         const SearchOptions options{.keep_corners = keep_corners};
-        ContactSearch kept(PosePair{}, {}, options);
-        ContactSearch kept_any(PosePair{}, {});
+        WideSearch kept(PosePair{}, {}, options);
+        WideSearch kept_any(PosePair{});
         std::size_t in_contact = 0;
         for (const PosePair& poses : poses_around(random, 60)) {
             kept.restart(poses);
-            ContactSearch fresh(poses, {}, options);
+            WideSearch fresh(poses, {}, options);
             const auto expected = sorted_pairs(fresh, a, b);
             ASSERT_EQ(sorted_pairs(kept, a, b), expected);
-            ASSERT_EQ(kept.pair_count(), fresh.pair_count());
-            ASSERT_EQ(kept.has_proper(), fresh.has_proper());
-            ASSERT_EQ(kept.statistics().box_tests, fresh.statistics().box_tests);
-            ASSERT_EQ(kept.statistics().triangle_tests, fresh.statistics().triangle_tests);
-            ASSERT_EQ(kept.corners().size(), keep_corners ? expected.size() : 0u);
+            ASSERT_EQ(kept.contacts().count(), fresh.contacts().count());
+            ASSERT_EQ(kept.contacts().has_proper(), fresh.contacts().has_proper());
+            ASSERT_EQ(kept.report().statistics.box_tests, fresh.report().statistics.box_tests);
+            ASSERT_EQ(kept.report().statistics.triangle_tests,
+                      fresh.report().statistics.triangle_tests);
+            ASSERT_EQ(kept.contacts().corners().size(), keep_corners ? expected.size() : 0u);
             kept_any.restart(poses);
             ASSERT_EQ(kept_any.any(a.view(), b.view()), !expected.empty());
             in_contact += expected.empty() ? 0 : 1;
@@ -96,20 +97,20 @@ TEST(SearchMemory, NothingIsAllocatedOnceThereIsEnough) {
     const ObbTree a = build(make_sphere(3));
     const ObbTree b = build(make_sphere(4));
     const std::vector<PosePair> all = poses_around(random, 40);
-    ContactSearch any(PosePair{}, {});
-    ContactSearch count(PosePair{}, {}, {.keep_pairs = false});
-    ContactSearch pairs(PosePair{}, {});
-    ContactSearch with_corners(PosePair{}, {}, {.keep_corners = true});
+    WideSearch any(PosePair{});
+    WideSearch count(PosePair{}, {}, {.keep_pairs = false});
+    WideSearch pairs(PosePair{});
+    WideSearch with_corners(PosePair{}, {}, {.keep_corners = true});
     std::size_t found = 0;
     const auto run_all = [&] {
         for (const PosePair& poses : all) {
             any.restart(poses);
             found += any.any(a.view(), b.view()) ? 1 : 0;
-            for (ContactSearch* const search : {&count, &pairs, &with_corners}) {
+            for (WideSearch* const search : {&count, &pairs, &with_corners}) {
                 search->restart(poses);
                 search->collect(a.view(), b.view());
-                search->sort();
-                found += search->pair_count();
+                search->contacts().sort();
+                found += search->contacts().count();
             }
         }
     };

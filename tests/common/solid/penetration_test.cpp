@@ -5,6 +5,7 @@
 
 #include "common/solid/penetration.hpp"
 
+#include "common/search/contact_search.hpp"
 #include "common/tree/build/build.hpp"
 #include "tests/support/lattice_solids.hpp"
 #include "tests/support/shapes.hpp"

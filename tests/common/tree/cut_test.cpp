@@ -4,7 +4,7 @@
 
 #include "common/tree/cut.hpp"
 
-#include "common/search/traverse.hpp"
+#include "common/search/binary_search.hpp"
 #include "common/tree/build/build.hpp"
 #include "common/tree/wire/subtree_block.hpp"
 #include "tests/support/shapes.hpp"
@@ -35,14 +35,14 @@ std::vector<ContactPair> contacts_under_roots(const ObbTree& a,
     EXPECT_TRUE(std::is_sorted(pairs.begin(), pairs.end()));
     const auto nodes_a = cut_nodes(a, depth_a);
     const auto nodes_b = cut_nodes(b, depth_b);
-    ContactSearch search(poses, {});
+    BinarySearch search(poses);
     for (const RootPair& pair : pairs) {
         const Subtree part_a = extract_subtree(a, nodes_a[pair.a]);
         const Subtree part_b = extract_subtree(b, nodes_b[pair.b]);
         search.collect(part_a.view(), part_b.view());
     }
-    search.sort();
-    return search.pairs();
+    search.contacts().sort();
+    return search.contacts().take_pairs();
 }
 
 std::vector<Mesh> shapes(std::mt19937_64& random) {

@@ -5,7 +5,7 @@
 #include "common/tree/tree_file.hpp"
 
 #include "common/core/files/section_file.hpp"
-#include "common/search/traverse.hpp"
+#include "common/search/contact_search.hpp"
 #include "common/tree/build/build.hpp"
 #include "tests/support/process.hpp"
 #include "tests/support/shapes.hpp"

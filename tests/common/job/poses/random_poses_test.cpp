@@ -5,7 +5,7 @@
 #include "common/core/limits/engine.hpp"
 #include "common/geometry/aabb.hpp"
 #include "common/job/poses/made_poses.hpp"
-#include "common/search/traverse.hpp"
+#include "common/search/contact_search.hpp"
 #include "common/tree/build/build.hpp"
 #include "tests/support/shapes.hpp"
 
@@ -31,7 +31,7 @@ Scenario numbered(std::uint64_t index) {
 }
 
 bool collides(const ObbTree& a, const ObbTree& b, const PosePair& poses) {
-    return ContactSearch(poses, {}).any(a.view(), b.view());
+    return make_search(a.view(), b.view(), poses)->any(a.view(), b.view());
 }
 
 } // namespace

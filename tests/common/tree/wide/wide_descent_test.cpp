@@ -1,12 +1,12 @@
 // Proves that the wide descent misses no touching pair: random rigid and slightly skew poses,
-// distant origins, sizes of different orders, on every SIMD target. Also proves that a search finds
-// the same in wide and binary trees for every query.
+// distant origins, sizes of different orders, on every SIMD target.
 
 #include "common/tree/wide/wide_descent.hpp"
 
 #include "common/core/host/thread_pool.hpp"
 #include "common/geometry/simd_target.hpp"
 #include "common/search/brute_force.hpp"
+#include "common/search/contact_search.hpp"
 #include "common/tree/build/build.hpp"
 #include "tests/support/brink_boxes.hpp"
 #include "tests/support/shapes.hpp"
@@ -253,66 +253,6 @@ TEST(WideDescent, LosesNoPairWhereNumbersOverflow) {
     EXPECT_GT(tally.contacts, 30u * 8);
 }
 
-/// Returns the view without its wide tree.
-TreeView binary_only(const ObbTree& tree) {
-    TreeView view = tree.view();
-    view.wide = {};
-    return view;
-}
-
-ContactSearch searched(const TreeView& a,
-                       const TreeView& b,
-                       const PosePair& poses,
-                       std::span<const IgnoredRange> ignored,
-                       const SearchOptions& options) {
-    ContactSearch search(poses, ignored, options);
-    search.collect(a, b);
-    search.sort();
-    return search;
-}
-
-TEST(WideDescent, SearchesFindWhatTheyFindInBinaryTrees) {
-    std::uint64_t contacts = 0;
-    for (std::uint64_t seed = 0; seed < 25; ++seed) {
-        SCOPED_TRACE(testing::Message() << "seed " << seed);
-        std::mt19937_64 random(seed);
-        const ObbTree a = build(any_mesh(random));
-        const ObbTree b = build(any_mesh(random));
-        const PosePair poses = meeting_at(
-            any_pose(random, 3), random_point(random, 1), any_pose(random, 3), Vec3::Zero());
-        const std::vector<IgnoredRange> some = {{0, 20, 0, 1000}, {30, 35, 5, 50}};
-        const std::vector<IgnoredRange> none;
-        on_every_target([&] {
-            for (const auto& ignored : {none, some}) {
-                for (const SearchOptions& options :
-                     {SearchOptions{},
-                      SearchOptions{.keep_pairs = false},
-                      SearchOptions{.only_touches = true},
-                      SearchOptions{.pairs_max = 7},
-                      SearchOptions{.pairs_max = 5, .keep_corners = true},
-                      SearchOptions{.keep_corners = true, .first_stage = PairStage::Arbitrary}}) {
-                    ContactSearch wide = searched(a.view(), b.view(), poses, ignored, options);
-                    ContactSearch binary =
-                        searched(binary_only(a), binary_only(b), poses, ignored, options);
-                    ASSERT_EQ(wide.pair_count(), binary.pair_count());
-                    ASSERT_EQ(wide.has_proper(), binary.has_proper());
-                    ASSERT_EQ(wide.pairs(), binary.pairs());
-                    ASSERT_EQ(wide.corners().size(), binary.corners().size());
-                    for (std::size_t i = 0; i < wide.corners().size(); ++i) {
-                        ASSERT_EQ(wide.corners()[i].a, binary.corners()[i].a);
-                        ASSERT_EQ(wide.corners()[i].b, binary.corners()[i].b);
-                    }
-                    contacts += wide.pair_count();
-                }
-                ContactSearch wide(poses, ignored);
-                ContactSearch binary(poses, ignored);
-                ASSERT_EQ(wide.any(a.view(), b.view()), binary.any(binary_only(a), binary_only(b)));
-            }
-        });
-    }
-    EXPECT_GT(contacts, 10'000u);
-}
-
 TEST(WideDescent, TheWantedCountChangesNoCandidates) {
     const ObbTree sphere = build(make_sphere(3));
     const WideView view = sphere.view().wide;
@@ -340,25 +280,6 @@ TEST(WideDescent, EveryAimFindsAllCandidatesInTheEnd) {
             }
         });
     }
-}
-
-TEST(WideDescent, AnExpectedContactChangesNoAnswer) {
-    const ObbTree sphere = build(make_sphere(4));
-    std::mt19937_64 random(6);
-    ContactSearch any(PosePair{}, {});
-    ContactSearch all(PosePair{}, {});
-    std::uint64_t contacts = 0;
-    for (std::uint64_t i = 0; i < 200; ++i) {
-        const PosePair poses{Pose{}, make_pose(random, 3)};
-        any.restart(poses);
-        all.restart(poses);
-        all.collect(sphere.view(), sphere.view());
-        ASSERT_EQ(any.any(sphere.view(), sphere.view()), all.pair_count() > 0);
-        ASSERT_LE(any.statistics().triangle_tests, all.statistics().triangle_tests);
-        contacts += all.pair_count() > 0 ? 1 : 0;
-    }
-    EXPECT_GT(contacts, 20u);
-    EXPECT_LT(contacts, 180u);
 }
 
 TEST(WideDescent, PausesAfterMuchWorkAndResumes) {

@@ -6,6 +6,7 @@
 
 #include "common/core/host/thread_pool.hpp"
 #include "common/search/brute_force.hpp"
+#include "common/search/contact_search.hpp"
 #include "common/tree/build/build.hpp"
 #include "common/tree/build/build_fit.hpp"
 #include "tests/common/tree/exact_box.hpp"

@@ -1,21 +1,19 @@
-// Proves that the traversal neither misses nor invents a contact: on random, degenerate and
+// Proves that a search neither misses nor invents a contact: on random, degenerate and
 // touching meshes, with either kind of pose on both bodies, it finds what brute force finds.
 
-#include "common/search/traverse.hpp"
+#include "common/search/contact_search.hpp"
 
 #include "common/core/host/thread_pool.hpp"
 #include "common/search/brute_force.hpp"
 #include "common/tree/build/build.hpp"
-#include "tests/common/tree/exact_box.hpp"
 #include "tests/support/brink_boxes.hpp"
 #include "tests/support/shapes.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cmath>
+#include <array>
 #include <limits>
-#include <optional>
 
 namespace cd::tests {
 
@@ -26,7 +24,7 @@ ObbTree build(const Mesh& mesh, const BuildOptions& options = {}) {
     return build_tree(share(Mesh(mesh)), options, pool);
 }
 
-/// Compares all answers of the traversal with brute force; returns the number of pairs.
+/// Compares all answers of a search with brute force; returns the number of pairs.
 std::size_t expect_agreement(const Mesh& a, const Mesh& b, const PosePair& poses) {
     const std::vector<ContactPair> expected = contact_pairs_brute_force(a, b, poses);
     const BuildOptions variants[] = {
@@ -35,9 +33,9 @@ std::size_t expect_agreement(const Mesh& a, const Mesh& b, const PosePair& poses
         const ObbTree tree_a = build(a, options);
         const ObbTree tree_b = build(b, options);
         EXPECT_EQ(contact_pairs(tree_a, tree_b, poses), expected);
-        ContactSearch search(poses, {});
-        EXPECT_EQ(search.any(tree_a.view(), tree_b.view()), !expected.empty());
-        EXPECT_TRUE(search.pairs().empty());
+        const auto search = make_search(tree_a.view(), tree_b.view(), poses);
+        EXPECT_EQ(search->any(tree_a.view(), tree_b.view()), !expected.empty());
+        EXPECT_TRUE(search->contacts().pairs().empty());
     }
     return expected.size();
 }
@@ -51,7 +49,7 @@ PosePair random_poses(std::mt19937_64& random, double reach) {
     return {a, b};
 }
 
-TEST(Traverse, AgreesWithBruteForceOnRandomSoups) {
+TEST(ContactSearch, AgreesWithBruteForceOnRandomSoups) {
     constexpr std::uint64_t rounds = 60;
     std::uint64_t rounds_with_contact = 0;
     for (std::uint64_t seed = 0; seed < rounds; ++seed) {
@@ -66,7 +64,7 @@ TEST(Traverse, AgreesWithBruteForceOnRandomSoups) {
     EXPECT_LT(rounds_with_contact, rounds * 19 / 20);
 }
 
-TEST(Traverse, AgreesWithBruteForceOnDegenerateSoups) {
+TEST(ContactSearch, AgreesWithBruteForceOnDegenerateSoups) {
     std::size_t contacts = 0;
     for (std::uint64_t seed = 0; seed < 20; ++seed) {
         SCOPED_TRACE(testing::Message() << "seed " << seed);
@@ -80,7 +78,7 @@ TEST(Traverse, AgreesWithBruteForceOnDegenerateSoups) {
     EXPECT_GT(contacts, 0u);
 }
 
-TEST(Traverse, AgreesWithBruteForceOnSpheresThatTouchOrCross) {
+TEST(ContactSearch, AgreesWithBruteForceOnSpheresThatTouchOrCross) {
     const Mesh sphere = make_sphere(2);
     EXPECT_GT(expect_agreement(sphere, sphere, PosePair{}), 0u);
     EXPECT_GT(expect_agreement(sphere, sphere, {Pose{}, translation_pose(2, 0, 0)}), 0u);
@@ -88,7 +86,7 @@ TEST(Traverse, AgreesWithBruteForceOnSpheresThatTouchOrCross) {
     EXPECT_EQ(expect_agreement(sphere, sphere, {Pose{}, translation_pose(2.0001, 0, 0)}), 0u);
 }
 
-TEST(Traverse, FindsEveryContactOfGriddedBoxesFaceToFace) {
+TEST(ContactSearch, FindsEveryContactOfGriddedBoxesFaceToFace) {
     const Mesh box = make_gridded_box(Vec3(1, 1, 1), 4);
     const std::size_t aligned = expect_agreement(box, box, {Pose{}, translation_pose(1, 0, 0)});
     EXPECT_GE(aligned, 32u);
@@ -114,7 +112,7 @@ std::size_t expect_agreement_of_stacked_boxes(const Vec3& size, int cells, const
 }
 
 // FCL in float loses three of four touching pairs of two stacked boxes in its box tests alone.
-TEST(Traverse, LosesNoTouchingPairOfStackedBoxes) {
+TEST(ContactSearch, LosesNoTouchingPairOfStackedBoxes) {
     // Under exact poses all adjacent facing triangles touch.
     const Vec3 dyadic(1, 2, 0.5);
     const std::size_t exact = expect_agreement_of_stacked_boxes(dyadic, 4, Pose{});
@@ -142,7 +140,7 @@ TEST(Traverse, LosesNoTouchingPairOfStackedBoxes) {
     EXPECT_GT(contacts, 0u);
 }
 
-TEST(Traverse, AgreesWithBruteForceUnderMatricesThatAreNotQuiteRigid) {
+TEST(ContactSearch, AgreesWithBruteForceUnderMatricesThatAreNotQuiteRigid) {
     std::size_t contacts = 0;
     for (std::uint64_t seed = 0; seed < 8; ++seed) {
         SCOPED_TRACE(testing::Message() << "seed " << seed);
@@ -160,85 +158,7 @@ TEST(Traverse, AgreesWithBruteForceUnderMatricesThatAreNotQuiteRigid) {
     EXPECT_GT(contacts, 0u);
 }
 
-/// Returns the least squared distance of two vertices of the meshes in the world.
-Rational squared_vertex_distance(const Mesh& a, const Mesh& b, const PosePair& poses) {
-    const auto world = [](const Mesh& mesh, const Pose& pose) {
-        std::vector<ExactVec> places;
-        for (const Vec3& vertex : mesh.vertices()) {
-            places.push_back(exact_rotation(pose) * exact(vertex) + exact(pose.translation()));
-        }
-        return places;
-    };
-    const std::vector<ExactVec> of_b = world(b, poses.b);
-    std::optional<Rational> least;
-    for (const ExactVec& x : world(a, poses.a)) {
-        for (const ExactVec& y : of_b) {
-            const ExactVec between = x + scaled(Rational(-1), y);
-            const Rational square = dot(between, between);
-            least = least ? std::min(*least, square) : square;
-        }
-    }
-    return *least;
-}
-
-TEST(Traverse, TheDistanceThatATolerancePromisesIsTrueInTheWorld) {
-    std::size_t undecided = 0;
-    std::size_t decided = 0;
-    for (std::uint64_t seed = 0; seed < 60; ++seed) {
-        SCOPED_TRACE(testing::Message() << "seed " << seed);
-        std::mt19937_64 random(seed);
-        const double offset = seed % 2 == 0 ? 1.0 : 1e6;
-        // Two small soups, whose boxes overlap or just do not, far from the poses' origins.
-        const Vec3 place = random_point(random, offset);
-        const Mesh a = translated(make_triangle_soup(random, 3), place);
-        const Mesh b = translated(make_triangle_soup(random, 3), place);
-        PosePair poses{any_pose(random, offset), any_pose(random, offset)};
-        const Vec3 between = poses.a.apply(place) - poses.b.apply(place);
-        poses.b =
-            with_translation(poses.b, poses.b.translation() + between + random_point(random, 1.0));
-        for (const double tolerance : {100.0, 4.0, 1.0}) {
-            ContactSearch search(poses, {}, {.tolerance = tolerance});
-            search.collect(build(a).view(), build(b).view());
-            const auto distance = search.undecided_distance();
-            if (!distance) {
-                ++decided;
-                continue;
-            }
-            ++undecided;
-            ASSERT_TRUE(std::isfinite(*distance));
-            ASSERT_LE(squared_vertex_distance(a, b, poses),
-                      Rational(*distance) * Rational(*distance));
-        }
-    }
-    EXPECT_GT(undecided, 40u);
-    EXPECT_GT(decided, 10u);
-}
-
-TEST(Traverse, TheDistanceThatATolerancePromisesCountsHowPosesStretch) {
-    // Two points with the smallest boxes: their distance is the bound, up to the boxes' margins.
-    // A's pose lengthens vectors.
-    const Mesh point = make_mesh({Vec3::Zero()}, {{0, 0, 0}});
-    const double stretch = 1 + 1e-4;
-    const Pose longer = Pose::from_matrix(stretch * Mat3::Identity(), Vec3::Zero());
-    for (const double apart : {1e-40, 1e-30, 1e-25}) {
-        const PosePair poses{longer, translation_pose(apart, apart, apart)};
-        ContactSearch search(poses, {}, {.tolerance = 1e-6});
-        search.collect(build(point).view(), build(point).view());
-        if (const auto distance = search.undecided_distance()) {
-            EXPECT_LE(squared_vertex_distance(point, point, poses),
-                      Rational(*distance) * Rational(*distance));
-        }
-    }
-    // Under poses that overflow, the bound is infinite, never NaN.
-    const double big = 1.7e308;
-    ContactSearch overflowing(
-        {translation_pose(big, 0, 0), translation_pose(-big, 0, 0)}, {}, {.tolerance = 1e-6});
-    overflowing.collect(build(point).view(), build(point).view());
-    ASSERT_TRUE(overflowing.undecided_distance());
-    EXPECT_EQ(*overflowing.undecided_distance(), std::numeric_limits<double>::infinity());
-}
-
-TEST(Traverse, AgreesWithBruteForceOnHugeTinyAndFarMeshes) {
+TEST(ContactSearch, AgreesWithBruteForceOnHugeTinyAndFarMeshes) {
     std::mt19937_64 random(7);
     const Mesh soup = make_triangle_soup(random, 30);
     for (const double scale : {1e-320, 1e-200, 1e-30, 1e30, 0x1p400}) {
@@ -256,121 +176,142 @@ TEST(Traverse, AgreesWithBruteForceOnHugeTinyAndFarMeshes) {
     expect_agreement(far, soup, {Pose{}, translation_pose(1e7, -1e7, 1e6)});
 }
 
-TEST(Traverse, PassesOverIgnoredRanges) {
+/// Returns the tree's view for a wide search, then for a binary one.
+std::array<TreeView, 2> forms_of(const ObbTree& tree) {
+    TreeView binary = tree.view();
+    binary.wide = {};
+    return {tree.view(), binary};
+}
+
+TEST(ContactSearch, PassesOverIgnoredRanges) {
     const Mesh sphere = make_sphere(2);
     const ObbTree tree = build(sphere);
     const auto last = static_cast<std::uint32_t>(sphere.triangles().size());
     const std::vector<IgnoredRange> ignored = {{0, 40, 0, last}, {50, 60, 10, 70}};
-
-    ContactSearch search(PosePair{}, ignored);
-    search.collect(tree.view(), tree.view());
-    search.sort();
-
+    const std::vector<IgnoredRange> all = {{0, last, 0, last}};
     std::vector<ContactPair> expected = contact_pairs_brute_force(sphere, sphere, PosePair{});
     std::erase_if(expected, [&](const ContactPair& pair) {
         return pair.a < 40 || (pair.a >= 50 && pair.a < 60 && pair.b >= 10 && pair.b < 70);
     });
-    EXPECT_EQ(search.pairs(), expected);
 
-    const std::vector<IgnoredRange> all = {{0, last, 0, last}};
-    ContactSearch nothing(PosePair{}, all);
-    EXPECT_FALSE(nothing.any(tree.view(), tree.view()));
-    EXPECT_EQ(nothing.statistics().triangle_tests, 0u);
-}
+    for (const TreeView& view : forms_of(tree)) {
+        const auto search = make_search(view, view, PosePair{}, ignored);
+        search->collect(view, view);
+        search->contacts().sort();
+        EXPECT_EQ(search->contacts().pairs(), expected);
 
-TEST(Traverse, KeepsTheCornersOfEachPairBesideItIfAsked) {
-    std::mt19937_64 random(8);
-    const Mesh a = make_triangle_soup(random, 80);
-    const Mesh b = make_triangle_soup(random, 80);
-    ContactSearch search(PosePair{}, {}, {.keep_corners = true});
-    search.collect(build(a).view(), build(b).view());
-    search.sort();
-    ASSERT_FALSE(search.pairs().empty());
-    ASSERT_EQ(search.corners().size(), search.pairs().size());
-    EXPECT_TRUE(std::is_sorted(search.pairs().begin(), search.pairs().end()));
-    for (std::size_t i = 0; i < search.pairs().size(); ++i) {
-        EXPECT_EQ(search.corners()[i].a, a.corners(search.pairs()[i].a));
-        EXPECT_EQ(search.corners()[i].b, b.corners(search.pairs()[i].b));
+        const auto nothing = make_search(view, view, PosePair{}, all);
+        EXPECT_FALSE(nothing->any(view, view));
+        EXPECT_EQ(nothing->report().statistics.triangle_tests, 0u);
     }
 }
 
-TEST(Traverse, KeepsTheFirstPairsOfManyAndCountsAll) {
+TEST(ContactSearch, KeepsTheCornersOfEachPairBesideItIfAsked) {
+    std::mt19937_64 random(8);
+    const Mesh a = make_triangle_soup(random, 80);
+    const Mesh b = make_triangle_soup(random, 80);
+    const ObbTree tree_a = build(a);
+    const ObbTree tree_b = build(b);
+    const auto search =
+        make_search(tree_a.view(), tree_b.view(), PosePair{}, {}, {.keep_corners = true});
+    search->collect(tree_a.view(), tree_b.view());
+    FoundContacts& found = search->contacts();
+    found.sort();
+    ASSERT_FALSE(found.pairs().empty());
+    ASSERT_EQ(found.corners().size(), found.pairs().size());
+    EXPECT_TRUE(std::is_sorted(found.pairs().begin(), found.pairs().end()));
+    for (std::size_t i = 0; i < found.pairs().size(); ++i) {
+        EXPECT_EQ(found.corners()[i].a, a.corners(found.pairs()[i].a));
+        EXPECT_EQ(found.corners()[i].b, b.corners(found.pairs()[i].b));
+    }
+}
+
+TEST(ContactSearch, KeepsTheFirstPairsOfManyAndCountsAll) {
     constexpr std::uint32_t triangles = 400; // All triangles touch in one point.
     MeshArrays arrays;
     arrays.vertices = {Vec3(1, 2, 3)};
     arrays.triangles.assign(triangles, {0, 0, 0});
     const ObbTree tree = build(Mesh::create(std::move(arrays)).value());
 
-    ContactSearch search(PosePair{}, {}, {.pairs_max = 450});
-    search.collect(tree.view(), tree.view());
-    EXPECT_EQ(search.pair_count(), std::uint64_t{triangles} * triangles);
-    EXPECT_LT(search.pairs().size(), 70'000u); // All pairs: 160,000.
-    search.sort();
+    const auto search = make_search(tree.view(), tree.view(), PosePair{}, {}, {.pairs_max = 450});
+    search->collect(tree.view(), tree.view());
+    FoundContacts& found = search->contacts();
+    EXPECT_EQ(found.count(), std::uint64_t{triangles} * triangles);
+    EXPECT_LT(found.pairs().size(), 70'000u); // All pairs: 160,000.
+    found.sort();
 
-    ASSERT_EQ(search.pairs().size(), 450u);
+    ASSERT_EQ(found.pairs().size(), 450u);
     for (std::uint32_t i = 0; i < 450; ++i) {
-        EXPECT_EQ(search.pairs()[i], (ContactPair{i / triangles, i % triangles, PairClass::Touch}));
+        EXPECT_EQ(found.pairs()[i], (ContactPair{i / triangles, i % triangles, PairClass::Touch}));
     }
 }
 
-TEST(Traverse, GathersOverSeveralCallsAndCounts) {
-    const Mesh sphere = make_sphere(1);
-    const ObbTree tree = build(sphere);
-    ContactSearch search(PosePair{}, {});
-    search.collect(tree.view(), tree.view());
-    const std::size_t once = search.pairs().size();
-    const QueryStatistics first = search.statistics();
-    search.collect(tree.view(), tree.view());
-    EXPECT_EQ(search.pairs().size(), 2 * once);
-    EXPECT_EQ(search.statistics().box_tests, 2 * first.box_tests);
-    EXPECT_EQ(search.statistics().triangle_tests, 2 * first.triangle_tests);
-    EXPECT_GE(first.triangle_tests, once);
+TEST(ContactSearch, GathersOverSeveralCallsAndCounts) {
+    const ObbTree tree = build(make_sphere(1));
+    for (const TreeView& view : forms_of(tree)) {
+        const auto search = make_search(view, view, PosePair{});
+        search->collect(view, view);
+        const std::size_t once = search->contacts().pairs().size();
+        const QueryStatistics first = search->report().statistics;
+        search->collect(view, view);
+        const QueryStatistics both = search->report().statistics;
+        EXPECT_EQ(search->contacts().pairs().size(), 2 * once);
+        EXPECT_EQ(both.box_tests, 2 * first.box_tests);
+        EXPECT_EQ(both.triangle_tests, 2 * first.triangle_tests);
+        EXPECT_GE(first.triangle_tests, once);
+    }
 }
 
-TEST(Traverse, EndsSoonAfterItIsToldToStop) {
+TEST(ContactSearch, EndsSoonAfterItIsToldToStop) {
     const ObbTree sphere = build(make_sphere(4));
-    const auto search_until = [&](std::uint64_t checks_max) {
-        std::uint64_t checks = 0;
-        SearchOptions options;
-        options.stop = [&] { return ++checks > checks_max; };
-        ContactSearch search(PosePair{}, {}, options);
-        search.collect(sphere.view(), sphere.view());
-        search.collect(sphere.view(), sphere.view()); // A stopped search adds nothing.
-        EXPECT_EQ(search.is_stopped(), checks > checks_max);
-        return search.statistics();
-    };
-    const QueryStatistics whole = search_until(std::numeric_limits<std::uint64_t>::max());
-    const QueryStatistics at_once = search_until(0);
-    const QueryStatistics later = search_until(5);
-    EXPECT_GT(at_once.box_tests, 0u);
-    EXPECT_GT(later.box_tests, 4 * at_once.box_tests);
-    EXPECT_GT(whole.box_tests, 10 * at_once.box_tests);
-    EXPECT_GT(whole.triangle_tests, later.triangle_tests);
-    EXPECT_GT(later.triangle_tests, at_once.triangle_tests);
+    for (const TreeView& view : forms_of(sphere)) {
+        const auto search_until = [&](std::uint64_t checks_max) {
+            std::uint64_t checks = 0;
+            SearchOptions options;
+            options.stop = [&] { return ++checks > checks_max; };
+            const auto search = make_search(view, view, PosePair{}, {}, options);
+            search->collect(view, view);
+            search->collect(view, view); // A stopped search adds nothing.
+            EXPECT_EQ(search->report().is_stopped, checks > checks_max);
+            return search->report().statistics;
+        };
+        const QueryStatistics whole = search_until(std::numeric_limits<std::uint64_t>::max());
+        const QueryStatistics at_once = search_until(0);
+        const QueryStatistics later = search_until(5);
+        EXPECT_GT(at_once.box_tests, 0u);
+        EXPECT_GT(later.box_tests, 4 * at_once.box_tests);
+        EXPECT_GT(whole.box_tests, 10 * at_once.box_tests);
+        EXPECT_GT(whole.triangle_tests, later.triangle_tests);
+        EXPECT_GT(later.triangle_tests, at_once.triangle_tests);
+    }
 }
 
-TEST(Traverse, ASearchForAnyContactStopsToo) {
+TEST(ContactSearch, ASearchForAnyContactStopsToo) {
     // Two nested shells that are near each other everywhere.
     const ObbTree outer = build(make_sphere(4));
     const PosePair poses{Pose::from_matrix(1.001 * Mat3::Identity(), Vec3::Zero()), Pose{}};
-    std::uint64_t checks = 0;
-    SearchOptions options;
-    options.stop = [&] { return ++checks == 2; };
-    ContactSearch search(poses, {}, options);
-    EXPECT_FALSE(search.any(outer.view(), outer.view()));
-    EXPECT_TRUE(search.is_stopped());
-    EXPECT_EQ(checks, 2u);
+    for (const TreeView& view : forms_of(outer)) {
+        std::uint64_t checks = 0;
+        SearchOptions options;
+        options.stop = [&] { return ++checks == 2; };
+        const auto search = make_search(view, view, poses, {}, options);
+        EXPECT_FALSE(search->any(view, view));
+        EXPECT_TRUE(search->report().is_stopped);
+        EXPECT_EQ(checks, 2u);
+    }
 }
 
-TEST(Traverse, SeparateBodiesCostNoMoreThanTheirRoots) {
+TEST(ContactSearch, SeparateBodiesCostNoMoreThanTheirRoots) {
     const ObbTree tree = build(make_sphere(3));
-    ContactSearch search({Pose{}, translation_pose(10, 0, 0)}, {});
-    EXPECT_FALSE(search.any(tree.view(), tree.view()));
-    EXPECT_LE(search.statistics().box_tests, 2 * wide_children_max);
-    EXPECT_EQ(search.statistics().triangle_tests, 0u);
+    const PosePair poses{Pose{}, translation_pose(10, 0, 0)};
+    const auto search = make_search(tree.view(), tree.view(), poses);
+    EXPECT_FALSE(search->any(tree.view(), tree.view()));
+    const QueryStatistics statistics = search->report().statistics;
+    EXPECT_LE(statistics.box_tests, 2 * wide_children_max);
+    EXPECT_EQ(statistics.triangle_tests, 0u);
 }
 
-TEST(Traverse, EndsOnTreesAsDeepAsTheBareRuleMakesThem) {
+TEST(ContactSearch, EndsOnTreesAsDeepAsTheBareRuleMakesThem) {
     std::vector<Vec3> vertices = {Vec3::Zero()};
     std::vector<Triangle> triangles;
     for (std::uint32_t i = 0; i < 2000; ++i) {

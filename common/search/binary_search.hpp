@@ -1,0 +1,69 @@
+// The contact search over binary trees, with or without a tolerance.
+#pragma once
+
+#include "common/geometry/aabb.hpp"
+#include "common/search/contact_search.hpp"
+#include "common/tree/box_test.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace cd {
+
+/// Searches trees that have a binary form. Only this search leaves boxes undecided.
+class BinarySearch final : public ContactSearch {
+  public:
+    /// `ignored` outlives the search.
+    explicit BinarySearch(const PosePair& poses,
+                          std::span<const IgnoredRange> ignored = {},
+                          const SearchOptions& options = {});
+
+    void restart(const PosePair& poses) override;
+    [[nodiscard]] bool any(const TreeView& a, const TreeView& b) override;
+    void collect(const TreeView& a, const TreeView& b) override;
+    [[nodiscard]] FoundContacts& contacts() override { return contacts_; }
+    [[nodiscard]] SearchReport report() const override;
+
+  private:
+    struct NodePair {
+        std::uint32_t a;
+        std::uint32_t b;
+    };
+    /// The pose at hand, and what the boxes need of it.
+    struct Placement {
+        RelativePose b_to_a;
+        BoxTest boxes;
+        double stretch; ///< Bounds the factor by which A's pose lengthens vectors.
+
+        Placement(const PosePair& poses, double tolerance);
+    };
+    /// What happened since the last restart.
+    struct Progress {
+        std::optional<double> undecided_distance;
+        std::uint64_t box_tests = 0;
+        std::uint32_t steps_unpolled = 0; ///< Since the last call of `stop_`.
+        bool is_stopped = false;
+    };
+
+    template <class OnLeaves>
+    bool descend(const TreeView& a, const TreeView& b, const OnLeaves& on_leaves);
+    [[nodiscard]] bool must_stop();
+    [[nodiscard]] bool leave_undecided(const ObbNode& a, const ObbNode& b);
+    void add_candidates(const TreeView& a, const TreeView& b, const NodePair& leaves);
+    [[nodiscard]] bool decide_any(const TreeView& a, const TreeView& b);
+    void decide_candidates(const TreeView& a, const TreeView& b);
+
+    double tolerance_;
+    StopCheck stop_;
+    std::span<const IgnoredRange> ignored_;
+    Placement placement_;
+    Progress progress_;
+    FoundContacts contacts_;
+    std::vector<NodePair> stack_;
+    std::vector<Aabb> bounds_;          ///< Boxes of one leaf's triangles of B, in A's coordinates.
+    std::vector<Candidate> candidates_; ///< Undecided pairs; indices into the trees at hand.
+};
+
+} // namespace cd

@@ -1,0 +1,70 @@
+// Finds the contacts of two bodies: simultaneous descent of their trees, then the exact decision.
+#pragma once
+
+#include "common/geometry/pose.hpp"
+#include "common/search/contact_pair.hpp"
+#include "common/search/found_contacts.hpp"
+#include "common/search/search_options.hpp"
+#include "common/tree/ignored_range.hpp"
+#include "common/tree/obb_tree.hpp"
+#include "common/tree/query_statistics.hpp"
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace cd {
+
+/// What a search says besides the contacts, since its last `restart`.
+struct SearchReport {
+    QueryStatistics statistics;
+    /// A true bound on the distance of the two bodies in the world, if boxes stay undecided under
+    /// the tolerance. Infinite if the poses are far from rigid. The same bits on every host.
+    std::optional<double> undecided_distance;
+    bool is_stopped = false;              ///< True: the contacts found so far are not the answer.
+    const RelativePose* b_to_a = nullptr; ///< Valid until the search's next `restart`.
+};
+
+/// The search of one scenario, then of the next one: after a few scenarios it allocates nothing
+/// where doubles decide in wide trees. Callers pass subtrees of A and B pair by pair; any number of
+/// searches may share them. One thread at a time.
+///
+/// The decision of a pair is exact, and boxes never reject a touching pair. So the contacts depend
+/// neither on how the trees are cut into subtrees nor on the form of the trees.
+class ContactSearch {
+  public:
+    virtual ~ContactSearch() = default;
+
+    /// Resets to a new search with other poses, but keeps scratch memory and the expectation of
+    /// `any`.
+    virtual void restart(const PosePair& poses) = 0;
+
+    /// Returns true once any two triangles under the two roots are known to touch; adds nothing to
+    /// the contacts. A search may expect the last outcome again, so the statistics depend on
+    /// earlier calls; the answer never does.
+    [[nodiscard]] virtual bool any(const TreeView& a, const TreeView& b) = 0;
+
+    /// Adds every contact under the two roots, except in boxes that stay undecided.
+    virtual void collect(const TreeView& a, const TreeView& b) = 0;
+
+    /// Returns the contacts of all calls of `collect` since the last `restart`.
+    [[nodiscard]] virtual FoundContacts& contacts() = 0;
+
+    [[nodiscard]] virtual SearchReport report() const = 0;
+};
+
+/// Returns a search of the trees' common form: a WideSearch if both have a wide tree and there is
+/// no tolerance, else a BinarySearch. All trees passed to the search have this form. `ignored`
+/// outlives the search.
+[[nodiscard]] std::unique_ptr<ContactSearch> make_search(const TreeView& a,
+                                                         const TreeView& b,
+                                                         const PosePair& poses,
+                                                         std::span<const IgnoredRange> ignored = {},
+                                                         const SearchOptions& options = {});
+
+/// Returns all contact pairs of two whole trees, sorted.
+[[nodiscard]] std::vector<ContactPair>
+contact_pairs(const ObbTree& a, const ObbTree& b, const PosePair& poses);
+
+} // namespace cd

@@ -1,0 +1,76 @@
+// The contacts that a search finds, from the exact decision of its candidates to sorted pairs.
+#pragma once
+
+#include "common/geometry/pose.hpp"
+#include "common/pair/triangle_pair.hpp"
+#include "common/search/contact_pair.hpp"
+#include "common/search/search_options.hpp"
+#include "common/tree/query_statistics.hpp"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace cd {
+
+/// Decides candidates, counts the contacts among them, and keeps the pairs that the options ask
+/// for. Keeps scratch memory between scenarios; one thread at a time.
+class FoundContacts {
+  public:
+    FoundContacts(const PosePair& poses, const SearchOptions& options);
+
+    /// Forgets all contacts, and decides under other poses from now on.
+    void restart(const PosePair& poses);
+
+    /// Decides candidates of two bodies, each a TriangleSpan or TriangleBlocks, and adds the
+    /// contacts. `ids_a` and `ids_b` map the candidates' indices to triangles of the meshes.
+    template <class Triangles>
+    void add(const Triangles& a,
+             std::span<const std::uint32_t> ids_a,
+             const Triangles& b,
+             std::span<const std::uint32_t> ids_b,
+             std::span<const Candidate> candidates);
+
+    /// Returns whether any of the candidates touches; adds nothing.
+    template <class Triangles>
+    [[nodiscard]] bool
+    touches(const Triangles& a, const Triangles& b, std::span<const Candidate> candidates) {
+        triangle_tests_ += candidates.size();
+        return test_.find_touch(a, b, candidates).has_value();
+    }
+
+    /// Returns the number of added contacts, kept or not.
+    [[nodiscard]] std::uint64_t count() const { return count_; }
+    /// Returns whether any added contact is proper.
+    [[nodiscard]] bool has_proper() const { return has_proper_; }
+
+    /// Sorts the pairs, each with its corners, and keeps the first `pairs_max`.
+    void sort();
+
+    /// Returns the pairs in the order of `sort`, or as found before it.
+    [[nodiscard]] const std::vector<ContactPair>& pairs() const { return pairs_; }
+    /// Moves the pairs to the caller; the corners stay.
+    [[nodiscard]] std::vector<ContactPair> take_pairs();
+    /// Returns the corners of each pair if the options keep them, else nothing.
+    [[nodiscard]] const std::vector<PairCorners>& corners() const { return corners_; }
+
+    /// Returns the test of the current poses, which also makes shared points.
+    [[nodiscard]] TrianglePairTest& test() { return test_; }
+
+    /// Returns the statistics of a search with this number of box tests.
+    [[nodiscard]] QueryStatistics statistics(std::uint64_t box_tests) const {
+        return {box_tests, triangle_tests_, test_.statistics()};
+    }
+
+  private:
+    SearchOptions options_;
+    TrianglePairTest test_;
+    std::vector<ContactPair> pairs_;
+    std::vector<PairCorners> corners_;
+    PairSorter sorter_;
+    std::uint64_t count_ = 0;
+    std::uint64_t triangle_tests_ = 0;
+    bool has_proper_ = false;
+};
+
+} // namespace cd

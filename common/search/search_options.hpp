@@ -1,0 +1,28 @@
+// What a search for contacts looks for and keeps.
+#pragma once
+
+#include "common/core/host/stop_check.hpp"
+#include "common/pair/triangle_pair.hpp"
+
+#include <cstdint>
+#include <limits>
+
+namespace cd {
+
+struct SearchOptions {
+    bool keep_pairs = true;    ///< False: pairs are only counted.
+    bool only_touches = false; ///< Keeps no pairs once one of them is proper.
+    /// Keeps about twice this number of pairs at a time, and the first `pairs_max` after sorting.
+    /// All pairs are counted.
+    std::uint64_t pairs_max = std::numeric_limits<std::uint64_t>::max();
+    /// Keeps the corners of each pair, for shared points: the subtrees may be gone by then.
+    bool keep_corners = false;
+    /// Above 0, two overlapping boxes stay undecided if the sum of their diameters does not exceed
+    /// this length.
+    double tolerance = 0;
+    PairStage first_stage = PairStage::Float; ///< See TrianglePairTest.
+    PairDecision decision = PairDecision::Exact;
+    StopCheck stop = {}; ///< A search polls it while it descends.
+};
+
+} // namespace cd

@@ -1,0 +1,41 @@
+// The contact search over wide trees.
+#pragma once
+
+#include "common/search/contact_search.hpp"
+#include "common/tree/wide/wide_descent.hpp"
+
+#include <cstddef>
+#include <span>
+
+namespace cd {
+
+/// Searches trees that have a wide form; ignores the tolerance. `any` looks at the most promising
+/// boxes first if its last call found a contact, and else descends as `collect` does.
+class WideSearch final : public ContactSearch {
+  public:
+    /// `ignored` outlives the search.
+    explicit WideSearch(const PosePair& poses,
+                        std::span<const IgnoredRange> ignored = {},
+                        const SearchOptions& options = {});
+
+    void restart(const PosePair& poses) override;
+    [[nodiscard]] bool any(const TreeView& a, const TreeView& b) override;
+    void collect(const TreeView& a, const TreeView& b) override;
+    [[nodiscard]] FoundContacts& contacts() override { return contacts_; }
+    [[nodiscard]] SearchReport report() const override;
+
+  private:
+    [[nodiscard]] std::span<const Candidate>
+    next_candidates(const WideView& a, const WideView& b, std::size_t wanted);
+    void poll_stop();
+
+    RelativePose b_to_a_;
+    WideDescent descent_;
+    std::span<const IgnoredRange> ignored_;
+    StopCheck stop_;
+    FoundContacts contacts_;
+    bool expects_contact_ = true; ///< The last answer of `any`.
+    bool is_stopped_ = false;
+};
+
+} // namespace cd
