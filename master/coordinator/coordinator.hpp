@@ -6,11 +6,12 @@
 #include "master/base/disk_retries.hpp"
 #include "master/blocks/block_delivery.hpp"
 #include "master/blocks/transfer_meter.hpp"
+#include "master/coordinator/explainer.hpp"
 #include "master/coordinator/job_board.hpp"
+#include "master/coordinator/job_waits.hpp"
 #include "master/dispatch/dispatcher.hpp"
 #include "master/geometry/geometry_store.hpp"
 #include "master/geometry/tree_registry.hpp"
-#include "master/jobs/job_spool.hpp"
 #include "master/journal/journal_writer.hpp"
 #include "master/verify/alarms.hpp"
 #include "master/verify/reference_run.hpp"
@@ -130,53 +131,51 @@ class Coordinator {
     /// as lost.
     void terminate_worker(WorkerId worker);
 
-    // ---- Explanations (coordinator_explain.cpp) -------------------------------------------------
-    /// Scores the workers for a scenario as of now. For an ended job it reports only who answered.
-    /// Errors: NotFound; Refused while the job is being prepared; Io if the poses cannot be read.
-    [[nodiscard]] asio::awaitable<Result<Explained>> explain(JobId job, std::uint64_t scenario);
-    /// Explains an analysed scenario of a running job. Errors: NotFound; Refused unless the job
-    /// runs.
-    [[nodiscard]] Result<Explained> explain(JobId job, Analysis analysis);
-    /// The input to analyse one of the job's scenarios. Errors: NotFound; Refused unless the job
-    /// runs.
-    [[nodiscard]] Result<AnalysisInput> analysis_input(JobId job);
-
     // ---- Jobs (coordinator_jobs.cpp) ------------------------------------------------------------
-    /// Opens a job whose submission has been checked. `poses` are complete, or null for a grid.
-    /// Returns when the journal has committed the job. Errors: Refused; Io.
-    [[nodiscard]] asio::awaitable<Result<JobId>> open_job(Submit submit,
-                                                          std::shared_ptr<JobSpool> poses);
-    /// Cancels the job and returns when the journal has committed that. Does nothing if the job has
-    /// ended. Errors: NotFound.
-    [[nodiscard]] asio::awaitable<Result<JobStatus>> cancel_job(JobId job);
-    /// Forgets an ended job. Returns when the journal has deleted it; its files are removed next.
-    /// Errors: NotFound; Refused while it runs; Io when the journal does not write.
-    [[nodiscard]] asio::awaitable<Status> forget_job(JobId job);
+    [[nodiscard]] Durability durability() const { return parts_.durability; }
+    /// Who waits for the acceptance, the end or the removal of a job.
+    [[nodiscard]] JobWaits& waits() { return waits_; }
+    /// Explains scenarios as of now.
+    [[nodiscard]] Explainer explainer();
+    /// Allots the id of a new job, which is then begun or given up. Errors: Refused; Io when the
+    /// journal does not write.
+    [[nodiscard]] Result<JobId> allot_job(std::uint64_t scenarios);
+    void give_up_job(JobId job) { jobs_.give_up(job); }
+    /// Writes an allotted job to the journal and wakes those who wait for it when that is durable.
+    void write_job(const JobRecord& job) { writer_.write(AcceptJob{job}); }
+    /// Begins a job that the journal has committed.
+    void begin_job(const JobRecord& record,
+                   std::shared_ptr<ResultStore> results,
+                   std::shared_ptr<PoseSource> poses);
+    /// Ends a running job and wakes those who wait for it when that is durable. Does nothing if the
+    /// job has ended. Errors: NotFound.
+    [[nodiscard]] Result<JobStatus> cancel_job(JobId job);
+    /// Forgets an ended job and wakes those who wait for it when the journal has deleted it; its
+    /// files are removed next. Errors: NotFound; Refused while it runs; Io when the journal does
+    /// not write.
+    [[nodiscard]] Status forget_job(JobId job);
     /// Forgets jobs whose retention has expired. `now` is in seconds since 1970.
     void forget_expired_jobs(std::uint64_t now);
+    /// Stops the master's run of a scenario in dispute, which then counts as failed. False: there
+    /// is none.
+    [[nodiscard]] bool cancel_disputed(JobId job, std::uint64_t scenario);
+    /// The poses of a running job whose scenario has no result. Errors: NotFound; Refused.
+    [[nodiscard]] Result<std::shared_ptr<PoseSource>> poses_of_unanswered(JobId job,
+                                                                          std::uint64_t scenario);
     /// Fails the scenario and stops it on all workers; the job continues. Errors: NotFound; Refused
-    /// if the scenario has an undisputed result.
-    [[nodiscard]] asio::awaitable<Result<JobStatus>> cancel_scenario(JobId job,
-                                                                     std::uint64_t scenario);
+    /// if the scenario has a result.
+    [[nodiscard]] Status cancel_scenario(JobId job, const Scenario& scenario);
     /// Errors: NotFound.
     [[nodiscard]] Result<JobStatus> job_status(JobId job);
-    /// Change counter of the job's status; 0 if there is no such job.
-    [[nodiscard]] std::uint64_t job_changes(JobId job);
-    /// Cancels the timer when the job ends or is forgotten, provided the timer still exists.
-    void notify_at_end(JobId job, const std::shared_ptr<asio::steady_timer>& timer);
-    /// Null if there is no such job.
-    [[nodiscard]] std::shared_ptr<ResultStore> results_of(JobId job);
+    [[nodiscard]] const JobBoard& jobs() const { return jobs_; }
     /// Errors: NotFound; Refused unless the job is done.
     [[nodiscard]] Result<ContactMapAnswer> contact_map(JobId job);
     [[nodiscard]] ClusterStatus cluster_status();
     /// Reason why the master cannot accept or acknowledge now; empty if it can.
     [[nodiscard]] const std::string& paused() const { return writer_.paused(); }
 
-    /// Quarantined processes. These and `alarm_count` cover all incarnations of the master.
-    [[nodiscard]] const std::set<WorkerProcess>& quarantined() const {
-        return alarms_.quarantined();
-    }
-    [[nodiscard]] std::uint64_t alarm_count() const { return alarms_.record().count; }
+    /// Alarms and quarantined processes of all incarnations of the master.
+    [[nodiscard]] const Alarms& alarms() const { return alarms_; }
 
     /// Aborts if an invariant is broken. For tests; call it between two events.
     void check_invariants() const;
@@ -296,7 +295,9 @@ class Coordinator {
     [[nodiscard]] WorkerStatus worker_status(WorkerId worker, const WorkerLink& link) const;
 
     // Jobs.
-    asio::awaitable<void> prepare_job(JobId job);
+    /// Makes the job's geometry on the pool.
+    void prepare_job(const MasterJob& job);
+    void job_prepared(JobId job, const StoreResult<JobGeometry>& made);
     void start_job(MasterJob& job, const JobGeometry& made);
     /// Makes the job's submitter. It skips scenarios that already have a result, for example those
     /// that workers delivered again after a restart.
@@ -326,11 +327,6 @@ class Coordinator {
     /// Reports that the disk works again for the job.
     void disk_gives(MasterJob& job);
     void add_what_it_waits_for(JobStatus& job) const;
-
-    // Explanations.
-    [[nodiscard]] Explained explain_ended(const MasterJob& job, std::uint64_t scenario) const;
-    [[nodiscard]] std::string
-    answered_by(const MasterJob& job, std::uint64_t scenario, bool needs_worker) const;
 
     // Disputes (coordinator_disputes.cpp).
     /// Records the dispute in `add`. Once that is durable, the master's own result decides it.
@@ -377,7 +373,6 @@ class Coordinator {
     void job_ended(JobId job);
     /// Deletes the files of a job that the journal has forgotten.
     void job_dropped(JobId job);
-    void wake_waiting(JobId job);
     /// Deletes the record and then the files of a job that has left the board.
     void drop_from_journal(JobId job);
     [[nodiscard]] JobStatus status_of(const MasterJob& job) const;
@@ -425,10 +420,9 @@ class Coordinator {
     JobBoard jobs_;
     JobId fed_last_;
     std::uint64_t open_bytes_ = 0; ///< Bytes of all jobs' open analyses.
-    std::multimap<JobId, std::weak_ptr<asio::steady_timer>> waiting_for_end_;
+    JobWaits waits_{parts_.executor};
     JournalWriter writer_;
     Sha256 cluster_;
-    std::map<JobId, std::shared_ptr<asio::steady_timer>> waiting_for_acceptance_;
     DiskRetries retries_; ///< Steps of jobs paused by the disk.
     using LateKey = std::tuple<JobId, WorkerId, std::uint64_t>; ///< And sequence number.
     std::map<LateKey, LateResults> late_results_;               ///< Late results not examined yet.

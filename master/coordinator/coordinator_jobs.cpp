@@ -3,7 +3,6 @@
 #include "common/core/host/wall_clock.hpp"
 #include "common/core/limits/master.hpp"
 #include "common/job/run_scenario.hpp"
-#include "master/base/run_on.hpp"
 #include "master/base/way_out.hpp"
 #include "master/coordinator/coordinator.hpp"
 #include "master/jobs/job_geometry.hpp"
@@ -53,7 +52,7 @@ Status Coordinator::restore(Recovered recovered) {
                  job.submit.name,
                  done.size(),
                  job.submit.scenarios);
-        spawn(parts_.executor, "prepare job", prepare_job(job.id));
+        prepare_job(job);
     }
     await_workers();
     writer_.start(journal_events());
@@ -94,74 +93,59 @@ asio::awaitable<void> Coordinator::end_waiting(std::shared_ptr<asio::steady_time
     }
 }
 
-asio::awaitable<Result<JobId>> Coordinator::open_job(Submit submit,
-                                                     std::shared_ptr<JobSpool> spool) {
+Result<JobId> Coordinator::allot_job(std::uint64_t scenarios) {
     if (!writer_.paused().empty()) {
-        co_return Error{ErrorCode::Io, "the master takes no jobs now: " + writer_.paused()};
+        return Error{ErrorCode::Io, "the master takes no jobs now: " + writer_.paused()};
     }
-    const Result<JobId> next = jobs_.next(submit.scenarios);
-    if (!next) {
-        co_return next.error();
-    }
-    const JobId id = next.value();
-    if (spool != nullptr) {
-        auto seal = [this, id, spool] {
-            return spool->seal(parts_.journal, id, parts_.durability);
-        };
-        if (const Status sealed = co_await run_on(parts_.blocking, seal); !sealed) {
-            jobs_.give_up(id);
-            co_return sealed.error();
-        }
-    }
-    auto results = ResultStore::create(parts_.journal.results_path(id), id, submit.scenarios);
-    const auto accepted = std::make_shared<asio::steady_timer>(
-        parts_.executor, asio::steady_timer::time_point::max());
-    waiting_for_acceptance_.emplace(id, accepted);
-    const std::uint64_t began = unix_seconds();
-    writer_.write(AcceptJob{{id, submit, began}});
-    boost::system::error_code ignored;
-    co_await accepted->async_wait(asio::redirect_error(asio::use_awaitable, ignored));
+    return jobs_.next(scenarios);
+}
 
-    MasterJob& job = jobs_.add(MasterJob(id, submit, std::move(results), Clock::now()));
-    job.began = began;
+void Coordinator::begin_job(const JobRecord& record,
+                            std::shared_ptr<ResultStore> results,
+                            std::shared_ptr<PoseSource> poses) {
+    const Submit& submit = record.submit;
+    MasterJob& job = jobs_.add(MasterJob(record.id, submit, std::move(results), Clock::now()));
+    job.began = record.began;
     job.meshes = parts_.geometry.hold(meshes_of(submit));
-    if (submit.grid) {
-        job.poses = make_grid_source(decode_grid(*submit.grid).value());
-    } else {
-        job.poses = spool->poses();
-    }
+    job.poses = std::move(poses);
     log_info("job accepted: job={} name=\"{}\" scenarios={} strategy={}",
-             id.value,
+             job.id.value,
              submit.name,
              submit.scenarios,
              to_text(submit.cluster.strategy));
-    spawn(parts_.executor, "prepare job", prepare_job(id));
-    co_return id;
+    prepare_job(job);
 }
 
-asio::awaitable<void> Coordinator::prepare_job(JobId id) {
-    const MasterJob* accepted = jobs_.find(id);
-    if (accepted == nullptr) {
-        co_return; // The job was removed meanwhile.
-    }
-    const Submit submit = accepted->submit;
-    auto make = [&store = parts_.geometry, &submit] { return make_job_geometry(store, submit); };
-    const StoreResult<JobGeometry> made = co_await run_on(parts_.blocking, make);
+void Coordinator::prepare_job(const MasterJob& job) {
+    parts_.blocking.post([this,
+                          executor = parts_.executor,
+                          &store = parts_.geometry,
+                          id = job.id,
+                          submit = job.submit] {
+        const auto made =
+            std::make_shared<const StoreResult<JobGeometry>>(make_job_geometry(store, submit));
+        asio::post(executor, [this, id, made] { job_prepared(id, *made); });
+    });
+}
+
+void Coordinator::job_prepared(JobId id, const StoreResult<JobGeometry>& made) {
     MasterJob* job = jobs_.find_running(id);
     if (job == nullptr) {
-        co_return; // The job was cancelled meanwhile.
+        return; // The job was cancelled meanwhile.
     }
     if (made) {
         job_paused(*job, "");
-        start_job(*job, made.value());
-        co_return;
+        return start_job(*job, made.value());
     }
     const Error& why = made.error();
     const bool may_be_mended = made.is_unwritten() || why.code == ErrorCode::NotFound;
-    wait_for_disk(
-        *job, may_be_mended ? Error{ErrorCode::Io, why.detail} : why, [this, id](MasterJob*) {
-            spawn(parts_.executor, "prepare job", prepare_job(id));
-        });
+    wait_for_disk(*job,
+                  may_be_mended ? Error{ErrorCode::Io, why.detail} : why,
+                  [this](const MasterJob* running) {
+                      if (running != nullptr) {
+                          prepare_job(*running);
+                      }
+                  });
 }
 
 void Coordinator::start_job(MasterJob& job, const JobGeometry& made) {
@@ -299,48 +283,36 @@ void Coordinator::release_tree(TreeId tree) {
 
 // ---- Requests -----------------------------------------------------------------------------------
 
-asio::awaitable<Result<JobStatus>> Coordinator::cancel_job(JobId id) {
+Explainer Coordinator::explainer() {
+    return {jobs_, dispatcher(), [this](WorkerId worker) { return workers_.contains(worker); }};
+}
+
+Result<JobStatus> Coordinator::cancel_job(JobId id) {
     MasterJob* job = jobs_.find(id);
     if (job == nullptr) {
-        co_return no_job();
+        return no_job();
     }
     if (job->is_running()) {
         end_job(*job, JobState::Cancelled, "cancelled");
         feed();
     }
-    if (job->state == JobState::Running) {
-        // Clients see only a durable end; the wait is bounded in case the disk is full.
-        const auto ended =
-            std::make_shared<asio::steady_timer>(parts_.executor, limits::cancel_wait_max);
-        notify_at_end(id, ended);
-        boost::system::error_code ignored;
-        co_await ended->async_wait(asio::redirect_error(asio::use_awaitable, ignored));
-    }
-    co_return job_status(id);
+    return job_status(id);
 }
 
-asio::awaitable<Status> Coordinator::forget_job(JobId id) {
+Status Coordinator::forget_job(JobId id) {
     const MasterJob* job = jobs_.find(id);
     if (job == nullptr) {
-        co_return no_job();
+        return no_job();
     }
     if (job->state == JobState::Running) {
-        co_return Error{ErrorCode::Refused, "the job is running"};
+        return Error{ErrorCode::Refused, "the job is running"};
     }
     if (!writer_.paused().empty()) {
-        co_return Error{ErrorCode::Io, "nothing can be removed now: " + writer_.paused()};
+        return Error{ErrorCode::Io, "nothing can be removed now: " + writer_.paused()};
     }
     jobs_.drop(id);
-    const auto forgotten =
-        std::make_shared<asio::steady_timer>(parts_.executor, limits::cancel_wait_max);
-    waiting_for_end_.emplace(id, forgotten);
     drop_from_journal(id);
-    boost::system::error_code woken;
-    co_await forgotten->async_wait(asio::redirect_error(asio::use_awaitable, woken));
-    if (!woken) {
-        co_return Error{ErrorCode::Io, "the removal was not written to the disk in time"};
-    }
-    co_return Done{};
+    return Done{};
 }
 
 void Coordinator::forget_expired_jobs(std::uint64_t now) {
@@ -352,51 +324,47 @@ void Coordinator::forget_expired_jobs(std::uint64_t now) {
     }
 }
 
-asio::awaitable<Result<JobStatus>> Coordinator::cancel_scenario(JobId id, std::uint64_t scenario) {
-    const auto running = [&]() -> Result<MasterJob*> {
-        MasterJob* job = jobs_.find(id);
-        if (job == nullptr) {
-            return no_job();
-        }
-        const std::string name = "scenario " + std::to_string(scenario);
-        if (scenario >= job->merged.summary().total) {
-            return Error{ErrorCode::NotFound, "the job has no " + name};
-        }
-        if (!job->is_running() || job->merged.has(scenario)) {
-            return Error{ErrorCode::Refused, name + " has a result, or the job has ended"};
-        }
-        return job;
-    };
-    if (references_.stop(id, scenario)) {
-        log_warning("scenario in dispute cancelled: job={} scenario={}", id.value, scenario);
-        co_return job_status(id);
+bool Coordinator::cancel_disputed(JobId job, std::uint64_t scenario) {
+    if (!references_.stop(job, scenario)) {
+        return false;
     }
-    Result<MasterJob*> job = running();
-    if (!job) {
-        co_return job.error();
+    log_warning("scenario in dispute cancelled: job={} scenario={}", job.value, scenario);
+    return true;
+}
+
+Result<std::shared_ptr<PoseSource>> Coordinator::poses_of_unanswered(JobId id,
+                                                                     std::uint64_t scenario) {
+    const MasterJob* job = jobs_.find(id);
+    if (job == nullptr) {
+        return no_job();
     }
-    auto read = [poses = job.value()->poses, scenario] { return read_one(*poses, scenario); };
-    const Result<Scenario> pose = co_await run_on(parts_.blocking, read);
-    if (!pose) {
-        co_return pose.error();
+    const std::string name = "scenario " + std::to_string(scenario);
+    if (scenario >= job->merged.summary().total) {
+        return Error{ErrorCode::NotFound, "the job has no " + name};
     }
-    job = running(); // The job may have changed meanwhile.
-    if (!job) {
-        co_return job.error();
+    if (!job->is_running() || job->merged.has(scenario)) {
+        return Error{ErrorCode::Refused, name + " has a result, or the job has ended"};
     }
-    log_warning("scenario cancelled: job={} scenario={}", id.value, scenario);
-    fail_scenario(*job.value(), pose.value(), "cancelled");
+    return job->poses;
+}
+
+Status Coordinator::cancel_scenario(JobId id, const Scenario& scenario) {
+    if (const auto poses = poses_of_unanswered(id, scenario.index); !poses) {
+        return poses.error();
+    }
+    log_warning("scenario cancelled: job={} scenario={}", id.value, scenario.index);
+    fail_scenario(*jobs_.find(id), scenario, "cancelled");
     if (MasterJob* still = jobs_.find_running(id)) {
-        still->cancelled.push_back(scenario);
+        still->cancelled.push_back(scenario.index);
         for (auto& [worker, link] : workers_) {
             if (link.jobs.contains(id)) {
-                link.channel->send(DropScenario{id, scenario});
+                link.channel->send(DropScenario{id, scenario.index});
             }
         }
-        act(dispatcher().scenario_answered(WorkerId{}, id, scenario));
+        act(dispatcher().scenario_answered(WorkerId{}, id, scenario.index));
     }
     feed();
-    co_return job_status(id);
+    return Done{};
 }
 
 void Coordinator::fail_scenario(MasterJob& job, const Scenario& scenario, const std::string& why) {
@@ -413,25 +381,6 @@ Result<JobStatus> Coordinator::job_status(JobId id) {
         return no_job();
     }
     return status_of(*job);
-}
-
-std::uint64_t Coordinator::job_changes(JobId id) {
-    const MasterJob* job = jobs_.find(id);
-    return job == nullptr ? 0 : job->changes;
-}
-
-void Coordinator::notify_at_end(JobId job, const std::shared_ptr<asio::steady_timer>& timer) {
-    if (const MasterJob* found = jobs_.find(job);
-        found == nullptr || found->state != JobState::Running) {
-        return; // Nothing would ever cancel the timer.
-    }
-    std::erase_if(waiting_for_end_, [](const auto& waiting) { return waiting.second.expired(); });
-    waiting_for_end_.emplace(job, timer);
-}
-
-std::shared_ptr<ResultStore> Coordinator::results_of(JobId id) {
-    const MasterJob* job = jobs_.find(id);
-    return job == nullptr ? nullptr : job->results;
 }
 
 } // namespace cd

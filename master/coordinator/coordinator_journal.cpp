@@ -21,10 +21,7 @@ JournalWriter::Events Coordinator::journal_events() {
                     link->second.channel->send(kept);
                 }
             },
-            [this](JobId job) {
-                waiting_for_acceptance_.at(job)->cancel();
-                waiting_for_acceptance_.erase(job);
-            },
+            [this](JobId job) { waits_.wake(job); },
             [this](JobId job) { job_ended(job); },
             [this](JobId job) { job_dropped(job); },
             [this](const Dispute& dispute) { run_disputed(dispute); },
@@ -41,7 +38,7 @@ void Coordinator::job_dropped(JobId job) {
     for (const auto& path : parts_.journal.files_of(job)) {
         parts_.blocking.post([path] { remove_file(path); });
     }
-    wake_waiting(job);
+    waits_.wake(job);
 }
 
 void Coordinator::job_ended(JobId id) {
@@ -64,18 +61,8 @@ void Coordinator::job_ended(JobId id) {
              status.copies_won,
              status.digest ? to_short_hex(*status.digest) : "none",
              status.failure.empty() ? "" : " reason=\"" + status.failure + "\"");
-    wake_waiting(id);
+    waits_.wake(id);
     look_at_late_results(id);
-}
-
-void Coordinator::wake_waiting(JobId job) {
-    const auto [begin, end] = waiting_for_end_.equal_range(job);
-    for (auto waiting = begin; waiting != end; ++waiting) {
-        if (const auto timer = waiting->second.lock()) {
-            timer->cancel();
-        }
-    }
-    waiting_for_end_.erase(begin, end);
 }
 
 void Coordinator::drop_from_journal(JobId job) {

@@ -141,6 +141,11 @@ MasterJob* JobBoard::find(JobId job) {
     return found == jobs_.end() ? nullptr : &found->second;
 }
 
+const MasterJob* JobBoard::find(JobId job) const {
+    const auto found = jobs_.find(job);
+    return found == jobs_.end() ? nullptr : &found->second;
+}
+
 MasterJob* JobBoard::find_running(JobId id) {
     MasterJob* job = find(id);
     return job != nullptr && job->is_running() ? job : nullptr;

@@ -138,6 +138,7 @@ class JobBoard {
     void reserve(JobId last) { last_ = std::max(last_, last.value); }
     /// Null if there is no such job.
     [[nodiscard]] MasterJob* find(JobId job);
+    [[nodiscard]] const MasterJob* find(JobId job) const;
     /// The job must exist.
     [[nodiscard]] const MasterJob& at(JobId job) const { return jobs_.at(job); }
     /// Null also if the job has ended.

@@ -9,6 +9,7 @@
 #include "master/jobs/submission.hpp"
 #include "master/net/answers.hpp"
 #include "master/net/job_removal.hpp"
+#include "master/net/job_requests.hpp"
 #include "master/net/state_sizes.hpp"
 #include "master/net/worker_dismissal.hpp"
 #include "proto/codec/codec.hpp"
@@ -312,7 +313,8 @@ asio::awaitable<void> ClientSession::open_job(Submit submit, std::shared_ptr<Job
         refuse(allowed.error());
         co_return;
     }
-    const Result<JobId> job = co_await coordinator_.open_job(std::move(submit), std::move(poses));
+    JobRequests requests(coordinator_);
+    const Result<JobId> job = co_await requests.open(std::move(submit), std::move(poses));
     if (job) {
         meshes_asked_for_.reset(); // The opened job has its own hold on the meshes.
         quotas.add_job(quota_.client, job.value(), {scenarios, std::exchange(queued_, 0)});
@@ -395,20 +397,21 @@ asio::awaitable<void> ClientSession::on(Cancel message) {
         refuse(allowed.error());
         co_return;
     }
+    JobRequests requests(coordinator_);
     if (message.scenario) {
-        answer(co_await coordinator_.cancel_scenario(message.job, *message.scenario));
+        answer(co_await requests.cancel_scenario(message.job, *message.scenario));
     } else {
-        answer(co_await coordinator_.cancel_job(message.job));
+        answer(co_await requests.cancel(message.job));
     }
 }
 
 asio::awaitable<void> ClientSession::on(ResultsQuery message) {
-    const auto results = coordinator_.results_of(message.job);
-    if (results == nullptr) {
-        refuse(coordinator_.job_status(message.job).error());
+    const MasterJob* job = coordinator_.jobs().find(message.job);
+    if (job == nullptr) {
+        refuse(no_job());
         co_return;
     }
-    auto read = [results, message] {
+    auto read = [results = job->results, message] {
         return results->read(message.first, message.count, limits::results_part_bytes_target);
     };
     Result<ResultsPart> part = co_await run_on(coordinator_.blocking(), read);
@@ -431,8 +434,8 @@ asio::awaitable<void> ClientSession::on(ContactMapQuery message) {
 }
 
 asio::awaitable<void> ClientSession::on(Explain message) {
-    const Result<Explained> explained =
-        co_await coordinator_.explain(message.job, message.scenario);
+    JobRequests requests(coordinator_);
+    const Result<Explained> explained = co_await requests.explain(message.job, message.scenario);
     if (explained) {
         channel_->send(fitting(explained.value()));
     } else {
@@ -451,12 +454,13 @@ asio::awaitable<void> ClientSession::on(Watch message) {
 
 asio::awaitable<void> ClientSession::watch(std::shared_ptr<ClientSession> self, JobId job) {
     const auto pause = std::make_shared<asio::steady_timer>(self->coordinator_.executor());
-    self->coordinator_.notify_at_end(job, pause);
+    self->coordinator_.waits().notify(job, pause);
     std::optional<std::uint64_t> seen;
     while (self->channel_->is_open()) {
         const Result<JobStatus> status = self->coordinator_.job_status(job);
         const bool is_over = !status || status.value().state != JobState::Running;
-        const std::uint64_t changes = self->coordinator_.job_changes(job);
+        const MasterJob* found = self->coordinator_.jobs().find(job);
+        const std::uint64_t changes = found == nullptr ? 0 : found->changes;
         if (is_over || seen != changes) {
             self->answer(status);
             seen = changes;

@@ -1,8 +1,10 @@
 #include "master/net/job_removal.hpp"
 
 #include "common/core/host/log.hpp"
+#include "common/core/limits/master.hpp"
 #include "master/base/run_on.hpp"
 #include "master/coordinator/coordinator.hpp"
+#include "master/net/job_requests.hpp"
 
 #include <cstdint>
 #include <filesystem>
@@ -34,7 +36,8 @@ asio::awaitable<Result<JobStatus>> JobRemoval::ended(Remove wish) {
     if (!wish.cancel) {
         co_return Error{ErrorCode::Refused, "it is running; with --cancel it is ended first"};
     }
-    status = co_await coordinator_.cancel_job(wish.job);
+    JobRequests requests(coordinator_);
+    status = co_await requests.cancel(wish.job);
     if (status && status.value().state == JobState::Running) {
         co_return Error{ErrorCode::Io, "the end of the job was not written to the disk in time"};
     }
@@ -50,8 +53,12 @@ asio::awaitable<Result<Removed>> JobRemoval::remove(Remove wish) {
     auto measure = [files] { return bytes_in(files); };
     Removed removed;
     removed.bytes = co_await run_on(coordinator_.blocking(), measure);
-    if (const Status forgotten = co_await coordinator_.forget_job(wish.job); !forgotten) {
+    if (const Status forgotten = coordinator_.forget_job(wish.job); !forgotten) {
         co_return forgotten.error();
+    }
+    const auto until = JobWaits::Time::clock::now() + limits::cancel_wait_max;
+    if (!co_await coordinator_.waits().wait(wish.job, until)) {
+        co_return Error{ErrorCode::Io, "the removal was not written to the disk in time"};
     }
     for (const Sha256& mesh : status.value().bodies) {
         // Meshes that others still need, or that were removed with the other body, are skipped.

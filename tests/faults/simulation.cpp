@@ -24,7 +24,8 @@ Simulation::Simulation(std::uint64_t seed, const SimulationOptions& options)
     };
     world_.watcher.quarantine = [this] {
         const Coordinator* coordinator = master_ == nullptr ? nullptr : master_->coordinator();
-        return coordinator == nullptr ? std::set<std::uint64_t>{} : coordinator->quarantined();
+        return coordinator == nullptr ? std::set<std::uint64_t>{}
+                                      : coordinator->alarms().quarantined();
     };
     plan(options.workers);
 }
@@ -146,10 +147,10 @@ void Simulation::check_cache(WorkerProcess& worker) {
 
 void Simulation::check_quarantine() {
     const Coordinator& coordinator = *master_->coordinator();
-    if (coordinator.alarm_count() != 0 && world_.watcher.lies.count() == 0) {
+    if (coordinator.alarms().record().count != 0 && world_.watcher.lies.count() == 0) {
         world_.problem("an alarm, and nobody was wrong");
     }
-    for (const std::uint64_t worker : coordinator.quarantined()) {
+    for (const std::uint64_t worker : coordinator.alarms().quarantined()) {
         if (!world_.watcher.lies.is_liar(worker)) {
             world_.problem("worker-" + std::to_string(worker) +
                            " is in quarantine, and was never wrong");

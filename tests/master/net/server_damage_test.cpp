@@ -112,7 +112,7 @@ TEST(ServerDamage, AJobThatWaitsForItsPosesMayBeCancelledAndTheMasterEnded) {
 
 TEST(ServerDamage, DamagedBlocksDoNotPauseAJob) {
     DamagedMaster master(AnalysisMode::Never);
-    master.run_until([&] { return master.coordinator.analysis_input(master.job).has_value(); });
+    master.run_until([&] { return master.coordinator.explainer().input(master.job).has_value(); });
     std::vector<Damage> damages;
     for (const auto& entry : std::filesystem::directory_iterator(master.directory / "blocks")) {
         damages.emplace_back(entry.path());
@@ -124,7 +124,7 @@ TEST(ServerDamage, DamagedBlocksDoNotPauseAJob) {
 
 TEST(ServerDamage, ADisputeWaitsForThePosesToJudgeIt) {
     DamagedMaster master(AnalysisMode::Never);
-    master.run_until([&] { return master.coordinator.analysis_input(master.job).has_value(); });
+    master.run_until([&] { return master.coordinator.explainer().input(master.job).has_value(); });
     std::latch released(1);
     for (unsigned thread = 0; thread < master.blocking.size(); ++thread) {
         master.blocking.post([&] { released.wait(); }); // Blocks the master's runs.
@@ -136,11 +136,11 @@ TEST(ServerDamage, ADisputeWaitsForThePosesToJudgeIt) {
     const Damage damage(master.poses());
     released.count_down();
     master.expect_to_wait_for(damage);
-    EXPECT_EQ(master.coordinator.alarm_count(), 0u);
+    EXPECT_EQ(master.coordinator.alarms().record().count, 0u);
     damage.mend();
     const FakeWorker good(master, {});
     master.expect_right_end();
-    EXPECT_GT(master.coordinator.alarm_count(), 0u);
+    EXPECT_GT(master.coordinator.alarms().record().count, 0u);
 }
 
 TEST(ServerDamage, ResultsOfAWaitingJobBlockNoOther) {

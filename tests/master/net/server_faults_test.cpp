@@ -147,10 +147,10 @@ TEST(Server, AWithdrawnScenarioThatKillsWorkersFailsUnrunByTheMaster) {
         master.run_until([&] { return liar.kept == 3; });
     }
     const std::uint64_t deadly =
-        wrong_scenario(*master.coordinator.results_of(*client.job)).value();
+        wrong_scenario(*master.coordinator.jobs().at(*client.job).results).value();
     {
         const FakeWorker again(master, {.lies_first = true, .instance = liars_process});
-        master.run_until([&] { return master.coordinator.alarm_count() != 0; });
+        master.run_until([&] { return master.coordinator.alarms().record().count != 0; });
     }
     std::vector<std::unique_ptr<FakeWorker>> workers;
     master.run_until([&] {
@@ -175,7 +175,7 @@ TEST(Server, TasksOfAQuarantinedWorkerCountNoLoss) {
     const FakeWorker liar(master, {.lies_first = true, .instance = 7, .batches_max = 1});
     Client client(master);
     client.start(reference().submission());
-    master.run_until([&] { return master.coordinator.alarm_count() != 0; });
+    master.run_until([&] { return master.coordinator.alarms().record().count != 0; });
     ASSERT_GT(liar.batches, 1u) << "it has more";
     for (std::uint64_t lost = 1; lost < limits::scenario_losses_max; ++lost) {
         const FakeWorker mortal(master, {.only_takes = true, .instance = 7 + lost});
@@ -215,7 +215,8 @@ TEST(Server, AScenarioMayBeCancelledAndTheJobGoesOn) {
     Master master;
     Client client(master);
     client.start(reference().submission());
-    master.run_until([&] { return client.job && master.coordinator.analysis_input(*client.job); });
+    master.run_until(
+        [&] { return client.job && master.coordinator.explainer().input(*client.job); });
     const auto ask = [&](const Message& message) {
         Client other(master);
         other.start_asking({message});
@@ -394,7 +395,8 @@ TEST(Server, CancellingADisputedScenarioQuarantinesNoWorker) {
     Master master;
     Client client(master);
     client.start(reference().submission());
-    master.run_until([&] { return client.job && master.coordinator.analysis_input(*client.job); });
+    master.run_until(
+        [&] { return client.job && master.coordinator.explainer().input(*client.job); });
     std::latch released(1);
     for (unsigned thread = 0; thread < master.blocking.size(); ++thread) {
         master.blocking.post([&] { released.wait(); }); // Blocks the master's runs.
@@ -404,7 +406,7 @@ TEST(Server, CancellingADisputedScenarioQuarantinesNoWorker) {
     master.run_until([&] { return liar->kept == 2; });
     std::uint64_t cancelled = 0;
     for (const Scenario& scenario : reference().scenarios) {
-        if (!master.coordinator.results_of(*client.job)->has(scenario.index)) {
+        if (!master.coordinator.jobs().at(*client.job).results->has(scenario.index)) {
             continue;
         }
         Client other(master);

@@ -32,7 +32,7 @@ TEST(LateServer, AnEqualLateResultIsAcknowledged) {
         const FakeWorker late(master, {.comes_with = {right_results(job, scenario.index)}});
         master.run_until([&] { return late.kept == 1; });
     }
-    EXPECT_EQ(master.coordinator.alarm_count(), 0u);
+    EXPECT_EQ(master.coordinator.alarms().record().count, 0u);
 }
 
 TEST(LateServer, ADifferingResultOfAnEndedJobIsOnlyAcknowledged) {
@@ -41,8 +41,8 @@ TEST(LateServer, ADifferingResultOfAnEndedJobIsOnlyAcknowledged) {
     const FakeWorker late(
         master, {.comes_with = {late_results(job, wrong_result(scenario_with_contact()))}});
     master.run_until([&] { return late.kept == 1; });
-    EXPECT_EQ(master.coordinator.alarm_count(), 0u);
-    EXPECT_TRUE(master.coordinator.quarantined().empty());
+    EXPECT_EQ(master.coordinator.alarms().record().count, 0u);
+    EXPECT_TRUE(master.coordinator.alarms().quarantined().empty());
     EXPECT_EQ(master.coordinator.job_status(job).value().digest, reference().digest);
 }
 
@@ -65,7 +65,7 @@ TEST(LateServer, AResultDuringTheEndsCommitIsOnlyAcknowledged) {
     ASSERT_TRUE(client.answer && client.answer->has_value());
     const JobId job = std::get<Accepted>(client.answer->value()).job;
     EXPECT_EQ(master.coordinator.job_status(job).value().state, JobState::Done);
-    EXPECT_EQ(master.coordinator.alarm_count(), 0u);
+    EXPECT_EQ(master.coordinator.alarms().record().count, 0u);
 }
 
 } // namespace

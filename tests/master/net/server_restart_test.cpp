@@ -212,9 +212,9 @@ TEST(ServerRestart, ReturnedResultsSkipAnalysis) {
     const TemporaryFolder state;
     const JobId job = job_to_be_analysed(state.path());
     Master master({}, state.path());
-    master.run_until([&] { return master.coordinator.analysis_input(job).has_value(); });
-    const AnalysisInput input = master.coordinator.analysis_input(job).value();
-    const auto results = master.coordinator.results_of(job);
+    master.run_until([&] { return master.coordinator.explainer().input(job).has_value(); });
+    const AnalysisInput input = master.coordinator.explainer().input(job).value();
+    const auto results = master.coordinator.jobs().at(job).results;
     std::optional<Analysis> separate; // The only scenario missing from the worker's results.
     std::vector<Results> brought;
     for (const Scenario& scenario : reference().scenarios) {
@@ -284,7 +284,7 @@ TEST(ServerRestart, AnOldWrongResultWithdrawsItsAuthorsResults) {
             master.run_until([&] { return liar.kept == 3; });
         }
         wait_until_gone(master);
-        wrong = wrong_scenario(*master.coordinator.results_of(job)); // All results so far.
+        wrong = wrong_scenario(*master.coordinator.jobs().at(job).results); // All results so far.
     }
     ASSERT_TRUE(wrong);
     Master master(no_return, state.path());
@@ -292,13 +292,13 @@ TEST(ServerRestart, AnOldWrongResultWithdrawsItsAuthorsResults) {
     // No earlier worker is here. A new one brings a contradicting result, as after a speculative
     // copy.
     std::uint64_t missing = 0; // The job waits for it.
-    while (master.coordinator.results_of(job)->has(missing)) {
+    while (master.coordinator.jobs().at(job).results->has(missing)) {
         ++missing;
     }
     FakeWorker good(
         master,
         {.instance = good_process, .comes_with = {right_results(job, *wrong)}, .holds = missing});
-    master.run_until([&] { return master.coordinator.alarm_count() != 0; });
+    master.run_until([&] { return master.coordinator.alarms().record().count != 0; });
     good.go_on();
     expect_right_end(master, job);
     const ClusterStatus status = master.coordinator.cluster_status();
@@ -320,7 +320,7 @@ TEST(ServerRestart, ADisputeThatWasOpenIsSettled) {
         {
             Master master({}, state.path());
             job = submit_to(master, AnalysisMode::Never);
-            master.run_until([&] { return master.coordinator.analysis_input(job).has_value(); });
+            master.run_until([&] { return master.coordinator.explainer().input(job).has_value(); });
             std::latch released(1);
             for (unsigned thread = 0; thread < master.blocking.size(); ++thread) {
                 master.blocking.post([&] { released.wait(); }); // Blocks the master's runs.

@@ -78,11 +78,12 @@ double expected_transfer(bool says_what_it_holds) {
             continue;
         }
         master.run_until(
-            [&] { return client.job && master.coordinator.analysis_input(*client.job); });
+            [&] { return client.job && master.coordinator.explainer().input(*client.job); });
         Analysis analysis;
         analysis.roots_a = {0};
         analysis.roots_b = {0};
-        return master.coordinator.explain(*client.job, analysis).value().workers.at(0).transfer;
+        const auto explained = master.coordinator.explainer().explain(*client.job, 0, analysis);
+        return explained.value().workers.at(0).transfer;
     }
     return 0;
 }

@@ -1,0 +1,99 @@
+#include "master/net/job_requests.hpp"
+
+#include "common/core/host/wall_clock.hpp"
+#include "common/core/limits/master.hpp"
+#include "master/base/run_on.hpp"
+#include "master/coordinator/coordinator.hpp"
+
+#include <optional>
+#include <utility>
+
+namespace cd {
+
+namespace {
+
+Result<std::optional<Analysis>> analysed(const AnalysisInput& input, std::uint64_t scenario) {
+    const Result<Scenario> read = read_one(*input.poses, scenario);
+    if (!read) {
+        return read.error();
+    }
+    return std::optional(analyse(input, read.value()));
+}
+
+} // namespace
+
+asio::awaitable<Result<JobId>> JobRequests::open(Submit submit, std::shared_ptr<JobSpool> spool) {
+    const Result<JobId> next = coordinator_.allot_job(submit.scenarios);
+    if (!next) {
+        co_return next.error();
+    }
+    const JobId id = next.value();
+    std::shared_ptr<PoseSource> poses;
+    if (spool != nullptr) {
+        auto seal = [&coordinator = coordinator_, id, spool] {
+            return spool->seal(coordinator.journal(), id, coordinator.durability());
+        };
+        if (const Status sealed = co_await run_on(coordinator_.blocking(), seal); !sealed) {
+            coordinator_.give_up_job(id);
+            co_return sealed.error();
+        }
+        poses = spool->poses();
+    } else {
+        poses = make_grid_source(decode_grid(*submit.grid).value());
+    }
+    auto results =
+        ResultStore::create(coordinator_.journal().results_path(id), id, submit.scenarios);
+    const JobRecord record{id, std::move(submit), unix_seconds()};
+    coordinator_.write_job(record);
+    (void)co_await coordinator_.waits().wait(id);
+    coordinator_.begin_job(record, std::move(results), std::move(poses));
+    co_return id;
+}
+
+asio::awaitable<Result<JobStatus>> JobRequests::cancel(JobId job) {
+    const Result<JobStatus> status = coordinator_.cancel_job(job);
+    if (!status || status.value().state != JobState::Running) {
+        co_return status;
+    }
+    // Clients see only a durable end.
+    const auto until = JobWaits::Time::clock::now() + limits::cancel_wait_max;
+    (void)co_await coordinator_.waits().wait(job, until);
+    co_return coordinator_.job_status(job);
+}
+
+asio::awaitable<Result<JobStatus>> JobRequests::cancel_scenario(JobId job, std::uint64_t scenario) {
+    if (coordinator_.cancel_disputed(job, scenario)) {
+        co_return coordinator_.job_status(job);
+    }
+    const auto poses = coordinator_.poses_of_unanswered(job, scenario);
+    if (!poses) {
+        co_return poses.error();
+    }
+    auto read = [&poses, scenario] { return read_one(*poses.value(), scenario); };
+    const Result<Scenario> pose = co_await run_on(coordinator_.blocking(), read);
+    if (!pose) {
+        co_return pose.error();
+    }
+    if (const Status done = coordinator_.cancel_scenario(job, pose.value()); !done) {
+        co_return done.error();
+    }
+    co_return coordinator_.job_status(job);
+}
+
+asio::awaitable<Result<Explained>> JobRequests::explain(JobId job, std::uint64_t scenario) {
+    const auto needed = coordinator_.explainer().needed(job, scenario);
+    if (!needed) {
+        co_return needed.error();
+    }
+    Result<std::optional<Analysis>> analysis = std::optional<Analysis>();
+    if (needed.value()) {
+        auto run = [&needed, scenario] { return analysed(*needed.value(), scenario); };
+        analysis = co_await run_on(coordinator_.blocking(), run);
+        if (!analysis) {
+            co_return analysis.error();
+        }
+    }
+    co_return coordinator_.explainer().explain(job, scenario, std::move(analysis.value()));
+}
+
+} // namespace cd
