@@ -17,14 +17,16 @@ void JournalWriter::restore(JobId job, std::span<const ResultRow> results) {
 
 void JournalWriter::start(Events events) {
     events_ = std::move(events);
-    journal_.start(
-        {[this](std::uint64_t position) { post_([this, position] { committed(position); }); },
-         [this](const std::string& why) {
-             post_([this, why] {
-                 paused_ = why;
-                 events_.paused();
-             });
-         }});
+    // The journal may commit after the writer is gone; what it posts then never runs.
+    journal_.start({[this, post = post_](std::uint64_t position) {
+                        post([this, position] { committed(position); });
+                    },
+                    [this, post = post_](const std::string& why) {
+                        post([this, why] {
+                            paused_ = why;
+                            events_.paused();
+                        });
+                    }});
 }
 
 void JournalWriter::write(JournalEntry entry) {
