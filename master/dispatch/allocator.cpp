@@ -32,8 +32,9 @@ void Allocator::take_up(DispatchJob& job, bool is_suspect, bool resumes, Actions
     if (job.waiting.size() == 1 || job.policy->is_pulled()) {
         allocate_one(job, actions);
     }
-    if (resumes) {
-        // Buffers held back at the end of a job may go now.
+    if (resumes || is_suspect) {
+        // Buffers held back at the end of a job may go now, and the worker that is now emptied for
+        // the suspect sends its buffers.
         for (WorkerProxy* proxy : context_.pool.in_order()) {
             flush_ripe(*proxy, actions);
         }

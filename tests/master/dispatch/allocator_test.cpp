@@ -67,6 +67,24 @@ TEST_F(Allocating, ABufferTakenBackWaitsBeforeTheOthers) {
     EXPECT_TRUE(actions.empty());
 }
 
+TEST_F(Allocating, ASuspectEmptiesTheBuffersOfTheWorkerThatIsReservedForIt) {
+    DispatchJob& job = open(Strategy::BestMatch, 3);
+    WorkerProxy& one = join(1);
+    queue.set_paused(false);
+    tasks.send_places(one, job, {0, 1}, 1, actions); // The worker is busy.
+    add(job, 1);
+    allocator.settle(actions);
+    EXPECT_EQ(one.buffers.count(), 1u);
+    actions.clear();
+    DispatchScenario suspect = scenario(job);
+    suspect.losses.add(1);
+    suspect.losses.add(2);
+    queue.add(job, next++, suspect);
+    allocator.take_up(job, true, false, actions);
+    EXPECT_EQ(sent(), Lists{{0}});
+    EXPECT_FALSE(allocator.is_ripe(one, job));
+}
+
 TEST_F(Allocating, ASuspectTravelsAloneToAnIdleWorkerThatItClaims) {
     DispatchJob& job = open(Strategy::BestMatch, 2);
     WorkerProxy& one = join(1);
