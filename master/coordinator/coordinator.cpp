@@ -28,8 +28,10 @@ double cpu_seconds() {
 
 Coordinator::Coordinator(CoordinatorParts parts)
     : parts_(std::move(parts)),
-      epoch_(std::random_device{}() | std::uint64_t{std::random_device{}()} << 32),
-      watch_(parts_.times),
+      workers_(parts_.times,
+               std::random_device{}() | std::uint64_t{std::random_device{}()} << 32,
+               *this,
+               Clock::now),
       blocks_(parts_.executor, trees_),
       jobs_(limits::results_ended_kept_max, parts_.retention),
       writer_([executor = parts_.executor](
@@ -64,8 +66,8 @@ void Coordinator::act(Actions actions) {
 }
 
 void Coordinator::perform(const SendBatch& action) {
-    const auto link = workers_.find(action.worker);
-    if (link == workers_.end()) {
+    Worker* worker = workers_.find(action.worker);
+    if (worker == nullptr) {
         return; // The worker has left; the dispatcher knows.
     }
     MasterJob* job = jobs_.find_running(action.job);
@@ -86,8 +88,8 @@ void Coordinator::perform(const SendBatch& action) {
         content->scenarios.push_back(analysis);
     }
     batch.scenarios = pack_scenarios(scenarios);
-    add_job_to(link->second, *job);
-    link->second.channel->send(batch);
+    add_job_to(*worker, *job);
+    worker->channel->send(batch);
     RunningTask task{action.worker, std::move(content)};
     task.is_copy = action.is_copy;
     job->help.copies += action.is_copy ? action.scenarios.size() : 0;
@@ -96,23 +98,23 @@ void Coordinator::perform(const SendBatch& action) {
 }
 
 void Coordinator::perform(const AskBack& action) {
-    if (const auto link = workers_.find(action.worker); link != workers_.end()) {
-        link->second.channel->send(Recall{action.task, action.scenarios, action.places});
+    if (const Worker* worker = workers_.find(action.worker)) {
+        worker->channel->send(Recall{action.task, action.scenarios, action.places});
     }
 }
 
 void Coordinator::perform(const CallOff& action) {
-    if (const auto link = workers_.find(action.worker); link != workers_.end()) {
-        link->second.channel->send(DropScenario{action.job, action.scenario, action.task});
+    if (const Worker* worker = workers_.find(action.worker)) {
+        worker->channel->send(DropScenario{action.job, action.scenario, action.task});
     }
 }
 
 void Coordinator::perform(const SendHint& action) {
-    const auto link = workers_.find(action.worker);
+    Worker* worker = workers_.find(action.worker);
     const MasterJob* job = jobs_.find_running(action.job);
-    if (link != workers_.end() && job != nullptr) {
-        add_job_to(link->second, *job);
-        link->second.channel->send(Hint{action.job, action.tree, action.roots});
+    if (worker != nullptr && job != nullptr) {
+        add_job_to(*worker, *job);
+        worker->channel->send(Hint{action.job, action.tree, action.roots});
     }
 }
 
@@ -133,22 +135,16 @@ ClusterStatus Coordinator::cluster_status() {
     status.build = version;
     status.uptime_seconds = now();
     status.cpu_seconds = cpu_seconds();
-    for (const auto& [id, link] : workers_) {
-        status.workers.push_back(worker_status(id, link));
-    }
-    for (const auto& [id, lost] : lost_) {
-        status.workers.push_back(lost.status);
-        status.workers.back().silent_seconds = watch_.silence(id, Clock::now()).count();
-    }
+    status.workers = workers_.statuses();
     status.jobs = jobs_.statuses(Clock::now());
     for (JobStatus& job : status.jobs) {
         add_what_it_waits_for(job);
     }
     status.alarms = alarms_.record().last;
     status.alarm_count = alarms_.record().count;
-    status.workers_lost = workers_lost_;
-    status.sessions_resumed = sessions_resumed_;
-    status.scenarios_given_back = scenarios_given_back_;
+    status.workers_lost = workers_.counts().lost;
+    status.sessions_resumed = workers_.counts().resumed;
+    status.scenarios_given_back = workers_.counts().given_back;
     status.meshes = parts_.geometry.meshes();
     return status;
 }

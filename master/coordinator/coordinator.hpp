@@ -5,7 +5,6 @@
 #include "common/core/limits/master.hpp"
 #include "master/base/disk_retries.hpp"
 #include "master/blocks/block_delivery.hpp"
-#include "master/blocks/transfer_meter.hpp"
 #include "master/coordinator/explainer.hpp"
 #include "master/coordinator/job_board.hpp"
 #include "master/coordinator/job_waits.hpp"
@@ -16,7 +15,7 @@
 #include "master/verify/alarms.hpp"
 #include "master/verify/reference_run.hpp"
 #include "master/workers/awaited_workers.hpp"
-#include "master/workers/worker_watch.hpp"
+#include "master/workers/worker_directory.hpp"
 #include "proto/channel/asio.hpp"
 #include "proto/channel/channel.hpp"
 
@@ -52,28 +51,14 @@ struct CoordinatorParts {
     JobRetention retention = {};
 };
 
-/// The answer to a worker's Hello.
-struct Reception {
-    WorkerId worker;
-    PeerKey key;
-    bool is_resumed = false; ///< True if the worker resumes an earlier session.
-};
-
-/// Counts the result messages of one worker process that are being checked or wait for the journal.
-/// All its connections and sessions share the count: reconnecting gives no second allowance.
-struct WorkerIntake {
-    std::size_t messages = 0;
-    std::function<void()> has_room = {}; ///< Called when a message leaves.
-};
-
 /// Owns all jobs and workers. All members run on the executor's thread.
-class Coordinator {
+class Coordinator : private WorkerEvents {
   public:
     /// Call `restore` before anything else.
     explicit Coordinator(CoordinatorParts parts);
     Coordinator(const Coordinator&) = delete;
     Coordinator& operator=(const Coordinator&) = delete;
-    ~Coordinator();
+    ~Coordinator() override;
 
     /// Resumes the jobs in the journal and starts the journal. Blocks on the disk. Errors: Io,
     /// naming a damaged pose file.
@@ -88,22 +73,7 @@ class Coordinator {
 
     // ---- Workers (coordinator_workers.cpp) ------------------------------------------------------
     [[nodiscard]] const FailureTimes& times() const { return parts_.times; }
-    [[nodiscard]] std::uint64_t epoch() const { return epoch_; }
-    /// Decides how to answer a Hello; `holder` is the holder of the certificate, empty without one.
-    /// Resumes the session if this master process created it for the same process and holder and
-    /// has not declared the worker lost.
-    [[nodiscard]] Reception receive_worker(const Hello& hello, const std::string& holder);
-    /// Call after the Welcome has been sent. A new worker gets work at once; a resumed one gets
-    /// work after its Standing.
-    void
-    worker_joined(const Reception& reception, const Hello& hello, std::shared_ptr<Channel> channel);
-    /// Records a message of any type. False: the worker has another connection by now, or is lost.
-    [[nodiscard]] bool worker_heard(WorkerId worker, const Channel& channel);
-    /// Suspends silence detection: the master reads no messages from the worker for now.
-    void worker_unheard(WorkerId worker, const Channel& channel);
-    /// Detaches the worker; its session survives. Ignored if the worker has a newer connection.
-    void connection_ended(WorkerId worker, const Channel& channel, const std::string& why);
-    void heartbeat_came(WorkerId worker, const Heartbeat& heartbeat);
+    [[nodiscard]] WorkerDirectory& workers() { return workers_; }
     void worker_stands(WorkerId worker, const Standing& standing);
     /// Stops all timers; the master is shutting down.
     void close();
@@ -112,8 +82,6 @@ class Coordinator {
     void blocks_wanted(WorkerId worker, const WantSubtrees& want);
     void blocks_held(WorkerId worker, const Held& held);
     void peer_failed(WorkerId worker, const FetchFailed& failed);
-    /// Intake counters shared by all sessions of the worker's process.
-    [[nodiscard]] std::shared_ptr<WorkerIntake> intake_of(WorkerId worker);
     /// Checks the results on the pool, merges them, and calls `done` when the journal has room.
     /// Acknowledges them once they are durable. Invalid results cut the worker off.
     void results_came(WorkerId worker, Results results, std::function<void()> done);
@@ -121,10 +89,6 @@ class Coordinator {
     void task_recalled(WorkerId worker, const Recalled& recalled);
     /// Gives the worker no new work; it leaves when its current work is finished.
     void worker_draining(WorkerId worker);
-    /// Closes the connection of a worker that violates the protocol.
-    void cut_off(WorkerId worker, const Error& why);
-    /// Workers that have neither left nor been lost, ascending.
-    [[nodiscard]] std::vector<WorkerId> workers_here() const;
     /// Asks a connected worker to hand over its work and leave.
     void drain_worker(WorkerId worker);
     /// Orders a connected worker to exit at once. Its work returns to the queue and is not counted
@@ -184,33 +148,6 @@ class Coordinator {
     [[nodiscard]] std::set<BlockKey> blocks_held_by(WorkerId worker) const;
 
   private:
-    struct WorkerLink {
-        std::shared_ptr<Channel> channel; ///< Closed while the worker is disconnected.
-        PeerKey key;
-        std::shared_ptr<const Author> author; ///< The session as author of results.
-        bool is_settled = true;               ///< The master knows the worker's inventory.
-        bool is_cut_off = false;              ///< The worker may not resume its session.
-        bool is_dismissed = false;            ///< The worker has been ordered to exit at once.
-        std::uint64_t results_last = 0;       ///< Highest sequence number of its result messages.
-        std::uint64_t bytes_seen = 0; ///< Bytes received on its connection at the last check.
-        std::optional<RunningScenario> longest;
-        std::uint64_t cache_bytes = 0;
-        std::uint64_t cached_bytes = 0;
-        std::uint32_t threads = 1;
-        std::set<TreeId> trees; ///< Sent to the worker (AddTree).
-        std::set<JobId> jobs;   ///< Sent to the worker (AddJob).
-        std::uint64_t instance = 0;
-        bool quarantined = false;
-        std::set<Sha256> cuts; ///< Cuts whose blocks the worker kept from an earlier session.
-        CacheTraffic cache;
-        TransferMeter transfers;
-        Clock::duration busy{}; ///< Total time with work before `busy_since`.
-        std::optional<Clock::time_point> busy_since;
-    };
-    struct LostWorker {
-        WorkerStatus status; ///< Snapshot taken when the worker was lost.
-        WorkerProcess process = 0;
-    };
     struct RunningTask {
         WorkerId worker;
         std::shared_ptr<const TaskContent> content;
@@ -240,23 +177,21 @@ class Coordinator {
     };
 
     // Workers.
-    void worker_returned(WorkerId worker, std::shared_ptr<Channel> channel);
-    /// Removes the worker for good and requeues its work.
-    void worker_left(WorkerId worker, const std::string& why);
-    void worker_lost(WorkerId worker, const std::string& why);
-    [[nodiscard]] bool is_its_channel(WorkerId worker, const Channel& channel) const;
+    void worker_joined(WorkerId worker, const Hello& hello) override;
+    void worker_replaced(WorkerId worker) override { take_all_back(worker); }
+    void worker_resumed(WorkerId worker) override;
+    void worker_detached(WorkerId worker) override;
+    void worker_silent(WorkerId worker) override;
+    void worker_heard_again(WorkerId worker) override;
+    /// Requeues the worker's work.
+    void worker_left(WorkerId worker) override;
+    [[nodiscard]] WorkerStatus work_of(WorkerId worker) const override;
     /// Returns the unanswered work of its tasks to the queue, not counted as lost, and gives the
     /// worker no more work.
     void take_all_back(WorkerId worker);
-    /// Ends the earlier sessions of a process that has started a new one.
-    void end_earlier_sessions(WorkerProcess process);
     [[nodiscard]] Status check_standing(const Standing& standing) const;
     asio::awaitable<void> watch_workers();
-    void check_workers();
-    void hear_bytes();
-    void note_life(WorkerId worker);
-    void take_lost_trees(WorkerId worker, WorkerLink& link, const Standing& standing);
-    void take_lost_jobs(WorkerLink& link, const Standing& standing);
+    void take_lost_blocks(WorkerId worker, const Standing& standing);
     void take_lost_tasks(WorkerId worker, const Standing& standing);
     void forget_tasks(WorkerId worker);
     /// Merges checked results and promises their acknowledgement.
@@ -285,14 +220,12 @@ class Coordinator {
     void look_at_late_results(JobId job);
     void check_late_results(const MasterJob& job, LateResults late);
     void late_results_checked(std::shared_ptr<ResultsInHand> hand);
-    void add_held_trees(WorkerLink& link);
     void end_task_if_complete(TaskId task);
     /// Cancels speculative copies of `scenario` on all workers except `worker`.
     void call_off_places(const MasterJob& job, WorkerId worker, std::uint64_t scenario);
-    void add_job_to(WorkerLink& link, const MasterJob& job);
-    void add_tree_to(WorkerLink& link, TreeId tree);
+    void add_job_to(Worker& worker, const MasterJob& job);
+    static void drop_cancelled(const Worker& worker, const MasterJob& job);
     void note_work(WorkerId worker);
-    [[nodiscard]] WorkerStatus worker_status(WorkerId worker, const WorkerLink& link) const;
 
     // Jobs.
     /// Makes the job's geometry on the pool.
@@ -402,18 +335,11 @@ class Coordinator {
     Dispatcher dispatcher_;
     std::deque<Action> actions_;
     bool acting_ = false;
-    std::map<WorkerId, WorkerLink> workers_;
-    std::uint64_t worker_last_ = 0;
-    std::uint64_t epoch_; ///< Identifies this master process.
-    WorkerWatch watch_;
-    std::map<WorkerId, LostWorker> lost_;             ///< Kept for a while for `status`.
+    WorkerDirectory workers_;
     std::shared_ptr<asio::steady_timer> watch_timer_; ///< Null while no worker is watched.
     bool closed_ = false;
     /// Copy of `closed_` for other threads.
     std::shared_ptr<std::atomic<bool>> closing_ = std::make_shared<std::atomic<bool>>(false);
-    std::uint64_t workers_lost_ = 0;
-    std::uint64_t sessions_resumed_ = 0;
-    std::uint64_t scenarios_given_back_ = 0;
     std::map<TaskId, RunningTask> tasks_;
     TreeRegistry trees_;
     BlockDelivery blocks_;
@@ -428,7 +354,6 @@ class Coordinator {
     std::map<LateKey, LateResults> late_results_;               ///< Late results not examined yet.
     std::uint64_t aside_bytes_ = 0;                             ///< Bytes of all parked results.
     Alarms alarms_;
-    std::map<WorkerProcess, std::weak_ptr<WorkerIntake>> intakes_;
     ReferenceRuns references_; ///< Runs that settle disputes.
     AwaitedWorkers awaited_;
     std::shared_ptr<asio::steady_timer> awaited_until_; ///< Null if no worker is awaited.

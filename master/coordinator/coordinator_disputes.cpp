@@ -111,14 +111,11 @@ void Coordinator::quarantine(const Author& wrong) {
     log_error("worker quarantined: worker={}", wrong.worker.value);
     withdraw_results_of(wrong);
     // The process may have left and rejoined under another id.
-    for (auto& [id, link] : workers_) {
-        if (link.author->process == wrong.process) {
-            link.quarantined = true;
-            blocks_.worker_left(id);
-            take_all_back(id); // The process is alive, so the work is not lost with it.
-            forget_tasks(id);
-            act(dispatcher().worker_lost(id));
-        }
+    for (const WorkerId id : workers_.quarantine(wrong.process)) {
+        blocks_.worker_left(id);
+        take_all_back(id); // The process is alive, so the work is not lost with it.
+        forget_tasks(id);
+        act(dispatcher().worker_lost(id));
     }
 }
 

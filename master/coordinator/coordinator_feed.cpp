@@ -89,8 +89,8 @@ bool Coordinator::prefers_ranges_now(const MasterJob& job) const {
     costs.work = job.work_seconds.value_or(0);
     costs.threads_master = parts_.compute.size();
     costs.threads_workers = 0;
-    for (const auto& [id, link] : workers_) {
-        costs.threads_workers += link.threads;
+    for (const auto& [id, worker] : workers_.all()) {
+        costs.threads_workers += worker.threads;
     }
     costs.missing = dispatcher_.missing_costs(job.id);
     return prefers_ranges(costs);
@@ -190,9 +190,9 @@ void Coordinator::perform(const SendRange& action) {
     task.places = action.places;
     tasks_.emplace(action.task, std::move(task));
     // If the worker has left, the dispatcher knows, and the range ends.
-    if (const auto link = workers_.find(action.worker); link != workers_.end()) {
-        add_job_to(link->second, *job);
-        link->second.channel->send(range);
+    if (Worker* worker = workers_.find(action.worker)) {
+        add_job_to(*worker, *job);
+        worker->channel->send(range);
         note_work(action.worker);
     }
 }
@@ -270,10 +270,10 @@ void Coordinator::write_losses(MasterJob& job, std::vector<LostPlaces> losses) {
 
 void Coordinator::call_off_places(const MasterJob& job, WorkerId worker, std::uint64_t scenario) {
     for (auto& [id, task] : tasks_) {
-        const auto link = workers_.find(task.worker);
+        const Worker* other = workers_.find(task.worker);
         if (task.content->job == job.id && task.places && task.worker != worker &&
-            link != workers_.end() && task.content->range->scenario(scenario)) {
-            link->second.channel->send(DropScenario{job.id, scenario, id});
+            other != nullptr && task.content->range->scenario(scenario)) {
+            other->channel->send(DropScenario{job.id, scenario, id});
             task.is_called_off = true;
         }
     }

@@ -10,6 +10,7 @@ void Coordinator::check_invariants() const {
     dispatcher_.check_invariants();
     writer_.check_invariants();
     blocks_.check_invariants();
+    workers_.check_invariants();
     check_leases();
     std::uint64_t open_bytes = 0;
     for (const JobId id : jobs_.running()) {
@@ -22,9 +23,9 @@ void Coordinator::check_invariants() const {
 }
 
 std::set<BlockKey> Coordinator::blocks_held_by(WorkerId worker) const {
-    const auto link = workers_.find(worker);
-    const bool is_known = link != workers_.end() && link->second.is_settled &&
-                          !link->second.quarantined && link->second.channel->is_open();
+    const auto known = workers_.all().find(worker);
+    const bool is_known = known != workers_.all().end() && known->second.is_settled &&
+                          !known->second.is_quarantined && known->second.channel->is_open();
     return is_known ? blocks_.held_by(worker) : std::set<BlockKey>{};
 }
 
@@ -33,11 +34,8 @@ std::set<BlockKey> Coordinator::blocks_held_by(WorkerId worker) const {
 void Coordinator::check_leases() const {
     std::size_t tasks = 0;
     for (const WorkerId worker : dispatcher_.workers()) {
-        const auto link = workers_.find(worker);
-        CD_CHECK(link != workers_.end());
-        CD_CHECK(!link->second.quarantined);
-        const auto state = watch_.state(worker);
-        CD_CHECK(state == WorkerState::Alive || state == WorkerState::Silent);
+        CD_CHECK(workers_.all().contains(worker));
+        CD_CHECK(!workers_.all().at(worker).is_quarantined);
         for (const TaskId task : dispatcher_.tasks_of(worker)) {
             CD_CHECK(tasks_.contains(task));
             CD_CHECK(tasks_.at(task).worker == worker);
@@ -45,7 +43,7 @@ void Coordinator::check_leases() const {
         }
     }
     CD_CHECK(tasks == tasks_.size());
-    CD_CHECK(workers_.empty() || closed_ || watch_timer_ != nullptr);
+    CD_CHECK(workers_.all().empty() || closed_ || watch_timer_ != nullptr);
 }
 
 void Coordinator::check_job(const MasterJob& job) const {

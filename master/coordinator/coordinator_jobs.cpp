@@ -156,9 +156,10 @@ void Coordinator::start_job(MasterJob& job, const JobGeometry& made) {
     job.tree_a = trees_.acquire(submit.bodies[0].mesh, made.cut_a);
     job.tree_b = trees_.acquire(submit.bodies[1].mesh, made.cut_b);
     job.depths = {made.cut_a->depth(), made.cut_b->depth()};
-    for (auto& [worker, link] : workers_) {
-        if (!link.quarantined) {
-            add_held_trees(link);
+    const std::vector<AddTree> in_use = trees_.messages();
+    for (auto& [id, worker] : workers_.all()) {
+        if (worker.is_settled && !worker.is_quarantined) {
+            worker.send(worker.supply.add_kept(in_use));
         }
     }
     job.analysis_input = input;
@@ -256,10 +257,8 @@ void Coordinator::end_job(MasterJob& job, JobState state, const std::string& fai
     (void)references_.stop(job.id, std::nullopt);
     jobs_.end(job, state, failure, Clock::now());
     act(dispatcher().job_closed(job.id));
-    for (auto& [worker, link] : workers_) {
-        if (link.jobs.erase(job.id) != 0) {
-            link.channel->send(RemoveJob{job.id});
-        }
+    for (auto& [id, worker] : workers_.all()) {
+        worker.send(worker.supply.remove_job(job.id));
     }
     if (has_trees) {
         release_tree(job.tree_a);
@@ -273,18 +272,17 @@ void Coordinator::release_tree(TreeId tree) {
         return;
     }
     blocks_.tree_removed(tree);
-    for (auto& [id, link] : workers_) {
-        link.transfers.tree_removed(tree);
-        if (link.trees.erase(tree) != 0) {
-            link.channel->send(RemoveTree{tree});
-        }
+    for (auto& [id, worker] : workers_.all()) {
+        worker.meter.transfers().tree_removed(tree);
+        worker.send(worker.supply.remove_tree(tree));
     }
 }
 
 // ---- Requests -----------------------------------------------------------------------------------
 
 Explainer Coordinator::explainer() {
-    return {jobs_, dispatcher(), [this](WorkerId worker) { return workers_.contains(worker); }};
+    return {
+        jobs_, dispatcher(), [this](WorkerId worker) { return workers_.find(worker) != nullptr; }};
 }
 
 Result<JobStatus> Coordinator::cancel_job(JobId id) {
@@ -356,9 +354,9 @@ Status Coordinator::cancel_scenario(JobId id, const Scenario& scenario) {
     fail_scenario(*jobs_.find(id), scenario, "cancelled");
     if (MasterJob* still = jobs_.find_running(id)) {
         still->cancelled.push_back(scenario.index);
-        for (auto& [worker, link] : workers_) {
-            if (link.jobs.contains(id)) {
-                link.channel->send(DropScenario{id, scenario.index});
+        for (const auto& [known, worker] : workers_.all()) {
+            if (worker.supply.has_job(id)) {
+                worker.channel->send(DropScenario{id, scenario.index});
             }
         }
         act(dispatcher().scenario_answered(WorkerId{}, id, scenario.index));

@@ -17,8 +17,8 @@ void remove_file(const std::filesystem::path& path) {
 
 JournalWriter::Events Coordinator::journal_events() {
     return {[this](WorkerId worker, const ResultsKept& kept) {
-                if (const auto link = workers_.find(worker); link != workers_.end()) {
-                    link->second.channel->send(kept);
+                if (const Worker* here = workers_.find(worker)) {
+                    here->channel->send(kept);
                 }
             },
             [this](JobId job) { waits_.wake(job); },

@@ -52,13 +52,13 @@ void Coordinator::add_what_it_waits_for(JobStatus& status) const {
     if (!writer_.paused().empty()) {
         status.paused = writer_.paused();
     }
-    for (const auto& [id, link] : workers_) {
-        const auto& longest = link.longest;
+    for (const auto& [id, worker] : workers_.all()) {
+        const auto& longest = worker.meter.longest();
         if (longest && longest->job == status.job &&
             longest->seconds >= limits::scenario_seconds_shown &&
             status.long_scenarios.size() < limits::long_scenarios_shown) {
             status.long_scenarios.push_back(
-                {longest->scenario, id, link.author->name, longest->seconds});
+                {longest->scenario, id, worker.author->name, longest->seconds});
         }
     }
 }

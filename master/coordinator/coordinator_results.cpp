@@ -26,14 +26,14 @@ measured_work(const MasterJob& job, const Results& results, std::span<const Take
 } // namespace
 
 void Coordinator::results_came(WorkerId worker, Results results, std::function<void()> done) {
-    const auto link = workers_.find(worker);
-    if (link == workers_.end() || link->second.quarantined) {
+    const Worker* known = workers_.find(worker);
+    if (known == nullptr || known->is_quarantined) {
         // Acknowledge: the worker may forget the ignored results.
         writer_.promise(Delivery{worker, results.sequence});
         writer_.announce();
         return done();
     }
-    const auto& author = link->second.author;
+    const auto& author = known->author;
     const auto task = tasks_.find(results.task);
     if (is_repeated(worker, results.sequence) || task == tasks_.end() ||
         task->second.worker != worker || task->second.content->job != results.job) {
@@ -54,11 +54,11 @@ void Coordinator::results_came(WorkerId worker, Results results, std::function<v
 }
 
 bool Coordinator::is_repeated(WorkerId worker, std::uint64_t sequence) {
-    const auto link = workers_.find(worker);
-    if (link == workers_.end() || sequence == 0) {
+    Worker* known = workers_.find(worker);
+    if (known == nullptr || sequence == 0) {
         return false;
     }
-    std::uint64_t& last = link->second.results_last;
+    std::uint64_t& last = known->results_last;
     return std::exchange(last, std::max(last, sequence)) >= sequence;
 }
 
@@ -66,7 +66,7 @@ void Coordinator::results_taken(const ResultsInHand& hand, Result<TakenResults> 
     const WorkerId worker = hand.author->worker;
     const Results& results = *hand.message;
     if (!taken) {
-        return cut_off(worker, taken.error());
+        return workers_.cut_off(worker, taken.error());
     }
     const JobId id = hand.job();
     const Delivery delivery{worker, results.sequence};

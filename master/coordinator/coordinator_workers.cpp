@@ -4,6 +4,8 @@
 #include "common/core/limits/master.hpp"
 #include "master/coordinator/coordinator.hpp"
 
+#include <array>
+
 namespace cd {
 
 /// Keeps ranges: the dispatcher still has to return them.
@@ -13,73 +15,55 @@ void Coordinator::forget_tasks(WorkerId worker) {
     });
 }
 
-void Coordinator::heartbeat_came(WorkerId worker, const Heartbeat& heartbeat) {
-    const auto link = workers_.find(worker);
-    if (link != workers_.end()) {
-        link->second.cached_bytes = heartbeat.cached_bytes;
-        link->second.cache = heartbeat.traffic;
-        link->second.longest = heartbeat.longest;
-    }
-}
-
 void Coordinator::evicted(WorkerId worker, const Evicted& evicted) {
     blocks_.evicted(worker, evicted);
     act(dispatcher().roots_evicted(worker, evicted.tree, evicted.roots));
 }
 
-void Coordinator::blocks_wanted(WorkerId worker, const WantSubtrees& want) {
-    if (!blocks_.knows(worker, want.tree)) {
+void Coordinator::blocks_wanted(WorkerId id, const WantSubtrees& want) {
+    if (!blocks_.knows(id, want.tree)) {
         return; // The worker is quarantined, or the tree is gone.
     }
-    if (const Status known = blocks_.wanted(worker, want); !known) {
-        return cut_off(worker, known.error());
+    if (const Status known = blocks_.wanted(id, want); !known) {
+        return workers_.cut_off(id, known.error());
     }
-    dispatcher().roots_wanted(worker, want.tree, without_top(want.roots));
-    const auto link = workers_.find(worker);
+    dispatcher().roots_wanted(id, want.tree, without_top(want.roots));
+    Worker* worker = workers_.find(id);
     const auto geometry = trees_.find(want.tree);
-    if (link == workers_.end() || geometry == nullptr) {
+    if (worker == nullptr || geometry == nullptr) {
         return;
     }
     for (const RootIndex root : want.roots) {
-        link->second.transfers.wanted(want.tree, root, geometry->compressed_bytes(root), now());
+        worker->meter.transfers().wanted(want.tree, root, geometry->compressed_bytes(root), now());
     }
 }
 
-void Coordinator::blocks_held(WorkerId worker, const Held& held) {
-    if (const Status known = blocks_.held(worker, held); !known) {
-        return cut_off(worker, known.error());
+void Coordinator::blocks_held(WorkerId id, const Held& held) {
+    if (const Status known = blocks_.held(id, held); !known) {
+        return workers_.cut_off(id, known.error());
     }
-    if (const auto link = workers_.find(worker); link != workers_.end()) {
-        if (const auto measured = link->second.transfers.held(held.tree, held.roots, now())) {
-            dispatcher().transfer_measured(worker, measured->bytes, measured->seconds);
+    if (Worker* worker = workers_.find(id)) {
+        if (const auto measured = worker->meter.transfers().held(held.tree, held.roots, now())) {
+            dispatcher().transfer_measured(id, measured->bytes, measured->seconds);
         }
     }
-    dispatcher().roots_arrived(worker, held.tree, held.roots);
+    dispatcher().roots_arrived(id, held.tree, held.roots);
 }
 
 void Coordinator::peer_failed(WorkerId worker, const FetchFailed& failed) {
     blocks_.failed(worker, failed);
 }
 
-void Coordinator::cuts_held(WorkerId worker, const Holding& holding) {
-    const auto link = workers_.find(worker);
-    if (link != workers_.end() && !link->second.quarantined) {
-        link->second.cuts.insert(holding.cuts.begin(), holding.cuts.end());
-        if (link->second.cuts.size() > limits::cuts_held_max) {
-            return cut_off(worker, {ErrorCode::TooLarge, "it holds blocks of too many cuts"});
-        }
-        add_held_trees(link->second);
+void Coordinator::cuts_held(WorkerId id, const Holding& holding) {
+    Worker* worker = workers_.find(id);
+    if (worker == nullptr || worker->is_quarantined) {
+        return;
     }
-}
-
-void Coordinator::add_held_trees(WorkerLink& link) {
-    if (!link.is_settled) {
-        return; // Runs again when the worker's inventory is known.
+    if (const Status kept = worker->supply.cuts_kept(holding); !kept) {
+        return workers_.cut_off(id, kept.error());
     }
-    for (const TreeId tree : trees_.all()) {
-        if (link.cuts.contains(trees_.cut(tree))) {
-            add_tree_to(link, tree);
-        }
+    if (worker->is_settled) { // Otherwise they are added when its inventory is known.
+        worker->send(worker->supply.add_kept(trees_.messages()));
     }
 }
 
@@ -121,76 +105,36 @@ void Coordinator::end_task_if_complete(TaskId id) {
     if (left != 0) {
         // The process is alive, so its tasks did not kill it.
         take_all_back(worker);
-        cut_off(worker,
-                {ErrorCode::BadFrame,
-                 "it ended a task without an answer for " + std::to_string(left) + " scenarios"});
+        workers_.cut_off(
+            worker,
+            {ErrorCode::BadFrame,
+             "it ended a task without an answer for " + std::to_string(left) + " scenarios"});
     }
 }
 
-void Coordinator::add_job_to(WorkerLink& link, const MasterJob& job) {
-    if (!link.jobs.insert(job.id).second) {
+void Coordinator::add_job_to(Worker& worker, const MasterJob& job) {
+    if (worker.supply.has_job(job.id)) {
         return;
     }
-    add_tree_to(link, job.tree_a);
-    add_tree_to(link, job.tree_b);
     AddJob add{job.id, {job.tree_a, job.tree_b}, job.submit.query, std::nullopt};
     if (const Grid* grid = job.order->grid()) {
         add.grid = encode_grid(*grid);
     }
-    link.channel->send(add);
+    const std::array trees{trees_.message(job.tree_a), trees_.message(job.tree_b)};
+    worker.send(worker.supply.add_job(add, trees));
+    drop_cancelled(worker, job);
+}
+
+void Coordinator::drop_cancelled(const Worker& worker, const MasterJob& job) {
     for (const std::uint64_t scenario : job.cancelled) {
-        link.channel->send(DropScenario{job.id, scenario});
+        worker.channel->send(DropScenario{job.id, scenario});
     }
 }
 
-void Coordinator::add_tree_to(WorkerLink& link, TreeId tree) {
-    if (link.trees.insert(tree).second) {
-        const auto geometry = trees_.find(tree);
-        CD_CHECK(geometry != nullptr);
-        link.channel->send(AddTree{tree,
-                                   geometry->form(),
-                                   trees_.cut(tree),
-                                   geometry->hash(top_root),
-                                   geometry->root_count(),
-                                   geometry->top().triangle_count()});
+void Coordinator::note_work(WorkerId id) {
+    if (Worker* worker = workers_.find(id)) {
+        worker->meter.work_is(dispatcher_.worker_status(id).working != 0, Clock::now());
     }
-}
-
-void Coordinator::note_work(WorkerId worker) {
-    const auto found = workers_.find(worker);
-    if (found == workers_.end()) {
-        return;
-    }
-    WorkerLink& link = found->second;
-    const bool is_busy = dispatcher_.worker_status(worker).working != 0;
-    if (is_busy && !link.busy_since) {
-        link.busy_since = Clock::now();
-    } else if (!is_busy && link.busy_since) {
-        link.busy += Clock::now() - *link.busy_since;
-        link.busy_since.reset();
-    }
-}
-
-WorkerStatus Coordinator::worker_status(WorkerId worker, const WorkerLink& link) const {
-    WorkerStatus status = dispatcher_.worker_status(worker);
-    status.worker = worker;
-    status.name = link.author->name;
-    status.quarantined = link.quarantined;
-    status.state = watch_.state(worker).value_or(WorkerState::Alive);
-    status.silent_seconds = watch_.silence(worker, Clock::now()).count();
-    status.longest = link.longest;
-    status.cache_bytes = link.cache_bytes;
-    status.cached_bytes = link.cached_bytes;
-    const auto busy =
-        link.busy + (link.busy_since ? Clock::now() - *link.busy_since : Clock::duration{});
-    const double seconds = std::chrono::duration<double>(busy).count();
-    status.scenarios_per_second = seconds > 0 ? static_cast<double>(status.scenarios) / seconds : 0;
-    status.bytes_sent = link.channel->traffic().bytes_sent;
-    status.bytes_received = link.channel->traffic().bytes_received;
-    status.subtrees_sent = blocks_.sent_to(worker).blocks;
-    status.subtree_bytes_sent = blocks_.sent_to(worker).bytes;
-    status.cache = link.cache;
-    return status;
 }
 
 } // namespace cd

@@ -42,10 +42,21 @@ bool TreeRegistry::release(TreeId tree) {
     return true;
 }
 
-std::vector<TreeId> TreeRegistry::all() const {
-    std::vector<TreeId> all;
+AddTree TreeRegistry::message(TreeId tree) const {
+    const Used& used = trees_.at(tree);
+    const CutGeometry& geometry = *used.geometry;
+    return {tree,
+            geometry.form(),
+            used.cut,
+            geometry.hash(top_root),
+            geometry.root_count(),
+            geometry.top().triangle_count()};
+}
+
+std::vector<AddTree> TreeRegistry::messages() const {
+    std::vector<AddTree> all;
     for (const auto& [tree, used] : trees_) {
-        all.push_back(tree);
+        all.push_back(message(tree));
     }
     return all;
 }

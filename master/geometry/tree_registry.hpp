@@ -21,10 +21,11 @@ class TreeRegistry {
     /// Removes a user of the tree. Returns true if it was the last one and the tree is dropped.
     bool release(TreeId tree);
 
-    /// Returns the hash of a used tree's cut, equal in every incarnation of the master.
-    [[nodiscard]] const Sha256& cut(TreeId tree) const { return trees_.at(tree).cut; }
-    /// Returns the used trees.
-    [[nodiscard]] std::vector<TreeId> all() const;
+    /// The message that makes a used tree known to a worker. The hash of its cut is equal in every
+    /// incarnation of the master.
+    [[nodiscard]] AddTree message(TreeId tree) const;
+    /// The messages of all used trees.
+    [[nodiscard]] std::vector<AddTree> messages() const;
     /// Null for a tree without users.
     [[nodiscard]] std::shared_ptr<const CutGeometry> find(TreeId tree) const;
 

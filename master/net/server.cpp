@@ -151,11 +151,11 @@ asio::awaitable<void> Server::welcome_as(std::shared_ptr<Channel> channel,
             co_return;
         }
         seat.reset();
-        const Reception reception = coordinator_.receive_worker(
+        const Reception reception = coordinator_.workers().receive(
             hello, access.holder() ? access.holder()->name : std::string());
         welcome.id = reception.worker.value;
         welcome.peer_key = reception.key;
-        welcome.epoch = coordinator_.epoch();
+        welcome.epoch = coordinator_.workers().epoch();
         welcome.is_resumed = reception.is_resumed;
         welcome.heartbeat_ms = static_cast<std::uint32_t>(coordinator_.times().heartbeat.count());
         welcome.lost_after_ms = static_cast<std::uint32_t>(coordinator_.times().lost_after.count());

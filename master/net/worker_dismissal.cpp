@@ -3,18 +3,23 @@
 #include "master/coordinator/coordinator.hpp"
 
 #include <algorithm>
+#include <iterator>
+#include <ranges>
 #include <string>
 #include <vector>
 
 namespace cd {
 
 Result<Draining> dismiss_workers(Coordinator& coordinator, DrainWorkers wish) {
-    const std::vector<WorkerId> here = coordinator.workers_here();
-    std::vector<WorkerId> told = wish.workers.empty() ? here : std::move(wish.workers);
+    const WorkerDirectory::Workers& here = coordinator.workers().all();
+    std::vector<WorkerId> told = std::move(wish.workers);
+    if (told.empty()) {
+        std::ranges::copy(std::views::keys(here), std::back_inserter(told));
+    }
     std::ranges::sort(told);
     told.erase(std::ranges::unique(told).begin(), told.end());
     for (const WorkerId worker : told) {
-        if (!std::ranges::binary_search(here, worker)) {
+        if (!here.contains(worker)) {
             return Error{ErrorCode::NotFound,
                          "no worker w-" + std::to_string(worker.value) + " is here"};
         }

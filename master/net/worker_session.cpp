@@ -46,9 +46,9 @@ WorkerSession::WorkerSession(Coordinator& coordinator,
 
 asio::awaitable<void> WorkerSession::run(Hello hello) {
     const auto self = shared_from_this();
-    coordinator_.worker_joined(reception_, hello, channel_);
+    coordinator_.workers().join(reception_, hello, channel_);
     spawn(coordinator_.executor(), "heartbeats to a worker", send_heartbeats(self));
-    intake_ = coordinator_.intake_of(worker_);
+    intake_ = coordinator_.workers().intake_of(worker_);
     intake_->has_room = [weak = weak_from_this()] {
         if (const auto session = weak.lock()) {
             session->room_.cancel();
@@ -65,7 +65,7 @@ asio::awaitable<void> WorkerSession::run(Hello hello) {
             why = message.error().detail;
             break;
         }
-        if (!coordinator_.worker_heard(worker_, *channel_)) {
+        if (!coordinator_.workers().heard(worker_, *channel_)) {
             break;
         }
         std::visit([this](auto& content) { on(content); }, message.value());
@@ -74,19 +74,19 @@ asio::awaitable<void> WorkerSession::run(Hello hello) {
         channel_->close();
     }
     heartbeat_.cancel();
-    coordinator_.connection_ended(worker_, *channel_, why);
+    coordinator_.workers().connection_ended(worker_, *channel_, why);
 }
 
 asio::awaitable<void> WorkerSession::wait_for_room() {
     while (intake_->messages >= limits::results_in_hand_max && channel_->is_open() &&
            !mutated(Mutation::ReadsOn)) {
-        coordinator_.worker_unheard(worker_, *channel_);
+        coordinator_.workers().unheard(worker_, *channel_);
         // The connection may end during the wait.
         room_.expires_after(coordinator_.times().heartbeat);
         boost::system::error_code ignored;
         co_await room_.async_wait(asio::redirect_error(asio::use_awaitable, ignored));
         // Reading resumes, so the worker's silence is counted from now.
-        (void)coordinator_.worker_heard(worker_, *channel_);
+        (void)coordinator_.workers().heard(worker_, *channel_);
     }
 }
 
@@ -103,7 +103,7 @@ asio::awaitable<void> WorkerSession::send_heartbeats(std::shared_ptr<WorkerSessi
 }
 
 void WorkerSession::on(const Heartbeat& message) {
-    coordinator_.heartbeat_came(worker_, message);
+    coordinator_.workers().heartbeat_came(worker_, message);
 }
 
 void WorkerSession::on(const Evicted& message) {
@@ -124,7 +124,7 @@ void WorkerSession::on(const Drain& /*message*/) {
 }
 
 void WorkerSession::on(const Failure& message) {
-    coordinator_.cut_off(worker_, {message.code, "it says: " + message.detail});
+    coordinator_.workers().cut_off(worker_, {message.code, "it says: " + message.detail});
 }
 
 void WorkerSession::on(Results& message) {
@@ -144,7 +144,8 @@ void WorkerSession::on(const Recalled& message) {
 template <class Other>
 void WorkerSession::on(const Other& message) {
     const std::string name(message_name(message_type(message)));
-    coordinator_.cut_off(worker_, {ErrorCode::BadFrame, "a worker does not send '" + name + "'"});
+    coordinator_.workers().cut_off(worker_,
+                                   {ErrorCode::BadFrame, "a worker does not send '" + name + "'"});
 }
 
 void WorkerSession::on(const WantSubtrees& message) {

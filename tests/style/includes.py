@@ -30,7 +30,7 @@ ORDERED = {
         "geometry": ["messages"],
         "blocks": ["access", "channel", "messages"],
         "journal": ["messages"],
-        "workers": ["messages"],
+        "workers": ["channel", "codec", "messages"],
         "dispatch": ["messages"],
         "jobs": ["messages"],
         "results": ["messages"],

@@ -197,15 +197,17 @@ TEST(Server, AScenarioThatTakesLongIsShownWithItsWorker) {
     const auto shown = [&] {
         return master.coordinator.job_status(*client.job).value().long_scenarios;
     };
-    master.coordinator.heartbeat_came(id, {1, 0, 1, {}, RunningScenario{*client.job, 3, 9.5}});
+    master.coordinator.workers().heartbeat_came(
+        id, {1, 0, 1, {}, RunningScenario{*client.job, 3, 9.5}});
     EXPECT_TRUE(shown().empty()) << "not long yet";
-    master.coordinator.heartbeat_came(id, {2, 0, 1, {}, RunningScenario{*client.job, 3, 75}});
+    master.coordinator.workers().heartbeat_came(id,
+                                                {2, 0, 1, {}, RunningScenario{*client.job, 3, 75}});
     ASSERT_EQ(shown().size(), 1u);
     EXPECT_EQ(shown()[0].scenario, 3u);
     EXPECT_EQ(shown()[0].worker, id);
     EXPECT_EQ(shown()[0].name, "fake");
     EXPECT_EQ(master.coordinator.cluster_status().jobs.at(0).long_scenarios.size(), 1u);
-    master.coordinator.heartbeat_came(id, {3, 0, 1, {}, {}});
+    master.coordinator.workers().heartbeat_came(id, {3, 0, 1, {}, {}});
     EXPECT_TRUE(shown().empty());
     master.run_until([&] { return client.done; });
 }
@@ -302,7 +304,7 @@ TEST(Server, RepeatedReconnectsDoNotRaiseTheResultsInFlightNorLeak) {
         spawn(master.context.get_executor(), "worker", pour(master, *client.job, connection));
         master.run_until([&] {
             return connection.worker != WorkerId{} &&
-                   master.coordinator.intake_of(connection.worker)->messages ==
+                   master.coordinator.workers().intake_of(connection.worker)->messages ==
                        limits::results_in_hand_max;
         });
         hang_up(master, connection.channel, connection.ended);

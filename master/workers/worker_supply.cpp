@@ -1,0 +1,85 @@
+#include "master/workers/worker_supply.hpp"
+
+#include "common/core/check.hpp"
+#include "common/core/limits/master.hpp"
+
+#include <utility>
+
+namespace cd {
+
+namespace {
+
+/// Keeps only those of `known` that are `there`. Returns those that are there and not known.
+template <class Id>
+std::vector<Id> keep_those(const std::set<Id>& there, std::set<Id>& known) {
+    std::vector<Id> strange;
+    for (const Id one : there) {
+        if (!known.contains(one)) {
+            strange.push_back(one);
+        }
+    }
+    std::erase_if(known, [&](Id one) { return !there.contains(one); });
+    return strange;
+}
+
+} // namespace
+
+void WorkerSupply::add_tree(const AddTree& tree, Messages& out) {
+    if (trees_.insert(tree.tree).second) {
+        out.emplace_back(tree);
+    }
+}
+
+WorkerSupply::Messages WorkerSupply::add_job(const AddJob& job, std::span<const AddTree> trees) {
+    const bool is_new = jobs_.insert(job.job).second;
+    CD_CHECK(is_new);
+    Messages out;
+    for (const AddTree& tree : trees) {
+        add_tree(tree, out);
+    }
+    out.emplace_back(job);
+    return out;
+}
+
+WorkerSupply::Messages WorkerSupply::remove_job(JobId job) {
+    return jobs_.erase(job) == 0 ? Messages{} : Messages{RemoveJob{job}};
+}
+
+WorkerSupply::Messages WorkerSupply::remove_tree(TreeId tree) {
+    return trees_.erase(tree) == 0 ? Messages{} : Messages{RemoveTree{tree}};
+}
+
+Status WorkerSupply::cuts_kept(const Holding& holding) {
+    cuts_.insert(holding.cuts.begin(), holding.cuts.end());
+    if (cuts_.size() > limits::cuts_held_max) {
+        return Error{ErrorCode::TooLarge, "it holds blocks of too many cuts"};
+    }
+    return Done{};
+}
+
+WorkerSupply::Messages WorkerSupply::add_kept(std::span<const AddTree> in_use) {
+    Messages out;
+    for (const AddTree& tree : in_use) {
+        if (cuts_.contains(tree.cut)) {
+            add_tree(tree, out);
+        }
+    }
+    return out;
+}
+
+WorkerSupply::Messages WorkerSupply::stands(const Standing& standing) {
+    std::set<TreeId> trees;
+    for (const StandingTree& tree : standing.trees) {
+        trees.insert(tree.tree);
+    }
+    Messages out;
+    for (const TreeId tree : keep_those(trees, trees_)) {
+        out.emplace_back(RemoveTree{tree});
+    }
+    for (const JobId job : keep_those({standing.jobs.begin(), standing.jobs.end()}, jobs_)) {
+        out.emplace_back(RemoveJob{job});
+    }
+    return out;
+}
+
+} // namespace cd

@@ -1,0 +1,47 @@
+// The jobs and trees that one worker knows, and the messages that keep it up to date.
+#pragma once
+
+#include "common/core/id.hpp"
+#include "common/core/result.hpp"
+#include "proto/codec/message.hpp"
+#include "proto/messages/work_messages.hpp"
+
+#include <set>
+#include <span>
+#include <vector>
+
+namespace cd {
+
+/// Takes events and returns the messages that the worker must get, in order. No sockets.
+class WorkerSupply {
+  public:
+    using Messages = std::vector<Message>;
+
+    [[nodiscard]] bool has_job(JobId job) const { return jobs_.contains(job); }
+    [[nodiscard]] bool has_tree(TreeId tree) const { return trees_.contains(tree); }
+
+    /// Adds the job after those of its trees that the worker lacks. The worker must not know the
+    /// job.
+    [[nodiscard]] Messages add_job(const AddJob& job, std::span<const AddTree> trees);
+    [[nodiscard]] Messages remove_job(JobId job);
+    [[nodiscard]] Messages remove_tree(TreeId tree);
+
+    /// Records cuts whose blocks the worker kept from an earlier session. Errors: TooLarge for more
+    /// than `limits::cuts_held_max`.
+    [[nodiscard]] Status cuts_kept(const Holding& holding);
+    /// Adds those of the trees in use whose blocks the worker kept.
+    [[nodiscard]] Messages add_kept(std::span<const AddTree> in_use);
+
+    /// Compares the worker's inventory with the record after messages may have been lost. Removes
+    /// what the worker should not have, and forgets what it lacks, so that it is sent when needed.
+    [[nodiscard]] Messages stands(const Standing& standing);
+
+  private:
+    void add_tree(const AddTree& tree, Messages& out);
+
+    std::set<TreeId> trees_; ///< Sent to the worker (AddTree).
+    std::set<JobId> jobs_;   ///< Sent to the worker (AddJob).
+    std::set<Sha256> cuts_;  ///< Kept by the worker from an earlier session.
+};
+
+} // namespace cd
