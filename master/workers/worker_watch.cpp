@@ -101,7 +101,8 @@ std::optional<WorkerState> WorkerWatch::state(WorkerId worker) const {
 }
 
 std::chrono::duration<double> WorkerWatch::silence(WorkerId worker, Time now) const {
-    return now - workers_.at(worker).heard;
+    const auto found = workers_.find(worker);
+    return found == workers_.end() ? Time::duration{} : now - found->second.heard;
 }
 
 } // namespace cd

@@ -65,7 +65,7 @@ class WorkerWatch {
 
     /// Empty if there is no such worker.
     [[nodiscard]] std::optional<WorkerState> state(WorkerId worker) const;
-    /// Time since the worker's last message. The worker must exist.
+    /// Time since the worker's last message; zero if there is no such worker.
     [[nodiscard]] std::chrono::duration<double> silence(WorkerId worker, Time now) const;
     [[nodiscard]] std::size_t size() const { return workers_.size(); }
 

@@ -163,6 +163,15 @@ TEST_F(Directory, ASilentWorkerIsHeardAgainOrLostAndForgotten) {
     EXPECT_FALSE(directory_.is_watching());
 }
 
+TEST_F(Directory, ALeapInTimeLosesAWorkerAndForgetsIt) {
+    const Reception reception = join(hello(1));
+    EXPECT_EQ(after(700s), "joined 1, left 1");
+    EXPECT_EQ(directory_.find(reception.worker), nullptr);
+    EXPECT_EQ(directory_.counts().lost, 1u);
+    EXPECT_TRUE(directory_.statuses().empty());
+    EXPECT_FALSE(directory_.is_watching());
+}
+
 TEST_F(Directory, AWorkerFromWhichNothingIsReadIsNotSilent) {
     const Reception reception = join(hello(1));
     reports_.take();
