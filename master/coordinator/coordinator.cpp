@@ -1,30 +1,13 @@
-// Performs the dispatcher's actions and reports the status of the cluster.
+// Performs the dispatcher's actions.
 #include "master/coordinator/coordinator.hpp"
 
 #include "common/core/check.hpp"
 #include "common/core/host/log.hpp"
 #include "common/core/limits/master.hpp"
-#include "common/core/version.hpp"
-
-#include <sys/resource.h>
 
 #include <random>
 
 namespace cd {
-
-namespace {
-
-double seconds_of(const timeval& time) {
-    return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
-}
-
-double cpu_seconds() {
-    rusage usage{};
-    getrusage(RUSAGE_SELF, &usage);
-    return seconds_of(usage.ru_utime) + seconds_of(usage.ru_stime);
-}
-
-} // namespace
 
 Coordinator::Coordinator(CoordinatorParts parts)
     : parts_(std::move(parts)),
@@ -130,21 +113,13 @@ void Coordinator::perform(const GiveUp& action) {
     fail_scenario(*job, analysis->scenario, why);
 }
 
-ClusterStatus Coordinator::cluster_status() {
-    ClusterStatus status;
-    status.build = version;
+StatusView Coordinator::status() const {
+    return {jobs_, workers_, alarms_, writer_.paused(), Clock::now()};
+}
+
+ClusterStatus Coordinator::cluster_status() const {
+    ClusterStatus status = this->status().cluster();
     status.uptime_seconds = now();
-    status.cpu_seconds = cpu_seconds();
-    status.workers = workers_.statuses();
-    status.jobs = jobs_.statuses(Clock::now());
-    for (JobStatus& job : status.jobs) {
-        add_what_it_waits_for(job);
-    }
-    status.alarms = alarms_.record().last;
-    status.alarm_count = alarms_.record().count;
-    status.workers_lost = workers_.counts().lost;
-    status.sessions_resumed = workers_.counts().resumed;
-    status.scenarios_given_back = workers_.counts().given_back;
     status.meshes = parts_.geometry.meshes();
     return status;
 }

@@ -8,6 +8,7 @@
 #include "master/coordinator/explainer.hpp"
 #include "master/coordinator/job_board.hpp"
 #include "master/coordinator/job_waits.hpp"
+#include "master/coordinator/status_view.hpp"
 #include "master/dispatch/dispatcher.hpp"
 #include "master/geometry/geometry_store.hpp"
 #include "master/geometry/tree_registry.hpp"
@@ -130,11 +131,11 @@ class Coordinator : private WorkerEvents {
     /// if the scenario has a result.
     [[nodiscard]] Status cancel_scenario(JobId job, const Scenario& scenario);
     /// Errors: NotFound.
-    [[nodiscard]] Result<JobStatus> job_status(JobId job);
+    [[nodiscard]] Result<JobStatus> job_status(JobId job) const { return status().job(job); }
     [[nodiscard]] const JobBoard& jobs() const { return jobs_; }
     /// Errors: NotFound; Refused unless the job is done.
     [[nodiscard]] Result<ContactMapAnswer> contact_map(JobId job);
-    [[nodiscard]] ClusterStatus cluster_status();
+    [[nodiscard]] ClusterStatus cluster_status() const;
     /// Reason why the master cannot accept or acknowledge now; empty if it can.
     [[nodiscard]] const std::string& paused() const { return writer_.paused(); }
 
@@ -259,7 +260,6 @@ class Coordinator : private WorkerEvents {
     void wait_for_disk(MasterJob& job, const Error& why, std::function<void(MasterJob*)> again);
     /// Reports that the disk works again for the job.
     void disk_gives(MasterJob& job);
-    void add_what_it_waits_for(JobStatus& job) const;
 
     // Disputes (coordinator_disputes.cpp).
     /// Records the dispute in `add`. Once that is durable, the master's own result decides it.
@@ -299,6 +299,7 @@ class Coordinator : private WorkerEvents {
     [[nodiscard]] static std::vector<PlaceRange> unmerged(const MasterJob& job,
                                                           const GivenPlaces& given);
 
+    [[nodiscard]] StatusView status() const;
     /// Seconds since a fixed point in time.
     [[nodiscard]] double now() const;
     // What the journal has committed (coordinator_journal.cpp).
@@ -308,7 +309,6 @@ class Coordinator : private WorkerEvents {
     void job_dropped(JobId job);
     /// Deletes the record and then the files of a job that has left the board.
     void drop_from_journal(JobId job);
-    [[nodiscard]] JobStatus status_of(const MasterJob& job) const;
 
     // Invariants (coordinator_invariants.cpp).
     void check_leases() const;

@@ -373,12 +373,4 @@ void Coordinator::fail_scenario(MasterJob& job, const Scenario& scenario, const 
     end_if_complete(job);
 }
 
-Result<JobStatus> Coordinator::job_status(JobId id) {
-    const MasterJob* job = jobs_.find(id);
-    if (job == nullptr) {
-        return no_job();
-    }
-    return status_of(*job);
-}
-
 } // namespace cd

@@ -48,7 +48,7 @@ void Coordinator::job_ended(JobId id) {
     for (const JobId dropped : jobs_.announce(*job)) {
         drop_from_journal(dropped);
     }
-    const JobStatus status = status_of(*job);
+    const JobStatus status = job_status(id).value();
     log_info("job ended: job={} state={} merged={} total={} seconds={:.3f} recalled={} copies={} "
              "copies_won={} digest={}{}",
              id.value,
@@ -67,12 +67,6 @@ void Coordinator::job_ended(JobId id) {
 
 void Coordinator::drop_from_journal(JobId job) {
     writer_.write(DropJob{job});
-}
-
-JobStatus Coordinator::status_of(const MasterJob& job) const {
-    JobStatus status = job.status(Clock::now());
-    add_what_it_waits_for(status);
-    return status;
 }
 
 } // namespace cd

@@ -1,7 +1,6 @@
 // Jobs that wait for the disk. A full or damaged disk may be mended; waiting loses nothing, and
 // nothing is deleted.
 #include "common/core/host/log.hpp"
-#include "common/core/limits/master.hpp"
 #include "master/coordinator/coordinator.hpp"
 
 #include <utility>
@@ -42,24 +41,6 @@ void Coordinator::wait_for_disk(MasterJob& job,
 void Coordinator::disk_gives(MasterJob& job) {
     if (!retries_.any(job.id)) {
         job_paused(job, "");
-    }
-}
-
-void Coordinator::add_what_it_waits_for(JobStatus& status) const {
-    if (status.state != JobState::Running) {
-        return;
-    }
-    if (!writer_.paused().empty()) {
-        status.paused = writer_.paused();
-    }
-    for (const auto& [id, worker] : workers_.all()) {
-        const auto& longest = worker.meter.longest();
-        if (longest && longest->job == status.job &&
-            longest->seconds >= limits::scenario_seconds_shown &&
-            status.long_scenarios.size() < limits::long_scenarios_shown) {
-            status.long_scenarios.push_back(
-                {longest->scenario, id, worker.author->name, longest->seconds});
-        }
     }
 }
 

@@ -1,0 +1,41 @@
+// Tells clients the state of jobs, workers and alarms.
+#pragma once
+
+#include "common/core/result.hpp"
+#include "master/coordinator/job_board.hpp"
+#include "master/verify/alarms.hpp"
+#include "master/workers/worker_directory.hpp"
+#include "proto/messages/client_messages.hpp"
+
+#include <string>
+
+namespace cd {
+
+/// A read-only view as of `now`, made for one question.
+class StatusView {
+  public:
+    /// `paused` says why the journal does not write; empty if it does. All references outlive the
+    /// view.
+    StatusView(const JobBoard& jobs,
+               const WorkerDirectory& workers,
+               const Alarms& alarms,
+               const std::string& paused,
+               Clock::time_point now)
+        : jobs_(jobs), workers_(workers), alarms_(alarms), paused_(paused), now_(now) {}
+
+    /// The job, and what it waits for. Errors: NotFound.
+    [[nodiscard]] Result<JobStatus> job(JobId job) const;
+    /// Leaves out the master's uptime, its meshes and the sizes of its files.
+    [[nodiscard]] ClusterStatus cluster() const;
+
+  private:
+    void add_what_it_waits_for(JobStatus& job) const;
+
+    const JobBoard& jobs_;
+    const WorkerDirectory& workers_;
+    const Alarms& alarms_;
+    const std::string& paused_;
+    Clock::time_point now_;
+};
+
+} // namespace cd
