@@ -77,12 +77,14 @@ double expected_transfer(bool says_what_it_holds) {
             master.run_until([&] { return client.done; });
             continue;
         }
-        master.run_until(
-            [&] { return client.job && master.coordinator.explainer().input(*client.job); });
+        // The job has no task yet when its geometry is there, even before its client hears of it.
+        const std::set<JobId>& running = master.coordinator.jobs().running();
+        const auto job = [&] { return running.empty() ? JobId{} : *running.begin(); };
+        master.run_until([&] { return master.coordinator.explainer().input(job()).has_value(); });
         Analysis analysis;
         analysis.roots_a = {0};
         analysis.roots_b = {0};
-        const auto explained = master.coordinator.explainer().explain(*client.job, 0, analysis);
+        const auto explained = master.coordinator.explainer().explain(job(), 0, analysis);
         return explained.value().workers.at(0).transfer;
     }
     return 0;
