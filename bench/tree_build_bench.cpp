@@ -24,6 +24,7 @@
 #include "client/import/mesh_import.hpp"
 #include "client/trees/tree_cache.hpp"
 #include "common/core/host/thread_pool.hpp"
+#include "common/geometry/aabb.hpp"
 #include "common/job/poses/pose_source.hpp"
 #include "common/job/result/merge.hpp"
 #include "common/job/run_scenario.hpp"
