@@ -29,8 +29,11 @@ void RootHolders::grow(std::uint32_t holder_count) {
         return;
     }
     // Rows grow by an eighth: holders join one by one by the thousand, and each growth copies all
-    // rows.
-    const std::size_t words = std::max(needed, row_words_ + row_words_ / 8);
+    // rows. The steps do not depend on how the rows have grown, so that sums of two trees add up.
+    std::size_t words = 0;
+    while (words < needed) {
+        words += std::max<std::size_t>(1, words / 8);
+    }
     std::vector<std::uint64_t> wider(words * root_count_, 0);
     for (std::size_t root = 0; root < root_count_; ++root) {
         std::copy_n(bits_.begin() + static_cast<std::ptrdiff_t>(root * row_words_),

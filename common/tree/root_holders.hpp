@@ -41,7 +41,7 @@ class RootHolders {
     /// True if some holder holds some root.
     [[nodiscard]] bool any() const { return set_count_ != 0; }
 
-    /// Length of the sums of `add_held`: the number of holders, rounded up to a multiple of 64.
+    /// Length of the sums of `add_held`: at least the number of holders, and a function of it.
     [[nodiscard]] std::size_t sum_count() const { return 64 * row_words_; }
     /// Adds to each holder's sum the weights of those of `roots` that it holds.
     void add_held(std::span<const WeightedRoot> roots, std::span<std::uint64_t> sums) const;

@@ -93,6 +93,15 @@ TEST(RootHolders, NewHoldersHoldNothingAndChangeNoOther) {
     }
 }
 
+// Two trees may have been added at different times, and their sums are added.
+TEST(RootHolders, SumsAreEquallyLongHoweverTheHoldersCame) {
+    RootHolders grown(1, 0);
+    for (std::uint32_t holders = 1; holders <= 3000; ++holders) {
+        grown.grow(holders);
+        ASSERT_EQ(grown.sum_count(), RootHolders(1, holders).sum_count()) << holders;
+    }
+}
+
 TEST(RootHolders, RemovingAHolderKeepsTheOthersRoots) {
     RootHolders holders(root_count, 130);
     for (const std::uint32_t holder : {63u, 64u, 129u}) {
