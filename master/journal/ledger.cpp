@@ -46,6 +46,9 @@ void Ledger::write(JobId job, std::uint64_t scenario, std::uint64_t position) {
 }
 
 void Ledger::withdraw(JobId id, std::span<const std::uint64_t> scenarios) {
+    if (scenarios.empty()) {
+        return;
+    }
     Job& job = jobs_.at(id);
     for (const std::uint64_t scenario : scenarios) {
         Block& block = block_of(job, scenario);
