@@ -239,9 +239,9 @@ class Coordinator : private WorkerEvents {
     void block_came(JobId job, AnalysedBlock block, std::vector<TakenResult> finished);
     /// The only path by which results enter a job and the journal. `author` is null for the master.
     void merge(MasterJob& job, TakenResults taken, const std::shared_ptr<const Author>& author);
-    /// Returns the dispute if the scenario has another result.
+    /// Moves the record of `taken`. Returns the dispute if the scenario has another result.
     [[nodiscard]] std::optional<Dispute> merge_one(MasterJob& job,
-                                                   TakenResult taken,
+                                                   TakenResult& taken,
                                                    const std::shared_ptr<const Author>& author,
                                                    AddResults& add);
     void end_if_complete(MasterJob& job);

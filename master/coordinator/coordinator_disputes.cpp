@@ -88,7 +88,7 @@ void Coordinator::settle(MasterJob& job, const Dispute& dispute, ReferenceResult
         withdraw_map(job, "a result of the job was wrong and has been corrected");
     }
     if (!job.merged.has(index) && fits) {
-        (void)merge_one(job, std::move(right.taken), nullptr, verdict);
+        (void)merge_one(job, right.taken, nullptr, verdict);
         act(dispatcher().scenario_answered(WorkerId{}, job.id, index));
     }
     verdict.alarms = alarms_.take_changed();

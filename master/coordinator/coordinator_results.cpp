@@ -144,7 +144,7 @@ void Coordinator::merge(MasterJob& job,
         if (const Status fits = check_record_size(one.result.index, one.record.size()); !fits) {
             return end_job(job, JobState::Failed, fits.error().detail);
         }
-        if (auto dispute = merge_one(job, std::move(one), author, add)) {
+        if (auto dispute = merge_one(job, one, author, add)) {
             disputes.push_back(std::move(*dispute));
         }
     }
@@ -163,7 +163,7 @@ void Coordinator::merge(MasterJob& job,
 }
 
 std::optional<Dispute> Coordinator::merge_one(MasterJob& job,
-                                              TakenResult taken,
+                                              TakenResult& taken,
                                               const std::shared_ptr<const Author>& author,
                                               AddResults& add) {
     const std::uint64_t index = taken.result.index;

@@ -25,6 +25,9 @@ ScenarioFacts MergedResults::unpack(const PackedFacts& facts) {
 }
 
 std::uint32_t MergedResults::number_of(const std::shared_ptr<const Author>& author) {
+    if (author == authors_[number_last_]) {
+        return number_last_;
+    }
     if (author == nullptr) {
         return 0;
     }
@@ -33,7 +36,8 @@ std::uint32_t MergedResults::number_of(const std::shared_ptr<const Author>& auth
     if (is_new) {
         authors_.push_back(author);
     }
-    return number->second;
+    number_last_ = number->second;
+    return number_last_;
 }
 
 void MergedResults::restore(std::uint64_t scenario,

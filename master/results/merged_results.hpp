@@ -80,6 +80,7 @@ class MergedResults {
     std::vector<std::uint32_t> author_numbers_; ///< By scenario: index in `authors_`; 0: none.
     std::vector<std::shared_ptr<const Author>> authors_{nullptr};
     std::unordered_map<const Author*, std::uint32_t> numbers_; ///< Of `authors_`.
+    std::uint32_t number_last_ = 0; ///< Of the last author: results come in messages of one.
 };
 
 } // namespace cd
