@@ -3,6 +3,7 @@
 #include "common/core/limits/master.hpp"
 
 #include <map>
+#include <optional>
 #include <utility>
 #include <variant>
 

@@ -3,6 +3,7 @@
 
 #include "master/journal/journal.hpp"
 #include "master/journal/ledger.hpp"
+#include "proto/messages/work_messages.hpp"
 
 #include <cstdint>
 #include <functional>
