@@ -4,6 +4,7 @@
 #include "client/base/words.hpp"
 #include "client/remote/result_records.hpp"
 #include "common/core/check.hpp"
+#include "common/core/host/stop_check.hpp"
 #include "common/core/limits/client.hpp"
 #include "common/core/limits/engine.hpp"
 #include "common/core/printable.hpp"
