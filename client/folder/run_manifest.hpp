@@ -50,7 +50,7 @@ struct ManifestFile {
     std::uint64_t bytes = 0;
 };
 
-/// What wrote the folder, and when.
+/// The program that wrote the folder, and the time.
 struct ManifestOrigin {
     std::string program; ///< "cdctl 0.1.0"
     std::string commit;  ///< `build_commit` of the program.

@@ -1,4 +1,4 @@
-// What a job computes for every scenario.
+// The question that a job answers for every scenario.
 #pragma once
 
 #include "common/tree/ignored_range.hpp"

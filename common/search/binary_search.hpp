@@ -39,7 +39,7 @@ class BinarySearch final : public ContactSearch {
 
         Placement(const PosePair& poses, double tolerance);
     };
-    /// What happened since the last restart.
+    /// State since the last restart.
     struct Progress {
         std::optional<double> undecided_distance;
         std::uint64_t box_tests = 0;

@@ -16,7 +16,7 @@
 
 namespace cd {
 
-/// What a search says besides the contacts, since its last `restart`.
+/// Statistics and flags of a search since its last `restart`.
 struct SearchReport {
     QueryStatistics statistics;
     /// A true bound on the distance of the two bodies in the world, if boxes stay undecided under

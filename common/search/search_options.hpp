@@ -1,4 +1,4 @@
-// What a search for contacts looks for and keeps.
+// Options of a search for contacts.
 #pragma once
 
 #include "common/core/host/stop_check.hpp"

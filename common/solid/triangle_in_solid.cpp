@@ -41,8 +41,8 @@ std::array<double, 3> key(const Vec3& v) {
     return {v.x(), v.y(), v.z()};
 }
 
-/// What doubles prove about the position of an outer triangle's corners in an inner triangle's
-/// plane.
+/// Sides of an inner triangle's plane on which an outer triangle's corners lie, as far as doubles
+/// prove them.
 class CornerSides {
   public:
     CornerSides(const PosedTriangle& inner, const Corners& outer) {

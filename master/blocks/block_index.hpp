@@ -1,4 +1,4 @@
-// Who holds, awaits and is sent which block of geometry.
+// Records which worker holds, awaits or is sent which block of geometry.
 #pragma once
 
 #include "common/core/id.hpp"

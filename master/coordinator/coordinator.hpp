@@ -98,7 +98,7 @@ class Coordinator : private WorkerEvents {
 
     // ---- Jobs (coordinator_jobs.cpp) ------------------------------------------------------------
     [[nodiscard]] Durability durability() const { return parts_.durability; }
-    /// Who waits for the acceptance, the end or the removal of a job.
+    /// Coroutines that wait for the acceptance, the end or the removal of a job.
     [[nodiscard]] JobWaits& waits() { return waits_; }
     /// Explains scenarios as of now.
     [[nodiscard]] Explainer explainer();
@@ -302,7 +302,7 @@ class Coordinator : private WorkerEvents {
     [[nodiscard]] StatusView status() const;
     /// Seconds since a fixed point in time.
     [[nodiscard]] double now() const;
-    // What the journal has committed (coordinator_journal.cpp).
+    // Reactions to commits of the journal (coordinator_journal.cpp).
     [[nodiscard]] JournalWriter::Events journal_events();
     void job_ended(JobId job);
     /// Deletes the files of a job that the journal has forgotten.

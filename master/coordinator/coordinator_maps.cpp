@@ -1,6 +1,5 @@
 // Contact maps. A message has one map for all its scenarios, so it counts only if all are new. If
 // some were merged before from another worker, the master recomputes the map of the others.
-#include "master/base/run_on.hpp"
 #include "master/coordinator/coordinator.hpp"
 
 namespace cd {

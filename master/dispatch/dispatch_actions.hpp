@@ -1,4 +1,4 @@
-// What the dispatcher asks for.
+// Actions that the dispatcher asks its owner to perform.
 #pragma once
 
 #include "common/core/id.hpp"

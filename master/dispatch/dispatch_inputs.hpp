@@ -1,4 +1,4 @@
-// What the dispatcher is told.
+// Facts that the owner reports to the dispatcher.
 #pragma once
 
 #include "common/core/id.hpp"

@@ -1,5 +1,4 @@
-// What is unsent: the jobs' analysed scenarios and the order positions that go out without
-// analysis.
+// Unsent work: the jobs' analysed scenarios, and the order positions that go out without analysis.
 #pragma once
 
 #include "master/dispatch/job/dispatch_job.hpp"

@@ -20,7 +20,7 @@ namespace cd {
 /// deletes an unsealed file. Memory: 16 bytes per run.
 class SpoolFile {
   public:
-    /// What the file must hold.
+    /// Identity and size that the file must have.
     struct Content {
         std::vector<std::uint64_t> kind; ///< A magic number, then more that tells files apart.
         std::uint64_t scenarios = 0;

@@ -56,7 +56,7 @@ struct Worker {
     void send(const WorkerSupply::Messages& messages) const;
 };
 
-/// What the directory reports and asks. Each report comes after the record has changed.
+/// Reports and questions of the directory. Each report comes after the record has changed.
 class WorkerEvents {
   public:
     WorkerEvents() = default;

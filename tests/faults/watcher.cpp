@@ -231,7 +231,7 @@ std::string Watcher::sent(JobId job, std::span<const std::uint64_t> scenarios) {
     for (const std::uint64_t scenario : scenarios) {
         ++scenarios_sent_;
         ++times_sent_[{job, scenario}];
-        // The withdrawal may not be on the disk yet.
+        // Results of a quarantined worker may be withdrawn before the journal has it on disk.
         const auto is_withdrawn = [&] {
             const auto result = jobs_.at(job).results.find(scenario);
             return result == jobs_.at(job).results.end() ||

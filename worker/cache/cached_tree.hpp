@@ -23,7 +23,7 @@ struct SubtreeKey {
 /// Checks that blocks belong to the tree, and knows their sizes. Not thread-safe.
 class CachedTree {
   public:
-    /// What a `SubtreeCache` knows of one subtree, cached or not.
+    /// State of one subtree in a `SubtreeCache`, cached or not.
     struct Slot {
         std::shared_ptr<const SubtreeBlock> block; ///< Its encoded form, or null.
         bool is_pinned = false;

@@ -1,4 +1,4 @@
-// What the parts of a session share: its threads, its end, and its way to the master.
+// The state that the parts of a session share: its threads, its end, and its link to the master.
 #pragma once
 
 #include "proto/codec/message.hpp"

@@ -99,7 +99,7 @@ HWY_INLINE std::size_t see_both(
         Visit& now = visits[i];
         const WideNode& a = walk.a.nodes[now.meeting.nodes.a];
         const WideNode& b = walk.b.nodes[now.meeting.nodes.b];
-        // A leaf is not opened before the other node is a leaf.
+        // A leaf stays closed until both nodes are leaves.
         now.side_a = side_of(a, now.meeting.nodes.a, !kBothLeaves && a.is_leaf);
         now.side_b = side_of(b, now.meeting.nodes.b, !kBothLeaves && b.is_leaf);
         walk.box_tests += now.side_b.count;

@@ -1,4 +1,4 @@
-// Who is late at the end of a job, and who can help.
+// Finds workers that are late at a job's end, and idle workers that can help.
 #pragma once
 
 #include "master/dispatch/policy/matching_policy.hpp"

@@ -78,7 +78,7 @@ class UnsentPlaces {
 
     /// `after` more scenarios of the job follow these positions.
     void add(const PlaceRange& places, std::uint64_t after);
-    /// What follows is analysed, or comes with the next range.
+    /// No more positions follow these: the others are analysed, or come with the next range.
     void nothing_follows() { after_ = 0; }
     /// Takes at most `most` of the first positions; there must be some.
     PlaceRange take_first(std::uint64_t most);

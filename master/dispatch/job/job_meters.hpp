@@ -1,5 +1,5 @@
-// What is learned of a job while it runs: how fast ranges go, what missing blocks cost, and how
-// much work has been done twice.
+// Measurements of a running job: the speed of ranges, the cost of missing blocks, and the work
+// that was done twice.
 #pragma once
 
 #include "common/core/id.hpp"
@@ -32,9 +32,9 @@ class MissingMeter {
     [[nodiscard]] bool is_sampled() { return held_++ % period == 0; }
     /// `seconds_any`: what the scenario misses at an average worker.
     void add_sample(double seconds_any);
-    /// What a scenario misses at the worker that it got.
+    /// Adds the time to fetch the blocks that a scenario misses at its worker.
     void add_matched(double seconds) { seconds_ += seconds; }
-    /// What a worker fetches for the ranges that it has.
+    /// Adds the time to fetch the blocks that a worker misses for its ranges.
     void add_in_ranges(double seconds) { in_ranges_ += seconds; }
     void ranges_answered(std::uint64_t scenarios);
     /// Seconds per scenario on any worker.

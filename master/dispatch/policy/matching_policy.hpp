@@ -1,4 +1,5 @@
-// What a matching strategy decides: which worker gets a scenario, and when scenarios make a task.
+// Decisions of a matching strategy: the worker of a scenario, and the moment when scenarios become
+// a task.
 #pragma once
 
 #include "master/dispatch/work_queue.hpp"
@@ -13,7 +14,7 @@
 
 namespace cd {
 
-/// What policies see of the dispatcher.
+/// Parts of the dispatcher that policies read.
 struct MatchingContext {
     WorkerPool& pool;
     const WorkQueue& queue;
@@ -40,7 +41,7 @@ class MatchingPolicy {
                                               const DispatchScenario& scenario) {
         return would_choose(job, scenario);
     }
-    /// What `choose` would return. Changes nothing.
+    /// Returns the worker that `choose` would return. Changes nothing.
     [[nodiscard]] virtual WorkerProxy* would_choose(const DispatchJob& job,
                                                     const DispatchScenario& scenario) const = 0;
     /// The worker may take a scenario of the job now.

@@ -1,4 +1,4 @@
-// What can be asked of the dispatcher between two events.
+// Questions that the dispatcher answers between two events.
 #pragma once
 
 #include "common/core/id.hpp"

@@ -1,4 +1,4 @@
-// What a part of a session sees in its tests: a hub, and a master that records what it is sent.
+// Surroundings of a part of a session in its tests: a hub, and a master that records its messages.
 #pragma once
 
 #include "tests/worker/session_stage.hpp"
