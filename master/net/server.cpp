@@ -42,6 +42,7 @@ Server::Server(std::unique_ptr<Listener> listener,
     : listener_(std::move(listener)),
       coordinator_(coordinator),
       identity_(identity),
+      greetings_(clients.greetings),
       clients_(clients),
       quotas_(clients.quotas,
               [&coordinator](JobId job) {

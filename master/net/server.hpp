@@ -14,6 +14,7 @@
 #include "proto/channel/seats.hpp"
 
 #include <chrono>
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <map>
@@ -27,6 +28,7 @@ struct ClientLimits {
     Quotas::Limits workers = {.connections = limits::worker_connections_max,
                               .all_connections = limits::all_worker_connections_max};
     std::chrono::milliseconds submission_idle_max = limits::submission_idle_max;
+    std::size_t greetings = limits::greetings_max; ///< Connections that are not admitted yet.
 };
 
 class Server {
@@ -80,7 +82,7 @@ class Server {
     std::map<std::uint64_t, std::shared_ptr<Channel>> connections_;
     std::uint64_t connection_last_ = 0;
     /// Slots of connections that are being greeted, join, or are being refused.
-    Seats greetings_{limits::greetings_max};
+    Seats greetings_;
     Refusals refusals_;
     ClientLimits clients_;
     Quotas quotas_;

@@ -134,13 +134,17 @@ TEST(Strangers, JoinersKeepTheirSlotUntilAdmitted) {
     const MasterIdentity::Options options{std::chrono::hours(1)};
     ASSERT_TRUE(MasterIdentity::init(folder.path(), options));
     const auto identity = std::move(MasterIdentity::open(folder.path(), options).value());
-    const auto server = std::move(
-        Server::listen(
-            master.context.get_executor(), {"127.0.0.1", 0}, master.coordinator, identity.get())
-            .value());
+    ClientLimits clients;
+    clients.greetings = 16; // Few, so that no joiner runs into the time limit of a greeting.
+    const auto server = std::move(Server::listen(master.context.get_executor(),
+                                                 {"127.0.0.1", 0},
+                                                 master.coordinator,
+                                                 identity.get(),
+                                                 clients)
+                                      .value());
     server->start();
     const auto nobody = Tls::make_joining(identity->fingerprint());
-    std::vector<Greeting> joiners(too_many);
+    std::vector<Greeting> joiners(clients.greetings / 2 + 1);
     for (Greeting& joiner : joiners) {
         start_greeting(master,
                        connect_from(master, "127.0.0.1", server->port()),
