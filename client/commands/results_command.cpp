@@ -106,7 +106,7 @@ int results_of_folder(const ResultsCommand& command) {
     InterruptGuard::begin_to_flag(); // A signal must not leave partial files.
     std::optional<RunFolder> folder;
     if (!command.formats.empty()) {
-        auto opened = RunFolder::open_finished(run.value().dir());
+        auto opened = RunFolder::open_finished(run.value().dir(), run.value().manifest());
         if (!opened) {
             return fail(opened.error());
         }

@@ -38,16 +38,17 @@ Error refused(const fs::path& dir, const std::string& what) {
             dir.string() + " holds " + what + "; give another folder with --out, or --overwrite"};
 }
 
-/// Reads a run.json; nothing if it does not exist.
-Result<std::optional<RunManifest>> read_if_there(const fs::path& path) {
+/// Reads a run.json; nothing if it does not exist, or if it may be overwritten unread.
+Result<std::optional<RunManifest>> read_if_there(const fs::path& path, bool overwrite) {
     auto manifest = read_run_json(path);
     if (manifest) {
         return std::optional(std::move(manifest.value()));
     }
-    if (manifest.error().code == ErrorCode::NotFound) {
+    const Error& error = manifest.error();
+    if (overwrite || error.code == ErrorCode::NotFound) {
         return std::optional<RunManifest>();
     }
-    return manifest.error();
+    return Error{error.code, error.detail + "; give another folder with --out, or --overwrite"};
 }
 
 bool holds_results(const fs::path& dir) {
@@ -147,40 +148,33 @@ RunFolder::RunFolder(fs::path dir, DiskFile lock)
 
 Result<RunFolder>
 RunFolder::open(const fs::path& dir, const RunManifest& manifest, FolderOptions options) {
-    const auto finished = read_if_there(dir / manifest_name);
-    const auto unfinished = read_if_there(dir / ".part" / manifest_name);
-    for (const auto* read : {&finished, &unfinished}) {
-        if (!*read && !options.overwrite) {
-            const Error& error = read->error();
-            return Error{error.code,
-                         error.detail + "; give another folder with --out, or --overwrite"};
-        }
-    }
-    const auto there = [](const Result<std::optional<RunManifest>>& read) {
-        return read ? read.value() : std::nullopt;
-    };
-    if (!options.overwrite) {
-        const Status free = check_no_other(dir, manifest, there(finished), there(unfinished));
-        if (!free) {
-            return free.error();
-        }
-    }
     auto taken = take(dir);
     if (!taken) {
         return taken;
     }
     RunFolder& folder = taken.value();
-    folder.before_ = there(finished);
+    auto finished = read_if_there(dir / manifest_name, options.overwrite);
+    auto unfinished = read_if_there(folder.part_ / manifest_name, options.overwrite);
+    if (!finished || !unfinished) {
+        return folder.give_up(finished ? unfinished.error() : finished.error());
+    }
+    if (!options.overwrite) {
+        const Status free = check_no_other(dir, manifest, finished.value(), unfinished.value());
+        if (!free) {
+            return folder.give_up(free.error());
+        }
+    }
+    folder.before_ = std::move(finished.value());
     const auto is_this = [&](const std::optional<RunManifest>& other) {
         return other && !options.fresh && is_same_job(*other, manifest);
     };
-    if (is_this(there(finished)) && folder.before_->is_complete()) {
+    if (is_this(folder.before_) && folder.before_->is_complete()) {
         folder.state_ = State::All;
         return taken;
     }
-    if (options.resume && is_this(there(unfinished))) {
+    if (options.resume && is_this(unfinished.value())) {
         folder.state_ = State::Some;
-        folder.unfinished_ = there(unfinished);
+        folder.unfinished_ = std::move(unfinished.value());
         folder.recover_files();
         return taken;
     }
@@ -190,28 +184,43 @@ RunFolder::open(const fs::path& dir, const RunManifest& manifest, FolderOptions 
     return taken;
 }
 
-Result<RunFolder> RunFolder::open_finished(const fs::path& dir) {
-    auto manifest = read_run_json(dir / manifest_name);
-    if (!manifest) {
-        return manifest.error();
-    }
+Result<RunFolder> RunFolder::open_finished(const fs::path& dir, const RunManifest& expected) {
     auto taken = take(dir);
-    if (taken) {
-        taken.value().before_ = std::move(manifest.value());
-        taken.value().state_ = State::All;
+    if (!taken) {
+        return taken;
     }
+    const auto manifest = read_run_json(dir / manifest_name);
+    if (!manifest || manifest_json(manifest.value()) != manifest_json(expected)) {
+        return taken.value().give_up(
+            {ErrorCode::BadInput,
+             dir.string() + " was changed by another process; repeat the command"});
+    }
+    taken.value().before_ = expected;
+    taken.value().state_ = State::All;
     return taken;
 }
 
 Result<RunFolder> RunFolder::take(const fs::path& dir) {
-    if (Status made = make_directories(dir / ".part"); !made) {
-        return made.error();
+    for (;;) {
+        if (Status made = make_directories(dir / ".part"); !made) {
+            return made.error();
+        }
+        auto lock = DiskFile::lock(dir / ".part" / "lock");
+        if (!lock) {
+            return lock.error();
+        }
+        // A process that ends its work removes the file, so the lock may be of no file.
+        if (lock.value().has_its_name()) {
+            return RunFolder(dir, std::move(lock.value()));
+        }
     }
-    auto lock = DiskFile::lock(dir / ".part" / "lock");
-    if (!lock) {
-        return lock.error();
-    }
-    return RunFolder(dir, std::move(lock.value()));
+}
+
+Error RunFolder::give_up(Error error) {
+    std::error_code ignored;
+    fs::remove(lock_.path(), ignored);
+    fs::remove(part_, ignored); // Fails unless the folder is empty.
+    return error;
 }
 
 /// Empties `.part` except for the lock.

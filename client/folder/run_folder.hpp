@@ -26,8 +26,10 @@ class RunFolder {
     /// The part of the job that the folder already holds.
     enum class State : std::uint8_t { Nothing, Some, All };
 
-    /// Locks a folder with a finished run, to add files. Errors: those of `read_run_json`; Io.
-    [[nodiscard]] static Result<RunFolder> open_finished(const std::filesystem::path& dir);
+    /// Locks a folder to add files to the finished run that it was opened with. Errors: BadInput if
+    /// the folder does not hold that run any more; Io, also if another process writes it.
+    [[nodiscard]] static Result<RunFolder> open_finished(const std::filesystem::path& dir,
+                                                         const RunManifest& expected);
 
     /// Locks the folder for the job of the manifest, and creates it if missing. Errors: BadInput if
     /// it holds another run and `overwrite` is not set; Io, also if another process writes it.
@@ -57,7 +59,10 @@ class RunFolder {
   private:
     RunFolder(std::filesystem::path dir, DiskFile lock);
 
+    /// Locks the folder, and creates it if missing. Only a locked folder's files are read.
     [[nodiscard]] static Result<RunFolder> take(const std::filesystem::path& dir);
+    /// Removes the traces of `take`; returns the error.
+    [[nodiscard]] Error give_up(Error error);
     [[nodiscard]] Status begin(const RunManifest& manifest);
     void recover_files();
     [[nodiscard]] Result<std::vector<ManifestFile>> move_files();

@@ -9,6 +9,7 @@
 #include "client/folder/run_recorder.hpp"
 #include "client/local/local_run.hpp"
 #include "client/poses/nearness.hpp"
+#include "client/remote/mesh_cache.hpp"
 #include "client/spec/job_options.hpp"
 #include "tests/support/obj_file.hpp"
 #include "tests/support/shapes.hpp"
@@ -156,6 +157,33 @@ TEST_F(FolderRunTest, AFolderThatCannotBeLockedIsNotSaidToBeInUse) {
     EXPECT_THAT(begun.error().detail, HasSubstr("lock: Is a directory"));
 }
 
+TEST_F(FolderRunTest, WhatAnotherProcessIsWritingIsNotRead) {
+    run_into("out");
+    const RunManifest finished = manifest("out");
+    fs::create_directories(folder_ / "out" / ".part");
+    const auto writer = DiskFile::lock(folder_ / "out" / ".part" / "lock");
+    ASSERT_TRUE(writer);
+    write_text(folder_ / "out" / "run.json", "half of a run.json");
+    PreparedJob job = prepare(3, "out");
+    EXPECT_THAT(FolderRun::begin(job, {}).error().detail, HasSubstr("in use by another process"));
+    EXPECT_THAT(RunFolder::open_finished(folder_ / "out", finished).error().detail,
+                HasSubstr("in use by another process"));
+}
+
+TEST_F(FolderRunTest, FilesAreNotAddedToARunThatReplacedTheirs) {
+    run_into("out");
+    const RunManifest before = manifest("out");
+    FolderRunOptions options;
+    options.folder.fresh = true;
+    options.command = "another";
+    run_into("out", options);
+    const auto folder = RunFolder::open_finished(folder_ / "out", before);
+    ASSERT_FALSE(folder);
+    EXPECT_THAT(folder.error().detail, HasSubstr("out was changed by another process"));
+    EXPECT_FALSE(fs::exists(folder_ / "out" / ".part"));
+    EXPECT_TRUE(RunFolder::open_finished(folder_ / "out", manifest("out")));
+}
+
 TEST_F(FolderRunTest, TheRateOfAResumedRunCountsWhatWasRunThen) {
     Result<RunReport> report{RunReport()};
     {
@@ -239,7 +267,7 @@ TEST_F(FolderRunTest, ASignalEndsExportsAndCases) {
     run_into("out");
     auto run = OpenedRun::open(folder_ / "out");
     ASSERT_TRUE(run);
-    auto folder = RunFolder::open_finished(folder_ / "out");
+    auto folder = RunFolder::open_finished(folder_ / "out", run.value().manifest());
     ASSERT_TRUE(folder);
     const auto context = export_context(run.value());
     ASSERT_TRUE(context);
