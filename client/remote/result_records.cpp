@@ -17,25 +17,22 @@ unpack_results(const ResultsPart& part, std::uint64_t first, std::uint64_t count
     }
     std::vector<ScenarioResult> results;
     ByteReader in(records.value());
-    std::vector<std::uint64_t> held;
     for (const ScenarioInterval& run : part.held) {
+        // `run.count` may be hostile; each scenario takes bytes of `records`.
         for (std::uint64_t i = 0; i < run.count; ++i) {
-            held.push_back(run.first + i);
+            const auto record = in.get_bytes(in.get<std::uint32_t>());
+            if (in.failed()) {
+                break;
+            }
+            Result<ScenarioResult> result = decode_result(record);
+            if (!result) {
+                return result.error();
+            }
+            if (result.value().index != run.first + i) {
+                return Error{ErrorCode::BadFrame, "the master sent results out of their order"};
+            }
+            results.push_back(std::move(result.value()));
         }
-    }
-    for (const std::uint64_t scenario : held) {
-        const auto record = in.get_array<std::uint8_t>(in.get<std::uint32_t>());
-        if (in.failed()) {
-            break;
-        }
-        Result<ScenarioResult> result = decode_result(std::as_bytes(std::span(record)));
-        if (!result) {
-            return result.error();
-        }
-        if (result.value().index != scenario) {
-            return Error{ErrorCode::BadFrame, "the master sent results out of their order"};
-        }
-        results.push_back(std::move(result.value()));
     }
     if (!in.complete()) {
         return Error{ErrorCode::BadFrame, "the master sent results that are cut short or too long"};

@@ -3,9 +3,11 @@
 
 #include "client/remote/connection.hpp"
 
+#include "client/remote/result_records.hpp"
 #include "common/core/limits/engine.hpp"
 #include "common/job/result/packed_records.hpp"
 #include "tests/client/fake_master.hpp"
+#include "tests/support/memory_bound.hpp"
 #include "tests/support/shapes.hpp"
 
 #include <gmock/gmock.h>
@@ -393,6 +395,15 @@ TEST(Connection, ResultsThatAreNoneAreErrors) {
     ResultsPart garbage = make_part(JobId{1}, 0, 2);
     garbage.records.resize(garbage.records.size() / 2);
     EXPECT_EQ(fetch_from(garbage).error().code, ErrorCode::BadFrame);
+}
+
+TEST(Connection, ClaimedResultsTakeNoMemoryBeforeTheirRecordsAreRead) {
+    ResultsPart part = make_part(JobId{1}, 0, 2);
+    part.count = UINT32_MAX;
+    part.next = part.count;
+    part.held = {{0, part.count}};
+    const MemoryBound bound(1u << 30);
+    EXPECT_EQ(unpack_results(part, 0, part.count).error().code, ErrorCode::BadFrame);
 }
 
 } // namespace
