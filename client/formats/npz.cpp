@@ -1,6 +1,7 @@
 #include "client/formats/npz.hpp"
 
 #include "common/core/check.hpp"
+#include "common/core/files/disk_file.hpp"
 
 #include <zip.h>
 
@@ -130,6 +131,11 @@ Status NpzWriter::finish() {
         return failed(zip_strerror(archive.get()));
     }
     static_cast<void>(archive.release()); // Freed by zip_close.
+    const auto written = DiskFile::open(temporary);
+    const Status synced = written ? written.value().sync() : written.error();
+    if (!synced) {
+        return failed(synced.error().detail);
+    }
     std::error_code error;
     std::filesystem::rename(temporary, state_->path, error);
     if (error) {

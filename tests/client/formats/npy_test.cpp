@@ -9,13 +9,19 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <sys/syscall.h>
+#include <unistd.h>
 
+#include <atomic>
 #include <string>
 #include <vector>
 
 namespace cd::tests {
 
 namespace {
+
+std::atomic<ino_t> last_synced = 0; ///< The inode of the file that was last synced.
 
 using testing::HasSubstr;
 
@@ -154,6 +160,15 @@ TEST(Npz, EqualArraysMakeEqualFilesAndLeaveNothingElse) {
     EXPECT_EQ(std::distance(begin(files), end(files)), 2);
 }
 
+TEST(Npz, AnArchiveIsOnTheDiskBeforeItHasItsName) {
+    const TemporaryFolder folder;
+    last_synced = 0;
+    write_archive(folder / "a.npz");
+    struct stat facts {};
+    ASSERT_EQ(::stat((folder / "a.npz").c_str(), &facts), 0);
+    EXPECT_EQ(last_synced, facts.st_ino);
+}
+
 TEST(Npz, NumPyReadsOursAndWeReadNumPys) {
     const TemporaryFolder folder;
     write_archive(folder / "ours.npz");
@@ -208,3 +223,12 @@ TEST(Npz, SurvivesTruncationDamageAndClaims) {
 }
 
 } // namespace cd::tests
+
+/// Replaces the C library's function in this program.
+extern "C" int fdatasync(int descriptor) {
+    struct stat facts {};
+    if (::fstat(descriptor, &facts) == 0) {
+        cd::tests::last_synced = facts.st_ino;
+    }
+    return static_cast<int>(::syscall(SYS_fdatasync, descriptor));
+}
