@@ -66,6 +66,21 @@ Status get_meshes(Connection& connection,
     return Done{};
 }
 
+/// The error of an argument that was taken for a job, since no folder has its name.
+Error no_folder(const std::string& text, const Error& error) {
+    const std::string detail = "there is no folder '" + text + "', ";
+    switch (error.code) {
+    case ErrorCode::Disconnected:
+        return {error.code,
+                detail + "so it was taken as a job of the master: " + error.detail +
+                    " --master names another one"};
+    case ErrorCode::NotFound:
+        return {error.code, detail + "and " + error.detail};
+    default:
+        return error;
+    }
+}
+
 } // namespace
 
 Result<RunReport>
@@ -88,11 +103,11 @@ Result<FetchedJob> FetchedJob::open(const MasterOptions& master,
                                     const std::filesystem::path& tree_cache) {
     auto connection = open_master(master);
     if (!connection) {
-        return connection.error();
+        return no_folder(text, connection.error());
     }
     auto known = find_known_job(*connection.value(), text);
     if (!known) {
-        return known.error();
+        return no_folder(text, known.error());
     }
     FetchedJob job(std::move(connection.value()), std::move(known.value()));
     if (Status prepared = job.prepare(MeshCache(tree_cache)); !prepared) {
