@@ -151,6 +151,23 @@ TEST_F(FirstHour, AMistypedFolderIsSaidToBeMissing) {
               "get jobs`\n");
 }
 
+TEST_F(FirstHour, AMissingFolderForTemporaryFilesIsNamed) {
+    const std::string missing = path("missing");
+    std::vector<std::string> dry_run{"run", "--dry-run", "--out", path("out")};
+    const std::vector<std::string> inputs = bodies("poses.csv");
+    dry_run.insert(dry_run.end(), inputs.begin(), inputs.end());
+    for (const auto& words : {std::vector<std::string>{"extract", "last", "0"}, dry_run}) {
+        std::vector<std::string> command{"/usr/bin/env", "TMPDIR=" + missing, cdctl()};
+        command.insert(command.end(), words.begin(), words.end());
+        const Ran ran = tests::run(command);
+        EXPECT_EQ(ran.exit_code, 2);
+        EXPECT_THAT(
+            ran.errors,
+            testing::EndsWith("cdctl: cannot create a folder in " + missing +
+                              ": No such file or directory; set TMPDIR to another folder\n"));
+    }
+}
+
 TEST_F(FirstHour, TheOtherPortOfAMasterIsRecognised) {
     const MortalMaster master(folder_, {"--http", "127.0.0.1:0"});
     std::smatch found;

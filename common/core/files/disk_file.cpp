@@ -261,7 +261,7 @@ Result<std::filesystem::path> make_temporary_folder(const std::string& name) {
     if (::mkdtemp(folder.data()) == nullptr) {
         return Error{ErrorCode::Io,
                      "cannot create a folder in " + place.string() + ": " + std::strerror(errno) +
-                         "; TMPDIR names another place"};
+                         "; set TMPDIR to another folder"};
     }
     return std::filesystem::path(folder);
 }
