@@ -36,6 +36,11 @@ Error changed(const std::string& file) {
             file + " has changed since the run; restore the old file, or run the job again"};
 }
 
+Error damaged(const fs::path& file, const std::string& what) {
+    return {ErrorCode::Io,
+            file.string() + " is damaged: " + what + "; run the job again with --fresh"};
+}
+
 /// Imports the mesh of a body. Errors: those of `import_mesh`; BadInput if the mesh has changed.
 Result<std::shared_ptr<const Mesh>>
 import_again(const JobSpec& spec, std::size_t body, const Sha256& expected) {
@@ -64,10 +69,10 @@ Result<OpenedRun> OpenedRun::open(const fs::path& dir) {
         return records.error();
     }
     if (records.value().count() != manifest.value().outcome.answered) {
-        return Error{ErrorCode::Io,
-                     (dir / "records").string() + " is damaged: it has " +
-                         grouped(records.value().count()) + " records, and run.json says " +
-                         grouped(manifest.value().outcome.answered)};
+        return damaged(dir / "records",
+                       "it has " + grouped(records.value().count()) +
+                           " records, and run.json says " +
+                           grouped(manifest.value().outcome.answered));
     }
     return OpenedRun(dir, std::move(manifest.value()), std::move(records.value()));
 }
@@ -89,8 +94,13 @@ Result<std::shared_ptr<const Mesh>> OpenedRun::mesh(std::size_t body) const {
     const ManifestBody& wanted = manifest_.bodies[body];
     auto kept =
         read_mesh_file(mesh_file_path(dir_ / "inputs" / "meshes", wanted.mesh), wanted.mesh);
-    if (kept || kept.error().code != ErrorCode::NotFound) {
+    if (kept) {
         return kept;
+    }
+    if (kept.error().code != ErrorCode::NotFound) {
+        return Error{kept.error().code,
+                     kept.error().detail + "; remove it to import " + wanted.file +
+                         " again, or run the job again with --fresh"};
     }
     const auto job = spec();
     return job ? import_again(job.value(), body, wanted.mesh) : job.error();
@@ -107,7 +117,7 @@ Result<std::unique_ptr<PoseSource>> OpenedRun::kept_poses() const {
     }
     auto poses = open_scenario_file(path);
     if (poses && poses.value()->count() != manifest_.poses.count) {
-        return Error{ErrorCode::Io, path.string() + " is damaged: scenarios are missing in it"};
+        return damaged(path, "scenarios are missing in it");
     }
     return poses;
 }
@@ -123,8 +133,7 @@ Result<PoseLabels> OpenedRun::kept_labels() const {
     columns.has_times = poses.has_times;
     const bool is_whole =
         (columns.ids != IdKind::None) == poses.has_ids && columns.fit(labels.value(), poses.count);
-    return is_whole ? std::move(labels)
-                    : Error{ErrorCode::Io, path.string() + " is damaged: ids or times are missing"};
+    return is_whole ? std::move(labels) : damaged(path, "ids or times are missing");
 }
 
 Result<std::optional<ContactMap>> OpenedRun::kept_map() const {
