@@ -8,6 +8,8 @@
 
 #include <gtest/gtest.h>
 
+#include <latch>
+#include <memory>
 #include <thread>
 
 namespace cd::tests {
@@ -76,9 +78,17 @@ TEST_F(Ordered, NoMoreIsWantedThanMayRunAhead) {
     EXPECT_GT(run.wanted(), 0u);
 }
 
-TEST_F(Ordered, DestructionDropsPendingScenarios) {
-    OrderedRun run(runner_, ended_, pool_);
-    run.add(make_scenarios(0, 5000));
+TEST_F(Ordered, DestructionEndsTheRunAndFreesEveryThreadOfThePool) {
+    {
+        OrderedRun run(runner_, ended_, pool_);
+        run.add(make_scenarios(0, 5000));
+    }
+    EXPECT_TRUE(ended_) << "the stop check of scenarios that run";
+    const auto all_threads = std::make_shared<std::latch>(pool_.size() + 1);
+    for (unsigned i = 0; i < pool_.size(); ++i) {
+        pool_.post([all_threads] { all_threads->arrive_and_wait(); });
+    }
+    all_threads->arrive_and_wait();
 }
 
 } // namespace cd::tests
