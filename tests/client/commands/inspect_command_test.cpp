@@ -7,6 +7,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <sstream>
@@ -100,6 +101,13 @@ TEST_F(Inspect, WhatTheFileDeclaresIsNamed) {
     command_.unit = "mm";
     EXPECT_EQ(run(), exit_done) << stderr_;
     EXPECT_THAT(stdout_, HasSubstr("unit mm, as asked; the file says m"));
+}
+
+TEST_F(Inspect, ANameThatIsNoUtf8IsStillJson) {
+    add_text("a.obj", "o a\xff\nv 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 3\n");
+    command_.output = "json";
+    EXPECT_EQ(run(), exit_done) << stderr_;
+    EXPECT_TRUE(nlohmann::json::accept(stdout_)) << stdout_;
 }
 
 TEST_F(Inspect, EndsAtTheFirstFileThatIsNoMesh) {

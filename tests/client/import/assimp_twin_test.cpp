@@ -91,9 +91,12 @@ INSTANTIATE_TEST_SUITE_P(All,
                                          Model{"hatchback.obj", true},
                                          Model{"jet_fighter.obj", true},
                                          Model{"lugged_wheel.obj", true},
+                                         Model{"m113_apc.glb", false},
+                                         Model{"man_kat1_8x8.glb", false},
                                          Model{"motorbike.ply", false},
                                          Model{"sedan.obj", true},
-                                         Model{"stanford_bunny.ply", true}),
+                                         Model{"stanford_bunny.ply", true},
+                                         Model{"toy_truck.glb", false}),
                          [](const auto& param) {
                              std::string name = param.param.file;
                              std::replace(name.begin(), name.end(), '.', '_');

@@ -113,7 +113,7 @@ Vec3 in_floats(double y, double z) {
 } // namespace
 
 TEST(ForeignFormats, ACrashOfTheReaderIsOneLine) {
-    EXPECT_NE(import_text("sound.x3d", x3d("0 1 2 -1")).has_value(), false);
+    EXPECT_TRUE(import_text("sound.x3d", x3d("0 1 2 -1")));
     EXPECT_THAT(error_of("twice.x3d", x3d("0 1 2 -1 -1")),
                 HasSubstr("twice.x3d: the reader crashed (assimp "));
 }
@@ -122,15 +122,18 @@ TEST(ForeignFormats, DamagedArchivesNeverEndTheProgram) {
     const TemporaryFolder folder;
     write_3mf(folder / "good.3mf", "");
     const std::string good = read_text(folder / "good.3mf");
+    int refused = 0;
     for (std::size_t place = 0; place < good.size(); place += 29) {
         std::string bent = good;
         bent[place] = static_cast<char>(bent[place] ^ 0x41);
         write_text(folder / "bent.3mf", bent);
         const auto imported = import_mesh(folder / "bent.3mf", {});
         if (!imported) {
+            ++refused;
             EXPECT_THAT(imported.error().detail, HasSubstr("bent.3mf: ")) << place;
         }
     }
+    EXPECT_GT(refused, 0);
 }
 
 TEST(ForeignFormats, UnitsOfTheFileAreAppliedOnce) {

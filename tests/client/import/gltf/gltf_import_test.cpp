@@ -2,7 +2,6 @@
 // name of the invalid object.
 #include "client/import/gltf/gltf_import.hpp"
 
-#include "client/import/foreign/assimp_import.hpp"
 #include "tests/client/import/gltf_text.hpp"
 #include "tests/client/import/import_text.hpp"
 #include "tests/support/memory_bound.hpp"
@@ -414,18 +413,6 @@ TEST(GltfImport, FilesThatAreNotGltfSaySo) {
     GltfText no_scene = GltfText::triangle();
     no_scene.json.erase("scenes");
     EXPECT_THAT(refused(no_scene), HasSubstr("has no scene"));
-}
-
-TEST(GltfImport, ModelsAreWhatAssimpMakesOfThem) {
-    for (const char* name : {"m113_apc.glb", "man_kat1_8x8.glb", "toy_truck.glb"}) {
-        SCOPED_TRACE(name);
-        CD_NEEDS_MODEL(path, name);
-        const auto own = import_mesh(path, {});
-        const auto others = import_with_assimp(path, {});
-        ASSERT_TRUE(own) << own.error().detail;
-        ASSERT_TRUE(others) << others.error().detail;
-        EXPECT_EQ(own.value().mesh->hash(), others.value().mesh->hash());
-    }
 }
 
 } // namespace cd::tests

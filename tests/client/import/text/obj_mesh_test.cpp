@@ -81,6 +81,7 @@ TEST(ObjMesh, AVertexMayHaveAWeightOfOneOrAColour) {
     EXPECT_EQ(triangles_of("v 0 0 0 1\nv 1 0 0 0.5 0.5 0.5\nv 1 1 0\nf 1 2 3\n"), 1u);
     EXPECT_THAT(error_of("w.obj", "v 0 0 0 2\n"), HasSubstr("w.obj:1"));
     EXPECT_THAT(error_of("two.obj", "v 0 0\n"), HasSubstr("a vertex of 2 numbers"));
+    EXPECT_THAT(error_of("seven.obj", "v 1 0 0 1 1 1 1\n"), HasSubstr("a vertex of 7 numbers"));
     EXPECT_THAT(error_of("x.obj", "v 0 0 x\n"), HasSubstr("'x' is not a number"));
     EXPECT_THAT(error_of("inf.obj", "v 0 0 0\nv 0 0 inf\n"), HasSubstr("inf.obj:2"));
 }
@@ -125,7 +126,7 @@ TEST(ObjMesh, PolygonsAreCutOrRefusedByLine) {
                 HasSubstr("tie.obj:5: the face is a polygon of 4 corners that cannot be cut"));
 }
 
-TEST(ObjMesh, ManyPartsOfOneNameTakeNoLonger) {
+TEST(ObjMesh, ManyPartsOfOneNameAreNumbered) {
     std::string text = square;
     for (int i = 0; i < 20'000; ++i) {
         text += "g a\nf 1 2 3\ng b\nf 1 3 4\n";

@@ -67,6 +67,15 @@ TEST(OffMesh, CountsAreNotBelieved) {
                 HasSubstr("m.off:8: has data after"));
 }
 
+TEST(OffMesh, DamagedVerticesAndFacesAreNamed) {
+    EXPECT_THAT(error_of("short.off", "OFF\n3 1 0\n0 0 0\n1 0\n0 1 0\n3 0 1 2\n"),
+                HasSubstr("short.off:4"));
+    EXPECT_THAT(error_of("nan.off", "OFF\n3 1 0\n0 0 0\n1 0 nan\n0 1 0\n3 0 1 2\n"),
+                HasSubstr("vertex 1"));
+    EXPECT_THAT(error_of("far.off", "OFF\n4 2 0\n" + vertices + "3 0 1 2\n3 0 1 9\n"),
+                HasSubstr("face 1 names vertex 9 of 4"));
+}
+
 TEST(OffMesh, PointsAndLinesAreCounted) {
     const auto imported = import_text("a.off", "OFF\n4 3 0\n" + vertices + "1 0\n2 0 1\n3 0 1 2\n");
     ASSERT_TRUE(imported) << imported.error().detail;

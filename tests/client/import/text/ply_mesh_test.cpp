@@ -186,6 +186,9 @@ TEST(PlyMesh, DataThatDoNotFitTheHeaderAreRefusedByPlace) {
     const std::string described = elements(positions, indices);
     EXPECT_THAT(error_of("a.ply", text(described, vertices + "3 0 1 7\n")),
                 HasSubstr("a.ply:15: face 0 names vertex 7 of 4"));
+    EXPECT_THAT(error_of("a.ply", text(described, vertices + "4 0 1 2 1000000\n")),
+                HasSubstr("face 0 names vertex 1000000 of 4"));
+    EXPECT_THAT(error_of("a.ply", text(described, vertices)), HasSubstr("cut short"));
     EXPECT_THAT(error_of("a.ply", text(described, vertices + "3 0 1\n")),
                 HasSubstr("fewer numbers"));
     EXPECT_THAT(error_of("a.ply", text(described, vertices + "3 0 1 1.5\n")), HasSubstr("'1.5'"));

@@ -89,7 +89,8 @@ TEST(StlMesh, NormalsAreNotRead) {
 
 TEST(StlMesh, TextThatIsNoFacetIsRefusedByLine) {
     EXPECT_THAT(error_of("four.stl", solid(facet("0 1 0\nvertex 1 1 0"))), HasSubstr("four.stl:7"));
-    EXPECT_THAT(error_of("two.stl", solid(facet("0 1 0").erase(40, 13))), HasSubstr("two.stl:"));
+    EXPECT_THAT(error_of("two.stl", solid(facet("0 1 0").erase(40, 13))),
+                HasSubstr("two.stl:6: a facet without three"));
     EXPECT_THAT(error_of("outside.stl", solid(facet()) + facet()), HasSubstr("outside.stl:10"));
     EXPECT_THAT(error_of("same.stl", "solid a\nendsolid a " + facet()), HasSubstr("outside"));
     EXPECT_THAT(error_of("word.stl", solid("fact\n" + facet())), HasSubstr("word.stl:2: 'fact'"));
@@ -100,10 +101,11 @@ TEST(StlMesh, TextThatIsNoFacetIsRefusedByLine) {
 }
 
 TEST(StlMesh, InvalidAndInfiniteNumbersAreRefusedByLine) {
-    for (const std::string number : {"0x10", "1d5", "1,5", "1.#QNAN", "", "+-1", "e5", "1e"}) {
-        EXPECT_THAT(error_of("half.stl", solid(facet("0 1 " + number))), HasSubstr("half.stl:"))
+    for (const std::string number : {"0x10", "1d5", "1,5", "1.#QNAN", "+-1", "e5", "1e"}) {
+        EXPECT_THAT(error_of("half.stl", solid(facet("0 1 " + number))), HasSubstr("half.stl:6"))
             << number;
     }
+    EXPECT_THAT(error_of("cut.stl", solid(facet("0 1"))), HasSubstr("cut.stl:7: "));
     for (const std::string number : {"nan", "inf", "-Infinity", "1e400"}) {
         EXPECT_THAT(error_of("nan.stl", solid(facet("0 1 " + number))),
                     HasSubstr("nan.stl:6: a vertex with a coordinate that is not finite"))
