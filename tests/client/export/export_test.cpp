@@ -228,7 +228,7 @@ TEST_F(Export, NpzOfLevelCountHasNoLists) {
     EXPECT_FALSE(read.value().contains("points"));
 }
 
-TEST_F(Export, TheSummaryIsADocument) {
+TEST_F(Export, TheSummaryHasBodiesCoverageAndStatistics) {
     write({"csv"}, Level::Pairs);
     const auto summary = nlohmann::json::parse(text_of("summary.json"));
     EXPECT_EQ(summary["job"], "test");

@@ -152,7 +152,7 @@ TEST(Report, AQuietRunWarnsAllTheSame) {
     EXPECT_THAT(told(false), HasSubstr(told(true)));
 }
 
-TEST(Report, TheSummaryTellsWhatCameBeforeAndWhereItIs) {
+TEST(Report, TheSummaryTellsOfPreparationResumptionAndItsFile) {
     RunReport report;
     report.summary = example_summary();
     report.execution.seconds = 0.04;
@@ -226,7 +226,7 @@ TEST(Report, TheCostIsThePapersSumOfTheMeanScenario) {
                   "= 127.0 us a scenario\n"));
 }
 
-TEST(Report, WhatTravelledIsToldWhereSomethingDid) {
+TEST(Report, TrafficAndDepthsAreToldOfAClusterAlone) {
     RunReport report;
     report.summary = example_summary();
     EXPECT_THAT(summary_text(report, with_statistics), Not(HasSubstr("geometry")));
@@ -246,7 +246,7 @@ TEST(Report, WhatTravelledIsToldWhereSomethingDid) {
                 HasSubstr("  depths        A cut at 6, B at 4\n"));
 }
 
-TEST(Report, WhatIsUndecidedIsSaid) {
+TEST(Report, UndecidedScenariosAreToldWithTheReason) {
     RunReport report;
     report.summary.total = 3;
     report.summary.undecided = 3;
@@ -295,7 +295,7 @@ TEST(Progress, WhatWasDoneBeforeIsNoPartOfTheRate) {
     EXPECT_EQ(progress_text(state, false), "j-1  60%  60/100   10/s   contact 0   ETA 0:04");
 }
 
-TEST(Progress, NoTimeIsLeftOnlyWhereNothingGoesOn) {
+TEST(Progress, AJobThatStandsStillShowsNoTimeLeft) {
     ProgressState state = at(50);
     state.note = {"lost: w-1; others do the work"};
     EXPECT_THAT(progress_text(state, false), HasSubstr("ETA 0:50"));
