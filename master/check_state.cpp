@@ -4,10 +4,10 @@
 #include "master/geometry/blocks_file.hpp"
 #include "master/geometry/mesh_file.hpp"
 #include "master/identity/identity.hpp"
-#include "master/jobs/label_spool.hpp"
-#include "master/jobs/pose_spool.hpp"
 #include "master/journal/journal_database.hpp"
 #include "master/journal/journal_groups.hpp"
+#include "master/submission/label_spool.hpp"
+#include "master/submission/pose_spool.hpp"
 
 #include <algorithm>
 #include <set>

@@ -5,16 +5,16 @@
 #include "common/core/limits/master.hpp"
 #include "master/base/disk_retries.hpp"
 #include "master/blocks/block_delivery.hpp"
+#include "master/compute/reference_run.hpp"
 #include "master/coordinator/explainer.hpp"
-#include "master/coordinator/job_board.hpp"
-#include "master/coordinator/job_waits.hpp"
 #include "master/coordinator/status_view.hpp"
 #include "master/dispatch/dispatcher.hpp"
 #include "master/geometry/geometry_store.hpp"
 #include "master/geometry/tree_registry.hpp"
+#include "master/jobs/job_table.hpp"
+#include "master/jobs/job_waits.hpp"
 #include "master/journal/journal_writer.hpp"
 #include "master/verify/alarms.hpp"
-#include "master/verify/reference_run.hpp"
 #include "master/workers/awaited_workers.hpp"
 #include "master/workers/worker_directory.hpp"
 #include "proto/channel/asio.hpp"
@@ -132,7 +132,7 @@ class Coordinator : private WorkerEvents {
     [[nodiscard]] Status cancel_scenario(JobId job, const Scenario& scenario);
     /// Errors: NotFound.
     [[nodiscard]] Result<JobStatus> job_status(JobId job) const { return status().job(job); }
-    [[nodiscard]] const JobBoard& jobs() const { return jobs_; }
+    [[nodiscard]] const JobTable& jobs() const { return jobs_; }
     /// Errors: NotFound; Refused unless the job is done.
     [[nodiscard]] Result<ContactMapAnswer> contact_map(JobId job);
     [[nodiscard]] ClusterStatus cluster_status() const;
@@ -233,7 +233,7 @@ class Coordinator : private WorkerEvents {
     void prepare_job(const MasterJob& job);
     void job_prepared(JobId job, const StoreResult<JobGeometry>& made);
     void start_job(MasterJob& job, const JobGeometry& made);
-    /// Makes the job's submitter. It skips scenarios that already have a result, for example those
+    /// Makes the job's analyser. It skips scenarios that already have a result, for example those
     /// that workers delivered again after a restart.
     void begin_analysis(MasterJob& job);
     void block_came(JobId job, AnalysedBlock block, std::vector<TakenResult> finished);
@@ -343,7 +343,7 @@ class Coordinator : private WorkerEvents {
     std::map<TaskId, RunningTask> tasks_;
     TreeRegistry trees_;
     BlockDelivery blocks_;
-    JobBoard jobs_;
+    JobTable jobs_;
     JobId fed_last_;
     std::uint64_t open_bytes_ = 0; ///< Bytes of all jobs' open analyses.
     JobWaits waits_{parts_.executor};

@@ -46,14 +46,14 @@ void Coordinator::feed() {
             if (job->todo.empty() || !has_room_for_analysis(under_way)) {
                 continue;
             }
-            if (job->submitter == nullptr) {
+            if (job->analyser == nullptr) {
                 begin_analysis(*job);
             }
             const auto piece = job->todo.take(limits::analysis_block_scenarios);
             if (job->done == nullptr) {
                 job->done = job->merged.marks();
             }
-            job->submitter->start(piece.places, piece.losses, job->done);
+            job->analyser->start(piece.places, piece.losses, job->done);
             fed_last_ = job->id;
             ++under_way;
             any_started = true;

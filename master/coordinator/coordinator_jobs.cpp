@@ -3,10 +3,10 @@
 #include "common/core/host/wall_clock.hpp"
 #include "common/core/limits/master.hpp"
 #include "common/job/run_scenario.hpp"
-#include "master/base/way_out.hpp"
+#include "master/base/remedy.hpp"
+#include "master/compute/job_geometry.hpp"
 #include "master/coordinator/coordinator.hpp"
-#include "master/jobs/job_geometry.hpp"
-#include "master/jobs/submission.hpp"
+#include "master/submission/submission.hpp"
 
 #include <algorithm>
 
@@ -15,11 +15,11 @@ namespace cd {
 Status Coordinator::restore(Recovered recovered) {
     cluster_ = recovered.cluster;
     alarms_.restore(std::move(recovered.alarms));
-    std::map<WorkerProcess, std::shared_ptr<const Author>> known;
+    std::map<InstanceId, std::shared_ptr<const Author>> known;
     jobs_.reserve(recovered.last_job);
     for (RecoveredJob& found : recovered.jobs) {
         const std::vector<ResultRow> done = std::move(found.done);
-        const std::vector<WorkerProcess> authors = std::move(found.authors);
+        const std::vector<InstanceId> authors = std::move(found.authors);
         const std::vector<Remark> disputes = std::move(found.disputes);
         MasterJob& job = jobs_.add(MasterJob(std::move(found), Clock::now()));
         job.meshes = parts_.geometry.hold(meshes_of(job.submit));
@@ -28,11 +28,11 @@ Status Coordinator::restore(Recovered recovered) {
         }
         const auto poses = open_poses(job.submit, parts_.journal.poses_path(job.id));
         if (!poses) {
-            return with_way_out(poses.error());
+            return with_remedy(poses.error());
         }
         job.poses = poses.value();
         writer_.restore(job.id, done);
-        const auto author_of = [&](WorkerProcess process) {
+        const auto author_of = [&](InstanceId process) {
             std::shared_ptr<const Author>& author = known[process];
             if (author == nullptr && process != 0) {
                 author = std::make_shared<const Author>(Author{process, {}, {}, {}});
@@ -68,12 +68,12 @@ Status Coordinator::restore(Recovered recovered) {
 
 void Coordinator::await_workers() {
     std::set<JobId> jobs;
-    std::set<WorkerProcess> processes;
+    std::set<InstanceId> processes;
     for (const JobId id : jobs_.running()) {
         jobs.insert(id);
         processes.merge(jobs_.at(id).merged.processes());
     }
-    std::erase_if(processes, [this](WorkerProcess one) { return alarms_.is_quarantined(one); });
+    std::erase_if(processes, [this](InstanceId one) { return alarms_.is_quarantined(one); });
     const auto until = Clock::now() + parts_.times.return_within;
     awaited_ = AwaitedWorkers(std::move(jobs), std::move(processes), until);
     if (awaited_.size() != 0) {
@@ -193,8 +193,7 @@ void Coordinator::begin_analysis(MasterJob& job) {
             block_came(id, std::move(*block), std::move(*finished));
         });
     };
-    job.submitter =
-        std::make_unique<Submitter>(parts_.compute, std::move(input), std::move(deliver));
+    job.analyser = std::make_unique<Analyser>(parts_.compute, std::move(input), std::move(deliver));
 }
 
 void Coordinator::block_came(JobId id, AnalysedBlock block, std::vector<TakenResult> finished) {

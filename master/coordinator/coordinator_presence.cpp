@@ -37,7 +37,7 @@ void Coordinator::worker_joined(WorkerId id, const Hello& hello) {
         spawn(parts_.executor, "watch over workers", watch_workers());
     }
     const Worker& worker = *workers_.find(id);
-    const WorkerProcess process = worker.author->process;
+    const InstanceId process = worker.author->process;
     if (alarms_.is_quarantined(process)) {
         (void)workers_.quarantine(process);
         log_error("worker stays in quarantine: worker={} name={}", id.value, hello.name);

@@ -3,9 +3,9 @@
 
 #include "common/core/id.hpp"
 #include "common/core/result.hpp"
-#include "master/coordinator/job_board.hpp"
+#include "master/compute/analyser.hpp"
 #include "master/dispatch/view/dispatch_view.hpp"
-#include "master/jobs/submitter.hpp"
+#include "master/jobs/job_table.hpp"
 #include "proto/messages/client_messages.hpp"
 
 #include <cstdint>
@@ -20,7 +20,7 @@ class Explainer {
   public:
     /// `is_here` tells which workers have neither left nor been lost. Jobs and dispatcher outlive
     /// the explainer.
-    Explainer(const JobBoard& jobs,
+    Explainer(const JobTable& jobs,
               const DispatchView& dispatcher,
               std::function<bool(WorkerId)> is_here)
         : jobs_(jobs), dispatcher_(dispatcher), is_here_(std::move(is_here)) {}
@@ -43,7 +43,7 @@ class Explainer {
     [[nodiscard]] std::string
     answered_by(const MasterJob& job, std::uint64_t scenario, bool needs_worker) const;
 
-    const JobBoard& jobs_;
+    const JobTable& jobs_;
     const DispatchView& dispatcher_;
     std::function<bool(WorkerId)> is_here_;
 };

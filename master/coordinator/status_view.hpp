@@ -2,7 +2,7 @@
 #pragma once
 
 #include "common/core/result.hpp"
-#include "master/coordinator/job_board.hpp"
+#include "master/jobs/job_table.hpp"
 #include "master/verify/alarms.hpp"
 #include "master/workers/worker_directory.hpp"
 #include "proto/messages/client_messages.hpp"
@@ -16,7 +16,7 @@ class StatusView {
   public:
     /// `paused` says why the journal does not write; empty if it does. All references outlive the
     /// view.
-    StatusView(const JobBoard& jobs,
+    StatusView(const JobTable& jobs,
                const WorkerDirectory& workers,
                const Alarms& alarms,
                const std::string& paused,
@@ -31,7 +31,7 @@ class StatusView {
   private:
     void add_what_it_waits_for(JobStatus& job) const;
 
-    const JobBoard& jobs_;
+    const JobTable& jobs_;
     const WorkerDirectory& workers_;
     const Alarms& alarms_;
     const std::string& paused_;

@@ -4,7 +4,7 @@
 #include "common/core/id.hpp"
 #include "common/job/poses/ordered_poses.hpp"
 #include "common/tree/cut.hpp"
-#include "master/base/worker_process.hpp"
+#include "master/base/instance_id.hpp"
 #include "proto/messages/work_messages.hpp"
 
 #include <cstdint>
@@ -69,7 +69,7 @@ struct CallOff {
 };
 
 /// Process whose loss ended a task; empty if the unanswered rest was returned.
-using LostWith = std::optional<WorkerProcess>;
+using LostWith = std::optional<InstanceId>;
 
 /// The task of a range has ended. Its unanswered positions must be repeated, and are analysed first
 /// if they were lost.
@@ -97,7 +97,7 @@ struct SendHint {
 struct ScenariosLost {
     JobId job;
     std::vector<std::uint64_t> scenarios;
-    WorkerProcess process = 0;
+    InstanceId process = 0;
 
     friend bool operator==(const ScenariosLost&, const ScenariosLost&) = default;
 };

@@ -4,7 +4,7 @@
 #include "common/core/id.hpp"
 #include "common/core/limits/master.hpp"
 #include "common/tree/cut.hpp"
-#include "master/base/worker_process.hpp"
+#include "master/base/instance_id.hpp"
 
 #include <algorithm>
 #include <cstddef>

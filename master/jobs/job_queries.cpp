@@ -2,8 +2,8 @@
 
 #include "common/core/limits/master.hpp"
 #include "common/core/limits/wire.hpp"
-#include "master/jobs/job_geometry.hpp"
-#include "master/jobs/label_spool.hpp"
+#include "master/compute/job_geometry.hpp"
+#include "master/submission/label_spool.hpp"
 
 #include <algorithm>
 #include <utility>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "common/job/poses/ordered_poses.hpp"
-#include "master/base/worker_process.hpp"
+#include "master/base/instance_id.hpp"
 
 #include <cstdint>
 #include <deque>

@@ -22,7 +22,7 @@ void AlarmRecord::add(const std::string& text) {
     add_to(last, text, limits::alarms_kept_max);
 }
 
-void AlarmRecord::quarantine(WorkerProcess process) {
+void AlarmRecord::quarantine(InstanceId process) {
     add_to(quarantined, process, limits::quarantined_kept_max);
 }
 
@@ -34,7 +34,7 @@ Bytes encode_alarms(const AlarmRecord& alarms) {
         out.put_text(text);
     }
     put_varint(out, alarms.quarantined.size());
-    out.put_array(std::span<const WorkerProcess>(alarms.quarantined));
+    out.put_array(std::span<const InstanceId>(alarms.quarantined));
     return out.take();
 }
 
@@ -53,7 +53,7 @@ Result<AlarmRecord> decode_alarms(std::span<const std::byte> bytes) {
     if (processes > limits::quarantined_kept_max) {
         return damaged_row("a list of alarms");
     }
-    alarms.quarantined = in.get_array<WorkerProcess>(processes);
+    alarms.quarantined = in.get_array<InstanceId>(processes);
     if (!in.complete()) {
         return damaged_row("a list of alarms");
     }

@@ -13,13 +13,13 @@
 namespace cd {
 
 struct AlarmRecord {
-    std::uint64_t count = 0;                ///< Number of alarms ever raised.
-    std::vector<std::string> last;          ///< The last alarms, oldest first.
-    std::vector<WorkerProcess> quarantined; ///< Workers that gave a wrong result, oldest first.
+    std::uint64_t count = 0;             ///< Number of alarms ever raised.
+    std::vector<std::string> last;       ///< The last alarms, oldest first.
+    std::vector<InstanceId> quarantined; ///< Workers that gave a wrong result, oldest first.
 
     /// Adds an alarm, and forgets the oldest when there are too many.
     void add(const std::string& text);
-    void quarantine(WorkerProcess process);
+    void quarantine(InstanceId process);
 
     friend bool operator==(const AlarmRecord&, const AlarmRecord&) = default;
 };

@@ -4,7 +4,7 @@
 #include "common/core/files/disk_file.hpp"
 #include "common/core/host/log.hpp"
 #include "common/core/limits/master.hpp"
-#include "master/base/way_out.hpp"
+#include "master/base/remedy.hpp"
 #include "master/journal/journal_database.hpp"
 #include "master/journal/journal_groups.hpp"
 
@@ -178,11 +178,11 @@ Result<std::unique_ptr<Journal>> Journal::open(const JournalOptions& options) {
     }
     auto jobs = recover_jobs(*database.value(), state->jobs_folder(), options.check_records);
     if (!jobs) {
-        return with_way_out(jobs.error());
+        return with_remedy(jobs.error());
     }
     auto alarms = recover_alarms(*database.value());
     if (!alarms) {
-        return with_way_out(alarms.error());
+        return with_remedy(alarms.error());
     }
     state->database = std::move(database.value());
     Recovered& recovered = state->recovered;

@@ -36,7 +36,7 @@ struct AddResults {
     std::vector<JournalResult> results; ///< Their records become readable at the commit.
     JobProgress progress;
     Bytes map; ///< `pack_map` of these results; empty: none.
-    WorkerProcess author = 0;
+    InstanceId author = 0;
     std::vector<Remark> remarks = {}; ///< Remarks on these or earlier results.
     /// Scenarios whose results `remarks` withdraws: their records become unreadable.
     std::vector<std::uint64_t> withdrawn = {};
@@ -66,11 +66,11 @@ struct RecoveredJob {
     std::uint64_t withdrawn = 0; ///< Number of results withdrawn.
     /// Results; like all members below, only for a job that continues.
     std::vector<ResultRow> done;
-    std::vector<WorkerProcess> authors; ///< Author of each of these results; 0: the master.
-    std::vector<Remark> disputes;       ///< Open disputes.
-    std::vector<LostPlaces> losses;     ///< In order of the losses; only for a job that continues.
+    std::vector<InstanceId> authors; ///< Author of each of these results; 0: the master.
+    std::vector<Remark> disputes;    ///< Open disputes.
+    std::vector<LostPlaces> losses;  ///< In order of the losses; only for a job that continues.
     /// All authors of results that were not withdrawn, also for an ended job.
-    std::set<WorkerProcess> contributors;
+    std::set<InstanceId> contributors;
     std::shared_ptr<ResultStore> results;
 };
 

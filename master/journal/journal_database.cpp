@@ -2,7 +2,7 @@
 
 #include "common/core/check.hpp"
 #include "common/core/files/disk_file.hpp"
-#include "master/base/way_out.hpp"
+#include "master/base/remedy.hpp"
 #include "master/journal/database_copy.hpp"
 
 #include <sqlite3.h>
@@ -156,7 +156,7 @@ struct JournalDatabase::State {
     [[nodiscard]] Error damage(const std::string& why) const {
         return {ErrorCode::Io, path.string() + " is damaged: " + why};
     }
-    [[nodiscard]] Error refusal(const std::string& why) const { return with_way_out(damage(why)); }
+    [[nodiscard]] Error refusal(const std::string& why) const { return with_remedy(damage(why)); }
     [[nodiscard]] bool run(const char* text) const {
         return sqlite3_exec(database.get(), text, nullptr, nullptr, nullptr) == SQLITE_OK;
     }
@@ -254,7 +254,7 @@ Status JournalDatabase::State::check_unmarked(const Options& options) {
 }
 
 Error JournalDatabase::State::missing_mark() const {
-    return with_way_out(
+    return with_remedy(
         {ErrorCode::Io,
          (path.parent_path() / "journal.mark").string() +
              " is missing or empty, so that nothing tells whether commits are lost"});
@@ -321,10 +321,10 @@ Status JournalDatabase::State::read_meta() {
         return marked.error();
     }
     if (marked.value() > commits) {
-        return with_way_out({ErrorCode::Io,
-                             path.string() + "-wal is damaged or missing: " +
-                                 std::to_string(marked.value() - commits) +
-                                 " commits are not in it"});
+        return with_remedy({ErrorCode::Io,
+                            path.string() + "-wal is damaged or missing: " +
+                                std::to_string(marked.value() - commits) +
+                                " commits are not in it"});
     }
     return Done{};
 }
@@ -332,14 +332,14 @@ Status JournalDatabase::State::read_meta() {
 Result<std::uint64_t> JournalDatabase::State::read_mark() const {
     const Result<Bytes> bytes = mark->read_at(0, mark_bytes);
     if (!bytes) {
-        return with_way_out(bytes.error());
+        return with_remedy(bytes.error());
     }
     ByteReader in(bytes.value());
     const auto magic = in.get<std::uint64_t>();
     const auto commit = in.get<std::uint64_t>();
     const auto sum = in.get<std::uint64_t>();
     if (magic != mark_magic || sum != checksum(std::span(bytes.value()).first(2 * sizeof sum))) {
-        return with_way_out(
+        return with_remedy(
             {ErrorCode::Io, mark->path().string() + " is damaged: its checksum is wrong"});
     }
     return commit;
@@ -374,7 +374,7 @@ JournalDatabase::open(const std::filesystem::path& directory, const Options& opt
     const bool has_mark = !none && mark_size != 0;
     if (!is_there && (has_mark || !options.owned.empty())) {
         const std::string beside = has_mark ? mark_path.string() : options.owned.string();
-        return with_way_out(
+        return with_remedy(
             {ErrorCode::Io, state->path.string() + " is missing, but there is " + beside});
     }
     if (!is_there && !options.create) {

@@ -178,7 +178,7 @@ struct FoundJob {
     RecoveredJob job;
     std::vector<ResultRow> rows;
     std::vector<RecordPlace> places;
-    std::vector<WorkerProcess> authors;           ///< Authors of the rows.
+    std::vector<InstanceId> authors;              ///< Authors of the rows.
     std::vector<bool> withdrawn;                  ///< Rows that count as never written.
     std::uint64_t end = ResultStore::first_end(); ///< Committed end of the segment.
 };
@@ -237,7 +237,7 @@ void take_rows(FoundJob& job, const ResultGroup& group) {
 }
 
 /// Withdraws the rows of an author up to here. A withdrawn author writes no more rows in a group.
-void withdraw_rows(FoundJob& job, WorkerProcess author) {
+void withdraw_rows(FoundJob& job, InstanceId author) {
     for (std::size_t i = 0; i < job.rows.size(); ++i) {
         if (job.authors[i] == author && !job.withdrawn[i]) {
             job.withdrawn[i] = true;

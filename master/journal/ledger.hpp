@@ -4,7 +4,7 @@
 
 #include "common/core/files/hash.hpp"
 #include "common/core/id.hpp"
-#include "master/base/worker_process.hpp"
+#include "master/base/instance_id.hpp"
 
 #include <array>
 #include <bitset>

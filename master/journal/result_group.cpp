@@ -95,14 +95,14 @@ bool get_maps(ByteReader& in, std::vector<Bytes>& maps) {
 
 /// Writes the processes first, then runs that refer to them by index.
 void put_authors(ByteWriter& out, std::span<const AuthorRun> runs) {
-    std::vector<WorkerProcess> processes;
+    std::vector<InstanceId> processes;
     for (const AuthorRun& run : runs) {
         if (std::ranges::find(processes, run.author) == processes.end()) {
             processes.push_back(run.author);
         }
     }
     put_varint(out, processes.size());
-    out.put_array(std::span<const WorkerProcess>(processes));
+    out.put_array(std::span<const InstanceId>(processes));
     put_varint(out, runs.size());
     for (const AuthorRun& run : runs) {
         const auto place = std::ranges::find(processes, run.author) - processes.begin();
@@ -112,7 +112,7 @@ void put_authors(ByteWriter& out, std::span<const AuthorRun> runs) {
 }
 
 bool get_authors(ByteReader& in, std::uint64_t rows, std::vector<AuthorRun>& runs) {
-    const auto processes = in.get_array<WorkerProcess>(get_varint(in).value_or(0));
+    const auto processes = in.get_array<InstanceId>(get_varint(in).value_or(0));
     const auto count = get_varint(in);
     if (in.failed() || !count || !may_hold(in, *count, 2)) {
         return false;
@@ -143,13 +143,13 @@ void put_remarks(ByteWriter& out, std::span<const Remark> remarks) {
 
 bool get_remarks(ByteReader& in, std::vector<Remark>& remarks) {
     const auto count = get_varint(in);
-    if (!count || !may_hold(in, *count, 1 + sizeof(WorkerProcess))) {
+    if (!count || !may_hold(in, *count, 1 + sizeof(InstanceId))) {
         return false;
     }
     for (std::uint64_t i = 0; i < *count; ++i) {
         Remark remark;
         const bool is_kind = get_enumeration(in, remark.kind, Remark::Kind::Withdrawn);
-        remark.author = in.get<WorkerProcess>();
+        remark.author = in.get<InstanceId>();
         if (!is_kind) {
             return false;
         }
@@ -177,7 +177,7 @@ void put_losses(ByteWriter& out, std::span<const LostPlaces> losses) {
 
 bool get_losses(ByteReader& in, std::vector<LostPlaces>& losses) {
     const auto count = get_varint(in);
-    if (!count || !may_hold(in, *count, 2 + sizeof(WorkerProcess))) {
+    if (!count || !may_hold(in, *count, 2 + sizeof(InstanceId))) {
         return false;
     }
     for (std::uint64_t i = 0; i < *count; ++i) {
@@ -186,7 +186,7 @@ bool get_losses(ByteReader& in, std::vector<LostPlaces>& losses) {
         if (!first || !places || *places == 0 || *first + *places < *first) {
             return false;
         }
-        losses.push_back({{*first, *places}, in.get<WorkerProcess>()});
+        losses.push_back({{*first, *places}, in.get<InstanceId>()});
     }
     return !in.failed();
 }

@@ -6,7 +6,7 @@
 #include "common/core/files/hash.hpp"
 #include "common/core/result.hpp"
 #include "common/job/result/merge.hpp"
-#include "master/base/worker_process.hpp"
+#include "master/base/instance_id.hpp"
 
 #include <cstdint>
 #include <span>
@@ -27,7 +27,7 @@ struct ResultRow {
 /// A number of consecutive rows with one author.
 struct AuthorRun {
     std::uint64_t rows = 0;
-    WorkerProcess author = 0;
+    InstanceId author = 0;
 
     friend bool operator==(const AuthorRun&, const AuthorRun&) = default;
 };
@@ -41,8 +41,8 @@ struct Remark {
     };
     Kind kind = Kind::Withdrawn;
     std::uint64_t scenario = 0;
-    Sha256 digest;            ///< Digest of the other result in a dispute.
-    WorkerProcess author = 0; ///< Author of the other result, or of the withdrawn ones.
+    Sha256 digest;         ///< Digest of the other result in a dispute.
+    InstanceId author = 0; ///< Author of the other result, or of the withdrawn ones.
 
     friend bool operator==(const Remark&, const Remark&) = default;
 };

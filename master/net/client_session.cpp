@@ -6,12 +6,12 @@
 #include "common/core/printable.hpp"
 #include "master/base/run_on.hpp"
 #include "master/identity/identity.hpp"
-#include "master/jobs/submission.hpp"
 #include "master/net/answers.hpp"
 #include "master/net/job_removal.hpp"
 #include "master/net/job_requests.hpp"
 #include "master/net/state_sizes.hpp"
 #include "master/net/worker_dismissal.hpp"
+#include "master/submission/submission.hpp"
 #include "proto/codec/codec.hpp"
 
 namespace cd {

@@ -6,8 +6,8 @@
 #include "master/geometry/mesh_upload.hpp"
 #include "master/identity/access.hpp"
 #include "master/jobs/job_queries.hpp"
-#include "master/jobs/job_spool.hpp"
 #include "master/net/quotas.hpp"
+#include "master/submission/job_spool.hpp"
 #include "proto/channel/asio.hpp"
 #include "proto/channel/channel.hpp"
 

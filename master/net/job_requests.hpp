@@ -2,7 +2,7 @@
 #pragma once
 
 #include "common/core/result.hpp"
-#include "master/jobs/job_spool.hpp"
+#include "master/submission/job_spool.hpp"
 #include "proto/channel/asio.hpp"
 #include "proto/messages/client_messages.hpp"
 

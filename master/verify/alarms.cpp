@@ -15,7 +15,7 @@ void Alarms::raise(const std::string& text) {
     is_changed_ = true;
 }
 
-bool Alarms::quarantine(WorkerProcess process) {
+bool Alarms::quarantine(InstanceId process) {
     if (process == 0 || is_quarantined(process)) {
         return false;
     }

@@ -19,19 +19,19 @@ class Alarms {
     /// Raises an alarm: logs it and adds it to the record.
     void raise(const std::string& text);
     /// False: the process is in quarantine already, or is the master (0).
-    bool quarantine(WorkerProcess process);
+    bool quarantine(InstanceId process);
 
-    [[nodiscard]] bool is_quarantined(WorkerProcess process) const {
+    [[nodiscard]] bool is_quarantined(InstanceId process) const {
         return quarantined_.contains(process);
     }
-    [[nodiscard]] const std::set<WorkerProcess>& quarantined() const { return quarantined_; }
+    [[nodiscard]] const std::set<InstanceId>& quarantined() const { return quarantined_; }
     [[nodiscard]] const AlarmRecord& record() const { return record_; }
     /// The record if it has changed since the last call; the caller writes it to the journal.
     [[nodiscard]] std::optional<AlarmRecord> take_changed();
 
   private:
     AlarmRecord record_;
-    std::set<WorkerProcess> quarantined_; ///< Those of `record_`.
+    std::set<InstanceId> quarantined_; ///< Those of `record_`.
     bool is_changed_ = false;
 };
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "common/core/id.hpp"
-#include "master/base/worker_process.hpp"
+#include "master/base/instance_id.hpp"
 
 #include <chrono>
 #include <cstddef>
@@ -21,12 +21,12 @@ class AwaitedWorkers {
 
     AwaitedWorkers() = default;
     /// Holds `jobs` back until each process has delivered everything, or until the time `until`.
-    AwaitedWorkers(std::set<JobId> jobs, std::set<WorkerProcess> processes, Time until)
+    AwaitedWorkers(std::set<JobId> jobs, std::set<InstanceId> processes, Time until)
         : jobs_(std::move(jobs)), processes_(std::move(processes)), until_(until) {}
 
     [[nodiscard]] std::size_t size() const { return processes_.size(); }
     /// The process has sent all results that it kept.
-    void has_told_all(WorkerProcess process) { processes_.erase(process); }
+    void has_told_all(InstanceId process) { processes_.erase(process); }
     /// Counts the job's results from earlier sessions that are being checked.
     void check_begins(JobId job) { ++checks_[job]; }
     void check_ends(JobId job) {
@@ -42,7 +42,7 @@ class AwaitedWorkers {
 
   private:
     std::set<JobId> jobs_;
-    std::set<WorkerProcess> processes_;
+    std::set<InstanceId> processes_;
     Time until_{};
     std::map<JobId, std::size_t> checks_; ///< Number of messages being checked.
 };

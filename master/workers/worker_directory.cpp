@@ -14,13 +14,13 @@ namespace cd {
 
 namespace {
 
-WorkerProcess number_in(const Sha256& hash) {
-    return std::max<WorkerProcess>(1, ByteReader(hash.bytes).get<WorkerProcess>());
+InstanceId number_in(const Sha256& hash) {
+    return std::max<InstanceId>(1, ByteReader(hash.bytes).get<InstanceId>());
 }
 
 /// A worker that sends no instance id gets a random one. For a certified worker the id is hashed
 /// with its certificate holder, so nobody can impersonate another holder's process.
-WorkerProcess process_that_greets(const Hello& hello, const std::string& holder) {
+InstanceId process_that_greets(const Hello& hello, const std::string& holder) {
     if (hello.instance == 0) {
         return number_in(random_secret());
     }
@@ -65,7 +65,7 @@ void WorkerDirectory::join(const Reception& reception,
     if (reception.is_resumed) {
         return resume(id, std::move(channel));
     }
-    const WorkerProcess process = process_that_greets(hello, reception.holder);
+    const InstanceId process = process_that_greets(hello, reception.holder);
     end_earlier_sessions(process);
     log_info("worker joined: worker={} name={} holder=\"{}\" threads={} cache_bytes={} peer={}",
              id.value,
@@ -87,7 +87,7 @@ void WorkerDirectory::join(const Reception& reception,
     events_.worker_joined(id, hello);
 }
 
-void WorkerDirectory::end_earlier_sessions(WorkerProcess process) {
+void WorkerDirectory::end_earlier_sessions(InstanceId process) {
     std::vector<WorkerId> earlier;
     for (const auto& [id, worker] : workers_) {
         if (worker.author->process == process) {
@@ -259,7 +259,7 @@ void WorkerDirectory::dismiss(WorkerId id) {
     }
 }
 
-std::vector<WorkerId> WorkerDirectory::quarantine(WorkerProcess process) {
+std::vector<WorkerId> WorkerDirectory::quarantine(InstanceId process) {
     std::vector<WorkerId> sessions;
     for (auto& [id, worker] : workers_) {
         if (worker.author->process == process) {

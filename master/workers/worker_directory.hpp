@@ -3,7 +3,7 @@
 
 #include "common/core/id.hpp"
 #include "common/core/result.hpp"
-#include "master/base/worker_process.hpp"
+#include "master/base/instance_id.hpp"
 #include "master/workers/worker_meter.hpp"
 #include "master/workers/worker_supply.hpp"
 #include "master/workers/worker_watch.hpp"
@@ -129,7 +129,7 @@ class WorkerDirectory {
     /// Orders the worker to exit at once. It leaves, and is not counted as lost.
     void dismiss(WorkerId worker);
     /// Marks the sessions of the process, and returns them.
-    std::vector<WorkerId> quarantine(WorkerProcess process);
+    std::vector<WorkerId> quarantine(InstanceId process);
     /// The master is shutting down.
     void close() { is_closed_ = true; }
 
@@ -148,11 +148,11 @@ class WorkerDirectory {
   private:
     struct Lost {
         WorkerStatus status; ///< As of the loss.
-        WorkerProcess process = 0;
+        InstanceId process = 0;
     };
 
     void resume(WorkerId worker, std::shared_ptr<Channel> channel);
-    void end_earlier_sessions(WorkerProcess process);
+    void end_earlier_sessions(InstanceId process);
     [[nodiscard]] bool is_its_channel(WorkerId worker, const Channel& channel) const;
     void note_life(WorkerId worker);
     void hear_bytes();
@@ -167,7 +167,7 @@ class WorkerDirectory {
     std::uint64_t last_ = 0; ///< The last id given out.
     WorkerWatch watch_;
     std::map<WorkerId, Lost> lost_; ///< Shown for a while.
-    std::map<WorkerProcess, std::weak_ptr<WorkerIntake>> intakes_;
+    std::map<InstanceId, std::weak_ptr<WorkerIntake>> intakes_;
     Counts counts_;
     bool is_closed_ = false;
 };

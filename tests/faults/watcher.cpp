@@ -41,8 +41,8 @@ std::vector<std::uint64_t> scenarios_in(const ScenarioRange& range) {
     return indices;
 }
 
-std::vector<WorkerProcess> authors_of(const ResultGroup& group) {
-    std::vector<WorkerProcess> authors;
+std::vector<InstanceId> authors_of(const ResultGroup& group) {
+    std::vector<InstanceId> authors;
     for (const AuthorRun& run : group.authors) {
         authors.insert(authors.end(), run.rows, run.author);
     }
@@ -111,14 +111,14 @@ std::string Watcher::add_group(JobId id, const Bytes& bytes) {
         constexpr std::uint64_t any = 1u << 20;
         job.map.add(unpack_map(map, {any, any, any}).value());
     }
-    std::set<WorkerProcess> withdrawn;
+    std::set<InstanceId> withdrawn;
     for (const Remark& remark : group.remarks) {
         if (remark.kind == Remark::Kind::Withdrawn) {
             withdrawn.insert(remark.author);
             withdraw(job, remark.author);
         }
     }
-    const std::vector<WorkerProcess> authors = authors_of(group);
+    const std::vector<InstanceId> authors = authors_of(group);
     for (std::size_t i = 0; i < group.rows.size(); ++i) {
         const ResultRow& row = group.rows[i];
         if (withdrawn.contains(authors[i])) {
@@ -147,7 +147,7 @@ std::string Watcher::add_group(JobId id, const Bytes& bytes) {
     return wrong;
 }
 
-void Watcher::withdraw(DurableJob& job, WorkerProcess author) {
+void Watcher::withdraw(DurableJob& job, InstanceId author) {
     for (auto result = job.results.begin(); result != job.results.end();) {
         const bool is_its = result->second.author == author;
         if (is_its) {

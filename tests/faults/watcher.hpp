@@ -32,7 +32,7 @@ struct Route {
 
 struct DurableResult {
     Sha256 digest;
-    WorkerProcess author = 0;
+    InstanceId author = 0;
     bool is_witnessed = false; ///< It was compared with a right answer, or is one.
 };
 
@@ -96,7 +96,7 @@ class Watcher {
   private:
     using Key = std::pair<JobId, std::uint64_t>;
     [[nodiscard]] std::string add_group(JobId job, const Bytes& bytes);
-    void withdraw(DurableJob& job, WorkerProcess author);
+    void withdraw(DurableJob& job, InstanceId author);
     [[nodiscard]] std::string sent(JobId job, std::span<const std::uint64_t> scenarios);
     [[nodiscard]] std::string check_awaited(JobId job) const;
     void given_back(std::uint64_t worker, const Recalled& recalled);

@@ -3,7 +3,7 @@
 #include "common/search/contact_search.hpp"
 #include "common/tree/tree_file.hpp"
 #include "master/identity/token_book.hpp"
-#include "master/jobs/pose_spool.hpp"
+#include "master/submission/pose_spool.hpp"
 #include "tests/fuzz/memory_file.hpp"
 #include "tests/fuzz/require.hpp"
 #include "tests/fuzz/sample_mesh.hpp"

@@ -4,9 +4,9 @@
 
 #include "master/geometry/geometry_store.hpp"
 #include "master/identity/identity.hpp"
-#include "master/jobs/label_spool.hpp"
-#include "master/jobs/pose_spool.hpp"
 #include "master/journal/journal.hpp"
+#include "master/submission/label_spool.hpp"
+#include "master/submission/pose_spool.hpp"
 #include "tests/support/process.hpp"
 #include "tests/support/shapes.hpp"
 

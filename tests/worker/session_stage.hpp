@@ -211,7 +211,7 @@ inline asio::awaitable<void> play_on(asio::io_context& context,
                                      Executor& executor,
                                      const Play& play,
                                      bool adds_job,
-                                     const std::shared_ptr<WorkerKeep>& keep,
+                                     const std::shared_ptr<CarryOver>& keep,
                                      std::optional<SessionEnd>& how) {
     Ends ends = co_await connect_greeted_ends();
     Stage stage{
@@ -232,9 +232,9 @@ inline std::optional<SessionEnd> perform(std::uint64_t cache_bytes,
                                          unsigned threads,
                                          const Play& play,
                                          bool adds_job = true,
-                                         std::shared_ptr<WorkerKeep> keep = nullptr) {
+                                         std::shared_ptr<CarryOver> keep = nullptr) {
     if (keep == nullptr) {
-        keep = std::make_shared<WorkerKeep>(cache_bytes);
+        keep = std::make_shared<CarryOver>(cache_bytes);
     }
     asio::io_context context;
     Executor executor(context.get_executor(), threads);

@@ -11,7 +11,7 @@ namespace cd {
 
 Membership::Membership(Executor& executor, std::uint64_t cache_bytes, const UnkeptBounds& bounds)
     : executor_(executor),
-      keep_(std::make_shared<WorkerKeep>(cache_bytes, bounds)),
+      keep_(std::make_shared<CarryOver>(cache_bytes, bounds)),
       drain_timer_(executor.home()) {}
 
 std::chrono::milliseconds Membership::patience() const {

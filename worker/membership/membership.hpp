@@ -60,7 +60,7 @@ class Membership {
                                       std::function<void()> out_of_time);
 
     Executor& executor_;
-    std::shared_ptr<WorkerKeep> keep_;
+    std::shared_ptr<CarryOver> keep_;
     std::shared_ptr<Session> session_; ///< Kept without a connection while it may resume.
     std::uint64_t session_id_ = 0;
     std::uint64_t epoch_ = 0;

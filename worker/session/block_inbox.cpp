@@ -21,7 +21,7 @@ void sort_distinct(std::vector<RootIndex>& roots) {
 
 BlockInbox::BlockInbox(SessionHub& hub,
                        MasterLink& master,
-                       std::shared_ptr<WorkerKeep> keep,
+                       std::shared_ptr<CarryOver> keep,
                        PeerParts peers)
     : hub_(hub),
       master_(master),

@@ -7,9 +7,9 @@
 #include "worker/peers/fetcher.hpp"
 #include "worker/peers/peer_links.hpp"
 #include "worker/peers/peer_server.hpp"
+#include "worker/session/carry_over.hpp"
 #include "worker/session/session_hub.hpp"
 #include "worker/session/traffic_book.hpp"
-#include "worker/session/worker_keep.hpp"
 
 #include <map>
 #include <memory>
@@ -35,7 +35,7 @@ class BlockInbox {
     /// Takes the cache from `keep`, until `leave`.
     BlockInbox(SessionHub& hub,
                MasterLink& master,
-               std::shared_ptr<WorkerKeep> keep,
+               std::shared_ptr<CarryOver> keep,
                PeerParts peers);
 
     // ---- Messages from the master -------------------------------------------------------------
@@ -99,7 +99,7 @@ class BlockInbox {
 
     SessionHub& hub_;
     MasterLink& master_;
-    std::shared_ptr<WorkerKeep> keep_;
+    std::shared_ptr<CarryOver> keep_;
     SubtreeCache cache_;
     Fetcher fetcher_;
     PeerParts peers_;

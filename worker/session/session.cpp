@@ -77,7 +77,7 @@ struct Session::Router {
 
 Session::Session(std::shared_ptr<Channel> channel,
                  Executor& executor,
-                 std::shared_ptr<WorkerKeep> keep,
+                 std::shared_ptr<CarryOver> keep,
                  PeerParts peers,
                  const SessionTimes& times)
     : SessionHub(executor),

@@ -2,10 +2,10 @@
 #pragma once
 
 #include "worker/session/block_inbox.hpp"
+#include "worker/session/carry_over.hpp"
 #include "worker/session/session_hub.hpp"
 #include "worker/session/session_link.hpp"
 #include "worker/session/task_runner.hpp"
-#include "worker/session/worker_keep.hpp"
 
 #include <chrono>
 #include <cstdint>
@@ -16,13 +16,13 @@ namespace cd {
 
 /// Routes messages between the link to the master, the blocks and the tasks. A session outlives its
 /// connection: threads keep computing, and the next connection finds the state unchanged. When the
-/// session ends, subtrees and unacknowledged results move to `WorkerKeep`, and threads skip its
+/// session ends, subtrees and unacknowledged results move to `CarryOver`, and threads skip its
 /// remaining work. All members run on the executor's home.
 class Session : public SessionHub {
   public:
     Session(std::shared_ptr<Channel> channel,
             Executor& executor,
-            std::shared_ptr<WorkerKeep> keep,
+            std::shared_ptr<CarryOver> keep,
             PeerParts peers = {},
             const SessionTimes& times = {});
 

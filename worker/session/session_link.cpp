@@ -19,7 +19,7 @@ SessionTimes SessionTimes::of(const Welcome& welcome) {
 
 SessionLink::SessionLink(SessionHub& hub,
                          std::shared_ptr<Channel> channel,
-                         std::shared_ptr<WorkerKeep> keep,
+                         std::shared_ptr<CarryOver> keep,
                          const SessionTimes& times,
                          Calls calls)
     : hub_(hub),

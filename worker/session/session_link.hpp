@@ -3,8 +3,8 @@
 
 #include "common/core/limits/wire.hpp"
 #include "proto/channel/channel.hpp"
+#include "worker/session/carry_over.hpp"
 #include "worker/session/session_hub.hpp"
-#include "worker/session/worker_keep.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -48,7 +48,7 @@ class SessionLink : public MasterLink {
 
     SessionLink(SessionHub& hub,
                 std::shared_ptr<Channel> channel,
-                std::shared_ptr<WorkerKeep> keep,
+                std::shared_ptr<CarryOver> keep,
                 const SessionTimes& times,
                 Calls calls);
 
@@ -87,7 +87,7 @@ class SessionLink : public MasterLink {
 
     SessionHub& hub_;
     std::shared_ptr<Channel> channel_;
-    std::shared_ptr<WorkerKeep> keep_;
+    std::shared_ptr<CarryOver> keep_;
     SessionTimes times_;
     Calls calls_;
     SessionEnd end_ = SessionEnd::Lost; ///< Lost until another reason is known.

@@ -9,9 +9,9 @@
 #include "common/job/settle.hpp"
 #include "common/search/search_cost.hpp"
 #include "common/tree/wire/top_block.hpp"
+#include "master/compute/analyser.hpp"
 #include "master/dispatch/cost_model.hpp"
 #include "master/geometry/blocks_file.hpp"
-#include "master/jobs/submitter.hpp"
 #include "worker/cache/subtree_cache.hpp"
 #include "worker/execution/executor.hpp"
 

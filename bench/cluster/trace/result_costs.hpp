@@ -3,7 +3,7 @@
 
 #include "bench/cluster/trace/trace.hpp"
 #include "common/core/files/bytes.hpp"
-#include "master/results/result_intake.hpp"
+#include "master/compute/result_check.hpp"
 
 #include <filesystem>
 #include <memory>

@@ -4,7 +4,7 @@
 #include "common/core/id.hpp"
 #include "common/job/poses/ordered_poses.hpp"
 #include "common/tree/root_holders.hpp"
-#include "master/base/worker_process.hpp"
+#include "master/base/instance_id.hpp"
 #include "master/dispatch/dispatch_inputs.hpp"
 #include "master/dispatch/dispatch_tree.hpp"
 #include "master/dispatch/job/job_meters.hpp"

@@ -18,7 +18,7 @@ struct DispatchParts;
 /// Owns the dispatcher's parts, which events of `Dispatcher` change and these questions do not.
 class DispatchView {
   public:
-    /// Scenarios that wait or are buffered; this number throttles the submitter.
+    /// Scenarios that wait or are buffered; this number throttles the analyser.
     [[nodiscard]] std::uint64_t unsent() const;
     /// True if nothing waits and some workers are idle while others work. Call `input_paused` from
     /// time to time then, to find stragglers.

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "common/core/id.hpp"
-#include "master/base/worker_process.hpp"
+#include "master/base/instance_id.hpp"
 #include "master/dispatch/worker_pace.hpp"
 #include "master/dispatch/workers/batch_size.hpp"
 #include "master/dispatch/workers/worker_buffers.hpp"
@@ -20,7 +20,7 @@ struct WorkerFacts {
     std::uint32_t threads = 1;
     double weight = 1;             ///< Factor on its speed in matching by time.
     std::uint64_t cache_bytes = 0; ///< Limit of its subtree cache; 0: no cache.
-    WorkerProcess process = 0;     ///< 0: unknown. An earlier session may be lost.
+    InstanceId process = 0;        ///< 0: unknown. An earlier session may be lost.
 };
 
 /// Tracks whether a worker takes work, and what it has; makes no decisions.

@@ -37,7 +37,7 @@ class Explanations : public testing::Test {
         return analysis;
     }
 
-    JobBoard board_;
+    JobTable board_;
     Dispatcher dispatcher_;
     Explainer explainer_{board_, dispatcher_, [](WorkerId worker) { return worker.value == 1; }};
 };

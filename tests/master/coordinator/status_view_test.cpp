@@ -47,7 +47,7 @@ class Statuses : public testing::Test {
     asio::io_context context_;
     NoEvents events_;
     Clock::time_point now_{};
-    JobBoard board_;
+    JobTable board_;
     WorkerDirectory workers_{{}, 1, events_, [this] { return now_; }};
     Alarms alarms_;
     std::string paused_;

@@ -17,7 +17,7 @@ constexpr WorkerId worker_2{2};
 /// A dispatcher that checks its invariants after each event; records the actions.
 class Driver {
   public:
-    void join(WorkerId worker, std::uint32_t threads = 1, WorkerProcess process = 0) {
+    void join(WorkerId worker, std::uint32_t threads = 1, InstanceId process = 0) {
         keep(dispatcher.worker_joined(worker, {"w", threads, 1, 0, process}));
     }
     void open(JobId job, ClusterOptions options) {
@@ -345,7 +345,7 @@ TEST(Dispatcher, AProcessThatIsLostAgainIsNoEvidenceAgainstAScenario) {
     driver.feed(job_1, 0, 1);
     driver.pause();
     std::uint64_t sessions = 0;
-    const auto lose_with = [&](WorkerProcess process) {
+    const auto lose_with = [&](InstanceId process) {
         driver.join(WorkerId{++sessions}, 1, process);
         ASSERT_EQ(driver.batches.size(), sessions) << "it goes out again";
         driver.keep(driver.dispatcher.worker_lost(WorkerId{sessions}));
@@ -364,7 +364,7 @@ TEST(Dispatcher, LossesFromBeforeTheMasterBeganCount) {
         Driver driver;
         driver.open(job_1, options_with(4, false));
         AnalysedScenario scenario{0, {0}, {0}, 100};
-        for (WorkerProcess process = 1; process <= before; ++process) {
+        for (InstanceId process = 1; process <= before; ++process) {
             scenario.losses.add(process);
         }
         driver.keep(driver.dispatcher.scenario_analysed(job_1, scenario));

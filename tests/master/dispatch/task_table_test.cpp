@@ -52,7 +52,7 @@ TEST_F(TaskTables, EachLossIsToldAndTheLastGivesUp) {
         } else {
             send(one_, job_, 1);
         }
-        tasks.end(one_, last<SendBatch>().task, WorkerProcess{lost}, actions);
+        tasks.end(one_, last<SendBatch>().task, InstanceId{lost}, actions);
         EXPECT_EQ(last<ScenariosLost>().process, lost);
     }
     EXPECT_EQ(std::get<GiveUp>(actions.at(actions.size() - 2)), (GiveUp{job_.id, 0}));
@@ -130,8 +130,8 @@ TEST_F(TaskTables, ARangeIsCutCopiedAndEnded) {
     EXPECT_EQ(two_.tasks.cost_ns(), 200u);
     tasks.copy_places(one_, task, two_, 1, actions);
     EXPECT_EQ(last<SendRange>().places, (PlaceRange{13, 1}));
-    tasks.end(one_, task, WorkerProcess{5}, actions);
-    EXPECT_EQ(last<RangeEnded>(), (RangeEnded{task, job_.id, {10, 6}, WorkerProcess{5}}));
+    tasks.end(one_, task, InstanceId{5}, actions);
+    EXPECT_EQ(last<RangeEnded>(), (RangeEnded{task, job_.id, {10, 6}, InstanceId{5}}));
 }
 
 } // namespace

@@ -9,7 +9,7 @@ namespace {
 
 using Kind = Remark::Kind;
 
-AddResults results_by(WorkerProcess author,
+AddResults results_by(InstanceId author,
                       const std::shared_ptr<ResultStore>& store,
                       std::uint64_t first,
                       std::uint64_t count) {
@@ -24,8 +24,8 @@ AddResults remarks_on(const std::shared_ptr<ResultStore>& store, std::vector<Rem
     return add;
 }
 
-std::map<std::uint64_t, WorkerProcess> authors_in(const RecoveredJob& job) {
-    std::map<std::uint64_t, WorkerProcess> authors;
+std::map<std::uint64_t, InstanceId> authors_in(const RecoveredJob& job) {
+    std::map<std::uint64_t, InstanceId> authors;
     EXPECT_EQ(job.done.size(), job.authors.size());
     for (std::size_t i = 0; i < job.done.size(); ++i) {
         authors[job.done[i].scenario] = job.authors.at(i);
@@ -54,7 +54,7 @@ TEST(JournalAuthors, ComeBackWhateverSharesACommit) {
         EXPECT_EQ(authors.at(scenario), 70 + scenario / 5 % 3) << scenario;
     }
     EXPECT_EQ(authors.at(60), 0u);
-    EXPECT_EQ(job.contributors, (std::set<WorkerProcess>{70, 71, 72}));
+    EXPECT_EQ(job.contributors, (std::set<InstanceId>{70, 71, 72}));
 }
 
 TEST(JournalAuthors, OfAJobThatHasEndedItIsKnownWhoContributed) {
@@ -67,7 +67,7 @@ TEST(JournalAuthors, OfAJobThatHasEndedItIsKnownWhoContributed) {
         writer.journal->add(EndJob{JobId{1}, {JobState::Cancelled, "cancelled", {}}, {}});
     }
     const Writer again(folder.path());
-    EXPECT_EQ(again.recovered.jobs.at(0).contributors, (std::set<WorkerProcess>{7, 8}));
+    EXPECT_EQ(again.recovered.jobs.at(0).contributors, (std::set<InstanceId>{7, 8}));
 }
 
 TEST(JournalAuthors, WithdrawnResultsCountAsNeverWrittenAndCorrectedOnesAreTheMasters) {
@@ -106,7 +106,7 @@ TEST(JournalAuthors, WithdrawnResultsCountAsNeverWrittenAndCorrectedOnesAreTheMa
         }
         EXPECT_EQ(job.withdrawn, 10u);
         EXPECT_EQ(job.results->count(), 12u);
-        EXPECT_EQ(job.contributors, (std::set<WorkerProcess>{8}));
+        EXPECT_EQ(job.contributors, (std::set<InstanceId>{8}));
         EXPECT_EQ(job.merger.digest_of(12), result_of(12, 70).row.digest);
     }
 }
@@ -182,7 +182,7 @@ TEST(JournalAuthors, AlarmsAndTheQuarantinedComeBackAsTheyWereLast) {
         Writer writer(folder.path());
         EXPECT_EQ(writer.recovered.alarms, AlarmRecord{});
         const auto store = writer.accept(JobId{1}, 100);
-        for (const WorkerProcess wrong : {7u, 8u}) {
+        for (const InstanceId wrong : {7u, 8u}) {
             alarms.add("worker " + std::to_string(wrong) + " is wrong");
             alarms.quarantine(wrong);
             AddResults verdict = remarks_on(store, {});

@@ -1,7 +1,7 @@
 // Proves that the master applies its quotas wherever a client may exceed its share, names the
 // exceeded quota, and serves others; and that abandoned operations end.
 #include "common/core/limits/master.hpp"
-#include "master/jobs/submission.hpp"
+#include "master/submission/submission.hpp"
 #include "tests/master/fake_client.hpp"
 #include "tests/master/master_stage.hpp"
 

@@ -14,7 +14,7 @@ TEST(Alarms, ReportEachChangeOnce) {
     const auto changed = alarms.take_changed();
     ASSERT_TRUE(changed);
     EXPECT_EQ(changed->count, 1u);
-    EXPECT_EQ(changed->quarantined, std::vector<WorkerProcess>{7});
+    EXPECT_EQ(changed->quarantined, std::vector<InstanceId>{7});
     EXPECT_FALSE(alarms.take_changed());
 }
 
@@ -25,7 +25,7 @@ TEST(Alarms, QuarantineAProcessOnceAndTheMasterNever) {
     EXPECT_FALSE(alarms.quarantine(0));
     EXPECT_TRUE(alarms.is_quarantined(7));
     EXPECT_FALSE(alarms.is_quarantined(8));
-    EXPECT_EQ(alarms.quarantined(), std::set<WorkerProcess>{7});
+    EXPECT_EQ(alarms.quarantined(), std::set<InstanceId>{7});
 }
 
 TEST(Alarms, AfterARestartAreThoseOfTheRecord) {

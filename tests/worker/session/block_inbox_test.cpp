@@ -19,7 +19,7 @@ constexpr JobId job{1};
 
 struct Inbox : HubStage {
     explicit Inbox(std::uint64_t cache_bytes = unlimited)
-        : keep(std::make_shared<WorkerKeep>(cache_bytes)), blocks(*hub, master, keep, {}) {
+        : keep(std::make_shared<CarryOver>(cache_bytes)), blocks(*hub, master, keep, {}) {
         EXPECT_TRUE(blocks.add_tree(bodies().a.add(tree_a)));
         EXPECT_TRUE(blocks.add_tree(bodies().b.add(tree_b)));
         WorkerJob known;
@@ -35,7 +35,7 @@ struct Inbox : HubStage {
         run_until([&] { return hub->settled != before; });
     }
 
-    std::shared_ptr<WorkerKeep> keep;
+    std::shared_ptr<CarryOver> keep;
     BlockInbox blocks;
 };
 

@@ -13,7 +13,7 @@ namespace {
 
 struct Linked {
     std::shared_ptr<TestHub> hub;
-    std::shared_ptr<WorkerKeep> keep;
+    std::shared_ptr<CarryOver> keep;
     SessionLink& link;
     std::shared_ptr<Channel> master;
     Status answer = Done{}; ///< Of the session, to each message.
@@ -28,7 +28,7 @@ void with_link(const Part& part, const UnkeptBounds& bounds = {}, SessionTimes t
         const auto home = co_await asio::this_coro::executor;
         Executor executor(home, 1);
         const auto hub = std::make_shared<TestHub>(executor);
-        const auto keep = std::make_shared<WorkerKeep>(unlimited, bounds);
+        const auto keep = std::make_shared<CarryOver>(unlimited, bounds);
         Ends ends = co_await connect_greeted_ends();
         Linked* linked_ptr = nullptr;
         SessionLink::Calls calls;

@@ -8,7 +8,7 @@ namespace cd::tests {
 namespace {
 
 TEST(Session, WhatIsNotAcknowledgedIsSentAgainAndSubtreesAreKept) {
-    const auto keep = std::make_shared<WorkerKeep>(unlimited);
+    const auto keep = std::make_shared<CarryOver>(unlimited);
     keep->enter(some_hash(1));
     const auto scenarios = make_scenarios(600, 30);
     std::map<std::uint64_t, Bytes> first_time;
@@ -63,7 +63,7 @@ lose_the_connection_again_and_again(asio::io_context& context, Executor& executo
     Ends ends = co_await connect_greeted_ends();
     const auto session = std::make_shared<Session>(std::move(ends.left),
                                                    executor,
-                                                   std::make_shared<WorkerKeep>(unlimited),
+                                                   std::make_shared<CarryOver>(unlimited),
                                                    PeerParts{},
                                                    quick_times);
     FakeMaster master(std::move(ends.right));

@@ -71,7 +71,7 @@ struct Runner : HubStage {
         return indices;
     }
 
-    std::shared_ptr<WorkerKeep> keep = std::make_shared<WorkerKeep>(unlimited);
+    std::shared_ptr<CarryOver> keep = std::make_shared<CarryOver>(unlimited);
     BlockInbox blocks;
     TaskRunner tasks;
     std::size_t wants_served = 0;

@@ -1,0 +1,169 @@
+#include "master/compute/analyser.hpp"
+
+#include "common/core/check.hpp"
+#include "common/core/limits/engine.hpp"
+#include "common/job/run_scenario.hpp"
+#include "common/job/settle.hpp"
+#include "master/dispatch/cost_model.hpp"
+
+#include <chrono>
+#include <condition_variable>
+#include <map>
+#include <mutex>
+
+namespace cd {
+
+namespace {
+
+/// Analyses one scenario as in the paper, without counting the bytes of its pose.
+Analysis analyse_uncounted(const AnalysisInput& input, const Scenario& scenario) {
+    Analysis analysis;
+    analysis.scenario = scenario;
+    // The roots of the upper trees are the bodies' own boxes, so this includes the broad phase.
+    Result<CollidingRoots> roots = colliding_roots(*input.top_a, *input.top_b, scenario.poses);
+    if (!roots) {
+        analysis.finished = failed_result(scenario, input.query, roots.error());
+        return analysis;
+    }
+    analysis.cost.search.box_tests = roots.value().box_tests;
+    if (roots.value().pairs.empty()) {
+        analysis.finished = run_on_subtrees({}, scenario, input.query).result;
+        analysis.cost.inside = input.settler->settle(scenario, *analysis.finished);
+    } else {
+        analysis.pairs = std::move(roots.value().pairs);
+        analysis.roots_a = roots_of_a(analysis.pairs);
+        analysis.roots_b = roots_of_b(analysis.pairs);
+        analysis.predicted_ns =
+            predicted_ns(meeting_size(*input.top_a, *input.top_b, analysis.pairs));
+    }
+    return analysis;
+}
+
+std::uint64_t bytes_in_batch(const Analysis& analysis, std::uint64_t pose_bytes) {
+    return pose_bytes + sizeof(std::uint32_t) + analysis.pairs.size() * sizeof(RootPair);
+}
+
+void analyse_block(const AnalysisInput& input,
+                   const std::vector<bool>* done,
+                   AnalysedBlock& block) {
+    const auto begin = std::chrono::steady_clock::now();
+    const PlaceRange& places = block.places;
+    const Result<std::vector<Scenario>> scenarios = input.poses->read(places.first, places.count);
+    if (!scenarios) {
+        block.error = scenarios.error();
+        return;
+    }
+    const std::uint64_t pose_bytes = pack_scenarios(scenarios.value()).size() / places.count;
+    block.scenarios.reserve(places.count);
+    std::uint64_t place = places.first;
+    for (const Scenario& scenario : scenarios.value()) {
+        const std::uint64_t here = place++;
+        if (done != nullptr && scenario.index < done->size() && (*done)[scenario.index]) {
+            continue;
+        }
+        block.scenarios.push_back(analyse_uncounted(input, scenario));
+        block.scenarios.back().place = here;
+        block.scenarios.back().bytes = bytes_in_batch(block.scenarios.back(), pose_bytes);
+    }
+    block.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+}
+
+} // namespace
+
+Analysis analyse(const AnalysisInput& input, const Scenario& scenario) {
+    Analysis analysis = analyse_uncounted(input, scenario);
+    analysis.bytes =
+        bytes_in_batch(analysis, pack_scenarios(std::span<const Scenario>(&scenario, 1)).size());
+    return analysis;
+}
+
+/// Shared with functions on the pool, which may outlive the analyser.
+struct Analyser::State {
+    AnalysisInput input;
+    std::function<void(AnalysedBlock)> deliver;
+
+    mutable std::mutex mutex;
+    std::condition_variable changed;
+    std::uint64_t started = 0; ///< Blocks started.
+    std::uint64_t delivered = 0;
+    std::map<std::uint64_t, AnalysedBlock> ready; ///< Analysed blocks that wait for earlier ones.
+    bool delivering = false;
+    bool stopped = false;
+
+    void run_block(std::uint64_t number, const std::vector<bool>* done, AnalysedBlock block);
+    void deliver_ready();
+};
+
+void Analyser::State::run_block(std::uint64_t number,
+                                const std::vector<bool>* done,
+                                AnalysedBlock block) {
+    {
+        const std::lock_guard lock(mutex);
+        if (stopped) {
+            return;
+        }
+    }
+    analyse_block(input, done, block);
+    {
+        const std::lock_guard lock(mutex);
+        ready.emplace(number, std::move(block));
+        // The thread that is delivering continues until no block is ready.
+        if (delivering || stopped) {
+            return;
+        }
+        delivering = true;
+    }
+    deliver_ready();
+}
+
+void Analyser::State::deliver_ready() {
+    std::unique_lock lock(mutex);
+    while (!stopped && !ready.empty() && ready.begin()->first == delivered) {
+        AnalysedBlock block = std::move(ready.begin()->second);
+        ready.erase(ready.begin());
+        ++delivered;
+        lock.unlock();
+        deliver(std::move(block));
+        lock.lock();
+    }
+    delivering = false;
+    changed.notify_all();
+}
+
+Analyser::Analyser(ThreadPool& pool,
+                   AnalysisInput input,
+                   std::function<void(AnalysedBlock)> deliver)
+    : pool_(pool), state_(std::make_shared<State>()) {
+    state_->input = std::move(input);
+    state_->deliver = std::move(deliver);
+}
+
+Analyser::~Analyser() {
+    std::unique_lock lock(state_->mutex);
+    state_->stopped = true;
+    state_->changed.wait(lock, [this] { return !state_->delivering; });
+}
+
+void Analyser::start(const PlaceRange& places,
+                     const Losses& losses,
+                     std::shared_ptr<const std::vector<bool>> done) {
+    CD_CHECK(places.count != 0 && places.count <= limits::analysis_block_scenarios);
+    std::uint64_t number = 0;
+    {
+        const std::lock_guard lock(state_->mutex);
+        if (state_->stopped) {
+            return;
+        }
+        number = state_->started++;
+    }
+    pool_.post([state = state_, number, places, losses, done = std::move(done)] {
+        state->run_block(number, done.get(), {places, losses, {}, 0, std::nullopt});
+    });
+}
+
+std::uint64_t Analyser::under_way() const {
+    const std::lock_guard lock(state_->mutex);
+    return state_->stopped ? 0 : state_->started - state_->delivered;
+}
+
+} // namespace cd

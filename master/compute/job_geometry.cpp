@@ -1,0 +1,90 @@
+#include "master/compute/job_geometry.hpp"
+
+#include "common/job/settle.hpp"
+#include "common/job/tolerance.hpp"
+#include "master/geometry/depth_choice.hpp"
+#include "master/submission/pose_spool.hpp"
+
+namespace cd {
+
+namespace {
+
+std::shared_ptr<const TreeTop> top_of(const std::shared_ptr<const CutGeometry>& cut) {
+    return {cut, &cut->top()};
+}
+
+} // namespace
+
+StoreResult<JobGeometry> make_job_geometry(GeometryStore& store, const Submit& submit) {
+    const auto tree_a = store.tree(submit.bodies[0].mesh);
+    const auto tree_b = store.tree(submit.bodies[1].mesh);
+    for (const auto* tree : {&tree_a, &tree_b}) {
+        if (!*tree) {
+            return tree->error();
+        }
+    }
+    const bool is_exact = submit.query.tolerance == 0;
+    const bool is_wide = is_exact && suits_wide_tree(tree_a.value()->view()) &&
+                         suits_wide_tree(tree_b.value()->view());
+    const SubtreeForm form = is_wide ? SubtreeForm::Wide : SubtreeForm::Binary;
+    const auto depth_of = [&](const ObbTree& tree, const std::optional<std::uint32_t>& given) {
+        if (!is_exact) {
+            return tolerance_depth(tree);
+        }
+        return given ? *given : choose_depth(tree, form);
+    };
+    const std::uint32_t depth_a = depth_of(*tree_a.value(), submit.cluster.depth(0));
+    const std::uint32_t depth_b = depth_of(*tree_b.value(), submit.cluster.depth(1));
+    const auto cut_a = store.cut(submit.bodies[0].mesh, depth_a, form);
+    const auto cut_b = store.cut(submit.bodies[1].mesh, depth_b, form);
+    for (const auto* cut : {&cut_a, &cut_b}) {
+        if (!*cut) {
+            return cut->is_unwritten() ? StoreResult<JobGeometry>::unwritten(cut->error())
+                                       : StoreResult<JobGeometry>(cut->error());
+        }
+    }
+    return JobGeometry{tree_a.value(), tree_b.value(), cut_a.value(), cut_b.value()};
+}
+
+DispatchTree dispatch_tree(TreeId id, const CutGeometry& cut) {
+    DispatchTree tree{id, {}, {}};
+    for (RootIndex root = 0; root < cut.root_count(); ++root) {
+        tree.root_triangles.push_back(cut.top().triangles_under(root));
+        tree.root_bytes.push_back(cut.compressed_bytes(root));
+    }
+    return tree;
+}
+
+AnalysisInput make_analysis_input(const JobGeometry& geometry,
+                                  const Query& query,
+                                  std::shared_ptr<PoseSource> poses) {
+    return {geometry.tree_a,
+            geometry.tree_b,
+            top_of(geometry.cut_a),
+            top_of(geometry.cut_b),
+            query,
+            std::make_shared<const Settler>(*geometry.tree_a, *geometry.tree_b, query.ignored),
+            std::move(poses)};
+}
+
+Result<std::shared_ptr<PoseSource>>
+open_poses(const Submit& submit, const std::filesystem::path& path, PoseCheck check) {
+    if (submit.grid) {
+        Result<Grid> grid = decode_grid(*submit.grid);
+        if (!grid) {
+            return grid.error();
+        }
+        return std::shared_ptr<PoseSource>(make_grid_source(std::move(grid.value())));
+    }
+    Result<std::unique_ptr<PoseSpool>> spool = PoseSpool::open(path, submit.scenarios);
+    if (!spool) {
+        return spool.error();
+    }
+    const Status checked = check == PoseCheck::Whole ? spool.value()->verify() : Status(Done{});
+    if (!checked) {
+        return checked.error();
+    }
+    return std::shared_ptr<PoseSource>(std::move(spool.value()));
+}
+
+} // namespace cd

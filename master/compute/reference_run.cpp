@@ -1,0 +1,99 @@
+#include "master/compute/reference_run.hpp"
+
+#include "common/job/run_scenario.hpp"
+
+#include <algorithm>
+
+namespace cd {
+
+Result<Scenario> read_one(PoseSource& poses, std::uint64_t scenario) {
+    Result<std::vector<Scenario>> read = poses.read(scenario, 1);
+    if (!read) {
+        return read.error();
+    }
+    return std::move(read.value().front());
+}
+
+Result<ReferenceResult> reference_result(const JobMaterial& material,
+                                         PoseSource& poses,
+                                         std::uint64_t scenario,
+                                         const StopCheck& stop) {
+    const Result<Scenario> read = read_one(poses, scenario);
+    if (!read) {
+        return read.error();
+    }
+    const ScenarioRunner runner(*material.a, *material.b, material.query, PairStage::Float, stop);
+    ScenarioRun run;
+    run.is_stopped = stop();
+    if (!run.is_stopped) {
+        run = runner.run(read.value());
+    }
+    if (run.is_stopped) {
+        run.result =
+            failed_result(read.value(), material.query, {ErrorCode::Interrupted, "cancelled"});
+    }
+    return ReferenceResult{take_result(std::move(run.result), {}), run.is_stopped};
+}
+
+Result<ContactMap> reference_map(const JobMaterial& material,
+                                 PoseSource& poses,
+                                 std::span<const std::uint64_t> scenarios) {
+    const ScenarioRunner runner(*material.a, *material.b, material.query);
+    ScenarioSession session(runner);
+    ContactMapSum sum;
+    for (const std::uint64_t scenario : scenarios) {
+        const Result<Scenario> read = read_one(poses, scenario);
+        if (!read) {
+            return read.error();
+        }
+        sum.add(session.run(read.value()).found);
+    }
+    return sum.take();
+}
+
+void ReferenceRuns::start(JobId job,
+                          std::uint64_t scenario,
+                          std::shared_ptr<const JobMaterial> material,
+                          std::shared_ptr<PoseSource> poses,
+                          Done done) {
+    const auto place = runs_.emplace(std::pair(job, scenario), std::make_shared<Run>());
+    pool_.post([this,
+                executor = executor_,
+                place,
+                run = place->second,
+                scenario,
+                material = std::move(material),
+                poses = std::move(poses),
+                done = std::move(done)] {
+        const auto stop = [&] { return run->is_stopped.load(); };
+        auto found = std::make_shared<Result<ReferenceResult>>(
+            reference_result(*material, *poses, scenario, stop));
+        asio::post(executor, [this, place, run, found, done] {
+            if (!run->is_closed) {
+                runs_.erase(place);
+                done(std::move(*found));
+            }
+        });
+    });
+}
+
+bool ReferenceRuns::stop(JobId job, std::optional<std::uint64_t> scenario) {
+    bool any = false;
+    for (const auto& [place, run] : runs_) {
+        if (place.first == job && (!scenario || place.second == *scenario)) {
+            run->is_stopped = true;
+            any = true;
+        }
+    }
+    return any;
+}
+
+void ReferenceRuns::close() {
+    for (const auto& [place, run] : runs_) {
+        run->is_stopped = true;
+        run->is_closed = true;
+    }
+    runs_.clear();
+}
+
+} // namespace cd

@@ -1,0 +1,74 @@
+// The master's own run of single scenarios on whole bodies.
+#pragma once
+
+#include "common/core/host/stop_check.hpp"
+#include "common/core/host/thread_pool.hpp"
+#include "common/core/result.hpp"
+#include "common/job/poses/pose_source.hpp"
+#include "common/job/result/contact_map.hpp"
+#include "master/compute/result_check.hpp"
+#include "proto/channel/asio.hpp"
+
+#include <atomic>
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <span>
+#include <utility>
+
+namespace cd {
+
+/// Reads one scenario of a job. Blocks on the disk. Errors: Io, BadInput of the poses.
+[[nodiscard]] Result<Scenario> read_one(PoseSource& poses, std::uint64_t scenario);
+
+struct ReferenceResult {
+    TakenResult taken;       ///< A failure that says "cancelled" if the run was stopped.
+    bool is_stopped = false; ///< The run was stopped, so the right result is unknown.
+};
+
+/// Runs a scenario on whole bodies, which may take long. Errors: those of the poses.
+[[nodiscard]] Result<ReferenceResult> reference_result(const JobMaterial& material,
+                                                       PoseSource& poses,
+                                                       std::uint64_t scenario,
+                                                       const StopCheck& stop);
+
+/// Makes the contact map of some scenarios, which may take long. Errors: those of the poses.
+[[nodiscard]] Result<ContactMap> reference_map(const JobMaterial& material,
+                                               PoseSource& poses,
+                                               std::span<const std::uint64_t> scenarios);
+
+/// Reference runs on a thread pool that can be stopped by job and scenario. All members run on the
+/// executor's thread.
+class ReferenceRuns {
+  public:
+    using Done = std::function<void(Result<ReferenceResult>)>;
+
+    /// The executor's context outlives the pool.
+    ReferenceRuns(asio::any_io_executor executor, ThreadPool& pool)
+        : executor_(std::move(executor)), pool_(pool) {}
+
+    /// Calls `done` on the executor's thread, unless `close` is called before.
+    void start(JobId job,
+               std::uint64_t scenario,
+               std::shared_ptr<const JobMaterial> material,
+               std::shared_ptr<PoseSource> poses,
+               Done done);
+    /// Stops the runs of a job, or of one of its scenarios. False: there are none.
+    bool stop(JobId job, std::optional<std::uint64_t> scenario);
+    /// Stops all runs for good; none reports its result.
+    void close();
+
+  private:
+    struct Run {
+        std::atomic<bool> is_stopped = false;
+        std::atomic<bool> is_closed = false;
+    };
+
+    asio::any_io_executor executor_;
+    ThreadPool& pool_;
+    std::multimap<std::pair<JobId, std::uint64_t>, std::shared_ptr<Run>> runs_;
+};
+
+} // namespace cd

@@ -1,0 +1,211 @@
+#include "master/compute/result_check.hpp"
+
+#include "common/core/limits/engine.hpp"
+#include "common/job/result/packed_map.hpp"
+#include "common/job/result/packed_records.hpp"
+#include "common/job/settle.hpp"
+
+#include <algorithm>
+#include <unordered_map>
+#include <unordered_set>
+
+namespace cd {
+
+namespace {
+
+/// A scenario of a task, and its cost to the master.
+struct TaskScenario {
+    Scenario scenario;
+    JobStatistics cost;
+};
+
+/// Finds a task's scenarios by index.
+class TaskIndex {
+  public:
+    explicit TaskIndex(const TaskContent& task) : task_(task) {
+        for (const auto& analysis : task.scenarios) {
+            analyses_.emplace(analysis->scenario.index, analysis.get());
+        }
+    }
+
+    [[nodiscard]] std::optional<TaskScenario> find(std::uint64_t index) const {
+        if (task_.range) {
+            const auto scenario = task_.range->scenario(index);
+            return scenario ? std::optional(TaskScenario{*scenario, {}}) : std::nullopt;
+        }
+        const auto found = analyses_.find(index);
+        return found == analyses_.end()
+                   ? std::nullopt
+                   : std::optional(TaskScenario{found->second->scenario, found->second->cost});
+    }
+
+  private:
+    const TaskContent& task_;
+    std::unordered_map<std::uint64_t, const Analysis*> analyses_;
+};
+
+bool are_triangles_of(const JobMaterial& material, std::span<const ContactPair> pairs) {
+    const std::size_t count_a = material.a->mesh().triangles().size();
+    const std::size_t count_b = material.b->mesh().triangles().size();
+    return std::all_of(pairs.begin(), pairs.end(), [&](const ContactPair& pair) {
+        return pair.a < count_a && pair.b < count_b;
+    });
+}
+
+Result<TakenResult> take_record(const JobMaterial& material,
+                                const TaskIndex& scenarios,
+                                std::span<const std::byte> bytes) {
+    Result<ScenarioResult> decoded = decode_result(bytes);
+    if (!decoded) {
+        return decoded.error();
+    }
+    ScenarioResult& result = decoded.value();
+    const auto found = scenarios.find(result.index);
+    if (!found) {
+        return Error{ErrorCode::BadFrame,
+                     "a result of scenario " + std::to_string(result.index) +
+                         ", which is not in the task"};
+    }
+    const Scenario& scenario = found->scenario;
+    if (result.level != material.query.level || result.body_a != scenario.body_a ||
+        result.body_b != scenario.body_b) {
+        return Error{ErrorCode::BadFrame,
+                     "the result of scenario " + std::to_string(result.index) +
+                         " is not of the level or bodies asked for"};
+    }
+    if (!are_triangles_of(material, result.pairs)) {
+        return Error{ErrorCode::BadFrame,
+                     "the result of scenario " + std::to_string(result.index) +
+                         " has pairs of triangles that the bodies do not have"};
+    }
+    if (result.kind == ScenarioClass::Undecided && !(material.query.tolerance > 0)) {
+        return Error{ErrorCode::BadFrame,
+                     "the result of scenario " + std::to_string(result.index) +
+                         " is undecided, and no tolerance was asked for"};
+    }
+    JobStatistics cost = found->cost;
+    cost.inside += material.settler->settle(scenario, result);
+    return take_result(std::move(result), cost);
+}
+
+/// Checks the map: every scenario with contacts marks triangles of both bodies, and no other
+/// scenario marks any.
+Result<ContactMap> take_map(const JobMaterial& material,
+                            std::span<const TakenResult> results,
+                            std::span<const std::byte> packed) {
+    if (!material.query.maps) {
+        return packed.empty() ? Result<ContactMap>(ContactMap{})
+                              : Error{ErrorCode::BadFrame, "a map that was not asked for"};
+    }
+    const auto scenarios = static_cast<std::uint64_t>(
+        std::count_if(results.begin(), results.end(), [](const TakenResult& one) {
+            return one.result.pair_count > 0;
+        }));
+    const ContactMapBounds bounds{
+        material.a->mesh().triangles().size(), material.b->mesh().triangles().size(), scenarios};
+    Result<ContactMap> map = unpack_map(packed, bounds);
+    if (!map) {
+        return map.error();
+    }
+    for (const auto& body : map.value().bodies) {
+        std::uint64_t sum = 0;
+        for (const TriangleContacts& triangle : body) {
+            sum += triangle.scenarios;
+        }
+        if (sum < scenarios) {
+            return Error{ErrorCode::BadFrame, "a map that lacks scenarios"};
+        }
+    }
+    return map;
+}
+
+} // namespace
+
+std::optional<Scenario> RangeContent::scenario(std::uint64_t index) const {
+    const auto is_in = [this](std::uint64_t place) {
+        return place >= places.first && place < places.end();
+    };
+    if (window == nullptr) {
+        return is_in(index) ? std::optional(scenario_on(*order->grid(), index)) : std::nullopt;
+    }
+    if (!window->has(index)) {
+        return std::nullopt;
+    }
+    const std::uint64_t place = window->place_of(index);
+    return is_in(place) ? std::optional(window->at({place, 1}).front()) : std::nullopt;
+}
+
+TakenResult take_result(ScenarioResult result, const JobStatistics& cost) {
+    Bytes record = encode_result(result);
+    const Sha256 digest = sha256(record);
+    return {std::move(result), std::move(record), digest, cost};
+}
+
+Result<TakenResults> take_results(const TaskContent& task, const Results& results) {
+    const Result<Bytes> records = unpack_records(results.records, limits::results_bytes_max);
+    if (!records) {
+        return records.error();
+    }
+    const TaskIndex scenarios(task);
+    std::vector<TakenResult> taken;
+    // The count may be hostile, so the reservation is limited to the task's size.
+    const std::uint64_t given = task.range ? task.range->places.count : task.scenarios.size();
+    taken.reserve(std::min<std::uint64_t>(results.count, given));
+    ByteReader reader(records.value());
+    for (std::uint32_t i = 0; i < results.count; ++i) {
+        const auto record = reader.get_bytes(reader.get<std::uint32_t>());
+        if (reader.failed()) {
+            break;
+        }
+        Result<TakenResult> result = take_record(*task.material, scenarios, record);
+        if (!result) {
+            return result.error();
+        }
+        taken.push_back(std::move(result.value()));
+    }
+    if (!reader.complete()) {
+        return Error{ErrorCode::BadFrame, "results that are not as many as announced"};
+    }
+    Result<ContactMap> map = take_map(*task.material, taken, results.map);
+    if (!map) {
+        return map.error();
+    }
+    return TakenResults{std::move(taken), std::move(map.value())};
+}
+
+Result<TakenResults> take_late_results(JobId job,
+                                       std::shared_ptr<const JobMaterial> material,
+                                       PoseSource& poses,
+                                       const Results& results) {
+    const Result<Bytes> records = unpack_records(results.records, limits::results_bytes_max);
+    if (!records) {
+        return records.error();
+    }
+    TaskContent content{job, std::move(material), {}, {}};
+    std::unordered_set<std::uint64_t> seen; // Limits the reads of poses: one per scenario.
+    ByteReader reader(records.value());
+    for (std::uint32_t i = 0; i < results.count && !reader.failed(); ++i) {
+        const Result<ScenarioResult> result =
+            decode_result(reader.get_bytes(reader.get<std::uint32_t>()));
+        if (!result) {
+            return result.error();
+        }
+        const std::uint64_t index = result.value().index;
+        if (index >= poses.count()) {
+            return Error{ErrorCode::BadFrame, "a result of a scenario that the job does not have"};
+        }
+        if (!seen.insert(index).second) {
+            return Error{ErrorCode::BadFrame, "two results of one scenario in a message"};
+        }
+        Result<std::vector<Scenario>> scenario = poses.read(index, 1);
+        if (!scenario) {
+            return scenario.error();
+        }
+        Analysis known;
+        known.scenario = scenario.value().front();
+        content.scenarios.push_back(std::make_shared<const Analysis>(std::move(known)));
+    }
+    return take_results(content, results);
+}
+
+} // namespace cd

@@ -1,0 +1,125 @@
+#include "master/jobs/merged_results.hpp"
+
+#include "common/core/check.hpp"
+#include "common/core/limits/master.hpp"
+
+#include <algorithm>
+
+namespace cd {
+
+MergedResults::PackedFacts MergedResults::pack(const ScenarioFacts& facts) {
+    CD_CHECK(facts.pair_count >> 56 == 0);
+    return {facts.pair_count,
+            static_cast<std::uint64_t>(facts.kind),
+            facts.surfaces_only,
+            facts.insides_skipped,
+            facts.is_cut};
+}
+
+ScenarioFacts MergedResults::unpack(const PackedFacts& facts) {
+    return {static_cast<ScenarioClass>(facts.kind),
+            facts.surfaces_only != 0,
+            facts.insides_skipped != 0,
+            facts.is_cut != 0,
+            facts.pair_count};
+}
+
+std::uint32_t MergedResults::number_of(const std::shared_ptr<const Author>& author) {
+    if (author == authors_[number_last_]) {
+        return number_last_;
+    }
+    if (author == nullptr) {
+        return 0;
+    }
+    const auto [number, is_new] =
+        numbers_.try_emplace(author.get(), static_cast<std::uint32_t>(authors_.size()));
+    if (is_new) {
+        authors_.push_back(author);
+    }
+    number_last_ = number->second;
+    return number_last_;
+}
+
+void MergedResults::restore(std::uint64_t scenario,
+                            const ScenarioFacts& facts,
+                            const std::shared_ptr<const Author>& author) {
+    CD_CHECK(has(scenario));
+    if (scenario >= facts_.size()) {
+        facts_.resize(scenario + 1);
+        author_numbers_.resize(scenario + 1);
+    }
+    facts_[scenario] = pack(facts);
+    author_numbers_[scenario] = number_of(author);
+}
+
+MergedResults::Outcome MergedResults::add(std::uint64_t scenario,
+                                          const ScenarioFacts& facts,
+                                          const Sha256& digest,
+                                          const std::shared_ptr<const Author>& author) {
+    const Outcome outcome = merger_.add(scenario, facts, digest);
+    if (outcome == Outcome::Added) {
+        restore(scenario, facts, author);
+    }
+    return outcome;
+}
+
+std::vector<std::uint64_t> MergedResults::withdraw(InstanceId process) {
+    std::vector<std::uint64_t> withdrawn;
+    for (std::uint64_t scenario = 0; scenario < author_numbers_.size(); ++scenario) {
+        const auto& author = authors_[author_numbers_[scenario]];
+        if (author != nullptr && author->process == process) {
+            withdraw_one(scenario);
+            withdrawn.push_back(scenario);
+        }
+    }
+    return withdrawn;
+}
+
+void MergedResults::withdraw_one(std::uint64_t scenario) {
+    merger_.remove(scenario, unpack(facts_.at(scenario)));
+    author_numbers_[scenario] = 0;
+}
+
+std::shared_ptr<const Author> MergedResults::author_of(std::uint64_t scenario) const {
+    return scenario < author_numbers_.size() ? authors_[author_numbers_[scenario]] : nullptr;
+}
+
+bool MergedResults::is_failed_by_master(std::uint64_t scenario) const {
+    return has(scenario) && author_numbers_.at(scenario) == 0 &&
+           unpack(facts_.at(scenario)).kind == ScenarioClass::Failed;
+}
+
+std::set<InstanceId> MergedResults::processes() const {
+    std::vector<bool> counts(authors_.size());
+    for (const std::uint32_t number : author_numbers_) {
+        counts[number] = true;
+    }
+    std::set<InstanceId> processes;
+    for (std::size_t number = 1; number < authors_.size(); ++number) {
+        if (counts[number]) {
+            processes.insert(authors_[number]->process);
+        }
+    }
+    return processes;
+}
+
+std::shared_ptr<const std::vector<bool>> MergedResults::marks() const {
+    if (summary().merged() == 0) {
+        return nullptr;
+    }
+    auto marks = std::make_shared<std::vector<bool>>(summary().total);
+    for (std::uint64_t scenario = 0; scenario < marks->size(); ++scenario) {
+        (*marks)[scenario] = has(scenario);
+    }
+    return marks;
+}
+
+void MergedResults::close() {
+    merger_.close();
+    facts_ = {};
+    author_numbers_.resize(std::min(author_numbers_.size(), limits::authors_kept_max));
+    author_numbers_.shrink_to_fit();
+    numbers_ = {};
+}
+
+} // namespace cd

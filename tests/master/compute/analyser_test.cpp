@@ -1,0 +1,222 @@
+// Proves that the pre-analysis loses nothing: the contacts of its root pairs and the results it
+// finishes itself are those of the whole trees; that results come in order and only as many as
+// requested; and that one bad scenario fails alone.
+
+#include "master/compute/analyser.hpp"
+
+#include "common/core/limits/engine.hpp"
+#include "common/job/run_scenario.hpp"
+#include "common/job/settle.hpp"
+#include "common/tree/build/build.hpp"
+#include "tests/support/shapes.hpp"
+
+#include <gtest/gtest.h>
+
+#include <condition_variable>
+#include <mutex>
+
+namespace cd::tests {
+namespace {
+
+/// Collects blocks and lets a test wait for them.
+class Collected {
+  public:
+    std::function<void(AnalysedBlock)> taker() {
+        return [this](AnalysedBlock block) {
+            const std::lock_guard lock(mutex_);
+            blocks_.push_back(std::move(block));
+            changed_.notify_all();
+        };
+    }
+    std::vector<AnalysedBlock> wait_for(std::size_t count) {
+        std::unique_lock lock(mutex_);
+        changed_.wait(lock, [&] { return blocks_.size() >= count; });
+        return blocks_;
+    }
+
+  private:
+    std::mutex mutex_;
+    std::condition_variable changed_;
+    std::vector<AnalysedBlock> blocks_;
+};
+
+/// Fails for every run that reaches the given scenario.
+class BrokenSource final : public PoseSource {
+  public:
+    [[nodiscard]] std::uint64_t count() const override { return 1000; }
+    [[nodiscard]] Result<std::vector<Scenario>> read(std::uint64_t first,
+                                                     std::uint64_t count) override {
+        if (first + count > 600) {
+            return Error{ErrorCode::Io, "the disk is gone"};
+        }
+        std::vector<Scenario> scenarios(count);
+        for (std::uint64_t i = 0; i < count; ++i) {
+            scenarios[i].index = first + i;
+        }
+        return scenarios;
+    }
+};
+
+class AnalyserTest : public testing::Test {
+  protected:
+    AnalysisInput make_input(const Mesh& a, const Mesh& b, std::uint32_t depth) {
+        AnalysisInput input;
+        input.a = std::make_shared<const ObbTree>(build_tree(share(a), BuildOptions{}, pool_));
+        input.b = std::make_shared<const ObbTree>(build_tree(share(b), BuildOptions{}, pool_));
+        input.top_a = std::make_shared<const TreeTop>(cut_tree(*input.a, depth));
+        input.top_b = std::make_shared<const TreeTop>(cut_tree(*input.b, depth));
+        input.settler = std::make_shared<const Settler>(*input.a, *input.b, input.query.ignored);
+        return input;
+    }
+    static std::vector<Scenario> make_scenarios(std::uint64_t count, double reach) {
+        std::mt19937_64 random(11);
+        std::vector<Scenario> scenarios(count);
+        for (std::uint64_t i = 0; i < count; ++i) {
+            scenarios[i].index = i;
+            scenarios[i].poses.a = make_pose(random, 0.5);
+            scenarios[i].poses.b = make_pose(random, reach);
+        }
+        return scenarios;
+    }
+    ThreadPool pool_{3};
+};
+
+Losses two_losses() {
+    Losses losses;
+    losses.add(70);
+    losses.add(71);
+    return losses;
+}
+
+void start_blocks(Analyser& analyser, std::uint64_t first, std::uint64_t end) {
+    for (; first < end; first += limits::analysis_block_scenarios) {
+        analyser.start({first, std::min(limits::analysis_block_scenarios, end - first)},
+                       two_losses());
+    }
+}
+
+ScenarioResult finish(const AnalysisInput& input, const Analysis& analysis, std::uint32_t depth) {
+    if (analysis.finished) {
+        return *analysis.finished;
+    }
+    const auto nodes_a = cut_nodes(*input.a, depth);
+    const auto nodes_b = cut_nodes(*input.b, depth);
+    std::vector<Subtree> kept;
+    kept.reserve(2 * analysis.pairs.size());
+    std::vector<SubtreePair> pairs;
+    for (const RootPair& pair : analysis.pairs) {
+        kept.push_back(extract_subtree(*input.a, nodes_a[pair.a]));
+        kept.push_back(extract_subtree(*input.b, nodes_b[pair.b]));
+        pairs.push_back({kept[kept.size() - 2].view(), kept.back().view()});
+    }
+    ScenarioResult result = run_on_subtrees(pairs, analysis.scenario, input.query).result;
+    input.settler->settle(analysis.scenario, result);
+    return result;
+}
+
+TEST_F(AnalyserTest, AnalysisAndSubtreesTogetherAreTheWholeAnswer) {
+    constexpr std::uint32_t depth = 3;
+    // The small sphere is inside the large one in some poses and far away in others.
+    AnalysisInput input = make_input(join({make_sphere(3), translated(make_sphere(1), {4, 0, 0})}),
+                                     make_box({0.2, 0.3, 0.4}),
+                                     depth);
+    std::array<int, 7> classes{};
+    for (const Scenario& scenario : make_scenarios(500, 1.5)) {
+        const Analysis analysis = analyse(input, scenario);
+        const ScenarioResult result = finish(input, analysis, depth);
+        const ScenarioResult expected =
+            run_scenario(*input.a, *input.b, scenario, input.query).result;
+        ASSERT_EQ(encode_result(result), encode_result(expected)) << scenario.index;
+        ASSERT_EQ(analysis.finished.has_value(), analysis.pairs.empty());
+        EXPECT_GT(analysis.bytes, 0u);
+        ++classes[static_cast<std::size_t>(result.kind)];
+    }
+    EXPECT_GT(classes[static_cast<std::size_t>(ScenarioClass::Separate)], 10);
+    EXPECT_GT(classes[static_cast<std::size_t>(ScenarioClass::Cross)], 10);
+    EXPECT_GT(classes[static_cast<std::size_t>(ScenarioClass::Inside)], 10);
+}
+
+TEST_F(AnalyserTest, BlocksComeInOrderAndOnlyThoseAskedFor) {
+    AnalysisInput input = make_input(make_sphere(2), make_sphere(2), 2);
+    const std::uint64_t count = 10 * limits::analysis_block_scenarios + 17;
+    const auto scenarios = make_scenarios(count, 3.0);
+    input.poses = make_list_source(scenarios);
+    Collected collected;
+    Analyser analyser(pool_, input, collected.taker());
+
+    start_blocks(analyser, 0, 4 * limits::analysis_block_scenarios);
+    collected.wait_for(4);
+    EXPECT_EQ(analyser.under_way(), 0u);
+    start_blocks(analyser, 4 * limits::analysis_block_scenarios, count);
+    const auto blocks = collected.wait_for(11);
+
+    std::uint64_t next = 0;
+    for (const AnalysedBlock& block : blocks) {
+        EXPECT_FALSE(block.error);
+        EXPECT_EQ(block.places.first, next);
+        EXPECT_EQ(block.losses, two_losses());
+        for (const Analysis& analysis : block.scenarios) {
+            ASSERT_EQ(analysis.scenario, scenarios[next]);
+            const Analysis expected = analyse(input, scenarios[next]);
+            ASSERT_EQ(analysis.pairs, expected.pairs);
+            ASSERT_EQ(analysis.roots_a, expected.roots_a);
+            ASSERT_EQ(analysis.roots_b, expected.roots_b);
+            ++next;
+        }
+    }
+    EXPECT_EQ(next, count);
+}
+
+TEST_F(AnalyserTest, PosesThatCannotBeReadAreToldInOrder) {
+    AnalysisInput input = make_input(make_sphere(1), make_sphere(1), 2);
+    input.poses = std::make_shared<BrokenSource>();
+    constexpr std::size_t before = 4; ///< Blocks. Reading fails from the third on.
+    Collected collected;
+    Analyser analyser(pool_, input, collected.taker());
+    start_blocks(analyser, 0, before * limits::analysis_block_scenarios);
+    analyser.start({0, 1});
+    const auto blocks = collected.wait_for(before + 1);
+    EXPECT_FALSE(blocks[1].error);
+    EXPECT_EQ(blocks[1].scenarios.size(), limits::analysis_block_scenarios);
+    for (std::size_t block = 2; block < before; ++block) {
+        ASSERT_TRUE(blocks[block].error);
+        EXPECT_TRUE(blocks[block].scenarios.empty());
+    }
+    EXPECT_FALSE(blocks.back().error);
+    EXPECT_EQ(blocks.back().scenarios.size(), 1u) << "what can be read goes on";
+}
+
+TEST_F(AnalyserTest, NothingIsDeliveredAfterTheEnd) {
+    AnalysisInput input = make_input(make_sphere(2), make_sphere(2), 2);
+    input.poses = make_list_source(make_scenarios(20 * limits::analysis_block_scenarios, 2.0));
+    for (int round = 0; round < 20; ++round) {
+        auto alive = std::make_unique<bool>(true);
+        auto analyser = std::make_unique<Analyser>(
+            pool_, input, [&alive](AnalysedBlock) { EXPECT_TRUE(*alive); });
+        start_blocks(*analyser, 0, 20 * limits::analysis_block_scenarios);
+        analyser.reset();
+        alive.reset();
+    }
+}
+
+TEST_F(AnalyserTest, SkipsScenariosThatHaveAResultWhenABlockStarts) {
+    AnalysisInput input = make_input(make_sphere(1), make_sphere(1), 2);
+    input.poses = make_list_source(make_scenarios(6, 0.1));
+    const auto done =
+        std::make_shared<const std::vector<bool>>(std::vector<bool>{true, false, true});
+    Collected collected;
+    Analyser analyser(pool_, input, collected.taker());
+    analyser.start({0, 6}, {}, done);
+    analyser.start({0, 6}, two_losses(), done);
+    analyser.start({0, 6});
+    const auto blocks = collected.wait_for(3);
+    for (std::size_t block = 0; block < 2; ++block) {
+        EXPECT_EQ(blocks[block].scenarios.size(), 4u);
+        EXPECT_EQ(blocks[block].scenarios.at(0).scenario.index, 1u);
+        EXPECT_EQ(blocks[block].scenarios.at(0).place, 1u);
+    }
+    EXPECT_EQ(blocks[2].scenarios.size(), 6u);
+}
+
+} // namespace
+} // namespace cd::tests

@@ -1,0 +1,185 @@
+// Proves that the master accepts only results a worker could rightly send: of the task's scenarios,
+// at the requested level and bodies, with existing triangles; that it settles them and counts their
+// cost.
+#include "master/compute/result_check.hpp"
+
+#include "common/job/result/packed_map.hpp"
+#include "common/job/result/packed_records.hpp"
+#include "common/job/run_scenario.hpp"
+#include "common/job/settle.hpp"
+#include "common/tree/build/build.hpp"
+#include "tests/support/shapes.hpp"
+
+#include <gmock/gmock.h>
+
+namespace cd::tests {
+namespace {
+
+using testing::HasSubstr;
+
+class ResultIntake : public testing::Test {
+  protected:
+    ResultIntake() {
+        ThreadPool pool(1);
+        const auto box = std::make_shared<const ObbTree>(
+            build_tree(share(make_gridded_box(Vec3(2, 2, 2), 2)), BuildOptions{}, pool));
+        Query query;
+        query.level = Level::Pairs;
+        material_ = std::make_shared<const JobMaterial>(JobMaterial{
+            box, box, query, std::make_shared<const Settler>(*box, *box, query.ignored)});
+        task_.job = JobId{1};
+        task_.material = material_;
+        for (const double height : {2.0, 1.0}) { // One on the other, and one in the other.
+            Analysis analysis;
+            analysis.scenario.index = task_.scenarios.size();
+            analysis.scenario.poses.b = translation_pose(0, 0, height);
+            analysis.cost.search.box_tests = 100;
+            task_.scenarios.push_back(std::make_shared<const Analysis>(std::move(analysis)));
+        }
+    }
+
+    /// Returns the result as a worker computes it.
+    [[nodiscard]] ScenarioResult result_of(std::size_t scenario) const {
+        const SubtreePair whole{material_->a->view(), material_->b->view()};
+        return run_on_subtrees({&whole, 1}, task_.scenarios[scenario]->scenario, material_->query)
+            .result;
+    }
+
+    [[nodiscard]] static Results message_of(const std::vector<ScenarioResult>& list) {
+        Bytes bytes;
+        for (const ScenarioResult& result : list) {
+            const Bytes record = encode_result(result);
+            const auto size = static_cast<std::uint32_t>(record.size());
+            const auto size_bytes = std::as_bytes(std::span(&size, 1));
+            bytes.insert(bytes.end(), size_bytes.begin(), size_bytes.end());
+            bytes.insert(bytes.end(), record.begin(), record.end());
+        }
+        Results results;
+        results.count = static_cast<std::uint32_t>(list.size());
+        results.records = pack_records(bytes);
+        return results;
+    }
+
+    [[nodiscard]] std::string refusal(const Results& results) const {
+        const auto taken = take_results(task_, results);
+        EXPECT_TRUE(taken || taken.error().code == ErrorCode::BadFrame);
+        return taken ? "taken" : taken.error().detail;
+    }
+    [[nodiscard]] std::string refusal(const ScenarioResult& result) const {
+        return refusal(message_of({result}));
+    }
+
+    std::shared_ptr<const JobMaterial> material_;
+    TaskContent task_;
+};
+
+} // namespace
+
+TEST_F(ResultIntake, SettlesAndCountsWhatAWorkerFound) {
+    const auto taken = take_results(task_, message_of({result_of(0), result_of(1)}));
+    ASSERT_TRUE(taken) << taken.error().detail;
+    ASSERT_EQ(taken.value().results.size(), 2u);
+    EXPECT_TRUE(taken.value().map.empty());
+    for (std::size_t i = 0; i < 2; ++i) {
+        const TakenResult& one = taken.value().results[i];
+        const ScenarioRun whole = run_scenario(
+            *material_->a, *material_->b, task_.scenarios[i]->scenario, material_->query);
+        EXPECT_EQ(one.result.kind, whole.result.kind);
+        EXPECT_EQ(one.record, encode_result(whole.result));
+        EXPECT_EQ(one.digest, digest_of(whole.result));
+        EXPECT_EQ(one.cost.search.box_tests, 100u); // Cost of the analysis.
+        EXPECT_EQ(one.cost.inside.scenarios, whole.inside.scenarios);
+        EXPECT_EQ(one.cost.inside.work, whole.inside.work);
+    }
+    EXPECT_EQ(taken.value().results[0].result.kind, ScenarioClass::Touch);
+    EXPECT_EQ(taken.value().results[1].result.kind, ScenarioClass::Cross);
+}
+
+TEST_F(ResultIntake, RefusesTrianglesThatTheBodiesDoNotHave) {
+    const auto triangles = static_cast<std::uint32_t>(material_->a->mesh().triangles().size());
+    ScenarioResult result = result_of(0);
+    ASSERT_FALSE(result.pairs.empty());
+    ScenarioResult beyond_a = result;
+    beyond_a.pairs.back().a = triangles;
+    EXPECT_THAT(refusal(beyond_a), HasSubstr("triangles that the bodies do not have"));
+    // The last pair by A, so that the pairs stay sorted.
+    ScenarioResult beyond_b = result;
+    beyond_b.pairs.back().b = triangles;
+    EXPECT_THAT(refusal(beyond_b), HasSubstr("triangles that the bodies do not have"));
+    ScenarioResult last = result;
+    last.pairs.back().a = triangles - 1;
+    last.pairs.back().b = triangles - 1;
+    EXPECT_EQ(refusal(last), "taken");
+}
+
+TEST_F(ResultIntake, RefusesWhatWasNotAskedFor) {
+    const ScenarioResult result = result_of(0);
+    ScenarioResult foreign = result;
+    foreign.index = 2;
+    EXPECT_THAT(refusal(foreign), HasSubstr("not in the task"));
+    ScenarioResult other_body = result;
+    other_body.body_b = 7;
+    EXPECT_THAT(refusal(other_body), HasSubstr("not of the level or bodies"));
+    ScenarioResult other_level = result;
+    other_level.level = Level::Count;
+    other_level.pairs.clear();
+    EXPECT_THAT(refusal(other_level), HasSubstr("not of the level or bodies"));
+    ScenarioResult undecided = result;
+    undecided.kind = ScenarioClass::Undecided;
+    EXPECT_THAT(refusal(undecided), HasSubstr("no tolerance was asked for"));
+}
+
+TEST_F(ResultIntake, RefusesMoreOrLessThanAnnounced) {
+    Results results = message_of({result_of(0)});
+    results.count = 2;
+    EXPECT_THAT(refusal(results), HasSubstr("not as many as announced"));
+    results.count = 0;
+    EXPECT_THAT(refusal(results), HasSubstr("not as many as announced"));
+    Results cut = message_of({result_of(0)});
+    cut.records.resize(cut.records.size() / 2);
+    EXPECT_NE(refusal(cut), "taken");
+}
+
+TEST_F(ResultIntake, ANumberThatPromisesGigabytesTakesNone) {
+    Results results = message_of({result_of(0)});
+    results.count = ~std::uint32_t{0};
+    EXPECT_THAT(refusal(results), HasSubstr("not as many as announced"));
+}
+
+TEST_F(ResultIntake, AMapHasToBeThatOfItsScenarios) {
+    const std::vector<ContactPair> pairs = result_of(0).pairs;
+    const auto with_map = [&](const ContactMap& map) {
+        Results results = message_of({result_of(0), result_of(1)});
+        results.map = pack_map(map);
+        return results;
+    };
+    ContactMapSum sum;
+    sum.add(result_of(0).pairs);
+    sum.add(result_of(1).pairs);
+    const ContactMap right = sum.take();
+    EXPECT_THAT(refusal(with_map(right)), HasSubstr("a map that was not asked for"));
+
+    Query query = material_->query;
+    query.level = Level::Count;
+    query.maps = true;
+    material_ = std::make_shared<const JobMaterial>(
+        JobMaterial{material_->a, material_->b, query, material_->settler});
+    task_.material = material_;
+    const auto taken = take_results(task_, with_map(right));
+    ASSERT_TRUE(taken) << taken.error().detail;
+    EXPECT_EQ(taken.value().map, right);
+
+    EXPECT_THAT(refusal(message_of({result_of(0), result_of(1)})), HasSubstr("a map"));
+    ContactMap wrong = right;
+    wrong.bodies[1].back().triangle =
+        static_cast<std::uint32_t>(material_->b->mesh().triangles().size());
+    EXPECT_THAT(refusal(with_map(wrong)), HasSubstr("contradicts"));
+    wrong = right;
+    wrong.bodies[0].front().scenarios = 3;
+    EXPECT_THAT(refusal(with_map(wrong)), HasSubstr("contradicts"));
+    wrong = right;
+    wrong.bodies[0] = {{0, 1}};
+    EXPECT_THAT(refusal(with_map(wrong)), HasSubstr("lacks scenarios"));
+}
+
+} // namespace cd::tests
