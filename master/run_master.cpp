@@ -53,7 +53,7 @@ void allow_many_files() {
 asio::awaitable<void>
 keep_jobs(Coordinator& coordinator, asio::steady_timer& pause, const bool& stopping) {
     while (!stopping) {
-        coordinator.forget_expired_jobs(unix_seconds());
+        coordinator.jobs().forget_expired(unix_seconds());
         pause.expires_after(limits::retention_check_period);
         boost::system::error_code ignored;
         co_await pause.async_wait(asio::redirect_error(asio::use_awaitable, ignored));
@@ -83,7 +83,7 @@ listen_http(const MasterConfig& config, Coordinator& coordinator, MasterIdentity
         !exposed) {
         return exposed.error();
     }
-    return HttpFront::listen(coordinator.executor(), *config.http, coordinator, identity);
+    return HttpFront::listen(coordinator.parts().executor, *config.http, coordinator, identity);
 }
 
 } // namespace

@@ -5,6 +5,9 @@
 namespace cd {
 
 void DiskRetries::start(JobId job, std::function<void()> again) {
+    if (is_closed_) {
+        return;
+    }
     const auto step = std::make_shared<Step>(
         Step{asio::steady_timer(executor_, limits::journal_retry_period), std::move(again)});
     const auto place = waiting_.emplace(job, step);

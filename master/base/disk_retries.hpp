@@ -20,14 +20,17 @@ class DiskRetries {
     DiskRetries& operator=(const DiskRetries&) = delete;
     ~DiskRetries() { close(); }
 
-    /// Calls `again` after a while, or soon after `stop`; not after `close`.
+    /// Calls `again` after a while, or soon after `stop`; never after `close`.
     void start(JobId job, std::function<void()> again);
     /// A step of the job waits.
     [[nodiscard]] bool any(JobId job) const { return waiting_.contains(job); }
     /// Ends the waits of a job: it has ended, so its steps find that out.
     void stop(JobId job);
-    /// Drops all steps.
-    void close() { waiting_.clear(); }
+    /// Drops all steps, also those that would be started later.
+    void close() {
+        is_closed_ = true;
+        waiting_.clear();
+    }
 
   private:
     struct Step {
@@ -36,6 +39,7 @@ class DiskRetries {
     };
     asio::any_io_executor executor_;
     std::multimap<JobId, std::shared_ptr<Step>> waiting_;
+    bool is_closed_ = false;
 };
 
 } // namespace cd

@@ -56,25 +56,22 @@ void ReferenceRuns::start(JobId job,
                           std::shared_ptr<const JobMaterial> material,
                           std::shared_ptr<PoseSource> poses,
                           Done done) {
-    const auto place = runs_.emplace(std::pair(job, scenario), std::make_shared<Run>());
-    pool_.post([this,
-                executor = executor_,
-                place,
-                run = place->second,
-                scenario,
-                material = std::move(material),
-                poses = std::move(poses),
-                done = std::move(done)] {
-        const auto stop = [&] { return run->is_stopped.load(); };
-        auto found = std::make_shared<Result<ReferenceResult>>(
-            reference_result(*material, *poses, scenario, stop));
-        asio::post(executor, [this, place, run, found, done] {
+    if (is_closed_) {
+        return;
+    }
+    const auto run = std::make_shared<Run>();
+    const auto place = runs_.emplace(std::pair(job, scenario), run);
+    background_.block(
+        [run, scenario, material = std::move(material), poses = std::move(poses)] {
+            const auto stop = [&] { return run->is_stopped.load(); };
+            return reference_result(*material, *poses, scenario, stop);
+        },
+        [this, place, run, done = std::move(done)](Result<ReferenceResult> found) {
             if (!run->is_closed) {
                 runs_.erase(place);
-                done(std::move(*found));
+                done(std::move(found));
             }
         });
-    });
 }
 
 bool ReferenceRuns::stop(JobId job, std::optional<std::uint64_t> scenario) {
@@ -89,6 +86,7 @@ bool ReferenceRuns::stop(JobId job, std::optional<std::uint64_t> scenario) {
 }
 
 void ReferenceRuns::close() {
+    is_closed_ = true;
     for (const auto& [place, run] : runs_) {
         run->is_stopped = true;
         run->is_closed = true;

@@ -2,12 +2,11 @@
 #pragma once
 
 #include "common/core/host/stop_check.hpp"
-#include "common/core/host/thread_pool.hpp"
 #include "common/core/result.hpp"
 #include "common/job/poses/pose_source.hpp"
 #include "common/job/result/contact_map.hpp"
+#include "master/base/background.hpp"
 #include "master/compute/result_check.hpp"
-#include "proto/channel/asio.hpp"
 
 #include <atomic>
 #include <cstdint>
@@ -39,17 +38,14 @@ struct ReferenceResult {
                                                PoseSource& poses,
                                                std::span<const std::uint64_t> scenarios);
 
-/// Reference runs on a thread pool that can be stopped by job and scenario. All members run on the
-/// executor's thread.
+/// Reference runs in the background that can be stopped by job and scenario.
 class ReferenceRuns {
   public:
     using Done = std::function<void(Result<ReferenceResult>)>;
 
-    /// The executor's context outlives the pool.
-    ReferenceRuns(asio::any_io_executor executor, ThreadPool& pool)
-        : executor_(std::move(executor)), pool_(pool) {}
+    explicit ReferenceRuns(Background& background) : background_(background) {}
 
-    /// Calls `done` on the executor's thread, unless `close` is called before.
+    /// Calls `done` unless `close` is called before. Does nothing after `close`.
     void start(JobId job,
                std::uint64_t scenario,
                std::shared_ptr<const JobMaterial> material,
@@ -66,9 +62,9 @@ class ReferenceRuns {
         std::atomic<bool> is_closed = false;
     };
 
-    asio::any_io_executor executor_;
-    ThreadPool& pool_;
+    Background& background_;
     std::multimap<std::pair<JobId, std::uint64_t>, std::shared_ptr<Run>> runs_;
+    bool is_closed_ = false;
 };
 
 } // namespace cd

@@ -1,127 +1,215 @@
-// Performs the dispatcher's actions.
 #include "master/coordinator/coordinator.hpp"
 
 #include "common/core/check.hpp"
 #include "common/core/host/log.hpp"
 #include "common/core/limits/master.hpp"
+#include "master/base/remedy.hpp"
+#include "master/compute/job_geometry.hpp"
+#include "master/coordinator/invariants.hpp"
+#include "master/submission/submission.hpp"
 
-#include <random>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <variant>
 
 namespace cd {
 
 Coordinator::Coordinator(CoordinatorParts parts)
     : parts_(std::move(parts)),
-      workers_(parts_.times,
-               std::random_device{}() | std::uint64_t{std::random_device{}()} << 32,
-               *this,
-               Clock::now),
-      blocks_(parts_.executor, trees_),
-      jobs_(limits::results_ended_kept_max, parts_.retention),
-      writer_([executor = parts_.executor](
-                  std::function<void()> run) { asio::post(executor, std::move(run)); },
-              parts_.journal),
-      retries_(parts_.executor),
-      references_(parts_.executor, parts_.blocking) {}
-Coordinator::~Coordinator() = default;
+      state_(parts_,
+             {worker_desk_,
+              [this](const Action& action) { perform(action); },
+              [this] { services_.work.feed(); }}),
+      services_(parts_, state_),
+      worker_desk_(state_, services_, parts_.times.heartbeat),
+      job_desk_(state_, services_, parts_.geometry) {}
 
-double Coordinator::now() const {
-    return std::chrono::duration<double>(Clock::now() - started_).count();
+// ---- Restart
+// --------------------------------------------------------------------------------------
+
+Status Coordinator::restore(Recovered recovered) {
+    cluster_ = recovered.cluster;
+    state_.alarms.restore(std::move(recovered.alarms));
+    Authors known;
+    state_.jobs.reserve(recovered.last_job);
+    for (RecoveredJob& found : recovered.jobs) {
+        MasterJob& job = state_.jobs.add(MasterJob(std::move(found), Clock::now()));
+        job.meshes = parts_.geometry.hold(meshes_of(job.submit));
+        if (!job.is_running()) {
+            continue;
+        }
+        if (const Status restored = restore_run(job, found, known); !restored) {
+            return restored;
+        }
+        services_.start.resume(job);
+    }
+    await_workers();
+    state_.writer.start(journal_events());
+    for (const auto& [process, author] : known) {
+        for (const JobId job : state_.jobs.running()) {
+            if (state_.alarms.is_quarantined(process)) {
+                services_.quarantine.withdraw_results(*author, state_.jobs.at(job));
+            }
+        }
+    }
+    return Done{};
 }
 
-Dispatcher& Coordinator::dispatcher() {
-    dispatcher_.time_is(now());
-    return dispatcher_;
+Status Coordinator::restore_run(MasterJob& job, RecoveredJob& found, Authors& known) {
+    const auto poses = open_poses(job.submit, parts_.journal.poses_path(job.id));
+    if (!poses) {
+        return with_remedy(poses.error());
+    }
+    job.run->poses = poses.value();
+    state_.writer.restore(job.id, found.done);
+    const auto author_of = [&](InstanceId process) {
+        std::shared_ptr<const Author>& author = known[process];
+        if (author == nullptr && process != 0) {
+            author = std::make_shared<const Author>(Author{process, {}, {}, {}});
+        }
+        return author;
+    };
+    for (std::size_t i = 0; i < found.done.size(); ++i) {
+        job.merged.restore(
+            found.done[i].scenario, found.done[i].facts, author_of(found.authors[i]));
+    }
+    for (const Remark& open : found.disputes) {
+        job.run->disputes_before.push_back(
+            {job.id, open.scenario, author_of(open.author), open.digest});
+    }
+    job.run->disputes = found.disputes.size();
+    log_info("job goes on: job={} name=\"{}\" done={} scenarios={}",
+             job.id.value,
+             job.submit.name,
+             found.done.size(),
+             job.submit.scenarios);
+    return Done{};
 }
 
-void Coordinator::act(Actions actions) {
-    std::move(actions.begin(), actions.end(), std::back_inserter(actions_));
-    // An action may cause further ones; they queue up behind it.
-    if (acting_) {
-        return;
+void Coordinator::await_workers() {
+    std::set<JobId> jobs = state_.jobs.running();
+    std::set<InstanceId> processes;
+    for (const JobId id : jobs) {
+        processes.merge(state_.jobs.at(id).merged.processes());
     }
-    acting_ = true;
-    while (!actions_.empty()) {
-        const Action action = std::move(actions_.front());
-        actions_.pop_front();
-        std::visit([this](const auto& one) { perform(one); }, action);
+    std::erase_if(processes, [this](InstanceId one) { return state_.alarms.is_quarantined(one); });
+    const FailureTimes::Duration within = parts_.times.return_within;
+    state_.awaited = AwaitedWorkers(std::move(jobs), std::move(processes), Clock::now() + within);
+    if (state_.awaited.size() != 0) {
+        log_info("jobs wait for workers to come back: workers={} seconds_max={:.3f}",
+                 state_.awaited.size(),
+                 std::chrono::duration<double>(within).count());
+        state_.timers.after(within, [this] { services_.work.feed(); });
     }
-    acting_ = false;
 }
 
-void Coordinator::perform(const SendBatch& action) {
-    Worker* worker = workers_.find(action.worker);
-    if (worker == nullptr) {
-        return; // The worker has left; the dispatcher knows.
+void Coordinator::close() {
+    is_closed_ = true;
+    state_.workers.close();
+    state_.blocks.close();
+    state_.timers.close();
+    state_.retries.close();
+    services_.references.close();
+}
+
+// ---- What the journal has committed
+// -----------------------------------------------------------------
+
+JournalWriter::Events Coordinator::journal_events() {
+    return {[this](WorkerId worker, const ResultsKept& kept) {
+                if (const Worker* here = state_.workers.find(worker)) {
+                    here->channel->send(kept);
+                }
+            },
+            [this](JobId job) { state_.waits.wake(job); },
+            [this](JobId job) { job_ended(job); },
+            [this](JobId job) { job_dropped(job); },
+            [this](const Dispute& dispute) { services_.arbiter.settle(dispute); },
+            [this] {
+                for (const JobId job : state_.jobs.running()) {
+                    ++state_.jobs.at(job).changes;
+                }
+                services_.work.feed();
+            },
+            [this] { services_.work.feed(); }};
+}
+
+void Coordinator::job_ended(JobId id) {
+    MasterJob& job = state_.jobs.at(id);
+    job.results->close();
+    for (const JobId dropped : state_.jobs.announce(job)) {
+        state_.writer.write(DropJob{dropped});
     }
-    MasterJob* job = jobs_.find_running(action.job);
+    const JobStatus status = job.status(Clock::now());
+    log_info("job ended: job={} state={} merged={} total={} seconds={:.3f} recalled={} copies={} "
+             "copies_won={} digest={}{}",
+             id.value,
+             to_text(status.state),
+             status.summary.merged(),
+             status.summary.total,
+             status.seconds,
+             status.recalled,
+             status.copies,
+             status.copies_won,
+             status.digest ? to_short_hex(*status.digest) : "none",
+             status.failure.empty() ? "" : " reason=\"" + status.failure + "\"");
+    state_.waits.wake(id);
+    services_.ingest.take_up(id);
+}
+
+void Coordinator::job_dropped(JobId job) {
+    state_.background.block(
+        [files = parts_.journal.files_of(job)] {
+            std::error_code ignored; // A leftover file does no harm.
+            for (const auto& path : files) {
+                std::filesystem::remove(path, ignored);
+            }
+            return Done{};
+        },
+        [](Done /*removed*/) {});
+    state_.waits.wake(job);
+}
+
+// ---- The dispatcher's actions
+// -------------------------------------------------------------------------
+
+void Coordinator::perform(const Action& action) {
+    std::visit(
+        [this](const auto& one) {
+            using One = std::decay_t<decltype(one)>;
+            if constexpr (std::is_same_v<One, GiveUp>) {
+                give_up(one);
+            } else if constexpr (std::is_same_v<One, RangeEnded>) {
+                services_.ranges.ended(one);
+            } else if constexpr (std::is_same_v<One, GivenBack>) {
+                services_.ranges.given_back(one);
+            } else if constexpr (std::is_same_v<One, ScenariosLost>) {
+                services_.ranges.lost(one);
+            } else {
+                services_.tasks.send(one);
+            }
+        },
+        action);
+}
+
+void Coordinator::give_up(const GiveUp& action) {
+    MasterJob* job = state_.jobs.find_running(action.job);
     if (job == nullptr) {
-        act(dispatcher().task_ended(action.worker, action.task));
         return;
     }
-    auto content = std::make_shared<TaskContent>();
-    content->job = job->id;
-    content->material = job->material;
-    Batch batch{action.task, job->id, {}, {0}, {}};
-    std::vector<Scenario> scenarios;
-    for (const std::uint64_t index : action.scenarios) {
-        const auto& analysis = job->open.at(index);
-        scenarios.push_back(analysis->scenario);
-        batch.pairs.insert(batch.pairs.end(), analysis->pairs.begin(), analysis->pairs.end());
-        batch.pair_offsets.push_back(static_cast<std::uint32_t>(batch.pairs.size()));
-        content->scenarios.push_back(analysis);
-    }
-    batch.scenarios = pack_scenarios(scenarios);
-    add_job_to(*worker, *job);
-    worker->channel->send(batch);
-    RunningTask task{action.worker, std::move(content)};
-    task.is_copy = action.is_copy;
-    job->help.copies += action.is_copy ? action.scenarios.size() : 0;
-    tasks_.emplace(action.task, std::move(task));
-    note_work(action.worker);
-}
-
-void Coordinator::perform(const AskBack& action) {
-    if (const Worker* worker = workers_.find(action.worker)) {
-        worker->channel->send(Recall{action.task, action.scenarios, action.places});
-    }
-}
-
-void Coordinator::perform(const CallOff& action) {
-    if (const Worker* worker = workers_.find(action.worker)) {
-        worker->channel->send(DropScenario{action.job, action.scenario, action.task});
-    }
-}
-
-void Coordinator::perform(const SendHint& action) {
-    Worker* worker = workers_.find(action.worker);
-    const MasterJob* job = jobs_.find_running(action.job);
-    if (worker != nullptr && job != nullptr) {
-        add_job_to(*worker, *job);
-        worker->channel->send(Hint{action.job, action.tree, action.roots});
-    }
-}
-
-void Coordinator::perform(const GiveUp& action) {
-    MasterJob* job = jobs_.find_running(action.job);
-    if (job == nullptr) {
-        return;
-    }
-    const auto analysis = job->open.at(action.scenario);
+    const auto analysis = job->work()->open.find(action.scenario);
+    CD_CHECK(analysis != nullptr);
     log_error("scenario given up: job={} scenario={}", job->id.value, action.scenario);
-    const std::string why = "lost with " + std::to_string(limits::scenario_losses_max) +
-                            " workers, one after the other, or with fewer again and again";
-    fail_scenario(*job, analysis->scenario, why);
+    services_.merger.fail(*job,
+                          analysis->scenario,
+                          "lost with " + std::to_string(limits::scenario_losses_max) +
+                              " workers, one after the other, or with fewer again and again");
 }
 
-StatusView Coordinator::status() const {
-    return {jobs_, workers_, alarms_, writer_.paused(), Clock::now()};
-}
-
-ClusterStatus Coordinator::cluster_status() const {
-    ClusterStatus status = this->status().cluster();
-    status.uptime_seconds = now();
-    status.meshes = parts_.geometry.meshes();
-    return status;
+void Coordinator::check_invariants() const {
+    cd::check_invariants(state_, services_);
+    CD_CHECK(state_.workers.all().empty() || is_closed_ || worker_desk_.is_watching());
 }
 
 } // namespace cd

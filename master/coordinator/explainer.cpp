@@ -21,12 +21,12 @@ Result<AnalysisInput> Explainer::input(JobId id) const {
     if (job == nullptr) {
         return no_job();
     }
-    if (!job->analysis_input) {
+    if (job->work() == nullptr) {
         return Error{ErrorCode::Refused,
                      "the job does not give out scenarios: it is " +
-                         std::string(job->is_running() ? "being prepared" : to_text(job->state))};
+                         std::string(job->is_running() ? "being prepared" : to_text(job->state()))};
     }
-    return *job->analysis_input;
+    return job->work()->analysis_input;
 }
 
 Result<std::optional<AnalysisInput>> Explainer::needed(JobId id, std::uint64_t scenario) const {

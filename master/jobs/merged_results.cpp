@@ -94,7 +94,7 @@ std::set<InstanceId> MergedResults::processes() const {
     for (const std::uint32_t number : author_numbers_) {
         counts[number] = true;
     }
-    std::set<InstanceId> processes;
+    std::set<InstanceId> processes = contributors_;
     for (std::size_t number = 1; number < authors_.size(); ++number) {
         if (counts[number]) {
             processes.insert(authors_[number]->process);
@@ -115,6 +115,7 @@ std::shared_ptr<const std::vector<bool>> MergedResults::marks() const {
 }
 
 void MergedResults::close() {
+    contributors_ = processes();
     merger_.close();
     facts_ = {};
     author_numbers_.resize(std::min(author_numbers_.size(), limits::authors_kept_max));

@@ -22,8 +22,10 @@ class MergedResults {
     using Outcome = ResultMerger::Outcome;
 
     explicit MergedResults(std::uint64_t scenarios) : merger_(scenarios) {}
-    /// Continues with results from before a restart. Call `restore` for each of them.
-    explicit MergedResults(ResultMerger merged) : merger_(std::move(merged)) {}
+    /// Continues with results from before a restart. Call `restore` for each of them, unless the
+    /// job has ended; `contributors` are then the processes whose results count.
+    explicit MergedResults(ResultMerger merged, std::set<InstanceId> contributors = {})
+        : merger_(std::move(merged)), contributors_(std::move(contributors)) {}
 
     /// Notes facts and author of a result that the merger already counts.
     void restore(std::uint64_t scenario,
@@ -50,7 +52,7 @@ class MergedResults {
     [[nodiscard]] std::shared_ptr<const Author> author_of(std::uint64_t scenario) const;
     /// True if the master itself has failed the scenario, so that it must not be run again.
     [[nodiscard]] bool is_failed_by_master(std::uint64_t scenario) const;
-    /// All processes whose results count.
+    /// All processes whose results count; of an ended job, too.
     [[nodiscard]] std::set<InstanceId> processes() const;
 
     /// Marks the scenarios that have a result, by index. Null if none has.
@@ -80,7 +82,8 @@ class MergedResults {
     std::vector<std::uint32_t> author_numbers_; ///< By scenario: index in `authors_`; 0: none.
     std::vector<std::shared_ptr<const Author>> authors_{nullptr};
     std::unordered_map<const Author*, std::uint32_t> numbers_; ///< Of `authors_`.
-    std::uint32_t number_last_ = 0; ///< Of the last author: results come in messages of one.
+    std::uint32_t number_last_ = 0;     ///< Of the last author: results come in messages of one.
+    std::set<InstanceId> contributors_; ///< Once closed: the processes whose results count.
 };
 
 } // namespace cd

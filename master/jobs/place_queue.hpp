@@ -7,9 +7,26 @@
 #include <cstdint>
 #include <deque>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace cd {
+
+/// Joins ascending positions into runs.
+class PlaceRuns {
+  public:
+    /// `place` is greater than all before.
+    void add(std::uint64_t place) {
+        if (runs_.empty() || runs_.back().end() != place) {
+            runs_.push_back({place, 0});
+        }
+        ++runs_.back().count;
+    }
+    [[nodiscard]] std::vector<PlaceRange> take() { return std::move(runs_); }
+
+  private:
+    std::vector<PlaceRange> runs_;
+};
 
 /// Returns the runs without the positions in `hole`.
 [[nodiscard]] std::vector<PlaceRange> without(std::span<const PlaceRange> runs,

@@ -37,7 +37,7 @@ ClientSession::ClientSession(Coordinator& coordinator,
       channel_(std::move(channel)),
       access_(std::move(access)),
       quota_(std::move(quota)),
-      queries_(coordinator.journal(), coordinator.geometry()) {}
+      queries_(coordinator.parts().journal, coordinator.parts().geometry) {}
 
 asio::awaitable<void> ClientSession::run() {
     const auto self = shared_from_this();
@@ -106,7 +106,7 @@ void ClientSession::answer(const Result<Answer>& found) {
 }
 
 Status ClientSession::check_owner(JobId job) {
-    const Result<JobStatus> status = coordinator_.job_status(job);
+    const Result<JobStatus> status = coordinator_.jobs().status(job);
     return status ? access_.check_owner(status.value().owner) : Status(status.error());
 }
 
@@ -125,8 +125,8 @@ asio::awaitable<void> ClientSession::on(Heartbeat /*message*/) {
 // ---- Meshes -------------------------------------------------------------------------------------
 
 asio::awaitable<void> ClientSession::on(MeshesQuery message) {
-    meshes_asked_for_ = coordinator_.geometry().hold(message.meshes);
-    channel_->send(MeshesMissing{coordinator_.geometry().missing(message.meshes)});
+    meshes_asked_for_ = coordinator_.parts().geometry.hold(message.meshes);
+    channel_->send(MeshesMissing{coordinator_.parts().geometry.missing(message.meshes)});
     co_return;
 }
 
@@ -159,7 +159,7 @@ Status ClientSession::begin_upload(MeshPart& part) {
         return allowed;
     }
     part.name.resize(std::min(part.name.size(), limits::hello_text_bytes_max));
-    auto begun = coordinator_.geometry().begin_upload(part.mesh, part.name, part.bytes_total);
+    auto begun = coordinator_.parts().geometry.begin_upload(part.mesh, part.name, part.bytes_total);
     if (!begun) {
         quota_.quotas->end_upload(quota_.client);
         return begun.error();
@@ -188,12 +188,12 @@ asio::awaitable<Status> ClientSession::take_mesh_part(MeshPart message) {
         }
     }
     auto append = [this, &message] { return upload_->append(message.offset, message.bytes); };
-    Status status = co_await run_on(coordinator_.blocking(), append);
+    Status status = co_await run_on(coordinator_.parts().blocking, append);
     if (status && upload_->is_complete()) {
-        auto finish = [this, &store = coordinator_.geometry()] {
+        auto finish = [this, &store = coordinator_.parts().geometry] {
             return store.finish_upload(std::move(upload_));
         };
-        status = co_await run_on(coordinator_.blocking(), finish);
+        status = co_await run_on(coordinator_.parts().blocking, finish);
         quota_.quotas->end_upload(quota_.client);
     }
     progressed_ = std::chrono::steady_clock::now();
@@ -233,8 +233,8 @@ asio::awaitable<void> ClientSession::on(Submit message) {
 }
 
 asio::awaitable<Status> ClientSession::begin_poses(Submit message) {
-    meshes_submitted_ = coordinator_.geometry().hold(meshes_of(message));
-    const auto stored = coordinator_.geometry().meshes();
+    meshes_submitted_ = coordinator_.parts().geometry.hold(meshes_of(message));
+    const auto stored = coordinator_.parts().geometry.meshes();
     if (const Status checked = check_submission(message, stored); !checked) {
         co_return checked;
     }
@@ -253,7 +253,7 @@ asio::awaitable<Status> ClientSession::begin_poses(Submit message) {
         drop_poses();
         co_return Done{};
     }
-    auto spool = JobSpool::create(coordinator_.directory(), message);
+    auto spool = JobSpool::create(coordinator_.parts().directory, message);
     if (!spool) {
         co_return spool.error();
     }
@@ -276,7 +276,7 @@ asio::awaitable<void> ClientSession::on(PosesPart message) {
         co_return;
     }
     auto append = [spool = spool_, &message] { return spool->append(message); };
-    const Status appended = co_await run_on(coordinator_.blocking(), append);
+    const Status appended = co_await run_on(coordinator_.parts().blocking, append);
     progressed_ = std::chrono::steady_clock::now();
     if (!appended) {
         refuse_poses(without_room(appended.error(), "the job's poses", queued_));
@@ -329,11 +329,11 @@ asio::awaitable<void> ClientSession::open_job(Submit submit, std::shared_ptr<Job
 // ---- Asking -------------------------------------------------------------------------------------
 
 asio::awaitable<void> ClientSession::on(StatusQuery /*message*/) {
-    auto measure = [state = coordinator_.directory().parent_path()] {
+    auto measure = [state = coordinator_.parts().directory.parent_path()] {
         return measure_state(state);
     };
-    const StateSizes sizes = co_await run_on(coordinator_.blocking(), measure);
-    ClusterStatus status = coordinator_.cluster_status();
+    const StateSizes sizes = co_await run_on(coordinator_.parts().blocking, measure);
+    ClusterStatus status = coordinator_.jobs().cluster();
     status.sizes = sizes;
     channel_->send(fitting(std::move(status)));
 }
@@ -360,17 +360,17 @@ asio::awaitable<void> ClientSession::on(TokenCreate message) {
 
 asio::awaitable<void> ClientSession::on(JobQuery message) {
     auto read = [this, &message] { return queries_.description(message.job); };
-    answer(co_await run_on(coordinator_.blocking(), read));
+    answer(co_await run_on(coordinator_.parts().blocking, read));
 }
 
 asio::awaitable<void> ClientSession::on(MeshQuery message) {
     auto read = [this, &message] { return queries_.mesh(message); };
-    answer(co_await run_on(coordinator_.blocking(), read));
+    answer(co_await run_on(coordinator_.parts().blocking, read));
 }
 
 asio::awaitable<void> ClientSession::on(PosesQuery message) {
     auto read = [this, &message] { return queries_.poses(message); };
-    answer(co_await run_on(coordinator_.blocking(), read));
+    answer(co_await run_on(coordinator_.parts().blocking, read));
 }
 
 asio::awaitable<void> ClientSession::on(Remove message) {
@@ -414,7 +414,7 @@ asio::awaitable<void> ClientSession::on(ResultsQuery message) {
     auto read = [results = job->results, message] {
         return results->read(message.first, message.count, limits::results_part_bytes_target);
     };
-    Result<ResultsPart> part = co_await run_on(coordinator_.blocking(), read);
+    Result<ResultsPart> part = co_await run_on(coordinator_.parts().blocking, read);
     if (!part) {
         refuse(part.error());
         co_return;
@@ -424,7 +424,7 @@ asio::awaitable<void> ClientSession::on(ResultsQuery message) {
 }
 
 asio::awaitable<void> ClientSession::on(ContactMapQuery message) {
-    const Result<ContactMapAnswer> map = coordinator_.contact_map(message.job);
+    const Result<ContactMapAnswer> map = coordinator_.jobs().contact_map(message.job);
     if (map) {
         channel_->send(fitting(map.value()));
     } else {
@@ -449,15 +449,15 @@ asio::awaitable<void> ClientSession::on(Watch message) {
         co_return;
     }
     ++watches_;
-    spawn(coordinator_.executor(), "watch", watch(shared_from_this(), message.job));
+    spawn(coordinator_.parts().executor, "watch", watch(shared_from_this(), message.job));
 }
 
 asio::awaitable<void> ClientSession::watch(std::shared_ptr<ClientSession> self, JobId job) {
-    const auto pause = std::make_shared<asio::steady_timer>(self->coordinator_.executor());
-    self->coordinator_.waits().notify(job, pause);
+    const auto pause = std::make_shared<asio::steady_timer>(self->coordinator_.parts().executor);
+    self->coordinator_.jobs().waits().notify(job, pause);
     std::optional<std::uint64_t> seen;
     while (self->channel_->is_open()) {
-        const Result<JobStatus> status = self->coordinator_.job_status(job);
+        const Result<JobStatus> status = self->coordinator_.jobs().status(job);
         const bool is_over = !status || status.value().state != JobState::Running;
         const MasterJob* found = self->coordinator_.jobs().find(job);
         const std::uint64_t changes = found == nullptr ? 0 : found->changes;

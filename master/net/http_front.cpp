@@ -15,10 +15,10 @@ namespace {
 
 /// Returns why the master or one of its jobs is paused; empty if none is.
 std::string what_waits(Coordinator& coordinator) {
-    if (!coordinator.paused().empty()) {
-        return "paused: " + coordinator.paused();
+    if (!coordinator.jobs().paused().empty()) {
+        return "paused: " + coordinator.jobs().paused();
     }
-    for (const JobStatus& job : coordinator.cluster_status().jobs) {
+    for (const JobStatus& job : coordinator.jobs().cluster().jobs) {
         if (!job.paused.empty()) {
             return "job " + std::to_string(job.job.value) + " is paused: " + job.paused;
         }
@@ -40,7 +40,7 @@ HttpAnswer answer_to(const HttpRequest& request, Coordinator& coordinator, const
     if (request.target == "/metrics") {
         const Status allowed = access.check(Message(StatusQuery{}));
         return allowed ? HttpAnswer{200,
-                                    metrics_text(coordinator.cluster_status()),
+                                    metrics_text(coordinator.jobs().cluster()),
                                     std::string(metrics_content_type)}
                        : HttpAnswer{403, allowed.error().detail + "\n"};
     }
@@ -83,7 +83,7 @@ void HttpFront::accept(asio::ip::tcp::socket socket) {
                       std::to_string(seats_.taken()) + " are open");
         return;
     }
-    spawn(coordinator_.executor(), "http", serve(std::move(socket), std::move(seat)));
+    spawn(coordinator_.parts().executor, "http", serve(std::move(socket), std::move(seat)));
 }
 
 asio::awaitable<void> HttpFront::serve(asio::ip::tcp::socket socket, Seats::Seat seat) {

@@ -29,7 +29,7 @@ std::uint64_t bytes_in(const std::vector<std::filesystem::path>& files) {
 } // namespace
 
 asio::awaitable<Result<JobStatus>> JobRemoval::ended(Remove wish) {
-    Result<JobStatus> status = coordinator_.job_status(wish.job);
+    Result<JobStatus> status = coordinator_.jobs().status(wish.job);
     if (!status || status.value().state != JobState::Running) {
         co_return status;
     }
@@ -49,21 +49,21 @@ asio::awaitable<Result<Removed>> JobRemoval::remove(Remove wish) {
     if (!status) {
         co_return status.error();
     }
-    const auto files = coordinator_.journal().files_of(wish.job);
+    const auto files = coordinator_.parts().journal.files_of(wish.job);
     auto measure = [files] { return bytes_in(files); };
     Removed removed;
-    removed.bytes = co_await run_on(coordinator_.blocking(), measure);
-    if (const Status forgotten = coordinator_.forget_job(wish.job); !forgotten) {
+    removed.bytes = co_await run_on(coordinator_.parts().blocking, measure);
+    if (const Status forgotten = coordinator_.jobs().forget(wish.job); !forgotten) {
         co_return forgotten.error();
     }
     const auto until = JobWaits::Time::clock::now() + limits::cancel_wait_max;
-    if (!co_await coordinator_.waits().wait(wish.job, until)) {
+    if (!co_await coordinator_.jobs().waits().wait(wish.job, until)) {
         co_return Error{ErrorCode::Io, "the removal was not written to the disk in time"};
     }
     for (const Sha256& mesh : status.value().bodies) {
         // Meshes that others still need, or that were removed with the other body, are skipped.
-        auto free = [&store = coordinator_.geometry(), mesh] { return store.remove(mesh); };
-        const Result<std::uint64_t> freed = co_await run_on(coordinator_.blocking(), free);
+        auto free = [&store = coordinator_.parts().geometry, mesh] { return store.remove(mesh); };
+        const Result<std::uint64_t> freed = co_await run_on(coordinator_.parts().blocking, free);
         removed.bytes += freed ? freed.value() : 0;
     }
     log_info("job removed: job={} bytes={}", wish.job.value, removed.bytes);
@@ -71,8 +71,10 @@ asio::awaitable<Result<Removed>> JobRemoval::remove(Remove wish) {
 }
 
 asio::awaitable<Result<Removed>> JobRemoval::remove(RemoveMesh wish) {
-    auto free = [&store = coordinator_.geometry(), mesh = wish.mesh] { return store.remove(mesh); };
-    const Result<std::uint64_t> freed = co_await run_on(coordinator_.blocking(), free);
+    auto free = [&store = coordinator_.parts().geometry, mesh = wish.mesh] {
+        return store.remove(mesh);
+    };
+    const Result<std::uint64_t> freed = co_await run_on(coordinator_.parts().blocking, free);
     if (!freed) {
         co_return freed.error();
     }

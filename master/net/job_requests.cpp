@@ -23,7 +23,7 @@ Result<std::optional<Analysis>> analysed(const AnalysisInput& input, std::uint64
 } // namespace
 
 asio::awaitable<Result<JobId>> JobRequests::open(Submit submit, std::shared_ptr<JobSpool> spool) {
-    const Result<JobId> next = coordinator_.allot_job(submit.scenarios);
+    const Result<JobId> next = coordinator_.jobs().allot(submit.scenarios);
     if (!next) {
         co_return next.error();
     }
@@ -31,10 +31,10 @@ asio::awaitable<Result<JobId>> JobRequests::open(Submit submit, std::shared_ptr<
     std::shared_ptr<PoseSource> poses;
     if (spool != nullptr) {
         auto seal = [&coordinator = coordinator_, id, spool] {
-            return spool->seal(coordinator.journal(), id, coordinator.durability());
+            return spool->seal(coordinator.parts().journal, id, coordinator.parts().durability);
         };
-        if (const Status sealed = co_await run_on(coordinator_.blocking(), seal); !sealed) {
-            coordinator_.give_up_job(id);
+        if (const Status sealed = co_await run_on(coordinator_.parts().blocking, seal); !sealed) {
+            coordinator_.jobs().give_up(id);
             co_return sealed.error();
         }
         poses = spool->poses();
@@ -42,58 +42,58 @@ asio::awaitable<Result<JobId>> JobRequests::open(Submit submit, std::shared_ptr<
         poses = make_grid_source(decode_grid(*submit.grid).value());
     }
     auto results =
-        ResultStore::create(coordinator_.journal().results_path(id), id, submit.scenarios);
+        ResultStore::create(coordinator_.parts().journal.results_path(id), id, submit.scenarios);
     const JobRecord record{id, std::move(submit), unix_seconds()};
-    coordinator_.write_job(record);
-    (void)co_await coordinator_.waits().wait(id);
-    coordinator_.begin_job(record, std::move(results), std::move(poses));
+    coordinator_.jobs().write(record);
+    (void)co_await coordinator_.jobs().waits().wait(id);
+    coordinator_.jobs().begin(record, std::move(results), std::move(poses));
     co_return id;
 }
 
 asio::awaitable<Result<JobStatus>> JobRequests::cancel(JobId job) {
-    const Result<JobStatus> status = coordinator_.cancel_job(job);
+    const Result<JobStatus> status = coordinator_.jobs().cancel(job);
     if (!status || status.value().state != JobState::Running) {
         co_return status;
     }
     // Clients see only a durable end.
     const auto until = JobWaits::Time::clock::now() + limits::cancel_wait_max;
-    (void)co_await coordinator_.waits().wait(job, until);
-    co_return coordinator_.job_status(job);
+    (void)co_await coordinator_.jobs().waits().wait(job, until);
+    co_return coordinator_.jobs().status(job);
 }
 
 asio::awaitable<Result<JobStatus>> JobRequests::cancel_scenario(JobId job, std::uint64_t scenario) {
-    if (coordinator_.cancel_disputed(job, scenario)) {
-        co_return coordinator_.job_status(job);
+    if (coordinator_.jobs().cancel_disputed(job, scenario)) {
+        co_return coordinator_.jobs().status(job);
     }
-    const auto poses = coordinator_.poses_of_unanswered(job, scenario);
+    const auto poses = coordinator_.jobs().poses_of_unanswered(job, scenario);
     if (!poses) {
         co_return poses.error();
     }
     auto read = [&poses, scenario] { return read_one(*poses.value(), scenario); };
-    const Result<Scenario> pose = co_await run_on(coordinator_.blocking(), read);
+    const Result<Scenario> pose = co_await run_on(coordinator_.parts().blocking, read);
     if (!pose) {
         co_return pose.error();
     }
-    if (const Status done = coordinator_.cancel_scenario(job, pose.value()); !done) {
+    if (const Status done = coordinator_.jobs().cancel_scenario(job, pose.value()); !done) {
         co_return done.error();
     }
-    co_return coordinator_.job_status(job);
+    co_return coordinator_.jobs().status(job);
 }
 
 asio::awaitable<Result<Explained>> JobRequests::explain(JobId job, std::uint64_t scenario) {
-    const auto needed = coordinator_.explainer().needed(job, scenario);
+    const auto needed = coordinator_.jobs().explainer().needed(job, scenario);
     if (!needed) {
         co_return needed.error();
     }
     Result<std::optional<Analysis>> analysis = std::optional<Analysis>();
     if (needed.value()) {
         auto run = [&needed, scenario] { return analysed(*needed.value(), scenario); };
-        analysis = co_await run_on(coordinator_.blocking(), run);
+        analysis = co_await run_on(coordinator_.parts().blocking, run);
         if (!analysis) {
             co_return analysis.error();
         }
     }
-    co_return coordinator_.explainer().explain(job, scenario, std::move(analysis.value()));
+    co_return coordinator_.jobs().explainer().explain(job, scenario, std::move(analysis.value()));
 }
 
 } // namespace cd

@@ -46,7 +46,7 @@ Server::Server(std::unique_ptr<Listener> listener,
       clients_(clients),
       quotas_(clients.quotas,
               [&coordinator](JobId job) {
-                  const Result<JobStatus> status = coordinator.job_status(job);
+                  const Result<JobStatus> status = coordinator.jobs().status(job);
                   return status && status.value().state == JobState::Running
                              ? std::optional(status.value().summary.total)
                              : std::nullopt;
@@ -89,8 +89,9 @@ void Server::accept(asio::ip::tcp::socket socket) {
     }
     const std::uint64_t connection = ++connection_last_;
     connections_.emplace(connection, nullptr);
-    spawn(
-        coordinator_.executor(), "session", serve(connection, std::move(socket), std::move(seat)));
+    spawn(coordinator_.parts().executor,
+          "session",
+          serve(connection, std::move(socket), std::move(seat)));
 }
 
 asio::awaitable<void>
@@ -126,10 +127,11 @@ asio::awaitable<void> Server::converse(std::shared_ptr<Channel> channel, Seats::
         allowed = Error{ErrorCode::Refused, "this is a master; workers fetch from each other"};
     }
     if (allowed) {
-        const auto pause = std::make_shared<asio::steady_timer>(coordinator_.executor());
+        const auto pause = std::make_shared<asio::steady_timer>(coordinator_.parts().executor);
         if (access.identity() != nullptr) {
-            spawn(
-                coordinator_.executor(), "certificate", watch_certificate(channel, access, pause));
+            spawn(coordinator_.parts().executor,
+                  "certificate",
+                  watch_certificate(channel, access, pause));
         }
         co_await welcome_as(channel, hello.value(), access, seat);
         pause->cancel();
@@ -158,8 +160,10 @@ asio::awaitable<void> Server::welcome_as(std::shared_ptr<Channel> channel,
         welcome.peer_key = reception.key;
         welcome.epoch = coordinator_.workers().epoch();
         welcome.is_resumed = reception.is_resumed;
-        welcome.heartbeat_ms = static_cast<std::uint32_t>(coordinator_.times().heartbeat.count());
-        welcome.lost_after_ms = static_cast<std::uint32_t>(coordinator_.times().lost_after.count());
+        welcome.heartbeat_ms =
+            static_cast<std::uint32_t>(coordinator_.parts().times.heartbeat.count());
+        welcome.lost_after_ms =
+            static_cast<std::uint32_t>(coordinator_.parts().times.lost_after.count());
         channel->send(welcome);
         const auto session = std::make_shared<WorkerSession>(coordinator_, channel, reception);
         co_await session->run(hello);
@@ -176,7 +180,7 @@ asio::awaitable<void> Server::welcome_as(std::shared_ptr<Channel> channel,
 }
 
 std::filesystem::path Server::jobs_path() const {
-    return coordinator_.directory() / "clients";
+    return coordinator_.parts().directory / "clients";
 }
 
 // Writes atomically and waits for no sync. If the file is lost, the quotas only count too little.

@@ -26,9 +26,9 @@ Result<Draining> dismiss_workers(Coordinator& coordinator, DrainWorkers wish) {
     }
     for (const WorkerId worker : told) {
         if (wish.now) {
-            coordinator.terminate_worker(worker);
+            coordinator.worker_desk().terminate(worker);
         } else {
-            coordinator.drain_worker(worker);
+            coordinator.worker_desk().drain(worker);
         }
     }
     return Draining{std::move(told)};

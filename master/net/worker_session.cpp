@@ -41,13 +41,13 @@ WorkerSession::WorkerSession(Coordinator& coordinator,
       channel_(std::move(channel)),
       reception_(reception),
       worker_(reception.worker),
-      heartbeat_(coordinator.executor()),
-      room_(coordinator.executor()) {}
+      heartbeat_(coordinator.parts().executor),
+      room_(coordinator.parts().executor) {}
 
 asio::awaitable<void> WorkerSession::run(Hello hello) {
     const auto self = shared_from_this();
     coordinator_.workers().join(reception_, hello, channel_);
-    spawn(coordinator_.executor(), "heartbeats to a worker", send_heartbeats(self));
+    spawn(coordinator_.parts().executor, "heartbeats to a worker", send_heartbeats(self));
     intake_ = coordinator_.workers().intake_of(worker_);
     intake_->has_room = [weak = weak_from_this()] {
         if (const auto session = weak.lock()) {
@@ -57,7 +57,7 @@ asio::awaitable<void> WorkerSession::run(Hello hello) {
     std::string why;
     for (;;) {
         co_await wait_for_room();
-        Result<Message> message = co_await channel_->receive(coordinator_.times().lost_after);
+        Result<Message> message = co_await channel_->receive(coordinator_.parts().times.lost_after);
         if (!message && message.error().code == ErrorCode::Timeout && channel_->is_open()) {
             continue; // A slow message does not make the worker lost.
         }
@@ -82,7 +82,7 @@ asio::awaitable<void> WorkerSession::wait_for_room() {
            !mutated(Mutation::ReadsOn)) {
         coordinator_.workers().unheard(worker_, *channel_);
         // The connection may end during the wait.
-        room_.expires_after(coordinator_.times().heartbeat);
+        room_.expires_after(coordinator_.parts().times.heartbeat);
         boost::system::error_code ignored;
         co_await room_.async_wait(asio::redirect_error(asio::use_awaitable, ignored));
         // Reading resumes, so the worker's silence is counted from now.
@@ -96,7 +96,7 @@ asio::awaitable<void> WorkerSession::send_heartbeats(std::shared_ptr<WorkerSessi
     while (self->channel_->is_open()) {
         ++heartbeat.sequence;
         self->channel_->send(heartbeat);
-        self->heartbeat_.expires_after(self->coordinator_.times().heartbeat);
+        self->heartbeat_.expires_after(self->coordinator_.parts().times.heartbeat);
         boost::system::error_code ignored;
         co_await self->heartbeat_.async_wait(asio::redirect_error(asio::use_awaitable, ignored));
     }
@@ -107,19 +107,19 @@ void WorkerSession::on(const Heartbeat& message) {
 }
 
 void WorkerSession::on(const Evicted& message) {
-    coordinator_.evicted(worker_, message);
+    coordinator_.worker_desk().came(worker_, message);
 }
 
 void WorkerSession::on(const Holding& message) {
-    coordinator_.cuts_held(worker_, message);
+    coordinator_.worker_desk().came(worker_, message);
 }
 
 void WorkerSession::on(const Standing& message) {
-    coordinator_.worker_stands(worker_, message);
+    coordinator_.worker_desk().came(worker_, message);
 }
 
 void WorkerSession::on(const Drain& /*message*/) {
-    coordinator_.worker_draining(worker_);
+    coordinator_.worker_desk().draining(worker_);
     channel_->send(Drain{}); // The channel sends this after everything already queued.
 }
 
@@ -130,15 +130,15 @@ void WorkerSession::on(const Failure& message) {
 void WorkerSession::on(Results& message) {
     const auto place = std::make_shared<PlaceInHand>(intake_);
     CD_CHECK(intake_->messages <= limits::results_in_hand_max);
-    coordinator_.results_came(worker_, std::move(message), [place] { place->leave(); });
+    coordinator_.worker_desk().came(worker_, std::move(message), [place] { place->leave(); });
 }
 
 void WorkerSession::on(const EndOfTask& message) {
-    coordinator_.task_ended(worker_, message.task);
+    coordinator_.worker_desk().came(worker_, message);
 }
 
 void WorkerSession::on(const Recalled& message) {
-    coordinator_.task_recalled(worker_, message);
+    coordinator_.worker_desk().came(worker_, message);
 }
 
 template <class Other>
@@ -149,15 +149,15 @@ void WorkerSession::on(const Other& message) {
 }
 
 void WorkerSession::on(const WantSubtrees& message) {
-    coordinator_.blocks_wanted(worker_, message);
+    coordinator_.worker_desk().came(worker_, message);
 }
 
 void WorkerSession::on(const Held& message) {
-    coordinator_.blocks_held(worker_, message);
+    coordinator_.worker_desk().came(worker_, message);
 }
 
 void WorkerSession::on(const FetchFailed& message) {
-    coordinator_.peer_failed(worker_, message);
+    coordinator_.worker_desk().came(worker_, message);
 }
 
 } // namespace cd

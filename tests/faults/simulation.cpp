@@ -135,7 +135,7 @@ void Simulation::check_cache(WorkerProcess& worker) {
         worker.host().is_dying) {
         return;
     }
-    for (const BlockKey& block : master_->coordinator()->blocks_held_by(id)) {
+    for (const BlockKey& block : master_->coordinator()->worker_desk().blocks_held_by(id)) {
         ++outcome_.blocks_checked;
         if (!session->cache().has({block.tree, block.root}) &&
             !world_.watcher.is_correction_under_way(host, block.tree, block.root)) {

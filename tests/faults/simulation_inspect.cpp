@@ -75,7 +75,7 @@ std::string Simulation::what_stands_still() {
     if (master_ == nullptr || master_->coordinator() == nullptr) {
         return "; there is no master";
     }
-    const ClusterStatus status = master_->coordinator()->cluster_status();
+    const ClusterStatus status = master_->coordinator()->jobs().cluster();
     std::string text;
     for (const WorkerStatus& worker : status.workers) {
         text += "; " + worker.name + ": " + std::to_string(worker.tasks) + " tasks with " +

@@ -24,12 +24,13 @@ class ReferenceRun : public testing::Test {
 
     ThreadPool pool_{1};
     asio::io_context context_;
+    Background background_{context_.get_executor(), pool_, pool_, [] {}};
     std::shared_ptr<const JobMaterial> material_;
     std::shared_ptr<PoseSource> poses_;
 };
 
 TEST_F(ReferenceRun, GivesTheRecordOfAWholeRun) {
-    ReferenceRuns runs(context_.get_executor(), pool_);
+    ReferenceRuns runs(background_);
     const std::uint64_t scenario = scenario_with_contact();
     std::optional<ReferenceResult> found;
     runs.start(JobId{1}, scenario, material_, poses_, [&](Result<ReferenceResult> result) {
@@ -46,7 +47,7 @@ TEST_F(ReferenceRun, GivesTheRecordOfAWholeRun) {
 }
 
 TEST_F(ReferenceRun, AStoppedRunIsACancelledFailure) {
-    ReferenceRuns runs(context_.get_executor(), pool_);
+    ReferenceRuns runs(background_);
     std::latch released(1);
     pool_.post([&] { released.wait(); });
     std::optional<ReferenceResult> found;
@@ -68,7 +69,7 @@ TEST_F(ReferenceRun, AStoppedRunIsACancelledFailure) {
 TEST_F(ReferenceRun, AfterTheCloseNothingIsReported) {
     std::latch released(1);
     {
-        ReferenceRuns runs(context_.get_executor(), pool_);
+        ReferenceRuns runs(background_);
         pool_.post([&] { released.wait(); });
         runs.start(JobId{1}, 3, material_, poses_, [](Result<ReferenceResult>) { FAIL(); });
         runs.close();

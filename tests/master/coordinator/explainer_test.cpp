@@ -21,7 +21,7 @@ class Explanations : public testing::Test {
         board_.add(MasterJob(job, submit, nullptr, {}));
     }
     void start() {
-        board_.find(job)->analysis_input.emplace();
+        board_.find(job)->run->work = std::make_unique<JobWork>();
         (void)dispatcher_.job_opened(
             job, board_.at(job).submit.cluster, {TreeId{1}, {100}, {6400}}, {TreeId{2}, {1}, {64}});
     }

@@ -59,7 +59,7 @@ TEST_F(Statuses, AJobThatIsNotThereIsNotFound) {
 }
 
 TEST_F(Statuses, ARunningJobTellsWhyTheJournalDoesNotWrite) {
-    board_.find(job)->paused = "its poses cannot be read";
+    board_.find(job)->run->paused = "its poses cannot be read";
     EXPECT_EQ(status().paused, "its poses cannot be read");
     paused_ = "the disk is full";
     EXPECT_EQ(status().paused, "the disk is full");

@@ -61,7 +61,7 @@ TEST_F(Jobs, TheOldestEndedJobIsDroppedFirst) {
     }
     EXPECT_THAT(end_and_announce(longest), ElementsAre(second)) << "it has just come to its end";
     ASSERT_NE(board_.find(longest), nullptr);
-    EXPECT_EQ(board_.find(longest)->state, JobState::Cancelled);
+    EXPECT_EQ(board_.find(longest)->state(), JobState::Cancelled);
     EXPECT_THAT(end_and_announce(open(1)), ElementsAre(first));
 }
 

@@ -115,12 +115,12 @@ TEST(HttpPagesOfAPausedJob, SayThatItWaitsAndForWhat) {
         return Asking(master, front->port(), nullptr, request_for("/readyz")).answer();
     };
     master.run_until(
-        [&] { return !master.coordinator.cluster_status().jobs.at(0).paused.empty(); });
+        [&] { return !master.coordinator.jobs().cluster().jobs.at(0).paused.empty(); });
     const std::string answer = ready();
     EXPECT_THAT(answer, StartsWith("HTTP/1.1 503 "));
     EXPECT_THAT(answer, HasSubstr("job 1 is paused: " + mesh.string()));
     write_text(mesh, whole);
-    master.run_until([&] { return master.coordinator.cluster_status().jobs.at(0).paused.empty(); });
+    master.run_until([&] { return master.coordinator.jobs().cluster().jobs.at(0).paused.empty(); });
     EXPECT_THAT(ready(), StartsWith("HTTP/1.1 200 "));
 }
 

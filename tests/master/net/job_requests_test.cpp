@@ -39,7 +39,7 @@ class Requests : public testing::Test {
 TEST_F(Requests, AnOpenedJobIsInTheJournal) {
     const JobId job = open();
     EXPECT_EQ(master_.journal->job(job).value().submit.name, "test");
-    EXPECT_EQ(master_.coordinator.job_status(job).value().state, JobState::Running);
+    EXPECT_EQ(master_.coordinator.jobs().status(job).value().state, JobState::Running);
 }
 
 TEST_F(Requests, ACancelledJobHasEndedAndStaysSo) {
@@ -57,7 +57,7 @@ TEST_F(Requests, ACancelledScenarioIsFailedAndEndsTheJobIfItIsTheLast) {
         << "it is being prepared";
     EXPECT_EQ(run(requests_.cancel_scenario(job, 0)).value().summary.failed, 1u);
     master_.run_until(
-        [&] { return master_.coordinator.job_status(job).value().state == JobState::Done; });
+        [&] { return master_.coordinator.jobs().status(job).value().state == JobState::Done; });
 }
 
 TEST_F(Requests, AJobThatIsNotThereIsNotFound) {

@@ -42,19 +42,19 @@ class DamagedMaster : public Master {
     }
 
     [[nodiscard]] std::filesystem::path poses() const { return journal->poses_path(job); }
-    [[nodiscard]] JobStatus status() { return coordinator.job_status(job).value(); }
+    [[nodiscard]] JobStatus status() { return coordinator.jobs().status(job).value(); }
 
     void expect_to_wait_for(const Damage& damage) {
         run_until([&] { return !status().paused.empty(); });
         EXPECT_NE(status().paused.find(damage.name()), std::string::npos) << status().paused;
         EXPECT_EQ(status().state, JobState::Running);
-        EXPECT_EQ(coordinator.cluster_status().jobs.at(0).paused, status().paused);
+        EXPECT_EQ(coordinator.jobs().cluster().jobs.at(0).paused, status().paused);
     }
 
     /// Runs until the results with which the only worker came are read and checked.
     void finish_checks_of_results() {
         run_until([&] {
-            const auto workers = coordinator.cluster_status().workers;
+            const auto workers = coordinator.jobs().cluster().workers;
             return !workers.empty() && workers[0].cached_bytes == FakeWorker::cached_bytes;
         });
         // When all threads meet, what was posted before has ended.
@@ -112,7 +112,8 @@ TEST(ServerDamage, AJobThatWaitsForItsPosesMayBeCancelledAndTheMasterEnded) {
 
 TEST(ServerDamage, DamagedBlocksDoNotPauseAJob) {
     DamagedMaster master(AnalysisMode::Never);
-    master.run_until([&] { return master.coordinator.explainer().input(master.job).has_value(); });
+    master.run_until(
+        [&] { return master.coordinator.jobs().explainer().input(master.job).has_value(); });
     std::vector<Damage> damages;
     for (const auto& entry : std::filesystem::directory_iterator(master.directory / "blocks")) {
         damages.emplace_back(entry.path());
@@ -124,7 +125,8 @@ TEST(ServerDamage, DamagedBlocksDoNotPauseAJob) {
 
 TEST(ServerDamage, ADisputeWaitsForThePosesToJudgeIt) {
     DamagedMaster master(AnalysisMode::Never);
-    master.run_until([&] { return master.coordinator.explainer().input(master.job).has_value(); });
+    master.run_until(
+        [&] { return master.coordinator.jobs().explainer().input(master.job).has_value(); });
     std::latch released(1);
     for (unsigned thread = 0; thread < master.blocking.size(); ++thread) {
         master.blocking.post([&] { released.wait(); }); // Blocks the master's runs.

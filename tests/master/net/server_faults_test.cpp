@@ -2,7 +2,7 @@
 // die, forget, lie, are too slow or send invalid messages.
 #include "common/core/limits/engine.hpp"
 #include "common/core/limits/master.hpp"
-#include "master/results/record_size.hpp"
+#include "master/compute/record_size.hpp"
 #include "tests/master/fake_client.hpp"
 #include "tests/master/fake_worker.hpp"
 #include "tests/master/master_stage.hpp"
@@ -78,10 +78,10 @@ TEST(Server, DifferingResultsKeepTheRightOneAndQuarantineTheWorker) {
         Client client(master);
         client.start(reference().submission());
         master.run_until([&] {
-            const ClusterStatus status = master.coordinator.cluster_status();
+            const ClusterStatus status = master.coordinator.jobs().cluster();
             return status.workers.size() == 1 && status.workers[0].quarantined;
         });
-        EXPECT_FALSE(master.coordinator.cluster_status().alarms.empty());
+        EXPECT_FALSE(master.coordinator.jobs().cluster().alarms.empty());
         FakeWorker good(master, {});
         master.run_until([&] { return client.done; });
         expect_right(client);
@@ -98,10 +98,10 @@ TEST(Server, OtherAnswersOfAQuarantinedWorkerAreWithdrawnAndDoneAgain) {
         submit.cluster.analysis = mode;
         client.start(submit);
         master.run_until([&] {
-            const ClusterStatus status = master.coordinator.cluster_status();
+            const ClusterStatus status = master.coordinator.jobs().cluster();
             return status.workers.size() == 1 && status.workers[0].quarantined;
         });
-        const ClusterStatus status = master.coordinator.cluster_status();
+        const ClusterStatus status = master.coordinator.jobs().cluster();
         EXPECT_GT(status.jobs.at(0).withdrawn, 1u);
         EXPECT_GT(status.alarm_count, 0u);
         EXPECT_EQ(status.jobs.at(0).state, JobState::Running);
@@ -147,7 +147,7 @@ TEST(Server, AWithdrawnScenarioThatKillsWorkersFailsUnrunByTheMaster) {
         master.run_until([&] { return liar.kept == 3; });
     }
     const std::uint64_t deadly =
-        wrong_scenario(*master.coordinator.jobs().at(*client.job).results).value();
+        wrong_scenario(*master.coordinator.jobs().find(*client.job)->results).value();
     {
         const FakeWorker again(master, {.lies_first = true, .instance = liars_process});
         master.run_until([&] { return master.coordinator.alarms().record().count != 0; });
@@ -192,10 +192,10 @@ TEST(Server, AScenarioThatTakesLongIsShownWithItsWorker) {
     client.start(reference().submission());
     master.run_until([&] { return client.job.has_value(); });
     FakeWorker worker(master, {});
-    master.run_until([&] { return master.coordinator.cluster_status().workers.size() == 1; });
-    const WorkerId id = master.coordinator.cluster_status().workers[0].worker;
+    master.run_until([&] { return master.coordinator.jobs().cluster().workers.size() == 1; });
+    const WorkerId id = master.coordinator.jobs().cluster().workers[0].worker;
     const auto shown = [&] {
-        return master.coordinator.job_status(*client.job).value().long_scenarios;
+        return master.coordinator.jobs().status(*client.job).value().long_scenarios;
     };
     master.coordinator.workers().heartbeat_came(
         id, {1, 0, 1, {}, RunningScenario{*client.job, 3, 9.5}});
@@ -206,7 +206,7 @@ TEST(Server, AScenarioThatTakesLongIsShownWithItsWorker) {
     EXPECT_EQ(shown()[0].scenario, 3u);
     EXPECT_EQ(shown()[0].worker, id);
     EXPECT_EQ(shown()[0].name, "fake");
-    EXPECT_EQ(master.coordinator.cluster_status().jobs.at(0).long_scenarios.size(), 1u);
+    EXPECT_EQ(master.coordinator.jobs().cluster().jobs.at(0).long_scenarios.size(), 1u);
     master.coordinator.workers().heartbeat_came(id, {3, 0, 1, {}, {}});
     EXPECT_TRUE(shown().empty());
     master.run_until([&] { return client.done; });
@@ -218,7 +218,7 @@ TEST(Server, AScenarioMayBeCancelledAndTheJobGoesOn) {
     Client client(master);
     client.start(reference().submission());
     master.run_until(
-        [&] { return client.job && master.coordinator.explainer().input(*client.job); });
+        [&] { return client.job && master.coordinator.jobs().explainer().input(*client.job); });
     const auto ask = [&](const Message& message) {
         Client other(master);
         other.start_asking({message});
@@ -251,7 +251,7 @@ TEST(Server, AScenarioMayBeCancelledWhileAWorkerHasItAndAnAnswerThatComesLaterIs
     EXPECT_EQ(client.statuses.back().state, JobState::Done);
     EXPECT_EQ(client.statuses.back().summary.failed, 1u);
     EXPECT_EQ(client.statuses.back().summary.merged(), reference().scenarios.size());
-    EXPECT_EQ(master.coordinator.cluster_status().alarm_count, 0u);
+    EXPECT_EQ(master.coordinator.jobs().cluster().alarm_count, 0u);
 }
 
 /// A worker's connection that sends many results of an earlier session until it is closed.
@@ -333,7 +333,7 @@ struct FullMaster : Master {
     }
     /// Waits until the job is paused for lack of room.
     JobStatus wait_until_paused(JobId job) {
-        const auto status = [&] { return coordinator.job_status(job).value(); };
+        const auto status = [&] { return coordinator.jobs().status(job).value(); };
         run_until([&] { return status().state != JobState::Running || !status().paused.empty(); });
         return status();
     }
@@ -362,7 +362,7 @@ TEST(Server, AJobWhoseBlocksCannotBeWrittenWaitsAndGoesOnWhenTheyCan) {
     const JobStatus status = master.wait_until_paused(*client.job);
     EXPECT_EQ(status.state, JobState::Running) << status.failure;
     EXPECT_NE(status.paused.find("blocks"), std::string::npos) << status.paused;
-    const ClusterStatus all = master.coordinator.cluster_status();
+    const ClusterStatus all = master.coordinator.jobs().cluster();
     EXPECT_TRUE(all.jobs.at(0).paused.empty()) << "it has ended";
     EXPECT_EQ(all.jobs.at(1).paused, status.paused);
     master.make_room();
@@ -398,7 +398,7 @@ TEST(Server, CancellingADisputedScenarioQuarantinesNoWorker) {
     Client client(master);
     client.start(reference().submission());
     master.run_until(
-        [&] { return client.job && master.coordinator.explainer().input(*client.job); });
+        [&] { return client.job && master.coordinator.jobs().explainer().input(*client.job); });
     std::latch released(1);
     for (unsigned thread = 0; thread < master.blocking.size(); ++thread) {
         master.blocking.post([&] { released.wait(); }); // Blocks the master's runs.
@@ -408,7 +408,7 @@ TEST(Server, CancellingADisputedScenarioQuarantinesNoWorker) {
     master.run_until([&] { return liar->kept == 2; });
     std::uint64_t cancelled = 0;
     for (const Scenario& scenario : reference().scenarios) {
-        if (!master.coordinator.jobs().at(*client.job).results->has(scenario.index)) {
+        if (!master.coordinator.jobs().find(*client.job)->results->has(scenario.index)) {
             continue;
         }
         Client other(master);
@@ -424,7 +424,7 @@ TEST(Server, CancellingADisputedScenarioQuarantinesNoWorker) {
     EXPECT_EQ(client.statuses.back().state, JobState::Done);
     EXPECT_EQ(client.statuses.back().summary.failed, cancelled);
     EXPECT_EQ(client.statuses.back().summary.merged(), reference().scenarios.size());
-    EXPECT_EQ(master.coordinator.cluster_status().alarm_count, 0u);
+    EXPECT_EQ(master.coordinator.jobs().cluster().alarm_count, 0u);
 }
 
 TEST(Server, ARecordThatTheJournalDoesNotTakeIsAnErrorThatNamesTheLimit) {

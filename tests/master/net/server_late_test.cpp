@@ -43,7 +43,7 @@ TEST(LateServer, ADifferingResultOfAnEndedJobIsOnlyAcknowledged) {
     master.run_until([&] { return late.kept == 1; });
     EXPECT_EQ(master.coordinator.alarms().record().count, 0u);
     EXPECT_TRUE(master.coordinator.alarms().quarantined().empty());
-    EXPECT_EQ(master.coordinator.job_status(job).value().digest, reference().digest);
+    EXPECT_EQ(master.coordinator.jobs().status(job).value().digest, reference().digest);
 }
 
 /// The only result of a job arrives twice; the second one differs, and arrives while the job's end
@@ -64,7 +64,7 @@ TEST(LateServer, AResultDuringTheEndsCommitIsOnlyAcknowledged) {
     master.run_until([&] { return liar.kept == 2; });
     ASSERT_TRUE(client.answer && client.answer->has_value());
     const JobId job = std::get<Accepted>(client.answer->value()).job;
-    EXPECT_EQ(master.coordinator.job_status(job).value().state, JobState::Done);
+    EXPECT_EQ(master.coordinator.jobs().status(job).value().state, JobState::Done);
     EXPECT_EQ(master.coordinator.alarms().record().count, 0u);
 }
 

@@ -152,7 +152,7 @@ TEST(Removal, AMeshOfASubmissionUnderWayStays) {
     });
     const auto removed = std::get<Removed>(answer_to(master, {Remove{JobId{1}, false}}));
     EXPECT_GT(removed.bytes, 0u);
-    master.run_until([&] { return master.coordinator.cluster_status().jobs.empty(); });
+    master.run_until([&] { return master.coordinator.jobs().cluster().jobs.empty(); });
     EXPECT_EQ(master.store->meshes().size(), 2u);
     const auto refused = std::get<Failure>(answer_to(master, {RemoveMesh{reference().a.hash()}}));
     EXPECT_EQ(refused.code, ErrorCode::Refused);

@@ -28,7 +28,7 @@ JobId submit_to(Master& master, AnalysisMode mode) {
 }
 
 void expect_right_end(Master& master, JobId job) {
-    const auto status = [&] { return master.coordinator.job_status(job).value(); };
+    const auto status = [&] { return master.coordinator.jobs().status(job).value(); };
     master.run_until([&] { return status().state != JobState::Running; });
     EXPECT_EQ(status().state, JobState::Done) << status().failure;
     EXPECT_EQ(status().digest, reference().digest);
@@ -44,7 +44,7 @@ std::size_t quarantined_in(const ClusterStatus& status) {
 void wait_until_gone(Master& master) {
     master.run_until([&] {
         return std::ranges::all_of(
-            master.coordinator.cluster_status().workers,
+            master.coordinator.jobs().cluster().workers,
             [](const WorkerStatus& worker) { return worker.state == WorkerState::Lost; });
     });
 }
@@ -52,9 +52,9 @@ void wait_until_gone(Master& master) {
 /// The worker returns and behaves well.
 void expect_in_quarantine(Master& master, std::uint64_t process) {
     const FakeWorker again(master, {.instance = process});
-    master.run_until([&] { return quarantined_in(master.coordinator.cluster_status()) == 1; });
+    master.run_until([&] { return quarantined_in(master.coordinator.jobs().cluster()) == 1; });
     master.run_until([&] {
-        const auto running = master.coordinator.cluster_status().jobs;
+        const auto running = master.coordinator.jobs().cluster().jobs;
         return std::ranges::none_of(
             running, [](const JobStatus& job) { return job.state == JobState::Running; });
     });
@@ -65,9 +65,9 @@ void expect_in_quarantine(Master& master, std::uint64_t process) {
 ClusterStatus run_to_the_alarm(Master& master, AnalysisMode mode) {
     submit_to(master, mode);
     const FakeWorker liar(master, {.lies_first = true, .lies_alone = 3, .instance = liars_process});
-    master.run_until([&] { return quarantined_in(master.coordinator.cluster_status()) == 1; });
+    master.run_until([&] { return quarantined_in(master.coordinator.jobs().cluster()) == 1; });
     master.end();
-    return master.coordinator.cluster_status();
+    return master.coordinator.jobs().cluster();
 }
 
 /// One worker dies of the scenario in each incarnation of the master.
@@ -81,16 +81,16 @@ TEST(ServerRestart, AScenarioThatTakesItsWorkersDownFailsAfterAsManyAsWithoutARe
             if (life == 0) {
                 job = submit_to(master, mode);
             }
-            EXPECT_EQ(master.coordinator.job_status(job).value().summary.failed, 0u);
+            EXPECT_EQ(master.coordinator.jobs().status(job).value().summary.failed, 0u);
             const FakeWorker mortal(master, {.dies_of = deadly, .instance = 100 + life});
             master.run_until([&] { return mortal.ended; });
             wait_until_gone(master);
             master.end();
         }
         Master master(no_return, state.path());
-        EXPECT_EQ(master.coordinator.job_status(job).value().summary.failed, 1u);
+        EXPECT_EQ(master.coordinator.jobs().status(job).value().summary.failed, 1u);
         const FakeWorker last(master, {.dies_of = deadly, .instance = 200});
-        const auto status = [&] { return master.coordinator.job_status(job).value(); };
+        const auto status = [&] { return master.coordinator.jobs().status(job).value(); };
         master.run_until([&] { return status().state != JobState::Running; });
         EXPECT_EQ(status().state, JobState::Done) << status().failure;
         EXPECT_EQ(status().summary.failed, 1u);
@@ -113,7 +113,7 @@ TEST(ServerRestart, AJobWhoseMeshIsDamagedWaitsUntilThatIsMended) {
     write_text(mesh, damaged);
     Master master(no_return, state.path());
     const FakeWorker worker(master, {});
-    const auto status = [&] { return master.coordinator.job_status(job).value(); };
+    const auto status = [&] { return master.coordinator.jobs().status(job).value(); };
     master.run_until([&] { return !status().paused.empty(); });
     EXPECT_NE(status().paused.find(mesh.filename()), std::string::npos) << status().paused;
     EXPECT_EQ(status().state, JobState::Running);
@@ -135,7 +135,7 @@ TEST(ServerRestart, AJobWhoseMeshIsMissingWaitsUntilItIsThereAgain) {
         std::filesystem::remove(mesh);
         Master master(no_return, state.path());
         const FakeWorker worker(master, {});
-        const auto status = [&] { return master.coordinator.job_status(job).value(); };
+        const auto status = [&] { return master.coordinator.jobs().status(job).value(); };
         master.run_until([&] { return !status().paused.empty(); });
         EXPECT_NE(status().paused.find(mesh.filename()), std::string::npos) << status().paused;
         EXPECT_EQ(status().state, JobState::Running);
@@ -160,7 +160,7 @@ TEST(ServerRestart, ADamagedMeshMayBeMovedAwayAndSubmittedAgain) {
     write_text(mesh, "rubbish");
     Master master(no_return, state.path());
     const FakeWorker worker(master, {});
-    const auto paused = [&] { return master.coordinator.job_status(job).value().paused; };
+    const auto paused = [&] { return master.coordinator.jobs().status(job).value().paused; };
     master.run_until([&] { return paused().find("move it away") != std::string::npos; });
     std::filesystem::rename(mesh, state / "away");
     master.run_until([&] { return paused().find("is missing") != std::string::npos; });
@@ -179,7 +179,7 @@ TEST(ServerRestart, QuarantineAlarmsAndWithdrawalsAreAsTheyWere) {
         ASSERT_GT(before.alarm_count, 0u);
         ASSERT_GT(before.jobs.at(0).withdrawn, 1u);
         Master master(no_return, state.path());
-        const ClusterStatus after = master.coordinator.cluster_status();
+        const ClusterStatus after = master.coordinator.jobs().cluster();
         EXPECT_EQ(after.alarms, before.alarms);
         EXPECT_EQ(after.alarm_count, before.alarm_count);
         EXPECT_EQ(after.jobs.at(0).withdrawn, before.jobs.at(0).withdrawn);
@@ -212,9 +212,9 @@ TEST(ServerRestart, ReturnedResultsSkipAnalysis) {
     const TemporaryFolder state;
     const JobId job = job_to_be_analysed(state.path());
     Master master({}, state.path());
-    master.run_until([&] { return master.coordinator.explainer().input(job).has_value(); });
-    const AnalysisInput input = master.coordinator.explainer().input(job).value();
-    const auto results = master.coordinator.jobs().at(job).results;
+    master.run_until([&] { return master.coordinator.jobs().explainer().input(job).has_value(); });
+    const AnalysisInput input = master.coordinator.jobs().explainer().input(job).value();
+    const auto results = master.coordinator.jobs().find(job)->results;
     std::optional<Analysis> separate; // The only scenario missing from the worker's results.
     std::vector<Results> brought;
     for (const Scenario& scenario : reference().scenarios) {
@@ -230,7 +230,7 @@ TEST(ServerRestart, ReturnedResultsSkipAnalysis) {
     }
     ASSERT_TRUE(separate);
     ASSERT_GT(brought.size(), reference().scenarios.size() / 3) << "then this shows little";
-    const auto status = [&] { return master.coordinator.job_status(job).value(); };
+    const auto status = [&] { return master.coordinator.jobs().status(job).value(); };
     const JobStatus before = status();
     ASSERT_EQ(before.answered_by_master, 0u);
 
@@ -260,7 +260,7 @@ TEST(ServerRestart, WhatWasLeftToWithdrawIsWithdrawn) {
         writer.wait_for(writer.journal->add(std::move(add)));
     }
     Master master(no_return, state.path());
-    EXPECT_GT(master.coordinator.job_status(job).value().withdrawn, 0u);
+    EXPECT_GT(master.coordinator.jobs().status(job).value().withdrawn, 0u);
     const FakeWorker good(master, {.instance = good_process});
     expect_right_end(master, job);
 }
@@ -284,15 +284,16 @@ TEST(ServerRestart, AnOldWrongResultWithdrawsItsAuthorsResults) {
             master.run_until([&] { return liar.kept == 3; });
         }
         wait_until_gone(master);
-        wrong = wrong_scenario(*master.coordinator.jobs().at(job).results); // All results so far.
+        wrong =
+            wrong_scenario(*master.coordinator.jobs().find(job)->results); // All results so far.
     }
     ASSERT_TRUE(wrong);
     Master master(no_return, state.path());
-    EXPECT_EQ(master.coordinator.cluster_status().alarm_count, 0u);
+    EXPECT_EQ(master.coordinator.jobs().cluster().alarm_count, 0u);
     // No earlier worker is here. A new one brings a contradicting result, as after a speculative
     // copy.
     std::uint64_t missing = 0; // The job waits for it.
-    while (master.coordinator.jobs().at(job).results->has(missing)) {
+    while (master.coordinator.jobs().find(job)->results->has(missing)) {
         ++missing;
     }
     FakeWorker good(
@@ -301,7 +302,7 @@ TEST(ServerRestart, AnOldWrongResultWithdrawsItsAuthorsResults) {
     master.run_until([&] { return master.coordinator.alarms().record().count != 0; });
     good.go_on();
     expect_right_end(master, job);
-    const ClusterStatus status = master.coordinator.cluster_status();
+    const ClusterStatus status = master.coordinator.jobs().cluster();
     ASSERT_FALSE(status.alarms.empty());
     const std::string named = "check them with cdctl verify: " + std::to_string(ended.value);
     EXPECT_TRUE(std::ranges::any_of(status.alarms, [&](const std::string& alarm) {
@@ -320,7 +321,8 @@ TEST(ServerRestart, ADisputeThatWasOpenIsSettled) {
         {
             Master master({}, state.path());
             job = submit_to(master, AnalysisMode::Never);
-            master.run_until([&] { return master.coordinator.explainer().input(job).has_value(); });
+            master.run_until(
+                [&] { return master.coordinator.jobs().explainer().input(job).has_value(); });
             std::latch released(1);
             for (unsigned thread = 0; thread < master.blocking.size(); ++thread) {
                 master.blocking.post([&] { released.wait(); }); // Blocks the master's runs.
@@ -329,13 +331,13 @@ TEST(ServerRestart, ADisputeThatWasOpenIsSettled) {
                 const FakeWorker liar(master, habits);
                 master.run_until([&] { return liar.kept == 2; });
             }
-            EXPECT_EQ(master.coordinator.cluster_status().alarm_count, 0u);
+            EXPECT_EQ(master.coordinator.jobs().cluster().alarm_count, 0u);
             master.end();
             released.count_down();
         }
         Master master(no_return, state.path());
-        EXPECT_EQ(master.coordinator.cluster_status().alarm_count, 0u);
-        master.run_until([&] { return master.coordinator.cluster_status().alarm_count != 0; });
+        EXPECT_EQ(master.coordinator.jobs().cluster().alarm_count, 0u);
+        master.run_until([&] { return master.coordinator.jobs().cluster().alarm_count != 0; });
         FakeWorker good(master, {.instance = good_process});
         expect_in_quarantine(master, liars_process);
         expect_right_end(master, job);

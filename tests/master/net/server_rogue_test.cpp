@@ -93,7 +93,7 @@ TEST(Rogue, RequestsOfAQuarantinedWorkerDoNoHarm) {
     Client client(master);
     client.start(reference().submission());
     master.run_until([&] {
-        const auto workers = master.coordinator.cluster_status().workers;
+        const auto workers = master.coordinator.jobs().cluster().workers;
         return !workers.empty() && workers[0].quarantined;
     });
     Rogue again(master, says_nothing, 77);

@@ -5,6 +5,8 @@
 #include "tests/master/fake_worker.hpp"
 #include "tests/master/master_stage.hpp"
 
+#include <algorithm>
+
 namespace cd::tests {
 namespace {
 
@@ -78,13 +80,17 @@ double expected_transfer(bool says_what_it_holds) {
             continue;
         }
         // The job has no task yet when its geometry is there, even before its client hears of it.
-        const std::set<JobId>& running = master.coordinator.jobs().running();
-        const auto job = [&] { return running.empty() ? JobId{} : *running.begin(); };
-        master.run_until([&] { return master.coordinator.explainer().input(job()).has_value(); });
+        const auto job = [&] {
+            const std::vector<JobStatus> jobs = master.coordinator.jobs().cluster().jobs;
+            const auto running = std::ranges::find(jobs, JobState::Running, &JobStatus::state);
+            return running == jobs.end() ? JobId{} : running->job;
+        };
+        master.run_until(
+            [&] { return master.coordinator.jobs().explainer().input(job()).has_value(); });
         Analysis analysis;
         analysis.roots_a = {0};
         analysis.roots_b = {0};
-        const auto explained = master.coordinator.explainer().explain(job(), 0, analysis);
+        const auto explained = master.coordinator.jobs().explainer().explain(job(), 0, analysis);
         return explained.value().workers.at(0).transfer;
     }
     return 0;
@@ -138,9 +144,9 @@ TEST(Server, AGridNeedsNoPoses) {
     const auto* accepted = std::get_if<Accepted>(&client.answer->value());
     ASSERT_NE(accepted, nullptr);
     master.run_until([&] {
-        return master.coordinator.job_status(accepted->job).value().state == JobState::Done;
+        return master.coordinator.jobs().status(accepted->job).value().state == JobState::Done;
     });
-    EXPECT_EQ(master.coordinator.job_status(accepted->job).value().summary.merged(), 21u);
+    EXPECT_EQ(master.coordinator.jobs().status(accepted->job).value().summary.merged(), 21u);
 }
 
 TEST(Server, ACancelledJobEndsAndSaysSo) {

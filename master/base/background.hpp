@@ -1,0 +1,72 @@
+// Runs work on thread pools and takes up its outcome on the owner's thread.
+#pragma once
+
+#include "common/core/host/thread_pool.hpp"
+#include "proto/channel/asio.hpp"
+
+#include <functional>
+#include <memory>
+#include <type_traits>
+#include <utility>
+
+namespace cd {
+
+/// The only way by which the coordinator's parts leave their thread. All members run on it.
+class Background {
+  public:
+    /// `after_each` is called after each outcome. The executor's context outlives the pools, and
+    /// does not run after the end of this object.
+    Background(asio::any_io_executor executor,
+               ThreadPool& compute,
+               ThreadPool& blocking,
+               std::function<void()> after_each)
+        : executor_(std::move(executor)),
+          compute_(compute),
+          blocking_(blocking),
+          after_each_(std::move(after_each)) {}
+    Background(const Background&) = delete;
+    Background& operator=(const Background&) = delete;
+
+    /// The pool for short work that needs neither the disk nor another pool.
+    [[nodiscard]] ThreadPool& compute_pool() { return compute_; }
+    /// Runs `work` on the compute pool, then `done` with its outcome on the owner's thread.
+    template <class Work, class Done>
+    void compute(Work work, Done done) {
+        run(compute_, std::move(work), std::move(done));
+    }
+    /// Like `compute`, for work that waits for the disk or for the compute pool, or takes long.
+    template <class Work, class Done>
+    void block(Work work, Done done) {
+        run(blocking_, std::move(work), std::move(done));
+    }
+    /// Calls `function` on the owner's thread; may be called on any thread.
+    template <class Function>
+    void post(Function function) {
+        asio::post(executor_, [this, function = std::move(function)]() mutable {
+            function();
+            after_each_();
+        });
+    }
+
+  private:
+    template <class Work, class Done>
+    void run(ThreadPool& pool, Work work, Done done) {
+        auto step = std::make_shared<std::pair<Work, Done>>(std::move(work), std::move(done));
+        // The pool may outlive this object, and its thread keeps no share of `step`.
+        pool.post([this, executor = executor_, step = std::move(step)]() mutable {
+            using Outcome = std::invoke_result_t<Work&>;
+            auto outcome = std::make_shared<Outcome>(step->first());
+            asio::post(executor, [this, step = std::move(step), outcome = std::move(outcome)] {
+                step->second(std::move(*outcome));
+                after_each_();
+            });
+        });
+    }
+
+    asio::any_io_executor executor_;
+    ThreadPool& compute_;
+    ThreadPool& blocking_;
+    std::function<void()> after_each_;
+};
+
+} // namespace cd

@@ -1,0 +1,78 @@
+// What clients ask of jobs: to begin, cancel and remove them, and how they stand.
+#pragma once
+
+#include "common/core/result.hpp"
+#include "master/coordinator/explainer.hpp"
+#include "master/coordinator/master_services.hpp"
+#include "master/coordinator/master_state.hpp"
+#include "master/coordinator/status_view.hpp"
+
+#include <cstdint>
+#include <memory>
+#include <string>
+
+namespace cd {
+
+class JobDesk {
+  public:
+    /// All references outlive the desk.
+    JobDesk(MasterState& state, MasterServices& services, GeometryStore& geometry)
+        : state_(state), services_(services), geometry_(geometry) {}
+
+    // ---- Beginning ------------------------------------------------------------------------------
+    /// Allots the id of a new job, which is then begun or given up. Errors: Refused; Io when the
+    /// journal does not write.
+    [[nodiscard]] Result<JobId> allot(std::uint64_t scenarios);
+    void give_up(JobId job) { state_.jobs.give_up(job); }
+    /// Writes an allotted job to the journal and wakes those who wait for it when that is durable.
+    void write(const JobRecord& job) { state_.writer.write(AcceptJob{job}); }
+    /// Begins a job that the journal has committed.
+    void begin(const JobRecord& record,
+               std::shared_ptr<ResultStore> results,
+               std::shared_ptr<PoseSource> poses);
+    /// Coroutines that wait for the acceptance, the end or the removal of a job.
+    [[nodiscard]] JobWaits& waits() { return state_.waits; }
+
+    // ---- Ending ---------------------------------------------------------------------------------
+    /// Ends a running job and wakes those who wait for it when that is durable. Does nothing if the
+    /// job has ended. Errors: NotFound.
+    [[nodiscard]] Result<JobStatus> cancel(JobId job);
+    /// Forgets an ended job and wakes those who wait for it when the journal has deleted it; its
+    /// files are removed next. Errors: NotFound; Refused while it runs; Io when the journal does
+    /// not write.
+    [[nodiscard]] Status forget(JobId job);
+    /// Forgets jobs whose retention has expired. `now` is in seconds since 1970.
+    void forget_expired(std::uint64_t now);
+    /// Stops the master's run of a scenario in dispute, which then counts as failed. False: there
+    /// is none.
+    [[nodiscard]] bool cancel_disputed(JobId job, std::uint64_t scenario);
+    /// The poses of a running job whose scenario has no result. Errors: NotFound; Refused.
+    [[nodiscard]] Result<std::shared_ptr<PoseSource>> poses_of_unanswered(JobId job,
+                                                                          std::uint64_t scenario);
+    /// Fails the scenario and stops it on all workers; the job continues. Errors: NotFound; Refused
+    /// if the scenario has a result.
+    [[nodiscard]] Status cancel_scenario(JobId job, const Scenario& scenario);
+
+    // ---- Questions ------------------------------------------------------------------------------
+    /// Null if there is no such job.
+    [[nodiscard]] const MasterJob* find(JobId job) const { return state_.jobs.find(job); }
+    /// Errors: NotFound.
+    [[nodiscard]] Result<JobStatus> status(JobId job) const { return view().job(job); }
+    [[nodiscard]] ClusterStatus cluster() const;
+    /// Explains scenarios as of now.
+    [[nodiscard]] Explainer explainer() const;
+    /// Errors: NotFound; Refused unless the job is done.
+    [[nodiscard]] Result<ContactMapAnswer> contact_map(JobId job) const;
+    /// Reason why the master cannot accept or acknowledge now; empty if it can.
+    [[nodiscard]] const std::string& paused() const { return state_.writer.paused(); }
+
+  private:
+    [[nodiscard]] StatusView view() const;
+
+    MasterState& state_;
+    MasterServices& services_;
+    GeometryStore& geometry_;
+    Clock::time_point started_ = Clock::now();
+};
+
+} // namespace cd

@@ -1,0 +1,69 @@
+#include "master/coordinator/master_services.hpp"
+
+#include <optional>
+#include <utility>
+
+namespace cd {
+
+MasterServices::MasterServices(const CoordinatorParts& parts, MasterState& state)
+    : references(state.background),
+      life({state.jobs,
+            state.workers,
+            state.trees,
+            state.blocks,
+            state.dispatch,
+            state.writer,
+            state.retries},
+           {[this](JobId job) { (void)references.stop(job, std::nullopt); },
+            [this] { work.feed(); }}),
+      merger(life, state.writer),
+      tasks(state.jobs, state.workers, state.trees, state.dispatch),
+      ranges({state.jobs, life, tasks.book(), state.dispatch, state.writer, state.background}),
+      analyses({state.jobs, life, merger, state.dispatch, state.background}),
+      work({state.jobs,
+            state.workers,
+            state.awaited,
+            life,
+            state.dispatch,
+            state.writer,
+            state.background,
+            ranges,
+            analyses}),
+      quarantine({state.jobs,
+                  state.workers,
+                  state.blocks,
+                  tasks,
+                  ranges,
+                  state.dispatch,
+                  state.alarms,
+                  state.writer}),
+      arbiter(
+          {state.jobs, life, state.dispatch, references, state.alarms, quarantine, state.writer}),
+      ingest({state.jobs,
+              life,
+              merger,
+              tasks,
+              state.workers,
+              state.alarms,
+              state.awaited,
+              state.dispatch,
+              state.writer,
+              state.background},
+             parts.results_aside_bytes_max),
+      start({parts.geometry,
+             state.jobs,
+             life,
+             state.workers,
+             state.trees,
+             state.dispatch,
+             state.background},
+            [this](MasterJob& job) { started(job); }) {}
+
+void MasterServices::started(MasterJob& job) {
+    ingest.take_up(job.id);
+    for (const Dispute& dispute : std::exchange(job.run->disputes_before, {})) {
+        arbiter.settle(dispute);
+    }
+}
+
+} // namespace cd

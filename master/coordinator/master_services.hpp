@@ -1,0 +1,43 @@
+// The services of the master: what happens to jobs, tasks and results.
+#pragma once
+
+#include "master/compute/reference_run.hpp"
+#include "master/coordinator/master_state.hpp"
+#include "master/jobs/job_life.hpp"
+#include "master/jobs/job_merger.hpp"
+#include "master/jobs/job_start.hpp"
+#include "master/jobs/work/analysis_feed.hpp"
+#include "master/jobs/work/range_feed.hpp"
+#include "master/jobs/work/task_exchange.hpp"
+#include "master/jobs/work/work_feed.hpp"
+#include "master/results/result_ingest.hpp"
+#include "master/verify/arbiter.hpp"
+#include "master/verify/quarantine.hpp"
+
+namespace cd {
+
+/// Each service uses those above it; what goes the other way is a callback.
+struct MasterServices {
+    /// Both outlive the services.
+    MasterServices(const CoordinatorParts& parts, MasterState& state);
+    MasterServices(const MasterServices&) = delete;
+    MasterServices& operator=(const MasterServices&) = delete;
+
+    ReferenceRuns references;
+    JobLife life;
+    JobMerger merger;
+    TaskExchange tasks;
+    RangeFeed ranges;
+    AnalysisFeed analyses;
+    WorkFeed work;
+    Quarantine quarantine;
+    Arbiter arbiter;
+    ResultIngest ingest;
+    JobStart start;
+
+  private:
+    /// A job has work.
+    void started(MasterJob& job);
+};
+
+} // namespace cd

@@ -1,0 +1,71 @@
+// What workers tell the master: their joining, silence and leaving, their blocks and their tasks.
+#pragma once
+
+#include "common/core/id.hpp"
+#include "master/coordinator/master_services.hpp"
+#include "master/coordinator/master_state.hpp"
+#include "proto/messages/session_messages.hpp"
+#include "proto/messages/work_messages.hpp"
+
+#include <functional>
+#include <set>
+
+namespace cd {
+
+/// Checks each message, and tells the services and the dispatcher.
+class WorkerDesk : public WorkerEvents {
+  public:
+    /// Both outlive the desk. `heartbeat`: the period of the workers' heartbeats.
+    WorkerDesk(MasterState& state, MasterServices& services, FailureTimes::Duration heartbeat)
+        : state_(state), services_(services), heartbeat_(heartbeat) {}
+
+    // ---- Messages of a worker -----------------------------------------------------------------
+    /// The worker's inventory: what was lost with its last connection is sent or queued again.
+    void came(WorkerId worker, const Standing& standing);
+    void came(WorkerId worker, const Evicted& evicted);
+    void came(WorkerId worker, const Holding& holding);
+    void came(WorkerId worker, const WantSubtrees& want);
+    void came(WorkerId worker, const Held& held);
+    void came(WorkerId worker, const FetchFailed& failed);
+    /// Checks the results on the pool, merges them, and calls `done` when the journal has room.
+    /// Acknowledges them once they are durable. Invalid results cut the worker off.
+    void came(WorkerId worker, Results results, std::function<void()> done);
+    void came(WorkerId worker, const EndOfTask& end);
+    void came(WorkerId worker, const Recalled& recalled);
+    /// Gives the worker no new work; it leaves when its current work is finished.
+    void draining(WorkerId worker);
+
+    // ---- Orders for a connected worker ----------------------------------------------------------
+    /// Asks the worker to hand over its work and leave.
+    void drain(WorkerId worker);
+    /// Orders the worker to exit at once. Its work returns to the queue and is not counted as lost.
+    void terminate(WorkerId worker);
+
+    // ---- Events of the directory ----------------------------------------------------------------
+    void worker_joined(WorkerId worker, const Hello& hello) override;
+    void worker_replaced(WorkerId worker) override;
+    void worker_resumed(WorkerId worker) override;
+    void worker_detached(WorkerId worker) override;
+    void worker_silent(WorkerId worker) override;
+    void worker_heard_again(WorkerId worker) override;
+    void worker_left(WorkerId worker) override;
+    [[nodiscard]] WorkerStatus work_of(WorkerId worker) const override;
+
+    /// Watches for silent workers and stragglers.
+    [[nodiscard]] bool is_watching() const { return is_watching_; }
+    /// Blocks that other workers may fetch from this worker. Empty if it is disconnected or has not
+    /// sent its inventory. For tests; call it between two events.
+    [[nodiscard]] std::set<BlockKey> blocks_held_by(WorkerId worker) const;
+
+  private:
+    void watch();
+    [[nodiscard]] Status check(const Standing& standing) const;
+    void compare_blocks(WorkerId worker, const Standing& standing);
+
+    MasterState& state_;
+    MasterServices& services_;
+    FailureTimes::Duration heartbeat_;
+    bool is_watching_ = false;
+};
+
+} // namespace cd

@@ -1,0 +1,38 @@
+// Gives the dispatcher its clock, and has its actions performed in order.
+#pragma once
+
+#include "master/dispatch/dispatcher.hpp"
+
+#include <deque>
+#include <functional>
+#include <utility>
+
+namespace cd {
+
+/// Use: `driver.act(driver->worker_lost(worker))`.
+class DispatchDriver {
+  public:
+    /// `now` gives seconds since a fixed point in time. `perform` may cause further actions.
+    DispatchDriver(std::function<double()> now, std::function<void(const Action&)> perform)
+        : now_(std::move(now)), perform_(std::move(perform)) {}
+
+    /// The dispatcher, to be told of one event that happens now.
+    Dispatcher* operator->() {
+        dispatcher_.time_is(now_());
+        return &dispatcher_;
+    }
+    [[nodiscard]] const DispatchView& view() const { return dispatcher_; }
+    /// Performs the actions, and after them those that they cause.
+    void act(Actions actions);
+    /// Performs no action at present.
+    [[nodiscard]] bool is_idle() const { return !is_acting_ && actions_.empty(); }
+
+  private:
+    std::function<double()> now_;
+    std::function<void(const Action&)> perform_;
+    Dispatcher dispatcher_;
+    std::deque<Action> actions_;
+    bool is_acting_ = false;
+};
+
+} // namespace cd

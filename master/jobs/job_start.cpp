@@ -1,0 +1,82 @@
+#include "master/jobs/job_start.hpp"
+
+#include "common/core/host/log.hpp"
+#include "master/submission/submission.hpp"
+
+#include <utility>
+#include <vector>
+
+namespace cd {
+
+void JobStart::begin(const JobRecord& record,
+                     std::shared_ptr<ResultStore> results,
+                     std::shared_ptr<PoseSource> poses) {
+    const Submit& submit = record.submit;
+    MasterJob& job =
+        parts_.jobs.add(MasterJob(record.id, submit, std::move(results), Clock::now()));
+    job.times.began = record.began;
+    job.meshes = parts_.geometry.hold(meshes_of(submit));
+    job.run->poses = std::move(poses);
+    log_info("job accepted: job={} name=\"{}\" scenarios={} strategy={}",
+             job.id.value,
+             submit.name,
+             submit.scenarios,
+             to_text(submit.cluster.strategy));
+    prepare(job);
+}
+
+void JobStart::prepare(const MasterJob& job) {
+    parts_.background.block(
+        [&store = parts_.geometry, submit = job.submit] {
+            return make_job_geometry(store, submit);
+        },
+        [this, id = job.id](const StoreResult<JobGeometry>& made) { prepared(id, made); });
+}
+
+void JobStart::prepared(JobId id, const StoreResult<JobGeometry>& made) {
+    MasterJob* job = parts_.jobs.find_running(id);
+    if (job == nullptr) {
+        return; // The job was cancelled meanwhile.
+    }
+    if (made) {
+        parts_.life.disk_gives(*job);
+        return open(*job, made.value());
+    }
+    const Error& why = made.error();
+    const bool may_be_mended = made.is_unwritten() || why.code == ErrorCode::NotFound;
+    parts_.life.wait_for_disk(*job,
+                              may_be_mended ? Error{ErrorCode::Io, why.detail} : why,
+                              [this](const MasterJob* running) {
+                                  if (running != nullptr) {
+                                      prepare(*running);
+                                  }
+                              });
+}
+
+void JobStart::open(MasterJob& job, const JobGeometry& made) {
+    const Submit& submit = job.submit;
+    job.run->work = std::make_unique<JobWork>();
+    JobWork& work = *job.run->work;
+    work.analysis_input = make_analysis_input(made, submit.query, job.run->poses);
+    work.material = std::make_shared<const JobMaterial>(
+        JobMaterial{made.tree_a, made.tree_b, submit.query, work.analysis_input.settler});
+    work.order = std::make_shared<OrderedPoses>(job.run->poses);
+    work.todo = PlaceQueue(work.order->count(), std::exchange(job.run->losses_before, {}));
+    work.trees = {parts_.trees.acquire(submit.bodies[0].mesh, made.cut_a),
+                  parts_.trees.acquire(submit.bodies[1].mesh, made.cut_b)};
+    job.tally.depths = {made.cut_a->depth(), made.cut_b->depth()};
+    const std::vector<AddTree> in_use = parts_.trees.messages();
+    for (auto& [id, worker] : parts_.workers.all()) {
+        if (worker.is_settled && !worker.is_quarantined) {
+            worker.send(worker.supply.add_kept(in_use));
+        }
+    }
+    parts_.dispatch.act(parts_.dispatch->job_opened(job.id,
+                                                    submit.cluster,
+                                                    dispatch_tree(work.trees[0], *made.cut_a),
+                                                    dispatch_tree(work.trees[1], *made.cut_b)));
+    started_(job);
+    parts_.life.end_if_complete(job); // The job may have no scenarios, or none left.
+}
+
+} // namespace cd

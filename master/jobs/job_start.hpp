@@ -1,0 +1,50 @@
+// Begins jobs: loads their geometry on the pool, and opens them for work.
+#pragma once
+
+#include "master/base/background.hpp"
+#include "master/compute/job_geometry.hpp"
+#include "master/dispatch/dispatch_driver.hpp"
+#include "master/geometry/geometry_store.hpp"
+#include "master/geometry/tree_registry.hpp"
+#include "master/jobs/job_life.hpp"
+#include "master/jobs/job_table.hpp"
+#include "master/workers/worker_directory.hpp"
+
+#include <functional>
+#include <memory>
+
+namespace cd {
+
+class JobStart {
+  public:
+    struct Parts {
+        GeometryStore& geometry;
+        JobTable& jobs;
+        JobLife& life;
+        WorkerDirectory& workers;
+        TreeRegistry& trees;
+        DispatchDriver& dispatch;
+        Background& background;
+    };
+
+    /// All parts outlive it. `started` is called when a job has work.
+    JobStart(const Parts& parts, std::function<void(MasterJob&)> started)
+        : parts_(parts), started_(std::move(started)) {}
+
+    /// Begins a job that the journal has committed.
+    void begin(const JobRecord& record,
+               std::shared_ptr<ResultStore> results,
+               std::shared_ptr<PoseSource> poses);
+    /// Goes on with a job from before a restart, whose results are merged.
+    void resume(MasterJob& job) { prepare(job); }
+
+  private:
+    void prepare(const MasterJob& job);
+    void prepared(JobId job, const StoreResult<JobGeometry>& made);
+    void open(MasterJob& job, const JobGeometry& made);
+
+    Parts parts_;
+    std::function<void(MasterJob&)> started_;
+};
+
+} // namespace cd

@@ -1,0 +1,46 @@
+// Analysed scenarios of a job whose results are not merged yet.
+#pragma once
+
+#include "master/compute/analyser.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <unordered_map>
+#include <utility>
+
+namespace cd {
+
+/// By index of the scenario, with the bytes that all of them take.
+class OpenAnalyses {
+  public:
+    /// The scenario must not be open.
+    const Analysis& add(Analysis analysis) {
+        bytes_ += analysis.bytes;
+        const std::uint64_t index = analysis.scenario.index;
+        return *all_.emplace(index, std::make_shared<const Analysis>(std::move(analysis)))
+                    .first->second;
+    }
+    /// Frees the analysis of a scenario that has a result. Ignores a scenario that is not open.
+    void close(std::uint64_t scenario) {
+        if (const auto found = all_.find(scenario); found != all_.end()) {
+            bytes_ -= found->second->bytes;
+            all_.erase(found);
+        }
+    }
+    /// Null: the scenario is not open.
+    [[nodiscard]] std::shared_ptr<const Analysis> find(std::uint64_t scenario) const {
+        const auto found = all_.find(scenario);
+        return found == all_.end() ? nullptr : found->second;
+    }
+    [[nodiscard]] bool has(std::uint64_t scenario) const { return all_.contains(scenario); }
+    [[nodiscard]] std::uint64_t bytes() const { return bytes_; }
+    [[nodiscard]] std::size_t size() const { return all_.size(); }
+    [[nodiscard]] const auto& all() const { return all_; }
+
+  private:
+    std::unordered_map<std::uint64_t, std::shared_ptr<const Analysis>> all_;
+    std::uint64_t bytes_ = 0;
+};
+
+} // namespace cd

@@ -1,0 +1,95 @@
+#include "master/jobs/work/analysis_feed.hpp"
+
+#include "common/core/limits/engine.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <memory>
+#include <utility>
+
+namespace cd {
+
+void AnalysisFeed::start(MasterJob& job) {
+    JobWork& work = *job.work();
+    if (work.analyser == nullptr) {
+        work.analyser = make_analyser(job);
+    }
+    if (work.done == nullptr) {
+        work.done = job.merged.marks();
+    }
+    const PlaceQueue::Piece piece = work.todo.take(limits::analysis_block_scenarios);
+    work.analyser->start(piece.places, piece.losses, work.done);
+}
+
+std::unique_ptr<Analyser> AnalysisFeed::make_analyser(const MasterJob& job) {
+    AnalysisInput input = job.work()->analysis_input;
+    input.poses = job.work()->order;
+    // Runs on a pool thread and makes the records there.
+    auto deliver = [this, &background = parts_.background, id = job.id](AnalysedBlock block) {
+        std::vector<TakenResult> finished;
+        for (Analysis& analysis : block.scenarios) {
+            if (analysis.finished) {
+                finished.push_back(take_result(std::move(*analysis.finished), analysis.cost));
+            }
+        }
+        background.post(
+            [this, id, block = std::move(block), finished = std::move(finished)]() mutable {
+                came(id, std::move(block), std::move(finished));
+            });
+    };
+    return std::make_unique<Analyser>(
+        parts_.background.compute_pool(), std::move(input), std::move(deliver));
+}
+
+void AnalysisFeed::came(JobId id, AnalysedBlock block, std::vector<TakenResult> finished) {
+    MasterJob* job = parts_.jobs.find_running(id);
+    if (job == nullptr) {
+        return;
+    }
+    if (block.error) {
+        job->work()->todo.put_back({block.places, block.losses});
+        return parts_.life.wait_for_disk(*job, *block.error, [](MasterJob*) {});
+    }
+    parts_.life.disk_gives(*job);
+    const auto begin = Clock::now();
+    const std::uint64_t handed_out = hand_out(*job, block);
+    if (!job->is_running()) {
+        return;
+    }
+    JobRates& rates = job->work()->rates;
+    rates.analysis.add(block.seconds, static_cast<double>(block.places.count));
+    if (handed_out != 0) {
+        const double seconds = std::chrono::duration<double>(Clock::now() - begin).count();
+        rates.matching.add(seconds, static_cast<double>(handed_out));
+    }
+    job->tally.answered_by_master += static_cast<std::uint64_t>(std::ranges::count_if(
+        finished, [&](const TakenResult& one) { return !job->merged.has(one.result.index); }));
+    parts_.merger.merge(*job, {std::move(finished), {}}, nullptr);
+    parts_.life.end_if_complete(*job);
+}
+
+std::uint64_t AnalysisFeed::hand_out(MasterJob& job, AnalysedBlock& block) {
+    std::uint64_t handed_out = 0;
+    for (Analysis& analysis : block.scenarios) {
+        // A requeued or restored scenario may have been answered meanwhile.
+        if (analysis.finished || job.merged.has(analysis.scenario.index) ||
+            job.work()->open.has(analysis.scenario.index)) {
+            continue;
+        }
+        AnalysedScenario scenario{analysis.scenario.index,
+                                  std::move(analysis.roots_a),
+                                  std::move(analysis.roots_b),
+                                  analysis.bytes,
+                                  analysis.predicted_ns,
+                                  block.losses};
+        job.work()->open.add(std::move(analysis));
+        parts_.dispatch.act(parts_.dispatch->scenario_analysed(job.id, std::move(scenario)));
+        if (!job.is_running()) { // It was the last, and was given up.
+            break;
+        }
+        ++handed_out;
+    }
+    return handed_out;
+}
+
+} // namespace cd

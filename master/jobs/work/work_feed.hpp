@@ -1,0 +1,52 @@
+// Chooses the jobs' next work: analyses to start, or ranges sent without analysis.
+#pragma once
+
+#include "master/base/background.hpp"
+#include "master/jobs/job_table.hpp"
+#include "master/jobs/work/analysis_feed.hpp"
+#include "master/jobs/work/range_feed.hpp"
+#include "master/workers/awaited_workers.hpp"
+#include "master/workers/worker_directory.hpp"
+
+#include <cstdint>
+#include <vector>
+
+namespace cd {
+
+class WorkFeed {
+  public:
+    struct Parts {
+        JobTable& jobs;
+        const WorkerDirectory& workers;
+        const AwaitedWorkers& awaited;
+        JobLife& life;
+        DispatchDriver& dispatch;
+        const JournalWriter& writer;
+        Background& background;
+        RangeFeed& ranges;
+        AnalysisFeed& analyses;
+    };
+
+    /// All parts outlive the feed.
+    explicit WorkFeed(const Parts& parts) : parts_(parts) {}
+
+    /// Requests more analyses and queues order positions where there is room. Tells the dispatcher
+    /// when no more work follows. Call it after each event.
+    void feed();
+
+  private:
+    /// Load of the pool and the memory by analyses.
+    struct Load {
+        std::uint64_t under_way = 0; ///< Blocks.
+        std::uint64_t open_bytes = 0;
+    };
+    /// Jobs that may be fed, in order of service.
+    [[nodiscard]] std::vector<MasterJob*> jobs_to_feed(Load& load);
+    [[nodiscard]] bool has_room_for_analysis(const Load& load) const;
+    [[nodiscard]] bool prefers_ranges_now(const MasterJob& job) const;
+
+    Parts parts_;
+    JobId fed_last_;
+};
+
+} // namespace cd

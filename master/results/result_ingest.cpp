@@ -1,0 +1,269 @@
+#include "master/results/result_ingest.hpp"
+
+#include <algorithm>
+#include <span>
+#include <utility>
+
+namespace cd {
+
+namespace {
+
+/// The scenarios of `results` that are not merged.
+std::vector<std::uint64_t> new_scenarios(const MasterJob& job,
+                                         std::span<const TakenResult> results) {
+    std::vector<std::uint64_t> scenarios;
+    for (const TakenResult& one : results) {
+        if (!job.merged.has(one.result.index)) {
+            scenarios.push_back(one.result.index);
+        }
+    }
+    return scenarios;
+}
+
+/// Notes a message's sequence number. True if it came before; such a message's times are not
+/// measured.
+bool is_repeated(Worker& worker, std::uint64_t sequence) {
+    std::uint64_t& last = worker.results_last;
+    return sequence != 0 && std::exchange(last, std::max(last, sequence)) >= sequence;
+}
+
+MeasuredWork
+measured_work(const MasterJob& job, const Results& results, std::span<const TakenResult> taken) {
+    MeasuredWork work{results.task, 0, results.compute_seconds};
+    for (const TakenResult& one : taken) {
+        if (const auto open = job.work()->open.find(one.result.index)) {
+            work.predicted_ns += open->predicted_ns;
+        }
+    }
+    return work;
+}
+
+} // namespace
+
+void ResultIngest::came(WorkerId worker, Results results, std::function<void()> done) {
+    Worker* known = parts_.workers.find(worker);
+    if (known == nullptr || known->is_quarantined) {
+        parts_.writer.promise(Delivery{worker, results.sequence}); // The results are ignored.
+        parts_.writer.announce();
+        return done();
+    }
+    const bool was_seen = is_repeated(*known, results.sequence);
+    Lease* task = parts_.tasks.book().find(results.task, worker);
+    IncomingResults incoming{
+        known->author, std::make_shared<const Results>(std::move(results)), std::move(done)};
+    if (was_seen || task == nullptr || task->content->job != incoming.message->job) {
+        return late_came(std::move(incoming));
+    }
+    ++task->checks;
+    parts_.background.compute(
+        [content = task->content, message = incoming.message] {
+            return take_results(*content, *message);
+        },
+        [this, incoming, content = task->content](Result<TakenResults> taken) {
+            take_in(std::make_shared<Checked>(Checked{incoming, content, std::move(taken), {}}));
+        });
+}
+
+void ResultIngest::acknowledge(const Author& author, std::uint64_t sequence) {
+    parts_.writer.promise(Delivery{author.worker, sequence});
+    parts_.writer.announce();
+}
+
+// ---- Late results
+// ---------------------------------------------------------------------------------
+
+void ResultIngest::late_came(IncomingResults late) {
+    const MasterJob* job = parts_.jobs.find_running(late.message->job);
+    if (job == nullptr) {
+        // The job has ended or was never acknowledged to a client.
+        acknowledge(*late.author, late.message->sequence);
+        parts_.writer.when_room(late.done);
+    } else if (job->work() != nullptr) {
+        check_late(*job, std::move(late));
+    } else {
+        parked_.park(std::move(late));
+    }
+}
+
+void ResultIngest::take_up(JobId job) {
+    for (IncomingResults& late : parked_.take(job)) {
+        late_came(std::move(late));
+    }
+}
+
+void ResultIngest::check_late(const MasterJob& job, IncomingResults late) {
+    parts_.awaited.check_begins(job.id);
+    auto check = [id = job.id,
+                  material = job.work()->material,
+                  poses = job.run->poses,
+                  message = late.message] {
+        return take_late_results(id, material, *poses, *message);
+    };
+    parts_.background.block(
+        std::move(check), [this, late = std::move(late)](Result<TakenResults> taken) {
+            late_checked(std::make_shared<Checked>(Checked{late, nullptr, std::move(taken), {}}));
+        });
+}
+
+void ResultIngest::late_checked(Hand hand) {
+    const JobId id = hand->job();
+    parts_.awaited.check_ends(id);
+    MasterJob* job = parts_.jobs.find_running(id);
+    if (hand->taken || hand->taken.error().code != ErrorCode::Io) {
+        if (job != nullptr) {
+            parts_.life.disk_gives(*job);
+        }
+        return take_in(hand);
+    }
+    // The worker is not to blame if the poses cannot be read.
+    if (job == nullptr) {
+        return late_came(std::move(hand->incoming));
+    }
+    const bool others_wait = parked_.has_any(id);
+    parked_.park(std::move(hand->incoming));
+    if (!others_wait) {
+        parts_.life.wait_for_disk(*job, hand->taken.error(), [this, id](MasterJob* running) {
+            if (running != nullptr && !parked_.has_any(id)) { // The worker has left.
+                return parts_.life.disk_gives(*running);
+            }
+            take_up(id);
+        });
+    }
+}
+
+// ---- Contact maps
+// ----------------------------------------------------------------------------------- A message has
+// one map for all its scenarios, so it counts only if all are new. If some were merged before from
+// another worker, the master makes the map of the others.
+
+void ResultIngest::take_in(const Hand& hand) {
+    const MasterJob* job = parts_.jobs.find_running(hand->job());
+    if (job != nullptr && job->submit.query.maps && hand->taken) {
+        TakenResults& taken = hand->taken.value();
+        std::vector<std::uint64_t> fresh = new_scenarios(*job, taken.results);
+        if (fresh.empty()) {
+            taken.map = {};
+        } else if (fresh.size() != taken.results.size() && fresh != hand->mapped) {
+            hand->mapped = std::move(fresh);
+            return make_map(*job, hand);
+        }
+    }
+    merge(*hand);
+    parts_.writer.when_room(hand->incoming.done);
+}
+
+void ResultIngest::make_map(const MasterJob& job, const Hand& hand) {
+    parts_.background.block(
+        [material = job.work()->material, poses = job.run->poses, hand] {
+            return reference_map(*material, *poses, hand->mapped);
+        },
+        [this, hand](Result<ContactMap> map) { map_made(hand, std::move(map)); });
+}
+
+void ResultIngest::map_made(const Hand& hand, Result<ContactMap> map) {
+    MasterJob* job = parts_.jobs.find_running(hand->job());
+    if (map || job == nullptr) {
+        if (map) {
+            hand->taken.value().map = std::move(map.value());
+        }
+        if (job != nullptr) {
+            parts_.life.disk_gives(*job);
+        }
+        return take_in(hand);
+    }
+    parked_.count(hand->incoming);
+    parts_.life.wait_for_disk(*job, map.error(), [this, hand](const MasterJob* running) {
+        parked_.uncount(hand->incoming);
+        if (running == nullptr) {
+            take_in(hand);
+        } else {
+            make_map(*running, hand);
+        }
+    });
+}
+
+// ---- Merging
+// ----------------------------------------------------------------------------------------
+
+void ResultIngest::merge(Checked& hand) {
+    const Author& author = *hand.incoming.author;
+    const Results& results = *hand.incoming.message;
+    if (!hand.taken) {
+        return parts_.workers.cut_off(author.worker, hand.taken.error());
+    }
+    MasterJob* const job = parts_.alarms.is_quarantined(author.process)
+                               ? nullptr
+                               : parts_.jobs.find_running(hand.job());
+    if (job == nullptr) {
+        acknowledge(author, results.sequence);
+    } else {
+        merge_into(*job, hand);
+        parts_.writer.announce();
+    }
+    if (hand.task != nullptr) {
+        parts_.tasks.checked(results.task);
+    }
+    parts_.tasks.note_work(author.worker);
+}
+
+void ResultIngest::merge_into(MasterJob& job, Checked& hand) {
+    const WorkerId worker = hand.incoming.author->worker;
+    const Results& results = *hand.incoming.message;
+    std::vector<std::uint64_t> scenarios;
+    scenarios.reserve(hand.taken.value().results.size());
+    for (const TakenResult& one : hand.taken.value().results) {
+        scenarios.push_back(one.result.index);
+    }
+    measure(job, hand);
+    // Range answers too: the range may have been lost and its scenarios analysed since.
+    if (parts_.dispatch.view().unanswered(job.id) != 0) {
+        for (const std::uint64_t scenario : scenarios) {
+            parts_.dispatch.act(parts_.dispatch->scenario_answered(worker, job.id, scenario));
+        }
+    }
+    const std::uint64_t merged_before = job.merged.summary().merged();
+    const std::uint64_t disputes_before = job.run->disputes;
+    parts_.merger.merge(job, std::move(hand.taken.value()), hand.incoming.author);
+    const Lease* running = parts_.tasks.book().find(results.task);
+    if (running != nullptr && running->is_copy) {
+        job.tally.help.copies_won += job.merged.summary().merged() - merged_before;
+    }
+    if (job.tally.help.copies != 0) {
+        for (const std::uint64_t scenario : scenarios) {
+            parts_.tasks.call_off_copies(job.id, worker, scenario);
+        }
+    }
+    const Delivery delivery{worker, results.sequence};
+    if (!job.is_running() || job.run->disputes == disputes_before) {
+        parts_.writer.promise(delivery, job.id, scenarios);
+    } else {
+        // The dispute must be durable before the worker forgets the results.
+        parts_.writer.promise(delivery);
+    }
+    parts_.life.end_if_complete(job);
+}
+
+void ResultIngest::measure(MasterJob& job, const Checked& hand) {
+    const WorkerId worker = hand.incoming.author->worker;
+    const Results& results = *hand.incoming.message;
+    const std::vector<TakenResult>& taken = hand.taken.value().results;
+    job.tally.statistics.search += results.statistics;
+    job.tally.compute_seconds += results.compute_seconds;
+    job.tally.traffic.result_bytes += results.records.size() + results.map.size();
+    // A resent message that was counted already adds no traffic.
+    if (hand.task != nullptr || !new_scenarios(job, taken).empty()) {
+        job.tally.traffic.blocks += results.traffic;
+    }
+    job.work()->rates.work.add(results.compute_seconds, static_cast<double>(taken.size()));
+    if (hand.task == nullptr) {
+        return; // Late results measure no task.
+    }
+    if (hand.task->range) {
+        parts_.dispatch.act(parts_.dispatch->places_answered(
+            worker, results.task, taken.size(), results.compute_seconds));
+    } else {
+        parts_.dispatch->work_measured(worker, measured_work(job, results, taken));
+    }
+}
+
+} // namespace cd

@@ -1,0 +1,84 @@
+// Takes in workers' results: checks them on a pool, merges them, and has them acknowledged once
+// they are durable.
+//
+// Late results belong to no current task: their session or their job has ended. They are compared
+// while their job runs, and only acknowledged afterwards.
+#pragma once
+
+#include "master/base/background.hpp"
+#include "master/compute/reference_run.hpp"
+#include "master/dispatch/dispatch_driver.hpp"
+#include "master/jobs/job_life.hpp"
+#include "master/jobs/job_merger.hpp"
+#include "master/jobs/job_table.hpp"
+#include "master/jobs/work/task_exchange.hpp"
+#include "master/results/parked_results.hpp"
+#include "master/verify/alarms.hpp"
+#include "master/workers/awaited_workers.hpp"
+#include "master/workers/worker_directory.hpp"
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <vector>
+
+namespace cd {
+
+class ResultIngest {
+  public:
+    struct Parts {
+        JobTable& jobs;
+        JobLife& life;
+        JobMerger& merger;
+        TaskExchange& tasks;
+        WorkerDirectory& workers;
+        const Alarms& alarms;
+        AwaitedWorkers& awaited;
+        DispatchDriver& dispatch;
+        JournalWriter& writer;
+        Background& background;
+    };
+
+    /// All parts outlive it. `parked_bytes_max`: memory for results that wait.
+    ResultIngest(const Parts& parts, std::uint64_t parked_bytes_max)
+        : parts_(parts), parked_(parked_bytes_max) {}
+
+    /// Checks and merges the results, and calls `done` when the journal has room. Invalid results
+    /// cut the worker off.
+    void came(WorkerId worker, Results results, std::function<void()> done);
+    /// Takes up the results that waited for the job's geometry, or for a disk until its end.
+    void take_up(JobId job);
+    /// Drops the results of a worker that has left, which wait.
+    void forget(WorkerId worker) { parked_.forget(worker); }
+
+  private:
+    /// Checked results on their way into the job.
+    struct Checked {
+        IncomingResults incoming;
+        std::shared_ptr<const TaskContent> task; ///< Null for late results.
+        Result<TakenResults> taken;
+        std::vector<std::uint64_t> mapped; ///< Covered by a map made anew; else empty.
+
+        [[nodiscard]] JobId job() const { return incoming.message->job; }
+    };
+    using Hand = std::shared_ptr<Checked>;
+
+    /// Acknowledges results that nobody needs.
+    void acknowledge(const Author& author, std::uint64_t sequence);
+    void late_came(IncomingResults late);
+    void check_late(const MasterJob& job, IncomingResults late);
+    void late_checked(Hand hand);
+    /// Merges checked results, after making the map of their new part if some are merged already.
+    void take_in(const Hand& hand);
+    void make_map(const MasterJob& job, const Hand& hand);
+    void map_made(const Hand& hand, Result<ContactMap> map);
+    void merge(Checked& hand);
+    void merge_into(MasterJob& job, Checked& hand);
+    /// Counts what the results cost, and tells the dispatcher who has answered what.
+    void measure(MasterJob& job, const Checked& hand);
+
+    Parts parts_;
+    ParkedResults parked_;
+};
+
+} // namespace cd
