@@ -99,7 +99,7 @@ class EndOfJob : public MortalCluster, public testing::WithParamInterface<Way> {
 /// Timing affects how a job ends, so one of a few jobs must show the expected effects.
 constexpr int jobs_tried = 6;
 
-TEST_P(EndOfJob, WhatASlowHostHasNotBegunIsDoneOnceElsewhere) {
+TEST_P(EndOfJob, ScenariosThatASlowHostHasNotBegunRunOnceElsewhere) {
     std::uint64_t recalled = 0;
     for (int i = 0; i < jobs_tried && recalled == 0; ++i) {
         submit_job();
@@ -112,7 +112,7 @@ TEST_P(EndOfJob, WhatASlowHostHasNotBegunIsDoneOnceElsewhere) {
     EXPECT_GT(recalled, 0u);
 }
 
-TEST_P(EndOfJob, NobodyWaitsForAHostThatStandsStill) {
+TEST_P(EndOfJob, CopiesReplaceTheScenariosOfAStoppedHost) {
     std::uint64_t copies_won = 0;
     for (int i = 0; i < jobs_tried && copies_won == 0; ++i) {
         submit_job();

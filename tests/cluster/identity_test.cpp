@@ -332,7 +332,7 @@ TEST_F(SecuredCluster, AnotherRoleIsRefused) {
     EXPECT_THAT(log(), HasSubstr("the certificate of a submitter is not that of a worker"));
 }
 
-TEST_F(SecuredCluster, AHolderWhoIsRefusedIsOut) {
+TEST_F(SecuredCluster, ARefusedHolderIsDisconnectedAndNotAdmittedAgain) {
     const fs::path client = write_issued(authority(), CertifiedRole::Submitter);
     const auto open = Connection::open(
         master_->address(),

@@ -73,7 +73,7 @@ TEST_F(Cluster, AWorkerThatHasServedPeersEndsWhenItHasDrained) {
     }
 }
 
-TEST_F(Cluster, WorkersHearAheadWhatTheyWillNeed) {
+TEST_F(Cluster, HintsLetWorkersFetchBlocksAhead) {
     const Job job = make_job(300);
     start_worker();
     start_worker();

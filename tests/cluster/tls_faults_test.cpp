@@ -14,7 +14,7 @@ class SecuredNetwork : public BrokenNetwork {
     SecuredNetwork() : BrokenNetwork(Links::Secured) {}
 };
 
-TEST_F(SecuredNetwork, ACutConnectionIsNotADeath) {
+TEST_F(SecuredNetwork, ASessionGoesOnAfterItsConnectionIsCut) {
     start_job(2000);
     for (int cut = 0; cut < 5; ++cut) {
         progress(200);

@@ -174,7 +174,7 @@ TEST_F(Upkeep, AJobThatRunsIsRemovedOnlyWhenItIsToBeCancelled) {
     EXPECT_TRUE(status().jobs.empty());
 }
 
-TEST_F(Upkeep, OfACancelledJobThereAreTheResultsThatCame) {
+TEST_F(Upkeep, ResultsOfACancelledJobAreFetched) {
     start_worker();
     const JobId id = submit_endless();
     ASSERT_TRUE(comes_true([&] { return status().jobs.at(0).summary.merged() == 9; }));
@@ -217,7 +217,7 @@ TEST_F(Upkeep, AWorkerThatIsDrainedEndsWellAndLosesNothing) {
     EXPECT_EQ(status().scenarios_given_back, 0u);
 }
 
-TEST_F(Upkeep, WorkersThatAreToldToEndAtOnceDoAndOthersGoOn) {
+TEST_F(Upkeep, WorkersDrainedAtOnceEndAndOthersTakeTheirWork) {
     Process& leaving = start_worker();
     const JobId id = submit_endless();
     ASSERT_TRUE(comes_true([&] {
@@ -250,7 +250,7 @@ TEST_F(Upkeep, AllWorkersAreDrained) {
     EXPECT_EQ(cdctl({"drain"}).exit_code, 2) << "which, is not said";
 }
 
-TEST_F(Upkeep, AWorkerThatIsToldByItsIdToEndAtOnceLosesNothing) {
+TEST_F(Upkeep, AWorkerDrainedAtOnceByItsIdLosesNothing) {
     const Job job = make_job(4000);
     Process& leaving = start_worker();
     ASSERT_TRUE(comes_true([&] { return status().workers.size() == 1; }));
@@ -269,7 +269,7 @@ TEST_F(Upkeep, AWorkerThatIsToldByItsIdToEndAtOnceLosesNothing) {
     EXPECT_TRUE(staying.is_running());
 }
 
-TEST_F(Upkeep, AJobCanBeHadBackAsItWasSubmitted) {
+TEST_F(Upkeep, AJobIsFetchedAsItWasSubmitted) {
     start_worker();
     const Job job = make_job(5000);
     const JobId id = submit(job, Query{}, many_blocks());

@@ -50,7 +50,7 @@ TEST_F(Results, AddedFormatsEndWithTheSummaryOfTheRun) {
     EXPECT_FALSE(fs::exists(folder_ / "out" / ".part"));
 }
 
-TEST_F(Results, WhatIsMissingIsTold) {
+TEST_F(Results, MissingResultsAreTold) {
     write_job(5, "level = \"count\"");
     ASSERT_EQ(run({"--out", folder_ / "out"}).exit_code, 0);
     auto manifest = read_json(folder_ / "out" / "run.json");
