@@ -193,16 +193,7 @@ TEST_F(FirstHour, TheOtherPortOfAMasterIsRecognised) {
     EXPECT_THAT(tls.errors, testing::EndsWith("; is that the master's --http port?\n"));
 }
 
-TEST_F(FirstHour, AMasterThatSpeaksTlsSaysHowToJoin) {
-    ASSERT_EQ(
-        tests::run({program("cdmaster").string(), "init", "--state", path("state")}).exit_code, 0);
-    const MortalMaster master(folder_);
-    const Ran plain = type({"status", "--master", master.address(), "--credential", "none"});
-    EXPECT_EQ(plain.exit_code, 5);
-    EXPECT_THAT(plain.errors, StartsWith("cdctl: the master speaks TLS: cdctl join"));
-}
-
-TEST_F(FirstHour, LargeResultsOfAMasterAreRefusedBeforeItHearsOfThem) {
+TEST_F(FirstHour, LargeResultsAreRefusedBeforeTheJobIsSubmitted) {
     const MortalMaster master(folder_);
     RunCommand command;
     command.job.a = path("car.obj");
@@ -240,7 +231,7 @@ TEST_F(FirstHour, ARunWithoutWorkersSaysSoAndGoesOnWhenOneComes) {
     print(words, run.errors() + run.output(), code.value_or(-1));
 }
 
-TEST_F(FirstHour, AJobWithoutWorkersSaysSoToWhoFollowsIt) {
+TEST_F(FirstHour, FollowersOfAJobAreToldThatNoWorkerIsThere) {
     const MortalMaster master(folder_);
     const Ran submitted = type({"submit", "--master", master.address()}, bodies("poses.csv"));
     EXPECT_EQ(submitted.exit_code, 0) << submitted.errors;
@@ -364,7 +355,8 @@ TEST_F(FirstHour, AFullDiskUnderStandardOutputIsNoticed) {
     const std::string to_full = " > /dev/full";
     const std::string run = cdctl() + " run -q --a " + path("car.obj") + " --b " +
                             path("post.obj") + " --poses " + path("poses.csv");
-    for (const std::string& command : {cdctl() + " inspect " + path("car.obj"), run}) {
+    for (const std::string& command :
+         {cdctl() + " inspect " + path("car.obj"), run, run + " -o csv", run + " -o json"}) {
         const Ran full = tests::run({"/bin/sh", "-c", command + to_full});
         EXPECT_EQ(full.exit_code, 3) << command;
         EXPECT_EQ(lines(full.errors), 1u) << full.errors;

@@ -67,10 +67,12 @@ TEST_F(Interrupt, EndsARunThatWaitsForPoses) {
 }
 
 TEST_F(Interrupt, WorkThatTakesLongIsTold) {
+    const std::string other = fifo("other.csv");
+    Process quiet({cdctl(), "run", "-q", "--a", ball(), "--b", ball(), "--poses", other},
+                  folder_ / "quiet");
+    wait_for_reader(other); // It reads for longer than `run`, which tells of it.
     const std::string poses = fifo("poses.csv");
     Process run = start({"--a", ball(), "--b", ball(), "--poses", poses});
-    Process quiet({cdctl(), "run", "-q", "--a", ball(), "--b", ball(), "--poses", poses},
-                  folder_ / "quiet");
     EXPECT_TRUE(comes_true([&] {
         return run.errors().find("reading poses.csv...\n") != std::string::npos;
     })) << run.errors();

@@ -72,7 +72,7 @@ TEST_F(Folder, ACompleteRunIsToldAndNotRunAgain) {
     EXPECT_NE(fs::last_write_time(folder_ / "out" / "records"), records);
 }
 
-TEST_F(Folder, AnotherRunIsNotMixedWith) {
+TEST_F(Folder, AnotherRunIsRefusedUnlessItIsOverwritten) {
     write_job(10, "level = \"pairs\"");
     const std::string out = folder_ / "out";
     ASSERT_EQ(run({"--out", out, "--formats", "csv,csv-pairs,npz"}).exit_code, 0);
@@ -143,16 +143,6 @@ TEST_F(Folder, AMapOfAnotherRunIsNotExported) {
     fs::copy_file(folder_ / "maps" / "maps", folder_ / "out" / "maps");
     ASSERT_EQ(tests::run({cdctl(), "results", folder_ / "out", "--formats", "csv"}).exit_code, 0);
     EXPECT_FALSE(fs::exists(folder_ / "out" / "map.csv"));
-}
-
-TEST_F(Folder, WithoutAnOutputFolderNothingIsKept) {
-    write_job(600, "level = \"pairs\"");
-    Process process(command("run", "", {"-o", "csv"}), folder_ / "stopped");
-    ASSERT_TRUE(comes_true([&] { return process.output().size() > 10'000; })); // It is running.
-    process.signal(SIGINT);
-    EXPECT_EQ(process.wait(), 130);
-    EXPECT_THAT(process.errors(),
-                HasSubstr("interrupted; no results were kept, since there was no --out"));
 }
 
 TEST_F(Folder, FreshBeginsAnewAfterAnInterrupt) {
@@ -304,16 +294,6 @@ TEST_F(Folder, MapsOfLevelCountAreThereForLaterFormats) {
     ASSERT_EQ(run({"--out", folder_ / "npz", "--formats", "npz"}).exit_code, 0);
     ASSERT_EQ(tests::run({cdctl(), "results", folder_ / "out", "--formats", "npz"}).exit_code, 0);
     EXPECT_EQ(read_text(folder_ / "out" / "map.npz"), read_text(folder_ / "npz" / "map.npz"));
-}
-
-TEST_F(Folder, AFullStandardOutputIsToldInOneLine) {
-    write_job(3, "level = \"pairs\"");
-    for (const std::string more : {"", " -o csv", " -o json"}) {
-        const std::string line = cdctl() + " run -q " + job_ + more + " > /dev/full";
-        const Ran full = tests::run({"/bin/sh", "-c", line});
-        EXPECT_EQ(full.exit_code, 3) << more;
-        EXPECT_EQ(full.errors, "cdctl: standard output: No space left on device\n") << more;
-    }
 }
 
 TEST_F(Folder, TwoRunsDoNotWriteOneFolder) {
