@@ -98,7 +98,7 @@ TEST_F(Cluster, StatisticsAreThoseOfTheWorkersTogether) {
     EXPECT_GE(status.statistics.inside.scenarios, status.summary.separate + status.summary.inside);
 }
 
-TEST_F(Cluster, TheNumberOfWorkersDoesNotShow) {
+TEST_F(Cluster, TheNumberOfWorkersDoesNotChangeTheDigest) {
     const Job job = make_job(400);
     const Query query = at_level(Level::Pairs);
     const Sha256 expected = job.digest_in_one_process(query);
@@ -110,7 +110,7 @@ TEST_F(Cluster, TheNumberOfWorkersDoesNotShow) {
     }
 }
 
-TEST_F(Cluster, StrategyBufferAndClaimingDoNotShow) {
+TEST_F(Cluster, StrategyBufferAndClaimingDoNotChangeTheDigest) {
     const Job job = make_job(250);
     const Query query = at_level(Level::Pairs);
     const Sha256 expected = job.digest_in_one_process(query);
@@ -135,7 +135,7 @@ TEST_F(Cluster, StrategyBufferAndClaimingDoNotShow) {
     }
 }
 
-TEST_F(Cluster, WhoFindsTheCollidingRootsDoesNotShow) {
+TEST_F(Cluster, TheAnalysisModeDoesNotChangeTheDigest) {
     const Job job = make_job(1500);
     start_worker(1);
     start_worker(2);
@@ -159,7 +159,7 @@ TEST_F(Cluster, WhoFindsTheCollidingRootsDoesNotShow) {
     EXPECT_EQ(run(job, tolerant, ranges).digest, job.digest_in_one_process(tolerant));
 }
 
-TEST_F(Cluster, WhoRunsAScenarioDoesNotShowInTheMap) {
+TEST_F(Cluster, TheMapIsThatOfOneProcessThoughWorkersAreKilled) {
     const Job job = make_job(1500);
     Query query = at_level(Level::Count);
     query.maps = true;
@@ -182,6 +182,7 @@ TEST_F(Cluster, WhoRunsAScenarioDoesNotShowInTheMap) {
                     is_killed = true;
                 }
             });
+            EXPECT_TRUE(is_killed);
             EXPECT_EQ(status.digest, digest);
             const auto answer = connection_->contact_map(id);
             ASSERT_TRUE(answer) << answer.error().detail;
@@ -207,7 +208,7 @@ TEST_F(Cluster, WhoRunsAScenarioDoesNotShowInTheMap) {
     EXPECT_FALSE(connection_->contact_map(plain).value().is_asked);
 }
 
-TEST_F(Cluster, TheDistributionDepthDoesNotShow) {
+TEST_F(Cluster, TheDistributionDepthDoesNotChangeTheDigest) {
     const Job job = make_job(200);
     const Query query = at_level(Level::Contacts);
     const Sha256 expected = job.digest_in_one_process(query);
@@ -300,7 +301,7 @@ TEST_F(Cluster, TwoClientsRunTwoJobsAtOnce) {
     EXPECT_EQ(status_of_second.digest, two.digest_in_one_process(query));
 }
 
-TEST_F(Cluster, ResultsComeBackAsTheyAre) {
+TEST_F(Cluster, FetchedResultsAreThoseOfOneProcess) {
     const Job job = make_job(300);
     const Query query = at_level(Level::Contacts);
     start_worker();

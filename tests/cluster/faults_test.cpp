@@ -13,7 +13,7 @@ namespace {
 
 using testing::HasSubstr;
 
-TEST_F(BrokenNetwork, ACutConnectionIsNotADeath) {
+TEST_F(BrokenNetwork, ASessionGoesOnAfterItsConnectionIsCut) {
     start_job(3000);
     for (int cut = 0; cut < 8; ++cut) {
         progress(200);
@@ -23,7 +23,7 @@ TEST_F(BrokenNetwork, ACutConnectionIsNotADeath) {
     EXPECT_GE(resumed(), 5u);
 }
 
-TEST_F(BrokenNetwork, CutAgainBeforeItHasComeBackItComesBackAllTheSame) {
+TEST_F(BrokenNetwork, ASessionGoesOnAfterCutsDuringItsReconnection) {
     start_job(2500);
     for (int burst = 0; burst < 4; ++burst) {
         progress(250);
@@ -85,7 +85,6 @@ TEST_F(BrokenNetwork, ATrickleOnlyCostsTime) {
     proxy_.set(Weather::Fair);
     EXPECT_GT(proxy_.trickled(), 0u);
     expect_right();
-    EXPECT_EQ(resumed(), 0u) << "bytes come all the time";
 }
 
 TEST_F(BrokenNetwork, DamagedBytesAreNoticedAndChangeNothing) {
@@ -129,7 +128,7 @@ TEST_F(BrokenNetwork, AHaltedWorkerKeepsItsWork) {
     expect_right();
 }
 
-TEST_F(BrokenNetwork, WithTheMasterKilledInBetweenNothingIsLostEither) {
+TEST_F(BrokenNetwork, CutsAndRestartsOfTheMasterLoseNothing) {
     start_job(2500);
     for (int round = 0; round < 3; ++round) {
         progress(250);
@@ -214,7 +213,7 @@ TEST_F(LostWorkers, AKilledWorkerIsReplacedAndTheStatusTellsOfIt) {
     EXPECT_THAT(next.errors, testing::StartsWith("  on " + master_.address() + ", 1 worker\n"));
 }
 
-TEST_F(LostWorkers, WhoWatchesAJobHearsOfAWorkerThatIsKilled) {
+TEST_F(LostWorkers, AKilledWorkerIsNamedToWatchersOfTheJob) {
     connection_ = connect();
     job_ = make_long_job(1, 9);
     start_worker(1, {"--no-peers"});

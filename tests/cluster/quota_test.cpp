@@ -3,6 +3,7 @@
 #include "common/core/limits/master.hpp"
 #include "proto/channel/channel.hpp"
 #include "tests/cluster/cluster_fixture.hpp"
+#include "tests/support/comes_true.hpp"
 
 #include <gmock/gmock.h>
 
@@ -32,14 +33,10 @@ TEST_F(Cluster, OneClientHasItsShareOfConnections) {
     EXPECT_EQ(ran.exit_code, 5);
     connections.clear();
     // The master may not yet have noticed that they are gone.
-    auto again = open();
-    while (!again && again.error().code == ErrorCode::Refused) {
-        again = open();
-    }
-    EXPECT_TRUE(again);
+    EXPECT_TRUE(comes_true([&] { return bool(open()); }));
 }
 
-TEST_F(Cluster, WhoDoesNotGoOnIsDropped) {
+TEST_F(Cluster, PeersThatStaySilentAreDropped) {
     const Endpoint master = parse_endpoint(master_->address()).value();
     asio::io_context context(1);
     const asio::ip::tcp::endpoint there(asio::ip::make_address(master.host), master.port);

@@ -63,7 +63,7 @@ std::map<std::string, std::uint64_t> blocks_sent(const ClusterStatus& status) {
     return sent;
 }
 
-TEST_F(Restart, WhatIsDoneIsNotDoneAgainAndNoBlockIsSentAgain) {
+TEST_F(Restart, FinishedScenariosDoNotRunAgainAndBlocksAreNotSentAgain) {
     const Job job = make_job(4000);
     const Query query;
     start_worker(1, {"--no-peers"});
@@ -294,7 +294,7 @@ TEST_F(Restart, WorkersLeftAloneKeepTheirResultsForTheNextMaster) {
 }
 
 /// The workers have finished all their tasks and return one after the other.
-TEST_F(Restart, WhatWorkersBringBackFromALongAbsenceIsNotDoneTwice) {
+TEST_F(Restart, ResultsOfWorkersThatReturnAreNotComputedAgain) {
     constexpr std::uint64_t scenarios = 20000;
     const Job job = make_job(scenarios);
     for (int i = 0; i < 3; ++i) {
@@ -371,11 +371,10 @@ TEST_F(Restart, WithAFullDiskJobsWaitVisiblyAndGoOnWhenThereIsRoom) {
     (void)watch_until(*connection, id, 500);
     limit_files(master_.process(), 64 << 10);
     JobStatus status;
-    do {
-        const auto now = connection->status();
-        ASSERT_TRUE(now) << now.error().detail;
-        status = now.value().jobs.at(0);
-    } while (status.paused.empty() && status.state == JobState::Running);
+    ASSERT_TRUE(comes_true([&] {
+        status = connection->status().value().jobs.at(0);
+        return !status.paused.empty();
+    }));
     EXPECT_EQ(status.state, JobState::Running);
     const Ran told = run({program("cdctl").string(), "status", "--master", master_.address()});
     EXPECT_NE(told.output.find("paused"), std::string::npos) << told.output;
@@ -508,7 +507,7 @@ TEST_F(Restart, ADamagedStateIsNamedNotUsedAndNotChanged) {
     EXPECT_EQ(finish(*connection, id).digest, job.digest_in_one_process(Query{}));
 }
 
-TEST_F(Restart, WhatAKilledMasterLeftIsCheckedWhereNothingCanBeWritten) {
+TEST_F(Restart, TheStateOfAKilledMasterIsCheckedOnAReadOnlyDisk) {
     const std::string state = folder_ / "state";
     const std::string mounted =
         "mount --bind " + state + " " + state + " && mount -o remount,ro,bind " + state + " && ";
