@@ -57,6 +57,8 @@ BAD_PAGES = {
     "a link to no file in ARCHITECTURE": {"ARCHITECTURE.md": "[there](none.md)\n"},
     "a link to no heading": {"README.md": "[there](docs/job-file.md#nothing)\n"},
     "a job that is no TOML": {"docs/page.md": "```toml\nname = \n```\n"},
+    "a long page of results": {"bench/peers/RESULTS.md": 61 * "A figure.\n"},
+    "a wide line in a page outside docs": {"proto/NOTES.md": 101 * "x" + "\n"},
     "a key that is explained nowhere": {"client/more.cpp": 'TomlFields f(table, "q", problem, {"level"});\n'},
     "a key that is explained in one of two tables": {
         "docs/job-file.md": "# Job file\n## The job\n| `name`, `unit` | text |\n",
