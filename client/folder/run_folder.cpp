@@ -201,7 +201,8 @@ Result<RunFolder> RunFolder::open_finished(const fs::path& dir, const RunManifes
 }
 
 Result<RunFolder> RunFolder::take(const fs::path& dir) {
-    for (;;) {
+    constexpr int attempts_max = 8;
+    for (int attempt = 0; attempt < attempts_max; ++attempt) {
         if (Status made = make_directories(dir / ".part"); !made) {
             return made.error();
         }
@@ -214,6 +215,7 @@ Result<RunFolder> RunFolder::take(const fs::path& dir) {
             return RunFolder(dir, std::move(lock.value()));
         }
     }
+    return Error{ErrorCode::Io, (dir / ".part").string() + " is in use by other processes"};
 }
 
 Error RunFolder::give_up(Error error) {
