@@ -17,7 +17,7 @@ void Allocator::settle(Actions& actions) {
     const auto is_served = [&](auto& job) { return allocate_one(job.second, actions); };
     while (next_in_turn(queue_.jobs(), queue_.served_last(), is_served) != nullptr) {
     }
-    // Only now is it certain that nothing more comes for these workers.
+    // All waiting scenarios are assigned now, so a buffer that nothing more fills becomes ripe.
     for (WorkerProxy* proxy : context_.pool.in_order()) {
         flush_ripe(*proxy, actions);
     }
@@ -27,14 +27,14 @@ void Allocator::take_up(DispatchJob& job, bool is_suspect, bool resumes, Actions
     if (is_suspect) {
         give_suspects(actions);
     }
-    // If others wait before it, no worker can take a scenario of this job now, and nothing has
-    // changed; a pulled job, however, may now have a whole task's worth.
+    // If scenarios waited before this one, no worker could take them, and none can now. With a pull
+    // policy, however, this scenario may complete a task.
     if (job.waiting.size() == 1 || job.policy->is_pulled()) {
         allocate_one(job, actions);
     }
     if (resumes || is_suspect) {
-        // Buffers held back at the end of a job may go now, and the worker that is now emptied for
-        // the suspect sends its buffers.
+        // A pause may have held buffers back. A suspect reserves a worker, which sends all its
+        // buffers to become idle.
         for (WorkerProxy* proxy : context_.pool.in_order()) {
             flush_ripe(*proxy, actions);
         }
@@ -49,8 +49,8 @@ void Allocator::set_batches() {
         unsent_ns += proxy->buffers.cost_ns();
         power += proxy->takes_work() ? pace.power_of(*proxy) : 0;
     }
-    // Splits the rest into 2 W parts, proportional to speed. Before any scenario has arrived, the
-    // rest is unknown.
+    // A batch is at most half of a worker's share of the buffered work. Nothing buffered: the share
+    // is unknown, and batches keep their full length.
     const double share = power > 0 && unsent_ns > 0
                              ? 1e-9 * static_cast<double>(unsent_ns) / (2 * power)
                              : limits::batch_seconds_max;
@@ -82,7 +82,7 @@ bool Allocator::allocate_one(DispatchJob& job, Actions& actions) {
     scenario.worker = proxy->id();
     MissingOfJob missing = blocks_.hold(job, scenario, *proxy);
     proxy->buffers.add(job.id, index, scenario.weight);
-    // In matching by time, a batch takes only part of a buffer.
+    // Loops because, in matching by time, a batch takes only a part of the buffer.
     while (job.policy->is_full(*proxy, job) && job.policy->has_room_for_task(*proxy, job)) {
         flush(*proxy, job, actions);
     }

@@ -16,24 +16,24 @@ class Allocator {
               BlockNeeds& blocks)
         : context_(context), queue_(queue), tasks_(tasks), blocks_(blocks) {}
 
-    /// Assigns waiting scenarios as far as workers can take them, and flushes ripe buffers.
+    /// Assigns waiting scenarios while workers can take them, and sends ripe buffers.
     void settle(Actions& actions);
-    /// A scenario was added to the job's queue, the first after a pause if the input resumes.
+    /// Call after a scenario was added to the job's queue. `resumes`: the input was paused before.
     void take_up(DispatchJob& job, bool is_suspect, bool resumes, Actions& actions);
-    /// Flushes the worker's buffers that are full or needed now into its free task slots.
+    /// Sends the worker's ripe buffers as tasks, while the worker has room for tasks.
     void flush_ripe(WorkerProxy& proxy, Actions& actions);
     /// Call if the worker has less work than before and nothing else has changed.
     void refill(WorkerProxy& proxy, Actions& actions);
     /// Returns buffered scenarios to the head of the queue.
     void take_back_buffers(WorkerProxy& proxy);
-    /// The worker's buffer must be sent now.
+    /// True if the worker's buffer of the job must be sent now: it is full, or the worker runs dry.
     [[nodiscard]] bool is_ripe(const WorkerProxy& proxy, const DispatchJob& job) const;
 
   private:
     /// Sends suspects to idle workers.
     void give_suspects(Actions& actions);
-    /// Assigns one waiting scenario, or lets one worker pull a task's worth. False if none can be
-    /// placed.
+    /// Buffers one waiting scenario at a worker, or lets one worker pull a task. False if no worker
+    /// can take work of the job.
     bool allocate_one(DispatchJob& job, Actions& actions);
     /// Sets each worker's batch size for matching by time.
     void set_batches();

@@ -20,7 +20,8 @@ void MissingOfJob::hint(const WorkerProxy& proxy, const DispatchJob& job, Action
 
 MissingOfJob BlockNeeds::hold(DispatchJob& job, DispatchScenario& scenario, WorkerProxy& proxy) {
     if (job.missing.is_sampled()) {
-        job.missing.add_sample(seconds_with_any(job, scenario)); // Before it is held.
+        // Must precede `hold_roots`, which marks the blocks as held.
+        job.missing.add_sample(seconds_with_any(job, scenario));
     }
     MissingOfJob missing = hold_roots(job, scenario.roots, proxy);
     scenario.fetches = !missing.is_nothing();

@@ -1,4 +1,4 @@
-// Which blocks workers miss for scenarios and ranges, and what that costs.
+// Finds the blocks that workers miss for scenarios and ranges, and the time to fetch them.
 #pragma once
 
 #include "master/dispatch/dispatch_actions.hpp"
@@ -18,7 +18,7 @@ struct MissingOfJob {
     WorkerPool::Missing b;
 
     [[nodiscard]] bool is_nothing() const { return a.roots.empty() && b.roots.empty(); }
-    /// Announces the blocks to the worker.
+    /// Adds actions that announce the blocks to the worker. Empties both lists of roots.
     void hint(const WorkerProxy& proxy, const DispatchJob& job, Actions& actions);
 };
 
@@ -27,19 +27,21 @@ class BlockNeeds {
   public:
     BlockNeeds(WorkerPool& pool, const ClusterPace& pace) : pool_(pool), pace_(pace) {}
 
-    /// The worker gets the scenario: what it misses is under way, and is sampled. Returns it.
+    /// Marks the scenario's blocks as held by the worker, and measures the time to fetch the
+    /// missing ones. Returns the missing blocks, which now count as under way.
     MissingOfJob hold(DispatchJob& job, DispatchScenario& scenario, WorkerProxy& proxy);
-    /// The worker gets these roots, not sampled. Returns the missing blocks, which are under way.
+    /// Like `hold`, but measures nothing.
     MissingOfJob hold_roots(const DispatchJob& job, const ScenarioRoots& roots, WorkerProxy& proxy);
-    /// The worker requests these blocks for the ranges that it has, and counts as holding them.
+    /// Marks blocks as held by a worker that requests them for its ranges, and measures them.
     void hold_wanted(WorkQueue& queue,
                      WorkerProxy& proxy,
                      TreeId tree,
                      std::span<const RootIndex> roots);
-    /// As `Dispatcher::missing_costs`.
+    /// See `DispatchView::missing_costs`.
     [[nodiscard]] MissingCosts costs_of(const DispatchJob& job) const;
 
   private:
+    /// Time to fetch the scenario's missing blocks, averaged over all workers.
     [[nodiscard]] double seconds_with_any(const DispatchJob& job, const DispatchScenario& scenario);
     /// Fraction of both trees' roots that the worker does not hold.
     [[nodiscard]] double missing_share(const WorkerProxy& proxy, const DispatchJob& job) const;
@@ -47,7 +49,7 @@ class BlockNeeds {
 
     WorkerPool& pool_;
     const ClusterPace& pace_;
-    std::vector<std::uint64_t> held_triangles_; ///< Scratch buffer, indexed by slot.
+    std::vector<std::uint64_t> held_triangles_; ///< Scratch buffer, indexed by worker slot.
 };
 
 } // namespace cd

@@ -6,7 +6,7 @@
 namespace cd {
 
 // Two surfaces meet along curves, and about sqrt(n) of a subtree's n triangles lie along one.
-// Levels, pairs, box tests of the analysis, and other powers predict no better.
+// The level, the number of pairs or of box tests, and other powers predict no better.
 double meeting_size(const TreeTop& a, const TreeTop& b, std::span<const RootPair> pairs) {
     double size = 0;
     for (const RootPair& pair : pairs) {

@@ -13,8 +13,8 @@ namespace cd {
 [[nodiscard]] double
 meeting_size(const TreeTop& a, const TreeTop& b, std::span<const RootPair> pairs);
 
-/// Prediction for matching by time. Mostly the ratios between scenarios matter, since each worker's
-/// speed is measured. Never 0.
+/// Nanoseconds that a scenario of this `meeting_size` takes on one thread; never 0. The ratios
+/// between scenarios matter most, because each worker's speed is measured.
 [[nodiscard]] std::uint64_t predicted_ns(double meeting_size);
 
 } // namespace cd

@@ -20,40 +20,40 @@ struct SendBatch {
     TaskId task;
     JobId job;
     std::vector<std::uint64_t> scenarios;
-    bool is_copy = false; ///< Speculative copy: another worker has them too.
+    bool is_copy = false; ///< Speculative copy: another worker has the scenarios too.
 
     friend bool operator==(const SendBatch&, const SendBatch&) = default;
 };
 
-/// Asks to send these positions of the job's order to this worker as one task. The worker finds the
-/// colliding roots itself.
+/// Asks to send these positions in the job's hand-out order to this worker as one task, without
+/// analysis: the worker finds the colliding roots.
 struct SendRange {
     WorkerId worker;
     TaskId task;
     JobId job;
     PlaceRange places;
-    TaskId copy_of = {}; ///< Task of another worker with these positions; none if not a copy.
+    TaskId copy_of = {}; ///< Another worker's task that has these positions; 0 if not a copy.
 
     friend bool operator==(const SendRange&, const SendRange&) = default;
 };
 
-/// Asks the worker to return what it has not begun of the task: of a batch these scenarios, of a
-/// range all but its first `places` positions.
+/// Recall: asks the worker to return the part of the task that it has not begun.
 struct AskBack {
     WorkerId worker;
     TaskId task;
-    std::vector<std::uint64_t> scenarios; ///< Ascending.
-    std::uint64_t places = 0;
+    std::vector<std::uint64_t> scenarios; ///< Wanted scenarios of a batch, ascending.
+    std::uint64_t places = 0;             ///< Number of a range's first positions to keep.
 
     friend bool operator==(const AskBack&, const AskBack&) = default;
 };
 
-/// A worker has returned part of a task. The unanswered positions must be queued again.
+/// Reports that a worker has returned part of a task. The owner must queue the positions again; the
+/// dispatcher has queued the scenarios.
 struct GivenBack {
     TaskId task;
     JobId job;
-    std::uint64_t scenarios = 0; ///< Number returned of a batch.
-    PlaceRange places;           ///< Positions returned of a range.
+    std::uint64_t scenarios = 0; ///< Number of scenarios returned of a batch.
+    PlaceRange places;           ///< Positions returned of a range, all unanswered.
 
     friend bool operator==(const GivenBack&, const GivenBack&) = default;
 };
@@ -68,11 +68,11 @@ struct CallOff {
     friend bool operator==(const CallOff&, const CallOff&) = default;
 };
 
-/// Process whose loss ended a task; empty if the unanswered rest was returned.
+/// Worker process whose loss ended a task; empty if no loss ended it.
 using LostWith = std::optional<InstanceId>;
 
-/// The task of a range has ended. Its unanswered positions must be repeated, and are analysed first
-/// if they were lost.
+/// Reports that the task of a range has ended. The owner must hand its unanswered positions out
+/// again, and analyse them first if they were lost.
 struct RangeEnded {
     TaskId task;
     JobId job;
@@ -102,7 +102,7 @@ struct ScenariosLost {
     friend bool operator==(const ScenariosLost&, const ScenariosLost&) = default;
 };
 
-/// Fails a scenario that was lost with `limits::scenario_losses_max` worker processes.
+/// Asks to fail a scenario that was lost with `limits::scenario_losses_max` worker processes.
 struct GiveUp {
     JobId job;
     std::uint64_t scenario = 0;

@@ -1,4 +1,4 @@
-// Gives the dispatcher its clock, and has its actions performed in order.
+// Gives the dispatcher the time, and performs its actions in order.
 #pragma once
 
 #include "master/dispatch/dispatcher.hpp"
@@ -16,15 +16,15 @@ class DispatchDriver {
     DispatchDriver(std::function<double()> now, std::function<void(const Action&)> perform)
         : now_(std::move(now)), perform_(std::move(perform)) {}
 
-    /// The dispatcher, to be told of one event that happens now.
+    /// Sets the dispatcher's time to now, and returns the dispatcher, for one event.
     Dispatcher* operator->() {
         dispatcher_.time_is(now_());
         return &dispatcher_;
     }
     [[nodiscard]] const DispatchView& view() const { return dispatcher_; }
-    /// Performs the actions, and after them those that they cause.
+    /// Performs the actions, and then the actions that these cause.
     void act(Actions actions);
-    /// Performs no action at present.
+    /// True if no action is being performed or waits.
     [[nodiscard]] bool is_idle() const { return !is_acting_ && actions_.empty(); }
 
   private:

@@ -18,10 +18,10 @@ struct AnalysedScenario {
     std::uint64_t index = 0;
     std::vector<RootIndex> roots_a; ///< Ascending.
     std::vector<RootIndex> roots_b;
-    std::uint64_t bytes = 0; ///< Size it adds to a batch on the wire.
+    std::uint64_t bytes = 0; ///< Size that the scenario adds to a batch on the wire.
     /// Predicted time on one thread, 0 if unknown; only ratios between scenarios matter.
     std::uint64_t predicted_ns = 0;
-    /// Losses in ranges or before a restart of the master.
+    /// Losses before this analysis: in ranges, or before a restart of the master.
     Losses losses = {};
 };
 
@@ -39,7 +39,7 @@ struct DispatcherOptions {
     std::size_t workers_few = limits::workers_few;
     double look_seconds_each = limits::look_seconds_each;
 
-    /// Time between two checks of so many workers, s.
+    /// Minimum time between two checks of so many workers, s.
     [[nodiscard]] double look_seconds(std::size_t workers) const {
         const std::size_t beyond = workers - std::min(workers, workers_few);
         return look_seconds_each * static_cast<double>(beyond);

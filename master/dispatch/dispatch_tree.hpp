@@ -1,4 +1,4 @@
-// The dispatcher's view of a job's tree.
+// The dispatcher's view of a job's tree: the sizes of its subtrees.
 #pragma once
 
 #include "proto/messages/work_messages.hpp"
@@ -10,8 +10,8 @@ namespace cd {
 
 struct DispatchTree {
     TreeId tree;
-    std::vector<std::uint32_t> root_triangles; ///< Per distribution root.
-    /// Wire size of each root's block. Empty: unknown, and estimated from the triangles.
+    std::vector<std::uint32_t> root_triangles; ///< Triangles below each distribution root.
+    /// Wire size of each root's block, bytes. Empty: the pool estimates them from the triangles.
     std::vector<std::uint64_t> root_bytes = {};
 };
 

@@ -110,7 +110,8 @@ Actions Dispatcher::scenario_analysed(JobId job_id, AnalysedScenario analysed) {
     CD_CHECK(job != nullptr);
     DispatchScenario scenario = job->scenario_of(analysed);
     if (scenario.is_lost_for_good()) {
-        return {GiveUp{job_id, analysed.index}}; // The last incarnation did not give it up in time.
+        return {
+            GiveUp{job_id, analysed.index}}; // The last incarnation ended before it gave this up.
     }
     job->copies.add_work(scenario.weight.cost_ns);
     job->places.nothing_follows();
@@ -191,7 +192,7 @@ Actions Dispatcher::scenario_answered(WorkerId worker, JobId job_id, std::uint64
     if (!was_sent) {
         return settled(std::move(actions));
     }
-    // The scenario's workers may run dry now; nothing else can have become possible.
+    // Only the scenario's workers can take more now, since their load has decreased.
     actions = refilled(pool.at(holder), std::move(actions));
     return copy ? refilled(pool.at(copy->worker), std::move(actions)) : actions;
 }

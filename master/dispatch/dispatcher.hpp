@@ -19,7 +19,7 @@
 namespace cd {
 
 /// Each unanswered scenario is in exactly one state: waiting, in one worker's buffer, or in one
-/// task. Order positions wait, are in one task, or ended with it.
+/// task. Positions of ranges wait or are in one task, and leave the dispatcher when it ends.
 ///
 /// Two exceptions exist. At the end of a job a scenario or range in a task may have one speculative
 /// copy in a task of another worker. A recalled part stays in its task until the worker confirms
@@ -47,18 +47,18 @@ class Dispatcher : public DispatchView {
     /// No more scenarios arrive for now: workers about to run dry get the scenarios in their
     /// buffers.
     Actions input_paused();
-    /// These order positions may go out without analysis, to the first workers that run dry.
-    /// `after` more scenarios of the job follow them.
+    /// These positions in the job's hand-out order may go out without analysis, to the first
+    /// workers that run dry. `after`: number of the job's scenarios that follow the positions.
     Actions places_given(JobId job, const PlaceRange& places, std::uint64_t after);
-    /// Takes back the positions that were given and not sent.
+    /// Takes back the positions that came with `places_given` and were not sent.
     [[nodiscard]] std::vector<PlaceRange> take_places(JobId job);
     /// Forgets the job and all its scenarios. Late results of it are ignored.
     Actions job_closed(JobId job);
 
-    /// Records that some worker answered the scenario. Ignored if it was answered before.
+    /// Records that the worker answered the scenario. Ignored if it was answered before.
     Actions scenario_answered(WorkerId worker, JobId job, std::uint64_t scenario);
-    /// Records `count` answers of a range, which took the worker's threads `busy_seconds`. Ignored
-    /// if the task does not exist.
+    /// Records `count` answers of a range; `busy_seconds` is their time, summed over the worker's
+    /// threads. Ignored if the task does not exist.
     Actions places_answered(WorkerId worker, TaskId task, std::uint64_t count, double busy_seconds);
     /// The worker has sent all results of the task. Unanswered scenarios return to the queue, not
     /// counted as lost.
@@ -66,14 +66,14 @@ class Dispatcher : public DispatchView {
     /// The task was lost on its way to the worker, which is alive. Unanswered scenarios return to
     /// the queue, not counted as lost.
     Actions task_unbegun(WorkerId worker, TaskId task);
-    /// The worker has returned this part of the task, in answer to AskBack or in its Standing. It
-    /// waits again and is not counted as lost. Parts that are not in the task are ignored.
+    /// The worker has returned this part of the task, in answer to AskBack or in its inventory
+    /// (Standing). The part waits again, not counted as lost. Ignores what is not in the task.
     Actions task_recalled(WorkerId worker, const Recalled& recalled);
     /// The worker requests these blocks and counts as holding them from now on.
     void roots_wanted(WorkerId worker, TreeId tree, std::span<const RootIndex> roots);
     Actions roots_evicted(WorkerId worker, TreeId tree, std::span<const RootIndex> roots);
 
-    // ---- Measurements for matching by time, which has defaults without them ----
+    // ---- Measurements for matching by time, which uses defaults until they arrive ----
     /// Sets the time, in seconds since any fixed point; it never decreases.
     void time_is(double seconds);
     void work_measured(WorkerId worker, const MeasuredWork& work);
@@ -83,9 +83,10 @@ class Dispatcher : public DispatchView {
     void roots_arrived(WorkerId worker, TreeId tree, std::span<const RootIndex> roots);
 
   private:
-    /// Does all that has become possible, for all workers.
+    /// Appends the actions that have become possible, after checking all workers and jobs.
     Actions settled(Actions actions);
-    /// Call if the worker has less work than before and nothing else has changed.
+    /// Appends the actions that give the worker more work. Suffices instead of `settled` if only
+    /// this worker's load has decreased.
     Actions refilled(WorkerProxy& proxy, Actions actions);
     /// Null if the worker does not exist, or has no such task.
     [[nodiscard]] WorkerProxy* worker_with(WorkerId worker, TaskId task);

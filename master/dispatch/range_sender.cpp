@@ -79,7 +79,7 @@ bool RangeSender::would_take(const WorkerProxy& proxy, const DispatchJob& job) c
         proxy.tasks.count_of(job.id) >= limits::batches_at_worker) {
         return false;
     }
-    // Sends the next range before the current one is finished.
+    // The next range goes out before the worker has finished the current one.
     return proxy.tasks.left() < places_at_once(proxy, job) && !would_be_late(proxy, job);
 }
 
@@ -90,7 +90,7 @@ bool RangeSender::would_be_late(const WorkerProxy& proxy, const DispatchJob& job
     if (quickest <= 0) {
         return false;
     }
-    // Compares one scenario on one thread with everything left on the other workers.
+    // Compares the time of one scenario on this worker with the time that the others need for all.
     const double rate = context_.pace.places_per_second(proxy, job);
     const double others = std::max(of_all.unclaimed - rate, quickest);
     const auto left = static_cast<double>(of_all.left - proxy.tasks.left());
@@ -102,7 +102,7 @@ std::uint64_t RangeSender::places_at_once(const WorkerProxy& proxy, const Dispat
     const double rate = context_.pace.places_per_second(proxy, job);
     const double all = totals(job).rate;
     const double left = static_cast<double>(job.places.rest());
-    // Each worker gets two such shares; the rest is divided again.
+    // Half of the worker's share of all unsent scenarios, so that later ranges even out errors.
     const double share = all > 0 ? left * rate / all / 2 : left;
     const double most = std::min(proxy.batch.seconds() * rate, share);
     return static_cast<std::uint64_t>(std::clamp(most,

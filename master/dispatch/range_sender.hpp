@@ -1,6 +1,6 @@
-// Ranges of order positions, without analysis or matching. The first worker to run dry gets the
-// next range, sized for a batch's duration at its measured rate, and smaller towards the end of a
-// job.
+// Sends ranges: consecutive positions in a job's hand-out order, without analysis or matching. The
+// first worker to run dry gets the next range, as long as a batch lasts at the worker's measured
+// rate, and shorter towards the end of a job.
 #pragma once
 
 #include "master/dispatch/policy/matching_policy.hpp"
@@ -10,29 +10,31 @@
 
 namespace cd {
 
-/// Sends ranges to workers that would run dry.
 class RangeSender {
   public:
     RangeSender(const MatchingContext& context, WorkQueue& queue, TaskTable& tasks)
         : context_(context), queue_(queue), tasks_(tasks) {}
 
+    /// Sends ranges to all workers that would run dry.
     void give(Actions& actions);
-    /// Call if the worker has less work than before and nothing else has changed.
+    /// Like `give`, for one worker. Suffices if only this worker's load has decreased.
     void give_to(WorkerProxy& proxy, Actions& actions);
-    /// Positions of the job that suffice for all workers.
+    /// Number of unsent positions of the job that suffices for all workers.
     [[nodiscard]] std::uint64_t enough(const DispatchJob& job) const;
-    /// The worker would get a range of the job now.
+    /// True if the worker would get a range of the job now.
     [[nodiscard]] bool would_take(const WorkerProxy& proxy, const DispatchJob& job) const;
-    /// Call at the start of an event, or after any other change but work that is sent.
+    /// Drops the cached totals of all jobs. Call at the start of an event and after each change
+    /// except the sending of work.
     void forget_totals() const;
 
   private:
-    /// Totals of this event. Work sent meanwhile does not change them.
+    /// The job's totals as of the last `forget_totals`; work sent since then does not change them.
     [[nodiscard]] const PlaceTotals& totals(const DispatchJob& job) const;
     void send_to(WorkerProxy& proxy, Actions& actions);
     void send(WorkerProxy& proxy, DispatchJob& job, Actions& actions);
-    /// True if one scenario would finish there long after the others have done all that is left.
+    /// True if the worker would finish one scenario long after the others have finished the rest.
     [[nodiscard]] bool would_be_late(const WorkerProxy& proxy, const DispatchJob& job) const;
+    /// Length of the worker's next range.
     [[nodiscard]] std::uint64_t places_at_once(const WorkerProxy& proxy,
                                                const DispatchJob& job) const;
 

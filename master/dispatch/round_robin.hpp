@@ -3,8 +3,8 @@
 
 namespace cd {
 
-/// The first entry that is wanted, beginning after the key `last` and ending with it. Null if none
-/// is.
+/// Returns the first wanted entry, searching from the key after `last` around to `last`. Null if
+/// no entry is wanted.
 template <class Map, class Key, class IsWanted>
 auto* next_in_turn(Map& map, const Key& last, const IsWanted& is_wanted) {
     const auto next = map.upper_bound(last);

@@ -127,7 +127,7 @@ TaskInFlight TaskTable::end(WorkerProxy& proxy, TaskId task, LostWith lost_with,
 }
 
 void TaskTable::lose_all(WorkerProxy& proxy, Actions& actions) {
-    // Newest task first, so that the oldest ends up first in the queue.
+    // Newest task first: each goes to the queue's head, so the oldest task is handed out first.
     while (!proxy.tasks.all().empty()) {
         end(proxy, proxy.tasks.all().rbegin()->first, proxy.facts().process, actions);
     }

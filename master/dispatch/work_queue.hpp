@@ -1,4 +1,4 @@
-// Unsent work: the jobs' analysed scenarios, and the order positions that go out without analysis.
+// Unsent work: the jobs' analysed scenarios, and the positions that go out without analysis.
 #pragma once
 
 #include "master/dispatch/job/dispatch_job.hpp"
@@ -11,14 +11,14 @@
 
 namespace cd {
 
-/// A scenario whose next loss is the last.
+/// A scenario that is given up when it is lost with one more worker.
 struct Suspect {
     JobId job;
     std::uint64_t scenario = 0;
 };
 
 /// Holds the open jobs, each with its waiting scenarios and unsent positions. A scenario is unsent
-/// while it waits, is suspect, or is in a worker's buffer.
+/// while it waits, alone or as a suspect, or is in a worker's buffer.
 class WorkQueue {
   public:
     // ---- Jobs ---------------------------------------------------------------------------------
@@ -28,7 +28,8 @@ class WorkQueue {
               DispatchTree a,
               DispatchTree b,
               std::unique_ptr<MatchingPolicy> policy);
-    /// Drops an open job, its waiting scenarios and suspects. No worker has its scenarios.
+    /// Drops an open job, its waiting scenarios and suspects. Buffers and tasks must have none of
+    /// its scenarios.
     void close(JobId job);
     [[nodiscard]] std::map<JobId, DispatchJob>& jobs() { return jobs_; }
     [[nodiscard]] const std::map<JobId, DispatchJob>& jobs() const { return jobs_; }
@@ -39,40 +40,40 @@ class WorkQueue {
     [[nodiscard]] DispatchJob& at(JobId job) { return jobs_.at(job); }
     [[nodiscard]] const DispatchJob& at(JobId job) const { return jobs_.at(job); }
     [[nodiscard]] bool is_tree_used(TreeId tree) const;
-    /// The job that was served last; the next in order is served next.
+    /// The job that last got a worker; the next job by id has its turn before it.
     [[nodiscard]] JobId served_last() const { return served_last_; }
     void note_served(JobId job) { served_last_ = job; }
 
     // ---- Scenarios ----------------------------------------------------------------------------
     /// Number of unsent scenarios of all jobs.
     [[nodiscard]] std::uint64_t unsent() const { return unsent_; }
-    /// Queues a scenario that nobody has. True: it is a suspect.
+    /// Queues a new scenario at the end. Returns whether it is a suspect.
     bool add(DispatchJob& job, std::uint64_t index, DispatchScenario scenario);
-    /// Queues scenarios from a buffer before all others of the job.
+    /// Returns scenarios from a buffer to the head of the job's queue.
     void put_back(DispatchJob& job, std::span<const std::uint64_t> scenarios);
-    /// Queues scenarios from a task before all others of the job.
+    /// Returns scenarios from a task to the head of the job's queue.
     void put_back_sent(DispatchJob& job, std::span<const std::uint64_t> scenarios);
-    /// Queues the scenario, which nobody has, as a suspect if it is one.
+    /// If the scenario is a suspect, queues it as one and returns true. It must be in no task.
     bool suspect(const DispatchJob& job, std::uint64_t index, DispatchScenario& scenario);
-    /// Removes a scenario that waits or is suspect; its entry stays.
+    /// Removes a scenario from the waiting ones or the suspects, but not from the job.
     void remove(DispatchJob& job, std::uint64_t index, const DispatchScenario& scenario);
-    /// Scenarios have left for a task, or have left a buffer for good.
+    /// Counts scenarios as no longer unsent: sent in a task, or dropped from a buffer.
     void leave(std::uint64_t scenarios) { unsent_ -= scenarios; }
     /// Each suspect travels alone, to an idle worker, so that one deadly scenario does not take
     /// others with it.
     [[nodiscard]] const std::deque<Suspect>& suspects() const { return suspects_; }
-    /// The first suspect, which stays unsent; there must be one.
+    /// Removes the first suspect, which still counts as unsent. There must be one.
     Suspect take_suspect();
 
     // ---- Input --------------------------------------------------------------------------------
-    /// No more scenarios arrive for now. Returns what was so before.
+    /// Paused: no more scenarios arrive for now. Returns the previous value.
     bool set_paused(bool is_paused);
-    /// The job has no scenario to hand out, and gets none for now.
+    /// True if the job has no waiting scenario, and gets none for now.
     [[nodiscard]] bool nothing_comes(const DispatchJob& job) const {
         return is_paused_ && job.waiting.empty();
     }
     [[nodiscard]] bool is_paused() const { return is_paused_; }
-    /// True if some scenario is in no buffer and no task.
+    /// True if some scenario waits, or is a suspect.
     [[nodiscard]] bool something_waits() const;
     /// True if all scenarios and positions are sent, and no more come for now.
     [[nodiscard]] bool is_exhausted() const;

@@ -5,7 +5,7 @@
 
 namespace cd {
 
-/// Ratio of two sums with exponential decay: each addition first takes a tenth from both sums.
+/// Ratio of two sums with exponential decay: each addition first takes a tenth off both sums.
 class LearnedRate {
   public:
     void add(double done, double seconds);

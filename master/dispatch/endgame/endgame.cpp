@@ -24,7 +24,8 @@ void Endgame::help(double period, Actions& actions) {
     std::vector<WorkerProxy*> free = stragglers_.helpers();
     for (WorkerProxy* from : free.empty() ? std::vector<WorkerProxy*>{} : stragglers_.late()) {
         from->note_looked_at(now);
-        // Tries the fastest helpers first; another of the first few may hold the blocks.
+        // Tries the fastest helpers first. If the fastest would gain nothing, one of the next may,
+        // for example because it holds the blocks.
         for (std::size_t i = 0; i < std::min(free.size(), limits::helpers_tried_max);) {
             WorkerProxy& helper = *free[i];
             if (&helper == from || !helps(*from, helper, actions)) {
@@ -46,7 +47,7 @@ bool Endgame::helps(WorkerProxy& from, WorkerProxy& helper, Actions& actions) {
 // ---- Recalls ------------------------------------------------------------------------------------
 
 bool Endgame::ask_back(const WorkerProxy& from, const WorkerProxy& helper, Actions& actions) {
-    // The newest task begins last.
+    // Newest task first: the worker begins it last.
     for (const auto& [id, task] : std::views::reverse(from.tasks.all())) {
         if (task.left() == 0 || task.is_copy || task.has_begun) {
             continue;
@@ -113,7 +114,7 @@ std::uint64_t Endgame::places_to_move(const WorkerProxy& from,
     if (gain * (begins + one) > seconds_here) {
         return 0;
     }
-    // Chosen so that both finish together.
+    // Solves for the count with which both workers finish together.
     const double count = (seconds_here - begins) / (1 / rate_here + 1 / rate_there);
     return std::max<std::uint64_t>(1, static_cast<std::uint64_t>(count));
 }

@@ -1,8 +1,8 @@
-// The end of a job: nothing waits, and some workers are idle while others still work. Unbegun work
-// is recalled and goes to the worker that finishes it first. Begun or unreturned work gets a
-// speculative copy elsewhere if that finishes clearly earlier; the share of copied work is bounded.
+// The end of a job: nothing waits, and some workers are idle while others still work. Work that a
+// straggler has not begun is recalled for a worker that finishes it earlier. Work that is begun or
+// not returned gets a speculative copy if that finishes much earlier; the copied share is bounded.
 //
-// Used for matching by time and for ranges; the paper's strategies follow the paper.
+// Applies to matching by time and to ranges; the paper's strategies do without it.
 #pragma once
 
 #include "master/dispatch/block_needs.hpp"
@@ -21,23 +21,25 @@ class Endgame {
           blocks_(blocks),
           stragglers_(context, tasks) {}
 
-    /// Nothing waits, and some workers can help others that work.
+    /// True if nothing waits, and some workers can help others that work.
     [[nodiscard]] bool has_begun() const;
-    /// Asks back and copies what idle workers would finish earlier; at most one recall is open per
-    /// worker. `period`: time between two such looks, s.
+    /// Recalls or copies work that idle workers would finish earlier. Does nothing if the last
+    /// check was less than `period` seconds ago.
     void help(double period, Actions& actions);
 
   private:
-    /// False if nothing would finish earlier that way.
+    /// Recalls or copies work of `from` for the helper. False if that would gain nothing.
     [[nodiscard]] bool helps(WorkerProxy& from, WorkerProxy& helper, Actions& actions);
     [[nodiscard]] bool
     ask_back(const WorkerProxy& from, const WorkerProxy& helper, Actions& actions);
+    /// The scenarios of a batch, possibly none, that the helper would finish earlier.
     [[nodiscard]] AskBack
     batch_to_ask(const WorkerProxy& from, TaskId task, const WorkerProxy& helper) const;
+    /// The last positions of a range, possibly none, that the helper would finish earlier.
     [[nodiscard]] AskBack
     range_to_ask(const WorkerProxy& from, TaskId task, const WorkerProxy& helper) const;
-    /// Number of positions to move so that both finish together; 0 if that gains less than the
-    /// factor `gain`.
+    /// Number of positions to move so that both workers finish together. 0 unless the helper would
+    /// finish one position `gain` times sooner than the straggler, which needs `seconds_here`.
     [[nodiscard]] std::uint64_t places_to_move(const WorkerProxy& from,
                                                const DispatchJob& job,
                                                const WorkerProxy& helper,
@@ -54,7 +56,7 @@ class Endgame {
     TaskTable& tasks_;
     BlockNeeds& blocks_;
     Stragglers stragglers_;
-    double helped_ = -1; ///< Time of the last look, s.
+    double helped_ = -1; ///< Time of the last check for stragglers, s.
 };
 
 } // namespace cd

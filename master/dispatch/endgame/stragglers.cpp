@@ -39,7 +39,7 @@ double Stragglers::ends_in(const WorkerProxy& proxy) const {
     if (left == 0) {
         return 0;
     }
-    double seconds = 0; // For one thread.
+    double seconds = 0; // Of one thread, for all tasks.
     for (const auto& [id, task] : proxy.tasks.all()) {
         if (!task.is_range()) {
             seconds += 1e-9 * static_cast<double>(task.cost_ns) / context_.pace.speed_of(proxy);
@@ -49,7 +49,7 @@ double Stragglers::ends_in(const WorkerProxy& proxy) const {
         }
     }
     seconds /= static_cast<double>(std::min<std::uint64_t>(left, proxy.facts().threads));
-    // An overdue worker is assumed to need as long again as it is overdue.
+    // Negative: the worker is overdue, and is assumed to need as long again as it is overdue.
     return std::abs(std::max(proxy.tasks.progressed(), proxy.transfers_end()) + seconds -
                     context_.pace.now());
 }

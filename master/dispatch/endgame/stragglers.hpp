@@ -8,30 +8,30 @@
 
 namespace cd {
 
-/// The finish estimate follows from a worker's measured speed and its time without answers (LATE:
+/// Estimates a worker's finish from its measured speed and the time since its last answer (LATE:
 /// Zaharia et al., Improving MapReduce Performance in Heterogeneous Environments, 2008).
 class Stragglers {
   public:
     Stragglers(const MatchingContext& context, const TaskTable& tasks)
         : context_(context), tasks_(tasks) {}
 
-    /// The worker has fewer scenarios than threads, and no recalled work is on its way to it.
+    /// True if the worker has fewer scenarios than threads, and awaits no recalled work.
     [[nodiscard]] bool can_help(const WorkerProxy& proxy) const;
     /// Workers that can help, the fastest first.
     [[nodiscard]] std::vector<WorkerProxy*> helpers() const;
     /// Seconds until the worker finishes all tasks sent to it.
     [[nodiscard]] double ends_in(const WorkerProxy& proxy) const;
-    /// Stragglers that others may help, latest finish first. If there are many, those unchecked for
-    /// longest.
+    /// Stragglers that others may help, latest finish first. If there are many, only those whose
+    /// last check is longest ago.
     [[nodiscard]] std::vector<WorkerProxy*> late() const;
-    /// The worker may be asked to return work.
+    /// True if a recall may be sent to the worker: none is open, and the worker takes work.
     [[nodiscard]] bool may_be_asked(const WorkerProxy& from) const;
-    /// True if a recall is pending and may still be answered.
+    /// True if a recall of the worker is open and may still be answered.
     [[nodiscard]] bool may_answer_recall(const WorkerProxy& from) const;
 
   private:
     [[nodiscard]] bool is_pending(const PendingRecall& recall) const;
-    /// True if it has work that can be recalled or copied.
+    /// True if the worker has work that can be recalled or copied now.
     [[nodiscard]] bool may_be_helped(const WorkerProxy& from) const;
     [[nodiscard]] bool can_be_copied(const TaskInFlight& task) const;
 

@@ -31,7 +31,7 @@ struct ScenarioRoots {
 /// State of an unanswered scenario.
 enum class Whereabouts : std::uint8_t {
     Waiting,  ///< In its job's queue.
-    Suspect,  ///< In the queue for one last, separate attempt.
+    Suspect,  ///< In the queue of suspects, for one last attempt alone on a worker.
     Buffered, ///< In a worker's buffer.
     Sent,     ///< In a task at a worker.
 };
@@ -44,8 +44,8 @@ struct Assignment {
 struct DispatchScenario {
     ScenarioRoots roots;
     ScenarioWeight weight;
-    bool fetches = false; ///< The worker lacked some blocks.
-    Losses losses;        ///< Tasks that ended without its answer.
+    bool fetches = false; ///< The worker lacked some of its blocks when it was chosen.
+    Losses losses;        ///< Worker processes that were lost with the scenario.
     Whereabouts where = Whereabouts::Waiting;
     WorkerId worker;                ///< Set if Buffered or Sent.
     TaskId task;                    ///< Set if Sent.
@@ -53,34 +53,36 @@ struct DispatchScenario {
     bool was_copied = false;
     std::uint32_t recalls = 0; ///< Number of times it was returned after a recall.
 
-    /// A scenario that was lost may kill its worker, so it is not copied.
+    /// A scenario that was lost may kill a worker, so it is not copied. Others are copied once.
     [[nodiscard]] bool may_be_copied() const { return !was_copied && losses.none(); }
+    /// True if the scenario or its copy is in the task.
     [[nodiscard]] bool is_in(TaskId one) const {
         return where == Whereabouts::Sent && (task == one || (copy && copy->task == one));
     }
     /// True if the scenario was lost too often and must be given up.
     [[nodiscard]] bool is_lost_for_good() const;
-    /// True if its next loss would be the last.
+    /// True if the next loss would make `is_lost_for_good` true.
     [[nodiscard]] bool is_suspect() const;
-    /// Removes it, unanswered, from a task that it is in. True: its copy remains in another task.
+    /// Removes the unanswered scenario from one of its tasks. Returns whether another task still
+    /// has it.
     bool leave_task(TaskId one);
 };
 
-/// Ranges of order positions that were given and not sent.
+/// Positions in a job's hand-out order that may go out as ranges and were not sent yet.
 class UnsentPlaces {
   public:
     [[nodiscard]] bool is_empty() const { return ranges_.empty(); }
     /// Number of positions.
     [[nodiscard]] std::uint64_t count() const { return count_; }
-    /// Positions, and scenarios of the job that follow them.
+    /// Number of positions and of the job's scenarios that follow them.
     [[nodiscard]] std::uint64_t rest() const { return count_ + after_; }
     [[nodiscard]] std::vector<PlaceRange> all() const { return {ranges_.begin(), ranges_.end()}; }
 
-    /// `after` more scenarios of the job follow these positions.
+    /// `after`: number of the job's scenarios that follow these positions.
     void add(const PlaceRange& places, std::uint64_t after);
-    /// No more positions follow these: the others are analysed, or come with the next range.
+    /// Sets `after` to 0: the scenarios that follow are analysed, or come with the next `add`.
     void nothing_follows() { after_ = 0; }
-    /// Takes at most `most` of the first positions; there must be some.
+    /// Removes and returns at most `most` of the first positions; there must be some.
     PlaceRange take_first(std::uint64_t most);
     std::vector<PlaceRange> take_all();
 
@@ -95,7 +97,7 @@ struct PlaceTotals {
     double rate = 0;         ///< Scenarios/s of all workers that take work.
     double unclaimed = 0;    ///< Scenarios/s of unclaimed workers.
     double quickest = 0;     ///< Best rate per thread, unclaimed workers.
-    double quickest_but = 0; ///< Second-best worker's rate per thread.
+    double quickest_but = 0; ///< Second-best rate per thread, unclaimed workers.
     WorkerId quickest_worker;
     std::uint64_t left = 0; ///< Unanswered: unsent, or at an unclaimed worker.
 };
@@ -110,11 +112,11 @@ struct DispatchJob {
     DispatchJob(const DispatchJob&) = delete;
     DispatchJob& operator=(const DispatchJob&) = delete;
 
-    /// The scenario must be unanswered, as all scenarios in buffers, tasks and queues are.
+    /// Requires an unanswered scenario. Those in buffers, batches and queues are.
     [[nodiscard]] DispatchScenario& at(std::uint64_t index);
     [[nodiscard]] const DispatchScenario& at(std::uint64_t index) const;
     [[nodiscard]] bool uses(TreeId tree) const { return a.tree == tree || b.tree == tree; }
-    /// The scenario as it is before it has a worker.
+    /// Makes the scenario's entry, in the state Waiting. Does not add it.
     [[nodiscard]] DispatchScenario scenario_of(const AnalysedScenario& analysed) const;
 
     JobId id;

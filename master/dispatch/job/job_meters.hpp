@@ -1,5 +1,5 @@
-// Measurements of a running job: the speed of ranges, the cost of missing blocks, and the work
-// that was done twice.
+// Measurements of a running job: the speed of ranges, the cost of missing blocks, and the amount of
+// copied work.
 #pragma once
 
 #include "common/core/id.hpp"
@@ -11,12 +11,12 @@
 
 namespace cd {
 
-/// Range scenarios per second and thread, of each worker and of all.
+/// Scenarios of ranges that one thread finishes per second, for each worker and over all workers.
 class RangePace {
   public:
     void add(WorkerId worker, std::uint64_t scenarios, double seconds);
     void forget(WorkerId worker) { of_workers_.erase(worker); }
-    /// The worker's rate; unmeasured, that of all; unmeasured, `otherwise`.
+    /// The worker's rate; if unknown, the rate of all workers; if unknown, `otherwise`.
     [[nodiscard]] double per_thread(WorkerId worker, double otherwise) const;
 
   private:
@@ -24,40 +24,41 @@ class RangePace {
     std::map<WorkerId, LearnedRate> of_workers_;
 };
 
-/// Seconds to fetch and open the blocks that scenarios miss, at the worker that matched them and at
-/// any worker.
+/// Seconds per scenario to fetch and open its missing blocks, at the worker chosen by matching and
+/// at an average worker.
 class MissingMeter {
   public:
     /// True for the first of every 16 scenarios that get a worker: call `add_sample` then.
     [[nodiscard]] bool is_sampled() { return held_++ % period == 0; }
-    /// `seconds_any`: what the scenario misses at an average worker.
+    /// `seconds_any`: time to fetch the blocks that an average worker misses for the scenario.
     void add_sample(double seconds_any);
     /// Adds the time to fetch the blocks that a scenario misses at its worker.
     void add_matched(double seconds) { seconds_ += seconds; }
     /// Adds the time to fetch the blocks that a worker misses for its ranges.
     void add_in_ranges(double seconds) { in_ranges_ += seconds; }
+    /// Divides the time added by `add_in_ranges` by the scenarios that these ranges answered.
     void ranges_answered(std::uint64_t scenarios);
-    /// Seconds per scenario on any worker.
+    /// Seconds per scenario at an average worker.
     [[nodiscard]] double any_or(double otherwise) const { return any_.value_or(otherwise); }
-    /// Sets both costs, if both are known.
+    /// Sets `matched` and `any` of the costs, if both are known.
     void tell(MissingCosts& costs) const;
 
   private:
     static constexpr std::uint64_t period = 16;
 
-    LearnedRate matched_;    ///< Seconds per scenario.
-    LearnedRate any_;        ///< Seconds per scenario.
-    std::uint64_t held_ = 0; ///< Scenarios that got a worker.
-    double seconds_ = 0;     ///< Of the matched scenarios not yet averaged.
-    double in_ranges_ = 0;   ///< Of ranges since the last answers.
+    LearnedRate matched_;    ///< Seconds per scenario, at the chosen worker.
+    LearnedRate any_;        ///< Seconds per scenario, at an average worker.
+    std::uint64_t held_ = 0; ///< Number of calls of `is_sampled`.
+    double seconds_ = 0;     ///< Sum of `add_matched` since the last sample.
+    double in_ranges_ = 0;   ///< Sum of `add_in_ranges` since the last answers of a range.
 };
 
-/// Bounds the share of a job's work that is copied, in predicted time.
+/// Bounds the share of a job's work that gets speculative copies, in predicted time.
 class CopyBudget {
   public:
-    /// Work was received or sent.
+    /// Call for each analysed scenario and each sent range.
     void add_work(std::uint64_t cost_ns) { work_ns_ += cost_ns; }
-    /// Work will be sent again.
+    /// Call for positions of a range that will be sent again.
     void remove_work(std::uint64_t cost_ns);
     void add_copy(std::uint64_t cost_ns) { copied_ns_ += cost_ns; }
     /// Predicted time of the work that may still be copied.

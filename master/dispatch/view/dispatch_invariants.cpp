@@ -38,8 +38,8 @@ void check_counts(const DispatchParts& parts) {
         }
         not_sent += proxy.buffers.count();
     }
-    // Each scenario and copy is somewhere (check_job), and the counts match, so nothing is
-    // duplicated.
+    // `check_job` finds each scenario and copy in its place. The counts match as well, so no
+    // scenario is in two places.
     CD_CHECK(known == placed);
     const std::uint64_t unsent = parts.queue.unsent();
     CD_CHECK(unsent == not_sent);
@@ -127,7 +127,7 @@ void check_worker(const DispatchParts& parts, const WorkerProxy& proxy) {
         CD_CHECK(!job.policy->is_pulled());
         CD_CHECK(buffer.cost_ns == cost_of(job, buffer.scenarios));
         cost_ns += buffer.cost_ns;
-        // Ripe buffers must have been flushed.
+        // The allocator has sent all ripe buffers.
         CD_CHECK(!parts.allocator.is_ripe(proxy, job));
         buffered += buffer.scenarios.size();
     }
@@ -157,13 +157,13 @@ void check_worker(const DispatchParts& parts, const WorkerProxy& proxy) {
     CD_CHECK((claiming == 1) == proxy.is_claimed());
 }
 
-/// Bounds the work at a worker: for each job the allowed number of unanswered tasks or, where a
-/// worker has less work than threads, as many as it has threads.
+/// Bounds the work at a worker: a job has at most the allowed number of unanswered tasks there or,
+/// if that is more, one for each of the worker's threads.
 void check_flight(const DispatchParts& parts, const WorkerProxy& proxy) {
     std::map<JobId, std::size_t> unanswered;
     for (const auto& [id, task] : proxy.tasks.all()) {
         if (task.left() == 0) {
-            continue; // The end message is under way.
+            continue; // Fully answered; the worker's end message is under way.
         }
         const DispatchJob& job = parts.queue.at(task.job);
         const std::uint64_t batch_max = job.policy->is_by_time() ? limits::q_max : job.options.q;
@@ -186,7 +186,8 @@ void check_progress(const DispatchParts& parts) {
         }
         CD_CHECK(parts.queue.suspects().empty() || !proxy.is_idle());
         for (const auto& [job_id, job] : parts.queue.jobs()) {
-            // Range sizes depend on other workers' load, but some worker must be working.
+            // A worker may still want a range, because range sizes change with the load of others.
+            // Some worker must have a task then.
             CD_CHECK(!parts.ranges.would_take(proxy, job) ||
                      std::ranges::any_of(parts.pool.all(), [](const auto& one) {
                          return !one.second.tasks.all().empty();

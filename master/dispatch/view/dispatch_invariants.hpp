@@ -1,4 +1,4 @@
-// Invariants of the dispatcher, which hold between two events.
+// Checks the invariants of the dispatcher, which hold between two events.
 #pragma once
 
 #include "master/dispatch/dispatch_parts.hpp"

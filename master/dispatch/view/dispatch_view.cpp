@@ -27,7 +27,7 @@ std::uint64_t DispatchView::unsent_enough() const {
     for (const auto& [id, job] : parts_->queue.jobs()) {
         enough = std::max(enough, job.policy->enough(job));
     }
-    // Leaves enough for other jobs and workers when all buffers are full.
+    // Beyond what fills one job's buffers, some scenarios of other jobs must fit.
     return limits::unsent_scenarios_max + enough;
 }
 

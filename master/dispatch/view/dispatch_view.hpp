@@ -15,7 +15,7 @@ namespace cd {
 
 struct DispatchParts;
 
-/// Owns the dispatcher's parts, which events of `Dispatcher` change and these questions do not.
+/// Owns the dispatcher's parts. Only the events of `Dispatcher` change them.
 class DispatchView {
   public:
     /// Scenarios that wait or are buffered; this number throttles the analyser.
@@ -23,11 +23,11 @@ class DispatchView {
     /// True if nothing waits and some workers are idle while others work. Call `input_paused` from
     /// time to time then, to find stragglers.
     [[nodiscard]] bool is_at_end() const;
-    /// Number of unsent scenarios that gives enough choice; more only take memory.
+    /// Number of unsent scenarios that gives workers enough choice; more would only take memory.
     [[nodiscard]] std::uint64_t unsent_enough() const;
-    /// Positions given and not sent, and the number that suffices for all workers. The job must be
-    /// open.
+    /// Number of positions that came with `places_given` and were not sent. The job must be open.
     [[nodiscard]] std::uint64_t places_unsent(JobId job) const;
+    /// Number of such positions that suffices for all workers. The job must be open.
     [[nodiscard]] std::uint64_t places_enough(JobId job) const;
     /// Cost of the blocks that analysed scenarios lack at their chosen worker and at an average
     /// one, in seconds per scenario, and of filling every cache. The job must be open.
@@ -43,9 +43,10 @@ class DispatchView {
     [[nodiscard]] std::uint64_t owed(WorkerId worker, TaskId task) const;
     /// Scenarios analysed but not answered; 0 if the job is not open.
     [[nodiscard]] std::uint64_t unanswered(JobId job) const;
+    /// The positions counted by `places_unsent`. The job must be open.
     [[nodiscard]] std::vector<PlaceRange> places_of(JobId job) const;
-    /// Scores every worker for the scenario as of now, and tells which would be chosen. Changes
-    /// nothing. The job must be open.
+    /// Scores every worker for the scenario as of now, and names the one that would be chosen.
+    /// Changes nothing. The job must be open.
     [[nodiscard]] Explained explain(JobId job, const AnalysedScenario& scenario) const;
 
     /// Aborts if an invariant is broken. For tests; call it after each event.

@@ -6,7 +6,7 @@
 
 namespace cd {
 
-/// Scores every worker for the scenario as of now, and tells which would be chosen. Changes
+/// Scores every worker for the scenario as of now, and names the one that would be chosen. Changes
 /// nothing.
 [[nodiscard]] Explained explain_choice(const MatchingContext& context,
                                        const DispatchJob& job,

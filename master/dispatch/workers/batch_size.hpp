@@ -1,4 +1,4 @@
-// How much work a worker gets at once, in matching by time and in ranges.
+// Size of a worker's batches and ranges, for matching by time and for ranges.
 #pragma once
 
 #include "common/core/limits/master.hpp"
@@ -8,21 +8,21 @@
 
 namespace cd {
 
-/// Batches last so long that little of a worker's time passes between them.
+/// Adapts the size so that a worker loses little time between two batches.
 class BatchSize {
   public:
-    /// Target duration of a batch while much work is left.
+    /// Target duration of a batch or range while much work is left, s.
     [[nodiscard]] double seconds() const { return seconds_; }
-    /// Batch size in predicted time; changes only by `set`.
+    /// Batch size in predicted time; only `set` changes it.
     [[nodiscard]] std::uint64_t cost_ns() const { return cost_ns_; }
-    /// The scenarios are so long that a round trip is negligible; changes only by `set`.
+    /// True if scenarios take so long that a round trip is negligible; only `set` changes it.
     [[nodiscard]] bool are_long() const { return are_long_; }
     void set(std::uint64_t cost_ns, bool are_long) {
         cost_ns_ = cost_ns;
         are_long_ = are_long;
     }
-    /// Lengthens batches if this ended one had too much overhead on the worker's threads. Ignores
-    /// batches without a successor, and those that waited for blocks. Times in s.
+    /// Lengthens batches if the worker's threads were idle for too much of this ended one. Ignores
+    /// tasks that waited for blocks, or after which the worker had no other. `now` in s.
     void judge(const TaskInFlight& ended, bool has_successor, double threads, double now);
 
   private:

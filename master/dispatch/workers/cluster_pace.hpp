@@ -1,4 +1,4 @@
-// How fast workers compute and receive blocks: as measured or, until then, as others do.
+// Speed at which workers compute and receive blocks. An unmeasured worker counts as average.
 #pragma once
 
 #include "common/core/limits/engine.hpp"
@@ -13,7 +13,8 @@
 
 namespace cd {
 
-/// The time, and the measured speeds of all workers together. A worker's own are in its proxy.
+/// The current time, and the measured speeds over all workers. `WorkerProxy::pace` has the speeds
+/// of one worker.
 class ClusterPace {
   public:
     /// Seconds since any fixed point; must not decrease.
@@ -24,16 +25,16 @@ class ClusterPace {
     void add_transfer(WorkerProxy& proxy, std::uint64_t bytes, double seconds);
     void add_scenario(std::uint64_t cost_ns);
 
-    /// Predicted nanoseconds per scenario, recent ones.
+    /// Mean predicted time of the recently added scenarios, ns.
     [[nodiscard]] double mean_cost_ns() const;
     /// Predicted seconds of work that one thread of the worker does per second.
     [[nodiscard]] double speed_of(const WorkerProxy& proxy) const;
-    /// Predicted seconds of work that all its threads do per second.
+    /// Predicted seconds of work that all threads of the worker do per second.
     [[nodiscard]] double power_of(const WorkerProxy& proxy) const;
-    /// Bytes of blocks per second.
+    /// Bytes of blocks that reach the worker per second.
     [[nodiscard]] double link_of(const WorkerProxy& proxy) const;
     [[nodiscard]] WorkerPowers powers_of(const WorkerProxy& proxy) const;
-    /// Range scenarios of the job that the worker's threads finish per second.
+    /// Scenarios of the job's ranges that all threads of the worker finish per second.
     [[nodiscard]] double places_per_second(const WorkerProxy& proxy, const DispatchJob& job) const;
     /// Estimated seconds until the blocks arrive and are open.
     [[nodiscard]] double seconds_of(const WorkerPool::Missing& missing,
@@ -45,7 +46,7 @@ class ClusterPace {
     LearnedRate mean_cost_ns_;
 };
 
-// Matching by time asks these of every worker for every scenario.
+// Inline, because matching by time calls these for every worker and every scenario.
 
 inline double ClusterPace::speed_of(const WorkerProxy& proxy) const {
     return proxy.facts().weight * proxy.pace.work.value_or(general_.work.value_or(1));

@@ -61,7 +61,7 @@ void WorkerBuffers::remove_first(JobId job, std::size_t count, const ScenarioWei
 void WorkerBuffers::sort(JobId job,
                          const std::function<bool(std::uint64_t, std::uint64_t)>& before) {
     std::vector<std::uint64_t>& scenarios = existing(job)->second.scenarios;
-    // Scenarios leave from the front, so the buffer is mostly sorted.
+    // Since the last call, scenarios left from the front, so the buffer is often still sorted.
     if (!std::ranges::is_sorted(scenarios, before)) {
         std::ranges::stable_sort(scenarios, before);
     }

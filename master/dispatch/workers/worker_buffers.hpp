@@ -1,4 +1,4 @@
-// The scenarios that the master holds back for one worker until they make a task.
+// The scenarios that the master collects for one worker until they form a task.
 #pragma once
 
 #include "common/core/id.hpp"
@@ -18,7 +18,7 @@ struct ScenarioBuffer {
     std::uint64_t bytes = 0;
     std::uint64_t cost_ns = 0; ///< Predicted time.
 
-    /// Paper, 6.4.3: q scenarios, or more than V kB (of 1000 bytes).
+    /// True with q scenarios or more than V kB of 1000 bytes (paper, 6.4.3).
     [[nodiscard]] bool is_full(const ClusterOptions& options) const {
         return scenarios.size() >= options.q || bytes > std::uint64_t{options.v_kb} * 1000;
     }
@@ -44,11 +44,11 @@ class WorkerBuffers {
     void add(JobId job, std::uint64_t scenario, const ScenarioWeight& weight);
     /// The scenario must be in the buffer.
     void remove(JobId job, std::uint64_t scenario, const ScenarioWeight& weight);
-    /// Removes the first `count` of the buffer; `weight` is their sum.
+    /// Removes the buffer's first `count` scenarios; `weight` is the sum of their weights.
     void remove_first(JobId job, std::size_t count, const ScenarioWeight& weight);
-    /// Sorts the buffer; stable.
+    /// Sorts the job's buffer stably. The buffer must not be empty.
     void sort(JobId job, const std::function<bool(std::uint64_t, std::uint64_t)>& before);
-    /// Takes the whole buffer, in order.
+    /// Removes and returns the whole buffer, in order; empty if nothing is buffered.
     ScenarioBuffer take(JobId job);
 
   private:

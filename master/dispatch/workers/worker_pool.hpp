@@ -11,9 +11,10 @@
 
 namespace cd {
 
-/// A tree and its holders. Workers are identified by their proxies' slots.
+/// A tree, and for each distribution root the workers that hold it, by their proxies' slots.
 struct PooledTree {
-    /// Roots that a worker holds or was allocated (paper, 5.1 and 6.4.5).
+    /// Roots that a worker holds, or soon will because it got a scenario with them (paper, 5.1 and
+    /// 6.4.5).
     RootHolders held;
     /// The part of `held` whose blocks may still be under way.
     RootHolders coming;
@@ -29,7 +30,7 @@ struct PooledTree {
     static constexpr std::uint64_t bytes_unit = 64;
 };
 
-/// Proxies in ascending order of id, and the roots each holds of each tree.
+/// The workers' proxies in ascending order of id, and the roots that each worker holds.
 class WorkerPool {
   public:
     /// The id must be new.
@@ -62,7 +63,8 @@ class WorkerPool {
         std::vector<RootIndex> roots; ///< In the order requested.
         std::uint64_t bytes = 0;
     };
-    /// Marks the roots as held by the worker. Those it did not hold are coming; returns them.
+    /// Marks the roots as held by the worker. Returns those that it did not hold; they are marked
+    /// as coming.
     Missing hold(WorkerProxy& proxy, TreeId tree, std::span<const WeightedRoot> roots);
     Missing hold(WorkerProxy& proxy, TreeId tree, std::span<const RootIndex> roots);
     /// Marks blocks as arrived. Ignores unknown trees and roots out of range.
@@ -76,6 +78,7 @@ class WorkerPool {
     void check() const;
 
   private:
+    /// Lowest free slot; adds one if all are taken.
     [[nodiscard]] std::uint32_t free_slot();
     static void hold_root(WorkerProxy& proxy, PooledTree& tree, RootIndex root, Missing& missing);
     void check_tree(const PooledTree& tree) const;

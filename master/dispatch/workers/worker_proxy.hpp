@@ -18,12 +18,12 @@ namespace cd {
 struct WorkerFacts {
     std::string name;
     std::uint32_t threads = 1;
-    double weight = 1;             ///< Factor on its speed in matching by time.
-    std::uint64_t cache_bytes = 0; ///< Limit of its subtree cache; 0: no cache.
-    InstanceId process = 0;        ///< 0: unknown. An earlier session may be lost.
+    double weight = 1;             ///< Factor on the worker's speed in matching by time.
+    std::uint64_t cache_bytes = 0; ///< Limit of the worker's subtree cache; 0: no limit known.
+    InstanceId process = 0;        ///< The worker's process; 0: unknown.
 };
 
-/// Tracks whether a worker takes work, and what it has; makes no decisions.
+/// Tracks whether a worker takes work, and which work and blocks it has. Makes no decisions.
 class WorkerProxy {
   public:
     WorkerProxy(WorkerId id, std::uint32_t slot, WorkerFacts facts)
@@ -36,10 +36,10 @@ class WorkerProxy {
 
     void set_draining() { draining_ = true; }
     [[nodiscard]] bool is_draining() const { return draining_; }
-    /// The worker has been silent too long; it keeps its work.
+    /// True after too many missed heartbeats. The worker keeps the work that was sent to it.
     [[nodiscard]] bool is_silent() const { return silent_; }
     void set_silent(bool silent) { silent_ = silent; }
-    /// The worker may get new work.
+    /// True if the worker may get new work.
     [[nodiscard]] bool takes_work() const { return !draining_ && !silent_; }
     [[nodiscard]] bool is_claimed() const { return tasks.have_claimed(); }
     [[nodiscard]] bool is_idle() const { return buffers.count() == 0 && tasks.all().empty(); }
@@ -48,27 +48,28 @@ class WorkerProxy {
     /// Predicted time of buffered and sent work.
     [[nodiscard]] std::uint64_t backlog_ns() const { return buffers.cost_ns() + tasks.cost_ns(); }
 
-    /// Limit of a job's tasks at the worker: the one being worked on (several, where q scenarios
-    /// are fewer than its threads) and one that waits there.
+    /// Limit of a job's tasks at the worker: as many as occupy its threads with q scenarios each,
+    /// and one that waits there.
     [[nodiscard]] std::size_t tasks_max(const ClusterOptions& options) const;
     [[nodiscard]] bool has_room_for_task(JobId job, const ClusterOptions& options) const {
         return !is_claimed() && tasks.count_of(job) < tasks_max(options);
     }
-    /// The worker has less work than q scenarios, or than twice its threads.
+    /// True if the worker has fewer unanswered scenarios than q or than twice its threads.
     [[nodiscard]] bool would_run_dry(const ClusterOptions& options) const;
-    /// The worker has less work than a batch, or than its threads.
+    /// True if the worker has less unanswered work than a batch, or fewer scenarios than threads.
     [[nodiscard]] bool would_run_dry_by_time() const {
         return tasks.cost_ns() < batch.cost_ns() || tasks.left() < facts_.threads;
     }
 
-    /// Triangles of all blocks that it holds.
+    /// Triangles of all blocks that the worker holds.
     [[nodiscard]] std::uint64_t held_triangles() const { return held_triangles_; }
     void add_held(std::uint64_t triangles) { held_triangles_ += triangles; }
     void remove_held(std::uint64_t triangles) { held_triangles_ -= triangles; }
     /// Time at which the last block under way arrives, s.
     [[nodiscard]] double transfers_end() const { return transfers_end_; }
+    /// Queues a transfer that takes `seconds` after those under way. `now` in s.
     void add_transfer(double now, double seconds);
-    /// Time of the last check whether others can help it, s.
+    /// Time of the last check whether others can help the worker, s.
     [[nodiscard]] double looked_at() const { return looked_at_; }
     void note_looked_at(double now) { looked_at_ = now; }
 

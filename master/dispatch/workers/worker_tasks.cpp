@@ -62,7 +62,7 @@ void WorkerTasks::answer_places(TaskId id, std::uint64_t count) {
 PlaceRange WorkerTasks::cut_places(TaskId id, std::uint64_t kept) {
     TaskInFlight& task = existing(id);
     CD_CHECK(task.is_range());
-    // At most what is left, whatever the worker reports.
+    // Cuts at most the unanswered positions, whatever the worker reports.
     const std::uint64_t least = task.places->count - task.places_left;
     const std::uint64_t count = std::clamp(kept, least, task.places->count);
     const PlaceRange cut{task.places->first + count, task.places->count - count};

@@ -18,64 +18,67 @@ struct TaskInFlight {
     JobId job;
     std::vector<std::uint64_t> scenarios;  ///< Unanswered, in the order sent.
     bool claims = false;                   ///< Until it ends, the worker gets nothing else.
-    std::uint64_t cost_ns = 0;             ///< Predicted time of the unanswered part.
+    std::uint64_t cost_ns = 0;             ///< Predicted time of the unanswered part, ns.
     double sent = 0;                       ///< Send time, s.
-    bool fetches = false;                  ///< The worker lacked blocks of it when it was sent.
-    double busy_seconds = 0;               ///< Measured so far, over the worker's threads.
+    bool fetches = false;                  ///< The worker lacked some of the task's blocks.
+    double busy_seconds = 0;               ///< Measured so far, summed over the worker's threads.
     std::optional<PlaceRange> places = {}; ///< Ranges only; `scenarios` is empty then.
     std::uint64_t places_left = 0;         ///< Unanswered positions of `places`.
     bool is_copy = false;                  ///< Speculative copy of another task.
-    bool has_begun = false;                ///< The rest has begun and cannot be recalled.
+    bool has_begun = false;                ///< The unanswered part has begun: no more recalls.
     std::uint64_t places_copied = 0;       ///< Number of last positions that have a copy.
 
     [[nodiscard]] bool is_range() const { return places.has_value(); }
     [[nodiscard]] std::uint64_t left() const { return scenarios.size() + places_left; }
-    /// Predicted time of one of the unanswered positions of a range; there must be some.
+    /// Predicted time of one unanswered position of a range, at least 1. There must be some.
     [[nodiscard]] std::uint64_t each_ns() const {
         return std::max<std::uint64_t>(1, cost_ns / places_left);
     }
 };
 
-/// Counts follow every change of a task. Unless said otherwise a named task must exist.
+/// Keeps the counts of all tasks up to date. Unless stated otherwise, a task that is passed must
+/// exist.
 class WorkerTasks {
   public:
     [[nodiscard]] const std::map<TaskId, TaskInFlight>& all() const { return tasks_; }
     [[nodiscard]] bool contains(TaskId task) const { return tasks_.contains(task); }
     [[nodiscard]] const TaskInFlight& at(TaskId task) const { return tasks_.at(task); }
-    /// Tasks of the job.
+    /// Number of the job's tasks.
     [[nodiscard]] std::size_t count_of(JobId job) const;
-    /// Unanswered scenarios.
+    /// Number of unanswered scenarios and positions.
     [[nodiscard]] std::uint64_t left() const { return left_; }
-    /// Predicted time of what is unanswered.
+    /// Predicted time of the unanswered scenarios and positions.
     [[nodiscard]] std::uint64_t cost_ns() const { return cost_ns_; }
-    /// The paper's label: a task that claims the worker is still running.
+    /// True if a task that claims the worker is still running (the paper's label "claimed").
     [[nodiscard]] bool have_claimed() const { return claiming_ != 0; }
-    /// The job of the task sent last; the other jobs have their turn before it.
+    /// The job of the task sent last; the other jobs have their turn first.
     [[nodiscard]] JobId last_job() const { return last_job_; }
-    /// Tasks ever sent, and scenarios ever answered by this worker.
+    /// Number of tasks ever sent.
     [[nodiscard]] std::uint64_t sent() const { return sent_; }
+    /// Number of scenarios ever answered by this worker.
     [[nodiscard]] std::uint64_t answered() const { return answered_; }
-    /// Time of the last answer, or of getting work when idle, s.
+    /// Time of the last answer or, if later, at which the idle worker got work, s.
     [[nodiscard]] double progressed() const { return progressed_; }
     void note_progress(double now) { progressed_ = now; }
 
     /// The task must be new.
     void start(TaskId task, TaskInFlight content);
-    /// The scenario must be in the task. `here`: this worker answered it.
+    /// Removes a scenario from a task that has it. `here`: this worker answered it.
     void answer(TaskId task, std::uint64_t scenario, std::uint64_t cost_ns, bool here);
-    /// Records answers of a range task; `count` is at most what is left.
+    /// Records `count` answers of a range, at most as many as its unanswered positions.
     void answer_places(TaskId task, std::uint64_t count);
-    /// Cuts a range task to its first `kept` positions. Returns the rest, which is unanswered.
+    /// Shortens a range to its first `kept` positions, or to the answered number if that is more.
+    /// Returns the positions cut off.
     PlaceRange cut_places(TaskId task, std::uint64_t kept);
-    /// Marks the rest of the task as begun: it cannot be recalled.
+    /// Marks the unanswered part of the task as begun: it cannot be recalled.
     void set_begun(TaskId task) { tasks_.at(task).has_begun = true; }
-    /// Records that `places` more of the last positions of a range task have a copy.
+    /// Records that `places` more of a range's last positions have a speculative copy.
     void add_copied(TaskId task, std::uint64_t places) { tasks_.at(task).places_copied += places; }
-    /// Ignored if the task does not exist.
+    /// Adds thread time measured for the task. Ignored if the task does not exist.
     void note_busy(TaskId task, double seconds);
     /// Drops the job's scenarios; the tasks themselves last until they end.
     void forget_scenarios(JobId job);
-    /// Returns the unanswered rest.
+    /// Removes the task and returns it, with its unanswered part.
     TaskInFlight end(TaskId task);
 
   private:
