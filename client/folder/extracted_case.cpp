@@ -27,7 +27,8 @@ namespace fs = std::filesystem;
 constexpr std::array<const char*, 2> body_names{"a", "b"};
 constexpr const char* ids_name = "ids.csv";
 
-/// A body's mesh for the case, and its triangles' numbers in the run.
+/// A body of the case. `ids[i]` is the number in the run of triangle i of `mesh`; empty if the case
+/// has the run's whole mesh.
 struct CaseBody {
     std::shared_ptr<const Mesh> mesh;
     std::vector<std::uint32_t> ids;
@@ -153,20 +154,22 @@ std::string poses_text(const std::vector<Scenario>& scenarios, const PoseColumns
 
 // ---- The smallest meshes ------------------------------------------------------------------------
 
-/// A conservative box of the posed points in the world.
+/// A box in world coordinates that surely contains the points posed by `pose`.
 Aabb posed_box(std::span<const Vec3> points, const Pose& pose) {
     Aabb box;
     for (const Vec3& point : points) {
         box.add(pose.apply(point));
     }
-    // Far above the rounding error of `apply`; an extra triangle does no harm.
+    // The margin is far above the rounding error of `apply`. A box that is too large does no harm:
+    // the case then keeps triangles that it does not need.
     const double margin = 1e-9 * (box.min.cwiseAbs().maxCoeff() + box.max.cwiseAbs().maxCoeff());
     box.min.array() -= margin;
     box.max.array() += margin;
     return box;
 }
 
-/// The parts of a mesh of which only the triangles `kept`, in ascending order, remain.
+/// The parts of the mesh that remains if only the triangles `kept` (ascending) are kept. A part
+/// without such a triangle is left out.
 std::vector<Part> remaining_parts(const Mesh& mesh, const std::vector<std::uint32_t>& kept) {
     const auto place = [&](std::uint32_t id) {
         return static_cast<std::uint32_t>(std::ranges::lower_bound(kept, id) - kept.begin());
@@ -181,7 +184,8 @@ std::vector<Part> remaining_parts(const Mesh& mesh, const std::vector<std::uint3
     return parts;
 }
 
-/// The triangles of a body whose boxes overlap the other body's box at one of the poses.
+/// The mesh of the triangles of `mesh` whose boxes overlap the box of `other` at one or more of the
+/// poses. `name` is "a" or "b", for errors.
 Result<CaseBody> part_that_meets(const Mesh& mesh,
                                  const Mesh& other,
                                  const std::vector<PosePair>& poses, // Pose a belongs to `mesh`.
@@ -249,7 +253,8 @@ Result<std::array<CaseBody, 2>> smallest_bodies(const PreparedJob& job,
     return std::array<CaseBody, 2>{std::move(a.value()), std::move(b.value())};
 }
 
-/// Checks the result of the smallest meshes. `pairs` are theirs, with the run's numbers.
+/// Checks that the smallest meshes give the run's result. `pairs` are the pairs of `smallest`, with
+/// triangles numbered as in the run. Errors: BadInput if a result differs.
 Status check_smallest(const ScenarioResult& smallest,
                       const std::vector<ContactPair>& pairs,
                       const ScenarioResult& of_run) {
@@ -277,7 +282,8 @@ Status check_smallest(const ScenarioResult& smallest,
     return Done{};
 }
 
-/// Results of the smallest meshes. Errors: BadInput if they differ from those of the run.
+/// Runs the scenarios with the smallest meshes. Errors: BadInput if a result differs from the
+/// run's.
 Result<std::vector<ScenarioResult>> run_smallest(const PreparedJob& job,
                                                  const CaseScenarios& given,
                                                  const std::array<CaseBody, 2>& bodies,
@@ -326,15 +332,15 @@ Status write_ids(const fs::path& path, const std::array<CaseBody, 2>& bodies) {
     return file.value().commit();
 }
 
-// ---- The job and what it has to give ------------------------------------------------------------
+// ---- The job and its expected results -----------------------------------------------------------
 
-/// The rules of a job for a case's meshes, and the triangles that they ignore there.
+/// Ignore rules for the case's meshes, and the triangle ranges that these rules exclude.
 struct CaseRules {
     std::vector<IgnoreRule> rules;
     std::vector<IgnoredRange> ignored;
 };
 
-/// Leaves out rules of which no part remains in the case.
+/// Keeps the rules of the job for which the case's meshes still have a part on both sides.
 CaseRules rules_for(const PreparedJob& job, const std::array<CaseBody, 2>& bodies) {
     CaseRules found;
     JobSpec spec = job.spec;
@@ -364,7 +370,7 @@ std::string case_job_text(const PreparedJob& job,
         spec.bodies[i].path = std::string(body_names[i]) + ".npz";
         spec.bodies[i].name = job.spec.bodies[i].name;
     }
-    constexpr double rigid_tolerance = 1e300; // The run has accepted these poses.
+    constexpr double rigid_tolerance = 1e300; // Any: the run accepted these poses.
     spec.poses = PoseFileSpec{"poses.csv", "", columns.of_both_bodies, rigid_tolerance};
     spec.level = job.query.level;
     spec.tolerance = job.query.tolerance;
@@ -395,7 +401,8 @@ std::string expected_text(std::vector<ScenarioResult> results) {
 Status check_expressible(const PreparedJob& job, const CaseScenarios& given, bool minimal) {
     for (const ScenarioResult& result : given.results) {
         if (result.kind == ScenarioClass::Failed) {
-            // A failure's text has the scenario's number, which differs in a case.
+            // The text of a failure contains the scenario's number, and a case numbers scenarios
+            // anew.
             return Error{ErrorCode::BadInput,
                          result.failure + ": a scenario that failed has no answer for a case to "
                                           "give again"};
@@ -415,7 +422,7 @@ Status check_expressible(const PreparedJob& job, const CaseScenarios& given, boo
     return Done{};
 }
 
-/// Refuses to overwrite a job of the user.
+/// Refuses a folder whose job.toml was not written by `write_case`.
 Status check_target(const fs::path& dir) {
     std::error_code error;
     if (fs::exists(dir / "job.toml", error) && !fs::exists(dir / "expected.json", error)) {
@@ -442,8 +449,8 @@ Status write_files(const PreparedJob& job,
         return made;
     }
     std::error_code error;
-    // Parts of an earlier case must not mix with this one's if writing fails. expected.json marks
-    // job.toml as that of a case, so job.toml is removed before it and written after it.
+    // Files of an earlier case must not remain if writing fails. expected.json marks job.toml as
+    // that of a case, so job.toml is removed before expected.json and written after it.
     for (const char* name : {"job.toml", "expected.json", ids_name}) {
         fs::remove(dir / name, error);
     }

@@ -13,7 +13,7 @@
 
 namespace cd {
 
-/// Scenarios and their results in a run.
+/// Scenarios of a run, with the results that the run found.
 struct CaseScenarios {
     std::vector<Scenario> scenarios;
     std::vector<ScenarioResult> results; ///< One for each scenario.
@@ -21,7 +21,7 @@ struct CaseScenarios {
 
 struct CaseOptions {
     bool minimal = false; ///< Keep only triangles that can be in contact.
-    StopCheck stop;       ///< Ends the writing with Interrupted.
+    StopCheck stop;       ///< Once it is true, `write_case` fails with Interrupted.
 };
 
 /// Writes a.npz, b.npz, poses.csv, job.toml and expected.json into a folder, which is created if
@@ -34,8 +34,8 @@ struct CaseOptions {
 ///
 /// Errors: Io; Interrupted; BadInput for a job that such files cannot express (ignored triangles
 /// that no rule names, poses in several forms), for a failed scenario, and for a folder with the
-/// job.toml of another job; with `minimal` also under a tolerance, without any such triangle, or
-/// with results other than the run's.
+/// job.toml of another job; with `minimal` also for a job with a tolerance, if a body keeps no
+/// triangle, and if a result differs from the run's.
 [[nodiscard]] Status write_case(const PreparedJob& job,
                                 const CaseScenarios& scenarios,
                                 const CaseOptions& options,

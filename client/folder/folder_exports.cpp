@@ -12,7 +12,8 @@ namespace cd {
 
 namespace {
 
-/// The map to export: the stored one, or the sum over the pairs of the records.
+/// The contact map to export: of a job with maps, the stored one; of another job, the sum over the
+/// pairs in the records, or nothing below `level pairs`.
 Result<std::optional<ContactMap>> map_of(const OpenedRun& run, ResultSink& sink) {
     const Query& query = run.manifest().query;
     if (query.maps || query.level < Level::Pairs) {

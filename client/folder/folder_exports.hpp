@@ -14,7 +14,7 @@ namespace cd {
 
 struct ExportOptions {
     std::vector<std::string> formats; ///< Formats to write into the folder.
-    std::string output = "text";      ///< For stdout, as in `SinkOptions`.
+    std::string output = "text";      ///< Format for stdout, as in `SinkOptions`.
     bool again = false;               ///< Also rewrite formats that the folder already has.
 };
 

@@ -24,7 +24,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A lower bound for a scenario: one pose as a quaternion with a translation.
+/// The fewest bytes that a scenario takes in a file: one pose as a quaternion with a translation.
 constexpr std::uint64_t scenario_bytes = 64;
 
 std::string absolute_path(const fs::path& path) {
@@ -187,7 +187,7 @@ Result<ResultMerger> FolderRun::done() const {
             return interrupted();
         }
         const auto added = merger.add(record.result, sha256(record.bytes));
-        // A local run writes its results in order; others cannot be resumed.
+        // Only a local run, which writes its results in the order of their indices, can be resumed.
         return added == ResultMerger::Outcome::Added &&
                        merger.summary().merged() == record.result.index + 1
                    ? Status(Done{})

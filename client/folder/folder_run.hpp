@@ -22,13 +22,13 @@ namespace cd {
 
 struct FolderRunOptions {
     FolderOptions folder;
-    bool keep_inputs = true; ///< Copy meshes and poses of at most `inputs_bytes_max` bytes.
+    bool keep_inputs = true; ///< Copy meshes and poses into the folder, if they fit.
     std::uint64_t inputs_bytes_max = limits::run_inputs_bytes_max;
-    bool maps_from_master = false; ///< The master sums maps; they are not summed here.
+    bool maps_from_master = false; ///< The master sums contact maps, not this process.
     ManifestPlace where;
-    std::string command; ///< The command line.
-    std::string started; ///< `iso_time`; empty: now, or the resumed run's.
-    std::string ended;   ///< `iso_time`; empty: the time of `finish`.
+    std::string command; ///< Command line of the run.
+    std::string started; ///< Start as `iso_time`; empty: now, or as in the resumed run.
+    std::string ended;   ///< End as `iso_time`; empty: when `finish` is called.
 };
 
 /// Writes each result to the folder as it arrives, and all exports at the end.
@@ -38,7 +38,7 @@ class FolderRun {
     /// read. Errors: those of `RunFolder::open` and of reading poses; Interrupted.
     [[nodiscard]] static Result<FolderRun> begin(PreparedJob& job, FolderRunOptions options);
 
-    /// True if the folder already holds the whole job; then only `folder` may be called.
+    /// True if the folder already has all results of the job; then only `folder` may be called.
     [[nodiscard]] bool is_complete() const { return folder_.state() == RunFolder::State::All; }
     [[nodiscard]] RunFolder& folder() { return folder_; }
 
@@ -48,21 +48,22 @@ class FolderRun {
         manifest_.where.workers = workers;
     }
 
-    /// The results of the first scenarios that an interrupted run left. Errors: Io; Interrupted.
+    /// Reads the results that an interrupted run left: those of scenarios 0 to n - 1. Errors: Io;
+    /// Interrupted.
     [[nodiscard]] Result<ResultMerger> done() const;
 
     /// Adds the next result. Errors: Io.
     [[nodiscard]] Status add(const DoneScenario& done) { return recorder_->add(done); }
-    /// Writes buffered results to the disk if they are due. Errors: Io.
+    /// Writes buffered results to the disk if `limits::record_flush_period` has passed. Errors: Io.
     [[nodiscard]] Status keep_if_due() { return recorder_->flush_if_due(); }
     /// Writes buffered results to the disk. Errors: Io.
     [[nodiscard]] Status keep() { return recorder_->flush(); }
     /// The number of scenarios whose results are on the disk.
     [[nodiscard]] std::uint64_t kept() const { return recorder_->kept(); }
 
-    /// Writes exports, `output` to stdout, the summary and run.json, and completes the report from
-    /// the records. `fetched_map` is the map that a master summed. Errors: Io;
-    /// those of reading poses; Interrupted.
+    /// Writes exports, the summary and run.json, and the results in the format `output` to stdout.
+    /// Completes the report from the records. `fetched_map` is the map that a master summed.
+    /// Errors: Io; those of reading poses; Interrupted.
     [[nodiscard]] Status finish(RunReport& report,
                                 const std::string& output,
                                 const std::optional<ContactMap>& fetched_map);
@@ -83,7 +84,7 @@ class FolderRun {
     RunManifest manifest_;
     const PreparedJob* job_;
     bool wants_inputs_ = true;
-    bool keeps_inputs_ = true; ///< Becomes false when inputs turn out to be too large.
+    bool keeps_inputs_ = true; ///< Becomes false when inputs exceed `inputs_bytes_max_`.
     std::uint64_t inputs_bytes_max_ = 0;
     bool maps_from_master_ = false;
     bool is_finished_ = false;
@@ -91,13 +92,13 @@ class FolderRun {
     std::optional<RunRecorder> recorder_;
 };
 
-/// The manifest of a prepared job. It has no hash of random poses, which are generated during the
-/// run. Errors: those of reading poses; Interrupted.
+/// The manifest of a prepared job, without results. The hash of random poses is missing, since they
+/// are generated during the run. Errors: those of reading poses; Interrupted.
 [[nodiscard]] Result<RunManifest> manifest_of(const PreparedJob& job);
 
-/// The approximate size of a folder's meshes and scenario labels.
+/// The approximate bytes that the job's meshes and scenario labels take in its results folder.
 [[nodiscard]] std::uint64_t bytes_beside_poses(const PreparedJob& job);
-/// A lower bound for the size of a folder's inputs: `bytes_beside_poses` and the poses.
+/// A lower bound in bytes of a folder's inputs: `bytes_beside_poses` and the poses.
 [[nodiscard]] std::uint64_t input_bytes(const PreparedJob& job);
 
 /// Makes the paths of a job absolute, so that it can be opened from another folder.

@@ -1,4 +1,4 @@
-// Writes jobs as job files.
+// Writes a job as the text of a job file.
 #pragma once
 
 #include "client/spec/job_file.hpp"

@@ -8,8 +8,8 @@
 
 namespace cd {
 
-/// The classes, time, place, most touched parts and digest in summary.json. Missing keys count as 0
-/// or none. Errors: Io, BadInput naming the file.
+/// Reads the counts of classes, time, place, most touched parts and digest from summary.json.
+/// Missing keys count as 0 or none. Errors: Io, BadInput naming the file.
 [[nodiscard]] Result<RunReport> read_summary(const std::filesystem::path& path);
 
 } // namespace cd

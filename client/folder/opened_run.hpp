@@ -38,7 +38,7 @@ class OpenedRun {
     [[nodiscard]] Result<std::unique_ptr<PoseSource>> kept_poses() const;
     /// The scenario labels in the folder; empty if there are none. Errors: Io.
     [[nodiscard]] Result<PoseLabels> kept_labels() const;
-    /// The contact map of a job with maps. Errors: Io.
+    /// The contact map in the folder; nothing for a job without maps. Errors: Io.
     [[nodiscard]] Result<std::optional<ContactMap>> kept_map() const;
 
   private:
@@ -57,10 +57,10 @@ class OpenedRun {
 [[nodiscard]] bool is_folder(const std::string& argument);
 
 /// The inputs of a run: meshes, poses if the folder has them, and ignored triangles. The result
-/// does not depend on the folder's files. Errors: those of `OpenedRun`.
+/// stays valid when the folder is overwritten. Errors: those of `OpenedRun`.
 [[nodiscard]] Result<JobInputs> read_inputs(const OpenedRun& run);
 
-/// Prepares a job to be run again. `spec` is the run's, possibly modified. Errors: those of
+/// Prepares a job to be run again. `spec` is that of the run, possibly modified. Errors: those of
 /// `prepare_job`; BadInput naming a pose file that has changed; Interrupted.
 [[nodiscard]] Result<PreparedJob> prepare_again(const RunManifest& manifest,
                                                 JobInputs inputs,
@@ -70,7 +70,7 @@ class OpenedRun {
                                                 ThreadPool& pool,
                                                 bool quiet = true);
 
-/// The context for exports of the run. Errors: those of `OpenedRun::mesh`.
+/// The names, meshes and query that exports of the run need. Errors: those of `OpenedRun::mesh`.
 [[nodiscard]] Result<ExportContext> export_context(const OpenedRun& run);
 
 } // namespace cd

@@ -23,10 +23,11 @@ struct PoseRecorderOptions {
     std::uint64_t bytes_max = 0; ///< Size limit of the file; a larger file is removed.
 };
 
-/// Reads from another source, and appends each scenario to a file when it is first read in order.
+/// Passes on the scenarios of another source, and appends each one to a file when it is first read.
+/// A read that skips scenarios appends nothing.
 class PoseRecorder final : public PoseSource {
   public:
-    /// Appends to `file` if it exists. Errors: Io.
+    /// Appends to `file`, or creates it. Errors: Io.
     [[nodiscard]] static Result<std::unique_ptr<PoseRecorder>>
     open(std::unique_ptr<PoseSource> source,
          const std::filesystem::path& file,
@@ -38,10 +39,10 @@ class PoseRecorder final : public PoseSource {
     [[nodiscard]] Result<std::vector<Scenario>> read(std::uint64_t first,
                                                      std::uint64_t count) override;
 
-    /// Reads and writes the scenarios not yet read, and completes the file. Returns the hash if it
-    /// was requested. Errors: those of `read`; Interrupted.
+    /// Reads the scenarios that have not been read yet, and completes the file. Returns the hash if
+    /// it was requested. Errors: those of `read`; Interrupted.
     [[nodiscard]] Result<std::optional<Sha256>> finish(const StopCheck& stop = {});
-    /// True while there is a file; it is removed when it becomes too large.
+    /// True while the file exists. It is removed when it becomes larger than `bytes_max`.
     [[nodiscard]] bool keeps() const { return writer_.has_value(); }
 
   private:

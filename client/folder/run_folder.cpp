@@ -38,7 +38,7 @@ Error refused(const fs::path& dir, const std::string& what) {
             dir.string() + " holds " + what + "; give another folder with --out, or --overwrite"};
 }
 
-/// Reads a run.json; nothing if it does not exist, or if it may be overwritten unread.
+/// Reads a run.json; nothing if the file is missing, or unreadable while `overwrite` is set.
 Result<std::optional<RunManifest>> read_if_there(const fs::path& path, bool overwrite) {
     auto manifest = read_run_json(path);
     if (manifest) {
@@ -62,7 +62,7 @@ std::string named(const RunManifest& manifest) {
     return "another run (" + manifest.name + ", of " + manifest.origin.started + ")";
 }
 
-/// Refuses a folder with the results of another job.
+/// Refuses a folder with results that are not of the job of `manifest`.
 Status check_no_other(const fs::path& dir,
                       const RunManifest& manifest,
                       const std::optional<RunManifest>& finished,
@@ -210,7 +210,8 @@ Result<RunFolder> RunFolder::take(const fs::path& dir) {
         if (!lock) {
             return lock.error();
         }
-        // A process that ends its work removes the file, so the lock may be of no file.
+        // The process that held the lock before may have removed the locked file: then lock a new
+        // one.
         if (lock.value().has_its_name()) {
             return RunFolder(dir, std::move(lock.value()));
         }

@@ -23,11 +23,11 @@ struct FolderOptions {
 /// when the run is complete, so an earlier run stays intact until then.
 class RunFolder {
   public:
-    /// The part of the job that the folder already holds.
+    /// How many of the job's results the folder already has.
     enum class State : std::uint8_t { Nothing, Some, All };
 
-    /// Locks a folder to add files to the finished run that it was opened with. Errors: BadInput if
-    /// the folder does not hold that run any more; Io, also if another process writes it.
+    /// Locks a folder whose finished run has the manifest `expected`, to add files to it. Errors:
+    /// BadInput if the folder has another run by now; Io, also if another process writes it.
     [[nodiscard]] static Result<RunFolder> open_finished(const std::filesystem::path& dir,
                                                          const RunManifest& expected);
 
@@ -43,7 +43,7 @@ class RunFolder {
     [[nodiscard]] std::filesystem::path out() const { return part_ / "out"; }
     [[nodiscard]] const std::filesystem::path& dir() const { return dir_; }
 
-    /// Moves all files below `out` and `records` into the folder, removes files that only the
+    /// Moves `records` and all files below `out` into the folder, removes files that only the
     /// previous run lists, and writes run.json with the list of files. Errors: Io.
     [[nodiscard]] Status commit(RunManifest manifest);
     /// Moves all files below `out` into a folder with a finished run and lists them in its
@@ -51,17 +51,17 @@ class RunFolder {
     [[nodiscard]] Status add_files(std::span<const std::string> formats);
     /// Removes `.part`, so that nothing can be resumed.
     void clean();
-    /// The manifest of the unfinished run that is resumed.
+    /// The manifest of the unfinished run that is resumed; nothing unless `state` is Some.
     [[nodiscard]] const std::optional<RunManifest>& unfinished() const { return unfinished_; }
-    /// The manifest of the finished run in the folder.
+    /// The manifest of the finished run that was in the folder when it was opened; nothing if none.
     [[nodiscard]] const std::optional<RunManifest>& finished() const { return before_; }
 
   private:
     RunFolder(std::filesystem::path dir, DiskFile lock);
 
-    /// Locks the folder, and creates it if missing. Only a locked folder's files are read.
+    /// Locks the folder, and creates it if missing. Nothing in the folder is read before.
     [[nodiscard]] static Result<RunFolder> take(const std::filesystem::path& dir);
-    /// Removes the traces of `take`; returns the error.
+    /// Undoes `take`, and returns the error.
     [[nodiscard]] Error give_up(Error error);
     [[nodiscard]] Status begin(const RunManifest& manifest);
     void recover_files();

@@ -15,7 +15,7 @@
 
 namespace cd {
 
-/// A body of the run. `file` is absolute if the mesh was read here.
+/// A body of the run, with its parts' names. `file` is absolute if this machine imported the mesh.
 struct ManifestBody : JobBody {
     std::vector<std::string> parts = {};
 };
@@ -23,26 +23,26 @@ struct ManifestBody : JobBody {
 struct ManifestPoses {
     PosesKind kind = PosesKind::File;
     std::uint64_t count = 0;
-    /// `hash_of` (poses_hash.hpp); nothing while random poses are being generated.
+    /// Hash of all poses (`hash_of`, poses_hash.hpp); nothing until random poses are all generated.
     std::optional<Sha256> hash;
-    std::optional<Grid> grid;          ///< Set for kind Grid.
-    std::optional<RandomPoses> random; ///< Set for kind Random.
-    std::string file; ///< For kind File, like the next four members; see `PoseFileSpec`.
-    std::string quat_order;
-    bool of_both_bodies = false;
-    std::optional<double> rigid_tolerance;
-    std::string unit; ///< Unit of translations in the file.
+    std::optional<Grid> grid;              ///< Set for kind Grid.
+    std::optional<RandomPoses> random;     ///< Set for kind Random.
+    std::string file;                      ///< Absolute path, or "-"; empty unless kind is File.
+    std::string quat_order;                ///< As in `PoseFileSpec`.
+    bool of_both_bodies = false;           ///< As in `PoseFileSpec`.
+    std::optional<double> rigid_tolerance; ///< As in `PoseFileSpec`.
+    std::string unit;                      ///< Unit of translations in the pose file.
     bool has_ids = false;
     bool has_times = false;
 };
 
-/// The location of a run.
+/// Where a run computes: on this machine or with a master.
 struct ManifestPlace {
     std::uint64_t threads = 0; ///< Number of threads, for a run on this machine.
     std::string simd;
-    std::string master;        ///< Address; empty for a run on this machine.
+    std::string master;        ///< Address HOST:PORT; empty for a run on this machine.
     std::string job;           ///< The master's id of the job.
-    std::uint64_t workers = 0; ///< Workers of the master when the results were written.
+    std::uint64_t workers = 0; ///< Number of the master's workers when results were written.
 };
 
 struct ManifestFile {
@@ -50,7 +50,7 @@ struct ManifestFile {
     std::uint64_t bytes = 0;
 };
 
-/// The program that wrote the folder, and the time.
+/// The program that wrote the folder, and when it ran.
 struct ManifestOrigin {
     std::string program; ///< "cdctl 0.1.0"
     std::string commit;  ///< `build_commit` of the program.
@@ -61,9 +61,9 @@ struct ManifestOrigin {
 
 /// The results in the folder.
 struct ManifestOutcome {
-    std::uint64_t answered = 0;       ///< Scenarios with a record.
-    std::optional<Sha256> digest;     ///< Nothing while scenarios are missing.
-    std::optional<Sha256> map_digest; ///< Nothing without a contact map.
+    std::uint64_t answered = 0;       ///< Number of scenarios with a record.
+    std::optional<Sha256> digest;     ///< Result digest; nothing while scenarios are missing.
+    std::optional<Sha256> map_digest; ///< Digest of the contact map; nothing without one.
 };
 
 /// The content of run.json.

@@ -34,7 +34,8 @@ Result<RunRecorder> RunRecorder::open(const std::filesystem::path& folder,
     if (!maps) {
         return maps.error();
     }
-    // A block of maps is written before its records, so a killed run may leave one block too many.
+    // A block of `maps` is written before the records of its scenarios, so a killed run may have
+    // left a block of `maps` without records.
     const std::uint64_t both = std::min(records.value().written(), maps.value().written().count());
     for (const Status& cut : {records.value().cut_before(both), maps.value().cut_before(both)}) {
         if (!cut) {

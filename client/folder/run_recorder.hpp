@@ -16,9 +16,9 @@
 
 namespace cd {
 
-/// Writes the files `records` and, for a job with maps, `maps`: a block when it is full, and at
-/// least once a period. A block of `maps` is the sum over the block of `records` with the same
-/// scenarios.
+/// Writes the files `records` and, for a job with maps, `maps`. Both get a block when the buffer is
+/// full, and at least once a period. A block of `maps` has the contact map of the scenarios in the
+/// same block of `records`.
 class RunRecorder {
   public:
     /// Appends to the files in the folder, or creates them. Errors: Io.
