@@ -23,13 +23,14 @@ enum class Level : std::uint8_t {
 
 struct Query {
     Level level = Level::Pairs;
-    /// If positive, boxes whose diameters sum to no more are left undecided; in the job's units. No
-    /// contact is missed: a scenario is separate only where that is proven.
+    /// A length in the job's units. If positive, the search leaves two overlapping boxes undecided
+    /// if the sum of their diameters is at most this. Separate scenarios are still proven separate.
     double tolerance = 0;
     std::uint64_t limit_pairs =
-        0; ///< Keeps at most so many pairs of a scenario, the first ones; 0 keeps all.
+        0; ///< A result lists at most this many pairs, the first in sorted order; 0: all.
     std::vector<IgnoredRange> ignored;
-    /// At level count and above, the job counts for each triangle the scenarios that it touches.
+    /// At `level count` and above, the job counts for each triangle the scenarios in which the
+    /// triangle is in contact.
     bool maps = false;
 };
 

@@ -22,7 +22,7 @@ ScenarioResult empty_result(const Scenario& scenario, const Query& query) {
     return result;
 }
 
-/// Counts all pairs found, kept or not, and sets the class as far as pairs alone decide it.
+/// Sets the number of all pairs found, kept or not, and the class as far as pairs alone decide it.
 void note_found(const FoundContacts& found, ScenarioResult& result) {
     result.pair_count = found.count();
     if (result.pair_count > 0) {
@@ -30,7 +30,7 @@ void note_found(const FoundContacts& found, ScenarioResult& result) {
     }
 }
 
-/// Boxes left undecided override the class, but not the pairs already proven.
+/// If the search left boxes undecided, sets the class to undecided; the proven pairs stay.
 void note_undecided(const ContactSearch& search, ScenarioResult& result) {
     if (const std::optional<double> distance = search.report().undecided_distance) {
         result.kind = ScenarioClass::Undecided;
@@ -77,7 +77,7 @@ void find_count(std::span<const SubtreePair> pairs,
     }
 }
 
-/// Returns false if `stop` ended it.
+/// Computes the shared points of each pair. Returns false if `stop` ended the computation.
 bool add_shared_points(FoundContacts& found, const StopCheck& stop, ScenarioResult& result) {
     constexpr std::size_t pairs_between_stop_checks = 1024;
     result.point_offsets.push_back(0);
@@ -94,8 +94,8 @@ bool add_shared_points(FoundContacts& found, const StopCheck& stop, ScenarioResu
     return true;
 }
 
-/// Returns how many pairs a result can hold: with one more, `within_limit` makes a failure of it. A
-/// map counts all pairs, however few the result keeps.
+/// Returns how many pairs the search has to keep: `limit_pairs`, or, for a map or without that
+/// limit, one more than a record can hold, which `within_limit` then turns into a failure.
 std::uint64_t pairs_worth_keeping(const Query& query) {
     if (query.limit_pairs != 0 && !query.maps) {
         return query.limit_pairs;
@@ -261,7 +261,7 @@ ScenarioRun ScenarioRunner::run_with_kept(const Scenario& scenario, KeptSearch& 
         const RelativePose* const b_to_a = cut_a_ ? nullptr : kept.search->report().b_to_a;
         run.inside = settler_.settle(scenario, run.result, {run.found, options_.stop, b_to_a});
     }
-    // The class of a stopped settling is no answer.
+    // If `stop` ended the settling, the class that it left is meaningless.
     return is_stopped() ? stopped_run(scenario, query_) : run;
 }
 

@@ -24,15 +24,15 @@ namespace cd {
 struct ScenarioRun {
     ScenarioResult result;
     QueryStatistics statistics;
-    InsideStatistics inside; ///< Cost of the settling of the class; empty from `run_on_subtrees`.
-    /// At level count, sorted: all pairs of a query for maps; otherwise the touches, if
-    /// `keep_touches` is set, no pair is proper and they are not too many.
+    InsideStatistics inside; ///< Cost of `Settler::settle`; zero from `run_on_subtrees`.
+    /// Sorted pairs. If the query has maps: all of them. Otherwise, at `level count` with
+    /// `keep_touches`: all of them if none is proper and the search could keep all. Else empty.
     std::vector<ContactPair> found;
-    /// True if `stop` ended the run. The result is then a failed one that says so.
+    /// True if `stop` ended the run; `result` is then a failed one with the reason "stopped".
     bool is_stopped = false;
 };
 
-/// A colliding pair of distribution roots, with both subtrees.
+/// The two subtrees below a colliding pair of distribution roots.
 struct SubtreePair {
     TreeView a;
     TreeView b;
@@ -41,8 +41,8 @@ struct SubtreePair {
 struct RunOptions {
     /// Skips the stages of the pair decision before this one, which changes no answer.
     PairStage first_stage = PairStage::Float;
-    StopCheck stop = {};       ///< Called throughout the run.
-    bool keep_touches = false; ///< Keeps touches at level count for `Settler`.
+    StopCheck stop = {};       ///< Called throughout the run; true ends the run.
+    bool keep_touches = false; ///< Keeps touching pairs at `level count`, for `Settler`.
     PairDecision decision = PairDecision::Exact;
 };
 
@@ -50,31 +50,31 @@ struct RunOptions {
 /// the scenario is separate. The caller keeps the subtrees alive. The result does not depend on the
 /// order of the pairs, nor, without a tolerance, on how the trees were cut.
 ///
-/// Level any: contact or separate; the search ends at the first contact, also under a tolerance; if
-/// no contact is found and any boxes were left, undecided. Other levels: undecided if any boxes
-/// were left, with the pairs proven so far. (Ignored pairs are known by their triangles, so boxes
-/// of such pairs may be left undecided as well.) Otherwise cross if any pair is proper, touch if
-/// there are pairs and none is proper, separate without pairs; `Settler` refines the class with the
-/// whole bodies.
+/// At `level any` the search ends at the first contact, also under a tolerance, and the class is
+/// contact; without one it is undecided if any boxes were left undecided, else separate. At other
+/// levels the class is undecided if any boxes were left, with the pairs proven so far. (Ignored
+/// pairs are known by their triangles, so boxes of such pairs may be left as well.) Otherwise the
+/// class is cross if any pair is proper, touch if there are pairs and none is proper, and separate
+/// without pairs; `Settler` refines the class with the whole bodies.
 [[nodiscard]] ScenarioRun run_on_subtrees(std::span<const SubtreePair> pairs,
                                           const Scenario& scenario,
                                           const Query& query,
                                           const RunOptions& options = {});
 
-/// A search that keeps its memory from one scenario to the next of one query.
+/// A search whose memory the next scenarios of the same query reuse.
 struct KeptSearch {
     std::unique_ptr<ContactSearch> search; ///< Created by the first scenario with a pair.
 };
 
-/// Does what the other overload does with a kept search; the query, the options and the form of the
-/// trees are those of the previous scenarios.
+/// Does the same with a search that the caller keeps. All scenarios that run with one `kept` have
+/// the same query, options and form of the trees (wide or binary).
 [[nodiscard]] ScenarioRun run_on_subtrees(KeptSearch& kept,
                                           std::span<const SubtreePair> pairs,
                                           const Scenario& scenario,
                                           const Query& query,
                                           const RunOptions& options = {});
 
-/// Makes the failed result of a scenario; the reason names it.
+/// Returns a failed result for a scenario. The `failure` names the scenario and has `why`'s detail.
 [[nodiscard]] ScenarioResult
 failed_result(const Scenario& scenario, const Query& query, const Error& why);
 
@@ -92,14 +92,15 @@ class ScenarioRunner {
 
     [[nodiscard]] const Query& query() const { return query_; }
 
-    /// Any number of threads may call it at once. For many scenarios a `ScenarioSession` is faster.
+    /// Any number of threads may call `run` at once. For many scenarios a `ScenarioSession` is
+    /// faster.
     [[nodiscard]] ScenarioRun run(const Scenario& scenario) const;
 
   private:
     friend class ScenarioSession;
     struct CutTree {
         TreeTop top;
-        std::vector<Subtree> subtrees; ///< One for each root.
+        std::vector<Subtree> subtrees; ///< One for each distribution root, in their order.
     };
     [[nodiscard]] static std::shared_ptr<const CutTree> cut(const ObbTree& tree);
     [[nodiscard]] ScenarioRun run_on_cuts(const Scenario& scenario, KeptSearch& kept) const;
@@ -125,10 +126,11 @@ class ScenarioSession {
     /// Returns what `ScenarioRunner::run` returns.
     [[nodiscard]] ScenarioRun run(const Scenario& scenario);
 
-    /// Gets the index of a scenario in the list and its run; returns false to end.
+    /// Receives the run of `scenarios[place]`; returns false to end `run_all`.
     using OnRun = std::function<bool(std::size_t place, ScenarioRun run)>;
-    /// Runs each scenario once, in `coherent_order`, in which each finds in the caches what the one
-    /// before used. The results are those of `run`. Returns true if all scenarios ran.
+    /// Runs each scenario once, in `coherent_order`: consecutive scenarios then read the same
+    /// memory, which the processor has cached. The results are those of `run`. Returns true if all
+    /// scenarios ran.
     bool run_all(std::span<const Scenario> scenarios, const OnRun& done);
 
   private:
@@ -136,7 +138,7 @@ class ScenarioSession {
     KeptSearch kept_;
 };
 
-/// Runs one scenario of a `ScenarioRunner`.
+/// Runs one scenario in a `ScenarioRunner` made for it.
 [[nodiscard]] ScenarioRun
 run_scenario(const ObbTree& a, const ObbTree& b, const Scenario& scenario, const Query& query);
 

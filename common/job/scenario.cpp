@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::uint8_t version = 1;
 
-/// Selects the numbers of a pose that are packed.
+/// Which numbers of a pose are packed. The values are those of the format.
 enum class Form : std::uint8_t { Identity = 0, Translation = 1, Matrix = 2, Quaternion = 3 };
 
 Form form_of(const Pose& pose) {
@@ -76,7 +76,7 @@ void put_pose(ByteWriter& out, const Pose& pose, Form form) {
     }
 }
 
-/// Returns nothing when the numbers make no pose.
+/// Returns nothing if a number is not finite or the quaternion is zero.
 std::optional<Pose> get_pose(ByteReader& in, Form form) {
     Mat3 matrix = Mat3::Identity();
     if (form == Form::Matrix) {
@@ -112,7 +112,7 @@ Error bad_frame(const char* what) {
 struct RunHeader {
     RunKind kind;
     std::uint64_t length = 0;
-    std::uint64_t index = 0; ///< Index of the first scenario.
+    std::uint64_t index = 0; ///< Index of the run's first scenario.
 };
 
 /// Returns nothing unless the header is well formed and the bytes behind it hold the whole run.

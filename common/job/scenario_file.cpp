@@ -67,7 +67,8 @@ class ScenarioFileSource final : public PoseSource {
     std::vector<Scenario> kept_;
 };
 
-/// Makes a source of the scenarios from index 0 on; there must be no gap.
+/// Makes a source of a file's scenarios. Errors: those of opening; Io if their indices do not run
+/// from 0 without a gap.
 Result<std::unique_ptr<PoseSource>> source_of(Result<BlockFile> file) {
     if (!file) {
         return file.error();

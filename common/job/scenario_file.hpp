@@ -14,14 +14,15 @@
 
 namespace cd {
 
-/// Writes a block file (block_file.hpp) of `pack_scenarios`, in submitted order.
+/// Writes scenarios in submitted order to a block file (block_file.hpp), each block packed by
+/// `pack_scenarios`.
 class ScenarioWriter {
   public:
     /// Errors: those of `BlockFileWriter`.
     [[nodiscard]] static Result<ScenarioWriter> create(const std::filesystem::path& path);
     [[nodiscard]] static Result<ScenarioWriter> resume(const std::filesystem::path& path);
 
-    /// Adds scenarios; their indices continue those before. Errors: Io.
+    /// Appends scenarios, whose indices continue those already written. Errors: Io.
     [[nodiscard]] Status add(std::span<const Scenario> scenarios);
     /// Writes the table. Errors: Io.
     [[nodiscard]] Status finish();

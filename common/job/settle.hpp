@@ -18,14 +18,14 @@ namespace cd {
 
 /// Options that save work or end it early.
 struct SettleOptions {
-    /// All pairs, sorted, of a result that does not hold them; empty if not available.
+    /// All pairs of the scenario, sorted, if the result does not list all; empty if unknown.
     std::span<const ContactPair> touches = {};
-    StopCheck stop = {}; ///< Once it returns true, the class is meaningless.
-    /// The scenario's `relative_pose` if it is at hand, else null.
+    StopCheck stop = {}; ///< True ends `settle` early; the class is then meaningless.
+    /// The scenario's `relative_pose`; null if `settle` has to compute it.
     const RelativePose* b_to_a = nullptr;
 };
 
-/// Refines the class of results of `run_on_subtrees` with the whole bodies (NUMERICS, section 1).
+/// Refines the class of results of `run_on_subtrees` with the whole bodies (docs/formats.md).
 /// The pairs of a result name triangles of these bodies. One settler serves all scenarios of a job.
 ///
 /// If a body is open, only `surfaces_only` is set. For two closed bodies the class becomes:
@@ -33,15 +33,15 @@ struct SettleOptions {
 /// - `inside` where nothing touches and some component of one lies in the other. With ignored
 /// pairs, a triangle lies inside if it lies in the solid bounded by those triangles of the other
 /// body that are not ignored with it. (So a wheel may penetrate the ground that it is ignored with,
-/// and the car may not.) These have to be whole components; other triangles are not decided, and
-/// `insides_skipped` reports them. `inside_probes` has the rule;
+/// and the car may not.) These bounding triangles have to be whole components; otherwise the
+/// triangle stays undecided, and `insides_skipped` reports that. `inside_probes` has the rule;
 /// - `cross` instead of `touch` where the bodies penetrate without a proper pair (`penetrates`,
 /// which documents the effect of ignored pairs).
 ///
 /// Neither class depends on which body is A, on the level or on `limit_pairs`: where the result
-/// does not hold all its pairs, and they are not given, they are searched again in the whole trees,
-/// with the memory that level pairs takes. Other classes stay: nothing overrules a proper pair,
-/// contact at level any is a complete answer, and so is undecided.
+/// does not list all pairs of its scenario, and the options do not either, `settle` searches the
+/// whole trees again, with the memory that `level pairs` takes. Other classes stay: nothing
+/// overrules a proper pair, and contact at `level any` and undecided are complete answers.
 class Settler {
   public:
     /// The trees outlive the settler.
@@ -54,7 +54,7 @@ class Settler {
                             ScenarioResult& result,
                             const SettleOptions& options = {}) const;
 
-    /// Returns true when `settle` may have more to do than set flags: then it deserves a thread.
+    /// Returns true if `settle` may do more than set flags, so that a thread for it pays.
     [[nodiscard]] bool is_work(const ScenarioResult& result) const;
 
   private:

@@ -8,12 +8,12 @@
 
 namespace cd {
 
-/// The cost of deciding whether one body lies inside the other, or penetrates it without a proper
-/// pair, without the contact search.
+/// The cost of deciding whether one body lies inside the other, or penetrates the other without a
+/// proper pair. The cost of the contact search is not included.
 struct InsideStatistics {
     std::uint64_t scenarios = 0; ///< Number of scenarios in which this was decided.
     double seconds = 0;    ///< Wall-clock time of one thread, in seconds; see `Settler::settle`.
-    SettleStatistics work; ///< Counts of tests; they stay on the machine that settled.
+    SettleStatistics work; ///< Counts of tests; never sent to another machine.
 
     InsideStatistics& operator+=(const InsideStatistics& other);
 };

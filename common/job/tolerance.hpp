@@ -11,13 +11,13 @@ namespace cd {
 /// Checks a tolerance. Errors: BadInput unless it is a finite number of at least 0.
 [[nodiscard]] Status check_tolerance(double tolerance);
 
-/// Returns the distribution depth at which a tree is cut under a tolerance: the least at which a
-/// root would hold some thousand triangles if the tree were balanced.
+/// Returns the distribution depth at which a tree is cut under a tolerance: the smallest at which a
+/// distribution root would hold at most 1,024 triangles if the tree were balanced.
 ///
 /// The boxes left undecided depend on where the trees are cut, since the descent starts anew at
-/// each pair of distribution roots. So under a tolerance the cut is part of the query: it is a
-/// function of the tree alone, and every program uses it, the run in one process too. The depth is
-/// small, so that a coarse query can stop early.
+/// each pair of distribution roots. So under a tolerance the depth depends on the tree alone, and
+/// every program cuts at it, the run in one process too. The depth is small, so that a coarse query
+/// can stop early.
 [[nodiscard]] std::uint32_t tolerance_depth(const ObbTree& tree);
 
 } // namespace cd

@@ -57,7 +57,8 @@ class ComputedSource final : public PoseSource {
   private:
     static constexpr std::uint64_t window_size = limits::computed_window_scenarios;
 
-    /// Drops all windows but those of [first, first + bound), and schedules the missing ones.
+    /// Drops all windows but those in [first, first + `computed_windows_max`), and schedules the
+    /// computation of those that are missing.
     void order_windows(std::uint64_t first) {
         const std::uint64_t windows = (count_ + window_size - 1) / window_size;
         const std::uint64_t end = std::min(first + limits::computed_windows_max, windows);
@@ -106,8 +107,8 @@ class ComputedSource final : public PoseSource {
     std::atomic<bool> is_ending_ = false;
     std::mutex mutex_;
     std::condition_variable window_came_;
-    std::map<std::uint64_t, std::shared_ptr<Window>> windows_; ///< By number.
-    ThreadPool pool_; ///< The pool is the last member because its threads use all others.
+    std::map<std::uint64_t, std::shared_ptr<Window>> windows_; ///< By window number.
+    ThreadPool pool_; ///< Last, so that its threads end before the members that they use.
 };
 
 } // namespace

@@ -14,7 +14,8 @@ namespace cd {
 /// thread.
 using ScenarioMaker = std::function<Scenario(std::uint64_t)>;
 
-/// Makes the scenarios of `make_random_poses` singly. The trees outlive the maker.
+/// Returns a maker of single scenarios, equal to those of `make_random_poses`. The trees outlive
+/// the maker.
 [[nodiscard]] ScenarioMaker
 random_scenarios(const RandomPoses& options, const ObbTree& a, const ObbTree& b);
 

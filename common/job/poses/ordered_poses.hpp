@@ -1,4 +1,4 @@
-// The order in which a job's scenarios are handed out: neighbours touch nearly equal parts of
+// The order in which a job hands out its scenarios: neighbours touch nearly equal parts of the
 // bodies.
 #pragma once
 
@@ -16,7 +16,7 @@
 
 namespace cd {
 
-/// A range of consecutive places in a job's order.
+/// A range of consecutive positions in the job's hand-out order.
 struct PlaceRange {
     std::uint64_t first = 0;
     std::uint64_t count = 0;
@@ -26,16 +26,17 @@ struct PlaceRange {
     friend bool operator==(const PlaceRange&, const PlaceRange&) = default;
 };
 
-/// The scenarios of one window, accessible by place and by index.
+/// The scenarios of one window, that is, of consecutive scenarios that are ordered together. They
+/// are accessible by position in the job's hand-out order and by index as submitted.
 class PoseWindow {
   public:
     /// Orders `scenarios`, given as submitted; their indices are consecutive.
     explicit PoseWindow(std::vector<Scenario> scenarios);
 
-    /// Index of the window's first scenario, which is also the window's first place.
+    /// The smallest index in the window, which is also the window's first position.
     [[nodiscard]] std::uint64_t first() const { return first_; }
     [[nodiscard]] std::span<const Scenario> at(const PlaceRange& places) const;
-    /// Returns the place of a scenario of the window.
+    /// Returns the position of the scenario with this index, which is in the window.
     [[nodiscard]] std::uint64_t place_of(std::uint64_t index) const;
     [[nodiscard]] bool has(std::uint64_t index) const {
         return index >= first_ && index - first_ < ordered_.size();
@@ -44,30 +45,31 @@ class PoseWindow {
   private:
     std::uint64_t first_ = 0;
     std::vector<Scenario> ordered_;
-    std::vector<std::uint32_t> places_; ///< Places within the window, by index.
+    std::vector<std::uint32_t> places_; ///< Positions less `first_`, by index less `first_`.
 };
 
-/// A job's scenarios by place. Each window of `limits::order_window_scenarios` consecutive
-/// scenarios has the order of `coherent_order`, which depends on the window alone; a grid keeps its
-/// order, since consecutive places are neighbours. Any thread may call any member.
+/// A job's scenarios by position in the hand-out order. Each window of
+/// `limits::order_window_scenarios` consecutive scenarios has the order of `coherent_order`, which
+/// depends on the window alone. A grid keeps its order, since its consecutive scenarios are
+/// neighbours. Any thread may call any member.
 class OrderedPoses final : public PoseSource {
   public:
     explicit OrderedPoses(std::shared_ptr<PoseSource> source);
 
     [[nodiscard]] std::uint64_t count() const override { return source_->count(); }
     [[nodiscard]] const Grid* grid() const override { return source_->grid(); }
-    /// Reads scenarios by place; each names its index.
+    /// Reads the scenarios at positions [first, first + count); each has its submitted index.
     [[nodiscard]] Result<std::vector<Scenario>> read(std::uint64_t first,
                                                      std::uint64_t count) override;
 
-    /// Returns the window of an existing place. The source is no grid. The last windows are cached.
-    /// Errors: the source's.
+    /// Returns the window with a position, which exists; the source is no grid. The windows used
+    /// last are cached. Errors: those of the source.
     [[nodiscard]] Result<std::shared_ptr<const PoseWindow>> window_of(std::uint64_t place);
 
   private:
     std::shared_ptr<PoseSource> source_;
     std::mutex mutex_;
-    std::deque<std::shared_ptr<const PoseWindow>> kept_; ///< Ends with the last used.
+    std::deque<std::shared_ptr<const PoseWindow>> kept_; ///< The most recently used is last.
 };
 
 } // namespace cd

@@ -96,7 +96,7 @@ bool is_valid(const Grid& grid) {
     }
     for (const std::vector<Quaternion>& rotation : grid.rotation) {
         for (const Quaternion& q : rotation) {
-            // Products of three remain finite and nonzero. NaN fails, too.
+            // Products of three such quaternions are finite and nonzero. NaN fails, too.
             const double square = q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z;
             if (!(square > 0.25 && square < 4)) {
                 return false;

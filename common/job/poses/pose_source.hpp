@@ -33,7 +33,7 @@ class PoseSource {
     /// alone. Errors: Io, BadInput naming the row.
     [[nodiscard]] virtual Result<std::vector<Scenario>> read(std::uint64_t first,
                                                              std::uint64_t count) = 0;
-    /// Returns the grid whose places the scenarios are; null if there is none.
+    /// Returns the grid whose places the scenarios are; null if their poses are no grid.
     [[nodiscard]] virtual const Grid* grid() const { return nullptr; }
 };
 
@@ -59,22 +59,23 @@ struct Grid {
     std::array<std::vector<Quaternion>, 3> rotation;
 
     [[nodiscard]] std::uint64_t
-    count() const; ///< Number of places; saturates instead of overflowing.
+    count() const; ///< Number of places; UINT64_MAX if it would overflow.
     /// Returns B's pose at a place below `count()`, always in quaternion form.
     [[nodiscard]] Pose at(std::uint64_t place) const;
 
     friend bool operator==(const Grid&, const Grid&) = default;
 };
 
-/// Returns the quaternions of evenly spaced angles in degrees about axis 0, 1 or 2. Only here,
-/// where the job is read, sin and cos are used. Multiples of 90 degrees are exact.
+/// Returns the quaternions of evenly spaced angles in degrees about axis 0, 1 or 2. Multiples of 90
+/// degrees are exact. The client calls this where it reads the job, so that hosts on which sin and
+/// cos differ still run the same poses.
 [[nodiscard]] std::vector<Quaternion> rotation_axis(const GridAxis& degrees, int axis);
 
-/// Converts angles in degrees: roll about x first, then pitch about y, then yaw about z (R = Rz Ry
-/// Rx).
+/// Returns the rotation by three angles in degrees: first roll about x, then pitch about y, then
+/// yaw about z (R = Rz Ry Rx).
 [[nodiscard]] Quaternion quaternion_from_euler(double roll_deg, double pitch_deg, double yaw_deg);
 
-/// Returns the scenario at a place of the grid: B at that pose, A at the identity.
+/// Returns the scenario at a place of the grid: B has the grid's pose, A the identity.
 [[nodiscard]] Scenario scenario_on(const Grid& grid, std::uint64_t place);
 [[nodiscard]] std::unique_ptr<PoseSource> make_grid_source(Grid grid);
 

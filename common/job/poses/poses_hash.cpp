@@ -10,9 +10,9 @@ namespace cd {
 namespace {
 
 constexpr std::uint64_t scenarios_at_once = 4096;
-/// Offset of the forms in `pack_scenarios` of one scenario 0 of bodies 0 and 1; its doubles follow.
+/// Offset of the forms in `pack_scenarios` of one scenario with index 0 and bodies 0 and 1.
 constexpr std::size_t forms_offset = 2;
-constexpr std::size_t numbers_offset = 7;
+constexpr std::size_t numbers_offset = 7; ///< Offset of that scenario's doubles.
 
 /// Adding zero turns -0 into 0 and leaves every other number unchanged.
 Pose without_minus_zero(const Pose& pose) {

@@ -25,7 +25,7 @@ class PosesHash {
 /// Returns SHA-256 of a grid's description (`encode_grid`), which is the hash of its poses.
 [[nodiscard]] Sha256 hash_of(const Grid& grid);
 
-/// Returns the hash of all poses of a source; that of its grid where it has one. Errors: those of
+/// Returns the hash of all poses of a source; if they are a grid, the grid's. Errors: those of
 /// reading; Interrupted.
 [[nodiscard]] Result<Sha256> hash_of(PoseSource& poses, const StopCheck& stop = {});
 

@@ -16,7 +16,7 @@ namespace {
 constexpr int approach_steps = 32;
 /// Halvings of the step in which the first collision lies.
 constexpr int bisection_steps = 10;
-/// Lines tried for one scenario. Bodies that never collide on so many hardly can.
+/// Lines of approach tried for one scenario. Bodies that collide on none of them hardly can.
 constexpr int lines_max = 64;
 
 /// Implements Steele, Lea, Flood, Fast splittable pseudorandom number generators (2014).
@@ -44,13 +44,13 @@ class Random {
     std::uint64_t state_;
 };
 
-/// Returns a point of the disk or ball of radius 1, never its centre, and its squared length.
 template <std::size_t Size>
 struct BallPoint {
     std::array<double, Size> at{};
-    double squared = 0;
+    double squared = 0; ///< Squared distance from the origin.
 };
 
+/// Returns a random point of the disk or ball of radius 1, not too near the centre.
 template <std::size_t Size>
 BallPoint<Size> random_in_ball(Random& random) {
     while (true) {
@@ -86,7 +86,7 @@ struct Bodies {
     const ObbTree& b;
     Aabb box_a;
     Aabb box_b;
-    double reach = 0; ///< At this distance of the centres the boxes' spheres do not meet.
+    double reach = 0; ///< Distance of the boxes' centres at which their spheres are disjoint.
 };
 
 Bodies measure(const ObbTree& a, const ObbTree& b) {
@@ -150,7 +150,7 @@ Pose random_pose(const RandomPoses& options, const Bodies& bodies, std::uint64_t
             return approach.at(*first - share * bodies.box_b.diagonal());
         }
     }
-    // B is too small to collide: it stays at the end of the last line.
+    // On no line does B collide: it stays at A's centre.
     return Approach(bodies, random).at(0);
 }
 

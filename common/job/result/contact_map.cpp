@@ -12,8 +12,8 @@ namespace {
 
 using Entries = std::vector<TriangleContacts>;
 
-/// Touched triangles are collected up to this many, or as many as there are sums, before they are
-/// added to the sums.
+/// The list `touched` is merged into the sums once it has at least this many entries and at least
+/// as many as the sums.
 constexpr std::size_t touched_enough = 1u << 16;
 
 /// Merges two ascending lists; the counts of equal triangles add up.
@@ -58,7 +58,7 @@ struct ContactMapSum::Body {
 
 struct ContactMapSum::State {
     NumberSorter sorter;
-    std::vector<std::uint32_t> triangles; ///< Triangles of one scenario.
+    std::vector<std::uint32_t> triangles; ///< Scratch: triangles of the scenario being added.
     std::array<Body, 2> bodies;
 
     void sum_up(Body& body) const {
@@ -66,7 +66,7 @@ struct ContactMapSum::State {
         body.sums = merged(body.sums, counted(body.touched));
         body.touched.clear();
     }
-    /// Counts the triangles of one scenario, given in any order.
+    /// Counts each triangle in `triangles` once for `body`, and empties that list.
     void touch(Body& body) {
         sorter.sort(triangles);
         triangles.erase(std::unique(triangles.begin(), triangles.end()), triangles.end());

@@ -29,8 +29,8 @@ struct ContactMap {
     friend bool operator==(const ContactMap&, const ContactMap&) = default;
 };
 
-/// Sums the scenarios of a thread or a task. Memory: one number for each triangle of each scenario
-/// or a few for each triangle, whichever is less.
+/// Sums the contacts of a thread's or a task's scenarios. Memory: one number for each touched
+/// triangle of each scenario or a few for each touched triangle, whichever is less.
 class ContactMapSum {
   public:
     ContactMapSum();
@@ -55,7 +55,7 @@ class ContactMapSum {
     std::unique_ptr<State> state_; ///< Null while the sum is empty.
 };
 
-/// Sums a whole job. Memory: eight bytes for each triangle up to the last one touched.
+/// Sums the maps of a whole job. Memory: eight bytes for each triangle up to the last one touched.
 class ContactMapTotal {
   public:
     void add(const ContactMap& map);
@@ -65,8 +65,9 @@ class ContactMapTotal {
     std::array<std::vector<std::uint64_t>, 2> scenarios_;
 };
 
-/// Returns SHA-256 over, for each body, its number of triangles, and for each triangle its index
-/// and scenarios; all u64, little-endian. The digest is equal on every cluster that ran the job.
+/// Returns SHA-256 over, for each body, the number of its touched triangles, and for each of them
+/// its index and its number of scenarios; all u64, little-endian. The digest is equal on every
+/// cluster that ran the job.
 [[nodiscard]] Sha256 digest_of(const ContactMap& map);
 
 } // namespace cd

@@ -10,17 +10,17 @@
 
 namespace cd {
 
-/// Coverage and classes of a job so far (USERS, section 5).
+/// How many scenarios of a job are merged so far, by class (docs/formats.md).
 struct Summary {
-    std::uint64_t total = 0;
+    std::uint64_t total = 0; ///< Scenarios of the job, merged or not.
     std::uint64_t separate = 0;
     std::uint64_t touch = 0;
     std::uint64_t cross = 0;
     std::uint64_t inside = 0;
-    std::uint64_t contact = 0; ///< At level any only.
+    std::uint64_t contact = 0; ///< At `level any` only.
     std::uint64_t undecided = 0;
     std::uint64_t failed = 0;
-    std::uint64_t pairs = 0;           ///< True number over all scenarios.
+    std::uint64_t pairs = 0;           ///< Of all scenarios, also pairs that a limit cut off.
     std::uint64_t surfaces_only = 0;   ///< Scenarios with an open body.
     std::uint64_t insides_skipped = 0; ///< Scenarios with parts whose containment is not decided.
     std::uint64_t cut = 0;             ///< Scenarios whose list of pairs is cut off.
@@ -64,7 +64,7 @@ class ResultMerger {
     /// Adds a result of which only the facts and the digest are known.
     [[nodiscard]] Outcome
     add(std::uint64_t index, const ScenarioFacts& facts, const Sha256& digest);
-    /// Removes a merged result, which has these facts.
+    /// Removes a merged result; `facts` are those with which it was added.
     void remove(std::uint64_t index, const ScenarioFacts& facts);
     [[nodiscard]] bool has(std::uint64_t index) const;
     /// Returns the digest of a merged result.

@@ -42,7 +42,8 @@ Error bad_map() {
             "scenarios"};
 }
 
-/// Returns nothing where the numbers do not fit a body with so many triangles.
+/// Reads the entries of one body, whose mesh has `triangles` triangles. Returns nothing unless they
+/// fit that mesh and the number of scenarios.
 std::optional<Entries>
 get_entries(ByteReader& in, std::uint64_t triangles, std::uint64_t scenarios) {
     const auto count = get_varint(in);

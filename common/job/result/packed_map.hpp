@@ -10,8 +10,9 @@
 
 namespace cd {
 
-/// Writes for each body, A first, its number of triangles, the steps from one triangle to the next
-/// less 1, and the triangles' scenarios less 1; all are varints, compressed together.
+/// Writes for each body, A first, the number of its touched triangles, the steps from one triangle
+/// to the next minus 1, and the triangles' numbers of scenarios minus 1; all are varints,
+/// compressed together.
 [[nodiscard]] Bytes pack_map(const ContactMap& map);
 
 /// Bounds on the contents of a map.
@@ -21,8 +22,8 @@ struct ContactMapBounds {
     std::uint64_t scenarios = 0; ///< Number of scenarios that the map sums up.
 };
 
-/// Unpacks `pack_map`. The bytes may be hostile: triangles must ascend and be below the meshes'
-/// numbers, none may have more than `scenarios`, and nothing is allocated beyond what that allows.
+/// Unpacks `pack_map`. The bytes may be hostile: triangles must ascend and exist in the meshes,
+/// none may have more scenarios than `bounds`, and memory stays within what such a map can need.
 /// Errors: BadFrame.
 [[nodiscard]] Result<ContactMap> unpack_map(std::span<const std::byte> packed,
                                             const ContactMapBounds& bounds);

@@ -28,13 +28,14 @@ enum Column : std::size_t {
     column_count
 };
 
-/// This level gains a few percent over the fastest, on columns a quarter as long as the records.
+/// The level of zstd. Columns become a few percent smaller than at the fastest level; they are a
+/// quarter as long as the records, so this level is affordable.
 constexpr int compression_level = 3;
 
 /// Bytes of a pair in a record: triangles of A, of B, then classes (result.hpp).
 constexpr std::size_t pair_bytes = 2 * sizeof(std::uint32_t) + 1;
 
-/// Returns the number of bytes before the pairs, if a record has any.
+/// Returns the number of bytes before the pairs of a record, or nothing if it has no pairs.
 std::optional<std::size_t> head_with_pairs(std::span<const std::byte> record) {
     ByteReader in(record);
     (void)in.get_bytes(1 + sizeof(std::uint64_t) + 2 * sizeof(std::uint32_t));

@@ -23,8 +23,8 @@ struct KeptRecord {
     ScenarioResult result;
 };
 
-/// A block file (block_file.hpp) of `pack_records`, at most 4,096 in a block, with ascending
-/// scenarios. Scenarios without a result are missing.
+/// Reads a block file (block_file.hpp) of records in ascending order of their scenarios, each block
+/// with at most 4,096 records packed by `pack_records`. Scenarios without a result are missing.
 class RecordFile {
   public:
     /// Errors: those of `BlockFile::open`.
@@ -59,14 +59,15 @@ class RecordWriter {
     [[nodiscard]] static Result<RecordWriter> create(const std::filesystem::path& path);
     [[nodiscard]] static Result<RecordWriter> resume(const std::filesystem::path& path);
 
-    /// Adds the canonical record of a scenario after all before. It is buffered until `flush`.
+    /// Buffers the canonical record of a scenario, which comes after all scenarios added before,
+    /// until `flush`.
     void add(std::uint64_t scenario, std::span<const std::byte> record);
     /// True if a whole block is buffered; then `flush` must precede the next `add`.
     [[nodiscard]] bool is_full() const;
     /// Writes the buffered records as one block. Errors: Io.
     [[nodiscard]] Status flush();
-    /// Cuts off the blocks from the one that holds `scenario` on, in a file without gaps. Errors:
-    /// Io.
+    /// Removes the blocks that hold `scenario` or a later one. The file's scenarios have no gaps.
+    /// Errors: Io.
     [[nodiscard]] Status cut_before(std::uint64_t scenario);
     /// Writes the buffered records and the table. Errors: Io.
     [[nodiscard]] Status finish();

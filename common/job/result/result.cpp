@@ -74,8 +74,8 @@ Error bad(const char* what) {
     return {ErrorCode::BadFrame, std::string("result record: ") + what};
 }
 
-/// Writes the head in one piece: at level count it is the whole record, and the master writes a
-/// million a second.
+/// Writes the head in one piece, for speed: at `level count` it is the whole record, and the master
+/// writes a million a second.
 void put_head(ByteWriter& out, const ScenarioResult& result) {
     std::array<std::uint8_t, head_bytes> head;
     std::uint8_t* to = head.data();
@@ -185,7 +185,7 @@ Status get_shared_points(ByteReader& in, ScenarioResult& result) {
     return get_vectors(in, points, result.points);
 }
 
-/// Checks that the fields are consistent.
+/// Checks that level, class, pairs and distance are consistent.
 Status check_sense(const ScenarioResult& result) {
     const bool is_any = result.level == Level::Any;
     const bool in_contact =

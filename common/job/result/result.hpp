@@ -17,7 +17,7 @@
 
 namespace cd {
 
-/// The classes of NUMERICS, section 1. Level any reports Contact for both Touch and Cross.
+/// The classes of docs/formats.md. `level any` reports Contact for both Touch and Cross.
 enum class ScenarioClass : std::uint8_t {
     Separate = 0,
     Touch = 1,
@@ -38,7 +38,7 @@ struct ScenarioResult {
     ScenarioClass kind = ScenarioClass::Separate;
     bool surfaces_only = false;   ///< A body is open: containment is not decided.
     bool insides_skipped = false; ///< Ignored pairs leave parts whose containment is not decided.
-    /// The true number, even where the list is cut off; 0 at level any. Where the class is
+    /// Number of pairs in contact, even if `pairs` is cut off; 0 at `level any`. If the class is
     /// undecided, the number of pairs proven so far, which need not be all.
     std::uint64_t pair_count = 0;
     /// For Undecided only, else 0: an upper bound on the distance of the two bodies in the world,
@@ -47,11 +47,11 @@ struct ScenarioResult {
     double distance_bound = 0;
     std::vector<ContactPair> pairs; ///< Sorted; the first `limit_pairs` where a limit was set.
 
-    /// For each listed pair at level contacts, the origin of its shared points in the world;
-    /// `points` are relative to it.
+    /// At `level contacts`, for each listed pair the origin of its shared points in the world.
     std::vector<Vec3> point_origins;
-    std::vector<std::uint32_t> point_offsets; ///< pairs + 1 entries, from 0; empty below contacts.
-    std::vector<Vec3> points;
+    /// At `level contacts`, pairs + 1 entries: pair i has points [offset i, offset i + 1).
+    std::vector<std::uint32_t> point_offsets;
+    std::vector<Vec3> points; ///< Relative to the origin of their pair.
 
     std::string failure; ///< The reason, for Failed, which has no pairs.
 
@@ -69,7 +69,7 @@ struct ScenarioResult {
 ///     level contacts:   n x u8 points of the pair (at most 6); n x 3 f64 origins; points x 3 f64
 ///
 /// -0 is stored as 0, and a NaN (a point that left the range of double) as the one quiet NaN.
-/// Code that fills a result guarantees what `decode_result` checks.
+/// The code that fills a result guarantees the rules that `decode_result` checks.
 [[nodiscard]] Bytes encode_result(const ScenarioResult& result);
 
 /// Decodes a record; `encode_result` gives equal bytes again. The bytes may be hostile: everything
@@ -78,8 +78,8 @@ struct ScenarioResult {
 [[nodiscard]] Result<ScenarioResult> decode_result(std::span<const std::byte> bytes);
 
 /// Replaces a result whose record would exceed `bytes_max` bytes by a failed one that says so.
-/// Every caller that runs a scenario calls this, so that the failure is part of the answer
-/// everywhere.
+/// All code that runs a scenario calls this, so that one process and a cluster give the same
+/// answer.
 [[nodiscard]] ScenarioResult within_limit(ScenarioResult result, std::uint64_t bytes_max);
 
 /// Returns SHA-256 of the canonical record.
