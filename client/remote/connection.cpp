@@ -65,7 +65,8 @@ Error other_poses() {
     return {ErrorCode::BadFrame, "the master sent other poses than were asked for"};
 }
 
-/// Appends poses received for scenarios from `next` on, at most `left`.
+/// Appends the poses in `part` to `all`. `part` must begin with scenario `next` and have 1 to
+/// `left` scenarios. Errors: BadFrame.
 Status take_poses(const JobPoses& part, std::uint64_t next, std::uint64_t left, FetchedPoses& all) {
     if (part.first != next || part.count == 0 || part.count > left) {
         return other_poses();
@@ -122,7 +123,8 @@ struct Connection::State {
 
 // ---- Waiting --------------------------------------------------------------------------------
 
-/// A result without a default constructor cannot be passed to co_spawn's completion handler.
+/// Stores the result of a coroutine. co_spawn could not pass it to its completion handler, since a
+/// Result has no default constructor.
 template <class T>
 asio::awaitable<void> keep(asio::awaitable<Result<T>> coroutine, std::optional<Result<T>>& result) {
     result = co_await std::move(coroutine);
@@ -140,14 +142,15 @@ Result<T> Connection::State::run(asio::awaitable<Result<T>> coroutine) {
                            std::rethrow_exception(thrown);
                        }
                        done = true;
-                       context.stop(); // Otherwise `run` would wait for the channel's pending read.
+                       context.stop(); // Otherwise `run_for` waits for the channel's pending read.
                    });
     run_until(done);
     return done ? std::move(*result) : Result<T>(interrupted());
 }
 
-/// Most waits poll `stopped`. Closing the channel ends the others (a peer that does not read).
-/// Before a channel exists, the destructor abandons pending operations.
+/// Runs the context until `done`. After a stop, most coroutines end by themselves, since their
+/// waits poll `stopped`. Closing the channel ends those that wait for a peer that does not read.
+/// Before a channel exists, this returns at once, and the destructor abandons pending operations.
 void Connection::State::run_until(const bool& done) {
     std::optional<Clock::time_point> stopped_at;
     while (!done) {
@@ -312,8 +315,8 @@ Connection::State::submit(Submit submit, PoseSource* poses, const PoseLabels& la
     co_return accepted.value().job;
 }
 
-/// A job may send no status for long. The client therefore queries the cluster's status after each
-/// silence and periodically. An unanswered query reveals a dead master.
+/// The master may send no status of a job for a long time. The client therefore queries the
+/// cluster's status after each silence and periodically. An unanswered query reveals a dead master.
 asio::awaitable<Result<JobStatus>>
 Connection::State::watch(JobId job,
                          const std::function<void(const JobStatus&)>& changed,
@@ -360,7 +363,8 @@ Connection::State::watch(JobId job,
     }
 }
 
-/// The status of an interrupted watch may arrive before the answer to the cancel.
+/// Statuses for an interrupted `watch` may arrive before the answer to Cancel, so those of a
+/// running job are skipped.
 asio::awaitable<Result<JobStatus>> Connection::State::cancel(JobId job) {
     channel->send(Cancel{job});
     while (true) {
@@ -376,8 +380,8 @@ asio::awaitable<Result<JobStatus>> Connection::State::cancel(JobId job) {
 Connection::Connection(std::unique_ptr<State> state) : state_(std::move(state)) {}
 
 Connection::~Connection() {
-    // Queued messages are already on their way. The master drops this client when the socket
-    // closes.
+    // No call that ended well has messages left in the queue. The master drops this client when the
+    // socket closes.
     if (state_->channel != nullptr) {
         state_->channel->close();
     }
@@ -513,7 +517,7 @@ Result<ClusterStatus> Connection::status() {
 }
 
 Result<JobStatus> Connection::cancel(JobId job) {
-    // A cancel must also work after a stop.
+    // Cancelling must also work after `stopped` has returned true.
     state_->heeds_stop = false;
     Result<JobStatus> status = state_->run(state_->cancel(job));
     state_->heeds_stop = true;
@@ -556,7 +560,8 @@ Status Connection::pause(std::chrono::milliseconds time) {
             std::min<Clock::duration>(limits::stop_check_period, end - Clock::now()));
         bool is_over = false;
         timer.async_wait([&is_over](const boost::system::error_code&) { is_over = true; });
-        // Does not wait for an idle context: the channel's own deadlines may be far away.
+        // Runs handlers only until the timer fires: `run` would also wait for the channel's
+        // deadlines, which may be far away.
         while (!is_over) {
             state_->context.run_one();
         }

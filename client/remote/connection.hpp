@@ -19,7 +19,7 @@
 
 namespace cd {
 
-/// A mesh that a job needs, and its name for people.
+/// A mesh that a job needs, with its name in messages to the user.
 struct NamedMesh {
     std::string name;
     std::shared_ptr<const Mesh> mesh;
@@ -58,8 +58,9 @@ class Connection {
 
     /// Submits a job whose poses are a grid (`submit.grid` is set).
     [[nodiscard]] Result<JobId> submit(const Submit& submit);
-    /// Submits a job and its poses, which are read in runs. Either all poses have labels or none
-    /// has. Sets `submit.scenarios` and `submit.poses.labels`. Errors: also those of `poses`.
+    /// Submits a job and its poses, a few thousand scenarios at a time. Either all poses have
+    /// labels or none has. Sets `submit.scenarios` and `submit.poses.labels`. Errors: also those of
+    /// `poses`.
     [[nodiscard]] Result<JobId>
     submit(Submit submit, PoseSource& poses, const PoseLabels& labels = {});
 
@@ -74,8 +75,8 @@ class Connection {
     /// The contact map of a completed job. Errors: NotFound; Refused.
     [[nodiscard]] Result<ContactMapAnswer> contact_map(JobId job);
 
-    /// Fetches the existing results of scenarios [first, first + count), in order and in runs.
-    /// Skips scenarios without a result. An error of `take` ends the fetch.
+    /// Fetches the existing results of scenarios [first, first + count), part by part, in the order
+    /// of their indices. Skips scenarios without a result. An error of `take` ends the fetch.
     [[nodiscard]] Status fetch(JobId job,
                                std::uint64_t first,
                                std::uint64_t count,
@@ -86,7 +87,7 @@ class Connection {
     /// Fetches a mesh and checks its hash. Errors: NotFound; TooLarge.
     [[nodiscard]] Result<Mesh> fetch_mesh(const Sha256& mesh);
     /// Fetches the poses and labels of scenarios [first, first + count), which must exist, into
-    /// memory. Callers that need many fetch them in runs. Errors: NotFound; BadInput.
+    /// memory. Callers that need many fetch them part by part. Errors: NotFound; BadInput.
     [[nodiscard]] Result<FetchedPoses>
     fetch_poses(JobId job, std::uint64_t first, std::uint64_t count);
 
@@ -105,7 +106,7 @@ class Connection {
     [[nodiscard]] Result<Draining> drain(const DrainWorkers& wish);
     /// Makes one scenario fail; the job continues. Errors: NotFound; Refused if it has a result.
     [[nodiscard]] Result<JobStatus> cancel_scenario(JobId job, std::uint64_t scenario);
-    /// The workers' scores for a scenario of a running job.
+    /// The scores by which the master chooses a worker for a scenario of a running job.
     [[nodiscard]] Result<Explained> explain(JobId job, std::uint64_t scenario);
     /// Creates a token to join the cluster. Errors: Refused unless the user is an admin.
     [[nodiscard]] Result<TokenCreated> create_token(const TokenCreate& terms);

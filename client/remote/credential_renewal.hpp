@@ -13,8 +13,8 @@
 
 namespace cd {
 
-/// Renews the credential for a master and its file at each half of its lifetime, on a thread of its
-/// own. Does nothing without a credential.
+/// A thread that renews the credential for a master, in its file, each time that half of the
+/// credential's lifetime has passed. Does nothing without a credential.
 class CredentialRenewal {
   public:
     CredentialRenewal(MasterOptions options, Endpoint master);

@@ -19,8 +19,8 @@ asio::awaitable<void> keep(asio::awaitable<Result<Credential>> coroutine,
     result = co_await std::move(coroutine);
 }
 
-/// Runs the conversation on this thread until it ends or is stopped. Each of its waits has a
-/// deadline. Errors: also Interrupted.
+/// Runs the conversation on this thread until it ends or is stopped. Each wait in the conversation
+/// has a deadline. Errors: those of the conversation; Interrupted.
 Result<Credential> run(asio::awaitable<Result<Credential>> conversation,
                        const std::stop_token& stop = {}) {
     asio::io_context context(1);

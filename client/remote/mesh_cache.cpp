@@ -57,7 +57,7 @@ std::shared_ptr<const Mesh> MeshCache::find(const Sha256& mesh) const {
     if (!found) {
         return nullptr;
     }
-    // Marks the file as just used. In a read-only folder the order does not change.
+    // Marks the file as just used, for `keep_within`. In a read-only folder this has no effect.
     std::error_code ignored;
     std::filesystem::last_write_time(path, std::filesystem::file_time_type::clock::now(), ignored);
     return found.value();

@@ -12,7 +12,7 @@
 
 namespace cd {
 
-/// The path "SHA-256.mesh" in a folder.
+/// The path of a mesh's file in a folder: its hash in hex, with the suffix ".mesh".
 [[nodiscard]] std::filesystem::path mesh_file_path(const std::filesystem::path& folder,
                                                    const Sha256& mesh);
 
@@ -25,8 +25,9 @@ namespace cd {
 [[nodiscard]] Result<std::shared_ptr<const Mesh>> read_mesh_file(const std::filesystem::path& path,
                                                                  const Sha256& expected);
 
-/// The folder `meshes` in the tree cache, shared by processes. No problem is an error: an unusable
-/// file counts as missing, and a mesh that cannot be written is not kept.
+/// The mesh files in the folder `meshes` of the tree cache, which processes share. The cache
+/// reports no errors: an unusable file counts as missing; a mesh that cannot be written is not
+/// kept.
 class MeshCache {
   public:
     /// An empty path disables the cache.

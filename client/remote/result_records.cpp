@@ -7,7 +7,8 @@ namespace cd {
 
 Result<std::vector<ScenarioResult>>
 unpack_results(const ResultsPart& part, std::uint64_t first, std::uint64_t count) {
-    // The decoder has checked that `held` ascends within [first, next).
+    // The decoder of messages has checked that the intervals `part.held` ascend within [part.first,
+    // part.next).
     if (part.first != first || part.next <= first || part.next - first > count) {
         return Error{ErrorCode::BadFrame, "the master sent other results than were asked for"};
     }
@@ -18,7 +19,7 @@ unpack_results(const ResultsPart& part, std::uint64_t first, std::uint64_t count
     std::vector<ScenarioResult> results;
     ByteReader in(records.value());
     for (const ScenarioInterval& run : part.held) {
-        // `run.count` may be hostile; each scenario takes bytes of `records`.
+        // `run.count` may be hostile, but the loop ends when `records` has no more bytes.
         for (std::uint64_t i = 0; i < run.count; ++i) {
             const auto record = in.get_bytes(in.get<std::uint32_t>());
             if (in.failed()) {
