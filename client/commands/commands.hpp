@@ -13,11 +13,12 @@ namespace cd {
 [[nodiscard]] int execute(const ExtractCommand& command);
 [[nodiscard]] int execute(const VersionCommand& command);
 
-/// The exit code of a finished run: 3 if a scenario has no result, 1 if `fail_on` applies, else 0.
-/// `inside` counts like `cross`, since the solids share space.
+/// The exit code of a finished run: 3 if a scenario has no result or failed; else 1 if the run has
+/// contacts that `fail_on` names (`inside` counts like `cross`, since the solids share space); else
+/// 3 if undecided scenarios leave this open; else 0.
 [[nodiscard]] int exit_code_of(const Summary& summary, FailOn fail_on);
 
-/// Refuses a `fail_on` that level `any` cannot answer. Errors: BadInput.
+/// Refuses `FailOn::Cross` at `level any`, which does not tell touch from cross. Errors: BadInput.
 [[nodiscard]] Status check_fail_on(FailOn fail_on, Level level);
 
 /// Prints an error as one line on stderr and returns its exit code.

@@ -48,8 +48,8 @@ Status use_vehicles(const std::filesystem::path& cache, RunCommand& run) {
     return Done{};
 }
 
-/// Waits until all workers have joined, so that the run's first line counts them. Errors:
-/// Incomplete and Timeout naming the logs; those of `Connection`.
+/// Waits until all workers have joined, so that the first line that the run prints counts them.
+/// Errors: Incomplete and Timeout naming the logs; those of `Connection`.
 Status wait_for_workers(LocalCluster& cluster,
                         const LocalClusterOptions& options,
                         const MasterOptions& master) {

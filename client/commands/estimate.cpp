@@ -28,7 +28,7 @@ namespace {
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
-/// Short samples are repeated for this long, to measure them with warm caches.
+/// Samples are repeated until they have taken this much thread time, to measure warm caches.
 constexpr double warm_seconds = 0.02;
 constexpr int passes_max = 8;
 /// Results of samples stay in memory until they are written, so their pairs are bounded.
@@ -38,7 +38,7 @@ double seconds_since(Clock::time_point start) {
     return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-/// Distinct indices, ascending: a random one of each of equal parts of [0, count). Equal steps
+/// Divides [0, count) into `samples` equal parts and draws a random index from each. Equal steps
 /// would meet the same values of a grid's axes again and again.
 std::vector<std::uint64_t> spread(std::uint64_t count, std::uint64_t samples) {
     const std::uint64_t size = std::min(count, samples);
@@ -55,7 +55,7 @@ std::vector<std::uint64_t> spread(std::uint64_t count, std::uint64_t samples) {
 
 struct Sample {
     Scenario scenario;
-    std::optional<DoneScenario> done; ///< Empty if the time ran out before.
+    std::optional<DoneScenario> done; ///< Nothing if the time ran out before the sample.
     QueryStatistics work;
     double seconds = 0; ///< Thread time.
 };
@@ -72,7 +72,8 @@ std::vector<std::size_t> visiting_order(std::size_t size) {
     return order;
 }
 
-/// Runs each sample once on the pool's threads, as a run would; at least one sample.
+/// Runs each sample once on the pool's threads, until `end` or until the samples have
+/// `sampled_pairs_max` pairs; at least one sample.
 void run_samples(const ScenarioRunner& runner,
                  ThreadPool& pool,
                  Clock::time_point end,
@@ -109,7 +110,7 @@ double sum_of(const std::vector<Sample>& samples) {
                            [](double sum, const Sample& sample) { return sum + sample.seconds; });
 }
 
-/// Sizes of the files in a results folder.
+/// Sizes in bytes of the files in a results folder.
 struct FolderBytes {
     std::uint64_t scenarios = 0; ///< Size of files that grow with the scenarios.
     std::uint64_t maps = 0;      ///< Size of files that grow with the triangles in contact.
@@ -128,7 +129,7 @@ class TemporaryFiles {
         }
     }
 
-    /// Writes the files of a run with these results: the job's formats and the kept poses.
+    /// Writes the files of a run with these results: records, exports and, if kept, poses.
     Result<FolderBytes>
     write(const PreparedJob& job, bool keeps_inputs, const std::vector<Sample>& samples) {
         if (!own_) {
@@ -197,7 +198,7 @@ class TemporaryFiles {
     fs::path folder_ = own_ ? own_.value() / "files" : fs::path();
 };
 
-/// The number of triangles of both bodies in contact in each `step`-th sample.
+/// The number of triangles, of both bodies, that are in contact in any of every `step`-th sample.
 double triangles_touched(const std::vector<Sample>& samples, std::size_t step) {
     ContactMapSum sum;
     for (std::size_t i = 0; i < samples.size(); i += step) {
@@ -208,9 +209,9 @@ double triangles_touched(const std::vector<Sample>& samples, std::size_t step) {
     return static_cast<double>(map.bodies[0].size() + map.bodies[1].size());
 }
 
-/// The ratio of triangles in contact over all scenarios to those over the samples. The number is
-/// taken to grow as a power of the scenarios. The exponent comes from half of the samples against
-/// all; the number of all triangles bounds it.
+/// How many times more triangles are in contact in the whole job than in the samples. Assumes that
+/// their number grows as a power of the number of scenarios, with the exponent that half of the
+/// samples and all samples show, up to the number of triangles of both meshes.
 double triangles_factor(const PreparedJob& job, const std::vector<Sample>& samples) {
     const double all = triangles_touched(samples, 1);
     const double some = triangles_touched(samples, 2);
@@ -224,8 +225,8 @@ double triangles_factor(const PreparedJob& job, const std::vector<Sample>& sampl
     return std::min(std::pow(times, std::log2(std::max(1.0, all / some))), most / all);
 }
 
-/// Samples in ascending order: as many as can be read before `end`, at least one. Errors: those of
-/// `poses`.
+/// Reads samples, ascending by index: as many as possible before `end`, at least one. Errors: those
+/// of `poses`.
 Result<std::vector<Sample>>
 read_samples(PoseSource& poses, std::uint64_t samples_max, Clock::time_point end) {
     const std::vector<std::uint64_t> indices = spread(poses.count(), samples_max);
@@ -244,8 +245,8 @@ read_samples(PoseSource& poses, std::uint64_t samples_max, Clock::time_point end
     return samples;
 }
 
-/// Extrapolates the samples' times to the job, with a range. Samples are spread over all threads;
-/// `more_per_scenario` (s) is the time of one thread.
+/// Extrapolates the samples' times to the job, with a range of two standard errors. All threads
+/// share the samples' time, but not `more_per_scenario`, the seconds to read and write a scenario.
 void put_times(const std::vector<Sample>& samples,
                double more_per_scenario,
                unsigned threads,
@@ -306,7 +307,7 @@ Result<double> put_bytes(const PreparedJob& job,
     estimate.bytes = base.value().scenarios + base.value().maps +
                      (keeps_inputs ? bytes_beside_poses(job) : 0) +
                      static_cast<std::uint64_t>(grown);
-    // Each file is synced once per run, not once per scenario.
+    // An empty run costs `base_seconds`, since each file is synced once per run, not per scenario.
     return std::max(0.0, seconds - base_seconds) / size;
 }
 
@@ -318,7 +319,7 @@ std::string size_text(std::uint64_t bytes) {
     return fixed_text(size / 1e9, size < 10e9 ? 1 : 0) + " GB";
 }
 
-/// The number without its unit.
+/// Seconds without a unit, with at most two decimals.
 std::string seconds_text(double seconds) {
     return fixed_text(seconds, seconds < 1 ? 2 : seconds < 10 ? 1 : 0);
 }
@@ -345,7 +346,7 @@ estimate_run(const PreparedJob& job, ThreadPool& pool, const EstimateOptions& op
     std::vector<Sample>& samples = read.value();
     RunEstimate estimate;
     estimate.scenarios = job.poses->count();
-    // Random poses are generated on all threads; others are read on one.
+    // Random poses are generated on all threads; other poses are read on one thread.
     const bool is_random = std::holds_alternative<RandomPoses>(job.spec.poses);
     const auto reads = static_cast<double>(samples.size() * (is_random ? pool.size() : 1));
     const double read_seconds = seconds_since(start) / reads;

@@ -29,9 +29,9 @@ struct EstimateOptions {
     bool keeps_inputs = true; ///< Copy the meshes and poses to the results folder.
 };
 
-/// Runs samples of a job with trees on the pool's threads, and writes their results to a temporary
-/// folder, which it removes. Reads and runs at least one sample, even past the time limit. Errors:
-/// those of the poses and of the files.
+/// Runs samples of a job, whose trees are built, on the pool's threads, and writes their results to
+/// a temporary folder, which is removed. Reads and runs at least one sample, even past the time
+/// limit. Errors: those of the poses and of the files.
 [[nodiscard]] Result<RunEstimate>
 estimate_run(const PreparedJob& job, ThreadPool& pool, const EstimateOptions& options);
 
@@ -42,8 +42,8 @@ estimate_run(const PreparedJob& job, ThreadPool& pool, const EstimateOptions& op
 /// or null.
 [[nodiscard]] std::string estimate_json(const RunEstimate& estimate, const Status& room);
 
-/// Refuses results larger than `bytes_max` or than half of the free space at the output folder,
-/// until the user confirms. Errors: BadInput with time, size and remedies.
+/// Refuses results larger than `bytes_max` or than half of the free space at the output folder.
+/// Callers omit the check if the user says --yes. Errors: BadInput with time, size and remedies.
 [[nodiscard]] Status
 check_room(const RunEstimate& estimate, const OutputSpec& output, std::uint64_t bytes_max);
 

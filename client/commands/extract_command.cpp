@@ -21,7 +21,7 @@ namespace cd {
 
 namespace {
 
-constexpr std::uint64_t scenarios_max = 100'000; ///< Limit per case; the results are in memory.
+constexpr std::uint64_t scenarios_max = 100'000; ///< Per case, since results are in memory.
 
 struct Range {
     std::uint64_t first = 0;
@@ -77,7 +77,7 @@ Result<CaseScenarios> read_case(OpenedRun& run, PreparedJob& job, const Range& r
     return found;
 }
 
-/// The bodies of a scenario with the listed triangles in contact.
+/// The bodies of a scenario in their poses, with the triangles of the result's pairs as contacts.
 std::vector<PicturedBody>
 pictured(const PreparedJob& job, const Scenario& scenario, const ScenarioResult& result) {
     constexpr std::array<Colour, 2> colours{{{150, 170, 200}, {225, 190, 120}}};

@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::uint64_t poses_at_once = 1u << 16;
 
-/// The poses of a job on a master, fetched in runs.
+/// The poses of a job on a master. Each `read` fetches poses anew.
 class RemotePoses final : public PoseSource {
   public:
     RemotePoses(Connection& connection, JobId job, std::uint64_t count)
@@ -66,7 +66,7 @@ Status get_meshes(Connection& connection,
     return Done{};
 }
 
-/// The error of an argument that was taken for a job, since no folder has its name.
+/// The error for an argument that was taken for a job's id, since no folder has this name.
 Error no_folder(const std::string& text, const Error& error) {
     const std::string detail = "there is no folder '" + text + "', ";
     switch (error.code) {
@@ -201,7 +201,7 @@ Result<RunReport> FetchedJob::write(FolderRunOptions options, const std::string&
     const JobStatus& job = known_.status;
     options.started = iso_time(job.began);
     options.ended = iso_time(job.began + static_cast<std::uint64_t>(std::max(0.0, job.seconds)));
-    options.folder.fresh = true; // The job may have got more results since.
+    options.folder.fresh = true; // A running job may have more results by now.
     auto run = FolderRun::begin(*prepared_, std::move(options));
     if (!run) {
         return run.error();

@@ -16,7 +16,7 @@
 
 namespace cd {
 
-/// A submitted job in the state that `run --master` has at its end.
+/// A job on a master, prepared like the job that `run --master` has, to fetch its results.
 class FetchedJob {
   public:
     /// Fetches the description and the meshes that are not cached; poses are fetched on demand.
@@ -28,10 +28,11 @@ class FetchedJob {
 
     [[nodiscard]] PreparedJob& prepared() { return *prepared_; }
     [[nodiscard]] const KnownJob& known() const { return known_; }
-    /// `coverage_text` of the job: empty if every scenario has a result.
+    /// `coverage_text` of the results fetched so far; empty for a completed job.
     [[nodiscard]] std::string coverage() const { return coverage_text(known_.status, fetched_); }
 
-    /// Writes the results to stdout. Errors: those of the connection and of writing.
+    /// Writes the results to stdout in the format `output`. Errors: those of the connection and of
+    /// writing.
     [[nodiscard]] Result<RunReport> print(const std::string& output);
     /// Writes the results into the output folder of the prepared job. Errors: those of `FolderRun`
     /// and of the connection.
@@ -53,7 +54,7 @@ class FetchedJob {
     std::uint64_t fetched_ = 0; ///< Results fetched so far.
 };
 
-/// The report of a job on a master, with its map if the master summed one.
+/// The report of a job on a master, with the contact map if the master summed one.
 [[nodiscard]] Result<RunReport>
 fetched_report(Connection& connection, const Query& query, const JobStatus& status);
 

@@ -14,10 +14,10 @@ namespace cd {
 
 namespace {
 
-/// Time between the two statuses that give rates and the bottleneck.
+/// Time between the two cluster statuses from which rates and the bottleneck are computed.
 constexpr std::chrono::milliseconds sample_time{500};
 
-/// A job's status lacks its level; its classes reveal it where it matters.
+/// Guesses the level, which a job's status lacks: only `level any` finds the class `contact`.
 Level level_of(const Summary& summary) {
     return summary.contact != 0 ? Level::Any : Level::Pairs;
 }

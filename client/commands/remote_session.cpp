@@ -242,7 +242,7 @@ Status fetch_map(Connection& connection, JobId job, RunReport& report) {
     if (!answer.value().is_asked || !report.map_withdrawn.empty()) {
         return Done{};
     }
-    // The meshes need not be loaded here.
+    // Uses bounds that hold for any mesh, since the meshes need not be loaded here.
     const ContactMapBounds bounds{
         limits::mesh_triangles_max, limits::mesh_triangles_max, report.summary.total};
     Result<ContactMap> map = unpack_map(answer.value().map, bounds);

@@ -22,7 +22,7 @@ namespace cd {
 /// are read, which may take long.
 [[nodiscard]] Result<std::unique_ptr<Connection>> open_master_for_job(const MasterOptions& options);
 
-/// A connection and the cluster's status as it began.
+/// A connection, and the cluster's status when it was opened.
 struct ConnectedCluster {
     std::unique_ptr<Connection> connection;
     ClusterStatus status;
@@ -44,7 +44,7 @@ struct KnownJob {
     std::string id;                    ///< Short unique id: "j-4f2a".
     std::array<std::string, 2> bodies; ///< Names of the meshes; short hashes of unnamed ones.
 };
-/// Errors: those of `find_job`.
+/// Finds the job that `text` names on the master. Errors: those of `find_job`.
 [[nodiscard]] Result<KnownJob> find_known_job(Connection& connection, const std::string& text);
 
 /// Watches the job to its end, with progress on stderr. After a network error it reconnects, and
@@ -61,17 +61,18 @@ struct KnownJob {
                                    const JobStatus& job,
                                    const std::function<Status(const ScenarioResult&)>& take);
 
-/// Adds the job's map, if requested, to its report. Errors: BadFrame for an invalid map.
+/// Adds the job's contact map, if the job asks for maps, to its report. Errors: BadFrame for an
+/// invalid map.
 [[nodiscard]] Status fetch_map(Connection& connection, JobId job, RunReport& report);
 
-/// Errors: Incomplete with the reason, unless the job is done.
+/// Checks that the job is done. Errors: Incomplete with the reason.
 [[nodiscard]] Status check_done(const JobStatus& job, const std::string& id);
 
 /// The number of scenarios with a result: "incomplete: 12 of 90 scenarios ...". Empty for a
 /// completed job.
 [[nodiscard]] std::string coverage_text(const JobStatus& job, std::uint64_t answered);
 
-/// The report of an ended job. `level` is the level of its results, if known.
+/// The report of an ended job. `level` is the level of the job.
 [[nodiscard]] RunReport report_of(const JobStatus& job, Level level);
 
 } // namespace cd

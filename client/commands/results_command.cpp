@@ -31,7 +31,7 @@ int exit_code_of_job(const KnownJob& job) {
                                               : exit_incomplete;
 }
 
-/// Prints the summary, unless the results are printed for people.
+/// Prints the summary, unless `prints`: then the results themselves are printed as text.
 Status tell(const ResultsCommand& command, const RunReport& report, bool prints) {
     return prints
                ? Status(Done{})
@@ -65,7 +65,8 @@ int results_of_job(const ResultsCommand& command) {
     return told ? exit_code_of_job(job.value().known()) : fail(told.error());
 }
 
-/// Results of a folder that has only a summary, as an earlier version wrote it.
+/// Prints the summary.json of a folder that an earlier version wrote without records. Fails with
+/// `no_run` if the command needs records.
 int results_of_summary(const ResultsCommand& command, const Error& no_run) {
     if (!command.formats.empty() || command.output == "csv") {
         return fail(no_run);
@@ -86,7 +87,8 @@ int results_of_summary(const ResultsCommand& command, const Error& no_run) {
     return told ? exit_code_of(report.value().summary, FailOn::Never) : fail(told.error());
 }
 
-/// Results of a folder. Without formats they go to stdout, and no file is written.
+/// Writes the results of a folder into it in the given formats. Without formats, the results go to
+/// stdout, and no file is written.
 int results_of_folder(const ResultsCommand& command) {
     if (!command.out.empty()) {
         return fail({ErrorCode::BadInput,

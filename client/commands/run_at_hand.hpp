@@ -11,7 +11,8 @@
 
 namespace cd {
 
-/// An opened run and its inputs. The temporary folder of a job's run no longer exists.
+/// An opened run and its inputs. For a job on a master, the temporary folder that `open` fetched
+/// the run into is already removed.
 struct RunAtHand {
     OpenedRun run;
     JobInputs inputs;
@@ -23,8 +24,8 @@ struct RunAtHand {
                                                 const MasterOptions& master,
                                                 const std::filesystem::path& tree_cache);
 
-    /// Prepares the run's job as it was submitted. Takes `inputs`, so that it works once. Errors:
-    /// those of `OpenedRun::spec` and `prepare_again`.
+    /// Prepares the run's job as it was submitted. Moves `inputs` away, so it may be called once.
+    /// Errors: those of `OpenedRun::spec` and `prepare_again`.
     [[nodiscard]] Result<PreparedJob> prepare(Trees trees, TreeCache& cache, ThreadPool& pool);
 };
 

@@ -226,7 +226,7 @@ prepare(AskedJob asked, Trees trees, TreeCache& cache, ThreadPool& pool, bool qu
                   : inputs.error();
 }
 
-/// The first line of a run: its location. `connection` is null for a run on this machine.
+/// The first line that a run prints: where it runs. `connection` is null for this machine.
 std::string where_text(const RunCommand& command, Connection* connection, const ThreadPool& pool) {
     if (connection == nullptr) {
         const char* master = std::getenv("CDCTL_MASTER");

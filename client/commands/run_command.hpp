@@ -15,7 +15,8 @@ namespace cd {
 /// Prints header and warnings on stderr; if quiet, only the warnings.
 void print_header(const PreparedJob& job, bool quiet);
 
-/// Fills `report.hint`; reads all poses again if every scenario is separate. Errors: Interrupted.
+/// Sets `report.hint` if every scenario is separate; then reads all poses again. Errors:
+/// Interrupted.
 [[nodiscard]] Status add_hint(const PreparedJob& job, RunReport& report);
 
 /// The folder options of a local run.

@@ -23,7 +23,8 @@ struct Removable {
     std::string name;
 };
 
-/// Finds a job or mesh by its id. Errors: NotFound; BadInput for an ambiguous prefix.
+/// Finds a job by its id, or a mesh by the first four or more digits of its hash. Errors: NotFound;
+/// BadInput for an ambiguous prefix.
 Result<Removable>
 find_removable(const ClusterStatus& status, const std::string& text, const std::string& owner) {
     const Result<JobId> job = find_job(text, status.jobs, owner);
@@ -53,7 +54,8 @@ Result<Removed> remove(Connection& connection, const Removable& target, bool can
                           : connection.remove_mesh(std::get<Sha256>(target.what));
 }
 
-/// Finds a worker. Errors: NotFound; BadInput for an ambiguous name.
+/// Finds a worker that is not lost by its id ("w-3") or name. Errors: NotFound; BadInput for an
+/// ambiguous name.
 Result<WorkerId> find_worker(const ClusterStatus& status, const std::string& text) {
     std::vector<WorkerId> named;
     for (const WorkerStatus& worker : status.workers) {

@@ -41,12 +41,12 @@ std::vector<std::uint64_t> sample(std::uint64_t total, std::uint64_t count, std:
 struct Counts {
     std::uint64_t same = 0;
     std::uint64_t different = 0;
-    std::uint64_t not_run = 0; ///< No record, a failed scenario, or poses that cannot be read.
+    std::uint64_t not_run = 0; ///< Scenarios without a record, or that failed in the run.
 };
 
 enum class Outcome : std::uint8_t { Same, Different, NotRun };
 
-/// Repeats a scenario and compares its record with the stored one.
+/// Runs a scenario again and compares its record with the one in the folder.
 Result<Outcome>
 compare(OpenedRun& run, PreparedJob& job, const ScenarioRunner& runner, std::uint64_t index) {
     const auto kept = run.records().find(index);
@@ -64,7 +64,7 @@ compare(OpenedRun& run, PreparedJob& job, const ScenarioRunner& runner, std::uin
     return encode_result(again.result) == kept.value()->bytes ? Outcome::Same : Outcome::Different;
 }
 
-/// Prints a differing scenario; only the first few.
+/// Prints that scenario `index` differs, unless ten (`number`) have been printed before.
 void tell_difference(std::uint64_t index, std::uint64_t number) {
     constexpr std::uint64_t shown_max = 10;
     if (number < shown_max) {
