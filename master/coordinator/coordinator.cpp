@@ -25,8 +25,7 @@ Coordinator::Coordinator(CoordinatorParts parts)
       worker_desk_(state_, services_, parts_.times.heartbeat),
       job_desk_(state_, services_, parts_.geometry) {}
 
-// ---- Restart
-// --------------------------------------------------------------------------------------
+// ---- Restart -----------------------------------------------------------------------------------
 
 Status Coordinator::restore(Recovered recovered) {
     cluster_ = recovered.cluster;
@@ -113,8 +112,7 @@ void Coordinator::close() {
     services_.references.close();
 }
 
-// ---- What the journal has committed
-// -----------------------------------------------------------------
+// ---- What the journal has committed ------------------------------------------------------------
 
 JournalWriter::Events Coordinator::journal_events() {
     return {[this](WorkerId worker, const ResultsKept& kept) {
@@ -171,8 +169,7 @@ void Coordinator::job_dropped(JobId job) {
     state_.waits.wake(job);
 }
 
-// ---- The dispatcher's actions
-// -------------------------------------------------------------------------
+// ---- The dispatcher's actions ------------------------------------------------------------------
 
 void Coordinator::perform(const Action& action) {
     std::visit(

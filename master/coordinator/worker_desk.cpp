@@ -31,8 +31,7 @@ double seconds_now() {
 
 } // namespace
 
-// ---- Joining and returning
-// ------------------------------------------------------------------------
+// ---- Joining and returning ---------------------------------------------------------------------
 
 void WorkerDesk::worker_joined(WorkerId id, const Hello& hello) {
     if (!is_watching_) {
@@ -113,8 +112,7 @@ void WorkerDesk::compare_blocks(WorkerId id, const Standing& standing) {
     }
 }
 
-// ---- Silence
-// ------------------------------------------------------------------------------------------
+// ---- Silence -----------------------------------------------------------------------------------
 
 void WorkerDesk::worker_detached(WorkerId worker) {
     state_.blocks.worker_detached(worker);
@@ -148,8 +146,7 @@ void WorkerDesk::watch() {
                         });
 }
 
-// ---- Leaving
-// ------------------------------------------------------------------------------------------
+// ---- Leaving -----------------------------------------------------------------------------------
 
 void WorkerDesk::draining(WorkerId worker) {
     log_info("worker draining: worker={}", worker.value);
@@ -179,8 +176,7 @@ void WorkerDesk::worker_left(WorkerId worker) {
     services_.work.feed();
 }
 
-// ---- Blocks
-// -------------------------------------------------------------------------------------------
+// ---- Blocks ------------------------------------------------------------------------------------
 
 void WorkerDesk::came(WorkerId worker, const Evicted& evicted) {
     state_.blocks.evicted(worker, evicted);
@@ -243,8 +239,7 @@ std::set<BlockKey> WorkerDesk::blocks_held_by(WorkerId worker) const {
     return is_known ? state_.blocks.held_by(worker) : std::set<BlockKey>{};
 }
 
-// ---- Tasks
-// --------------------------------------------------------------------------------------------
+// ---- Tasks -------------------------------------------------------------------------------------
 
 void WorkerDesk::came(WorkerId worker, Results results, std::function<void()> done) {
     services_.ingest.came(worker, std::move(results), std::move(done));

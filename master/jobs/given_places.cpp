@@ -7,7 +7,7 @@
 namespace cd {
 
 GivenPlaces PlacesAtDispatcher::take(const PlaceRange& places) {
-    // The leading part may be returned and given again before the rest is taken.
+    // Keeps the rest under its first position: the part taken now may come back by `add` earlier.
     auto found = by_first_.extract(places.first);
     CD_CHECK(!found.empty());
     GivenPlaces& left = found.mapped();

@@ -1,4 +1,4 @@
-// Order positions that the dispatcher has and has not sent.
+// Positions in a job's hand-out order that the dispatcher has but has not sent to a worker.
 #pragma once
 
 #include "common/job/poses/ordered_poses.hpp"
@@ -9,17 +9,17 @@
 
 namespace cd {
 
-/// Order positions handed out as a range, and their pose window; null for a grid.
+/// Positions handed out as a range, with their poses.
 struct GivenPlaces {
     PlaceRange places;
-    std::shared_ptr<const PoseWindow> window;
+    std::shared_ptr<const PoseWindow> window; ///< Null for a grid, which needs no poses.
 };
 
-/// Keeps the windows of the positions until they are sent.
+/// Keeps the pose windows of positions until the dispatcher sends the positions.
 class PlacesAtDispatcher {
   public:
     void add(const GivenPlaces& given) { by_first_.emplace(given.places.first, given); }
-    /// Removes `places`, the leading part of what was added and is left.
+    /// Removes `places`, which must begin where an added range or the rest of one begins.
     [[nodiscard]] GivenPlaces take(const PlaceRange& places);
     void clear() { by_first_.clear(); }
 

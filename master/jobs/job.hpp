@@ -1,4 +1,4 @@
-// One job of the master, from its acceptance until it is forgotten.
+// The state of one job on the master, from its acceptance until it is forgotten.
 #pragma once
 
 #include "common/job/poses/pose_source.hpp"
@@ -31,40 +31,41 @@ using Clock = std::chrono::steady_clock;
 
 /// Learned seconds per scenario, by which the master chooses between analysis and ranges.
 struct JobRates {
-    LearnedRate analysis;
+    LearnedRate analysis; ///< On a pool thread of the master.
     LearnedRate matching; ///< To match and send one analysed scenario.
-    LearnedRate work;     ///< Of a worker's thread.
+    LearnedRate work;     ///< On a worker's thread.
 };
 
-/// A job that hands out work: from when its geometry is loaded until it ends.
+/// State of a job that hands out work. Exists from the loading of its geometry until its end.
 struct JobWork {
     std::shared_ptr<const JobMaterial> material;
     AnalysisInput analysis_input;
-    std::vector<TreeId> trees; ///< Of the bodies, in their order.
+    std::vector<TreeId> trees; ///< One for each body, in the order of the bodies.
     std::shared_ptr<OrderedPoses> order;
     PlaceQueue todo;                    ///< Positions to hand out.
-    std::uint64_t places_loading = 0;   ///< Taken from `todo`, poses still loading.
-    PlacesAtDispatcher given;           ///< At the dispatcher.
+    std::uint64_t places_loading = 0;   ///< Number taken from `todo` whose poses are loading.
+    PlacesAtDispatcher given;           ///< Positions given to the dispatcher and not sent.
     std::unique_ptr<Analyser> analyser; ///< Made when the first analysis begins.
     OpenAnalyses open;
     JobRates rates;
-    /// By index: scenarios with a result, which an analysis skips. Null: not made yet, or stale.
+    /// By scenario index: true if it has a result, so that an analysis skips it. Null: no marks
+    /// yet.
     std::shared_ptr<const std::vector<bool>> done;
     std::vector<std::uint64_t> cancelled; ///< Scenarios cancelled one by one.
 
-    /// Blocks that the analyser has started and not delivered.
+    /// Number of groups of scenarios whose analysis has started and is not delivered.
     [[nodiscard]] std::uint64_t analyses_under_way() const {
         return analyser == nullptr ? 0 : analyser->under_way();
     }
 };
 
-/// A job that has not ended.
+/// State that only a job that has not ended needs.
 struct JobRun {
     std::shared_ptr<PoseSource> poses;
     std::string paused;            ///< Disk error that pauses the job; empty if none.
-    std::uint64_t disputes = 0;    ///< Number of results to be judged.
+    std::uint64_t disputes = 0;    ///< Number of disputes that the master has not decided.
     std::unique_ptr<JobWork> work; ///< Null until the geometry is loaded.
-    // From before a restart of the master, until `work` is there.
+    // Restored after a restart of the master, until `work` exists.
     std::vector<LostPlaces> losses_before;
     std::vector<Dispute> disputes_before;
 };
@@ -72,7 +73,7 @@ struct JobRun {
 /// What a job has cost so far; part of its progress in the journal.
 struct JobTally {
     std::uint64_t answered_by_master = 0;
-    std::uint64_t withdrawn = 0; ///< Results of quarantined workers that were withdrawn.
+    std::uint64_t withdrawn = 0; ///< Number of withdrawn results, from quarantined workers.
     JobStatistics statistics;
     double compute_seconds = 0;
     JobTraffic traffic;
@@ -81,43 +82,44 @@ struct JobTally {
 };
 
 struct JobTimes {
-    std::uint64_t began = 0; ///< Seconds since 1970.
+    std::uint64_t began = 0; ///< Acceptance, in seconds since 1970.
     Clock::time_point started;
-    double seconds_before = 0; ///< Run time before the last restart of the master.
+    double seconds_before = 0; ///< Run time before the last restart of the master, s.
     Clock::time_point ended;
 };
 
-/// One job. Its phases: it runs without work, then with it (`run`), then it has ended (`end`).
+/// A job goes through three phases: it runs but has no work yet (`run`), it hands out work
+/// (`run->work`), and it has ended (`end`).
 struct MasterJob {
-    /// A job that runs.
+    /// A new job, which runs.
     MasterJob(JobId job,
               Submit submission,
               std::shared_ptr<ResultStore> store,
               Clock::time_point now);
-    /// Restores a job from before a restart of the master. Leaves its results and disputes, which
-    /// the caller restores.
+    /// Restores a job after a restart of the master. The caller restores the authors of its results
+    /// and its disputes.
     MasterJob(RecoveredJob&& recovered, Clock::time_point now);
 
     JobId id;
-    Submit submit; ///< Without its bulk after the end (`drop_bulk`).
+    Submit submit; ///< The end frees its bulk (`drop_bulk`).
     JobTimes times;
-    std::shared_ptr<const MeshHold> meshes; ///< Prevents removal of the meshes.
+    std::shared_ptr<const MeshHold> meshes; ///< Keeps the job's meshes from being removed.
     MergedResults merged;
     std::shared_ptr<ResultStore> results;
     JobMap map; ///< Used only if the query asks for maps.
     JobTally tally;
-    std::uint64_t changes = 0; ///< Incremented when the status changes, except for its times.
+    std::uint64_t changes = 0; ///< Incremented when the status changes, apart from its times.
     std::optional<JobRun> run; ///< Empty after the end.
-    std::optional<JobEnd> end; ///< Clients see it once the journal has committed it.
-    bool is_announced = false; ///< Clients see `end`.
+    std::optional<JobEnd> end; ///< Empty before the end.
+    bool is_announced = false; ///< The journal has committed `end`, and clients see it.
 
     [[nodiscard]] bool is_running() const { return run.has_value(); }
     /// Null unless the job runs and its geometry is loaded.
     [[nodiscard]] JobWork* work() const { return run ? run->work.get() : nullptr; }
     /// The state as shown to clients.
     [[nodiscard]] JobState state() const { return is_announced ? end->state : JobState::Running; }
-    /// Ends a running job, and frees what only a running job needs. JobState::Done computes the
-    /// digest.
+    /// Ends a running job, and frees the data that only a running job needs. With JobState::Done,
+    /// all scenarios must have a result.
     void finish(JobState state, const std::string& failure, Clock::time_point now);
     /// Progress record for the journal.
     [[nodiscard]] JobProgress progress(Clock::time_point now) const;

@@ -1,5 +1,5 @@
-// Ends jobs, and lets them wait for the disk. A full or damaged disk may be mended; waiting loses
-// nothing, and nothing is deleted.
+// Ends jobs, and pauses them while the disk fails. Somebody may repair a full or damaged disk, so a
+// job that waits loses nothing, and nothing is deleted.
 #pragma once
 
 #include "common/core/result.hpp"
@@ -19,9 +19,9 @@ namespace cd {
 class JobLife {
   public:
     struct Events {
-        /// The job is about to end: work on it may stop.
+        /// Called before a job ends, so that work on the job can stop.
         std::function<void(JobId)> ending;
-        /// A step that failed on the disk was tried again.
+        /// Called after a retry of a step that a disk error had stopped.
         std::function<void()> retried;
     };
     struct Parts {
@@ -37,7 +37,8 @@ class JobLife {
     /// All parts outlive it.
     JobLife(const Parts& parts, Events events) : parts_(parts), events_(std::move(events)) {}
 
-    /// Ends a running job everywhere, and writes its end to the journal.
+    /// Ends a running job: here, at the dispatcher and on the workers. Writes its end to the
+    /// journal.
     void end(MasterJob& job, JobState state, const std::string& failure);
     /// Ends a running job that has all its results and no dispute.
     void end_if_complete(MasterJob& job);
@@ -45,9 +46,10 @@ class JobLife {
     /// Pauses the job after a disk error and calls `again` a little later. A paused job prepares no
     /// more work. Any other error fails the job. `again` gets null if the job has ended.
     void wait_for_disk(MasterJob& job, const Error& why, std::function<void(MasterJob*)> again);
-    /// Reports that the disk works again for the running job.
+    /// Call when a step of the running job has succeeded on the disk. Resumes the job unless
+    /// another of its steps still waits.
     void disk_gives(MasterJob& job);
-    /// A step of the job waits for the disk.
+    /// True if a step of the job waits for a retry after a disk error.
     [[nodiscard]] bool is_waiting(JobId job) const { return parts_.retries.any(job); }
 
   private:

@@ -13,8 +13,8 @@ namespace cd {
 
 namespace {
 
-/// Records the dispute in the job and in `add`. Once that is durable, the master's own result
-/// decides it.
+/// Records the dispute in the job and in `add`. Once the record is durable, the master's own result
+/// decides the dispute.
 Dispute open_dispute(MasterJob& job, Dispute dispute, AddResults& add) {
     log_error("results differ: job={} scenario={} worker={}",
               job.id.value,
@@ -71,8 +71,8 @@ std::optional<Dispute> JobMerger::merge_one(MasterJob& job,
         }
         break;
     case MergedResults::Outcome::Differs:
-        // A failure that the master itself has recorded stays: the scenario may take it down, or
-        // was cancelled.
+        // A failure by the master is final: the scenario was cancelled, or may crash the process
+        // that runs it, so the master must not run it to decide a dispute.
         if (author != nullptr && !job.merged.is_failed_by_master(index)) {
             return open_dispute(job, {job.id, index, author, taken.digest}, add);
         }

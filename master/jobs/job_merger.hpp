@@ -11,24 +11,24 @@
 
 namespace cd {
 
-/// The only path by which results enter a job and the journal.
+/// All results enter a job and the journal through this class.
 class JobMerger {
   public:
     /// Both outlive the merger.
     JobMerger(JobLife& life, JournalWriter& writer) : life_(life), writer_(writer) {}
 
     /// Merges results of a running job; `author` is null for the master. A second, different result
-    /// of a scenario opens a dispute, which the journal announces. Ends a job whose results exceed
-    /// the record size.
+    /// of a scenario opens a dispute, which the journal announces once durable. Fails a job with a
+    /// result above the maximum record size.
     void merge(MasterJob& job, TakenResults taken, const std::shared_ptr<const Author>& author);
-    /// Merges one result into `add`, which the caller writes. Moves the record of `taken`. Returns
-    /// the dispute if the scenario has another result.
+    /// Merges one result, and appends its record, moved from `taken`, to `add`, which the caller
+    /// writes. Returns the dispute if the scenario has a different result already.
     [[nodiscard]] static std::optional<Dispute>
     merge_one(MasterJob& job,
               TakenResult& taken,
               const std::shared_ptr<const Author>& author,
               AddResults& add);
-    /// Gives the scenario a failure as its result, and ends the job if it is the last.
+    /// Merges a failure as the scenario's result. Ends the job if no other result is missing.
     void fail(MasterJob& job, const Scenario& scenario, const std::string& why);
 
   private:

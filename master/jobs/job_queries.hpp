@@ -13,7 +13,7 @@ namespace cd {
 /// Any thread.
 class JobQueries {
   public:
-    /// Both must outlive this.
+    /// Both references must outlive this object.
     JobQueries(const Journal& journal, const GeometryStore& geometry)
         : journal_(journal), geometry_(geometry) {}
 
@@ -21,7 +21,7 @@ class JobQueries {
     [[nodiscard]] Result<JobDescription> description(JobId job) const;
     /// Returns the next bytes of a mesh. Errors: NotFound; BadInput for an offset past the end; Io.
     [[nodiscard]] Result<MeshBytes> mesh(const MeshQuery& query) const;
-    /// Returns the poses of at least one scenario.
+    /// Returns the poses of the first queried scenarios, as many as one message may hold.
     /// Errors: NotFound; BadInput for scenarios that the job lacks; Io.
     [[nodiscard]] Result<JobPoses> poses(const PosesQuery& query) const;
 

@@ -12,7 +12,7 @@
 
 namespace cd {
 
-/// The option --keep-jobs: the last `count` jobs that have ended, or those that ended within `age`.
+/// The option --keep-jobs: keeps the last `count` ended jobs, or those that ended within `age`.
 struct JobRetention {
     std::size_t count = limits::jobs_ended_kept_max;
     std::optional<std::chrono::seconds> age = {};
@@ -23,8 +23,8 @@ struct JobRetention {
     [[nodiscard]] bool is_over(std::uint64_t ended, std::uint64_t wished, std::uint64_t now) const;
 };
 
-/// Parses a number of jobs ("1000") or a time ("30d", "12h"). Errors: BadInput saying what is
-/// allowed.
+/// Parses a number of jobs ("1000") or a time ("30d", "12h"). Errors: BadInput with the allowed
+/// values.
 [[nodiscard]] Result<JobRetention> parse_retention(const std::string& text);
 
 } // namespace cd

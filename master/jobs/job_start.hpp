@@ -1,4 +1,4 @@
-// Begins jobs: loads their geometry on the pool, and opens them for work.
+// Starts jobs: loads their geometry on the thread pool, and then opens them for work.
 #pragma once
 
 #include "master/base/background.hpp"
@@ -27,15 +27,15 @@ class JobStart {
         Background& background;
     };
 
-    /// All parts outlive it. `started` is called when a job has work.
+    /// All parts outlive this object. `started` is called when a job is open for work.
     JobStart(const Parts& parts, std::function<void(MasterJob&)> started)
         : parts_(parts), started_(std::move(started)) {}
 
-    /// Begins a job that the journal has committed.
+    /// Starts a new job, which the journal has committed.
     void begin(const JobRecord& record,
                std::shared_ptr<ResultStore> results,
                std::shared_ptr<PoseSource> poses);
-    /// Goes on with a job from before a restart, whose results are merged.
+    /// Continues a job after a restart of the master. Its results must be merged already.
     void resume(MasterJob& job) { prepare(job); }
 
   private:

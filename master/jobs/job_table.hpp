@@ -1,4 +1,4 @@
-// Jobs known to the master, from acceptance until their results are dropped.
+// The jobs that the master knows, from acceptance until their results are dropped.
 #pragma once
 
 #include "common/core/limits/master.hpp"
@@ -17,17 +17,18 @@ namespace cd {
 
 [[nodiscard]] Error no_job();
 
-/// Jobs by id. Keeps ended jobs and their results as `retention` says, or fewer if they have many
-/// results.
+/// Jobs by id. Keeps ended jobs as long as `retention` allows, but drops the oldest when ended jobs
+/// have more than `results_kept` results together.
 class JobTable {
   public:
     explicit JobTable(std::uint64_t results_kept = limits::results_ended_kept_max,
                       JobRetention retention = {})
         : results_kept_(results_kept), retention_(retention) {}
 
-    /// Allocates a job id. It counts as running until the job is added or given up. Errors: Refused
-    /// when too many jobs or scenarios are running.
+    /// Allocates a job id. Until `add` or `give_up` is called, the id counts as a running job with
+    /// so many scenarios. Errors: Refused when too many jobs or scenarios are running.
     [[nodiscard]] Result<JobId> next(std::uint64_t scenarios);
+    /// Frees an id from `next`, because its job does not start.
     void give_up(JobId job) { begun_.erase(job); }
     /// The job's id must be new.
     MasterJob& add(MasterJob job);
@@ -40,7 +41,7 @@ class JobTable {
     [[nodiscard]] const MasterJob& at(JobId job) const { return jobs_.at(job); }
     [[nodiscard]] MasterJob& at(JobId job) { return jobs_.at(job); }
     [[nodiscard]] const std::map<JobId, MasterJob>& all() const { return jobs_; }
-    /// Null also if the job has ended.
+    /// Null if there is no such job, or it has ended.
     [[nodiscard]] MasterJob* find_running(JobId job);
 
     /// Records the job's end (`MasterJob::finish`).
@@ -51,7 +52,7 @@ class JobTable {
     /// Forgets jobs whose retention has expired and returns their ids. `now` is in seconds since
     /// 1970.
     [[nodiscard]] std::vector<JobId> drop_expired(std::uint64_t now);
-    /// Forgets an ended job.
+    /// Forgets a job, which must have ended.
     void drop(JobId job);
 
     [[nodiscard]] const std::set<JobId>& running() const { return running_; }

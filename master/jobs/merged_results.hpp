@@ -1,5 +1,5 @@
-// The results of a running job with the author of each, so that the results of a wrong worker can
-// be withdrawn.
+// The merged results of a job with the author of each, so that the results of a wrong worker can be
+// withdrawn.
 #pragma once
 
 #include "common/job/result/merge.hpp"
@@ -15,24 +15,24 @@
 
 namespace cd {
 
-/// Merges the results of a job and remembers who gave each. Memory: 12 bytes per scenario beside
-/// the digest.
+/// Merges the results of a job and keeps the author of each. Takes 12 bytes per scenario in
+/// addition to the merger.
 class MergedResults {
   public:
     using Outcome = ResultMerger::Outcome;
 
     explicit MergedResults(std::uint64_t scenarios) : merger_(scenarios) {}
-    /// Continues with results from before a restart. Call `restore` for each of them, unless the
-    /// job has ended; `contributors` are then the processes whose results count.
+    /// Continues with the results in `merged` after a restart. For a running job, call `restore`
+    /// for each result. For an ended one, pass the processes whose results count as `contributors`.
     explicit MergedResults(ResultMerger merged, std::set<InstanceId> contributors = {})
         : merger_(std::move(merged)), contributors_(std::move(contributors)) {}
 
-    /// Notes facts and author of a result that the merger already counts.
+    /// Sets facts and author of a result that the merger already has.
     void restore(std::uint64_t scenario,
                  const ScenarioFacts& facts,
                  const std::shared_ptr<const Author>& author);
-    /// The first result of a scenario counts; later ones are compared with it. `author` is null for
-    /// the master.
+    /// Merges the first result of a scenario, and compares any later one with the first. `author`
+    /// is null for the master.
     [[nodiscard]] Outcome add(std::uint64_t scenario,
                               const ScenarioFacts& facts,
                               const Sha256& digest,
@@ -48,20 +48,22 @@ class MergedResults {
     [[nodiscard]] const Sha256& digest_of(std::uint64_t scenario) const {
         return merger_.digest_of(scenario);
     }
-    /// Null: the scenario has no result, or it is the master's, or its author is no longer known.
+    /// Null if the scenario has no result, or the master gave it, or its author is forgotten.
     [[nodiscard]] std::shared_ptr<const Author> author_of(std::uint64_t scenario) const;
-    /// True if the master itself has failed the scenario, so that it must not be run again.
+    /// True if the scenario's result is a failure that the master gave. Such a scenario must not
+    /// run again.
     [[nodiscard]] bool is_failed_by_master(std::uint64_t scenario) const;
-    /// All processes whose results count; of an ended job, too.
+    /// All worker processes whose results count, also after `close`.
     [[nodiscard]] std::set<InstanceId> processes() const;
 
-    /// Marks the scenarios that have a result, by index. Null if none has.
+    /// By scenario index: true if it has a result. Null if no scenario has one.
     [[nodiscard]] std::shared_ptr<const std::vector<bool>> marks() const;
     [[nodiscard]] const Summary& summary() const { return merger_.summary(); }
-    /// Digest of the job; empty until all scenarios are merged.
+    /// Digest over all results; empty until every scenario has one.
     [[nodiscard]] std::optional<Sha256> digest() const { return merger_.digest(); }
-    /// Ends the merge: frees digests and facts, and keeps at most `limits::authors_kept_max`
-    /// authors. Only `has`, `author_of`, `processes` and `summary` may be called afterwards.
+    /// Ends the merge: frees digests and facts, and keeps the authors of only the first
+    /// `limits::authors_kept_max` scenarios. Afterwards, only `has`, `author_of`, `processes` and
+    /// `summary` may be called.
     void close();
 
   private:
@@ -79,11 +81,11 @@ class MergedResults {
 
     ResultMerger merger_;
     std::vector<PackedFacts> facts_;
-    std::vector<std::uint32_t> author_numbers_; ///< By scenario: index in `authors_`; 0: none.
+    std::vector<std::uint32_t> author_numbers_; ///< Per scenario, index in `authors_`; 0: none.
     std::vector<std::shared_ptr<const Author>> authors_{nullptr};
-    std::unordered_map<const Author*, std::uint32_t> numbers_; ///< Of `authors_`.
-    std::uint32_t number_last_ = 0;     ///< Of the last author: results come in messages of one.
-    std::set<InstanceId> contributors_; ///< Once closed: the processes whose results count.
+    std::unordered_map<const Author*, std::uint32_t> numbers_; ///< Index in `authors_`.
+    std::uint32_t number_last_ = 0; ///< Last author's index; consecutive results often share it.
+    std::set<InstanceId> contributors_; ///< Of an ended job: the processes whose results count.
 };
 
 } // namespace cd

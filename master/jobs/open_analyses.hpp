@@ -11,29 +11,30 @@
 
 namespace cd {
 
-/// By index of the scenario, with the bytes that all of them take.
+/// The analyses by scenario index, and the memory that they take.
 class OpenAnalyses {
   public:
-    /// The scenario must not be open.
+    /// The scenario must not have an open analysis.
     const Analysis& add(Analysis analysis) {
         bytes_ += analysis.bytes;
         const std::uint64_t index = analysis.scenario.index;
         return *all_.emplace(index, std::make_shared<const Analysis>(std::move(analysis)))
                     .first->second;
     }
-    /// Frees the analysis of a scenario that has a result. Ignores a scenario that is not open.
+    /// Frees the analysis of a scenario that has got a result. Does nothing if there is none.
     void close(std::uint64_t scenario) {
         if (const auto found = all_.find(scenario); found != all_.end()) {
             bytes_ -= found->second->bytes;
             all_.erase(found);
         }
     }
-    /// Null: the scenario is not open.
+    /// Null if the scenario has no open analysis.
     [[nodiscard]] std::shared_ptr<const Analysis> find(std::uint64_t scenario) const {
         const auto found = all_.find(scenario);
         return found == all_.end() ? nullptr : found->second;
     }
     [[nodiscard]] bool has(std::uint64_t scenario) const { return all_.contains(scenario); }
+    /// Memory of all open analyses.
     [[nodiscard]] std::uint64_t bytes() const { return bytes_; }
     [[nodiscard]] std::size_t size() const { return all_.size(); }
     [[nodiscard]] const auto& all() const { return all_; }

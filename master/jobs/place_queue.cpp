@@ -26,7 +26,7 @@ std::vector<PlaceRange> without(std::span<const PlaceRange> runs, const PlaceRan
 
 PlaceQueue::PlaceQueue(std::uint64_t scenarios, std::span<const LostPlaces> lost)
     : left_(scenarios) {
-    // Start of each piece; a piece ends where the next begins.
+    // Key: first position of a piece, which ends where the next piece begins.
     std::map<std::uint64_t, Losses> pieces;
     pieces[0];
     const auto begin_at = [&](std::uint64_t place) {

@@ -1,4 +1,4 @@
-// Order positions of a job that are not handed out yet.
+// The positions in a job's hand-out order that are not handed out yet.
 #pragma once
 
 #include "common/job/poses/ordered_poses.hpp"
@@ -12,10 +12,10 @@
 
 namespace cd {
 
-/// Joins ascending positions into runs.
+/// Joins ascending positions into runs of consecutive ones.
 class PlaceRuns {
   public:
-    /// `place` is greater than all before.
+    /// `place` must be greater than all positions added before.
     void add(std::uint64_t place) {
         if (runs_.empty() || runs_.back().end() != place) {
             runs_.push_back({place, 0});
@@ -32,23 +32,26 @@ class PlaceRuns {
 [[nodiscard]] std::vector<PlaceRange> without(std::span<const PlaceRange> runs,
                                               const PlaceRange& hole);
 
-/// Positions in a job's order, each once; returned ones come first.
+/// Holds each position at most once. Positions that were put back come first.
 class PlaceQueue {
   public:
-    /// `lost`: positions lost before, all within the job.
+    /// Contains all positions of the job. `lost`: the losses of some of them before a restart.
     explicit PlaceQueue(std::uint64_t scenarios = 0, std::span<const LostPlaces> lost = {});
 
     struct Piece {
         PlaceRange places;
-        Losses losses = {}; ///< Earlier workers that were lost with these positions.
+        Losses losses = {}; ///< Worker processes that were lost with these positions.
     };
 
     [[nodiscard]] bool empty() const { return pieces_.empty(); }
+    /// Number of positions in the queue.
     [[nodiscard]] std::uint64_t left() const { return left_; }
     /// The queue must not be empty.
     [[nodiscard]] const Piece& front() const { return pieces_.front(); }
-    /// Takes up to `most` positions of the first piece, all from one window.
+    /// Removes up to `most` positions of the first piece, all from one pose window. The queue must
+    /// not be empty.
     [[nodiscard]] Piece take(std::uint64_t most);
+    /// Puts the piece at the head.
     void put_back(const Piece& piece);
     /// Pieces in the order in which they are taken.
     [[nodiscard]] const std::deque<Piece>& pieces() const { return pieces_; }

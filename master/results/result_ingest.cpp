@@ -69,8 +69,7 @@ void ResultIngest::acknowledge(const Author& author, std::uint64_t sequence) {
     parts_.writer.announce();
 }
 
-// ---- Late results
-// ---------------------------------------------------------------------------------
+// ---- Late results ------------------------------------------------------------------------------
 
 void ResultIngest::late_came(IncomingResults late) {
     const MasterJob* job = parts_.jobs.find_running(late.message->job);
@@ -182,8 +181,7 @@ void ResultIngest::map_made(const Hand& hand, Result<ContactMap> map) {
     });
 }
 
-// ---- Merging
-// ----------------------------------------------------------------------------------------
+// ---- Merging -----------------------------------------------------------------------------------
 
 void ResultIngest::merge(Checked& hand) {
     const Author& author = *hand.incoming.author;

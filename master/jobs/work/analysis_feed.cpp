@@ -24,7 +24,7 @@ void AnalysisFeed::start(MasterJob& job) {
 std::unique_ptr<Analyser> AnalysisFeed::make_analyser(const MasterJob& job) {
     AnalysisInput input = job.work()->analysis_input;
     input.poses = job.work()->order;
-    // Runs on a pool thread and makes the records there.
+    // Runs on a pool thread, so that the records are made there.
     auto deliver = [this, &background = parts_.background, id = job.id](AnalysedBlock block) {
         std::vector<TakenResult> finished;
         for (Analysis& analysis : block.scenarios) {
@@ -71,7 +71,7 @@ void AnalysisFeed::came(JobId id, AnalysedBlock block, std::vector<TakenResult> 
 std::uint64_t AnalysisFeed::hand_out(MasterJob& job, AnalysedBlock& block) {
     std::uint64_t handed_out = 0;
     for (Analysis& analysis : block.scenarios) {
-        // A requeued or restored scenario may have been answered meanwhile.
+        // A scenario that was queued again may have an answer or an analysis by now.
         if (analysis.finished || job.merged.has(analysis.scenario.index) ||
             job.work()->open.has(analysis.scenario.index)) {
             continue;
@@ -84,7 +84,7 @@ std::uint64_t AnalysisFeed::hand_out(MasterJob& job, AnalysedBlock& block) {
                                   block.losses};
         job.work()->open.add(std::move(analysis));
         parts_.dispatch.act(parts_.dispatch->scenario_analysed(job.id, std::move(scenario)));
-        if (!job.is_running()) { // It was the last, and was given up.
+        if (!job.is_running()) { // The last missing scenario was given up, which ended the job.
             break;
         }
         ++handed_out;

@@ -1,4 +1,5 @@
-// Analyses the next scenarios of jobs, and gives those that need a worker to the dispatcher.
+// Analyses the next scenarios of jobs: merges those that the analysis answers, and gives the others
+// to the dispatcher.
 #pragma once
 
 #include "master/base/background.hpp"
@@ -24,15 +25,15 @@ class AnalysisFeed {
     /// All parts outlive the feed.
     explicit AnalysisFeed(const Parts& parts) : parts_(parts) {}
 
-    /// Starts the analysis of the next positions of a job that has some to hand out.
+    /// Starts the analysis of the next positions of a job, whose queue must not be empty.
     void start(MasterJob& job);
 
   private:
-    /// Skips scenarios that already have a result, for example those that workers delivered again
-    /// after a restart.
     [[nodiscard]] std::unique_ptr<Analyser> make_analyser(const MasterJob& job);
+    /// Takes analysed scenarios. `finished`: the results of those that need no worker.
     void came(JobId job, AnalysedBlock block, std::vector<TakenResult> finished);
-    /// Gives the dispatcher what needs a worker. Returns the number of scenarios.
+    /// Gives the dispatcher the scenarios that need a worker, and returns their number. Skips those
+    /// with a result, for example one that a worker delivered again after a restart.
     std::uint64_t hand_out(MasterJob& job, AnalysedBlock& block);
 
     Parts parts_;

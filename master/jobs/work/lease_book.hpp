@@ -1,4 +1,4 @@
-// The tasks that workers have, with what the master needs to check their results.
+// The leases: the tasks that workers have, with the data that the master needs to check results.
 #pragma once
 
 #include "common/core/id.hpp"
@@ -14,35 +14,37 @@
 
 namespace cd {
 
+/// A task at a worker.
 struct Lease {
     WorkerId worker;
     std::shared_ptr<const TaskContent> content;
-    std::size_t checks = 0;                ///< Result messages being checked.
+    std::size_t checks = 0;                ///< Number of its result messages being checked.
     bool ended = false;                    ///< The worker has sent all its results.
     bool unbegun = false;                  ///< The task never reached the worker.
-    bool is_called_off = false;            ///< Ranges only: some answers are no longer owed.
+    bool is_called_off = false;            ///< Ranges only: it may end without some answers.
     bool is_copy = false;                  ///< Speculative copy: another worker has this work too.
-    std::optional<PlaceRange> places = {}; ///< Ranges only: the positions not returned.
+    std::optional<PlaceRange> places = {}; ///< Ranges only: the positions that were not recalled.
 };
 
-/// One entry per task, from its sending until nothing of it is expected any more.
+/// One entry per task, from its sending until it has ended and its results are checked.
 class LeaseBook {
   public:
     void add(TaskId id, Lease task);
-    /// Null: there is no such task.
+    /// Null if there is no such task.
     [[nodiscard]] Lease* find(TaskId task);
-    /// Null also if the task is another worker's.
+    /// Null if there is no such task, or another worker has it.
     [[nodiscard]] Lease* find(TaskId task, WorkerId worker);
-    /// Removes the task. Empty: there is none.
+    /// Removes the task and returns it; empty if there is no such task.
     std::optional<Lease> take(TaskId task);
-    /// Removes the worker's batches. Its ranges stay: the dispatcher still has to return them.
+    /// Removes the worker's batches. Its ranges stay until the dispatcher reports their end
+    /// (`RangeEnded`).
     void forget_batches(WorkerId worker);
 
     [[nodiscard]] std::vector<TaskId> of(WorkerId worker) const;
     /// Tasks of the worker that are not among `present`.
     [[nodiscard]] std::vector<TaskId> missing(WorkerId worker,
                                               std::span<const Recalled> present) const;
-    /// Ranges of the job: all tasks with positions.
+    /// Positions in all range tasks of the job.
     [[nodiscard]] std::vector<PlaceRange> places_of(JobId job) const;
     [[nodiscard]] const std::map<TaskId, Lease>& all() const { return tasks_; }
     [[nodiscard]] std::map<TaskId, Lease>& all() { return tasks_; }

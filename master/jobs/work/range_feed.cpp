@@ -12,7 +12,7 @@ namespace cd {
 
 namespace {
 
-/// The positions whose scenarios have no result.
+/// The given positions whose scenarios have no result.
 std::vector<PlaceRange> unmerged(const MasterJob& job, const GivenPlaces& given) {
     PlaceRuns runs;
     for (std::uint64_t place = given.places.first; place < given.places.end(); ++place) {
@@ -80,8 +80,7 @@ void RangeFeed::take_back(MasterJob& job) {
     job.work()->given.clear();
 }
 
-// ---- What was not answered
-// ------------------------------------------------------------------------
+// ---- What was not answered ---------------------------------------------------------------------
 
 void RangeFeed::ended(const RangeEnded& action) {
     const auto task = parts_.tasks.take(action.task);
@@ -111,7 +110,7 @@ void RangeFeed::given_back(const GivenBack& action) {
 void RangeFeed::requeue(MasterJob& job, const GivenPlaces& ended, LostWith lost_with) {
     std::vector<PlaceRange> runs = unmerged(job, ended);
     for (const PlaceRange& in_task : parts_.tasks.places_of(job.id)) {
-        runs = without(runs, in_task); // A speculative copy, or its original.
+        runs = without(runs, in_task); // The other of original and speculative copy still runs.
     }
     Losses losses;
     std::vector<LostPlaces> lost;
@@ -134,7 +133,7 @@ void RangeFeed::lost(const ScenariosLost& action) {
     }
     std::vector<LostPlaces> lost;
     for (const std::uint64_t index : action.scenarios) {
-        // A scenario that was given up already has its result.
+        // A scenario that was given up has a result, so its loss need not be kept.
         if (const auto open = job->work()->open.find(index)) {
             lost.push_back({{open->place, 1}, action.process});
         }
@@ -151,8 +150,7 @@ void RangeFeed::write_losses(MasterJob& job, std::vector<LostPlaces> losses) {
     }
 }
 
-// ---- What was withdrawn
-// ---------------------------------------------------------------------------
+// ---- What was withdrawn ------------------------------------------------------------------------
 
 void RangeFeed::give_again(MasterJob& job, std::vector<std::uint64_t> scenarios) {
     JobWork& work = *job.work();
@@ -201,7 +199,7 @@ void RangeFeed::give_again(MasterJob& job,
     for (const std::uint64_t place : scenarios) {
         places.add(place);
     }
-    // Some are queued or handed out already.
+    // Leaves out the positions that are queued or handed out already.
     std::vector<PlaceRange> runs = places.take();
     for (const PlaceQueue::Piece& piece : job.work()->todo.pieces()) {
         runs = without(runs, piece.places);

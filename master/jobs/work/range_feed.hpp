@@ -1,4 +1,4 @@
-// Hands out order positions without analysis, and takes back those that were not answered.
+// Hands out positions of a job without analysis, and takes back those without an answer.
 #pragma once
 
 #include "master/base/background.hpp"
@@ -14,8 +14,7 @@
 
 namespace cd {
 
-/// All positions of a running job without a result are in its `todo`, at the dispatcher, or in a
-/// task.
+/// Keeps each position without a result in the job's `todo`, at the dispatcher, or in a task.
 class RangeFeed {
   public:
     struct Parts {
@@ -30,26 +29,27 @@ class RangeFeed {
     /// All parts outlive the feed.
     explicit RangeFeed(const Parts& parts) : parts_(parts) {}
 
-    /// Gives the dispatcher positions of the job until it has enough. The job has work.
+    /// Gives the dispatcher positions of the job until it has enough. The job must have work.
     void give(MasterJob& job);
-    /// Takes back what the dispatcher has not sent.
+    /// Takes back the job's positions that the dispatcher has not sent.
     void take_back(MasterJob& job);
-    /// Queues scenarios whose results were withdrawn. The job has work.
+    /// Queues scenarios whose results were withdrawn. The job must have work.
     void give_again(MasterJob& job, std::vector<std::uint64_t> scenarios);
 
     // ---- Actions of the dispatcher ------------------------------------------------------------
     void ended(const RangeEnded& range);
     void given_back(const GivenBack& given);
-    /// Journals the losses, so that a restart does not retry a worker-killing scenario from zero.
+    /// Writes the losses to the journal. Otherwise a scenario that kills workers would get all its
+    /// attempts again after a restart.
     void lost(const ScenariosLost& lost);
 
   private:
     using Window = std::shared_ptr<const PoseWindow>;
 
     void came(JobId job, const PlaceRange& places, const Result<Window>& window);
-    /// Gives the dispatcher those of the positions that have no result.
+    /// Gives the dispatcher the positions that have no result.
     void give(MasterJob& job, const GivenPlaces& given);
-    /// Queues those positions that have no result and are in no task.
+    /// Queues the positions of an ended range that have no result and are in no other task.
     void requeue(MasterJob& job, const GivenPlaces& ended, LostWith lost_with);
     void give_again(MasterJob& job, const Window& window, std::vector<std::uint64_t> scenarios);
     void write_losses(MasterJob& job, std::vector<LostPlaces> losses);

@@ -9,13 +9,12 @@
 
 namespace cd {
 
-// ---- Actions of the dispatcher
-// --------------------------------------------------------------------
+// ---- Actions of the dispatcher -----------------------------------------------------------------
 
 void TaskExchange::send(const SendBatch& action) {
     Worker* worker = workers_.find(action.worker);
     if (worker == nullptr) {
-        return; // The worker has left; the dispatcher knows.
+        return; // The worker has left, and the dispatcher takes the batch back.
     }
     MasterJob* job = jobs_.find_running(action.job);
     if (job == nullptr) {
@@ -68,7 +67,7 @@ void TaskExchange::send(const SendRange& action) {
     task.is_copy = is_copy;
     task.places = action.places;
     book_.add(action.task, std::move(task));
-    // If the worker has left, the dispatcher knows, and the range ends.
+    // If the worker has left, the dispatcher ends the range.
     if (Worker* worker = workers_.find(action.worker)) {
         add_job_to(*worker, *job);
         worker->channel->send(range);
@@ -114,8 +113,7 @@ void TaskExchange::add_job_to(Worker& worker, const MasterJob& job) {
     drop_cancelled(worker, job);
 }
 
-// ---- From a worker
-// --------------------------------------------------------------------------------
+// ---- From a worker -----------------------------------------------------------------------------
 
 void TaskExchange::ended(WorkerId worker, TaskId id) {
     Lease* task = book_.find(id, worker);
@@ -135,14 +133,14 @@ void TaskExchange::recalled(WorkerId worker, const Recalled& recalled) {
 }
 
 void TaskExchange::checked(TaskId id) {
-    if (Lease* task = book_.find(id)) { // The task is gone if its worker is.
+    if (Lease* task = book_.find(id)) { // Null if the worker has left.
         --task->checks;
         end_if_complete(id, *task);
     }
 }
 
-/// A missing task never arrived or has ended; in the latter case its results arrived before. For a
-/// present task, a return of work may have been lost, so it is processed again.
+// Returned work of a present task may not have arrived, so the inventory's entry counts as a
+// return. A missing task either never reached the worker, or has ended after sending all results.
 void TaskExchange::compare(WorkerId worker, std::span<const Recalled> present) {
     for (const Recalled& task : present) {
         recalled(worker, task);
@@ -171,7 +169,7 @@ void TaskExchange::end_if_complete(TaskId id, Lease& task) {
                           : dispatch_->task_ended(worker, id));
     note_work(worker);
     if (left != 0) {
-        // The process is alive, so its tasks did not kill it.
+        // The worker is alive, so the work is taken back without counting as lost.
         take_all_back(worker);
         workers_.cut_off(
             worker,
@@ -182,15 +180,14 @@ void TaskExchange::end_if_complete(TaskId id, Lease& task) {
 
 void TaskExchange::take_all_back(WorkerId worker) {
     const std::vector<TaskId> tasks = book_.of(worker);
-    // Otherwise the worker would get some of it again.
+    // Drains the worker first; otherwise it would get some of the work again.
     dispatch_.act(dispatch_->worker_draining(worker));
     for (const TaskId task : tasks) {
         dispatch_.act(dispatch_->task_unbegun(worker, task));
     }
 }
 
-// ---- Scenarios that are not to be run
-// -------------------------------------------------------------
+// ---- Scenarios that are not to be run ----------------------------------------------------------
 
 void TaskExchange::call_off_copies(JobId job, WorkerId worker, std::uint64_t scenario) {
     for (auto& [id, task] : book_.all()) {

@@ -1,4 +1,4 @@
-// Sends tasks to the workers, and takes their ends and returns.
+// Sends tasks to the workers, and handles the messages that end or return tasks.
 #pragma once
 
 #include "master/dispatch/dispatch_driver.hpp"
@@ -12,7 +12,7 @@
 
 namespace cd {
 
-/// Sends jobs and trees ahead of the tasks that need them. Owns the book of tasks.
+/// Owns the book of leases. Sends a worker the job and its trees before the job's first task.
 class TaskExchange {
   public:
     /// All references outlive the exchange.
@@ -35,11 +35,12 @@ class TaskExchange {
     // ---- From a worker ------------------------------------------------------------------------
     /// The worker has sent all results of the task.
     void ended(WorkerId worker, TaskId task);
-    /// The worker returns part of the task, or says what it has of it. Ignores unknown tasks.
+    /// The worker returns part of the task, or lists in its inventory the part that it has. Ignores
+    /// unknown tasks.
     void recalled(WorkerId worker, const Recalled& recalled);
-    /// A message of results of the task has been merged, or dropped. Ignores unknown tasks.
+    /// A result message of the task has been checked, and merged or dropped. Ignores unknown tasks.
     void checked(TaskId task);
-    /// Compares the tasks with the worker's inventory, after messages may have been lost.
+    /// Resynchronises the worker's tasks with its inventory `present`, after a reconnection.
     void compare(WorkerId worker, std::span<const Recalled> present);
     /// Returns the unanswered work of the worker's tasks to the queue, not counted as lost, and
     /// gives the worker no more work.
@@ -48,16 +49,19 @@ class TaskExchange {
     // ---- Scenarios that are not to be run -----------------------------------------------------
     /// Cancels speculative copies of `scenario` on all workers except `worker`.
     void call_off_copies(JobId job, WorkerId worker, std::uint64_t scenario);
-    /// Stops the scenario on all workers.
+    /// Cancels the scenario on all workers that know the job.
     void drop(JobId job, std::uint64_t scenario);
-    /// Tells a worker that knows the job which of its scenarios are cancelled.
+    /// Sends the job's cancelled scenarios to a worker that knows the job.
     static void drop_cancelled(const Worker& worker, const MasterJob& job);
 
-    /// Measures whether the worker has work from now on.
+    /// Updates the worker's busy time: call when it may have got its first or lost its last work.
     void note_work(WorkerId worker);
 
   private:
+    /// Sends the job and its trees, unless the worker has them.
     void add_job_to(Worker& worker, const MasterJob& job);
+    /// Ends the task once the worker has sent all results and these are checked. Cuts a worker off
+    /// that has left out answers.
     void end_if_complete(TaskId id, Lease& task);
 
     JobTable& jobs_;

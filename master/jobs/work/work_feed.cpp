@@ -18,7 +18,7 @@ void WorkFeed::feed() {
             return false;
         }
         parts_.ranges.give(*job);
-        // Lost scenarios are analysed even if the job prefers ranges.
+        // Scenarios that were lost with a worker are analysed even if the job prefers ranges.
         const PlaceQueue& todo = job->work()->todo;
         return todo.empty() || todo.front().losses.none();
     });
@@ -63,7 +63,7 @@ std::vector<MasterJob*> WorkFeed::jobs_to_feed(Load& load) {
 }
 
 bool WorkFeed::has_room_for_analysis(const Load& load) const {
-    // Enough blocks to keep the pool busy; more would only delay results.
+    // As many analyses as keep the pool busy; more would only delay results.
     const DispatchView& dispatch = parts_.dispatch.view();
     return parts_.writer.has_room() &&
            load.under_way < parts_.background.compute_pool().size() + 2 &&

@@ -30,17 +30,17 @@ class WorkFeed {
     /// All parts outlive the feed.
     explicit WorkFeed(const Parts& parts) : parts_(parts) {}
 
-    /// Requests more analyses and queues order positions where there is room. Tells the dispatcher
-    /// when no more work follows. Call it after each event.
+    /// Starts analyses and gives ranges to the dispatcher while there is room. Tells the dispatcher
+    /// when no analysis is under way. Call after each event.
     void feed();
 
   private:
-    /// Load of the pool and the memory by analyses.
+    /// Load of the thread pool and of the memory by analyses.
     struct Load {
-        std::uint64_t under_way = 0; ///< Blocks.
-        std::uint64_t open_bytes = 0;
+        std::uint64_t under_way = 0;  ///< Groups of scenarios in analysis, of all jobs.
+        std::uint64_t open_bytes = 0; ///< Memory of the open analyses of all jobs.
     };
-    /// Jobs that may be fed, in order of service.
+    /// Jobs that may get work, in the order of their turns. Adds the load of all jobs to `load`.
     [[nodiscard]] std::vector<MasterJob*> jobs_to_feed(Load& load);
     [[nodiscard]] bool has_room_for_analysis(const Load& load) const;
     [[nodiscard]] bool prefers_ranges_now(const MasterJob& job) const;
