@@ -13,13 +13,14 @@ namespace cd {
 
 namespace {
 
-/// Returns an eighth of the box's surface: the search descends the box with the larger one.
+/// Returns an eighth of the box's surface area. The search descends into the box with the larger
+/// one.
 float size_of(const ObbNode& node) {
     const auto& [x, y, z] = node.half;
     return x * y + y * z + z * x;
 }
 
-/// Returns the squared distance of the two centres.
+/// Returns the squared distance between the two boxes' centres.
 double squared_distance(const ObbNode& a, const PosedBox& b) {
     double sum = 0;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -42,18 +43,21 @@ double radius_of(const ObbNode& node) {
     return std::sqrt(sum);
 }
 
-/// Bounds |R| for the true linear part R: |R|^2 <= the largest sum of |entries| in a row of R'R.
+/// Returns an upper bound on the factor by which the pose's exact linear part R lengthens vectors,
+/// or infinity on overflow. |R|^2 is at most the largest row sum of |R'R|.
 double stretch_of(const Pose& pose) {
     const Mat3 r = pose.rotation();
     const double reach = r.cwiseAbs().maxCoeff();
-    // An entry of R'R has three products, each with three roundings and two entries that may err.
+    // An entry of R'R sums three products. In each, both factors may err, and up to three
+    // operations round.
     const double error = 3 * (2.01 * reach * pose.rotation_error() + 4 * 0x1p-53 * reach * reach);
     const double square = (r.transpose() * r).cwiseAbs().rowwise().sum().maxCoeff() + 3 * error;
     const double stretch = std::sqrt(square) * (1 + 0x1p-50);
     return stretch >= 0 ? stretch : std::numeric_limits<double>::infinity(); // NaN: overflow.
 }
 
-/// This many steps take a fraction of a second even if every pair needs exact arithmetic.
+/// Steps of the descent between two polls of `stop`. They take a fraction of a second even if every
+/// pair needs exact arithmetic.
 constexpr std::uint32_t steps_between_stop_checks = 1024;
 
 } // namespace
@@ -78,7 +82,7 @@ void BinarySearch::restart(const PosePair& poses) {
     contacts_.restart(poses);
 }
 
-/// Returns whether the descent must end; polls `stop_` only now and then.
+/// Returns whether the descent must end; polls `stop_` once in `steps_between_stop_checks` calls.
 bool BinarySearch::must_stop() {
     if (stop_ && ++progress_.steps_unpolled >= steps_between_stop_checks) {
         progress_.steps_unpolled = 0;
@@ -87,14 +91,15 @@ bool BinarySearch::must_stop() {
     return progress_.is_stopped;
 }
 
-/// Calls `on_leaves` for each pair of leaves whose boxes may overlap, as may those of all their
-/// ancestors. Ends when `on_leaves` returns true, and then returns true; ends early on a stop.
+/// Calls `on_leaves` for each pair of leaves that the descent reaches: their boxes may overlap, and
+/// so may those of every node pair on the way. Returns true as soon as `on_leaves` does, and false
+/// at the end or on a stop.
 template <class OnLeaves>
 bool BinarySearch::descend(const TreeView& a, const TreeView& b, const OnLeaves& on_leaves) {
     CD_CHECK(!a.nodes.empty());
     CD_CHECK(!b.nodes.empty());
     const BoxTest& boxes = placement_.boxes;
-    // The last posed box is kept, because one box of B meets many boxes of A in a row.
+    // Keeps the last posed box of B, because one box of B meets many boxes of A in a row.
     std::uint32_t posed_place = 0;
     PosedBox posed = boxes.pose(b.nodes[0]);
     stack_.clear();
@@ -145,8 +150,8 @@ bool BinarySearch::descend(const TreeView& a, const TreeView& b, const OnLeaves&
     return false;
 }
 
-/// Returns whether the two overlapping boxes stay undecided under the tolerance. If so, lowers the
-/// bound on the bodies' distance to that of the boxes' contents.
+/// Returns true if two overlapping boxes are so small that the tolerance leaves them undecided. In
+/// that case lowers `undecided_distance` to a bound on the distance between their triangles.
 bool BinarySearch::leave_undecided(const ObbNode& a, const ObbNode& b) {
     if (!(2 * (radius_of(a) + radius_of(b)) <= tolerance_)) {
         return false;
@@ -161,7 +166,8 @@ bool BinarySearch::leave_undecided(const ObbNode& a, const ObbNode& b) {
     return true;
 }
 
-/// Adds the pairs of two leaves' triangles whose boxes meet, without ignored pairs.
+/// Adds to `candidates_` each pair of the leaves' triangles whose axis-aligned boxes meet, without
+/// ignored pairs.
 void BinarySearch::add_candidates(const TreeView& a, const TreeView& b, const NodePair& leaves) {
     const ObbNode& node_a = a.nodes[leaves.a];
     const ObbNode& node_b = b.nodes[leaves.b];

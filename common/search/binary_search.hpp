@@ -12,10 +12,10 @@
 
 namespace cd {
 
-/// Searches trees that have a binary form. Only this search leaves boxes undecided.
+/// Searches binary trees. Only this search supports a tolerance and can leave boxes undecided.
 class BinarySearch final : public ContactSearch {
   public:
-    /// `ignored` outlives the search.
+    /// `ignored` must outlive the search.
     explicit BinarySearch(const PosePair& poses,
                           std::span<const IgnoredRange> ignored = {},
                           const SearchOptions& options = {});
@@ -31,19 +31,19 @@ class BinarySearch final : public ContactSearch {
         std::uint32_t a;
         std::uint32_t b;
     };
-    /// The pose at hand, and what the boxes need of it.
+    /// The relative pose of the current scenario, and what box tests derive from it.
     struct Placement {
         RelativePose b_to_a;
         BoxTest boxes;
-        double stretch; ///< Bounds the factor by which A's pose lengthens vectors.
+        double stretch; ///< Bound on how much A's pose lengthens vectors; 1 without a tolerance.
 
         Placement(const PosePair& poses, double tolerance);
     };
-    /// State since the last restart.
+    /// What the search has found since `restart()` was called.
     struct Progress {
-        std::optional<double> undecided_distance;
+        std::optional<double> undecided_distance; ///< See SearchReport.
         std::uint64_t box_tests = 0;
-        std::uint32_t steps_unpolled = 0; ///< Since the last call of `stop_`.
+        std::uint32_t steps_unpolled = 0; ///< Steps of the descent since the last call of `stop_`.
         bool is_stopped = false;
     };
 
@@ -63,7 +63,7 @@ class BinarySearch final : public ContactSearch {
     FoundContacts contacts_;
     std::vector<NodePair> stack_;
     std::vector<Aabb> bounds_;          ///< Boxes of one leaf's triangles of B, in A's coordinates.
-    std::vector<Candidate> candidates_; ///< Undecided pairs; indices into the trees at hand.
+    std::vector<Candidate> candidates_; ///< Pairs still to be decided, as indices into the trees.
 };
 
 } // namespace cd

@@ -9,7 +9,7 @@
 
 namespace cd {
 
-/// Returns all contact pairs, sorted.
+/// Returns all pairs of triangles that share a point, sorted.
 [[nodiscard]] std::vector<ContactPair>
 contact_pairs_brute_force(const Mesh& a, const Mesh& b, const PosePair& poses);
 

@@ -16,7 +16,7 @@ constexpr unsigned kind_bits = 2;
 constexpr unsigned place_bits = 31;
 static_assert(limits::mesh_triangles_max <= std::uint64_t{1} << place_bits);
 
-/// Returns a key; keys have the order of their pairs.
+/// Packs a pair into a key; keys compare like their pairs.
 std::uint64_t key_of(const ContactPair& pair) {
     return (std::uint64_t{pair.a} << place_bits | pair.b) << kind_bits |
            static_cast<std::uint64_t>(pair.kind);

@@ -27,7 +27,8 @@ struct PairCorners {
     Corners b;
 };
 
-/// Sorts pairs in ascending order. Keeps scratch memory between calls; one thread at a time.
+/// Sorts pairs in ascending order. Keeps scratch memory between calls; one thread at a time may use
+/// it.
 class PairSorter {
   public:
     PairSorter();
@@ -37,7 +38,8 @@ class PairSorter {
 
     /// Sorts pairs whose indices are below `limits::mesh_triangles_max`.
     void sort(std::vector<ContactPair>& pairs);
-    /// Sorts pairs with such indices, and moves the corners of each pair along with it.
+    /// Sorts the pairs and moves the corners of each pair along with it. The pairs' indices are
+    /// below `limits::mesh_triangles_max`.
     void sort(std::vector<ContactPair>& pairs, std::vector<PairCorners>& corners);
 
   private:

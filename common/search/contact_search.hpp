@@ -19,16 +19,17 @@ namespace cd {
 /// Statistics and flags of a search since its last `restart`.
 struct SearchReport {
     QueryStatistics statistics;
-    /// A true bound on the distance of the two bodies in the world, if boxes stay undecided under
-    /// the tolerance. Infinite if the poses are far from rigid. The same bits on every host.
+    /// Upper bound on the distance between the two bodies in the world, if the tolerance left boxes
+    /// undecided; else nothing. Infinite if the poses are far from rigid. The same bits on every
+    /// host.
     std::optional<double> undecided_distance;
     bool is_stopped = false;              ///< True: the contacts found so far are not the answer.
-    const RelativePose* b_to_a = nullptr; ///< Valid until the search's next `restart`.
+    const RelativePose* b_to_a = nullptr; ///< Valid until the next `restart`.
 };
 
-/// The search of one scenario, then of the next one: after a few scenarios it allocates nothing
-/// where doubles decide in wide trees. Callers pass subtrees of A and B pair by pair; any number of
-/// searches may share them. One thread at a time.
+/// Searches one scenario after another. After a few scenarios it allocates no memory where both
+/// trees are wide and doubles decide all pairs. Callers pass subtrees of A and B pair by pair; any
+/// number of searches may share them. One thread at a time may use a search.
 ///
 /// The decision of a pair is exact, and boxes never reject a touching pair. So the contacts depend
 /// neither on how the trees are cut into subtrees nor on the form of the trees.
@@ -36,16 +37,16 @@ class ContactSearch {
   public:
     virtual ~ContactSearch() = default;
 
-    /// Resets to a new search with other poses, but keeps scratch memory and the expectation of
-    /// `any`.
+    /// Starts a search under other poses. Keeps scratch memory, and what `any` expects from its
+    /// last answer.
     virtual void restart(const PosePair& poses) = 0;
 
-    /// Returns true once any two triangles under the two roots are known to touch; adds nothing to
-    /// the contacts. A search may expect the last outcome again, so the statistics depend on
-    /// earlier calls; the answer never does.
+    /// Returns whether any two triangles under the two roots touch. Adds nothing to the contacts. A
+    /// search may expect its last answer again and try the likely boxes first, so the statistics
+    /// depend on earlier calls, but the answer never does.
     [[nodiscard]] virtual bool any(const TreeView& a, const TreeView& b) = 0;
 
-    /// Adds every contact under the two roots, except in boxes that stay undecided.
+    /// Adds every contact under the two roots to `contacts()`, except in boxes that stay undecided.
     virtual void collect(const TreeView& a, const TreeView& b) = 0;
 
     /// Returns the contacts of all calls of `collect` since the last `restart`.
@@ -54,9 +55,9 @@ class ContactSearch {
     [[nodiscard]] virtual SearchReport report() const = 0;
 };
 
-/// Returns a search of the trees' common form: a WideSearch if both have a wide tree and there is
-/// no tolerance, else a BinarySearch. All trees passed to the search have this form. `ignored`
-/// outlives the search.
+/// Returns a WideSearch if both bodies have a wide tree and there is no tolerance, else a
+/// BinarySearch. All trees passed to the search must have the same form. `ignored` must outlive the
+/// search.
 [[nodiscard]] std::unique_ptr<ContactSearch> make_search(const TreeView& a,
                                                          const TreeView& b,
                                                          const PosePair& poses,

@@ -56,7 +56,8 @@ void FoundContacts::add(const Triangles& a,
             corners_.push_back({a.corners_at(found.a), b.corners_at(found.b)});
         }
     }
-    // Rare enough that sorting costs little compared to finding.
+    // Sorting drops the surplus pairs. It is so rare that it costs little compared to finding the
+    // pairs.
     if (pairs_.size() / 2 > options_.pairs_max && pairs_.size() > kept_at_least) {
         sort();
     }

@@ -14,7 +14,7 @@
 namespace cd {
 
 /// Decides candidates, counts the contacts among them, and keeps the pairs that the options ask
-/// for. Keeps scratch memory between scenarios; one thread at a time.
+/// for. Keeps scratch memory between scenarios; one thread at a time may use it.
 class FoundContacts {
   public:
     FoundContacts(const PosePair& poses, const SearchOptions& options);
@@ -47,17 +47,18 @@ class FoundContacts {
     /// Sorts the pairs, each with its corners, and keeps the first `pairs_max`.
     void sort();
 
-    /// Returns the pairs in the order of `sort`, or as found before it.
+    /// Returns the kept pairs: in the order found, or ascending once `sort` was called.
     [[nodiscard]] const std::vector<ContactPair>& pairs() const { return pairs_; }
-    /// Moves the pairs to the caller; the corners stay.
+    /// Moves the pairs to the caller; `corners()` stays.
     [[nodiscard]] std::vector<ContactPair> take_pairs();
-    /// Returns the corners of each pair if the options keep them, else nothing.
+    /// Returns the corners of each kept pair, in the pairs' order; empty unless the options keep
+    /// corners.
     [[nodiscard]] const std::vector<PairCorners>& corners() const { return corners_; }
 
-    /// Returns the test of the current poses, which also makes shared points.
+    /// Returns the pair test under the current poses, which also computes shared points.
     [[nodiscard]] TrianglePairTest& test() { return test_; }
 
-    /// Returns the statistics of a search with this number of box tests.
+    /// Returns the statistics of this object's decisions, together with the search's `box_tests`.
     [[nodiscard]] QueryStatistics statistics(std::uint64_t box_tests) const {
         return {box_tests, triangle_tests_, test_.statistics()};
     }

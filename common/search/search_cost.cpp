@@ -66,7 +66,8 @@ class TestCost {
         }
     }
     [[nodiscard]] bool is_known() const { return !costs_.empty(); }
-    /// Returns the median cost per test, ns; some cost is known.
+    /// Returns the median cost of a test in ns, weighted by the number of tests. Requires
+    /// `is_known()`.
     [[nodiscard]] double median() {
         std::sort(costs_.begin(), costs_.end());
         double below = 0;

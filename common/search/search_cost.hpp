@@ -27,9 +27,9 @@ struct SearchCost {
 };
 
 struct SearchCostOptions {
-    bool for_any = false; ///< Searches for a first contact, as level any does.
+    bool for_any = false; ///< Searches for a first contact, as `level any` does.
     PairStage first_stage = PairStage::Float;
-    /// No further pose begins after this time; the first always runs.
+    /// No further pose is measured after this time; the first always is.
     std::chrono::steady_clock::duration time_max = std::chrono::milliseconds(50);
 };
 

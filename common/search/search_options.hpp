@@ -11,18 +11,19 @@ namespace cd {
 
 struct SearchOptions {
     bool keep_pairs = true;    ///< False: pairs are only counted.
-    bool only_touches = false; ///< Keeps no pairs once one of them is proper.
+    bool only_touches = false; ///< Keeps no pairs once any pair is proper.
     /// Keeps about twice this number of pairs at a time, and the first `pairs_max` after sorting.
     /// All pairs are counted.
     std::uint64_t pairs_max = std::numeric_limits<std::uint64_t>::max();
-    /// Keeps the corners of each pair, for shared points: the subtrees may be gone by then.
+    /// Keeps the corners of each pair for shared points, whose computation may outlive the
+    /// subtrees.
     bool keep_corners = false;
     /// Above 0, two overlapping boxes stay undecided if the sum of their diameters does not exceed
     /// this length.
     double tolerance = 0;
-    PairStage first_stage = PairStage::Float; ///< See TrianglePairTest.
+    PairStage first_stage = PairStage::Float; ///< Earlier stages are skipped.
     PairDecision decision = PairDecision::Exact;
-    StopCheck stop = {}; ///< A search polls it while it descends.
+    StopCheck stop = {}; ///< The search polls this check while it descends.
 };
 
 } // namespace cd

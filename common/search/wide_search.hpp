@@ -9,11 +9,11 @@
 
 namespace cd {
 
-/// Searches trees that have a wide form; ignores the tolerance. `any` looks at the most promising
-/// boxes first if its last call found a contact, and else descends as `collect` does.
+/// Searches wide trees, without a tolerance. If the last call of `any` found a contact, `any` looks
+/// at the most promising boxes first; else it descends like `collect`.
 class WideSearch final : public ContactSearch {
   public:
-    /// `ignored` outlives the search.
+    /// `ignored` must outlive the search.
     explicit WideSearch(const PosePair& poses,
                         std::span<const IgnoredRange> ignored = {},
                         const SearchOptions& options = {});
@@ -34,7 +34,7 @@ class WideSearch final : public ContactSearch {
     std::span<const IgnoredRange> ignored_;
     StopCheck stop_;
     FoundContacts contacts_;
-    bool expects_contact_ = true; ///< The last answer of `any`.
+    bool expects_contact_ = true; ///< The last answer of `any`; true at first.
     bool is_stopped_ = false;
 };
 
