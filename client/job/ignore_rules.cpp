@@ -13,7 +13,7 @@ namespace {
 
 using Ranges = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
 
-/// A pattern in a job: "part" or "body/part".
+/// A pattern of an ignore rule: "part" or "body/part".
 struct PartPattern {
     std::optional<std::string> body;
     std::string part;
@@ -35,14 +35,14 @@ bool matches(const std::string& pattern, const std::string& name) {
     return fnmatch(pattern.c_str(), name.c_str(), 0) == 0;
 }
 
-/// A body and its name in messages.
+/// A body with its letter in messages and the name by which patterns call it.
 struct IgnoredBody {
     char letter = 'A';
     const std::string& name;
     const Mesh& mesh;
 };
 
-/// The triangles of all parts that match; neighbours are joined.
+/// The triangle ranges of all parts whose names match. Adjacent ranges are joined.
 Ranges matching(const std::string& pattern, const Mesh& mesh) {
     Ranges ranges;
     for (const Part& part : mesh.parts()) {

@@ -84,7 +84,7 @@ void get_trees(PreparedJob& job, Trees trees, TreeCache& cache, ThreadPool& pool
     }
 }
 
-/// "; y, z, roll, pitch are 0".
+/// Says which columns count as 0: "; y, z, roll, pitch are 0". Empty if none does.
 std::string zeros_text(const std::vector<std::string>& zeros) {
     std::string text;
     for (const std::string& name : zeros) {
@@ -93,7 +93,7 @@ std::string zeros_text(const std::vector<std::string>& zeros) {
     return text.empty() ? text : text + (zeros.size() == 1 ? " is 0" : " are 0");
 }
 
-/// The origin of the poses, for the header.
+/// Says where the poses come from, for the header.
 std::string poses_text(const PosesSpec& spec, const std::vector<std::string>& zeros) {
     if (const auto* file = std::get_if<PoseFileSpec>(&spec)) {
         return (file->path == "-" ? "from standard input" : file->path.filename().string()) +

@@ -23,13 +23,13 @@ namespace cd {
 
 struct PreparedJob {
     JobSpec spec;
-    std::array<std::string, 2> names;                  ///< Names of the bodies for people.
+    std::array<std::string, 2> names;                  ///< Names of the bodies in messages.
     std::array<std::shared_ptr<const Mesh>, 2> meshes; ///< One object if both bodies have one file.
     std::array<std::vector<std::string>, 2>
-        notes; ///< How the mesh files were interpreted, for people.
+        notes; ///< How each mesh file was interpreted, for messages.
     std::array<std::shared_ptr<const ObbTree>, 2> trees; ///< Null if not needed.
     Query query;
-    std::optional<Grid> grid; ///< Set if the poses are a grid, which is sent instead.
+    std::optional<Grid> grid; ///< Set if the poses are a grid; submitted instead.
     std::unique_ptr<PoseSource> poses;
     PoseLabels labels;                 ///< Ids and times of all poses, if their file has them.
     std::vector<std::string> zeros;    ///< Columns missing in the pose file, which count as 0.
@@ -37,8 +37,8 @@ struct PreparedJob {
     std::string header;                ///< The text of `header_text`.
 };
 
-/// The need for trees. A run in this process always needs them. A cluster builds its own, so here
-/// only random poses do.
+/// When `prepare_job` gets trees. A run in this process always needs them. A cluster builds its own
+/// trees, so a job for a master needs them only to generate random poses.
 enum class Trees : std::uint8_t { Always, ForPosesOnly };
 
 /// Inputs that are already loaded and replace the files that the job names.

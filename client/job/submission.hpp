@@ -8,7 +8,8 @@
 
 namespace cd {
 
-/// The description of a body for a master or a manifest, with its unit if that is known.
+/// The description of a body for a master or a manifest. Its unit is the given one, else the one
+/// that the mesh file declares, else the job's.
 [[nodiscard]] JobBody body_of(const JobSpec& spec, std::size_t body, const Sha256& mesh);
 
 /// The submission of a job. Names are escaped, since they may be file names.
