@@ -30,7 +30,7 @@ class LocalCluster {
     /// HOST:PORT
     [[nodiscard]] const std::string& address() const { return address_; }
 
-    /// False as soon as one of its programs has ended.
+    /// False once the master or a worker has ended.
     [[nodiscard]] bool is_running();
 
     /// Stops the workers, then the master. The destructor calls it.

@@ -19,7 +19,7 @@ namespace cd {
 
 /// Callbacks of a run, all on the calling thread.
 struct RunObserver {
-    /// Receives each result in the submitted order. An error ends the run with it.
+    /// Receives each result in the submitted order. If it returns an error, the run ends with it.
     std::function<Status(const DoneScenario&)> result;
     /// Called a few times a second or more often.
     std::function<void(const Summary&, double seconds)> progress;
@@ -31,9 +31,9 @@ struct RunOutcome {
     Summary summary;
     std::optional<Sha256> digest;
     double seconds = 0;       ///< Run time, without import and building of trees.
-    JobStatistics statistics; ///< Statistics of scenarios run now, without earlier ones.
+    JobStatistics statistics; ///< Sum over this run, without `LocalRunOptions::done`.
     /// The cost of this job's searches, measured after the run at some of its poses, in a small
-    /// share of the run's time. Empty under a tolerance, or if no triangle was tested.
+    /// share of the run's time. Nothing under a tolerance, or if no triangle was tested.
     std::optional<SearchCost> cost;
 };
 

@@ -12,9 +12,9 @@ namespace {
 
 using namespace std::chrono_literals;
 
-/// A thread has enough with this many waiting scenarios; a block is added at a time.
+/// No more scenarios are wanted while this many wait for each thread.
 constexpr std::uint64_t waiting_enough = 256;
-constexpr std::uint64_t block_scenarios = 512;
+constexpr std::uint64_t block_scenarios = 512; ///< Scenarios to add at a time.
 /// The time that a batch should take.
 constexpr std::chrono::steady_clock::duration batch_time = 250us;
 
@@ -112,7 +112,7 @@ std::vector<DoneScenario> OrderedRun::take(std::chrono::milliseconds period, boo
     });
     std::vector<DoneScenario> taken = done_.take();
     if (done_.is_full()) {
-        work_came_.notify_all(); // The next due scenario may have changed.
+        work_came_.notify_all(); // Another scenario may be due next and thus allowed to run.
     }
     return taken;
 }
@@ -138,7 +138,8 @@ void OrderedRun::work() {
 bool OrderedRun::refill(Batch& batch) {
     std::unique_lock lock(mutex_);
     work_came_.wait(lock, [this] {
-        // Beyond the bound only the next due scenario runs; without it no result can be taken.
+        // While results reach their bound, only the scenario due next runs: no result can be taken
+        // without it.
         return stopping_ ||
                (!waiting_.empty() && (!done_.is_full() || waiting_.front().index == done_.next()));
     });

@@ -19,7 +19,7 @@
 
 namespace cd {
 
-/// Results that wait until all before them are taken. Scenarios are numbered by their indices.
+/// Results that wait until all results with lower indices are taken.
 class ResultQueue {
   public:
     /// `first` is the index of the first result to take.
@@ -28,8 +28,8 @@ class ResultQueue {
     /// The index of the next result to take.
     [[nodiscard]] std::uint64_t next() const { return next_; }
     [[nodiscard]] bool is_next_here() const { return !waiting_.empty() && waiting_.front(); }
-    /// Whether the waiting results, and those that the last `take` returned, reach the bound of
-    /// bytes.
+    /// True if the waiting results and those that the last `take` returned have at least
+    /// `limits::run_bytes_ahead_max` bytes.
     [[nodiscard]] bool is_full() const;
 
     void add(std::vector<DoneScenario>& results, std::uint64_t bytes);
@@ -39,7 +39,7 @@ class ResultQueue {
     void release_taken();
 
   private:
-    /// The first slot belongs to scenario `next_`.
+    /// Slot i is for the result of scenario `next_` + i; nothing until that result is added.
     std::deque<std::optional<DoneScenario>> waiting_;
     std::uint64_t next_ = 0;
     std::uint64_t bytes_ = 0;
@@ -49,12 +49,12 @@ class ResultQueue {
 /// Scenarios are added in order; pool threads run them; results are taken in the same order.
 ///
 /// Threads exchange scenarios and results in batches of a fraction of a millisecond. Short
-/// scenarios thus do not cost a wakeup each, and long ones do not wait for each other. Results
-/// ahead of those taken are bounded in number and bytes.
+/// scenarios thus do not cost a wakeup each, and long ones do not wait for each other. Results not
+/// yet taken are bounded in number and bytes.
 class OrderedRun {
   public:
-    /// The runner's stop check reads `ended`; `first` is the index of the first scenario to be
-    /// added.
+    /// `ended` is the flag that the runner's stop check reads; the destructor sets it. `first` is
+    /// the index of the first scenario to be added.
     OrderedRun(const ScenarioRunner& runner,
                std::atomic<bool>& ended,
                ThreadPool& pool,
@@ -64,8 +64,8 @@ class OrderedRun {
     /// Drops waiting scenarios, and returns when all pool threads have left.
     ~OrderedRun();
 
-    /// The number of scenarios to add now: none while the threads have enough, or too many results
-    /// wait.
+    /// The number of scenarios to add now: 0 while the threads have enough, or while too many
+    /// results wait to be taken.
     [[nodiscard]] std::uint64_t wanted();
 
     void add(std::vector<Scenario> scenarios);
@@ -78,7 +78,7 @@ class OrderedRun {
     [[nodiscard]] JobStatistics statistics();
 
   private:
-    /// Scenarios that a thread has taken, and its results not yet handed over.
+    /// Scenarios that a thread has taken, and those of its results that it has not handed over.
     struct Batch {
         std::vector<Scenario> waiting;
         std::size_t ran = 0; ///< Number of `waiting` scenarios that were run.
