@@ -21,21 +21,21 @@ namespace cd {
 struct BodySpec {
     std::filesystem::path path;
     std::string unit;             ///< Unit of coordinates; empty: the file's, else the job's.
-    std::string name;             ///< Name for people; empty: the file's name.
+    std::string name;             ///< Empty: the file's name in messages, `export_name` in exports.
     std::string up = {};          ///< "y": turned to z up; "z" or empty: not turned.
     bool rounds_to_float = false; ///< Round coordinates to floats.
     /// The unit declared in the file if the job gives none; set when the file is read.
     std::string declared_unit = {};
 };
 
-/// Poses in a file; "-" is standard input.
+/// Poses in a file. The path "-" means standard input.
 struct PoseFileSpec {
     std::filesystem::path path;
-    std::string quat_order;      ///< "xyzw", "wxyz", or empty if the file says it.
-    bool of_both_bodies = false; ///< False: the poses are B's in A's frame.
-    std::optional<double> rigid_tolerance;
-    double length_factor = 1; ///< Factor from the file's unit to the job's.
-    std::string unit = {};    ///< Unit of translations; empty: the job's.
+    std::string quat_order;                ///< "xyzw", "wxyz", or empty if columns have names.
+    bool of_both_bodies = false;           ///< False: the poses are B's in A's frame.
+    std::optional<double> rigid_tolerance; ///< As for `check_rows`; nothing: the default.
+    double length_factor = 1;              ///< Factor from the file's unit to the job's.
+    std::string unit = {};                 ///< Unit of translations; empty: the job's.
 };
 
 /// Poses on a grid, both as tested and as written in the job.
@@ -48,8 +48,9 @@ struct GridSpec {
 
 using PosesSpec = std::variant<PoseFileSpec, GridSpec, RandomPoses>;
 
-/// Patterns of part names of A and of B, whose pairs are ignored. Patterns use shell wildcards; the
-/// body's name and a slash may precede the part's name, and a backslash escapes / * ? and [.
+/// Ignores the pairs of triangles of parts of A and of B whose names match two patterns. Patterns
+/// use shell wildcards; the body's name and a slash may precede the part's name, and a backslash
+/// escapes / * ? and [.
 struct IgnoreRule {
     std::string a;
     std::string b;
@@ -87,7 +88,8 @@ struct JobSpec {
 /// The name of a body in exports: its name in the job, else "a" or "b".
 [[nodiscard]] std::string export_name(const JobSpec& spec, std::size_t body);
 
-/// Refuses distribution depths beside a tolerance above 0, which fixes them. Errors: BadInput.
+/// Refuses given distribution depths if the tolerance is above 0: then the meshes fix the depths.
+/// Errors: BadInput.
 [[nodiscard]] Status check_depths(const JobSpec& spec);
 
 /// Refuses options that the strategy would ignore. Errors: BadInput.
@@ -96,7 +98,7 @@ struct JobSpec {
 /// Parses a distribution depth: a number, or "auto" (nothing). Errors: BadInput.
 [[nodiscard]] Result<std::optional<std::uint32_t>> parse_depth(std::string_view text);
 
-/// Refuses maps at level any. Errors: BadInput.
+/// Refuses maps at `level any`. Errors: BadInput.
 [[nodiscard]] Status check_maps(const JobSpec& spec);
 
 /// Removes repeated formats.

@@ -27,7 +27,7 @@ TomlFields::TomlFields(const toml::table& table,
                        std::initializer_list<std::string_view> known)
     : table_(table), name_(std::move(name)), problem_(problem) {
     const std::span<const std::string_view> words(known.begin(), known.size());
-    // The earliest line is reported, whatever the order of the table.
+    // Reports the unknown key on the earliest line; a table does not keep the order of the file.
     const toml::key* unknown = nullptr;
     for (const auto& [key, value] : table_) {
         const bool is_known = std::find(words.begin(), words.end(), key.str()) != words.end();

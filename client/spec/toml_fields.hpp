@@ -21,7 +21,7 @@ class TomlProblem {
   public:
     explicit TomlProblem(std::string file) : file_(std::move(file)) {}
 
-    /// `where` is the faulty node.
+    /// `where` is the place of the faulty node.
     void report(const toml::source_region& where, const std::string& what) {
         if (!error_) {
             error_ = Error{ErrorCode::BadInput,
@@ -36,10 +36,11 @@ class TomlProblem {
     std::optional<Error> error_;
 };
 
-/// One table, and its name in messages.
+/// Reads the values of one table. A missing key gives nothing or null without a report; a value of
+/// another type than asked for is reported, and gives nothing or null.
 class TomlFields {
   public:
-    /// Reports every key of the table that is not among `known`.
+    /// `name` is the table's name in messages. Reports the first key that is not among `known`.
     TomlFields(const toml::table& table,
                std::string name,
                TomlProblem& problem,
@@ -58,7 +59,7 @@ class TomlFields {
     [[nodiscard]] std::optional<bool> boolean(std::string_view key) const;
     [[nodiscard]] const toml::table* table(std::string_view key) const;
     [[nodiscard]] const toml::array* array(std::string_view key) const;
-    /// An array of exactly `count` finite numbers; `shape` says what they are.
+    /// An array of exactly `count` finite numbers; `shape` describes them in the report.
     [[nodiscard]] std::optional<std::vector<double>>
     numbers(std::string_view key, std::size_t count, std::string_view shape) const;
 
