@@ -21,7 +21,7 @@ std::string header_of(const LabelColumns& columns) {
     return columns.ids == IdKind::None ? "t" : columns.has_times ? "id,t" : "id";
 }
 
-/// Reads a row whose fields `csv_field` wrote. False at the end of the file.
+/// Reads a row of fields that `csv_field` wrote. Returns false at the end of the file.
 bool read_row(std::istream& in, CsvRow& row) {
     row.assign(1, "");
     bool is_quoted = false;

@@ -29,7 +29,7 @@ double distance(const Aabb& a, const Aabb& b) {
     return gap.stableNorm();
 }
 
-/// A length, rounded down.
+/// The text of a length, rounded down.
 std::string length_text(double length) {
     return length < 100 ? fixed_text(std::floor(10 * length) / 10, 1)
                         : grouped(static_cast<std::uint64_t>(length));

@@ -12,7 +12,7 @@
 namespace cd {
 
 /// The minimum distance of the bodies' boxes over all poses. Nothing if the boxes meet at one pose,
-/// if poses cannot be read, or if it is stopped.
+/// if poses cannot be read, or if `stop` returns true.
 [[nodiscard]] std::optional<double>
 least_distance(const Mesh& a, const Mesh& b, PoseSource& poses, const StopCheck& stop = {});
 

@@ -21,7 +21,7 @@ Error bad(std::string detail) {
     return {ErrorCode::BadInput, std::move(detail)};
 }
 
-/// The layout given by the axes of an array after its first.
+/// The layout of a pose, which the axes of an array after the first one give.
 Result<PoseLayout> layout_of(std::vector<std::uint64_t> shape, const PoseFileSpec& spec) {
     const std::vector<std::uint64_t> given = shape;
     shape.erase(shape.begin());

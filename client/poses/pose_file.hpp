@@ -25,12 +25,12 @@ struct OpenedPoses {
 /// (the array `poses`, or the only one) of shape (N,4,4), (N,3,4), (N,12) row-major, or (N,7) with
 /// the translation first and `quat_order` given; `.tum` and `.txt`. With `of_both_bodies` an array
 /// has a second axis of two, and a CSV file columns `scenario` and `body`. Matrices and quaternions
-/// are kept as they are; Euler angles become quaternions. Large arrays are read in runs.
+/// are kept as they are; Euler angles become quaternions. Large `.npy` arrays are not loaded whole.
 ///
 /// Errors: BadInput naming the file, the line or the row (from 0) and the value: a number that is
 /// missing or not finite; a quaternion whose norm is off by more than 1e-3; a matrix with max|R'R -
-/// I| > 1e-5 (or more than `rigid_tolerance`) or det <= 0. Errors above 1e-9 are counted in a
-/// warning. TooLarge if memory does not suffice.
+/// I| > 1e-5 (or more than `rigid_tolerance`) or det <= 0. A warning counts the poses that are off
+/// by more than 1e-9. TooLarge if memory does not suffice.
 [[nodiscard]] Result<OpenedPoses> open_pose_file(const PoseFileSpec& spec);
 
 } // namespace cd

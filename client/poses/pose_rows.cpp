@@ -43,7 +43,8 @@ bool is_quaternion(PoseLayout layout) {
     return layout == PoseLayout::Xyzw || layout == PoseLayout::Wxyz;
 }
 
-/// The distance of a pose from a rigid one. Errors: for errors that no tolerance allows.
+/// How far a pose is off from rigid: |norm - 1| of a quaternion, max|R'R - I| of a matrix. Errors:
+/// BadInput for faults that no tolerance allows.
 Result<double>
 distance_from_rigid(std::span<const double> v, PoseLayout layout, double length_factor) {
     const auto bad = [](std::string detail) {
@@ -126,7 +127,7 @@ class TableSource final : public PoseSource {
     }
 
   private:
-    /// Makes a pose from the first numbers and removes these.
+    /// Makes a pose from the first of the numbers, and removes these from the span.
     [[nodiscard]] Pose next_pose(std::span<const double>& numbers) const {
         const std::size_t size = numbers_of(table_.layout);
         const auto pose = to_pose(numbers.first(size), table_.layout, table_.length_factor);

@@ -30,12 +30,12 @@ struct PoseTable {
     std::unique_ptr<NpyRows> rows;
     PoseLayout layout = PoseLayout::Matrix44;
     bool of_both_bodies = false;
-    bool from_angles = false;              ///< Computed quaternions, whose norm need not be 1.
+    bool from_angles = false; ///< Quaternions computed from angles; any norm is accepted.
     std::vector<std::string> zeros = {};   ///< Columns missing in the file, which count as 0.
     std::vector<std::uint64_t> lines = {}; ///< Line of each pose in a text file; else empty.
-    double length_factor = 1;              ///< Factor of translations.
-    PoseLabels labels = {};                ///< Ids and times of all rows, if the file has them.
-    std::string name = {};                 ///< Name of the file.
+    double length_factor = 1; ///< Factor from the file's unit of translations to the job's.
+    PoseLabels labels = {};   ///< Ids and times of all rows, if the file has them.
+    std::string name = {};    ///< Name of the file.
 };
 
 /// The location of a pose in its file: "line 2" in a text file, else "row 0", or "row 0, body a" if
@@ -45,8 +45,8 @@ struct PoseTable {
 /// The result of checking all rows.
 struct RigidityReport {
     std::uint64_t off = 0;        ///< Poses off by more than 1e-9 and accepted.
-    std::uint64_t worst_pose = 0; ///< The pose that is off most.
-    double worst = 0;
+    std::uint64_t worst_pose = 0; ///< Number of the pose that is off most, as for `place_of_pose`.
+    double worst = 0;             ///< How far that pose is off.
 };
 
 /// Reads and checks all rows. Errors: BadInput naming the location and the value, as
@@ -54,7 +54,7 @@ struct RigidityReport {
 [[nodiscard]] Result<RigidityReport> check_rows(const PoseTable& table,
                                                 std::optional<double> rigid_tolerance);
 
-/// The rows as scenarios. The rows have been checked.
+/// A source of the scenarios in the rows, which `check_rows` must have accepted.
 [[nodiscard]] std::unique_ptr<PoseSource> make_table_source(PoseTable table);
 
 } // namespace cd

@@ -38,7 +38,7 @@ std::string_view trimmed(std::string_view text) {
     return is_quoted ? without_blanks(text.substr(1, text.size() - 2)) : text;
 }
 
-/// The text with each pair of quotes as one quote (RFC 4180).
+/// The text with each doubled quote replaced by one quote (RFC 4180).
 std::string with_single_quotes(std::string_view text) {
     std::string single;
     for (std::size_t i = 0; i < text.size(); ++i) {
@@ -48,7 +48,7 @@ std::string with_single_quotes(std::string_view text) {
     return single;
 }
 
-/// The first separator outside quotes.
+/// The position of the first separator outside quotes; npos if there is none.
 std::size_t end_of_word(std::string_view line, std::string_view separators) {
     bool is_quoted = false;
     for (std::size_t i = 0; i < line.size(); ++i) {
@@ -103,8 +103,8 @@ struct NumberColumn {
 
 struct Columns {
     ColumnSet set = ColumnSet::Quaternion;
-    std::vector<NumberColumn> numbers; ///< In layout order; factors convert degrees to radians.
-    std::vector<std::string> zeros;    ///< Names of missing columns.
+    std::vector<NumberColumn> numbers; ///< In layout order; factors convert radians to degrees.
+    std::vector<std::string> zeros;    ///< Names of missing columns, which count as 0.
     std::size_t scenario = 0;
     std::size_t body = 0;
     std::size_t id = no_column;
@@ -388,7 +388,7 @@ class BothBodies {
         }
         return std::move(values_);
     }
-    /// The scenarios of the rows of a, in the order of the file.
+    /// The scenario numbers of the rows of body a, in the order of the file.
     [[nodiscard]] const std::vector<std::size_t>& order() const { return order_; }
     /// The line of each pose that `finish` returns.
     std::vector<std::uint64_t> take_lines() { return std::move(lines_); }
