@@ -8,11 +8,11 @@
 
 namespace cd {
 
-/// Returns true when some probe, a point of `inner`, lies strictly in the solid that is bounded by
-/// those triangles of `outer` that are not left out for it, by the parity of a ray's crossings. The
-/// bodies do not touch in any pair that is not ignored, and `outer` is closed. The answer is exact
-/// under the given poses. Adds the cost to the statistics. A caller that knows that the bodies'
-/// boxes are apart can skip the call.
+/// Returns true if any probe, a point of `inner`, lies strictly inside the solid that `outer`
+/// bounds without the triangles left out for that probe. Counts the crossings of a ray (parity).
+/// Requires that `outer` is closed, and that no pair of triangles touches unless it is ignored. The
+/// answer is exact under the given poses. Adds the cost to `statistics`. A caller that knows that
+/// the bodies' boxes are apart can skip the call.
 [[nodiscard]] bool contains_component(const ObbTree& outer,
                                       const Pose& outer_pose,
                                       const ObbTree& inner,

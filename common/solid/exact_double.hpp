@@ -8,7 +8,7 @@
 
 namespace cd {
 
-/// A value with a flag that says whether every step to it was exact.
+/// A value, and whether every operation that led to it was exact.
 struct ExactDouble {
     double value = 0;
     bool is_exact = true;
@@ -19,7 +19,7 @@ struct ExactDouble {
 };
 
 [[nodiscard]] inline ExactDouble operator+(const ExactDouble& l, const ExactDouble& r) {
-    const DoubleDouble sum = exact_sum(l.value, r.value); // An overflow gives a NaN as the rest.
+    const DoubleDouble sum = exact_sum(l.value, r.value); // On overflow, `low` is NaN.
     return {sum.high, l.is_exact && r.is_exact && sum.low == 0};
 }
 
@@ -29,7 +29,7 @@ struct ExactDouble {
 
 [[nodiscard]] inline ExactDouble operator*(const ExactDouble& l, const ExactDouble& r) {
     const DoubleDouble product = exact_product(l.value, r.value);
-    // Above this bound the rest did not underflow.
+    // Above this bound, the product's `low` does not underflow.
     const bool in_range = l.value == 0 || r.value == 0 || std::abs(product.high) > 0x1p-900;
     return {product.high, l.is_exact && r.is_exact && in_range && product.low == 0};
 }

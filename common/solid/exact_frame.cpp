@@ -50,8 +50,8 @@ std::optional<int> proven_volume_sign(const std::array<Vec3, 3>& seen, double er
     const double sum = size_0 + size_1 + size_2 + error;
     // The determinant has six products of three, each at most size_0 size_1 size_2. The
     // differences, two products, a difference, a product and two sums round: 8 u to first order;
-    // the bound takes twice that to cover higher orders. An error of each component moves a product
-    // by error * pairs, and less for its powers.
+    // the bound takes twice that to cover higher orders. An error in each component moves a product
+    // by error * pairs, and its powers by less.
     const double bound = 96 * unit_roundoff * size_0 * size_1 * size_2 +
                          8 * error * (pairs + error * sum) + 0x1p-1000 * (1 + sum);
     return proven_sign(seen[2].dot(seen[0].cross(seen[1])), bound);
@@ -62,8 +62,8 @@ ExactFrame::ExactFrame(const Pose& outer, const Pose& inner) {
     const ExactPose i = to_exact(inner);
     // With world = (L x + t) / n of either body, the inner point x lies at
     //     y = Lo^-1 ((no / ni) (Li x + ti) - to)
-    // in outer's coordinates. The frame has det(Lo) ni y, or minus that if the factor is negative:
-    // adj(Lo) replaces the inverse; its rows are cross products of columns.
+    // in outer's coordinates. The frame's coordinates are |det(Lo)| ni y. The adjugate adj(Lo),
+    // whose rows are cross products of Lo's columns, replaces the inverse.
     std::array<DyadicVec, 3> adjugate{cross(column(o.linear, 1), column(o.linear, 2)),
                                       cross(column(o.linear, 2), column(o.linear, 0)),
                                       cross(column(o.linear, 0), column(o.linear, 1))};

@@ -27,32 +27,35 @@ using DyadicVec = std::array<Dyadic, 3>;
     return value.mantissa.sign();
 }
 
-/// Returns the sign of a value that errs by at most `error`, or nothing when that leaves it open.
+/// Returns the sign of a value that errs by at most `error`, or nothing if the error leaves it
+/// open.
 [[nodiscard]] inline std::optional<int> proven_sign(double value, double error) {
     // The bound assumes finite intermediate results; NaN and infinity decide nothing.
     return std::isfinite(value) && std::abs(value) > error ? std::optional(sign_of(value))
                                                            : std::nullopt;
 }
 
-/// Returns the sign of det(seen[0], seen[1], seen[2]) for rounded differences of vectors some of
-/// which err by `error` in each component. Returns nothing when that leaves the sign open.
+/// Returns the sign of det(seen[0], seen[1], seen[2]) for rounded differences of vectors. Each
+/// component of these vectors errs by at most `error`. Returns nothing if that leaves the sign
+/// open.
 [[nodiscard]] std::optional<int> proven_volume_sign(const std::array<Vec3, 3>& seen, double error);
 
-/// The point value / weight with a positive weight.
+/// The point `value` / `weight`; the weight is positive.
 struct ExactPoint {
     DyadicVec value;
     Dyadic weight{1, 0};
 };
 
-/// The coordinates of the outer one of two bodies, all multiplied by one positive number, the
-/// scale, so that no pose needs a division. Exact.
+/// An exact frame for two posed bodies: the outer body's coordinates, multiplied by a positive
+/// scale so that no pose needs a division.
 class ExactFrame {
   public:
     ExactFrame(const Pose& outer, const Pose& inner);
 
-    /// -1 where the relative pose mirrors the inner body, else 1; 0 where a matrix flattens space.
-    /// The other members require that the outer pose does not flatten space.
+    /// Returns -1 if the relative pose mirrors the inner body, 1 if not, and 0 if either body's
+    /// matrix is singular.
     [[nodiscard]] int orientation() const { return outer_orientation_ * inner_orientation_; }
+    /// Returns whether the outer body's matrix is invertible. The members below require that.
     [[nodiscard]] bool has_inverse() const { return outer_orientation_ != 0; }
 
     [[nodiscard]] DyadicVec of_inner(const Vec3& point) const;

@@ -10,8 +10,8 @@ namespace cd {
 
 namespace {
 
-/// Returns the ends of the inner body's ignored ranges. Between two consecutive ends, all triangles
-/// are ignored with the same outer triangles.
+/// Returns 0, `count` and the bounds of the inner body's ignored ranges, ascending. All triangles
+/// between two consecutive bounds are ignored with the same outer triangles.
 std::vector<std::uint32_t> bounds_of(std::span<const IgnoredRange> ignored, std::uint32_t count) {
     std::vector<std::uint32_t> bounds{0, count};
     for (const IgnoredRange& range : ignored) {
@@ -23,7 +23,7 @@ std::vector<std::uint32_t> bounds_of(std::span<const IgnoredRange> ignored, std:
     return bounds;
 }
 
-/// Returns the outer triangles that are ignored with an inner triangle.
+/// Returns the outer triangles that are ignored with an inner triangle, ascending and disjoint.
 std::vector<IdRange>
 left_out_of(std::span<const IgnoredRange> ignored, std::uint32_t inner, std::uint32_t outer_count) {
     std::vector<IdRange> ranges;
@@ -45,13 +45,14 @@ left_out_of(std::span<const IgnoredRange> ignored, std::uint32_t inner, std::uin
     return joined;
 }
 
-/// The kinds of inner triangles; triangles of one kind leave out equal outer triangles.
+/// Sorts the inner triangles into kinds: those of one kind are ignored with the same outer
+/// triangles.
 struct Kinds {
-    std::vector<std::vector<IdRange>> left_out; ///< By kind.
-    std::vector<std::uint32_t> of_triangle;
+    std::vector<std::vector<IdRange>> left_out; ///< For each kind, the ignored outer triangles.
+    std::vector<std::uint32_t> of_triangle;     ///< The kind of each inner triangle.
 };
 
-/// Returns nothing where there are too many kinds.
+/// Returns nothing if there are too many ignored ranges or kinds (limits/engine.hpp).
 std::optional<Kinds> kinds_of(std::span<const IgnoredRange> ignored,
                               std::uint32_t inner_count,
                               std::uint32_t outer_count) {
@@ -81,7 +82,7 @@ bool leaves_components_whole(std::span<const std::uint32_t> component_of,
                              std::span<const IdRange> left_out) {
     std::vector<std::uint8_t> ways(
         component_of.size(),
-        0); // By component: bit 1 for triangles that are in, bit 2 for triangles left out.
+        0); // By component: 1 if any triangle stays, plus 2 if any is left out.
     std::uint32_t next = 0;
     const auto note = [&](std::uint32_t end, std::uint8_t way) {
         for (; next < end; ++next) {

@@ -15,7 +15,7 @@ namespace cd {
 /// are ignored with the same triangles of the outer body.
 struct ProbeGroup {
     std::vector<std::uint32_t> triangles;
-    std::vector<IdRange> left_out; ///< Ranges of the outer body; ascending and disjoint.
+    std::vector<IdRange> left_out; ///< Their ignored outer triangles, ascending and disjoint.
 };
 
 struct InsideProbes {
@@ -23,18 +23,18 @@ struct InsideProbes {
     bool are_all = true; ///< False if there are triangles whose containment cannot be decided.
 };
 
-/// A triangle of the inner body meets those triangles of the outer body that are not ignored with
-/// it. They bound a solid where they are whole components (connected by vertices) of a closed body;
-/// only then can it be decided whether the triangle lies in that solid. A triangle that meets none
-/// lies in no solid.
+/// Chooses the points of `inner` to test against `outer`. An inner triangle is tested against the
+/// outer triangles that are not ignored with it. These bound a solid if they are whole components
+/// (connected by vertices) of a closed body; otherwise containment cannot be decided. An inner
+/// triangle that is ignored with all outer triangles lies in no solid.
 ///
-/// Connected triangles that meet the same outer triangles lie all inside or all outside, as long as
-/// no pair that is not ignored touches: one of them is tested. Without ignored pairs that is one of
-/// each component.
+/// Connected inner triangles with the same ignored outer triangles lie all inside or all outside,
+/// as long as no pair that is not ignored touches, so one of them is tested. Without ignored pairs,
+/// that is one triangle of each component.
 ///
-/// `ignored` has the ranges of the inner body as those of A. The cost is nearly linear in both
-/// bodies' triangles, times the number of kinds of inner triangles by what they meet. With too many
-/// kinds (limits/engine.hpp) there are no probes.
+/// In `ignored`, the inner body is A. The cost is nearly linear in both bodies' triangles, times
+/// the number of kinds of inner triangles (those ignored with the same outer triangles). With too
+/// many kinds (limits/engine.hpp) there are no probes.
 [[nodiscard]] InsideProbes
 inside_probes(const ObbTree& inner, const ObbTree& outer, std::span<const IgnoredRange> ignored);
 

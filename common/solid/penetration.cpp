@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::uint64_t steps_between_stop_checks = 64;
 
-/// Calls the stop check only once in many steps.
+/// Calls the stop check once in `steps_between_stop_checks` steps.
 class StopChecks {
   public:
     explicit StopChecks(const StopCheck& stop) : stop_(stop) {}
@@ -26,7 +26,7 @@ class StopChecks {
     std::uint64_t steps_ = 0;
 };
 
-/// Caches the side of the solid for each triangle that was tested.
+/// Caches `SolidTest::solid_side` of each tested triangle.
 class SolidSides {
   public:
     explicit SolidSides(const ObbTree& body) : solid_(body) {}
@@ -82,7 +82,7 @@ bool any_faces_the_same_way(const ObbTree& a,
     return found;
 }
 
-/// The contacts of the triangles of one body, in the order of these triangles.
+/// A contact, sorted under its inner triangle.
 struct InnerContact {
     std::uint32_t inner = 0;
     OuterContact outer;

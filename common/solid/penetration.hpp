@@ -11,25 +11,26 @@
 
 namespace cd {
 
-/// Implements the rule of NUMERICS section 1 for `cross` without a proper pair, for two closed
-/// bodies with all their contacts, sorted. Returns true if
+/// Decides the class `cross` for two closed bodies that touch without a proper pair. `contacts` are
+/// all their contacts, sorted. Returns true if
 ///
 /// - two coplanar triangles that overlap face the same way: their solids then share a neighbourhood
 /// of the overlap. A triangle faces away from its body's solid, by parity at its centroid
 /// (`SolidTest::solid_side`), so neither the winding nor a mirroring pose matters. A triangle whose
 /// centroid lies on another triangle of its own body faces neither way;
 /// - or a point in the interior of a contacting triangle of one body lies strictly inside the
-/// other. The other's surface can meet that interior only along its edges, at its corners, or in
-/// coplanar triangles: they divide the interior into cells, and one point of each is tested. A
-/// degenerate triangle is divided as the segment that it is.
+/// other. The other's surface can meet that interior only along the surface's edges, at its
+/// corners, or in coplanar triangles. These divide the interior into cells, and one point of each
+/// is tested. A degenerate triangle is divided as the segment that it is.
 ///
 /// `ignored` pairs are not among the contacts. The first rule applies to all contacts. The second
 /// applies only to triangles that no ignored range names, because only their contacts are complete;
 /// ignored parts that penetrate each other are not tested.
 ///
-/// `stop` is called throughout; once it returns true the result is meaningless.
+/// `stop` is polled throughout; once it returns true the result is meaningless.
 ///
-/// Exact. A body that a matrix flattens has no solid: nothing is inside it, and it faces no way.
+/// The answer is exact. A body that a singular matrix flattens has no solid: nothing is inside it,
+/// and its triangles face neither way.
 [[nodiscard]] bool penetrates(const ObbTree& a,
                               const ObbTree& b,
                               const PosePair& poses,

@@ -14,9 +14,9 @@ namespace {
 
 constexpr double unit_roundoff = 0x1p-53;
 
-/// Returns the direction of the i-th attempt, on the curve (1, t, t^2); a plane contains at most
-/// two directions of it. Exact in double; t runs over distinct multiples of 2^-16 in [0, 1), then
-/// in [1, 2), and so on.
+/// Returns the ray direction of an attempt: a point of the curve (1, t, t^2), of which a plane
+/// through the origin contains at most two. Exact in double; t runs over distinct multiples of
+/// 2^-16 in [0, 1), then in [1, 2), and so on.
 Vec3 ray_direction(std::uint64_t attempt) {
     const std::uint64_t place =
         (attempt * 40503 + 26177) % 65536; // 40503 is odd, so this is a permutation.
@@ -24,7 +24,7 @@ Vec3 ray_direction(std::uint64_t attempt) {
     return {1, t, t * t};
 }
 
-/// The corners of a triangle of the solid relative to the point.
+/// A triangle of the solid as seen from a point: its corners relative to the point.
 class SeenTriangle {
   public:
     SeenTriangle(const Corners& corners, SolidPoint& point) : corners_(corners), point_(point) {
@@ -34,8 +34,8 @@ class SeenTriangle {
         }
     }
 
-    /// Returns the sign of det(direction, corner i, corner j): the side of the edge on which the
-    /// line passes.
+    /// Returns the sign of det(direction, corner i, corner j): on which side of the edge between
+    /// these corners the ray's line passes.
     [[nodiscard]] int edge_side(const Vec3& direction, std::size_t i, std::size_t j) {
         // Each minor is at most 2 size_i size_j. The differences, two products, a difference, a
         // product and two sums round: 8 u to first order. The point's error moves each minor by at
@@ -50,8 +50,8 @@ class SeenTriangle {
         return sign_of(dot(to_dyadic(direction), cross(exact_seen(i), exact_seen(j))));
     }
 
-    /// Returns the sign of det(corner 0, corner 1, corner 2): the side of its plane on which the
-    /// point lies.
+    /// Returns the sign of det(corner 0, corner 1, corner 2): on which side of the triangle's plane
+    /// the point lies.
     [[nodiscard]] int plane_side() {
         if (const auto sign = proven_volume_sign(seen_, point_.error())) {
             return *sign;
@@ -99,7 +99,8 @@ Crossing crossing(SeenTriangle triangle, const Vec3& direction) {
         return triangle.is_flat() ? Crossing::None : Crossing::Unclear;
     }
     // The line meets the closed triangle in one point. The sum of the three determinants is
-    // direction . normal, so their common sign tells whether it lies forwards or backwards.
+    // direction . normal, so their common sign is the sign of that product. The plane lies ahead of
+    // the ray's start if `plane_side` has this sign.
     const int forward = *least < 0 ? -1 : 1;
     const int side = triangle.plane_side();
     if (side == 0) {
@@ -123,7 +124,7 @@ class BoxesOnRay {
     BoxesOnRay(const SolidPoint& point, const Vec3& direction, const ObbNode& root)
         : start_(point.rounded()), direction_(direction) {
         // Only the part of the ray within the outermost box matters. There, no number below is
-        // greater than `scale`, and each errs by a few u of it; 2^-40 is a sufficient margin.
+        // greater than `scale`, and each errs by a few 2^-53 of it; 2^-40 is a sufficient margin.
         double reach = start_.cwiseAbs().maxCoeff();
         for (std::size_t i = 0; i < 3; ++i) {
             reach += std::abs(root.center[i]) + static_cast<double>(root.half[i]);
@@ -194,11 +195,11 @@ Vec3 centroid_of(const Corners& corners) {
     return (corners[0] + corners[1] + corners[2]) / 3;
 }
 
-/// Returns the sign of normal . direction; the normal is that of the winding.
+/// Returns the sign of normal . direction, where the winding orients the normal.
 int forward_of(const Corners& corners, const Vec3& direction) {
     const Vec3 edge_1 = corners[1] - corners[0];
     const Vec3 edge_2 = corners[2] - corners[0];
-    // The bound is that of edge_side for two exact vectors, plus the rounding of the differences.
+    // The bound is that of `SeenTriangle::edge_side` for a point without error.
     const double error =
         direction.cwiseAbs().sum() *
         (24 * unit_roundoff * edge_1.cwiseAbs().maxCoeff() * edge_2.cwiseAbs().maxCoeff() +
@@ -277,22 +278,23 @@ SolidTest::Verdict SolidTest::cast_ray(SolidPoint& point,
     return is_odd ? Verdict::Odd : Verdict::Even;
 }
 
-/// Directions are unclear only in the triangle's plane and in the planes through the point and an
-/// edge, for each triangle that the point is not on: 4 planes, so 8 directions. (Where the point
-/// lies on an edge's line, that edge has no plane, but any direction off the triangle's plane is
-/// clear.) `is_inside_beside` excludes one more plane, so 2 more directions.
+/// Bounds the number of directions to try. For each triangle that the point is not on, a direction
+/// is unclear only in the triangle's plane and in the planes through the point and an edge: 4
+/// planes, so 8 directions. (Where the point lies on an edge's line, that edge has no plane, but
+/// any direction off the triangle's plane is clear.) `is_inside_beside` excludes one more plane, so
+/// 2 more directions.
 std::uint64_t SolidTest::attempts_max() const {
     return 8 * std::uint64_t{solid_.mesh().triangles().size()} + 3;
 }
 
-/// Returns a direction towards the nearest face of the solid's box, where the ray meets few boxes.
-/// It is oblique, so that it avoids edges parallel to the box's axes. Returns nothing where the
-/// point lies outside the box.
+/// Returns a direction towards the nearest face of the solid's box, so that the ray meets few
+/// boxes. The direction is oblique to avoid edges parallel to the box's axes. Returns nothing if
+/// the point lies outside the box.
 std::optional<Vec3> SolidTest::shortest_way_out(const SolidPoint& point) const {
     const ObbNode& box = solid_.view().nodes[0];
     const Vec3 center(box.center[0], box.center[1], box.center[2]);
     const Vec3 from_center = point.rounded() - center;
-    // Each number below errs by a few u of this scale.
+    // Each number below errs by a few 2^-53 of this scale.
     const double scale = point.rounded().cwiseAbs().maxCoeff() + center.cwiseAbs().maxCoeff();
     const double margin = 0x1p-40 * scale + 4 * point.error();
     std::size_t nearest = 0;
@@ -370,9 +372,8 @@ int SolidTest::solid_side(std::uint32_t triangle) {
         }
     }
     statistics_.by_exact += point.needed_exact() ? 1u : 0u;
-    // The start lies on the triangle, which was skipped. With an odd number of other crossings,
-    // this direction leads out of the solid. With an even number it leads out of empty space, so
-    // the solid is on the other side.
+    // The ray starts on the triangle, which is passed over. If it crosses the others an odd number
+    // of times, the solid is on the normal's side; if an even number, on the other side.
     return verdict == Verdict::OnSurface ? 0 : verdict == Verdict::Odd ? 1 : -1;
 }
 

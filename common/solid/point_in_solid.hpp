@@ -46,10 +46,10 @@ class SolidTest {
     /// surface; the other triangles bound a solid.
     [[nodiscard]] Place place_of(SolidPoint& point, std::span<const IdRange> left_out = {});
 
-    /// Decides whether the solid lies right beside a point, on one side of a plane through it.
-    /// `passed_over` are ascending ids of triangles of the solid: all that contain the point, none
-    /// of which extends to that side. `side_of` returns on which side of the plane, 1 or -1, a
-    /// direction leads, or 0 in the plane.
+    /// Returns whether the solid lies right beside a point, on the given side of a plane through
+    /// it. `passed_over` are ascending ids of triangles of the solid: at least all that contain the
+    /// point, and none that extends to that side. `side_of` returns on which side of the plane, 1
+    /// or -1, a direction leads, or 0 in the plane.
     [[nodiscard]] bool is_inside_beside(SolidPoint& point,
                                         const std::function<int(const Vec3& direction)>& side_of,
                                         int side,
@@ -73,7 +73,7 @@ class SolidTest {
 
     const ObbTree& solid_;
     std::vector<std::uint32_t> waiting_; ///< Stack of nodes; empty between rays.
-    std::vector<IdRange> passed_over_;   ///< In use while rays beside one point are cast.
+    std::vector<IdRange> passed_over_;   ///< The triangles passed over by `is_inside_beside`.
     SettleStatistics statistics_;
 };
 

@@ -50,9 +50,10 @@ ExactDouble cross(const ExactDoubles& l, const ExactDoubles& r, std::size_t drop
     return l[i] * r[j] - l[j] * r[i];
 }
 
-/// Bounds the error of `cross` of two rounded differences whose terms err by `error`. The
-/// differences, the products and the last difference round: 4 u of two products to first order,
-/// each at most l r; the terms move a product by 2 error (l + r + 2 error).
+/// Bounds the error of `cross` for two rounded differences with components of at most `l` and `r`,
+/// whose terms err by `error`. The differences, the products and the last difference round: 4 u of
+/// two products to first order, each at most l r; the terms move a product by 2 error (l + r + 2
+/// error).
 double cross_error(double l, double r, double error) {
     return 16 * unit_roundoff * l * r + 5 * error * (l + r + 2 * error) + 0x1p-1000;
 }
@@ -66,7 +67,7 @@ PosedTriangle::PosedTriangle(const ExactFrame& frame,
     for (std::size_t i = 0; i < 3; ++i) {
         const RoundedPoint corner = posed(inner_to_outer, corners[i]);
         rounded_[i] = corner.value;
-        // A bound that is not finite leaves every later answer undecided.
+        // With a bound that is not finite, doubles prove nothing and exact numbers decide.
         error_ = corner.error > error_ || !std::isfinite(corner.error) ? corner.error : error_;
     }
     choose_projection();
@@ -130,7 +131,8 @@ std::optional<int> PosedTriangle::proven_plane_side(const Vec3& point) const {
 int PosedTriangle::forward(const Vec3& direction) {
     const Vec3 edge_1 = rounded_[1] - rounded_[0];
     const Vec3 edge_2 = rounded_[2] - rounded_[0];
-    // Each component of the normal errs by this; the dot product rounds by a few u more of them.
+    // `error` bounds the error of each component of the normal, plus the rounding of the dot
+    // product.
     const double largest = edge_1.cwiseAbs().maxCoeff() * edge_2.cwiseAbs().maxCoeff();
     const double error =
         cross_error(edge_1.cwiseAbs().maxCoeff(), edge_2.cwiseAbs().maxCoeff(), error_) +

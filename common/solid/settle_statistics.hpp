@@ -12,7 +12,7 @@ struct SettleStatistics {
     std::uint64_t ray_triangle_tests = 0; ///< Triangles tested against a ray.
     std::uint64_t by_exact = 0;           ///< Points that doubles could not decide.
     std::uint64_t searches =
-        0; ///< Repeated contact searches, because a result no longer held its contacts.
+        0; ///< Contact searches repeated because a result did not hold its contacts.
 
     SettleStatistics& operator+=(const SettleStatistics& other);
 

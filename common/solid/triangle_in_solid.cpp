@@ -19,7 +19,7 @@ SolidPoint to_solid_point(const std::array<Rational, 3>& in_frame, const ExactFr
         const Rational coordinate = in_frame[i] / scale;
         rounded[static_cast<Eigen::Index>(i)] = coordinate.convert_to<double>();
     }
-    // The quotient of integers is the nearest double, or nearly so.
+    // The conversion rounds to the nearest double, or nearly so.
     const double error = 0x1p-50 * rounded.cwiseAbs().maxCoeff() + 0x1p-1000;
     return {rounded, error, [in_frame, &frame] {
                 const ExactInt x(denominator(in_frame[0]));
@@ -41,8 +41,8 @@ std::array<double, 3> key(const Vec3& v) {
     return {v.x(), v.y(), v.z()};
 }
 
-/// Sides of an inner triangle's plane on which an outer triangle's corners lie, as far as doubles
-/// prove them.
+/// Records which corners of an outer triangle lie beyond which edges of an inner one, as far as
+/// doubles prove it.
 class CornerSides {
   public:
     CornerSides(const PosedTriangle& inner, const Corners& outer) {
@@ -54,7 +54,7 @@ class CornerSides {
     }
 
     /// Returns true when the segment from corner i to corner j provably lies beyond one edge of the
-    /// inner triangle; with i = j, when the corner lies outside.
+    /// inner triangle; with i = j, when corner i does.
     [[nodiscard]] bool pass_by(std::size_t i, std::size_t j) const {
         for (std::size_t k = 0; k < 3; ++k) {
             if (is_beyond_[i][k] && is_beyond_[j][k]) {
@@ -87,7 +87,7 @@ bool passes_by(PosedTriangle& triangle, const Vec3& from, const Vec3& to) {
     return *least >= 0 || *greatest <= 0;
 }
 
-/// The projection of a triangle's plane along the axis `drop`.
+/// Projects points of a triangle's plane along the axis `drop`, and back, exactly.
 class Projection {
   public:
     explicit Projection(PosedTriangle& triangle) : drop_(triangle.drop()) {
@@ -134,15 +134,16 @@ std::array<DyadicVec, 2> ends_of(const std::array<DyadicVec, 3>& corners) {
     return {sorted[0], sorted[2]};
 }
 
-/// Adds the parameter, from 0 to 1 along the segment, at which f changes its sign, for a linear f
-/// with these values at the ends.
+/// Adds the parameter at which a linear function changes its sign, if it does. The function is
+/// `from` at parameter 0 and `to` at 1.
 void add_change(const Dyadic& from, const Dyadic& to, std::vector<Rational>& places) {
     if (sign_of(from) * sign_of(to) < 0) {
         places.push_back(to_rational(from) / to_rational(from - to));
     }
 }
 
-/// Adds the parameters where the segment crosses the triangle's plane or, in it, the edges' lines.
+/// Adds the parameters (0 to 1) at which the segment crosses the triangle's plane or, if the
+/// segment lies in that plane, the lines of the triangle's edges.
 void add_crossings(const std::array<DyadicVec, 2>& ends,
                    const std::array<DyadicVec, 3>& triangle,
                    std::vector<Rational>& places) {
@@ -181,7 +182,7 @@ bool TriangleInSolid::reaches_inside(std::uint32_t triangle,
         return any_piece_inside(inner, contacts);
     }
     if (const auto side = open_side(inner, contacts)) {
-        // The triangle, moved a little to that side, is clear of the outer surface, and so is the
+        // Moved a little to that side, the triangle is clear of the outer surface, and so is the
         // way back to each of its points that is not on the surface: one point decides for all of
         // these.
         SolidPoint centroid = inner.centroid();
@@ -199,8 +200,8 @@ bool TriangleInSolid::reaches_inside(std::uint32_t triangle,
             return contact.kind == PairClass::Coplanar;
         });
     if (is_covered) {
-        return false; // The coplanar triangles cover this one completely; otherwise an edge would
-                      // be in it.
+        return false; // The coplanar triangles cover this one completely; otherwise an edge of
+                      // theirs would cross its interior.
     }
     SolidPoint centroid = inner.centroid();
     return solid_.place_of(centroid) == Place::Inside;
@@ -313,8 +314,8 @@ void TriangleInSolid::keep_boundary_edges() {
         while (end < edges_.size() && ends(edges_[end]) == ends(edges_[begin])) {
             ++end;
         }
-        // Two coplanar triangles of equal winding lie on both sides of their common edge, so that
-        // the edge divides only surface.
+        // Two coplanar triangles of equal winding lie on both sides of their common edge, so the
+        // area that they cover continues across the edge.
         const bool is_within = end - begin == 2 && edges_[begin].winding != 0 &&
                                edges_[begin].winding == edges_[begin + 1].winding;
         if (!is_within) {

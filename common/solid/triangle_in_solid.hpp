@@ -62,9 +62,10 @@ class TriangleInSolid {
     ExactFrame frame_;
     RelativePose inner_to_outer_;
     SolidTest solid_;
-    /// By outer vertex, where doubles do not decide: triangles in contact often share vertices.
+    /// The sides of outer vertices that doubles cannot decide: triangles in contact often share
+    /// vertices.
     std::unordered_map<std::uint32_t, int> plane_sides_;
-    std::vector<std::uint32_t> ids_; ///< Ids of the current contacts.
+    std::vector<std::uint32_t> ids_; ///< Outer triangles of the current contacts.
     std::vector<Edge> edges_;        ///< Edges that may enter the current triangle.
 };
 
