@@ -24,13 +24,13 @@
 //                             L.m_j = 0; for the third axis l of B beside j and k, L.m_k is a
 //                             cofactor of M: the singular values of the cofactors are products of
 //                             two of M, which stay within 1.53 tau + 3.05 eta of M's own, so
-//                             |L.m_k| is within that of |M_il|; and n_k for m_k adds 1.01 eta.
+//                             |L.m_k| is as close to |M_il|; n_k in place of m_k adds 1.01 eta.
 // So all |L.n_k| stay within 1.53 tau + 4.1 eta <= 22 e + 5 s + 13 r + 160 u of what the classical
 // test uses: `frame_error_` times the sum of hb covers it. Rounding the sums on the right costs
 // less than 8 u (sum ha + sum hb).
 //
 // T: v = R d + t - c is computed with an error of at most r |d|_1 + (translation error) +
-// 6 u (1.01 |d|_1 + |t|_1 + |c|_1) in each component; F multiplies it by at most 1.74 and rounds by
+// 6 u (1.01 |d|_1 + |t|_1 + |c|_1) in each component; F multiplies this by at most 1.74, rounds by
 // 3 u |v|_1; L multiplies by at most 1.75 and rounds the same way. Together at most
 // 4 (r |d|_1 + translation error) + 48 u (|d|_1 + |t|_1 + |c|_1).
 //
@@ -114,7 +114,7 @@ Aabb BoxTest::bounds(const Corners& b) const {
              rotation_[6] * c[0] + rotation_[7] * c[1] + rotation_[8] * c[2] + translation_[2]});
         size = std::max(size, size_of(c));
     }
-    // The error is that of T in the comment above, without F; growing the box rounds once more.
+    // The error is that of T at the head of this file, without F; growing the box rounds once more.
     double error = rotation_error_ * size + translation_error_ +
                    12 * rounding_ * (size + translation_size_) + underflow;
     if (!(size + translation_size_ < center_max) || !(frame_error_ < infinity)) {

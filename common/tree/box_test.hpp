@@ -26,20 +26,20 @@ class BoxTest {
 
     [[nodiscard]] PosedBox pose(const ObbNode& b) const;
 
-    /// Returns a box in A's body coordinates that encloses a triangle of B, in exact terms. It is
-    /// all of space, or NaN on an axis, where numbers overflow or the pose's bounds are of no use.
+    /// Returns a box in A's body coordinates that encloses a triangle of B, in exact terms. The box
+    /// is all of space, or NaN on an axis, if numbers overflow or the pose is too far from rigid.
     [[nodiscard]] Aabb bounds(const Corners& b) const;
 
     /// Returns false only if boxes `a` and `b` have no point in common, in exact terms, under the
-    /// true poses. Returns true wherever numbers overflow or the pose's bounds are of no use.
+    /// true poses. Returns true if numbers overflow or the pose is too far from rigid.
     [[nodiscard]] bool may_overlap(const ObbNode& a, const PosedBox& b) const;
     [[nodiscard]] bool may_overlap(const ObbNode& a, const ObbNode& b) const {
         return may_overlap(a, pose(b));
     }
 
     /// Returns an upper bound on the distance between any point of box `a` and any point of box
-    /// `b`, in A's body coordinates, in exact terms. The bound is infinite, never NaN, where
-    /// numbers overflow or the pose's bounds are of no use.
+    /// `b`, in A's body coordinates, in exact terms. The bound is infinite, never NaN, if numbers
+    /// overflow or the pose is too far from rigid.
     [[nodiscard]] double distance_max(const ObbNode& a, const PosedBox& b) const;
 
   private:

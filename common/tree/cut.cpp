@@ -12,11 +12,11 @@ namespace cd {
 
 namespace {
 
-/// A node on the way down from the root to the cut.
+/// A node above or on the cut, as the traversal reaches it.
 struct TopNode {
     std::uint32_t node = 0; ///< Index in the tree.
     std::uint32_t depth = 0;
-    std::uint32_t parent = 0; ///< Index of the parent in the upper tree, if this is a right child.
+    std::uint32_t parent = 0; ///< Index of a right child's parent in the upper tree; else 0.
     bool is_right = false;
 };
 
@@ -45,12 +45,14 @@ double size_of(const ObbNode& node) {
            static_cast<double>(node.half[2]);
 }
 
-/// Returns which of two nodes is opened: the larger one, so that the boxes stay alike in size.
+/// Returns whether the descent opens `a` instead of `b`: always the node with the larger box, so
+/// that both boxes stay alike in size.
 bool opens_a(const ObbNode& a, const ObbNode& b) {
     return !a.is_leaf() && (b.is_leaf() || size_of(a) >= size_of(b));
 }
 
-/// One simultaneous descent of two upper trees. Its pairs are indices in `nodes`, not root numbers.
+/// One simultaneous descent of two upper trees. Its pairs hold indices in `nodes`, not root
+/// numbers.
 class TopDescent {
   public:
     TopDescent(const TreeTop& a, const TreeTop& b, const PosePair& poses)

@@ -17,7 +17,8 @@ namespace cd {
 /// The index of a distribution root in its cut, from left to right.
 using RootIndex = std::uint32_t;
 
-/// Stands for the upper tree instead of a root; it is sent as a block like the roots' subtrees.
+/// The number that means the upper tree instead of a root. The upper tree is sent as a block, like
+/// the roots' subtrees.
 inline constexpr RootIndex top_root = std::numeric_limits<RootIndex>::max();
 
 /// Drops `top_root` from ascending roots.
@@ -67,8 +68,8 @@ struct CollidingRoots {
 
 /// Descends both upper trees together. Each contact of the scenario lies under exactly one returned
 /// pair, so the pairs' contacts together are the answer, without duplicates; no pair means no
-/// contact. The pairs are sorted and depend only on the arguments. Errors: TooLarge over
-/// `limits::root_pairs_max`.
+/// contact. The pairs are sorted and depend only on the arguments. Errors: TooLarge if there are
+/// more than `limits::root_pairs_max` pairs.
 [[nodiscard]] Result<CollidingRoots>
 colliding_roots(const TreeTop& a, const TreeTop& b, const PosePair& poses);
 

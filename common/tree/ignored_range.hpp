@@ -13,8 +13,8 @@ struct IgnoredRange {
     std::uint32_t a_end = 0;
     std::uint32_t b_begin = 0;
     std::uint32_t b_end = 0;
-    std::uint32_t body_a = 0; ///< Indices of the two bodies in the job's list.
-    std::uint32_t body_b = 1;
+    std::uint32_t body_a = 0; ///< Index of A in the job's list of bodies.
+    std::uint32_t body_b = 1; ///< Index of B in the job's list of bodies.
 
     friend bool operator==(const IgnoredRange&, const IgnoredRange&) = default;
 };

@@ -40,7 +40,7 @@ bool is_preorder(std::span<const ObbNode> nodes) {
             rights.push_back(nodes[i].right);
             continue;
         }
-        // The right child of the innermost open node follows a leaf, or the end does.
+        // After a leaf comes the right child of the innermost open node, or the end of all nodes.
         const bool is_last = rights.empty();
         if (i + 1 != (is_last ? nodes.size() : rights.back())) {
             return false;

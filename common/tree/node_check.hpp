@@ -9,9 +9,9 @@
 
 namespace cd {
 
-/// Returns true when the box test can take this box: axes orthonormal within `axes_error_max`, a
-/// finite centre, half sizes that are normal floats or infinite. Any such box is tested
-/// conservatively; the check does not show that it contains its triangles.
+/// Returns true when the box test is conservative for this box: axes orthonormal within
+/// `axes_error_max`, a finite centre, half sizes that are normal floats or infinite. Does not check
+/// that the box contains its triangles.
 [[nodiscard]] bool is_valid_box(const ObbNode& node);
 
 /// Returns true when the children of each inner node are where preorder puts them.
@@ -21,7 +21,8 @@ namespace cd {
 /// begins at 0. There is at least one node, and the nodes are in preorder.
 [[nodiscard]] bool has_consecutive_ranges(std::span<const ObbNode> nodes);
 
-/// Checks everything that a descent to `triangles` triangles relies on, except the boxes.
+/// Returns true when the nodes are a preorder over triangles 0 to `triangles` - 1, so that a
+/// descent stays within both arrays and ends. Does not check the boxes.
 [[nodiscard]] bool is_tree_over(std::span<const ObbNode> nodes, std::size_t triangles);
 
 /// Returns true when `ids` contains each of `triangles` triangles exactly once.

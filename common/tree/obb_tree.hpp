@@ -14,7 +14,7 @@
 
 namespace cd {
 
-/// A node: an oriented box that contains its triangles, always. A point x is inside when
+/// A node: an oriented box that always contains the node's triangles. A point x is inside when
 /// |row_i . (x - center)| <= half_i for the three rows of `axes` taken as exact numbers; the rows
 /// are orthonormal only within float rounding, and the box test allows for that.
 ///
@@ -50,8 +50,8 @@ struct TreeView {
 
 class WideTree;
 
-/// The arrays of the paper's binary tree; they do not change while `owner` lives. There are no
-/// nodes where a tree has only the wide form.
+/// The arrays of the paper's binary tree; they do not change while `owner` lives. `nodes` is empty
+/// if the tree has only the wide form.
 struct BinaryTree {
     std::span<const ObbNode> nodes;
     std::span<const std::uint32_t> triangle_ids;
@@ -69,7 +69,7 @@ class ObbTree {
             std::vector<ObbNode> nodes,
             std::vector<std::uint32_t> triangle_ids,
             Topology topology);
-    /// Makes a tree in the forms given: a binary tree with nodes, a wide tree that is not null.
+    /// Makes a tree of the given forms, at least one: `binary` has nodes, or `wide` is not null.
     ObbTree(std::shared_ptr<const Mesh> mesh,
             BinaryTree binary,
             std::shared_ptr<const WideTree> wide,
@@ -82,19 +82,19 @@ class ObbTree {
 
     [[nodiscard]] bool has_binary() const { return !binary_.nodes.empty(); }
     [[nodiscard]] const BinaryTree& binary() const { return binary_; }
-    /// Nodes in preorder. The tree has the binary form.
+    /// Returns the nodes in preorder. Requires the binary form.
     [[nodiscard]] std::span<const ObbNode> nodes() const;
-    /// Mesh ids of the triangles in tree order. The tree has the binary form.
+    /// Returns the mesh ids of the triangles in tree order. Requires the binary form.
     [[nodiscard]] std::span<const std::uint32_t> triangle_ids() const;
-    /// Edges on the longest path from the root. The tree has the binary form.
+    /// Returns the number of edges on the longest path from the root. Requires the binary form.
     [[nodiscard]] std::uint32_t depth() const;
 
-    /// Null until `prepare_search` was called or a wide tree was given.
+    /// Returns the wide form; null until `prepare_search` was called or a wide tree was given.
     [[nodiscard]] const std::shared_ptr<const WideTree>& wide() const { return wide_; }
     /// Makes the wide form from the binary one. No other thread may use the tree meanwhile.
     void prepare_search(ThreadPool* pool = nullptr);
 
-    [[nodiscard]] std::uint64_t memory_bytes() const; ///< Bytes of both forms; mapped files count.
+    [[nodiscard]] std::uint64_t memory_bytes() const; ///< Counts mesh, both forms and mapped files.
 
   private:
     std::shared_ptr<const Mesh> mesh_;

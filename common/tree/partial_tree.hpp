@@ -10,8 +10,8 @@
 namespace cd {
 
 /// The paper's "parallel OBB tree". Slots are empty until filled. A scenario holds the subtrees
-/// that it uses by shared pointers, so a slot may be emptied while one runs. The upper tree may
-/// arrive after subtrees: a worker that receives the colliding roots needs no upper tree.
+/// that it uses by shared pointers, so a slot may be emptied while the scenario runs. The upper
+/// tree may arrive after subtrees: a worker that receives the colliding roots needs no upper tree.
 class PartialObbTree {
   public:
     explicit PartialObbTree(std::uint32_t root_count) : slots_(root_count) {}
@@ -20,12 +20,12 @@ class PartialObbTree {
         return static_cast<std::uint32_t>(slots_.size());
     }
     [[nodiscard]] bool has_top() const { return top_ != nullptr; }
-    /// Returns the upper tree, which has been set. Copies share it.
+    /// Returns the upper tree. Requires `has_top()`.
     [[nodiscard]] const TreeTop& top() const { return *top_; }
     /// Sets the upper tree, which has as many roots as there are slots.
     void set_top(std::shared_ptr<const TreeTop> top) { top_ = std::move(top); }
 
-    /// Null while the subtree is missing.
+    /// Returns a root's subtree; null while the slot is empty.
     [[nodiscard]] const std::shared_ptr<const Subtree>& at(RootIndex root) const {
         return slots_[root];
     }

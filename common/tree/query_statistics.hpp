@@ -7,7 +7,8 @@
 
 namespace cd {
 
-/// The paper's N_b and N_p (section 3), and the counts of how pairs were decided.
+/// The numbers of box tests and triangle tests (the paper's N_b and N_p, section 3), and how many
+/// pairs each stage decided.
 struct QueryStatistics {
     std::uint64_t box_tests = 0;
     std::uint64_t triangle_tests = 0;

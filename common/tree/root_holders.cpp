@@ -29,7 +29,8 @@ void RootHolders::grow(std::uint32_t holder_count) {
         return;
     }
     // Rows grow by an eighth: holders join one by one by the thousand, and each growth copies all
-    // rows. The steps do not depend on how the rows have grown, so that sums of two trees add up.
+    // rows. A row's length depends only on the number of holders, so that the sums of two trees
+    // have equal lengths.
     std::size_t words = 0;
     while (words < needed) {
         words += std::max<std::size_t>(1, words / 8);

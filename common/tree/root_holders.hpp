@@ -30,18 +30,20 @@ class RootHolders {
 
     // ---- The root and the holder must exist --------------------------------------------------
     [[nodiscard]] bool holds(std::uint32_t holder, RootIndex root) const;
-    /// Returns false where the bit was set already.
+    /// Returns false if the holder held the root already.
     bool set(std::uint32_t holder, RootIndex root);
+    /// Returns false if the holder did not hold the root.
     bool clear(std::uint32_t holder, RootIndex root);
     void clear_all(std::uint32_t holder);
-    /// Number of holders of `root`.
+    /// Returns the number of holders of `root`.
     [[nodiscard]] std::uint32_t holders_of(RootIndex root) const { return counts_[root]; }
-    /// Number of roots that `holder` holds.
+    /// Returns the number of roots that `holder` holds.
     [[nodiscard]] std::uint32_t roots_of(std::uint32_t holder) const { return roots_[holder]; }
-    /// True if some holder holds some root.
+    /// Returns whether any holder holds any root.
     [[nodiscard]] bool any() const { return set_count_ != 0; }
 
-    /// Length of the sums of `add_held`: at least the number of holders, and a function of it.
+    /// Returns the length of the sums of `add_held`. It depends only on the number of holders and
+    /// is at least that number.
     [[nodiscard]] std::size_t sum_count() const { return 64 * row_words_; }
     /// Adds to each holder's sum the weights of those of `roots` that it holds.
     void add_held(std::span<const WeightedRoot> roots, std::span<std::uint64_t> sums) const;
@@ -57,10 +59,10 @@ class RootHolders {
     std::uint32_t root_count_ = 0;
     std::uint32_t holder_count_ = 0;
     std::size_t row_words_ = 0;
-    std::vector<std::uint64_t> bits_; ///< Row by row; holder h is bit h % 64 of word h / 64.
-    std::vector<std::uint32_t> counts_;
-    std::vector<std::uint32_t> roots_; ///< Number of roots that each holder holds.
-    std::uint64_t set_count_ = 0;
+    std::vector<std::uint64_t> bits_;   ///< Row by row; holder h is bit h % 64 of word h / 64.
+    std::vector<std::uint32_t> counts_; ///< Number of holders of each root.
+    std::vector<std::uint32_t> roots_;  ///< Number of roots that each holder holds.
+    std::uint64_t set_count_ = 0;       ///< Number of set bits.
 };
 
 } // namespace cd

@@ -42,8 +42,9 @@ using V = hn::Vec<Lanes>;
 constexpr std::size_t lanes = hn::MaxLanes(Lanes());
 constexpr std::size_t vectors = 64 / lanes;
 
-/// Each four lanes hold a word as four quarters of sixteen bits; slot p (lane and vector in one)
-/// reads bit p / 4 of quarter p % 4, which is column 16 (p % 4) + p / 4.
+/// Returns for each slot the bit that it tests. A slot p is a lane, counted through all vectors.
+/// Every four lanes hold the same word as four quarters of sixteen bits, and slot p tests bit p / 4
+/// of quarter p % 4. So slot p belongs to column 16 (p % 4) + p / 4 of the word.
 HWY_INLINE std::array<V, vectors> bits_of_places() {
     std::array<V, vectors> bits;
     for (std::size_t i = 0; i < vectors; ++i) {
@@ -56,7 +57,8 @@ HWY_INLINE std::array<V, vectors> bits_of_places() {
     return bits;
 }
 
-/// Adds up weights by slot. The sum of all weights of the run fits sixteen bits.
+/// Writes to each slot p of `out` the weights of those roots r whose word `words[r * stride]` has
+/// the bit of column 16 (p % 4) + p / 4. All weights together fit sixteen bits.
 void sum_run(const WeightedRoot* HWY_RESTRICT roots,
              std::size_t count,
              const std::uint64_t* HWY_RESTRICT words,
@@ -95,7 +97,7 @@ HWY_EXPORT(sum_run);
 
 constexpr std::uint32_t run_weight_max = 0xffff;
 
-/// Returns the length of the longest prefix of `roots` whose weights fit one run.
+/// Returns the length of the longest prefix of `roots` whose weights together fit sixteen bits.
 std::size_t run_length(std::span<const WeightedRoot> roots) {
     std::uint32_t left = run_weight_max;
     std::size_t count = 0;
@@ -106,6 +108,7 @@ std::size_t run_length(std::span<const WeightedRoot> roots) {
     return count;
 }
 
+/// Adds one root of any weight, without SIMD.
 void add_heavy(const WeightedRoot& root,
                const std::uint64_t* rows,
                std::size_t row_words,
@@ -116,6 +119,7 @@ void add_heavy(const WeightedRoot& root,
     }
 }
 
+/// Adds roots whose weights together fit sixteen bits.
 void add_run(std::span<const WeightedRoot> run,
              const std::uint64_t* rows,
              std::size_t row_words,

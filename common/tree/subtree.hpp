@@ -18,7 +18,8 @@ enum class SubtreeForm : std::uint8_t {
 /// A self-contained subtree with its own vertices and local indices.
 class Subtree {
   public:
-    /// Makes a binary subtree; its nodes are renumbered from 0.
+    /// Makes a binary subtree. Nodes, vertices and triangles are numbered from 0 within the
+    /// subtree; `triangle_ids` are indices in the mesh.
     Subtree(std::vector<ObbNode> nodes,
             std::vector<Vec3> vertices,
             std::vector<Triangle> triangles,
@@ -26,7 +27,7 @@ class Subtree {
     /// Makes a wide subtree; `wide` has nodes.
     explicit Subtree(WideTree wide);
 
-    /// Views the subtree in its form.
+    /// Returns a view in which only the arrays of `form()` are filled.
     [[nodiscard]] TreeView view() const;
     [[nodiscard]] SubtreeForm form() const {
         return nodes_.empty() ? SubtreeForm::Wide : SubtreeForm::Binary;
@@ -43,8 +44,8 @@ class Subtree {
     std::size_t triangle_count_ = 0;
 };
 
-/// Copies the part of the tree under `node`, with each vertex that it uses once, numbered in the
-/// order of first use. Vertices with equal coordinates become one.
+/// Copies the part of the tree under `node` together with its vertices, numbered in the order of
+/// first use. Vertices with equal coordinates become one.
 [[nodiscard]] Subtree
 extract_subtree(const ObbTree& tree, std::uint32_t node, SubtreeForm form = SubtreeForm::Binary);
 

@@ -12,35 +12,37 @@
 
 namespace cd {
 
-/// Increases whenever the builder makes other trees of an unchanged mesh and options.
+/// This number must increase whenever the builder makes another tree of an unchanged mesh and
+/// options.
 inline constexpr std::uint32_t tree_build_version = 2;
 
 /// Returns a hash of everything that decides the bytes of a mesh's tree. It is equal on all hosts.
 [[nodiscard]] Sha256 tree_key(const Sha256& mesh, const BuildOptions& options);
 
-/// Writes nodes, order of triangles and topology; the mesh has a file of its own.
+/// Writes the binary form (nodes and order of triangles) and the topology; the mesh has a file of
+/// its own.
 [[nodiscard]] Status write_tree_file(const std::filesystem::path& path,
                                      const ObbTree& tree,
                                      const Sha256& key,
                                      Durability durability);
-/// Writes a wide tree, which may have no nodes, and the topology.
+/// Writes the wide form, which may have no nodes, and the topology.
 [[nodiscard]] Status write_wide_tree_file(const std::filesystem::path& path,
                                           const ObbTree& tree,
                                           const Sha256& key,
                                           Durability durability);
 
-/// Reads the tree of `mesh` in the one form that the file has. Checks all bytes against checksums,
-/// and also everything that a traversal follows: no file makes it read out of bounds, loop forever,
-/// or miss or repeat a triangle. Only the checksums and the key vouch that boxes contain their
-/// triangles and that these are the mesh's. Errors: NotFound; Io naming the file when it is damaged
-/// or was made for another key.
+/// Reads the tree of `mesh` from a file of the binary form. Checks all bytes against checksums, and
+/// also everything that a traversal follows: no file makes a traversal read out of bounds, loop
+/// forever, or miss or repeat a triangle. Only the checksums and the key vouch that boxes contain
+/// their triangles and that these are the mesh's. Errors: NotFound; Io naming the file when it is
+/// damaged or was made for another key.
 [[nodiscard]] Result<std::shared_ptr<const ObbTree>> read_tree_file(
     const std::filesystem::path& path, std::shared_ptr<const Mesh> mesh, const Sha256& key);
+/// Reads the tree of `mesh` from a file of the wide form, checked like `read_tree_file`'s.
 [[nodiscard]] Result<std::shared_ptr<const ObbTree>> read_wide_tree_file(
     const std::filesystem::path& path, std::shared_ptr<const Mesh> mesh, const Sha256& key);
 
-/// Returns a checksum that tells one tree of a mesh from another, as a key for data derived from
-/// it.
+/// Returns a checksum of the binary form, as a key for data derived from this tree of a mesh.
 [[nodiscard]] std::uint64_t tree_checksum(const ObbTree& tree);
 
 } // namespace cd
