@@ -7,9 +7,9 @@
 
 namespace cd {
 
-/// Proves the signs of one pair in the stages after doubles; each stage's numbers are made on first
-/// use. After a sign that no stage proves, all answers are meaningless and end the decision
-/// quickly.
+/// Proves the signs of one pair in the stages after doubles. Each stage converts the corners when
+/// first asked. If no stage proves a sign, `are_enough` is false from then on, and all answers are
+/// meaningless; they end the decision quickly.
 class LaterSigns {
   public:
     LaterSigns(PairCascade& stages, const Corners& a, const Corners& b)
@@ -88,7 +88,7 @@ class LaterSigns {
 
 namespace {
 
-/// Replaces the double stage when it is skipped.
+/// Proves no sign. Replaces the double stage in a cascade that skips that stage.
 struct NoSigns {
     [[nodiscard]] static PlaneSides sides_of_a() { return unknown_sides; }
     [[nodiscard]] static PlaneSides sides_of_b() { return unknown_sides; }
@@ -106,7 +106,7 @@ struct NoSigns {
     }
 };
 
-/// Models CornerSigns: asks doubles first, then the later stages.
+/// Models CornerSigns: asks doubles for a sign first, then the later stages.
 template <class InDouble>
 class CascadeSigns {
   public:
@@ -198,8 +198,8 @@ PairCascade::Decision PairCascade::classify(const Corners& a, const Corners& b) 
     return {exact_->classify(a, b), PairStage::Arbitrary};
 }
 
-/// Returns null, so that integers decide, where they are cheap: without relative rotation, or with
-/// whole-number rotations.
+/// Returns null if the stage is skipped, also because integers are cheap: without relative
+/// rotation, or if both rotations consist of short whole numbers.
 const DoubleDoublePoses* PairCascade::in_double_double() {
     if (!passes_over_double_double_) {
         passes_over_double_double_ = first_ > PairStage::DoubleDouble ||

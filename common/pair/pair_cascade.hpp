@@ -1,4 +1,4 @@
-// The decision stages after floats; the first stage that can proves each sign of a pair.
+// Decides pairs by the stages after floats. The first stage that can prove a sign does so.
 #pragma once
 
 #include "common/pair/stages/arbitrary/exact_triangle_pair.hpp"
@@ -12,8 +12,9 @@
 
 namespace cd {
 
-/// Decides pairs under one pair of poses, sign by sign: each decision runs once, and only the signs
-/// that doubles leave open cost more. Later stages prepare the poses on first use. Not thread-safe.
+/// Decides pairs under one pair of poses. The decision runs once for a pair, and only the signs
+/// that doubles leave open cost more. A later stage prepares the poses when a pair first needs it.
+/// Not thread-safe.
 class PairCascade {
   public:
     /// `poses` must outlive this object. Stages before `first` are skipped.
@@ -36,7 +37,7 @@ class PairCascade {
     PairStage first_;
     IntegerTrianglePair in_integers_;
     std::optional<DoubleTrianglePair> in_double_;
-    std::optional<bool> passes_over_double_double_;
+    std::optional<bool> passes_over_double_double_; ///< Empty until a pair asks for the stage.
     std::optional<DoubleDoublePoses> in_double_double_;
     std::unique_ptr<const ExactTrianglePair> exact_;
 };

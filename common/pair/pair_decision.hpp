@@ -21,8 +21,8 @@ inline constexpr PlaneSides unknown_sides{unknown_sign, unknown_sign, unknown_si
     return (sides[0] == unknown_sign) | (sides[1] == unknown_sign) | (sides[2] == unknown_sign);
 }
 
-/// Provides signs for the six corners of a pair: 0 to 2 are A's, 3 to 5 B's. With [i j k l] =
-/// det(x_j - x_i, x_k - x_i, x_l - x_i):
+/// Provides signs for the six corners of a pair: x_0 to x_2 are A's, x_3 to x_5 are B's. Below, [i
+/// j k l] is the sign of det(x_j - x_i, x_k - x_i, x_l - x_i).
 template <class T>
 concept CornerSigns = requires(T signs, std::size_t i) {
     /// [3 4 5 i] for the corners i of A.
@@ -31,10 +31,10 @@ concept CornerSigns = requires(T signs, std::size_t i) {
     { signs.sides_of_b() } -> std::same_as<PlaneSides>;
     /// [i i' j j'] for an edge i i' of A and an edge j j' of B, in either direction.
     { signs.edge_side(i, i, i, i) } -> std::same_as<int>;
-    /// The turn from i over j to k, seen along `axis`: det(x_j - x_i, x_k - x_i) of the next two
-    /// coordinates.
+    /// The turn from i over j to k, seen along `axis`: the sign of det(x_j - x_i, x_k - x_i) in the
+    /// next two coordinates.
     { signs.turn(i, i, i, i) } -> std::same_as<int>;
-    /// x_i - x_j along `axis`.
+    /// The sign of x_i - x_j along `axis`.
     { signs.difference(i, i, i) } -> std::same_as<int>;
 };
 
@@ -65,8 +65,9 @@ constexpr int count(const PlaneSides& sides, int sign) {
     return (sides[0] == sign) + (sides[1] == sign) + (sides[2] == sign);
 }
 
-/// A corner that a plane separates from the other two of its triangle, which is neither in the
-/// plane nor strictly on one side. Both edges at it reach the plane, and neither lies in it.
+/// The corner that the other triangle's plane separates from the other two corners. The triangle is
+/// neither in the plane nor strictly on one side. Both edges at the corner reach the plane, and
+/// neither lies in it.
 struct LoneCorner {
     std::size_t corner;
     bool is_above; ///< A corner in the plane counts as below if the other two are above.
@@ -85,7 +86,8 @@ constexpr LoneCorner find_lone_corner(const PlaneSides& sides) {
     return {find(0), count(sides, -1) == 2};
 }
 
-/// Indexed by the corners' signs as base-3 digits, where 2 means -1.
+/// Holds `find_lone_corner` of all sides. The corners' signs are the index's base-3 digits; 2 means
+/// -1.
 inline constexpr auto lone_corners = [] {
     std::array<LoneCorner, 27> table{};
     for (std::size_t i = 0; i < table.size(); ++i) {
@@ -105,17 +107,18 @@ inline LoneCorner lone_corner(const PlaneSides& sides) {
     return lone_corners[9 * digit(sides[0]) + 3 * digit(sides[1]) + digit(sides[2])];
 }
 
-/// Decides triangles with area in different planes, each reaching the other's plane. Both meet the
-/// planes' line in an interval, and two edge-against-edge sides order the intervals' ends. Guigue
-/// and Devillers, Fast and robust triangle-triangle overlap test using orientation predicates
-/// (2003; RR-4488), section 4: p1 and p2 are each alone above the other plane.
+/// Decides two triangles with area in different planes, neither strictly on one side of the other's
+/// plane. Each meets the line of both planes in an interval, and the sides of two pairs of edges
+/// order the intervals' ends (Guigue and Devillers, Fast and robust triangle-triangle overlap test
+/// using orientation predicates, 2003, RR-4488, section 4). p1 and p2 are the lone corners.
 template <CornerSigns Signs>
 PairClass decide_crossing(Signs& signs, const PlaneSides& of_a, const PlaneSides& of_b) {
     const LoneCorner a = lone_corner(of_a);
     const LoneCorner b = lone_corner(of_b);
     const std::size_t p1 = a.corner;
     const std::size_t p2 = b.corner;
-    // Mirroring one triangle reverses the other's normal.
+    // Where a lone corner is below, swapping the other triangle's q and r reverses the normal that
+    // the corner is seen from. So both are above, as in the paper.
     const std::size_t q1 = b.is_above ? next(p1) : next(next(p1));
     const std::size_t r1 = 3 - p1 - q1;
     const std::size_t q2 = a.is_above ? next(p2) : next(next(p2));
@@ -135,9 +138,10 @@ PairClass decide_crossing(Signs& signs, const PlaneSides& of_a, const PlaneSides
     return both_cross && first < 0 && second > 0 ? PairClass::Proper : PairClass::Touch;
 }
 
-/// Decides a segment or point against a triangle with area whose plane it reaches but does not lie
-/// in. Its line misses the triangle if it is on different sides of two edges. `first` is the
-/// segment's first corner, 0 or 3; `sides` are its corners' against the plane.
+/// Decides a segment (a degenerate triangle) against a triangle with area, whose plane the segment
+/// reaches but does not lie in. The segment's line misses the triangle if the line is on different
+/// sides of two edges. `first` is the segment's first corner, 0 or 3; `sides` are the sides of the
+/// segment's corners.
 template <CornerSigns Signs>
 PairClass decide_piercing(Signs& signs, std::size_t first, const PlaneSides& sides) {
     const LoneCorner lone = lone_corner(sides);
@@ -154,10 +158,11 @@ PairClass decide_piercing(Signs& signs, std::size_t first, const PlaneSides& sid
     return above && below ? PairClass::Separate : PairClass::Touch;
 }
 
-/// Classifies the three corners from `other` against edge i of the triangle from `first`, whose
-/// turn is `own`: 1 if all are strictly outside, 0 if all are outside or on the edge's line, -1
-/// otherwise. Some models have `turns(i, j, axis, enough)`: it returns the turns from i over j to
-/// the other triangle's corners, or anything if one of them is `enough`.
+/// Classifies the corners of the triangle from corner `other` on against edge i of the triangle
+/// from corner `first` on, whose turn is `own`: 1 if all are strictly outside, 0 if all are outside
+/// or on the edge's line, -1 otherwise. Some models have `turns(i, j, axis, enough)`, which returns
+/// the turns from i over j to the other triangle's corners; after one that is `enough` the rest may
+/// be anything.
 template <CornerSigns Signs>
 [[gnu::always_inline]] inline int outside_of_edge(
     Signs& signs, std::size_t first, std::size_t i, int own, std::size_t other, std::size_t axis) {
@@ -176,9 +181,10 @@ template <CornerSigns Signs>
     return verdict;
 }
 
-/// Decides two coplanar triangles with area, seen along `axis` without folding. For convex sets in
-/// two dimensions the separating axes are normals of edges (Ericson, Real-Time Collision Detection,
-/// 5.2.1). `turn_a` and `turn_b` are the triangles' turns.
+/// Decides two coplanar triangles with area, projected along `axis`, where both keep an area. For
+/// convex sets in two dimensions the separating axes are normals of edges (Ericson, Real-Time
+/// Collision Detection, 5.2.1). `turn_a` and `turn_b` are the turns of the triangles' corners, 1 or
+/// -1.
 template <CornerSigns Signs>
 PairClass decide_coplanar(Signs& signs, std::size_t axis, int turn_a, int turn_b) {
     bool overlap = true;
@@ -212,8 +218,9 @@ bool is_apart_along(Signs& signs, std::size_t axis) {
     return below || above;
 }
 
-/// Tests whether, seen along `axis`, an edge of the triangle from `first` has the other triangle
-/// strictly on one side and none of its own there. An edge seen as a point separates nothing.
+/// Tests whether, seen along `axis`, an edge of the triangle from corner `first` on has all corners
+/// of the other strictly on one side and no corner of its own triangle there. An edge seen as a
+/// point separates nothing.
 template <CornerSigns Signs>
 bool is_apart_at_edge(Signs& signs, std::size_t first, std::size_t other, std::size_t axis) {
     for (std::size_t i = 0; i < 3; ++i) {
@@ -229,10 +236,11 @@ bool is_apart_at_edge(Signs& signs, std::size_t first, std::size_t other, std::s
     return false;
 }
 
-/// Decides coplanar sets, one of them degenerate. They meet exactly if they do as seen along every
-/// axis: one view does not fold the plane, and the others show the same meeting. In a view the
-/// possible separating axes are normals of edges. If all edges are parallel or points, the
-/// coordinate axes cover the direction along them.
+/// Decides two triangles in one plane, at least one of them degenerate. They meet if and only if
+/// their projections along every axis meet: along one axis the plane is not projected to a line,
+/// and a meeting is seen along all. In a projection the possible separating axes are normals of
+/// edges. If all edges are parallel or points, the coordinate axes cover the direction along the
+/// edges.
 template <CornerSigns Signs>
 PairClass decide_degenerate(Signs& signs) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -248,7 +256,8 @@ PairClass decide_degenerate(Signs& signs) {
     return PairClass::Touch;
 }
 
-/// An axis along which a triangle has area, and its turn there; 0 for a degenerate triangle.
+/// An axis along which a triangle's projection has area, and the projection's turn: 1 or -1, but 0
+/// for a degenerate triangle, which no axis shows with area.
 struct View {
     std::size_t axis = 0;
     int turn = 0;
@@ -266,7 +275,8 @@ View open_view(Signs& signs, std::size_t first) {
     return view;
 }
 
-/// Segments or points are coplanar if each edge of one is coplanar with each of the other.
+/// Tests whether no plane contains both of two degenerate triangles. One does if each edge of one
+/// triangle is coplanar with each edge of the other.
 template <CornerSigns Signs>
 bool are_segments_skew(Signs& signs) {
     for (std::size_t i = 0; i < 3; ++i) {
@@ -279,7 +289,8 @@ bool are_segments_skew(Signs& signs) {
     return false;
 }
 
-/// Decides pairs whose sides are all 0: both in one plane, or both degenerate.
+/// Decides a pair whose six sides are all 0: both triangles lie in one plane, or both are
+/// degenerate.
 template <CornerSigns Signs>
 PairClass decide_flat(Signs& signs) {
     const View a = open_view(signs, 0);
@@ -297,7 +308,8 @@ PairClass decide_flat(Signs& signs) {
 
 } // namespace pair_decision
 
-/// Classifies the pair with these signs. Asks only for the signs that it needs, each at most once.
+/// Classifies the pair that has these signs. Asks only for signs that the decision needs, each at
+/// most once.
 template <CornerSigns Signs>
 [[nodiscard]] PairClass decide_pair(Signs& signs) {
     using namespace pair_decision;

@@ -30,30 +30,32 @@ PairStatistics& PairStatistics::operator+=(const PairStatistics& other) {
     return *this;
 }
 
-/// The float stage costs as much for a few pairs as for many; fewer than these start with doubles.
+/// Calls with fewer candidates skip the float stage, which costs as much for a few pairs as for
+/// many.
 constexpr std::size_t float_candidates_min = 4;
 
-/// Fewer ties are decided one by one.
+/// Fewer ties (pairs that floats leave open) are decided one by one instead of in one batch.
 constexpr std::size_t ties_at_once_min = 3;
 
 struct TrianglePairTest::State {
     PosePair poses;
-    std::optional<FloatTrianglePair> in_float; ///< The stages are made on first use.
-    std::optional<DoubleTrianglePairs> in_doubles;
-    std::optional<PairCascade> later;
+    std::optional<FloatTrianglePair> in_float;     ///< Empty until first used.
+    std::optional<DoubleTrianglePairs> in_doubles; ///< Empty until first used.
+    std::optional<PairCascade> later;              ///< Empty until first used.
     SharedPoints points;
     PairStage first;
     PairDecision decision;
     PairStatistics statistics;
-    std::vector<FloatVerdict> verdicts; ///< Per candidate of the last call, as are `kinds`.
-    std::vector<PairClass> kinds;
+    std::vector<FloatVerdict> verdicts; ///< One per candidate of the last call.
+    std::vector<PairClass> kinds;       ///< One per candidate of the last call.
 
     State(const PosePair& given, PairStage first_stage, PairDecision until)
         : poses(given), points(given), first(first_stage), decision(until) {}
 
     [[nodiscard]] bool stops_after_floats() const { return decision == PairDecision::FloatsOnly; }
 
-    /// Returns and counts the float verdict of each candidate; empty if floats are skipped.
+    /// Returns the float verdict of each candidate, and counts the proven ones. All are Unknown if
+    /// floats are skipped.
     template <class Triangles>
     std::span<const FloatVerdict>
     float_verdicts(const Triangles& a, const Triangles& b, std::span<const Candidate> candidates) {

@@ -14,21 +14,22 @@
 
 namespace cd {
 
-/// How two closed triangles meet (NUMERICS, section 1).
+/// How two closed triangles meet (docs/exactness.md).
 enum class PairClass : std::uint8_t {
     Separate = 0, ///< No shared point.
-    Touch = 1, ///< Shared points, but neither of the classes below; the only contact of degenerate
-               ///< triangles.
+    Touch = 1, ///< Shared points, but neither Coplanar nor Proper; the only contact that degenerate
+               ///< triangles have.
     Coplanar = 2, ///< In one plane, overlapping with positive area.
     Proper = 3,   ///< Not coplanar, and the relative interiors share a point.
 };
 
-/// The stages of the decision, cheapest first (NUMERICS, section 2). Each gives only proofs.
+/// The stages of the decision, roughly cheapest first (docs/exactness.md). A stage proves an answer
+/// or gives none.
 enum class PairStage : std::uint8_t {
-    Float = 0,        ///< Floats with an error bound, one pair per SIMD lane.
-    Double = 1,       ///< Doubles with an error bound.
-    Lattice = 2,      ///< Integers of a fixed number of words: no relative rotation.
-    DoubleDouble = 3, ///< Pairs of doubles with an error bound: rotated bodies.
+    Float = 0,   ///< Floats with an error bound, one pair per SIMD lane.
+    Double = 1,  ///< Doubles with an error bound.
+    Lattice = 2, ///< Integers of a fixed number of words, for bodies without relative rotation.
+    DoubleDouble = 3, ///< Numbers of two doubles with an error bound, for rotated bodies.
     WideInteger = 4,  ///< Integers of a fixed number of words, for any poses.
     Arbitrary = 5,    ///< Integers of any size: exact on every input.
 };
@@ -39,12 +40,12 @@ inline constexpr std::size_t pair_stage_count = 6;
 /// How far a pair's decision goes.
 enum class PairDecision : std::uint8_t {
     Exact,
-    FloatsOnly, ///< Pairs that floats leave open count as touching, which is often wrong. Measures
-                ///< what the exact answer costs.
+    FloatsOnly, ///< Pairs that floats leave open count as touching, which is often wrong. For
+                ///< measuring what the exact answer costs.
 };
 
-/// Counts the pairs that each stage settled: a pair counts for the highest stage that it needed.
-/// Calls with few candidates skip floats, which cost as much for a few as for many.
+/// Counts the pairs that each stage decided: a pair counts for the highest stage that it reached.
+/// Calls with few candidates skip stage Float, which costs as much for a few as for many.
 struct PairStatistics {
     std::array<std::uint64_t, pair_stage_count> settled{};
 
@@ -71,7 +72,8 @@ struct TriangleSpan {
     }
 };
 
-/// A pair that may touch: indices of a triangle of A and one of B, in their spans or blocks.
+/// A pair that may touch: a triangle of A and one of B, as an index into a TriangleSpan or a slot
+/// of TriangleBlocks.
 struct Candidate {
     std::uint32_t a = 0;
     std::uint32_t b = 0;
@@ -84,7 +86,7 @@ struct Candidate {
 /// thread-safe.
 class TrianglePairTest {
   public:
-    /// Skips stages before `first`; the answers do not depend on it.
+    /// Skips the stages before `first`, which changes no answer.
     explicit TrianglePairTest(const PosePair& poses,
                               PairStage first = PairStage::Float,
                               PairDecision decision = PairDecision::Exact);
@@ -92,21 +94,22 @@ class TrianglePairTest {
     TrianglePairTest& operator=(TrianglePairTest&&) noexcept;
     ~TrianglePairTest();
 
-    /// Resets to a new object with other poses, but keeps scratch memory.
+    /// Starts over with other poses and empty statistics, but keeps scratch memory.
     void restart(const PosePair& poses);
 
-    /// Classifies one pair, from stage Double on.
+    /// Classifies one pair; never uses stage Float.
     [[nodiscard]] PairClass classify(const Corners& a, const Corners& b);
 
-    /// Classifies the candidates of two bodies, each a TriangleSpan or TriangleBlocks, in order;
-    /// valid until the next call. Many at once are much faster than one by one; very few begin with
-    /// stage Double.
+    /// Classifies the candidates of two bodies, each a TriangleSpan or TriangleBlocks. Returns a
+    /// class per candidate, in order, valid until the next call. Many candidates in one call are
+    /// much faster than one by one.
     template <class Triangles>
     [[nodiscard]] std::span<const PairClass>
     classify(const Triangles& a, const Triangles& b, std::span<const Candidate> candidates);
 
-    /// Returns the index of any touching candidate, if there is one. `Triangles` is TriangleSpan or
-    /// TriangleBlocks. A contact that a cheap stage proves saves testing the others.
+    /// Returns the index of any touching candidate, or nothing if none touches. `Triangles` is
+    /// TriangleSpan or TriangleBlocks. A contact that a cheap stage proves saves testing the other
+    /// candidates.
     template <class Triangles>
     [[nodiscard]] std::optional<std::size_t>
     find_touch(const Triangles& a, const Triangles& b, std::span<const Candidate> candidates);
@@ -115,14 +118,16 @@ class TrianglePairTest {
     /// relative to `point_origin(a)`: see SharedPoints. Valid until the next call.
     [[nodiscard]] std::span<const Vec3> shared_points(const Corners& a, const Corners& b);
 
-    /// Returns the first corner of A in the world, correctly rounded: the origin of shared points.
+    /// Returns the first corner of A in the world, correctly rounded: `shared_points` are relative
+    /// to this point.
     [[nodiscard]] Vec3 point_origin(const Corners& a);
 
     [[nodiscard]] const PairStatistics& statistics() const;
 
   private:
     struct State;
-    /// Classifies the candidates that floats leave open.
+    /// Classifies the candidates that floats leave open; `ties` are their indices, in ascending
+    /// order.
     template <class Triangles>
     void classify_ties(const Triangles& a,
                        const Triangles& b,

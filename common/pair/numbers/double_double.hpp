@@ -19,7 +19,7 @@ struct DoubleDouble {
 /// quotient errs by at most twice this, relatively.
 inline constexpr double double_double_error = 0x1p-102; // 16 u^2.
 
-/// Exact (Knuth's TwoSum).
+/// Returns left + right without any error (Knuth's TwoSum).
 [[nodiscard]] inline DoubleDouble exact_sum(double left, double right) {
     const double sum = left + right;
     const double right_part = sum - left;
@@ -27,14 +27,15 @@ inline constexpr double double_double_error = 0x1p-102; // 16 u^2.
     return {sum, (left - left_part) + (right - right_part)};
 }
 
-/// Exact for |high| >= |low| (Dekker's Fast2Sum).
+/// Returns high + low without any error, for |high| >= |low| (Dekker's Fast2Sum).
 [[nodiscard]] inline DoubleDouble exact_sum_ordered(double high, double low) {
     const double sum = high + low;
     return {sum, low - (sum - high)};
 }
 
-/// Exact except for underflow (Dekker's product with Veltkamp's splitting), for magnitudes below
-/// 2^996. It avoids fused multiply-add, which is a slow call where the processor has none.
+/// Returns left * right without any error but underflow, for magnitudes below 2^996 (Dekker's
+/// product with Veltkamp's splitting). Avoids fused multiply-add, which is a slow call where the
+/// processor has none.
 [[nodiscard]] inline DoubleDouble exact_product(double left, double right) {
     constexpr double splitter = 0x1p27 + 1;
     const double left_scaled = splitter * left;
@@ -54,7 +55,8 @@ inline constexpr double double_double_error = 0x1p-102; // 16 u^2.
     return {-value.high, -value.low};
 }
 
-/// Rounding the two sums of low parts errs by u of at most u (|l| + |r|) and 2 u (|l| + |r|).
+/// Rounds twice: the sum of both low parts, at most u (|l| + |r|), and the whole low part, at most
+/// 2 u (|l| + |r|). Each rounding errs by u of these.
 [[nodiscard]] inline DoubleDouble operator+(const DoubleDouble& l, const DoubleDouble& r) {
     const DoubleDouble high = exact_sum(l.high, r.high);
     return exact_sum(high.high, high.low + (l.low + r.low));

@@ -12,7 +12,8 @@ namespace cd {
 
 namespace {
 
-/// Rounds bits * 2^unit to the nearest finite double, for at least 56 significant bits.
+/// Rounds bits * 2^unit to the nearest finite double. `bits` must have at least 56 significant
+/// bits.
 double nearest_double(std::uint64_t bits, int unit) {
     constexpr int lowest_unit = -1074; // The unit of denormal numbers.
     const int dropped = std::max(static_cast<int>(std::bit_width(bits)) - 53, lowest_unit - unit);
@@ -38,7 +39,8 @@ Dyadic to_dyadic(double value) {
     int exponent = 0;
     const double fraction = std::frexp(value, &exponent); // In (-1, 1), 53 bits.
     const auto mantissa = static_cast<std::int64_t>(std::ldexp(fraction, 53));
-    // Keeps the numbers of designed parts, which lie on grids, short.
+    // Moves trailing zeros to the exponent: the numbers of designed parts, which lie on grids, get
+    // short.
     const int zeros = std::countr_zero(static_cast<std::uint64_t>(mantissa));
     return {ExactInt(mantissa / (std::int64_t{1} << zeros)), exponent - 53 + zeros};
 }

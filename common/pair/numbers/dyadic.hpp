@@ -9,7 +9,7 @@
 
 namespace cd {
 
-/// An integer of any size; up to 1024 bits, enough for ordinary coordinates, avoid the heap.
+/// An integer of any size. One of up to 1024 bits, enough for ordinary coordinates, needs no heap.
 using ExactInt = boost::multiprecision::number<boost::multiprecision::cpp_int_backend<1024>>;
 
 /// mantissa * 2^exponent. Sums, differences and products are exact.
@@ -18,7 +18,7 @@ struct Dyadic {
     int exponent = 0;
 };
 
-/// Converts a finite double, with an odd mantissa; 0 has exponent 0.
+/// Converts a finite double. The mantissa is odd, or 0 with exponent 0.
 [[nodiscard]] Dyadic to_dyadic(double value);
 
 [[nodiscard]] Dyadic operator*(const Dyadic& left, const Dyadic& right);

@@ -1,4 +1,4 @@
-// Two doubles in one SIMD register, as every processor supports.
+// Arithmetic on two doubles in one SIMD register of 128 bits, which every supported processor has.
 #pragma once
 
 #include <cstdint>

@@ -7,8 +7,9 @@
 
 namespace cd {
 
-/// The sum of word[i] * 2^(60 i), with signed words. `Canonical`: all words but the last are in [0,
-/// 2^60). Sums and differences of canonical numbers are taken word by word, without carries.
+/// The sum of word[i] * 2^(60 i), with signed words. A number is canonical if all words but the
+/// last are in [0, 2^60). Sums and differences of canonical numbers are taken word by word, without
+/// carries.
 ///
 /// Words of 60 bits leave room for signs and sums: a column of a product, a 2 x 2 determinant or a
 /// dot product sums in 128 bits without a carry, so each of these needs one pass of carries. (Full
@@ -45,7 +46,7 @@ constexpr int bits_max(std::size_t words) {
 
 __extension__ typedef __int128 Column;
 
-/// Computes column `place` of l * r.
+/// Computes the sum of all products of words of l and r that belong to 2^(60 place).
 template <std::size_t n, std::size_t m>
 constexpr Column column(const WideInt<n>& l, const WideInt<m>& r, std::size_t place) {
     Column sum = 0;
@@ -58,8 +59,8 @@ constexpr Column column(const WideInt<n>& l, const WideInt<m>& r, std::size_t pl
     return sum;
 }
 
-/// Carries columns into a canonical number: `column_of(place)` gives all words but the last; `last`
-/// is added to the carry into the last word.
+/// Turns columns into a canonical number by one pass of carries. `column_of(place)` gives the
+/// columns of all words but the last; `last` is added to the carry into the last word.
 template <std::size_t words, class ColumnOf>
 constexpr WideInt<words> carried(Column last, const ColumnOf& column_of) {
     WideInt<words> value;

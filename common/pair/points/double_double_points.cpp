@@ -14,11 +14,11 @@ constexpr std::size_t next(std::size_t corner) {
     return (corner + 1) % 3;
 }
 
-/// Two positions on the line of both planes.
+/// The ends of an interval on the line in which the planes of both triangles meet.
 using Ends = std::array<LocalPlace, 2>;
 
-/// Finds where exactly two edges of a triangle provably cross the other's plane, away from corners.
-/// The ends are ordered by component k; nothing if that order is unproven.
+/// Returns where two edges of a triangle cross the other's plane, ordered by component k. Returns
+/// nothing unless it is proven that no corner is in the plane, and which end is first.
 std::optional<Ends> ends_of(const LocalHalf& half, std::size_t k, const LocalBounds& bounds) {
     if (is_any_unknown(half.proven)) {
         return std::nullopt;
@@ -43,7 +43,8 @@ std::optional<Ends> ends_of(const LocalHalf& half, std::size_t k, const LocalBou
     return ends;
 }
 
-/// Intersects two intervals of a line, ordered by component k.
+/// Intersects two intervals of a line, ordered by component k; nothing if a comparison is unproven,
+/// two ends coincide, or the intervals are disjoint.
 std::optional<Ends> common_part(const Ends& a, const Ends& b, std::size_t k) {
     const std::optional<int> low = compare(a[0], b[0], k);
     const std::optional<int> high = compare(a[1], b[1], k);
@@ -54,7 +55,7 @@ std::optional<Ends> common_part(const Ends& a, const Ends& b, std::size_t k) {
     return compare(common[0], common[1], k) == -1 ? std::optional(common) : std::nullopt;
 }
 
-/// Moves the least to the front; returns false if the order is unproven.
+/// Moves the lexicographically least place to the front; returns false if a comparison is unproven.
 bool put_least_first(std::span<LocalPlace> places) {
     for (std::size_t i = 1; i < places.size(); ++i) {
         const std::optional<int> order = compare(places[i], places[0]);
@@ -68,8 +69,8 @@ bool put_least_first(std::span<LocalPlace> places) {
     return true;
 }
 
-/// Sorts a convex polygon's corners from the second on around the first: seen from it they span
-/// less than a half turn. Returns false if their order is unproven.
+/// Sorts a convex polygon's corners from the second on around the first, from which the others are
+/// seen within less than a half turn. Returns false if the order is unproven.
 bool sort_around_first(std::span<LocalPlace> places,
                        const LocalHalf& a,
                        const LocalBounds& bounds) {
@@ -88,7 +89,8 @@ bool sort_around_first(std::span<LocalPlace> places,
     return true;
 }
 
-/// Calls `otherwise(k)` for the components whose rounding is unproven.
+/// Rounds each component of a place. Uses `otherwise(k)` for components whose rounding is unproven;
+/// returns nothing if that is empty.
 template <class Otherwise>
 std::optional<Vec3> rounded(const LocalPlace& place,
                             const Vec3& origin,
@@ -152,8 +154,8 @@ bool DoubleDoublePoints::take(const Corners& a, const Corners& b, const Vec3& or
 }
 
 std::optional<std::span<const Vec3>> DoubleDoublePoints::ends() {
-    // All four ends are on the line of both planes; where two differ in a component, its order is
-    // their order along the line.
+    // All four ends are on the line of both planes, so the order of two different components is the
+    // order of the ends along the line.
     const DoubleDoubleVec& m = local_a_->normal;
     const DoubleDoubleVec& n = local_b_->normal;
     const std::size_t axis = main_axis({m[1].high * n[2].high - m[2].high * n[1].high,
@@ -181,7 +183,8 @@ std::optional<double> DoubleDoublePoints::nearest_of_corner(
     for (std::size_t i = 0; i < 3; ++i) {
         if (corner == &local_a_->corners[i]) {
             const auto nearest = a_.nearest_component(last_a_[i], origin_, k);
-            // The first corner is the origin up to a rounding: no error bound is less.
+            // The first corner minus the origin is a rounding error, which is below every error
+            // bound.
             return nearest || i != 0 ? nearest : std::optional(offset()[static_cast<int>(k)]);
         }
         if (corner == &local_b_->corners[i]) {

@@ -14,8 +14,9 @@
 
 namespace cd {
 
-/// Gives what `SharedPoints` promises, or nothing: a component may be too close to 0 or to the
-/// middle between two doubles for its rounding to be proven, or two points too close together.
+/// Computes the origin and the points that `SharedPoints` promises, or nothing: a component may be
+/// too close to 0 or to the middle between two doubles for its rounding to be proven, or two points
+/// too close together for their order.
 class DoubleDoublePoints {
   public:
     /// Multiplies all error bounds by `bound_scale`. Answers are right only from 1 on; tests use
@@ -24,28 +25,32 @@ class DoubleDoublePoints {
     DoubleDoublePoints(const DoubleDoublePoints&) = delete;
     DoubleDoublePoints& operator=(const DoubleDoublePoints&) = delete;
 
+    /// Returns the first corner of A in the world, rounded; nothing if the rounding is unproven.
     [[nodiscard]] std::optional<Vec3> origin(const Corners& a) const;
 
     /// Selects the pair for the methods below. Consecutive pairs with the same `a` and origin share
     /// work. Returns false if the pair's numbers are out of range for these methods.
     [[nodiscard]] bool take(const Corners& a, const Corners& b, const Vec3& origin);
 
-    /// Returns both ends of the shared segment if the pair provably crosses. Valid until the next
-    /// call.
+    /// Returns both ends of the shared segment, or nothing unless the pair provably crosses. Valid
+    /// until the next call.
     [[nodiscard]] std::optional<std::span<const Vec3>> ends();
 
-    /// The proven signs of a triangle's corners against the other's plane.
+    /// The sides of A's corners against B's plane; `unknown_sign` where unproven.
     [[nodiscard]] const PlaneSides& sides_of_a() const { return half_a_.proven; }
+    /// The sides of B's corners against A's plane; `unknown_sign` where unproven.
     [[nodiscard]] const PlaneSides& sides_of_b() const { return half_b_.proven; }
 
-    /// Computes the points of `corners`, ordered; they must be what the pair shares. `offset` gives
-    /// the exact first corner of A minus the origin, rounded; it is called only if that corner is
-    /// among them. Valid until the next call.
+    /// Returns the points of `corners`, which must be all shared corners of the pair, in the order
+    /// that `SharedPoints` promises; nothing if unproven. `offset` returns the exact first corner
+    /// of A minus the origin, rounded; it is called only if `corners` has that corner. Valid until
+    /// the next call.
     [[nodiscard]] std::optional<std::span<const Vec3>> at(const SharedCorners& corners,
                                                           const std::function<Vec3()>& offset);
 
   private:
-    /// Rounds component k of a corner of the current pair, relative to the origin, once.
+    /// Returns component k of a corner of the current pair minus the origin, rounded once; nothing
+    /// if that is unproven.
     [[nodiscard]] std::optional<double> nearest_of_corner(
         const DoubleDoubleVec* corner, std::size_t k, const std::function<Vec3()>& offset) const;
 

@@ -29,7 +29,7 @@ bool is_zero(const Vec& v) {
     return v[0] == 0 && v[1] == 0 && v[2] == 0;
 }
 
-/// The point x / w in lattice space; w > 0.
+/// The point x / w in units of the pair's lattice; w > 0.
 struct Place {
     Vec x;
     Int w = 1;
@@ -56,7 +56,8 @@ Vec toward(const Vec& from, const Place& to) {
     return {to.x[0] - to.w * from[0], to.x[1] - to.w * from[1], to.x[2] - to.w * from[2]};
 }
 
-/// Returns the point on the segment from p to q with weight 0, for end weights of different signs.
+/// Returns the point of the segment from p to q where a linear function is 0 whose values at p and
+/// q are the weights, which have different signs.
 Place crossing(const Vec& p, const Vec& q, const Int& weight_p, const Int& weight_q) {
     // (w_p q - w_q p) / (w_p - w_q), whose divisor has the sign of w_p.
     Place place;
@@ -69,14 +70,15 @@ Place crossing(const Vec& p, const Vec& q, const Int& weight_p, const Int& weigh
     return place;
 }
 
-/// Returns twice the area of a, b, p in the coordinates after `dropped`, times p.w.
+/// Returns twice the signed area of a, b, p as projected along axis `dropped`, times p.w.
 Int area(const Vec& a, const Vec& b, const Place& p, std::size_t dropped) {
     const std::size_t x = (dropped + 1) % 3;
     const std::size_t y = (dropped + 2) % 3;
     return (b[x] - a[x]) * (p.x[y] - p.w * a[y]) - (b[y] - a[y]) * (p.x[x] - p.w * a[x]);
 }
 
-/// Returns the turn of a, b, c in the coordinates after `dropped`: positive if left.
+/// Returns the turn of a, b, c as projected along axis `dropped`: 1 if left, -1 if right, 0 if
+/// collinear.
 int turn(const Place& a, const Place& b, const Place& c, std::size_t dropped) {
     const std::size_t x = (dropped + 1) % 3;
     const std::size_t y = (dropped + 2) % 3;
@@ -86,7 +88,7 @@ int turn(const Place& a, const Place& b, const Place& c, std::size_t dropped) {
     return determinant.sign();
 }
 
-/// Returns an axis along which a plane with this normal projects without folding.
+/// Returns an axis along which a plane with this normal is not projected to a line.
 std::size_t axis_to_drop(const Vec& normal) {
     return normal[0] != 0 ? 0 : normal[1] != 0 ? 1 : 2;
 }
@@ -121,7 +123,7 @@ struct Shape {
     [[nodiscard]] Int side(const Vec& point) const { return dot(normal, point - corners[0]); }
 };
 
-/// Tests a point in the plane of a triangle with area.
+/// Tests whether a point in the plane of a triangle with area is in the triangle.
 bool is_within_edges(const Shape& triangle, const Place& point) {
     const int inside = triangle.normal[triangle.drop].sign();
     for (std::size_t i = 0; i < 3; ++i) {
@@ -146,10 +148,10 @@ bool contains(const Shape& shape, const Place& point) {
     return is_zero(cross(along, offset)) && place >= 0 && place <= point.w * dot(along, along);
 }
 
-/// Finds the corners of the intersection of two shapes. Each is a corner of one that lies in the
-/// other, or a point where an edge of one properly crosses the other's plane or, within a plane, an
-/// edge of the other. Each such point is a corner: it ends the intersection on the line of the two
-/// planes, or lies on the boundary of two half-planes that contain it.
+/// Finds the corners of the intersection of two shapes. A corner is a corner of one shape that lies
+/// in the other, or a point where an edge of one properly crosses the inside or, within a plane, an
+/// edge of the other. Each such point is a corner: the intersection ends there on the line of the
+/// two planes, or two half-planes that contain the intersection have the point on their boundary.
 class Search {
   public:
     Search(const Shape& a, const Shape& b) : a_(a), b_(b) {}

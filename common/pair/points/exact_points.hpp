@@ -8,22 +8,25 @@
 
 namespace cd {
 
-/// Gives what `SharedPoints` promises, and rounds only the final result.
+/// Computes the origin and the points that `SharedPoints` promises. Rounds only the final results.
 class ExactPoints {
   public:
     explicit ExactPoints(const PosePair& poses);
 
     [[nodiscard]] Vec3 origin(const Corners& a) const;
-    /// Returns the first corner of A minus `origin`, which is any finite point.
+    /// Returns the first corner of A minus `origin`, rounded once. `origin` may be any finite
+    /// point.
     [[nodiscard]] Vec3 offset(const Corners& a, const Vec3& origin) const;
-    /// Returns the points relative to any finite `origin`; none for triangles that share nothing.
+    /// Returns the shared points minus `origin`, any finite point; none for triangles that share no
+    /// point.
     [[nodiscard]] std::vector<Vec3>
     points(const Corners& a, const Corners& b, const Vec3& origin) const;
 
   private:
     ExactPose a_;
     ExactPose b_;
-    Dyadic norm_; ///< Product of both norms; scales the common lattice.
+    Dyadic norm_; ///< Product of both poses' norms, by which the coordinates of both bodies are
+                  ///< scaled.
 };
 
 } // namespace cd

@@ -20,8 +20,8 @@ void add(SharedCorners& found, Kind kind, std::size_t first, std::size_t second 
         kind, static_cast<std::uint8_t>(first), static_cast<std::uint8_t>(second)};
 }
 
-/// Locates a point in a triangle's plane by its turns against the three edges: all of one sign
-/// inside; one is 0 on an edge, two at a corner.
+/// Locates a point in a triangle's plane by the point's turns against the three edges. Inside the
+/// triangle all have one sign; on an edge one turn is 0, at a corner two are.
 struct Site {
     bool is_within = false;
     int zeros = 0;
@@ -38,12 +38,13 @@ struct Site {
     }
 };
 
-/// Handles coplanar triangles, seen along `axis` without folding. The shared corners are exactly
-/// the corners of one in the other and the proper crossings of two edges.
+/// Finds the shared corners of coplanar triangles, projected along `axis`, where both have area.
+/// They are exactly the corners of one triangle in the other, and the proper crossings of two
+/// edges.
 template <CornerSigns Signs>
 SharedCorners find_in_plane(Signs& signs, std::size_t axis) {
-    std::array<std::array<int, 3>, 3> of_a{}; // Turns of corner i of A against B's edges.
-    std::array<std::array<int, 3>, 3> of_b{};
+    std::array<std::array<int, 3>, 3> of_a{}; // [i][j]: turn of A's corner i against B's edge j.
+    std::array<std::array<int, 3>, 3> of_b{}; // [j][i]: turn of B's corner j against A's edge i.
     for (std::size_t i = 0; i < 3; ++i) {
         for (std::size_t j = 0; j < 3; ++j) {
             of_a[i][j] = signs.turn(3 + j, 3 + next(j), i, axis);
@@ -68,7 +69,8 @@ SharedCorners find_in_plane(Signs& signs, std::size_t axis) {
     return found;
 }
 
-/// Handles triangles with area in different planes: the shared set lies on the line of both planes.
+/// Finds the shared corners of triangles with area in different planes. All shared points lie on
+/// the line of both planes.
 template <CornerSigns Signs>
 class LineSearch {
   public:
@@ -84,7 +86,8 @@ class LineSearch {
     }
 
   private:
-    /// Adds the corners of the triangle from `own` that lie in the one from `other`.
+    /// Adds the corners of the triangle from corner `own` on that lie in the other triangle. A
+    /// corner that both triangles have is added only as A's.
     void add_corners(std::size_t own, const PlaneSides& sides, std::size_t other) {
         std::optional<View> view;
         for (std::size_t i = 0; i < 3; ++i) {
@@ -127,7 +130,8 @@ class LineSearch {
             if (!site.is_within || site.zeros == 2) {
                 continue;
             }
-            // Skips a point on a piercing edge of A, which has been found already.
+            // Skips a point on an edge of A that pierces B's plane: `add_piercings_of_a` has found
+            // the point.
             std::size_t met = 0;
             while (met < 3 && side(met, j) != 0) {
                 ++met;
@@ -186,7 +190,8 @@ std::optional<SharedCorners> find_on(const LatticeCorners<n>& corners, const Tas
     return find_corners(signs);
 }
 
-/// Uses the smallest sufficient number of words.
+/// Finds the shared corners with the smallest number of words that holds the corners; nothing if no
+/// number does.
 template <std::size_t n, std::size_t... more>
 std::optional<SharedCorners>
 find_on(const PoseLattice& lattice, const PoseLattice::Extent& extent, const Task& task) {

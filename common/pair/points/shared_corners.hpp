@@ -1,4 +1,4 @@
-// Finds which corners the shared set of two triangles has, from exact signs alone.
+// Finds the corners of the set of points that two triangles share, from exact signs alone.
 #pragma once
 
 #include "common/geometry/pose.hpp"
@@ -14,8 +14,8 @@
 
 namespace cd {
 
-/// A corner of the shared set. Triangle corners are numbered as for CornerSigns: 0 to 2 are A's, 3
-/// to 5 B's; an edge is named by its starting corner.
+/// A corner of the set of points that two triangles share. The triangles' corners are numbered as
+/// for CornerSigns: 0 to 2 are A's, 3 to 5 B's. An edge has the number of its starting corner.
 struct SharedCorner {
     enum class Kind : std::uint8_t {
         Corner,   ///< The corner `first`.
@@ -27,7 +27,8 @@ struct SharedCorner {
     std::uint8_t second = 0;
 };
 
-/// Distinct corners in arbitrary order. A corner of both triangles is listed as A's.
+/// All shared corners of a pair, distinct, in arbitrary order. A corner that both triangles have is
+/// listed as A's.
 struct SharedCorners {
     std::array<SharedCorner, 6> corner;
     std::size_t count = 0;
@@ -38,8 +39,8 @@ class SharedCornerFinder {
   public:
     explicit SharedCornerFinder(const PosePair& poses);
 
-    /// Returns nothing for degenerate triangles, or if the numbers' range exceeds the words. Known
-    /// sides of a triangle's corners against the other's plane are taken as proven.
+    /// Returns nothing for degenerate triangles, or if the numbers' range exceeds the words. Sides
+    /// of A's and B's corners against the other plane that are not `unknown_sign` count as proven.
     [[nodiscard]] std::optional<SharedCorners> find(const Corners& a,
                                                     const Corners& b,
                                                     const PlaneSides& of_a = unknown_sides,

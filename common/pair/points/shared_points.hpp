@@ -14,7 +14,8 @@
 
 namespace cd {
 
-/// Counts the pairs' point sets, and the origins, that each path computed.
+/// Counts the pairs whose points, and the triangles whose origin, each path computed: `fast` is
+/// double-double, `exact` is integers.
 struct PointStatistics {
     std::uint64_t points_fast = 0;
     std::uint64_t points_exact = 0;
@@ -26,18 +27,19 @@ struct PointStatistics {
 /// rationals that they denote. Each result is rounded once, to the nearest finite double (ties to
 /// even; see `nearest_double`): the same bits on every host.
 ///
-/// Double-double runs first; its error bound tells whether the rounding is certain. For touching
-/// and coplanar pairs, integers of few words find the shared corners. If that does not suffice,
-/// integers compute everything. Not thread-safe.
+/// Double-double runs first, with an error bound that shows whether the rounding is certain. For
+/// touching and coplanar pairs, integers of few words find the shared corners. If that does not
+/// suffice, integers compute everything. Not thread-safe.
 class SharedPoints {
   public:
-    enum class Path : std::uint8_t { Any, Exact }; ///< Both paths give the same results.
+    /// `Exact` skips double-double; the results are the same.
+    enum class Path : std::uint8_t { Any, Exact };
 
-    /// Cheap: the paths initialise on first use.
+    /// Cheap: each path prepares the poses when first used.
     explicit SharedPoints(const PosePair& poses, Path path = Path::Any)
         : poses_(poses), path_(path) {}
 
-    /// Resets to a new object with other poses, but keeps scratch memory.
+    /// Starts over with other poses and empty statistics, but keeps scratch memory.
     void restart(const PosePair& poses);
 
     /// Returns the first corner of A in the world, rounded.
@@ -67,7 +69,7 @@ class SharedPoints {
     std::optional<DoubleDoublePoints> fast_;
     std::optional<SharedCornerFinder> finder_;
     std::optional<ExactPoints> exact_;
-    std::optional<Corners> last_a_; ///< Pairs of one triangle are often consecutive.
+    std::optional<Corners> last_a_; ///< Triangle of `last_origin_`; pairs often share A's.
     Vec3 last_origin_;
     std::optional<Vec3> last_offset_; ///< `last_a_`'s first corner minus `last_origin_`.
     std::vector<Vec3> points_;

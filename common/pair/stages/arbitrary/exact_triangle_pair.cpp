@@ -62,7 +62,7 @@ class ExactSigns {
     const std::array<Vec, 6>& corners_;
 };
 
-/// Puts the corners of both triangles on one integer lattice.
+/// Returns the posed corners of A, then of B, as integers in one common unit.
 std::array<Vec, 6>
 on_lattice(const Corners& a, const Corners& b, const ExactPose& pose_a, const ExactPose& pose_b) {
     std::array<Dyadic, 18> coordinates;

@@ -32,7 +32,8 @@ bool are_all_tame(const Corners& a, const Corners& b) {
     return (all[0] & all[1]) != 0;
 }
 
-/// Returns a body's coordinate along an axis that its pose keeps, except for order and direction.
+/// Returns a corner's world coordinate along an axis onto which the pose maps one of the body's
+/// axes, in either direction: exactly high + low, in both lanes.
 Sums placed(const RoundedPoses::Body& body, const Vec3& corner, std::size_t axis) {
     const RoundedPoses::Row& row = body.rows[axis];
     return exact_sums(twice(row.sign * corner[row.source]),
@@ -87,7 +88,8 @@ PosedCorners::PosedCorners(const RoundedPoses& poses, const Corners& a, const Co
     find_ones(poses, corners);
 }
 
-/// Between triangles, differences err by up to |low_0 - low_0'| in addition to both E.
+/// Stores the corners' coordinates along an axis that both poses keep. Between the triangles a
+/// difference errs by both corners' E and the difference of the first corners' low parts.
 void PosedCorners::place_exact(const RoundedPoses& poses,
                                std::size_t axis,
                                const std::array<const Corners*, 2>& corners) {
@@ -105,8 +107,8 @@ void PosedCorners::place_exact(const RoundedPoses& poses,
     }
 }
 
-/// Raises the sizes of factors so that their products with weights do not underflow. A size is 0
-/// only if no product could underflow: see RoundedPoses.
+/// Stores the corners' rotated coordinates. Raises the sizes of nonzero factors so that their
+/// products with weights do not underflow. So an error is 0 only where all true products are 0.
 void PosedCorners::rotate(const RoundedPoses& poses, const Corners& a, const Corners& b) {
     using Three = std::array<BothBodies, 3>;
     std::array<Three, 3> x;
@@ -138,7 +140,7 @@ void PosedCorners::rotate(const RoundedPoses& poses, const Corners& a, const Cor
     for (std::size_t k = 0; k < 3; ++k) {
         const double first = posed[0][k][1] - posed[0][k][0];
         const double apart = first - poses.offset[k];
-        // Adds the offset's rounding and one for each of the two differences.
+        // Adds the offset's error and one rounding for each of the two differences.
         const double apart_error = error[0][k][0] + error[0][k][1] + poses.offset_error[k] +
                                    1.01 * double_signs::u * (std::abs(first) + std::abs(apart));
         posed[0][k] = error[0][k] = twice(0);
@@ -153,8 +155,9 @@ void PosedCorners::rotate(const RoundedPoses& poses, const Corners& a, const Cor
     }
 }
 
-/// A component of a rotated corner is known if its row is exact, or if all its inputs are 0, as on
-/// the axis of a turn. A number has a unique representation as a sum of two doubles.
+/// Finds the corners of A and B that provably coincide. A component is known if its row of the pose
+/// is exact, or if all coordinates that enter it are 0, as on the axis of a rotation. Its high and
+/// low part are unique, so equal components have equal parts.
 void PosedCorners::find_ones(const RoundedPoses& poses,
                              const std::array<const Corners*, 2>& corners) {
     std::array<bool, 6> are_known{};

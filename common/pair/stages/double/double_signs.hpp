@@ -58,7 +58,7 @@ inline constexpr double size_of_error = 1.01 / (2 * u);
 inline constexpr double tame_least = 0x1p-150;
 inline constexpr double tame_most = 0x1p33;
 
-/// A component of a vector and its size, computed by the same operations.
+/// A component of a vector in lane 0 and its size in lane 1; the same operations compute both.
 struct Sized {
     TwoDoubles both;
 
@@ -96,13 +96,14 @@ inline int sign_of(double value, double bound, bool is_zero) {
     return sign + unknown_sign * static_cast<int>((sign == 0) & !is_zero);
 }
 
-/// A set of (corner of A, corner of B) pairs, one bit each.
+/// A set of pairs of corners: bit 3 i + j is for corner i of A and corner j of B, each 0 to 2.
 using CornerPairs = std::uint32_t;
 
 inline constexpr CornerPairs all_with_a = 7; ///< Pairs of A's corner 0; for corner i, << 3 i.
 inline constexpr CornerPairs all_with_b = 0b1001001; ///< Pairs of B's corner 0; for corner j, << j.
 
-/// Returns 0 for two corners of one triangle.
+/// Returns the bit of corners i and j, numbered 0 to 5 as in CornerSigns; 0 if both are of one
+/// triangle.
 inline CornerPairs pair_of(std::size_t i, std::size_t j) {
     const std::size_t a = i < j ? i : j;
     const std::size_t b = i < j ? j : i;
@@ -141,11 +142,11 @@ class ExactCorners {
     bool are_tame_;
 };
 
-/// Arbitrary posed corners. Along an axis that both poses keep, as turns about it do, coordinates
-/// are exactly high + low, each a double. The high parts are stored, and E_i = |low_i - low_0|
-/// bounds corner i's share of the error of a difference within a triangle. Along other axes corners
-/// are stored relative to their triangle's first; for differences between the triangles, B's are
-/// relative to A's first.
+/// Corners under any poses. Along an axis that both poses keep, as rotations about the axis do,
+/// coordinates are exactly high + low, each a double. The high parts are stored, and E_i = |low_i -
+/// low_0| bounds corner i's share of the error of a difference within a triangle. Along other axes
+/// corners are stored relative to their triangle's first; for differences between the triangles,
+/// B's are relative to A's first.
 ///
 /// Errors E are stored as their contributions to sizes; the other lane is 0.
 class PosedCorners {
@@ -180,6 +181,7 @@ class PosedCorners {
     void rotate(const RoundedPoses& poses, const Corners& a, const Corners& b);
     void find_ones(const RoundedPoses& poses, const std::array<const Corners*, 2>& corners);
 
+    // By corner and axis, for differences within a triangle and between the triangles.
     std::array<std::array<Component, 3>, 6> within_;
     std::array<std::array<Component, 3>, 6> across_;
     double_signs::CornerPairs ones_ = 0;
@@ -266,7 +268,7 @@ class DoubleSigns {
         return {frame_.across(from, to, 0), frame_.across(from, to, 1), frame_.across(from, to, 2)};
     }
 
-    /// `ones` are coincident pairs of corners that make the area 0.
+    /// `ones` is the set of coincident pairs of corners, each of which makes the area 0.
     [[nodiscard]] int turn_sign(const double_signs::Sized& area,
                                 double_signs::CornerPairs ones) const {
         using namespace double_signs;
@@ -274,7 +276,8 @@ class DoubleSigns {
         return sign_of(area.value(), scale_ * area_bound * area.size() + underflow, is_zero);
     }
 
-    /// Proves the sign of x . z for a cross product x; it is 0 if a pair of `pairs` coincides.
+    /// Proves the sign of a volume x . z, where x is a cross product. The volume is 0 if a pair of
+    /// corners in `pairs` coincides.
     [[nodiscard]] int volume_sign(const double_signs::Sized& volume,
                                   double_signs::CornerPairs pairs) const {
         using namespace double_signs;

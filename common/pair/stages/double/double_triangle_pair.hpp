@@ -12,7 +12,8 @@ namespace cd {
 
 class DoubleTrianglePair {
   public:
-    /// Multiplies all error bounds by `bound_scale`; tests use less than 1.
+    /// Multiplies all error bounds by `bound_scale`. Answers are right only from 1 on; tests use
+    /// less to show that the bounds are needed.
     explicit DoubleTrianglePair(const PosePair& poses, double bound_scale = 1);
 
     /// Selects the constructor for poses that are plain already.
@@ -23,8 +24,8 @@ class DoubleTrianglePair {
     /// Never allocates.
     [[nodiscard]] std::optional<PairClass> classify(const Corners& a, const Corners& b) const;
 
-    /// Returns `use(signs)` for the proven signs, which have one of two types. They are valid until
-    /// `use` returns.
+    /// Returns `use(signs)` for the pair's DoubleSigns, of ExactCorners or of PosedCorners. The
+    /// signs are valid until `use` returns.
     template <class Use>
     [[nodiscard]] auto with_signs(const Corners& a, const Corners& b, const Use& use) const {
         if (!poses_.are_rotated) {
@@ -42,8 +43,8 @@ class DoubleTrianglePair {
     double bound_scale_ = 1;
 };
 
-/// Models CornerSigns from the signs proven by `signs`. Once an unproven sign is asked for, all
-/// answers are meaningless and end the decision quickly.
+/// Models CornerSigns with the signs that `signs` proves. Once an unproven sign is asked for,
+/// `are_enough` is false, and all answers are meaningless; they end the decision quickly.
 template <class Signs>
 class ProvenSigns {
   public:

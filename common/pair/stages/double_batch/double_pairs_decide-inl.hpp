@@ -26,7 +26,8 @@ constexpr std::size_t next(std::size_t corner) {
     return (corner + 1) % 3;
 }
 
-/// `lone_corner` of pair_decision.hpp; the first corner if neither flag is set.
+/// The lone corner of a triangle in each lane (LoneCorner of pair_decision.hpp): the first corner
+/// where neither `is_second` nor `is_third` is set.
 struct Lone {
     M is_second;
     M is_third;
@@ -45,12 +46,13 @@ HWY_INLINE Lone lone_corner(const Sides& s) {
             hn::Or(hn::And(one_below, s.negative[i]), hn::AndNot(one_below, s.zero[i]));
         return hn::Or(hn::And(one_above, s.positive[i]), hn::AndNot(one_above, otherwise));
     };
-    // Otherwise one is in the plane, and any other tells the side of both.
+    // If no corner is alone on a side, the lone corner is in the plane, and above if another is
+    // below.
     const M any_below = any_of(s.negative[0], s.negative[1], s.negative[2]);
     return {is_lone(1), is_lone(2), hn::Or(one_above, hn::AndNot(one_below, any_below))};
 }
 
-/// Per-corner values, from the lone corner on, in the triangle's order or the opposite one.
+/// A value per corner, from the lone corner on, in the triangle's order or the opposite one.
 template <class T>
 struct Arranged {
     T lone;
@@ -68,7 +70,7 @@ arranged(T x0, T x1, T x2, Choice is_second, Choice is_third, Choice is_opposite
             hn::IfThenElse(is_opposite, after, before)};
 }
 
-/// The corners p, q, r in the notation of Guigue and Devillers.
+/// A triangle's corners from the lone corner p on, named as in `decide_crossing`.
 template <class C>
 struct Turned {
     C p[3];
@@ -119,10 +121,10 @@ class OnePoints {
     }
 
     HWY_INLINE M any() const { return is_set(bits_); }
-    /// Tests for any pair except those in `without`.
+    /// Tests for any coincident pair except those in `without`.
     HWY_INLINE M any_but(Bits without) const { return is_set(hn::AndNot(without, bits_)); }
 
-    /// Returns the pairs of each of a triangle's corners, arranged.
+    /// Returns the set of pairs that each corner of a triangle is in, arranged.
     static HWY_INLINE Arranged<Bits>
     pairs_of(std::int64_t first, int step, const Lone& lone, M is_opposite) {
         const Ints d;
@@ -146,7 +148,8 @@ HWY_INLINE V code(PairClass kind) {
     return hn::Set(Doubles(), static_cast<double>(kind));
 }
 
-/// `decide_crossing` of pair_decision.hpp; in addition, triangles that share a corner touch.
+/// Decides as `decide_crossing` of pair_decision.hpp. In addition, a shared corner proves Touch
+/// unless the triangles may cross properly.
 template <class C>
 HWY_INLINE V
 decide_crossing(const Frame<C>& frame, const Prover& prover, const Sides& of_a, const Sides& of_b) {
@@ -232,12 +235,12 @@ struct Seen {
     }
 };
 
-/// Accumulates the verdicts of both triangles' edges: see `decide_coplanar`.
+/// Collects what is proven for the edges added so far: see `decide_coplanar` of pair_decision.hpp.
 struct EdgesSeen {
-    M any_parts;
-    M all_overlap;
-    M any_shuts; ///< The other triangle is outside an edge or on its line.
-    M any_open;
+    M any_parts;   ///< An edge has the other triangle strictly outside.
+    M all_overlap; ///< The other triangle has a corner inside each edge.
+    M any_shuts;   ///< An edge has the other triangle outside or on its line.
+    M any_open;    ///< An edge with an unproven turn and no corner inside.
 
     HWY_INLINE EdgesSeen() {
         const Doubles d;
@@ -255,6 +258,8 @@ struct EdgesSeen {
     }
 };
 
+/// Finds the turns from the edges of coplanar triangles to the other triangle's corners, as seen by
+/// a View.
 template <class C>
 class FlatPairs {
   public:
@@ -313,8 +318,9 @@ class FlatPairs {
     Seen across_[3][3]; ///< Difference from corner i of A to corner j of B.
 };
 
-/// `decide_coplanar` of pair_decision.hpp, along the longest axis of A's normal. In addition,
-/// triangles that share a corner are not separate. Meaningless in lanes that are not `is_flat`.
+/// Decides as `decide_coplanar` of pair_decision.hpp, along the longest axis of A's normal. In
+/// addition, a shared corner proves that triangles are not separate. Meaningless in lanes outside
+/// `is_flat`.
 template <class C>
 HWY_INLINE V decide_flat(const Frame<C>& frame,
                          const Prover& prover,

@@ -1,5 +1,5 @@
-// Poses corners, one pair per SIMD lane: ExactCorners and PosedCorners of double_signs.hpp,
-// operation by operation. Compiled for every target.
+// Poses corners, one pair per SIMD lane, by the same operations as ExactCorners and PosedCorners of
+// double_signs.hpp. Compiled for every target.
 
 // Highway's include guard: once per target.
 #if defined(CD_DOUBLE_PAIRS_FRAME_INL_HPP) == defined(HWY_TARGET_TOGGLE)
@@ -29,7 +29,7 @@ constexpr std::size_t lanes = hn::MaxLanes(Doubles());
 static_assert(CornersOfMany::pairs % lanes == 0);
 
 // Where GCC gives vectors a default constructor, as on NEON, only code compiled for the target may
-// call it. So structures that are filled later declare their own.
+// call that. So structures that are filled later declare a default constructor of their own.
 
 /// A coordinate that is exactly a double.
 struct ExactComponent {
@@ -39,7 +39,7 @@ struct ExactComponent {
     HWY_INLINE explicit ExactComponent(V given) : at(given) {}
 };
 
-/// A coordinate, and its error's contribution to sizes.
+/// A coordinate, and the contribution of the coordinate's error to sizes (see double_signs.hpp).
 struct Component {
     V at;
     V error;
@@ -48,7 +48,7 @@ struct Component {
     HWY_INLINE Component(V given, V its_error) : at(given), error(its_error) {}
 };
 
-/// A component of a difference and its size.
+/// A component of a difference, and the component's size (see double_signs.hpp).
 struct Sized {
     V value;
     V size;
@@ -67,13 +67,13 @@ HWY_INLINE Sized between(const ExactComponent& from, const ExactComponent& to) {
     return {value, hn::Abs(value)};
 }
 
-/// Coordinates by corner and axis, as in ExactCorners or PosedCorners.
+/// World coordinates by corner and axis, as in ExactCorners or PosedCorners.
 template <class C>
 struct Frame {
     C a[3][3];
     C b[3][3];        ///< B's corners for differences within B.
     C b_across[3][3]; ///< B's corners for differences from A.
-    M one[3][3];      ///< Corners of A and B that provably coincide.
+    M one[3][3];      ///< Lanes in which corners i of A and j of B provably coincide.
     M is_tame;
 
     HWY_INLINE Frame() {}
@@ -81,7 +81,7 @@ struct Frame {
 using ExactFrame = Frame<ExactComponent>;
 using PosedFrame = Frame<Component>;
 
-/// The given coordinates, by corner and axis.
+/// The unposed coordinates, by corner and axis.
 struct Given {
     V a[3][3];
     V b[3][3];
@@ -127,7 +127,7 @@ struct Sums {
     HWY_INLINE Sums(V of_all, V of_rest) : high(of_all), low(of_rest) {}
 };
 
-/// `exact_sum` of double_double.hpp.
+/// Returns left + right without any error, as `exact_sum` of double_double.hpp does.
 HWY_INLINE Sums exact_sum(V left, V right) {
     const V sum = hn::Add(left, right);
     const V right_part = hn::Sub(sum, left);
@@ -135,7 +135,8 @@ HWY_INLINE Sums exact_sum(V left, V right) {
     return {sum, hn::Add(hn::Sub(left, left_part), hn::Sub(right, right_part))};
 }
 
-/// Returns coordinates along an axis that the body's pose keeps, except for order and direction.
+/// Returns a corner's world coordinates along an axis onto which the pose maps one of the body's
+/// axes, in either direction.
 HWY_INLINE Sums placed(const RoundedPoses::Body& body, const V (&corner)[3], std::size_t axis) {
     const Doubles d;
     const RoundedPoses::Row& row = body.rows[axis];
@@ -151,7 +152,8 @@ struct BothSums {
     HWY_INLINE BothSums() {}
 };
 
-/// Finds coincident coordinates too: a sum of two doubles is represented uniquely.
+/// Returns all corners' coordinates along one axis, and clears `to.one` where those of two corners
+/// differ: equal numbers have equal high and low parts.
 HWY_INLINE BothSums place_both(const RoundedPoses& poses,
                                const Given& given,
                                std::size_t axis,
@@ -171,7 +173,8 @@ HWY_INLINE BothSums place_both(const RoundedPoses& poses,
     return sums;
 }
 
-/// Between triangles, differences err by up to |low_0 - low_0'| in addition to both errors.
+/// Stores the coordinates along an axis that both poses keep. Between the triangles a difference
+/// errs by both corners' errors and the difference of the first corners' low parts.
 HWY_INLINE void place_exact(const BothSums& sums, std::size_t axis, PosedFrame& to) {
     const auto& [a, b] = sums;
     const V apart = as_error(hn::Abs(hn::Sub(b[0].low, a[0].low)));
@@ -182,7 +185,7 @@ HWY_INLINE void place_exact(const BothSums& sums, std::size_t axis, PosedFrame& 
     }
 }
 
-/// A first corner, or another corner relative to the first, and the sizes of its coordinates.
+/// A first corner, or another corner minus the first, with the size of each coordinate.
 struct Offset {
     V at[3];
     V size[3];
@@ -252,7 +255,7 @@ place_rotated(const RoundedPoses& poses, const Offsets& offsets, std::size_t k, 
     }
 }
 
-/// Tests whether all inputs of the inexact components are 0.
+/// Tests whether a posed corner is exactly known: all coordinates that enter inexact rows are 0.
 HWY_INLINE M is_known(const RoundedPoses::Body& body, const V (&corner)[3]) {
     const Doubles d;
     M known = hn::Eq(hn::Zero(d), hn::Zero(d));

@@ -9,7 +9,7 @@
 
 namespace cd {
 
-/// Corners of eight pairs, by corner, axis and pair.
+/// The unposed corners of eight pairs, by corner, axis and pair.
 struct CornersOfMany {
     static constexpr std::size_t pairs = 8;
     using Triangles = std::array<std::array<std::array<double, pairs>, 3>, 3>;

@@ -86,7 +86,7 @@ class Prover {
           volume_bound_(hn::Set(Doubles(), bound_scale * double_signs::volume_bound)),
           area_bound_(hn::Set(Doubles(), bound_scale * double_signs::area_bound)) {}
 
-    /// `is_one` marks lanes where coincident corners make the volume 0.
+    /// `is_one` marks lanes in which coincident corners make the volume 0.
     HWY_INLINE Sign volume_sign(const Sized& volume, M is_one) const {
         const M is_least = hn::Lt(volume.size, hn::Set(Doubles(), double_signs::term_least));
         return sign(volume.value,

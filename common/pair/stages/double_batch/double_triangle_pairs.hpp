@@ -12,26 +12,28 @@
 
 namespace cd {
 
-/// Decides up to eight pairs in doubles, exactly as posed. It proves all that DoubleTrianglePair
-/// proves of triangles with area, and slightly more for those that share a corner.
+/// Decides up to eight pairs at once in doubles. Proves all that DoubleTrianglePair proves of
+/// triangles with area, and slightly more for triangles that share a corner.
 ///
-/// The answers are the same on every SIMD target, and independent of the other pairs.
+/// A pair's answer is the same on every SIMD target and independent of the other pairs.
 class DoubleTrianglePairs {
   public:
     static constexpr std::size_t pairs_max = CornersOfMany::pairs;
 
-    /// The poses must be plain. Multiplies all error bounds by `bound_scale`; tests use less than
-    /// 1.
+    /// The poses must be plain (see `plain_poses`). Multiplies all error bounds by `bound_scale`;
+    /// tests use less than 1 to show that the bounds are needed.
     explicit DoubleTrianglePairs(const PosePair& poses, double bound_scale = 1);
 
-    /// Returns false if the processor has one double per vector: then single decisions are faster.
+    /// Returns false if a SIMD vector holds one double only: then pairs are decided faster one by
+    /// one.
     [[nodiscard]] bool pays() const { return pays_; }
 
     /// Adds a pair; at most `pairs_max` before the next `decide`.
     void add(const Corners& a, const Corners& b);
     /// Decides and removes the pairs added since the last call.
     void decide();
-    /// Returns the class of pair number `place` of the last `decide`.
+    /// Returns the class of the pair that was added as number `place` before the last `decide`;
+    /// nothing if doubles leave it open.
     [[nodiscard]] std::optional<PairClass> decided(std::size_t place) const {
         const std::uint8_t found = classes_[place];
         return found == undecided_pair ? std::nullopt

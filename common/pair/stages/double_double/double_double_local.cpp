@@ -11,8 +11,9 @@ namespace {
 
 using PlainRow = LocalMap::PlainRow;
 
-/// Returns the row of an axis that the rotation keeps or turns around, as a quaternion with two
-/// zero components does. (Double-double results of 0 or 1 would prove nothing.)
+/// Returns row k of a quaternion's rotation if it provably keeps axis k or reverses it: a rotation
+/// about the axis, or a half turn about an axis at right angles. (Rounded entries of 0 or 1 would
+/// prove nothing.)
 std::optional<PlainRow> plain_row(const Quaternion& q, std::size_t k) {
     const std::array<double, 3> vector{q.x, q.y, q.z};
     const std::size_t next = (k + 1) % 3;
@@ -24,7 +25,7 @@ std::optional<PlainRow> plain_row(const Quaternion& q, std::size_t k) {
     return q.w == 0 && vector[k] == 0 ? std::optional(PlainRow{column, -1}) : std::nullopt;
 }
 
-/// Returns a matrix row with at most one nonzero entry.
+/// Returns row k of a matrix if at most one entry is nonzero, and that one is not tiny.
 std::optional<PlainRow> plain_row(const Mat3& matrix, Eigen::Index k) {
     PlainRow row;
     int entries = 0;

@@ -28,24 +28,27 @@ struct LocalMap {
     Vec3 translation;
     double largest = 0; ///< Bounds each |entry| of the rows.
     bool is_matrix = false;
-    std::array<std::optional<PlainRow>, 3> plain;
+    std::array<std::optional<PlainRow>, 3> plain; ///< By row; empty for rows that are not plain.
 
     explicit LocalMap(const Pose& pose);
 
-    /// Bounds the magnitudes of the terms of R x + offset.
+    /// Bounds the sum of the terms' magnitudes in each component of R x + offset.
     [[nodiscard]] double magnitude_of(const Vec3& x, const Vec3& offset) const;
-    /// Computes R x + t - origin, each component within `local_error` of its terms' magnitude.
+    /// Computes R x + t - origin. Each component errs by at most `local_error(magnitude_of(x, t -
+    /// origin))`.
     [[nodiscard]] DoubleDoubleVec place(const Vec3& x, const Vec3& origin) const;
     /// Returns component k of R x + t if it is provably the sum of two doubles. The high part is
     /// the nearest double, so equal numbers have equal parts.
     [[nodiscard]] std::optional<DoubleDouble> exact_component(const Vec3& x, std::size_t k) const;
     /// Returns component k of R x + t - origin, rounded once, if it is a sum of two doubles and the
-    /// pose is a matrix: short numbers often lie midway between two doubles.
+    /// pose is a matrix; else nothing. Short numbers often lie midway between two doubles, where no
+    /// error bound proves the rounding.
     [[nodiscard]] std::optional<double>
     nearest_component(const Vec3& x, const Vec3& origin, std::size_t k) const;
 };
 
-/// Returns the nearest double of a sum, if the sum is exactly that of two doubles.
+/// Returns the nearest double of a sum, if the sum is exactly that of two doubles; may return
+/// nothing otherwise.
 template <std::size_t n>
 [[nodiscard]] std::optional<double> nearest_sum(std::array<double, n> terms) {
     // Each pass preserves the sum (Ogita, Rump, Oishi, Accurate sum and dot product, 2005,
@@ -65,7 +68,8 @@ template <std::size_t n>
     return std::nullopt;
 }
 
-/// Sums 10 e from the rotation, e from all products and e from each of three sums, with room for
+/// Bounds the error of a component whose terms have this sum of magnitudes: 10 e from the rotation,
+/// e from all products and e from each of three sums (e is double_double_error), with room for
 /// terms of higher order and the bounds' own roundings.
 [[nodiscard]] inline double local_error(double magnitude) {
     return 20 * double_double_error * magnitude;
@@ -73,16 +77,16 @@ template <std::size_t n>
 
 /// A triangle relative to an origin, with values derived from it alone.
 struct LocalTriangle {
-    /// Exactly known world components of a corner. Edges and faces of an unrotated body at right
-    /// angles to an axis share them.
+    /// The world components of a corner, where known exactly. All corners of an edge or face at
+    /// right angles to an axis share a component.
     using ExactComponents = std::array<std::optional<DoubleDouble>, 3>;
 
     std::array<DoubleDoubleVec, 3> corners;
     std::array<ExactComponents, 3> world;
     DoubleDoubleVec normal;
-    double magnitude = 0; ///< Bounds the terms that the coordinates are sums of.
-    Vec3 least;           ///< Minimum of the corners' high parts.
-    Vec3 greatest;
+    double magnitude = 0; ///< The largest `LocalMap::magnitude_of` of a corner.
+    Vec3 least;           ///< By axis, the least high part of a corner.
+    Vec3 greatest;        ///< By axis, the greatest high part of a corner.
 
     LocalTriangle(const LocalMap& map, const Corners& corners, const Vec3& origin);
 };

@@ -25,7 +25,8 @@ bool is_same(const std::optional<DoubleDouble>& l, const std::optional<DoubleDou
     return l && r && l->high == r->high && l->low == r->low;
 }
 
-/// Adds the components that all points of an edge have in common.
+/// Sets the exactly known components that both ends of an edge, and so all its points, have in
+/// common.
 void add_common(LocalPlace& place, const ExactComponents& from, const ExactComponents& to) {
     for (std::size_t k = 0; k < 3; ++k) {
         if (is_same(from[k], to[k])) {
@@ -60,14 +61,15 @@ double area_error(double across, double error, const LocalBounds& bounds) {
     return 12 * length * (error + e * length * bounds.scale);
 }
 
-/// End values of a function that is linear along an edge and 0 between its ends.
+/// The values at both ends of an edge of a function that is linear along the edge and 0 between its
+/// ends. The true values have different signs, and neither is 0.
 struct Weights {
-    DoubleDouble from; ///< The true values have different signs, and neither is 0.
+    DoubleDouble from;
     DoubleDouble to;
     double error = 0; ///< Bounds the error of each value.
 };
 
-/// Finds the zero of the weights on an edge.
+/// Returns the point of an edge where the function that the weights belong to is 0.
 ///
 /// With s and t the weights, the share s / (s - t) errs by (|t| ds + |s| ds) / |(s - t)(s - t)'|
 /// for weights that err by ds. That is ds / |s - t|, as the true signs differ. Rounding adds e for
@@ -132,7 +134,7 @@ LocalPlace corner_place(const LocalTriangle& of, std::size_t corner, const Local
 LocalPlace piercing_place(const LocalHalf& of, std::size_t edge, const LocalBounds& bounds) {
     LocalPlace place =
         place_on_edge(of, edge, {of.sides[edge], of.sides[next(edge)], of.side_error}, bounds);
-    // A triangle at right angles to an axis shares its component with all its points.
+    // All points of a triangle at right angles to an axis have the same component.
     const auto& world = of.other->world;
     for (std::size_t k = 0; k < 3; ++k) {
         if (is_same(world[0][k], world[1][k]) && is_same(world[0][k], world[2][k])) {

@@ -10,11 +10,11 @@
 
 namespace cd {
 
-/// Bounds for a pair, per component, of computed and of true values alike.
+/// Bounds for a pair. Each holds for every component, and for computed and true values alike.
 struct LocalBounds {
-    double corner_error = 0;
-    double across = 0; ///< Bounds the difference of any two of the six corners.
-    double scale = 1;  ///< Multiplies all error bounds; less than 1 proves nothing.
+    double corner_error = 0; ///< Bounds the error of each corner's component.
+    double across = 0;       ///< Bounds the difference of any two of the six corners.
+    double scale = 1;        ///< Multiplies all error bounds; less than 1 proves nothing.
 
     LocalBounds() = default;
     LocalBounds(const LocalTriangle& a, const LocalTriangle& b, double scale);
@@ -27,7 +27,7 @@ struct LocalHalf {
     double length = 0;     ///< Bounds the components of its edges.
     double side_error = 0; ///< Bounds the error of each side.
     DoubleDoubleVec sides;
-    PlaneSides proven = unknown_sides; ///< The signs of the sides.
+    PlaneSides proven = unknown_sides; ///< The signs of the sides; `unknown_sign` where unproven.
 
     LocalHalf() = default;
     LocalHalf(const LocalTriangle& own, const LocalTriangle& other, const LocalBounds& bounds);
@@ -36,10 +36,10 @@ struct LocalHalf {
 /// A corner, or a point on an edge at `share` of the way between two corners.
 struct LocalPlace {
     const DoubleDoubleVec* from = nullptr;
-    const DoubleDoubleVec* to = nullptr; ///< Null for a corner.
-    DoubleDouble share;
+    const DoubleDoubleVec* to = nullptr;  ///< Null for a corner.
+    DoubleDouble share;                   ///< 0 at `from`, 1 at `to`; unused for a corner.
     double error = 0;                     ///< Bounds the error of each component.
-    LocalTriangle::ExactComponents world; ///< The exactly known world components.
+    LocalTriangle::ExactComponents world; ///< The world components that are known exactly.
 
     [[nodiscard]] DoubleDouble component(std::size_t k) const {
         return to == nullptr ? (*from)[k] : (*from)[k] + share * ((*to)[k] - (*from)[k]);
@@ -58,7 +58,7 @@ piercing_place(const LocalHalf& of, std::size_t edge, const LocalBounds& bounds)
                                         std::size_t other,
                                         const LocalBounds& bounds);
 
-/// Compares component k: -1, 1 or 0 for x < y, y < x or x = y if proven; else nothing.
+/// Compares component k: returns -1 if x < y, 1 if x > y, 0 if equal; nothing if that is unproven.
 [[nodiscard]] std::optional<int> compare(const LocalPlace& x, const LocalPlace& y, std::size_t k);
 /// Compares lexicographically; nothing if the order is unproven or the positions are equal.
 [[nodiscard]] std::optional<int> compare(const LocalPlace& x, const LocalPlace& y);
@@ -75,7 +75,7 @@ piercing_place(const LocalHalf& of, std::size_t edge, const LocalBounds& bounds)
 [[nodiscard]] std::size_t main_axis(const Vec3& vector);
 
 /// Returns the nearest double of a number within `error` of `value`, if all such numbers have the
-/// same one. A nonzero answer is never -0.
+/// same one. If `error` is positive, the answer is not 0.
 [[nodiscard]] std::optional<double>
 rounded(const DoubleDouble& value, double error, const LocalBounds& bounds);
 /// Rounds component k of a position relative to the origin; nothing if that is unproven.

@@ -8,10 +8,10 @@ namespace cd {
 
 namespace {
 
-/// Computes M(q) / q.q. A power of two scales the quaternion. An entry of M sums at most four
-/// products whose magnitudes add up to at most n = q.q; the products err by e n and each of three
-/// sums by e n. Likewise n errs by 4 e n, and the division by 2 e. So an entry, which is at most 1,
-/// errs by 10 e.
+/// Computes M(q) / q.q, with errors in terms of e = double_double_error. A power of two scales the
+/// quaternion. An entry of M sums at most four products whose magnitudes add up to at most n = q.q;
+/// the products err by e n and each of three sums by e n. Likewise n errs by 4 e n, and the
+/// division by 2 e. So an entry, which is at most 1, errs by 10 e.
 DoubleDoubleMatrix rotation_of(const Quaternion& q) {
     const double largest = std::max({std::abs(q.w), std::abs(q.x), std::abs(q.y), std::abs(q.z)});
     int exponent = 0;

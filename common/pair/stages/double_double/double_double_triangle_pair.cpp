@@ -84,7 +84,8 @@ int proven_sign(double value, double bound) {
     return value > bound ? 1 : value < -bound ? -1 : unknown_sign;
 }
 
-/// A quaternion's entries have errors relative to 1.
+/// Returns a lower limit for the bound on |entries|: the errors of a quaternion's entries are
+/// relative to 1.
 double entry_least(const Pose& pose) {
     return pose.kind() == Pose::Kind::Quaternion ? 1 : 0;
 }
@@ -186,7 +187,7 @@ double DoubleDoubleSigns::volume_bound(const Sized& x, const Sized& y, const Siz
     return scale_ * 9 * error_ * (x.size * y.size + y.size * z.size + z.size * x.size);
 }
 
-/// Stops at the first unproven sign: the others are useless then.
+/// Stops at the first unproven sign: without it the other signs decide nothing.
 PlaneSides
 DoubleDoubleSigns::sides(PlaneSides known, std::size_t plane, std::size_t corners) const {
     if (!is_any_unknown(known)) {

@@ -22,16 +22,16 @@ struct DoubleDoublePoses {
         BothBodies tail;
     };
     std::array<std::array<Entry, 3>, 3> rows;
-    std::array<BothBodies, 3> offset_high; ///< Exactly ta - tb for A; 0 for B.
-    std::array<BothBodies, 3> offset_low;
-    double largest_a = 0; ///< Bounds A's |entries|.
-    double largest_b = 0;
-    double offset_largest = 0;
+    std::array<BothBodies, 3> offset_high; ///< High part of ta - tb for A; 0 for B.
+    std::array<BothBodies, 3> offset_low;  ///< Exactly the rest of ta - tb for A; 0 for B.
+    double largest_a = 0;                  ///< Bounds A's |entries|.
+    double largest_b = 0;                  ///< Bounds B's |entries|.
+    double offset_largest = 0;             ///< The largest |high part| of ta - tb.
 
     explicit DoubleDoublePoses(const PosePair& poses);
 };
 
-/// Proves the signs of one pair in double-double; `unknown_sign` if unproven.
+/// Proves the signs of one pair in double-double. Returns `unknown_sign` for unproven ones.
 class DoubleDoubleSigns {
   public:
     DoubleDoubleSigns(const DoubleDoublePoses& poses,
@@ -41,8 +41,8 @@ class DoubleDoubleSigns {
 
     [[nodiscard]] PlaneSides sides_of_a() const { return sides(unknown_sides, 3, 0); }
     [[nodiscard]] PlaneSides sides_of_b() const { return sides(unknown_sides, 0, 3); }
-    /// Returns the sides of the corners from `corners` on against the plane of those from `plane`
-    /// on. Takes `known` sides as proven.
+    /// Returns the sides of the three corners from number `corners` on against the plane of the
+    /// three from number `plane` on. Sides in `known` count as proven.
     [[nodiscard]] PlaneSides sides(PlaneSides known, std::size_t plane, std::size_t corners) const;
     [[nodiscard]] int
     edge_side(std::size_t i, std::size_t i_to, std::size_t j, std::size_t j_to) const;
@@ -50,7 +50,8 @@ class DoubleDoubleSigns {
     [[nodiscard]] int difference(std::size_t i, std::size_t j, std::size_t axis) const;
 
   private:
-    /// `error_` bounds the components' errors; `size` bounds them, computed or true.
+    /// A difference of two corners. `error_` bounds each component's error, and `size` each
+    /// |component|, computed or true.
     struct Sized {
         DoubleDoubleVec value;
         double size = 0;
@@ -68,7 +69,8 @@ class DoubleDoubleSigns {
 
 class DoubleDoubleTrianglePair {
   public:
-    /// Multiplies all error bounds by `bound_scale`; tests use less than 1.
+    /// Multiplies all error bounds by `bound_scale`. Answers are right only from 1 on; tests use
+    /// less to show that the bounds are needed.
     explicit DoubleDoubleTrianglePair(const PosePair& poses, double bound_scale = 1);
 
     /// Returns the class that is proven under the exact poses; nothing if rounding leaves it open,

@@ -15,7 +15,7 @@ Word word_of(const SignBits::Row& row) {
     return std::bit_cast<Word>(row);
 }
 
-/// Pairs in which a sign is proven positive or negative.
+/// A sign of 64 pairs: the pairs in which the sign is proven positive, or negative.
 struct Sign {
     Word positive;
     Word negative;
@@ -30,9 +30,10 @@ Sign opposite(const Sign& s) {
     return {s.negative, s.positive};
 }
 
+/// Collects the pairs for which the edges judged so far prove something.
 struct Proofs {
-    Word all_miss = ~Word{0};
-    Word any_pierces = 0;
+    Word all_miss = ~Word{0}; ///< No edge so far meets the other triangle.
+    Word any_pierces = 0;     ///< An edge properly passes through the other triangle.
 };
 
 /// Judges one edge by the sides of its ends and its sides against the other triangle's edges.
@@ -91,7 +92,7 @@ Verdicts decide(const SignBits& bits) {
     return {separate & usable, proper & usable};
 }
 
-/// Expands the low eight bits to bytes of 0 or 1.
+/// Expands the low eight bits to eight bytes of 0 or 1, lowest first.
 Word bytes_of(Word bits) {
     const Word apart = (bits & 0xff) * 0x0101010101010101u & 0x8040201008040201u;
     return (apart + 0x7f7f7f7f7f7f7f7fu) >> 7 & 0x0101010101010101u;
@@ -104,7 +105,7 @@ void decide_in_floats(const SignBits& bits,
                       std::size_t byte_pairs,
                       std::uint8_t* verdicts) {
     const Verdicts all = decide(bits);
-    // If a byte holds fewer than eight pairs, the next verdicts overwrite the rest.
+    // If a byte holds fewer than eight pairs, the verdicts of the next byte overwrite the surplus.
     std::uint8_t found[64 + sizeof(Word)];
     for (std::size_t i = 0; i < sizeof(Word); ++i) {
         const Word eight = bytes_of(all.separate >> 8 * i) + 2 * bytes_of(all.proper >> 8 * i);

@@ -6,8 +6,8 @@
 
 namespace cd {
 
-/// The fifteen determinants of a pair: sides of A's and B's corners, and edge against edge. Those
-/// named `Opposite` have the opposite sign.
+/// The fifteen determinants of a pair: the sides of A's and B's corners, and, as Across(3 i + j),
+/// edge i of A against edge j of B. The kernel computes those named `Opposite` with reversed sign.
 enum class PairSign : std::size_t {
     ASide0,
     ASide1,
@@ -27,8 +27,8 @@ enum class PairSign : std::size_t {
 };
 inline constexpr std::size_t pair_sign_count = 15;
 
-/// For each of up to 64 pairs one bit per determinant: proven positive, or proven negative. Each
-/// byte holds as many pairs as a vector has lanes, but at most eight.
+/// The proven signs of up to 64 pairs, one bit per pair and determinant. Each byte of a row holds
+/// as many pairs as a SIMD vector of floats has lanes, but at most eight.
 struct SignBits {
     using Row = std::uint8_t[8];
     Row positive[pair_sign_count]{}; ///< Indexed by PairSign.

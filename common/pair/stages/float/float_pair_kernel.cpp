@@ -56,7 +56,7 @@ namespace HWY_NAMESPACE {
 constexpr std::size_t byte_pairs = lanes < 8 ? lanes : 8;
 constexpr std::size_t block_pairs = 8 * byte_pairs;
 
-/// Candidates for each lane: surplus lanes repeat the last candidate.
+/// Provides a candidate for each lane: surplus lanes repeat the last candidate.
 class PaddedCandidates {
   public:
     HWY_INLINE const std::uint32_t* of(const std::uint32_t* candidates, std::size_t count) {
@@ -81,7 +81,7 @@ struct Batch {
     std::uint8_t* verdicts;
 };
 
-/// `reach` bounds every |coordinate| of blocks of B.
+/// Classifies all pairs of a batch. `reach` bounds every |coordinate| of B's blocks; 0 for a mesh.
 template <class A, class B>
 void classify_from(
     const FloatPairPose& pose, const A& a, const B& b, double reach, const Batch& batch) {

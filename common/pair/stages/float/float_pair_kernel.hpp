@@ -19,15 +19,15 @@ struct FloatPairPose {
     double point_error = 0;
 
     // Weights of a triple product's rows in its error bound, relative to their sizes.
-    float weight_a = 0;     ///< Weight of edges of A.
-    float weight_b = 0;     ///< Weight of edges of B.
-    float weight_d = 0;     ///< Weight of the corners' difference.
-    float weight_error = 0; ///< Weight of the posed corner's error.
+    float weight_a = 0;     ///< For edges of A.
+    float weight_b = 0;     ///< For edges of B.
+    float weight_d = 0;     ///< For the difference of the first corners.
+    float weight_error = 0; ///< For the error of B's posed corner.
 
     bool is_usable = false; ///< If false, nothing can be proven.
 };
 
-/// Triangles of one body as the kernel reads them: three numbers per vertex.
+/// Triangles of one body as the kernel reads them. `kind` decides which pointers are used.
 struct FloatPairBody {
     enum class Kind {
         FloatBlocks,  ///< TriangleBlocks of floats.
@@ -35,16 +35,16 @@ struct FloatPairBody {
         Mesh,         ///< Three doubles per vertex, three vertex indices per triangle.
     };
     Kind kind = Kind::Mesh;
-    const float* floats = nullptr;
-    const double* doubles = nullptr;
-    const std::uint32_t* vertex_begin = nullptr;
-    const std::uint8_t* corners = nullptr; ///< Four per triangle.
-    const std::uint32_t* triangles = nullptr;
-    double reach = 0; ///< Bounds every |coordinate| of blocks.
+    const float* floats = nullptr;   ///< Vertices of FloatBlocks, three numbers each.
+    const double* doubles = nullptr; ///< Vertices of the other kinds, three numbers each.
+    const std::uint32_t* vertex_begin = nullptr; ///< First vertex of each block.
+    const std::uint8_t* corners = nullptr;    ///< For blocks, four per triangle (see BlockCorners).
+    const std::uint32_t* triangles = nullptr; ///< For a mesh, three vertex indices per triangle.
+    double reach = 0; ///< Bounds every |coordinate| of blocks; 0 for a mesh.
 };
 
-/// `candidates` are triangle numbers, alternating A's and B's. Both bodies are blocks or both are
-/// meshes. Writes `count` FloatVerdicts.
+/// Writes the FloatVerdicts of `count` pairs. `candidates` holds a triangle number of A and one of
+/// B for each pair. Both bodies are blocks or both are meshes.
 void classify_in_floats(const FloatPairPose& pose,
                         const FloatPairBody& a,
                         const FloatPairBody& b,

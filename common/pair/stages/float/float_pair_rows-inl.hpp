@@ -25,16 +25,16 @@ using V = hn::Vec<Floats>;
 
 constexpr std::size_t lanes = hn::MaxLanes(Floats());
 
-/// Rows of three numbers and an unused one, for one pair per lane. Vector k of a kind has the rows
-/// of the pairs k, k + 4, k + 8 and k + 12, as far as there are lanes. So the transposition to
-/// columns stays within 128 bits, which is cheapest.
+/// Edges and differences of one pair per lane, as rows of three numbers and an unused one. SIMD
+/// vector k of each array has the rows of the pairs k, k + 4, k + 8 and k + 12, as far as there are
+/// lanes. So the transposition to columns stays within 128 bits, which is cheapest.
 struct Rows {
-    alignas(64) float p[4 * lanes];
-    alignas(64) float q[4 * lanes];
-    alignas(64) float e[4 * lanes]; ///< Edges of B before rotation.
-    alignas(64) float f[4 * lanes];
-    alignas(64) float d[4 * lanes];
-    alignas(64) float d_error[lanes]; ///< Error bound of B's posed corner.
+    alignas(64) float p[4 * lanes];   ///< First edges of A.
+    alignas(64) float q[4 * lanes];   ///< Second edges of A.
+    alignas(64) float e[4 * lanes];   ///< First edges of B before rotation.
+    alignas(64) float f[4 * lanes];   ///< Second edges of B before rotation.
+    alignas(64) float d[4 * lanes];   ///< First corners of A minus posed first corners of B.
+    alignas(64) float d_error[lanes]; ///< Error bounds of B's posed corners.
 };
 
 /// Pointers to a triangle's corners.
@@ -105,7 +105,7 @@ HWY_INLINE hn::Vec<D> load_row(D d, const typename Source::Number* from) {
     }
 }
 
-/// Loads the corners of every fourth candidate, as many as fit.
+/// Loads the corners of every fourth candidate, as many as fit a vector.
 template <class D, class Source>
 HWY_INLINE Corners4<hn::Vec<D>>
 load_corners(D d, const Source& source, const std::uint32_t* candidates) {
@@ -252,9 +252,9 @@ HWY_INLINE void load_errors(const FloatPairPose& pose,
     }
 }
 
-/// Distance of prefetches of blocks, in pairs, and stride of prefetched candidates: consecutive
-/// candidates share most of their blocks.
+/// Blocks are prefetched this many pairs ahead.
 constexpr std::size_t prefetch_distance = 32;
+/// Only every eighth candidate is prefetched: consecutive candidates share most blocks.
 constexpr std::size_t prefetch_step = 8;
 
 template <class T>

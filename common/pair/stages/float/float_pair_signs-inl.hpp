@@ -18,7 +18,7 @@ HWY_BEFORE_NAMESPACE();
 namespace cd {
 namespace HWY_NAMESPACE {
 
-/// The x, y and z components of one vector per lane.
+/// The x, y and z components of a vector for each lane.
 struct Columns {
     V x;
     V y;
@@ -77,7 +77,7 @@ HWY_INLINE V square(const Columns& v) {
     return dot(v, v);
 }
 
-/// Writes the signs of one SIMD vector of pairs.
+/// Writes the signs of as many pairs as a SIMD vector has lanes, from one byte of each row on.
 class SignWriter {
   public:
     HWY_INLINE SignWriter(SignBits& to, std::size_t byte) : to_(to), at_(byte) {}

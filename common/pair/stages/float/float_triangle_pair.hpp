@@ -17,14 +17,15 @@ enum class FloatVerdict : std::uint8_t {
     Proper = 2,
 };
 
-/// Decides most pairs of ordinary scenes under one pair of poses. It works in A's coordinates: A's
-/// pose is an invertible map, so the verdict is that in the world.
+/// Decides most pairs of ordinary scenes under one pair of poses. Works in A's coordinates: A's
+/// pose is an invertible map, so a pair has the same class there as in the world.
 ///
-/// The verdicts are the same bits on every SIMD target, and independent of the other pairs; but
-/// which pairs of blocks are proven may depend on the blocks' `reach`.
+/// The verdicts are the same on every SIMD target and independent of the other pairs. Which pairs
+/// of blocks are proven may depend on the blocks' `reach`.
 class FloatTrianglePair {
   public:
-    /// Multiplies all error bounds by `bound_scale`; tests show that smaller bounds are wrong.
+    /// Multiplies all error bounds by `bound_scale`. Verdicts are right only from 1 on; tests use
+    /// less to show that the bounds are needed.
     explicit FloatTrianglePair(const PosePair& poses, double bound_scale = 1);
 
     /// Writes one verdict per candidate of two bodies, each a TriangleSpan or TriangleBlocks. Never

@@ -13,8 +13,8 @@ namespace cd {
 
 namespace {
 
-/// Returns M(q) / q.q if it consists of 0, 1 and -1: with 1, 2 or 4 nonzero components, all of one
-/// size. (With three it contains 2/3.)
+/// Returns M(q) / q.q if all entries are 0, 1 or -1. Then q has 1, 2 or 4 nonzero components of one
+/// magnitude. (With three, entries are 2/3.)
 std::optional<Mat3> permutation_of(const Quaternion& q) {
     const std::array<double, 4> sizes{std::abs(q.w), std::abs(q.x), std::abs(q.y), std::abs(q.z)};
     const double largest = *std::max_element(sizes.begin(), sizes.end());
@@ -28,13 +28,13 @@ std::optional<Mat3> permutation_of(const Quaternion& q) {
     if (count == 3) {
         return std::nullopt;
     }
-    // With signs as components all is exact, and n is 1, 2 or 4.
+    // With their signs as components, the computation is exact, and q.q is 1, 2 or 4.
     const auto sign = [](double x) { return static_cast<double>((x > 0) - (x < 0)); };
     const Quaternion units{sign(q.w), sign(q.x), sign(q.y), sign(q.z)};
     return Pose::from_quaternion(units, Vec3::Zero()).rotation();
 }
 
-/// Returns the linear part if it permutes axes.
+/// Returns the linear part if it only permutes and mirrors axes.
 std::optional<Mat3> permutation_of(const Pose& pose) {
     if (pose.kind() == Pose::Kind::Quaternion) {
         return permutation_of(pose.quaternion());
@@ -46,8 +46,8 @@ std::optional<Mat3> permutation_of(const Pose& pose) {
     return permutes ? std::optional(pose.matrix()) : std::nullopt;
 }
 
-/// Tests whether a pose is provably not singular: |determinant| exceeds the possible error of its
-/// six products, with at most five roundings each.
+/// Tests whether a pose is provably not singular: its |determinant| exceeds the possible error of
+/// six products with at most five roundings each.
 bool is_invertible(const Pose& pose) {
     if (pose.kind() == Pose::Kind::Quaternion) {
         return true;
@@ -77,7 +77,8 @@ std::optional<Vec3> exact_difference(const Vec3& l, const Vec3& r) {
     return difference;
 }
 
-/// Returns the numbers, if whole, in units of 2^-digits of the power of two above the largest.
+/// Returns the numbers in units of 2^-digits times the power of two above the largest |number|;
+/// nothing if one is not whole in this unit.
 template <std::size_t n>
 std::optional<std::array<double, n>> whole_numbers(const std::array<double, n>& numbers,
                                                    int digits) {
@@ -101,15 +102,15 @@ std::optional<std::array<double, n>> whole_numbers(const std::array<double, n>& 
     return whole;
 }
 
-/// Returns R^-1 d for a quaternion's rotation R = M / n, if it is a vector of doubles and the
-/// computation is exact: then R x + d = R (x + R^-1 d).
+/// Returns R^-1 d for a quaternion's rotation R = M / n, if doubles hold and compute it exactly.
+/// Then R x + d = R (x + R^-1 d).
 std::optional<Vec3> turned_back(const Quaternion& q, const Vec3& d) {
-    // Then the entries of M and n are whole and below 2^43.
+    // With components below 2^20, n and the entries of M are whole and below 2^43.
     const auto whole = whole_numbers(std::array{q.w, q.x, q.y, q.z}, 20);
     if (!whole) {
         return std::nullopt;
     }
-    // In this range the errors of products are doubles, too.
+    // In this range the rounding errors of products are doubles, too.
     for (const double component : {d.x(), d.y(), d.z()}) {
         if (component != 0 && !(std::abs(component) > 0x1p-800 && std::abs(component) < 0x1p800)) {
             return std::nullopt;

@@ -5,18 +5,18 @@
 
 namespace cd {
 
-/// True if the linear part exactly permutes and mirrors axes, as a quarter turn given as a
-/// quaternion of two equal components does.
+/// Tests whether the linear part exactly permutes and mirrors axes, as a quarter turn does that is
+/// given as a quaternion with two equal components.
 [[nodiscard]] bool permutes_axes(const Pose& pose);
 
-/// True if the linear part is a quaternion or matrix of whole numbers of at most twelve digits, in
-/// some unit. World corners are then integers little longer than the given ones.
+/// Tests whether the quaternion or matrix consists of whole numbers of at most twelve binary
+/// digits, in some unit. World corners are then integers little longer than the given ones.
 [[nodiscard]] bool is_short(const Pose& pose);
 
-/// Returns poses that exactly preserve the class of every two triangles. A pose common to both
-/// bodies is removed, and so is a common short rotation if doubles hold the remaining translation.
-/// Translations are merged into B's if their difference is a double. If both poses only permute
-/// axes, B takes over A's permutation.
+/// Returns simpler poses under which every two triangles have exactly the same class. Removes a
+/// pose that both bodies have, and a short rotation that both have if doubles hold the remaining
+/// translation. Moves A's translation into B's if the difference is a double. If both poses only
+/// permute and mirror axes, moves A's permutation into B's pose.
 [[nodiscard]] PosePair plain_poses(const PosePair& poses);
 
 } // namespace cd

@@ -13,7 +13,7 @@ namespace {
 constexpr double u = 0x1p-53;             // Unit roundoff.
 constexpr double weight_least = 0x1p-300; // Least nonzero weight.
 
-/// Bounds the errors of a rotation's entries in doubles. An off-diagonal entry of a quaternion's
+/// Bounds the errors of the entries of `Pose::rotation`. An off-diagonal entry of a quaternion's
 /// M(q) / q.q is exactly 0 if both its products have a factor 0. The remaining diagonal entries may
 /// then be (n - 0) / n or (0 - n) / n for one computed n: exactly 1 or -1.
 Mat3 entry_errors(const Pose& pose) {

@@ -10,23 +10,24 @@
 
 namespace cd {
 
-/// Made from plain poses; see `plain_poses`.
+/// The poses of both bodies as doubles with error bounds, made from plain poses (see
+/// `plain_poses`).
 struct RoundedPoses {
     /// One row of a body's linear part.
     struct Row {
-        int source = 0;            ///< Source coordinate of an exact row.
-        double sign = 0;           ///< 1 or -1; 0 for rows that are not exact.
-        std::uint32_t columns = 0; ///< One bit per entry that may be nonzero.
+        int source = 0;            ///< The body's coordinate that an exact row takes.
+        double sign = 0;           ///< 1 or -1 for an exact row, else 0.
+        std::uint32_t columns = 0; ///< Bit k is set if entry k may be nonzero.
     };
     struct Body {
         std::array<Row, 3> rows;
         Vec3 translation;
-        std::uint32_t rounded_columns = 0; ///< Columns of all inexact rows.
-        bool is_none = false;              ///< Neither rotated nor moved.
+        std::uint32_t rounded_columns = 0; ///< Bits of all inexact rows' `columns`.
+        bool is_none = false;              ///< True if the body is neither rotated nor moved.
     };
 
-    /// True if translations are 0 or from 2^-150 to 2^33, entries at most 2, and weights 0 or at
-    /// least 2^-150.
+    /// True if all |translations| are 0 or from 2^-150 to 2^33, all |entries| at most 2, and all
+    /// weights 0 or at least 2^-150.
     bool are_tame = true;
     bool are_rotated = false; ///< If false, all rows of both bodies are exact.
     std::array<Body, 2> bodies;

@@ -13,7 +13,8 @@ namespace cd {
 template <std::size_t n>
 using LatticeCorners = std::array<WideVec<n>, 6>;
 
-/// Models CornerSigns. Given sides are taken as proven; only unknown ones are computed.
+/// Models CornerSigns. Sides that the constructor gets count as proven; only unknown ones are
+/// computed.
 template <std::size_t n>
 class IntegerSigns {
   public:
@@ -25,8 +26,8 @@ class IntegerSigns {
     [[nodiscard]] PlaneSides sides_of_a() const { return sides(of_a_, 3, 0); }
     [[nodiscard]] PlaneSides sides_of_b() const { return sides(of_b_, 0, 3); }
 
-    /// Returns the sides of the corners from `corners` on against the plane of those from `plane`
-    /// on. Takes known sides as proven and computes the rest.
+    /// Returns the sides of the three corners from number `corners` on against the plane of the
+    /// three from number `plane` on. Sides in `known` count as proven; the rest is computed.
     [[nodiscard]] PlaneSides sides(PlaneSides known, std::size_t plane, std::size_t corners) const {
         using namespace wide_int;
         if (!is_any_unknown(known)) {

@@ -9,7 +9,7 @@ namespace cd {
 
 namespace {
 
-/// Returns `use(signs)` for the corners' signs.
+/// Returns `use(signs)` with the IntegerSigns of the corners, which must be placed.
 template <class Variant, class Use>
 auto with_signs(const Variant& corners, const Use& use) {
     using Result = decltype(use(std::declval<IntegerSigns<1>>()));
@@ -25,7 +25,7 @@ auto with_signs(const Variant& corners, const Use& use) {
         corners);
 }
 
-/// Uses the smallest sufficient number of words.
+/// Places the corners in the smallest sufficient number of words; returns false if none suffices.
 template <std::size_t n, std::size_t... more, class Variant>
 bool place_with(const PoseLattice& lattice,
                 const PoseLattice::Extent& extent,
@@ -84,7 +84,7 @@ std::optional<PairClass> IntegerTrianglePair::classify_short(const Corners& a,
 bool IntegerTrianglePair::place(const Corners& a, const Corners& b, IntegerCorners& placed) {
     auto& corners = placed.corners_;
     if (short_lattice_) {
-        // The caller has tried one word already.
+        // The caller has tried one word already, by `classify_short`.
         if (short_lattice_->place(a, b, corners.emplace<LatticeCorners<2>>())) {
             return true;
         }

@@ -13,8 +13,7 @@
 
 namespace cd {
 
-/// The corners of one pair as integers, and their signs. IntegerTrianglePair::place fills it.
-/// Models CornerSigns.
+/// The corners of one pair as integers, placed by IntegerTrianglePair::place. Models CornerSigns.
 class IntegerCorners {
   public:
     [[nodiscard]] PlaneSides sides_of_a() const { return sides(unknown_sides, 3, 0); }
@@ -41,19 +40,21 @@ class IntegerCorners {
         corners_;
 };
 
-/// Not thread-safe.
+/// Decides pairs under one pair of poses in integers of up to sixteen words. Not thread-safe.
 class IntegerTrianglePair {
   public:
-    /// Starts at stage Lattice or WideInteger. The poses must be plain.
+    /// The poses must be plain (see `plain_poses`). Stage Lattice is skipped if `first` is a later
+    /// stage.
     explicit IntegerTrianglePair(const PosePair& poses, PairStage first = PairStage::Lattice);
 
-    /// Returns Lattice without relative rotation, unless that stage is skipped; else WideInteger.
+    /// Returns the stage that decides: Lattice for bodies without relative rotation, unless that
+    /// stage is skipped; else WideInteger.
     [[nodiscard]] PairStage stage() const {
         return short_lattice_ ? PairStage::Lattice : PairStage::WideInteger;
     }
 
-    /// Decides bodies without relative rotation if one word suffices: the cheapest test, tried
-    /// before all other stages. Never allocates.
+    /// Decides a pair without relative rotation if one word holds each coordinate, else returns
+    /// nothing. This is the cheapest test, tried before all other stages. Never allocates.
     [[nodiscard]] std::optional<PairClass> classify_short(const Corners& a, const Corners& b) const;
 
     /// Fills `placed` with a pair's corners; returns false if their range exceeds sixteen words.

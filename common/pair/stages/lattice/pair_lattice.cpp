@@ -137,7 +137,7 @@ PoseLattice::Extent PoseLattice::extent_of(const Corners& a, const Corners& b) c
     Range range;
     add(range, bodies_[0], a);
     add(range, bodies_[1], b);
-    // A coordinate sums four such numbers.
+    // A coordinate is a sum of four numbers of this range, which needs two more bits.
     return {range.lowest, range.end + 2 - range.lowest};
 }
 

@@ -46,7 +46,7 @@ class PoseLattice {
     }
 
   private:
-    /// (-1)^is_negative * (sum of word[i] 2^(60 i)) * 2^exponent, odd unless 0.
+    /// (-1)^is_negative * (sum of word[i] 2^(60 i)) * 2^exponent. The sum is odd unless 0.
     struct Number {
         static constexpr std::size_t words_max = 8;
         std::array<std::int64_t, words_max> word{};
@@ -54,7 +54,7 @@ class PoseLattice {
         int exponent = 0;
         bool is_negative = false;
     };
-    /// Exponents of nonzero numbers: multiples of 2^lowest, below 2^end.
+    /// Bounds nonzero numbers: all are multiples of 2^lowest, with magnitudes below 2^end.
     struct Range {
         int lowest = 0;
         int end = 0;

@@ -13,7 +13,7 @@ namespace {
 using wide_int::word_bits;
 using wide_int::word_mask;
 
-/// Numbers in units are below this power of two, so that a sum of two fits the words.
+/// A number in lattice units has at most this many bits, so that a sum of two fits n words.
 template <std::size_t n>
 constexpr int bits_of_number = wide_int::bits_max(n) - 1;
 
@@ -62,9 +62,9 @@ class Converter {
 
   private:
     int exponent_ = 0;
-    double units_ = 1; ///< Units per 1.
-    double unit_ = 1;
-    double missed_ = 0;
+    double units_ = 1;  ///< 2^-exponent_: lattice units in 1.
+    double unit_ = 1;   ///< 2^exponent_: the lattice's unit.
+    double missed_ = 0; ///< Sum of the errors of all conversions; 0 if all were exact.
 };
 
 template <std::size_t n>

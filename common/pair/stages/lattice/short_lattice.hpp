@@ -9,8 +9,8 @@
 
 namespace cd {
 
-/// Converts with one multiplication by a power of two, to the finest lattice that holds the pair's
-/// largest number.
+/// Converts a number by one multiplication by a power of two. The lattice is the finest on which
+/// the pair's largest number fits the words.
 class ShortLattice {
   public:
     /// `poses` must be plain: A is not rotated, and B only has its axes permuted and mirrored.
@@ -32,8 +32,8 @@ class ShortLattice {
     Vec3 translation_a_;
     Vec3 translation_b_;
     double largest_translation_ = 0;
-    std::array<int, 3> source_{}; ///< B's axis for each axis of A.
-    Vec3 direction_;              ///< Sign of each axis: 1 or -1.
+    std::array<int, 3> source_{}; ///< For each world axis, the axis of B that the pose maps there.
+    Vec3 direction_;              ///< For each world axis 1, or -1 if the pose mirrors B's axis.
 };
 
 } // namespace cd
