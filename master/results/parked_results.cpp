@@ -18,7 +18,7 @@ void ParkedResults::park(IncomingResults late) {
     if (is_new) {
         count(place->second);
     } else {
-        late.done(); // It came over another connection before.
+        late.done(); // The message is parked already: it came over an earlier connection.
     }
 }
 

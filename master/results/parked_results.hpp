@@ -1,4 +1,4 @@
-// Results that wait for the disk or for their job's geometry.
+// Result messages that wait for the disk or for their job's geometry.
 #pragma once
 
 #include "common/core/id.hpp"
@@ -14,34 +14,35 @@
 
 namespace cd {
 
-/// A message of results on its way into a job.
+/// A result message from its receipt until it is merged or dropped.
 struct IncomingResults {
     std::shared_ptr<const Author> author;
     std::shared_ptr<const Results> message;
-    /// The worker may send further messages.
+    /// Call to let the worker send further messages.
     std::function<void()> done;
 };
 
-/// Results that wait hold up their worker only when they exceed the memory set aside for them.
+/// Lets workers of waiting messages send more while these need at most `bytes_max` bytes of memory
+/// together. Beyond that, a message's worker has to wait as well.
 class ParkedResults {
   public:
     explicit ParkedResults(std::uint64_t bytes_max) : bytes_max_(bytes_max) {}
 
-    /// Parks a late message until its job can compare it. A copy of a parked message is dropped.
+    /// Keeps a late message until its job can compare it. Drops a message that is parked already.
     void park(IncomingResults late);
     [[nodiscard]] bool has_any(JobId job) const;
-    /// Removes all messages of the job.
+    /// Removes and returns all parked messages of the job.
     [[nodiscard]] std::vector<IncomingResults> take(JobId job);
     /// Removes all messages of a worker that has left.
     void forget(WorkerId worker);
 
-    /// Counts a message that the caller keeps. Lets its worker go on while memory is left.
+    /// Counts the memory of a message that the caller keeps, and calls `done` if it suffices.
     void count(IncomingResults& kept);
-    /// The caller keeps the message no longer.
+    /// Call when the caller no longer keeps a message passed to `count`.
     void uncount(const IncomingResults& kept);
 
   private:
-    using Key = std::tuple<JobId, WorkerId, std::uint64_t>; ///< And sequence number.
+    using Key = std::tuple<JobId, WorkerId, std::uint64_t>; ///< The last: sequence number.
 
     std::uint64_t bytes_max_;
     std::uint64_t bytes_ = 0;

@@ -8,7 +8,7 @@ namespace cd {
 
 namespace {
 
-/// The scenarios of `results` that are not merged.
+/// The scenarios of `results` that are not merged yet.
 std::vector<std::uint64_t> new_scenarios(const MasterJob& job,
                                          std::span<const TakenResult> results) {
     std::vector<std::uint64_t> scenarios;
@@ -20,8 +20,8 @@ std::vector<std::uint64_t> new_scenarios(const MasterJob& job,
     return scenarios;
 }
 
-/// Notes a message's sequence number. True if it came before; such a message's times are not
-/// measured.
+/// Records a message's sequence number. True if the number came before: then the message was resent
+/// and its times must not be measured again.
 bool is_repeated(Worker& worker, std::uint64_t sequence) {
     std::uint64_t& last = worker.results_last;
     return sequence != 0 && std::exchange(last, std::max(last, sequence)) >= sequence;
@@ -43,7 +43,7 @@ measured_work(const MasterJob& job, const Results& results, std::span<const Take
 void ResultIngest::came(WorkerId worker, Results results, std::function<void()> done) {
     Worker* known = parts_.workers.find(worker);
     if (known == nullptr || known->is_quarantined) {
-        parts_.writer.promise(Delivery{worker, results.sequence}); // The results are ignored.
+        parts_.writer.promise(Delivery{worker, results.sequence}); // Acknowledged but not merged.
         parts_.writer.announce();
         return done();
     }
@@ -74,7 +74,7 @@ void ResultIngest::acknowledge(const Author& author, std::uint64_t sequence) {
 void ResultIngest::late_came(IncomingResults late) {
     const MasterJob* job = parts_.jobs.find_running(late.message->job);
     if (job == nullptr) {
-        // The job has ended or was never acknowledged to a client.
+        // Nobody needs the results: the job has ended, or its acceptance was lost in a restart.
         acknowledge(*late.author, late.message->sequence);
         parts_.writer.when_room(late.done);
     } else if (job->work() != nullptr) {
@@ -114,7 +114,7 @@ void ResultIngest::late_checked(Hand hand) {
         }
         return take_in(hand);
     }
-    // The worker is not to blame if the poses cannot be read.
+    // The poses could not be read, which is not the worker's fault, so the message is kept.
     if (job == nullptr) {
         return late_came(std::move(hand->incoming));
     }
@@ -122,7 +122,7 @@ void ResultIngest::late_checked(Hand hand) {
     parked_.park(std::move(hand->incoming));
     if (!others_wait) {
         parts_.life.wait_for_disk(*job, hand->taken.error(), [this, id](MasterJob* running) {
-            if (running != nullptr && !parked_.has_any(id)) { // The worker has left.
+            if (running != nullptr && !parked_.has_any(id)) { // The workers have left.
                 return parts_.life.disk_gives(*running);
             }
             take_up(id);
@@ -130,10 +130,9 @@ void ResultIngest::late_checked(Hand hand) {
     }
 }
 
-// ---- Contact maps
-// ----------------------------------------------------------------------------------- A message has
-// one map for all its scenarios, so it counts only if all are new. If some were merged before from
-// another worker, the master makes the map of the others.
+// ---- Contact maps ------------------------------------------------------------------------------
+// A message has one map for all its scenarios, which counts only if all of them are new. If other
+// workers' results of some scenarios are merged, the master makes the map of the others.
 
 void ResultIngest::take_in(const Hand& hand) {
     const MasterJob* job = parts_.jobs.find_running(hand->job());
@@ -213,7 +212,8 @@ void ResultIngest::merge_into(MasterJob& job, Checked& hand) {
         scenarios.push_back(one.result.index);
     }
     measure(job, hand);
-    // Range answers too: the range may have been lost and its scenarios analysed since.
+    // Applies to answers of ranges as well: if the range was lost, its scenarios may have been
+    // analysed since.
     if (parts_.dispatch.view().unanswered(job.id) != 0) {
         for (const std::uint64_t scenario : scenarios) {
             parts_.dispatch.act(parts_.dispatch->scenario_answered(worker, job.id, scenario));
@@ -235,7 +235,8 @@ void ResultIngest::merge_into(MasterJob& job, Checked& hand) {
     if (!job.is_running() || job.run->disputes == disputes_before) {
         parts_.writer.promise(delivery, job.id, scenarios);
     } else {
-        // The dispute must be durable before the worker forgets the results.
+        // The worker forgets the results once they are acknowledged, so the acknowledgement waits
+        // for everything written so far, which includes the dispute.
         parts_.writer.promise(delivery);
     }
     parts_.life.end_if_complete(job);
@@ -248,13 +249,13 @@ void ResultIngest::measure(MasterJob& job, const Checked& hand) {
     job.tally.statistics.search += results.statistics;
     job.tally.compute_seconds += results.compute_seconds;
     job.tally.traffic.result_bytes += results.records.size() + results.map.size();
-    // A resent message that was counted already adds no traffic.
+    // Leaves out the traffic of a resent message, which was counted before.
     if (hand.task != nullptr || !new_scenarios(job, taken).empty()) {
         job.tally.traffic.blocks += results.traffic;
     }
     job.work()->rates.work.add(results.compute_seconds, static_cast<double>(taken.size()));
     if (hand.task == nullptr) {
-        return; // Late results measure no task.
+        return; // Late results belong to no task that could be measured.
     }
     if (hand.task->range) {
         parts_.dispatch.act(parts_.dispatch->places_answered(

@@ -1,8 +1,8 @@
-// Takes in workers' results: checks them on a pool, merges them, and has them acknowledged once
-// they are durable.
+// Ingests workers' results: checks them on a pool, merges them, and has them acknowledged once they
+// are durable.
 //
-// Late results belong to no current task: their session or their job has ended. They are compared
-// while their job runs, and only acknowledged afterwards.
+// Late results belong to no current task: their session or their job has ended. While their job
+// runs, they are checked and merged; after its end, they are only acknowledged.
 #pragma once
 
 #include "master/base/background.hpp"
@@ -39,16 +39,17 @@ class ResultIngest {
         Background& background;
     };
 
-    /// All parts outlive it. `parked_bytes_max`: memory for results that wait.
+    /// All parts outlive this object. `parked_bytes_max`: memory for results that wait.
     ResultIngest(const Parts& parts, std::uint64_t parked_bytes_max)
         : parts_(parts), parked_(parked_bytes_max) {}
 
     /// Checks and merges the results, and calls `done` when the journal has room. Invalid results
     /// cut the worker off.
     void came(WorkerId worker, Results results, std::function<void()> done);
-    /// Takes up the results that waited for the job's geometry, or for a disk until its end.
+    /// Processes the job's waiting results again. Call when its geometry is loaded and when it
+    /// ends.
     void take_up(JobId job);
-    /// Drops the results of a worker that has left, which wait.
+    /// Drops the waiting results of a worker that has left.
     void forget(WorkerId worker) { parked_.forget(worker); }
 
   private:
@@ -57,24 +58,26 @@ class ResultIngest {
         IncomingResults incoming;
         std::shared_ptr<const TaskContent> task; ///< Null for late results.
         Result<TakenResults> taken;
-        std::vector<std::uint64_t> mapped; ///< Covered by a map made anew; else empty.
+        std::vector<std::uint64_t> mapped; ///< Scenarios of a map made here; empty without one.
 
         [[nodiscard]] JobId job() const { return incoming.message->job; }
     };
     using Hand = std::shared_ptr<Checked>;
 
-    /// Acknowledges results that nobody needs.
+    /// Acknowledges results without merging them.
     void acknowledge(const Author& author, std::uint64_t sequence);
     void late_came(IncomingResults late);
     void check_late(const MasterJob& job, IncomingResults late);
     void late_checked(Hand hand);
-    /// Merges checked results, after making the map of their new part if some are merged already.
+    /// Merges checked results. If the message has a map and some of its scenarios are merged
+    /// already, first makes the map of the others.
     void take_in(const Hand& hand);
     void make_map(const MasterJob& job, const Hand& hand);
     void map_made(const Hand& hand, Result<ContactMap> map);
     void merge(Checked& hand);
     void merge_into(MasterJob& job, Checked& hand);
-    /// Counts what the results cost, and tells the dispatcher who has answered what.
+    /// Adds the cost of the results to the job's tally, and reports speed and range answers to the
+    /// dispatcher.
     void measure(MasterJob& job, const Checked& hand);
 
     Parts parts_;
