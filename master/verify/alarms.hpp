@@ -11,14 +11,14 @@
 
 namespace cd {
 
-/// Holds what the journal keeps of alarms and quarantine, across restarts of the master.
+/// Holds the alarms and the quarantine, which the journal keeps across restarts of the master.
 class Alarms {
   public:
     void restore(AlarmRecord record);
 
     /// Raises an alarm: logs it and adds it to the record.
     void raise(const std::string& text);
-    /// False: the process is in quarantine already, or is the master (0).
+    /// Puts the process into quarantine. False if it is there already, or is the master (0).
     bool quarantine(InstanceId process);
 
     [[nodiscard]] bool is_quarantined(InstanceId process) const {
@@ -26,12 +26,13 @@ class Alarms {
     }
     [[nodiscard]] const std::set<InstanceId>& quarantined() const { return quarantined_; }
     [[nodiscard]] const AlarmRecord& record() const { return record_; }
-    /// The record if it has changed since the last call; the caller writes it to the journal.
+    /// The record if it has changed since the last call, else empty. The caller must write it to
+    /// the journal.
     [[nodiscard]] std::optional<AlarmRecord> take_changed();
 
   private:
     AlarmRecord record_;
-    std::set<InstanceId> quarantined_; ///< Those of `record_`.
+    std::set<InstanceId> quarantined_; ///< `record_.quarantined` as a set.
     bool is_changed_ = false;
 };
 

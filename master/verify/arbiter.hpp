@@ -1,9 +1,9 @@
 // Settles disputes: two results of one scenario differ, and the master's own run decides. Each
 // duplicate result is thus a free test of memory and code.
 //
-// A dispute is journaled before the result is acknowledged. The first entry that follows from a
-// verdict has the alarm and the quarantine. A restarted master therefore finds either the open
-// dispute or the quarantine, and then withdraws what is left of the process's results.
+// The journal has the dispute before the result is acknowledged. The first journal entry after a
+// verdict contains the alarm and the quarantine. A restarted master therefore finds either the open
+// dispute, or the quarantine, and then withdraws the process's remaining results.
 #pragma once
 
 #include "master/compute/reference_run.hpp"
@@ -20,14 +20,14 @@
 
 namespace cd {
 
-/// What follows when two results of a scenario differ.
+/// Says which of two different results of a scenario is wrong.
 struct Verdict {
     bool first_is_wrong = false;  ///< The merged result has to be corrected.
-    bool second_is_wrong = false; ///< The process that gave the other result was wrong.
+    bool second_is_wrong = false; ///< The later result, which was not merged, is wrong.
 };
 
-/// Compares the merged result, `merged`, and the one in dispute, `second`, with the right one.
-/// `merged` is empty if there is none, or if it is the master's own failure.
+/// Compares the digests of the merged result and of the later one, `second`, with the right one.
+/// `merged` is empty if the scenario has no merged result, or the master has failed it.
 [[nodiscard]] Verdict
 judge(const std::optional<Sha256>& merged, const Sha256& second, const Sha256& right);
 
@@ -43,16 +43,16 @@ class Arbiter {
         JournalWriter& writer;
     };
 
-    /// All parts outlive it.
+    /// All parts outlive this object.
     explicit Arbiter(const Parts& parts) : parts_(parts) {}
 
-    /// Runs the scenario, and settles the dispute. Does nothing if the job has ended.
+    /// Runs the scenario on the master, and settles the dispute. Does nothing if the job has ended.
     void settle(const Dispute& dispute);
 
   private:
     void ran(const Dispute& dispute, Result<ReferenceResult> found);
     void close(MasterJob& job, const Dispute& dispute, ReferenceResult right);
-    /// Raises alarms and quarantines.
+    /// Raises an alarm for each wrong result, and quarantines its author.
     void punish(const MasterJob& job, const Dispute& dispute, const Verdict& verdict);
 
     Parts parts_;

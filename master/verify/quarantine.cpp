@@ -62,7 +62,7 @@ void Quarantine::withdraw_results(const Author& wrong, MasterJob& job) {
     job.tally.withdrawn += scenarios.size();
     ++job.changes;
     withdraw_map(job, "a worker that has contributed to it was wrong elsewhere");
-    if (JobWork* work = job.work()) { // Otherwise all without a result are handed out later.
+    if (JobWork* work = job.work()) { // A job without work queues all missing results later.
         work->done.reset();
         parts_.ranges.give_again(job, scenarios);
     }
@@ -70,7 +70,7 @@ void Quarantine::withdraw_results(const Author& wrong, MasterJob& job) {
     withdrawal.remarks.push_back({Remark::Kind::Withdrawn, 0, {}, wrong.process});
     withdrawal.withdrawn = std::move(scenarios);
     withdrawal.progress = job.progress(Clock::now());
-    // No withdrawal is durable without its quarantine.
+    // In the same entry, so that no withdrawal is durable without its quarantine.
     withdrawal.alarms = parts_.alarms.take_changed();
     parts_.writer.write(std::move(withdrawal));
 }

@@ -1,4 +1,4 @@
-// Excludes worker processes that were wrong, and withdraws their results.
+// Excludes worker processes that gave a wrong result, and withdraws their results.
 #pragma once
 
 #include "master/blocks/block_delivery.hpp"
@@ -12,8 +12,8 @@
 
 namespace cd {
 
-/// A process in quarantine gets no more work, and in running jobs all its results count as never
-/// having come. Jobs that have ended are named in an alarm.
+/// A process in quarantine gets no more work. Running jobs drop all its results. An alarm names the
+/// ended jobs that have results of the process.
 class Quarantine {
   public:
     struct Parts {
@@ -27,10 +27,10 @@ class Quarantine {
         JournalWriter& writer;
     };
 
-    /// All parts outlive it.
+    /// All parts outlive this object.
     explicit Quarantine(const Parts& parts) : parts_(parts) {}
 
-    /// Does nothing if the process is in quarantine already.
+    /// Quarantines the process that gave a wrong result, unless it is in quarantine already.
     void impose(const Author& wrong);
     /// Withdraws the results of a process in quarantine from a running job, and hands their
     /// scenarios out again.
@@ -42,7 +42,7 @@ class Quarantine {
     Parts parts_;
 };
 
-/// Marks the map of a job that has one as unusable.
+/// Marks the job's contact map as unusable, if the job has one. `why` is shown to users.
 void withdraw_map(MasterJob& job, const std::string& why);
 
 } // namespace cd
