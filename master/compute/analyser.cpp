@@ -15,11 +15,11 @@ namespace cd {
 
 namespace {
 
-/// Analyses one scenario as in the paper, without counting the bytes of its pose.
+/// Analyses one scenario as in the paper, but does not set `bytes`.
 Analysis analyse_uncounted(const AnalysisInput& input, const Scenario& scenario) {
     Analysis analysis;
     analysis.scenario = scenario;
-    // The roots of the upper trees are the bodies' own boxes, so this includes the broad phase.
+    // The root of an upper tree is the whole body's box, so this descent includes the broad phase.
     Result<CollidingRoots> roots = colliding_roots(*input.top_a, *input.top_b, scenario.poses);
     if (!roots) {
         analysis.finished = failed_result(scenario, input.query, roots.error());
@@ -77,15 +77,15 @@ Analysis analyse(const AnalysisInput& input, const Scenario& scenario) {
     return analysis;
 }
 
-/// Shared with functions on the pool, which may outlive the analyser.
+/// Shared with the functions on the pool, which may outlive the analyser.
 struct Analyser::State {
     AnalysisInput input;
     std::function<void(AnalysedBlock)> deliver;
 
     mutable std::mutex mutex;
     std::condition_variable changed;
-    std::uint64_t started = 0; ///< Blocks started.
-    std::uint64_t delivered = 0;
+    std::uint64_t started = 0;                    ///< Number of blocks started.
+    std::uint64_t delivered = 0;                  ///< Number of blocks delivered.
     std::map<std::uint64_t, AnalysedBlock> ready; ///< Analysed blocks that wait for earlier ones.
     bool delivering = false;
     bool stopped = false;
@@ -107,7 +107,7 @@ void Analyser::State::run_block(std::uint64_t number,
     {
         const std::lock_guard lock(mutex);
         ready.emplace(number, std::move(block));
-        // The thread that is delivering continues until no block is ready.
+        // If another thread is delivering, it also delivers this block.
         if (delivering || stopped) {
             return;
         }

@@ -1,4 +1,5 @@
-// The pre-analysis of a job's scenarios: which distribution roots collide (paper, 6.4.6).
+// The analysis of a job's scenarios on the master: finds the distribution roots that collide
+// (paper, 6.4.6).
 #pragma once
 
 #include "common/core/host/thread_pool.hpp"
@@ -23,7 +24,7 @@ namespace cd {
 
 class Settler;
 
-/// Inputs of a job's analysis. The upper trees are those of the trees' cuts.
+/// Inputs of a job's analysis: the bodies' trees, with the upper trees of their cuts.
 struct AnalysisInput {
     std::shared_ptr<const ObbTree> a;
     std::shared_ptr<const ObbTree> b;
@@ -31,18 +32,18 @@ struct AnalysisInput {
     std::shared_ptr<const TreeTop> top_b;
     Query query;
     std::shared_ptr<const Settler> settler; ///< Settler for these two trees.
-    std::shared_ptr<PoseSource> poses;      ///< `read` must be safe on several threads at once.
+    std::shared_ptr<PoseSource> poses;      ///< Several threads may call `read` at once.
 };
 
-/// One analysed scenario: either it has work for a worker, or it is finished.
+/// One analysed scenario, which either needs a worker or is finished.
 struct Analysis {
     Scenario scenario;
-    std::uint64_t place = 0;        ///< Position in the job's order; for a block, its first.
+    std::uint64_t place = 0;        ///< Position in the job's hand-out order; `analyse` leaves 0.
     std::vector<RootPair> pairs;    ///< Colliding distribution roots, sorted.
-    std::vector<RootIndex> roots_a; ///< Distinct roots of each side, ascending.
-    std::vector<RootIndex> roots_b;
+    std::vector<RootIndex> roots_a; ///< Distinct roots of A in `pairs`, ascending.
+    std::vector<RootIndex> roots_b; ///< Distinct roots of B in `pairs`, ascending.
     std::uint64_t bytes = 0; ///< Approximate bytes that the scenario adds to a batch on the wire.
-    std::uint64_t predicted_ns = 0; ///< One thread's time for the colliding pairs (cost_model.hpp).
+    std::uint64_t predicted_ns = 0; ///< Predicted time of one worker thread (cost_model.hpp).
 
     /// The result if no roots collide (separate or inside), or a failure if too many do. `pairs` is
     /// then empty.
@@ -50,32 +51,32 @@ struct Analysis {
     JobStatistics cost; ///< Cost of the analysis, and of settling `finished`.
 };
 
-/// Analyses one scenario. Pure. A failure becomes a `finished` result that names it.
+/// Analyses one scenario. Pure. An error becomes a `finished` result of class Failed.
 [[nodiscard]] Analysis analyse(const AnalysisInput& input, const Scenario& scenario);
 
-/// Scenarios at consecutive positions of a job; empty after an error in reading the poses.
+/// A block of the analysis: scenarios at consecutive positions, analysed together.
 struct AnalysedBlock {
     PlaceRange places;
-    Losses losses = {}; ///< As passed when the block was started.
+    Losses losses = {}; ///< The losses passed to `Analyser::start`.
     std::vector<Analysis> scenarios;
-    double seconds = 0; ///< Thread time.
-    std::optional<Error> error;
+    double seconds = 0;         ///< Duration of the analysis on its thread.
+    std::optional<Error> error; ///< The poses could not be read; `scenarios` is empty.
 };
 
-/// Analyses a job in blocks on a pool, several at once, but no more than the owner started.
+/// Analyses blocks of a job's scenarios on a pool, several blocks at once.
 class Analyser {
   public:
-    /// Positions are those of `input.poses`. Blocks are delivered in the order of their start, one
+    /// `input.poses` must read by position. Blocks are delivered in the order of their start, one
     /// at a time, on pool threads. `deliver` must neither throw nor destroy the analyser. The pool
     /// must outlive the functions posted to it.
     Analyser(ThreadPool& pool, AnalysisInput input, std::function<void(AnalysedBlock)> deliver);
     Analyser(const Analyser&) = delete;
     Analyser& operator=(const Analyser&) = delete;
-    /// Waits for a running `deliver`; none is called afterwards. Drops blocks not yet started.
+    /// Waits until `deliver` has returned. Drops all blocks that are not delivered.
     ~Analyser();
 
-    /// Starts a block of at most `limits::analysis_block_scenarios` positions. Skips scenarios that
-    /// `done` marks by index; null marks none. Does nothing once the analyser is being destroyed.
+    /// Starts a block of at most `limits::analysis_block_scenarios` positions. Skips scenarios
+    /// whose index `done` marks; null marks none.
     void start(const PlaceRange& places,
                const Losses& losses = {},
                std::shared_ptr<const std::vector<bool>> done = nullptr);

@@ -23,7 +23,8 @@ struct JobGeometry {
     std::shared_ptr<const CutGeometry> cut_b;
 };
 
-/// Cuts the bodies' trees as the job requests. May take seconds. Errors: those of the store.
+/// Loads the bodies' trees and cuts them at the depths that the job asks for, or at good ones. May
+/// take seconds. Errors: those of the store.
 [[nodiscard]] StoreResult<JobGeometry> make_job_geometry(GeometryStore& store,
                                                          const Submit& submit);
 
@@ -34,11 +35,12 @@ struct JobGeometry {
                                                 const Query& query,
                                                 std::shared_ptr<PoseSource> poses);
 
-/// How much of a file of poses `open_poses` checks; a read checks what it reads in any case.
+/// Part of the pose file that `open_poses` checks: all, or nothing. Each later read checks the part
+/// that it reads.
 enum class PoseCheck : std::uint8_t { Whole, AsRead };
 
-/// Opens the poses of a journalled job; `path` is their file if the job has no grid. Errors: Io
-/// naming a file that is missing or damaged.
+/// Opens the poses of a job in the journal; `path` is their file, unused if the job has a grid.
+/// Errors: Io naming a file that is missing or damaged; those of a damaged grid.
 [[nodiscard]] Result<std::shared_ptr<PoseSource>> open_poses(const Submit& submit,
                                                              const std::filesystem::path& path,
                                                              PoseCheck check = PoseCheck::Whole);

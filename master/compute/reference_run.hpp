@@ -1,4 +1,4 @@
-// The master's own run of single scenarios on whole bodies.
+// The master's own runs of single scenarios, on whole bodies instead of blocks.
 #pragma once
 
 #include "common/core/host/stop_check.hpp"
@@ -51,9 +51,10 @@ class ReferenceRuns {
                std::shared_ptr<const JobMaterial> material,
                std::shared_ptr<PoseSource> poses,
                Done done);
-    /// Stops the runs of a job, or of one of its scenarios. False: there are none.
+    /// Asks the runs of a job, or of one of its scenarios, to stop; `done` is called nevertheless.
+    /// False if there is no such run.
     bool stop(JobId job, std::optional<std::uint64_t> scenario);
-    /// Stops all runs for good; none reports its result.
+    /// Stops all runs. None calls `done` afterwards.
     void close();
 
   private:

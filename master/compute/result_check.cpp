@@ -13,7 +13,7 @@ namespace cd {
 
 namespace {
 
-/// A scenario of a task, and its cost to the master.
+/// A scenario of a task, and the cost of its analysis on the master.
 struct TaskScenario {
     Scenario scenario;
     JobStatistics cost;
@@ -88,8 +88,8 @@ Result<TakenResult> take_record(const JobMaterial& material,
     return take_result(std::move(result), cost);
 }
 
-/// Checks the map: every scenario with contacts marks triangles of both bodies, and no other
-/// scenario marks any.
+/// Unpacks and checks the map of a message. Each scenario with contacts must mark triangles of both
+/// bodies, and no other scenario may mark any.
 Result<ContactMap> take_map(const JobMaterial& material,
                             std::span<const TakenResult> results,
                             std::span<const std::byte> packed) {
@@ -148,7 +148,7 @@ Result<TakenResults> take_results(const TaskContent& task, const Results& result
     }
     const TaskIndex scenarios(task);
     std::vector<TakenResult> taken;
-    // The count may be hostile, so the reservation is limited to the task's size.
+    // The worker's count may be forged, so the task's size limits the allocation.
     const std::uint64_t given = task.range ? task.range->places.count : task.scenarios.size();
     taken.reserve(std::min<std::uint64_t>(results.count, given));
     ByteReader reader(records.value());
@@ -182,7 +182,7 @@ Result<TakenResults> take_late_results(JobId job,
         return records.error();
     }
     TaskContent content{job, std::move(material), {}, {}};
-    std::unordered_set<std::uint64_t> seen; // Limits the reads of poses: one per scenario.
+    std::unordered_set<std::uint64_t> seen; // So that each scenario's pose is read only once.
     ByteReader reader(records.value());
     for (std::uint32_t i = 0; i < results.count && !reader.failed(); ++i) {
         const Result<ScenarioResult> result =

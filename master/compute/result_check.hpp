@@ -1,4 +1,4 @@
-// Checks the results of workers, and settles what needs the whole bodies.
+// Checks the results of workers, and settles the questions that need whole bodies.
 #pragma once
 
 #include "common/core/files/hash.hpp"
@@ -23,24 +23,24 @@ struct JobMaterial {
     std::shared_ptr<const ObbTree> a;
     std::shared_ptr<const ObbTree> b;
     Query query;
-    std::shared_ptr<const Settler> settler; ///< Built on these trees.
+    std::shared_ptr<const Settler> settler; ///< Made for these two trees.
 };
 
-/// Scenarios of a range: positions on a grid or in a pose window.
+/// Scenarios of a range: positions in the job's hand-out order, on a grid or in a pose window.
 struct RangeContent {
     PlaceRange places;
     std::shared_ptr<const PoseWindow> window; ///< Null for a grid.
     std::shared_ptr<OrderedPoses> order;
 
-    /// Empty if the scenario is not in the range.
+    /// The scenario with this index; empty if it is not in the range.
     [[nodiscard]] std::optional<Scenario> scenario(std::uint64_t index) const;
 };
 
-/// Content of a task.
+/// The scenarios of a task, and the data to check their results.
 struct TaskContent {
     JobId job;
     std::shared_ptr<const JobMaterial> material;
-    std::vector<std::shared_ptr<const Analysis>> scenarios; ///< In the order sent.
+    std::vector<std::shared_ptr<const Analysis>> scenarios; ///< Of a batch, in the order sent.
     std::optional<RangeContent> range; ///< Set for a range, which has no `scenarios`.
 };
 
@@ -49,7 +49,7 @@ struct TakenResult {
     ScenarioResult result;
     Bytes record;
     Sha256 digest;
-    JobStatistics cost; ///< The master's cost: analysis and settling.
+    JobStatistics cost; ///< Cost to the master: analysis and settling.
 };
 
 [[nodiscard]] TakenResult take_result(ScenarioResult result, const JobStatistics& cost);
@@ -57,15 +57,15 @@ struct TakenResult {
 /// All results of a message.
 struct TakenResults {
     std::vector<TakenResult> results;
-    ContactMap map; ///< Joint map; empty unless the query asks for maps.
+    ContactMap map; ///< Joint map of all results; empty unless the query asks for maps.
 };
 
-/// Decodes and settles the results of a message. The bytes may be hostile. Errors: BadFrame,
-/// TooLarge; for an invalid record, one with another level or other bodies than the job's, or one
-/// whose scenario is not in the task; and for a map that cannot belong to the results.
+/// Decodes, checks and settles the results of a message, which may be forged. Errors: BadFrame or
+/// TooLarge for an invalid record, another level or other bodies than the job's, a scenario that is
+/// not in the task, or a map that cannot belong to the results.
 [[nodiscard]] Result<TakenResults> take_results(const TaskContent& task, const Results& results);
 
-/// Like `take_results`, for an unknown task: looks poses up among all those of the job.
+/// Like `take_results`, but for an unknown task, so that any scenario of the job may occur, once.
 [[nodiscard]] Result<TakenResults> take_late_results(JobId job,
                                                      std::shared_ptr<const JobMaterial> material,
                                                      PoseSource& poses,
