@@ -1,4 +1,4 @@
-// A job's poses and their labels on disk, while a client uploads them.
+// Stores a job's poses and their labels on disk while a client uploads them.
 #pragma once
 
 #include "common/core/result.hpp"
@@ -12,8 +12,8 @@
 
 namespace cd {
 
-/// One job's poses and, if its pose file has them, their labels. One thread at a time adds; all
-/// members block for the disk.
+/// One job's poses and, if its pose file has ids or times, their labels. One thread at a time may
+/// append. All members block for the disk.
 class JobSpool {
   public:
     /// Creates files in `directory` for the scenarios and columns that `submit` announces. Errors:

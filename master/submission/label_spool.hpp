@@ -1,4 +1,4 @@
-// The ids and times of a job's scenarios on disk, beside the poses.
+// The labels of a job's scenarios on disk: the ids and times of the pose file.
 #pragma once
 
 #include "common/core/files/disk_file.hpp"
@@ -17,7 +17,7 @@ namespace cd {
 /// A spool file of labels. One thread at a time; all members block for the disk.
 class LabelSpool {
   public:
-    /// Makes a new file in `directory`, which exists, for `scenarios` scenarios. Errors: Io.
+    /// Makes a new file in `directory`, which must exist, for `scenarios` scenarios. Errors: Io.
     [[nodiscard]] static Result<std::unique_ptr<LabelSpool>>
     create(const std::filesystem::path& directory, LabelColumns columns, std::uint64_t scenarios);
     /// Opens a sealed file. Errors: Io, naming the file, when it is damaged, or has other columns
@@ -25,8 +25,8 @@ class LabelSpool {
     [[nodiscard]] static Result<std::unique_ptr<LabelSpool>>
     open(const std::filesystem::path& path, LabelColumns columns, std::uint64_t scenarios);
 
-    /// Adds the labels of the next `scenarios` scenarios. Errors: BadInput for other columns than
-    /// were announced, more scenarios, or an id that is too long; Io.
+    /// Adds the labels of the next `scenarios` scenarios. Errors: BadInput for other columns or
+    /// more scenarios than `create` was called with, or for an id that is too long; Io.
     [[nodiscard]] Status append(const PoseLabels& labels, std::size_t scenarios);
     /// Finishes the file after the last labels and renames it to `path`, in the same folder.
     /// Errors: Io.

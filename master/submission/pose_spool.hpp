@@ -16,11 +16,11 @@
 
 namespace cd {
 
-/// A spool file of packed scenarios. Memory: one run of scenarios besides the file's. Any thread
-/// may call any member; all block for the disk.
+/// A spool file of packed scenarios. Keeps one run of scenarios in memory, besides the file's
+/// index. Any thread may call any member; all block for the disk.
 class PoseSpool final : public PoseSource {
   public:
-    /// Creates a file in `directory`, which is made if missing, for at most `scenarios` scenarios.
+    /// Creates a file in `directory`, which is made if missing, for `scenarios` scenarios.
     /// Errors: TooLarge over `limits::scenarios_max`; Io.
     [[nodiscard]] static Result<std::unique_ptr<PoseSpool>>
     create(const std::filesystem::path& directory, std::uint64_t scenarios);
@@ -29,16 +29,16 @@ class PoseSpool final : public PoseSource {
     [[nodiscard]] static Result<std::unique_ptr<PoseSpool>> open(const std::filesystem::path& path,
                                                                  std::uint64_t scenarios);
 
-    /// Appends the next scenarios, as received and packed by `pack_scenarios`. An error leaves the
-    /// file unchanged. Errors: those of `unpack_scenarios`; BadInput for a gap in the indices,
-    /// unknown bodies, or more scenarios than announced; TooLarge over
+    /// Appends the next scenarios, packed by `pack_scenarios`. An error leaves the file unchanged.
+    /// Errors: those of `unpack_scenarios`; BadInput for a gap in the indices, unknown bodies, or
+    /// more scenarios than `create` was called with; TooLarge for more than
     /// `limits::poses_part_scenarios_max` at once; Io.
     [[nodiscard]] Status append(std::span<const std::byte> packed);
 
     /// Finishes the file after the last scenarios and renames it to `path`, in the same folder.
     /// Errors: Io.
     [[nodiscard]] Status seal(const std::filesystem::path& path, Durability durability);
-    /// Reads all runs against their checksums. Errors: Io, naming the file.
+    /// Reads all runs and checks their checksums. Errors: Io, naming the file.
     [[nodiscard]] Status verify() const;
 
     /// Number of scenarios appended.

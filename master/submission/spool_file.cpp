@@ -75,7 +75,7 @@ Bytes SpoolFile::footer() const {
     return out.take();
 }
 
-/// Writes the runs' ends and checksums, then the footer, and the checksum of all these.
+/// The index consists of the runs' ends and checksums, the footer, and a checksum over these.
 Status SpoolFile::seal(const std::filesystem::path& path, Durability durability) {
     ByteWriter out;
     out.put_array(std::span<const std::uint64_t>(ends_));

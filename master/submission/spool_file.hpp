@@ -1,4 +1,4 @@
-// A file of data of a job's scenarios, in runs with checksums.
+// A file with data of a job's scenarios, for example their poses, in runs with checksums.
 #pragma once
 
 #include "common/core/files/bytes.hpp"
@@ -15,26 +15,26 @@
 
 namespace cd {
 
-/// Runs of bytes, each of `limits::spool_run_scenarios` scenarios, the last of the rest. An index
-/// at the end holds each run's end and checksum, and repeats the file's content. The destructor
-/// deletes an unsealed file. Memory: 16 bytes per run.
+/// Each run has the bytes of `limits::spool_run_scenarios` scenarios; the last may have fewer. An
+/// index at the end holds each run's end and checksum, and the file's `Content`. The destructor
+/// deletes an unsealed file. Takes 16 bytes of memory per run.
 class SpoolFile {
   public:
-    /// Identity and size that the file must have.
+    /// Kind of data and number of scenarios, which `open` compares with those in the file.
     struct Content {
-        std::vector<std::uint64_t> kind; ///< A magic number, then more that tells files apart.
+        std::vector<std::uint64_t> kind; ///< A magic number, then the format's parameters.
         std::uint64_t scenarios = 0;
     };
-    /// A run's position in the file, and its checksum.
+    /// Position of a run in the file, and the run's checksum.
     struct Run {
         std::uint64_t offset = 0;
         std::uint64_t bytes = 0;
         std::uint64_t sum = 0;
     };
-    /// Scenarios of one run.
+    /// Consecutive scenarios of one run.
     struct Slice {
         std::uint64_t run = 0;
-        std::size_t first = 0; ///< Within the run.
+        std::size_t first = 0; ///< First scenario, counted from the start of the run.
         std::size_t count = 0;
     };
 
@@ -69,7 +69,7 @@ class SpoolFile {
     SpoolFile(DiskFile file, Content content)
         : file_(std::move(file)), content_(std::move(content)) {}
     [[nodiscard]] std::uint64_t end() const { return ends_.empty() ? 0 : ends_.back(); }
-    /// Returns the part of the index that follows from the content: kind and counts.
+    /// Returns the part of the index that `Content` determines: kind and counts.
     [[nodiscard]] Bytes footer() const;
     [[nodiscard]] Status read_index();
 

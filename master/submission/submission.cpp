@@ -53,7 +53,7 @@ Status check_text(const std::string& what, const std::string& text, std::size_t 
 
 constexpr std::size_t grid_axes = 6;
 
-/// Checks the fields that only people read.
+/// Checks the fields that describe the job to people and do not affect its results.
 Status check_origin(const Submit& submit) {
     if (submit.ignore.size() > limits::ignored_ranges_max) {
         return Error{ErrorCode::TooLarge,
