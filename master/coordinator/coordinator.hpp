@@ -1,4 +1,4 @@
-// The master's middle: connects its parts, and routes the events that cross them.
+// The centre of the master: connects its parts, and routes events between them.
 #pragma once
 
 #include "common/core/files/hash.hpp"
@@ -13,18 +13,18 @@ namespace cd {
 /// Owns all jobs and workers. All members run on the executor's thread.
 class Coordinator {
   public:
-    /// Call `restore` before anything else.
+    /// Call `restore` before any other member.
     explicit Coordinator(CoordinatorParts parts);
     Coordinator(const Coordinator&) = delete;
     Coordinator& operator=(const Coordinator&) = delete;
 
-    /// Resumes the jobs in the journal and starts the journal. Blocks on the disk. Errors: Io,
+    /// Resumes the jobs found in the journal and starts its writer. Blocks on the disk. Errors: Io,
     /// naming a damaged pose file.
     [[nodiscard]] Status restore(Recovered recovered);
     /// Stops all timers; the master is shutting down.
     void close();
 
-    /// Unique id of the master's state.
+    /// Random id of this cluster, which the journal keeps across restarts.
     [[nodiscard]] const Sha256& cluster() const { return cluster_; }
     [[nodiscard]] const CoordinatorParts& parts() const { return parts_; }
     [[nodiscard]] WorkerDirectory& workers() { return state_.workers; }
@@ -32,7 +32,7 @@ class Coordinator {
     [[nodiscard]] const WorkerDesk& worker_desk() const { return worker_desk_; }
     [[nodiscard]] JobDesk& jobs() { return job_desk_; }
     [[nodiscard]] const JobDesk& jobs() const { return job_desk_; }
-    /// Alarms and quarantined processes of all incarnations of the master.
+    /// Alarms and quarantined processes, including those from before restarts of the master.
     [[nodiscard]] const Alarms& alarms() const { return state_.alarms; }
 
     /// Aborts if an invariant is broken. For tests; call it between two events.
@@ -41,17 +41,18 @@ class Coordinator {
   private:
     using Authors = std::map<InstanceId, std::shared_ptr<const Author>>;
 
-    /// Puts a job that runs back to where it was. `known`: authors of results so far.
+    /// Restores the poses, results and disputes of a running job. `known`: all authors found so
+    /// far, to which this adds.
     [[nodiscard]] Status restore_run(MasterJob& job, RecoveredJob& found, Authors& known);
     /// Holds back resumed jobs until the workers from before the restart have returned.
     void await_workers();
 
-    // What the journal has committed.
+    // Events of the journal: what it has committed.
     [[nodiscard]] JournalWriter::Events journal_events();
     void job_ended(JobId job);
     void job_dropped(JobId job);
 
-    // The dispatcher's actions.
+    // Actions that the dispatcher asks for.
     void perform(const Action& action);
     void give_up(const GiveUp& action);
 

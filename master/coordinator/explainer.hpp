@@ -1,4 +1,4 @@
-// Explains one scenario: how workers score for it while its job runs, and who answered it.
+// Explains one scenario: the workers' scores for it while its job runs, and who answered it.
 #pragma once
 
 #include "common/core/id.hpp"
@@ -18,15 +18,15 @@ namespace cd {
 /// A read-only view of jobs, dispatcher and workers, made for one question.
 class Explainer {
   public:
-    /// `is_here` tells which workers have neither left nor been lost. Jobs and dispatcher outlive
-    /// the explainer.
+    /// `is_here` returns true for a worker that has neither left nor been lost. Jobs and dispatcher
+    /// outlive the explainer.
     Explainer(const JobTable& jobs,
               const DispatchView& dispatcher,
               std::function<bool(WorkerId)> is_here)
         : jobs_(jobs), dispatcher_(dispatcher), is_here_(std::move(is_here)) {}
 
     /// The input to analyse scenarios of a running job. Errors: NotFound; Refused unless the job
-    /// runs and its geometry is there.
+    /// runs and its geometry is loaded.
     [[nodiscard]] Result<AnalysisInput> input(JobId job) const;
     /// The input to analyse the scenario, which `explain` needs; empty for an ended job. Errors:
     /// NotFound; Refused while the job is being prepared.

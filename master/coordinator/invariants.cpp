@@ -8,8 +8,8 @@ namespace cd {
 
 namespace {
 
-/// Every task belongs to a known, watched worker, so it ends eventually. Dispatcher and book agree
-/// on it.
+/// Checks that dispatcher and lease book have the same tasks, and that each belongs to a known
+/// worker, so that the task ends with the worker at the latest.
 void check_leases(const MasterState& state, const LeaseBook& book) {
     std::size_t tasks = 0;
     const DispatchView& dispatch = state.dispatch.view();
@@ -25,13 +25,13 @@ void check_leases(const MasterState& state, const LeaseBook& book) {
     CD_CHECK(tasks == book.all().size());
 }
 
-/// Marks the scenarios that wait or run in ranges.
+/// Marks, by index, the scenarios that wait to be handed out or are in ranges.
 std::vector<bool>
 scenarios_in_ranges(const MasterState& state, const LeaseBook& book, const MasterJob& job) {
     std::vector<bool> found(job.submit.scenarios);
     const auto add = [&](const PlaceRange& places) {
         if (places.count == 0) {
-            return; // All of it was returned.
+            return; // The worker has returned the whole range.
         }
         const auto scenarios = job.work()->order->read(places.first, places.count);
         CD_CHECK(scenarios.has_value());

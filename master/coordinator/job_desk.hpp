@@ -1,4 +1,4 @@
-// What clients ask of jobs: to begin, cancel and remove them, and how they stand.
+// Handles clients' requests about jobs: to start, cancel, remove and query them.
 #pragma once
 
 #include "common/core/result.hpp"
@@ -20,11 +20,12 @@ class JobDesk {
         : state_(state), services_(services), geometry_(geometry) {}
 
     // ---- Beginning ------------------------------------------------------------------------------
-    /// Allots the id of a new job, which is then begun or given up. Errors: Refused; Io when the
-    /// journal does not write.
+    /// Allocates the id of a new job. The caller must then call `begin` or `give_up`. Errors:
+    /// Refused when too many jobs or scenarios run; Io while the journal cannot write.
     [[nodiscard]] Result<JobId> allot(std::uint64_t scenarios);
     void give_up(JobId job) { state_.jobs.give_up(job); }
-    /// Writes an allotted job to the journal and wakes those who wait for it when that is durable.
+    /// Writes an allotted job to the journal. Once that is durable, wakes the coroutines that wait
+    /// for the job.
     void write(const JobRecord& job) { state_.writer.write(AcceptJob{job}); }
     /// Begins a job that the journal has committed.
     void begin(const JobRecord& record,
@@ -34,23 +35,24 @@ class JobDesk {
     [[nodiscard]] JobWaits& waits() { return state_.waits; }
 
     // ---- Ending ---------------------------------------------------------------------------------
-    /// Ends a running job and wakes those who wait for it when that is durable. Does nothing if the
-    /// job has ended. Errors: NotFound.
+    /// Ends a running job. Once that is durable, wakes the coroutines that wait for the job. Does
+    /// nothing if the job has ended. Errors: NotFound.
     [[nodiscard]] Result<JobStatus> cancel(JobId job);
-    /// Forgets an ended job and wakes those who wait for it when the journal has deleted it; its
-    /// files are removed next. Errors: NotFound; Refused while it runs; Io when the journal does
-    /// not write.
+    /// Forgets an ended job. Once the journal has deleted it, wakes the coroutines that wait for
+    /// the job and removes its files. Errors: NotFound; Refused while it runs; Io while the journal
+    /// cannot write.
     [[nodiscard]] Status forget(JobId job);
     /// Forgets jobs whose retention has expired. `now` is in seconds since 1970.
     void forget_expired(std::uint64_t now);
-    /// Stops the master's run of a scenario in dispute, which then counts as failed. False: there
-    /// is none.
+    /// Stops the master's run of a scenario in dispute, which then counts as failed. False if there
+    /// is no such run.
     [[nodiscard]] bool cancel_disputed(JobId job, std::uint64_t scenario);
-    /// The poses of a running job whose scenario has no result. Errors: NotFound; Refused.
+    /// The poses of a running job. Errors: NotFound; Refused if the job has ended or the scenario
+    /// has a result.
     [[nodiscard]] Result<std::shared_ptr<PoseSource>> poses_of_unanswered(JobId job,
                                                                           std::uint64_t scenario);
     /// Fails the scenario and stops it on all workers; the job continues. Errors: NotFound; Refused
-    /// if the scenario has a result.
+    /// if the job has ended or the scenario has a result.
     [[nodiscard]] Status cancel_scenario(JobId job, const Scenario& scenario);
 
     // ---- Questions ------------------------------------------------------------------------------
@@ -63,7 +65,7 @@ class JobDesk {
     [[nodiscard]] Explainer explainer() const;
     /// Errors: NotFound; Refused unless the job is done.
     [[nodiscard]] Result<ContactMapAnswer> contact_map(JobId job) const;
-    /// Reason why the master cannot accept or acknowledge now; empty if it can.
+    /// Disk error because of which the journal cannot write now; empty if it can.
     [[nodiscard]] const std::string& paused() const { return state_.writer.paused(); }
 
   private:

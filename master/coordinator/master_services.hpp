@@ -1,4 +1,4 @@
-// The services of the master: what happens to jobs, tasks and results.
+// The services of the master, which process jobs, tasks and results.
 #pragma once
 
 #include "master/compute/reference_run.hpp"
@@ -16,9 +16,9 @@
 
 namespace cd {
 
-/// Each service uses those above it; what goes the other way is a callback.
+/// Each service may use those declared above it. In the other direction, services call callbacks.
 struct MasterServices {
-    /// Both outlive the services.
+    /// Parts and state outlive the services.
     MasterServices(const CoordinatorParts& parts, MasterState& state);
     MasterServices(const MasterServices&) = delete;
     MasterServices& operator=(const MasterServices&) = delete;
@@ -36,7 +36,7 @@ struct MasterServices {
     JobStart start;
 
   private:
-    /// A job has work.
+    /// Called when a job is open for work: processes its waiting results and disputes.
     void started(MasterJob& job);
 };
 

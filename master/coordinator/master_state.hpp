@@ -1,4 +1,4 @@
-// What the master knows and by what it acts: the parts of the coordinator without its services.
+// The state of the master: the parts of the coordinator apart from its services.
 #pragma once
 
 #include "common/core/limits/master.hpp"
@@ -22,13 +22,13 @@
 
 namespace cd {
 
-/// References to what the coordinator uses; all of it outlives the coordinator.
+/// Resources and options of the coordinator. Everything referenced outlives the coordinator.
 struct CoordinatorParts {
-    asio::any_io_executor executor; ///< Runs on one thread, which owns all state.
+    asio::any_io_executor executor; ///< Has one thread, which alone accesses the state.
     GeometryStore& geometry;
     ThreadPool& compute;  ///< Runs analyses and checks results.
     ThreadPool& blocking; ///< Runs tasks that block on the disk or on `compute`.
-    /// Not started yet. Must stop before the executor's context, and after the coordinator.
+    /// Not started yet. Must stop after the coordinator, and before the executor's context.
     Journal& journal;
     std::filesystem::path directory; ///< Spool directory for incoming poses.
     Durability durability = Durability::Synced;
@@ -37,11 +37,12 @@ struct CoordinatorParts {
     JobRetention retention = {};
 };
 
+/// The members of the coordinator that the services share.
 struct MasterState {
     struct Hooks {
         WorkerEvents& workers;
         std::function<void(const Action&)> perform;
-        std::function<void()> after_each; ///< Called after each outcome of background work.
+        std::function<void()> after_each; ///< Called after each continuation of background work.
     };
 
     MasterState(const CoordinatorParts& parts, const Hooks& hooks);

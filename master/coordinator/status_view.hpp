@@ -1,4 +1,4 @@
-// Tells clients the state of jobs, workers and alarms.
+// Builds the status of jobs, workers and alarms that clients see.
 #pragma once
 
 #include "common/core/result.hpp"
@@ -14,7 +14,7 @@ namespace cd {
 /// A read-only view as of `now`, made for one question.
 class StatusView {
   public:
-    /// `paused` says why the journal does not write; empty if it does. All references outlive the
+    /// `paused`: reason why the journal cannot write; empty if it can. All references outlive the
     /// view.
     StatusView(const JobTable& jobs,
                const WorkerDirectory& workers,
@@ -23,7 +23,8 @@ class StatusView {
                Clock::time_point now)
         : jobs_(jobs), workers_(workers), alarms_(alarms), paused_(paused), now_(now) {}
 
-    /// The job, and what it waits for. Errors: NotFound.
+    /// Status of the job, with the disk error and the long scenarios that it waits for. Errors:
+    /// NotFound.
     [[nodiscard]] Result<JobStatus> job(JobId job) const;
     /// Leaves out the master's uptime, its meshes and the sizes of its files.
     [[nodiscard]] ClusterStatus cluster() const;

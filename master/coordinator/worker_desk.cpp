@@ -11,7 +11,7 @@ namespace cd {
 
 namespace {
 
-/// All roots below `count` that are not in `held`, which ascends.
+/// The roots 0 to `count` - 1 that are not in `held`, which must ascend.
 std::vector<RootIndex> others(std::uint32_t count, const std::vector<RootIndex>& held) {
     std::vector<RootIndex> all;
     auto next = held.begin();
@@ -55,7 +55,7 @@ void WorkerDesk::worker_replaced(WorkerId worker) {
 }
 
 void WorkerDesk::worker_resumed(WorkerId worker) {
-    // The silence ends when the worker's inventory comes.
+    // The worker counts as silent until its inventory arrives.
     state_.dispatch.act(state_.dispatch->worker_silent(worker));
     state_.blocks.worker_returned(worker, state_.workers.find(worker)->channel);
 }
@@ -65,7 +65,7 @@ void WorkerDesk::came(WorkerId id, const Standing& standing) {
     if (worker == nullptr) {
         return;
     }
-    if (worker->is_settled) { // The session is new.
+    if (worker->is_settled) { // A new session has nothing to resynchronise.
         state_.awaited.has_told_all(worker->author->process);
         return services_.work.feed();
     }
@@ -86,7 +86,7 @@ void WorkerDesk::came(WorkerId id, const Standing& standing) {
     services_.tasks.compare(id, standing.tasks);
     state_.dispatch.act(state_.dispatch->worker_heard(id));
     if (state_.dispatch.view().worker_status(id).draining) {
-        worker->channel->send(Drain{}); // The first may have been lost with a connection.
+        worker->channel->send(Drain{}); // An earlier one may have been lost with its connection.
     }
     services_.work.feed();
 }
@@ -101,7 +101,7 @@ Status WorkerDesk::check(const Standing& standing) const {
     return Done{};
 }
 
-/// Takes the blocks in the worker's inventory for those that it holds, and no others.
+/// Records that the worker holds exactly the blocks in its inventory.
 void WorkerDesk::compare_blocks(WorkerId id, const Standing& standing) {
     for (const StandingTree& tree : standing.trees) {
         if (state_.workers.find(id)->supply.has_tree(tree.tree)) {
@@ -157,7 +157,7 @@ void WorkerDesk::draining(WorkerId worker) {
 void WorkerDesk::drain(WorkerId worker) {
     const auto channel = state_.workers.find(worker)->channel;
     draining(worker);
-    channel->send(Drain{}); // Sent after everything queued for the worker.
+    channel->send(Drain{}); // Comes after all messages queued for the worker.
 }
 
 void WorkerDesk::terminate(WorkerId worker) {
@@ -227,7 +227,7 @@ void WorkerDesk::came(WorkerId id, const Holding& holding) {
     if (const Status kept = worker->supply.cuts_kept(holding); !kept) {
         return state_.workers.cut_off(id, kept.error());
     }
-    if (worker->is_settled) { // Otherwise they are added when its inventory is known.
+    if (worker->is_settled) { // Otherwise the trees are added when the inventory arrives.
         worker->send(worker->supply.add_kept(state_.trees.messages()));
     }
 }

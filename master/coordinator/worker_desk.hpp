@@ -1,4 +1,4 @@
-// What workers tell the master: their joining, silence and leaving, their blocks and their tasks.
+// Handles the events and messages of workers: about joining, silence and leaving, blocks and tasks.
 #pragma once
 
 #include "common/core/id.hpp"
@@ -12,15 +12,16 @@
 
 namespace cd {
 
-/// Checks each message, and tells the services and the dispatcher.
+/// Checks each message, and passes it to the services and the dispatcher.
 class WorkerDesk : public WorkerEvents {
   public:
-    /// Both outlive the desk. `heartbeat`: the period of the workers' heartbeats.
+    /// State and services outlive the desk. `heartbeat`: the period of the workers' heartbeats.
     WorkerDesk(MasterState& state, MasterServices& services, FailureTimes::Duration heartbeat)
         : state_(state), services_(services), heartbeat_(heartbeat) {}
 
     // ---- Messages of a worker -----------------------------------------------------------------
-    /// The worker's inventory: what was lost with its last connection is sent or queued again.
+    /// Resynchronises a worker with its inventory: sends or queues again what was lost with its
+    /// last connection.
     void came(WorkerId worker, const Standing& standing);
     void came(WorkerId worker, const Evicted& evicted);
     void came(WorkerId worker, const Holding& holding);
@@ -32,7 +33,7 @@ class WorkerDesk : public WorkerEvents {
     void came(WorkerId worker, Results results, std::function<void()> done);
     void came(WorkerId worker, const EndOfTask& end);
     void came(WorkerId worker, const Recalled& recalled);
-    /// Gives the worker no new work; it leaves when its current work is finished.
+    /// The worker drains: gives it no new work; it leaves when its current work is finished.
     void draining(WorkerId worker);
 
     // ---- Orders for a connected worker ----------------------------------------------------------
@@ -51,7 +52,7 @@ class WorkerDesk : public WorkerEvents {
     void worker_left(WorkerId worker) override;
     [[nodiscard]] WorkerStatus work_of(WorkerId worker) const override;
 
-    /// Watches for silent workers and stragglers.
+    /// True while a timer runs that checks for silent workers and stragglers.
     [[nodiscard]] bool is_watching() const { return is_watching_; }
     /// Blocks that other workers may fetch from this worker. Empty if it is disconnected or has not
     /// sent its inventory. For tests; call it between two events.
