@@ -73,7 +73,8 @@ class JsonWriter final : public ResultWriter {
     OutputFile file_;
 };
 
-/// The paper's N_b and N_p, and if C_b and C_p are known, its cost N_b C_b + N_p C_p.
+/// Statistics of the searches: the paper's numbers N_b of box tests and N_p of triangle tests and,
+/// if the times C_b and C_p of one test are known, its cost N_b C_b + N_p C_p.
 Json statistics_json(const RunReport& report) {
     const JobStatistics& statistics = report.execution.statistics;
     Json settled;

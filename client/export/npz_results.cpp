@@ -84,7 +84,7 @@ class ScenarioColumns {
     Column<std::uint8_t> insides_skipped_;
 };
 
-/// The lists of pairs. Those of scenario i are [offsets[i], offsets[i + 1]).
+/// The arrays of all pairs. Scenario i has the pairs [offsets[i], offsets[i + 1]).
 class PairColumns {
   public:
     explicit PairColumns(NpzWriter& file)
@@ -114,7 +114,7 @@ class PairColumns {
     std::uint64_t end_ = 0;
 };
 
-/// Points at full precision, relative to an origin for each pair.
+/// The points of all pairs at full precision, relative to an origin for each pair.
 class ExactPointColumns {
   public:
     explicit ExactPointColumns(NpzWriter& file)
@@ -136,7 +136,7 @@ class ExactPointColumns {
     Column<double> points_;
 };
 
-/// The lists of points. Those of pair j are [point_offsets[j], point_offsets[j + 1]).
+/// The arrays of all points. Pair j has the points [point_offsets[j], point_offsets[j + 1]).
 class PointColumns {
   public:
     explicit PointColumns(NpzWriter& file)
@@ -149,7 +149,7 @@ class PointColumns {
         for (std::size_t pair = 0; pair < result.pairs.size(); ++pair) {
             for_each_point(result, pair, [&](const Vec3& point) { points_.add(point); });
         }
-        // A result's own offsets start at 0.
+        // The offsets in a result start at 0 and count only the result's own points.
         for (std::size_t i = 1; i < result.point_offsets.size(); ++i) {
             offsets_.add(end_ + result.point_offsets[i]);
         }
@@ -193,7 +193,7 @@ class NpzResults final : public ResultWriter {
     }
 
     Status finish() override {
-        // Without scenarios the lists' first offsets are not written yet.
+        // Without scenarios, the first entries of the offsets are not written yet.
         Status written = pairs_ ? pairs_->write(file_) : Status(Done{});
         if (written && points_) {
             written = points_->write(file_);

@@ -8,7 +8,7 @@ namespace cd {
 
 namespace {
 
-/// The size at which a partial sum is added to the total.
+/// The size in bytes at which the partial sum `waiting_` is added to the total `map_`.
 constexpr std::uint64_t waiting_bytes_max = 1u << 20;
 
 std::unique_ptr<ResultWriter> stdout_writer(const std::string& output,

@@ -21,7 +21,7 @@ namespace cd {
 struct SinkOptions {
     std::filesystem::path dir; ///< Folder of the files; empty: no files.
     std::vector<std::string> formats;
-    std::string output = "text"; ///< Form for stdout: json, csv or records-text; text: nothing.
+    std::string output = "text"; ///< Format for stdout: json, csv or records-text; text: none.
 };
 
 class ResultSink {
@@ -30,14 +30,14 @@ class ResultSink {
     [[nodiscard]] static Result<ResultSink> open(const SinkOptions& options,
                                                  const ExportContext& context);
 
-    /// Adds the next result in submitted order. `found` has all its pairs for a job with maps;
-    /// otherwise the map is the sum over the listed pairs. Errors: Io; Interrupted;
-    /// BadInput for a body that the job does not have.
+    /// Adds the next result in submitted order. `found` has all pairs of the scenario for a job
+    /// with maps. If `found` is empty, the map counts the pairs that the result lists. Errors: Io;
+    /// Interrupted; BadInput for a body that the job does not have.
     [[nodiscard]] Status add(const ScenarioResult& result, std::span<const ContactPair> found = {});
-    /// Completes all files, and writes those of `map`.
+    /// Completes all files, and writes the files of `map` if it is set.
     [[nodiscard]] Status finish(const std::optional<ContactMap>& map);
 
-    /// The contact map of all results so far; empty below level pairs unless `found` was given.
+    /// The contact map of all results so far; empty below `level pairs` unless `found` was given.
     [[nodiscard]] ContactMap map();
     /// The counts for `RunReport::most_touched`.
     [[nodiscard]] const PartTally& tally() const { return tally_; }

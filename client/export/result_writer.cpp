@@ -9,7 +9,7 @@ namespace cd {
 
 namespace {
 
-/// The name of the file of a format that has a single one.
+/// The file name of a format with a single file.
 std::string file_of(std::string_view format) {
     return format == "csv" ? "scenarios.csv" : format == "text" ? "results.txt" : "results.jsonl";
 }

@@ -21,8 +21,8 @@ namespace cd {
 
 /// A body in exports.
 struct ExportBody {
-    std::string name; ///< "a", "b", or its name in the job.
-    std::string file; ///< The name of its mesh file, for people.
+    std::string name; ///< Name of the body in the job, or else "a" or "b".
+    std::string file; ///< Name of the mesh file, for display.
     std::shared_ptr<const Mesh> mesh;
     bool is_rounded = false; ///< Coordinates were rounded to floats on request.
 };
@@ -32,12 +32,12 @@ struct ExportContext {
     std::string job;
     std::string unit;
     Level level = Level::Pairs;
-    std::vector<ExportBody> bodies;  ///< Results refer to them by index.
-    std::optional<double> tolerance; ///< The tolerance, if known.
-    /// The map counts only this many first pairs of each scenario; 0: all pairs.
+    std::vector<ExportBody> bodies;  ///< Results refer to bodies by this index.
+    std::optional<double> tolerance; ///< In the job's unit; nothing if unknown.
+    /// The contact map counts only this many first pairs of each scenario; 0: all pairs.
     std::uint64_t map_pairs = 0;
     bool exact_points = false; ///< NPZ: also points at full precision, relative to origins.
-    StopCheck stop;            ///< Ends the writing with Interrupted.
+    StopCheck stop;            ///< Once it is true, writing fails with Interrupted.
 
     /// Sets level, tolerance and `map_pairs` from the query.
     void describe(const Query& query);
@@ -54,11 +54,11 @@ class ResultWriter {
 
     /// Adds the next result, in the submitted order. Errors: Io naming the file.
     [[nodiscard]] virtual Status add(const ScenarioResult& result) = 0;
-    /// Makes the files appear under their names.
+    /// Completes the files, which appear under their names only now.
     [[nodiscard]] virtual Status finish() = 0;
 };
 
-/// results.txt, for people: a line for each scenario, and below it its pairs.
+/// results.txt, for people: a line for each scenario, followed by a line for each pair.
 [[nodiscard]] std::unique_ptr<ResultWriter> make_text_writer(const ExportContext& context,
                                                              OutputFile file);
 /// results.jsonl: a line with a JSON object for each scenario.
@@ -67,7 +67,7 @@ class ResultWriter {
 /// scenarios.csv. distance_bound is empty unless the class is undecided.
 [[nodiscard]] std::unique_ptr<ResultWriter> make_scenarios_csv_writer(const ExportContext& context,
                                                                       OutputFile file);
-/// pairs.csv from level pairs on, and points.csv at level contacts; nothing below.
+/// pairs.csv from `level pairs` on, and points.csv at `level contacts`; nothing below.
 [[nodiscard]] Result<std::unique_ptr<ResultWriter>>
 make_pairs_csv_writer(const ExportContext& context, const std::filesystem::path& dir);
 /// results.npz; docs/formats.md describes its arrays.
@@ -105,7 +105,7 @@ class ResultFiles {
                                    const ExportContext& context,
                                    const RunReport& report);
 
-/// The name in exports: touch, coplanar or proper.
+/// The name of a pair's class in exports: touch, coplanar or proper.
 [[nodiscard]] std::string_view pair_class_name(PairClass kind);
 
 /// Calls `function(point)` for each shared point of a result's pair, in world coordinates.
