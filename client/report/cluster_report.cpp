@@ -65,7 +65,7 @@ std::uint64_t contacts_of(const Summary& summary) {
     return summary.touch + summary.cross + summary.inside + summary.contact;
 }
 
-/// Candidate pairs settled by a stage after the first.
+/// The number of triangle pairs that floats could not decide, but a later stage.
 std::uint64_t past_float(const PairStatistics& decisions) {
     return decisions.total() - decisions[PairStage::Float];
 }
@@ -79,7 +79,8 @@ std::uint64_t sum_over_workers(const ClusterStatus& status, Member member) {
     return sum;
 }
 
-/// The rate per second between two statuses; 0 if workers with counts have left.
+/// How much the sum of `member` over all workers grew between two statuses, per second; 0 if the
+/// sum fell because workers left.
 template <class Member>
 double rate_between(const ClusterStatus& before, const ClusterStatus& after, Member member) {
     const double seconds = after.uptime_seconds - before.uptime_seconds;
@@ -88,7 +89,7 @@ double rate_between(const ClusterStatus& before, const ClusterStatus& after, Mem
     return seconds <= 0 || last < first ? 0 : static_cast<double>(last - first) / seconds;
 }
 
-/// The master's processor time as a share of one core.
+/// The master's processor time between two statuses, as a share of one core.
 double master_share(const ClusterStatus& before, const ClusterStatus& after) {
     const double seconds = after.uptime_seconds - before.uptime_seconds;
     return seconds <= 0 ? 0 : (after.cpu_seconds - before.cpu_seconds) / seconds;
@@ -287,7 +288,7 @@ std::string faults_text(const ClusterStatus& status) {
            "   scenarios given to others: " + std::to_string(status.scenarios_given_back) + "\n";
 }
 
-/// Counts the meshes, and those that no kept job uses, which `cdctl rm` may remove.
+/// A line with the number and size of all meshes, and of those that no kept job uses.
 std::string meshes_text(const std::vector<MeshStatus>& meshes) {
     const auto count = [&](bool with_needed) {
         std::uint64_t bytes = 0;
@@ -315,8 +316,8 @@ std::string sizes_text(const StateSizes& sizes) {
            "   journal " + size(sizes.journal) + "   free " + size(sizes.free) + "\n";
 }
 
-/// A line for each long scenario, each job with suspect results, and each job whose scenarios were
-/// recalled or copied at its end.
+/// A line for each scenario that runs for long, each job with withdrawn results, and each job whose
+/// scenarios were recalled or copied at the job's end.
 std::string long_text(const ClusterStatus& status) {
     const std::vector<JobId> ids = ids_of(status.jobs);
     std::string text;

@@ -7,7 +7,7 @@
 
 namespace cd {
 
-/// Lines for people, each with a newline; times are in milliseconds.
+/// The report as lines for people, each with a newline; times are in milliseconds.
 [[nodiscard]] std::string explained_text(const Explained& explained, const std::string& job);
 [[nodiscard]] std::string explained_json(const Explained& explained, const std::string& job);
 

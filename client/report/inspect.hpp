@@ -23,9 +23,9 @@ struct MeshReport {
 
 [[nodiscard]] MeshReport inspect_mesh(const std::string& file, const ImportedMesh& imported);
 
-/// Lines for people, each with a newline.
+/// The report as lines for people, each with a newline.
 [[nodiscard]] std::string to_text(const MeshReport& report);
-/// One JSON object with a newline.
+/// The report as one JSON object with a newline.
 [[nodiscard]] std::string to_json(const MeshReport& report);
 
 } // namespace cd

@@ -12,7 +12,8 @@
 
 namespace cd {
 
-/// Counts from results of level pairs and above.
+/// Counts, for each part, the scenarios that list a pair with one of the part's triangles. Results
+/// below `level pairs` list no pairs.
 class PartTally {
   public:
     /// `meshes` holds the mesh of each body, by the body's index in results.
@@ -32,7 +33,7 @@ class PartTally {
     struct Body {
         PartFinder parts;
         std::vector<std::uint64_t> scenarios; ///< Number of scenarios, by part.
-        std::vector<std::uint64_t> last_seen; ///< Stamp of the last touching result, by part.
+        std::vector<std::uint64_t> last_seen; ///< `stamp_` of the last result counted, by part.
     };
     static void note(Body& body, std::uint32_t triangle, std::uint64_t stamp);
 

@@ -1,4 +1,4 @@
-// The progress of a run on stderr.
+// Prints the progress of a run to stderr.
 #pragma once
 
 #include "client/report/waiting_note.hpp"
@@ -16,7 +16,7 @@ struct ProgressState {
     std::string name; ///< Name of the job.
     Summary summary;
     double seconds = 0;        ///< Time since the run began.
-    WaitingNote note = {};     ///< Why the job is waiting.
+    WaitingNote note = {};     ///< Why the job is waiting, if it is.
     std::uint64_t resumed = 0; ///< Scenarios that an earlier run had done.
 };
 
@@ -40,7 +40,7 @@ class ProgressPrinter {
     /// Ends the line of a bar.
     ~ProgressPrinter();
 
-    /// Prints if `state.seconds` says that it is due, or if the note has changed.
+    /// Prints if the next bar or line is due at `state.seconds`, or if the note has changed.
     void update(const ProgressState& state);
     /// Prints the last state and ends the line of a bar.
     void finish(const ProgressState& state);

@@ -23,7 +23,7 @@ std::string right_aligned(const std::string& text, std::size_t width) {
     return std::string(width > text.size() ? width - text.size() : 0, ' ') + text;
 }
 
-/// Three significant digits, or all digits before the point.
+/// A length as 0.0123, 1.23, 12.34 or 1234; with an exponent below 0.01 and from 1e7 on.
 std::string length_text(double value) {
     if (value != 0 && (std::abs(value) < 0.01 || std::abs(value) >= 1e7)) {
         std::string text(32, '\0');

@@ -44,16 +44,16 @@ describe_body(const std::string& name, const std::string& unit, const Mesh& mesh
 /// in another unit. Sizes are the diagonals of the boxes.
 [[nodiscard]] std::optional<std::string> unit_warning(const BodyLine& a, const BodyLine& b);
 
-/// Where the scenarios ran, and what that took.
+/// Where the scenarios ran, and the time and traffic that they took.
 struct RunExecution {
     std::string where;            ///< "2 threads", "2 workers"; may be empty.
     double prepare_seconds = 0;   ///< Time to read and build; not in `seconds`.
     double seconds = 0;           ///< Time to run the scenarios.
     std::uint64_t resumed_at = 0; ///< Scenarios done by an earlier run.
     JobStatistics statistics;
-    std::optional<SearchCost> cost;    ///< Cost of searches here; nothing on a cluster.
-    std::optional<JobTraffic> traffic; ///< Empty for a run on this machine.
-    /// The distribution depth of each body's tree; empty if none was cut, or it is unknown.
+    std::optional<SearchCost> cost;    ///< Measured on this machine; nothing on a cluster.
+    std::optional<JobTraffic> traffic; ///< Nothing for a run on this machine.
+    /// The distribution depth of each body's tree; empty if no tree was cut, or depths are unknown.
     std::vector<std::uint32_t> depths;
 };
 
@@ -62,12 +62,12 @@ struct RunReport {
     Summary summary;
     Level level = Level::Pairs;
     std::uint64_t limit_pairs = 0; ///< Maximum number of pairs in a result; 0: all.
-    bool maps_all_pairs = false;   ///< The map also counts pairs that are not listed.
+    bool maps_all_pairs = false;   ///< The contact map also counts pairs not listed.
     std::optional<Sha256> digest;  ///< Nothing while scenarios are missing.
     RunExecution execution;
-    std::optional<ContactMap> map;                ///< The job's contact map, if requested.
-    std::string map_withdrawn;                    ///< The reason why a requested map is missing.
-    std::vector<PartTally::Touched> most_touched; ///< Counts listed pairs only.
+    std::optional<ContactMap> map; ///< The job's contact map, if there is one.
+    std::string map_withdrawn;     ///< Why a map that was asked for is missing; or empty.
+    std::vector<PartTally::Touched> most_touched; ///< Parts in most scenarios, by the listed pairs.
     std::string hint;                  ///< A line about poses without contact; may be empty.
     std::string summary_file;          ///< Path of summary.json; may be empty.
     bool inputs_are_too_large = false; ///< The results folder has no copy of the inputs.
@@ -84,7 +84,7 @@ struct SummaryStyle {
 /// The lines of the summary that a quiet run prints, too.
 [[nodiscard]] std::string warnings_text(const RunReport& report);
 
-/// The share of needed subtrees that were in the workers' caches.
+/// The share, 0 to 1, of needed subtrees that were in workers' caches; 0 if none was needed.
 [[nodiscard]] double hit_share(const BlockTraffic& blocks);
 
 /// True if output to the stream may be coloured: a terminal, and NO_COLOR is not set.

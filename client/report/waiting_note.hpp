@@ -12,8 +12,8 @@ struct WaitingNote {
     bool stands_still = false; ///< No scenario runs until the reason is gone.
 };
 
-/// The first applicable reason: the job is paused; no worker is connected; workers are silent or
-/// lost. `master` is the address that the user gave.
+/// The first reason that applies, or an empty note: the job is paused; no worker is connected;
+/// workers are silent or lost. `master` is the address that the user gave.
 [[nodiscard]] WaitingNote
 waiting_note(const JobStatus& job, const ClusterStatus& cluster, const std::string& master);
 
