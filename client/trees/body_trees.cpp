@@ -12,7 +12,7 @@ namespace cd {
 
 namespace {
 
-/// One body's tree, with forms made on demand.
+/// One body's tree, whose wide and binary forms are made on demand.
 class Body {
   public:
     Body(std::shared_ptr<const Mesh> mesh, TreeCache& cache, ThreadPool& pool)

@@ -10,7 +10,7 @@
 
 namespace cd {
 
-/// A job's uses of trees.
+/// How a job uses trees.
 struct TreeUse {
     bool searches_exactly = true; ///< Searches without a tolerance: wide form.
     bool searches_cuts = false;   ///< Searches under a tolerance: binary form.

@@ -33,7 +33,7 @@ struct KeptFile {
     std::uint64_t bytes = 0;
 };
 
-/// The least recently used first. Files that vanish meanwhile are skipped.
+/// The files with one of the suffixes, least recently used first. Files that vanish are skipped.
 std::vector<KeptFile> kept_files(const fs::path& folder,
                                  std::span<const std::string_view> suffixes) {
     std::vector<KeptFile> files;
@@ -68,7 +68,7 @@ void keep_within(const fs::path& folder,
     for (const KeptFile& file : files) {
         bytes += file.bytes;
     }
-    // The newest file comes last, whatever the clock says.
+    // `newest` comes last, even if a wrong clock makes it look old.
     std::ranges::stable_partition(files, [&](const KeptFile& file) { return file.path != newest; });
     for (const KeptFile& file : files) {
         if (bytes <= bytes_max) {
@@ -100,7 +100,7 @@ std::shared_ptr<const ObbTree> TreeCache::find(TreeForm form,
     const auto tree = form == TreeForm::Binary ? read_tree_file(path, mesh, key)
                                                : read_wide_tree_file(path, mesh, key);
     if (tree) {
-        // Marks the file as just used. A read-only folder keeps its order.
+        // Marks the file as just used. In a read-only folder this has no effect.
         std::error_code ignored;
         fs::last_write_time(path, fs::file_time_type::clock::now(), ignored);
         return tree.value();

@@ -15,14 +15,14 @@
 
 namespace cd {
 
-/// The option value that disables the cache.
+/// The value of --tree-cache that disables the cache.
 inline constexpr const char* no_tree_cache = "off";
 
-/// The folder that the option names; empty for `no_tree_cache`.
+/// The folder that --tree-cache names; empty for `no_tree_cache`.
 [[nodiscard]] std::filesystem::path tree_cache_folder(const std::string& option);
 
-/// The option's default: a folder below `cache_dir`, or `no_tree_cache` if the environment names no
-/// cache folder.
+/// The default of --tree-cache: a folder below `own_cache_dir`, or `no_tree_cache` if the
+/// environment names no cache folder.
 [[nodiscard]] std::string default_tree_cache();
 
 /// Removes the least recently used files in a folder whose names have one of the suffixes, partly
@@ -32,11 +32,12 @@ void keep_within(const std::filesystem::path& folder,
                  std::uint64_t bytes_max,
                  const std::filesystem::path& newest);
 
-/// Binary trees are the paper's; searches without a tolerance use wide trees.
+/// The form of a tree: binary as in the paper, or wide (16 children a node), as searches without a
+/// tolerance need it.
 enum class TreeForm : std::uint8_t { Binary, Wide };
 
-/// A cache with one file for each form of a mesh's tree, named by a key of all that decides its
-/// bytes. Processes may share a folder. Problems are warnings, never errors: an unusable file
+/// A cache with one file for each form of a mesh's tree, named by a hash of everything that decides
+/// its bytes. Processes may share a folder. Problems give warnings, never errors: an unusable file
 /// counts as missing, and a tree that cannot be written is not kept.
 class TreeCache {
   public:
@@ -52,7 +53,7 @@ class TreeCache {
     /// until the folder is within its bound.
     void keep(TreeForm form, const ObbTree& tree);
 
-    /// The warnings since the last call, one line each.
+    /// The warnings since `take_warnings` was last called, one line each.
     [[nodiscard]] std::vector<std::string> take_warnings();
 
   private:
