@@ -64,7 +64,7 @@ Status check_owner_alone(const Opened& file, const std::filesystem::path& path) 
                      path.string() + " may be read by others than its owner: chmod 600 it, or "
                                      "better, join anew"};
     }
-    // An owner can read the key. Root can read it anyway.
+    // The owner can read the key, so only this user may own the file, or root, who can read any.
     if (status.st_uid != ::geteuid() && status.st_uid != 0) {
         return Error{ErrorCode::Refused, path.string() + " belongs to another user"};
     }

@@ -11,29 +11,30 @@
 
 namespace cd {
 
-/// The file of a program's credential for this master.
+/// The path in `folder` of the credential with which a program connects to this master.
 [[nodiscard]] std::filesystem::path credential_path(const std::filesystem::path& folder,
                                                     const Endpoint& master);
 
-/// Writes key, certificate and authority to one PEM file, atomically, with mode 0600. Creates its
-/// folder. Errors: Io; BadInput if the path names no file.
+/// Writes key, certificate and authority to one PEM file, atomically, with mode 0600. Creates the
+/// file's folder. Errors: Io; BadInput if the path names no file.
 [[nodiscard]] Status write_credential(const std::filesystem::path& path,
                                       const Credential& credential);
 
-/// Errors: NotFound; Io; BadInput for any other content; Refused if other users may read the file.
+/// Reads a file of `write_credential`. Errors: those of `read_private`; BadInput if the file holds
+/// no credential.
 [[nodiscard]] Result<Credential> read_credential(const std::filesystem::path& path);
 
-/// Checks that the file can be written, before a step that cannot be repeated. Creates its folder.
-/// Errors: BadInput if the path names no file; Io.
+/// Checks that the file can be written, before a step that cannot be repeated. Creates the file's
+/// folder. Errors: BadInput if the path names no file; Io.
 [[nodiscard]] Status check_can_write(const std::filesystem::path& path);
-/// Writes a small file atomically, with mode 0600. Creates its folder. Errors: BadInput; Io.
+/// Writes a small file atomically, with mode 0600. Creates the file's folder. Errors: BadInput; Io.
 [[nodiscard]] Status write_private(const std::filesystem::path& path, std::string_view text);
-/// Errors: NotFound; Io; TooLarge; Refused if other users may read the file, or if it belongs to
-/// another user than the process or root.
+/// Reads a small file. Errors: NotFound; Io; TooLarge; Refused if other users may read the file, or
+/// if its owner is neither the process's user nor root.
 [[nodiscard]] Result<std::string> read_private(const std::filesystem::path& path);
 
-/// When to renew the certificate: after half of the time for which it was issued. It also covers
-/// `limits::clock_difference_max` before its issue, which does not count.
+/// Returns when to renew a certificate: after half of its validity. The validity begins
+/// `limits::clock_difference_max` before the issue; that time does not count.
 [[nodiscard]] WallTime renew_at(const Identity& identity);
 
 } // namespace cd

@@ -8,9 +8,9 @@
 
 namespace cd {
 
-/// Proves the token to the master that it pins, and gets a certificate for a new key. `name` is a
-/// display name. Errors: BadInput for an invalid name; those of `connect` and `greet`; Refused with
-/// the master's reason.
+/// Gets a certificate for a new key, by a proof that this end has the token. The master has to be
+/// of the token's authority. `name` is a display name. Errors: BadInput for an invalid name; those
+/// of `connect` and `greet`; Refused with the master's reason.
 [[nodiscard]] asio::awaitable<Result<Credential>>
 join_cluster(Endpoint master, JoinToken token, std::string name);
 

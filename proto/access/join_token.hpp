@@ -22,13 +22,16 @@ struct JoinToken {
 /// Errors: BadInput, without the text itself.
 [[nodiscard]] Result<JoinToken> parse_join_token(std::string_view text);
 
-/// The master's form of the secret. It can check a proof but not make one.
+/// The form of the secret that the master stores: SHA-256. It serves to check a proof, not to make
+/// one.
 [[nodiscard]] Sha256 stored_secret(const JoinToken& token);
 
-// The proof of SCRAM (RFC 5802, section 3). It reveals nothing that lets an observer join, and is
-// valid on one connection for one request. `binding` is the channel binding of the connection.
+/// Proves possession of the token as in SCRAM (RFC 5802, section 3). The proof reveals nothing that
+/// lets an observer join, and is valid on one connection for one certificate request. `binding` is
+/// the channel binding of the connection.
 [[nodiscard]] Sha256
 join_proof(const JoinToken& token, const Sha256& binding, std::string_view request);
+/// Checks a `join_proof`. `stored` is the `stored_secret` of the token.
 [[nodiscard]] bool is_join_proof(const Sha256& proof,
                                  const Sha256& stored,
                                  const Sha256& binding,

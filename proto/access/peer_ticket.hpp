@@ -11,8 +11,8 @@
 
 namespace cd {
 
-/// The master's proof of a ticket: it authorises a fetch of these roots from the worker with this
-/// key.
+/// The master's proof of a ticket, which authorises one fetch of these roots from the worker that
+/// shares this key with the master.
 [[nodiscard]] Sha256 ticket_proof(const PeerKey& key,
                                   std::uint64_t ticket,
                                   TreeId tree,
@@ -23,8 +23,8 @@ class TicketCheck {
   public:
     explicit TicketCheck(const PeerKey& key) : key_(key) {}
 
-    /// True once for each valid ticket, while it is among the last
-    /// `limits::peer_tickets_remembered`.
+    /// Uses up the ticket of a fetch. Returns false if the ticket is invalid, was used before, or
+    /// has a lower number than the highest `limits::peer_tickets_remembered` that were used.
     [[nodiscard]] bool take(const PeerFetch& fetch);
 
   private:

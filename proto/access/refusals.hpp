@@ -19,7 +19,8 @@ class Refusals {
   public:
     using Time = std::chrono::steady_clock::time_point;
 
-    /// Number of lines suppressed since the last one; empty: suppress this one too.
+    /// Decides whether to log a line about a host. Returns the number of lines suppressed since the
+    /// last one that was logged, or nothing if this one is suppressed, too.
     [[nodiscard]] std::optional<std::uint64_t> admit(const std::string& host, Time now);
 
     /// Logs "WHAT: peer=PEER reason=REASON" unless it is suppressed. PEER is HOST:PORT.
@@ -29,7 +30,7 @@ class Refusals {
     struct Host {
         Time since; ///< Start of the period.
         std::size_t lines = 0;
-        std::uint64_t left_out = 0;
+        std::uint64_t left_out = 0; ///< Suppressed since the last line that was logged.
     };
     std::map<std::string, Host> hosts_;
 };

@@ -20,7 +20,7 @@ using Clock = std::chrono::steady_clock;
 
 enum class Phase {
     Open,
-    Flushing, ///< Sends the queue, then waits for the peer's end; drops input.
+    Flushing, ///< Sends the queue, then waits until the peer closes; discards input.
     Closed,
 };
 
@@ -113,16 +113,16 @@ struct Channel::State : std::enable_shared_from_this<State> {
     StallBounds stalls;
     Phase phase = Phase::Open;
     Traffic traffic;
-    std::optional<Error> failure; ///< Why the channel is no longer open.
+    std::optional<Error> failure; ///< Why the channel is no longer open; empty while it is.
 
     std::array<std::byte, frame_header_bytes> header_bytes{};
     FrameHeader header;
     Bytes frame;          ///< Grows to the largest frame seen.
     std::size_t came = 0; ///< Received bytes of the header or the payload.
     MessageAssembler assembler;
-    std::optional<Clock::time_point> rest_due; ///< Deadline of a partial message.
+    std::optional<Clock::time_point> rest_due; ///< Deadline of the current frame; empty: none.
     bool watching_read = false;
-    std::optional<Message> incoming; ///< The one message received and not taken.
+    std::optional<Message> incoming; ///< Received, but not yet returned by `receive`.
     bool reading = false;
     bool receiving = false;
     asio::steady_timer received; ///< Cancelled when `incoming` or `failure` is set.
@@ -230,8 +230,8 @@ bool Channel::State::may_be_large() const {
     return !stream->is_secured() || stream->peer_identity();
 }
 
-/// Starts the deadline of the current frame. One timer serves many frames: it checks the deadline
-/// when it expires, and usually finds the frame complete.
+/// Starts the deadline of the current frame. One timer serves many frames: when it expires, the
+/// frame is usually complete, and the timer waits for the deadline of a later frame.
 void Channel::State::watch_read() {
     if (!rest_due) {
         rest_due = Clock::now() + stalls.read;
@@ -265,7 +265,7 @@ void Channel::State::deliver(const MessageAssembler::Whole& whole_message) {
     received.cancel();
 }
 
-/// Tells a peer that has greeted why the connection ends.
+/// Ends the connection. A peer that has greeted gets the reason first.
 void Channel::State::refuse(Error error) {
     if (assembler.sender() == Party::Stranger) {
         return fail(std::move(error));
@@ -380,7 +380,7 @@ void Channel::State::watch_write() {
     write_deadline.expires_after(stalls.write);
     write_deadline.async_wait(
         [self = shared_from_this(), frame_number = ++frames_begun](const error_code& error) {
-            // An expiry already queued is delivered even after the cancel.
+            // A timer's handler that is already queued runs even after the cancel.
             if (!error && self->writing && self->frames_begun == frame_number) {
                 self->fail({ErrorCode::Disconnected, "the peer does not read"});
             }

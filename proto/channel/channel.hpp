@@ -30,12 +30,12 @@ struct Endpoint {
 
 /// How a program is about to use an endpoint.
 struct Exposure {
-    bool secured = false;  ///< Uses TLS.
-    bool insecure = false; ///< --insecure was given.
-    bool listening = false;
+    bool secured = false;   ///< Uses TLS.
+    bool insecure = false;  ///< --insecure was given.
+    bool listening = false; ///< False: connecting.
 };
 /// Forbids plain TCP beyond loopback, unless `insecure` is set; then it logs a warning at any log
-/// level. Errors: Refused, with the way to get TLS and the option.
+/// level. Errors: Refused, naming how to get TLS, and --insecure.
 [[nodiscard]] Status check_exposure(const Endpoint& endpoint, const Exposure& exposure);
 
 /// Byte counts of one connection.
@@ -69,12 +69,12 @@ class Channel : public std::enable_shared_from_this<Channel> {
     [[nodiscard]] asio::awaitable<Result<Message>>
     receive(std::chrono::steady_clock::duration timeout);
 
-    /// Sets the peer's party after its greeting. It decides which messages, and how large, the peer
-    /// may send.
+    /// Sets the peer's party after its greeting. The party decides which messages the peer may
+    /// send, and how large.
     void expect(Party party);
 
-    /// Queues the message, at most `payload_bytes_max` of its type. Never blocks; does nothing
-    /// after `close`. Senders of much data await `wait_until_queued_below`.
+    /// Queues a message, whose payload has at most the `payload_bytes_max` of its type. Never
+    /// blocks; does nothing after `close`. Senders of much data await `wait_until_queued_below`.
     void send(const Message& message);
 
     /// Bytes not yet handed to the operating system.
@@ -91,12 +91,13 @@ class Channel : public std::enable_shared_from_this<Channel> {
     [[nodiscard]] asio::awaitable<void> wait_until_closed();
 
     [[nodiscard]] const Traffic& traffic() const;
-    /// The other end's address, for logs.
+    /// The other end as HOST:PORT, for logs.
     [[nodiscard]] const std::string& peer() const;
-    /// The addresses of both ends, without ports.
+    /// The other end's address, without the port.
     [[nodiscard]] const std::string& peer_host() const;
+    /// This end's address, without the port.
     [[nodiscard]] const std::string& own_host() const;
-    /// Forwards to the stream; so do `peer_identity` and `binding`.
+    // The next three forward to `Stream`.
     [[nodiscard]] bool is_secured() const;
     [[nodiscard]] const std::optional<Identity>& peer_identity() const;
     [[nodiscard]] std::optional<Sha256> binding() const;
@@ -121,7 +122,7 @@ struct Target {
 
     Endpoint endpoint;
     std::shared_ptr<const Tls> tls; ///< Null: plain TCP.
-    CertifiedRole role;
+    CertifiedRole role;             ///< The role that the peer's certificate must name.
 };
 
 /// Connects; each step must finish within the timeout. Errors: Disconnected naming host and port;

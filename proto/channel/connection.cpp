@@ -47,7 +47,7 @@ Error unreachable(const Endpoint& endpoint, const std::string& why) {
     return {ErrorCode::Disconnected, "cannot connect to " + name_of(endpoint) + ": " + why};
 }
 
-/// Secures the connecting end if the target uses TLS.
+/// Switches the connecting end to TLS if the target uses TLS, and checks the peer's role.
 asio::awaitable<Status> secure(Stream& stream, const Target& target, std::chrono::seconds timeout) {
     if (target.tls == nullptr) {
         co_return Done{};
@@ -67,8 +67,8 @@ asio::awaitable<Status> secure(Stream& stream, const Target& target, std::chrono
     co_return Done{};
 }
 
-/// Closes the socket after reading the peer's bytes, since unread bytes would reset the connection
-/// before the peer has read the last answer.
+/// Ends writing, then reads until the peer closes: unread bytes at a close would reset the
+/// connection before the peer has read the last answer.
 asio::awaitable<void> end_gently(asio::ip::tcp::socket& socket) {
     error_code error;
     socket.shutdown(asio::ip::tcp::socket::shutdown_send, error);

@@ -41,7 +41,7 @@ class Deadline {
 
     static void watch(const std::shared_ptr<State>& state) {
         state->timer.async_wait([state](const boost::system::error_code&) {
-            // A queued expiry is delivered even after the owner is gone.
+            // A queued handler runs even after the deadline is destroyed.
             if (state->target == nullptr) {
                 return;
             }

@@ -23,7 +23,7 @@ struct FrameHeader {
     bool has_more = false; ///< The next frame of this stream continues the message.
     std::uint32_t stream = 0;
     std::uint32_t payload_bytes = 0;
-    std::uint32_t epoch = 0;
+    std::uint32_t epoch = 0; ///< Always 0; receivers ignore it.
     std::uint64_t payload_checksum = 0;
 
     friend bool operator==(const FrameHeader&, const FrameHeader&) = default;
@@ -34,17 +34,18 @@ struct FrameHeader {
 [[nodiscard]] Result<FrameHeader>
 decode_header(std::span<const std::byte, frame_header_bytes> bytes);
 
-/// The message to a peer that connects without TLS where TLS is required.
+/// The answer to a peer that connects without TLS where TLS is required.
 inline constexpr std::string_view speaks_tls_text =
     "the master speaks TLS: cdctl join gets a credential, cdworker takes a --token";
 
-/// An error if the first bytes come from a web server or a TLS endpoint instead of this protocol.
+/// Returns an error if the first bytes come from a web server or a TLS endpoint, else nothing.
 [[nodiscard]] std::optional<Error> foreign_answer(std::span<const std::byte> first_bytes);
 
 /// Assembles messages from frames; a state machine without I/O. Holds at most
 /// `payload_bytes_max_from` bytes per message, on at most `streams_max_of` streams.
 class MessageAssembler {
   public:
+    /// A complete message, not yet decoded.
     struct Whole {
         std::uint16_t type = 0;
         Bytes payload;
@@ -57,8 +58,8 @@ class MessageAssembler {
     /// Checks by its header alone whether a frame is allowed now. Errors: those of `add`.
     [[nodiscard]] Status check(const FrameHeader& header) const;
 
-    /// Adds a frame. Empty until the message is complete. Errors: BadFrame, TooLarge; the caller
-    /// then ends the connection.
+    /// Adds a frame. Returns the message that the frame completes, or nothing if more frames of it
+    /// follow. Errors: BadFrame, TooLarge; the caller then ends the connection.
     [[nodiscard]] Result<std::optional<Whole>> add(const FrameHeader& header,
                                                    std::span<const std::byte> payload);
 
@@ -66,6 +67,7 @@ class MessageAssembler {
     [[nodiscard]] bool has_begun() const { return !open_.empty(); }
 
   private:
+    /// An incomplete message.
     struct Open {
         std::uint32_t stream = 0;
         std::uint16_t type = 0;

@@ -12,8 +12,8 @@
 namespace cd {
 
 struct HttpRequest {
-    std::string method; ///< "GET".
-    std::string target; ///< "/metrics".
+    std::string method; ///< For example "GET".
+    std::string target; ///< For example "/metrics".
 };
 
 struct HttpAnswer {

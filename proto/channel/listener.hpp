@@ -15,7 +15,8 @@ class Listener {
   public:
     using OnSocket = std::function<void(asio::ip::tcp::socket)>;
 
-    /// Port 0: the system chooses. Errors: BadInput for a host that is no address; Io.
+    /// Listens on an endpoint; for port 0 the system chooses a port. Errors: BadInput for a host
+    /// without an address; Io.
     [[nodiscard]] static Result<std::unique_ptr<Listener>>
     open(const asio::any_io_executor& executor, const Endpoint& endpoint);
     Listener(const Listener&) = delete;

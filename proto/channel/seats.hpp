@@ -11,18 +11,18 @@
 namespace cd {
 
 /// Limits simultaneous connections, and shares the slots fairly: a host may hold at most as many
-/// as remain free. One host gets at most half of them; n greedy hosts get 1/(n+1) each, and leave
-/// as many for a newcomer. Not thread-safe.
+/// slots as remain free. One host gets at most half of the slots; n greedy hosts get 1/(n+1) each,
+/// and leave as many for a newcomer. Not thread-safe.
 class Seats {
   public:
-    /// A taken slot, released with its last owner. It may outlive the `Seats`.
+    /// A taken slot, released when the last copy is destroyed. A copy may outlive the `Seats`.
     using Seat = std::shared_ptr<const void>;
 
     explicit Seats(std::size_t seats_max);
 
-    /// Null if no slot is available to this address.
+    /// Takes a slot for a peer; null if none is available to the peer's host.
     [[nodiscard]] Seat take(const asio::ip::address& from);
-    /// Takes a slot for the peer's address. A socket that is disconnected already counts only
+    /// Takes a slot for the peer of a socket. If it has disconnected already, the slot counts only
     /// against the total.
     [[nodiscard]] Seat take(const asio::ip::tcp::socket& socket);
     [[nodiscard]] std::size_t taken() const { return state_->taken; }
@@ -31,7 +31,7 @@ class Seats {
     struct State {
         std::size_t seats_max = 0;
         std::size_t taken = 0;
-        std::map<asio::ip::address, std::size_t> of_host;
+        std::map<asio::ip::address, std::size_t> of_host; ///< Taken slots; keys are `host_of`.
     };
     std::shared_ptr<State> state_;
 };

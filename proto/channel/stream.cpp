@@ -109,10 +109,10 @@ struct Stream::State {
     explicit State(asio::ip::tcp::socket connected) : socket(std::move(connected)) {}
 
     asio::ip::tcp::socket socket;
-    std::shared_ptr<const Tls> tls; ///< Owns the session's context; must outlive it.
+    std::shared_ptr<const Tls> tls; ///< Owns the context that `session` uses.
     std::unique_ptr<asio::ssl::stream<asio::ip::tcp::socket&>> session; ///< Null: plain.
     std::optional<Identity> peer;
-    std::uint64_t key_bytes = 0; ///< Written with the current key.
+    std::uint64_t key_bytes = 0; ///< Bytes written with the current TLS key.
 };
 
 Stream::Stream(asio::ip::tcp::socket socket) : state_(std::make_unique<State>(std::move(socket))) {}

@@ -14,12 +14,12 @@
 
 namespace cd {
 
-/// The end of a connection that a program is.
+/// The part that a program has in a TLS handshake: client or server.
 enum class TlsEnd { Connecting, Accepting };
 
-/// One end of a connection; plain until `secure`. Readers and writers see no difference. It must
-/// outlive its operations. The end of the stream is not authenticated and means only a lost
-/// connection; a regular end is announced by a message.
+/// One end of a connection; plain until `secure`. Readers and writers see no difference. A stream
+/// must outlive its operations. The end of the bytes is not authenticated and means only a lost
+/// connection; a message announces a regular end.
 class Stream {
   public:
     using Handler = std::function<void(const boost::system::error_code&, std::size_t)>;
@@ -39,8 +39,8 @@ class Stream {
     /// The peer's proven identity. Empty for a plain stream or a peer without a certificate.
     [[nodiscard]] const std::optional<Identity>& peer_identity() const;
     [[nodiscard]] bool is_secured() const;
-    /// Channel binding: a secret of both ends of this connection (RFC 9266). Empty for a plain
-    /// stream.
+    /// The channel binding: a value that only the two ends of this connection know (RFC 9266).
+    /// Empty for a plain stream.
     [[nodiscard]] std::optional<Sha256> binding() const;
 
     /// Reads at least one byte. Reports asio::error::eof at the end of the stream.
@@ -59,7 +59,7 @@ class Stream {
     std::unique_ptr<State> state_;
 };
 
-/// Translates an error of a stream.
+/// Translates an error of a stream to Disconnected, BadFrame or Refused.
 [[nodiscard]] Error stream_error(const boost::system::error_code& error);
 
 } // namespace cd

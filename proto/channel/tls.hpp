@@ -12,17 +12,17 @@ namespace cd {
 /// connecting and accepting.
 class Tls {
   public:
-    /// Shows this credential and trusts its authority. Errors: BadInput for texts that do not
-    /// belong together.
+    /// Shows this credential to peers and trusts its authority. Errors: BadInput for texts that do
+    /// not belong together.
     [[nodiscard]] static Result<std::shared_ptr<const Tls>> make(const Credential& credential);
-    /// Shows no certificate and trusts the authority with this fingerprint.
+    /// Shows no certificate to peers and trusts the authority with this fingerprint.
     [[nodiscard]] static std::shared_ptr<const Tls> make_joining(const Sha256& authority);
 
     Tls(const Tls&) = delete;
     Tls& operator=(const Tls&) = delete;
     ~Tls();
 
-    /// The identity in its own certificate; empty while joining.
+    /// The identity in the certificate that this end shows; empty while joining.
     [[nodiscard]] const std::optional<Identity>& identity() const;
 
     struct State; ///< Defined in tls_state.hpp.

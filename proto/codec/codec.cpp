@@ -12,8 +12,8 @@
 namespace cd {
 namespace {
 
-// A violated invariant of a message's members; null if there is none. Checked before encoding,
-// where it is a bug, and after decoding, where it is the peer's fault.
+// Describes a violated invariant of a message's members; null if there is none. A violation is a
+// bug before encoding, and the peer's fault after decoding.
 using Problem = const char*;
 
 template <class T>
@@ -158,7 +158,7 @@ Problem problem_of_part(const Part& part) {
     }
     return nullptr;
 }
-/// Receivers size their buffers by `count`.
+/// Limits `count`, because receivers size their buffers by it.
 Problem problem_of(const JobPoses& poses) {
     return poses.count > limits::poses_answer_scenarios ? "more scenarios than are sent at once"
                                                         : nullptr;

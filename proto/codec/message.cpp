@@ -113,7 +113,7 @@ unsigned sender_bit(Party party) {
         return of_all;
     case Party::Joiner:
         return of_joiner;
-    case Party::Observer: // The master checks an observer's rights and answers it.
+    case Party::Observer: // The master refuses what an observer may not ask, and says why.
     case Party::Client:
         return of_client;
     case Party::Worker:

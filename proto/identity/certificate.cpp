@@ -131,12 +131,12 @@ void sign_with(X509* certificate, X509* issuer, EVP_PKEY* issuer_key) {
     CD_CHECK(X509_sign(certificate, issuer_key, EVP_sha256()) > 0);
 }
 
-/// The ends of a TLS connection that a role may take.
+/// Whether a role accepts TLS connections (serverAuth), makes them (clientAuth), or both.
 std::string key_usage_of(CertifiedRole role) {
     switch (role) {
     case CertifiedRole::Master:
         return "serverAuth";
-    case CertifiedRole::Worker: // Server for other workers.
+    case CertifiedRole::Worker: // Other workers connect to it.
         return "serverAuth,clientAuth";
     default:
         return "clientAuth";
@@ -164,7 +164,7 @@ bool is_p256(const EVP_PKEY* key) {
 
 // ---- Reading a certificate ------------------------------------------------------------------
 
-/// Empty for an invalid time: a certificate can be parsed with any text in it.
+/// Empty for an invalid time: OpenSSL parses certificates with any text in their time fields.
 std::optional<WallTime> to_wall_time(const ASN1_TIME* time) {
     std::tm fields{};
     return ASN1_TIME_to_tm(time, &fields) == 1 ? wall_time(timegm(&fields)) : std::nullopt;

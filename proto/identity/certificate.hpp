@@ -14,7 +14,7 @@
 namespace cd {
 
 using WallTime = std::chrono::system_clock::time_point;
-/// Empty outside the range of the clock, which ends in the year 2262.
+/// Converts a time. Empty outside the range of the clock, which ends in the year 2262.
 [[nodiscard]] std::optional<WallTime> wall_time(std::int64_t seconds_since_1970);
 
 /// The role of a certificate's holder. One certificate names one role.
@@ -33,8 +33,8 @@ enum class CertifiedRole : std::uint8_t {
 struct Identity {
     CertifiedRole role = CertifiedRole::Submitter;
     std::string name; ///< Display name that satisfies `is_good_name`.
-    WallTime from;
-    WallTime until;
+    WallTime from;    ///< Start of validity.
+    WallTime until;   ///< End of validity.
 };
 
 /// A new private key (ECDSA, P-256), and a certificate request that proves its possession. Both are
@@ -57,7 +57,8 @@ class CertificateAuthority {
   public:
     /// Makes a new authority with a new key.
     [[nodiscard]] static CertificateAuthority make(WallTime now);
-    /// Errors: BadInput for texts that are not a certificate and its key.
+    /// Reads an authority from PEM. Errors: BadInput for texts that are not a certificate of an
+    /// authority and its key.
     [[nodiscard]] static Result<CertificateAuthority> parse(const std::string& certificate,
                                                             const std::string& key);
 
@@ -70,8 +71,8 @@ class CertificateAuthority {
     /// The fingerprint that pins the authority in join tokens.
     [[nodiscard]] Sha256 fingerprint() const;
 
-    /// Signs a certificate for the key of the request, and ignores its other fields. The request
-    /// may be hostile. Errors: BadInput.
+    /// Signs a certificate for the key of the request, and ignores the request's other fields. The
+    /// request may be hostile. Errors: BadInput.
     [[nodiscard]] Result<std::string> sign(const std::string& request,
                                            const Identity& identity) const;
 
@@ -88,7 +89,7 @@ class CertificateAuthority {
 /// cdcluster.
 [[nodiscard]] Result<Identity> read_identity(const std::string& certificate);
 
-/// SHA-256 of a certificate's DER form.
+/// SHA-256 of a certificate's DER form. Errors: BadInput if the text is no certificate.
 [[nodiscard]] Result<Sha256> certificate_fingerprint(const std::string& certificate);
 
 } // namespace cd

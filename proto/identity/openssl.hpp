@@ -32,13 +32,15 @@ using Key = Owner<EVP_PKEY, EVP_PKEY_free>;
 using Certificate = Owner<X509, X509_free>;
 using Request = Owner<X509_REQ, X509_REQ_free>;
 
-/// Parsers of PEM texts, of which they read `limits::certificate_bytes_max` at most. Null if
-/// invalid.
+/// Null if the text is no certificate, or longer than `limits::certificate_bytes_max`.
 [[nodiscard]] Certificate parse_certificate(const std::string& pem);
+/// Null if the text is no unencrypted key, or longer than `limits::certificate_bytes_max`.
 [[nodiscard]] Key parse_key(const std::string& pem);
 
-/// Errors: BadInput unless role, name and times are in the form that `sign` writes.
+/// Reads the holder and validity. Errors: BadInput unless role, name and times are in the form that
+/// `CertificateAuthority::sign` writes.
 [[nodiscard]] Result<Identity> identity_of(X509* certificate);
+/// Returns SHA-256 of the certificate's DER form.
 [[nodiscard]] Sha256 fingerprint_of(const X509* certificate);
 
 } // namespace cd::openssl

@@ -22,21 +22,22 @@
 
 namespace cd {
 
-/// Answered by MeshesMissing.
+/// Asks which of these meshes the master does not have. Answered by MeshesMissing.
 struct MeshesQuery {
     std::vector<Sha256> meshes;
 };
+/// The meshes of a MeshesQuery that the master does not have.
 struct MeshesMissing {
     std::vector<Sha256> meshes;
 };
 
-/// A run of a mesh's canonical bytes. Parts come in order; the last is answered by MeshStored, when
-/// the mesh has been validated and its tree built.
+/// Consecutive canonical bytes of a mesh. A client sends the parts in order. The master answers the
+/// last one with MeshStored, when it has validated the mesh and built the tree.
 struct MeshPart {
     Sha256 mesh;
-    std::string name; ///< File name, for display.
-    std::uint64_t bytes_total = 0;
-    std::uint64_t offset = 0;
+    std::string name;              ///< File name, for display.
+    std::uint64_t bytes_total = 0; ///< Of the whole mesh.
+    std::uint64_t offset = 0;      ///< Of the first of `bytes` in the mesh.
     Bytes bytes;
 };
 struct MeshStored {
@@ -49,10 +50,10 @@ struct JobBody {
     std::string name = {}; ///< "a" or "b" unless the job gives a name.
     std::string file = {}; ///< Path of the mesh file, for display.
     std::string unit = {}; ///< Unit of the file's coordinates.
-    /// The job gives `unit`; otherwise it is declared in the file, or is the job's own.
+    /// True: the job file gives `unit`. False: `unit` is declared in the mesh file, or the job's.
     bool is_unit_given = false;
-    std::string up = {};          ///< "y": turned to z up; "z" or empty: not turned.
-    bool rounds_to_float = false; ///< Coordinates were rounded to floats.
+    std::string up = {};          ///< "y": the client turned it to z up; "z" or empty: not turned.
+    bool rounds_to_float = false; ///< True: the client rounded the coordinates to floats.
 
     friend bool operator==(const JobBody&, const JobBody&) = default;
 };
@@ -64,8 +65,9 @@ struct PosesOrigin {
     PosesKind kind = PosesKind::File;
     std::optional<RandomPoses> random = {}; ///< Kind Random.
     std::string file = {};                  ///< Kind File; "-" is standard input.
-    std::string quat_order = {};            ///< "xyzw", "wxyz", or empty.
-    bool of_both_bodies = false;
+    std::string quat_order = {};            ///< "xyzw" or "wxyz"; empty: the file's own order.
+    bool of_both_bodies = false;            ///< True: the file has poses of A and B, else of B.
+    /// How far a matrix or quaternion of the file may be from a rotation; empty: the default.
     std::optional<double> rigid_tolerance = {};
     LabelColumns labels = {}; ///< Labels sent with the poses.
     /// Unit of the file's translations or of the grid's positions; empty: the job's unit.
@@ -85,8 +87,8 @@ struct IgnoreLine {
     friend bool operator==(const IgnoreLine&, const IgnoreLine&) = default;
 };
 
-/// A new job. With a grid it is complete and answered by Accepted; otherwise poses follow in
-/// PosesPart, and PosesEnd is answered by Accepted.
+/// A new job. With a grid the Submit is complete and answered by Accepted; otherwise poses follow
+/// in PosesPart, and the master answers PosesEnd with Accepted.
 struct Submit {
     std::string name;
     std::string unit;            ///< Unit of poses, tolerance and results.
@@ -96,15 +98,15 @@ struct Submit {
     Query query;
     ClusterOptions cluster;
     PosesOrigin poses;
-    std::uint64_t scenarios = 0;
-    std::optional<Bytes> grid; ///< `encode_grid`; only for poses of kind Grid.
+    std::uint64_t scenarios = 0; ///< Their number.
+    std::optional<Bytes> grid;   ///< `encode_grid`; only for poses of kind Grid.
     /// How long the job is kept after its end, in seconds. 0, or more than the master's own bound:
     /// as long as the master keeps any job.
     std::uint64_t retention_seconds = 0;
     std::vector<IgnoreLine> ignore = {}; ///< The source of `query.ignored`, for display.
 };
 
-/// The next scenarios in order.
+/// The next scenarios of a submission, in order.
 struct PosesPart {
     Bytes scenarios;        ///< `pack_scenarios`.
     PoseLabels labels = {}; ///< Labels of these scenarios, in the announced columns.
@@ -120,7 +122,7 @@ struct JobQuery {
     JobId job;
 };
 
-/// The `Submit` of a job and the fields that the master added.
+/// The `Submit` of a job, including the fields that the master added.
 struct JobDescription {
     JobId job;
     std::uint64_t began = 0; ///< Time of acceptance, in seconds since 1970.
@@ -133,7 +135,7 @@ struct MeshQuery {
     std::uint64_t offset = 0;
 };
 
-/// Part of a mesh's canonical bytes, as many as fit into a message.
+/// A mesh's canonical bytes from `offset` on, as many as fit into a message.
 struct MeshBytes {
     Sha256 mesh;
     std::uint64_t bytes_total = 0;
@@ -167,7 +169,7 @@ struct LongScenario {
     std::uint64_t scenario = 0;
     WorkerId worker;
     std::string name;   ///< Name of the worker.
-    double seconds = 0; ///< Time since its start.
+    double seconds = 0; ///< Time since the scenario's start.
 };
 
 struct JobStatus {
@@ -176,14 +178,14 @@ struct JobStatus {
     JobState state = JobState::Running;
     Summary summary;
     std::optional<Sha256> digest; ///< Set if Done.
-    double seconds = 0;           ///< Time from acceptance until now or the end.
-    double scenarios_per_second = 0;
-    std::string failure;
+    double seconds = 0; ///< Time from acceptance until now or the end, while the master ran.
+    double scenarios_per_second = 0;      ///< Merged scenarios / `seconds`.
+    std::string failure;                  ///< Why the job failed; empty if it did not.
     std::vector<Sha256> bodies;           ///< Meshes of the bodies.
-    std::uint64_t answered_by_master = 0; ///< Scenarios without colliding roots.
+    std::uint64_t answered_by_master = 0; ///< Scenarios without colliding distribution roots.
     JobStatistics statistics;             ///< Sum over all received results, including duplicates.
-    double compute_seconds = 0;
-    std::string paused; ///< Why the job is paused; empty if it is not.
+    double compute_seconds = 0;           ///< Sum over the threads of all workers.
+    std::string paused;                   ///< Why the job is paused; empty if it is not.
     std::vector<LongScenario> long_scenarios;
     std::uint64_t withdrawn = 0;  ///< Results of quarantined workers that were withdrawn.
     std::uint64_t recalled = 0;   ///< Scenarios returned by workers near the job's end.
@@ -196,20 +198,20 @@ struct JobStatus {
     std::uint64_t began = 0; ///< Time of acceptance, in seconds since 1970.
 };
 
-/// Answered by JobStatus at once and after each change, at most about five times a second, until
-/// the state is not Running.
+/// Watches a job. Answered by JobStatus at once and after each change, at most about five times a
+/// second, until the state is not Running.
 struct Watch {
     JobId job;
 };
 
-/// Answered by ClusterStatus.
+/// Asks for the state of the cluster. Answered by ClusterStatus.
 struct StatusQuery {};
 
 /// A worker's liveness by the time of its last message.
 enum class WorkerState : std::uint8_t {
     Alive = 0,
-    Silent = 1, ///< Suspected lost: it gets no new tasks and keeps its own.
-    Lost = 2,   ///< Its tasks were reassigned.
+    Silent = 1, ///< Suspected lost: the worker gets no new tasks and keeps those that it has.
+    Lost = 2,   ///< The worker's tasks were reassigned.
 };
 
 [[nodiscard]] std::string_view to_text(WorkerState state);
@@ -218,24 +220,24 @@ struct WorkerStatus {
     WorkerId worker;
     std::string name;
     std::uint32_t threads = 0;
-    std::uint64_t cache_bytes = 0;
-    std::uint64_t cached_bytes = 0;
-    bool claimed = false;
+    std::uint64_t cache_bytes = 0;  ///< Limit of the worker's subtree cache.
+    std::uint64_t cached_bytes = 0; ///< Size of the worker's subtree cache.
+    bool claimed = false;           ///< True: gets no new task until the current one ends.
     bool draining = false;
-    std::uint64_t buffered = 0; ///< Scenarios in the proxy's buffer.
-    std::uint64_t working = 0;  ///< Scenarios at the worker.
-    std::uint64_t tasks = 0;
-    std::uint64_t scenarios = 0;     ///< Answered scenarios.
-    double scenarios_per_second = 0; ///< Rate while it had work.
-    std::uint64_t bytes_sent = 0;
-    std::uint64_t bytes_received = 0;
-    std::uint64_t subtrees_sent = 0;
-    std::uint64_t subtree_bytes_sent = 0;
+    std::uint64_t buffered = 0;           ///< Scenarios in the master's buffer for this worker.
+    std::uint64_t working = 0;            ///< Scenarios sent to the worker and not yet answered.
+    std::uint64_t tasks = 0;              ///< Tasks ever sent.
+    std::uint64_t scenarios = 0;          ///< Answered scenarios.
+    double scenarios_per_second = 0;      ///< Rate while the worker had work.
+    std::uint64_t bytes_sent = 0;         ///< To the worker, over the current connection.
+    std::uint64_t bytes_received = 0;     ///< From the worker, over the current connection.
+    std::uint64_t subtrees_sent = 0;      ///< Blocks that the master sent to the worker.
+    std::uint64_t subtree_bytes_sent = 0; ///< Compressed size of these blocks.
     CacheTraffic cache;
-    bool quarantined = false; ///< One of its results was wrong; it gets no more work.
+    bool quarantined = false; ///< A result of the worker was wrong, so it gets no more work.
     WorkerState state = WorkerState::Alive;
-    double silent_seconds = 0;              ///< Time since its last message.
-    std::optional<RunningScenario> longest; ///< From its last heartbeat.
+    double silent_seconds = 0;              ///< Time since the worker's last message.
+    std::optional<RunningScenario> longest; ///< Longest-running one in the last heartbeat.
 };
 
 struct MeshStatus {
@@ -244,7 +246,7 @@ struct MeshStatus {
     std::uint64_t triangles = 0;
     std::uint64_t bytes = 0;  ///< Size of the canonical form.
     double build_seconds = 0; ///< 0 if the tree was loaded from disk.
-    bool is_needed = false;   ///< A kept job or a submission uses it.
+    bool is_needed = false;   ///< True: a kept job or a submission uses the mesh.
 };
 
 /// Disk usage of the state directory, bytes.
@@ -274,7 +276,8 @@ struct ClusterStatus {
     StateSizes sizes;
 };
 
-/// Answered by ResultsPart. Records exist for scenarios already merged.
+/// Asks for the records of scenarios [first, first + count). Answered by ResultsPart. Records exist
+/// for scenarios already merged.
 struct ResultsQuery {
     JobId job;
     std::uint64_t first = 0;
@@ -300,26 +303,28 @@ struct ResultsPart {
     Bytes records;
 };
 
-/// Answered by ContactMapAnswer. Errors: NotFound; Refused for a job that is not done.
+/// Asks for a job's contact map. Answered by ContactMapAnswer. Errors: NotFound; Refused for a job
+/// that is not done.
 struct ContactMapQuery {
     JobId job;
 };
 
 struct ContactMapAnswer {
     JobId job;
-    bool is_asked = false; ///< The job's query asks for maps.
+    bool is_asked = false; ///< True: the job's query asks for maps.
     std::string withdrawn; ///< Why a requested map does not exist; otherwise empty.
     Bytes map;             ///< `pack_map`.
 };
 
-/// Answered by JobStatus. With a scenario that has no result yet, only that one fails. Errors:
-/// NotFound; Refused for a scenario that has one.
+/// Cancels a job, or, if `scenario` is set, lets only that scenario fail. Answered by JobStatus.
+/// Errors: NotFound; Refused for a scenario that already has a result.
 struct Cancel {
     JobId job;
     std::optional<std::uint64_t> scenario = {};
 };
 
-/// Removes a job and the meshes that no other job uses. Answered by Removed once this is on disk.
+/// Removes a job and the meshes that no other job uses. Answered by Removed once they are removed
+/// from the disk.
 /// Errors: NotFound; Refused for a running job unless `cancel` is set.
 struct Remove {
     JobId job;
@@ -327,7 +332,7 @@ struct Remove {
 };
 
 /// Removes a mesh, its tree and its blocks. Answered by Removed. Errors: NotFound; Refused while a
-/// job uses it.
+/// job or a submission uses the mesh.
 struct RemoveMesh {
     Sha256 mesh;
 };
@@ -349,8 +354,8 @@ struct Draining {
     std::vector<WorkerId> workers;
 };
 
-/// Answered by Explained. Errors: NotFound; Refused for a job whose geometry is being prepared; Io
-/// when the poses cannot be read.
+/// Asks which worker suits a scenario best, and why. Answered by Explained. Errors: NotFound;
+/// Refused for a job whose geometry is being prepared; Io when the poses cannot be read.
 struct Explain {
     JobId job;
     std::uint64_t scenario = 0;
@@ -360,12 +365,12 @@ struct Explain {
 struct WorkerScore {
     WorkerId worker;
     std::string name;
-    bool may_take = false; ///< The worker is eligible for the scenario now.
-    bool is_chosen = false;
+    bool may_take = false;            ///< True: the worker is eligible for the scenario now.
+    bool is_chosen = false;           ///< True: the strategy would choose this worker now.
     std::uint64_t scenarios = 0;      ///< Scenarios buffered for the worker, or unanswered there.
-    double load = 0;                  ///< Buffered scenarios of the job / q.
-    std::uint64_t held_triangles = 0; ///< Triangles of the scenario's roots in its cache.
-    std::uint64_t missing_triangles = 0; ///< Triangles of the scenario's roots that it lacks.
+    double load = 0;                  ///< The job's scenarios buffered for the worker / q.
+    std::uint64_t held_triangles = 0; ///< Of the scenario's roots, those in the worker's cache.
+    std::uint64_t missing_triangles = 0; ///< Of the scenario's roots, those not in that cache.
     // The cost terms of `earliest-finish`, in seconds; 0 for other strategies.
     double backlog = 0;  ///< The worker's other work, divided among its threads.
     double coming = 0;   ///< The remaining transfer of blocks in flight.
@@ -375,18 +380,18 @@ struct WorkerScore {
     double work = 0;     ///< The scenario itself.
 };
 
-/// Current scores, not those at the time of distribution. For an ended job, `why`, the roots and
-/// the workers are empty.
+/// The scores of the workers now, not when the scenario was sent. For an ended job, `why`, the
+/// roots and the workers are empty.
 struct Explained {
     JobId job;
     std::uint64_t scenario = 0;
     Strategy strategy = Strategy::BestMatch;
-    std::string where; ///< Where the scenario is, in words.
-    std::string why;   ///< Why the chosen worker is chosen, in words.
-    std::string note;  ///< Limits of these scores, in words; usually empty.
-    std::uint32_t roots_a = 0;
+    std::string where;         ///< Where the scenario is, in words.
+    std::string why;           ///< Why the chosen worker is chosen, in words.
+    std::string note;          ///< Limits of these scores, in words; usually empty.
+    std::uint32_t roots_a = 0; ///< Number of A's distribution roots that collide with one of B.
     std::uint32_t roots_b = 0;
-    std::vector<WorkerScore> workers; ///< Ascending.
+    std::vector<WorkerScore> workers; ///< Ascending by worker.
 };
 
 } // namespace cd

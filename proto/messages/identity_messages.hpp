@@ -11,13 +11,14 @@ namespace cd {
 
 /// From a Joiner without a certificate. Answered by Certified.
 struct Join {
-    std::uint64_t token = 0; ///< Number of the token.
+    std::uint64_t token = 0; ///< The token's `id` (join_token.hpp).
     Sha256 proof;            ///< `join_proof` (join_token.hpp).
     std::string name;        ///< Display name in the certificate.
     std::string request;     ///< PEM from `make_certificate_request`.
 };
 
-/// From a Joiner with a certificate: requests one with its role and name. Answered by Certified.
+/// From a Joiner with a certificate: requests a new one with the same role and name. Answered by
+/// Certified.
 struct Renew {
     std::string request; ///< PEM.
 };
@@ -31,11 +32,11 @@ struct Certified {
 struct TokenCreate {
     CertifiedRole role = CertifiedRole::Worker;
     std::uint64_t seconds = 0; ///< Lifetime of the token.
-    std::uint32_t uses = 1;
+    std::uint32_t uses = 1;    ///< How often programs may join with the token.
 };
 
 struct TokenCreated {
-    std::string token; ///< Output of `to_text`.
+    std::string token; ///< Text of the JoinToken (join_token.hpp).
 };
 
 } // namespace cd

@@ -9,10 +9,10 @@ namespace cd {
 
 enum class Role : std::uint8_t;
 
-/// What is known about the other end of a connection.
+/// The other end of a connection, as far as it is known.
 enum class Party : std::uint8_t {
-    Stranger, ///< It has not greeted yet.
-    Anyone,   ///< It has greeted, and its role was not checked.
+    Stranger, ///< Has not greeted yet.
+    Anyone,   ///< Has greeted, but its role was not checked yet.
     Joiner,
     Observer, ///< A client that may only read the cluster's state.
     Client,
@@ -26,9 +26,10 @@ enum class Party : std::uint8_t {
 [[nodiscard]] Party party_of(Role role);
 [[nodiscard]] std::string_view to_text(Party party);
 
-/// The largest payload of this type from this party, bytes; 0: the party may not send it.
+/// The largest payload, in bytes, that this party may send in this type of message; 0: none, the
+/// type is forbidden.
 [[nodiscard]] std::uint64_t payload_bytes_max_from(Party party, std::uint16_t type);
-/// The number of incomplete messages that a party may have.
+/// The number of messages that a party may have begun and not completed.
 [[nodiscard]] std::size_t streams_max_of(Party party);
 
 } // namespace cd

@@ -47,15 +47,15 @@ struct Welcome {
     std::uint64_t id = 0; ///< The WorkerId, or the number of the client.
     std::string build;
     PeerKey peer_key;        ///< Workers only; otherwise zeros.
-    Sha256 cluster;          ///< Identifies the master's state, and with it the numbers of jobs.
+    Sha256 cluster;          ///< Identifies the master's state; JobIds are valid within one.
     std::uint64_t epoch = 0; ///< Identifies the incarnation of the master.
-    bool is_resumed = false; ///< The worker's session continues with its state at both ends.
+    bool is_resumed = false; ///< True: the worker's session continues, with its TreeIds and tasks.
     std::uint32_t heartbeat_ms = 0;  ///< Heartbeat period of both ends, ms.
     std::uint32_t lost_after_ms = 0; ///< Silence after which a worker's tasks are reassigned, ms.
     std::string owner = {};          ///< Client: the owner of its jobs.
 };
 
-/// The sender cannot or will not proceed. To a client it answers the previous request.
+/// The sender cannot or will not proceed. Sent to a client, a Failure answers the last request.
 struct Failure {
     ErrorCode code = ErrorCode::Refused;
     std::string detail;
@@ -65,13 +65,13 @@ struct Failure {
 struct RunningScenario {
     JobId job;
     std::uint64_t scenario = 0;
-    double seconds = 0; ///< Time since its start.
+    double seconds = 0; ///< Time since the scenario's start.
 
     friend bool operator==(const RunningScenario&, const RunningScenario&) = default;
 };
 
 struct Heartbeat {
-    std::uint64_t sequence = 0;
+    std::uint64_t sequence = 0;                  ///< Number of the sender's heartbeat.
     std::uint64_t cached_bytes = 0;              ///< Worker: size of its subtree cache.
     std::uint64_t waiting = 0;                   ///< Worker: its unanswered scenarios.
     CacheTraffic traffic;                        ///< Worker: traffic since its Welcome.

@@ -7,9 +7,9 @@ namespace cd {
 
 /// Cache and transfer counters of blocks at workers.
 struct BlockTraffic {
-    std::uint64_t hits = 0;   ///< Needed by a scenario and cached.
-    std::uint64_t misses = 0; ///< Requested because a scenario needed them.
-    std::uint64_t hinted = 0; ///< Requested because of a hint.
+    std::uint64_t hits = 0;   ///< Blocks that a scenario needed and that were cached.
+    std::uint64_t misses = 0; ///< Blocks requested because a scenario needed them.
+    std::uint64_t hinted = 0; ///< Blocks requested because of a hint.
     std::uint64_t evictions = 0;
     std::uint64_t master_bytes = 0; ///< Received from the master, compressed.
     std::uint64_t peer_bytes = 0;   ///< Received from other workers, compressed.

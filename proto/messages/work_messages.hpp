@@ -32,8 +32,8 @@ struct AddTree {
     SubtreeForm form = SubtreeForm::Wide; ///< Form of its blocks.
     Sha256 cut;                           ///< Identifies all of its blocks, in every session.
     Sha256 top;                           ///< Hash of the upper tree's block (`encode_top`).
-    std::uint32_t roots = 0;
-    std::uint32_t triangles = 0; ///< Triangles of the whole tree.
+    std::uint32_t roots = 0;              ///< Number of distribution roots.
+    std::uint32_t triangles = 0;          ///< Triangles of the whole tree.
 };
 
 /// Frees the tree and its blocks, and drops scenarios that wait for them. Sent when no job uses the
@@ -68,23 +68,24 @@ struct RemoveJob {
     JobId job;
 };
 
-/// Stops a running scenario or drops a waiting one; it needs no answer.
+/// Stops a running scenario or drops a waiting one, of which the master needs no result any more.
 struct DropScenario {
     JobId job;
     std::uint64_t scenario = 0;
-    TaskId task = {}; ///< Task to drop it from, answered elsewhere; 0: all tasks.
+    TaskId task = {}; ///< Only in this task, as another one has answered; 0: in all tasks.
 };
 
 /// A task of scenarios analysed by the master (paper, 6.4.3).
 struct Batch {
     TaskId task;
     JobId job;
-    Bytes scenarios;                         ///< `pack_scenarios`.
-    std::vector<std::uint32_t> pair_offsets; ///< Scenarios + 1 entries, starting with 0.
-    std::vector<RootPair> pairs;             ///< Colliding distribution roots.
+    Bytes scenarios; ///< `pack_scenarios`.
+    /// Scenarios + 1 entries: scenario i has `pairs` [offset i, offset i + 1).
+    std::vector<std::uint32_t> pair_offsets;
+    std::vector<RootPair> pairs; ///< Colliding pairs of distribution roots.
 };
 
-/// A task whose worker finds the colliding roots itself.
+/// A task of consecutive positions; the worker finds the colliding distribution roots itself.
 struct ScenarioRange {
     TaskId task;
     JobId job;
@@ -93,7 +94,8 @@ struct ScenarioRange {
     Bytes scenarios; ///< `pack_scenarios` of `count` scenarios; empty with a grid.
 };
 
-/// Requests the return of scenarios that have not begun, for idle workers. Answered by Recalled.
+/// Asks a worker to return scenarios that have not begun, since idle workers can run them. Answered
+/// by Recalled.
 struct Recall {
     TaskId task;
     std::vector<std::uint64_t> scenarios; ///< Batch: the scenarios to return, ascending.
@@ -108,8 +110,8 @@ struct Hint {
     std::vector<RootIndex> roots; ///< Ascending.
 };
 
-/// To a worker: no more work comes; finish the running scenarios, then close. From a worker: send
-/// no more work; EndOfTask returns the scenarios that have not begun.
+/// To a worker: no more work comes; the worker finishes the running scenarios, then closes. From a
+/// worker: the master shall send no more work; EndOfTask returns the scenarios that have not begun.
 struct Drain {};
 
 /// The worker must close at once.
@@ -126,8 +128,9 @@ struct PeerSource {
     Sha256 proof;             ///< `ticket_proof` of the ticket (peer_ticket.hpp).
 };
 
-/// An answer to WantSubtrees: the worker fetches these blocks from the sources, in order, and
-/// requests those that no source gives again. `roots` ascend; `hashes` are parallel to them.
+/// An answer to WantSubtrees: the worker fetches these blocks from the sources, in order. Those
+/// that no source gives, it requests from the master again. `roots` ascend; `hashes` are parallel
+/// to `roots`.
 struct FetchFromPeers {
     TreeId tree;
     std::vector<RootIndex> roots;
@@ -137,6 +140,7 @@ struct FetchFromPeers {
 
 // ---- Worker to master -----------------------------------------------------------------------
 
+/// Requests blocks of distribution roots, or of the upper tree (`top_root`).
 struct WantSubtrees {
     TreeId tree;
     std::vector<RootIndex> roots;
@@ -156,28 +160,29 @@ struct Results {
 };
 
 /// Acknowledges Results that are on the master's disk or no longer needed; the worker drops them.
-/// It sends all others again in its next session.
+/// The worker sends all other Results again on its next connection.
 struct ResultsKept {
     std::vector<std::uint64_t> sequences;
 };
 
-/// Starts a session: lists the cuts of which the worker has kept blocks. The master adds the trees
-/// that it uses, and the worker answers with Held.
+/// Starts a session: lists the cuts of which the worker has kept blocks. The master sends AddTree
+/// for those that its jobs use, and the worker answers with Held.
 struct Holding {
     std::vector<Sha256> cuts;
 };
 
-/// All scenarios of a task returned so far; the worker neither begins nor answers them.
+/// Lists all scenarios of a task that the worker has returned so far, and neither begins nor
+/// answers any more.
 struct Recalled {
     TaskId task;
     std::vector<std::uint64_t> scenarios; ///< Batch: the returned scenarios, ascending.
     std::uint64_t places = 0; ///< ScenarioRange: how many of its first positions it keeps.
 };
 
-/// A tree that the worker has, and its filled slots, ascending.
+/// A tree that the worker has.
 struct StandingTree {
     TreeId tree;
-    std::vector<RootIndex> held;
+    std::vector<RootIndex> held; ///< Roots whose blocks are in the worker's cache, ascending.
 };
 
 /// The worker's inventory when a session resumes, sent after its unacknowledged results. Anything
@@ -193,13 +198,14 @@ struct EndOfTask {
     TaskId task;
 };
 
-/// Reports slots that are empty again.
+/// Reports roots whose blocks the worker has evicted.
 struct Evicted {
     TreeId tree;
     std::vector<RootIndex> roots;
 };
 
-/// Reports filled slots. The master counts blocks as held only after this.
+/// Reports roots whose blocks are in the worker's cache now. Until then, the master does not count
+/// the worker as a holder of these blocks.
 struct Held {
     TreeId tree;
     std::vector<RootIndex> roots;
@@ -216,7 +222,7 @@ enum class PeerOutcome : std::uint8_t {
 
 [[nodiscard]] std::string_view to_text(PeerOutcome outcome);
 
-/// Reports roots that a source did not give.
+/// Reports roots whose blocks a source did not give.
 struct FetchFailed {
     TreeId tree;
     std::vector<RootIndex> roots;
@@ -226,7 +232,8 @@ struct FetchFailed {
 
 // ---- Worker to worker -----------------------------------------------------------------------
 
-/// Answered by Subtrees with the cached blocks, if the ticket is valid, then by PeerFetched.
+/// Asks another worker for blocks. Answered by Subtrees with those that are cached, if the ticket
+/// is valid, then by PeerFetched.
 struct PeerFetch {
     TreeId tree;
     std::vector<RootIndex> roots;
