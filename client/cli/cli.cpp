@@ -432,7 +432,8 @@ void add_check_verbs(CLI::App& app, Verbs& verbs) {
     add_tree_cache(*extract, verbs.extract.tree_cache);
 }
 
-/// CLI11 has an exit code per error; ours has a single one for wrong usage.
+/// Turns an error of CLI11, which has an exit code for each error, into cdctl's one code for wrong
+/// usage. A request for help is not an error here.
 CommandLine refused(const CLI::App& app,
                     const CLI::ParseError& error,
                     const std::vector<std::string>& arguments) {

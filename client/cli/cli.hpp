@@ -17,10 +17,10 @@ namespace cd {
 struct MasterOptions {
     std::string address; ///< HOST:PORT
     bool insecure = false;
-    std::string credential; ///< A file, or "none"; empty: the one of `join`, if any.
+    std::string credential; ///< A file, or "none"; empty: the one that `join` wrote, if any.
 };
 
-/// The condition for exit code 1.
+/// Contacts that give exit code 1: none; `touch` or worse; `cross` or `inside`.
 enum class FailOn : std::uint8_t { Never, Touch, Cross };
 
 /// Options for results folders.
@@ -34,7 +34,7 @@ struct FolderFlags {
 struct HostOptions {
     unsigned threads = 0; ///< 0: one per core.
     std::string simd;     ///< Name of a SIMD target; empty: CD_SIMD, or else the best.
-    std::optional<PairStage> first_stage; ///< Only for runs on this machine.
+    std::optional<PairStage> first_stage; ///< First stage that decides pairs; nothing: the default.
     std::string tree_cache = "off";       ///< A folder, or off.
 };
 
@@ -45,7 +45,7 @@ struct RunCommand {
     HostOptions host;
     FailOn fail_on = FailOn::Never;
     bool dry_run = false;
-    bool yes = false; ///< Write results above `results_bytes_max`.
+    bool yes = false; ///< Write results even if they exceed `results_bytes_max`.
     std::uint64_t results_bytes_max = limits::folder_bytes_unasked_max;
     bool quiet = false;
     bool statistics = false;
@@ -54,7 +54,7 @@ struct RunCommand {
 
 struct DemoCommand {
     std::uint64_t scenarios = 1000;
-    std::string a; ///< `a` and `b` are both given or both empty.
+    std::string a; ///< Mesh of A; empty: the demo's two vehicles, and `b` is empty.
     std::string b;
     std::string out;
     bool quiet = false;
@@ -157,7 +157,7 @@ struct JoinCommand {
     MasterOptions master;
     std::string token;
     std::string token_file; ///< A file with the token in its first line.
-    std::string name;       ///< A name for people; empty: user and host.
+    std::string name;       ///< Name in the certificate; empty: user and host.
 };
 
 /// The verb `token create`.
@@ -173,7 +173,7 @@ struct InspectCommand {
     std::string unit;
     std::string job_unit;
     std::string output = "text"; ///< text, json
-    std::string png;             ///< A file for the picture of one mesh.
+    std::string png;             ///< File for a picture of the only mesh; empty: none.
 };
 
 struct VersionCommand {

@@ -16,7 +16,8 @@ namespace cd {
 [[nodiscard]] std::vector<std::string> units();
 
 void add_job_options(CLI::App& verb, JobOptions& job);
-/// `required_here`: the verb needs a master, so the address has a default.
+/// Adds `--master`, `--insecure` and `--credential`. If `required_here`, the verb needs a master,
+/// so the address has a default.
 void add_master_options(CLI::App& verb, MasterOptions& master, bool required_here);
 void add_tree_cache(CLI::App& verb, std::string& folder);
 /// Adds `--output`; `words` are the available formats.
