@@ -18,10 +18,10 @@ namespace {
 
 constexpr std::uint32_t none = ~std::uint32_t{0};
 
-/// A node of the upper tree; a task's subtree hangs below some of them.
+/// A large node, which all threads make together, or a task: a subtree that one thread makes.
 struct TopNode {
     ObbNode box;
-    std::array<std::uint32_t, 2> children = {none, none}; ///< Indices among the upper tree's nodes.
+    std::array<std::uint32_t, 2> children = {none, none}; ///< Indices in `top_`; none for a task.
     std::vector<ObbNode> subtree;                         ///< A task's nodes; indices start at 0.
 };
 
@@ -75,11 +75,11 @@ class Builder {
     ThreadPool& pool_;
     std::vector<BuildTriangle> triangles_;
     std::vector<TopNode> top_;
-    std::vector<std::uint32_t> tasks_; ///< Indices among the upper tree's nodes.
+    std::vector<std::uint32_t> tasks_; ///< Indices in `top_`.
 };
 
 void Builder::build_top() {
-    std::vector<std::uint32_t> places; ///< Indices of the next wave's nodes.
+    std::vector<std::uint32_t> places; ///< Indices in `top_` of the next wave's nodes.
     std::vector<NodeToMake> wave;
     const auto add_node = [&](std::uint32_t begin, std::uint32_t end) {
         const auto place = static_cast<std::uint32_t>(top_.size());
@@ -117,7 +117,7 @@ void Builder::build_top() {
 std::vector<ObbNode> Builder::assemble() const {
     struct Waiting {
         std::uint32_t top;
-        std::uint32_t parent; ///< Index in the result of the parent of a right child.
+        std::uint32_t parent; ///< A right child's parent, by index in the result; else `none`.
     };
     std::size_t count = top_.size() - tasks_.size();
     for (const std::uint32_t task : tasks_) {

@@ -7,24 +7,24 @@
 namespace cd {
 
 enum class BoxKind : std::uint8_t {
-    Obb,  ///< Fits a frame to each node's points as a Gaussian (paper, 6.1).
+    Obb,  ///< Fits each node's frame to a Gaussian of the node's points (paper, 6.1).
     Aabb, ///< Uses the body's own axes for every node.
 };
 
 enum class SplitRule : std::uint8_t {
-    /// Takes the minimal sum of relative segments among the splits that leave at least a quarter of
-    /// the triangles on each side.
+    /// Minimises the sum of relative segments (the two children's extents on an axis, relative to
+    /// the node's) among the splits that leave at least a quarter of the triangles on each side.
     Quarter,
-    /// Follows the paper's 6.2 to the letter: any split is allowed. It peels off single triangles
-    /// on some meshes.
+    /// Follows the paper's 6.2 to the letter: any split is allowed. This rule peels off single
+    /// triangles on some meshes.
     Bare,
 };
 
 struct BuildOptions {
     BoxKind boxes = BoxKind::Obb;
     SplitRule rule = SplitRule::Quarter;
-    /// Two is the fastest measured on vehicles; one costs half as much memory again for the same
-    /// time.
+    /// A node with more triangles is split. Two is the fastest measured on vehicles; one takes half
+    /// as much memory again for the same time.
     std::uint32_t leaf_triangles_max = 2;
     /// Under the quarter rule, a node with more triangles is split between two of 16 bins on an
     /// axis, by the same sum, instead of between any two triangles in a sorted order.

@@ -57,7 +57,8 @@ std::optional<Bins::Candidate> Bins::best(std::size_t axis, std::uint32_t side) 
         return std::nullopt;
     }
     const Axis& bins = axes_[axis];
-    // Start of the second submesh and its number of triangles, for a split before each bin.
+    // low_from[i] is where the second child begins if the split is before bin i; `count` becomes
+    // the number of all triangles.
     std::array<double, BinScale::bin_count> low_from{};
     double low = infinity;
     std::uint32_t count = 0;

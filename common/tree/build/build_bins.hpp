@@ -11,8 +11,8 @@
 
 namespace cd {
 
-/// Maps an interval to the bin that its high end falls in, counted from the low end of the whole.
-/// The result is rounded, but reproducible, and never less for a higher end.
+/// Divides the whole into equal bins and maps an interval to the bin that its high end falls in.
+/// The result is rounded, but reproducible, and a higher end never falls in a lower bin.
 class BinScale {
   public:
     static constexpr std::uint32_t bin_count = 16;

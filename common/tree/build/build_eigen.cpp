@@ -117,8 +117,8 @@ HWY_INLINE V largest_root(V h) {
 
 /// Returns a unit vector v with m v = value v, for an eigenvalue that is far from the two others.
 HWY_INLINE Vectors isolated_direction(const Matrices& m, V value) {
-    // The rows of m - value span the plane across v. The cross product of two of them may be small,
-    // but not all three products.
+    // The rows of m - value span the plane perpendicular to v. The cross product of two of them may
+    // be small, but not all three products.
     const Vectors x{m.xx - value, m.xy, m.xz};
     const Vectors y{m.xy, m.yy - value, m.yz};
     const Vectors z{m.xz, m.yz, m.zz - value};

@@ -15,8 +15,8 @@ using SymmetricMatrix = std::array<double, 6>;
 using Directions = std::array<Vec3, 3>;
 
 /// Computes unit eigenvectors, one set for each matrix. They are orthogonal within rounding; the
-/// smallest eigenvalue's comes first. For a multiple of the unit matrix, and where an entry is not
-/// finite, the result is the body's own directions.
+/// eigenvector of the smallest eigenvalue comes first. For a multiple of the unit matrix, and where
+/// an entry is not finite, the result is the body's own axes.
 ///
 /// The computation uses only plain operations and square roots, a fixed number of them, so that
 /// every host, SIMD target and number of matrices gives the same bits.

@@ -81,8 +81,8 @@ struct Networks {
 
 constexpr Networks networks;
 
-/// Replaces the last bits of `value` by a small number. Positive tagged numbers compare by value
-/// first, then by tag.
+/// Replaces the lowest bits of `value`, those that `tag_max` sets, by `tag`. Positive tagged
+/// numbers compare by value first, then by tag.
 double tagged(double value, std::uint64_t tag, std::uint64_t tag_max) {
     return std::bit_cast<double>((std::bit_cast<std::uint64_t>(value) & ~tag_max) | tag);
 }
@@ -93,7 +93,7 @@ std::uint32_t place_of(double key) {
     return static_cast<std::uint32_t>(std::bit_cast<std::uint64_t>(key) & place_max);
 }
 
-/// For each of the three axes, maxima relative to the whole, tagged with the triangle's index.
+/// For each triangle and axis, the triangle's maximum relative to the whole, tagged with its index.
 using Keys = std::array<std::array<double, 3>, few_triangles_max>;
 
 void sort_keys(Keys& keys, std::size_t count) {

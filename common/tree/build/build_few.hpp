@@ -1,4 +1,4 @@
-// Sweeps a node of few triangles. Most nodes of a tree are such.
+// Splits a node of few triangles by a sweep. Most nodes of a tree have few.
 #pragma once
 
 #include "common/tree/build/build.hpp"
@@ -13,10 +13,9 @@ namespace cd {
 
 inline constexpr std::size_t few_triangles_max = 32;
 
-/// Bit i is set if triangle i goes to the left child.
 struct FewSplit {
-    std::uint32_t left = 0;
-    std::uint32_t left_count = 0;
+    std::uint32_t left = 0;       ///< Bit i is set if triangle i goes to the left child.
+    std::uint32_t left_count = 0; ///< Number of set bits.
 };
 
 /// Finds the split that `sweep_split` (build_split.hpp) finds, for 2 to `few_triangles_max`

@@ -161,7 +161,8 @@ void set_box(const Projection& whole, const Vec3& origin, ObbNode& node) {
         middle[k] = 0.5 * whole[k].low + 0.5 * whole[k].high;
         reach += std::max(std::abs(whole[k].low), std::abs(whole[k].high));
     }
-    // The transpose of the rows is their inverse but for rounding, which the last step corrects.
+    // Up to rounding, the transpose of the rows is their inverse. The half sizes are measured from
+    // the rounded centre and so make up for the rounding.
     for (std::size_t k = 0; k < 3; ++k) {
         const double offset = f[k] * middle[0] + f[3 + k] * middle[1] + f[6 + k] * middle[2];
         node.center[k] = origin[static_cast<int>(k)] + offset;
@@ -171,14 +172,14 @@ void set_box(const Projection& whole, const Vec3& origin, ObbNode& node) {
     // quantity to bound is row.(x - c) = row.(x - o) - row.(c - o).
     // - p = fl(row.fl(x - o)): the difference and the product round once each, the two sums once,
     // so
-    //   it errs by at most 4.01 u S, S = sum |row_k| |x_k - o_k| <= |row| |x - o|. The rows are
+    //   p errs by at most 4.01 u S, S = sum |row_k| |x_k - o_k| <= |row| |x - o|. The rows are
     //   orthonormal within axes_error_max, so |row| and |x - o| are at most 1.001 and 1.001 times
     //   the length of the exact projections, which is at most 1.001 reach: 5 u reach.
     // - q, with c in place of x: |c - o| <= 1.01 reach, as c is made from the middles with an error
     //   of some u (reach + |c|), and fl(c - o) is as exact as that of the vertices: 5 u reach.
-    //   The size of |c| plays no part: c is whatever double was stored, and q is measured from it.
-    //   If |c| is so much larger than reach that rounding c moved it further, q sees that: |c - o|
-    //   enters through `reach_of_center`.
+    //   The size of |c| plays no part: c is whatever double was stored, and q is measured from c.
+    //   If |c| is so much larger than reach that rounding c moved it further, |c - o| enters the
+    //   bound through `reach_of_center`.
     // - fl(high - q), fl(q - low): 1 u of at most 2 (reach + |q|).
     // Together at most 16 u (reach + reach_of_center). Underflow is below round_up's floor.
     std::array<double, 3> offset{};

@@ -28,12 +28,12 @@ struct Interval {
 /// relative to an origin. They are rounded.
 using Projection = std::array<Interval, 3>;
 
-/// The axes of the body itself; they are exact.
+/// The body's own axes; they are exact.
 inline constexpr std::array<float, 9> body_axes = {1, 0, 0, 0, 1, 0, 0, 0, 1};
 
-/// Sums over the corners of triangles, relative to an origin. A vertex counts once for each
-/// triangle that uses it, as in Eberly, 3D Game Engine Design (2001), fitting points with a
-/// Gaussian.
+/// Sums over the corners of triangles, relative to an origin: of coordinates and of their products.
+/// A vertex counts once for each triangle that uses it, as in Eberly, 3D Game Engine Design (2001),
+/// fitting points with a Gaussian.
 struct Moments {
     Vec3 sum = Vec3::Zero();
     SymmetricMatrix products{};
@@ -42,7 +42,8 @@ struct Moments {
     Moments& operator+=(const Moments& other);
 };
 
-/// Adds the triangles up in their order: equal triangles in equal order give equal bits.
+/// Returns the moments of the triangles, added up in their order: equal triangles in equal order
+/// give equal bits.
 [[nodiscard]] Moments sum_moments(std::span<const BuildTriangle> triangles,
                                   std::span<const Vec3> vertices,
                                   const Vec3& origin);

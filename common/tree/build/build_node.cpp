@@ -21,7 +21,7 @@ bool is_binned(const BuildOptions& options, std::size_t count) {
 }
 
 Vec3 origin_of(std::span<const BuildTriangle> triangles, std::span<const Vec3> vertices) {
-    // Measured from one of the corners, squares of coordinates do not swamp the differences.
+    // Coordinates are measured from a corner, so that their squares do not swamp the differences.
     return vertices[triangles.front().vertices[0]];
 }
 
@@ -77,8 +77,8 @@ void SubtreeMaker::fit_level(std::size_t level_begin) {
     }
 }
 
-/// Sets the box of a node whose axes are set and moves the triangles of the left child to the
-/// front. Returns their number; 0 for a leaf.
+/// Sets the box of a node whose axes are set, and moves the triangles of the left child to the
+/// front. Returns the number of these triangles; 0 for a leaf.
 std::uint32_t SubtreeMaker::make_node(ObbNode& node) {
     const std::span<BuildTriangle> triangles = triangles_of(node);
     const bool leaf = triangles.size() <= input_.options.leaf_triangles_max;
@@ -150,7 +150,7 @@ struct LargeNodeMaker::Piece {
     std::uint32_t left_count = 0;
 };
 
-/// The nodes that are made at once, step by step. The pieces of one step run in any order.
+/// Makes several large nodes at once, step by step. The pieces of one step run in any order.
 class LargeNodeMaker::Wave {
   public:
     Wave(LargeNodeMaker& maker, std::span<NodeToMake> nodes) : maker_(maker), nodes_(nodes) {
@@ -290,7 +290,8 @@ void LargeNodeMaker::Wave::part() {
     }
 }
 
-/// Each piece already has the triangles of its left side first; this gives each node that order.
+/// Moves the triangles of each node's left side to the front. In each piece they come first
+/// already.
 void LargeNodeMaker::Wave::gather_sides() {
     const auto place_of = [&](const Piece& piece) {
         return maker_.triangles_.begin() + nodes_[piece.node].node.triangles_begin;

@@ -13,8 +13,8 @@
 
 namespace cd {
 
-/// All threads together make a node with more triangles, in pieces of this size. The sums of its
-/// fit are the sums of the pieces, added up in their order.
+/// All threads together make a node with more triangles, in pieces of this size. The moments of the
+/// pieces are added up in order, so the fit does not depend on the number of threads.
 inline constexpr std::uint32_t piece_triangles_max = 4096;
 
 /// The input that all nodes of one build share.
@@ -34,8 +34,8 @@ struct NodeToMake {
         0; ///< Triangles of the left child, once the node is made; 0 for a leaf.
 };
 
-/// Makes a node of no more than one piece with the whole subtree below it. Keeps its scratch memory
-/// between calls.
+/// Makes a node of at most `piece_triangles_max` triangles with the whole subtree below it. Keeps
+/// scratch memory between calls.
 class SubtreeMaker {
   public:
     explicit SubtreeMaker(const BuildInput& input) : input_(input) {}
@@ -74,7 +74,7 @@ class SubtreeMaker {
     std::vector<BuildTriangle> scratch_;
 };
 
-/// Makes nodes of more than one piece, several at once.
+/// Makes nodes of more than `piece_triangles_max` triangles, several at once.
 class LargeNodeMaker {
   public:
     LargeNodeMaker(const BuildInput& input, std::size_t triangle_count, ThreadPool& pool)
@@ -90,8 +90,8 @@ class LargeNodeMaker {
 
     const BuildInput& input_;
     ThreadPool& pool_;
-    std::vector<Projection> projections_; ///< By index in the tree.
-    std::vector<BuildTriangle> triangles_;
+    std::vector<Projection> projections_;  ///< Of each triangle, in tree order.
+    std::vector<BuildTriangle> triangles_; ///< Scratch memory, in tree order.
 };
 
 } // namespace cd

@@ -25,27 +25,29 @@ struct SweepScratch {
 struct Split {
     std::size_t axis = 0;
     std::uint32_t left_count = 0;
-    Interval whole; ///< The node's projection on the axis.
-    bool binned = false;
-    std::uint64_t last_rank = 0;
+    Interval whole;              ///< The node's projection on the axis.
+    bool binned = false;         ///< True if the triangles were sorted into bins only.
+    std::uint64_t last_rank = 0; ///< Greatest rank of the left child; if binned, the last bin.
 };
 
-/// Finds the minimal sum of relative segments among all splits that the rule admits, on all three
-/// axes; the widest direction wins a tie. Returns nothing when no axis tells the triangles apart.
+/// Finds the split with the least sum of relative segments (`SplitRule`) among all that the rule
+/// admits, on all three axes; the widest direction wins a tie. Returns nothing when no axis tells
+/// the triangles apart.
 [[nodiscard]] std::optional<Split> sweep_split(std::span<const Projection> triangles,
                                                const Projection& whole,
                                                SplitRule rule,
                                                SweepScratch& scratch);
 
-/// Finds the minimal sum of relative segments among the splits between two bins that leave at least
-/// a quarter of the triangles on each side. An axis on which no such split exists is swept.
+/// Finds the split with the least sum of relative segments among those between two bins that leave
+/// at least a quarter of the triangles on each side. An axis on which no such split exists is
+/// swept.
 [[nodiscard]] std::optional<Split> binned_split(std::span<const Projection> triangles,
                                                 const Projection& whole,
                                                 const Bins& bins,
                                                 SweepScratch& scratch);
 
 /// Moves to the front the triangles for whose indices `goes_left` is true; both sides keep their
-/// order. Returns the number of these. `scratch` is as long as `triangles`.
+/// order. Returns the number of triangles that go left. `scratch` is as long as `triangles`.
 template <class GoesLeft>
 std::uint32_t part_by(std::span<BuildTriangle> triangles,
                       std::span<BuildTriangle> scratch,

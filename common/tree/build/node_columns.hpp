@@ -16,7 +16,7 @@ inline constexpr std::size_t node_bytes_min = 73; ///< Least bytes of one node.
 ///
 ///     columns of the nodes: center x y z (f64), axes 0-5 (f32), axes 6-8 (u32: bits less those of
 ///         the cross product of the first two rows), half x y z (f32)
-///     of each node in preorder a varint: 0, or the number of a leaf's triangles
+///     for each node in preorder, a varint: 0, or the number of a leaf's triangles
 ///
 /// Each column is split into byte planes, lowest first, which compress better.
 void put_nodes(ByteWriter& out, std::span<const ObbNode> nodes);

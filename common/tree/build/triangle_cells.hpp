@@ -1,4 +1,4 @@
-// Cuts a triangle or a segment up along another surface's traces and visits one point of each
+// Divides a triangle or a segment where another surface meets it, and visits one point of each
 // piece.
 #pragma once
 
@@ -25,14 +25,14 @@ struct PlaneCut {
 [[nodiscard]] Rational to_rational(const Dyadic& value);
 
 /// Splits the triangle, which has nonzero area, into convex cells such that no cut has a point in
-/// the interior of a cell. Calls the predicate with the centre of each cell, an interior point,
-/// until it returns true. Splits only cells that a cut enters, along the cut's line. Exact.
+/// the interior of a cell. Calls `question` with the centre of each cell, an interior point, until
+/// it returns true. Splits only cells that a cut enters, along the cut's line. Exact.
 [[nodiscard]] bool any_cell_centre(const std::array<PlanePoint, 3>& triangle,
                                    std::span<const PlaneCut> cuts,
                                    const std::function<bool(const PlanePoint&)>& question);
 
-/// Splits the segment from 0 to 1 at the given parameters, which lie in it. Calls the predicate
-/// with the midpoint of each piece until it returns true. Exact.
+/// Splits the segment from 0 to 1 at the parameters `cuts`, which lie in it. Calls `question` with
+/// the midpoint of each piece until it returns true. Exact.
 [[nodiscard]] bool any_piece_centre(std::vector<Rational> cuts,
                                     const std::function<bool(const Rational&)>& question);
 
