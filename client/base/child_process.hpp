@@ -14,9 +14,9 @@ namespace cd {
 
 class ChildProcess {
   public:
-    /// Starts the program and appends its output to `log`. It gets no signals from the terminal;
-    /// the owner of this object ends it. SIGTERM ends it if this process dies. Errors: NotFound for
-    /// a missing program; Io.
+    /// Starts the program and appends its output to `log`. The program gets no signals from the
+    /// terminal, but SIGTERM if this process dies; otherwise the owner of this object ends it.
+    /// Errors: NotFound for a missing program; Io.
     [[nodiscard]] static Result<ChildProcess> start(const std::filesystem::path& program,
                                                     const std::vector<std::string>& arguments,
                                                     const std::filesystem::path& log);
@@ -28,7 +28,7 @@ class ChildProcess {
 
     [[nodiscard]] bool is_running();
 
-    /// Sends SIGTERM, and SIGKILL if the child outlives the grace period.
+    /// Ends the child: sends SIGTERM, and SIGKILL if the child outlives the grace period.
     void stop(std::chrono::milliseconds grace = std::chrono::seconds(10));
 
     [[nodiscard]] pid_t id() const { return id_; }
@@ -36,7 +36,7 @@ class ChildProcess {
   private:
     explicit ChildProcess(pid_t id) : id_(id) {}
 
-    pid_t id_ = 0; ///< 0 once it has ended.
+    pid_t id_ = 0; ///< 0 once the child has ended.
 };
 
 } // namespace cd

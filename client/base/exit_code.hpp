@@ -6,7 +6,7 @@
 namespace cd {
 
 inline constexpr int exit_done = 0;
-inline constexpr int exit_contacts = 1; ///< Only with --fail-on.
+inline constexpr int exit_contacts = 1; ///< Contacts (--fail-on) or differences (verify).
 inline constexpr int exit_usage = 2;    ///< Wrong usage or input.
 inline constexpr int exit_incomplete = 3;
 inline constexpr int exit_unreachable = 4;

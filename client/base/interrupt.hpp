@@ -5,8 +5,8 @@
 
 namespace cd {
 
-/// During its lifetime the first SIGINT or SIGTERM only sets a flag; the second ends the process at
-/// once. Only one guard may exist at a time.
+/// During the lifetime of a guard, the first SIGINT or SIGTERM only sets a flag; the second ends
+/// the process at once. Only one guard may exist at a time.
 class InterruptGuard {
   public:
     /// The effect of the first signal. `EndsProcess`: until `begin_to_flag` it ends the process at
@@ -24,7 +24,7 @@ class InterruptGuard {
     /// From now on the first signal ends the process, as with `EndsProcess`. An earlier signal ends
     /// it immediately.
     static void begin_to_end();
-    /// The signal received, or 0.
+    /// The signal received since the guard was made, or 0.
     [[nodiscard]] static int signal();
     /// True after a signal; usable as a `StopCheck`.
     [[nodiscard]] static bool has_come() { return signal() != 0; }

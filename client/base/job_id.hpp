@@ -22,8 +22,8 @@ namespace cd {
 
 [[nodiscard]] std::vector<JobId> ids_of(std::span<const JobStatus> jobs);
 
-/// Finds a job by its id, or by `last`: the newest job of `owner`. Errors: those of `find_job`
-/// above.
+/// Finds a job by its id, or by `last`: the newest job of `owner`. Errors: those of the other
+/// `find_job`.
 [[nodiscard]] Result<JobId>
 find_job(std::string_view text, std::span<const JobStatus> jobs, std::string_view owner);
 

@@ -37,7 +37,7 @@ std::string list_text(const std::vector<std::uint32_t>& list) {
     return text;
 }
 
-/// The cell's value for programs: no units, no groups.
+/// The cell's value for programs, without units or digit groups.
 std::string raw_text(const Cell& cell) {
     if (const auto* text = std::get_if<std::string>(&cell)) {
         return *text;

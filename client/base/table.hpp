@@ -1,4 +1,4 @@
-// Tables for people and for programs.
+// Tables, printed for people or for programs.
 #pragma once
 
 #include <cstdint>
@@ -22,7 +22,7 @@ struct Column {
     std::string key; ///< Name for programs: `bytes_sent`.
     std::string title;
     CellKind kind = CellKind::Text;
-    bool only_wide = false;
+    bool only_wide = false; ///< Printed only with -o wide, csv or json.
 };
 
 /// A list is printed with blanks between its numbers; in JSON it is an array.

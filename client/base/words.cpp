@@ -35,7 +35,7 @@ std::size_t edits_between(std::string_view from, std::string_view to) {
     return row.back();
 }
 
-/// Texts from files may be long, so only this much is compared.
+/// A longer word, which may come from a file, gets no suggestion, since comparing would take long.
 constexpr std::size_t word_length_max = 64;
 
 } // namespace

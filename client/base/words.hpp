@@ -9,7 +9,8 @@
 
 namespace cd {
 
-/// The known word with the smallest edit distance, if that is small for the word's length.
+/// The known word with the smallest edit distance; nothing if the distance is more than half the
+/// length of `word`, and more than 1.
 [[nodiscard]] std::optional<std::string_view> nearest_word(std::string_view word,
                                                            std::span<const std::string_view> known);
 
