@@ -5,9 +5,9 @@
 
 namespace cd {
 
-/// Deciding many candidates together is faster.
+/// A search for all contacts decides this many candidates together, because that is faster.
 inline constexpr std::size_t candidates_at_once = 512;
-/// A search for a first contact may end after each candidate, so it takes them singly.
+/// A search for a first contact decides candidates singly, because it may end after each.
 inline constexpr std::size_t candidates_at_once_for_any = 1;
 
 } // namespace cd

@@ -15,11 +15,11 @@ struct WidePair {
     std::uint32_t b = 0;
 };
 
-/// A priority queue of pairs of boxes that overlap. The rank of a pair: on each axis of both
-/// frames, divide the distance of the boxes' centres by the sum of their half sizes, and take the
-/// largest of the six quotients, which is 0 where the centres coincide and 1 where the boxes barely
-/// meet; multiply it by `count` and truncate. Among equal ranks the last one pushed is popped
-/// first, so that a search continues locally.
+/// A priority queue of pairs of boxes that overlap. The rank of a pair is computed as follows: on
+/// each axis of both frames, divide the distance of the boxes' centres by the sum of their half
+/// sizes. Take the largest of the six quotients, which is 0 where the centres coincide and 1 where
+/// the boxes barely meet; multiply it by `count` and truncate. Among equal ranks the last pair
+/// pushed is popped first, so that a search continues locally.
 class PairBuckets {
   public:
     static constexpr std::int32_t count = 64;
@@ -33,7 +33,7 @@ class PairBuckets {
 
     [[nodiscard]] std::size_t size() const { return size_; }
 
-    /// Accepts any rank; one out of range is clamped.
+    /// Accepts any rank and clamps it to 0 to `count` - 1.
     void push(WidePair pair, std::int32_t rank) {
         const auto bucket = static_cast<std::size_t>(std::clamp(rank, 0, count - 1));
         const std::uint32_t entry = take_entry();

@@ -12,8 +12,8 @@ namespace {
 
 using Axes = WideBoxes::Axes;
 
-/// The smallest step: the largest coordinates stay floats when counted in such steps, with room for
-/// sums (wide_kernel.cpp).
+/// The smallest step. The largest coordinates, and sums of them, stay within the range of floats
+/// when counted in such steps (wide_kernel.cpp).
 constexpr double step_min = 0x1p-70;
 constexpr double u = 0x1p-53;
 
@@ -31,12 +31,13 @@ Spread united(const Spread& left, const Spread& right) {
     return both;
 }
 
-/// Sets steps, frame and origin for vertices with this spread. Returns the conversion from places
-/// to steps.
+/// Sets the node's steps, frame and origin for vertices with this spread. Returns the conversion
+/// from places (coordinates in `frame`) to steps.
 ///
-/// A vertex' coordinates relative to the centre err by at most 6 u times the sum of its distances
-/// (one subtraction, three products, two sums, entries of at most 1.001). The origin's coordinates
-/// err by no more.
+/// A vertex's place errs by at most 6 u times the sum of the vertex's distances from the centre
+/// (one subtraction, three products, two sums, entries of at most 1.001). The place of the node's
+/// origin errs by at most 6 u times the sum of the origin's distances, for the same reason.
+/// `StepAxis::error` covers both errors.
 std::array<StepAxis, 3>
 set_frame(const Spread& whole, const SeenFrame& frame, bool float_origin, WideNode& node) {
     double largest = 0;

@@ -11,24 +11,25 @@
 
 namespace cd {
 
-/// Coordinates are below the first bound and the whole tree's size is above the second, so that
-/// products of floats neither overflow nor underflow.
+/// A wide tree's coordinates are below this bound, so that products of floats do not overflow.
 inline constexpr double wide_coordinate_max = 0x1p50;
+/// A body with a wide tree exceeds this length on some axis, so that products of floats do not
+/// underflow.
 inline constexpr double wide_size_min = 0x1p-40;
 
-/// Sets frame, origin, steps and boxes of all nodes that have `is_leaf`, `count` and `first`.
-/// Bounds a node's children, or a leaf's triangles, in the node's given frame, in exact terms. Rows
-/// of frames are orthonormal within `axes_error_max`; coordinates are below `wide_coordinate_max`.
-/// The blocks under each node are contiguous, and children come after their parents. Equal nodes
-/// give equal bits on every host and for any number of threads.
+/// Completes nodes in which only `is_leaf`, `count` and `first` are set. Bounds a node's children,
+/// or a leaf's triangles, by boxes in a given frame, in exact terms. Rows of frames are orthonormal
+/// within `axes_error_max`; coordinates are below `wide_coordinate_max`. The blocks under each node
+/// are contiguous, and children come after their parents. Equal nodes give equal bits on every host
+/// and for any number of threads.
 class WideBoxes {
   public:
     using Axes = std::array<float, 9>; ///< Three rows.
 
     WideBoxes(const TriangleBlocks& blocks, std::span<const WideNode> nodes);
 
-    /// Returns the node with its boxes in the frame `axes`. Any number of threads may call it at
-    /// once.
+    /// Returns node number `node` with the frame `axes`, origin, steps and boxes. Any number of
+    /// threads may call it at once.
     [[nodiscard]] WideNode in_frame(std::size_t node, const Axes& axes) const;
 
   private:
@@ -42,10 +43,10 @@ class WideBoxes {
     std::vector<Run> vertices_; ///< The run of vertices under each node.
 };
 
-/// Half the sum of the surfaces of the children's boxes of `node`.
+/// Returns half the sum of the surface areas of the children's boxes of `node`.
 [[nodiscard]] double cost_of(const WideNode& node);
 
-/// Largest absolute coordinate of any node's origin.
+/// Returns the largest absolute coordinate of any node's origin.
 [[nodiscard]] double extent_of(std::span<const WideNode> nodes);
 
 } // namespace cd

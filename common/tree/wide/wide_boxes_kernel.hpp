@@ -11,7 +11,8 @@
 
 namespace cd {
 
-/// A frame with an origin: coordinate k of x is row_k . (x - center), rounded.
+/// A frame with an origin. Coordinate k of x, rounded, is row_k . (x - center); these three
+/// coordinates are the place of x.
 struct SeenFrame {
     std::array<double, 9> rows{};
     std::array<double, 3> center{};
@@ -21,7 +22,7 @@ struct SeenFrame {
 struct Spread {
     std::array<double, 3> low{};
     std::array<double, 3> high{};
-    double reach = 0; ///< Largest sum of absolute coordinates of a vertex, relative to the centre.
+    double reach = 0; ///< Largest sum of |x_k - center_k| of a vertex x, in the body's axes.
 };
 
 /// Computes the spread of vertices [begin, end) of these blocks; there is at least one.
@@ -30,18 +31,19 @@ struct Spread {
                                std::uint32_t end,
                                const SeenFrame& frame);
 
-/// The coordinates of a block's vertices in a SeenFrame, by axis, padded to whole vectors.
+/// The places of a block's vertices in a SeenFrame, by axis, padded to whole vectors.
 struct BlockPlaces {
     alignas(64) std::array<std::array<double, block_vertices_max + 16>, 3> along;
 };
 
-/// Computes the spread of one block and stores its vertices' coordinates in `places`.
+/// Computes the spread of one block and stores the places of its vertices in `places`.
 [[nodiscard]] Spread spread_of_block(const TriangleBlocks& blocks,
                                      std::uint32_t block,
                                      const SeenFrame& frame,
                                      BlockPlaces& places);
 
-/// Converts places on one axis to steps: places - origin, less or more `error`, over `step`.
+/// Converts places on one axis to steps: (place - `origin` - `error`) / `step` for a low bound,
+/// with + `error` for a high one.
 struct StepAxis {
     double origin = 0;
     double error = 0;

@@ -11,6 +11,7 @@ namespace {
 
 constexpr std::uint32_t children_max = block_size;
 
+/// Returns half the surface area of the node's box.
 float surface(const ObbNode& node) {
     const auto& [x, y, z] = node.half;
     return 4 * (x * y + y * z + z * x);
@@ -47,12 +48,12 @@ class Planner {
     const TreeView& tree_;
     const WideLeaves& leaves_;
     std::vector<std::uint32_t>
-        place_of_;             ///< Place of each binary node that is a group or above one.
-    std::vector<Costs> costs_; ///< By place; a group's place is 1 + its number.
-    std::vector<std::uint32_t> group_of_;
+        place_of_; ///< By binary node: index of its costs, if it is a group or above one.
+    std::vector<Costs> costs_;            ///< By place.
+    std::vector<std::uint32_t> group_of_; ///< By place: 1 + the group's number; 0 above groups.
 };
 
-/// Returns how many of `children` the left one of two parts best becomes.
+/// Returns how many of `children` the left one of a node's two parts best becomes.
 std::uint32_t Planner::share_of_left(std::uint32_t node, std::uint32_t children) const {
     const Costs& left = costs_of(node + 1);
     const Costs& right = costs_of(tree_.nodes[node].right);
@@ -165,7 +166,7 @@ WidePlanNode Planner::node_of(const Child& child) const {
         node.end = leaf.end;
         node.first = child.number;
     } else {
-        // The order differs from the tree's only within groups.
+        // `WideLeaves::order` differs from the tree's order only within groups.
         node.begin = tree_.nodes[child.number].triangles_begin;
         node.end = tree_.nodes[child.number].triangles_end;
         node.binary = child.number;

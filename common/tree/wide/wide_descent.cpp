@@ -11,11 +11,12 @@ namespace cd {
 
 namespace {
 
-/// The bounds of wide_kernel.cpp hold only up to this error.
+/// The margins that wide_kernel.cpp derives hold only up to this rotation error and skew.
 constexpr double pose_error_max = 0x1p-10;
-/// These visits take less than a millisecond.
+/// One call of `next` makes at most about this many visits, which take less than a millisecond.
 constexpr std::uint32_t visits_at_once = 4096;
-/// A search for a first contact processes fewer pairs of leaves together.
+/// A search for a first contact sets this many pairs of leaves aside before it visits them, fewer
+/// than a search for all contacts.
 constexpr std::size_t leaves_for_first = 2 * wide_batch_max;
 
 WideBody body_of(const WideView& tree) {

@@ -19,7 +19,7 @@ class WideDescent {
     /// least 1; tests use less to show that the margins are needed.
     explicit WideDescent(const RelativePose& b_to_a, double error_scale = 1);
 
-    /// Acts like construction with another pose, but keeps scratch memory.
+    /// Starts afresh under another pose, but keeps scratch memory.
     void restart(const RelativePose& b_to_a);
 
     /// Selects the order of the descent.
@@ -27,12 +27,12 @@ class WideDescent {
         All,         ///< Finds every candidate: many pairs of nodes are visited together.
         First,       ///< Finds a first contact that may not exist: like All, but yields candidates
                      ///< sooner.
-        LikelyFirst, ///< A first contact: the most promising pairs of nodes (`PairBuckets`) one by
-                     ///< one, and after `dive_visits` of them as First.
+        LikelyFirst, ///< Finds a likely first contact: visits the most promising pairs of nodes
+                     ///< (`PairBuckets`) one by one, and goes on like First after `dive_visits`.
     };
 
-    /// Visits that LikelyFirst spends. They find nearly all existing contacts; each costs more than
-    /// a later visit.
+    /// Visits of most promising pairs in LikelyFirst. They find nearly all existing contacts; each
+    /// costs more than a later visit.
     static constexpr std::uint32_t dive_visits = 16;
 
     /// Begins at the roots. The trees have nodes and outlive the descent.
@@ -40,13 +40,13 @@ class WideDescent {
     [[nodiscard]] bool is_done() const {
         return walk_.waiting_count + walk_.leaf_count + walk_.ranked.size() == 0;
     }
-    /// Returns more candidates as indices in the blocks: about `wanted`, or fewer after much work
-    /// without finding so many. They are valid until the next call.
+    /// Returns more candidates as slots of the triangle blocks: about `wanted`, or fewer (even
+    /// none) after much work without finding so many. They are valid until the next call.
     [[nodiscard]] std::span<Candidate> next(std::size_t wanted);
 
-    /// Box tests so far.
+    /// Returns the number of box tests since `restart` was called.
     [[nodiscard]] std::uint64_t box_tests() const { return walk_.box_tests; }
-    /// Visited pairs of nodes so far.
+    /// Returns the number of pairs of nodes visited since `restart` was called.
     [[nodiscard]] std::uint64_t visits() const { return walk_.visits; }
 
   private:

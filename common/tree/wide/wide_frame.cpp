@@ -39,8 +39,8 @@ double determinant(const std::array<double, 9>& m) {
            m[2] * (m[3] * m[7] - m[4] * m[6]);
 }
 
-/// Returns four times the products of a rotation's quaternion with its component `largest`. A large
-/// component causes no cancellation. Shepperd, Quaternion from Rotation Matrix (1978).
+/// Returns the quaternion of the rotation `m`, multiplied by four times its component `largest`. A
+/// large component causes no cancellation. Shepperd, Quaternion from Rotation Matrix (1978).
 Quaternion times_component(const std::array<double, 9>& m, std::size_t largest) {
     switch (largest) {
     case 0:
@@ -109,8 +109,8 @@ FrameCode code_of(const Axes& frame) {
             rotation[i] = -rotation[i];
         }
     }
-    // If two components are nearly equal, rounding may have left out either one, and the two codes'
-    // frames differ. If this frame has a code, it is one of the two.
+    // If the two largest components are nearly equal, rounding may have left out either one, and
+    // the two codes' frames differ. If this frame has a code, the code leaves out one of these two.
     std::array<double, 4> diagonal{};
     std::size_t largest = 0;
     for (std::size_t i = 0; i < 4; ++i) {

@@ -7,9 +7,9 @@
 
 namespace cd {
 
-/// A unit quaternion without its largest component, which is the positive root that the others
-/// leave: kind 1 lacks the first of w, x, y, z, kind 4 the last. Kind 0 is the body's own frame and
-/// has no parts.
+/// A unit quaternion (w, x, y, z) without its largest component, which is positive and follows from
+/// the others. Kind 1 leaves out w, kind 2 x, kind 3 y, kind 4 z. Kind 0 is the body's own frame
+/// and has no parts.
 struct FrameCode {
     std::uint8_t kind = 0;
     std::array<std::int16_t, 3> parts{}; ///< From -32767 to 32767, in units of 1 / (32767 sqrt(2)).
@@ -24,9 +24,9 @@ inline constexpr std::uint8_t frame_kinds = 5;
 /// the omitted component would not be the largest.
 [[nodiscard]] std::optional<std::array<float, 9>> frame_of(const FrameCode& code);
 
-/// Encodes a frame within 1e-4 in each entry of `frame`, or of `frame` with its third row negated,
-/// which bounds the same boxes. A frame from `frame_of` gets a code of exactly that frame. The rows
-/// are orthonormal within `axes_error_max`.
+/// Encodes `frame`, or `frame` with its third row negated, which bounds the same boxes. Each entry
+/// changes by at most 1e-4. A frame from `frame_of` gets a code of exactly that frame. The rows are
+/// orthonormal within `axes_error_max`.
 [[nodiscard]] FrameCode code_of(const std::array<float, 9>& frame);
 
 } // namespace cd

@@ -1,3 +1,5 @@
+// Why a pair of boxes that this code skips shares no point, and how its margins follow.
+//
 // Let o, p be the origins of the nodes of A and B, F and G their frames (rows, floats taken as
 // exact numbers), and R, t the true relative pose: x = R y + t holds for every point that both
 // share. With alpha = F (x - o) and beta = G (y - p),
@@ -33,13 +35,13 @@
 //     the margin one: together 12.01 u 1.74 E + (1.75 r + 3.01 s) 1.74 E, and what T has by (2),
 //     (4) and (5).
 // (8) All are below 128 u (|w| + E_a + E_b) + 6 (r + s) (|w| + E_a + E_b) + 4 abs. `margin` is that
-//     with its own few roundings, and those of |w|, covered. What underflow takes is below 2^-148
+//     with its own few roundings, and those of |w|, covered. Underflow costs less than 2^-148
 //     of a length or an entry, in steps below 2^-20; the margin is at least 255 * 2^-17 steps.
 //
 // Overflow: coordinates of a wide tree are below 2^50, so that boxes share a point only where |w|
 // is below 2^55; steps are within [2^-70, 2^45]. Then all that is made of an interval stays below
 // 2^127 or is a margin. So whatever else overflows belongs to boxes that are apart, an infinite
-// margin parts nothing, and neither do comparisons with NaN.
+// margin separates nothing, and neither do comparisons with NaN.
 #include "common/tree/wide/wide_kernel.hpp"
 
 #include "common/geometry/highway_targets.hpp"
@@ -61,8 +63,8 @@ struct Visit {
     Meeting meeting;
     Side side_a;
     Side side_b;
-    Intervals seen_a; ///< Intervals of A's children in the frame of B's node.
-    Intervals seen_b;
+    Intervals seen_a;      ///< Intervals of A's children in the frame of B's node.
+    Intervals seen_b;      ///< Intervals of B's children in the frame of A's node.
     std::uint32_t found_a; ///< Bit mask of the children of A's node that may overlap B's node.
     std::uint32_t found_b;
 };
@@ -89,8 +91,8 @@ HWY_INLINE void prefetch_triangles(const WideBody& body, const WideNode& leaf) {
 // their loads overlap and no branch depends on a single pair. Pairs of leaves are collected until
 // there are enough of them.
 
-/// Tests the first `met` pairs from both sides and keeps those where both nodes have children that
-/// may overlap the other node. Returns their number.
+/// Tests the first `count` visits from both sides. Writes to `left` the indices of those where both
+/// nodes have children that may overlap the other node. Returns their number.
 template <bool kBothLeaves>
 HWY_INLINE std::size_t see_both(
     const WidePose& pose, WideWalk& walk, Visit* visits, std::size_t count, std::size_t* left) {
@@ -119,7 +121,7 @@ HWY_INLINE std::size_t see_both(
     return both_count;
 }
 
-/// The two sides of a visit: the rows belong to the side with fewer children found.
+/// The two sides of a visit. The rows are the found children of `one`, the side with fewer of them.
 struct Rows {
     RowSide one;
     RowSide others;
@@ -137,8 +139,8 @@ HWY_INLINE Rows rows_of(const Visit& visit, std::uint64_t& box_tests) {
     return {by_a ? of_a : of_b, by_a ? of_b : of_a, by_a};
 }
 
-/// Processes the first `met` pairs and writes their remaining pairs of children. Returns the number
-/// of pairs.
+/// Processes the first `count` visits and writes the pairs of children that may overlap to `to`.
+/// Returns the number of these pairs.
 template <bool kBothLeaves>
 HWY_INLINE std::size_t
 look_at(const WidePose& pose, WideWalk& walk, Visit* visits, std::size_t count, std::uint32_t* to) {
@@ -157,7 +159,8 @@ HWY_INLINE void count_visits(WideWalk& walk, std::size_t count) {
     walk.visits_left -= std::min(walk.visits_left, static_cast<std::uint32_t>(count));
 }
 
-/// Prepares waiting pairs of nodes but sets pairs of leaves aside. Returns how many were prepared.
+/// Prepares visits of pairs of nodes but sets pairs of leaves aside. Returns how many visits it
+/// prepared.
 HWY_INLINE std::size_t meet_inner(
     const WidePose& pose, WideWalk& walk, const WidePair* now, std::size_t count, Visit* visits) {
     for (std::size_t i = 0; i < count; ++i) {

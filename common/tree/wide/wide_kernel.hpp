@@ -22,7 +22,7 @@ struct WidePose {
     alignas(16)
         std::array<std::array<float, 4>, 3> rows{}; ///< Rows of `rotation`. The fourth entry is 0.
     float relative_margin = 0; ///< Relative to the sum of the sizes and the distance of two nodes.
-    float absolute_margin = 0;
+    float absolute_margin = 0; ///< A length.
 };
 
 /// The most pairs of nodes that are visited together.
@@ -31,7 +31,7 @@ inline constexpr std::size_t wide_batch_max = 8;
 /// The most pairs of leaves that are set aside.
 inline constexpr std::size_t wide_leaves_max = 64;
 
-/// Room behind the waiting pairs: the most pairs that a batch can leave, and the elements that are
+/// Room behind the waiting pairs: the most pairs that a batch can add, and the elements that are
 /// written beyond them.
 inline constexpr std::size_t wide_pairs_slack =
     wide_batch_max * wide_children_max * wide_children_max + wide_children_max;
@@ -55,7 +55,7 @@ struct WideWalk {
     Candidate* candidates = nullptr; ///< With room for `wide_pairs_slack` beyond those wanted.
     std::size_t candidate_count = 0;
     std::size_t candidates_wanted = 0;
-    std::array<WidePair, wide_leaves_max> leaves;
+    std::array<WidePair, wide_leaves_max> leaves; ///< Pairs of leaves that are set aside.
     std::size_t leaf_count = 0;
     /// Number of pairs of leaves that are set aside before they are visited: at most
     /// `wide_batch_max` less than there is room for.
@@ -66,8 +66,8 @@ struct WideWalk {
     std::uint64_t box_tests = 0;
 };
 
-/// Continues until no pair waits, enough candidates are found, no visits are left, or the waiting
-/// pairs lack room for `wide_pairs_slack` more.
+/// Continues the descent until no pair waits, enough candidates are found, no visits are left, or
+/// the waiting pairs lack room for `wide_pairs_slack` more.
 void walk_wide(const WidePose& pose, WideWalk& walk);
 
 /// Visits the pairs in `ranked` singly, the most promising first, until one of the conditions of

@@ -26,6 +26,7 @@ struct RoughBox {
             high[k] = std::max(high[k], other.high[k]);
         }
     }
+    /// Returns half the surface area.
     [[nodiscard]] float surface() const {
         const float x = high[0] - low[0];
         const float y = high[1] - low[1];
@@ -120,7 +121,7 @@ class GroupSplitter {
     std::vector<WideLeaf>* leaves_ = nullptr;
     OfTriangles<RoughBox> boxes_{}; ///< Boxes of the group's triangles, in the tree's order.
     /// The group's triangles sorted by the middle of their boxes on each axis, ties in the tree's
-    /// order. Every part that is still to be split is one range, equal on all axes.
+    /// order. Every part that is still to be split is the same range on all axes.
     std::array<OfTriangles<Place>, 3> sorted_{};
     OfTriangles<float> left_costs_{};
 };
@@ -187,7 +188,7 @@ void GroupSplitter::find_split(std::uint32_t begin,
     }
 }
 
-/// Moves the left part to the front on the other axes, too; both parts keep their order.
+/// Makes the left part come first on the other axes, too; both parts keep their order.
 void GroupSplitter::part(std::uint32_t begin, std::uint32_t end, const Split& split) {
     OfTriangles<bool> is_left{};
     for (std::uint32_t i = begin; i < begin + split.left; ++i) {
@@ -233,7 +234,7 @@ void GroupSplitter::split(std::uint32_t begin, std::uint32_t end, const OfTriang
         return;
     }
     Split best;
-    best.left = block_size; // The default, where no cost can be compared.
+    best.left = block_size; // Stays if all costs are infinite or NaN.
     for (std::size_t axis = 0; axis < 3; ++axis) {
         find_split(begin, end, axis, best);
     }

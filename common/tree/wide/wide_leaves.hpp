@@ -18,24 +18,24 @@ struct WideGroup {
 };
 
 struct WideLeaf {
-    std::uint32_t begin = 0; ///< Its triangles, as indices into WideLeaves::order.
+    std::uint32_t begin = 0; ///< The leaf's triangles are [begin, end) of WideLeaves::order.
     std::uint32_t end = 0;
-    float surface = 0; ///< About half the surface of its box.
+    float surface = 0; ///< About half the surface area of the leaf's box.
 };
 
 struct WideLeaves {
-    std::vector<std::uint32_t> order; ///< Indices in the binary tree's order.
+    std::vector<std::uint32_t> order; ///< Triangles by index in the binary tree's order.
     std::vector<WideLeaf> leaves;
     std::vector<WideGroup> groups; ///< From left to right.
 };
 
 /// Makes the leaves of a wide tree. A group is a binary node with at most sixteen times sixteen
-/// triangles whose parent has more. It becomes as few leaves as hold its triangles: binary nodes
-/// with at most sixteen would fill two thirds of the lanes. It is halved where the boxes' surfaces,
-/// each times its leaves, have the least sum, as long as both halves fill their leaves; the boxes
-/// are those of triangles in the node's frame. A leaf has its triangles in the order of their ids.
-/// The result is equal for any number of threads; without a pool the caller's thread does all the
-/// work.
+/// triangles whose parent has more. A group is divided into as few leaves as can hold its
+/// triangles; binary nodes with at most sixteen would fill only two thirds of the SIMD lanes. A
+/// group is halved where the sum of both boxes' surfaces, each times its number of leaves, is
+/// least, as long as both halves fill their leaves; the boxes are those of triangles in the node's
+/// frame. A leaf has its triangles in the order of their ids. The result is equal for any number of
+/// threads; without a pool the caller's thread does all the work.
 [[nodiscard]] WideLeaves make_wide_leaves(const TreeView& tree, ThreadPool* pool);
 
 } // namespace cd

@@ -1,5 +1,5 @@
 // Converts coordinates between the frames of two wide nodes. Compiled for every target;
-// wide_kernel.cpp has the bounds.
+// wide_kernel.cpp derives the margins and defines M, N and T.
 
 // Highway's include guard: it admits the file once for each target.
 #if defined(CD_WIDE_MEETING_INL_HPP) == defined(HWY_TARGET_TOGGLE)
@@ -20,7 +20,7 @@ namespace HWY_NAMESPACE {
 using VRow = hn::Vec<Row>;
 constexpr std::size_t row_lanes = hn::MaxLanes(Row());
 
-/// Returns the weighted sum of three columns: the lanes from `i` on.
+/// Returns the lanes from `i` on of the weighted sum of three columns of four floats.
 HWY_INLINE VRow combined(const float* columns, const float* weights, std::size_t i) {
     const Row d;
     VRow sum = hn::Mul(hn::Load(d, columns + i), hn::Set(d, weights[0]));
@@ -32,9 +32,9 @@ HWY_INLINE float absolute(float value) {
     return value < 0 ? -value : value;
 }
 
-/// Converts coordinates of one node to the other's: `columns` of M or, where `kByAxis`, its rows,
-/// as stored. `steps` and `per_step` (4 floats each) belong to the columns of M and to the other
-/// node.
+/// Sets `change` to the map from one node's steps to the other's. `columns` are the columns of M
+/// or, if `kByAxis`, the rows of M'. `steps` belong to the first node, and `per_step`, the
+/// reciprocals of steps, to the other; each has 4 floats.
 template <bool kByAxis>
 HWY_INLINE void finish_change(const float* columns,
                               const float* offset,
@@ -66,9 +66,9 @@ struct Meeting {
     alignas(16) float columns[3][4]; ///< M, which maps B's coordinates to A's.
     alignas(16) float offset_a[4];   ///< -N^-1 T.
     alignas(16) float offset_b[4];   ///< T.
-    alignas(16) float per_step_a[4];
+    alignas(16) float per_step_a[4]; ///< The reciprocals of A's steps.
     alignas(16) float per_step_b[4];
-    float margin;
+    float margin; ///< A length.
     WidePair nodes;
 };
 
@@ -119,7 +119,8 @@ meet(const WidePose& pose, const WideNode& a, const WideNode& b, WidePair nodes,
     to.margin = pose.relative_margin * (apart + whole_steps * steps) + pose.absolute_margin;
 }
 
-/// Converts from a body's coordinates to the frame whose columns are given, in its steps.
+/// Sets `to` to the map from a body's coordinates, turned by `rotation`, to steps of the frame
+/// whose columns are `frame`.
 HWY_INLINE void
 make_turn(const float* frame, const float* rotation, const float* per_step, Turn& to) {
     const Row d;

@@ -23,10 +23,10 @@ struct alignas(64) WideNode {
     /// columns[c][k] is entry c of row k; the rows are orthonormal within `axes_error_max`. The
     /// fourth entry is 0.
     std::array<std::array<float, 4>, 3> columns{};
-    std::array<double, 3> origin{}; ///< For a leaf whose vertices are floats, floats.
+    std::array<double, 3> origin{}; ///< Rounded to floats in a leaf whose vertices are floats.
     std::array<float, 4> steps{};   ///< Positive. The fourth is 1.
     std::uint32_t first = 0; ///< Index of the first child; for a leaf, the number of its block.
-    std::uint8_t count = 0;
+    std::uint8_t count = 0;  ///< Number of children; for a leaf, of triangles.
     bool is_leaf = false;
     std::array<std::uint8_t, 2> unused{}; ///< Gives each byte of an array of nodes a value.
 };

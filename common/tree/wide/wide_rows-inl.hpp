@@ -47,8 +47,8 @@ HWY_INLINE V distance_ratio(V low, V high, V other_low, V other_high) {
     return hn::Div(apart, hn::Add(hn::Sub(high, low), hn::Sub(other_high, other_low)));
 }
 
-/// Returns which children of one side may overlap the selected children of the other, with ranks if
-/// `kRanked`.
+/// Writes to `found`, for each found child of `one` in turn, the mask of the children of `others`
+/// that may overlap that child. If `kRanked`, writes the ranks of these pairs as well.
 template <bool kRanked>
 HWY_INLINE void
 find_rows(const RowSide& one, const RowSide& others, std::uint32_t* found, Ranks* ranks) {
@@ -100,8 +100,8 @@ find_rows(const RowSide& one, const RowSide& others, std::uint32_t* found, Ranks
     }
 }
 
-/// Writes the pairs of one child with those children of the other side, from `their_first` on,
-/// whose bits are set. Returns the number of pairs.
+/// Writes to `to` the pairs of one child with those children of the other side, from `their_first`
+/// on, whose bits are set in `found`. Returns the number of pairs.
 HWY_INLINE std::size_t append(bool is_of_a,
                               std::uint32_t own,
                               std::uint32_t their_first,

@@ -1,5 +1,5 @@
 // Bounds the children of a wide node by intervals in another node's frame. Compiled for every
-// target; wide_kernel.cpp has the bounds.
+// target; wide_kernel.cpp derives the margins.
 
 // Highway's include guard: it admits the file once for each target.
 #if defined(CD_WIDE_SIDES_INL_HPP) == defined(HWY_TARGET_TOGGLE)
@@ -29,7 +29,7 @@ constexpr std::size_t lanes = hn::MaxLanes(Floats());
 constexpr std::size_t children = wide_children_max;
 constexpr float whole_steps = 255;
 
-/// The children of a node, or the node itself as the only one.
+/// The children of a node, or the node itself as its own only child (`is_whole`).
 struct Side {
     const WideNode* node;
     const WideNode::Bytes* low; ///< By axis.
@@ -60,14 +60,14 @@ struct Intervals {
     alignas(64) float high[3][children];
 };
 
-/// A linear map from steps in one frame to steps in another. Entries count half a step, for sums
-/// and differences of two bounds.
+/// A linear map from steps in one frame to steps in another. Entries are halved, because the map is
+/// applied to sums and differences of a child's two bounds.
 template <bool kByAxis>
 struct Change {
     alignas(
         16) float entries[3][4];   ///< By axis of the other frame if `kByAxis`; otherwise columns.
     alignas(16) float sizes[3][4]; ///< Absolute values of the entries.
-    alignas(16) float offset[4];
+    alignas(16) float offset[4];   ///< In steps of the other frame, like `margin`.
     alignas(16) float margin[4];
 
     /// Returns the contribution of coordinate `c` to axis `k`.
@@ -90,7 +90,7 @@ HWY_INLINE V from_bytes(const std::uint8_t* bytes) {
     return hn::ConvertTo(Floats(), hn::PromoteTo(di, hn::LoadU(d8, bytes)));
 }
 
-/// Returns the lower bounds of a lane's children on axis `k` of their own frame, in steps.
+/// Returns the lower bounds, in steps, of the children from `lane` on, on axis `k` of their frame.
 HWY_INLINE V low_of(const Side& side, std::size_t k, std::size_t lane) {
     return from_bytes(side.low[k].data() + lane);
 }
@@ -164,7 +164,7 @@ HWY_INLINE std::uint32_t see_whole(const Change<kByAxis>& change, Intervals& see
 
 #if HWY_TARGET == HWY_SCALAR || HWY_MAX_BYTES < 32
 
-/// The vectors have too few lanes for look-ups of corners in registers.
+/// No block: the vectors have too few lanes for look-ups of corners in registers.
 constexpr std::uint32_t vertices_max = 0;
 
 template <bool kByAxis>
@@ -236,8 +236,8 @@ load_vertices(const double* vertices, const std::array<double, 3>& origin, V& x,
     z = narrowed(2);
 }
 
-/// Computes what `see` does, with intervals around triangles of at most `kHalves * lanes` vertices,
-/// the first of which is given, instead of around their boxes.
+/// Computes what `see` does, with intervals around triangles instead of around their boxes. The
+/// triangles' block has at most `kHalves * lanes` vertices, from `vertices` on.
 template <std::size_t kHalves, class T, bool kByAxis>
 HWY_INLINE std::uint32_t see_corners(const T* vertices,
                                      const BlockCorners* corners,
@@ -247,7 +247,7 @@ HWY_INLINE std::uint32_t see_corners(const T* vertices,
                                      Intervals& seen) {
     const Floats d;
     const hn::RebindToSigned<Floats> di;
-    // The vertices' coordinates in the other's frame.
+    // The vertices' coordinates in the other node's frame, in steps.
     Table<kHalves> seen_at[3];
     HWY_UNROLL(2)
     for (std::size_t half = 0; half < kHalves; ++half) {
@@ -289,8 +289,8 @@ HWY_INLINE std::uint32_t see_corners(const T* vertices,
     return found & ((1u << side.count) - 1);
 }
 
-/// Computes what `see` does, with intervals around the triangles themselves where they have few
-/// enough vertices.
+/// Computes what `see` does, with intervals around the triangles themselves if their block has at
+/// most `vertices_max` vertices.
 template <bool kByAxis>
 HWY_INLINE std::uint32_t see_triangles(const WideBody& body,
                                        const Side& side,

@@ -48,7 +48,7 @@ WideNode make_node(const WideBoxes& boxes, std::size_t place, const Axes& own) {
     return cost_of(in_body) < 1.001 * cost_of(in_own) ? in_body : in_own;
 }
 
-/// Replaces the nodes of a plan, which only know their children, by complete ones.
+/// Completes the nodes of a plan, in which only the children are set.
 class Maker {
   public:
     Maker(const TreeView& tree,
@@ -57,7 +57,7 @@ class Maker {
           std::span<WideNode> nodes)
         : tree_(tree), plan_(plan), blocks_(blocks), nodes_(nodes), boxes_(blocks, nodes) {}
 
-    /// Any number of threads may call it at once.
+    /// Completes `count` nodes from `begin` on. Any number of threads may call it at once.
     void make(std::size_t begin, std::size_t count) const;
 
   private:
@@ -91,7 +91,7 @@ bool has_small_leaves(std::span<const ObbNode> nodes) {
     });
 }
 
-/// Returns the leaves in the order of the plan.
+/// Returns the numbers of the leaves in the order of the plan.
 std::vector<std::uint32_t> leaves_in(std::span<const WidePlanNode> plan) {
     std::vector<std::uint32_t> leaves;
     for (const WidePlanNode& node : plan) {

@@ -1,4 +1,4 @@
-// The tree that queries descend: made from the paper's binary tree, sixteen children to a node.
+// The wide tree that queries descend: up to sixteen children a node, made from the binary tree.
 #pragma once
 
 #include "common/core/host/thread_pool.hpp"
@@ -10,18 +10,18 @@
 
 namespace cd {
 
-/// Returns false where coordinates are so large or the body so small that floats cannot hold the
-/// derived values, and where a binary leaf has too many triangles. Such bodies are searched in the
-/// binary tree. Every part of a body that suits suits, too.
+/// Returns false if coordinates are so large or the body so small that floats cannot hold the
+/// derived values, or if a binary leaf has too many triangles. Such bodies are searched in the
+/// binary tree. If a body suits, so does every part of it.
 [[nodiscard]] bool suits_wide_tree(const TreeView& body);
 
 /// An immutable wide tree with its triangles, shared freely between threads.
 class WideTree {
   public:
-    /// Collapses `binary`; the result has no nodes where that tree does not suit. It is equal for
-    /// any number of threads; without a pool the caller's thread does all the work.
+    /// Collapses `binary`. The new tree has no nodes if `suits_wide_tree` refuses the body, and is
+    /// equal for any number of threads; without a pool the caller's thread does all the work.
     explicit WideTree(const TreeView& binary, ThreadPool* pool = nullptr);
-    /// Collapses a part of a body that suits, or all of it.
+    /// Collapses a part, or all, of a body that `suits_wide_tree` accepts.
     [[nodiscard]] static WideTree of_part(const TreeView& binary, ThreadPool* pool = nullptr);
 
     /// Wraps existing arrays, which do not change while `owner` lives.
