@@ -1,5 +1,5 @@
 // Encodes columns of values as byte planes: all lowest bytes, then all second ones, and so on.
-// Exponents and leading digits, which are alike, are then adjacent and compress well.
+// Exponents and leading digits, which resemble each other, are then adjacent and compress well.
 #pragma once
 
 #include "common/core/files/bytes.hpp"
@@ -61,7 +61,7 @@ std::vector<T> get_planes(ByteReader& in, std::size_t count, std::size_t planes 
 template <class Float>
 using BitsOf = std::conditional_t<sizeof(Float) == 4, std::uint32_t, std::uint64_t>;
 
-/// Writes one number of each item as a column; `number(i)` returns that of item i.
+/// Writes a column of `count` numbers; `number(i)` returns number i.
 template <class Float, class Number>
 void put_column(ByteWriter& out, std::size_t count, const Number& number) {
     std::vector<BitsOf<Float>> bits(count);
@@ -71,7 +71,8 @@ void put_column(ByteWriter& out, std::size_t count, const Number& number) {
     put_planes(out, std::span<const BitsOf<Float>>(bits));
 }
 
-/// Reads a column; `number(i)` is assigned for each item. Returns false when the bytes end early.
+/// Reads a column of `count` numbers and assigns number i to the reference `number(i)`. Returns
+/// false when the bytes end early.
 template <class Float, class Number>
 bool get_column(ByteReader& in, std::size_t count, const Number& number) {
     const auto bits = get_planes<BitsOf<Float>>(in, count);

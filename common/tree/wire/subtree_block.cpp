@@ -21,15 +21,16 @@ constexpr std::uint8_t version = 1;
 constexpr std::uint8_t flag_double = 1;
 constexpr std::uint8_t flag_wide_indices = 2;
 
-/// Distances behind the next vertex are at most the number of vertices.
+/// Returns whether corners need 32 bits: their distances (`put_corners`) reach the number of
+/// vertices.
 bool needs_wide_indices(std::size_t vertices) {
     return vertices > UINT16_MAX;
 }
 
 // ---- Triangles -------------------------------------------------------------------------------
 
-/// Encodes each corner as its distance behind the next vertex not yet met: 0 is a new vertex.
-/// Vertices are numbered by first use, so that most distances are small.
+/// Encodes each corner as its distance behind the lowest vertex number not used so far: 0 is that
+/// new vertex. Vertices are numbered by first use, so that most distances are small.
 template <std::unsigned_integral Index>
 void put_corners(ByteWriter& out, std::span<const Triangle> triangles, std::size_t vertices) {
     std::vector<Index> distances;

@@ -19,8 +19,8 @@ namespace cd {
 ///     u32 nodes    u32 vertices    u32 triangles
 ///     the nodes (node_columns.hpp)
 ///     columns of the vertices: x, y, z (f32 or f64)
-///     three corners of each triangle (u16 or u32): how far behind the next vertex not yet met
-///     triangle ids (u32): the zigzag step from the id before
+///     three corners of each triangle (u16 or u32): distance behind the lowest vertex not yet used
+///     triangle ids (u32): zigzag step from the previous id
 ///
 /// Each column, the corners and the ids are stored as byte planes.
 [[nodiscard]] Bytes encode_subtree(const Subtree& subtree);

@@ -101,8 +101,8 @@ void put_corners(ByteWriter& out,
 
 /// The distinct vertices of all blocks, in the order of first use.
 struct SharedVertices {
-    std::vector<std::uint32_t> steps_back; ///< For each vertex of each block.
-    std::vector<std::uint32_t> first_uses; ///< By distinct vertex; indices in the blocks.
+    std::vector<std::uint32_t> steps_back; ///< Per vertex of each block; 0 for a new one.
+    std::vector<std::uint32_t> first_uses; ///< Per distinct vertex: its first index in the blocks.
 };
 
 template <class Float>
@@ -123,7 +123,7 @@ SharedVertices share_vertices(const TriangleBlocks& blocks) {
     std::ranges::sort(by_place, [&](std::uint32_t left, std::uint32_t right) {
         return std::pair(key(left), left) < std::pair(key(right), right);
     });
-    std::vector<std::uint32_t> first_in_place(count); // The first vertex with equal coordinates.
+    std::vector<std::uint32_t> first_in_place(count); // By vertex: the first with equal bits.
     for (std::size_t i = 0; i < count; ++i) {
         const bool is_new = i == 0 || key(by_place[i]) != key(by_place[i - 1]);
         first_in_place[by_place[i]] = is_new ? by_place[i] : first_in_place[by_place[i - 1]];
@@ -275,8 +275,8 @@ bool get_outline(ByteReader& in, std::size_t count, Outline& outline) {
     return number_children(outline.nodes) && get_frames(in, kinds, outline.frames);
 }
 
-/// Reads one column of coordinates. Returns false when the bytes end early or a number is NaN or
-/// too large.
+/// Reads one column of coordinates and raises `reach` to the largest magnitude. Returns false when
+/// the bytes end early or a number is NaN or too large.
 template <class Float>
 bool get_coordinates(ByteReader& in, std::size_t count, std::vector<Float>& column, double& reach) {
     const std::vector<BitsOf<Float>> bits = get_planes<BitsOf<Float>>(in, count);
@@ -320,7 +320,7 @@ class BlockFiller {
 
     /// Returns false when corners name no vertex.
     bool fill(std::size_t block, std::size_t triangles);
-    /// True if all vertices were met.
+    /// Returns true if the filled blocks use all vertices and all steps.
     [[nodiscard]] bool is_complete() const {
         return next_ == vertices_[0].size() && step_back_ == steps_end_;
     }
@@ -335,9 +335,9 @@ class BlockFiller {
     const std::uint32_t* id_step_;
     WideBlocks& blocks_;
     Float* to_;
-    std::size_t next_ = 0;           ///< The next vertex not yet met.
-    std::uint32_t first_before_ = 0; ///< The first id of the previous block.
-    std::uint32_t vertices_before_ = 0;
+    std::size_t next_ = 0;              ///< The lowest vertex not yet used.
+    std::uint32_t first_before_ = 0;    ///< The first id of the previous block.
+    std::uint32_t vertices_before_ = 0; ///< Vertices of all previous blocks.
 };
 
 template <class Float>
@@ -435,7 +435,7 @@ get_blocks(ByteReader& in, const Header& header, const Outline& outline, WideBlo
     return filler.is_complete() ? Status(Done{}) : bad("vertices that no triangle has");
 }
 
-/// Makes the boxes. Returns false for an invalid frame.
+/// Makes the nodes' boxes. Returns false if a frame is invalid.
 bool make_boxes(const std::vector<FrameCode>& frames, Arrays& arrays) {
     const WideBoxes boxes(arrays.blocks.view(), arrays.nodes);
     for (std::size_t i = 0; i < frames.size(); ++i) {

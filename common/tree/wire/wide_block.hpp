@@ -16,20 +16,20 @@ inline constexpr std::uint8_t wide_block_version = 2;
 /// give equal bytes on any host. The bytes contain no boxes: the decoder recomputes each box from
 /// the triangles that it bounds, in the encoded frame, and gets equal bits.
 ///
-///     u8 version = 2    u8 flags (bit 0: double vertices; bits 1 to 3 and 4 to 6: byte planes of
-///         the vertices' numbers and of ids, 0 to 4)
+///     u8 version = 2
+///     u8 flags (bit 0: double vertices; bits 1 to 3: byte planes of the vertices' numbers; bits 4
+///         to 6: byte planes of ids; 0 to 4 planes each)
 ///     varint nodes    varint vertices
-///     nodes: u8 each, the children of the root, then what is below each of them, in turn: children
-///         or triangles less 1 (4 bits), 16 for a leaf, 32 times the kind of its frame
+///     nodes, u8 each: the root, its children, then all nodes below each child in turn, likewise
+///         (bits 0 to 3: children or triangles, less 1; bit 4: leaf; bits 5 to 7: kind of frame)
 ///     frames that are not the body's: three columns of i16 (FrameCode)
-///     corners of each triangle, leaf by leaf: u8, how far behind the next one of the leaf's
-///         vertices that is not yet met; 0 is a new one
-///     of each vertex that is new in its leaf: how far it is behind the next one of the block's
-///     that
-///         is not yet met; 0 is a new one
+///     corners of each triangle, leaf by leaf (u8): distance behind the leaf's lowest vertex
+///         not yet used; 0 is that vertex
+///     vertices' numbers, for each vertex of each leaf: distance behind the block's lowest vertex
+///         not yet used; 0 is that vertex
 ///     columns of the vertices: x, y, z (f32 or f64)
-///     ids: in each leaf ascending, less the one before and 1; the first of a leaf as zigzag step
-///         from the first of the leaf before
+///     ids, ascending in each leaf: the id less the previous id, less 1; the first of a leaf as
+///         zigzag step from the first of the previous leaf
 ///
 /// All columns but nodes and corners are stored as byte planes. A tree without nodes has no block.
 [[nodiscard]] Bytes encode_wide_block(const WideView& wide);

@@ -19,15 +19,15 @@ struct WideBlocks {
     std::vector<std::uint32_t> vertex_begin;
     std::vector<BlockCorners> corners;
     std::vector<std::uint32_t> ids;
-    double reach = 0;
+    double reach = 0; ///< Largest absolute coordinate.
 
     [[nodiscard]] TriangleBlocks view() const {
         return {floats, doubles, vertex_begin, corners, ids, reach};
     }
 };
 
-/// Makes block k of the triangles of leaf `leaf_of_block[k]`. With Precision::Float all vertices
-/// are floats. The result is equal for any number of threads.
+/// Makes block k from the triangles of leaf `leaf_of_block[k]`. With Precision::Float, all vertices
+/// must be floats. The result is equal for any number of threads.
 [[nodiscard]] WideBlocks make_wide_blocks(const TreeView& tree,
                                           const WideLeaves& leaves,
                                           std::span<const std::uint32_t> leaf_of_block,
