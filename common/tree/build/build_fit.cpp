@@ -170,8 +170,7 @@ void set_box(const Projection& whole, const Vec3& origin, ObbNode& node) {
 
     // Let o be the origin, x a vertex and c the centre, all doubles taken as exact numbers. The
     // quantity to bound is row.(x - c) = row.(x - o) - row.(c - o).
-    // - p = fl(row.fl(x - o)): the difference and the product round once each, the two sums once,
-    // so
+    // - p = fl(row.fl(x - o)): difference and product round once each, the two sums once, so
     //   p errs by at most 4.01 u S, S = sum |row_k| |x_k - o_k| <= |row| |x - o|. The rows are
     //   orthonormal within axes_error_max, so |row| and |x - o| are at most 1.001 and 1.001 times
     //   the length of the exact projections, which is at most 1.001 reach: 5 u reach.
