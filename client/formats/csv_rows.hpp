@@ -16,7 +16,7 @@
 
 namespace cd {
 
-/// Names of triangles' parts as CSV fields.
+/// The names of triangles' parts as CSV fields; empty for a triangle without a part.
 class PartFields {
   public:
     explicit PartFields(const std::shared_ptr<const Mesh>& mesh);

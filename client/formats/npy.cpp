@@ -160,7 +160,7 @@ std::vector<To> converted(NpyType type, std::span<const std::byte> data) {
     return out;
 }
 
-/// Converts elements from Fortran order to C order.
+/// Converts elements of `item` bytes from Fortran order to C order.
 Bytes to_c_order(std::span<const std::byte> data,
                  std::span<const std::uint64_t> shape,
                  std::size_t item) {

@@ -27,18 +27,18 @@ struct NpyHeader {
     std::vector<std::uint64_t> shape;
     std::size_t data_offset = 0; ///< Offset of the first element in the file.
 
-    /// The number of elements; saturates.
+    /// The number of elements; 2^64 - 1 if there are more.
     [[nodiscard]] std::uint64_t count() const;
 };
 
-/// The maximum size of a header; NumPy's own have some 100 bytes.
+/// The maximum size of a header in bytes; headers that NumPy writes have some 100.
 inline constexpr std::size_t npy_header_bytes_max = (1u << 16) + 16;
 
 /// Reads the header from the first bytes of an array file, which may be hostile. Errors: BadInput
 /// with the reason: no array, an unsupported type, big-endian, damaged.
 [[nodiscard]] Result<NpyHeader> parse_npy_header(std::span<const std::byte> file);
 
-/// The header of a file as written, always `npy_header_bytes` long.
+/// The size in bytes of every header that `make_npy_header` makes.
 inline constexpr std::size_t npy_header_bytes = 128;
 [[nodiscard]] Bytes make_npy_header(NpyType type, std::span<const std::uint64_t> shape);
 
@@ -62,8 +62,8 @@ struct NpyArray {
 /// differs from the header.
 [[nodiscard]] Result<NpyArray> parse_npy(std::span<const std::byte> file);
 
-/// The rows (first index) of an array file, read in runs and as doubles. Arrays in Fortran order
-/// are read whole.
+/// The rows of an array file (counted by the first index), read on demand and as doubles. Arrays in
+/// Fortran order are loaded whole.
 class NpyRows {
   public:
     /// Opens a file. Errors: NotFound, Io, and those of `parse_npy_header`, naming the file.
@@ -76,7 +76,7 @@ class NpyRows {
 
     [[nodiscard]] const std::vector<std::uint64_t>& shape() const;
     [[nodiscard]] std::uint64_t row_count() const;
-    [[nodiscard]] std::uint64_t row_size() const; ///< Elements of a row.
+    [[nodiscard]] std::uint64_t row_size() const; ///< Number of elements in a row.
     /// Reads rows [first, first + count), which must exist. Errors: Io.
     [[nodiscard]] Result<std::vector<double>> read(std::uint64_t first, std::uint64_t count);
 

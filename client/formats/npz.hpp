@@ -15,8 +15,8 @@
 
 namespace cd {
 
-/// Writes an archive whose arrays grow in pieces, without holding them in memory: each is spooled
-/// to a file beside the target, which appears whole at `finish` or not at all.
+/// Writes an archive whose arrays grow in pieces, without holding them in memory: each array is
+/// spooled to a file beside the target. The target appears whole at `finish` or not at all.
 class NpzWriter {
   public:
     /// `stop` interrupts `finish`, which compresses all arrays.
@@ -26,8 +26,8 @@ class NpzWriter {
     /// Removes spooled files.
     ~NpzWriter();
 
-    /// Adds an array of one dimension, or of rows of `columns` elements. Returns its number. The
-    /// first `append` reports errors of the file system.
+    /// Adds an array of rows of `columns` elements; 0: of one dimension. Returns the array's
+    /// number. The first `append` reports errors of the file system.
     std::size_t add_array(const std::string& name, NpyType type, std::uint64_t columns = 0);
 
     /// Appends elements. Errors: Io naming the file, as soon as a write fails.

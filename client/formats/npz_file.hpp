@@ -20,8 +20,8 @@ class NpzArray {
     NpzArray(NpyHeader header, ZipEntry entry, Bytes begun, std::string place);
 
     [[nodiscard]] const NpyHeader& header() const { return header_; }
-    /// The next elements in the file's order, or nothing at the end. For arrays with rows of three
-    /// it returns whole rows. Errors: BadInput naming file and array.
+    /// The next elements in the file's order; an empty array at the end. Arrays with rows of three
+    /// elements come in whole rows. Errors: BadInput naming file and array.
     [[nodiscard]] Result<NpyArray> next();
 
   private:

@@ -1,4 +1,4 @@
-// Finds the parts of a mesh to which triangles belong.
+// Finds the part of a mesh to which a triangle belongs.
 #pragma once
 
 #include "common/geometry/mesh.hpp"
@@ -12,7 +12,8 @@
 
 namespace cd {
 
-/// Tries the part found last before it searches: consecutive triangles mostly share a part.
+/// Finds parts by binary search, after trying the part found last: consecutive triangles mostly
+/// share a part.
 class PartFinder {
   public:
     explicit PartFinder(std::shared_ptr<const Mesh> mesh)

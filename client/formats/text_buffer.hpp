@@ -1,4 +1,4 @@
-// A growing text for rows of files, without a string for each piece.
+// A text to which pieces are appended without making a string of each, for rows of files.
 #pragma once
 
 #include <charconv>

@@ -1,4 +1,4 @@
-// Reads zip archives. The only reader of libzip.
+// Reads zip archives. Only this reads with libzip.
 #pragma once
 
 #include "common/core/files/bytes.hpp"
