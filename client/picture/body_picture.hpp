@@ -28,8 +28,8 @@ struct PicturedBody {
 /// Draws a mesh from the front right and above; its parts cycle through eight colours.
 [[nodiscard]] Image draw_parts(const Mesh& mesh, PictureSize size = {});
 
-/// Draws the bodies with their contacts. Of 26 directions (faces, edges and corners of a cube) it
-/// takes the one that shows most contacts; if none does, the front right and above.
+/// Draws the bodies with their contacts. The view is the one of 26 directions (faces, edges and
+/// corners of a cube) that shows most contacts; the front right and above if none shows any.
 [[nodiscard]] Image draw_contacts(std::span<const PicturedBody> bodies, PictureSize size = {});
 
 } // namespace cd

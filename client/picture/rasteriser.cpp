@@ -10,7 +10,7 @@ namespace {
 
 constexpr double border = 0.04;    ///< Empty share of the picture around the scene.
 constexpr double ambient = 0.35;   ///< Light on a face seen edge on.
-constexpr double mark_faint = 0.4; ///< Strength of a hidden mark.
+constexpr double mark_faint = 0.4; ///< Strength of a hidden mark, 0 to 1.
 constexpr Colour background{255, 255, 255};
 constexpr float nothing = -std::numeric_limits<float>::infinity();
 
@@ -44,7 +44,7 @@ Colour blended(Colour below, Colour above, double strength) {
     return {mix(below.red, above.red), mix(below.green, above.green), mix(below.blue, above.blue)};
 }
 
-/// Twice the signed area of a triangle in the plane.
+/// Twice the signed area of the triangle a, b, (x, y) in the plane of the picture.
 double area2(const Vector& a, const Vector& b, double x, double y) {
     return (b[0] - a[0]) * (y - a[1]) - (b[1] - a[1]) * (x - a[0]);
 }

@@ -52,7 +52,7 @@ class Rasteriser {
     std::array<std::array<double, 3>, 3> axes_; ///< Unit vectors right, up and towards the eye.
     double scale_ = 1;                          ///< Samples per unit of length.
     std::array<double, 2> center_{};            ///< Centre of the scene, along right and up.
-    double depth_margin_ = 0; ///< A mark is hidden if something is in front of it by more.
+    double depth_margin_ = 0; ///< A mark is hidden if something is in front by more.
     Layer solid_;
     Layer marked_;
 };
