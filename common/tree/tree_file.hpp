@@ -16,7 +16,7 @@ namespace cd {
 /// options.
 inline constexpr std::uint32_t tree_build_version = 2;
 
-/// Returns a hash of everything that decides the bytes of a mesh's tree. It is equal on all hosts.
+/// Returns a hash of everything that decides the bytes of a mesh's tree; equal on all hosts.
 [[nodiscard]] Sha256 tree_key(const Sha256& mesh, const BuildOptions& options);
 
 /// Writes the binary form (nodes and order of triangles) and the topology; the mesh has a file of

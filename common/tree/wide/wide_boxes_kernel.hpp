@@ -1,5 +1,5 @@
-// The SIMD code that makes boxes of vertices, compiled once for every target. It takes and returns
-// plain values, and all targets give equal bits.
+// The SIMD code that makes boxes of vertices, compiled once for every target. The code takes and
+// returns plain values, and all targets give equal bits.
 #pragma once
 
 #include "common/geometry/triangle_blocks.hpp"

@@ -60,8 +60,8 @@ bool is_tree(std::span<const WideNode> nodes) {
     return children + 1 == nodes.size();
 }
 
-/// Returns the number of triangles of each block, which is that of its leaf. Returns nothing unless
-/// blocks and leaves correspond one to one.
+/// Returns the number of triangles of each block, taken from the block's leaf. Returns nothing
+/// unless blocks and leaves correspond one to one.
 std::optional<std::vector<std::uint8_t>> counts_of_blocks(std::span<const WideNode> nodes,
                                                           std::size_t blocks) {
     std::vector<std::uint8_t> counts(blocks, 0);

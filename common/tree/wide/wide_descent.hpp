@@ -11,8 +11,8 @@
 
 namespace cd {
 
-/// The simultaneous descent of two wide trees under one relative pose. It never skips a pair that
-/// touches, in exact terms. It keeps scratch memory between calls; one thread at a time may use it.
+/// Descends two wide trees simultaneously under one relative pose. Never skips a pair that touches,
+/// in exact terms. Keeps scratch memory between calls; one thread at a time may use it.
 class WideDescent {
   public:
     /// `error_scale` multiplies both margins. Skipped pairs are proven to be apart only if it is at

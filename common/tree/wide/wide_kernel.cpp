@@ -28,12 +28,12 @@
 //         30 u |w| + 65 u E_a + 3.1 (r + s) (|w| + E_a) + 1.8 abs.
 // (7) Intervals of triangles, from their corners y (of B; of A likewise): alpha = T + F R (y - p),
 //     beta = -G R^-1 w + G R^-1 (x - o). A leaf's origin and its vertices are both floats, so that
-//     y - p takes one rounding of each component, or both doubles, and it takes one to a double
-//     and one to a float: within (1 + 2^-28) u either way; |y - p| <= 1.74 E. An entry of F R: R as
-//     floats one, three products and two sums three, the steps two roundings, each times 1.01,
-//     and 1.75 r; R' for R^-1 another 3.01 s |x - o|. Products and sums four, the difference with
-//     the margin one: together 12.01 u 1.74 E + (1.75 r + 3.01 s) 1.74 E, and what T has by (2),
-//     (4) and (5).
+//     y - p takes one rounding of each component, or both are doubles, and y - p takes one to a
+//     double and one to a float: within (1 + 2^-28) u either way; |y - p| <= 1.74 E. An entry of
+//     F R: R as floats one, three products and two sums three, the steps two roundings, each
+//     times 1.01, and 1.75 r; R' for R^-1 another 3.01 s |x - o|. Products and sums four, the
+//     difference with the margin one: together 12.01 u 1.74 E + (1.75 r + 3.01 s) 1.74 E, and what
+//     T has by (2), (4) and (5).
 // (8) All are below 128 u (|w| + E_a + E_b) + 6 (r + s) (|w| + E_a + E_b) + 4 abs. `margin` is that
 //     with its own few roundings, and those of |w|, covered. Underflow costs less than 2^-148
 //     of a length or an entry, in steps below 2^-20; the margin is at least 255 * 2^-17 steps.

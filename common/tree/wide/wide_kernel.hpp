@@ -1,5 +1,5 @@
-// The SIMD code of the search in wide trees, compiled once for every target. It takes and returns
-// plain values.
+// The SIMD code of the search in wide trees, compiled once for every target. The code takes and
+// returns plain values.
 #pragma once
 
 #include "common/pair/triangle_pair.hpp"

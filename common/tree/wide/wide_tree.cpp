@@ -36,8 +36,8 @@ Moments moments_of(const TriangleBlocks& blocks, std::uint32_t block, std::uint3
         std::span(triangles).first(count), std::span(vertices).first(vertex_count), vertices[0]);
 }
 
-/// Makes a node in the encodable frame that is closest to its own frame, or in the body's frame
-/// where the children's boxes are smaller there.
+/// Makes a node in the encodable frame that is closest to `own`, or in the body's frame if the
+/// children's boxes are smaller there.
 WideNode make_node(const WideBoxes& boxes, std::size_t place, const Axes& own) {
     const WideNode in_body = boxes.in_frame(place, body_axes);
     const FrameCode code = code_of(own);
