@@ -22,10 +22,10 @@ struct ImportOptions {
     std::string declared_unit_to = {};
     bool is_y_up = false;         ///< The file's y becomes z, and its z becomes -y.
     bool rounds_to_float = false; ///< Each coordinate becomes the nearest float.
-    StopCheck is_stopped = {};    ///< Ends an import that runs in a child process.
+    StopCheck is_stopped = {};    ///< Once it is true, an import in a child process ends.
 };
 
-/// The factor for all coordinates.
+/// The factor that a reader applies to all coordinates: from the declared unit or `unit_factor`.
 [[nodiscard]] double factor_of(const ImportOptions& options, const DeclaredFrame& declared);
 
 /// The input of a format's reader, which names the path in its errors.

@@ -32,7 +32,8 @@ class IndexedMesh {
     void skip_lines(std::uint64_t count) { lines_ += count; }
     void skip_points(std::uint64_t count) { points_ += count; }
 
-    /// Errors: BadInput naming the file: no triangles, or more than a mesh may have.
+    /// Completes the mesh. Errors: BadInput naming the file: no triangles, or more than a mesh may
+    /// have.
     [[nodiscard]] Result<ImportedMesh> finish(const MeshSource& source);
 
   private:
@@ -41,7 +42,7 @@ class IndexedMesh {
 
     double unit_factor_;
     std::vector<Vec3> vertices_;         ///< In the order of the file, not scaled.
-    std::vector<std::uint32_t> numbers_; ///< Their indices in the mesh, once a face uses them.
+    std::vector<std::uint32_t> numbers_; ///< Index in the mesh of each vertex that a face uses.
     std::vector<std::uint32_t> corners_; ///< Mesh indices of the face being added.
     std::vector<Vec3> polygon_;
     PolygonCutter cutter_;

@@ -27,9 +27,9 @@ class MeshBuilder {
     [[nodiscard]] std::uint32_t vertex(const Vec3& position);
     [[nodiscard]] std::uint64_t triangle_count() const { return arrays_.triangles.size(); }
 
-    /// Errors: those of `Mesh::create`.
+    /// Completes the mesh in this precision. Errors: those of `Mesh::create`.
     [[nodiscard]] Result<Mesh> finish(Precision precision);
-    /// Uses floats if they hold every coordinate, else doubles.
+    /// Completes the mesh in floats if they hold every coordinate, else in doubles.
     [[nodiscard]] Result<Mesh> finish();
 
   private:

@@ -45,8 +45,8 @@ std::string lower_extension(const std::filesystem::path& path) {
     return extension;
 }
 
-/// Warns about a body so far from the origin that the step between floats there is visible at its
-/// size.
+/// Warns about a body so far from the origin that the step between floats there is more than a
+/// millionth of the body's diagonal.
 void warn_of_coarse_floats(const std::filesystem::path& path, ImportedMesh& imported) {
     if (imported.mesh->precision() != Precision::Float) {
         return;

@@ -16,8 +16,8 @@ namespace {
 
 using Point = PlanePoint;
 
-/// Newell's normal of a polygon, of twice its area, and the sum of the absolute values of its
-/// terms, which gives a plane even for an area of zero.
+/// Newell's normal of a polygon (`sum`, as long as twice the area) and the sum of the absolute
+/// values of the normal's terms (`sizes`), which gives a plane even if the area is zero.
 struct Normal {
     Vec3 sum = Vec3::Zero();
     Vec3 sizes = Vec3::Zero();
@@ -114,7 +114,7 @@ void PolygonCutter::cut_ears() {
     const std::uint64_t tests_max = limits::polygon_tests_per_corner_max * size;
     std::uint32_t left = size;
     std::uint32_t tried = 0;
-    bool takes_straight = false; // A fallback when no other ear is left.
+    bool takes_straight = false; // Also cut off straight corners: no ear is left.
     std::uint32_t corner = 0;
     while (left > 3 && tests_ <= tests_max) {
         const bool is_straight =
@@ -155,7 +155,7 @@ bool PolygonCutter::is_ear(std::uint32_t corner) {
     return true;
 }
 
-/// True for a corner inside or on the edge of an ear, but not at one of its corners.
+/// True for a corner inside or on the edge of an ear, but not at a corner of the ear.
 bool PolygonCutter::contains(const Triangle& ear, std::uint32_t corner) const {
     const Point& point = points_[corner];
     const bool is_at_corner =

@@ -13,9 +13,9 @@ namespace cd {
 
 /// The number of triangles in a file. A correct import has exactly as many.
 ///
-/// Also finds what the importer would misread in silence: it replaces an invalid index by 0, reads
-/// half of a number like 1d5, loses its place at an unexpected line, recurses as deep as objects
-/// are nested, and subdivides surfaces as often as the file asks.
+/// Also finds what the importer would misread in silence: the importer replaces an invalid index by
+/// 0, reads half of a number like 1d5, loses its place at an unexpected line, recurses as deep as
+/// objects are nested, and subdivides surfaces as often as the file asks.
 ///
 /// Errors: BadInput naming the file and the line, for each of these.
 [[nodiscard]] Result<std::uint64_t> count_ac3d_triangles(const std::filesystem::path& path);

@@ -202,7 +202,7 @@ Status check_rigid(const aiScene& scene, const std::filesystem::path& path) {
     return Done{};
 }
 
-/// An importer's message on one line.
+/// The error for a file that an importer refused, with the importer's message on one line.
 Error unreadable(const std::filesystem::path& path, std::string why) {
     std::replace_if(
         why.begin(), why.end(), [](unsigned char c) { return std::iscntrl(c) != 0; }, ' ');

@@ -12,7 +12,7 @@
 namespace cd {
 
 struct ChildLimits {
-    std::uint64_t memory_bytes = 0; ///< Limit beyond this process's memory; not under sanitizers.
+    std::uint64_t memory_bytes = 0; ///< Limit above what is mapped now; none under sanitizers.
     std::chrono::seconds processor_time{0};
     std::chrono::seconds real_time{0}; ///< Bounds a child that only waits.
 };

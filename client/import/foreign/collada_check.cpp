@@ -17,7 +17,7 @@ namespace cd {
 
 namespace {
 
-/// An element whose text is numbers.
+/// An XML element whose text consists of numbers.
 struct NumberElement {
     std::string_view name;
     std::uint64_t count; ///< Number of values; 0: any.

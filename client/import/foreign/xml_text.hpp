@@ -14,8 +14,8 @@ namespace cd {
 
 class XmlText {
   public:
-    /// `path` and `text` have to outlive it. Entities are not expanded. Errors: BadInput naming the
-    /// line where the text is not well-formed.
+    /// `path` and `text` have to outlive the result. Entities are not expanded. Errors: BadInput
+    /// naming the line where the text is not well-formed.
     [[nodiscard]] static Result<XmlText> parse(const std::filesystem::path& path,
                                                std::string_view text);
 

@@ -18,8 +18,8 @@ struct GltfShapes {
 /// line incomplete.
 [[nodiscard]] Result<GltfShapes> count_shapes(GltfMode mode, std::uint64_t indices);
 
-/// The positions of a triangle's corners, ordered so that all triangles of a strip or a fan face
-/// the same way (section 3.7.2.1).
+/// The positions of a triangle's corners in the list of indices, ordered so that all triangles of a
+/// strip or a fan face the same way (section 3.7.2.1).
 [[nodiscard]] std::array<std::uint64_t, 3> corners_of(GltfMode mode, std::uint64_t triangle);
 
 } // namespace cd

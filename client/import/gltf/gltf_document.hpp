@@ -15,7 +15,7 @@
 namespace cd {
 
 struct GltfBuffer {
-    std::optional<std::string> uri; ///< Empty: the buffer is the GLB's chunk.
+    std::optional<std::string> uri; ///< Nothing: the buffer is the GLB's chunk.
     std::uint64_t bytes = 0;
 };
 
@@ -52,12 +52,12 @@ struct GltfSparse {
 };
 
 struct GltfAccessor {
-    std::optional<std::size_t> view; ///< Empty: all elements are zero.
+    std::optional<std::size_t> view; ///< Nothing: all elements are zero.
     std::uint64_t offset = 0;
     GltfNumber type = GltfNumber::F32;
     bool is_normalized = false; ///< Integers stand for [0, 1] or [-1, 1] (section 3.11).
     std::uint64_t count = 0;
-    std::size_t width = 1; ///< Numbers of an element.
+    std::size_t width = 1; ///< How many numbers an element has.
     std::optional<GltfSparse> sparse;
 };
 
@@ -117,7 +117,7 @@ struct GltfDocument {
     std::vector<GltfMesh> meshes;
     std::vector<GltfNode> nodes;
     std::vector<std::size_t> roots; ///< Root nodes of the scene that is read.
-    std::size_t scenes = 0;
+    std::size_t scenes = 0;         ///< Number of scenes in the file.
 };
 
 /// Reads the file's default scene, or else its first.
@@ -125,7 +125,7 @@ struct GltfDocument {
 /// Errors: BadInput naming the object of the file, for a version other than 2, an extension that is
 /// required and unknown (section 3.12) or compresses geometry, an index that is out of range, a
 /// member that is missing or of another type, a node that has two parents or is nested deeper than
-/// limits.hpp allows.
+/// `limits::mesh_file_depth_max`.
 [[nodiscard]] Result<GltfDocument> parse_gltf(std::string_view json);
 
 } // namespace cd

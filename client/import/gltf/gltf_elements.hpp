@@ -14,9 +14,9 @@ namespace cd {
 /// memory does not depend on the counts in the file.
 class GltfElements {
   public:
-    /// Document and buffers have to outlive it. Errors: BadInput naming the accessor, for one that
-    /// goes beyond its view or buffer, or that has no view and more elements than the buffers have
-    /// bytes.
+    /// Document and buffers have to outlive the result. Errors: BadInput naming the accessor, for
+    /// one that goes beyond its view or buffer, or that has no view and more elements than the
+    /// buffers have bytes.
     [[nodiscard]] static Result<GltfElements>
     open(const GltfDocument& document, const GltfBuffers& buffers, std::size_t accessor);
 
@@ -25,7 +25,7 @@ class GltfElements {
     [[nodiscard]] double at(std::uint64_t element, std::size_t component) const;
 
   private:
-    /// Consecutive elements, `stride` bytes apart.
+    /// Consecutive elements, `stride` bytes apart; if `first` is null, all elements are zero.
     struct Run {
         const std::byte* first = nullptr;
         std::uint64_t stride = 0;
@@ -47,7 +47,7 @@ class GltfElements {
     Run base_;
     Run replacements_;
     std::unordered_map<std::uint64_t, std::uint64_t>
-        replaced_; ///< Sparse element to its position in `replacements_`.
+        replaced_; ///< Position in `replacements_` of each sparse element.
 };
 
 } // namespace cd

@@ -21,7 +21,7 @@ std::string numbered(const char* kind, std::size_t number) {
     return std::string(kind) + "[" + std::to_string(number) + "]";
 }
 
-/// Maps positions in the list of indices to vertices.
+/// Maps positions in the list of indices to vertices; without a list, position i is vertex i.
 class GltfIndices {
   public:
     [[nodiscard]] static Result<GltfIndices> open(const GltfDocument& document,
@@ -271,8 +271,8 @@ Status GltfScene::add_primitive(const GltfPrimitive& primitive, const Eigen::Mat
     return Done{};
 }
 
-/// A scene of one node is named after its mesh, which says more. Unnamed nodes and meshes are
-/// numbered as assimp does.
+/// The name of a primitive's part. At the only root of a scene it is the mesh's name, which says
+/// more than the node's. Unnamed nodes and meshes are numbered as assimp does.
 std::string GltfScene::part_name(std::size_t number, std::size_t primitive) const {
     const GltfNode& node = document_.nodes[number];
     const GltfMesh& mesh = document_.meshes[*node.mesh];

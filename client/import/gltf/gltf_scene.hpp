@@ -13,7 +13,7 @@ namespace cd {
 
 class GltfScene {
   public:
-    /// Document and buffers have to outlive it.
+    /// Document and buffers have to outlive the scene.
     GltfScene(const GltfDocument& document,
               const GltfBuffers& buffers,
               const ImportOptions& options);

@@ -10,7 +10,8 @@ double nearest_float(double number) {
     return static_cast<double>(static_cast<float>(number));
 }
 
-/// Divides by the squared length, so that a quarter turn given in floats is exact.
+/// The rotation of a quaternion of any length. Divides by the squared length, so that a quarter
+/// turn given in floats is exact.
 Eigen::Matrix3d rotation_of(double x, double y, double z, double w) {
     const double s = 2 / (x * x + y * y + z * z + w * w);
     Eigen::Matrix3d r;

@@ -26,7 +26,7 @@ std::array<int, 256> make_digits() {
     return digits;
 }
 
-/// RFC 4648, section 4; the padding may be missing.
+/// Decodes base64 (RFC 4648, section 4), also without padding; nothing if the text is damaged.
 std::optional<Bytes> decode_base64(std::string_view text) {
     static const std::array<int, 256> digits = make_digits();
     while (text.ends_with('=')) {

@@ -14,7 +14,7 @@ namespace cd {
 
 namespace {
 
-/// Statements without geometry of their own.
+/// Statements that are skipped, since they give no vertices, faces, lines, points or parts.
 constexpr std::array<std::string_view, 16> passed_over{"vn",
                                                        "vt",
                                                        "vp",

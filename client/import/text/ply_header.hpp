@@ -34,12 +34,12 @@ struct PlyElement {
 struct PlyHeader {
     PlyFormat format = PlyFormat::Text;
     std::vector<PlyElement> elements;
-    std::size_t data_begin = 0;  ///< The data's first byte.
-    std::uint64_t data_line = 1; ///< The number of its line.
+    std::size_t data_begin = 0;  ///< Offset of the data's first byte in the file.
+    std::uint64_t data_line = 1; ///< Line of that byte, from 1.
 };
 
-/// Errors: BadInput naming the file and the line, for a file that is not PLY, an invalid line, and
-/// a header without `end_header`.
+/// Reads the header of a file. Errors: BadInput naming the file and the line, for a file that is
+/// not PLY, an invalid line, and a header without `end_header`.
 [[nodiscard]] Result<PlyHeader> read_ply_header(const MeshSource& source);
 
 } // namespace cd

@@ -26,13 +26,14 @@ class PlyText {
     [[nodiscard]] std::optional<std::int64_t> integer(PlyType type);
     [[nodiscard]] bool skip(PlyType type);
 
-    /// Describes the text found instead of the last number, and its line.
+    /// The error for a missing or invalid number, with the line and the text found in place of the
+    /// number.
     [[nodiscard]] Error no_number(const std::string& element) const;
     /// The error BadInput naming the file and the position.
     [[nodiscard]] Error refusal(const std::string& detail) const;
 
-    /// True when the remaining bytes may hold the elements: a number takes two or more, with a
-    /// blank.
+    /// True when the remaining bytes may hold the elements: a number takes two or more bytes, with
+    /// a blank.
     [[nodiscard]] bool has_room_for(const PlyElement& element) const;
     [[nodiscard]] bool is_at_end();
 
@@ -58,7 +59,7 @@ class PlyBinary {
     [[nodiscard]] Error refusal(const std::string& detail) const;
 
     [[nodiscard]] bool has_room_for(const PlyElement& element) const;
-    /// Trailing zeros and blanks are ignored.
+    /// True at the end of the data. Trailing zeros and blanks are ignored.
     [[nodiscard]] bool is_at_end() const;
 
   private:
