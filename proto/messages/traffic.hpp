@@ -18,10 +18,10 @@ struct BlockTraffic {
     friend bool operator==(const BlockTraffic&, const BlockTraffic&) = default;
 };
 
-/// Traffic of one worker since its Welcome.
+/// Traffic of one worker.
 struct CacheTraffic {
-    BlockTraffic blocks;
-    std::uint64_t uploaded_bytes = 0; ///< Sent to other workers.
+    BlockTraffic blocks; ///< Since the session began; evictions since the process started.
+    std::uint64_t uploaded_bytes = 0; ///< Sent to other workers since the process started.
 
     friend bool operator==(const CacheTraffic&, const CacheTraffic&) = default;
 };
