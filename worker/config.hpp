@@ -21,14 +21,14 @@ struct WorkerConfig {
     double weight = 1;             ///< Speed factor in the master's time estimates.
     std::string name;              ///< Display name.
     std::string simd;              ///< SIMD target; empty: CD_SIMD, or else the best one.
-    bool insecure = false;
-    bool no_peers = false;       ///< Serves no geometry to other workers.
-    std::uint16_t peer_port = 0; ///< Port for peers; 0: the system chooses.
+    bool insecure = false;         ///< Allows plain TCP with other hosts.
+    bool no_peers = false;         ///< Serves no geometry to other workers.
+    std::uint16_t peer_port = 0;   ///< Port for other workers; 0: the system chooses.
     std::string log_level = "info";
     std::chrono::seconds connect_for{30}; ///< Time limit for the first connection.
     std::chrono::seconds drain_timeout = limits::drain_timeout;
     std::filesystem::path state;   ///< Folder of the credential file.
-    std::optional<JoinToken> join; ///< If set: get a credential with it, then end.
+    std::optional<JoinToken> join; ///< If set: get a credential with this token, then end.
 };
 
 /// Either a configuration, or a text to print and an exit code. Help goes to stdout, errors to

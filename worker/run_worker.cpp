@@ -124,11 +124,11 @@ class Daemon {
         co_return std::nullopt;
     }
 
-    /// Whether the master sent a message; then a refusal does not come from TLS.
+    /// Whether any bytes came from the master; then a refusal does not come from TLS.
     static bool had_answer(const Channel& channel) { return channel.traffic().bytes_received != 0; }
 
-    /// Empty if the worker retries. It ends if the master itself refused it, or if TLS has refused
-    /// its certificate for too long.
+    /// Empty if the worker retries. The worker ends if the master itself refused it, or if TLS has
+    /// refused the worker or the master for too long.
     std::optional<int> exit_code_of_failed_greeting(const Error& error, bool is_by_master) {
         log_error("greeting failed: error=\"{}\"", error.detail);
         const bool tries_again = error.code != ErrorCode::Refused ||
@@ -153,7 +153,8 @@ class Daemon {
         return true;
     }
 
-    /// Listens on this end's address of the connection to the master. A failure is only logged.
+    /// Listens for other workers, on the address of this host that `channel` uses. A failure is
+    /// only logged.
     void listen_to_peers(const Channel& channel) {
         const Endpoint endpoint{channel.own_host(), config_.peer_port};
         if (config_.no_peers || peer_server_ != nullptr ||
@@ -201,7 +202,7 @@ class Daemon {
     Membership membership_;
     StopSignals signals_;
     ReconnectPause pause_;
-    std::shared_ptr<PeerServer> peer_server_; ///< Null if peers get no blocks.
+    std::shared_ptr<PeerServer> peer_server_; ///< Null if this worker serves no blocks.
     const std::uint64_t instance_ = std::random_device{}() | std::uint64_t{std::random_device{}()}
                                                                  << 32;
     RefusalPatience patience_;
@@ -231,7 +232,7 @@ int exit_code_of(const Error& error) {
 } // namespace
 
 int join_as_worker(const WorkerConfig& config) {
-    // Checks the file first: a join spends one use of the token.
+    // The file comes first: a join spends one use of the token, even if the file cannot be written.
     const std::filesystem::path path = credential_path(config.state, config.master);
     if (const Status can_write = check_can_write(path); !can_write) {
         log_error("not joined: {}", can_write.error().detail);

@@ -14,8 +14,9 @@ class Backoff {
   public:
     explicit Backoff(std::uint64_t seed) : random_(seed) {}
 
-    /// A random time between half the current pause and all of it.
+    /// Returns the next pause: a random time between half the current limit and the whole limit.
     [[nodiscard]] std::chrono::milliseconds next();
+    /// Makes the next pause the shortest again.
     void reset();
 
   private:

@@ -25,10 +25,10 @@ class CachedTree {
   public:
     /// State of one subtree in a `SubtreeCache`, cached or not.
     struct Slot {
-        std::shared_ptr<const SubtreeBlock> block; ///< Its encoded form, or null.
-        bool is_pinned = false;
-        bool is_idle = false; ///< `place` is valid.
-        std::list<SubtreeKey>::iterator place;
+        std::shared_ptr<const SubtreeBlock> block; ///< The encoded form; null: not kept.
+        bool is_pinned = false;                    ///< True: must not be evicted.
+        bool is_idle = false;                      ///< True: cached and not pinned.
+        std::list<SubtreeKey>::iterator place;     ///< In the cache's list of idle subtrees.
     };
 
     explicit CachedTree(const AddTree& add) : named_(add), partial_(add.roots), slots_(add.roots) {}
@@ -48,7 +48,7 @@ class CachedTree {
 
     [[nodiscard]] const AddTree& named() const { return named_; }
     [[nodiscard]] const PartialObbTree& partial() const { return partial_; }
-    /// Shares one copy until a block comes or goes.
+    /// Returns an immutable copy. All calls share it until a block is added or evicted.
     [[nodiscard]] std::shared_ptr<const PartialObbTree> snapshot();
     [[nodiscard]] std::vector<Slot>& slots() { return slots_; }
     /// The encoded block of a subtree or of the upper tree; null if it is not cached or not kept.
@@ -57,7 +57,7 @@ class CachedTree {
     [[nodiscard]] std::uint64_t bytes_of(RootIndex root) const;
     /// Memory of the upper tree, bytes; 0 without one.
     [[nodiscard]] std::uint64_t bytes_of_top() const;
-    /// Estimated memory of any subtree, or of the upper tree, bytes; known before it arrives.
+    /// Estimated memory of a subtree or of the upper tree, in bytes, before the block has arrived.
     [[nodiscard]] std::uint64_t bytes_expected(RootIndex root) const;
 
   private:

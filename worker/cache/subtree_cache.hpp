@@ -26,16 +26,16 @@ class SubtreeCache {
   public:
     explicit SubtreeCache(std::uint64_t bytes_max) : bytes_max_(bytes_max) {}
 
-    /// Adds a tree and reuses the parked blocks of its name (`cut`). Errors: BadFrame for a tree
+    /// Adds a tree and reuses the parked blocks with the same `cut`. Errors: BadFrame for a tree
     /// that exists already, has no roots, or has more roots than triangles.
     [[nodiscard]] Status add_tree(const AddTree& add);
-    /// Invalidates the numbers of all trees and unpins all subtrees. Each tree keeps its blocks
-    /// until `add_tree` names it again; subtrees may be evicted meanwhile.
+    /// Ends a session: invalidates the ids of all trees and unpins all subtrees. Each tree keeps
+    /// its blocks until `add_tree` names its `cut` again; subtrees may be evicted meanwhile.
     void park();
-    /// The names of parked trees with cached blocks, ascending.
+    /// The cuts of parked trees with cached blocks, ascending.
     [[nodiscard]] std::vector<Sha256> parked() const;
     void drop_parked();
-    /// The trees that are not parked, ascending by number.
+    /// The trees that are not parked, ascending by id.
     [[nodiscard]] std::vector<TreeId> trees() const;
     /// The cached blocks of the tree, ascending; includes `top_root`.
     [[nodiscard]] std::vector<RootIndex> held(TreeId tree) const;
@@ -47,13 +47,13 @@ class SubtreeCache {
     [[nodiscard]] SubtreeForm form_of(TreeId tree) const { return trees_.at(tree).named().form; }
 
     /// Fills a slot or sets the upper tree. Ignores unknown trees and blocks that are cached
-    /// already. Keeps `block`, its encoded form, for peers unless it is null. Errors: those of
-    /// `CachedTree::fill` and `CachedTree::set_top`.
+    /// already. Keeps `block`, the encoded form, for other workers; null keeps nothing. Errors:
+    /// those of `CachedTree::fill` and `CachedTree::set_top`.
     [[nodiscard]] Status insert(const SubtreeKey& key,
                                 OpenedBlock opened,
                                 std::shared_ptr<const SubtreeBlock> block = nullptr);
-    /// An immutable view of the tree with the blocks cached now. It keeps evicted subtrees in
-    /// memory until it is released. Null for an unknown tree.
+    /// An immutable view of the tree with the blocks cached now. The view keeps subtrees in memory
+    /// that are evicted later, until it is released. Null for an unknown tree.
     [[nodiscard]] std::shared_ptr<const PartialObbTree> snapshot(TreeId tree);
     /// Marks a cached subtree as just used.
     void touch(const SubtreeKey& key);
@@ -61,7 +61,7 @@ class SubtreeCache {
     [[nodiscard]] std::shared_ptr<const Subtree> at(const SubtreeKey& key) const;
     /// Whether the subtree, or the upper tree, is cached.
     [[nodiscard]] bool has(const SubtreeKey& key) const;
-    /// The encoded block of a subtree or upper tree; null if it is not cached or was not kept.
+    /// The encoded form of a cached subtree or upper tree; null if not cached or not kept.
     [[nodiscard]] std::shared_ptr<const SubtreeBlock> block_at(const SubtreeKey& key) const;
 
     /// Protects a slot from eviction, even before its subtree arrives. Unpinning counts as a use.
@@ -73,10 +73,11 @@ class SubtreeCache {
     /// The subtrees evicted since the last call, in order, except those of removed trees.
     [[nodiscard]] std::vector<SubtreeKey> take_evicted();
 
-    /// Estimated memory of a subtree or upper tree, bytes; known before it arrives.
+    /// Estimated memory of a subtree or upper tree, in bytes, before the block has arrived.
     [[nodiscard]] std::uint64_t bytes_expected(const SubtreeKey& key) const;
+    /// Memory of all cached blocks, in bytes.
     [[nodiscard]] std::uint64_t bytes() const { return bytes_; }
-    /// Number of evictions since the start.
+    /// Number of evictions in all sessions of the process.
     [[nodiscard]] std::uint64_t evictions() const { return evictions_; }
     [[nodiscard]] std::uint64_t bytes_max() const { return bytes_max_; }
 
@@ -93,10 +94,10 @@ class SubtreeCache {
     std::uint64_t bytes_max_;
     std::uint64_t bytes_ = 0;
     std::map<TreeId, CachedTree> trees_;
-    std::list<SubtreeKey> idle_; ///< Filled and not pinned; least recently used first.
-    std::vector<SubtreeKey> evicted_;
+    std::list<SubtreeKey> idle_;      ///< Cached and not pinned; least recently used first.
+    std::vector<SubtreeKey> evicted_; ///< Since the last `take_evicted`.
     std::uint64_t evictions_ = 0;
-    std::uint64_t parked_last_ = 0; ///< Counter for the numbers of parked trees.
+    std::uint64_t parked_last_ = 0; ///< Counter for the ids of parked trees.
 };
 
 } // namespace cd

@@ -1,4 +1,4 @@
-// Runs jobs on a thread pool and delivers their results to the thread that owns the state.
+// Runs functions on a thread pool and delivers their results to the thread that owns the state.
 #pragma once
 
 #include "common/core/host/thread_pool.hpp"
@@ -13,7 +13,8 @@
 
 namespace cd {
 
-/// Must be destroyed before the context of `home`. Submitted jobs run until then.
+/// A thread pool and `home`, the executor of the thread that owns the state. Must be destroyed
+/// before the context of `home`; the destructor waits for submitted functions.
 class Executor {
   public:
     using Continuation = std::function<void()>;
@@ -21,8 +22,8 @@ class Executor {
     /// 0 threads: one per core that this process may use. Continuations run on `home`.
     Executor(asio::any_io_executor home, unsigned threads);
 
-    /// Runs `job` on a pool thread, then its continuation on `home`. Neither may throw.
-    /// Continuations of jobs that end close together are posted to `home` as one batch.
+    /// Runs `job` on a pool thread, then the continuation that it returns on `home`. Neither may
+    /// throw. Continuations of functions that end close together are posted to `home` as one.
     void submit(std::function<Continuation()> job);
 
     [[nodiscard]] const asio::any_io_executor& home() const { return home_; }

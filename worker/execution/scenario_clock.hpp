@@ -12,7 +12,8 @@
 
 namespace cd {
 
-/// One thread writes; any thread may read.
+/// The clock of one function on a pool thread, which runs scenarios of one job one by one. That
+/// thread writes; any thread may read.
 class ScenarioClock {
   public:
     using Time = std::chrono::steady_clock;
@@ -43,7 +44,7 @@ class ScenarioClock {
     std::atomic<Time::rep> since_ = none;
 };
 
-/// The clocks of jobs that threads run or will run. A job owns its clock.
+/// The clocks of all functions that pool threads run or will run. Each function owns its clock.
 class RunningClocks {
   public:
     [[nodiscard]] std::shared_ptr<ScenarioClock> add(JobId job);

@@ -47,9 +47,9 @@ class Task {
     /// Takes the next scenarios: as many as take about `limits::walk_seconds`, but few enough to
     /// leave work for every thread. Requires `has_unwalked()`.
     [[nodiscard]] Walk next_walk(SubtreeCache& cache, unsigned threads);
-    /// Stores the colliding roots of a scenario that waits for subtrees.
+    /// Stores the colliding roots that a descent found for a scenario that lacks subtrees.
     void keep_roots(Walked::Waiting waiting) { pairs_.add(std::move(waiting)); }
-    /// Ends all scenarios that no descent has taken, without a result.
+    /// Ends, without a result, all scenarios that no descent has taken.
     void drop_unwalked() { keep_places(0); }
     /// Like `drop_unwalked`, but keeps the first `count` scenarios of the range.
     void keep_places(std::size_t count);
@@ -60,15 +60,15 @@ class Task {
     }
     /// Records that a recalled scenario ended without a result.
     void give_back(std::uint64_t index) { given_back_.insert(index); }
-    /// All scenarios returned so far.
+    /// All scenarios returned to the master so far, and for a range the positions kept.
     [[nodiscard]] Recalled given_back() const;
-    /// Scenarios that this worker need not answer.
+    /// Scenarios that another worker has answered, so that this one need not.
     [[nodiscard]] const std::shared_ptr<DroppedScenarios>& answered_elsewhere() const {
         return answered_elsewhere_;
     }
 
     void add(const FinishedScenarios& finished);
-    /// Sets a flag that the threads running this task's scenarios check.
+    /// Stops the threads that run this task's scenarios, by a flag that they check.
     void abandon() { abandoned_->store(true); }
     [[nodiscard]] std::shared_ptr<const std::atomic<bool>> abandoned() const { return abandoned_; }
 
@@ -93,8 +93,8 @@ class Task {
     std::set<std::uint64_t> given_back_; ///< Scenario indices; batches only.
     TaskResults results_;                ///< Not yet taken.
     TaskPairs pairs_;
-    std::size_t walked_ = 0; ///< Given to a descent so far.
-    std::size_t unwalked_end_ = 0;
+    std::size_t walked_ = 0;       ///< Scenarios given to descents so far; 0 for a batch.
+    std::size_t unwalked_end_ = 0; ///< One past the last scenario for descents; 0 for a batch.
 };
 
 } // namespace cd

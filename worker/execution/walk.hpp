@@ -37,7 +37,7 @@ class TaskScenarios {
     std::size_t size_ = 0;
 };
 
-/// Input of one descent: some of a task's scenarios, and snapshots of the trees that stay valid
+/// Input of one descent: some of a range's scenarios, and snapshots of the trees that stay valid
 /// while the cache changes.
 struct Walk {
     std::shared_ptr<const WorkerJob> job;
@@ -54,7 +54,7 @@ struct FinishedScenarios {
     Bytes records; ///< Output of `encode_result`, each record after its length as u32.
     std::uint32_t count = 0;
     QueryStatistics statistics;
-    double seconds = 0; ///< Thread time.
+    double seconds = 0; ///< Time on one thread.
     ContactMap map;     ///< Empty unless the query asks for maps.
 
     void add(const Bytes& record);
@@ -62,15 +62,16 @@ struct FinishedScenarios {
 
 /// Output of one descent.
 struct Walked {
+    /// A scenario that lacks subtrees.
     struct Waiting {
         std::size_t scenario = 0; ///< Position in the task.
         std::vector<RootPair> pairs;
     };
 
     FinishedScenarios finished;
-    std::vector<Waiting> waiting; ///< Scenarios that lack subtrees.
-    std::vector<SubtreeKey> used; ///< Cached subtrees that the scenarios touched.
-    std::uint64_t found = 0;      ///< Subtrees per scenario that lacks none, summed.
+    std::vector<Waiting> waiting; ///< Not answered: they lack subtrees.
+    std::vector<SubtreeKey> used; ///< Cached subtrees that the scenarios need.
+    std::uint64_t found = 0;      ///< Subtrees of the scenarios that lack none, summed by scenario.
     std::size_t left = 0;         ///< Scenarios not answered because of a stop or a drop.
 };
 

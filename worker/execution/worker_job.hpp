@@ -34,13 +34,14 @@ struct WorkerJob {
     TreeId tree_b;
     Query query;
     std::optional<Grid> grid;
+    /// Scenarios that need no answer from any task.
     std::shared_ptr<DroppedScenarios> dropped = std::make_shared<DroppedScenarios>();
 
     [[nodiscard]] bool uses(TreeId tree) const { return tree_a == tree || tree_b == tree; }
 };
 
-/// Errors: BadFrame unless there are two trees; for an unknown tree, trees of different forms, wide
-/// trees with a tolerance, or an invalid grid.
+/// Makes a job of the master's message. Errors: BadFrame unless there are two trees; for an unknown
+/// tree, trees of different forms, wide trees with a tolerance, or an invalid grid.
 [[nodiscard]] Result<std::shared_ptr<const WorkerJob>> make_worker_job(AddJob add,
                                                                        const SubtreeCache& cache);
 

@@ -12,15 +12,16 @@ namespace cd {
 /// Owns one credential file, which other workers on this host may share. Not thread-safe.
 class CredentialKeeper {
   public:
-    /// Works without a certificate if the file does not exist. Errors: those of
-    /// `read_credential` except NotFound.
+    /// Reads the file; if there is none, the keeper has no certificate. Errors: those of
+    /// `read_credential` except NotFound; those of `Tls::make`.
     [[nodiscard]] static Result<std::unique_ptr<CredentialKeeper>>
     open(const asio::any_io_executor& executor, std::filesystem::path path, Endpoint master);
 
+    /// Whether there is a certificate.
     [[nodiscard]] bool is_secured() const { return tls_->now != nullptr; }
     [[nodiscard]] std::shared_ptr<const TlsSlot> tls() const { return tls_; }
 
-    /// Renews the certificate when `renew_at` says so, until `stop`.
+    /// Renews the certificate at the time `renew_at`, again and again until `stop`.
     [[nodiscard]] asio::awaitable<void> keep();
     void stop();
 

@@ -31,15 +31,16 @@ class Membership {
     serve(std::shared_ptr<Channel> channel, Hello hello, PeerParts peers);
 
     /// Drains the session, or the next one if none is connected; then `serve` returns Drained.
-    /// Shortly before `timeout` it returns the running scenarios too, so that the master has time
-    /// to acknowledge. At `timeout` it drops everything and calls `out_of_time`. False if there is
-    /// nothing to drain: no connection, no task and no unacknowledged result.
+    /// Shortly before `timeout` the worker returns the running scenarios too, so that the master
+    /// has time to acknowledge. At `timeout` the worker drops everything and calls `out_of_time`.
+    /// Returns false if there is nothing to drain: no connection, no task and no unacknowledged
+    /// result.
     [[nodiscard]] bool drain(std::chrono::milliseconds timeout, std::function<void()> out_of_time);
     /// Whether `drain` was called.
     [[nodiscard]] bool is_draining() const { return is_draining_; }
     /// Whether tasks or unacknowledged results remain.
     [[nodiscard]] bool has_work() const;
-    /// Ends the session and releases its share of the peer server.
+    /// Ends the session, so that other workers get no more blocks from this one.
     void end();
 
     /// Timeout of a greeting step; shorter while a session can resume. A master busy with
@@ -65,8 +66,8 @@ class Membership {
     std::uint64_t session_id_ = 0;
     std::uint64_t epoch_ = 0;
     SessionTimes times_;
-    std::chrono::milliseconds silence_borne_{0};
-    bool is_connected_ = false; ///< A master has sent its Welcome.
+    std::chrono::milliseconds silence_borne_{0}; ///< The current silence timeout.
+    bool is_connected_ = false; ///< True from a Welcome to the end of its connection.
     bool is_draining_ = false;
     asio::steady_timer drain_timer_;
 };

@@ -1,4 +1,4 @@
-// How long a worker tries again while TLS refuses it or its master.
+// Decides how long a worker retries while TLS refuses the worker or its master.
 #pragma once
 
 #include "common/core/limits/worker.hpp"

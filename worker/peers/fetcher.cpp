@@ -125,7 +125,7 @@ void Fetcher::admit(Token token, Need& need, Step& step) {
     }
 }
 
-// Hinted blocks wait in a queue of their own, so that they never delay blocks needed at once.
+// Hints have a queue of their own, so that they never delay blocks that scenarios wait for.
 void Fetcher::hint(const Hinted& hinted) {
     hinted_.push_back(hinted);
     if (hinted_.size() > limits::hints_max) {

@@ -14,10 +14,10 @@ namespace cd {
 
 /// Queues scenarios and reports which subtrees to request and which scenarios are ready.
 ///
-/// Admits scenarios in order of arrival, each as soon as the subtrees of all admitted scenarios
-/// fit into the cache. A scenario is always admitted if it is the only one. Its subtrees stay
-/// pinned from admission to `finished`. Admitted scenarios do not wait for each other. A missing
-/// subtree is requested once, even if several scenarios wait for it.
+/// Admits scenarios in order of arrival, each as soon as its subtrees and those of all admitted
+/// scenarios fit into the cache. A scenario is always admitted if no other one is. Its subtrees
+/// stay pinned from admission to `finished`. Admitted scenarios do not wait for each other. A
+/// missing subtree is requested once, even if several scenarios wait for it.
 class Fetcher {
   public:
     using Token = std::uint64_t; ///< Identifies a scenario.
@@ -25,15 +25,16 @@ class Fetcher {
     /// The state of the cache when a scenario was admitted.
     struct Admission {
         JobId job;
-        std::uint64_t found = 0;       ///< Subtrees in the cache.
+        std::uint64_t found = 0;       ///< How many of the scenario's subtrees were cached.
         std::vector<SubtreeKey> asked; ///< Subtrees that this scenario is the first to request.
     };
+    /// A subtree that a Hint named, and the job of that Hint.
     struct Hinted {
         JobId job;
         SubtreeKey key;
     };
     struct Step {
-        std::vector<SubtreeKey> want; ///< Ascending.
+        std::vector<SubtreeKey> want; ///< Blocks to request now, ascending.
         std::vector<Hinted> hinted;   ///< The part of `want` that only hints request.
         std::vector<Token> ready;     ///< In the order in which they became ready.
         std::vector<Admission> admitted;
@@ -41,17 +42,18 @@ class Fetcher {
 
     explicit Fetcher(SubtreeCache& cache) : cache_(cache) {}
 
-    /// `roots` are distinct and exist in the cache's trees. The token is new.
+    /// Queues a scenario that needs `roots`, which are distinct and exist in the cache's trees. The
+    /// token is new.
     void add(Token token, JobId job, std::vector<SubtreeKey> roots);
-    /// Announces a subtree that future scenarios will need. It is requested when no scenario waits
-    /// for a subtree and few bytes are requested. The hint is dropped if the cache would have to
-    /// evict for it, or once `limits::hints_max` newer hints wait. The root must exist in the
-    /// cache's trees.
+    /// Announces a subtree that future scenarios will need. The subtree is requested when no
+    /// scenario waits for a subtree and requests are below `limits::hinted_bytes_max`. The hint is
+    /// dropped if the cache would have to evict for the subtree, or once `limits::hints_max` newer
+    /// hints wait. The root must exist in the cache's trees.
     void hint(const Hinted& hinted);
     /// Requests the upper tree, which ranges need and the cache never evicts. False if it is cached
     /// or requested already.
     bool want_top(TreeId tree);
-    /// Tells that the cache has received this block, even if it did not keep it.
+    /// Records that the cache has received this block, even if the cache did not keep it.
     void arrived(const SubtreeKey& key);
     /// Releases a scenario's subtrees after it has run or was dropped, at any stage.
     void finished(Token token);
@@ -68,16 +70,19 @@ class Fetcher {
     [[nodiscard]] std::size_t size() const { return needs_.size(); } ///< Unfinished scenarios.
 
   private:
+    /// An unfinished scenario.
     struct Need {
         JobId job;
         std::vector<SubtreeKey> roots;
-        std::size_t missing = 0;
+        std::size_t missing = 0; ///< Number of `roots` that have not arrived; 0 until admission.
         bool is_admitted = false;
     };
+    /// A block requested and not received.
     struct Request {
-        std::set<Token> waiting; ///< May be empty.
+        std::set<Token> waiting; ///< Scenarios that wait for the block; empty if only hinted.
         std::uint64_t bytes = 0; ///< Expected size.
     };
+    /// A subtree that admitted scenarios need.
     struct Use {
         std::uint32_t scenarios = 0;
         std::uint64_t bytes = 0; ///< Expected size at first use.

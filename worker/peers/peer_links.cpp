@@ -16,7 +16,7 @@ asio::awaitable<PeerOutcome> PeerLinks::fetch(const PeerSource& source,
     const std::shared_ptr<Channel> kept = take_kept(address);
     if (kept != nullptr) {
         const Answer answer = co_await ask(kept, source, directions, on_block);
-        // The peer may just have closed the idle connection, so this one retries on a new one.
+        // The peer may have closed the idle connection meanwhile: retries on a new connection.
         if (answer.outcome != PeerOutcome::Unreachable || answer.blocks != 0) {
             co_return answer.outcome;
         }
@@ -26,8 +26,8 @@ asio::awaitable<PeerOutcome> PeerLinks::fetch(const PeerSource& source,
         co_return PeerOutcome::Unreachable;
     }
     const Answer answer = co_await ask(channel, source, directions, on_block);
-    // A ticket is valid once. The peer refuses it if the idle connection broke only after the
-    // request had arrived; then the failure was the connection's.
+    // A ticket is valid once. The peer refuses the second request if the idle connection broke only
+    // after the first had arrived; then the connection failed, not the ticket.
     const bool was_asked_before = kept != nullptr && answer.outcome == PeerOutcome::Refused;
     co_return was_asked_before ? PeerOutcome::Unreachable : answer.outcome;
 }

@@ -20,10 +20,10 @@ class PeerLinks {
                        std::shared_ptr<const TlsSlot> tls = std::make_shared<TlsSlot>())
         : name_(std::move(name)), tls_(std::move(tls)) {}
 
-    /// Calls `on_block` once for each received block. Only requested roots and hashes are accepted;
-    /// the bytes are not hashed here. The outcome Given means that all blocks came; Unreachable,
-    /// that no answer came.
     using OnBlock = std::function<void(SubtreeBlock)>;
+    /// Fetches blocks from a source. Calls `on_block` once for each received block that was
+    /// requested and claims the right hash; the caller has to check the bytes. The outcome Given
+    /// means that all blocks came; Unreachable, that no connection or no whole answer came in time.
     [[nodiscard]] asio::awaitable<PeerOutcome>
     fetch(const PeerSource& source, const FetchFromPeers& directions, const OnBlock& on_block);
 
@@ -45,7 +45,7 @@ class PeerLinks {
 
     std::string name_;
     std::shared_ptr<const TlsSlot> tls_;
-    std::multimap<Address, std::shared_ptr<Channel>> idle_;
+    std::multimap<Address, std::shared_ptr<Channel>> idle_; ///< Connections kept for reuse.
 };
 
 } // namespace cd

@@ -20,7 +20,7 @@ namespace cd {
 /// All members run on the executor's thread.
 class PeerServer : public std::enable_shared_from_this<PeerServer> {
   public:
-    /// Returns the block in a slot, or null.
+    /// Returns a cached block, or null if this worker does not have it.
     using Blocks = std::function<std::shared_ptr<const SubtreeBlock>(const SubtreeKey&)>;
 
     /// Listens at once. Errors: those of `Listener::open`.
@@ -31,12 +31,12 @@ class PeerServer : public std::enable_shared_from_this<PeerServer> {
 
     [[nodiscard]] std::uint16_t port() const { return listener_->port(); }
 
-    /// From now on serves these blocks for tickets of this key. Replaces an earlier call.
+    /// From now on serves these blocks for tickets of this key. Replaces an earlier key and blocks.
     void serve(const PeerKey& key, Blocks blocks);
     /// Refuses all tickets until the next `serve`.
     void stop_serving();
 
-    /// Compressed bytes of all served blocks.
+    /// Compressed bytes of all blocks served since `listen`.
     [[nodiscard]] std::uint64_t uploaded_bytes() const { return uploaded_bytes_; }
 
   private:
@@ -45,7 +45,7 @@ class PeerServer : public std::enable_shared_from_this<PeerServer> {
                std::shared_ptr<const TlsSlot> tls);
 
     void accept(asio::ip::tcp::socket socket);
-    /// Holds `self`, because the coroutine may start after the server's owner is gone.
+    /// Holds `self`, because the coroutine may run after the server's owner is gone.
     [[nodiscard]] asio::awaitable<void>
     serve(std::shared_ptr<PeerServer> self, asio::ip::tcp::socket socket, Seats::Seat seat);
     [[nodiscard]] asio::awaitable<void> converse(std::shared_ptr<Channel> channel,
@@ -57,12 +57,12 @@ class PeerServer : public std::enable_shared_from_this<PeerServer> {
     asio::any_io_executor executor_;
     std::unique_ptr<Listener> listener_;
     std::shared_ptr<const TlsSlot> tls_;
-    std::optional<TicketCheck> tickets_;
+    std::optional<TicketCheck> tickets_; ///< Empty: refuses all tickets.
     Blocks blocks_;
     Seats greetings_{limits::peer_connections_max}; ///< Connections before their greeting.
     Refusals refusals_;
     Seats places_{limits::peer_connections_max}; ///< Connections after their greeting.
-    std::size_t uploads_ = 0;
+    std::size_t uploads_ = 0;                    ///< Fetches that are being served.
     std::uint64_t uploaded_bytes_ = 0;
 };
 

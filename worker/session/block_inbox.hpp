@@ -1,5 +1,5 @@
 // The blocks of geometry of a session: requests, arrivals from the master and from other workers,
-// and the reports on what is held.
+// and reports to the master on the cache.
 #pragma once
 
 #include "worker/cache/subtree_cache.hpp"
@@ -41,7 +41,7 @@ class BlockInbox {
     // ---- Messages from the master -------------------------------------------------------------
     /// Errors: those of `SubtreeCache::add_tree`.
     [[nodiscard]] Status add_tree(const AddTree& add);
-    /// No scenario may need the tree any more.
+    /// Requires that no scenario needs the tree any more.
     void remove_tree(TreeId tree);
     void add_job(const WorkerJob& job) { traffic_.job_added(job.id, {job.tree_a, job.tree_b}); }
     void remove_job(JobId job) { traffic_.job_removed(job); }
@@ -52,14 +52,14 @@ class BlockInbox {
     void fetch(FetchFromPeers directions);
 
     // ---- What the tasks need ------------------------------------------------------------------
-    /// Requests the blocks of a scenario; `settle` returns its token when all are cached. They stay
-    /// cached until `release`.
+    /// Requests the blocks of a scenario; `settle` returns the token when all are cached. The
+    /// blocks stay cached until `release`.
     void need(Token token, JobId job, std::vector<SubtreeKey> roots);
     void release(Token token) { fetcher_.finished(token); }
     /// Requests the upper trees that descents of the job need.
     void need_tops(const WorkerJob& job);
     [[nodiscard]] bool has_tops(const WorkerJob& job) const;
-    /// Counts blocks that a descent found in the cache as used.
+    /// Marks cached blocks that a descent needed as just used, and counts them as hits of the job.
     void found(JobId job, const Walked& walked);
     /// Traffic of the job since the last call.
     [[nodiscard]] BlockTraffic take_traffic(JobId job) { return traffic_.take(job); }
@@ -72,14 +72,14 @@ class BlockInbox {
     [[nodiscard]] std::vector<Token> settle();
     /// Lists the trees with their cached blocks.
     [[nodiscard]] std::vector<StandingTree> standing() const;
-    /// Repeats all pending requests, after an inventory has reported all else.
+    /// Repeats all pending requests when a session resumes; the inventory has reported all else.
     void ask_again();
     /// Evicts subtrees until the cache takes at most `bytes`. Returns the number of evicted ones.
     std::size_t let_go(std::uint64_t bytes);
     [[nodiscard]] CacheTraffic traffic() const;
     [[nodiscard]] SubtreeCache& cache() { return cache_; }
     [[nodiscard]] const SubtreeCache& cache() const { return cache_; }
-    /// Stops serving other workers, and returns the cache to its keep.
+    /// Stops serving other workers, and returns the cache to the CarryOver.
     void leave();
 
   private:
@@ -89,7 +89,7 @@ class BlockInbox {
                       const Result<OpenedBlock>& opened,
                       const std::shared_ptr<const SubtreeBlock>& block,
                       WorkerId source);
-    // Holds the hub, because it may start after the session has ended.
+    // The coroutine holds the hub, because it may run after the session has ended.
     asio::awaitable<void> fetch_from_peers(std::shared_ptr<SessionHub> hub,
                                            FetchFromPeers directions);
     void count(const Fetcher::Step& step);

@@ -46,7 +46,7 @@ class UnkeptResults {
   private:
     UnkeptBounds bounds_;
     std::map<std::uint64_t, Results> messages_;
-    std::uint64_t last_ = 0;
+    std::uint64_t last_ = 0;  ///< The last sequence number given.
     std::uint64_t bytes_ = 0; ///< Total size of records and maps.
 };
 
@@ -55,7 +55,8 @@ struct CarryOver {
     explicit CarryOver(std::uint64_t cache_bytes, const UnkeptBounds& bounds = {})
         : results(bounds), cache(cache_bytes) {}
 
-    /// Drops everything kept if the cluster differs from the last one.
+    /// Begins a session with a cluster. Drops the results and the parked trees if the last session
+    /// was with another cluster.
     void enter(const Sha256& its_cluster);
 
     UnkeptResults results;

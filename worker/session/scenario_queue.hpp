@@ -30,12 +30,13 @@ class ScenarioQueue {
 
     /// Adds a scenario that waits for its subtrees.
     [[nodiscard]] Token add(TaskId task, std::size_t scenario);
-    /// Tells that these scenarios wait only for a thread. They exist.
+    /// Marks scenarios, which are in the queue, as waiting only for a thread.
     void set_ready(std::span<const Token> tokens);
-    /// The next scenario for a thread, with its `has_begun`; they come in the order of `set_ready`.
-    /// Empty if none is ready.
+    /// Takes the next scenario for a thread, in the order of `set_ready`, and sets its `has_begun`
+    /// to a new flag. Empty if none is ready.
     [[nodiscard]] std::optional<Place> begin_next();
-    /// Removes a scenario that a thread has handled. Empty if it was dropped before it began.
+    /// Removes a scenario that a thread has run, or skipped because it was dropped. Empty in the
+    /// second case.
     [[nodiscard]] std::optional<Place> finish(Token token);
     /// Removes the scenarios that match `concerned` and have not begun, and returns them.
     std::vector<Place> drop_unbegun(const std::function<bool(const Place&)>& concerned);
@@ -44,7 +45,7 @@ class ScenarioQueue {
 
   private:
     std::map<Token, Place> places_;
-    std::deque<Token> ready_; ///< Not given to a thread.
+    std::deque<Token> ready_; ///< Ready, but not given to a thread yet.
     Token last_ = 0;
 };
 

@@ -118,7 +118,7 @@ asio::awaitable<SessionEnd> Session::serve() {
     co_return end;
 }
 
-/// Later continuations from the threads change nothing.
+/// Continuations that the threads deliver after this change nothing.
 void Session::leave() {
     if (end_threads()) {
         tasks_.leave();
@@ -132,7 +132,7 @@ void Session::settle() {
     }
     const bool have_tasks_ended = tasks_.settle(blocks_.settle());
     if (have_tasks_ended) {
-        send_heartbeat(); // The master then has the final counts of a job that ends.
+        send_heartbeat(); // So the master has the final counts when a job ends.
     }
     // The session ends once the master has written the last results to disk.
     if (draining_ && !has_tasks() && !link_.has_unkept_results() && is_connected()) {

@@ -38,7 +38,7 @@ class Session : public SessionHub {
     /// still in transit. `run` returns Drained when the master has answered Drain and acknowledged
     /// all results. Without a connection, the drain starts on the next one.
     void stop() { tasks_.stop(); }
-    /// Stops and returns the running scenarios too. Call it after `stop`.
+    /// Stops and returns the running scenarios too. Requires a call of `stop` before.
     void hand_back() { tasks_.hand_back(); }
     /// Evicts the least recently used unpinned subtrees until the cache takes at most `bytes`, when
     /// the host needs memory. Returns the number of evicted subtrees.
@@ -50,7 +50,7 @@ class Session : public SessionHub {
     [[nodiscard]] bool has_tasks() const { return tasks_.book().has_tasks(); }
 
   private:
-    struct Router; ///< Gives each message of the master to the part that it concerns.
+    struct Router; ///< Passes each message of the master to the part that handles its type.
 
     asio::awaitable<SessionEnd> serve();
     void settle() override;
@@ -59,8 +59,8 @@ class Session : public SessionHub {
     SessionLink link_;
     BlockInbox blocks_;
     TaskRunner tasks_;
-    bool draining_ = false; ///< The master sends no more tasks.
-    std::uint64_t heartbeats_ = 0;
+    bool draining_ = false;        ///< True: the master sends no more tasks.
+    std::uint64_t heartbeats_ = 0; ///< Sent so far.
     std::chrono::steady_clock::time_point began_ = std::chrono::steady_clock::now();
 };
 

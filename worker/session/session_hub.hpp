@@ -10,7 +10,7 @@
 
 namespace cd {
 
-/// The way to the master, as the parts of a session use it.
+/// The connection to the master, as the parts of a session see it.
 class MasterLink {
   public:
     MasterLink() = default;
@@ -18,14 +18,14 @@ class MasterLink {
     MasterLink& operator=(const MasterLink&) = delete;
     virtual ~MasterLink() = default;
 
-    /// Does nothing without a connection.
+    /// Sends a message; does nothing without a connection.
     virtual void send(const Message& message) = 0;
     /// Sends results, and keeps them until the master acknowledges them.
     virtual void send_results(Results results) = 0;
     /// Whether a scenario may begin: the unsent and the unacknowledged results are within their
-    /// bounds. If they are not, the session settles again once that may have changed.
+    /// bounds. If false, the session settles again once that may have changed.
     [[nodiscard]] virtual bool takes_results() = 0;
-    /// Ends the session: master and worker disagree on the state.
+    /// Sends a Failure and ends the session, because master and worker disagree on the state.
     virtual void refuse(const Error& error) = 0;
     [[nodiscard]] virtual bool is_open() const = 0;
 };
@@ -46,7 +46,7 @@ class SessionHub : public std::enable_shared_from_this<SessionHub> {
 
     [[nodiscard]] const asio::any_io_executor& home() const { return executor_.home(); }
     [[nodiscard]] unsigned threads() const { return executor_.threads(); }
-    /// Tells threads that the session is over.
+    /// A flag that threads check: true once the session is over.
     [[nodiscard]] std::shared_ptr<const std::atomic<bool>> over() const { return over_; }
 
   protected:
@@ -58,7 +58,7 @@ class SessionHub : public std::enable_shared_from_this<SessionHub> {
   private:
     Executor& executor_;
     std::shared_ptr<std::atomic<bool>> over_ = std::make_shared<std::atomic<bool>>(false);
-    bool settling_ = false;
+    bool settling_ = false; ///< True: a `settle` is posted and has not run.
 };
 
 } // namespace cd

@@ -1,4 +1,4 @@
-// A session's connection to its master, which another one may replace.
+// A session's connection to its master; when it breaks, another connection may replace it.
 #pragma once
 
 #include "common/core/limits/wire.hpp"
@@ -52,10 +52,10 @@ class SessionLink : public MasterLink {
                 const SessionTimes& times,
                 Calls calls);
 
-    /// Begins a session: names the cuts, and sends the results, kept from an earlier one.
+    /// Begins a session: sends the names of the cuts, and the results kept from earlier sessions.
     void begin(std::vector<Sha256> cuts);
     /// Continues the session over another connection: sends unacknowledged results again, then the
-    /// inventory. Ends it if the inventory exceeds the limit of a message.
+    /// inventory. Ends the session if the inventory exceeds the limit of a message.
     void resume(std::shared_ptr<Channel> channel, const Standing& standing);
     /// Handles messages until the connection ends. Returns why the session ended; Lost if another
     /// connection may resume it.
@@ -81,7 +81,7 @@ class SessionLink : public MasterLink {
     [[nodiscard]] const std::string& reason() const { return reason_; }
 
   private:
-    // Coroutines hold the hub, because they may start after the session has ended.
+    // Coroutines hold the hub, because they may run after the session has ended.
     asio::awaitable<void> send_heartbeats(std::shared_ptr<SessionHub> hub);
     asio::awaitable<void> settle_when_sent(std::shared_ptr<SessionHub> hub);
 
@@ -93,7 +93,7 @@ class SessionLink : public MasterLink {
     SessionEnd end_ = SessionEnd::Lost; ///< Lost until another reason is known.
     std::string reason_;
     bool met_silence_ = false;
-    bool waiting_for_queue_ = false;
+    bool waiting_for_queue_ = false; ///< True: `settle_when_sent` is running.
     asio::steady_timer heartbeat_timer_;
 };
 

@@ -32,7 +32,7 @@ class TaskBook {
     [[nodiscard]] bool has_tasks() const { return !tasks_.empty(); }
     /// Unanswered scenarios of all tasks.
     [[nodiscard]] std::uint64_t unanswered() const;
-    /// Adds the jobs, and the tasks with their returned scenarios.
+    /// Adds the jobs, and the tasks with their returned scenarios, to an inventory.
     void add_to(Standing& standing) const;
 
   private:

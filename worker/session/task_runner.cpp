@@ -261,7 +261,7 @@ void TaskRunner::scenario_ran(ScenarioQueue::Token token,
     hub_.settle_soon();
     const std::optional<Place> place = queue_.finish(token);
     if (!place) {
-        return; // The scenario was returned before it began.
+        return; // The scenario was dropped before it began.
     }
     Task& task = book_.at(place->task);
     blocks_.release(token);

@@ -1,4 +1,4 @@
-// Runs the tasks of a session on its threads: scenarios in, results out.
+// Runs the tasks of a session on the worker's threads: scenarios in, results out.
 #pragma once
 
 #include "worker/execution/scenario_clock.hpp"
@@ -31,10 +31,11 @@ class TaskRunner {
     void remove_job(JobId job);
     /// Removes the jobs that use the tree.
     void remove_jobs_of(TreeId tree);
-    /// Errors: those of `TaskBook`. Returns all scenarios of the task at once after `stop`.
+    /// Adds a task. After `stop`, all of its scenarios go back at once. Errors: those of
+    /// `TaskBook`.
     [[nodiscard]] Status add(Batch batch);
     [[nodiscard]] Status add(const ScenarioRange& range);
-    /// Returns recalled scenarios that have not begun.
+    /// Returns to the master those recalled scenarios that have not begun.
     void recall(const Recall& recall);
     void drop(const DropScenario& drop);
 
@@ -47,7 +48,7 @@ class TaskRunner {
     /// Starts scenarios on free threads; those of `ready` wait for nothing else. Then ends the
     /// finished tasks. Returns whether the last task has ended.
     [[nodiscard]] bool settle(std::span<const ScenarioQueue::Token> ready);
-    /// Sends all results.
+    /// Sends all results that have not been sent.
     void leave();
     [[nodiscard]] const TaskBook& book() const { return book_; }
     /// The scenario that has run for the longest time. Empty if none runs.
@@ -80,7 +81,7 @@ class TaskRunner {
     std::shared_ptr<std::atomic<std::uint64_t>> computed_;
     TaskBook book_;
     ScenarioQueue queue_;
-    std::size_t running_ = 0; ///< Jobs submitted to the threads.
+    std::size_t running_ = 0; ///< Functions submitted to the threads and not yet continued.
     RunningClocks clocks_;
     bool stopping_ = false; ///< Set by `stop`.
     bool flushing_soon_ = false;

@@ -20,7 +20,7 @@ class TrafficBook {
     void tree_removed(TreeId tree);
     [[nodiscard]] bool has(JobId job) const { return jobs_.contains(job); }
 
-    /// Counts cache hits: needed subtrees that scenarios of the job found.
+    /// Counts cache hits: cached subtrees that scenarios of the job needed.
     void found(JobId job, std::uint64_t subtrees);
     /// Counts a cache miss: a scenario of the job is the first to request the subtree.
     void missed(JobId job, const SubtreeKey& key);
