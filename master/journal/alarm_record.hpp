@@ -15,10 +15,11 @@ namespace cd {
 struct AlarmRecord {
     std::uint64_t count = 0;             ///< Number of alarms ever raised.
     std::vector<std::string> last;       ///< The last alarms, oldest first.
-    std::vector<InstanceId> quarantined; ///< Workers that gave a wrong result, oldest first.
+    std::vector<InstanceId> quarantined; ///< Processes that gave a wrong result, oldest first.
 
-    /// Adds an alarm, and forgets the oldest when there are too many.
+    /// Adds an alarm. Forgets the oldest one beyond `limits::alarms_kept_max`.
     void add(const std::string& text);
+    /// Adds a process. Forgets the oldest one beyond `limits::quarantined_kept_max`.
     void quarantine(InstanceId process);
 
     friend bool operator==(const AlarmRecord&, const AlarmRecord&) = default;

@@ -8,8 +8,8 @@
 
 namespace cd {
 
-/// A copy of a database and its log. SQLite reads a log only in a writable folder. The destructor
-/// deletes the copy.
+/// A copy of a database and its write-ahead log. SQLite needs a writable folder to read such a log.
+/// The destructor deletes the copy.
 class DatabaseCopy {
   public:
     /// Copies the file and its "-wal" into a temporary folder. Errors: Io.

@@ -11,14 +11,14 @@ namespace cd {
 class JobMap {
   public:
     void add(const ContactMap& map) { total_.add(map); }
-    /// Marks the map unusable: part of its sum is wrong, and nobody can tell which.
+    /// Marks the map as unusable: it contains wrong contributions, which cannot be subtracted.
     void withdraw(const std::string& why) { withdrawn_ = withdrawn_.empty() ? why : withdrawn_; }
-    /// Packs the map, to which nothing more is added, to save memory.
+    /// Packs the map to save memory. Nothing may be added afterwards.
     void finish();
 
-    /// Why the map was withdrawn; empty if it is valid.
+    /// Reason why the map was withdrawn; empty if it is valid.
     [[nodiscard]] const std::string& withdrawn() const { return withdrawn_; }
-    /// The finished map, packed. Empty if it was withdrawn.
+    /// The packed map. Empty before `finish`, and if the map was withdrawn.
     [[nodiscard]] const Bytes& packed() const { return packed_; }
 
   private:

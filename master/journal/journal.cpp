@@ -23,7 +23,8 @@ namespace {
 
 using SteadyClock = std::chrono::steady_clock;
 
-/// Returns whether somebody waits for the entry and no similar one follows soon.
+/// Returns whether the entry must be written at once: a client may wait for it. Results can wait
+/// for more results.
 bool is_urgent(const JournalEntry& entry) {
     return !std::holds_alternative<AddResults>(entry);
 }
@@ -37,7 +38,7 @@ struct Journal::State {
     Recovered recovered;
     JournalEvents events;
 
-    mutable std::mutex mutex; ///< Guards `queue` to `added`.
+    mutable std::mutex mutex; ///< Guards the members from `queue` to `added`.
     std::condition_variable changed;
     std::deque<JournalEntry> queue;
     std::size_t queued_rows = 0;
@@ -46,13 +47,13 @@ struct Journal::State {
     std::uint64_t added = 0;
     std::atomic<std::uint64_t> queued_bytes = 0;
 
-    std::uint64_t committed = 0; ///< Used by the journal's thread alone.
+    std::uint64_t committed = 0; ///< Only the journal's thread uses it.
     std::thread thread;
 
     void run();
     [[nodiscard]] std::vector<JournalEntry> next_group(SteadyClock::time_point not_before);
     [[nodiscard]] Status write(const std::vector<JournalEntry>& group);
-    /// Retries until written. False: the journal ended without writing.
+    /// Retries until the group is written. False if the journal is destroyed before that.
     bool write_until_done(const std::vector<JournalEntry>& group);
     [[nodiscard]] std::filesystem::path jobs_folder() const { return options.directory / "jobs"; }
 };
@@ -113,7 +114,7 @@ void Journal::State::run() {
         const std::vector<JournalEntry> group = next_group(not_before);
         not_before = SteadyClock::now() + limits::journal_group_period;
         if (group.empty() || !write_until_done(group)) {
-            return; // The journal is stopping.
+            return; // The journal is being destroyed.
         }
         for (const JournalEntry& entry : group) {
             queued_bytes -= bytes_of(entry);
@@ -127,8 +128,8 @@ void Journal::State::run() {
 
 namespace {
 
-/// Deletes unfinished files of a killed master, and files of dropped jobs. The journal was found
-/// intact.
+/// Deletes the temporary files of a killed master, and files of dropped jobs. Call only after the
+/// journal was found intact.
 void remove_leftovers(const JournalOptions& options,
                       const std::filesystem::path& folder,
                       const Recovered& recovered) {

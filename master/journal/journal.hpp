@@ -20,29 +20,29 @@
 
 namespace cd {
 
-/// A result with its record.
+/// A result: its row in the index, and its record.
 struct JournalResult {
     ResultRow row;
     Bytes record;
 };
 
-// Entries, written in the order in which they are added.
+// Kinds of entries. The journal writes entries in the order in which they are added.
 struct AcceptJob {
     JobRecord job; ///< Its poses are already on disk.
 };
 struct AddResults {
     JobId job;
     std::shared_ptr<ResultStore> store; ///< The job's store.
-    std::vector<JournalResult> results; ///< Their records become readable at the commit.
+    std::vector<JournalResult> results; ///< The commit makes their records readable.
     JobProgress progress;
-    Bytes map; ///< `pack_map` of these results; empty: none.
-    InstanceId author = 0;
+    Bytes map;                        ///< Packed contact map of these results; empty: none.
+    InstanceId author = 0;            ///< Worker process that gave the results; 0: the master.
     std::vector<Remark> remarks = {}; ///< Remarks on these or earlier results.
-    /// Scenarios whose results `remarks` withdraws: their records become unreadable.
+    /// Scenarios whose results are withdrawn: the commit makes their records unreadable.
     std::vector<std::uint64_t> withdrawn = {};
-    std::vector<LostPlaces> losses = {};
-    /// New state of the alarms. It is committed with the results, so that no action follows from a
-    /// quarantine that a crash could undo.
+    std::vector<LostPlaces> losses = {}; ///< Positions that were lost with a worker.
+    /// New state of the alarms, if changed. One commit writes it with the rest of the entry, so
+    /// that a crash cannot undo a quarantine but keep its consequences.
     std::optional<AlarmRecord> alarms = {};
 };
 struct EndJob {
@@ -63,61 +63,64 @@ struct RecoveredJob {
     std::optional<JobEnd> end; ///< Empty: the job continues.
     ResultMerger merger{0};
     JobMap map;
-    std::uint64_t withdrawn = 0; ///< Number of results withdrawn.
-    /// Results; like all members below, only for a job that continues.
-    std::vector<ResultRow> done;
-    std::vector<InstanceId> authors; ///< Author of each of these results; 0: the master.
+    std::uint64_t withdrawn = 0;     ///< Number of results withdrawn.
+    std::vector<ResultRow> done;     ///< Valid results; only for a job that continues.
+    std::vector<InstanceId> authors; ///< Author of each result in `done`; 0: the master.
     std::vector<Remark> disputes;    ///< Open disputes.
-    std::vector<LostPlaces> losses;  ///< In order of the losses; only for a job that continues.
-    /// All authors of results that were not withdrawn, also for an ended job.
+    std::vector<LostPlaces> losses;  ///< In the order of the losses; only if the job continues.
+    /// All processes with results that were not withdrawn.
     std::set<InstanceId> contributors;
     std::shared_ptr<ResultStore> results;
 };
 
 struct Recovered {
-    Sha256 cluster;                 ///< Unique id of this state.
-    JobId last_job;                 ///< Greatest job number ever used.
-    std::vector<RecoveredJob> jobs; ///< Jobs, by id.
+    Sha256 cluster;                 ///< Random id of this state, made when it was created.
+    JobId last_job;                 ///< Greatest job id ever used; 0: none.
+    std::vector<RecoveredJob> jobs; ///< In the order of their ids.
     AlarmRecord alarms = {};
 };
 
 struct JournalOptions {
     std::filesystem::path directory; ///< State directory.
-    bool synced = true; ///< False: a power loss may destroy everything, a crash nothing.
-    bool create = true; ///< Create a missing journal.
-    /// Checks the records of unfinished jobs against their checksums. Records of ended jobs are
-    /// checked when read.
+    /// True: each commit is synced to disk. False: a power loss may destroy everything, a crash of
+    /// the master nothing.
+    bool synced = true;
+    bool create = true; ///< True: create a missing journal. False: also change nothing on disk.
+    /// True: check the records of unfinished jobs against their checksums. Records of ended jobs
+    /// are checked when they are read.
     bool check_records = true;
 };
 
 /// Callbacks on the journal's thread.
 struct JournalEvents {
-    /// All entries up to this position are on disk.
+    /// All entries up to this position are committed.
     std::function<void(std::uint64_t position)> committed;
-    /// The journal cannot write and keeps retrying; an empty text means that it can write again.
+    /// The journal cannot write, because of the error `why`, and keeps retrying. Empty: the journal
+    /// can write again.
     std::function<void(const std::string& why)> paused;
 };
 
-/// Files: `journal.db` and, for each job, `jobs/N.results` (`result_store.hpp`). Segments are
-/// synced before the commit that names their records.
+/// Files: the index `journal.db` and, for each job N, the segment `jobs/N.results`
+/// (`result_store.hpp`). A segment is synced before the index commit that refers to its records.
 class Journal {
   public:
     /// Reads the whole journal. Errors: Io naming a file that is damaged or unusable, with a
-    /// remedy; nothing on disk has then been changed.
+    /// remedy. An error leaves the disk unchanged.
     [[nodiscard]] static Result<std::unique_ptr<Journal>> open(const JournalOptions& options);
     Journal(const Journal&) = delete;
     Journal& operator=(const Journal&) = delete;
     /// Writes all added entries, unless that fails.
     ~Journal();
 
-    /// Returns the content at the opening. Call once.
+    /// Returns the content that `open` found. Call once.
     [[nodiscard]] Recovered take_recovered();
 
     /// Starts writing. Call once, before adding entries.
     void start(JournalEvents events);
-    /// Returns the entry's position, from 1. Never blocks for the disk. Any thread.
+    /// Queues the entry. Returns its position; the first is 1. Never blocks for the disk. Any
+    /// thread.
     std::uint64_t add(JournalEntry entry);
-    /// Bytes of uncommitted records. Any thread.
+    /// Bytes of all queued records, that is, not committed yet. Any thread.
     [[nodiscard]] std::uint64_t queued_bytes() const;
 
     /// Returns a job as accepted. Blocks for the disk. Any thread. Errors: NotFound; Io.

@@ -29,7 +29,7 @@ constexpr const char* schema =
     "CREATE TABLE results(number INTEGER PRIMARY KEY, job INTEGER NOT NULL, content BLOB NOT NULL);"
     "CREATE INDEX results_of_job ON results(job);";
 
-/// Kind of a row, covered by its checksum so that no row passes for another.
+/// Kind of a row. The row's checksum covers the kind, so that no row can pass for another kind.
 enum class RowKind : std::uint64_t {
     Meta = 1,
     Record = 2,
@@ -63,7 +63,7 @@ std::optional<Bytes> unsealed(std::span<const std::byte> row, RowKind kind, std:
     return Bytes(content.begin(), content.end());
 }
 
-/// SQLite stores only signed numbers.
+/// The same 64 bits as a signed number, which is all that SQLite stores.
 sqlite3_int64 to_column(std::uint64_t value) {
     return static_cast<sqlite3_int64>(value);
 }
@@ -92,7 +92,7 @@ struct FinalizeStatement {
 };
 using Database = std::unique_ptr<sqlite3, CloseDatabase>;
 
-/// A prepared statement. Errors appear in `sqlite3_errmsg` at the end.
+/// A prepared statement. After an error, `step` returns false and `sqlite3_errmsg` has the reason.
 class Statement {
   public:
     Statement(sqlite3* database, const char* text) {
@@ -143,7 +143,7 @@ struct JournalDatabase::State {
     std::optional<DiskFile> mark;
     std::optional<DatabaseCopy> copy; ///< Read instead of `path`, if set.
     Database database;
-    bool writing = false; ///< A write has happened, and the database is known to be intact.
+    bool writing = false; ///< True after the first write: the database is intact.
     Sha256 cluster;
     std::uint64_t last_job = 0;
     std::uint64_t commits = 0;
@@ -184,8 +184,8 @@ struct JournalDatabase::State {
 
 Status JournalDatabase::State::connect(const Options& options, bool create) {
     sqlite3* opened = nullptr;
-    // `cdmaster check` may run in a read-only folder. SQLite must then be told that the database
-    // has no log (immutable).
+    // `cdmaster check` may run in a read-only folder, where SQLite opens a database without a log
+    // only as immutable, and one with a log not at all: then a copy is read.
     std::error_code none;
     const std::uintmax_t log_bytes = std::filesystem::file_size(path.string() + "-wal", none);
     const bool is_at_rest = !options.create && (none || log_bytes == 0);
@@ -205,7 +205,8 @@ Status JournalDatabase::State::connect(const Options& options, bool create) {
     if (code != SQLITE_OK) {
         return failure("open");
     }
-    // Closing without a write must not touch the log: it may be what is damaged.
+    // By default, closing moves the log into the database file. Without a write that must not
+    // happen, because the log may be damaged.
     sqlite3_db_config(opened, SQLITE_DBCONFIG_NO_CKPT_ON_CLOSE, 1, nullptr);
     sqlite3_extended_result_codes(opened, 1);
     const std::string settings =
@@ -222,8 +223,8 @@ Status JournalDatabase::State::make() {
     const bool made = run("PRAGMA journal_mode=WAL") && run("BEGIN IMMEDIATE") &&
                       run(names.c_str()) && run(schema) && set_meta("cluster", cluster.bytes) &&
                       set_number("last_job", 0) && set_number("commits", 0) && run("COMMIT") &&
-                      // With the tables in the database file, a log lost later does not look like a
-                      // new state.
+                      // Moves the tables into the database file, so that a state whose log is lost
+                      // later does not look new.
                       run("PRAGMA wal_checkpoint(TRUNCATE)");
     if (!made) {
         return failure("create");
@@ -245,7 +246,7 @@ Status JournalDatabase::State::make_mark() {
     return mark->commit();
 }
 
-/// Accepts a missing mark only for a journal whose creation was interrupted.
+/// Accepts a missing mark only if the creation of the journal was interrupted.
 Status JournalDatabase::State::check_unmarked(const Options& options) {
     if (commits != 0 || !options.owned.empty()) {
         return missing_mark();
@@ -260,7 +261,7 @@ Error JournalDatabase::State::missing_mark() const {
              " is missing or empty, so that nothing tells whether commits are lost"});
 }
 
-/// Returns whether the tables are missing, as after an interrupted creation.
+/// Returns whether the database has no tables yet, for example after an interrupted creation.
 bool JournalDatabase::State::is_empty() const {
     Statement id(database.get(), "PRAGMA application_id");
     return id.step() && id.number(0) == 0;
@@ -345,8 +346,7 @@ Result<std::uint64_t> JournalDatabase::State::read_mark() const {
     return commit;
 }
 
-// Runs after the commit without a sync: an outdated mark understates the commits but is never
-// wrong.
+// Called after each commit, without a sync: an outdated mark names fewer commits, which is valid.
 Status JournalDatabase::State::write_mark() const {
     ByteWriter out;
     out.put(mark_magic);
@@ -358,7 +358,7 @@ Status JournalDatabase::State::write_mark() const {
 JournalDatabase::JournalDatabase(std::unique_ptr<State> state) : state_(std::move(state)) {}
 
 JournalDatabase::~JournalDatabase() {
-    // An intact database that was written to is closed into one file, without a log.
+    // After a write, lets SQLite move the log into the database file.
     sqlite3_db_config(
         state_->database.get(), SQLITE_DBCONFIG_NO_CKPT_ON_CLOSE, state_->writing ? 0 : 1, nullptr);
 }
@@ -586,7 +586,7 @@ Status JournalDatabase::write(std::span<const DatabaseChange> changes) {
             state.last_job = std::max(state.last_job, change.job.value);
         }
     }
-    // A mark that cannot be written stays behind, which is allowed.
+    // An error is ignored: the mark then names fewer commits, which is valid.
     (void)state.write_mark();
     return Done{};
 }

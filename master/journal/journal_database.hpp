@@ -1,4 +1,4 @@
-// The journal's index: jobs and groups of results in SQLite. The only user of SQLite.
+// The journal's index: jobs and groups of results in SQLite. No other file uses SQLite.
 #pragma once
 
 #include "common/core/files/bytes.hpp"
@@ -15,12 +15,12 @@
 
 namespace cd {
 
-/// Writes one row, or deletes it with all rows of its job. Alarms belong to no job.
+/// A change of the database: writes one row or, for Drop, deletes all rows of the job.
 struct DatabaseChange {
     enum class Kind : std::uint8_t { Accept, Results, Progress, End, Drop, Alarms };
     Kind kind = Kind::Accept;
-    JobId job;
-    Bytes content; ///< Empty for Drop.
+    JobId job;     ///< Unused for Alarms.
+    Bytes content; ///< Content of the row; empty for Drop.
 };
 
 /// Rows of one job.
@@ -31,32 +31,35 @@ struct DatabaseJob {
     Bytes end;      ///< Empty while the job runs.
 };
 
-/// `journal.db` with its write-ahead log, and `journal.mark` with the number of the last commit. In
-/// the log alone, damage looks like its end; the mark tells them apart. The mark is created before
-/// the first commit. Every row has its own checksum. One thread at a time.
+/// `journal.db` with its write-ahead log, and `journal.mark` with the number of the last commit.
+/// SQLite takes damage in the log for the log's end; the mark reveals the missing commits. The mark
+/// is created before the first commit. Every row has its own checksum. One thread at a time.
 class JournalDatabase {
   public:
     struct Options {
-        bool synced = true; ///< False: a power loss may destroy everything, a crash nothing.
-        bool create = true; ///< Create a missing database.
-        /// A file that exists only beside a journal with commits; empty: none. A seemingly new
-        /// database beside such a file has lost its data.
+        /// True: each commit is synced to disk. False: a power loss may destroy everything, a crash
+        /// of the master nothing.
+        bool synced = true;
+        bool create = true; ///< True: create a missing database. False: only read.
+        /// A file of a job, which exists only if the journal has commits; empty: none. If the
+        /// database beside such a file looks new, it has lost its data.
         std::filesystem::path owned = {};
     };
 
-    /// Errors: Io naming a file that is damaged or unusable, with a remedy. Nothing on disk changes
-    /// after an error, or before `write`.
+    /// Opens `journal.db` in the directory. Changes an existing database only in `write`. Errors:
+    /// NotFound if there is none and `create` is false; Io naming a file that is damaged or
+    /// unusable, with a remedy.
     [[nodiscard]] static Result<std::unique_ptr<JournalDatabase>>
     open(const std::filesystem::path& directory, const Options& options);
     JournalDatabase(const JournalDatabase&) = delete;
     JournalDatabase& operator=(const JournalDatabase&) = delete;
     ~JournalDatabase();
 
-    /// Unique id of this state, created with it.
+    /// Random id of this state, made when it was created.
     [[nodiscard]] const Sha256& cluster() const;
-    /// Greatest job number ever used.
+    /// Greatest job id ever used; 0: none.
     [[nodiscard]] JobId last_job() const;
-    /// Returns all jobs, by id. Errors: Io.
+    /// Returns all jobs in the order of their ids. Errors: Io.
     [[nodiscard]] Result<std::vector<DatabaseJob>> jobs() const;
     /// The record of one job. Errors: NotFound; Io.
     [[nodiscard]] Result<Bytes> record(JobId job) const;
@@ -67,11 +70,11 @@ class JournalDatabase {
     [[nodiscard]] Status
     for_each_results(JobId job,
                      const std::function<Status(std::span<const std::byte>)>& take) const;
-    /// Checks that all results belong to an existing job. Errors: Io.
+    /// Checks that every row of results belongs to an existing job. Errors: Io.
     [[nodiscard]] Status check_owners() const;
 
-    /// Writes all changes in one commit, which is on disk when this returns. After an error none is
-    /// written, and the call may be repeated. Errors: Io.
+    /// Writes all changes in one commit, which is on disk when this returns. After an error no
+    /// change is written, and the call may be repeated. Errors: Io.
     [[nodiscard]] Status write(std::span<const DatabaseChange> changes);
 
     [[nodiscard]] const std::filesystem::path& path() const;

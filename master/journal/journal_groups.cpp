@@ -38,7 +38,7 @@ struct JobChanges {
     std::shared_ptr<ResultStore> store;
     std::vector<StoredRecord> records;
     ResultGroup rows;
-    std::set<std::uint64_t> withdrawn; ///< Scenarios without a result after these changes.
+    std::set<std::uint64_t> withdrawn; ///< Scenarios that these changes leave without a result.
     const JobProgress* progress = nullptr;
 };
 
@@ -96,7 +96,7 @@ std::vector<DatabaseChange> database_changes(std::span<const JournalEntry> group
         }
         changes.push_back({Kind::Progress, job, encode_progress(*added.progress)});
     }
-    // Only the last alarms are written: they include all earlier ones.
+    // The last alarm record of the group replaces the earlier ones.
     const AlarmRecord* alarms = nullptr;
     for (const JournalEntry& entry : group) {
         if (const auto* add = std::get_if<AddResults>(&entry); add != nullptr && add->alarms) {
@@ -132,7 +132,7 @@ Status write_group(const JournalDisk& disk, std::span<const JournalEntry> group)
         if (Status status = changes.store->write(changes.records); !status) {
             return status;
         }
-        // Includes files created by an earlier attempt that failed.
+        // True as well for a file that an earlier, failed attempt created.
         has_new_segments = has_new_segments || changes.store->has_new_name();
         if (Status status = disk.synced && !mutated(Mutation::SegmentNotSynced)
                                 ? changes.store->sync()
@@ -178,12 +178,12 @@ struct FoundJob {
     RecoveredJob job;
     std::vector<ResultRow> rows;
     std::vector<RecordPlace> places;
-    std::vector<InstanceId> authors;              ///< Authors of the rows.
-    std::vector<bool> withdrawn;                  ///< Rows that count as never written.
+    std::vector<InstanceId> authors;              ///< Author of each row.
+    std::vector<bool> withdrawn;                  ///< For each row: true if it was withdrawn.
     std::uint64_t end = ResultStore::first_end(); ///< Committed end of the segment.
 };
 
-/// Accepts any meshes: the map's meshes are known only when it is used.
+/// Bounds that fit any meshes, because the journal does not know the sizes of the job's meshes.
 constexpr ContactMapBounds journal_map_bounds{
     limits::mesh_triangles_max, limits::mesh_triangles_max, limits::scenarios_max};
 
@@ -236,7 +236,7 @@ void take_rows(FoundJob& job, const ResultGroup& group) {
     job.withdrawn.resize(job.rows.size());
 }
 
-/// Withdraws the rows of an author up to here. A withdrawn author writes no more rows in a group.
+/// Withdraws the author's rows in this group and in earlier ones. Withdrawn authors write no more.
 void withdraw_rows(FoundJob& job, InstanceId author) {
     for (std::size_t i = 0; i < job.rows.size(); ++i) {
         if (job.authors[i] == author && !job.withdrawn[i]) {
@@ -292,8 +292,8 @@ Result<FoundJob> find_job(const JournalDatabase& database, const DatabaseJob& ro
     return read ? std::move(found) : Result<FoundJob>(read.error());
 }
 
-/// Reads one job after the other: a job's rows take much more memory than what is kept. Stops at an
-/// error of `take`.
+/// Reads the jobs and passes each to `take`. One at a time, because a job's rows take much more
+/// memory than the part that is kept. Stops at an error of `take`.
 Status for_each_job(const JournalDatabase& database,
                     const std::function<Status(Result<FoundJob>)>& take) {
     const Result<std::vector<DatabaseJob>> rows = database.jobs();
@@ -312,7 +312,7 @@ std::filesystem::path segment_path(const std::filesystem::path& jobs_folder, Job
     return jobs_folder / (std::to_string(job.value) + ".results");
 }
 
-/// Opens the job's segment and restores the members in memory.
+/// Opens the job's segment, and fills the members of `found.job` from the rows.
 Status restore(FoundJob& found, const std::filesystem::path& path, bool check_records) {
     RecoveredJob& job = found.job;
     const std::uint64_t scenarios = job.record.submit.scenarios;
@@ -327,7 +327,7 @@ Status restore(FoundJob& found, const std::filesystem::path& path, bool check_re
         }
         job.results = std::move(store.value());
     }
-    // The last result of a scenario counts: earlier ones turned out to be wrong.
+    // Newest first: of several results of a scenario, only the last is right.
     for (std::size_t i = found.rows.size(); i-- > 0;) {
         const ResultRow& row = found.rows[i];
         const bool is_missed = mutated(Mutation::GroupNotRecovered) && i + 1 == found.rows.size();

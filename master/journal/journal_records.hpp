@@ -1,4 +1,4 @@
-// Encodes what the journal keeps of a job, and validates it when reading.
+// Encodes and decodes a job's rows in the journal: as accepted, its progress, and its end.
 #pragma once
 
 #include "common/core/files/bytes.hpp"
@@ -19,19 +19,19 @@ namespace cd {
 struct JobRecord {
     JobId id;
     Submit submit;
-    std::uint64_t began = 0; ///< When it was accepted, in seconds since 1970.
+    std::uint64_t began = 0; ///< Time of the acceptance, in seconds since 1970.
 };
 
 /// Scenarios recalled or copied at a job's end (docs/job-end.md).
 struct HelpAtEnd {
-    std::uint64_t recalled = 0;   ///< Returned by workers that had not begun them.
-    std::uint64_t copies = 0;     ///< Sent to a second worker as speculative copies.
-    std::uint64_t copies_won = 0; ///< Speculative copies that answered first.
+    std::uint64_t recalled = 0;   ///< Scenarios that workers returned before beginning them.
+    std::uint64_t copies = 0;     ///< Scenarios sent to a second worker as speculative copies.
+    std::uint64_t copies_won = 0; ///< Speculative copies that gave the result first.
 
     friend bool operator==(const HelpAtEnd&, const HelpAtEnd&) = default;
 };
 
-/// What a job's status reports beside its results.
+/// Measurements that a job's status shows in addition to its results.
 struct JobProgress {
     double seconds = 0; ///< Run time in all incarnations of the master.
     std::uint64_t answered_by_master = 0;
@@ -41,23 +41,23 @@ struct JobProgress {
     HelpAtEnd help;
     /// Depth of each body's cut; empty before the geometry is prepared.
     std::vector<std::uint32_t> depths;
-    std::string map_withdrawn; ///< Why the job's map is unusable; empty if it is valid.
+    std::string map_withdrawn; ///< Reason why the job's map is unusable; empty if it is valid.
 };
 
-/// How a job ended.
+/// The end of a job.
 struct JobEnd {
-    JobState state = JobState::Done;
-    std::string failure;
-    std::optional<Sha256> digest;
-    std::uint64_t ended = 0; ///< Seconds since 1970.
+    JobState state = JobState::Done; ///< Any state but Running.
+    std::string failure;             ///< Reason of a failed or cancelled job.
+    std::optional<Sha256> digest;    ///< Digest over all results; set if the job is done.
+    std::uint64_t ended = 0;         ///< Time of the end, in seconds since 1970.
 };
 
-/// Differs from the protocol's encoding, which may change between versions.
+// Not the encoding of the protocol, so that the protocol can change without the journal.
 [[nodiscard]] Bytes encode_job(const JobRecord& job);
 [[nodiscard]] Bytes encode_progress(const JobProgress& progress);
 [[nodiscard]] Bytes encode_end(const JobEnd& end);
 
-// Inverses of the functions above. Errors: BadFrame for invalid bytes, which only damage can cause.
+// Inverses of the functions above. Errors: BadFrame for invalid bytes, which are due to damage.
 [[nodiscard]] Result<JobRecord> decode_job(std::span<const std::byte> bytes);
 [[nodiscard]] Result<JobProgress> decode_progress(std::span<const std::byte> bytes);
 [[nodiscard]] Result<JobEnd> decode_end(std::span<const std::byte> bytes);

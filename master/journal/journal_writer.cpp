@@ -18,7 +18,8 @@ void JournalWriter::restore(JobId job, std::span<const ResultRow> results) {
 
 void JournalWriter::start(Events events) {
     events_ = std::move(events);
-    // The journal may commit after the writer is gone; what it posts then never runs.
+    // The journal may still commit after the writer is destroyed. The functions that it posts then
+    // never run, because the executor has stopped.
     journal_.start({[this, post = post_](std::uint64_t position) {
                         post([this, position] { committed(position); });
                     },

@@ -1,4 +1,4 @@
-// Writes to the journal and announces what has become durable.
+// Writes entries to the journal, and announces events once the journal has committed them.
 #pragma once
 
 #include "master/journal/journal.hpp"
@@ -13,56 +13,56 @@
 
 namespace cd {
 
-/// Owns the order between writing and announcing: a client or a worker hears of something only when
-/// the journal has it. All members run on one thread.
+/// Enforces that clients and workers learn of an event only after the journal has committed it. All
+/// members run on one thread.
 class JournalWriter {
   public:
-    /// Announcements, each after the journal has committed its cause.
+    /// Callbacks. Those with an argument follow the commit of the event that they announce.
     struct Events {
-        /// Results that the worker may forget, by their sequence numbers.
+        /// The worker may forget result messages; `kept` has their sequence numbers.
         std::function<void(WorkerId worker, const ResultsKept& kept)> results_kept;
         std::function<void(JobId)> job_accepted;
         std::function<void(JobId)> job_ended;
         std::function<void(JobId)> job_dropped;
         std::function<void(const Dispute&)> dispute_opened;
-        /// `paused` has changed.
+        /// The value of `JournalWriter::paused` has changed.
         std::function<void()> paused;
-        /// Entries were committed, so that there may be room for more.
+        /// Entries were committed, so that the queue may have room for more.
         std::function<void()> committed;
     };
 
-    /// Runs a function on the writer's thread; called on the journal's.
+    /// Runs a function on the writer's thread; called on the journal's thread.
     using Post = std::function<void(std::function<void()>)>;
 
-    /// The journal is not started yet. It must stop before the writer's thread, and after the
-    /// writer.
+    /// The journal must not be started yet. It must be destroyed after the writer, and before the
+    /// writer's thread ends.
     JournalWriter(Post post, Journal& journal) : post_(std::move(post)), journal_(journal) {}
 
-    /// Notes the results that a recovered job has in the journal, before `start`.
+    /// Call before `start` for each recovered job that continues: its results are durable already.
     void restore(JobId job, std::span<const ResultRow> results);
     /// Starts the journal. Call once, before any `write`.
     void start(Events events);
 
     /// Writes an entry. Announces an accepted, ended or dropped job when it is durable.
     void write(JournalEntry entry);
-    /// Announces the dispute, or acknowledges the results, when all entries written so far are
-    /// durable.
+    /// Announces the dispute, or acknowledges the result message, once all entries written so far
+    /// are durable.
     void promise(const Promise& promise) { ledger_.promise(promise, written_); }
-    /// Acknowledges the results of a job when these scenarios are durable. Ignores scenarios
-    /// without a result.
+    /// Acknowledges the result message once the results of these scenarios are durable. Ignores
+    /// scenarios without a result.
     void promise(const Delivery& delivery, JobId job, std::span<const std::uint64_t> scenarios) {
         ledger_.promise(delivery, job, scenarios);
     }
-    /// Announces what is durable already; otherwise the next commit does.
+    /// Announces now all events that are durable already. Each commit does so as well.
     void announce();
-    /// Acknowledges nothing more to the worker.
+    /// Drops all pending acknowledgements to the worker.
     void forget(WorkerId worker) { ledger_.forget(worker); }
 
-    /// Why the journal does not write; empty if it does.
+    /// Error because of which the journal cannot write; empty if it can.
     [[nodiscard]] const std::string& paused() const { return paused_; }
-    /// The journal writes, and its queue has room for more results.
+    /// True if the journal can write and its queue has room for more results.
     [[nodiscard]] bool has_room() const { return paused_.empty() && !is_full(); }
-    /// Calls `done` now, or when the queue has room.
+    /// Calls `done` now, or as soon as the queue has room.
     void when_room(std::function<void()> done);
 
     /// Aborts when an invariant is broken; for tests, after each event.

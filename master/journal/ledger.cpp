@@ -81,7 +81,7 @@ void Ledger::promise(const Delivery& delivery,
         std::any_of(scenarios.begin(), scenarios.end(), [&](std::uint64_t scenario) {
             return state(job, scenario) == State::Written && !mutated(Mutation::AnswerKeptTooEarly);
         });
-    // Entries of single scenarios are not tracked: the last entry follows all of them.
+    // Waits for the last uncommitted entry, which follows those of all these scenarios.
     promise(delivery, is_pending ? entries_.back().position : committed_);
 }
 

@@ -19,38 +19,37 @@
 
 namespace cd {
 
-/// A message of results, as numbered by its worker.
+/// A result message, which is to be acknowledged to its worker.
 struct Delivery {
     WorkerId worker;
-    std::uint64_t sequence = 0;
+    std::uint64_t sequence = 0; ///< Number that the worker gave the message.
 
     friend auto operator<=>(const Delivery&, const Delivery&) = default;
 };
-/// The job is in the journal: its client may be told.
+/// The job is in the journal, so its client may learn of its acceptance.
 struct JobAccepted {
     JobId job;
 
     friend bool operator==(const JobAccepted&, const JobAccepted&) = default;
 };
-/// The job's end is in the journal, after all of its results.
+/// The job's end is in the journal, and before it all its results.
 struct JobEnded {
     JobId job;
 
     friend bool operator==(const JobEnded&, const JobEnded&) = default;
 };
-/// The journal has forgotten the job: its files may be deleted.
+/// The journal has deleted the job, so its files may be deleted.
 struct JobDropped {
     JobId job;
 
     friend bool operator==(const JobDropped&, const JobDropped&) = default;
 };
-/// Two results of a scenario differ, and both are in the journal: they may be judged.
+/// Two results of a scenario differ. Once this is in the journal, the dispute may be decided.
 struct Dispute {
     JobId job;
     std::uint64_t scenario = 0;
-    std::shared_ptr<const Author>
-        second;    ///< Author of the result that differs from the merged one.
-    Sha256 digest; ///< Digest of the differing result.
+    std::shared_ptr<const Author> second; ///< Author of the later result, which was not merged.
+    Sha256 digest;                        ///< Digest of the later result.
 
     friend bool operator==(const Dispute&, const Dispute&) = default;
 };
@@ -58,41 +57,44 @@ struct Dispute {
 /// An event that is announced once the journal has committed it.
 using Promise = std::variant<Delivery, JobAccepted, JobEnded, JobDropped, Dispute>;
 
-/// The journal writes and commits its entries in the order of their positions, from 1. Every
-/// scenario of an open job is unknown, written (in an uncommitted entry), or durable.
+/// The journal commits its entries in the order of their positions, from 1. Every scenario of an
+/// open job is unknown (without a result), written (in an uncommitted entry), or durable.
 class Ledger {
   public:
     enum class State : std::uint8_t { Unknown, Written, Durable };
 
     void open_job(JobId job);
-    /// Forgets the job's results, also uncommitted ones.
+    /// Forgets the states of the job's scenarios, also of uncommitted ones.
     void close_job(JobId job);
 
-    /// Marks a scenario of an open job as durable since an earlier incarnation of the master.
+    /// Marks a scenario of an open job as durable since before a restart of the master.
     void restore(JobId job, std::uint64_t scenario);
-    /// Records that the scenario's result is in the entry at `position`, which never decreases. The
-    /// job must be open and the scenario unknown.
+    /// Records that the scenario's result is in the entry at `position`. Positions must not
+    /// decrease from call to call. The job must be open and the scenario unknown.
     void write(JobId job, std::uint64_t scenario, std::uint64_t position);
-    /// Forgets results of an open job that were withdrawn. They must be written or durable.
+    /// Makes scenarios unknown whose results were withdrawn. They must be written or durable, and
+    /// their job open.
     void withdraw(JobId job, std::span<const std::uint64_t> scenarios);
 
-    /// Keeps the promise once all entries up to this position are committed.
+    /// Returns the promise from `take_kept` once all entries up to this position are committed.
     void promise(const Promise& promise, std::uint64_t position);
-    /// Keeps the promise once these scenarios are durable. Ignores unknown scenarios and those of
-    /// jobs that are not open.
+    /// Returns the promise from `take_kept` once these scenarios are durable. Ignores unknown
+    /// scenarios and those of jobs that are not open.
     void promise(const Delivery& delivery, JobId job, std::span<const std::uint64_t> scenarios);
     /// Drops all promises to the worker.
     void forget(WorkerId worker);
 
-    /// All entries up to this position are on disk.
+    /// Reports that all entries up to this position are committed.
     void committed(std::uint64_t position);
-    /// Returns the promises kept since the last call, in the order of the entries.
+    /// Returns the promises fulfilled since the last call, in the order of their entries.
     [[nodiscard]] std::vector<Promise> take_kept();
 
     [[nodiscard]] State state(JobId job, std::uint64_t scenario) const;
-    [[nodiscard]] std::uint64_t
-    durable(JobId job) const; ///< Number of durable scenarios; 0 if the job is not open.
+    /// Number of durable scenarios; 0 if the job is not open.
+    [[nodiscard]] std::uint64_t durable(JobId job) const;
+    /// Position of the last committed entry; 0 before the first.
     [[nodiscard]] std::uint64_t position() const { return committed_; }
+    /// Number of promises that wait for a commit.
     [[nodiscard]] std::size_t owed() const { return promises_.size(); }
 
     /// Aborts when an invariant is broken; for tests, after each event.
@@ -100,7 +102,8 @@ class Ledger {
 
   private:
     static constexpr std::uint64_t block_scenarios = 4096;
-    /// Scenario states in bitmaps, made on demand: a client chooses the number of scenarios.
+    /// States of consecutive scenarios as bitmaps. Made on demand, because a client could announce
+    /// a huge number of scenarios.
     struct Block {
         std::bitset<block_scenarios> written; ///< Includes durable scenarios.
         std::bitset<block_scenarios> durable;
@@ -118,7 +121,7 @@ class Ledger {
     [[nodiscard]] static Block& block_of(Job& job, std::uint64_t scenario);
 
     std::unordered_map<JobId, Job> jobs_;
-    std::deque<Entry> entries_; ///< Written and uncommitted entries, by position.
+    std::deque<Entry> entries_; ///< Written and uncommitted scenarios, by position.
     std::multimap<std::uint64_t, Promise> promises_; ///< Promises, by the position they wait for.
     std::vector<Promise> kept_;
     std::uint64_t committed_ = 0;

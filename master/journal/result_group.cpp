@@ -93,7 +93,7 @@ bool get_maps(ByteReader& in, std::vector<Bytes>& maps) {
     return !in.failed();
 }
 
-/// Writes the processes first, then runs that refer to them by index.
+/// Writes the distinct processes, and then the runs, which refer to a process by its index.
 void put_authors(ByteWriter& out, std::span<const AuthorRun> runs) {
     std::vector<InstanceId> processes;
     for (const AuthorRun& run : runs) {

@@ -1,5 +1,5 @@
-// Results committed together: positions of their records, their authors, remarks on earlier
-// results, and lost scenarios.
+// A group of results that are committed together, with their authors, remarks on results, and
+// losses of scenarios.
 #pragma once
 
 #include "common/core/files/bytes.hpp"
@@ -14,7 +14,7 @@
 
 namespace cd {
 
-/// One result, whose record is in the job's segment.
+/// One result without its record, which is in the job's segment.
 struct ResultRow {
     std::uint64_t scenario = 0;
     std::uint64_t length = 0; ///< Length of the record, bytes.
@@ -35,14 +35,14 @@ struct AuthorRun {
 /// A finding about results after they were written.
 struct Remark {
     enum class Kind : std::uint8_t {
-        Disputed,  ///< Another result of `scenario` differs; the master must recompute it.
-        Settled,   ///< The master has recomputed `scenario`.
-        Withdrawn, ///< All results of `author` so far count as never having come.
+        Disputed,  ///< A later result of `scenario` differs; the master must run the scenario.
+        Settled,   ///< The master has run `scenario`, so the dispute is decided.
+        Withdrawn, ///< All results of `author` up to here are dropped.
     };
     Kind kind = Kind::Withdrawn;
     std::uint64_t scenario = 0;
-    Sha256 digest;         ///< Digest of the other result in a dispute.
-    InstanceId author = 0; ///< Author of the other result, or of the withdrawn ones.
+    Sha256 digest;         ///< Digest of the later result in a dispute.
+    InstanceId author = 0; ///< Author of the later result, or of the withdrawn ones.
 
     friend bool operator==(const Remark&, const Remark&) = default;
 };
@@ -51,14 +51,14 @@ struct Remark {
 struct ResultGroup {
     std::uint64_t begin = 0; ///< End of the segment before this group.
     std::vector<ResultRow> rows;
-    std::vector<Bytes> maps;        ///< `pack_map`; together they form the map of these results.
-    std::vector<AuthorRun> authors; ///< Authors of all rows.
-    std::vector<Remark> remarks; ///< In order. They refer to rows of this group or of earlier ones.
-    std::vector<LostPlaces> losses; ///< In order. Some of these scenarios may have a result by now.
+    std::vector<Bytes> maps;        ///< Packed contact maps, whose sum is the map of these results.
+    std::vector<AuthorRun> authors; ///< Cover all rows.
+    std::vector<Remark> remarks;    ///< On rows of this group or of earlier ones, in time order.
+    std::vector<LostPlaces> losses; ///< In time order. Some of the scenarios may have a result.
 };
 
-/// Writes each process once (8 bytes); a run of rows takes 2 bytes or slightly more. The runs cover
-/// all rows.
+/// Encodes a group. Each distinct author takes 8 bytes, and each run of rows about 2. The runs must
+/// cover all rows.
 [[nodiscard]] Bytes encode_group(const ResultGroup& group);
 /// Errors: BadFrame for damaged bytes.
 [[nodiscard]] Result<ResultGroup> decode_group(std::span<const std::byte> bytes);

@@ -61,12 +61,13 @@ struct ResultStore::State {
     mutable std::mutex mutex; ///< Guards the members that any thread reads.
     std::filesystem::path path;
     JobId job;
-    std::optional<DiskFile> file; ///< For writing; empty before the first write.
+    std::optional<DiskFile> file; ///< Open for writing; empty before the first write.
     bool has_new_name = false;
     std::uint64_t scenarios = 0;
     std::uint64_t end = 0; ///< Committed end of the segment.
     std::uint64_t records = 0;
-    /// Record positions in pieces, made on demand: a client chooses the number of scenarios.
+    /// Record locations in arrays of consecutive scenarios. Made on demand, because a client could
+    /// announce a huge number of scenarios.
     std::unordered_map<std::uint64_t, std::unique_ptr<Places>> places;
     /// Written and uncommitted records.
     std::vector<std::pair<std::uint64_t, RecordPlace>> written;
@@ -74,8 +75,8 @@ struct ResultStore::State {
 
     [[nodiscard]] RecordPlace find(std::uint64_t scenario) const;
     void set(std::uint64_t scenario, const RecordPlace& place);
-    /// Opens the file for reading. Errors: Io for another kind or job, or a file shorter than its
-    /// committed part.
+    /// Opens the file for reading. Errors: Io if the file is of another kind or job, or lacks
+    /// committed bytes.
     [[nodiscard]] Result<DiskFile> open() const;
     [[nodiscard]] Result<Bytes>
     read(const DiskFile& from, std::uint64_t scenario, const RecordPlace& place) const;

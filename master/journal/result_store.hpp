@@ -1,4 +1,4 @@
-// A job's results on disk: an append-only segment of canonical records, found by scenario.
+// A job's results on disk: an append-only segment of canonical records, accessed by scenario.
 #pragma once
 
 #include "common/core/id.hpp"
@@ -28,42 +28,43 @@ struct RecordPlace {
     friend bool operator==(const RecordPlace&, const RecordPlace&) = default;
 };
 
-/// The file starts with its kind, its version, its job and their checksum. Each record follows as:
+/// The file starts with a header: kind, version, job, and their checksum. Each record follows as:
 ///
 ///     u64 length    u64 scenario    the record    u64 XXH3 of all three
 ///
-/// Bytes past the committed end are ignored and overwritten. Memory: 16 bytes per answered
-/// scenario. Any thread may call `has`, `count` and `read`; one thread at a time the others. All
-/// block for the disk.
+/// Bytes past the committed end are ignored and overwritten. Takes 16 bytes of memory per answered
+/// scenario. Any thread may call `has`, `count` and `read`; one thread at a time may call the other
+/// members. All may block for the disk.
 class ResultStore {
   public:
     /// Creates the store of a new job. The first `write` makes the file and ignores any earlier
     /// content.
     [[nodiscard]] static std::unique_ptr<ResultStore>
     create(const std::filesystem::path& path, JobId job, std::uint64_t scenarios);
-    /// Opens a store with `end` committed bytes; `restore` adds its records. With 0 the file need
-    /// not exist. Errors: Io naming a file of another kind or job, or one that is too short.
+    /// Opens the store of a job that continues. The file has `end` committed bytes; with 0 it need
+    /// not exist. The caller adds its records with `restore`. Errors: Io naming a file that is
+    /// missing, too short, or of another kind or job.
     [[nodiscard]] static Result<std::unique_ptr<ResultStore>>
     open(const std::filesystem::path& path, JobId job, std::uint64_t scenarios, std::uint64_t end);
-    /// Returns the store of an ended job. Reads open the file, so a damaged or missing file fails
-    /// only these reads.
+    /// Returns the store of an ended job. Opens no file; each read does, so that a damaged or
+    /// missing file fails only the reads.
     [[nodiscard]] static std::unique_ptr<ResultStore> open_to_read(
         const std::filesystem::path& path, JobId job, std::uint64_t scenarios, std::uint64_t end);
     ResultStore(const ResultStore&) = delete;
     ResultStore& operator=(const ResultStore&) = delete;
     ~ResultStore();
 
-    /// A power loss may remove the file's name: the file is new, and `name_synced` has not been
-    /// called since.
+    /// True if `write` has created the file and `name_synced` has not been called since: until its
+    /// folder is synced, a power loss may remove the file's name.
     [[nodiscard]] bool has_new_name() const;
     void name_synced();
     /// Offset at which `write` puts its first record.
     [[nodiscard]] std::uint64_t end() const;
     /// Value of `end` for a store without records.
     [[nodiscard]] static std::uint64_t first_end();
-    /// Returns the location of a record that is written at `end`. Its end is that of the next
-    /// record.
+    /// Returns the location of a record that is written when the store ends at `end`.
     [[nodiscard]] static RecordPlace place_at(std::uint64_t end, std::uint64_t length);
+    /// Returns the end of the store after the record at this location.
     [[nodiscard]] static std::uint64_t end_of(const RecordPlace& place);
 
     /// Writes records past the committed end; without a `commit` the next call overwrites them. A
@@ -71,26 +72,26 @@ class ResultStore {
     [[nodiscard]] Status write(std::span<const StoredRecord> records);
     /// Syncs the written records to disk. Errors: Io.
     [[nodiscard]] Status sync() const;
-    /// Closes the file until the next write. Each read opens it anew.
+    /// Closes the file. The next `write` opens it again, as each read does anyway.
     void close();
-    /// Makes the records of the last write readable. The last of several records of a scenario
-    /// counts.
+    /// Makes the records of the last `write` readable. A new record of a scenario replaces the
+    /// earlier one.
     void commit();
     /// Makes a scenario's record unreadable.
     void withdraw(std::uint64_t scenario);
 
-    /// Adds a committed record. Errors: Io for a location outside the committed bytes.
+    /// Adds a record that the index names. Errors: Io for a location outside the committed bytes.
     [[nodiscard]] Status restore(std::uint64_t scenario, const RecordPlace& place);
-    /// Reads all committed records against their checksums. Errors: Io naming file and scenario.
+    /// Reads all committed records and checks their checksums. Errors: Io naming file and scenario.
     [[nodiscard]] Status verify() const;
 
     [[nodiscard]] bool has(std::uint64_t scenario) const;
-    [[nodiscard]] std::uint64_t count() const; ///< Scenarios with readable records.
+    [[nodiscard]] std::uint64_t count() const; ///< Number of scenarios with a readable record.
 
-    /// Returns the records of scenarios [first, first + count), until their uncompressed size would
-    /// exceed `bytes_max`, and looks at no more than `limits::results_scan_max` scenarios; the
-    /// first record is returned whatever its size. The caller sets `job`. Errors: Io for a record
-    /// that is damaged or unreadable.
+    /// Returns the records of scenarios [first, first + count). Stops before their uncompressed
+    /// size exceeds `bytes_max`, though not before the first record, and after
+    /// `limits::results_scan_max` scenarios. The caller sets `job` of the part. Errors: Io for a
+    /// record that is damaged or unreadable.
     [[nodiscard]] Result<ResultsPart>
     read(std::uint64_t first, std::uint64_t count, std::uint64_t bytes_max) const;
 

@@ -10,7 +10,7 @@
 
 namespace cd {
 
-/// Returns the error for bytes that only damage can cause.
+/// Returns the error for a row whose bytes are no valid encoding of `what`.
 [[nodiscard]] inline Error damaged_row(const char* what) {
     return {ErrorCode::BadFrame, std::string(what) + " that is none"};
 }
