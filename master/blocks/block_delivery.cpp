@@ -156,7 +156,7 @@ BlockDelivery::Sent BlockDelivery::sent_to(WorkerId worker) const {
     return link == links_.end() ? Sent{} : link->second.sent;
 }
 
-// ---- What the director decides ----------------------------------------------------------------
+// ---- Decisions of the director ----------------------------------------------------------------
 
 void BlockDelivery::act(const BlockActions& actions) {
     for (const BlockAction& action : actions) {

@@ -1,4 +1,4 @@
-// Sends blocks of geometry to the workers, or tells them which peers to fetch from.
+// Sends blocks of geometry to the workers, or names the peers that they fetch blocks from.
 #pragma once
 
 #include "master/blocks/block_director.hpp"
@@ -33,32 +33,34 @@ class BlockDelivery {
                        const PeerKey& key,
                        std::uint16_t port);
     void worker_left(WorkerId worker);
-    /// Handles a broken connection: the worker gets no blocks and is no source until it returns.
+    /// Handles a broken connection: the worker gets no blocks, and peers none from it, until it
+    /// returns.
     void worker_detached(WorkerId worker);
-    /// Handles a reconnect, after which the worker reports the blocks it holds and wants.
+    /// Handles a reconnection. The worker then reports the blocks that it holds and wants.
     void worker_returned(WorkerId worker, std::shared_ptr<Channel> channel);
 
     /// Returns whether blocks of the tree may be sent to the worker.
     [[nodiscard]] bool knows(WorkerId worker, TreeId tree) const;
-    /// Errors of `wanted` and `held`: BadFrame for a root that the tree lacks.
+    /// The worker wants blocks. Errors: BadFrame for a root that the tree lacks.
     [[nodiscard]] Status wanted(WorkerId worker, const WantSubtrees& want);
+    /// The worker holds blocks. Errors: BadFrame for a root that the tree lacks.
     [[nodiscard]] Status held(WorkerId worker, const Held& held);
     void evicted(WorkerId worker, const Evicted& evicted);
+    /// The worker could not fetch blocks from a peer.
     void failed(WorkerId worker, const FetchFailed& failed);
     void tree_removed(TreeId tree);
 
-    /// Blocks sent by the master itself.
+    /// Blocks that the master, and no peer, has sent to a worker.
     struct Sent {
         std::uint64_t blocks = 0;
         std::uint64_t bytes = 0; ///< Compressed bytes.
     };
     [[nodiscard]] Sent sent_to(WorkerId worker) const;
-    /// Blocks that the worker reported to hold; none without a connection, or if it serves no
-    /// peers.
+    /// Blocks that the worker reported to hold. Empty if it serves no peers. It must be connected.
     [[nodiscard]] const std::set<BlockKey>& held_by(WorkerId worker) const {
         return director_.held_by(worker);
     }
-    /// Aborts when an invariant is broken; for tests, after each event.
+    /// Aborts if an invariant is broken. For tests; call it after each event.
     void check_invariants() const { director_.check_invariants(); }
 
   private:
@@ -82,11 +84,11 @@ class BlockDelivery {
     void send(const SendBlock& action);
     void direct(const SendToPeers& action);
     [[nodiscard]] asio::awaitable<void> send_queue(WorkerId worker);
-    /// Sends blocks from the head of the queue. Returns false if the first block cannot be read.
+    /// Sends blocks of the tree from the head of the queue in one message. Returns false if the
+    /// first block cannot be read from disk.
     static bool send_some(Link& link, TreeId tree, const CutGeometry& geometry);
     static void send_blocks(Link& link, Subtrees subtrees);
-    /// Makes the first block of the queue anew, on a pool, and sends it unless it is no longer
-    /// wanted.
+    /// Builds the first block of the queue again, on a pool, and sends it if it is still wanted.
     [[nodiscard]] asio::awaitable<void> send_anew(WorkerId worker, BlockKey block);
     [[nodiscard]] asio::awaitable<void> watch_time();
 

@@ -33,7 +33,7 @@ BlockActions BlockDirector::worker_left(WorkerId worker, Time now) {
     for (const auto& [block, since] : waits_for) {
         forget_delivery(worker, block, event);
     }
-    // Workers that fetch from the lost one notice and report it.
+    // Workers that fetch from the lost worker notice the loss and report it.
     for (auto& [id, fetch] : fetches_) {
         if (fetch.source == worker) {
             fetch.source = {};
@@ -195,7 +195,7 @@ BlockDirector::first_source(const BlockIndex::Block& block,
     const auto may_give = [&](WorkerId source) {
         return block.holders.contains(source) && index_.can_serve(source, worker);
     };
-    // Picks the source with the fewest uploads among those not yet used in this event.
+    // Prefers a source that this event has not used yet, with the fewest uploads.
     WorkerId best;
     std::size_t least = limits::peer_uploads_max;
     std::size_t looked_at = 0;
@@ -237,13 +237,13 @@ void BlockDirector::want(WorkerId worker,
         return;
     }
     if (const auto comes = peer.comes.find(block); comes != peer.comes.end()) {
-        if (comes->second != 0) { // The peers failed to deliver the block.
+        if (comes->second != 0) { // Peers were to deliver the block and have failed.
             forget_delivery(worker, block, event);
             send_from_master(worker, block, event);
         }
         return;
     }
-    lose_hold(worker, block, event); // The worker itself reports that it lacks the block.
+    lose_hold(worker, block, event); // A worker that wants a block does not hold it.
     const BlockIndex::Block& wanted = index_.known(block);
     if (const WorkerId source = first_source(wanted, worker, given); source != WorkerId{}) {
         given[source].push_back(block.root);
@@ -399,7 +399,7 @@ void BlockDirector::check_invariants() const {
             left[id] += 1;
         }
         for (const auto& [block, since] : peer.waits_for) {
-            // Otherwise the worker would wait in vain.
+            // No worker waits for a block that no peer can give.
             CD_CHECK(index_.is_worth_waiting(index_.blocks().at(block), worker));
         }
     }

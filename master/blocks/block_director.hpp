@@ -19,7 +19,7 @@
 
 namespace cd {
 
-/// The master sends the block itself.
+/// Action: the master sends the block to the worker.
 struct SendBlock {
     WorkerId to;
     BlockKey block;
@@ -27,12 +27,12 @@ struct SendBlock {
     friend bool operator==(const SendBlock&, const SendBlock&) = default;
 };
 
-/// The worker fetches these blocks, roots ascending, from the first source that has them.
+/// Action: the worker is told to fetch the blocks from the first of the sources that has them.
 struct SendToPeers {
     WorkerId to;
     TreeId tree;
-    std::vector<RootIndex> roots;
-    std::vector<WorkerId> sources; ///< At most `limits::peer_sources_max`.
+    std::vector<RootIndex> roots;  ///< Ascending.
+    std::vector<WorkerId> sources; ///< Best first; at most `limits::peer_sources_max`.
 
     friend bool operator==(const SendToPeers&, const SendToPeers&) = default;
 };
@@ -40,13 +40,13 @@ struct SendToPeers {
 using BlockAction = std::variant<SendBlock, SendToPeers>;
 using BlockActions = std::vector<BlockAction>;
 
-/// The master sends a block once. Workers that hold it then pass it on, each to at most
+/// The master sends a block once. Workers that hold the block then pass it on, each to at most
 /// `limits::peer_uploads_max` others at a time: a block that all want spreads like a tree and costs
 /// the master a bounded number of uploads. A worker waits for a block that no source can send now
-/// but some worker will soon hold; after `limits::peer_wait_max` the master sends it. A worker
-/// holds a block only once it reports so. A source that the master or two workers cannot reach, or
-/// that sends a damaged block, is not named again. A block that a worker wants again, although
-/// peers were to send it, comes from the master.
+/// but some worker soon can; after `limits::peer_wait_max` the master sends the block. A worker
+/// counts as a holder only once it has reported the block. A source that the master or two workers
+/// cannot reach, or that sends a damaged block, is not named again. If peers fail to deliver a
+/// block, so that the worker wants it again, the master sends it.
 class BlockDirector {
   public:
     using Time = BlockIndex::Time;
@@ -58,9 +58,9 @@ class BlockDirector {
     BlockActions wanted(WorkerId worker, TreeId tree, std::span<const RootIndex> roots, Time now);
     BlockActions held(WorkerId worker, TreeId tree, std::span<const RootIndex> roots, Time now);
     BlockActions evicted(WorkerId worker, TreeId tree, std::span<const RootIndex> roots, Time now);
-    /// The source gave the worker none of these blocks; the worker tries the next source or wants
-    /// them again. Ignored if the worker was not told of this source: otherwise it could keep
-    /// others from serving.
+    /// The source gave the worker none of these blocks; the worker tries its next source or wants
+    /// them again. Ignored if this source was not named to the worker, which could otherwise
+    /// exclude any worker from serving.
     BlockActions peer_failed(WorkerId worker,
                              WorkerId source,
                              TreeId tree,
@@ -74,42 +74,46 @@ class BlockDirector {
     /// Advances the time. Call about every `limits::peer_check_period` while `open` is not 0.
     BlockActions time_is(Time now);
 
-    /// Returns the number of blocks wanted and not yet held.
+    /// Returns the number of wanted blocks that have not arrived, over all workers.
     [[nodiscard]] std::size_t open() const;
-    /// Blocks that a connected worker which serves peers reported to hold.
+    /// Blocks that a worker reported to hold. The worker must have joined. Empty if it does not
+    /// serve peers.
     [[nodiscard]] const std::set<BlockKey>& held_by(WorkerId worker) const {
         return index_.at(worker).holds;
     }
-    /// Returns whether the worker is no longer named as a source.
+    /// Returns whether the worker must not be named as a source any more.
     [[nodiscard]] bool is_avoided(WorkerId worker) const;
 
-    /// Aborts when an invariant is broken; for tests, after each event.
+    /// Aborts if an invariant is broken. For tests; call it after each event.
     void check_invariants() const;
 
   private:
     using FetchId = BlockIndex::FetchId;
 
+    /// Blocks that one worker was told to fetch from peers, in one action.
     struct Fetch {
         WorkerId to;
-        WorkerId source; ///< First source, whose upload slot is taken; 0: it no longer has one.
+        WorkerId source; ///< First source, an upload slot of which is taken; 0: no slot is taken.
         std::vector<WorkerId> named; ///< All sources named to the worker.
-        std::size_t left = 0;
+        std::size_t left = 0;        ///< Number of its blocks still under way.
         Time deadline;
     };
-    /// Consequences of one event, settled at its end.
+    /// Consequences of one event, which `settle` handles at the end.
     struct Event {
         Time now;
-        std::set<WorkerId> have_places; ///< Sources that may now have something to give.
-        std::set<BlockKey> less_hope;   ///< Blocks that lost a holder or a receiver.
+        std::set<WorkerId> have_places; ///< Sources that have a free upload slot again.
+        std::set<BlockKey> less_hope;   ///< Blocks that fewer workers hold or will hold.
         BlockActions actions;
     };
 
-    /// Returns the least loaded source with a free upload slot; 0: none.
+    /// Returns the best source of the block for the worker; 0 if none has a free upload slot.
+    /// `given`: the roots that this event takes from each source.
     [[nodiscard]] WorkerId
     first_source(const BlockIndex::Block& block,
                  WorkerId worker,
                  const std::map<WorkerId, std::vector<RootIndex>>& given) const;
 
+    /// Decides where a wanted block comes from, or lets the worker wait.
     void want(WorkerId worker,
               const BlockKey& block,
               std::map<WorkerId, std::vector<RootIndex>>& given,
@@ -119,17 +123,20 @@ class BlockDirector {
         WorkerId worker, TreeId tree, std::vector<RootIndex> roots, WorkerId source, Event& event);
     /// Ends both the block's delivery to the worker and the worker's wait for it.
     void forget_delivery(WorkerId worker, const BlockKey& block, Event& event);
-    /// One block of the fetch has arrived, or will not arrive.
+    /// Counts one block of the fetch that has arrived, or will not.
     void end_part(FetchId fetch, Event& event);
+    /// Frees the upload slot that the fetch takes.
     void free_place(Fetch& fetch, Event& event);
     void lose_hold(WorkerId worker, const BlockKey& block, Event& event);
-    /// Handles a source that some or all workers may no longer use: waits for it may be in vain.
+    /// Marks all blocks of a source that some or all workers can no longer use, so that `settle`
+    /// checks the workers that wait for them.
     void serves_fewer(WorkerId source, Event& event);
 
+    /// Ends an event: gives freed upload slots to waiting workers, and ends waits that are in vain.
     BlockActions settle(Event event);
     /// Gives the source's blocks to workers waiting for them, while it has upload slots.
     void offer(WorkerId source, Event& event);
-    /// Sends a block that no peer can give any more from the master to all who wait.
+    /// Lets the master send the block to the waiting workers to which no peer can give it any more.
     void rescue(const BlockKey& block, Event& event);
 
     BlockIndex index_;

@@ -1,4 +1,4 @@
-// Records which worker holds, awaits or is sent which block of geometry.
+// Records for each worker the blocks of geometry that it holds, waits for, or is being sent.
 #pragma once
 
 #include "common/core/id.hpp"
@@ -15,6 +15,7 @@
 
 namespace cd {
 
+/// Identifies the block of one distribution root.
 struct BlockKey {
     TreeId tree;
     RootIndex root = 0;
@@ -22,8 +23,8 @@ struct BlockKey {
     friend auto operator<=>(const BlockKey&, const BlockKey&) = default;
 };
 
-/// Workers and blocks, each with its side of the relations, so that a change costs what it touches.
-/// Unless said otherwise a named worker must have joined.
+/// Stores each relation twice, at the worker and at the block, so that no change has to search.
+/// Unless stated otherwise, a worker that is passed must have joined.
 class BlockIndex {
   public:
     using Time = std::chrono::steady_clock::time_point;
@@ -31,74 +32,76 @@ class BlockIndex {
     using PlaceInLine = std::uint64_t; ///< A waiting worker's position in the queue.
 
     struct Peer {
-        bool serves = false;
-        bool is_avoided = false;
-        std::set<WorkerId> cannot_reach_it;
-        std::size_t uploads = 0; ///< Fetches for which it is the first source.
+        bool serves = false;                ///< Peers can fetch blocks from this worker.
+        bool is_avoided = false;            ///< It is not named as a source any more.
+        std::set<WorkerId> cannot_reach_it; ///< Workers that could not connect to it.
+        std::size_t uploads = 0;            ///< Fetches for which it is the first source.
         std::set<BlockKey> holds;
         std::set<BlockKey> could_give;      ///< Held blocks that some worker waits for.
         std::map<BlockKey, Time> waits_for; ///< Awaited blocks, with the start of each wait.
-        PlaceInLine place = 0;
-        std::map<BlockKey, FetchId> comes;
+        PlaceInLine place = 0;              ///< Valid while it waits for a block.
+        std::map<BlockKey, FetchId> comes;  ///< Blocks under way to it.
     };
     struct Block {
-        std::set<WorkerId> holders;
-        std::set<WorkerId> on_the_way_to;
-        std::map<PlaceInLine, WorkerId> awaited_by;
+        std::set<WorkerId> holders;                 ///< Only workers that serve peers.
+        std::set<WorkerId> on_the_way_to;           ///< Workers that are being sent the block.
+        std::map<PlaceInLine, WorkerId> awaited_by; ///< Workers that wait for the block.
     };
 
     // ---- Workers ------------------------------------------------------------------------------
-    /// The worker must be new. `serves`: peers can fetch blocks from it.
+    /// Adds a new worker. `serves`: peers can fetch blocks from it.
     void join(WorkerId worker, bool serves);
-    /// The worker holds, awaits and is sent nothing any more.
+    /// Removes a worker. It must not hold, wait for, or be sent any block.
     void leave(WorkerId worker);
     [[nodiscard]] const std::map<WorkerId, Peer>& peers() const { return peers_; }
     [[nodiscard]] const Peer& at(WorkerId worker) const { return peers_.at(worker); }
     /// Null if the worker has not joined.
     [[nodiscard]] const Peer* find(WorkerId worker) const;
-    /// False for workers that have not joined.
+    /// True if the worker may fetch from the source. False for a source that has not joined.
     [[nodiscard]] bool can_serve(WorkerId source, WorkerId worker) const;
-    /// Returns whether peers that hold the block, or soon will, could give it later.
+    /// True if some peer that holds the block, or soon will, can give it to the worker later.
     [[nodiscard]] bool is_worth_waiting(const Block& block, WorkerId worker) const;
     /// Sources with a free upload slot.
     [[nodiscard]] const std::set<WorkerId>& free() const { return free_; }
     void add_upload(WorkerId source);
     void remove_upload(WorkerId source);
-    /// Avoids a source that so many workers cannot reach, `limits::peer_unreachable_by_max`.
+    /// Records that worker `by` cannot reach the source. Avoids a source once
+    /// `limits::peer_unreachable_by_max` workers cannot reach it.
     void set_unreachable(WorkerId source, WorkerId by);
-    /// The source is not named any more.
+    /// From now on, the source is not named any more.
     void avoid(WorkerId source);
 
     // ---- Blocks -------------------------------------------------------------------------------
-    /// Blocks held, awaited, or in transit.
+    /// All blocks that some worker holds, waits for, or is being sent.
     [[nodiscard]] const std::map<BlockKey, Block>& blocks() const { return blocks_; }
-    /// The block, which is in the index from now on, until `forget_if_unused`.
+    /// Returns the block, and adds it if it is new. It stays until `forget_if_unused`.
     [[nodiscard]] const Block& known(const BlockKey& block) { return blocks_[block]; }
     void forget_if_unused(const BlockKey& block);
 
-    /// Ignored for a worker from which peers cannot fetch.
+    /// Ignored for a worker that does not serve peers.
     void add_hold(WorkerId worker, const BlockKey& block);
-    /// False if the worker did not hold it, or has not joined.
+    /// False if the worker did not hold the block, or has not joined.
     bool lose_hold(WorkerId worker, const BlockKey& block);
-    /// The worker must not await the block, which must be known.
+    /// The worker starts to wait for a known block, for which it must not wait yet.
     void wait(WorkerId worker, const BlockKey& block, Time now);
     /// Ends the worker's wait for the block, if any.
     void stop_waiting(WorkerId worker, const BlockKey& block);
     /// The block is under way to the worker.
     void send(WorkerId worker, const BlockKey& block, FetchId fetch);
-    /// Ends the block's delivery to the worker. Returns how it came; empty if it did not.
+    /// The block is no longer under way to the worker. Returns its fetch; empty if it was not.
     std::optional<FetchId> stop_sending(WorkerId worker, const BlockKey& block);
 
-    /// Waiting workers in order of arrival.
+    /// Workers that wait for blocks, in the order in which they began to wait.
     [[nodiscard]] const std::map<PlaceInLine, WorkerId>& line() const { return line_; }
     /// The first waiting worker that may get a block from the source; 0: none.
     [[nodiscard]] WorkerId next_for(WorkerId source) const;
 
-    /// Aborts when an invariant is broken; for tests.
+    /// Aborts if an invariant is broken. For tests.
     void check_invariants() const;
 
   private:
     [[nodiscard]] static bool has_place(const Peer& peer);
+    /// Updates `free_` after a change of the source.
     void note_places(WorkerId source);
 
     std::map<WorkerId, Peer> peers_;

@@ -1,4 +1,5 @@
-// Measures how fast blocks reach one worker, from its request to its report of holding them.
+// Measures the rate at which blocks reach one worker, from the request to the report that it holds
+// them.
 #pragma once
 
 #include "common/tree/cut.hpp"
@@ -12,19 +13,21 @@
 
 namespace cd {
 
-/// Takes times and returns values; no clock. The time includes the opening of blocks, whether the
-/// master or a peer sends them.
+/// Has no clock: the caller passes the time in seconds. The measured time includes the decoding of
+/// blocks, and does not depend on whether the master or a peer sends them.
 class TransferMeter {
   public:
+    /// Bytes that have arrived, and the time that they took.
     struct Measured {
         std::uint64_t bytes = 0;
         double seconds = 0;
     };
 
-    /// A repeated request does not restart the measurement.
+    /// The worker requests a block of so many bytes. A repeated request does not restart its time.
     void wanted(TreeId tree, RootIndex root, std::uint64_t bytes, double now);
-    /// Returns the bytes of the wanted blocks among these, and the seconds since the request. Each
-    /// moment counts once, for the blocks that came after it. Empty if none was wanted.
+    /// The worker holds these blocks. Returns the bytes of the requested ones, and the seconds
+    /// since the first request or since the last measurement ended, if that is later. Empty if none
+    /// was requested.
     std::optional<Measured> held(TreeId tree, std::span<const RootIndex> roots, double now);
     /// Drops the measurements of a removed tree's blocks.
     void tree_removed(TreeId tree);
