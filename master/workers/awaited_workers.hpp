@@ -1,4 +1,4 @@
-// Workers that had work of a job when the master was killed, and may still deliver its results.
+// Worker processes that may still have results from before a restart of the master.
 #pragma once
 
 #include "common/core/id.hpp"
@@ -12,22 +12,23 @@
 
 namespace cd {
 
-/// After a restart of the master, holds back resumed jobs while workers may still deliver their
-/// results. Handing out scenarios earlier would repeat some of them. A state machine without a
-/// clock.
+/// After a restart of the master, holds back resumed jobs while workers may still deliver results
+/// of them. Otherwise the master would hand out scenarios that have a result. A state machine
+/// without a clock.
 class AwaitedWorkers {
   public:
     using Time = std::chrono::steady_clock::time_point;
 
     AwaitedWorkers() = default;
-    /// Holds `jobs` back until each process has delivered everything, or until the time `until`.
+    /// Holds `jobs` back until all processes have delivered their results, but at most until the
+    /// time `until`.
     AwaitedWorkers(std::set<JobId> jobs, std::set<InstanceId> processes, Time until)
         : jobs_(std::move(jobs)), processes_(std::move(processes)), until_(until) {}
 
     [[nodiscard]] std::size_t size() const { return processes_.size(); }
-    /// The process has sent all results that it kept.
+    /// The process has delivered all results that it had kept.
     void has_told_all(InstanceId process) { processes_.erase(process); }
-    /// Counts the job's results from earlier sessions that are being checked.
+    /// Call before and after the check of a late result message of the job.
     void check_begins(JobId job) { ++checks_[job]; }
     void check_ends(JobId job) {
         if (--checks_.at(job) == 0) {

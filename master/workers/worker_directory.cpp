@@ -18,8 +18,8 @@ InstanceId number_in(const Sha256& hash) {
     return std::max<InstanceId>(1, ByteReader(hash.bytes).get<InstanceId>());
 }
 
-/// A worker that sends no instance id gets a random one. For a certified worker the id is hashed
-/// with its certificate holder, so nobody can impersonate another holder's process.
+/// Returns the worker's instance id, or a random one if it sends none. With a certificate, hashes
+/// the id with the holder, so that nobody can impersonate another holder's process.
 InstanceId process_that_greets(const Hello& hello, const std::string& holder) {
     if (hello.instance == 0) {
         return number_in(random_secret());
@@ -191,7 +191,7 @@ void WorkerDirectory::check() {
     }
 }
 
-/// Counts received bytes as a sign of life, since a large message arrives slowly.
+/// Counts received bytes as a sign of life: a large message may take long to arrive.
 void WorkerDirectory::hear_bytes() {
     std::vector<WorkerId> heard;
     for (auto& [id, worker] : workers_) {
@@ -240,7 +240,7 @@ void WorkerDirectory::cut_off(WorkerId id, const Error& why) {
     }
     log_error("worker cut off: worker={} error=\"{}\"", id.value, why.detail);
     worker->is_cut_off = true;
-    // Closing ends the conversation, and the worker is lost.
+    // When the closed connection ends, `connection_ended` declares the worker lost.
     if (worker->channel->is_open()) {
         worker->channel->close();
     } else {

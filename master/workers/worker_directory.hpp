@@ -1,4 +1,4 @@
-// One record per worker, from its Hello until it is forgotten.
+// The directory of workers: one record per worker, from its Hello until it is forgotten.
 #pragma once
 
 #include "common/core/id.hpp"
@@ -31,21 +31,22 @@ struct Reception {
 };
 
 /// Counts the result messages of one worker process that are being checked or wait for the journal.
-/// All its connections and sessions share the count: reconnecting gives no second allowance.
+/// All connections and sessions of the process share the count, so that a reconnection does not
+/// raise the limit.
 struct WorkerIntake {
     std::size_t messages = 0;
-    std::function<void()> has_room = {}; ///< Called when a message leaves.
+    std::function<void()> has_room = {}; ///< Called when `messages` decreases.
 };
 
 /// The session of a worker that has neither left nor been lost. Only the directory changes the
-/// members above `results_last`.
+/// members before `results_last`.
 struct Worker {
     std::shared_ptr<Channel> channel; ///< Closed while the worker is disconnected.
     PeerKey key;
     std::shared_ptr<const Author> author; ///< The session as author of results.
     std::uint64_t instance = 0;           ///< `Hello::instance`.
     std::uint32_t threads = 1;
-    bool is_settled = true;         ///< The master knows the worker's inventory.
+    bool is_settled = true;         ///< False from a broken connection until the inventory comes.
     bool is_cut_off = false;        ///< The worker may not resume its session.
     bool is_dismissed = false;      ///< The worker has been ordered to exit at once.
     bool is_quarantined = false;    ///< The worker gets no work, and its results are ignored.
@@ -56,7 +57,8 @@ struct Worker {
     void send(const WorkerSupply::Messages& messages) const;
 };
 
-/// Reports and questions of the directory. Each report comes after the record has changed.
+/// Receives the directory's reports, and answers its questions. The directory changes its records
+/// before it reports.
 class WorkerEvents {
   public:
     WorkerEvents() = default;
@@ -64,12 +66,12 @@ class WorkerEvents {
     WorkerEvents& operator=(const WorkerEvents&) = delete;
     virtual ~WorkerEvents() = default;
 
-    /// The worker has no work yet.
+    /// A worker has joined, and has no work yet.
     virtual void worker_joined(WorkerId worker, const Hello& hello) = 0;
-    /// The process of this session begins another one. The session is lost next; its tasks did not
-    /// kill the process.
+    /// The worker's process begins another session, so this one is lost next. The process lives,
+    /// so the tasks of this session do not count as lost with it.
     virtual void worker_replaced(WorkerId worker) = 0;
-    /// The worker has a new connection, and its inventory is unknown.
+    /// The worker has a new connection and will send its inventory.
     virtual void worker_resumed(WorkerId worker) = 0;
     virtual void worker_detached(WorkerId worker) = 0;
     virtual void worker_silent(WorkerId worker) = 0;
@@ -78,20 +80,20 @@ class WorkerEvents {
     /// The worker has left or is lost, and its record is gone.
     virtual void worker_left(WorkerId worker) = 0;
 
-    /// The worker's scenarios and blocks; zeros for a worker that gets none.
+    /// Fills in the worker's scenarios and blocks; zeros for a worker that gets no work.
     [[nodiscard]] virtual WorkerStatus work_of(WorkerId worker) const = 0;
 };
 
-/// Owns the failure detector. Holds no timer: call `check` from time to time, twice a heartbeat or
-/// so, while `is_watching`.
+/// Owns the failure detector, but has no timer: call `check` about twice per heartbeat period while
+/// `is_watching`.
 class WorkerDirectory {
   public:
     using Time = std::chrono::steady_clock::time_point;
     using Workers = std::map<WorkerId, Worker>;
     struct Counts {
         std::uint64_t lost = 0;
-        std::uint64_t resumed = 0;    ///< Sessions that went on over another connection.
-        std::uint64_t given_back = 0; ///< Scenarios at workers when they were lost.
+        std::uint64_t resumed = 0;    ///< Sessions that continued over a new connection.
+        std::uint64_t given_back = 0; ///< Unanswered scenarios at workers that were lost.
     };
 
     /// `epoch` identifies this master process; `now` is the clock. `events` outlives the directory.
@@ -102,35 +104,36 @@ class WorkerDirectory {
 
     [[nodiscard]] std::uint64_t epoch() const { return epoch_; }
     /// Decides how to answer a Hello; `holder` is the holder of the certificate, empty without one.
-    /// Resumes the session if this master process created it for the same process and holder and
-    /// has not declared the worker lost.
+    /// Resumes the session that the worker names if this master process created it for the same
+    /// worker process and holder, and the worker was not lost since.
     [[nodiscard]] Reception receive(const Hello& hello, const std::string& holder);
     /// Call after the Welcome has been sent. Ends earlier sessions of the process. Closes the
     /// channel of a worker that was lost since its Hello.
     void join(const Reception& reception, const Hello& hello, std::shared_ptr<Channel> channel);
-    /// Intake counters shared by all sessions of the worker's process.
+    /// The intake counter that all sessions of the worker's process share.
     [[nodiscard]] std::shared_ptr<WorkerIntake> intake_of(WorkerId worker);
 
-    /// Records a message of any type. False: the worker has another connection by now, or is lost.
+    /// Records that a message came. False if the worker has a newer connection, or is lost.
     [[nodiscard]] bool heard(WorkerId worker, const Channel& channel);
-    /// Suspends silence detection: the master reads no messages from the worker for now.
+    /// Suspends the detection of silence: the master reads nothing from the worker for now.
     void unheard(WorkerId worker, const Channel& channel);
     void heartbeat_came(WorkerId worker, const Heartbeat& heartbeat);
-    /// The master has compared its record with the worker's inventory.
+    /// Call when the worker's inventory has come and passed the checks.
     void settle(WorkerId worker);
     /// Finds workers that have become silent, lost or forgotten.
     void check();
 
-    /// Detaches the worker; its session survives unless the worker was to go. Ignored if the worker
-    /// has a newer connection, or after `close`.
+    /// Handles the end of a connection. The session survives, unless the worker was draining, cut
+    /// off, dismissed or quarantined. Ignored if the worker has a newer connection, or after
+    /// `close`.
     void connection_ended(WorkerId worker, const Channel& channel, const std::string& why);
     /// Closes the connection of a worker that violates the protocol, and loses the worker.
     void cut_off(WorkerId worker, const Error& why);
     /// Orders the worker to exit at once. It leaves, and is not counted as lost.
     void dismiss(WorkerId worker);
-    /// Marks the sessions of the process, and returns them.
+    /// Marks the sessions of the process as quarantined, and returns them.
     std::vector<WorkerId> quarantine(InstanceId process);
-    /// The master is shutting down.
+    /// Call when the master shuts down: connections that end are ignored from now on.
     void close() { is_closed_ = true; }
 
     /// Null for a worker that has left or is lost.
@@ -139,7 +142,7 @@ class WorkerDirectory {
     [[nodiscard]] const Workers& all() const { return workers_; }
     /// True while there are workers, or lost ones to forget.
     [[nodiscard]] bool is_watching() const { return watch_.size() != 0; }
-    /// All workers, and after them those lost not long ago.
+    /// All workers, followed by those lost recently.
     [[nodiscard]] std::vector<WorkerStatus> statuses() const;
     [[nodiscard]] const Counts& counts() const { return counts_; }
     /// Aborts if an invariant is broken. For tests; call it between two events.
@@ -164,9 +167,9 @@ class WorkerDirectory {
     WorkerEvents& events_;
     std::function<Time()> now_;
     Workers workers_;
-    std::uint64_t last_ = 0; ///< The last id given out.
+    std::uint64_t last_ = 0; ///< Id of the worker that joined last.
     WorkerWatch watch_;
-    std::map<WorkerId, Lost> lost_; ///< Shown for a while.
+    std::map<WorkerId, Lost> lost_; ///< Lost workers that status still shows.
     std::map<InstanceId, std::weak_ptr<WorkerIntake>> intakes_;
     Counts counts_;
     bool is_closed_ = false;

@@ -1,4 +1,4 @@
-// Measures one worker: its life signs, its cache, its busy time and the blocks that reach it.
+// Measurements of one worker: received bytes, cache, busy time, and transfers of blocks.
 #pragma once
 
 #include "master/blocks/transfer_meter.hpp"
@@ -11,7 +11,7 @@
 
 namespace cd {
 
-/// Takes times and returns values; no clock.
+/// Has no clock: the caller passes the time.
 class WorkerMeter {
   public:
     using Time = std::chrono::steady_clock::time_point;
@@ -22,22 +22,22 @@ class WorkerMeter {
     void heartbeat_came(const Heartbeat& heartbeat) { heartbeat_ = heartbeat; }
     /// Takes the bytes received on the worker's connection. True if they differ from the last call.
     [[nodiscard]] bool bytes_came(std::uint64_t received);
-    /// Records whether the worker has work from now on.
+    /// Records whether the worker has any work from `now` on.
     void work_is(bool any, Time now);
-    /// Times of the blocks that the worker fetches, in the seconds of the caller's clock.
+    /// Measures the blocks that the worker fetches.
     [[nodiscard]] TransferMeter& transfers() { return transfers_; }
 
-    /// The longest-running scenario in the last heartbeat.
+    /// The scenario that has run longest according to the last heartbeat; empty if none runs.
     [[nodiscard]] const std::optional<RunningScenario>& longest() const {
         return heartbeat_.longest;
     }
-    /// Fills in the measured members. Reads `scenarios` for the rate.
+    /// Fills in the measured members of the status. Its `scenarios` must be set, for the rate.
     void add_to(WorkerStatus& status, Time now) const;
 
   private:
     std::uint64_t cache_bytes_;
-    Heartbeat heartbeat_;                               ///< The last one.
-    std::uint64_t bytes_seen_ = 0;                      ///< As of the last `bytes_came`.
+    Heartbeat heartbeat_;                               ///< The last heartbeat received.
+    std::uint64_t bytes_seen_ = 0;                      ///< Argument of the last `bytes_came`.
     std::chrono::steady_clock::duration busy_before_{}; ///< Time with work before `busy_since_`.
     std::optional<Time> busy_since_;                    ///< Empty while the worker has no work.
     TransferMeter transfers_;

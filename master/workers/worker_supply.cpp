@@ -9,7 +9,8 @@ namespace cd {
 
 namespace {
 
-/// Keeps only those of `known` that are `there`. Returns those that are there and not known.
+/// Removes from `known` the ids that are not in `there`. Returns the ids of `there` that are not in
+/// `known`.
 template <class Id>
 std::vector<Id> keep_those(const std::set<Id>& there, std::set<Id>& known) {
     std::vector<Id> strange;

@@ -1,4 +1,4 @@
-// The jobs and trees that one worker knows, and the messages that keep it up to date.
+// Tracks the jobs and trees that one worker knows, and makes the messages that update the worker.
 #pragma once
 
 #include "common/core/id.hpp"
@@ -12,7 +12,7 @@
 
 namespace cd {
 
-/// Takes events and returns the messages that the worker must get, in order. No sockets.
+/// Each member returns the messages that the worker must get, in order. No sockets.
 class WorkerSupply {
   public:
     using Messages = std::vector<Message>;
@@ -20,8 +20,8 @@ class WorkerSupply {
     [[nodiscard]] bool has_job(JobId job) const { return jobs_.contains(job); }
     [[nodiscard]] bool has_tree(TreeId tree) const { return trees_.contains(tree); }
 
-    /// Adds the job after those of its trees that the worker lacks. The worker must not know the
-    /// job.
+    /// Adds a job that the worker does not know, and before it the job's trees that the worker
+    /// lacks.
     [[nodiscard]] Messages add_job(const AddJob& job, std::span<const AddTree> trees);
     [[nodiscard]] Messages remove_job(JobId job);
     [[nodiscard]] Messages remove_tree(TreeId tree);
@@ -29,11 +29,12 @@ class WorkerSupply {
     /// Records cuts whose blocks the worker kept from an earlier session. Errors: TooLarge for more
     /// than `limits::cuts_held_max`.
     [[nodiscard]] Status cuts_kept(const Holding& holding);
-    /// Adds those of the trees in use whose blocks the worker kept.
+    /// Adds the trees in use of which the worker has kept blocks.
     [[nodiscard]] Messages add_kept(std::span<const AddTree> in_use);
 
-    /// Compares the worker's inventory with the record after messages may have been lost. Removes
-    /// what the worker should not have, and forgets what it lacks, so that it is sent when needed.
+    /// Resynchronises with the worker's inventory, after messages may have been lost. Removes the
+    /// jobs and trees that the worker should not have. Forgets those that it lacks, so that they
+    /// are sent again when needed.
     [[nodiscard]] Messages stands(const Standing& standing);
 
   private:

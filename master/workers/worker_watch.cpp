@@ -83,7 +83,7 @@ std::vector<WorkerWatch::Change> WorkerWatch::time_is(Time now) {
 void WorkerWatch::forget_some(std::vector<Change>& changes) {
     const auto is_lost = [](const auto& entry) { return entry.second.state == WorkerState::Lost; };
     auto lost = static_cast<std::size_t>(std::count_if(workers_.begin(), workers_.end(), is_lost));
-    // Ids ascend with the time of joining.
+    // Ids ascend, so the workers that joined first are forgotten first.
     for (auto place = workers_.begin(); lost > limits::lost_workers_kept_max;) {
         if (is_lost(*place)) {
             changes.push_back({place->first, std::nullopt});

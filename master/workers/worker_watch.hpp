@@ -1,5 +1,5 @@
-// Failure detector: judges from the time of their last message which workers are alive. A state
-// machine without sockets, clocks or threads.
+// Failure detector: judges by the time since a worker's last message whether the worker is alive. A
+// state machine without sockets, clocks or threads.
 #pragma once
 
 #include "common/core/limits/master.hpp"
@@ -19,19 +19,21 @@ struct FailureTimes {
     using Duration = std::chrono::milliseconds;
 
     Duration heartbeat = limits::heartbeat_period; ///< Period between two heartbeats, both ways.
-    Duration lost_after = limits::peer_lost_after;
-    /// How long the tasks of a disconnected worker wait for its return.
+    Duration lost_after = limits::peer_lost_after; ///< Silence until a connected worker is lost.
+    /// Time after a broken connection until a worker that has not returned is lost.
     Duration return_within = limits::peer_lost_after;
+    /// Silence until a lost worker is no longer shown.
     Duration forgotten_after = limits::worker_forgotten_after;
 
-    /// Silence after which a side is suspected to be gone.
+    /// Silence after which a worker counts as silent, and gets no new work.
     [[nodiscard]] Duration silent_after() const {
         return limits::heartbeats_missed_max * heartbeat;
     }
 };
 
-/// Without messages a worker turns from alive to silent, lost and forgotten. A leap in time may
-/// skip silent. A silent worker that is heard becomes alive again; a lost one must join anew.
+/// Without messages, a worker changes from alive to silent, then to lost, and is then forgotten. A
+/// long pause between two checks may skip silent. A message makes a silent worker alive again; a
+/// lost one must join anew.
 class WorkerWatch {
   public:
     using Time = std::chrono::steady_clock::time_point;
@@ -47,20 +49,21 @@ class WorkerWatch {
 
     /// The worker must be new.
     void joined(WorkerId worker, Time now);
-    /// Records a message or a reconnection. True: the worker was silent until now. Ignores lost and
-    /// unknown workers.
+    /// Records a message or a reconnection. Returns whether the worker was silent until now.
+    /// Ignores lost and unknown workers.
     bool heard(WorkerId worker, Time now);
-    /// The connection broke, so the worker turns silent. True: it was alive before. Ignores lost
-    /// workers.
+    /// The connection broke, so the worker becomes silent. Returns whether it was alive before.
+    /// Ignores lost workers.
     bool detached(WorkerId worker, Time now);
-    /// Suspends silence detection until the worker is heard: the master does not read from it.
+    /// Suspends the detection of silence until `heard` is called: the master does not read from the
+    /// worker.
     void unheard(WorkerId worker);
     /// Declares the worker lost, regardless of its last message.
     void lost(WorkerId worker);
-    /// Removes a worker that has left properly or no longer matters.
+    /// Removes a worker that has left, or need not be shown as lost any more.
     void left(WorkerId worker);
 
-    /// Advances the time. Returns all changes of state, ascending by worker.
+    /// Advances the time. Returns all changes of state that follow.
     [[nodiscard]] std::vector<Change> time_is(Time now);
 
     /// Empty if there is no such worker.
@@ -78,7 +81,8 @@ class WorkerWatch {
     };
 
     [[nodiscard]] bool is_due_to_be_lost(const Entry& entry, Time now) const;
-    /// Forgets those lost workers that joined first, beyond `limits::lost_workers_kept_max`.
+    /// If more than `limits::lost_workers_kept_max` workers are lost, forgets those that joined
+    /// first.
     void forget_some(std::vector<Change>& changes);
 
     FailureTimes times_;
