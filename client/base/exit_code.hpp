@@ -13,7 +13,7 @@ inline constexpr int exit_unreachable = 4;
 inline constexpr int exit_refused = 5;
 inline constexpr int exit_signal_base = 128; ///< The signal's number is added: 130, 143.
 
-/// The exit code for an error. `signal` counts if the error is Interrupted.
+/// The exit code for an error. For Interrupted it is 128 + `signal`.
 [[nodiscard]] int exit_code_of(const Error& error, int signal = 2);
 
 } // namespace cd

@@ -21,8 +21,8 @@ class InterruptGuard {
 
     /// From now on the first signal only sets the flag.
     static void begin_to_flag();
-    /// From now on the first signal ends the process, as with `EndsProcess`. An earlier signal ends
-    /// it immediately.
+    /// From now on the first signal ends the process, as with `EndsProcess`. If a signal has
+    /// already come, ends the process immediately.
     static void begin_to_end();
     /// The signal received since the guard was made, or 0.
     [[nodiscard]] static int signal();
