@@ -42,7 +42,7 @@ double seconds_since(Clock::time_point start) {
 /// would meet the same values of a grid's axes again and again.
 std::vector<std::uint64_t> spread(std::uint64_t count, std::uint64_t samples) {
     const std::uint64_t size = std::min(count, samples);
-    std::mt19937_64 random; // Its default seed makes estimates repeatable.
+    std::mt19937_64 random; // The default seed makes estimates repeatable.
     std::vector<std::uint64_t> indices(size);
     std::uint64_t begin = 0;
     for (std::uint64_t i = 0; i < size; ++i) {
@@ -57,7 +57,7 @@ struct Sample {
     Scenario scenario;
     std::optional<DoneScenario> done; ///< Nothing if the time ran out before the sample.
     QueryStatistics work;
-    double seconds = 0; ///< Thread time.
+    double seconds = 0; ///< Time on one thread.
 };
 
 /// Orders samples with a stride, so that those run before the time limit cover the whole job.

@@ -18,8 +18,8 @@ namespace cd {
 
 /// Connects to a master; a signal (`InterruptGuard`) interrupts the connection's calls.
 [[nodiscard]] Result<std::unique_ptr<Connection>> open_master(const MasterOptions& options);
-/// Connects for a job that could also run here; a network error says so. Called before the inputs
-/// are read, which may take long.
+/// Connects for a job that could also run on this machine, as the text of a network error then
+/// says. Called before the inputs are read, which may take long.
 [[nodiscard]] Result<std::unique_ptr<Connection>> open_master_for_job(const MasterOptions& options);
 
 /// A connection, and the cluster's status when it was opened.
