@@ -97,7 +97,7 @@ class ResultFiles {
     std::vector<std::unique_ptr<ResultWriter>> writers_;
 };
 
-/// The report and the inputs as one JSON document.
+/// The report and the bodies as one JSON document.
 [[nodiscard]] std::string summary_json(const ExportContext& context, const RunReport& report);
 
 /// Writes `summary_json` to summary.json. Errors: Io naming the file.
