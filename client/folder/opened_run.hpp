@@ -32,7 +32,7 @@ class OpenedRun {
     /// has a job that no job file can express.
     [[nodiscard]] Result<JobSpec> spec() const;
     /// The mesh of a body as it was tested: the copy in the folder, or else the file that run.json
-    /// names. Errors: NotFound, Io; BadInput if that file has changed since.
+    /// names. Errors: NotFound, Io; BadInput if that file has changed since the run.
     [[nodiscard]] Result<std::shared_ptr<const Mesh>> mesh(std::size_t body) const;
     /// The poses in the folder; null if there are none. Errors: Io.
     [[nodiscard]] Result<std::unique_ptr<PoseSource>> kept_poses() const;

@@ -61,7 +61,7 @@ class RunFolder {
 
     /// Locks the folder, and creates it if missing. Nothing in the folder is read before.
     [[nodiscard]] static Result<RunFolder> take(const std::filesystem::path& dir);
-    /// Undoes `take`, and returns the error.
+    /// Undoes `take`, and returns `error`.
     [[nodiscard]] Error give_up(Error error);
     [[nodiscard]] Status begin(const RunManifest& manifest);
     void recover_files();
