@@ -25,7 +25,7 @@ NpzArray::NpzArray(NpyHeader header, ZipEntry entry, Bytes begun, std::string pl
       place_(std::move(place)) {}
 
 Result<NpyArray> NpzArray::next() {
-    constexpr std::uint64_t piece_bytes_max = 24u << 15; // Whole rows of three, as 24 divides it.
+    constexpr std::uint64_t piece_bytes_max = 24u << 15; // A multiple of 24: whole rows of three.
     NpyArray piece{{}, header_.type, Bytes(std::min(bytes_left_, piece_bytes_max))};
     const std::size_t there = std::min(begun_.size(), piece.data.size());
     std::copy_n(begun_.begin(), there, piece.data.begin());

@@ -1,4 +1,4 @@
-// Reads zip archives. Only this reads with libzip.
+// Reads zip archives. Only this file reads with libzip.
 #pragma once
 
 #include "common/core/files/bytes.hpp"
