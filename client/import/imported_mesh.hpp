@@ -62,8 +62,8 @@ struct ImportedMesh {
     bool is_by_assimp = false;         ///< Coordinates are within one float step of the file's.
     bool is_rounded = false;           ///< Rounded to floats on request; the file has more digits.
     std::vector<std::string> warnings; ///< A sentence each, naming the file.
-    std::uint64_t points_skipped = 0;  ///< Faces with one corner.
-    std::uint64_t lines_skipped = 0;   ///< Faces with two corners.
+    std::uint64_t points_skipped = 0;  ///< Number of faces with one corner.
+    std::uint64_t lines_skipped = 0;   ///< Number of faces with two corners.
 };
 
 } // namespace cd

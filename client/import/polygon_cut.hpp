@@ -10,7 +10,7 @@
 
 namespace cd {
 
-/// Cuts polygons one after another and reuses its memory.
+/// Cuts polygons one after another, and reuses memory between them.
 ///
 /// The polygon is projected along the axis nearest to its Newell normal, and orientations in the
 /// projection are exact: every triangle has the polygon's orientation or no area. The triangles

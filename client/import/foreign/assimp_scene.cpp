@@ -168,7 +168,7 @@ DeclaredFrame fbx_frame(const aiScene& scene) {
     return frame;
 }
 
-/// Returns nothing if the format declares a unit and the file's unit is unknown.
+/// The unit and up axis that the file declares; nothing if the unit in the file is not known here.
 std::optional<DeclaredFrame> declared_frame(const aiScene& scene,
                                             const std::filesystem::path& path) {
     const std::string format = format_of(scene);

@@ -207,7 +207,7 @@ Result<ChildAnswer> call_in_child(const std::function<Bytes()>& work,
     if (id == 0) {
         prctl(PR_SET_PDEATHSIG, SIGKILL);
         if (getppid() != parent) {
-            _exit(1); // The parent died before the line above.
+            _exit(1); // The parent died before prctl took effect.
         }
         take_default_signals();
         leave_the_terminal();

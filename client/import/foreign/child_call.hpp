@@ -21,7 +21,7 @@ enum class ChildEnd : std::uint8_t { Answered, Crashed, OutOfMemory, OutOfTime, 
 
 struct ChildAnswer {
     ChildEnd end = ChildEnd::Crashed;
-    Bytes bytes; ///< What `work` returned, if it answered.
+    Bytes bytes; ///< The result of `work` if `end` is Answered.
 };
 
 /// Calls `work` in a fork of this process and returns when the child has ended, however it ended.

@@ -144,8 +144,8 @@ class OffReader {
     const MeshSource& source_;
     TextReader text_;
     IndexedMesh mesh_;
-    std::uint64_t vertices_ = 0;        ///< Number in the header.
-    std::uint64_t faces_ = 0;           ///< Number in the header.
+    std::uint64_t vertices_ = 0;        ///< Number of vertices in the header.
+    std::uint64_t faces_ = 0;           ///< Number of faces in the header.
     bool has_more_numbers_ = false;     ///< More numbers may follow a vertex's position.
     std::vector<std::int64_t> corners_; ///< Corners of the current face.
 };

@@ -9,7 +9,7 @@ namespace cd {
 /// Lines end with "\n", "\r\n" or "\r". Words are separated by blanks and line ends.
 class TextReader {
   public:
-    /// The meaning of a backslash at the end of a line: it may continue the line.
+    /// The meaning of a backslash at the end of a line: text, or the line goes on in the next one.
     enum class Backslash { IsText, JoinsLines };
 
     explicit TextReader(std::string_view text,
