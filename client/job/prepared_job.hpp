@@ -23,8 +23,9 @@ namespace cd {
 
 struct PreparedJob {
     JobSpec spec;
-    std::array<std::string, 2> names;                  ///< Names of the bodies in messages.
-    std::array<std::shared_ptr<const Mesh>, 2> meshes; ///< One object if both bodies have one file.
+    std::array<std::string, 2> names; ///< Names of the bodies in messages.
+    std::array<std::shared_ptr<const Mesh>, 2>
+        meshes; ///< The same object if both bodies have one file.
     std::array<std::vector<std::string>, 2>
         notes; ///< How each mesh file was interpreted, for messages.
     std::array<std::shared_ptr<const ObbTree>, 2> trees; ///< Null if not needed.
@@ -34,7 +35,7 @@ struct PreparedJob {
     PoseLabels labels;                 ///< Ids and times of all poses, if their file has them.
     std::vector<std::string> zeros;    ///< Columns missing in the pose file, which count as 0.
     std::vector<std::string> warnings; ///< Warnings of one line each.
-    std::string header;                ///< The text of `header_text`.
+    std::string header;                ///< Lines about bodies and poses (`header_text`).
 };
 
 /// When `prepare_job` gets trees. A run in this process always needs them. A cluster builds its own
