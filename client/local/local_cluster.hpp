@@ -33,7 +33,7 @@ class LocalCluster {
     /// False once the master or a worker has ended.
     [[nodiscard]] bool is_running();
 
-    /// Stops the workers, then the master. The destructor calls it.
+    /// Stops the workers, then the master. The destructor calls `stop`.
     void stop();
 
     LocalCluster(LocalCluster&&) noexcept = default;

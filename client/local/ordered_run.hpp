@@ -84,7 +84,7 @@ class OrderedRun {
         std::size_t ran = 0; ///< Number of `waiting` scenarios that were run.
         std::vector<DoneScenario> done;
         JobStatistics statistics;
-        std::uint64_t bytes = 0; ///< Size of `done`.
+        std::uint64_t bytes = 0; ///< Size of `done` in bytes.
         std::size_t size = 1;    ///< Number of scenarios to take next.
     };
 
