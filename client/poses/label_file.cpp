@@ -54,7 +54,7 @@ bool add_time(PoseLabels& labels, const std::string& text) {
 } // namespace
 
 std::uint64_t label_bytes(const PoseLabels& labels) {
-    constexpr std::uint64_t number_bytes = 25; // The longest double and its separator.
+    constexpr std::uint64_t number_bytes = 25; // The longest double and a separator.
     const std::uint64_t numbers = labels.integers.size() + labels.times.size();
     std::uint64_t bytes = sizeof "id,t" + number_bytes * numbers;
     for (const std::string& text : labels.texts) {
