@@ -35,7 +35,7 @@ std::string worker_state(const WorkerStatus& worker) {
     return "idle";
 }
 
-/// "2026-03-01 12:00:00Z"
+/// A time in UTC: "2026-03-01 12:00:00Z"; empty if the time cannot be converted.
 std::string utc_text(std::uint64_t unix_seconds) {
     const auto time = static_cast<std::time_t>(unix_seconds);
     std::tm parts{};
@@ -65,7 +65,7 @@ std::uint64_t contacts_of(const Summary& summary) {
     return summary.touch + summary.cross + summary.inside + summary.contact;
 }
 
-/// The number of triangle pairs that floats could not decide, but a later stage.
+/// The number of triangle pairs that a stage after floats decided.
 std::uint64_t past_float(const PairStatistics& decisions) {
     return decisions.total() - decisions[PairStage::Float];
 }

@@ -26,7 +26,8 @@ class PartTally {
         std::string part;
         std::uint64_t scenarios = 0;
     };
-    /// The most touched parts first, without parts never touched and bodies with a single part.
+    /// The `count` parts in contact in most scenarios, most first. Leaves out parts never in
+    /// contact, and parts of bodies with a single part.
     [[nodiscard]] std::vector<Touched> most_touched(std::size_t count = 3) const;
 
   private:
