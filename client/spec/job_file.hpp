@@ -48,7 +48,7 @@ struct GridSpec {
 
 using PosesSpec = std::variant<PoseFileSpec, GridSpec, RandomPoses>;
 
-/// Ignores the pairs of triangles of parts of A and of B whose names match two patterns. Patterns
+/// Excludes the triangle pairs whose parts match the patterns `a` (for A) and `b` (for B). Patterns
 /// use shell wildcards; the body's name and a slash may precede the part's name, and a backslash
 /// escapes / * ? and [.
 struct IgnoreRule {
