@@ -14,7 +14,7 @@ namespace cd {
 struct RunEstimate {
     std::uint64_t scenarios = 0; ///< Scenarios of the job.
     std::uint64_t sampled = 0;   ///< Scenarios that were run for the estimate.
-    double seconds = 0;          ///< Expected run time on this machine, once trees are built.
+    double seconds = 0;          ///< Expected run time, without reading meshes and building trees.
     double seconds_low = 0;      ///< Two standard errors below `seconds`.
     double seconds_high = 0;     ///< Two standard errors above `seconds`.
     double box_tests = 0;
