@@ -23,9 +23,8 @@ namespace cd {
 
 struct PreparedJob {
     JobSpec spec;
-    std::array<std::string, 2> names; ///< Names of the bodies in messages.
-    std::array<std::shared_ptr<const Mesh>, 2>
-        meshes; ///< The same object if both bodies have one file.
+    std::array<std::string, 2> names;                  ///< Names of the bodies in messages.
+    std::array<std::shared_ptr<const Mesh>, 2> meshes; ///< Both the same if the file is the same.
     std::array<std::vector<std::string>, 2>
         notes; ///< How each mesh file was interpreted, for messages.
     std::array<std::shared_ptr<const ObbTree>, 2> trees; ///< Null if not needed.
