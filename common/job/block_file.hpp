@@ -43,7 +43,7 @@ class BlockFile {
                                                            FileKind kind);
 
     [[nodiscard]] const std::vector<BlockPlace>& blocks() const { return blocks_; }
-    /// Scenarios in all blocks.
+    /// Number of scenarios in all blocks.
     [[nodiscard]] std::uint64_t count() const { return count_; }
     /// Offset in the file, in bytes, at which the last block ends.
     [[nodiscard]] std::uint64_t end() const;

@@ -66,8 +66,8 @@ struct KeptSearch {
     std::unique_ptr<ContactSearch> search; ///< Created by the first scenario with a pair.
 };
 
-/// Does the same with a search that the caller keeps. All scenarios that run with one `kept` have
-/// the same query, options and form of the trees (wide or binary).
+/// The overload for many scenarios: reuses the search in `kept`. All scenarios that run with one
+/// `kept` share the query, the options and the form of the trees (wide or binary).
 [[nodiscard]] ScenarioRun run_on_subtrees(KeptSearch& kept,
                                           std::span<const SubtreePair> pairs,
                                           const Scenario& scenario,
@@ -116,14 +116,14 @@ class ScenarioRunner {
     std::shared_ptr<const CutTree> cut_b_;
 };
 
-/// Runs a runner's scenarios on one thread. It reuses memory, so that after a few scenarios only
+/// Runs scenarios on one thread. The session reuses memory, so that after a few scenarios only
 /// results allocate.
 class ScenarioSession {
   public:
     /// The runner outlives the session.
     explicit ScenarioSession(const ScenarioRunner& runner) : runner_(runner) {}
 
-    /// Returns what `ScenarioRunner::run` returns.
+    /// Runs one scenario; the result is that of `ScenarioRunner::run`.
     [[nodiscard]] ScenarioRun run(const Scenario& scenario);
 
     /// Receives the run of `scenarios[place]`; returns false to end `run_all`.

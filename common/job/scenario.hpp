@@ -26,10 +26,9 @@ struct Scenario {
 /// Version (u8, 1) and count, then runs: scenarios with consecutive indices, equal bodies and equal
 /// forms of poses. A run: forms (u8: A's in bits 0-1, B's in 2-3), length, first index minus the
 /// index that would continue the previous run (zigzag; 0 for the first run), body_a, body_b; then
-/// for each scenario the doubles of A's pose and of B's. Forms: 0 identity,
-/// 1 translation, 2 matrix (rows, then translation), 3 quaternion (w x y z, then translation).
-/// Integers are varints (varint.hpp) unless marked u8. A run in which a scenario has no doubles has
-/// length 1.
+/// for each scenario the doubles of A's pose and of B's. Forms: 0 identity, 1 translation, 2 matrix
+/// (rows, then translation), 3 quaternion (w x y z, then translation). Integers are varints
+/// (varint.hpp) unless marked u8. A run in which a scenario has no doubles has length 1.
 [[nodiscard]] Bytes pack_scenarios(std::span<const Scenario> scenarios);
 
 /// Unpacks `pack_scenarios`. The bytes may be hostile; memory is bounded by `count_max` scenarios.

@@ -27,7 +27,7 @@ std::uint64_t cell_of(double value, double low, double high) {
     return at >= 1 ? static_cast<std::uint64_t>(std::min(at, cells - 1)) : 0;
 }
 
-/// Interleaves the bits of the cells, highest first.
+/// Returns the position on the curve: interleaves the bits of the six cells, highest first.
 std::uint64_t curve_of(const Coordinates& place, const Coordinates& low, const Coordinates& high) {
     std::array<std::uint64_t, coordinates> cell{};
     for (std::size_t k = 0; k < coordinates; ++k) {

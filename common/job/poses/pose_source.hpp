@@ -51,8 +51,8 @@ struct GridAxis {
 };
 
 /// The grid over positions and Euler angles, x slowest and yaw fastest in the order x, y, z, roll,
-/// pitch, yaw. It is sent as this description; angles are already quaternions, so evaluating it
-/// only takes + - * /.
+/// pitch, yaw. Jobs send grids as this description; angles are already quaternions, so that
+/// evaluating a grid only takes + - * /.
 struct Grid {
     std::array<GridAxis, 3> position; ///< x, y, z
     /// Rotations about x (roll), y (pitch), z (yaw); an empty list does not rotate.

@@ -86,7 +86,7 @@ struct Bodies {
     const ObbTree& b;
     Aabb box_a;
     Aabb box_b;
-    double reach = 0; ///< Distance of the boxes' centres at which their spheres are disjoint.
+    double reach = 0; ///< Distance of the boxes' centres beyond which the bodies cannot touch.
 };
 
 Bodies measure(const ObbTree& a, const ObbTree& b) {
@@ -150,7 +150,7 @@ Pose random_pose(const RandomPoses& options, const Bodies& bodies, std::uint64_t
             return approach.at(*first - share * bodies.box_b.diagonal());
         }
     }
-    // On no line does B collide: it stays at A's centre.
+    // B collides on none of the lines, so B stays at A's centre.
     return Approach(bodies, random).at(0);
 }
 

@@ -20,7 +20,7 @@ struct Summary {
     std::uint64_t contact = 0; ///< At `level any` only.
     std::uint64_t undecided = 0;
     std::uint64_t failed = 0;
-    std::uint64_t pairs = 0;           ///< Of all scenarios, also pairs that a limit cut off.
+    std::uint64_t pairs = 0;           ///< Pairs in contact, including those that a limit cut off.
     std::uint64_t surfaces_only = 0;   ///< Scenarios with an open body.
     std::uint64_t insides_skipped = 0; ///< Scenarios with parts whose containment is not decided.
     std::uint64_t cut = 0;             ///< Scenarios whose list of pairs is cut off.
@@ -53,8 +53,8 @@ class ResultMerger {
 
     enum class Outcome : std::uint8_t {
         Added,    ///< The first result of this scenario.
-        Repeated, ///< Equal to the one already merged.
-        Differs,  ///< Unequal: a fault of memory or code. The first one stays.
+        Repeated, ///< Equal to the result already merged.
+        Differs,  ///< Unequal to the merged result, which stays: a fault of memory or code.
         Foreign,  ///< The job has no such scenario.
     };
 
