@@ -19,11 +19,11 @@ struct JoinToken {
 
 /// "cdt1." and the three members in hexadecimal, separated by dots.
 [[nodiscard]] std::string to_text(const JoinToken& token);
-/// Errors: BadInput, without the text itself.
+/// Parses `to_text`. Errors: BadInput that does not show the text.
 [[nodiscard]] Result<JoinToken> parse_join_token(std::string_view text);
 
-/// The form of the secret that the master stores: SHA-256. It serves to check a proof, not to make
-/// one.
+/// Returns SHA-256 of the token's secret. The master stores this form, which serves to check a
+/// proof, but not to make one.
 [[nodiscard]] Sha256 stored_secret(const JoinToken& token);
 
 /// Proves possession of the token as in SCRAM (RFC 5802, section 3). The proof reveals nothing that

@@ -24,7 +24,7 @@ enum class Phase {
     Closed,
 };
 
-/// An outgoing message. It stays in its lane until its last frame is written.
+/// An outgoing message, which stays in its lane until its last frame is written.
 struct Outgoing {
     std::uint16_t type = 0;
     Bytes payload;
@@ -285,7 +285,7 @@ void Channel::State::read_failed(const error_code& error) {
     if (!error) {
         return drop_incoming();
     }
-    // The peer may have closed its half only, and may still read the queued messages.
+    // The peer may have closed only its sending half, and may still read the queued messages.
     if (error != asio::error::eof || lanes[lane_control].size() + lanes[lane_data].size() == 0) {
         shut();
     }

@@ -29,7 +29,7 @@ asio::awaitable<Addresses> resolve(const Endpoint& endpoint, error_code& error) 
     }
     asio::ip::tcp::resolver resolver(co_await asio::this_coro::executor);
     const Deadline deadline(resolver, limits::connect_timeout);
-    // GCC 12 may destroy a temporary twice in an expression with co_await, so it gets a name.
+    // GCC 12 may destroy a temporary twice in an expression with co_await, so the text has a name.
     const std::string port = std::to_string(endpoint.port);
     const auto found = co_await resolver.async_resolve(
         endpoint.host, port, asio::redirect_error(asio::use_awaitable, error));

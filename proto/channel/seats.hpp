@@ -22,8 +22,8 @@ class Seats {
 
     /// Takes a slot for a peer; null if none is available to the peer's host.
     [[nodiscard]] Seat take(const asio::ip::address& from);
-    /// Takes a slot for the peer of a socket. If it has disconnected already, the slot counts only
-    /// against the total.
+    /// Takes a slot for the peer of a socket. If the peer has disconnected already, the slot counts
+    /// only against the total.
     [[nodiscard]] Seat take(const asio::ip::tcp::socket& socket);
     [[nodiscard]] std::size_t taken() const { return state_->taken; }
 

@@ -141,7 +141,7 @@ inline void load(WireInput& in, bool& value) {
     value = byte == 1;
 }
 
-/// An enumeration as one byte, within [first, last].
+/// Reads or writes an enumeration as one byte, which must lie within [first, last].
 template <class Archive, class E>
 void enumeration(Archive& archive, E& value, E first, E last) {
     auto byte = static_cast<std::uint8_t>(value);

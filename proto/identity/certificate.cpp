@@ -136,7 +136,7 @@ std::string key_usage_of(CertifiedRole role) {
     switch (role) {
     case CertifiedRole::Master:
         return "serverAuth";
-    case CertifiedRole::Worker: // Other workers connect to it.
+    case CertifiedRole::Worker: // Accepts connections of other workers.
         return "serverAuth,clientAuth";
     default:
         return "clientAuth";

@@ -21,8 +21,8 @@ using WallTime = std::chrono::system_clock::time_point;
 enum class CertifiedRole : std::uint8_t {
     Master = 0,
     Worker = 1,
-    Submitter = 2, ///< Submits jobs, and observes and cancels them.
-    Admin = 3,     ///< A submitter that also creates join tokens.
+    Submitter = 2, ///< Submits jobs, observes all jobs, and cancels and removes its own.
+    Admin = 3,     ///< Manages all jobs, join tokens, meshes and workers, and submits jobs.
     Metrics = 4,   ///< Reads the state of the cluster.
 };
 

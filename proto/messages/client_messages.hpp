@@ -36,8 +36,8 @@ struct MeshesMissing {
 struct MeshPart {
     Sha256 mesh;
     std::string name;              ///< File name, for display.
-    std::uint64_t bytes_total = 0; ///< Of the whole mesh.
-    std::uint64_t offset = 0;      ///< Of the first of `bytes` in the mesh.
+    std::uint64_t bytes_total = 0; ///< Size of the whole mesh.
+    std::uint64_t offset = 0;      ///< Position of the first of `bytes` in the mesh.
     Bytes bytes;
 };
 struct MeshStored {
@@ -52,7 +52,7 @@ struct JobBody {
     std::string unit = {}; ///< Unit of the file's coordinates.
     /// True: the job file gives `unit`. False: `unit` is declared in the mesh file, or the job's.
     bool is_unit_given = false;
-    std::string up = {};          ///< "y": the client turned it to z up; "z" or empty: not turned.
+    std::string up = {};          ///< "y": the client turned the mesh to z up; "z", empty: not.
     bool rounds_to_float = false; ///< True: the client rounded the coordinates to floats.
 
     friend bool operator==(const JobBody&, const JobBody&) = default;
@@ -98,7 +98,7 @@ struct Submit {
     Query query;
     ClusterOptions cluster;
     PosesOrigin poses;
-    std::uint64_t scenarios = 0; ///< Their number.
+    std::uint64_t scenarios = 0; ///< Number of scenarios.
     std::optional<Bytes> grid;   ///< `encode_grid`; only for poses of kind Grid.
     /// How long the job is kept after its end, in seconds. 0, or more than the master's own bound:
     /// as long as the master keeps any job.
@@ -117,7 +117,7 @@ struct Accepted {
     JobId job;
 };
 
-/// Answered by JobDescription. Errors: NotFound.
+/// Asks for a job's description. Answered by JobDescription. Errors: NotFound.
 struct JobQuery {
     JobId job;
 };
@@ -129,7 +129,8 @@ struct JobDescription {
     Submit submit;
 };
 
-/// Answered by MeshBytes. Errors: NotFound; BadInput for an offset beyond the end.
+/// Asks for a mesh's canonical bytes from `offset` on. Answered by MeshBytes. Errors: NotFound;
+/// BadInput for an offset beyond the end.
 struct MeshQuery {
     Sha256 mesh;
     std::uint64_t offset = 0;
@@ -143,7 +144,8 @@ struct MeshBytes {
     Bytes bytes;
 };
 
-/// Answered by JobPoses. Errors: NotFound; BadInput for scenarios that the job does not have.
+/// Asks for the poses of scenarios [first, first + count). Answered by JobPoses. Errors: NotFound;
+/// BadInput for scenarios that the job does not have.
 struct PosesQuery {
     JobId job;
     std::uint64_t first = 0;
@@ -284,7 +286,7 @@ struct ResultsQuery {
     std::uint64_t count = 0;
 };
 
-/// Consecutive scenarios.
+/// Scenarios [first, first + count), by index.
 struct ScenarioInterval {
     std::uint64_t first = 0;
     std::uint64_t count = 0;
@@ -323,9 +325,8 @@ struct Cancel {
     std::optional<std::uint64_t> scenario = {};
 };
 
-/// Removes a job and the meshes that no other job uses. Answered by Removed once they are removed
-/// from the disk.
-/// Errors: NotFound; Refused for a running job unless `cancel` is set.
+/// Removes a job and the meshes that no other job uses. Answered by Removed once the disk no longer
+/// has them. Errors: NotFound; Refused for a running job unless `cancel` is set.
 struct Remove {
     JobId job;
     bool cancel = false; ///< Cancel the job first if it is running.

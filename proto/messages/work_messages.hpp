@@ -29,8 +29,8 @@ using TreeId = Id<struct TreeTag>;
 /// and is sent on request.
 struct AddTree {
     TreeId tree;
-    SubtreeForm form = SubtreeForm::Wide; ///< Form of its blocks.
-    Sha256 cut;                           ///< Identifies all of its blocks, in every session.
+    SubtreeForm form = SubtreeForm::Wide; ///< Form of the tree's blocks.
+    Sha256 cut;                           ///< Identifies all of these blocks, in every session.
     Sha256 top;                           ///< Hash of the upper tree's block (`encode_top`).
     std::uint32_t roots = 0;              ///< Number of distribution roots.
     std::uint32_t triangles = 0;          ///< Triangles of the whole tree.
@@ -72,7 +72,7 @@ struct RemoveJob {
 struct DropScenario {
     JobId job;
     std::uint64_t scenario = 0;
-    TaskId task = {}; ///< Only in this task, as another one has answered; 0: in all tasks.
+    TaskId task = {}; ///< The task to drop it from, if another task has answered; 0: all tasks.
 };
 
 /// A task of scenarios analysed by the master (paper, 6.4.3).
@@ -128,9 +128,9 @@ struct PeerSource {
     Sha256 proof;             ///< `ticket_proof` of the ticket (peer_ticket.hpp).
 };
 
-/// An answer to WantSubtrees: the worker fetches these blocks from the sources, in order. Those
-/// that no source gives, it requests from the master again. `roots` ascend; `hashes` are parallel
-/// to `roots`.
+/// An answer to WantSubtrees: the worker fetches these blocks from the sources, in order, and
+/// requests those that no source gives from the master once more. `roots` ascend; `hashes` are
+/// parallel to `roots`.
 struct FetchFromPeers {
     TreeId tree;
     std::vector<RootIndex> roots;
