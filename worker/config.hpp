@@ -42,8 +42,8 @@ struct WorkerCommandLine {
 /// Precedence: command line, environment, file of --config.
 [[nodiscard]] WorkerCommandLine parse_worker_command_line(int count, const char* const* arguments);
 
-/// "4GiB", "512 MiB", "1.5TiB" or a plain number of bytes; kB, MB, GB, TB are powers of 1000.
-/// Errors: BadInput.
+/// Parses a size in bytes: "4GiB", "512 MiB", "1.5TiB" or a plain number; kB, MB, GB and TB are
+/// powers of 1000. Errors: BadInput.
 [[nodiscard]] Result<std::uint64_t> parse_size(const std::string& text);
 
 } // namespace cd

@@ -49,7 +49,7 @@ struct ReadyScenario {
     std::vector<std::shared_ptr<const Subtree>> subtrees_b;
 };
 
-/// Runs one scenario. Empty if `stop` ended the run early.
+/// Runs one scenario and returns its result. Empty if `stop` ended the run early.
 [[nodiscard]] std::optional<FinishedScenarios> execute(const ReadyScenario& ready,
                                                        const StopCheck& stop);
 

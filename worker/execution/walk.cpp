@@ -40,7 +40,7 @@ class Walker {
           used_b_of_its_own_(walk.b->root_count()),
           used_b_(walk.job->tree_a == walk.job->tree_b ? used_a_ : used_b_of_its_own_) {}
 
-    /// False if the run was stopped.
+    /// Runs a scenario, or notes that it waits for subtrees. False if the run was stopped.
     bool run(std::size_t place, const Scenario& scenario, const RunOptions& options) {
         Result<CollidingRoots> roots =
             colliding_roots(walk_.a->top(), walk_.b->top(), scenario.poses);

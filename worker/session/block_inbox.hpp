@@ -32,7 +32,7 @@ class BlockInbox {
   public:
     using Token = Fetcher::Token;
 
-    /// Takes the cache from `keep`, until `leave`.
+    /// Takes the cache out of `keep`; `leave` puts it back.
     BlockInbox(SessionHub& hub,
                MasterLink& master,
                std::shared_ptr<CarryOver> keep,

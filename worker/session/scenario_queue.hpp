@@ -23,8 +23,8 @@ class ScenarioQueue {
         Token token = 0;
         TaskId task;
         std::size_t scenario = 0; ///< Position in the task.
-        /// Set by the thread that begins the scenario or by its return, whichever is first. Null
-        /// before the scenario is submitted to a thread.
+        /// Set by the thread that begins the scenario or by `drop_unbegun`, whichever is first.
+        /// Null before the scenario is submitted to a thread.
         std::shared_ptr<std::atomic<bool>> has_begun;
     };
 
