@@ -35,7 +35,7 @@ std::vector<Library> libraries() {
     return found;
 }
 
-/// Neither text may need JSON escapes.
+/// Returns a member of a JSON object. Neither text may need escapes.
 std::string member(std::string_view key, std::string_view value) {
     return "\"" + std::string(key) + "\": \"" + std::string(value) + "\"";
 }

@@ -9,11 +9,12 @@
 
 namespace cd {
 
-/// The commit that was built; "unknown" outside a git checkout.
+/// Returns the hash of the commit that was built; "unknown" outside a git checkout.
 [[nodiscard]] std::string_view build_commit();
 
-/// Returns "cdctl 0.1.0" and a line each for commit, compiler, SIMD target and libraries. The JSON
-/// object has the keys program, version, commit, compiler, simd and libraries.
+/// Returns "cdctl 0.1.0" and a line each for commit, compiler, SIMD target and libraries. With
+/// `as_json`, returns an object with the keys program, version, commit, compiler, simd and
+/// libraries.
 [[nodiscard]] std::string
 version_text(std::string_view program, std::string_view simd_target, bool as_json);
 

@@ -1,4 +1,4 @@
-// A broken internal invariant aborts the process; its work in flight is redone elsewhere.
+// Aborts the process when an internal invariant is broken. Other processes redo the work in flight.
 #pragma once
 
 namespace cd {

@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::uint64_t seconds_max = 100ull * 365 * 24 * 3600;
 
-/// Returns 0 if `unit` is no unit.
+/// Returns the seconds in a unit of time; 0 if the letter names no unit.
 std::uint64_t seconds_of(char unit) {
     switch (unit) {
     case 's':

@@ -17,7 +17,7 @@ struct Id {
 
 using JobId = Id<struct JobTag>;
 using WorkerId = Id<struct WorkerTag>;
-using TaskId = Id<struct TaskTag>; ///< One batch of scenarios sent to one worker.
+using TaskId = Id<struct TaskTag>; ///< A batch or a range sent to one worker.
 
 } // namespace cd
 

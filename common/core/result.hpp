@@ -17,7 +17,7 @@ enum class ErrorCode {
     NotFound,     ///< No job, mesh or file has that name.
     Io,           ///< The operating system failed a read or write.
     Incomplete,   ///< The job ended without an answer for some scenario. Exit code 3.
-    Interrupted,  ///< The user or the operator ended it.
+    Interrupted,  ///< The user or the operator ended the work.
 };
 
 struct Error {

@@ -20,10 +20,11 @@ Bytes compress(std::span<const std::byte> bytes, int level) {
 
 namespace {
 
-/// Above this compression ratio the output is copied once more.
+/// Up to this claimed compression ratio, `decompress` allocates the output at once. Above it, only
+/// pages that are written cost memory, and the output is copied once more.
 constexpr std::size_t believed_ratio = 64;
 
-/// Returns false if the data is damaged or its size differs.
+/// Returns false if the data is damaged or does not fill `out` exactly.
 bool decompress_into(std::span<std::byte> out, std::span<const std::byte> bytes) {
     return ZSTD_decompress(out.data(), out.size(), bytes.data(), bytes.size()) == out.size();
 }

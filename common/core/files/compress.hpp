@@ -1,4 +1,4 @@
-// Compression of blocks and results. The only user of zstd.
+// Compresses blocks and results. No other code uses zstd.
 #pragma once
 
 #include "common/core/files/bytes.hpp"

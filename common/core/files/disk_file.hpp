@@ -17,8 +17,8 @@ namespace cd {
 /// Whether a committed file also survives a power loss.
 enum class Durability : std::uint8_t { Synced, Unsynced };
 
-/// A read-only memory mapping of a file. Pages are loaded on demand and shared with other
-/// processes. The file may be renamed and removed meanwhile, not written to.
+/// A read-only memory mapping of a file. `DiskFile::map` reads all pages ahead; they are shared
+/// with other processes. The file may be renamed and removed meanwhile, but not written to.
 class FileMapping {
   public:
     explicit FileMapping(std::span<const std::byte> bytes) : bytes_(bytes) {}
@@ -32,13 +32,14 @@ class FileMapping {
     std::span<const std::byte> bytes_;
 };
 
-/// An open file. Reading and writing are safe from several threads at once. Every error is Io and
-/// names the file.
+/// An open file. Reading and writing are safe from several threads at once. Every error names the
+/// file; its code is Io unless a function states others.
 class DiskFile {
   public:
-    /// Opens the file to read. Errors: NotFound when there is no such file; Io.
+    /// Opens a regular file to read. Errors: NotFound when there is no such file; Io.
     [[nodiscard]] static Result<DiskFile> open(const std::filesystem::path& path);
-    /// Creates a temporary file beside `path` to write and read. It is removed unless committed.
+    /// Creates a temporary file beside `path` to write and read. The destructor removes it unless
+    /// it has been committed.
     [[nodiscard]] static Result<DiskFile> create_for(const std::filesystem::path& path);
     /// Opens the file to write and read; creates it if missing.
     [[nodiscard]] static Result<DiskFile> open_to_write(const std::filesystem::path& path);
@@ -92,8 +93,8 @@ inline constexpr std::string_view temporary_marker = ".tmp-";
 
 /// Creates a directory and its missing parents; an existing one is no error. Errors: Io.
 [[nodiscard]] Status make_directories(const std::filesystem::path& directory);
-/// Creates an empty folder of a new name in TMPDIR, or in /tmp without it; `name` begins its name.
-/// Errors: Io naming that place and TMPDIR.
+/// Creates an empty folder in TMPDIR, or in /tmp if TMPDIR is not set. The folder's name is `name`
+/// and a random suffix. Errors: Io naming the place and TMPDIR.
 [[nodiscard]] Result<std::filesystem::path> make_temporary_folder(const std::string& name);
 /// Flushes a folder's directory entries to the disk.
 [[nodiscard]] Status sync_directory(const std::filesystem::path& directory);
@@ -106,6 +107,7 @@ struct FileKind {
     std::uint64_t magic = 0;
     std::uint32_t version = 0;
 };
+/// Writes a file with header, content and checksum; it appears under its name only when complete.
 [[nodiscard]] Status
 write_checked(const std::filesystem::path& path, FileKind kind, std::span<const std::byte> content);
 /// Errors: NotFound; Io, also if the file is damaged or of another kind or version.

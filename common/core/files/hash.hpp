@@ -1,4 +1,5 @@
-// Content hashes (SHA-256) and fast checksums (XXH3). The only user of OpenSSL's hashes and xxHash.
+// Content hashes (SHA-256) and fast checksums (XXH3). No other code uses OpenSSL's hashes and
+// xxHash.
 #pragma once
 
 #include <array>
@@ -39,7 +40,7 @@ class Sha256Stream {
 
 [[nodiscard]] Sha256 sha256(std::span<const std::byte> bytes);
 
-/// HMAC (RFC 2104) with SHA-256: only a holder of the key can make or check it.
+/// Returns the HMAC (RFC 2104) with SHA-256: only a holder of the key can make or check the value.
 [[nodiscard]] Sha256 hmac_sha256(const Sha256& key, std::span<const std::byte> bytes);
 /// Returns 32 cryptographically random bytes.
 [[nodiscard]] Sha256 random_secret();
@@ -53,7 +54,8 @@ class Sha256Stream {
 /// Returns nothing unless the text is exactly 64 hexadecimal digits.
 [[nodiscard]] std::optional<Sha256> sha256_from_hex(std::string_view hex);
 
-/// XXH3. Detects accidental damage in transit and on disk, not manipulation.
+/// Returns the XXH3 of the bytes, which detects accidental damage in transit and on disk, not
+/// manipulation.
 [[nodiscard]] std::uint64_t checksum(std::span<const std::byte> bytes);
 
 } // namespace cd

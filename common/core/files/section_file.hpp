@@ -19,7 +19,8 @@ namespace cd {
 /// The bytes of one array.
 using Section = std::span<const std::byte>;
 
-/// Identifies a file's kind and the input that it was made from. Only a match can be opened.
+/// Identifies a file's kind and the input that the file was made from. A file opens only if both
+/// match.
 struct SectionFileName {
     FileKind kind;
     Sha256 key;
@@ -38,8 +39,8 @@ struct SectionFileName {
                                         std::span<const Section> sections,
                                         Durability durability);
 
-/// An open file of sections. Its pages are loaded on demand and shared with other processes that
-/// map it. It may be renamed and removed meanwhile, but not written to.
+/// An open file of sections. Its pages are shared with other processes that map the file. The file
+/// may be renamed and removed meanwhile, but not written to.
 class SectionFile {
   public:
     /// Reads and checks the whole file. Errors: NotFound when there is no such file; Io naming it

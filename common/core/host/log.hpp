@@ -19,7 +19,7 @@ enum class LogLevel : std::uint8_t { Trace, Debug, Info, Warning, Error, Critica
 /// Sends the log to stderr. `level` is one of trace, debug, info, warning, error, off.
 void start_logging(const std::string& program, const std::string& level);
 
-/// Makes the formatter of log lines; it escapes control characters of the text.
+/// Makes the formatter of log lines, which escapes control characters of the logged text.
 [[nodiscard]] std::unique_ptr<spdlog::formatter> log_formatter();
 
 /// Logs a warning at every log level.

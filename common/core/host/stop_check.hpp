@@ -7,10 +7,11 @@
 
 namespace cd {
 
-/// The working thread polls it, so it is cheap. Once true, it stays true. Empty means never.
+/// Returns true once the work has to stop, and from then on. The working thread polls the function,
+/// which must be cheap. An empty function never stops the work.
 using StopCheck = std::function<bool()>;
 
-/// Returns the error of stopped work.
+/// Returns the error that work ends with when a StopCheck has stopped the work.
 [[nodiscard]] inline Error interrupted() {
     return {ErrorCode::Interrupted, "interrupted"};
 }

@@ -15,14 +15,14 @@ namespace cd {
 /// A fixed number of threads that run posted functions in the order of posting.
 class ThreadPool {
   public:
-    /// 0 threads means one per core that this process may use.
+    /// With 0 threads, starts one for each core that this process may use.
     explicit ThreadPool(unsigned threads = 0);
     ThreadPool(const ThreadPool&) = delete;
     ThreadPool& operator=(const ThreadPool&) = delete;
     /// Runs all posted functions, then joins the threads.
     ~ThreadPool();
 
-    /// The function must not throw.
+    /// Queues a function, which a thread of the pool runs. The function must not throw.
     void post(std::function<void()> function);
 
     [[nodiscard]] unsigned size() const { return static_cast<unsigned>(threads_.size()); }
@@ -43,7 +43,7 @@ void parallel_for(ThreadPool& pool,
                   std::size_t count,
                   const std::function<void(std::size_t)>& function);
 
-/// Runs on the caller's thread alone if `pool` is null.
+/// Calls `function(i)` for each i in [0, count); on the caller's thread alone if `pool` is null.
 void parallel_for(ThreadPool* pool,
                   std::size_t count,
                   const std::function<void(std::size_t)>& function);

@@ -6,7 +6,7 @@
 
 namespace cd {
 
-/// Seconds since 1970, UTC.
+/// Returns the seconds since 1970, UTC.
 [[nodiscard]] inline std::uint64_t unix_seconds() {
     const auto since = std::chrono::system_clock::now().time_since_epoch();
     return static_cast<std::uint64_t>(

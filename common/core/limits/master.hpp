@@ -11,144 +11,186 @@ namespace cd::limits {
 
 // Connections.
 inline constexpr std::size_t connections_max = 8192;
-inline constexpr std::size_t greetings_max = 512;           ///< Connections before their greeting.
-inline constexpr std::size_t worker_connections_max = 2048; ///< A holder or, without TLS, a host.
-/// All workers' together; the rest of `connections_max` is for clients.
+inline constexpr std::size_t greetings_max = 512; ///< Connections that have not been admitted yet.
+/// Workers of one certificate holder or, without TLS, of one host.
+inline constexpr std::size_t worker_connections_max = 2048;
+/// Connections of all workers; the rest of `connections_max` is for clients.
 inline constexpr std::size_t all_worker_connections_max = 7168;
 inline constexpr std::size_t http_connections_max = 64; ///< At once; each has one request.
 inline constexpr std::chrono::hours client_idle_max{24};
-inline constexpr std::chrono::seconds stop_grace{5}; ///< To finish what is under way at the end.
-inline constexpr unsigned blocking_threads = 4;      ///< For reads and writes of files.
+/// A stopping master waits so long for its sessions and threads to end.
+inline constexpr std::chrono::seconds stop_grace{5};
+inline constexpr unsigned blocking_threads = 4; ///< Threads that read and write files.
 
 // Identity.
 inline constexpr std::chrono::hours master_certificate_life{24 * 30};
-inline constexpr std::chrono::hours certificate_life{24 * 7}; ///< Workers and clients, by default.
+/// For workers and clients, by default.
+inline constexpr std::chrono::hours certificate_life{24 * 7};
 inline constexpr std::chrono::seconds certificate_life_min{2};
-inline constexpr std::size_t tokens_max = 1024; ///< Valid tokens.
+inline constexpr std::size_t tokens_max = 1024; ///< Tokens that are valid at the same time.
 inline constexpr std::chrono::hours token_life_max{24 * 30};
-inline constexpr std::chrono::seconds holder_check_period{10}; ///< Are connected holders refused?
-inline constexpr std::size_t refused_bytes_max = 1u << 20;     ///< The file of refused holders.
+/// Between two checks whether a connected holder is refused.
+inline constexpr std::chrono::seconds holder_check_period{10};
+inline constexpr std::size_t refused_bytes_max = 1u << 20; ///< The file that lists refused holders.
 
 // A client's share.
 inline constexpr std::size_t client_connections_max = 64;
 inline constexpr std::size_t client_jobs_max = 64;
-inline constexpr std::uint64_t client_bytes_max = 256ull << 30; ///< Sent in one period.
+/// Meshes, poses and grids sent in one period.
+inline constexpr std::uint64_t client_bytes_max = 256ull << 30;
 inline constexpr std::chrono::hours client_bytes_period{24};
 inline constexpr std::uint64_t client_queued_bytes_max = 64ull << 30; ///< Poses of its open jobs.
-inline constexpr std::uint64_t client_scenarios_max = 1ull << 27;     ///< In its running jobs.
-inline constexpr std::size_t client_uploads_max = 8;                  ///< Meshes, at once.
-inline constexpr std::size_t watches_max = 64;                        ///< At once.
-inline constexpr std::chrono::seconds retry_after{30}; ///< Advice to a client above its share.
+/// Unfinished scenarios in a client's jobs.
+inline constexpr std::uint64_t client_scenarios_max = 1ull << 27;
+inline constexpr std::size_t client_uploads_max = 8; ///< Uploads of meshes at once.
+inline constexpr std::size_t watches_max = 64;       ///< Jobs that a connection watches at once.
+/// A client above its share is told to retry after this.
+inline constexpr std::chrono::seconds retry_after{30};
 
 // Messages of clients, and answers to them.
-inline constexpr std::uint64_t poses_part_scenarios_max = 1u << 16;  ///< In one message.
-inline constexpr std::uint64_t mesh_answer_bytes = 1u << 20;         ///< In one message.
-inline constexpr std::uint64_t results_part_bytes_target = 4u << 20; ///< Uncompressed.
-inline constexpr std::uint64_t results_scan_max = 1u << 20;    ///< Scenarios read for one answer.
-inline constexpr std::size_t path_bytes_max = 4096;            ///< A file's name, for display.
-inline constexpr std::chrono::seconds submission_idle_max{60}; ///< Between parts of an upload.
+inline constexpr std::uint64_t poses_part_scenarios_max = 1u << 16; ///< In one message.
+inline constexpr std::uint64_t mesh_answer_bytes = 1u << 20;        ///< In one message.
+/// In one answer, uncompressed; a larger single record goes alone.
+inline constexpr std::uint64_t results_part_bytes_target = 4u << 20;
+inline constexpr std::uint64_t results_scan_max = 1u << 20; ///< Scenarios read for one answer.
+inline constexpr std::size_t path_bytes_max = 4096;         ///< A file's name, for display.
+/// Longest pause of a client within a submission.
+inline constexpr std::chrono::seconds submission_idle_max{60};
+/// Between two updates to a client that watches.
 inline constexpr std::chrono::milliseconds watch_period{200};
-inline constexpr std::chrono::seconds cancel_wait_max{10}; ///< Until the disk has a cancellation.
+/// A client waits so long until a cancellation is on the disk.
+inline constexpr std::chrono::seconds cancel_wait_max{10};
 
 // Meshes and trees.
-inline constexpr std::size_t meshes_max = 1u << 16;         ///< So that a status fits a message.
-inline constexpr std::size_t mesh_uploads_max = 16;         ///< At once; each is a temporary file.
-inline constexpr std::size_t trees_kept_max = 8;            ///< Of no running job.
-inline constexpr std::uint64_t roots_chosen_max = 1u << 11; ///< Of a body at an automatic depth.
-inline constexpr double block_bytes_wanted = 64u << 10;     ///< On the wire, at an automatic depth.
-inline constexpr double wide_block_bytes_per_triangle = 10; ///< On the wire; an estimate.
+inline constexpr std::size_t meshes_max = 1u << 16; ///< Limited so that a status fits a message.
+/// At once, by all clients; each is a temporary file.
+inline constexpr std::size_t mesh_uploads_max = 16;
+/// Recently used OBB trees that stay in memory without a running job.
+inline constexpr std::size_t trees_kept_max = 8;
+/// Distribution roots of a body at a depth that the master chooses.
+inline constexpr std::uint64_t roots_chosen_max = 1u << 11;
+/// If possible, the master chooses a depth at which a block takes at most this on the wire.
+inline constexpr double block_bytes_wanted = 64u << 10;
+inline constexpr double wide_block_bytes_per_triangle = 10;   ///< On the wire; an estimate.
 inline constexpr double binary_block_bytes_per_triangle = 30; ///< On the wire; an estimate.
 
 // Jobs.
 inline constexpr std::size_t jobs_running_max = 256;
-inline constexpr std::size_t jobs_ended_kept_max =
-    1024;                                             ///< By default; then the oldest is dropped.
-inline constexpr std::size_t jobs_kept_max = 100'000; ///< The highest setting of ended jobs kept.
+/// By default; with more ended jobs, the oldest is dropped.
+inline constexpr std::size_t jobs_ended_kept_max = 1024;
+/// The most ended jobs that a setting may keep.
+inline constexpr std::size_t jobs_kept_max = 100'000;
 inline constexpr std::chrono::seconds retention_check_period{30};
-/// Scenarios in all running jobs. One with a result takes 52 bytes: its hash, place in a file,
-/// author.
+/// Scenarios in all running jobs. A scenario with a result takes 52 bytes: hash, position in a
+/// file, author.
 inline constexpr std::uint64_t scenarios_running_max = 1ull << 28;
-/// Results of all ended jobs: 16 bytes each, for the place in a file. With more, the oldest job is
-/// dropped, but never the latest.
+/// Results of all ended jobs; each takes 16 bytes for its position in a file. With more, the oldest
+/// job is dropped, but never the latest.
 inline constexpr std::uint64_t results_ended_kept_max = 1ull << 27;
-inline constexpr std::size_t authors_kept_max = 1u << 18; ///< Results of an ended job with author.
-inline constexpr std::size_t grid_bytes_max = 8u << 20;   ///< In memory and in the journal, each.
-inline constexpr std::size_t ended_grid_bytes_max = 64u << 10; ///< In memory, of an ended job.
-inline constexpr std::size_t ignored_ranges_max = 1u << 16;    ///< Each batch carries them.
+/// Results of an ended job whose author, a worker process, is kept.
+inline constexpr std::size_t authors_kept_max = 1u << 18;
+/// A job's grid, in memory and in the journal.
+inline constexpr std::size_t grid_bytes_max = 8u << 20;
+/// A larger grid of an ended job leaves memory.
+inline constexpr std::size_t ended_grid_bytes_max = 64u << 10;
+inline constexpr std::size_t ignored_ranges_max = 1u << 16; ///< Each batch carries them.
 inline constexpr std::uint32_t q_max = 1u << 16;
-inline constexpr std::uint32_t v_kb_max = 16'384; ///< So that a batch fits a message.
-inline constexpr std::uint64_t spool_run_scenarios =
-    analysis_block_scenarios;                                    ///< Poses read together.
-inline constexpr std::size_t result_buffer_bytes_max = 1u << 20; ///< Not yet written to a file.
-inline constexpr std::size_t cuts_held_max = 1u << 15; ///< Trees that a joining worker may name.
+inline constexpr std::uint32_t v_kb_max = 16'384; ///< Limited so that a batch fits a message.
+/// Poses that are stored and read together.
+inline constexpr std::uint64_t spool_run_scenarios = analysis_block_scenarios;
+/// Results not yet written to a file.
+inline constexpr std::size_t result_buffer_bytes_max = 1u << 20;
+/// Cuts whose blocks a joining worker may report to hold.
+inline constexpr std::size_t cuts_held_max = 1u << 15;
 
 // Losses.
-inline constexpr std::uint32_t scenario_losses_max = 3;   ///< Then a scenario fails.
-inline constexpr std::size_t losses_again_that_count = 8; ///< By one process; then it counts twice.
+inline constexpr std::uint32_t scenario_losses_max = 3; ///< A scenario fails after so many losses.
+/// Only every so many-th further loss with one process counts.
+inline constexpr std::size_t losses_again_that_count = 8;
 inline constexpr std::size_t alarms_kept_max = 20;
-/// Worker processes in quarantine; a restarted worker is another process.
+/// Worker processes in quarantine that are remembered; a restarted worker is another process.
 inline constexpr std::size_t quarantined_kept_max = 4096;
 /// Sessions of departed workers, beside those that results of a running job refer to.
 inline constexpr std::size_t worker_sessions_kept = 4096;
 
 // Results on their way to the journal.
-inline constexpr std::size_t results_in_hand_max = 8; ///< Messages of one worker under check.
+/// Messages of one worker that are being checked.
+inline constexpr std::size_t results_in_hand_max = 8;
 /// Results that wait for the disk or for their job. With more, each process has at most
 /// `results_in_hand_max` messages.
 inline constexpr std::uint64_t results_aside_bytes_max = 256u << 20;
-inline constexpr std::size_t journal_group_rows = 256; ///< With so many a commit begins at once.
+/// With so many queued, a commit begins at once.
+inline constexpr std::size_t journal_group_rows = 256;
 inline constexpr std::chrono::milliseconds journal_group_period{5};  ///< Between two commits.
 inline constexpr std::size_t journal_commit_rows_max = 8192;         ///< In one commit.
 inline constexpr std::uint64_t journal_commit_bytes_max = 64u << 20; ///< Records in one commit.
-inline constexpr std::uint64_t journal_queue_bytes_max = 256u
-                                                         << 20; ///< Then workers are read later.
-inline constexpr std::chrono::milliseconds journal_retry_period{500}; ///< On a full disk.
+/// With more queued, the master reads no further results.
+inline constexpr std::uint64_t journal_queue_bytes_max = 256u << 20;
+/// Between two attempts while the disk refuses a write.
+inline constexpr std::chrono::milliseconds journal_retry_period{500};
 
 // Workers.
 inline constexpr std::chrono::hours peer_lost_after_max{24};
 inline constexpr std::chrono::milliseconds peer_check_period{500};
-inline constexpr std::chrono::minutes worker_forgotten_after{10}; ///< After its last message.
-inline constexpr std::size_t lost_workers_kept_max = 1024;        ///< Then the oldest is dropped.
+/// A worker is forgotten so long after its last message.
+inline constexpr std::chrono::minutes worker_forgotten_after{10};
+/// With more, the one that joined first is forgotten.
+inline constexpr std::size_t lost_workers_kept_max = 1024;
 inline constexpr double scenario_seconds_shown = 10; ///< Status names scenarios that take longer.
 inline constexpr std::size_t long_scenarios_shown = 16; ///< Of one job.
 
 // Delivery of blocks.
-inline constexpr std::size_t subtrees_queue_bytes_max = 16u << 20; ///< Towards one worker.
-inline constexpr std::size_t peer_unreachable_by_max = 2; ///< Then it is no longer a source.
-inline constexpr std::size_t sources_looked_at_max = 64;  ///< For one wanted block.
-inline constexpr std::chrono::seconds peer_fetch_max{60}; ///< One fetch from a peer.
-inline constexpr std::chrono::seconds peer_wait_max{10};  ///< For a block that only peers hold.
+inline constexpr std::size_t subtrees_queue_bytes_max = 16u << 20; ///< Queued towards one worker.
+/// A peer that so many others cannot reach is no source any more.
+inline constexpr std::size_t peer_unreachable_by_max = 2;
+/// Candidates for the source of one block.
+inline constexpr std::size_t sources_looked_at_max = 64;
+/// A fetch from a peer that takes longer has failed.
+inline constexpr std::chrono::seconds peer_fetch_max{60};
+/// A worker waits so long for a block from peers; then the master sends it.
+inline constexpr std::chrono::seconds peer_wait_max{10};
 
 // Dispatch.
-inline constexpr std::uint64_t unsent_scenarios_max = 4096; ///< Analysed, beyond workers' buffers.
-inline constexpr std::uint64_t unsent_by_time_max = 1u << 18; ///< Analysed, if matched by time.
-inline constexpr std::uint64_t open_analyses_bytes_max = 512u << 20; ///< Unanswered, in memory.
-/// With more workers, an event looks at a part of them, so that its cost stays bounded.
+/// Analysed scenarios beyond what fills the workers' buffers.
+inline constexpr std::uint64_t unsent_scenarios_max = 4096;
+/// Analysed scenarios of a job whose policy matches by time.
+inline constexpr std::uint64_t unsent_by_time_max = 1u << 18;
+/// Analyses of unanswered scenarios, in memory.
+inline constexpr std::uint64_t open_analyses_bytes_max = 512u << 20;
+/// With more workers, all are checked less often, so that the cost of events stays bounded.
 inline constexpr std::size_t workers_few = 64;
+/// Added to the period of checks by each worker above that.
 inline constexpr double look_seconds_each = 2e-6;
 
-// Matching by time: assumptions until something is measured, and the size of batches.
+// Matching by time: what is assumed until it is measured, and the size of batches.
 inline constexpr double link_bytes_per_second_start = 125e6;  ///< 1 Gb/s.
-inline constexpr double block_seconds = 20e-6;                ///< To ask for a block and open it.
+inline constexpr double block_seconds = 20e-6;                ///< To request a block and unpack it.
 inline constexpr std::uint64_t block_bytes_per_triangle = 16; ///< On the wire.
 inline constexpr std::uint64_t scenario_ns_unknown = 1'000'000;
 inline constexpr double batch_seconds_start = 0.1;
 inline constexpr double batch_seconds_min = 0.001;
 inline constexpr double batch_seconds_max = 1;
-inline constexpr double batch_overhead_max = 0.02; ///< Above this share batches grow.
+/// With a greater share of lost time, batches grow.
+inline constexpr double batch_overhead_max = 0.02;
 inline constexpr std::size_t batches_at_worker = 2;
-inline constexpr double scenario_seconds_long = 0.05; ///< Longer than any round trip matters.
-inline constexpr std::size_t moves_tried_max = 64;    ///< At once, towards a worker that runs dry.
+/// Scenarios above it are long: round trips no longer matter.
+inline constexpr double scenario_seconds_long = 0.05;
+/// Scenarios moved at once to a worker that runs dry.
+inline constexpr std::size_t moves_tried_max = 64;
 
-// The end of a job: no work waits, and some workers are idle.
-inline constexpr double copies_share_max = 0.05;     ///< Of a job's work may be done twice.
-inline constexpr double copy_gain_min = 1.5;         ///< A copy must end so many times sooner.
-inline constexpr double end_gain_seconds_min = 0.02; ///< Less is not worth the messages.
-inline constexpr double recall_answer_seconds = 0.5; ///< Then a recall counts as unanswered.
+// The end of a job, when no work waits and some workers are idle.
+inline constexpr double copies_share_max = 0.05; ///< Share of a job's work that may be done twice.
+inline constexpr double copy_gain_min = 1.5;     ///< A copy must end so many times sooner.
+inline constexpr double end_gain_seconds_min = 0.02; ///< A smaller gain is not worth the messages.
+/// After so long a recall counts as unanswered.
+inline constexpr double recall_answer_seconds = 0.5;
 inline constexpr std::uint32_t scenario_recalls_max = 3;
 inline constexpr std::chrono::milliseconds end_check_period{100}; ///< Between straggler searches.
-inline constexpr std::size_t late_looked_at_min = 64;             ///< Stragglers examined at least.
-inline constexpr std::size_t late_looked_at_part = 16; ///< Or one in so many workers, if more.
-inline constexpr std::size_t helpers_tried_max = 4;    ///< For each straggler.
+/// Stragglers that are examined at once, at least.
+inline constexpr std::size_t late_looked_at_min = 64;
+/// Or one in so many workers, if that is more.
+inline constexpr std::size_t late_looked_at_part = 16;
+/// Idle workers that are tried for one straggler.
+inline constexpr std::size_t helpers_tried_max = 4;
 
 } // namespace cd::limits

@@ -10,62 +10,83 @@ namespace cd::limits {
 
 // Messages. The channel checks a type's cap while frames arrive, before it keeps more
 // (PROTOCOL.md).
-inline constexpr std::uint64_t message_control_bytes_max = 1u << 20;
-inline constexpr std::uint64_t message_roots_bytes_max = 8u << 20; ///< A list of one tree's roots.
-inline constexpr std::uint64_t message_part_bytes_max = 16u << 20; ///< A part of a submission.
-inline constexpr std::uint64_t message_data_bytes_max = 64u << 20; ///< A batch.
+inline constexpr std::uint64_t message_control_bytes_max = 1u << 20; ///< All types not named below.
+/// A list of distribution roots of one tree.
+inline constexpr std::uint64_t message_roots_bytes_max = 8u << 20;
+/// A part of a mesh or of a submission.
+inline constexpr std::uint64_t message_part_bytes_max = 16u << 20;
+inline constexpr std::uint64_t message_data_bytes_max = 64u << 20;       ///< A batch.
 inline constexpr std::uint64_t message_results_bytes_max = 257u << 20;   ///< Holds any one record.
 inline constexpr std::uint64_t message_subtrees_bytes_max = 1025u << 20; ///< Holds any one block.
 inline constexpr std::uint64_t greeting_bytes_max = 4u << 10;            ///< The first message.
-inline constexpr std::uint64_t join_bytes_max = 64u << 10;    ///< A join holds a PEM request.
-inline constexpr std::uint64_t observer_bytes_max = 4u << 10; ///< Questions of role `metrics`.
-inline constexpr std::size_t hello_text_bytes_max = 256;      ///< A name in a greeting.
+inline constexpr std::uint64_t join_bytes_max = 64u << 10; ///< A join holds a PEM request.
+/// Any message of a client with role `metrics`.
+inline constexpr std::uint64_t observer_bytes_max = 4u << 10;
+inline constexpr std::size_t hello_text_bytes_max = 256; ///< A name or another text in a greeting.
 
-// Messages that a peer may have begun at the same time.
-inline constexpr std::size_t streams_max = 4;          ///< Before its role is known.
-inline constexpr std::size_t streams_small_max = 1;    ///< Roles that send small messages only.
-inline constexpr std::size_t streams_of_lanes_max = 2; ///< All other roles: one a lane.
+// Messages that a peer may have begun and not completed at the same time.
+/// A peer that has greeted, before its role is checked.
+inline constexpr std::size_t streams_max = 4;
+inline constexpr std::size_t streams_small_max = 1;    ///< Peers that send small messages only.
+inline constexpr std::size_t streams_of_lanes_max = 2; ///< All other peers: one in each lane.
 
 // Frames.
 inline constexpr std::size_t frame_payload_bytes_max = 1u << 20;
-/// A frame that is not its message's last carries at least this, so that a message ends.
+/// Every frame of a message but the last carries at least this, so that a message has few frames.
 inline constexpr std::size_t frame_with_more_bytes_min = 256u << 10;
-inline constexpr std::size_t write_queue_bytes_max = 64u << 20; ///< Above it the sender waits.
+/// A sender waits while more than this is queued.
+inline constexpr std::size_t write_queue_bytes_max = 64u << 20;
 
 // Contents that proto/ checks.
-inline constexpr std::uint64_t range_scenarios_max = 1u << 14;    ///< In one range of a task.
-inline constexpr std::uint64_t poses_answer_scenarios = 1u << 12; ///< In one answer to a client.
-inline constexpr std::size_t peer_sources_max = 3;                ///< Named for one fetch.
+/// A range that goes out as one task.
+inline constexpr std::uint64_t range_scenarios_max = 1u << 14;
+/// Poses in one answer to a client.
+inline constexpr std::uint64_t poses_answer_scenarios = 1u << 12;
+/// Workers that the master names as sources of one fetch.
+inline constexpr std::size_t peer_sources_max = 3;
 inline constexpr std::uint32_t worker_threads_max = 4096;
-inline constexpr double worker_weight_max = 1000;  ///< Factor on a worker's speed.
-inline constexpr double compute_seconds_max = 1e7; ///< In one message, so that sums stay finite.
+inline constexpr double worker_weight_max = 1000; ///< Factor that a worker states for its speed.
+/// Computing time that a message of results may state, so that sums stay finite.
+inline constexpr double compute_seconds_max = 1e7;
 
 // TLS and certificates.
 inline constexpr std::size_t certificate_bytes_max = 16u << 10; ///< One PEM text.
 inline constexpr std::size_t certified_name_bytes_max = 64;     ///< Also RFC 5280's bound.
+/// Validity of the cluster's own CA certificate.
 inline constexpr std::chrono::hours authority_life{24 * 3650};
 inline constexpr std::chrono::minutes clock_difference_max{5}; ///< Between two hosts' clocks.
+/// Longest pause before a certificate is looked at.
 inline constexpr std::chrono::minutes renewal_check_period{1};
-inline constexpr std::chrono::seconds renewal_retry_min{1};
-inline constexpr std::uint32_t token_uses_max = 100'000;
-inline constexpr std::uint64_t tls_key_bytes_max = 64ull << 30;  ///< Then TLS agrees on a new key.
-inline constexpr std::size_t refused_tls_bytes_max = 1u << 20;   ///< Read after a refusal, unused.
-inline constexpr std::size_t peer_tickets_remembered = 1u << 16; ///< Older tickets are refused.
+inline constexpr std::chrono::seconds renewal_retry_min{1}; ///< After a renewal that failed.
+inline constexpr std::uint32_t token_uses_max = 100'000;    ///< Joins with one token.
+/// Sent under one key; then the two ends agree on a new key.
+inline constexpr std::uint64_t tls_key_bytes_max = 64ull << 30;
+/// Read and dropped after a connection is refused.
+inline constexpr std::size_t refused_tls_bytes_max = 1u << 20;
+/// A worker remembers so many of the newest tickets, and refuses older ones.
+inline constexpr std::size_t peer_tickets_remembered = 1u << 16;
 
 // Log lines about refused connections.
 inline constexpr std::chrono::seconds refusal_log_period{1};
-inline constexpr std::size_t refusal_lines_max = 8; ///< A host and period; then they are counted.
-inline constexpr std::size_t refusal_hosts_max = 1024; ///< Hosts that are counted.
+/// Log lines about one host in a period; further refusals are only counted.
+inline constexpr std::size_t refusal_lines_max = 8;
+/// Hosts that are counted apart; all further hosts are counted together.
+inline constexpr std::size_t refusal_hosts_max = 1024;
 
 // Silence and stalls.
 inline constexpr std::chrono::seconds heartbeat_period{2};
 inline constexpr std::chrono::milliseconds heartbeat_period_min{10};
 inline constexpr unsigned heartbeats_missed_max = 3; ///< Then a worker gets no new work.
+/// After such silence a worker's work goes to others.
 inline constexpr std::chrono::seconds peer_lost_after{15};
 inline constexpr std::chrono::seconds connect_timeout{10};
-inline constexpr std::chrono::seconds write_stall_max{30}; ///< A frame; then the peer is lost.
-inline constexpr std::chrono::seconds read_stall_max{30};  ///< Between parts of one frame.
-inline constexpr std::chrono::seconds close_flush_max{5};  ///< To send the queue at a close.
+/// A frame has so long to be sent; then the connection closes.
+inline constexpr std::chrono::seconds write_stall_max{30};
+/// The next frame of a begun message has so long to arrive; then the connection closes.
+inline constexpr std::chrono::seconds read_stall_max{30};
+/// A closing connection has so long to send what is queued.
+inline constexpr std::chrono::seconds close_flush_max{5};
+/// Pause after a failed accept, for example for lack of file descriptors.
 inline constexpr std::chrono::milliseconds accept_retry_period{100};
 /// An operation ends at most this long after its deadline.
 inline constexpr std::chrono::milliseconds overdue_check_period{50};
@@ -80,7 +101,7 @@ inline constexpr std::uint32_t http_request_bytes_max = 16u << 10;
 inline constexpr std::chrono::seconds http_exchange_max{10}; ///< One request and its answer.
 
 // Workers that fetch blocks from each other.
-inline constexpr std::size_t peer_uploads_max = 2;             ///< At once, by one worker.
+inline constexpr std::size_t peer_uploads_max = 2; ///< Workers that one worker serves at once.
 inline constexpr std::chrono::seconds peer_connect_timeout{2}; ///< Then the next source is tried.
 
 } // namespace cd::limits
