@@ -14,7 +14,7 @@
 
 namespace cd {
 
-/// How two closed triangles meet (docs/exactness.md).
+/// How two closed triangles meet (docs/formats.md, Classes).
 enum class PairClass : std::uint8_t {
     Separate = 0, ///< No shared point.
     Touch = 1, ///< Shared points, but neither Coplanar nor Proper; the only contact that degenerate
