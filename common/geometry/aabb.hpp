@@ -1,4 +1,4 @@
-// Axis-aligned bounding boxes, for sizes and the first broad phase.
+// Axis-aligned bounding boxes, for sizes and for the first step of the broad phase.
 #pragma once
 
 #include "common/geometry/types.hpp"
@@ -31,7 +31,7 @@ struct Aabb {
     return box;
 }
 
-/// Returns false if the closed boxes share a point, or if NaN leaves that open.
+/// Tests whether the closed boxes share no point; false if a NaN leaves that open.
 [[nodiscard]] inline bool are_apart(const Aabb& a, const Aabb& b) {
     return a.max.x() < b.min.x() || a.min.x() > b.max.x() || a.max.y() < b.min.y() ||
            a.min.y() > b.max.y() || a.max.z() < b.min.z() || a.min.z() > b.max.z();

@@ -13,7 +13,7 @@
 
 namespace cd {
 
-/// The coordinate type: floats if the importer made floats, else the file's doubles.
+/// The coordinates' type: Float if the importer made floats, else Double.
 enum class Precision : std::uint8_t { Float = 0, Double = 1 };
 
 /// Returns Float if every coordinate is exactly a float.
@@ -52,12 +52,14 @@ class Mesh {
 
     [[nodiscard]] Corners corners(std::uint32_t triangle) const;
 
-    /// Serialises, little-endian: precision, vertices, triangles, parts. The bytes name the mesh.
+    /// Serialises precision, vertices, triangles and parts, little-endian. The SHA-256 of the bytes
+    /// identifies the mesh.
     [[nodiscard]] Bytes canonical_bytes() const;
-    /// Inverts `canonical_bytes`. The bytes may be hostile: everything is checked as in `create`.
+    /// Inverts `canonical_bytes`. The bytes may be hostile; all that `create` checks is checked.
+    /// Errors: as `create`; BadInput for bytes of another form.
     [[nodiscard]] static Result<Mesh> from_canonical_bytes(std::span<const std::byte> bytes);
 
-    /// SHA-256 of the canonical bytes.
+    /// Returns the SHA-256 of `canonical_bytes`.
     [[nodiscard]] const Sha256& hash() const { return hash_; }
 
   private:

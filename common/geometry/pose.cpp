@@ -15,10 +15,11 @@ namespace {
 constexpr double u = 0x1p-53; // Unit roundoff.
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// Computes M(q) / q.q in doubles. Each entry is within 10 u; `quaternion_entry_error` says 16. An
-/// exact power of two scales q so that its largest component is in [0.5, 1). An entry of M sums at
-/// most four products, each at most n = q.q, so it is within 5 u n. n is within 4 u of itself; the
-/// division adds u, and entries are at most 1. Underflow in the scaling is below 2^-1000.
+/// Computes M(q) / q.q in doubles. Each entry errs by at most 10 u, and `quaternion_entry_error` by
+/// 16 u leaves room. An exact power of two scales q so that its largest component is in [0.5, 1).
+/// An entry of M sums at most four products, each at most n = q.q, so it is within 5 u n. n is
+/// within 4 u of itself; the division adds u, and entries are at most 1. Underflow in the scaling
+/// is below 2^-1000.
 Mat3 rotation_of(const Quaternion& given) {
     const double largest =
         std::max({std::abs(given.w), std::abs(given.x), std::abs(given.y), std::abs(given.z)});
@@ -38,7 +39,7 @@ Mat3 rotation_of(const Quaternion& given) {
 
 constexpr double quaternion_entry_error = 16 * u;
 
-/// A matrix in doubles with bounds.
+/// A matrix in doubles, with bounds on its errors and entries.
 struct BoundedMatrix {
     Mat3 value;
     double error = 0;   ///< Bounds the error of each entry.
@@ -73,9 +74,9 @@ double inverse_spread(double entry) {
     return s < 0.5 ? s / (1 - s) : infinity;
 }
 
-/// Inverts by cofactors and bounds the result: if X R = I + F, then R^-1 = (I + F)^-1 X, which is
-/// within inverse_spread(F) |X| of X, and |X| <= 3 times its largest entry. The inverse of a
-/// quaternion's rotation is its transpose.
+/// Inverts the linear part R by cofactors and bounds the error. If X is the result and X R = I +
+/// F, then R^-1 = (I + F)^-1 X, which is within inverse_spread(F) |X| of X, and |X| <= 3 times its
+/// largest entry. The inverse of a quaternion's rotation is its transpose.
 BoundedMatrix inverse_of(const Pose& pose) {
     const BoundedMatrix part = linear_part(pose);
     if (pose.kind() == Pose::Kind::Quaternion) {
@@ -98,7 +99,7 @@ BoundedMatrix inverse_of(const Pose& pose) {
     return inverse;
 }
 
-/// Maps a bound that overflowed to infinity.
+/// Returns a bound, or infinity if an overflow has made it NaN.
 double bound(double value) {
     return value >= 0 ? value : infinity;
 }

@@ -1,4 +1,4 @@
-// Rigid poses, stored as exactly the numbers given (contract: NUMERICS).
+// Rigid poses, stored as exactly the numbers given (docs/exactness.md).
 #pragma once
 
 #include "common/geometry/types.hpp"
@@ -17,13 +17,14 @@ struct Quaternion {
     friend bool operator==(const Quaternion&, const Quaternion&) = default;
 };
 
-/// Multiplies: `left * right` rotates by `right` first. Uses only + - *, in a fixed order.
+/// Multiplies: `left * right` rotates by `right` first. Uses only + - * in a fixed order, so that
+/// all hosts get the same bits.
 [[nodiscard]] Quaternion operator*(const Quaternion& left, const Quaternion& right);
 
 /// Maps a body's coordinates into the world: x' = R x + t, column vectors.
 ///
-/// It is exactly what was given, also on the wire and on disk: twelve doubles taken literally, or a
-/// quaternion with a translation.
+/// A pose keeps exactly the numbers given, also on the wire and on disk: twelve doubles taken
+/// literally, or a quaternion with a translation.
 class Pose {
   public:
     enum class Kind : std::uint8_t { Matrix = 0, Quaternion = 1 };
@@ -36,13 +37,14 @@ class Pose {
                                               const Vec3& translation);
 
     [[nodiscard]] Kind kind() const { return kind_; }
-    /// The matrix as given; only of kind Matrix.
+    /// Returns the matrix as given. The kind must be Matrix.
     [[nodiscard]] const Mat3& matrix() const;
-    /// The quaternion as given; only of kind Quaternion.
+    /// Returns the quaternion as given. The kind must be Quaternion.
     [[nodiscard]] const Quaternion& quaternion() const;
     [[nodiscard]] const Vec3& translation() const { return translation_; }
 
-    /// The rotation in doubles: exact for a matrix, within a few roundings for a quaternion.
+    /// Returns the rotation in doubles: exact for a matrix, within `rotation_error` for a
+    /// quaternion.
     [[nodiscard]] Mat3 rotation() const;
     /// Bounds the error of each entry of `rotation`: 0 for a matrix.
     [[nodiscard]] double rotation_error() const;
@@ -69,7 +71,7 @@ struct PosePair {
 };
 
 /// The rounded map from B's coordinates to A's, with bounds on its rounding errors and on the
-/// matrices' deviation from rigid. It serves filters only: decisions use each body's own pose.
+/// matrices' deviation from rigid. For filters only: decisions use each body's own pose.
 ///
 /// The bounds are small wherever A's matrix is well-conditioned, rigid or not. They are infinite,
 /// never NaN, where numbers overflow or A's matrix is far from rigid.

@@ -22,12 +22,12 @@ enum class SimdTarget : std::uint8_t { Avx512, Avx2, Sse4, Neon, Scalar };
 [[nodiscard]] SimdTarget simd_target();
 
 /// Switches the whole process to the named target; "auto" is the best one. Errors: BadInput naming
-/// the available targets; the target then stays unchanged. Safe at any time, since every target
+/// the available targets, and the target stays unchanged. Safe at any time, since every target
 /// gives the same answers.
 [[nodiscard]] Status force_simd_target(std::string_view name);
 
-/// Fails if CD_SIMD names no target of this host; `simd_target` ignores such a name. Programs call
-/// this at startup.
+/// Programs call this at startup. Errors: BadInput if CD_SIMD names no target of this host;
+/// `simd_target` ignores such a name.
 [[nodiscard]] Status check_simd_environment();
 
 } // namespace cd

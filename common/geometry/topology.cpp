@@ -29,8 +29,8 @@ struct Buckets {
     }
 };
 
-/// `for_each` calls its argument with (bucket, item) for each item, identically in both passes. The
-/// items of a bucket end up in reverse order.
+/// Groups items into `count` buckets. `for_each` calls its argument with (bucket, item) for each
+/// item, identically in both passes. The items of a bucket end up in reverse order.
 template <class T, class ForEach>
 Buckets<T> make_buckets(std::size_t count, const ForEach& for_each) {
     Buckets<T> buckets;
@@ -62,7 +62,7 @@ void sort_bucket(std::span<T> items) {
     }
 }
 
-/// Hashes a vertex. No result depends on its values.
+/// Hashes a vertex. No result depends on the values of hashes.
 std::uint64_t hash_of(const Vec3& v) {
     std::uint64_t hash = 0;
     for (int k = 0; k < 3; ++k) {
@@ -133,8 +133,8 @@ std::uint64_t count_duplicates(const std::vector<Triangle>& triangles, std::size
     return duplicates;
 }
 
-/// Twice the higher vertex of an edge, plus 1 if the triangle runs towards it. Vertex indices are
-/// below 2^31 (limits::mesh_vertices_max).
+/// A triangle's use of an edge: twice the edge's higher vertex, plus 1 if the triangle runs towards
+/// that vertex. Vertex indices are below 2^31 (limits::mesh_vertices_max).
 using EdgeUse = std::uint32_t;
 
 /// Counts defects among the uses of all edges that share a lower vertex.

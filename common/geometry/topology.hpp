@@ -9,7 +9,7 @@
 
 namespace cd {
 
-/// Vertices with equal coordinates count as one vertex throughout.
+/// Facts about a mesh's topology. Vertices with equal coordinates count as one vertex.
 struct Topology {
     std::uint64_t degenerate = 0; ///< Triangles without area: a repeated corner, or a zero cross
                                   ///< product computed in double.
@@ -29,11 +29,12 @@ struct Topology {
     }
 };
 
-/// Runs in near-linear time in vertices and triangles.
+/// Takes near-linear time in vertices and triangles.
 [[nodiscard]] Topology analyse_topology(const Mesh& mesh);
 
-/// Returns each triangle's first triangle of its connected component. Only triangles of one kind
-/// connect; `kinds` has one entry per triangle; if empty, all are of one kind. Near linear.
+/// Returns for each triangle the first triangle of its connected component. Only triangles of one
+/// kind connect. `kinds` has one entry per triangle; if empty, all are of one kind. Takes
+/// near-linear time.
 [[nodiscard]] std::vector<std::uint32_t>
 first_of_own_component(const Mesh& mesh, std::span<const std::uint32_t> kinds);
 
