@@ -21,8 +21,8 @@ inline constexpr PlaneSides unknown_sides{unknown_sign, unknown_sign, unknown_si
     return (sides[0] == unknown_sign) | (sides[1] == unknown_sign) | (sides[2] == unknown_sign);
 }
 
-/// Provides signs for the six corners of a pair: x_0 to x_2 are A's, x_3 to x_5 are B's. Below, [i
-/// j k l] is the sign of det(x_j - x_i, x_k - x_i, x_l - x_i).
+/// Provides signs for the six corners of a pair: A's are x_0 to x_2, B's are x_3 to x_5. Below, the
+/// sign of det(x_j - x_i, x_k - x_i, x_l - x_i) is written [i j k l].
 template <class T>
 concept CornerSigns = requires(T signs, std::size_t i) {
     /// [3 4 5 i] for the corners i of A.

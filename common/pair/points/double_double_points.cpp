@@ -8,7 +8,7 @@ namespace cd {
 
 namespace {
 
-constexpr double side_error_least = 0x1p-900; // See `local_length_least`.
+constexpr double side_error_least = 0x1p-900; // Far above what underflow can change.
 
 constexpr std::size_t next(std::size_t corner) {
     return (corner + 1) % 3;

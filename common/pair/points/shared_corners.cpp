@@ -57,7 +57,7 @@ SharedCorners find_in_plane(Signs& signs, std::size_t axis) {
             add(found, Kind::Corner, i);
         }
         const Site site(of_b[i]);
-        if (site.is_within && site.zeros < 2) { // Otherwise it coincides with a corner of A.
+        if (site.is_within && site.zeros < 2) { // Otherwise A has the same corner.
             add(found, Kind::Corner, 3 + i);
         }
         for (std::size_t j = 0; j < 3; ++j) {

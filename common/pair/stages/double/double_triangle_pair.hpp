@@ -1,4 +1,5 @@
-// The double stage of the decision: signs with error bounds. It proves an answer or gives none.
+// The double stage of the decision: signs with error bounds. The stage proves an answer or gives
+// none.
 #pragma once
 
 #include "common/pair/pair_decision.hpp"

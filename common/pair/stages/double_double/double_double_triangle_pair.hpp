@@ -1,5 +1,5 @@
-// The double-double stage of the decision: its error bounds are some 2^50 times smaller than those
-// of doubles. It proves an answer or gives none.
+// The double-double stage of the decision, with error bounds some 2^50 times smaller than those of
+// doubles. The stage proves an answer or gives none.
 #pragma once
 
 #include "common/pair/numbers/two_doubles.hpp"

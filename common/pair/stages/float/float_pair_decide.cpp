@@ -36,7 +36,8 @@ struct Proofs {
     Word any_pierces = 0;     ///< An edge properly passes through the other triangle.
 };
 
-/// Judges one edge by the sides of its ends and its sides against the other triangle's edges.
+/// Judges an edge: `from` and `to` are the sides of the edge's ends, x, y and z the edge's sides
+/// against the other triangle's edges.
 void judge_edge(
     const Sign& from, const Sign& to, const Sign& x, const Sign& y, const Sign& z, Proofs& proofs) {
     const Word one_sided = (from.positive & to.positive) | (from.negative & to.negative);

@@ -35,7 +35,7 @@
 // conversion. In a cross product it is less than 2^-148, beside u Y Z / 100 >= 2^-95, and in a
 // triple product 2^-148 beside u X Y Z / 100 >= 2^-127; the 8.25 covers both. Lengths beyond 2^38
 // are not used; smaller ones overflow nothing. A NaN input reaches the fifth edge determinant,
-// which uses all inputs, and is detected there: maxima may lose it.
+// which uses all inputs, and is detected there: maxima may lose a NaN.
 #include "common/pair/stages/float/float_pair_kernel.hpp"
 
 #include "common/geometry/highway_targets.hpp"

@@ -184,7 +184,7 @@ PosePair plain_poses(const PosePair& poses) {
     const std::optional<Mat3> a = permutation_of(plain.a);
     const std::optional<Mat3> b = permutation_of(plain.b);
     if (a && b) {
-        // Undoing A's permutation is exact: it only permutes and mirrors.
+        // Undoing A's permutation is exact: products with 1 and -1 do not round.
         const Mat3 undone = a->transpose();
         return {Pose::from_matrix(Mat3::Identity(), undone * plain.a.translation()),
                 Pose::from_matrix(undone * *b, undone * plain.b.translation())};
