@@ -17,7 +17,7 @@ namespace cd {
 /// Whether a committed file also survives a power loss.
 enum class Durability : std::uint8_t { Synced, Unsynced };
 
-/// A read-only memory mapping of a file. `DiskFile::map` reads all pages ahead; they are shared
+/// A read-only memory mapping of a file. `DiskFile::map` reads ahead all pages, which are shared
 /// with other processes. The file may be renamed and removed meanwhile, but not written to.
 class FileMapping {
   public:

@@ -14,7 +14,7 @@
 
 namespace cd {
 
-/// A SHA-256 value. It names a mesh, a block of geometry or a result.
+/// A SHA-256 value, which identifies a mesh, a block of geometry or a result.
 struct Sha256 {
     std::array<std::byte, 32> bytes{};
 

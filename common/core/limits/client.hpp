@@ -70,7 +70,7 @@ inline constexpr int damaged_connections_max = 5;
 
 // The cluster that `cdctl demo` starts on this host.
 inline constexpr std::chrono::seconds local_start_max{30}; ///< For its master and workers to start.
-/// Between two looks at the processes.
+/// Pause between two looks at the processes.
 inline constexpr std::chrono::milliseconds process_poll_period{10};
 
 } // namespace cd::limits

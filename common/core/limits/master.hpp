@@ -63,7 +63,7 @@ inline constexpr std::chrono::seconds cancel_wait_max{10};
 
 // Meshes and trees.
 inline constexpr std::size_t meshes_max = 1u << 16; ///< Limited so that a status fits a message.
-/// At once, by all clients; each is a temporary file.
+/// Uploads of all clients at once; each is a temporary file.
 inline constexpr std::size_t mesh_uploads_max = 16;
 /// Recently used OBB trees that stay in memory without a running job.
 inline constexpr std::size_t trees_kept_max = 8;
@@ -188,7 +188,7 @@ inline constexpr std::uint32_t scenario_recalls_max = 3;
 inline constexpr std::chrono::milliseconds end_check_period{100}; ///< Between straggler searches.
 /// Stragglers that are examined at once, at least.
 inline constexpr std::size_t late_looked_at_min = 64;
-/// Or one in so many workers, if that is more.
+/// Stragglers examined at once are one in so many workers, if that is more.
 inline constexpr std::size_t late_looked_at_part = 16;
 /// Idle workers that are tried for one straggler.
 inline constexpr std::size_t helpers_tried_max = 4;
