@@ -74,9 +74,9 @@ double inverse_spread(double entry) {
     return s < 0.5 ? s / (1 - s) : infinity;
 }
 
-/// Inverts the linear part R by cofactors and bounds the error. If X is the result and X R = I +
-/// F, then R^-1 = (I + F)^-1 X, which is within inverse_spread(F) |X| of X, and |X| <= 3 times its
-/// largest entry. The inverse of a quaternion's rotation is its transpose.
+/// Inverts the linear part R by cofactors and bounds the error. With X R = I + F for the result X,
+/// R^-1 = (I + F)^-1 X, which is within inverse_spread(F) |X| of X, and |X| <= 3 times its largest
+/// entry. The inverse of a quaternion's rotation is its transpose.
 BoundedMatrix inverse_of(const Pose& pose) {
     const BoundedMatrix part = linear_part(pose);
     if (pose.kind() == Pose::Kind::Quaternion) {

@@ -7,7 +7,8 @@
 
 namespace cd {
 
-/// A quaternion that need not be normalised. It rotates by M(q) / q.q, which is exactly rigid.
+/// A quaternion q that need not be normalised. The rotation is M(q) / q.q, which is exactly rigid;
+/// M(q) has entries such as w^2 + x^2 - y^2 - z^2.
 struct Quaternion {
     double w = 1;
     double x = 0;
