@@ -19,7 +19,7 @@ constexpr std::size_t header_bytes = sizeof magic + sizeof format_version + 32 +
                                      sizeof(std::uint64_t) + 2 * sizeof(std::uint32_t) +
                                      sizeof(SubtreeForm);
 
-/// Subtrees encoded before each write; bounds the memory.
+/// Number of subtrees that are encoded before they are written; bounds the memory.
 constexpr std::size_t roots_at_once_per_thread = 16;
 
 /// Encodes the header, the index, and the checksum of both.
@@ -60,7 +60,7 @@ BlockPlace get_place(ByteReader& in) {
     return place;
 }
 
-/// One encoded block with its index entry, still without an offset.
+/// One encoded block with its index entry, in which the offset is not set yet.
 struct EncodedBlock {
     Bytes compressed;
     BlockPlace place;
@@ -127,7 +127,7 @@ struct WholeFile {
     Bytes index;
 };
 
-/// Checks everything that can be checked without the tree.
+/// Reads the file and checks all that can be checked without the tree.
 Result<WholeFile> read_whole(const std::filesystem::path& path) {
     Result<DiskFile> file = DiskFile::open(path);
     if (!file) {
@@ -189,7 +189,7 @@ Result<BlocksFile> open_blocks_file(const std::filesystem::path& path,
     if (!whole) {
         return whole.error();
     }
-    // The bytes before the blocks depend only on the tree, the depth and the index entries.
+    // Tree, depth, form and index entries determine the header and the index.
     BlocksFile& blocks = whole.value().blocks;
     if (blocks.places.size() != cut_nodes(tree, depth).size() ||
         encode_index(tree, depth, form, blocks.places) != whole.value().index) {

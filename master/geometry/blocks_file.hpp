@@ -1,4 +1,4 @@
-// All subtree blocks of one cut on disk: an index, then the compressed blocks.
+// The blocks file of one cut: an index, then the compressed blocks of all distribution roots.
 #pragma once
 
 #include "common/core/files/disk_file.hpp"
@@ -28,13 +28,14 @@ struct BlockPlace {
     std::uint64_t checksum = 0; ///< Checksum of the compressed bytes.
 };
 
+/// An open, checked blocks file.
 struct BlocksFile {
     DiskFile file;
     std::vector<BlockPlace> places; ///< Index entries, by root.
 };
 
-/// Encodes every subtree of the cut in this form and writes the file. Encodes on the caller's
-/// thread alone if `pool` is null. Errors: TooLarge for a block over
+/// Encodes every subtree of the cut in this form, on the pool, and writes the file. With a null
+/// `pool`, encodes on the caller's thread. Errors: TooLarge for a block over
 /// `limits::subtree_block_bytes_max`; Io.
 [[nodiscard]] Status write_blocks_file(const std::filesystem::path& path,
                                        const ObbTree& tree,
@@ -42,20 +43,20 @@ struct BlocksFile {
                                        SubtreeForm form,
                                        ThreadPool* pool);
 
-/// Reads the whole file against its checksums. Errors: NotFound; Io naming the file.
+/// Reads the whole file and checks all checksums. Errors: NotFound; Io naming a damaged file.
 [[nodiscard]] Status check_blocks_file(const std::filesystem::path& path);
 
-/// Reads the whole file against its checksums and returns the index. Errors: NotFound; Io naming
-/// the file when it is damaged or was made from another tree, depth or form.
+/// Reads the whole file, checks all checksums, and returns the file with its index. Errors:
+/// NotFound; Io naming the file if it is damaged or was made from another tree, depth or form.
 [[nodiscard]] Result<BlocksFile> open_blocks_file(const std::filesystem::path& path,
                                                   const ObbTree& tree,
                                                   std::uint32_t depth,
                                                   SubtreeForm form);
 
-/// Reads one compressed block. Errors: Io naming the file.
+/// Reads one compressed block and checks its checksum. Errors: Io naming the file.
 [[nodiscard]] Result<Bytes> read_block(const BlocksFile& blocks, RootIndex root);
 
-/// Encodes one block from the tree; equals what `read_block` returns from an intact file.
+/// Encodes one block from the tree. Returns the bytes that `read_block` returns for an intact file.
 [[nodiscard]] Bytes
 make_block(const ObbTree& tree, std::uint32_t depth, SubtreeForm form, RootIndex root);
 

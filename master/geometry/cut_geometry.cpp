@@ -20,10 +20,10 @@ struct CutGeometry::State {
     BlocksFile blocks;
     ThreadPool& pool;
     std::uint64_t bytes = 0;
-    mutable std::mutex writing{}; ///< Held while the file is written anew.
-    mutable bool is_lost = false; ///< The file could not be written anew; guarded by `writing`.
+    mutable std::mutex writing{}; ///< Held while the file is written again.
+    mutable bool is_lost = false; ///< The file could not be written again; guarded by `writing`.
     mutable std::mutex mutex{};   ///< Guards the next member.
-    /// Replaces `blocks` once its file was damaged.
+    /// The file that replaces `blocks` after damage; null if there was none.
     mutable std::shared_ptr<const BlocksFile> anew{};
 
     [[nodiscard]] Result<Bytes> read(RootIndex root) const;
@@ -132,7 +132,7 @@ SubtreeBlock CutGeometry::block(RootIndex root) const {
     Result<SubtreeBlock> read = this->read(root);
     if (!read) {
         const std::lock_guard writing(state_->writing);
-        read = this->read(root); // Another thread may have written the file anew.
+        read = this->read(root); // Another thread may have replaced the file meanwhile.
         if (!read && !state_->is_lost) {
             write_anew(read.error().detail);
             read = this->read(root);
@@ -144,7 +144,8 @@ SubtreeBlock CutGeometry::block(RootIndex root) const {
                                make_block(*state_->tree, state_->depth, state_->form, root)};
 }
 
-/// Sets `is_lost` if that fails. The index entries stay the same: they follow from the tree.
+/// Renames the damaged file, and writes a new one. Sets `is_lost` if that fails. The new file has
+/// the same index entries, since the tree determines them.
 void CutGeometry::write_anew(const std::string& why) const {
     const std::filesystem::path path = state_->blocks.file.path();
     Status status = set_aside(path, why);

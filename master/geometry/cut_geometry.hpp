@@ -1,4 +1,5 @@
-// One cut of a tree as the master serves it: the upper tree in memory, the roots' blocks on disk.
+// One cut of a tree, whose blocks the master sends: the upper tree in memory, the blocks of the
+// distribution roots on disk.
 #pragma once
 
 #include "common/core/files/hash.hpp"
@@ -37,21 +38,22 @@ class CutGeometry {
     [[nodiscard]] SubtreeForm form() const; ///< Form of the blocks.
     [[nodiscard]] const TreeTop& top() const;
     [[nodiscard]] std::uint32_t root_count() const;
-    // A root below may be `top_root`.
-    /// Returns whether all these roots, which ascend, exist.
+    // The members below accept `top_root` as a root: it means the block of the upper tree.
+    /// Returns whether all these roots exist. They must ascend.
     [[nodiscard]] bool has_blocks(std::span<const RootIndex> roots) const;
     /// Returns the hash of a block's uncompressed bytes.
     [[nodiscard]] const Sha256& hash(RootIndex root) const;
     [[nodiscard]] std::uint64_t compressed_bytes(RootIndex root) const;
     [[nodiscard]] std::uint64_t
-    bytes_total() const; ///< Bytes of all roots' blocks, without the upper tree.
+    bytes_total() const; ///< Uncompressed bytes of all distribution roots' blocks.
 
-    /// Reads one block in wire form. One file read takes microseconds from the system's cache, so
-    /// the network thread may call this. Errors: Io when the file is damaged or unreadable.
+    /// Reads one block in wire form. The system mostly has the file in its cache, so a read takes
+    /// microseconds, and the network thread may call this. Errors: Io if the file is damaged or
+    /// unreadable.
     [[nodiscard]] Result<SubtreeBlock> read(RootIndex root) const;
-    /// Returns one block in wire form. If it cannot be read, renames the file and writes it anew
-    /// from the tree, which may take seconds; encodes only this block if that fails. Any thread;
-    /// the network thread calls it on `pool()`.
+    /// Returns one block in wire form. If it cannot be read, renames the damaged file and writes a
+    /// new one from the tree, which may take seconds; if that fails, encodes only this block. Any
+    /// thread may call this; the network thread does so on `pool()`.
     [[nodiscard]] SubtreeBlock block(RootIndex root) const;
     [[nodiscard]] ThreadPool& pool() const; ///< For `block`.
 

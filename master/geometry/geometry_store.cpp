@@ -57,9 +57,9 @@ struct GeometryStore::State {
 
     std::shared_ptr<MeshUses> uses = std::make_shared<MeshUses>();
 
-    mutable std::mutex mutex; ///< Guards all members below; never held during work.
+    mutable std::mutex mutex; ///< Guards all members below; not held during long work.
     std::map<Sha256, std::shared_ptr<Entry>> entries;
-    std::map<Sha256, MeshStatus> statuses; ///< Statuses of the stored meshes.
+    std::map<Sha256, MeshStatus> statuses; ///< Of the stored meshes only.
     /// Keeps recent trees in memory between jobs.
     std::deque<std::shared_ptr<const ObbTree>> recent;
 
@@ -100,7 +100,7 @@ struct GeometryStore::State {
              SubtreeForm form);
 };
 
-/// Lists the meshes of earlier runs and deletes half-written files.
+/// Finds the meshes that are on disk, and deletes unfinished files.
 void GeometryStore::State::find_meshes() {
     for (const char* folder : {"meshes", "trees", "blocks"}) {
         for (const auto& file : std::filesystem::directory_iterator(directory / folder)) {
@@ -119,7 +119,7 @@ void GeometryStore::State::find_meshes() {
     }
 }
 
-/// Lists the mesh as stored, unless its file is gone.
+/// Adds the mesh to the stored ones, unless its file is gone.
 void GeometryStore::State::add_stored(const Sha256& mesh) {
     const std::shared_ptr<Entry> entry = find_or_add(mesh);
     const std::lock_guard making(entry->making); // Waits for a removal in progress.
@@ -134,7 +134,7 @@ void GeometryStore::State::add_stored(const Sha256& mesh) {
     statuses[mesh] = {mesh, info.name, info.triangles, bytes, 0, false};
 }
 
-/// Lists a mesh that a person put into the folder while the master runs.
+/// Adds a mesh that a person has put into the folder while the master runs.
 void GeometryStore::State::find_mesh(const Sha256& mesh) {
     std::error_code error;
     if (!has(mesh) && std::filesystem::exists(mesh_path(mesh), error)) {
@@ -153,8 +153,8 @@ bool GeometryStore::State::has(const Sha256& mesh) const {
     return statuses.contains(mesh);
 }
 
-/// Deletes the files that an interrupted removal left behind. Files with other names stay: the
-/// store did not make them, or renamed them as damaged.
+/// Deletes trees, blocks and descriptions without a mesh, which an interrupted removal leaves
+/// behind. Files with other names stay, for example damaged files that were renamed.
 void GeometryStore::State::remove_orphans() const {
     for (const char* folder : {"meshes", "trees", "blocks"}) {
         for (const auto& file : std::filesystem::directory_iterator(directory / folder)) {
@@ -171,7 +171,8 @@ void GeometryStore::State::remove_orphans() const {
     }
 }
 
-/// Deletes the mesh itself first: a crash then leaves only orphans, which the next start deletes.
+/// Deletes the mesh file first: a crash then leaves only orphans, which the next start deletes.
+/// Returns the freed bytes.
 std::uint64_t GeometryStore::State::remove_files(const Sha256& mesh) const {
     std::vector<std::filesystem::path> files{mesh_path(mesh), info_path(mesh), tree_path(mesh)};
     std::error_code error;
@@ -228,8 +229,8 @@ void GeometryStore::State::keep(const std::shared_ptr<const ObbTree>& tree) {
     }
 }
 
-/// Checks that a file, if it exists, can be opened. One that cannot be, for example for lack of
-/// descriptors, is not damaged. Errors: Io.
+/// Checks that a file, if it exists, can be opened. Otherwise a lack of file descriptors, for
+/// example, would count as damage. Errors: Io.
 Status check_opens(const std::filesystem::path& path) {
     const Result<DiskFile> file = DiskFile::open(path);
     return file || file.error().code == ErrorCode::NotFound ? Status(Done{}) : file.error();
@@ -239,7 +240,7 @@ Error no_mesh(const Sha256& mesh) {
     return {ErrorCode::NotFound, "no mesh " + to_short_hex(mesh) + " is stored here"};
 }
 
-/// The workers, not the master, prepare trees for searches.
+/// Options of the master's trees: without preparation for searches, which workers do.
 BuildOptions build_options() {
     BuildOptions options;
     options.prepare_search = false;
@@ -264,7 +265,8 @@ Status GeometryStore::State::write(const ObbTree& tree) const {
         tree_path(hash), tree, tree_key(hash, build_options()), Durability::Synced);
 }
 
-/// The mesh file is renamed last, so that a listed mesh has all its files.
+/// Builds the tree and writes all files. Renames the mesh file last, so that a stored mesh has all
+/// its files.
 Status GeometryStore::State::store(Entry& entry, MeshUpload& upload) {
     const Result<std::shared_ptr<const Mesh>> mesh = upload.read();
     if (!mesh) {
@@ -440,7 +442,7 @@ Result<std::unique_ptr<MeshUpload>> GeometryStore::begin_upload(const Sha256& me
 }
 
 Status GeometryStore::finish_upload(std::unique_ptr<MeshUpload> given) {
-    // Deletes the upload and its file before this returns; a parameter may live longer.
+    // A local variable, so that the upload and its temporary file are deleted before the return.
     const std::unique_ptr<MeshUpload> upload = std::move(given);
     const Sha256 mesh = upload->mesh();
     const std::shared_ptr<Entry> entry = state_->find_or_add(mesh);

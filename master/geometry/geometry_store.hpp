@@ -1,4 +1,4 @@
-// Keeps meshes, their trees and their encoded subtrees on disk. Makes each only once.
+// Keeps meshes, their trees and their encoded blocks on disk, and makes trees and blocks only once.
 #pragma once
 
 #include "common/core/files/hash.hpp"
@@ -22,35 +22,35 @@
 
 namespace cd {
 
-/// A value of the store, or the reason why there is none.
+/// A value of the store, or the error because of which there is none.
 template <class T>
 class [[nodiscard]] StoreResult : public Result<T> {
   public:
     using Result<T>::Result;
     StoreResult(Result<T> result) : Result<T>(std::move(result)) {}
-    /// Returns a failure to write to the disk.
+    /// Returns the error of a value that could not be written to the disk.
     [[nodiscard]] static StoreResult unwritten(Error why) {
         StoreResult result(std::move(why));
         result.is_unwritten_ = true;
         return result;
     }
 
-    /// The value was made but not written; the caller may retry when the disk has room.
+    /// True if only the disk prevented the value: the caller may retry later.
     [[nodiscard]] bool is_unwritten() const { return is_unwritten_; }
 
   private:
     bool is_unwritten_ = false;
 };
 
-/// The geometry under `<state>/meshes`, `trees` and `blocks`. Any thread may call any member.
-/// `finish_upload`, `tree` and `cut` may take seconds: they read, build and encode on the pool, so
-/// functions on that pool must not call them. Concurrent callers of one value wait for a single
-/// computation. All other members return within a file operation. Damaged files are never deleted.
-/// A damaged tree or blocks file is logged, renamed and made again. A mesh cannot be made again, so
-/// a damaged one is an error that names the file.
+/// The geometry in the folders `meshes`, `trees` and `blocks` of the state directory. Any thread
+/// may call any member. `finish_upload`, `tree` and `cut` may take seconds: they build and encode
+/// on the pool, so functions on that pool must not call them. Concurrent callers of one value wait
+/// for a single computation. All other members take at most one file operation. Damaged files are
+/// never deleted. A damaged tree or blocks file is logged, renamed and made again. A mesh cannot be
+/// made again, so a damaged mesh is an error that names the file.
 class GeometryStore {
   public:
-    /// Makes missing directories and locks them against other processes. Errors: Io.
+    /// Makes missing directories, and locks the state against other processes. Errors: Io.
     [[nodiscard]] static Result<std::unique_ptr<GeometryStore>>
     open(const std::filesystem::path& directory,
          ThreadPool& pool,
@@ -63,25 +63,25 @@ class GeometryStore {
     /// Returns the meshes that are not stored, in the given order, each once.
     [[nodiscard]] std::vector<Sha256> missing(std::span<const Sha256> meshes) const;
 
-    /// `name` is for people and is kept with the mesh. Errors: TooLarge over
-    /// `limits::mesh_bytes_max`, with `limits::mesh_uploads_max` open uploads, or with the maximum
-    /// of stored meshes; Io.
+    /// Starts the upload of a mesh. `name` is shown to people and is kept with the mesh. Errors:
+    /// TooLarge over `limits::mesh_bytes_max`, with `limits::mesh_uploads_max` open uploads, or
+    /// with the maximum number of stored meshes; Io.
     [[nodiscard]] Result<std::unique_ptr<MeshUpload>>
     begin_upload(const Sha256& mesh, const std::string& name, std::uint64_t bytes_total);
 
-    /// Checks the bytes against their hash, validates the mesh, builds the tree, and keeps both.
-    /// Does nothing for a stored mesh. Errors: BadInput when incomplete, of another hash, or no
-    /// valid mesh; Io.
+    /// Checks the hash of the bytes, validates the mesh, builds the tree, and stores both. Does
+    /// nothing for a stored mesh. Errors: BadInput for an incomplete upload, a wrong hash, or an
+    /// invalid mesh; TooLarge with the maximum number of stored meshes; Io.
     [[nodiscard]] Status finish_upload(std::unique_ptr<MeshUpload> upload);
 
-    /// Returns the tree from memory, from disk, or newly built, even if it then cannot be written.
-    /// Also finds a mesh that a person put into the folder. Errors: NotFound naming the missing
-    /// file; Io naming a file that is damaged or unreadable.
+    /// Returns the tree, from memory or from disk, or builds it. A new tree is returned even if it
+    /// cannot be written. Also finds a mesh that a person put into the folder. Errors: NotFound
+    /// naming the missing file; Io naming a file that is damaged or unreadable.
     [[nodiscard]] Result<std::shared_ptr<const ObbTree>> tree(const Sha256& mesh);
 
-    /// Returns the tree cut at `depth`, encoded now or earlier; wide only if it `suits_wide_tree`.
-    /// Errors: as `tree`; TooLarge over `limits::distribution_depth_max`; Io when it cannot be
-    /// written.
+    /// Returns the tree cut at `depth`, and encodes its blocks unless they are on disk. Form Wide
+    /// requires `suits_wide_tree`. Errors: those of `tree`; TooLarge for a depth over
+    /// `limits::distribution_depth_max`; Io if the blocks cannot be written.
     [[nodiscard]] StoreResult<std::shared_ptr<const CutGeometry>>
     cut(const Sha256& mesh, std::uint32_t depth, SubtreeForm form = SubtreeForm::Wide);
 
@@ -90,13 +90,13 @@ class GeometryStore {
     [[nodiscard]] Result<MeshBytes>
     read(const Sha256& mesh, std::uint64_t offset, std::uint64_t bytes_max) const;
 
-    /// Returns a hold that keeps these meshes, stored or not, from being removed while it exists.
+    /// Returns an object that prevents the removal of these meshes, stored or not, while it exists.
     [[nodiscard]] std::shared_ptr<const MeshHold> hold(std::vector<Sha256> meshes);
     /// Deletes the mesh, its tree and its blocks. Returns the freed bytes. Errors: NotFound;
     /// Refused while it is held; Io.
     [[nodiscard]] Result<std::uint64_t> remove(const Sha256& mesh);
 
-    /// Returns all stored meshes, by hash.
+    /// Returns all stored meshes in the order of their hashes.
     [[nodiscard]] std::vector<MeshStatus> meshes() const;
 
   private:

@@ -1,4 +1,4 @@
-// A mesh on disk: its canonical bytes and a description.
+// The files of a mesh: its canonical bytes, and a description.
 #pragma once
 
 #include "common/core/files/hash.hpp"
@@ -26,7 +26,8 @@ struct MeshInfo {
 };
 
 [[nodiscard]] Status write_info(const std::filesystem::path& path, const MeshInfo& info);
-/// Reads a description. Logs an unreadable one and returns it empty: only people use it.
+/// Reads a description. If that fails, logs the error and returns an empty one, since only people
+/// use it.
 [[nodiscard]] MeshInfo read_info(const std::filesystem::path& path);
 
 /// Reads the mesh with this hash. Errors: NotFound; Io naming a file that is damaged or unreadable.

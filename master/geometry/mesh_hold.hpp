@@ -1,4 +1,4 @@
-// Reference counts of meshes; a mesh in use is not removed.
+// Reference counts that protect meshes in use from removal.
 #pragma once
 
 #include "common/core/files/hash.hpp"
@@ -12,7 +12,7 @@
 
 namespace cd {
 
-/// Counts the holds of each mesh. Any thread.
+/// Counts the `MeshHold`s of each mesh. Any thread may call any member.
 class MeshUses {
   public:
     void add(std::span<const Sha256> meshes);

@@ -54,7 +54,8 @@ Result<std::shared_ptr<const Mesh>> MeshUpload::read() {
     if (!mesh) {
         return Error{mesh.error().code, "the mesh '" + name_ + "': " + mesh.error().detail};
     }
-    // Another encoding of an equal mesh (a minus zero, say) would give it a second hash.
+    // Rejects other encodings of an equal mesh, for example with a minus zero: each mesh must have
+    // only one hash.
     if (mesh.value().hash() != mesh_) {
         return Error{ErrorCode::BadInput, "the mesh '" + name_ + "' is not in its canonical form"};
     }

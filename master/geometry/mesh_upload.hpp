@@ -1,4 +1,4 @@
-// A mesh that a client uploads in pieces, until it is validated.
+// An upload of a mesh in pieces, from its start until the mesh is validated.
 #pragma once
 
 #include "common/core/files/disk_file.hpp"
@@ -14,10 +14,11 @@
 
 namespace cd {
 
-/// Holds the bytes in a temporary file, deleted with this object. One thread at a time.
+/// Keeps the bytes in a temporary file, which the destructor deletes unless `commit` has renamed
+/// it. One thread at a time.
 class MeshUpload {
   public:
-    /// `open_uploads` counts the existing uploads. For the GeometryStore.
+    /// For GeometryStore. `open_uploads` counts the existing uploads.
     MeshUpload(DiskFile file,
                const Sha256& mesh,
                std::string name,
@@ -37,8 +38,8 @@ class MeshUpload {
     /// Returns whether all announced bytes have arrived.
     [[nodiscard]] bool is_complete() const { return bytes_here_ == bytes_total_; }
 
-    /// Reads and validates the mesh. Call once. Errors: BadInput when incomplete, of another hash,
-    /// or no valid mesh in canonical form; Io.
+    /// Reads and validates the mesh. Call once. Errors: BadInput if the upload is incomplete, has a
+    /// wrong hash, or is no valid mesh in canonical form; Io.
     [[nodiscard]] Result<std::shared_ptr<const Mesh>> read();
     /// Renames the temporary file to its final name.
     [[nodiscard]] Status commit() { return file_.commit(); }

@@ -7,7 +7,7 @@ namespace cd {
 
 namespace {
 
-/// Returns a hash that is equal only for equal blocks under equal roots.
+/// Returns a hash over the blocks of all distribution roots, which identifies the cut.
 Sha256 name_of(const CutGeometry& geometry) {
     ByteWriter out;
     out.put(static_cast<std::uint8_t>(geometry.form()));

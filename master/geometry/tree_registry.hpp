@@ -1,4 +1,4 @@
-// The cut trees of running jobs, under the numbers that workers use.
+// The cut trees of running jobs, by the ids that workers know them by.
 #pragma once
 
 #include "common/core/files/hash.hpp"
@@ -13,16 +13,18 @@
 
 namespace cd {
 
-/// Jobs that use one mesh at one depth in one form share a number. Numbers are never reused.
+/// Jobs that use the same mesh at the same depth in the same form share an id. Ids are not reused
+/// while the master runs.
 class TreeRegistry {
   public:
-    /// Adds a user of the tree.
+    /// Adds a user of the tree, and returns the tree's id.
     TreeId acquire(const Sha256& mesh, std::shared_ptr<const CutGeometry> geometry);
-    /// Removes a user of the tree. Returns true if it was the last one and the tree is dropped.
+    /// Removes a user of the tree. Returns true if this was the last user, so that the tree is
+    /// dropped.
     bool release(TreeId tree);
 
-    /// The message that makes a used tree known to a worker. The hash of its cut is equal in every
-    /// incarnation of the master.
+    /// The message that makes a tree known to a worker. Its cut hash stays the same across restarts
+    /// of the master.
     [[nodiscard]] AddTree message(TreeId tree) const;
     /// The messages of all used trees.
     [[nodiscard]] std::vector<AddTree> messages() const;
