@@ -27,8 +27,8 @@ Rank rank_of(CertifiedRole role) {
     return Rank::None;
 }
 
-// Status queries need the role metrics; tokens, removal of meshes and draining need admin; all
-// other messages need submitter.
+// Rank that each message needs: Metrics for status queries and heartbeats; Admin for tokens,
+// removal of meshes and draining; Submitter for all others.
 Rank rank_needed(const StatusQuery& /*message*/) {
     return Rank::Metrics;
 }

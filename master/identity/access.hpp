@@ -1,4 +1,4 @@
-// Decides what a connection may request, by its certificate.
+// Access rights of a connection, by the certificate that its peer showed.
 #pragma once
 
 #include "common/core/result.hpp"
@@ -13,7 +13,8 @@ namespace cd {
 
 class MasterIdentity;
 
-/// A connection without TLS, which only loopback or --insecure allow, may request everything.
+/// A connection without TLS has all rights; the master accepts one only on loopback or with
+/// --insecure.
 class Access {
   public:
     Access() = default;
@@ -29,16 +30,16 @@ class Access {
     /// by the client.
     [[nodiscard]] const std::string& owner() const { return holder_ ? holder_->name : user_; }
     void set_user(std::string user) { user_ = std::move(user); }
-    /// Checks whether this connection may end or remove a job of this owner: its owner, an admin,
-    /// and anyone without TLS may. Errors: Refused naming the owner.
+    /// Checks that this connection may end or remove a job that belongs to `of_job`. The owner, an
+    /// admin, and everybody without TLS may. Errors: Refused naming the owner.
     [[nodiscard]] Status check_owner(const std::string& of_job) const;
 
-    /// Checks that the holder's certificate is valid and the holder not refused. Always passes
-    /// without TLS or while joining. Errors: Refused with the reason.
+    /// Checks that the certificate has not expired and that its holder is not on the list of
+    /// refused names. Passes without TLS or without a certificate. Errors: Refused with the reason.
     [[nodiscard]] Status check_holder() const;
-    /// Checks that the holder may greet in this role. Errors: Refused with the reason.
+    /// Checks that the peer may connect in this role. Errors: Refused with the reason.
     [[nodiscard]] Status check(Role role) const;
-    /// Checks that the holder may send this message as a client. Errors: Refused with the reason.
+    /// Checks that the peer, as a client, may send this message. Errors: Refused with the reason.
     [[nodiscard]] Status check(const Message& message) const;
 
   private:

@@ -1,4 +1,4 @@
-// Issues certificates to joining and renewing peers.
+// Issues certificates to peers that join with a token or renew their certificate.
 #pragma once
 
 #include "master/identity/access.hpp"
@@ -8,7 +8,7 @@
 
 namespace cd {
 
-/// Serves a connection after the welcome: reads a Join or a Renew, answers, and ends.
+/// Serves a connection after the welcome: reads one Join or Renew, answers it, and closes.
 [[nodiscard]] asio::awaitable<void> admit(std::shared_ptr<Channel> channel, Access access);
 
 } // namespace cd

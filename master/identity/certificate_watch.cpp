@@ -19,7 +19,7 @@ asio::awaitable<void> watch_certificate(std::shared_ptr<Channel> channel,
             channel->close();
             co_return;
         }
-        // Checks repeatedly: the clock may be set, and the list of refused names may grow, at any
+        // Checks repeatedly, because the clock and the list of refused names may change at any
         // time.
         const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(
             holder->until - access.identity()->now());

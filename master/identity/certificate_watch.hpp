@@ -9,8 +9,8 @@
 
 namespace cd {
 
-/// Ends the connection when its holder's certificate expires or the holder is refused. The peer may
-/// reconnect with another certificate. Returns when the channel is closed and `pause` cancelled.
+/// Closes the channel when the peer's certificate expires or its holder is refused. The peer may
+/// reconnect with another certificate. To end this, close the channel and cancel `pause`.
 [[nodiscard]] asio::awaitable<void> watch_certificate(std::shared_ptr<Channel> channel,
                                                       Access access,
                                                       std::shared_ptr<asio::steady_timer> pause);

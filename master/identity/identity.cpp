@@ -49,8 +49,8 @@ constexpr const char* remedy =
     "; nothing was changed: restore it from a copy, or move the folder away, run `cdmaster init`, "
     "and have everybody join again";
 
-/// Returns the error for a missing certificate: NotFound if the folder has no other identity file,
-/// else BadInput.
+/// Returns the error for a missing certificate of the authority: NotFound if the folder is empty or
+/// missing, BadInput if it has other files, Io if it cannot be read.
 Error no_authority(const std::filesystem::path& folder) {
     std::error_code error;
     const std::filesystem::directory_iterator files(folder, error);
@@ -64,7 +64,7 @@ Error no_authority(const std::filesystem::path& folder) {
                : Error{ErrorCode::NotFound, "there is no identity in " + folder.string()};
 }
 
-/// Errors: NotFound if there is no authority.
+/// Reads the authority. Errors: NotFound if there is none; BadInput; Io.
 Result<CertificateAuthority> read_authority(const std::filesystem::path& folder) {
     const Result<std::string> certificate = read_private(certificate_path(folder));
     if (!certificate) {
@@ -84,8 +84,8 @@ Result<CertificateAuthority> read_authority(const std::filesystem::path& folder)
     return authority;
 }
 
-/// Returns whether a name is reserved for other uses than a peer. Ignores case and a trailing dot,
-/// as tools that compare certificate names do.
+/// Returns whether no peer may join under this name. Ignores case and trailing dots, as tools that
+/// compare certificate names do.
 bool is_reserved(std::string name) {
     name.erase(name.find_last_not_of('.') + 1);
     std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) {
@@ -94,7 +94,7 @@ bool is_reserved(std::string name) {
     return std::find(reserved_names.begin(), reserved_names.end(), name) != reserved_names.end();
 }
 
-/// Writes the certificate last: if it exists, all files exist.
+/// Writes both files. The certificate comes last, so that the key exists if the certificate does.
 Status write_authority(const std::filesystem::path& folder, const CertificateAuthority& authority) {
     if (Status key = write_private(key_path(folder), authority.key()); !key) {
         return key;
@@ -188,7 +188,7 @@ Status MasterIdentity::keep_valid() {
     const Result<Credential> admin = read_credential(folder_ / "admin.pem");
     const Result<Identity> identity =
         admin ? read_identity(admin.value().certificate) : Result<Identity>(admin.error());
-    // A missing admin file is not recreated: its owner removed it on purpose.
+    // A missing admin file is not recreated: somebody removed it on purpose.
     if (identity && renew_at(identity.value()) <= options_.now()) {
         return renew_admin();
     }
@@ -213,7 +213,7 @@ Identity MasterIdentity::identity_from_now(CertifiedRole role,
                                            const std::string& name,
                                            std::chrono::seconds life) const {
     const WallTime now = options_.now();
-    // The peer's clock may be behind.
+    // Valid from a time in the past, because the peer's clock may be slow.
     return {role, name, now - limits::clock_difference_max, now + life};
 }
 
@@ -249,7 +249,7 @@ Status MasterIdentity::check_refused(const std::string& name) const {
             return Error{ErrorCode::Refused, "'" + name + "' is refused by this cluster"};
         }
     }
-    // An unreadable list refuses everybody, since nobody knows whom it names.
+    // An unreadable list refuses everybody, since it may name anybody.
     return file.eof() ? Status(Done{})
                       : Status(Error{ErrorCode::Refused, path.string() + " cannot be read"});
 }

@@ -1,4 +1,4 @@
-// The master's authority, its own certificate, and its join tokens.
+// The master's identity: its certificate authority, its own certificate, and its join tokens.
 #pragma once
 
 #include "common/core/result.hpp"
@@ -14,8 +14,8 @@
 
 namespace cd {
 
-/// Files lie in the folder `identity` of the state directory, readable by its owner only. One
-/// thread.
+/// Keeps its files in the folder `identity` of the state directory, which only its owner may read.
+/// Not thread-safe.
 class MasterIdentity {
   public:
     using Clock = std::function<WallTime()>;
@@ -26,12 +26,12 @@ class MasterIdentity {
         Clock now = [] { return std::chrono::system_clock::now(); };
     };
 
-    /// Creates an authority if there is none, and a new admin credential. Errors: Io; BadInput for
-    /// damaged files.
+    /// Creates an authority if there is none. Always writes a new admin credential. Errors: Io;
+    /// BadInput for damaged files.
     [[nodiscard]] static Status init(const std::filesystem::path& state, const Options& options);
 
-    /// Returns null if `init` has not run. Errors: Io; BadInput; Refused for files that others may
-    /// read.
+    /// Opens the identity, and renews certificates that are due. Returns null if `init` has not
+    /// run. Errors: Io; BadInput for damaged files; Refused for files that others may read.
     [[nodiscard]] static Result<std::unique_ptr<MasterIdentity>>
     open(const std::filesystem::path& state, const Options& options);
 
@@ -39,25 +39,27 @@ class MasterIdentity {
     /// `open`.
     [[nodiscard]] static Status check(const std::filesystem::path& state);
 
-    /// The TLS context with which the master listens.
+    /// The master's current TLS context, which a renewal replaces.
     [[nodiscard]] std::shared_ptr<const TlsSlot> tls() const { return tls_; }
     [[nodiscard]] Sha256 fingerprint() const { return authority_.fingerprint(); }
     /// Path of the admin credential that `init` creates.
     [[nodiscard]] static std::filesystem::path admin_path(const std::filesystem::path& state);
 
     [[nodiscard]] WallTime now() const { return options_.now(); }
-    /// Checks that the list `refused` in the state directory (one name a line) does not name this
-    /// holder. Reads the list each time. Errors: Refused, also for an unreadable list.
+    /// Checks that the file `refused` in the state directory, with one name a line, does not list
+    /// this holder. Reads the file each time. Errors: Refused, also if the file is unreadable.
     [[nodiscard]] Status check_refused(const std::string& name) const;
 
     /// Renews the master's own certificate and the admin's when due. Errors: Io.
     [[nodiscard]] Status keep_valid();
 
-    /// `binding` is that of the connection. The token's use is on disk before this returns. Errors:
-    /// Refused with the reason; BadInput; Io.
+    /// Issues a certificate for a join token, and writes the use of the token to the disk before it
+    /// returns. `binding`: TLS channel binding of the connection. Errors: Refused with the reason;
+    /// BadInput; Io.
     [[nodiscard]] Result<Certified> join(const Join& message, const Sha256& binding);
-    /// Issues a new certificate to the holder of a valid one.
+    /// Issues a new certificate to `holder`, who showed a valid one. Errors: Refused; BadInput.
     [[nodiscard]] Result<Certified> renew(const Renew& message, const Identity& holder) const;
+    /// Creates a join token, and writes it to the disk. Errors: those of `TokenBook::create`; Io.
     [[nodiscard]] Result<TokenCreated> create_token(const TokenCreate& message);
 
   private:

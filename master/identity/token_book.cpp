@@ -26,7 +26,7 @@ std::int64_t to_seconds(WallTime time) {
     return std::chrono::duration_cast<std::chrono::seconds>(time.time_since_epoch()).count();
 }
 
-/// Returns the last line: the hash of all lines before it.
+/// Returns the last line of the text: the hash of all lines before it.
 std::string sum_line(std::string_view lines) {
     return std::string(sum_word) + to_hex(sha256(std::as_bytes(std::span(lines)))) + '\n';
 }
@@ -64,7 +64,7 @@ Result<CertifiedRole> TokenBook::redeem(const Proof& proof, WallTime now) {
         return refused("is not known");
     }
     Entry& entry = found->second;
-    // The proof is checked before any other property of the token is revealed.
+    // Checked first, so that the other errors reveal properties of the token only to its owner.
     if (!is_join_proof(proof.proof, entry.stored, proof.binding, proof.request)) {
         return refused("is not proven on this connection: wrong, or replayed");
     }

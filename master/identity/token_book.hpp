@@ -1,4 +1,5 @@
-// A cluster's join tokens, with roles and uses. A state machine: no clock, no disk.
+// The join tokens of a cluster, each with its role and its uses. A state machine: no clock, no
+// disk.
 #pragma once
 
 #include "common/core/limits/master.hpp"
@@ -15,30 +16,31 @@ namespace cd {
 
 class TokenBook {
   public:
-    /// Requested properties of a new token.
+    /// Properties of a new token.
     struct Terms {
         CertifiedRole role = CertifiedRole::Worker;
         std::uint32_t uses = 1;
         WallTime until;
     };
-    /// A join proof and the data it covers.
+    /// A peer's proof that it knows a token, and the data that the proof covers.
     struct Proof {
         std::uint64_t token = 0;
         Sha256 proof;
-        Sha256 binding; ///< Binding of the connection that carried the proof.
-        std::string_view request;
+        Sha256 binding;           ///< TLS channel binding of the connection that carried the proof.
+        std::string_view request; ///< Certificate request.
     };
 
-    /// Forgets expired tokens first. Errors: BadInput for invalid terms; TooLarge with
-    /// `limits::tokens_max` tokens.
+    /// Creates a token, after forgetting expired ones. Errors: BadInput for invalid terms; TooLarge
+    /// with `limits::tokens_max` tokens.
     [[nodiscard]] Result<JoinToken>
     create(const Terms& terms, const Sha256& authority, WallTime now);
 
-    /// Counts one use. Errors: Refused with the reason.
+    /// Counts one use of the token. Returns the token's role. Errors: Refused with the reason.
     [[nodiscard]] Result<CertifiedRole> redeem(const Proof& proof, WallTime now);
 
-    /// Writes the book as text without secrets, and reads it back. Errors: BadInput.
+    /// Returns the book as text, without the tokens' secrets.
     [[nodiscard]] std::string to_text() const;
+    /// Inverse of `to_text`. Errors: BadInput for damaged text.
     [[nodiscard]] static Result<TokenBook> parse(const std::string& text);
 
   private:
