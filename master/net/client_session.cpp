@@ -18,7 +18,8 @@ namespace cd {
 
 namespace {
 
-/// Returns the refusal of data that the disk could not store. Only the master's log gets the path.
+/// Returns the error for the client when the disk could not store its data. An Io error goes to the
+/// log; the client gets a text without paths.
 Error without_room(const Error& why, const std::string& what, std::uint64_t bytes) {
     if (why.code != ErrorCode::Io) {
         return why;
@@ -44,7 +45,7 @@ asio::awaitable<void> ClientSession::run() {
     co_await converse();
     drop_upload();
     drop_poses();
-    // A channel that is being flushed closes by itself.
+    // A channel that is closing after its last message is no longer open.
     if (channel_->is_open()) {
         channel_->close();
     }
@@ -69,7 +70,7 @@ asio::awaitable<void> ClientSession::converse() {
         }
         co_await std::visit([this](auto& content) { return on(std::move(content)); },
                             message.value());
-        // Reads no further requests from a client that does not read its answers.
+        // Waits while the client does not read its answers.
         co_await channel_->wait_until_queued_below(limits::write_queue_bytes_max);
     }
 }
@@ -78,7 +79,7 @@ asio::awaitable<Result<Message>> ClientSession::receive() {
     if (!is_submitting()) {
         co_return co_await channel_->receive(limits::client_idle_max);
     }
-    // Only submission messages count as progress.
+    // Waits since the last part of the upload: other messages do not extend the time.
     const auto left = progressed_ + quota_.submission_idle_max - std::chrono::steady_clock::now();
     Result<Message> message = Error{ErrorCode::Timeout, "nothing was received in time"};
     if (left > std::chrono::steady_clock::duration::zero()) {
@@ -135,7 +136,7 @@ asio::awaitable<void> ClientSession::on(MeshPart message) {
     const bool is_last = message.offset + message.bytes.size() == message.bytes_total;
     const bool is_begun = upload_ != nullptr && upload_->mesh() == mesh;
     if (message.offset != 0 && !is_begun) {
-        // The rest of a failed upload is dropped: its failure has been answered.
+        // Part of an upload that has failed. The client has got the error already.
         co_return;
     }
     const std::string name = message.name;
@@ -154,7 +155,7 @@ Status ClientSession::take_bytes(std::uint64_t bytes) {
 }
 
 Status ClientSession::begin_upload(MeshPart& part) {
-    drop_upload(); // Deletes the file of an earlier upload.
+    drop_upload(); // Deletes the file of an earlier, unfinished upload.
     if (Status allowed = quota_.quotas->begin_upload(quota_.client); !allowed) {
         return allowed;
     }
@@ -316,7 +317,7 @@ asio::awaitable<void> ClientSession::open_job(Submit submit, std::shared_ptr<Job
     JobRequests requests(coordinator_);
     const Result<JobId> job = co_await requests.open(std::move(submit), std::move(poses));
     if (job) {
-        meshes_asked_for_.reset(); // The opened job has its own hold on the meshes.
+        meshes_asked_for_.reset(); // Not needed any more: the job holds its meshes.
         quotas.add_job(quota_.client, job.value(), {scenarios, std::exchange(queued_, 0)});
         quota_.jobs_changed();
         channel_->send(Accepted{job.value()});
@@ -471,7 +472,7 @@ asio::awaitable<void> ClientSession::watch(std::shared_ptr<ClientSession> self, 
         pause->expires_after(limits::watch_period);
         boost::system::error_code ignored;
         co_await pause->async_wait(asio::redirect_error(asio::use_awaitable, ignored));
-        // Skips updates that a slow watcher could not have read in time.
+        // Sends no updates while the client has not read the earlier ones.
         co_await self->channel_->wait_until_queued_below(limits::write_queue_bytes_max);
     }
     --self->watches_;

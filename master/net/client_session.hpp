@@ -18,21 +18,21 @@
 
 namespace cd {
 
-/// A client's name and the quotas that count it.
+/// A client's name, and the quotas that limit it.
 struct ClientQuota {
     Quotas* quotas; ///< Must outlive the session.
     std::string client;
-    std::function<void()> jobs_changed; ///< Called after a job was added.
-    /// Longest time between two messages of a mesh or of poses.
+    std::function<void()> jobs_changed; ///< Called after a job was added to the quotas.
+    /// Longest time between two messages of an upload of a mesh or of poses.
     std::chrono::milliseconds submission_idle_max = limits::submission_idle_max;
 };
 
-/// Answers a client's requests in order; watches run beside them. An unfinished mesh or job
-/// submission is dropped when the connection ends.
+/// Answers a client's requests in order; watches run concurrently. Drops an unfinished mesh or job
+/// submission when the connection ends.
 class ClientSession : public std::enable_shared_from_this<ClientSession> {
   public:
-    /// A request beyond `access` is answered with the reason and ends the connection. A request
-    /// beyond `quota` only fails.
+    /// A request that `access` does not allow is answered with the reason and ends the connection.
+    /// A request that exceeds `quota` only fails.
     ClientSession(Coordinator& coordinator,
                   std::shared_ptr<Channel> channel,
                   Access access,
@@ -43,11 +43,12 @@ class ClientSession : public std::enable_shared_from_this<ClientSession> {
 
   private:
     [[nodiscard]] asio::awaitable<void> converse();
-    /// Errors: those of the channel; Timeout, sent to the client, when a mesh or poses stall.
+    /// Receives the next message. Errors: those of the channel; Timeout if an upload stalls, which
+    /// the client is told.
     [[nodiscard]] asio::awaitable<Result<Message>> receive();
     [[nodiscard]] bool is_submitting() const { return upload_ != nullptr || spool_ != nullptr; }
 
-    // Handlers, one per client message; any other message ends the connection.
+    // Handlers, one per message of a client. Any other message ends the connection.
     asio::awaitable<void> on(MeshesQuery message);
     asio::awaitable<void> on(MeshPart message);
     asio::awaitable<void> on(Submit message);
@@ -72,14 +73,16 @@ class ClientSession : public std::enable_shared_from_this<ClientSession> {
 
     [[nodiscard]] asio::awaitable<Status> take_mesh_part(MeshPart message);
     [[nodiscard]] asio::awaitable<Status> begin_poses(Submit message);
-    /// `poses` is null for a grid.
+    /// Opens a checked job, and answers the client. `poses` is null for a grid.
     [[nodiscard]] asio::awaitable<void> open_job(Submit submit, std::shared_ptr<JobSpool> poses);
-    /// Static with a shared pointer: the session may end before the spawned watch starts.
+    /// Sends the job's status at each change. Static with a shared pointer, because the session may
+    /// end before the spawned watch starts.
     [[nodiscard]] static asio::awaitable<void> watch(std::shared_ptr<ClientSession> self,
                                                      JobId job);
 
+    /// Counts received bytes against the client's rate limit.
     [[nodiscard]] Status take_bytes(std::uint64_t bytes);
-    /// Counts bytes of poses or of a grid against the client's quota of queued bytes.
+    /// Counts bytes of poses or of a grid against the quota of queued bytes and the rate limit.
     [[nodiscard]] Status queue_bytes(std::uint64_t bytes);
     [[nodiscard]] Status begin_upload(MeshPart& part);
     void drop_upload();
@@ -96,15 +99,16 @@ class ClientSession : public std::enable_shared_from_this<ClientSession> {
     Access access_;
     ClientQuota quota_;
     std::unique_ptr<MeshUpload> upload_;
-    /// The submitted job whose poses are arriving.
+    /// The submitted job while its poses arrive.
     Submit submit_;
-    /// Keep the meshes of the last MeshesQuery and of the submission from being removed.
+    /// Prevents the removal of the meshes that the last MeshesQuery asked for.
     std::shared_ptr<const MeshHold> meshes_asked_for_;
+    /// Prevents the removal of the meshes of the submission.
     std::shared_ptr<const MeshHold> meshes_submitted_;
-    std::shared_ptr<JobSpool> spool_;
-    std::uint64_t queued_ = 0; ///< Bytes of the submission counted in the quota.
+    std::shared_ptr<JobSpool> spool_; ///< Null if no poses are arriving.
+    std::uint64_t queued_ = 0;        ///< Bytes of the submission that the quota counts.
     std::chrono::steady_clock::time_point progressed_; ///< Last progress of the mesh or the poses.
-    /// The submission was refused and the client informed: the rest of its poses is ignored.
+    /// True if the submission was refused and the client told: the rest of its poses is ignored.
     bool refused_ = false;
     std::size_t watches_ = 0;
     JobQueries queries_;

@@ -13,7 +13,7 @@ namespace cd {
 
 namespace {
 
-/// Returns why the master or one of its jobs is paused; empty if none is.
+/// Returns the reason why the master or one of its jobs is paused; empty if none is.
 std::string what_waits(Coordinator& coordinator) {
     if (!coordinator.jobs().paused().empty()) {
         return "paused: " + coordinator.jobs().paused();
@@ -101,7 +101,7 @@ asio::awaitable<void> HttpFront::serve(asio::ip::tcp::socket socket, Seats::Seat
     }
     const Access access =
         identity_ == nullptr ? Access() : Access(*identity_, stream->peer_identity());
-    // The connection slot is released with the stream.
+    // The handler keeps the connection slot until the stream is destroyed.
     serve_http(std::move(stream), [this, access, peer, seat](const HttpRequest& request) {
         return answer(request, access, peer);
     });

@@ -20,12 +20,12 @@ class Access;
 class Coordinator;
 class MasterIdentity;
 
-/// Speaks HTTP/1.1, one GET per connection. With an identity, which must outlive this, only TLS is
-/// served, and /metrics needs a certificate that may view the cluster; the other pages reveal
-/// nothing more and are public. All members run on the coordinator's thread.
+/// Speaks HTTP/1.1, one GET per connection. With an identity, which must outlive this object,
+/// serves only TLS, and /metrics only for a certificate that may view the cluster; the other pages
+/// are public. All members run on the coordinator's thread.
 class HttpFront {
   public:
-    /// Listens at once; port 0 lets the system choose one. Errors: as those of Listener::open.
+    /// Opens the port at once; with port 0 the system chooses one. Errors: those of Listener::open.
     [[nodiscard]] static Result<std::unique_ptr<HttpFront>>
     listen(const asio::any_io_executor& executor,
            const Endpoint& endpoint,
@@ -47,7 +47,7 @@ class HttpFront {
 
     std::unique_ptr<Listener> listener_;
     Coordinator& coordinator_;
-    MasterIdentity* identity_;                  ///< Null: plain HTTP.
+    MasterIdentity* identity_;                  ///< Null: HTTP without TLS.
     Seats seats_{limits::http_connections_max}; ///< Connection slots.
     Refusals refusals_;
 };

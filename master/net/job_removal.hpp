@@ -25,7 +25,8 @@ class JobRemoval {
     [[nodiscard]] asio::awaitable<Result<Removed>> remove(RemoveMesh wish);
 
   private:
-    /// Returns when the job has ended. Errors: Refused if it may not be cancelled; Io.
+    /// Cancels a running job if `wish.cancel`, and waits for the end. Returns the status of the
+    /// ended job. Errors: NotFound; Refused if it runs and may not be cancelled; Io.
     [[nodiscard]] asio::awaitable<Result<JobStatus>> ended(Remove wish);
 
     Coordinator& coordinator_;

@@ -55,7 +55,7 @@ asio::awaitable<Result<JobStatus>> JobRequests::cancel(JobId job) {
     if (!status || status.value().state != JobState::Running) {
         co_return status;
     }
-    // Clients see only a durable end.
+    // The end becomes visible when it is durable.
     const auto until = JobWaits::Time::clock::now() + limits::cancel_wait_max;
     (void)co_await coordinator_.jobs().waits().wait(job, until);
     co_return coordinator_.jobs().status(job);

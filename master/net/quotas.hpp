@@ -1,4 +1,5 @@
-// Limits what one client may use of the master at a time. A state machine: no clock, no sockets.
+// Limits the master's resources that one client may use at a time. A state machine: no clock, no
+// sockets.
 #pragma once
 
 #include "common/core/id.hpp"
@@ -16,8 +17,8 @@
 
 namespace cd {
 
-/// Counts by client: the name in its certificate or, without TLS, its host. A faulty or hostile
-/// client thus leaves room for the others.
+/// Counts resources by client: by the name in its certificate or, without TLS, by its host. A
+/// faulty or hostile client thus leaves room for the others.
 class Quotas {
   public:
     using Time = std::chrono::steady_clock::time_point;
@@ -25,7 +26,7 @@ class Quotas {
 
     struct JobSize {
         std::uint64_t scenarios = 0;
-        std::uint64_t bytes = 0; ///< Bytes of its poses.
+        std::uint64_t bytes = 0; ///< Bytes of the job's poses.
     };
 
     struct Limits {
@@ -33,8 +34,8 @@ class Quotas {
         std::size_t all_connections = limits::connections_max;
         std::size_t jobs = limits::client_jobs_max;             ///< Running jobs.
         std::uint64_t scenarios = limits::client_scenarios_max; ///< Unfinished scenarios.
-        /// Bytes of meshes, poses and grids that a client may send at once, and again in each
-        /// `period`.
+        /// Bytes of meshes, poses and grids that a client may send at once: a leaky bucket, which
+        /// drains in `period`.
         std::uint64_t bytes = limits::client_bytes_max;
         std::chrono::seconds period = limits::client_bytes_period;
         /// Bytes of poses of unfinished jobs.
@@ -42,32 +43,34 @@ class Quotas {
         std::size_t uploads = limits::client_uploads_max; ///< Mesh uploads in progress.
     };
 
-    /// `scenarios_of` returns the open scenarios of an added job, or nothing if it no longer runs.
+    /// `scenarios_of` returns the number of scenarios of a running job; empty if the job does not
+    /// run.
     Quotas(const Limits& limits, ScenariosOf scenarios_of)
         : limits_(limits), scenarios_of_(std::move(scenarios_of)) {}
 
-    /// Errors of all members: Refused, saying which limit is exceeded and when to try again.
+    // Errors of all members: Refused, naming the exceeded limit and the time until a retry.
     [[nodiscard]] Status connect(const std::string& client);
     void disconnect(const std::string& client);
 
+    /// Counts received bytes, which `Limits::bytes` bounds.
     [[nodiscard]] Status take_bytes(const std::string& client, std::uint64_t bytes, Time now);
 
     [[nodiscard]] Status begin_upload(const std::string& client);
     void end_upload(const std::string& client);
 
-    /// Counts bytes of a submission until `unqueue`, or as long as its job runs.
+    /// Counts bytes of a submission until `unqueue` or until its job ends.
     [[nodiscard]] Status queue(const std::string& client, std::uint64_t bytes);
     void unqueue(const std::string& client, std::uint64_t bytes);
 
-    /// Reserves room for a job before it is opened, until it is added or abandoned.
+    /// Reserves room for a job that is to be opened, until `add_job` or `give_up_job`.
     [[nodiscard]] Status begin_job(const std::string& client, std::uint64_t scenarios);
-    /// Adds a job begun by `begin_job`. Its queued bytes now count for the job.
+    /// Adds a job after `begin_job`. Its queued bytes count until the job ends.
     void add_job(const std::string& client, JobId job, const JobSize& size);
     void give_up_job(const std::string& client, std::uint64_t scenarios);
 
-    /// Writes the owners of jobs as text, and reads them after a restart. Malformed lines are
-    /// ignored.
+    /// Returns the running jobs and their clients as text.
     [[nodiscard]] std::string jobs_text();
+    /// Inverse of `jobs_text`, after a restart. Ignores malformed lines and jobs that do not run.
     void restore_jobs(std::string_view text);
 
     /// Number of remembered clients.
@@ -81,7 +84,7 @@ class Quotas {
         std::map<JobId, JobSize> jobs;
         std::uint64_t scenarios = 0; ///< Scenarios of running and begun jobs.
         std::uint64_t queued = 0;    ///< Bytes of running jobs and of submissions.
-        double bytes = 0;            ///< Level of the rate limit at `since`; it drains with time.
+        double bytes = 0;            ///< Leaky bucket: bytes counted at `since`, less with time.
         Time since;
     };
 

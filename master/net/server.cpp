@@ -15,7 +15,7 @@ namespace cd {
 
 namespace {
 
-/// Returns the name under which the quotas count the peer.
+/// Returns the peer's name for the quotas: its certificate's holder, else its host.
 std::string name_of(const Access& access, const Channel& channel) {
     return access.holder() ? access.holder()->name : channel.peer_host();
 }
@@ -103,7 +103,7 @@ Server::serve(std::uint64_t connection, asio::ip::tcp::socket socket, Seats::Sea
     if (channel) {
         connections_[connection] = channel.value();
         co_await converse(channel.value(), seat);
-        // A refused peer's connection stays open long enough for the peer to read the reason.
+        // A refused peer's channel is closing already, once the peer has read the reason.
         if (channel.value()->is_open()) {
             channel.value()->close();
         }
@@ -183,7 +183,7 @@ std::filesystem::path Server::jobs_path() const {
     return coordinator_.parts().directory / "clients";
 }
 
-// Writes atomically and waits for no sync. If the file is lost, the quotas only count too little.
+// Writes the file atomically, but without a sync: if it is lost, quotas are only too generous.
 void Server::save_jobs() {
     const std::filesystem::path unfinished = jobs_path().string() + ".new";
     std::ofstream file(unfinished);

@@ -1,4 +1,4 @@
-// Listens, greets peers, and hands each connection to the session of its role.
+// Listens, exchanges greetings with peers, and hands each connection to the session for its role.
 #pragma once
 
 #include "common/core/limits/master.hpp"
@@ -22,20 +22,20 @@
 
 namespace cd {
 
-/// Limits of clients; tests lower them.
+/// Limits of clients and of workers' connections; tests lower them.
 struct ClientLimits {
     Quotas::Limits quotas = {};
     Quotas::Limits workers = {.connections = limits::worker_connections_max,
                               .all_connections = limits::all_worker_connections_max};
     std::chrono::milliseconds submission_idle_max = limits::submission_idle_max;
-    std::size_t greetings = limits::greetings_max; ///< Connections that are not admitted yet.
+    std::size_t greetings = limits::greetings_max; ///< Connections that are not welcomed yet.
 };
 
 class Server {
   public:
-    /// Listens at once; port 0 lets the system choose one. With an `identity`, which must outlive
-    /// the server, only TLS is spoken. Errors: BadInput for a host that is no address of this
-    /// machine; Io when the port is in use or not permitted.
+    /// Opens the port at once; with port 0 the system chooses one. With an `identity`, which must
+    /// outlive the server, accepts only TLS. Errors: BadInput for a host that is no address of this
+    /// machine; Io if the port is in use or not permitted.
     [[nodiscard]] static Result<std::unique_ptr<Server>>
     listen(const asio::any_io_executor& executor,
            const Endpoint& endpoint,
@@ -60,7 +60,7 @@ class Server {
     void accept(asio::ip::tcp::socket socket);
     [[nodiscard]] asio::awaitable<void>
     serve(std::uint64_t connection, asio::ip::tcp::socket socket, Seats::Seat seat);
-    // An accepted peer releases its greeting slot.
+    // These members release the slot `seat` when the peer is welcomed.
     [[nodiscard]] asio::awaitable<void> converse(std::shared_ptr<Channel> channel,
                                                  Seats::Seat& seat);
     [[nodiscard]] asio::awaitable<void>
@@ -70,7 +70,7 @@ class Server {
                                                      Access access,
                                                      Seats::Seat& seat);
     void refuse_greeting(Channel& channel, const Error& error);
-    /// File of the running jobs' owners; it survives a restart as the journal does.
+    /// File with the clients of running jobs, for the quotas after a restart.
     [[nodiscard]] std::filesystem::path jobs_path() const;
     void save_jobs();
     void restore_jobs();
@@ -78,15 +78,16 @@ class Server {
     std::unique_ptr<Listener> listener_;
     Coordinator& coordinator_;
     MasterIdentity* identity_; ///< Null: no TLS.
-    /// A channel is null until its TLS handshake, if there is one, has finished.
+    /// All open connections by number. A channel is null until its TLS handshake has finished.
     std::map<std::uint64_t, std::shared_ptr<Channel>> connections_;
     std::uint64_t connection_last_ = 0;
-    /// Slots of connections that are being greeted, join, or are being refused.
+    /// Slots of connections that are not welcomed as a worker or client: they are being greeted,
+    /// join, or are being refused.
     Seats greetings_;
     Refusals refusals_;
     ClientLimits clients_;
     Quotas quotas_;
-    Quotas worker_quotas_; ///< Quotas of workers' connections.
+    Quotas worker_quotas_; ///< Limits workers' connections.
 };
 
 } // namespace cd

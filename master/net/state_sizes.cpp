@@ -8,7 +8,7 @@ namespace cd {
 
 namespace {
 
-/// Returns the bytes of the files in `folder` whose names end in `ending`.
+/// Returns the sum of the sizes of the files in `folder` whose names end in `ending`.
 std::uint64_t bytes_in(const std::filesystem::path& folder, std::string_view ending = {}) {
     std::uint64_t bytes = 0;
     std::error_code error;

@@ -1,4 +1,4 @@
-// Measures the disk space of the master's state.
+// Measures the disk space that the master's state takes.
 #pragma once
 
 #include "proto/messages/client_messages.hpp"

@@ -8,8 +8,9 @@ namespace cd {
 
 class Coordinator;
 
-/// Tells the workers to leave: after they have finished what runs and returned the rest, or at
-/// once. Errors: NotFound naming an absent worker; then no worker is told.
+/// Tells the workers, or all if `wish` names none, to leave: after they have finished the running
+/// scenarios and returned the others, or at once. Errors: NotFound naming an unknown worker; then
+/// no worker is told.
 [[nodiscard]] Result<Draining> dismiss_workers(Coordinator& coordinator, DrainWorkers wish);
 
 } // namespace cd

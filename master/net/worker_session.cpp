@@ -11,7 +11,7 @@ namespace cd {
 
 namespace {
 
-/// Counts one message of results in its worker's intake, until `leave` or the destructor.
+/// RAII: counts one result message in the worker's intake, until `leave` or destruction.
 class PlaceInHand {
   public:
     explicit PlaceInHand(std::shared_ptr<WorkerIntake> intake) : intake_(std::move(intake)) {
@@ -59,7 +59,7 @@ asio::awaitable<void> WorkerSession::run(Hello hello) {
         co_await wait_for_room();
         Result<Message> message = co_await channel_->receive(coordinator_.parts().times.lost_after);
         if (!message && message.error().code == ErrorCode::Timeout && channel_->is_open()) {
-            continue; // A slow message does not make the worker lost.
+            continue; // A large message may arrive slowly; the directory judges silence.
         }
         if (!message) {
             why = message.error().detail;
@@ -70,7 +70,7 @@ asio::awaitable<void> WorkerSession::run(Hello hello) {
         }
         std::visit([this](auto& content) { on(content); }, message.value());
     }
-    if (channel_->is_open()) { // A closing channel may still be sending its last message.
+    if (channel_->is_open()) { // False for a channel that still sends its last message.
         channel_->close();
     }
     heartbeat_.cancel();
@@ -81,16 +81,16 @@ asio::awaitable<void> WorkerSession::wait_for_room() {
     while (intake_->messages >= limits::results_in_hand_max && channel_->is_open() &&
            !mutated(Mutation::ReadsOn)) {
         coordinator_.workers().unheard(worker_, *channel_);
-        // The connection may end during the wait.
+        // Wakes up periodically, because the connection may end during the wait.
         room_.expires_after(coordinator_.parts().times.heartbeat);
         boost::system::error_code ignored;
         co_await room_.async_wait(asio::redirect_error(asio::use_awaitable, ignored));
-        // Reading resumes, so the worker's silence is counted from now.
+        // Reading resumes, so silence counts from now on.
         (void)coordinator_.workers().heard(worker_, *channel_);
     }
 }
 
-// Static with a shared pointer: the session may end before the spawned coroutine starts.
+// Static with a shared pointer, because the session may end before the spawned coroutine starts.
 asio::awaitable<void> WorkerSession::send_heartbeats(std::shared_ptr<WorkerSession> self) {
     Heartbeat heartbeat;
     while (self->channel_->is_open()) {
@@ -120,7 +120,7 @@ void WorkerSession::on(const Standing& message) {
 
 void WorkerSession::on(const Drain& /*message*/) {
     coordinator_.worker_desk().draining(worker_);
-    channel_->send(Drain{}); // The channel sends this after everything already queued.
+    channel_->send(Drain{}); // Comes after all messages queued for the worker.
 }
 
 void WorkerSession::on(const Failure& message) {

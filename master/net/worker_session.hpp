@@ -11,7 +11,8 @@
 
 namespace cd {
 
-/// Reads a worker's messages on one connection. The worker's session may outlive the connection.
+/// Reads a worker's messages on one connection. The session in the directory may outlive this
+/// connection.
 class WorkerSession : public std::enable_shared_from_this<WorkerSession> {
   public:
     WorkerSession(Coordinator& coordinator,
@@ -22,7 +23,7 @@ class WorkerSession : public std::enable_shared_from_this<WorkerSession> {
     [[nodiscard]] asio::awaitable<void> run(Hello hello);
 
   private:
-    // Handlers, one per worker message; any other message ends the connection.
+    // Handlers, one per message of a worker. Any other message ends the connection.
     void on(const Heartbeat& message);
     void on(const WantSubtrees& message);
     void on(const Evicted& message);
@@ -39,7 +40,8 @@ class WorkerSession : public std::enable_shared_from_this<WorkerSession> {
     void on(const Other& message);
 
     [[nodiscard]] static asio::awaitable<void> send_heartbeats(std::shared_ptr<WorkerSession> self);
-    /// Delays reading from a worker that is faster than the merge.
+    /// Waits while too many result messages of the worker's process are being checked or wait for
+    /// the journal.
     [[nodiscard]] asio::awaitable<void> wait_for_room();
 
     Coordinator& coordinator_;
@@ -47,7 +49,7 @@ class WorkerSession : public std::enable_shared_from_this<WorkerSession> {
     Reception reception_;
     WorkerId worker_;
     asio::steady_timer heartbeat_;
-    asio::steady_timer room_; ///< Cancelled when results have been merged.
+    asio::steady_timer room_; ///< Cancelled when the intake has room again.
     std::shared_ptr<WorkerIntake> intake_;
 };
 
