@@ -1,4 +1,4 @@
-// Runs work on thread pools and takes up its outcome on the owner's thread.
+// Runs work on thread pools, and passes the outcome to the owner's thread.
 #pragma once
 
 #include "common/core/host/thread_pool.hpp"
@@ -11,11 +11,12 @@
 
 namespace cd {
 
-/// The only way by which the coordinator's parts leave their thread. All members run on it.
+/// The parts of the coordinator use other threads only through this class. All members but `post`
+/// run on the owner's thread, which is the executor's.
 class Background {
   public:
-    /// `after_each` is called after each outcome. The executor's context outlives the pools, and
-    /// does not run after the end of this object.
+    /// `after_each` is called on the owner's thread after each `done` or posted function. The
+    /// executor's context must outlive the pools, and must not run after this object is destroyed.
     Background(asio::any_io_executor executor,
                ThreadPool& compute,
                ThreadPool& blocking,
@@ -27,7 +28,7 @@ class Background {
     Background(const Background&) = delete;
     Background& operator=(const Background&) = delete;
 
-    /// The pool for short work that needs neither the disk nor another pool.
+    /// The pool for work that needs neither the disk nor another pool.
     [[nodiscard]] ThreadPool& compute_pool() { return compute_; }
     /// Runs `work` on the compute pool, then `done` with its outcome on the owner's thread.
     template <class Work, class Done>
@@ -52,7 +53,8 @@ class Background {
     template <class Work, class Done>
     void run(ThreadPool& pool, Work work, Done done) {
         auto step = std::make_shared<std::pair<Work, Done>>(std::move(work), std::move(done));
-        // The pool may outlive this object, and its thread keeps no share of `step`.
+        // The pool may outlive this object. Its thread keeps no reference to `step`, so that `done`
+        // is destroyed on the owner's thread.
         pool.post([this, executor = executor_, step = std::move(step)]() mutable {
             using Outcome = std::invoke_result_t<Work&>;
             auto outcome = std::make_shared<Outcome>(step->first());

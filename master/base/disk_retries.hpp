@@ -1,4 +1,4 @@
-// Steps of jobs that failed on the disk and are tried again.
+// Retries steps of jobs that failed because of the disk.
 #pragma once
 
 #include "common/core/id.hpp"
@@ -11,7 +11,7 @@
 
 namespace cd {
 
-/// A full or damaged disk may be mended, so a step is tried again after
+/// Somebody may repair a full or damaged disk, so a step is tried again after
 /// `limits::journal_retry_period`. All members run on the executor's thread.
 class DiskRetries {
   public:
@@ -20,13 +20,13 @@ class DiskRetries {
     DiskRetries& operator=(const DiskRetries&) = delete;
     ~DiskRetries() { close(); }
 
-    /// Calls `again` after a while, or soon after `stop`; never after `close`.
+    /// Calls `again` after the retry period, or soon after `stop`, but not after `close`.
     void start(JobId job, std::function<void()> again);
-    /// A step of the job waits.
+    /// True if a step of the job waits for its retry.
     [[nodiscard]] bool any(JobId job) const { return waiting_.contains(job); }
-    /// Ends the waits of a job: it has ended, so its steps find that out.
+    /// Ends all waits of a job that has ended: the steps run soon, and find no running job.
     void stop(JobId job);
-    /// Drops all steps, also those that would be started later.
+    /// Drops all waiting steps. Later calls of `start` do nothing.
     void close() {
         is_closed_ = true;
         waiting_.clear();

@@ -1,5 +1,5 @@
-// Identity of a worker process across its sessions, and the processes that scenarios were lost
-// with.
+// Identity of a worker process across its sessions, and counts of the processes that were lost with
+// a scenario.
 #pragma once
 
 #include "common/core/id.hpp"
@@ -14,18 +14,18 @@
 
 namespace cd {
 
-/// A worker process, identified by its random number (`Hello::instance`). 0: the master, or
+/// Identifies a worker process by its random number (`Hello::instance`). 0: the master, or
 /// unknown.
 using InstanceId = std::uint64_t;
 
 /// A session of a worker as the author of results.
 struct Author {
     InstanceId process = 0;
-    WorkerId worker;    ///< 0: the session belongs to an earlier incarnation of the master.
-    std::string name;   ///< Empty for an earlier session, like `holder`.
+    WorkerId worker;    ///< 0: the session is from before a restart of the master.
+    std::string name;   ///< Empty for a session from before a restart, like `holder`.
     std::string holder; ///< Holder of its certificate; empty without one.
 
-    /// "sim-7 (w-3, certified as sim)".
+    /// For example "sim-7 (w-3, certified as sim)".
     [[nodiscard]] std::string to_text() const {
         if (worker == WorkerId{}) {
             return "a worker of an earlier run of the master";
@@ -35,12 +35,13 @@ struct Author {
     }
 };
 
-/// Counts the losses of scenarios by process. A process that returns was not killed by them, so it
-/// counts once. A scenario that silences its host each time would never be given up on a cluster of
-/// one host, so every `limits::losses_again_that_count`-th repeated loss counts, too.
+/// Counts how often a scenario was lost with a worker. A process that is lost repeatedly has
+/// returned, so the scenario did not kill it, and it counts once. But on a cluster of one host, a
+/// scenario that silences the host each time would then never be given up. So every
+/// `limits::losses_again_that_count`-th repeated loss counts as well.
 class Losses {
   public:
-    /// 0: an unknown process or one that is still connected; it counts each time.
+    /// Adds a loss. Process 0, unknown or still connected, counts each time.
     void add(InstanceId process) {
         const bool is_known =
             process != 0 && std::ranges::find(processes_, process) != processes_.end();
@@ -53,7 +54,7 @@ class Losses {
         ++count_;
     }
     [[nodiscard]] std::size_t count() const { return count_; }
-    /// The scenarios may be handed out in bulk.
+    /// True if the scenario was never lost, so that it may go out in a range.
     [[nodiscard]] bool none() const { return count_ == 0; }
 
     friend bool operator==(const Losses&, const Losses&) = default;
@@ -61,13 +62,13 @@ class Losses {
   private:
     std::array<InstanceId, limits::scenario_losses_max> processes_{};
     std::size_t count_ = 0;
-    std::size_t again_ = 0; ///< Repeated losses with known processes.
+    std::size_t again_ = 0; ///< Number of losses with processes that were lost before.
 };
 
-/// Consecutive order positions of a job, lost together.
+/// Consecutive positions in a job's hand-out order that were lost together with a process.
 struct LostPlaces {
     PlaceRange places;
-    InstanceId process = 0; ///< As in `Losses::add`.
+    InstanceId process = 0; ///< Argument for `Losses::add`.
 
     friend bool operator==(const LostPlaces&, const LostPlaces&) = default;
 };

@@ -1,5 +1,5 @@
-// Faults that a test switches on to prove that it would notice them. Shipped builds contain none:
-// without CD_MUTATIONS `mutated` is always false.
+// Faults that a test switches on to prove that it would notice them. Shipped builds, without
+// CD_MUTATIONS, contain no faults: `mutated` is always false.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@ enum class Mutation : std::uint8_t {
     None,
     LostLeaseForgotten,     ///< Work of a lost worker is not given to others.
     DrainedWorkForgotten,   ///< Work of a draining worker is not given to others.
-    LostRangeForgotten,     ///< The rest of a lost range is not done.
+    LostRangeForgotten,     ///< The rest of a lost range is not given to others.
     AnswerLeftAtWorker,     ///< An answered scenario still counts as the worker's.
     RoomNotGivenBack,       ///< A scenario that leaves a buffer still counts as unsent.
     PoisonToleratedTooLong, ///< A scenario that kills workers is never given up.
@@ -21,11 +21,11 @@ enum class Mutation : std::uint8_t {
     EndToldTooEarly,        ///< A client learns of an end that is not durable.
     SegmentNotSynced,       ///< The index names records before they are durable.
     GroupNotRecovered,      ///< After a restart the last commit of a job is missing.
-    DoneIsDoneAgain,        ///< After a restart finished scenarios go out again.
+    DoneIsDoneAgain,        ///< After a restart, scenarios with a result go out again.
     RecalledLeftAtWorker,   ///< Returned work still counts as the worker's.
     RecalledIsLost,         ///< Returned work is not given to others.
     CopyLeftAtWorker,       ///< A copy of an answered scenario counts as running.
-    CopyIsAlone,            ///< Losing a copy loses its scenario, too.
+    CopyIsAlone,            ///< When a copy is lost, the original is forgotten, too.
     EvictionIgnored,        ///< Blocks that a worker evicted count as held.
     HeldWhenSent,           ///< Blocks sent to a worker count as held.
     LiarKept,               ///< Other results of a wrong worker are kept.

@@ -26,8 +26,8 @@ asio::awaitable<std::invoke_result_t<Function&>> run_on(ThreadPool& pool, Functi
     const auto shared = std::make_shared<Shared>(executor, std::move(function));
     pool.post([executor, shared] {
         shared->value.emplace(shared->function());
-        // The timer belongs to the executor's thread; the coroutine waits on it before this handler
-        // runs there.
+        // Posted, because only the executor's thread may use the timer. The coroutine waits for the
+        // timer by the time this handler runs.
         asio::post(executor, [shared] { shared->done.cancel(); });
     });
     boost::system::error_code ignored;

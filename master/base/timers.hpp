@@ -20,7 +20,7 @@ class Timers {
 
     /// Calls `function` after `delay`, unless `close` is called before.
     void after(std::chrono::steady_clock::duration delay, std::function<void()> function);
-    /// Drops all functions, also those that would be added later.
+    /// Drops all waiting functions. Later calls of `after` do nothing.
     void close();
 
   private:
