@@ -26,7 +26,7 @@ class Check {
             problem(directory_.string() + " is no directory");
             return std::move(report_);
         }
-        // Holding the lock to the end keeps a master from starting. A folder without a lock was
+        // Held until the end, so that no master starts meanwhile. A folder without a lock file was
         // never used.
         const Result<DiskFile> lock = DiskFile::lock_existing(directory_ / "lock");
         if (!lock && lock.error().code != ErrorCode::NotFound) {
@@ -73,7 +73,7 @@ class Check {
         for (const RecoveredJob& job : examined.jobs) {
             results += job.results == nullptr ? 0 : job.results->count();
             running += job.end ? 0 : 1;
-            // An ended job needs no poses: without them only queries for its poses fail.
+            // An ended job may lack its poses: then only queries for the poses fail.
             const auto poses = folder / (std::to_string(job.record.id.value) + ".poses");
             if (!job.end || std::filesystem::exists(poses)) {
                 check_poses(job.record, poses);

@@ -53,7 +53,7 @@ double seconds(FailureTimes::Duration time) {
     return std::chrono::duration<double>(time).count();
 }
 
-/// Option values that CLI11 reads as text and this file parses.
+/// Option values as CLI11 reads them; the functions below parse and check them.
 struct Texts {
     std::string listen = "127.0.0.1:7600";
     std::string http;
@@ -65,7 +65,7 @@ struct Texts {
     double return_within_seconds = seconds(FailureTimes().return_within);
 };
 
-/// Errors: BadInput for times that contradict each other.
+/// Converts the times. Errors: BadInput for times that are too short.
 Result<FailureTimes> failure_times(const Texts& texts) {
     const auto milliseconds = [](double value) {
         return FailureTimes::Duration(std::llround(1000 * value));

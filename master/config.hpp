@@ -15,30 +15,30 @@
 namespace cd {
 
 struct MasterConfig {
-    Endpoint listen{"127.0.0.1", 7600}; ///< Port 0 lets the system choose one.
-    std::filesystem::path state;
-    unsigned threads = 0; ///< 0: one thread per core.
-    bool insecure = false;
-    bool check = false;   ///< Check the state instead of serving.
+    Endpoint listen{"127.0.0.1", 7600}; ///< With port 0, the system chooses one.
+    std::filesystem::path state;        ///< State directory.
+    unsigned threads = 0;               ///< 0: one thread per core.
+    bool insecure = false;              ///< Allow to listen beyond loopback without TLS.
+    bool check = false;                 ///< `cdmaster check`: check the state, then exit.
     bool no_sync = false; ///< Do not sync; for a state that need not survive a power loss.
     std::string log_level = "info";
     std::string port_file;        ///< File that receives the port, for scripts. Empty: none.
-    std::optional<Endpoint> http; ///< Address of the health and metrics pages.
-    bool init = false;            ///< Create an identity in the state, then exit.
+    std::optional<Endpoint> http; ///< Address of the health and metrics pages. Empty: none.
+    bool init = false;            ///< `cdmaster init`: create an identity, then exit.
     std::chrono::seconds certificate_life = limits::certificate_life;
     FailureTimes times;
     JobRetention retention; ///< Retention of ended jobs.
 };
 
-/// Holds a configuration, or text to print instead (help on stdout, an error on stderr) and the
-/// exit code.
+/// Holds a configuration, or text to print instead.
 struct MasterCommandLine {
-    std::optional<MasterConfig> config;
-    std::string text;
+    std::optional<MasterConfig> config; ///< Empty: print `text` and exit with `exit_code`.
+    std::string text;                   ///< For stdout if `exit_code` is 0, else for stderr.
     int exit_code = 0;
 };
 
-/// Precedence: command line, then environment, then the file of --config.
+/// Reads all options. The command line precedes the environment, which precedes the file of
+/// --config.
 [[nodiscard]] MasterCommandLine parse_master_command_line(int count, const char* const* arguments);
 
 /// Returns the command with which a worker joins a master listening at this endpoint.

@@ -24,7 +24,7 @@ namespace cd {
 
 namespace {
 
-/// Writes the file atomically: a script may be waiting for it.
+/// Writes the port file atomically, because a script may be waiting for it.
 Status write_port(const std::string& path, std::uint16_t port) {
     const std::string unfinished = path + ".new";
     std::ofstream file(unfinished);
@@ -45,11 +45,11 @@ void allow_many_files() {
     rlimit files{};
     if (getrlimit(RLIMIT_NOFILE, &files) == 0) {
         files.rlim_cur = files.rlim_max;
-        (void)setrlimit(RLIMIT_NOFILE, &files); // A lower limit still suffices for fewer jobs.
+        (void)setrlimit(RLIMIT_NOFILE, &files); // If that fails, the limit allows fewer jobs.
     }
 }
 
-/// Forgets jobs whose retention is over, each `limits::retention_check_period`.
+/// Forgets jobs whose retention is over, every `limits::retention_check_period`.
 asio::awaitable<void>
 keep_jobs(Coordinator& coordinator, asio::steady_timer& pause, const bool& stopping) {
     while (!stopping) {
@@ -60,7 +60,7 @@ keep_jobs(Coordinator& coordinator, asio::steady_timer& pause, const bool& stopp
     }
 }
 
-/// Renews the master's own certificate before it expires.
+/// Renews the master's and the admin's certificates before they expire.
 asio::awaitable<void>
 keep_valid(MasterIdentity& identity, asio::steady_timer& pause, const bool& stopping) {
     while (!stopping) {
@@ -126,11 +126,11 @@ Status run_master(const MasterConfig& config) {
         !exposed) {
         return exposed;
     }
-    // A full disk or a file size limit must be an error to retry, not a signal that kills the
-    // master.
+    // A write beyond the file size limit must be an error, which is retried, and not a signal that
+    // kills the master.
     std::signal(SIGXFSZ, SIG_IGN);
     allow_many_files();
-    // The context is destroyed last: functions on the pools may post to it.
+    // Declared first and so destroyed last: functions on the pools may post to the context.
     asio::io_context context(1);
     ThreadPool compute(config.threads);
     auto geometry = GeometryStore::open(config.state, compute);
@@ -182,7 +182,7 @@ Status run_master(const MasterConfig& config) {
         }
         signals.cancel();
     });
-    // A script that waits for the file may send a signal as soon as it exists.
+    // After the signal handler is set: a script that waits for the file may send a signal at once.
     if (!config.port_file.empty()) {
         if (Status written = write_port(config.port_file, port); !written) {
             return written;
@@ -204,7 +204,7 @@ Status run_master(const MasterConfig& config) {
     while (!stopping) {
         context.run_one();
     }
-    // Ends the sessions. Waits at most `stop_grace` for functions on the pools.
+    // Lets sessions end and functions on the pools return, for at most `stop_grace`.
     context.run_for(limits::stop_grace);
     log_info("ended");
     return Done{};

@@ -7,11 +7,11 @@
 namespace cd {
 
 /// Listens, prints the command with which a worker joins, and serves until SIGINT or SIGTERM.
-/// Errors: why the master could not start.
+/// Returns an error if the master cannot start.
 [[nodiscard]] Status run_master(const MasterConfig& config);
 
-/// `cdmaster init`: creates an identity in the state folder if it has none, and a new admin
-/// credential; prints its path. Errors: those of `MasterIdentity::init`.
+/// `cdmaster init`: creates an identity in the state folder if there is none, writes a new admin
+/// credential, and prints its path. Errors: those of `MasterIdentity::init`.
 [[nodiscard]] Status init_master(const MasterConfig& config);
 
 } // namespace cd
