@@ -22,7 +22,8 @@ class Allocator {
     void take_up(DispatchJob& job, bool is_suspect, bool resumes, Actions& actions);
     /// Sends the worker's ripe buffers as tasks, while the worker has room for tasks.
     void flush_ripe(WorkerProxy& proxy, Actions& actions);
-    /// Call if the worker has less work than before and nothing else has changed.
+    /// Gives the worker more work: its ripe buffers, or scenarios that it pulls. Suffices instead
+    /// of `settle` if only this worker's load has decreased.
     void refill(WorkerProxy& proxy, Actions& actions);
     /// Returns buffered scenarios to the head of the queue.
     void take_back_buffers(WorkerProxy& proxy);

@@ -22,7 +22,7 @@ struct MissingOfJob {
     void hint(const WorkerProxy& proxy, const DispatchJob& job, Actions& actions);
 };
 
-/// Marks blocks as held by the workers that get them, and measures what they miss.
+/// Marks blocks as held by the workers that get them, and measures the time to fetch missing ones.
 class BlockNeeds {
   public:
     BlockNeeds(WorkerPool& pool, const ClusterPace& pace) : pool_(pool), pace_(pace) {}

@@ -12,7 +12,7 @@ namespace cd {
 /// Use: `driver.act(driver->worker_lost(worker))`.
 class DispatchDriver {
   public:
-    /// `now` gives seconds since a fixed point in time. `perform` may cause further actions.
+    /// `now` returns seconds since a fixed point in time. `perform` may cause further actions.
     DispatchDriver(std::function<double()> now, std::function<void(const Action&)> perform)
         : now_(std::move(now)), perform_(std::move(perform)) {}
 

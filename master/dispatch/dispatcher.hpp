@@ -1,5 +1,5 @@
-// Decides which worker gets which scenario and when: a state machine without sockets, clocks or
-// threads. Events go in, actions come out.
+// Decides when which worker gets which scenarios. A state machine without sockets, clocks or
+// threads: each event returns the actions that follow from it.
 #pragma once
 
 #include "common/core/id.hpp"
@@ -37,8 +37,8 @@ class Dispatcher : public DispatchView {
     Actions worker_lost(WorkerId worker);
     /// Gives the worker nothing more; it finishes its current work.
     Actions worker_draining(WorkerId worker);
-    /// The worker may be lost: its buffer is returned, and it gets nothing until it is heard again.
-    /// It keeps the work sent to it.
+    /// The worker may be lost: its buffer returns to the queue. Until `worker_heard`, the worker
+    /// gets no new work, but keeps the work sent to it.
     Actions worker_silent(WorkerId worker);
     Actions worker_heard(WorkerId worker);
 

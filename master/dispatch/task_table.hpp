@@ -16,8 +16,8 @@ namespace cd {
 /// An unanswered recall.
 struct PendingRecall {
     TaskId task;
-    std::uint64_t asked = 0; ///< Scenarios or positions.
-    WorkerId helper;         ///< The worker that will take them.
+    std::uint64_t asked = 0; ///< Number of recalled scenarios or positions.
+    WorkerId helper;         ///< Worker that is to get the returned work.
     double since = 0;        ///< Time of the recall, s.
 };
 

@@ -18,7 +18,7 @@ struct Suspect {
 };
 
 /// Holds the open jobs, each with its waiting scenarios and unsent positions. A scenario is unsent
-/// while it waits, alone or as a suspect, or is in a worker's buffer.
+/// while it is in its job's queue, is a suspect, or is in a worker's buffer.
 class WorkQueue {
   public:
     // ---- Jobs ---------------------------------------------------------------------------------

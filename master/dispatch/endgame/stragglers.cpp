@@ -39,7 +39,7 @@ double Stragglers::ends_in(const WorkerProxy& proxy) const {
     if (left == 0) {
         return 0;
     }
-    double seconds = 0; // Of one thread, for all tasks.
+    double seconds = 0; // Time of one thread for all tasks.
     for (const auto& [id, task] : proxy.tasks.all()) {
         if (!task.is_range()) {
             seconds += 1e-9 * static_cast<double>(task.cost_ns) / context_.pace.speed_of(proxy);

@@ -30,7 +30,7 @@ struct ScenarioRoots {
 
 /// State of an unanswered scenario.
 enum class Whereabouts : std::uint8_t {
-    Waiting,  ///< In its job's queue.
+    Waiting,  ///< In the job's queue.
     Suspect,  ///< In the queue of suspects, for one last attempt alone on a worker.
     Buffered, ///< In a worker's buffer.
     Sent,     ///< In a task at a worker.
@@ -44,14 +44,14 @@ struct Assignment {
 struct DispatchScenario {
     ScenarioRoots roots;
     ScenarioWeight weight;
-    bool fetches = false; ///< The worker lacked some of its blocks when it was chosen.
+    bool fetches = false; ///< The worker lacked some blocks of the scenario.
     Losses losses;        ///< Worker processes that were lost with the scenario.
     Whereabouts where = Whereabouts::Waiting;
     WorkerId worker;                ///< Set if Buffered or Sent.
     TaskId task;                    ///< Set if Sent.
     std::optional<Assignment> copy; ///< Speculative copy; only if Sent.
     bool was_copied = false;
-    std::uint32_t recalls = 0; ///< Number of times it was returned after a recall.
+    std::uint32_t recalls = 0; ///< Number of times that the scenario was recalled and returned.
 
     /// A scenario that was lost may kill a worker, so it is not copied. Others are copied once.
     [[nodiscard]] bool may_be_copied() const { return !was_copied && losses.none(); }
@@ -92,7 +92,7 @@ class UnsentPlaces {
     std::uint64_t after_ = 0;
 };
 
-/// How fast all workers process ranges of a job, and how much is left.
+/// Speed at which all workers together process ranges of a job, and number of scenarios left.
 struct PlaceTotals {
     double rate = 0;         ///< Scenarios/s of all workers that take work.
     double unclaimed = 0;    ///< Scenarios/s of unclaimed workers.

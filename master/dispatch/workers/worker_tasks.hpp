@@ -17,7 +17,7 @@ namespace cd {
 struct TaskInFlight {
     JobId job;
     std::vector<std::uint64_t> scenarios;  ///< Unanswered, in the order sent.
-    bool claims = false;                   ///< Until it ends, the worker gets nothing else.
+    bool claims = false;                   ///< The worker gets nothing else until the task ends.
     std::uint64_t cost_ns = 0;             ///< Predicted time of the unanswered part, ns.
     double sent = 0;                       ///< Send time, s.
     bool fetches = false;                  ///< The worker lacked some of the task's blocks.
