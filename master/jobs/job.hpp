@@ -70,7 +70,7 @@ struct JobRun {
     std::vector<Dispute> disputes_before;
 };
 
-/// What a job has cost so far; part of its progress in the journal.
+/// Costs of a job so far, which the journal keeps as part of its progress.
 struct JobTally {
     std::uint64_t answered_by_master = 0;
     std::uint64_t withdrawn = 0; ///< Number of withdrawn results, from quarantined workers.

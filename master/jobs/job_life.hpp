@@ -34,7 +34,7 @@ class JobLife {
         DiskRetries& retries;
     };
 
-    /// All parts outlive it.
+    /// All parts outlive this object.
     JobLife(const Parts& parts, Events events) : parts_(parts), events_(std::move(events)) {}
 
     /// Ends a running job: here, at the dispatcher and on the workers. Writes its end to the

@@ -14,7 +14,7 @@ namespace cd {
 /// All results enter a job and the journal through this class.
 class JobMerger {
   public:
-    /// Both outlive the merger.
+    /// Both references outlive the merger.
     JobMerger(JobLife& life, JournalWriter& writer) : life_(life), writer_(writer) {}
 
     /// Merges results of a running job; `author` is null for the master. A second, different result

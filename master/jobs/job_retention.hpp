@@ -12,7 +12,8 @@
 
 namespace cd {
 
-/// The option --keep-jobs: keeps the last `count` ended jobs, or those that ended within `age`.
+/// The option --keep-jobs: keeps the last `count` ended jobs, each at most for `age` if that is
+/// set.
 struct JobRetention {
     std::size_t count = limits::jobs_ended_kept_max;
     std::optional<std::chrono::seconds> age = {};

@@ -84,8 +84,8 @@ class MergedResults {
     std::vector<std::uint32_t> author_numbers_; ///< Per scenario, index in `authors_`; 0: none.
     std::vector<std::shared_ptr<const Author>> authors_{nullptr};
     std::unordered_map<const Author*, std::uint32_t> numbers_; ///< Index in `authors_`.
-    std::uint32_t number_last_ = 0; ///< Last author's index; consecutive results often share it.
-    std::set<InstanceId> contributors_; ///< Of an ended job: the processes whose results count.
+    std::uint32_t number_last_ = 0; ///< Last author's index; the next author is mostly the same.
+    std::set<InstanceId> contributors_; ///< Processes whose results count, once the job has ended.
 };
 
 } // namespace cd

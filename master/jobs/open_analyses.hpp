@@ -21,7 +21,7 @@ class OpenAnalyses {
         return *all_.emplace(index, std::make_shared<const Analysis>(std::move(analysis)))
                     .first->second;
     }
-    /// Frees the analysis of a scenario that has got a result. Does nothing if there is none.
+    /// Frees the analysis of a scenario that has a result. Ignored if none is open.
     void close(std::uint64_t scenario) {
         if (const auto found = all_.find(scenario); found != all_.end()) {
             bytes_ -= found->second->bytes;

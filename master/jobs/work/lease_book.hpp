@@ -18,10 +18,10 @@ namespace cd {
 struct Lease {
     WorkerId worker;
     std::shared_ptr<const TaskContent> content;
-    std::size_t checks = 0;                ///< Number of its result messages being checked.
-    bool ended = false;                    ///< The worker has sent all its results.
+    std::size_t checks = 0;                ///< Number of the task's result messages in check.
+    bool ended = false;                    ///< The worker has sent all results of the task.
     bool unbegun = false;                  ///< The task never reached the worker.
-    bool is_called_off = false;            ///< Ranges only: it may end without some answers.
+    bool is_called_off = false;            ///< Ranges only: the task may end without some answers.
     bool is_copy = false;                  ///< Speculative copy: another worker has this work too.
     std::optional<PlaceRange> places = {}; ///< Ranges only: the positions that were not recalled.
 };

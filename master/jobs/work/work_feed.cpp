@@ -63,7 +63,7 @@ std::vector<MasterJob*> WorkFeed::jobs_to_feed(Load& load) {
 }
 
 bool WorkFeed::has_room_for_analysis(const Load& load) const {
-    // As many analyses as keep the pool busy; more would only delay results.
+    // Enough analyses keep the pool busy; more would only delay results.
     const DispatchView& dispatch = parts_.dispatch.view();
     return parts_.writer.has_room() &&
            load.under_way < parts_.background.compute_pool().size() + 2 &&
