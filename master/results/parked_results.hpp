@@ -42,7 +42,7 @@ class ParkedResults {
     void uncount(const IncomingResults& kept);
 
   private:
-    using Key = std::tuple<JobId, WorkerId, std::uint64_t>; ///< The last: sequence number.
+    using Key = std::tuple<JobId, WorkerId, std::uint64_t>; ///< With the sequence number.
 
     std::uint64_t bytes_max_;
     std::uint64_t bytes_ = 0;
