@@ -31,7 +31,7 @@ struct AnalysisInput {
     std::shared_ptr<const TreeTop> top_a;
     std::shared_ptr<const TreeTop> top_b;
     Query query;
-    std::shared_ptr<const Settler> settler; ///< Settler for these two trees.
+    std::shared_ptr<const Settler> settler; ///< Settles scenarios; made for trees `a` and `b`.
     std::shared_ptr<PoseSource> poses;      ///< Several threads may call `read` at once.
 };
 
@@ -59,7 +59,7 @@ struct AnalysedBlock {
     PlaceRange places;
     Losses losses = {}; ///< The losses passed to `Analyser::start`.
     std::vector<Analysis> scenarios;
-    double seconds = 0;         ///< Duration of the analysis on its thread.
+    double seconds = 0;         ///< Duration of the analysis on a pool thread.
     std::optional<Error> error; ///< The poses could not be read; `scenarios` is empty.
 };
 

@@ -23,7 +23,7 @@ struct JobMaterial {
     std::shared_ptr<const ObbTree> a;
     std::shared_ptr<const ObbTree> b;
     Query query;
-    std::shared_ptr<const Settler> settler; ///< Made for these two trees.
+    std::shared_ptr<const Settler> settler; ///< Settles results; made for trees `a` and `b`.
 };
 
 /// Scenarios of a range: positions in the job's hand-out order, on a grid or in a pose window.
@@ -40,7 +40,7 @@ struct RangeContent {
 struct TaskContent {
     JobId job;
     std::shared_ptr<const JobMaterial> material;
-    std::vector<std::shared_ptr<const Analysis>> scenarios; ///< Of a batch, in the order sent.
+    std::vector<std::shared_ptr<const Analysis>> scenarios; ///< For a batch, in the order sent.
     std::optional<RangeContent> range; ///< Set for a range, which has no `scenarios`.
 };
 
