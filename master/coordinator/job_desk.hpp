@@ -27,7 +27,7 @@ class JobDesk {
     /// Writes an allotted job to the journal. Once that is durable, wakes the coroutines that wait
     /// for the job.
     void write(const JobRecord& job) { state_.writer.write(AcceptJob{job}); }
-    /// Begins a job that the journal has committed.
+    /// Starts a new job, which the journal has committed.
     void begin(const JobRecord& record,
                std::shared_ptr<ResultStore> results,
                std::shared_ptr<PoseSource> poses);

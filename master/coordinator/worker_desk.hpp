@@ -33,7 +33,7 @@ class WorkerDesk : public WorkerEvents {
     void came(WorkerId worker, Results results, std::function<void()> done);
     void came(WorkerId worker, const EndOfTask& end);
     void came(WorkerId worker, const Recalled& recalled);
-    /// The worker drains: gives it no new work; it leaves when its current work is finished.
+    /// Handles a worker that drains: it gets no new work, and leaves when its work is finished.
     void draining(WorkerId worker);
 
     // ---- Orders for a connected worker ----------------------------------------------------------
