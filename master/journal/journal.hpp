@@ -28,12 +28,12 @@ struct JournalResult {
 
 // Kinds of entries. The journal writes entries in the order in which they are added.
 struct AcceptJob {
-    JobRecord job; ///< Its poses are already on disk.
+    JobRecord job; ///< The job's poses must be on disk already.
 };
 struct AddResults {
     JobId job;
     std::shared_ptr<ResultStore> store; ///< The job's store.
-    std::vector<JournalResult> results; ///< The commit makes their records readable.
+    std::vector<JournalResult> results; ///< The commit makes the records readable.
     JobProgress progress;
     Bytes map;                        ///< Packed contact map of these results; empty: none.
     InstanceId author = 0;            ///< Worker process that gave the results; 0: the master.
@@ -76,7 +76,7 @@ struct RecoveredJob {
 struct Recovered {
     Sha256 cluster;                 ///< Random id of this state, made when it was created.
     JobId last_job;                 ///< Greatest job id ever used; 0: none.
-    std::vector<RecoveredJob> jobs; ///< In the order of their ids.
+    std::vector<RecoveredJob> jobs; ///< Sorted by id.
     AlarmRecord alarms = {};
 };
 

@@ -122,7 +122,7 @@ class Ledger {
 
     std::unordered_map<JobId, Job> jobs_;
     std::deque<Entry> entries_; ///< Written and uncommitted scenarios, by position.
-    std::multimap<std::uint64_t, Promise> promises_; ///< Promises, by the position they wait for.
+    std::multimap<std::uint64_t, Promise> promises_; ///< By the position whose commit they need.
     std::vector<Promise> kept_;
     std::uint64_t committed_ = 0;
 };
