@@ -95,7 +95,7 @@ class BlockDirector {
         WorkerId to;
         WorkerId source; ///< First source, an upload slot of which is taken; 0: no slot is taken.
         std::vector<WorkerId> named; ///< All sources named to the worker.
-        std::size_t left = 0;        ///< Number of its blocks still under way.
+        std::size_t left = 0;        ///< Number of the blocks that are still under way.
         Time deadline;
     };
     /// Consequences of one event, which `settle` handles at the end.
@@ -132,7 +132,8 @@ class BlockDirector {
     /// checks the workers that wait for them.
     void serves_fewer(WorkerId source, Event& event);
 
-    /// Ends an event: gives freed upload slots to waiting workers, and ends waits that are in vain.
+    /// Ends an event: assigns freed upload slots to waiting workers, and lets the master send the
+    /// blocks that workers would await in vain.
     BlockActions settle(Event event);
     /// Gives the source's blocks to workers waiting for them, while it has upload slots.
     void offer(WorkerId source, Event& event);

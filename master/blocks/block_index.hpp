@@ -33,14 +33,14 @@ class BlockIndex {
 
     struct Peer {
         bool serves = false;                ///< Peers can fetch blocks from this worker.
-        bool is_avoided = false;            ///< It is not named as a source any more.
-        std::set<WorkerId> cannot_reach_it; ///< Workers that could not connect to it.
-        std::size_t uploads = 0;            ///< Fetches for which it is the first source.
+        bool is_avoided = false;            ///< This worker must not be named as a source any more.
+        std::set<WorkerId> cannot_reach_it; ///< Workers that could not connect to this one.
+        std::size_t uploads = 0;            ///< Fetches for which this worker is the first source.
         std::set<BlockKey> holds;
         std::set<BlockKey> could_give;      ///< Held blocks that some worker waits for.
         std::map<BlockKey, Time> waits_for; ///< Awaited blocks, with the start of each wait.
-        PlaceInLine place = 0;              ///< Valid while it waits for a block.
-        std::map<BlockKey, FetchId> comes;  ///< Blocks under way to it.
+        PlaceInLine place = 0;              ///< Valid while this worker waits for a block.
+        std::map<BlockKey, FetchId> comes;  ///< Blocks under way to this worker.
     };
     struct Block {
         std::set<WorkerId> holders;                 ///< Only workers that serve peers.
