@@ -27,7 +27,7 @@ struct Reception {
     WorkerId worker;
     PeerKey key;
     bool is_resumed = false; ///< True if the worker resumes an earlier session.
-    std::string holder = {}; ///< Holder of its certificate; empty without one.
+    std::string holder = {}; ///< Holder of the worker's certificate; empty without one.
 };
 
 /// Counts the result messages of one worker process that are being checked or wait for the journal.
@@ -50,7 +50,7 @@ struct Worker {
     bool is_cut_off = false;        ///< The worker may not resume its session.
     bool is_dismissed = false;      ///< The worker has been ordered to exit at once.
     bool is_quarantined = false;    ///< The worker gets no work, and its results are ignored.
-    std::uint64_t results_last = 0; ///< Highest sequence number of its result messages.
+    std::uint64_t results_last = 0; ///< Highest sequence number of the worker's result messages.
     WorkerSupply supply;
     WorkerMeter meter;
 
@@ -150,7 +150,7 @@ class WorkerDirectory {
 
   private:
     struct Lost {
-        WorkerStatus status; ///< As of the loss.
+        WorkerStatus status; ///< Status at the time of the loss.
         InstanceId process = 0;
     };
 
