@@ -1,4 +1,4 @@
-// One cut of a tree, whose blocks the master sends: the upper tree in memory, the blocks of the
+// A cut of a tree, whose blocks the master sends: the upper tree in memory, the blocks of the
 // distribution roots on disk.
 #pragma once
 

@@ -59,7 +59,7 @@ struct GeometryStore::State {
 
     mutable std::mutex mutex; ///< Guards all members below; not held during long work.
     std::map<Sha256, std::shared_ptr<Entry>> entries;
-    std::map<Sha256, MeshStatus> statuses; ///< Of the stored meshes only.
+    std::map<Sha256, MeshStatus> statuses; ///< Has exactly the stored meshes.
     /// Keeps recent trees in memory between jobs.
     std::deque<std::shared_ptr<const ObbTree>> recent;
 
