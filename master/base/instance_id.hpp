@@ -23,7 +23,7 @@ struct Author {
     InstanceId process = 0;
     WorkerId worker;    ///< 0: the session is from before a restart of the master.
     std::string name;   ///< Empty for a session from before a restart, like `holder`.
-    std::string holder; ///< Holder of its certificate; empty without one.
+    std::string holder; ///< Holder of the worker's certificate; empty without one.
 
     /// For example "sim-7 (w-3, certified as sim)".
     [[nodiscard]] std::string to_text() const {

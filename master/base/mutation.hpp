@@ -16,11 +16,11 @@ enum class Mutation : std::uint8_t {
     PoisonToleratedTooLong, ///< A scenario that kills workers is never given up.
     PoisonGivenUpTooEarly,  ///< A scenario is given up one worker too early.
     SecondAnswerMerged,     ///< A scenario's second answer is merged as well.
-    AnswerKeptTooEarly,     ///< Results are acknowledged before they are durable.
-    JobAcceptedTooEarly,    ///< A job is accepted before it is durable.
+    AnswerKeptTooEarly,     ///< The master acknowledges results that are not durable.
+    JobAcceptedTooEarly,    ///< A client learns of the acceptance of a job that is not durable.
     EndToldTooEarly,        ///< A client learns of an end that is not durable.
-    SegmentNotSynced,       ///< The index names records before they are durable.
-    GroupNotRecovered,      ///< After a restart the last commit of a job is missing.
+    SegmentNotSynced,       ///< The index refers to records that are not durable.
+    GroupNotRecovered,      ///< After a restart, the last result of a job is missing.
     DoneIsDoneAgain,        ///< After a restart, scenarios with a result go out again.
     RecalledLeftAtWorker,   ///< Returned work still counts as the worker's.
     RecalledIsLost,         ///< Returned work is not given to others.
@@ -35,7 +35,7 @@ enum class Mutation : std::uint8_t {
     EvictionNotTold,        ///< A worker evicts a block and does not report it.
     HeardAgainForgotten,    ///< A silent worker that is heard again gets no work.
     BatchesWithoutBound,    ///< A worker gets batches without a limit.
-    NobodyAwaited,          ///< After a restart work goes out before the workers return.
+    NobodyAwaited,          ///< After a restart, work goes out before the workers return.
     OthersSourceNamed,      ///< A fetch names a peer that holds only the first block.
     count,
 };
