@@ -22,7 +22,7 @@
 
 namespace cd {
 
-/// A value of the store, or the error because of which there is none.
+/// A value of the store, or an error.
 template <class T>
 class [[nodiscard]] StoreResult : public Result<T> {
   public:
