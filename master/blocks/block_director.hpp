@@ -93,7 +93,7 @@ class BlockDirector {
     /// Blocks that one worker was told to fetch from peers, in one action.
     struct Fetch {
         WorkerId to;
-        WorkerId source; ///< First source, an upload slot of which is taken; 0: no slot is taken.
+        WorkerId source; ///< First source, while one of its upload slots is taken; else 0.
         std::vector<WorkerId> named; ///< All sources named to the worker.
         std::size_t left = 0;        ///< Number of the blocks that are still under way.
         Time deadline;
