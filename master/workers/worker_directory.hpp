@@ -123,8 +123,8 @@ class WorkerDirectory {
     /// Finds workers that have become silent, lost or forgotten.
     void check();
 
-    /// Handles the end of a connection. The session survives, unless the worker was draining, cut
-    /// off, dismissed or quarantined. Ignored if the worker has a newer connection, or after
+    /// Handles the end of a connection. The session survives, unless the worker had drained or was
+    /// cut off, dismissed or quarantined. Ignored if the worker has a newer connection, or after
     /// `close`.
     void connection_ended(WorkerId worker, const Channel& channel, const std::string& why);
     /// Closes the connection of a worker that violates the protocol, and loses the worker.
