@@ -95,6 +95,9 @@ struct Connection::State {
     std::string address;
     std::string owner;
     std::shared_ptr<Channel> channel;
+    /// Status queries of a watch that the master has not answered. A watch may end before their
+    /// answers arrive.
+    std::size_t cluster_statuses_due = 0;
 
     template <class T>
     Result<T> run(asio::awaitable<Result<T>> coroutine);
@@ -202,6 +205,11 @@ asio::awaitable<Status> Connection::State::make_room() {
 template <class T>
 asio::awaitable<Result<T>> Connection::State::answer(Clock::duration timeout) {
     Result<Message> message = co_await receive(timeout);
+    while (message && cluster_statuses_due != 0 &&
+           std::holds_alternative<ClusterStatus>(message.value())) {
+        --cluster_statuses_due;
+        message = co_await receive(timeout);
+    }
     if (!message) {
         co_return message.error();
     }
@@ -324,8 +332,12 @@ Connection::State::watch(JobId job,
     channel->send(Watch{job});
     auto heard = Clock::now();
     auto asked = heard;
-    if (looked) {
+    const auto look = [&] {
         channel->send(StatusQuery{});
+        ++cluster_statuses_due;
+    };
+    if (looked) {
+        look();
     }
     while (true) {
         const Result<Message> message =
@@ -336,7 +348,7 @@ Connection::State::watch(JobId job,
             co_return message.error();
         }
         if (!message || (looked && now - asked > limits::watch_look_period_going_on)) {
-            channel->send(StatusQuery{});
+            look();
             asked = now;
         }
         if (!message) {
@@ -344,6 +356,7 @@ Connection::State::watch(JobId job,
         }
         heard = now;
         if (const auto* cluster = std::get_if<ClusterStatus>(&message.value())) {
+            cluster_statuses_due -= cluster_statuses_due == 0 ? 0 : 1;
             if (looked) {
                 looked(*cluster);
             }

@@ -248,6 +248,28 @@ TEST(Connection, AWatchThatIsInterruptedLeavesTheWordToCancel) {
     EXPECT_EQ(master.received_of<Cancel>()[0].job, JobId{5});
 }
 
+TEST(Connection, AClusterStatusThatCameAfterTheWatchIsNoAnswerToTheNextQuestion) {
+    FakeMaster master(welcoming([](const Message& message) -> Answers {
+        if (std::holds_alternative<StatusQuery>(message)) {
+            return std::vector<Message>{}; // The master still measures its files.
+        }
+        if (std::holds_alternative<Watch>(message)) {
+            JobStatus done;
+            done.state = JobState::Done;
+            return std::vector<Message>{done};
+        }
+        Explained explained;
+        explained.scenario = 3;
+        return std::vector<Message>{ClusterStatus{}, explained};
+    }));
+    const auto connection = open(master);
+    ASSERT_TRUE(connection->watch(
+        JobId{1}, [](const JobStatus&) {}, [](const ClusterStatus&) {}));
+    const Result<Explained> answer = connection->explain(JobId{1}, 3);
+    ASSERT_TRUE(answer) << answer.error().detail;
+    EXPECT_EQ(answer.value().scenario, 3u);
+}
+
 TEST(Connection, OneScenarioIsCancelledByItsNumber) {
     FakeMaster master(welcoming([](const Message&) -> Answers {
         return std::vector<Message>{JobStatus{}}; // The job still runs.
