@@ -22,22 +22,20 @@ namespace {
 
 constexpr const char* help =
     "Examples:\n"
-    "  cdmaster                                   on this machine alone, port 7600\n"
+    "  cdmaster                                   this machine only, port 7600\n"
     "  cdmaster --listen 127.0.0.1:0 --port-file port   the system chooses the port\n"
-    "  cdmaster init                              makes an identity: from then on TLS alone\n"
-    "  cdmaster --listen 0.0.0.0:7600             beyond this machine, with an identity\n"
-    "  cdmaster --listen 0.0.0.0:7600 --insecure  without one, for a network that you trust\n"
+    "  cdmaster init                              makes an identity; connections then need TLS\n"
+    "  cdmaster --listen 0.0.0.0:7600             all interfaces, with an identity\n"
+    "  cdmaster --listen 0.0.0.0:7600 --insecure  without TLS, on a trusted network\n"
     "  cdmaster check --state DIR                 reports damage in a state directory\n"
     "  cdmaster --config /etc/cdcluster/cdmaster.toml\n"
     "\n"
-    "Takes jobs from cdctl and has them done by cdworkers. Prints the line with which a worker\n"
-    "joins. Options may stand in the file of --config, as in `listen = \"127.0.0.1:7600\"`, and "
-    "in\n"
-    "the environment, as in CDMASTER_LISTEN.\n"
+    "Takes jobs from cdctl and distributes them to cdworkers. Prints the command that starts a\n"
+    "worker. Options may also be set in the file of --config, as in\n"
+    "`listen = \"127.0.0.1:7600\"`, and in the environment, as in CDMASTER_LISTEN.\n"
     "\n"
-    "With an identity, everyone needs a certificate: `cdctl token create` gives a token, with "
-    "which\n"
-    "`cdworker join` and `cdctl join` get one. They renew it by themselves.\n"
+    "With an identity, everyone needs a certificate. `cdctl token create` prints a token;\n"
+    "`cdworker join` and `cdctl join` exchange it for a certificate, which they renew.\n"
     "\n"
     "Exit codes: 0 ended by SIGINT or SIGTERM; 2 wrong usage, cannot start, or a damaged state; 5\n"
     "refused to listen beyond loopback without an identity or --insecure.";
@@ -92,60 +90,64 @@ void add_options(CLI::App& app, MasterConfig& config, Texts& texts) {
             ->type_name(type);
         return added;
     };
-    option(app.add_option("--listen", texts.listen, "Where workers and clients connect"),
-           "HOST:PORT")
+    option(app.add_option("--listen", texts.listen, "Address for workers and clients"), "HOST:PORT")
         ->capture_default_str();
-    option(app.add_option("--http", texts.http, "Serve /healthz, /readyz and /metrics there"),
-           "HOST:PORT");
-    option(app.add_option("--state",
-                          texts.state,
-                          "Folder of all that outlives the master: meshes, jobs, results; without "
-                          "XDG_STATE_HOME and HOME it is cdcluster-state in the current folder"),
-           "DIR")
+    option(
+        app.add_option("--http", texts.http, "Address that serves /healthz, /readyz and /metrics"),
+        "HOST:PORT");
+    option(
+        app.add_option("--state",
+                       texts.state,
+                       "State directory: meshes, jobs, results; without XDG_STATE_HOME and HOME, "
+                       "cdcluster-state in the current folder"),
+        "DIR")
         ->capture_default_str();
-    option(app.add_option("--threads", config.threads, "For trees and analysis; 0 is one per core"),
+    option(app.add_option(
+               "--threads", config.threads, "Threads for trees and analysis; 0: one per core"),
            "N")
         ->check(CLI::Range(0u, 4096u))
         ->capture_default_str();
-    option(
-        app.add_flag("--insecure", config.insecure, "Allow to listen beyond loopback, unsecured"),
-        "");
+    option(app.add_flag(
+               "--insecure", config.insecure, "Allow connections beyond loopback without TLS"),
+           "");
     option(app.add_flag("--no-sync",
                         config.no_sync,
-                        "For a state that may be lost with the power, as a temporary one"),
+                        "Do not sync to disk: a power loss may destroy the state"),
            "");
     option(app.add_option("--certificate-ttl",
                           texts.certificate_life,
-                          "Lifetime of certificates; they are renewed after half of it"),
+                          "Lifetime of certificates; holders renew them after half of it"),
            "DURATION")
         ->capture_default_str();
     option(app.add_option("--keep-jobs",
                           texts.keep_jobs,
-                          "How many ended jobs are kept (1000), or for how long (30d)"),
+                          "Keep this many ended jobs (1000), or each for this long (30d)"),
            "N|DURATION")
         ->capture_default_str();
     const CLI::Range times(
         0.0, std::chrono::duration<double>(limits::peer_lost_after_max).count(), "SECONDS");
-    option(app.add_option("--heartbeat",
-                          texts.heartbeat_seconds,
-                          "The period; after three missed ones a worker gets no new work"),
-           "SECONDS")
+    option(
+        app.add_option("--heartbeat",
+                       texts.heartbeat_seconds,
+                       "Period of heartbeats; after three missed ones a worker gets no new work"),
+        "SECONDS")
         ->check(times)
         ->capture_default_str();
     option(app.add_option("--lost-after",
                           texts.lost_after_seconds,
-                          "After so long a silence a worker is lost, and its work goes to others"),
+                          "Silence after which a worker is lost and its work goes to others"),
            "SECONDS")
         ->check(times)
         ->capture_default_str();
     option(app.add_option("--return-within",
                           texts.return_within_seconds,
-                          "How long a worker's work is kept for it after its connection broke or "
-                          "the master was restarted"),
+                          "Time that a worker has to reconnect, after its connection broke or the "
+                          "master restarted, before its work goes to others"),
            "SECONDS")
         ->check(times)
         ->capture_default_str();
-    option(app.add_option("--log-level", config.log_level, "How much is logged"), "LEVEL")
+    option(app.add_option("--log-level", config.log_level, "Least severe level that is logged"),
+           "LEVEL")
         ->check(CLI::IsMember({"trace", "debug", "info", "warning", "error", "off"}))
         ->capture_default_str();
     option(app.add_option("--port-file", config.port_file, "Write the port into this file"),
@@ -182,9 +184,9 @@ MasterCommandLine parse_master_command_line(int count, const char* const* argume
     add_options(app, config, texts);
     app.fallthrough(); // Lets --state follow the subcommand.
     const CLI::App* const check =
-        app.add_subcommand("check", "Look through the state directory, change nothing, and report");
+        app.add_subcommand("check", "Check the state directory for damage; change nothing");
     const CLI::App* const init =
-        app.add_subcommand("init", "Make an identity in the state directory, and end");
+        app.add_subcommand("init", "Make an identity in the state directory");
     app.require_subcommand(0, 1);
     try {
         app.parse(count, arguments);

@@ -52,32 +52,41 @@ constexpr MetricType counter = MetricType::Counter;
 constexpr MetricType gauge = MetricType::Gauge;
 
 void add_master(Page& page, const ClusterStatus& status) {
-    page.family(gauge, "build_info", "1, for the version of the master.");
+    page.family(gauge, "build_info", "1; the label is the master's version.");
     page.add(1, {{"version", status.build}});
-    page.one(gauge, "uptime_seconds", "Since the master started.", status.uptime_seconds);
-    page.one(counter, "master_cpu_seconds_total", "User and system.", status.cpu_seconds);
-    page.one(counter, "alarms_total", "What somebody has to look at.", status.alarm_count);
-    page.one(counter, "workers_lost_total", "Whose work went to others.", status.workers_lost);
+    page.one(gauge, "uptime_seconds", "Time since the master started.", status.uptime_seconds);
+    page.one(counter,
+             "master_cpu_seconds_total",
+             "Processor time of the master, user and system.",
+             status.cpu_seconds);
+    page.one(counter,
+             "alarms_total",
+             "Alarms raised; each needs an operator's attention.",
+             status.alarm_count);
+    page.one(counter,
+             "workers_lost_total",
+             "Workers lost; other workers got their scenarios.",
+             status.workers_lost);
     page.one(counter,
              "sessions_resumed_total",
-             "Connections of workers that broke and came back in time.",
+             "Sessions of workers that went on over a new connection.",
              status.sessions_resumed);
     page.one(counter,
              "scenarios_given_back_total",
-             "That stood at workers that were lost.",
+             "Unanswered scenarios of lost workers, queued again.",
              status.scenarios_given_back);
-    page.one(gauge, "meshes", "That the master holds.", status.meshes.size());
+    page.one(gauge, "meshes", "Meshes stored by the master.", status.meshes.size());
 }
 
 void add_workers(Page& page, const std::vector<WorkerStatus>& workers) {
-    page.family(gauge, "workers", "By what is heard of them.");
+    page.family(gauge, "workers", "Workers by state of their connection.");
     for (const WorkerState state : {WorkerState::Alive, WorkerState::Silent, WorkerState::Lost}) {
         page.add(std::ranges::count(workers, state, &WorkerStatus::state),
                  {{"state", std::string(to_text(state))}});
     }
     page.one(gauge,
              "workers_quarantined",
-             "That gave a wrong result.",
+             "Workers excluded after a wrong result.",
              std::ranges::count(workers, true, &WorkerStatus::quarantined));
 
     const auto each =
@@ -88,36 +97,45 @@ void add_workers(Page& page, const std::vector<WorkerStatus>& workers) {
                          {{"worker", std::to_string(worker.worker.value)}, {"name", worker.name}});
             }
         };
-    each(gauge, "threads", "That compute.", &WorkerStatus::threads);
-    each(counter, "scenarios_total", "Answered.", &WorkerStatus::scenarios);
-    each(gauge, "scenarios_working", "At the worker.", &WorkerStatus::working);
-    each(gauge, "scenarios_buffered", "That will go there.", &WorkerStatus::buffered);
-    each(gauge, "silent_seconds", "Since it was heard of.", &WorkerStatus::silent_seconds);
-    each(gauge, "cache_limit_bytes", "Of geometry.", &WorkerStatus::cache_bytes);
-    each(gauge, "cached_bytes", "Of geometry.", &WorkerStatus::cached_bytes);
-    each(counter, "sent_bytes_total", "To the worker.", &WorkerStatus::bytes_sent);
-    each(counter, "received_bytes_total", "From the worker.", &WorkerStatus::bytes_received);
-    each(counter, "block_hits_total", "Needed, and held already.", [](const WorkerStatus& worker) {
-        return worker.cache.blocks.hits;
-    });
-    each(counter, "block_misses_total", "Needed, and asked for.", [](const WorkerStatus& worker) {
-        return worker.cache.blocks.misses;
-    });
-    each(counter, "block_evictions_total", "For want of room.", [](const WorkerStatus& worker) {
-        return worker.cache.blocks.evictions;
-    });
+    each(gauge, "threads", "Threads that run scenarios.", &WorkerStatus::threads);
+    each(counter, "scenarios_total", "Scenarios answered.", &WorkerStatus::scenarios);
+    each(gauge, "scenarios_working", "Scenarios sent and not answered.", &WorkerStatus::working);
+    each(gauge,
+         "scenarios_buffered",
+         "Scenarios that will be sent to the worker.",
+         &WorkerStatus::buffered);
+    each(gauge, "silent_seconds", "Time since the last message.", &WorkerStatus::silent_seconds);
+    each(gauge, "cache_limit_bytes", "Limit of the subtree cache.", &WorkerStatus::cache_bytes);
+    each(gauge, "cached_bytes", "Bytes in the subtree cache.", &WorkerStatus::cached_bytes);
+    each(counter, "sent_bytes_total", "Bytes sent to the worker.", &WorkerStatus::bytes_sent);
+    each(counter,
+         "received_bytes_total",
+         "Bytes received from the worker.",
+         &WorkerStatus::bytes_received);
+    each(counter,
+         "block_hits_total",
+         "Blocks needed that were cached.",
+         [](const WorkerStatus& worker) { return worker.cache.blocks.hits; });
+    each(counter,
+         "block_misses_total",
+         "Blocks needed that were requested.",
+         [](const WorkerStatus& worker) { return worker.cache.blocks.misses; });
+    each(counter,
+         "block_evictions_total",
+         "Blocks evicted for lack of room.",
+         [](const WorkerStatus& worker) { return worker.cache.blocks.evictions; });
     each(counter,
          "block_master_bytes_total",
-         "Geometry from the master.",
+         "Bytes of blocks from the master.",
          [](const WorkerStatus& worker) { return worker.cache.blocks.master_bytes; });
     each(counter,
          "block_peer_bytes_total",
-         "Geometry from workers.",
+         "Bytes of blocks from other workers.",
          [](const WorkerStatus& worker) { return worker.cache.blocks.peer_bytes; });
 }
 
 void add_jobs(Page& page, const std::vector<JobStatus>& jobs) {
-    page.family(gauge, "jobs", "That the master knows.");
+    page.family(gauge, "jobs", "Jobs that the master keeps, by state.");
     for (const JobState state :
          {JobState::Running, JobState::Done, JobState::Cancelled, JobState::Failed}) {
         page.add(std::ranges::count(jobs, state, &JobStatus::state),
@@ -125,7 +143,7 @@ void add_jobs(Page& page, const std::vector<JobStatus>& jobs) {
     }
     page.one(gauge,
              "jobs_paused",
-             "That wait, as for room on the disk.",
+             "Running jobs that wait, for example for room on the disk.",
              std::ranges::count_if(jobs, [](const JobStatus& job) { return !job.paused.empty(); }));
 
     const auto each = [&](const std::string& name, const std::string& help, auto number) {
@@ -136,14 +154,19 @@ void add_jobs(Page& page, const std::vector<JobStatus>& jobs) {
             }
         }
     };
-    each(
-        "scenarios", "Of a job that runs.", [](const JobStatus& job) { return job.summary.total; });
-    each("scenarios_done", "Of these.", [](const JobStatus& job) { return job.summary.merged(); });
-    each("scenarios_failed", "Of these.", [](const JobStatus& job) { return job.summary.failed; });
+    each("scenarios", "Scenarios of a running job.", [](const JobStatus& job) {
+        return job.summary.total;
+    });
+    each("scenarios_done", "Scenarios with a result.", [](const JobStatus& job) {
+        return job.summary.merged();
+    });
+    each("scenarios_failed", "Scenarios that failed.", [](const JobStatus& job) {
+        return job.summary.failed;
+    });
     each("results_withdrawn",
-         "Results of quarantined workers, done again.",
+         "Results of quarantined workers that were withdrawn.",
          [](const JobStatus& job) { return job.withdrawn; });
-    each("compute_seconds", "Of workers' threads.", [](const JobStatus& job) {
+    each("compute_seconds", "Time of the workers' threads.", [](const JobStatus& job) {
         return job.compute_seconds;
     });
 }

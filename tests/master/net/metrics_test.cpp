@@ -44,7 +44,7 @@ TEST(Metrics, TellWhatTheStatusTells) {
     const std::string text = metrics_text(make_status());
     for (const char* const line :
          {"# TYPE cdcluster_alarms_total counter\n",
-          "# HELP cdcluster_alarms_total What somebody has to look at.\n",
+          "# HELP cdcluster_alarms_total Alarms raised; each needs an operator's attention.\n",
           "\ncdcluster_build_info{version=\"1.2.3\"} 1\n",
           "\ncdcluster_alarms_total 2\n",
           "\ncdcluster_uptime_seconds 12.5\n",
