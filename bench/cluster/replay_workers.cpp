@@ -101,13 +101,10 @@ class ReplayWorker {
             if (!message) {
                 co_return;
             }
-            if (const auto* batch = std::get_if<Batch>(&message.value())) {
+            if (const auto* unit = std::get_if<WorkUnit>(&message.value())) {
                 // Has a name because GCC 12 destroys temporaries in such a call twice.
-                const std::vector<std::uint64_t> indices = indices_of(batch->scenarios);
-                co_await answer(batch->task, batch->job, indices);
-            } else if (const auto* range = std::get_if<ScenarioRange>(&message.value())) {
-                const std::vector<std::uint64_t> indices = indices_of(*range);
-                co_await answer(range->task, range->job, indices);
+                const std::vector<std::uint64_t> indices = indices_of(*unit);
+                co_await answer(unit->task, unit->job, indices);
             }
         }
     }
@@ -122,7 +119,7 @@ class ReplayWorker {
         }
         return indices;
     }
-    static std::vector<std::uint64_t> indices_of(const ScenarioRange& range) {
+    static std::vector<std::uint64_t> indices_of(const WorkUnit& range) {
         if (!range.scenarios.empty()) {
             return indices_of(range.scenarios);
         }

@@ -55,31 +55,35 @@ Problem problem_of(const ResultsPart& part) {
                                                   : nullptr;
 }
 
-Problem problem_of(const ScenarioRange& range) {
-    if (range.count == 0 || range.count > limits::range_scenarios_max) {
-        return "no scenarios, or too many";
-    }
-    if (range.first > limits::scenarios_max) {
-        return "a first scenario beyond the largest job";
-    }
-    return nullptr;
-}
-
-Problem problem_of(const Batch& batch) {
-    const auto& offsets = batch.pair_offsets;
-    if (offsets.empty() || offsets.front() != 0 || offsets.back() != batch.pairs.size()) {
-        return "offsets of pairs that do not span the pairs";
+Problem problem_of_pairs(const WorkUnit& unit) {
+    const auto& offsets = unit.pair_offsets;
+    if (offsets.size() != unit.count + 1 || offsets.front() != 0 ||
+        offsets.back() != unit.pairs.size()) {
+        return "offsets of pairs that do not span the pairs of the scenarios";
     }
     if (!std::is_sorted(offsets.begin(), offsets.end())) {
         return "offsets of pairs that descend";
     }
     for (std::size_t i = 0; i + 1 < offsets.size(); ++i) {
-        const auto pairs = std::span(batch.pairs).subspan(offsets[i], offsets[i + 1] - offsets[i]);
+        const auto pairs = std::span(unit.pairs).subspan(offsets[i], offsets[i + 1] - offsets[i]);
         if (std::adjacent_find(pairs.begin(), pairs.end(), std::greater_equal<>()) != pairs.end()) {
             return "pairs of a scenario that do not ascend";
         }
     }
     return nullptr;
+}
+
+Problem problem_of(const WorkUnit& unit) {
+    if (unit.count == 0 || (!unit.is_analysed() && unit.count > limits::range_scenarios_max)) {
+        return "no scenarios, or too many";
+    }
+    if (unit.first > limits::scenarios_max) {
+        return "a first scenario beyond the largest job";
+    }
+    if (!unit.is_analysed()) {
+        return unit.pairs.empty() ? nullptr : "pairs without offsets";
+    }
+    return problem_of_pairs(unit);
 }
 
 Problem problem_of_roots(const std::vector<RootIndex>& roots) {

@@ -107,8 +107,8 @@ void serialize(Archive& archive, Subtrees& m) {
 }
 
 template <class Archive>
-void serialize(Archive& archive, Batch& m) {
-    archive(m.task, m.job, m.scenarios, m.pair_offsets, m.pairs);
+void serialize(Archive& archive, WorkUnit& m) {
+    archive(m.task, m.job, m.first, m.count, m.scenarios, m.pair_offsets, m.pairs);
 }
 
 template <class Archive>
@@ -124,11 +124,6 @@ void serialize(Archive& archive, RemoveJob& m) {
 template <class Archive>
 void serialize(Archive& archive, DropScenario& m) {
     archive(m.job, m.scenario, m.task);
-}
-
-template <class Archive>
-void serialize(Archive& archive, ScenarioRange& m) {
-    archive(m.task, m.job, m.first, m.count, m.scenarios);
 }
 
 template <class Archive>

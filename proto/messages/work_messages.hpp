@@ -75,31 +75,27 @@ struct DropScenario {
     TaskId task = {}; ///< The task to drop it from, if another task has answered; 0: all tasks.
 };
 
-/// A task of scenarios analysed by the master (paper, 6.4.3).
-struct Batch {
+/// A task: scenarios to search. Analysed by the master, it names their colliding distribution roots
+/// (paper, 6.4.3); otherwise the worker finds these itself.
+struct WorkUnit {
     TaskId task;
     JobId job;
-    Bytes scenarios; ///< `pack_scenarios`.
-    /// Scenarios + 1 entries: scenario i has `pairs` [offset i, offset i + 1).
+    std::uint64_t first = 0; ///< First position on the job's grid; 0 with `scenarios`.
+    std::uint64_t count = 0; ///< Number of scenarios.
+    Bytes scenarios;         ///< `pack_scenarios`; empty: those at the positions on the grid.
+    /// Scenario i has `pairs` [offset i, offset i + 1): count + 1 entries. Empty: not analysed.
     std::vector<std::uint32_t> pair_offsets;
     std::vector<RootPair> pairs; ///< Colliding pairs of distribution roots.
-};
 
-/// A task of consecutive positions; the worker finds the colliding distribution roots itself.
-struct ScenarioRange {
-    TaskId task;
-    JobId job;
-    std::uint64_t first = 0; ///< First position on the job's grid; 0 without a grid.
-    std::uint64_t count = 0;
-    Bytes scenarios; ///< `pack_scenarios` of `count` scenarios; empty with a grid.
+    [[nodiscard]] bool is_analysed() const { return !pair_offsets.empty(); }
 };
 
 /// Asks a worker to return scenarios that have not begun, since idle workers can run them. Answered
 /// by Recalled.
 struct Recall {
     TaskId task;
-    std::vector<std::uint64_t> scenarios; ///< Batch: the scenarios to return, ascending.
-    std::uint64_t places = 0; ///< ScenarioRange: how many of its first positions to keep.
+    std::vector<std::uint64_t> scenarios; ///< Of an analysed unit: those to return, ascending.
+    std::uint64_t places = 0;             ///< Otherwise: how many of the first scenarios to keep.
 };
 
 /// Names subtrees that the worker's future scenarios of the job are likely to need. An idle worker
@@ -175,8 +171,8 @@ struct Holding {
 /// answers any more.
 struct Recalled {
     TaskId task;
-    std::vector<std::uint64_t> scenarios; ///< Batch: the returned scenarios, ascending.
-    std::uint64_t places = 0; ///< ScenarioRange: how many of its first positions it keeps.
+    std::vector<std::uint64_t> scenarios; ///< Of an analysed unit: those returned, ascending.
+    std::uint64_t places = 0;             ///< Otherwise: how many of its first scenarios it keeps.
 };
 
 /// A tree that the worker has.

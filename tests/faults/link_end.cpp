@@ -23,10 +23,8 @@ std::size_t bytes_of(const Message& message) {
     std::size_t bytes = 100;
     if (const auto* subtrees = std::get_if<Subtrees>(&message)) {
         bytes += subtrees->blocks.size() * block_bytes;
-    } else if (const auto* batch = std::get_if<Batch>(&message)) {
-        bytes += batch->scenarios.size() + batch->pairs.size() * sizeof(batch->pairs.front());
-    } else if (const auto* range = std::get_if<ScenarioRange>(&message)) {
-        bytes += range->scenarios.size();
+    } else if (const auto* unit = std::get_if<WorkUnit>(&message)) {
+        bytes += unit->scenarios.size() + unit->pairs.size() * sizeof(unit->pairs.front());
     } else if (const auto* results = std::get_if<Results>(&message)) {
         bytes += results->records.size();
     }

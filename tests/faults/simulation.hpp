@@ -2,8 +2,8 @@
 //
 // Invariants; where they are checked; mutations that violate them:
 // - No result is merged twice: CD_CHECK at the merge, Watcher::add_group. SecondAnswerMerged.
-// - No result is lost: check_job (master/coordinator/invariants), the dispatcher's check_counts and check_job,
-//   check_kept (acknowledged results), inspect_job at the end. LostRangeForgotten,
+// - No result is lost: check_job (master/coordinator/invariants), the dispatcher's check_counts and
+//   check_job, check_kept (acknowledged results), inspect_job at the end. LostRangeForgotten,
 //   AnswerKeptTooEarly.
 // - Every supposed holder of a block has it, or its report to the contrary is under way:
 //   check_cache; by messages, Watcher::check_sources. EvictionNotTold, EvictionIgnored,

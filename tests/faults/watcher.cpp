@@ -30,13 +30,13 @@ std::vector<std::uint64_t> scenarios_in(const Bytes& packed) {
     return indices;
 }
 
-std::vector<std::uint64_t> scenarios_in(const ScenarioRange& range) {
-    if (!range.scenarios.empty()) {
-        return scenarios_in(range.scenarios);
+std::vector<std::uint64_t> scenarios_in(const WorkUnit& unit) {
+    if (!unit.scenarios.empty()) {
+        return scenarios_in(unit.scenarios);
     }
     std::vector<std::uint64_t> indices;
-    for (std::uint64_t i = 0; i < range.count; ++i) {
-        indices.push_back(range.first + i);
+    for (std::uint64_t i = 0; i < unit.count; ++i) {
+        indices.push_back(unit.first + i);
     }
     return indices;
 }
@@ -189,14 +189,13 @@ std::string Watcher::master_says(const Route& route, const Message& message) {
     }
     if (const auto* welcome = std::get_if<Welcome>(&message)) {
         return welcomed(route, *welcome);
-    } else if (const auto* batch = std::get_if<Batch>(&message)) {
-        tasks_given_.insert({route.to, batch->task});
-        return sent(batch->job, scenarios_in(batch->scenarios));
-    } else if (const auto* range = std::get_if<ScenarioRange>(&message)) {
-        tasks_given_.insert({route.to, range->task});
-        std::vector<std::uint64_t>& scenarios = ranges_[{route.to, range->task}];
-        scenarios = scenarios_in(*range);
-        return sent(range->job, scenarios);
+    } else if (const auto* unit = std::get_if<WorkUnit>(&message)) {
+        tasks_given_.insert({route.to, unit->task});
+        const std::vector<std::uint64_t> scenarios = scenarios_in(*unit);
+        if (!unit->is_analysed()) {
+            ranges_[{route.to, unit->task}] = scenarios;
+        }
+        return sent(unit->job, scenarios);
     } else if (const auto* directions = std::get_if<FetchFromPeers>(&message)) {
         return check_sources(*directions);
     } else if (const auto* drop = std::get_if<DropScenario>(&message)) {

@@ -13,11 +13,9 @@ std::string name_of(std::uint64_t worker) {
 }
 
 bool is_work(const Message& message) {
-    return std::holds_alternative<Batch>(message) ||
-           std::holds_alternative<ScenarioRange>(message) ||
-           std::holds_alternative<Hint>(message) || std::holds_alternative<Recall>(message) ||
-           std::holds_alternative<AddJob>(message) || std::holds_alternative<AddTree>(message) ||
-           std::holds_alternative<Subtrees>(message) ||
+    return std::holds_alternative<WorkUnit>(message) || std::holds_alternative<Hint>(message) ||
+           std::holds_alternative<Recall>(message) || std::holds_alternative<AddJob>(message) ||
+           std::holds_alternative<AddTree>(message) || std::holds_alternative<Subtrees>(message) ||
            std::holds_alternative<FetchFromPeers>(message);
 }
 

@@ -124,10 +124,11 @@ class FakeWorker {
                 for (const std::uint64_t sequence : acknowledged->sequences) {
                     kept_of_before += sequence == 0 ? 0 : 1;
                 }
-            } else if (auto* range = std::get_if<ScenarioRange>(&message.value())) {
+            } else if (auto* unit = std::get_if<WorkUnit>(&message.value());
+                       unit != nullptr && !unit->is_analysed()) {
                 ++ranges;
-                unwalked_.push_back(std::move(*range));
-            } else if (auto* batch = std::get_if<Batch>(&message.value())) {
+                unwalked_.push_back(std::move(*unit));
+            } else if (auto* batch = std::get_if<WorkUnit>(&message.value())) {
                 if (++batches == habits_.dies_at_batch || is_deadly(*batch)) {
                     channel_->close();
                     break;
@@ -161,7 +162,7 @@ class FakeWorker {
         return true;
     }
 
-    bool has_tops(const ScenarioRange& range) {
+    bool has_tops(const WorkUnit& range) {
         const AddJob& job = jobs_.at(range.job);
         bool has_all = true;
         for (const TreeId id : job.trees) {
@@ -174,14 +175,16 @@ class FakeWorker {
         return has_all;
     }
 
-    [[nodiscard]] static bool has(const Batch& batch, std::optional<std::uint64_t> index) {
+    [[nodiscard]] static bool has(const WorkUnit& batch, std::optional<std::uint64_t> index) {
         const auto scenarios = unpack_scenarios(batch.scenarios, limits::scenarios_max).value();
         return index &&
                std::any_of(scenarios.begin(), scenarios.end(), [&](const Scenario& scenario) {
                    return scenario.index == *index;
                });
     }
-    [[nodiscard]] bool is_deadly(const Batch& batch) const { return has(batch, habits_.dies_of); }
+    [[nodiscard]] bool is_deadly(const WorkUnit& batch) const {
+        return has(batch, habits_.dies_of);
+    }
 
     void keep(const Subtrees& subtrees) {
         for (const SubtreeBlock& block : subtrees.blocks) {
@@ -202,7 +205,7 @@ class FakeWorker {
     }
 
     /// Returns a range as the batch that an analysis would make of it.
-    [[nodiscard]] Batch analysed(const ScenarioRange& range) {
+    [[nodiscard]] WorkUnit analysed(const WorkUnit& range) {
         const AddJob& job = jobs_.at(range.job);
         std::vector<Scenario> scenarios;
         if (job.grid) {
@@ -214,7 +217,7 @@ class FakeWorker {
             scenarios = unpack_scenarios(range.scenarios, range.count).value();
             EXPECT_EQ(scenarios.size(), range.count);
         }
-        Batch batch{range.task, range.job, pack_scenarios(scenarios), {0}, {}};
+        WorkUnit batch{range.task, range.job, 0, range.count, pack_scenarios(scenarios), {0}, {}};
         for (const Scenario& scenario : scenarios) {
             const auto roots = colliding_roots(
                 *trees_.at(job.trees[0]).top, *trees_.at(job.trees[1]).top, scenario.poses);
@@ -236,7 +239,7 @@ class FakeWorker {
     }
 
     void ask() {
-        const Batch& batch = waiting_.back();
+        const WorkUnit& batch = waiting_.back();
         const AddJob& job = jobs_.at(batch.job);
         const auto a = missing(job.trees[0], roots_of_a(batch.pairs));
         const auto b = missing(job.trees[1], roots_of_b(batch.pairs));
@@ -251,7 +254,7 @@ class FakeWorker {
 
     void work() {
         while (!waiting_.empty() && batches_answered_ < habits_.batches_max) {
-            const Batch& batch = waiting_.front();
+            const WorkUnit& batch = waiting_.front();
             const AddJob& job = jobs_.at(batch.job);
             is_held = has(batch, habits_.holds);
             if (is_held || !missing(job.trees[0], roots_of_a(batch.pairs)).empty() ||
@@ -284,7 +287,7 @@ class FakeWorker {
         return results;
     }
 
-    void compute(const Batch& batch, const AddJob& job) {
+    void compute(const WorkUnit& batch, const AddJob& job) {
         const auto scenarios = unpack_scenarios(batch.scenarios, limits::scenarios_max).value();
         Results results;
         results.task = batch.task;
@@ -332,8 +335,8 @@ class FakeWorker {
     std::shared_ptr<Channel> channel_;
     std::map<TreeId, Tree> trees_;
     std::map<JobId, AddJob> jobs_;
-    std::vector<Batch> waiting_;
-    std::deque<ScenarioRange> unwalked_; ///< Ranges waiting for upper trees.
+    std::vector<WorkUnit> waiting_;
+    std::deque<WorkUnit> unwalked_; ///< Ranges waiting for upper trees.
     std::uint64_t batches_answered_ = 0;
 };
 

@@ -100,10 +100,11 @@ inline PoseLabels some_labels() {
     return labels;
 }
 
-inline Batch some_batch() {
-    Batch batch;
+inline WorkUnit some_batch() {
+    WorkUnit batch;
     batch.task = TaskId{1};
     batch.job = JobId{2};
+    batch.count = 3;
     batch.scenarios = some_bytes(50);
     batch.pair_offsets = {0, 2, 2, 3};
     batch.pairs = {{0, 5}, {1, 0}, {0, 5}};
@@ -140,8 +141,8 @@ inline Submit some_submit() {
 /// Returns them in order of message number.
 inline std::vector<Message> sample_messages() {
     return {
-        Hello{9, Role::Worker, "node-1", "0.1.0", 8, 1u << 30, 4321, 1.5, 99, 7, 8, "ilan@node-1"},
-        Welcome{9, 42, "0.1.0", some_hash(17), some_hash(18), 8, true, 2000, 15000, "ilan"},
+        Hello{10, Role::Worker, "node-1", "0.1.0", 8, 1u << 30, 4321, 1.5, 99, 7, 8, "ilan@node-1"},
+        Welcome{10, 42, "0.1.0", some_hash(17), some_hash(18), 8, true, 2000, 15000, "ilan"},
         Failure{ErrorCode::NotFound, "no job 7"},
         Heartbeat{1, 2, 3, {{4, 5, 6, 7, 8, 9}, 10}, RunningScenario{JobId{10}, 11, 12.5}},
         AddTree{TreeId{1}, SubtreeForm::Wide, some_hash(6), some_hash(7), 32, 1600},
@@ -208,7 +209,6 @@ inline std::vector<Message> sample_messages() {
                   {{WorkerId{1}, "node-1", true, false, 13, 0.5, 14, 15, 1, 2, 3, 4, 5, 6}}},
         AddJob{JobId{2}, {TreeId{3}, TreeId{4}}, some_query(), some_bytes(9)},
         RemoveJob{JobId{2}},
-        ScenarioRange{TaskId{1}, JobId{2}, 3, 4, some_bytes(20)},
         ResultsKept{{3, 5, 4}},
         Holding{{some_hash(1), some_hash(2)}},
         Join{3, some_hash(1), "blade-3", "a request"},

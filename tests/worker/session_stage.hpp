@@ -46,10 +46,12 @@ inline std::vector<Scenario> make_scenarios(std::uint64_t first, std::uint64_t c
     return scenarios;
 }
 
-inline Batch make_batch(TaskId task, std::span<const Scenario> scenarios) {
-    Batch batch;
+/// A unit of work as the master analyses it.
+inline WorkUnit make_batch(TaskId task, std::span<const Scenario> scenarios) {
+    WorkUnit batch;
     batch.task = task;
     batch.job = JobId{1};
+    batch.count = scenarios.size();
     batch.scenarios = pack_scenarios(scenarios);
     batch.pair_offsets = {0};
     for (const Scenario& scenario : scenarios) {
@@ -61,8 +63,9 @@ inline Batch make_batch(TaskId task, std::span<const Scenario> scenarios) {
     return batch;
 }
 
-inline ScenarioRange make_range(TaskId task, std::span<const Scenario> scenarios) {
-    return {task, JobId{1}, 0, scenarios.size(), pack_scenarios(scenarios)};
+/// A unit of work that is not analysed.
+inline WorkUnit make_range(TaskId task, std::span<const Scenario> scenarios) {
+    return {task, JobId{1}, 0, scenarios.size(), pack_scenarios(scenarios), {}, {}};
 }
 
 /// Returns the result of one process before `inside` is settled, which takes whole bodies.

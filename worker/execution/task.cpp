@@ -13,12 +13,29 @@ Error bad_task(TaskId task, const std::string& why) {
     return {ErrorCode::BadFrame, "task " + std::to_string(task.value) + " " + why};
 }
 
-Result<std::vector<Scenario>> unpack(TaskId task, const Bytes& packed, std::uint64_t count_max) {
-    auto scenarios = unpack_scenarios(packed, count_max);
-    if (!scenarios) {
-        return bad_task(task, "has bad scenarios: " + scenarios.error().detail);
+Result<TaskScenarios> scenarios_of(const WorkUnit& unit, std::shared_ptr<const WorkerJob> job) {
+    if (unit.scenarios.empty()) {
+        const std::uint64_t count = job->grid ? job->grid->count() : 0;
+        if (unit.count > count || unit.first > count - unit.count) {
+            return bad_task(unit.task, "names positions that the job's grid does not have");
+        }
+        return TaskScenarios(std::move(job), unit.first, unit.count);
     }
-    return scenarios;
+    auto list = unpack_scenarios(unit.scenarios, unit.count);
+    if (!list) {
+        return bad_task(unit.task, "has bad scenarios: " + list.error().detail);
+    }
+    if (list.value().size() != unit.count) {
+        return bad_task(unit.task, "does not have the number of scenarios that it announces");
+    }
+    return TaskScenarios(std::move(list.value()));
+}
+
+bool has_roots(const WorkUnit& unit, const WorkerJob& job, const SubtreeCache& cache) {
+    const std::uint32_t roots_a = cache.find(job.tree_a)->root_count();
+    const std::uint32_t roots_b = cache.find(job.tree_b)->root_count();
+    return std::ranges::all_of(unit.pairs,
+                               [&](RootPair pair) { return pair.a < roots_a && pair.b < roots_b; });
 }
 
 std::vector<std::shared_ptr<const Subtree>>
@@ -34,47 +51,20 @@ subtrees_of(const SubtreeCache& cache, TreeId tree, std::span<const RootIndex> r
 } // namespace
 
 Result<Task>
-Task::make(Batch batch, std::shared_ptr<const WorkerJob> job, const SubtreeCache& cache) {
-    const std::uint32_t roots_a = cache.find(job->tree_a)->root_count();
-    const std::uint32_t roots_b = cache.find(job->tree_b)->root_count();
-    const bool in_range = std::all_of(batch.pairs.begin(), batch.pairs.end(), [&](RootPair pair) {
-        return pair.a < roots_a && pair.b < roots_b;
-    });
-    if (!in_range) {
-        return bad_task(batch.task, "names a root that its tree does not have");
+Task::make(WorkUnit unit, std::shared_ptr<const WorkerJob> job, const SubtreeCache& cache) {
+    if (!has_roots(unit, *job, cache)) {
+        return bad_task(unit.task, "names a root that its tree does not have");
     }
-    auto scenarios = unpack(batch.task, batch.scenarios, batch.pair_offsets.size());
+    auto scenarios = scenarios_of(unit, job);
     if (!scenarios) {
         return scenarios.error();
     }
-    if (scenarios.value().size() + 1 != batch.pair_offsets.size()) {
-        return bad_task(batch.task, "has pairs for another number of scenarios");
-    }
-    Task task(batch.task, std::move(job), TaskScenarios(std::move(scenarios.value())));
-    task.pairs_ = TaskPairs(std::move(batch.pair_offsets), std::move(batch.pairs));
-    return task;
-}
-
-Result<Task> Task::make(const ScenarioRange& range, std::shared_ptr<const WorkerJob> job) {
-    std::optional<TaskScenarios> scenarios;
-    if (job->grid) {
-        const std::uint64_t count = job->grid->count();
-        if (range.count > count || range.first > count - range.count || !range.scenarios.empty()) {
-            return bad_task(range.task, "names places that the job's grid does not have");
-        }
-        scenarios.emplace(job, range.first, range.count);
+    Task task(unit.task, std::move(job), std::move(scenarios.value()));
+    if (unit.is_analysed()) {
+        task.pairs_ = TaskPairs(std::move(unit.pair_offsets), std::move(unit.pairs));
     } else {
-        auto list = unpack(range.task, range.scenarios, range.count);
-        if (!list) {
-            return list.error();
-        }
-        if (list.value().size() != range.count) {
-            return bad_task(range.task, "does not have the number of scenarios that it announces");
-        }
-        scenarios.emplace(std::move(list.value()));
+        task.unwalked_end_ = unit.count;
     }
-    Task task(range.task, std::move(job), std::move(*scenarios));
-    task.unwalked_end_ = range.count;
     return task;
 }
 

@@ -20,16 +20,14 @@
 
 namespace cd {
 
-/// A Batch lists the colliding roots of each scenario. For a ScenarioRange, descents through the
+/// An analysed unit lists the colliding roots of each scenario. Otherwise descents through the
 /// upper trees find them.
 class Task {
   public:
-    /// Errors: BadFrame if the batch names a root that its tree lacks, or its poses are invalid.
+    /// Errors: BadFrame for a root that its tree lacks, positions outside the grid, invalid poses,
+    /// or a wrong number of them.
     [[nodiscard]] static Result<Task>
-    make(Batch batch, std::shared_ptr<const WorkerJob> job, const SubtreeCache& cache);
-    /// Errors: BadFrame for positions outside the grid, or a wrong number of poses.
-    [[nodiscard]] static Result<Task> make(const ScenarioRange& range,
-                                           std::shared_ptr<const WorkerJob> job);
+    make(WorkUnit unit, std::shared_ptr<const WorkerJob> job, const SubtreeCache& cache);
 
     [[nodiscard]] TaskId id() const { return id_; }
     [[nodiscard]] const WorkerJob& job() const { return *job_; }

@@ -12,7 +12,7 @@
 
 namespace cd {
 
-/// A batch lists the pairs of all its scenarios; descents find those of a range one by one.
+/// An analysed unit lists the pairs of all its scenarios; otherwise descents find them one by one.
 class TaskPairs {
   public:
     TaskPairs() = default;

@@ -32,8 +32,7 @@ struct Session::Router {
         session.tasks_.remove_job(remove.job);
         return Done{};
     }
-    Status operator()(Batch& batch) { return session.tasks_.add(std::move(batch)); }
-    Status operator()(ScenarioRange& range) { return session.tasks_.add(range); }
+    Status operator()(WorkUnit& unit) { return session.tasks_.add(std::move(unit)); }
     Status operator()(Recall& recall) {
         session.tasks_.recall(recall);
         return Done{};

@@ -5,15 +5,6 @@
 
 namespace cd {
 
-namespace {
-
-Error unknown_job_of(TaskId task) {
-    return {ErrorCode::BadFrame,
-            "task " + std::to_string(task.value) + " names a job that is not here"};
-}
-
-} // namespace
-
 Result<std::shared_ptr<const WorkerJob>> TaskBook::add_job(AddJob add, const SubtreeCache& cache) {
     const JobId id = add.job;
     Result<std::shared_ptr<const WorkerJob>> job = make_worker_job(std::move(add), cache);
@@ -32,20 +23,14 @@ std::shared_ptr<const WorkerJob> TaskBook::job(JobId job) const {
     return found == jobs_.end() ? nullptr : found->second;
 }
 
-Result<Task*> TaskBook::add(Batch batch, const SubtreeCache& cache) {
-    const TaskId id = batch.task;
-    auto its_job = job(batch.job);
-    return its_job == nullptr ? unknown_job_of(id)
-                              : add(id, Task::make(std::move(batch), std::move(its_job), cache));
-}
-
-Result<Task*> TaskBook::add(const ScenarioRange& range) {
-    auto its_job = job(range.job);
-    return its_job == nullptr ? unknown_job_of(range.task)
-                              : add(range.task, Task::make(range, std::move(its_job)));
-}
-
-Result<Task*> TaskBook::add(TaskId id, Result<Task> made) {
+Result<Task*> TaskBook::add(WorkUnit unit, const SubtreeCache& cache) {
+    const TaskId id = unit.task;
+    auto its_job = job(unit.job);
+    if (its_job == nullptr) {
+        return Error{ErrorCode::BadFrame,
+                     "task " + std::to_string(id.value) + " names a job that is not here"};
+    }
+    Result<Task> made = Task::make(std::move(unit), std::move(its_job), cache);
     if (!made) {
         return made.error();
     }

@@ -21,8 +21,7 @@ class TaskBook {
     [[nodiscard]] std::shared_ptr<const WorkerJob> job(JobId job) const;
 
     /// Errors: BadFrame for an unknown job or a task that exists already; those of `Task::make`.
-    [[nodiscard]] Result<Task*> add(Batch batch, const SubtreeCache& cache);
-    [[nodiscard]] Result<Task*> add(const ScenarioRange& range);
+    [[nodiscard]] Result<Task*> add(WorkUnit unit, const SubtreeCache& cache);
     [[nodiscard]] std::map<TaskId, Task>& tasks() { return tasks_; }
     /// Null for an unknown task.
     [[nodiscard]] Task* find(TaskId task);
@@ -36,8 +35,6 @@ class TaskBook {
     void add_to(Standing& standing) const;
 
   private:
-    [[nodiscard]] Result<Task*> add(TaskId id, Result<Task> made);
-
     std::map<JobId, std::shared_ptr<const WorkerJob>> jobs_;
     std::map<TaskId, Task> tasks_;
 };

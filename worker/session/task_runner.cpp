@@ -70,32 +70,23 @@ void TaskRunner::remove_jobs_of(TreeId tree) {
     book_.remove_jobs_of(tree);
 }
 
-Status TaskRunner::add(Batch batch) {
-    const Result<Task*> added = book_.add(std::move(batch), blocks_.cache());
+Status TaskRunner::add(WorkUnit unit) {
+    const bool is_analysed = unit.is_analysed();
+    const Result<Task*> added = book_.add(std::move(unit), blocks_.cache());
     if (!added) {
         return added.error();
     }
     Task& task = *added.value();
-    if (stopping_) {
+    if (stopping_ && is_analysed) {
         task.drop(task.scenario_count());
-    } else {
+    } else if (stopping_) {
+        task.drop_unwalked();
+    } else if (is_analysed) {
         for (std::size_t scenario = 0; scenario < task.scenario_count(); ++scenario) {
             wait_for_subtrees(task, scenario);
         }
-    }
-    hub_.settle_soon();
-    return Done{};
-}
-
-Status TaskRunner::add(const ScenarioRange& range) {
-    const Result<Task*> added = book_.add(range);
-    if (!added) {
-        return added.error();
-    }
-    if (stopping_) {
-        added.value()->drop_unwalked();
     } else {
-        blocks_.need_tops(added.value()->job());
+        blocks_.need_tops(task.job());
     }
     hub_.settle_soon();
     return Done{};

@@ -33,8 +33,7 @@ class TaskRunner {
     void remove_jobs_of(TreeId tree);
     /// Adds a task. After `stop`, all of its scenarios go back at once. Errors: those of
     /// `TaskBook`.
-    [[nodiscard]] Status add(Batch batch);
-    [[nodiscard]] Status add(const ScenarioRange& range);
+    [[nodiscard]] Status add(WorkUnit unit);
     /// Returns to the master those recalled scenarios that have not begun.
     void recall(const Recall& recall);
     void drop(const DropScenario& drop);

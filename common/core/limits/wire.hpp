@@ -15,7 +15,7 @@ inline constexpr std::uint64_t message_control_bytes_max = 1u << 20; ///< All ty
 inline constexpr std::uint64_t message_roots_bytes_max = 8u << 20;
 /// A part of a mesh or of a submission.
 inline constexpr std::uint64_t message_part_bytes_max = 16u << 20;
-inline constexpr std::uint64_t message_data_bytes_max = 64u << 20;       ///< A batch.
+inline constexpr std::uint64_t message_data_bytes_max = 64u << 20;       ///< A unit of work.
 inline constexpr std::uint64_t message_results_bytes_max = 257u << 20;   ///< Holds any one record.
 inline constexpr std::uint64_t message_subtrees_bytes_max = 1025u << 20; ///< Holds any one block.
 inline constexpr std::uint64_t greeting_bytes_max = 4u << 10;            ///< The first message.

@@ -23,19 +23,19 @@ void TaskExchange::send(const SendBatch& action) {
     auto content = std::make_shared<TaskContent>();
     content->job = job->id;
     content->material = job->work()->material;
-    Batch batch{action.task, job->id, {}, {0}, {}};
+    WorkUnit unit{action.task, job->id, 0, action.scenarios.size(), {}, {0}, {}};
     std::vector<Scenario> scenarios;
     for (const std::uint64_t index : action.scenarios) {
         const auto analysis = job->work()->open.find(index);
         CD_CHECK(analysis != nullptr);
         scenarios.push_back(analysis->scenario);
-        batch.pairs.insert(batch.pairs.end(), analysis->pairs.begin(), analysis->pairs.end());
-        batch.pair_offsets.push_back(static_cast<std::uint32_t>(batch.pairs.size()));
+        unit.pairs.insert(unit.pairs.end(), analysis->pairs.begin(), analysis->pairs.end());
+        unit.pair_offsets.push_back(static_cast<std::uint32_t>(unit.pairs.size()));
         content->scenarios.push_back(analysis);
     }
-    batch.scenarios = pack_scenarios(scenarios);
+    unit.scenarios = pack_scenarios(scenarios);
     add_job_to(*worker, *job);
-    worker->channel->send(batch);
+    worker->channel->send(unit);
     Lease task{action.worker, std::move(content)};
     task.is_copy = action.is_copy;
     job->tally.help.copies += action.is_copy ? action.scenarios.size() : 0;
@@ -58,10 +58,10 @@ void TaskExchange::send(const SendRange& action) {
     content->job = job->id;
     content->material = job->work()->material;
     content->range = RangeContent{action.places, given.window, job->work()->order};
-    ScenarioRange range{action.task, job->id, action.places.first, action.places.count, {}};
+    WorkUnit unit{action.task, job->id, action.places.first, action.places.count, {}, {}, {}};
     if (given.window != nullptr) {
-        range.first = 0;
-        range.scenarios = pack_scenarios(given.window->at(action.places));
+        unit.first = 0;
+        unit.scenarios = pack_scenarios(given.window->at(action.places));
     }
     Lease task{action.worker, std::move(content)};
     task.is_copy = is_copy;
@@ -70,7 +70,7 @@ void TaskExchange::send(const SendRange& action) {
     // If the worker has left, the dispatcher ends the range.
     if (Worker* worker = workers_.find(action.worker)) {
         add_job_to(*worker, *job);
-        worker->channel->send(range);
+        worker->channel->send(unit);
         note_work(action.worker);
     }
 }

@@ -65,10 +65,8 @@ class Rogue {
 void says_nothing(Channel& /*channel*/, const Message& /*message*/) {}
 
 void ends_all(Channel& channel, const Message& message) {
-    if (const auto* batch = std::get_if<Batch>(&message)) {
-        channel.send(EndOfTask{batch->task});
-    } else if (const auto* range = std::get_if<ScenarioRange>(&message)) {
-        channel.send(EndOfTask{range->task});
+    if (const auto* unit = std::get_if<WorkUnit>(&message)) {
+        channel.send(EndOfTask{unit->task});
     }
 }
 

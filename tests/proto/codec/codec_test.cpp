@@ -21,21 +21,21 @@
 namespace cd::tests {
 namespace {
 
-// Bytes that version 9 writes for `sample_messages`. A change here is a new protocol version.
+// Bytes that version 10 writes for `sample_messages`. A change here is a new protocol version.
 struct Golden {
     std::string_view name;
     std::size_t bytes;
     std::string_view hash;
 };
 constexpr std::array<Golden, std::variant_size_v<Message>> golden{{
-    {"hello", 95, "0f2724bee2a4c032"},
-    {"welcome", 116, "af747f72ba4b6c27"},
+    {"hello", 95, "e53b9f257cd98c6c"},
+    {"welcome", 116, "82054a8c8c60c8b3"},
     {"failure", 17, "b9807aeea9fe9795"},
     {"heartbeat", 105, "83c163ab958245e5"},
     {"add tree", 81, "396e36e8490fc0d5"},
     {"remove tree", 8, "f13ee6ed54ea2aae"},
     {"subtrees", 144, "da0189eff0ecbd68"},
-    {"batch", 130, "e6bb6c38c24f85be"},
+    {"work unit", 146, "7b055f25f3513899"},
     {"drain", 0, "e3b0c44298fc1c14"},
     {"terminate", 28, "d6d079848cb90ca3"},
     {"want subtrees", 28, "22f2d0e6837120f2"},
@@ -66,7 +66,6 @@ constexpr std::array<Golden, std::variant_size_v<Message>> golden{{
     {"explained", 207, "b7631b2433d76199"},
     {"add job", 124, "d632f8beb45915f5"},
     {"remove job", 8, "d86e8112f3c4c444"},
-    {"scenario range", 60, "565e8897274530e3"},
     {"results kept", 32, "85f896738b831cb7"},
     {"holding", 72, "e1381bfba176d2ec"},
     {"join", 72, "dd181e348f65f2e4"},
@@ -113,7 +112,7 @@ void expect_refused(std::uint16_t type, std::span<const std::byte> payload) {
 TEST(Codec, NumbersAndNamesFollowTheOrderOfTheVariant) {
     EXPECT_EQ(message_type(Hello{}), 1);
     EXPECT_EQ(message_type(Draining{}), std::variant_size_v<Message>);
-    EXPECT_EQ(message_name(message_type(Batch{})), "batch");
+    EXPECT_EQ(message_name(message_type(WorkUnit{})), "work unit");
     EXPECT_EQ(message_name(message_type(EndOfTask{})), "end of task");
     EXPECT_EQ(message_name(message_type(ResultsPart{})), "results part");
     EXPECT_EQ(message_name(0), "unknown");
@@ -125,7 +124,7 @@ TEST(Codec, NumbersAndNamesFollowTheOrderOfTheVariant) {
 TEST(Codec, WhatEndsSomethingDoesNotOvertakeIt) {
     for (const Message& message : std::initializer_list<Message>{AddTree{},
                                                                  Subtrees{},
-                                                                 Batch{},
+                                                                 WorkUnit{},
                                                                  Hint{},
                                                                  RemoveTree{},
                                                                  Drain{},
@@ -156,9 +155,9 @@ TEST(Codec, EveryMessageComesBackAsItWas) {
 
 TEST(Codec, MembersComeBackInTheirPlaces) {
     const Bytes bytes = encode_message(some_batch());
-    const auto decoded = decode_message(message_type(Batch{}), bytes);
+    const auto decoded = decode_message(message_type(WorkUnit{}), bytes);
     ASSERT_TRUE(decoded);
-    const auto& batch = std::get<Batch>(decoded.value());
+    const auto& batch = std::get<WorkUnit>(decoded.value());
     EXPECT_EQ(batch.pair_offsets, some_batch().pair_offsets);
     EXPECT_EQ(batch.pairs, some_batch().pairs);
     EXPECT_EQ(batch.scenarios, some_batch().scenarios);
@@ -272,7 +271,7 @@ struct BatchBytes {
         std::memcpy(bytes.data() + place, &value, sizeof value);
     }
     [[nodiscard]] std::string refusal() const {
-        const auto decoded = decode_message(message_type(Batch{}), bytes);
+        const auto decoded = decode_message(message_type(WorkUnit{}), bytes);
         return decoded ? "" : decoded.error().detail;
     }
 };
@@ -313,13 +312,13 @@ TEST(Codec, AToleranceIsANumberOfAtLeastZero) {
 }
 
 TEST(Codec, ARangeIsOfSomeScenariosAndOfABoundedNumber) {
-    Bytes bytes = encode_message(ScenarioRange{TaskId{1}, JobId{2}, 0, 4, {}});
+    Bytes bytes = encode_message(WorkUnit{TaskId{1}, JobId{2}, 0, 4, {}, {}, {}});
     const std::size_t count = 3 * 8; // After two ids and the first position.
-    EXPECT_TRUE(decode_message(message_type(ScenarioRange{}), bytes));
+    EXPECT_TRUE(decode_message(message_type(WorkUnit{}), bytes));
     bytes[count] = std::byte{0};
-    EXPECT_FALSE(decode_message(message_type(ScenarioRange{}), bytes));
+    EXPECT_FALSE(decode_message(message_type(WorkUnit{}), bytes));
     bytes[count + 4] = std::byte{1};
-    EXPECT_FALSE(decode_message(message_type(ScenarioRange{}), bytes));
+    EXPECT_FALSE(decode_message(message_type(WorkUnit{}), bytes));
 }
 
 TEST(Codec, RootsThatDoNotAscendAreRefused) {

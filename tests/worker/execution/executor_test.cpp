@@ -126,11 +126,9 @@ class TaskTest : public testing::Test {
 };
 
 TEST_F(TaskTest, CancellationStopsItsThreads) {
-    Batch batch;
-    batch.task = TaskId{1};
-    batch.scenarios = pack_scenarios({});
-    batch.pair_offsets = {0};
-    auto task = Task::make(std::move(batch), make_job(), cache_);
+    const std::vector<Scenario> one(1);
+    auto task = Task::make(
+        {TaskId{1}, JobId{1}, 0, 1, pack_scenarios(one), {0, 0}, {}}, make_job(), cache_);
     ASSERT_TRUE(task) << task.error().detail;
     const auto abandoned = task.value().abandoned();
     EXPECT_FALSE(*abandoned);
@@ -142,7 +140,7 @@ TEST_F(TaskTest, CancellationStopsItsThreads) {
 TEST_F(TaskTest, ARangeDescendsOnceInOrderPerThread) {
     Grid grid;
     grid.position[0] = {0, 1, 1000};
-    auto made = Task::make({TaskId{1}, JobId{1}, 100, 900, {}}, make_job(grid));
+    auto made = Task::make({TaskId{1}, JobId{1}, 100, 900, {}, {}, {}}, make_job(grid), cache_);
     ASSERT_TRUE(made) << made.error().detail;
     Task& task = made.value();
     std::size_t next = 0;
@@ -166,18 +164,17 @@ TEST_F(TaskTest, ARangeDescendsOnceInOrderPerThread) {
 TEST_F(TaskTest, OfARangeThatDoesNotExistIsRefused) {
     Grid grid;
     grid.position[0] = {0, 1, 1000};
-    const auto refusal = [&](const ScenarioRange& range, const std::optional<Grid>& of) {
-        const auto made = Task::make(range, make_job(of));
+    const auto refusal = [&](const WorkUnit& unit, const std::optional<Grid>& of) {
+        const auto made = Task::make(unit, make_job(of), cache_);
         return made ? "" : made.error().detail;
     };
-    EXPECT_EQ(refusal({TaskId{1}, JobId{1}, 999, 1, {}}, grid), "");
-    EXPECT_NE(refusal({TaskId{1}, JobId{1}, 999, 2, {}}, grid), "");
-    EXPECT_NE(refusal({TaskId{1}, JobId{1}, 1001, 1, {}}, grid), "");
-    EXPECT_NE(refusal({TaskId{1}, JobId{1}, 0, 1, {}}, std::nullopt), "") << "no poses";
-    const std::vector<Scenario> two(1);
-    EXPECT_EQ(refusal({TaskId{1}, JobId{1}, 0, 1, pack_scenarios(two)}, std::nullopt), "");
-    EXPECT_NE(refusal({TaskId{1}, JobId{1}, 0, 2, pack_scenarios(two)}, std::nullopt), "");
-    EXPECT_NE(refusal({TaskId{1}, JobId{1}, 0, 1, pack_scenarios(two)}, grid), "") << "both";
+    EXPECT_EQ(refusal({TaskId{1}, JobId{1}, 999, 1, {}, {}, {}}, grid), "");
+    EXPECT_NE(refusal({TaskId{1}, JobId{1}, 999, 2, {}, {}, {}}, grid), "");
+    EXPECT_NE(refusal({TaskId{1}, JobId{1}, 1001, 1, {}, {}, {}}, grid), "");
+    EXPECT_NE(refusal({TaskId{1}, JobId{1}, 0, 1, {}, {}, {}}, std::nullopt), "") << "no poses";
+    const std::vector<Scenario> one(1);
+    EXPECT_EQ(refusal({TaskId{1}, JobId{1}, 0, 1, pack_scenarios(one), {}, {}}, std::nullopt), "");
+    EXPECT_NE(refusal({TaskId{1}, JobId{1}, 0, 2, pack_scenarios(one), {}, {}}, std::nullopt), "");
 }
 
 } // namespace cd::tests

@@ -17,7 +17,7 @@ TEST(Session, ResultsTellWhatTheirJobCostTheNetwork) {
         co_await master.serve_until_ended(1);
         EXPECT_GT(master.traffic.misses, 0u);
         EXPECT_EQ(master.traffic.misses, master.subtrees_sent);
-        const Batch again = make_batch(TaskId{2}, std::span(scenarios).first(40));
+        const WorkUnit again = make_batch(TaskId{2}, std::span(scenarios).first(40));
         std::uint64_t needs = 0;
         for (std::size_t i = 0; i < 40; ++i) {
             const auto pairs = std::span(again.pairs)
@@ -44,7 +44,7 @@ TEST(Session, WhatIsHintedComesBeforeAScenarioNeedsIt) {
     perform(unlimited, 1, [](Stage& stage) -> asio::awaitable<void> {
         FakeMaster& master = stage.master;
         const auto scenarios = make_scenarios(0, 40);
-        const Batch batch = make_batch(TaskId{1}, scenarios);
+        const WorkUnit batch = make_batch(TaskId{1}, scenarios);
         const std::vector<RootIndex> roots_a = roots_of_a(batch.pairs);
         const std::vector<RootIndex> roots_b = roots_of_b(batch.pairs);
         master.channel->send(Hint{JobId{1}, tree_a, roots_a});

@@ -61,7 +61,7 @@ TEST(Session, ARangeOfAGridNeedsNoPoses) {
     const auto play = [&](Stage& stage) -> asio::awaitable<void> {
         FakeMaster& master = stage.master;
         master.add_job(encode_grid(grid));
-        master.channel->send(ScenarioRange{TaskId{1}, JobId{1}, 5, 100, {}});
+        master.channel->send(WorkUnit{TaskId{1}, JobId{1}, 5, 100, {}, {}, {}});
         co_await master.serve_until_ended(1);
         std::vector<Scenario> scenarios;
         for (std::uint64_t place = 5; place < 105; ++place) {
@@ -136,9 +136,10 @@ asio::awaitable<void> begin_what_takes_long(FakeMaster& master, const CutBody& d
     const TreeId tree{7};
     master.channel->send(dense.add(tree));
     master.channel->send(AddJob{JobId{2}, {tree, tree}, {}, std::nullopt});
-    Batch batch;
+    WorkUnit batch;
     batch.task = TaskId{1};
     batch.job = JobId{2};
+    batch.count = 1;
     std::vector<Scenario> scenario(1);
     batch.scenarios = pack_scenarios(scenario);
     batch.pairs = colliding_roots(dense.top, dense.top, scenario.front().poses).value().pairs;
@@ -204,13 +205,11 @@ TEST(Session, DisagreementEndsTheConnectionWithAReason) {
                 testing::HasSubstr("tree that is not here"));
     EXPECT_THAT(complaint_about(AddJob{JobId{1}, {tree_a, tree_b}, {}, {}}),
                 testing::HasSubstr("already"));
-    Batch unknown_job = make_batch(TaskId{1}, scenarios);
+    WorkUnit unknown_job = make_batch(TaskId{1}, scenarios);
     unknown_job.job = JobId{99};
     EXPECT_THAT(complaint_about(unknown_job), testing::HasSubstr("job that is not here"));
-    EXPECT_THAT(complaint_about(ScenarioRange{TaskId{1}, JobId{99}, 0, 1, {}}),
-                testing::HasSubstr("job that is not here"));
 
-    Batch unknown_root = make_batch(TaskId{1}, std::span(scenarios).first(1));
+    WorkUnit unknown_root = make_batch(TaskId{1}, std::span(scenarios).first(1));
     unknown_root.pairs = {{0, 1u << 30}};
     unknown_root.pair_offsets = {0, 1};
     EXPECT_THAT(complaint_about(unknown_root), testing::HasSubstr("root"));
@@ -220,10 +219,11 @@ TEST(Session, DisagreementEndsTheConnectionWithAReason) {
     EXPECT_THAT(complaint_about(Hint{JobId{1}, tree_a, {0, 1u << 30}}),
                 testing::HasSubstr("does not exist"));
 
-    Batch few_offsets = make_batch(TaskId{1}, scenarios);
-    few_offsets.pairs = {};
-    few_offsets.pair_offsets = {0};
-    EXPECT_THAT(complaint_about(few_offsets), testing::HasSubstr("2 of them, and at most 1"));
+    WorkUnit few = make_batch(TaskId{1}, scenarios);
+    few.count = 1;
+    few.pairs = {};
+    few.pair_offsets = {0, 0};
+    EXPECT_THAT(complaint_about(few), testing::HasSubstr("2 of them, and at most 1"));
 
     AddTree no_tree = bodies().a.add(TreeId{9});
     no_tree.roots = 0;

@@ -23,21 +23,21 @@ struct Tasks : testing::Test {
 
 TEST_F(Tasks, AreOfKnownJobsAndComeOnce) {
     EXPECT_THAT(book.add_job(add_job(), cache).error().detail, HasSubstr("added already"));
-    const Batch batch = make_batch(TaskId{1}, make_scenarios(0, 3));
+    const WorkUnit batch = make_batch(TaskId{1}, make_scenarios(0, 3));
     ASSERT_TRUE(book.add(batch, cache));
     EXPECT_THAT(book.add(batch, cache).error().detail, HasSubstr("task 1 came twice"));
-    EXPECT_THAT(book.add(make_range(TaskId{1}, make_scenarios(0, 1))).error().detail,
+    EXPECT_THAT(book.add(make_range(TaskId{1}, make_scenarios(0, 1)), cache).error().detail,
                 HasSubstr("task 1 came twice"));
     book.remove_job(JobId{1});
     EXPECT_EQ(book.job(JobId{1}), nullptr);
-    EXPECT_THAT(book.add(make_range(TaskId{2}, make_scenarios(0, 1))).error().detail,
+    EXPECT_THAT(book.add(make_range(TaskId{2}, make_scenarios(0, 1)), cache).error().detail,
                 HasSubstr("task 2 names a job that is not here"));
     EXPECT_EQ(book.find(TaskId{2}), nullptr);
 }
 
 TEST_F(Tasks, AreCountedAndNamedInAnInventory) {
     EXPECT_TRUE(book.add(make_batch(TaskId{1}, make_scenarios(0, 3)), cache));
-    EXPECT_TRUE(book.add(make_range(TaskId{2}, make_scenarios(3, 4))));
+    EXPECT_TRUE(book.add(make_range(TaskId{2}, make_scenarios(3, 4)), cache));
     EXPECT_EQ(book.unanswered(), 7u);
     book.at(TaskId{1}).drop();
     book.at(TaskId{1}).give_back(2);
