@@ -307,7 +307,8 @@ Result<double> put_bytes(const PreparedJob& job,
     estimate.bytes = base.value().scenarios + base.value().maps +
                      (keeps_inputs ? bytes_beside_poses(job) : 0) +
                      static_cast<std::uint64_t>(grown);
-    // An empty run costs `base_seconds`, since each file is synced once per run, not per scenario.
+    // Returns seconds per scenario. `base_seconds` does not grow with the number of scenarios: it
+    // is the time of an empty run, which syncs each file once.
     return std::max(0.0, seconds - base_seconds) / size;
 }
 

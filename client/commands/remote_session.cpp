@@ -31,7 +31,7 @@ std::string mesh_name(const ClusterStatus& status, const Sha256& mesh) {
     return found == status.meshes.end() || found->name.empty() ? to_short_hex(mesh) : found->name;
 }
 
-/// True for errors that call for a new connection: broken, silent, or damaged bytes.
+/// True if a new connection may help: the old one broke, was silent, or brought damaged bytes.
 bool is_of_the_network(const Error& error) {
     return error.code == ErrorCode::Disconnected || error.code == ErrorCode::Timeout ||
            error.code == ErrorCode::BadFrame;
@@ -154,7 +154,7 @@ Result<JobStatus> watch_job(const MasterOptions& master,
                             const std::string& id,
                             ProgressPrinter::Style progress) {
     ProgressPrinter printer(progress);
-    int damaged = 0; // Consecutive connections with damaged bytes.
+    int damaged = 0; // Number of connections in a row that brought damaged bytes.
     JobStatus last;
     ClusterStatus cluster;
     bool has_looked = false;
@@ -197,7 +197,7 @@ Result<JobStatus> watch_job(const MasterOptions& master,
         if (status || !is_of_the_network(status.error())) {
             return status;
         }
-        // A master that sends only damaged bytes is not retried for ever.
+        // Gives up on a master that sends only damaged bytes.
         if (status.error().code == ErrorCode::BadFrame &&
             ++damaged >= limits::damaged_connections_max) {
             return status;

@@ -58,7 +58,7 @@ class ResultWriter {
     [[nodiscard]] virtual Status finish() = 0;
 };
 
-/// results.txt, for people: a line for each scenario, followed by a line for each pair.
+/// results.txt, human-readable: a line for each scenario, followed by a line for each pair.
 [[nodiscard]] std::unique_ptr<ResultWriter> make_text_writer(const ExportContext& context,
                                                              OutputFile file);
 /// results.jsonl: a line with a JSON object for each scenario.

@@ -20,7 +20,7 @@ struct ExportOptions {
 
 /// Reads all records once, writes the missing formats into the folder, lists them in run.json, and
 /// writes `output` to stdout. `folder` may be null if no format is to be added. Returns a report of
-/// the records, with time and place from summary.json. Errors: Io; BadInput for an unknown format;
+/// the records, with `execution` from summary.json. Errors: Io; BadInput for an unknown format;
 /// Interrupted.
 [[nodiscard]] Result<RunReport> add_exports(const OpenedRun& run,
                                             RunFolder* folder,

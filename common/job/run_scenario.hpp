@@ -112,7 +112,8 @@ class ScenarioRunner {
     const Query& query_;
     RunOptions options_;
     Settler settler_;
-    std::shared_ptr<const CutTree> cut_a_; ///< Null without a tolerance.
+    /// The cut trees of A and B; null if the query has no tolerance.
+    std::shared_ptr<const CutTree> cut_a_;
     std::shared_ptr<const CutTree> cut_b_;
 };
 

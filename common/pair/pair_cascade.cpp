@@ -119,8 +119,10 @@ class CascadeSigns {
             return of_a;
         }
         of_b_ = in_double_.sides_of_b();
+        // If B lies strictly on one side of A's plane, the pair is Separate: `decide_pair`
+        // concludes that from the sides of B as well as from those of A.
         if (pair_decision::is_one_sided(*of_b_)) {
-            return *of_b_; // One-sided sides of B also make the pair Separate.
+            return *of_b_;
         }
         return later_.sides(of_a, 3, 0);
     }

@@ -44,7 +44,7 @@ enum class PairDecision : std::uint8_t {
                 ///< measuring what the exact answer costs.
 };
 
-/// Counts the pairs that each stage decided: a pair counts for the highest stage that it reached.
+/// Counts the pairs that each stage decided. A pair that needs several stages counts for the last.
 /// Calls with few candidates skip stage Float, which costs as much for a few as for many.
 struct PairStatistics {
     std::array<std::uint64_t, pair_stage_count> settled{};

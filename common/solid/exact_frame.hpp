@@ -63,7 +63,7 @@ class ExactFrame {
     [[nodiscard]] const Dyadic& scale() const { return scale_; }
 
   private:
-    std::array<DyadicVec, 3> linear_; ///< Rows; they map inner's coordinates to the frame.
+    std::array<DyadicVec, 3> linear_; ///< Rows of the matrix from the inner body to the frame.
     DyadicVec translation_;
     Dyadic scale_;
     int outer_orientation_ = 0;

@@ -73,7 +73,7 @@ bool any_faces_the_same_way(const ObbTree& a,
             if (posed.is_flat() || winding == 0) {
                 return false;
             }
-            // A mirrored triangle's normal points to the other side of its solid.
+            // A pose that mirrors a body swaps the side of a triangle on which the solid lies.
             return frame.orientation() * winding * sides_a.of(contact.a) * sides_b.of(contact.b) >
                    0;
         });

@@ -19,7 +19,7 @@ constexpr FileKind wide_kind{0x31'45'44'49'57'44'43'00, 1};   // "\0CDWIDE1"
 enum TopologySection : std::size_t { counts, component_triangles, topology_sections };
 enum BinarySection : std::size_t { nodes = topology_sections, triangle_ids, binary_sections };
 enum WideSection : std::size_t {
-    sizes = topology_sections, ///< The view's extent and the blocks' largest coordinate.
+    sizes = topology_sections, ///< Two doubles: `WideView::extent` and `TriangleBlocks::reach`.
     wide_nodes,
     floats,
     doubles,

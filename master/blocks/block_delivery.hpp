@@ -88,7 +88,8 @@ class BlockDelivery {
     /// first block cannot be read from disk.
     static bool send_some(Link& link, TreeId tree, const CutGeometry& geometry);
     static void send_blocks(Link& link, Subtrees subtrees);
-    /// Builds the first block of the queue again, on a pool, and sends it if it is still wanted.
+    /// Call if `block` cannot be read from disk: builds it again on a pool, and sends it if it is
+    /// still the first of the worker's queue.
     [[nodiscard]] asio::awaitable<void> send_anew(WorkerId worker, BlockKey block);
     [[nodiscard]] asio::awaitable<void> watch_time();
 

@@ -128,8 +128,8 @@ class BlockDirector {
     /// Frees the upload slot that the fetch takes.
     void free_place(Fetch& fetch, Event& event);
     void lose_hold(WorkerId worker, const BlockKey& block, Event& event);
-    /// Marks all blocks of a source that some or all workers can no longer use, so that `settle`
-    /// checks the workers that wait for them.
+    /// Records that workers can no longer fetch from this source. For each of its blocks, `settle`
+    /// then checks whether the workers that wait for the block still have a source.
     void serves_fewer(WorkerId source, Event& event);
 
     /// Ends an event: assigns freed upload slots to waiting workers, and lets the master send the

@@ -68,7 +68,7 @@ class BlockIndex {
     /// Records that worker `by` cannot reach the source. Avoids a source once
     /// `limits::peer_unreachable_by_max` workers cannot reach it.
     void set_unreachable(WorkerId source, WorkerId by);
-    /// From now on, the source is not named any more.
+    /// Never offers this worker as a source of any block again. Transfers under way go on.
     void avoid(WorkerId source);
 
     // ---- Blocks -------------------------------------------------------------------------------

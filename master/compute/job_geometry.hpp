@@ -35,8 +35,8 @@ struct JobGeometry {
                                                 const Query& query,
                                                 std::shared_ptr<PoseSource> poses);
 
-/// Part of the pose file that `open_poses` checks: all, or nothing. Each later read checks the part
-/// that it reads.
+/// Whether `open_poses` verifies the whole pose file at once. With AsRead it verifies nothing: each
+/// later read verifies the poses that it reads.
 enum class PoseCheck : std::uint8_t { Whole, AsRead };
 
 /// Opens the poses of a job in the journal; `path` is their file, unused if the job has a grid.

@@ -32,8 +32,9 @@ class Explainer {
     /// NotFound; Refused while the job is being prepared.
     [[nodiscard]] Result<std::optional<AnalysisInput>> needed(JobId job,
                                                               std::uint64_t scenario) const;
-    /// Scores the workers for a scenario as of now. For an ended job it reports only who answered,
-    /// and ignores `analysis`. Errors: NotFound; Refused for a running job without `analysis`.
+    /// Returns the score that each worker would get for the scenario now. For an ended job, returns
+    /// only who answered, and ignores `analysis`. Errors: NotFound; Refused for a running job
+    /// without `analysis`.
     [[nodiscard]] Result<Explained>
     explain(JobId job, std::uint64_t scenario, std::optional<Analysis> analysis) const;
 

@@ -1,4 +1,5 @@
-// Unsent work: the jobs' analysed scenarios, and the positions that go out without analysis.
+// Unsent work: the jobs' analysed scenarios, and the positions in their hand-out order that go out
+// without analysis.
 #pragma once
 
 #include "master/dispatch/job/dispatch_job.hpp"

@@ -1,5 +1,5 @@
-// Ends jobs, and pauses them while the disk fails. Somebody may repair a full or damaged disk, so a
-// job that waits loses nothing, and nothing is deleted.
+// Ends jobs, and pauses them while the disk is full or damaged. A paused job keeps all its data,
+// and resumes once the disk works again.
 #pragma once
 
 #include "common/core/result.hpp"

@@ -19,7 +19,7 @@
 
 namespace cd {
 
-/// A result message, which is to be acknowledged to its worker.
+/// A result message, which the master acknowledges to the worker once the results are durable.
 struct Delivery {
     WorkerId worker;
     std::uint64_t sequence = 0; ///< Number that the worker gave the message.
@@ -67,13 +67,14 @@ class Ledger {
     /// Forgets the states of the job's scenarios, also of uncommitted ones.
     void close_job(JobId job);
 
-    /// Marks a scenario of an open job as durable since before a restart of the master.
+    /// Marks a scenario of an open job as durable: a previous process of the master committed its
+    /// result.
     void restore(JobId job, std::uint64_t scenario);
     /// Records that the scenario's result is in the entry at `position`. Positions must not
     /// decrease from call to call. The job must be open and the scenario unknown.
     void write(JobId job, std::uint64_t scenario, std::uint64_t position);
-    /// Makes scenarios unknown whose results were withdrawn. They must be written or durable, and
-    /// their job open.
+    /// Marks scenarios as unknown because their results were withdrawn. The job must be open, and
+    /// each scenario written or durable.
     void withdraw(JobId job, std::span<const std::uint64_t> scenarios);
 
     /// Returns the promise from `take_kept` once all entries up to this position are committed.

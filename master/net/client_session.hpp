@@ -108,7 +108,7 @@ class ClientSession : public std::enable_shared_from_this<ClientSession> {
     std::shared_ptr<JobSpool> spool_; ///< Null if no poses are arriving.
     std::uint64_t queued_ = 0;        ///< Bytes of the submission that the quota counts.
     std::chrono::steady_clock::time_point progressed_; ///< Last progress of the mesh or the poses.
-    /// True if the submission was refused and the client told: the rest of its poses is ignored.
+    /// True after a submission was refused: the rest of its poses is ignored.
     bool refused_ = false;
     std::size_t watches_ = 0;
     JobQueries queries_;

@@ -134,9 +134,9 @@ connect(Target target, std::chrono::seconds timeout = limits::connect_timeout);
 /// host and port.
 [[nodiscard]] asio::awaitable<Status> reach(Endpoint endpoint, std::chrono::seconds timeout);
 
-/// Makes a channel of an accepted socket, within the timeout. A peer that uses TLS when `tls` is
-/// null, or plain TCP otherwise, gets an error in its own protocol. Errors: those of
-/// `Stream::secure`.
+/// Wraps an accepted socket in a channel, after a TLS handshake unless `tls` is null, within the
+/// timeout. A peer that uses TLS when `tls` is null, or plain TCP otherwise, gets an error in its
+/// own protocol. Errors: those of `Stream::secure`.
 [[nodiscard]] asio::awaitable<Result<std::shared_ptr<Channel>>>
 accept_channel(asio::ip::tcp::socket socket,
                std::shared_ptr<const Tls> tls,

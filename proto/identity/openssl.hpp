@@ -1,4 +1,4 @@
-// Owners of OpenSSL objects, for the units of proto that call OpenSSL, and for fuzz targets.
+// RAII handles of OpenSSL objects, for the files of proto that call OpenSSL and for fuzz targets.
 #pragma once
 
 #include "common/core/check.hpp"

@@ -5,7 +5,7 @@
 
 namespace cd {
 
-/// Cache and transfer counters of blocks at workers.
+/// Counts the blocks that workers found in their caches, requested, received and evicted.
 struct BlockTraffic {
     std::uint64_t hits = 0;   ///< Blocks that a scenario needed and that were cached.
     std::uint64_t misses = 0; ///< Blocks requested because a scenario needed them.
@@ -20,13 +20,13 @@ struct BlockTraffic {
 
 /// Traffic of one worker.
 struct CacheTraffic {
-    BlockTraffic blocks; ///< Since the session began; evictions since the process started.
+    BlockTraffic blocks; ///< Evictions since the process started; all else since the session began.
     std::uint64_t uploaded_bytes = 0; ///< Sent to other workers since the process started.
 
     friend bool operator==(const CacheTraffic&, const CacheTraffic&) = default;
 };
 
-/// Traffic of one job at all workers, as of its received results.
+/// Traffic of one job, summed over the Results messages that the master has received.
 struct JobTraffic {
     /// A block counts for the job that requested it; an eviction counts for each job that uses the
     /// tree.

@@ -28,7 +28,8 @@ class CachedTree {
         std::shared_ptr<const SubtreeBlock> block; ///< The encoded form; null: not kept.
         bool is_pinned = false;                    ///< True: must not be evicted.
         bool is_idle = false;                      ///< True: cached and not pinned.
-        std::list<SubtreeKey>::iterator place;     ///< In the cache's list of idle subtrees.
+        std::list<SubtreeKey>::iterator
+            place; ///< In the cache's list of idle subtrees, if `is_idle`.
     };
 
     explicit CachedTree(const AddTree& add) : named_(add), partial_(add.roots), slots_(add.roots) {}
@@ -55,7 +56,7 @@ class CachedTree {
     [[nodiscard]] std::shared_ptr<const SubtreeBlock> block_at(RootIndex root) const;
     /// Memory of a filled slot, bytes.
     [[nodiscard]] std::uint64_t bytes_of(RootIndex root) const;
-    /// Memory of the upper tree, bytes; 0 without one.
+    /// Memory of the upper tree, bytes; 0 if it is not cached.
     [[nodiscard]] std::uint64_t bytes_of_top() const;
     /// Estimated memory of a subtree or of the upper tree, in bytes, before the block has arrived.
     [[nodiscard]] std::uint64_t bytes_expected(RootIndex root) const;

@@ -79,7 +79,7 @@ class Fetcher {
     };
     /// A block requested and not received.
     struct Request {
-        std::set<Token> waiting; ///< Scenarios that wait for the block; empty if only hinted.
+        std::set<Token> waiting; ///< Scenarios that wait for the block; none if only hints name it.
         std::uint64_t bytes = 0; ///< Expected size.
     };
     /// A subtree that admitted scenarios need.

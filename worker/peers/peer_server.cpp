@@ -79,7 +79,7 @@ asio::awaitable<void> PeerServer::serve(std::shared_ptr<PeerServer> self,
 
 asio::awaitable<void> PeerServer::converse(std::shared_ptr<Channel> channel, Seats::Seat& seat) {
     const Result<Hello> hello = co_await accept_hello(channel);
-    // Peers without an address share one limit.
+    // If the address cannot be parsed, only the total number of connections is limited.
     boost::system::error_code ignored;
     const Seats::Seat place = places_.take(asio::ip::make_address(channel->peer_host(), ignored));
     if (hello && hello.value().role == Role::Peer && place != nullptr) {

@@ -56,12 +56,12 @@ class BlockInbox {
     /// blocks stay cached until `release`.
     void need(Token token, JobId job, std::vector<SubtreeKey> roots);
     void release(Token token) { fetcher_.finished(token); }
-    /// Requests the upper trees that descents of the job need.
+    /// Requests the upper trees of both bodies, which the worker descends for the job's ranges.
     void need_tops(const WorkerJob& job);
     [[nodiscard]] bool has_tops(const WorkerJob& job) const;
     /// Marks cached blocks that a descent needed as just used, and counts them as hits of the job.
     void found(JobId job, const Walked& walked);
-    /// Traffic of the job since the last call.
+    /// Returns the job's traffic since the last call for this job.
     [[nodiscard]] BlockTraffic take_traffic(JobId job) { return traffic_.take(job); }
 
     // ---- The session --------------------------------------------------------------------------
@@ -104,7 +104,7 @@ class BlockInbox {
     Fetcher fetcher_;
     PeerParts peers_;
     PeerLinks links_;
-    std::map<TreeId, std::vector<RootIndex>> held_; ///< Blocks not yet reported in a Held.
+    std::map<TreeId, std::vector<RootIndex>> held_; ///< Arrived blocks to report in the next Held.
     TrafficBook traffic_;
 };
 

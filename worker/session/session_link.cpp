@@ -50,7 +50,8 @@ void SessionLink::resume(std::shared_ptr<Channel> channel, const Standing& stand
     met_silence_ = false;
     const Message inventory(standing);
     if (encode_message(inventory).size() > payload_bytes_max(message_type(inventory))) {
-        // A new session reports tree by tree.
+        // Costs only the unfinished tasks: the next session keeps the cache and the results, and
+        // reports the cached blocks in one message per tree.
         return end(SessionEnd::Disagreed, "its inventory exceeds the limit of a message");
     }
     for (const auto& [sequence, results] : keep_->results.messages()) {

@@ -33,13 +33,13 @@ class TrafficBook {
 
     /// Traffic of all jobs since the start of the session.
     [[nodiscard]] const BlockTraffic& total() const { return total_; }
-    /// Traffic of the job since the last call of `take`.
+    /// Returns the job's traffic since the last call for this job.
     [[nodiscard]] BlockTraffic take(JobId job);
 
   private:
     struct Job {
         std::array<TreeId, 2> trees;
-        BlockTraffic traffic; ///< Since the last call of `take`.
+        BlockTraffic traffic; ///< Counted since `take` was last called for the job.
 
         [[nodiscard]] bool uses(TreeId tree) const { return trees[0] == tree || trees[1] == tree; }
     };

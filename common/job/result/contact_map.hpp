@@ -21,7 +21,7 @@ struct TriangleContacts {
     friend bool operator==(const TriangleContacts&, const TriangleContacts&) = default;
 };
 
-/// The touched triangles of A and of B, ascending, each with at least one scenario.
+/// The triangles of A ([0]) and of B ([1]) that were in contact in any scenario, ascending.
 struct ContactMap {
     std::array<std::vector<TriangleContacts>, 2> bodies;
 

@@ -269,7 +269,7 @@ Result<ScenarioResult> decode_result(std::span<const std::byte> bytes) {
 }
 
 ScenarioResult within_limit(ScenarioResult result, std::uint64_t bytes_max) {
-    // Fixed size of the record's layout, rounded up.
+    // Upper bound on the size of a record without pairs and points.
     constexpr std::uint64_t fixed_bytes = 64;
     constexpr std::uint64_t pair_bytes = 2 * sizeof(std::uint32_t) + 1;
     constexpr std::uint64_t point_bytes = 3 * sizeof(double);

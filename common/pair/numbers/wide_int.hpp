@@ -34,12 +34,12 @@ namespace wide_int {
 inline constexpr int word_bits = 60;
 inline constexpr std::int64_t word_mask = (std::int64_t{1} << word_bits) - 1;
 
-/// Canonical coordinates below 2^bits_max(words) in magnitude may enter `difference`, `cross` and
-/// `dot`. Then a last word is at most 2^58, and all words of a difference are within 2^60. A column
-/// of a cross product adds 2 * words products of at most 2^120, which is below 2^127 for up to 63
-/// words. Its value is at most 2 * 2^(2 bits + 2), so the last of its 2 * words words is within
-/// 2^59. A column of a dot product adds 3 * words such products; its last word holds the rest,
-/// below 2^62.
+/// Bounds the magnitude of canonical coordinates, so that dot(cross(d1, d2), d3) of any of their
+/// differences d does not overflow, for up to 42 words: with |coordinate| below 2^bits, a last word
+/// is within 2^58, and any word of a difference within 2^60. A column of the cross product sums
+/// 2 * words products within 2^120, and a column of the dot product 3 * words, so both are below
+/// 2^127 even with a carry. A component of the cross product is below 2 * 2^(2 bits + 2), and the
+/// dot product below 6 * 2^(3 bits + 3), so their last words are within 2^59 and 2^60.
 constexpr int bits_max(std::size_t words) {
     return word_bits * static_cast<int>(words) - 2;
 }

@@ -64,11 +64,11 @@ HWY_INLINE void finish_change(const float* columns,
 /// A pair of nodes of a batch, with the transforms between their frames.
 struct Meeting {
     alignas(16) float columns[3][4]; ///< M, which maps B's coordinates to A's.
-    alignas(16) float offset_a[4];   ///< -N^-1 T.
-    alignas(16) float offset_b[4];   ///< T.
+    alignas(16) float offset_a[4];   ///< -N^-1 T: the origin of A's node in the frame of B's.
+    alignas(16) float offset_b[4];   ///< T: the origin of B's node in the frame of A's.
     alignas(16) float per_step_a[4]; ///< The reciprocals of A's steps.
-    alignas(16) float per_step_b[4];
-    float margin; ///< A length.
+    alignas(16) float per_step_b[4]; ///< The reciprocals of B's steps.
+    float margin; ///< The length that is added to each interval for rounding errors.
     WidePair nodes;
 };
 

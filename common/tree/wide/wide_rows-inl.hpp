@@ -41,7 +41,8 @@ struct Ranks {
     alignas(64) std::int32_t of[children][children];
 };
 
-/// Returns the distance of the middles of two intervals, divided by the sum of their half sizes.
+/// Returns the distance between the centres of two intervals, divided by the sum of their half
+/// widths: 0 if the centres coincide, 1 if the intervals barely meet.
 HWY_INLINE V distance_ratio(V low, V high, V other_low, V other_high) {
     const V apart = hn::Abs(hn::Sub(hn::Add(low, high), hn::Add(other_low, other_high)));
     return hn::Div(apart, hn::Add(hn::Sub(high, low), hn::Sub(other_high, other_low)));

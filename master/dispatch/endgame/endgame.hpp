@@ -32,10 +32,11 @@ class Endgame {
     [[nodiscard]] bool helps(WorkerProxy& from, WorkerProxy& helper, Actions& actions);
     [[nodiscard]] bool
     ask_back(const WorkerProxy& from, const WorkerProxy& helper, Actions& actions);
-    /// The scenarios of a batch, possibly none, that the helper would finish earlier.
+    /// Returns a request for the scenarios of a batch that the helper would finish earlier, if any.
     [[nodiscard]] AskBack
     batch_to_ask(const WorkerProxy& from, TaskId task, const WorkerProxy& helper) const;
-    /// The last positions of a range, possibly none, that the helper would finish earlier.
+    /// Returns a request for as many last positions of a range as the helper would finish earlier.
+    /// It asks for none if `places` equals the range's length.
     [[nodiscard]] AskBack
     range_to_ask(const WorkerProxy& from, TaskId task, const WorkerProxy& helper) const;
     /// Number of positions to move so that both workers finish together. 0 unless the helper would

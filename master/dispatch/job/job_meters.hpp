@@ -16,7 +16,8 @@ class RangePace {
   public:
     void add(WorkerId worker, std::uint64_t scenarios, double seconds);
     void forget(WorkerId worker) { of_workers_.erase(worker); }
-    /// The worker's rate; if unknown, the rate of all workers; if unknown, `otherwise`.
+    /// Returns the worker's rate if known, else the rate over all workers if known, else
+    /// `otherwise`.
     [[nodiscard]] double per_thread(WorkerId worker, double otherwise) const;
 
   private:
@@ -66,7 +67,7 @@ class CopyBudget {
 
   private:
     std::uint64_t work_ns_ = 0;
-    std::uint64_t copied_ns_ = 0; ///< Work ever copied.
+    std::uint64_t copied_ns_ = 0; ///< Predicted time of all copies so far.
 };
 
 } // namespace cd

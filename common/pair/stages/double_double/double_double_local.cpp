@@ -12,7 +12,7 @@ namespace {
 using PlainRow = LocalMap::PlainRow;
 
 /// Returns row k of a quaternion's rotation if it provably keeps axis k or reverses it: a rotation
-/// about the axis, or a half turn about an axis at right angles. (Rounded entries of 0 or 1 would
+/// about the axis, or a half turn about a perpendicular axis. (Rounded entries of 0 or 1 would
 /// prove nothing.)
 std::optional<PlainRow> plain_row(const Quaternion& q, std::size_t k) {
     const std::array<double, 3> vector{q.x, q.y, q.z};

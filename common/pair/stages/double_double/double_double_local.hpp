@@ -77,8 +77,8 @@ template <std::size_t n>
 
 /// A triangle relative to an origin, with values derived from it alone.
 struct LocalTriangle {
-    /// The world components of a corner, where known exactly. All corners of an edge or face at
-    /// right angles to an axis share a component.
+    /// The world coordinates of a corner that are known exactly. All corners of an edge or face
+    /// perpendicular to an axis share their coordinate on that axis.
     using ExactComponents = std::array<std::optional<DoubleDouble>, 3>;
 
     std::array<DoubleDoubleVec, 3> corners;

@@ -134,7 +134,7 @@ LocalPlace corner_place(const LocalTriangle& of, std::size_t corner, const Local
 LocalPlace piercing_place(const LocalHalf& of, std::size_t edge, const LocalBounds& bounds) {
     LocalPlace place =
         place_on_edge(of, edge, {of.sides[edge], of.sides[next(edge)], of.side_error}, bounds);
-    // All points of a triangle at right angles to an axis have the same component.
+    // All points of a triangle perpendicular to an axis have the same coordinate on that axis.
     const auto& world = of.other->world;
     for (std::size_t k = 0; k < 3; ++k) {
         if (is_same(world[0][k], world[1][k]) && is_same(world[0][k], world[2][k])) {
