@@ -5,7 +5,7 @@
 namespace cd {
 
 void keep_heap_small() {
-    // By default these limits grow with the largest array freed so far.
+    // Fixes both thresholds: by default they grow with the largest array freed so far.
     ::mallopt(M_MMAP_THRESHOLD, 4 << 20);
     ::mallopt(M_TRIM_THRESHOLD, 8 << 20);
 }

@@ -19,10 +19,10 @@ class InterruptGuard {
     InterruptGuard& operator=(const InterruptGuard&) = delete;
     ~InterruptGuard();
 
-    /// From now on the first signal only sets the flag.
+    /// Makes the first signal only set the flag.
     static void begin_to_flag();
-    /// From now on the first signal ends the process, as with `EndsProcess`. If a signal has
-    /// already come, ends the process immediately.
+    /// Makes the first signal end the process, as with `EndsProcess`. If a signal has already come,
+    /// ends the process immediately.
     static void begin_to_end();
     /// The signal received since the guard was made, or 0.
     [[nodiscard]] static int signal();

@@ -17,7 +17,7 @@ namespace cd {
 struct MasterOptions {
     std::string address; ///< HOST:PORT
     bool insecure = false;
-    std::string credential; ///< A file, or "none"; empty: the one that `join` wrote, if any.
+    std::string credential; ///< A file, or "none"; empty: the file that `join` wrote, if any.
 };
 
 /// Contacts that give exit code 1: none; `touch` or worse; `cross` or `inside`.

@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::uint64_t poses_at_once = 1u << 16;
 
-/// The poses of a job on a master. Each `read` fetches poses anew.
+/// The poses of a job on a master. Each `read` fetches the poses from the master.
 class RemotePoses final : public PoseSource {
   public:
     RemotePoses(Connection& connection, JobId job, std::uint64_t count)

@@ -191,7 +191,7 @@ Grid read_grid(const Json& json) {
                 {number_of(q.at(0)), number_of(q.at(1)), number_of(q.at(2)), number_of(q.at(3))});
         }
     }
-    // `decode_grid` checks the numbers, which may be hostile.
+    // `decode_grid` checks the numbers, which are untrusted.
     if (const auto checked = decode_grid(encode_grid(grid)); !checked) {
         throw Wrong{checked.error().detail};
     }

@@ -86,7 +86,7 @@ struct RunManifest {
 /// The manifest as a JSON document.
 [[nodiscard]] std::string manifest_json(const RunManifest& manifest);
 
-/// The inverse of `manifest_json`. The text may be hostile; unknown keys are ignored. Errors:
+/// The inverse of `manifest_json`. The text is untrusted; unknown keys are ignored. Errors:
 /// BadInput with the reason, also for the format of a later version.
 [[nodiscard]] Result<RunManifest> parse_manifest(std::string_view text);
 

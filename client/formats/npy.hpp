@@ -34,7 +34,7 @@ struct NpyHeader {
 /// The maximum size of a header in bytes; headers that NumPy writes have some 100.
 inline constexpr std::size_t npy_header_bytes_max = (1u << 16) + 16;
 
-/// Reads the header from the first bytes of an array file, which may be hostile. Errors: BadInput
+/// Reads the header from the first bytes of an untrusted array file. Errors: BadInput
 /// with the reason: no array, an unsupported type, big-endian, damaged.
 [[nodiscard]] Result<NpyHeader> parse_npy_header(std::span<const std::byte> file);
 

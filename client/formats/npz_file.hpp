@@ -32,7 +32,7 @@ class NpzArray {
     std::string place_; ///< File and array, for messages.
 };
 
-/// The arrays of an archive. The file may be hostile: an array is unpacked on request, up to the
+/// The arrays of an archive. The file is untrusted: an array is unpacked on request, up to the
 /// size in its header and at most `limits::npz_array_bytes_max`.
 class NpzFile {
   public:

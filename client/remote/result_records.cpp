@@ -19,7 +19,7 @@ unpack_results(const ResultsPart& part, std::uint64_t first, std::uint64_t count
     std::vector<ScenarioResult> results;
     ByteReader in(records.value());
     for (const ScenarioInterval& run : part.held) {
-        // `run.count` may be hostile, but the loop ends when `records` has no more bytes.
+        // `run.count` is untrusted, but the loop ends when `records` has no more bytes.
         for (std::uint64_t i = 0; i < run.count; ++i) {
             const auto record = in.get_bytes(in.get<std::uint32_t>());
             if (in.failed()) {

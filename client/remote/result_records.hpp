@@ -11,7 +11,7 @@
 namespace cd {
 
 /// The results of scenarios [first, part.next) in order; the part must cover 1 to `count`
-/// scenarios. The bytes may be hostile. Errors: BadFrame for any other part; TooLarge.
+/// scenarios. The bytes are untrusted. Errors: BadFrame for any other part; TooLarge.
 [[nodiscard]] Result<std::vector<ScenarioResult>>
 unpack_results(const ResultsPart& part, std::uint64_t first, std::uint64_t count);
 

@@ -55,7 +55,7 @@ class Mesh {
     /// Serialises precision, vertices, triangles and parts, little-endian. The SHA-256 of the bytes
     /// identifies the mesh.
     [[nodiscard]] Bytes canonical_bytes() const;
-    /// Inverts `canonical_bytes`. The bytes may be hostile; all that `create` checks is checked.
+    /// Inverts `canonical_bytes`. The bytes are untrusted; all that `create` checks is checked.
     /// Errors: as `create`; BadInput for bytes of another form.
     [[nodiscard]] static Result<Mesh> from_canonical_bytes(std::span<const std::byte> bytes);
 

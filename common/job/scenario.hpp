@@ -31,7 +31,7 @@ struct Scenario {
 /// (varint.hpp) unless marked u8. A run in which a scenario has no doubles has length 1.
 [[nodiscard]] Bytes pack_scenarios(std::span<const Scenario> scenarios);
 
-/// Unpacks `pack_scenarios`. The bytes may be hostile; memory is bounded by `count_max` scenarios.
+/// Unpacks `pack_scenarios`. The bytes are untrusted; memory is bounded by `count_max` scenarios.
 /// Errors: BadFrame; TooLarge when there are more; BadInput naming the scenario whose pose is not
 /// finite or whose quaternion is zero.
 [[nodiscard]] Result<std::vector<Scenario>> unpack_scenarios(std::span<const std::byte> bytes,

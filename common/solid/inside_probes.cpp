@@ -82,7 +82,7 @@ bool leaves_components_whole(std::span<const std::uint32_t> component_of,
                              std::span<const IdRange> left_out) {
     std::vector<std::uint8_t> ways(
         component_of.size(),
-        0); // By component: 1 if any triangle stays, plus 2 if any is left out.
+        0); // Per component: 1 if any triangle stays, plus 2 if any is left out.
     std::uint32_t next = 0;
     const auto note = [&](std::uint32_t end, std::uint8_t way) {
         for (; next < end; ++next) {

@@ -27,7 +27,7 @@ struct SendBlock {
     friend bool operator==(const SendBlock&, const SendBlock&) = default;
 };
 
-/// Action: the worker is told to fetch the blocks from the first of the sources that has them.
+/// Action: tell the worker to fetch the blocks from the first of the sources that has them.
 struct SendToPeers {
     WorkerId to;
     TreeId tree;

@@ -28,7 +28,7 @@ class [[nodiscard]] StoreResult : public Result<T> {
   public:
     using Result<T>::Result;
     StoreResult(Result<T> result) : Result<T>(std::move(result)) {}
-    /// Returns the error of a value that could not be written to the disk.
+    /// Makes the result of a failed write to the disk.
     [[nodiscard]] static StoreResult unwritten(Error why) {
         StoreResult result(std::move(why));
         result.is_unwritten_ = true;

@@ -48,8 +48,8 @@ struct JobWork {
     std::unique_ptr<Analyser> analyser; ///< Made when the first analysis begins.
     OpenAnalyses open;
     JobRates rates;
-    /// By scenario index: true if it has a result, so that an analysis skips it. Null: no marks
-    /// yet.
+    /// Entry i: true if scenario i has a result, so that an analysis skips the scenario. Null: not
+    /// computed yet, or no scenario had a result.
     std::shared_ptr<const std::vector<bool>> done;
     std::vector<std::uint64_t> cancelled; ///< Scenarios cancelled one by one.
 

@@ -56,7 +56,7 @@ class MergedResults {
     /// All worker processes whose results count, also after `close`.
     [[nodiscard]] std::set<InstanceId> processes() const;
 
-    /// By scenario index: true if it has a result. Null if no scenario has one.
+    /// Returns whether each scenario has a result, by index; null if none has.
     [[nodiscard]] std::shared_ptr<const std::vector<bool>> marks() const;
     [[nodiscard]] const Summary& summary() const { return merger_.summary(); }
     /// Digest over all results; empty until every scenario has one.

@@ -63,7 +63,7 @@ std::optional<Bytes> unsealed(std::span<const std::byte> row, RowKind kind, std:
     return Bytes(content.begin(), content.end());
 }
 
-/// The same 64 bits as a signed number, which is all that SQLite stores.
+/// Reinterprets the 64 bits as a signed number, since SQLite stores no unsigned numbers.
 sqlite3_int64 to_column(std::uint64_t value) {
     return static_cast<sqlite3_int64>(value);
 }

@@ -62,7 +62,7 @@ class ResultStore {
     [[nodiscard]] std::uint64_t end() const;
     /// Value of `end` for a store without records.
     [[nodiscard]] static std::uint64_t first_end();
-    /// Returns the location of a record that is written when the store ends at `end`.
+    /// Returns the location that a record gets if it is appended when the store ends at `end`.
     [[nodiscard]] static RecordPlace place_at(std::uint64_t end, std::uint64_t length);
     /// Returns the end of the store after the record at this location.
     [[nodiscard]] static std::uint64_t end_of(const RecordPlace& place);

@@ -33,8 +33,8 @@ class WorkerSupply {
     [[nodiscard]] Messages add_kept(std::span<const AddTree> in_use);
 
     /// Resynchronises with the worker's inventory, after messages may have been lost. Removes the
-    /// jobs and trees that the worker should not have. Forgets those that it lacks, so that they
-    /// are sent again when needed.
+    /// jobs and trees that the worker should not have. Forgets that the worker got the jobs and
+    /// trees it lacks, so that they are sent again when needed.
     [[nodiscard]] Messages stands(const Standing& standing);
 
   private:

@@ -33,7 +33,7 @@ struct FailureTimes {
 
 /// Without messages, a worker changes from alive to silent, then to lost, and is then forgotten. A
 /// long pause between two checks may skip silent. A message makes a silent worker alive again; a
-/// lost one must join anew.
+/// lost worker must join again.
 class WorkerWatch {
   public:
     using Time = std::chrono::steady_clock::time_point;

@@ -14,8 +14,8 @@ namespace cd {
 [[nodiscard]] asio::awaitable<Result<Credential>>
 join_cluster(Endpoint master, JoinToken token, std::string name);
 
-/// Gets a certificate with the role and name of the one in `tls`, for a new key and validity.
-/// Errors: those of `connect` and `greet`; Refused with the master's reason.
+/// Gets a certificate with the role and name of the certificate in `tls`, but a new key and
+/// validity. Errors: those of `connect` and `greet`; Refused with the master's reason.
 [[nodiscard]] asio::awaitable<Result<Credential>> renew_credential(Endpoint master,
                                                                    std::shared_ptr<const Tls> tls);
 

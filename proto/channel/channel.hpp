@@ -46,9 +46,9 @@ struct Traffic {
 
 /// Time limits for frames; a channel that exceeds one closes.
 struct StallBounds {
-    /// For the next frame of a message that has begun to arrive.
+    /// Longest wait for the next frame of a message that has begun to arrive.
     std::chrono::steady_clock::duration read = limits::read_stall_max;
-    /// For the operating system to take a frame.
+    /// Longest time until the operating system accepts a frame.
     std::chrono::steady_clock::duration write = limits::write_stall_max;
 };
 

@@ -28,7 +28,7 @@ namespace cd {
 /// `decode_message` accepts.
 [[nodiscard]] Bytes encode_message(const Message& message);
 
-/// Decodes bytes that may be hostile: checks sizes against the remaining bytes, validates
+/// Decodes untrusted bytes: checks sizes against the remaining bytes, validates
 /// enumerations and cross-references, and allows no bytes after the message. Errors: BadFrame.
 [[nodiscard]] Result<Message> decode_message(std::uint16_t type,
                                              std::span<const std::byte> payload);

@@ -72,7 +72,7 @@ class CertificateAuthority {
     [[nodiscard]] Sha256 fingerprint() const;
 
     /// Signs a certificate for the key of the request, and ignores the request's other fields. The
-    /// request may be hostile. Errors: BadInput.
+    /// request is untrusted. Errors: BadInput.
     [[nodiscard]] Result<std::string> sign(const std::string& request,
                                            const Identity& identity) const;
 

@@ -31,7 +31,7 @@ class PeerServer : public std::enable_shared_from_this<PeerServer> {
 
     [[nodiscard]] std::uint16_t port() const { return listener_->port(); }
 
-    /// From now on serves these blocks for tickets of this key. Replaces an earlier key and blocks.
+    /// Starts to serve these blocks for tickets of this key. Replaces an earlier key and blocks.
     void serve(const PeerKey& key, Blocks blocks);
     /// Refuses all tickets until the next `serve`.
     void stop_serving();

@@ -34,8 +34,8 @@ class UnkeptResults {
     void kept(std::span<const std::uint64_t> sequences);
     void clear();
 
-    /// The messages to send in a new session, in order. Clears their task ids for good, since a new
-    /// session numbers its tasks anew.
+    /// The messages to send in a new session, in order. Clears their task ids for good, since a
+    /// new session numbers its tasks from the start.
     [[nodiscard]] std::vector<Results> again();
     /// The messages to send again in a resumed session, by sequence number.
     [[nodiscard]] const std::map<std::uint64_t, Results>& messages() const { return messages_; }

@@ -43,7 +43,7 @@ void SessionLink::begin(std::vector<Sha256> cuts) {
     channel_->send(Standing{}); // Marks the end of the kept results.
 }
 
-// From the inventory the master sees which of its messages were lost.
+// The inventory shows the master which of its messages were lost.
 void SessionLink::resume(std::shared_ptr<Channel> channel, const Standing& standing) {
     channel_ = std::move(channel);
     reason_.clear();

@@ -71,7 +71,7 @@ class ByteReader {
         return value;
     }
 
-    /// `count` may be hostile: memory is allocated only for bytes that are present.
+    /// `count` is untrusted: memory is allocated only for bytes that are present.
     template <Scalar T>
     [[nodiscard]] std::vector<T> get_array(std::uint64_t count) {
         if (count > rest_.size() / sizeof(T) || failed_) {

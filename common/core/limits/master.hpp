@@ -16,7 +16,7 @@ inline constexpr std::size_t greetings_max = 512; ///< Connections that have not
 inline constexpr std::size_t worker_connections_max = 2048;
 /// Connections of all workers; the rest of `connections_max` is for clients.
 inline constexpr std::size_t all_worker_connections_max = 7168;
-inline constexpr std::size_t http_connections_max = 64; ///< At once; each has one request.
+inline constexpr std::size_t http_connections_max = 64; ///< Simultaneous; each has one request.
 inline constexpr std::chrono::hours client_idle_max{24};
 /// A stopping master waits so long for its sessions and threads to end.
 inline constexpr std::chrono::seconds stop_grace{5};
@@ -24,19 +24,19 @@ inline constexpr unsigned blocking_threads = 4; ///< Threads that read and write
 
 // Identity.
 inline constexpr std::chrono::hours master_certificate_life{24 * 30};
-/// For workers and clients, by default.
+/// Default validity of the certificates of workers and clients.
 inline constexpr std::chrono::hours certificate_life{24 * 7};
 inline constexpr std::chrono::seconds certificate_life_min{2};
 inline constexpr std::size_t tokens_max = 1024; ///< Tokens that are valid at the same time.
 inline constexpr std::chrono::hours token_life_max{24 * 30};
-/// Between two checks whether a connected holder is refused.
+/// Period of the checks whether a connected certificate holder is refused meanwhile.
 inline constexpr std::chrono::seconds holder_check_period{10};
-inline constexpr std::size_t refused_bytes_max = 1u << 20; ///< The file that lists refused holders.
+inline constexpr std::size_t refused_bytes_max = 1u << 20; ///< Size of the list of refused holders.
 
 // A client's share.
 inline constexpr std::size_t client_connections_max = 64;
 inline constexpr std::size_t client_jobs_max = 64;
-/// Meshes, poses and grids sent in one period.
+/// Bytes of meshes, poses and grids that a client sends in one period.
 inline constexpr std::uint64_t client_bytes_max = 256ull << 30;
 inline constexpr std::chrono::hours client_bytes_period{24};
 inline constexpr std::uint64_t client_queued_bytes_max = 64ull << 30; ///< Poses of its open jobs.
@@ -50,13 +50,13 @@ inline constexpr std::chrono::seconds retry_after{30};
 // Messages of clients, and answers to them.
 inline constexpr std::uint64_t poses_part_scenarios_max = 1u << 16; ///< In one message.
 inline constexpr std::uint64_t mesh_answer_bytes = 1u << 20;        ///< In one message.
-/// In one answer, uncompressed; a larger single record goes alone.
+/// Uncompressed records in one answer; a single larger record is sent alone.
 inline constexpr std::uint64_t results_part_bytes_target = 4u << 20;
 inline constexpr std::uint64_t results_scan_max = 1u << 20; ///< Scenarios read for one answer.
-inline constexpr std::size_t path_bytes_max = 4096;         ///< A file's name, for display.
-/// Longest pause of a client within a submission.
+inline constexpr std::size_t path_bytes_max = 4096; ///< Length of a file's name, for display.
+/// Longest time between two messages of a client's submission.
 inline constexpr std::chrono::seconds submission_idle_max{60};
-/// Between two updates to a client that watches.
+/// Shortest time between two updates to a client that watches a job.
 inline constexpr std::chrono::milliseconds watch_period{200};
 /// A client waits so long until a cancellation is on the disk.
 inline constexpr std::chrono::seconds cancel_wait_max{10};
@@ -76,7 +76,7 @@ inline constexpr double binary_block_bytes_per_triangle = 30; ///< On the wire; 
 
 // Jobs.
 inline constexpr std::size_t jobs_running_max = 256;
-/// By default; with more ended jobs, the oldest is dropped.
+/// Default number of ended jobs to keep; with more, the oldest is dropped.
 inline constexpr std::size_t jobs_ended_kept_max = 1024;
 /// The most ended jobs that a setting may keep.
 inline constexpr std::size_t jobs_kept_max = 100'000;
@@ -89,23 +89,23 @@ inline constexpr std::uint64_t scenarios_running_max = 1ull << 28;
 inline constexpr std::uint64_t results_ended_kept_max = 1ull << 27;
 /// Results of an ended job whose author, a worker process, is kept.
 inline constexpr std::size_t authors_kept_max = 1u << 18;
-/// A job's grid, in memory and in the journal.
+/// Size of a job's grid, in memory and in the journal.
 inline constexpr std::size_t grid_bytes_max = 8u << 20;
-/// A larger grid of an ended job leaves memory.
+/// A larger grid is dropped from memory when its job ends.
 inline constexpr std::size_t ended_grid_bytes_max = 64u << 10;
 inline constexpr std::size_t ignored_ranges_max = 1u << 16; ///< Each batch carries them.
 inline constexpr std::uint32_t q_max = 1u << 16;
 inline constexpr std::uint32_t v_kb_max = 16'384; ///< Limited so that a batch fits a message.
-/// Poses that are stored and read together.
+/// Number of scenarios whose poses are stored and read together.
 inline constexpr std::uint64_t spool_run_scenarios = analysis_block_scenarios;
-/// Results not yet written to a file.
+/// Size of the results that are buffered before they are written to a file.
 inline constexpr std::size_t result_buffer_bytes_max = 1u << 20;
 /// Cuts whose blocks a joining worker may report to hold.
 inline constexpr std::size_t cuts_held_max = 1u << 15;
 
 // Losses.
 inline constexpr std::uint32_t scenario_losses_max = 3; ///< A scenario fails after so many losses.
-/// Only every so many-th further loss with one process counts.
+/// When a scenario is lost with one process repeatedly, only every so many-th repetition counts.
 inline constexpr std::size_t losses_again_that_count = 8;
 inline constexpr std::size_t alarms_kept_max = 20;
 /// Worker processes in quarantine that are remembered; a restarted worker is another process.
@@ -116,7 +116,7 @@ inline constexpr std::size_t worker_sessions_kept = 4096;
 // Results on their way to the journal.
 /// Messages of one worker that are being checked.
 inline constexpr std::size_t results_in_hand_max = 8;
-/// Results that wait for the disk or for their job. With more, each process has at most
+/// Size of results that wait for the disk or for their job. With more, each process has at most
 /// `results_in_hand_max` messages.
 inline constexpr std::uint64_t results_aside_bytes_max = 256u << 20;
 /// With so many queued, a commit begins at once.
@@ -124,9 +124,9 @@ inline constexpr std::size_t journal_group_rows = 256;
 inline constexpr std::chrono::milliseconds journal_group_period{5};  ///< Between two commits.
 inline constexpr std::size_t journal_commit_rows_max = 8192;         ///< In one commit.
 inline constexpr std::uint64_t journal_commit_bytes_max = 64u << 20; ///< Records in one commit.
-/// With more queued, the master reads no further results.
+/// Size of the queued records. With more, the master reads no further results.
 inline constexpr std::uint64_t journal_queue_bytes_max = 256u << 20;
-/// Between two attempts while the disk refuses a write.
+/// Pause between two attempts while writes to the disk fail.
 inline constexpr std::chrono::milliseconds journal_retry_period{500};
 
 // Workers.
@@ -134,16 +134,16 @@ inline constexpr std::chrono::hours peer_lost_after_max{24};
 inline constexpr std::chrono::milliseconds peer_check_period{500};
 /// A worker is forgotten so long after its last message.
 inline constexpr std::chrono::minutes worker_forgotten_after{10};
-/// With more, the one that joined first is forgotten.
+/// With more lost workers, the one that joined first is forgotten.
 inline constexpr std::size_t lost_workers_kept_max = 1024;
 inline constexpr double scenario_seconds_shown = 10; ///< Status names scenarios that take longer.
-inline constexpr std::size_t long_scenarios_shown = 16; ///< Of one job.
+inline constexpr std::size_t long_scenarios_shown = 16; ///< Such scenarios per job.
 
 // Delivery of blocks.
-inline constexpr std::size_t subtrees_queue_bytes_max = 16u << 20; ///< Queued towards one worker.
+inline constexpr std::size_t subtrees_queue_bytes_max = 16u << 20; ///< Bytes queued for one worker.
 /// A peer that so many others cannot reach is no source any more.
 inline constexpr std::size_t peer_unreachable_by_max = 2;
-/// Candidates for the source of one block.
+/// Number of workers considered as the source of one block.
 inline constexpr std::size_t sources_looked_at_max = 64;
 /// A fetch from a peer that takes longer has failed.
 inline constexpr std::chrono::seconds peer_fetch_max{60};
@@ -151,20 +151,20 @@ inline constexpr std::chrono::seconds peer_fetch_max{60};
 inline constexpr std::chrono::seconds peer_wait_max{10};
 
 // Dispatch.
-/// Analysed scenarios beyond what fills the workers' buffers.
+/// Number of analysed scenarios beyond those that fill the workers' buffers.
 inline constexpr std::uint64_t unsent_scenarios_max = 4096;
-/// Analysed scenarios of a job whose policy matches by time.
+/// Number of analysed scenarios of a job whose policy matches by time.
 inline constexpr std::uint64_t unsent_by_time_max = 1u << 18;
-/// Analyses of unanswered scenarios, in memory.
+/// Memory of the analyses of unanswered scenarios.
 inline constexpr std::uint64_t open_analyses_bytes_max = 512u << 20;
 /// With more workers, all are checked less often, so that the cost of events stays bounded.
 inline constexpr std::size_t workers_few = 64;
-/// Added to the period of checks by each worker above that.
+/// Each worker above `workers_few` adds this to the period of checks.
 inline constexpr double look_seconds_each = 2e-6;
 
 // Matching by time: what is assumed until it is measured, and the size of batches.
-inline constexpr double link_bytes_per_second_start = 125e6;  ///< 1 Gb/s.
-inline constexpr double block_seconds = 20e-6;                ///< To request a block and unpack it.
+inline constexpr double link_bytes_per_second_start = 125e6; ///< 1 Gb/s.
+inline constexpr double block_seconds = 20e-6; ///< Time to request a block and unpack it.
 inline constexpr std::uint64_t block_bytes_per_triangle = 16; ///< On the wire.
 inline constexpr std::uint64_t scenario_ns_unknown = 1'000'000;
 inline constexpr double batch_seconds_start = 0.1;
@@ -173,24 +173,24 @@ inline constexpr double batch_seconds_max = 1;
 /// With a greater share of lost time, batches grow.
 inline constexpr double batch_overhead_max = 0.02;
 inline constexpr std::size_t batches_at_worker = 2;
-/// Scenarios above it are long: round trips no longer matter.
+/// For scenarios that take longer, round trips do not matter.
 inline constexpr double scenario_seconds_long = 0.05;
-/// Scenarios moved at once to a worker that runs dry.
+/// Number of scenarios moved together to a worker that runs dry.
 inline constexpr std::size_t moves_tried_max = 64;
 
 // The end of a job, when no work waits and some workers are idle.
 inline constexpr double copies_share_max = 0.05; ///< Share of a job's work that may be done twice.
 inline constexpr double copy_gain_min = 1.5;     ///< A copy must end so many times sooner.
 inline constexpr double end_gain_seconds_min = 0.02; ///< A smaller gain is not worth the messages.
-/// After so long a recall counts as unanswered.
+/// A recall that is not answered within this time counts as unanswered.
 inline constexpr double recall_answer_seconds = 0.5;
 inline constexpr std::uint32_t scenario_recalls_max = 3;
 inline constexpr std::chrono::milliseconds end_check_period{100}; ///< Between straggler searches.
-/// Stragglers that are examined at once, at least.
+/// Each check examines up to this many stragglers, in large clusters more.
 inline constexpr std::size_t late_looked_at_min = 64;
-/// Stragglers examined at once are one in so many workers, if that is more.
+/// In large clusters, each check examines up to one straggler per this many workers.
 inline constexpr std::size_t late_looked_at_part = 16;
-/// Idle workers that are tried for one straggler.
+/// Number of idle workers tried as helpers of one straggler.
 inline constexpr std::size_t helpers_tried_max = 4;
 
 } // namespace cd::limits

@@ -10,10 +10,11 @@ namespace cd::limits {
 
 // Messages. The channel checks a type's cap while frames arrive, before it keeps more
 // (PROTOCOL.md).
-inline constexpr std::uint64_t message_control_bytes_max = 1u << 20; ///< All types not named below.
-/// A list of distribution roots of one tree.
+inline constexpr std::uint64_t message_control_bytes_max =
+    1u << 20; ///< Types that the constants below do not name.
+/// A message with a list of distribution roots of one tree.
 inline constexpr std::uint64_t message_roots_bytes_max = 8u << 20;
-/// A part of a mesh or of a submission.
+/// A message with a part of a mesh or of a submission.
 inline constexpr std::uint64_t message_part_bytes_max = 16u << 20;
 inline constexpr std::uint64_t message_data_bytes_max = 64u << 20;       ///< A unit of work.
 inline constexpr std::uint64_t message_results_bytes_max = 257u << 20;   ///< Holds any one record.
@@ -25,20 +26,20 @@ inline constexpr std::uint64_t observer_bytes_max = 4u << 10;
 inline constexpr std::size_t hello_text_bytes_max = 256; ///< A name or another text in a greeting.
 
 // Messages that a peer may have begun and not completed at the same time.
-/// A peer that has greeted, before its role is checked.
+/// For a peer that has greeted, before its role is checked.
 inline constexpr std::size_t streams_max = 4;
-inline constexpr std::size_t streams_small_max = 1;    ///< Peers that send small messages only.
-inline constexpr std::size_t streams_of_lanes_max = 2; ///< All other peers: one in each lane.
+inline constexpr std::size_t streams_small_max = 1;    ///< For peers that send only small messages.
+inline constexpr std::size_t streams_of_lanes_max = 2; ///< For all other peers: one in each lane.
 
 // Frames.
 inline constexpr std::size_t frame_payload_bytes_max = 1u << 20;
 /// Every frame of a message but the last carries at least this, so that a message has few frames.
 inline constexpr std::size_t frame_with_more_bytes_min = 256u << 10;
-/// A sender waits while more than this is queued.
+/// A sender waits while more bytes than this are queued.
 inline constexpr std::size_t write_queue_bytes_max = 64u << 20;
 
 // Contents that proto/ checks.
-/// A range that goes out as one task.
+/// Length of a range that is sent as one task.
 inline constexpr std::uint64_t range_scenarios_max = 1u << 14;
 /// Poses in one answer to a client.
 inline constexpr std::uint64_t poses_answer_scenarios = 1u << 12;
@@ -54,16 +55,16 @@ inline constexpr std::size_t certificate_bytes_max = 16u << 10; ///< One PEM tex
 inline constexpr std::size_t certified_name_bytes_max = 64;     ///< Also RFC 5280's bound.
 /// Validity of the cluster's own CA certificate.
 inline constexpr std::chrono::hours authority_life{24 * 3650};
-inline constexpr std::chrono::minutes clock_difference_max{5}; ///< Between two hosts' clocks.
+inline constexpr std::chrono::minutes clock_difference_max{5}; ///< Tolerated between two hosts.
 /// Longest pause before a certificate is looked at.
 inline constexpr std::chrono::minutes renewal_check_period{1};
 inline constexpr std::chrono::seconds renewal_retry_min{1}; ///< After a renewal that failed.
 inline constexpr std::uint32_t token_uses_max = 100'000;    ///< Joins with one token.
-/// Sent under one key; then the two ends agree on a new key.
+/// Bytes sent under one key; after that, the two ends agree on a new key.
 inline constexpr std::uint64_t tls_key_bytes_max = 64ull << 30;
-/// Read and dropped after a connection is refused.
+/// Bytes read and dropped after a connection is refused.
 inline constexpr std::size_t refused_tls_bytes_max = 1u << 20;
-/// A worker remembers so many of the newest tickets, and refuses older ones.
+/// Number of the newest tickets that a worker remembers; it refuses older tickets.
 inline constexpr std::size_t peer_tickets_remembered = 1u << 16;
 
 // Log lines about refused connections.
@@ -76,15 +77,15 @@ inline constexpr std::size_t refusal_hosts_max = 1024;
 // Silence and stalls.
 inline constexpr std::chrono::seconds heartbeat_period{2};
 inline constexpr std::chrono::milliseconds heartbeat_period_min{10};
-inline constexpr unsigned heartbeats_missed_max = 3; ///< Then a worker gets no new work.
-/// After such silence a worker's work goes to others.
+inline constexpr unsigned heartbeats_missed_max = 3; ///< After so many, a worker gets no new work.
+/// After this much silence, a worker's work goes to others.
 inline constexpr std::chrono::seconds peer_lost_after{15};
 inline constexpr std::chrono::seconds connect_timeout{10};
-/// A frame has so long to be sent; then the connection closes.
+/// The connection closes if a frame cannot be sent within this time.
 inline constexpr std::chrono::seconds write_stall_max{30};
-/// The next frame of a begun message has so long to arrive; then the connection closes.
+/// The connection closes if the next frame of a begun message does not arrive within this time.
 inline constexpr std::chrono::seconds read_stall_max{30};
-/// A closing connection has so long to send what is queued.
+/// A closing connection may spend this long on sending what is queued.
 inline constexpr std::chrono::seconds close_flush_max{5};
 /// Pause after a failed accept, for example for lack of file descriptors.
 inline constexpr std::chrono::milliseconds accept_retry_period{100};
@@ -98,10 +99,11 @@ inline constexpr int keepalive_probes = 3;
 
 // HTTP.
 inline constexpr std::uint32_t http_request_bytes_max = 16u << 10;
-inline constexpr std::chrono::seconds http_exchange_max{10}; ///< One request and its answer.
+inline constexpr std::chrono::seconds http_exchange_max{10}; ///< Time for a request and its answer.
 
 // Workers that fetch blocks from each other.
 inline constexpr std::size_t peer_uploads_max = 2; ///< Workers that one worker serves at once.
-inline constexpr std::chrono::seconds peer_connect_timeout{2}; ///< Then the next source is tried.
+inline constexpr std::chrono::seconds peer_connect_timeout{
+    2}; ///< After that, the next source is tried.
 
 } // namespace cd::limits

@@ -80,7 +80,7 @@ struct Grid {
 [[nodiscard]] std::unique_ptr<PoseSource> make_grid_source(Grid grid);
 
 [[nodiscard]] Bytes encode_grid(const Grid& grid);
-/// Decodes a grid. The bytes may be hostile. On success every place has a pose of finite numbers,
+/// Decodes a grid. The bytes are untrusted. On success every place has a pose of finite numbers,
 /// quaternions are nearly of unit length, and the count lies in [1, `limits::scenarios_max`].
 /// Errors: BadFrame.
 [[nodiscard]] Result<Grid> decode_grid(std::span<const std::byte> bytes);

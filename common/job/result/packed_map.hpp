@@ -22,7 +22,7 @@ struct ContactMapBounds {
     std::uint64_t scenarios = 0; ///< Number of scenarios that the map sums up.
 };
 
-/// Unpacks `pack_map`. The bytes may be hostile: triangles must ascend and exist in the meshes,
+/// Unpacks `pack_map`. The bytes are untrusted: triangles must ascend and exist in the meshes,
 /// none may have more scenarios than `bounds`, and memory stays within what such a map can need.
 /// Errors: BadFrame.
 [[nodiscard]] Result<ContactMap> unpack_map(std::span<const std::byte> packed,

@@ -28,7 +28,7 @@ namespace cd {
 /// so most steps are small.
 [[nodiscard]] Bytes pack_records(std::span<const std::byte> records);
 
-/// Unpacks `pack_records`. The bytes may be hostile: the result holds records preceded by their
+/// Unpacks `pack_records`. The bytes are untrusted: the result holds records preceded by their
 /// lengths, which need not be canonical, and at most `bytes_max` bytes; no allocation is larger
 /// than that, or than 9 bytes for each byte of the uncompressed columns. Errors: BadFrame,
 /// TooLarge.

@@ -72,7 +72,7 @@ struct ScenarioResult {
 /// The code that fills a result guarantees the rules that `decode_result` checks.
 [[nodiscard]] Bytes encode_result(const ScenarioResult& result);
 
-/// Decodes a record; `encode_result` gives equal bytes again. The bytes may be hostile: everything
+/// Decodes a record; `encode_result` gives equal bytes again. The bytes are untrusted: everything
 /// is checked (classes and levels in range and consistent, pairs strictly ascending, counts that
 /// fit, numbers in canonical form). Errors: BadFrame.
 [[nodiscard]] Result<ScenarioResult> decode_result(std::span<const std::byte> bytes);

@@ -21,7 +21,7 @@ inline constexpr std::size_t node_bytes_min = 73; ///< Least bytes of one node.
 /// Each column is split into byte planes, lowest first, which compress better.
 void put_nodes(ByteWriter& out, std::span<const ObbNode> nodes);
 
-/// Decodes `put_nodes` into `nodes`. Returns false when the bytes, which may be hostile, end early,
+/// Decodes `put_nodes` into `nodes`. Returns false when the bytes, which are untrusted, end early,
 /// are no tree over `triangles` triangles, or have a box that `is_valid_box` does not admit.
 [[nodiscard]] bool get_nodes(ByteReader& in, std::span<ObbNode> nodes, std::uint32_t triangles);
 

@@ -28,7 +28,7 @@ class Planner {
     std::vector<WidePlanNode> plan();
 
   private:
-    /// Triangles that become one child: a leaf, or a node with children of its own.
+    /// Triangles that become one child: a leaf, or an inner node.
     struct Child {
         std::uint32_t number = 0; ///< Number of the leaf or of the binary node.
         bool is_leaf = false;
@@ -47,10 +47,11 @@ class Planner {
 
     const TreeView& tree_;
     const WideLeaves& leaves_;
-    std::vector<std::uint32_t>
-        place_of_; ///< By binary node: index of its costs, if it is a group or above one.
-    std::vector<Costs> costs_;            ///< By place.
-    std::vector<std::uint32_t> group_of_; ///< By place: 1 + the group's number; 0 above groups.
+    /// Per binary node: index in `costs_`, if the node is a group or above one.
+    std::vector<std::uint32_t> place_of_;
+    std::vector<Costs> costs_; ///< By `place_of_`.
+    /// By `place_of_`: 1 + the group's number; 0 above groups.
+    std::vector<std::uint32_t> group_of_;
 };
 
 /// Returns how many of `children` the left one of a node's two parts best becomes.

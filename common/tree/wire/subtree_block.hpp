@@ -25,7 +25,7 @@ namespace cd {
 /// Each column, the corners and the ids are stored as byte planes.
 [[nodiscard]] Bytes encode_subtree(const Subtree& subtree);
 
-/// Decodes `encode_subtree`. The bytes may be hostile: every index, range and number is checked,
+/// Decodes `encode_subtree`. The bytes are untrusted: every index, range and number is checked,
 /// and nothing is allocated that the bytes do not justify (at most 3 times their size, or the bound
 /// of `decode_wide_block`). The function does not check that ids are distinct and that boxes of a
 /// binary subtree contain their triangles: the block's hash vouches for its origin. Errors:

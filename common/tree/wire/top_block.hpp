@@ -14,7 +14,7 @@ namespace cd {
 ///     u8 version = 1    u32 nodes    u32 triangles    the nodes (node_columns.hpp)
 [[nodiscard]] Bytes encode_top(const TreeTop& top);
 
-/// Decodes `encode_top`. The bytes may be hostile; nothing is allocated that they do not justify.
+/// Decodes `encode_top`. The bytes are untrusted; nothing is allocated that they do not justify.
 /// Errors: BadFrame.
 [[nodiscard]] Result<TreeTop> decode_top(std::span<const std::byte> bytes);
 

@@ -34,7 +34,7 @@ inline constexpr std::uint8_t wide_block_version = 2;
 /// All columns but nodes and corners are stored as byte planes. A tree without nodes has no block.
 [[nodiscard]] Bytes encode_wide_block(const WideView& wide);
 
-/// Decodes `encode_wide_block`. The bytes may be hostile: every number is checked, and nothing is
+/// Decodes `encode_wide_block`. The bytes are untrusted: every number is checked, and nothing is
 /// allocated that they do not justify (at most 150 times their size: a leaf has room for sixteen
 /// triangles and their boxes). The function does not check that ids are distinct: the block's hash
 /// vouches for its origin. Errors: BadFrame.

@@ -45,8 +45,8 @@ class DispatchView {
     [[nodiscard]] std::uint64_t unanswered(JobId job) const;
     /// The positions counted by `places_unsent`. The job must be open.
     [[nodiscard]] std::vector<PlaceRange> places_of(JobId job) const;
-    /// Scores every worker for the scenario as of now, and names the one that would be chosen.
-    /// Changes nothing. The job must be open.
+    /// Scores every worker for the scenario in the present state, and names the worker that would
+    /// be chosen. Changes nothing. The job must be open.
     [[nodiscard]] Explained explain(JobId job, const AnalysedScenario& scenario) const;
 
     /// Aborts if an invariant is broken. For tests; call it after each event.

@@ -6,8 +6,8 @@
 
 namespace cd {
 
-/// Scores every worker for the scenario as of now, and names the one that would be chosen. Changes
-/// nothing.
+/// Scores every worker for the scenario in the present state, and names the worker that would be
+/// chosen. Changes nothing.
 [[nodiscard]] Explained explain_choice(const MatchingContext& context,
                                        const DispatchJob& job,
                                        const AnalysedScenario& analysed);

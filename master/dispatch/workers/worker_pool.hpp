@@ -73,8 +73,8 @@ class WorkerPool {
     /// The worker no longer holds these roots. Ignores unknown trees and roots out of range.
     void release(WorkerProxy& proxy, TreeId tree, std::span<const RootIndex> roots);
 
-    /// Checks that slots are unique, that free slots hold nothing, that coming roots are held and
-    /// that all counters are right.
+    /// Aborts unless slots are unique, free slots hold nothing, expected roots count as held, and
+    /// all counters are right.
     void check() const;
 
   private:
