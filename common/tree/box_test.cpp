@@ -51,7 +51,7 @@ namespace {
 
 constexpr double unit_roundoff = 0x1p-53;
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double skew_max = 0x1p-10;    ///< The bounds at the head of this file hold up to it.
+constexpr double skew_max = 0x1p-10;    ///< The bounds at the head of this file hold up to this.
 constexpr double underflow = 0x1p-1000; ///< Exceeds everything that can be lost to underflow.
 constexpr double center_max = 0x1p1000; ///< Beyond this, intermediate sums may overflow.
 

@@ -82,7 +82,7 @@ struct JobTally {
 };
 
 struct JobTimes {
-    std::uint64_t began = 0; ///< Acceptance, in seconds since 1970.
+    std::uint64_t began = 0; ///< Time of acceptance, in seconds since 1970.
     Clock::time_point started;
     double seconds_before = 0; ///< Run time before the last restart of the master, s.
     Clock::time_point ended;
@@ -101,7 +101,7 @@ struct MasterJob {
     MasterJob(RecoveredJob&& recovered, Clock::time_point now);
 
     JobId id;
-    Submit submit; ///< The end frees its bulk (`drop_bulk`).
+    Submit submit; ///< When the job ends, `drop_bulk` empties the large fields.
     JobTimes times;
     std::shared_ptr<const MeshHold> meshes; ///< Keeps the job's meshes from being removed.
     MergedResults merged;

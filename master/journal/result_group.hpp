@@ -53,7 +53,7 @@ struct ResultGroup {
     std::vector<ResultRow> rows;
     std::vector<Bytes> maps;        ///< Packed contact maps, whose sum is the map of these results.
     std::vector<AuthorRun> authors; ///< Cover all rows.
-    std::vector<Remark> remarks;    ///< On rows of this group or of earlier ones, in time order.
+    std::vector<Remark> remarks;    ///< About rows of this group or earlier groups, in time order.
     std::vector<LostPlaces> losses; ///< In time order. Some of the scenarios may have a result.
 };
 

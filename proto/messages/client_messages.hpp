@@ -179,7 +179,7 @@ struct JobStatus {
     std::string name;
     JobState state = JobState::Running;
     Summary summary;
-    std::optional<Sha256> digest; ///< Set if Done.
+    std::optional<Sha256> digest; ///< Hash over all records; set only if Done.
     double seconds = 0; ///< Time from acceptance until now or the end, while the master ran.
     double scenarios_per_second = 0;      ///< Merged scenarios / `seconds`.
     std::string failure;                  ///< Why the job failed; empty if it did not.
@@ -228,8 +228,8 @@ struct WorkerStatus {
     bool draining = false;
     std::uint64_t buffered = 0;           ///< Scenarios in the master's buffer for this worker.
     std::uint64_t working = 0;            ///< Scenarios sent to the worker and not yet answered.
-    std::uint64_t tasks = 0;              ///< Tasks ever sent.
-    std::uint64_t scenarios = 0;          ///< Answered scenarios.
+    std::uint64_t tasks = 0;              ///< Tasks sent to the worker in this session.
+    std::uint64_t scenarios = 0;          ///< Scenarios answered in this session.
     double scenarios_per_second = 0;      ///< Rate while the worker had work.
     std::uint64_t bytes_sent = 0;         ///< To the worker, over the current connection.
     std::uint64_t bytes_received = 0;     ///< From the worker, over the current connection.
@@ -239,7 +239,7 @@ struct WorkerStatus {
     bool quarantined = false; ///< A result of the worker was wrong, so it gets no more work.
     WorkerState state = WorkerState::Alive;
     double silent_seconds = 0;              ///< Time since the worker's last message.
-    std::optional<RunningScenario> longest; ///< Longest-running one in the last heartbeat.
+    std::optional<RunningScenario> longest; ///< The longest-running scenario in the last heartbeat.
 };
 
 struct MeshStatus {
@@ -247,7 +247,7 @@ struct MeshStatus {
     std::string name;
     std::uint64_t triangles = 0;
     std::uint64_t bytes = 0;  ///< Size of the canonical form.
-    double build_seconds = 0; ///< 0 if the tree was loaded from disk.
+    double build_seconds = 0; ///< Time to build the tree; 0 if it was loaded from disk.
     bool is_needed = false;   ///< True: a kept job or a submission uses the mesh.
 };
 
@@ -370,13 +370,13 @@ struct WorkerScore {
     bool is_chosen = false;           ///< True: the strategy would choose this worker now.
     std::uint64_t scenarios = 0;      ///< Scenarios buffered for the worker, or unanswered there.
     double load = 0;                  ///< The job's scenarios buffered for the worker / q.
-    std::uint64_t held_triangles = 0; ///< Of the scenario's roots, those in the worker's cache.
-    std::uint64_t missing_triangles = 0; ///< Of the scenario's roots, those not in that cache.
+    std::uint64_t held_triangles = 0; ///< Triangles under the scenario's roots that it has cached.
+    std::uint64_t missing_triangles = 0; ///< Triangles under the scenario's roots that it lacks.
     // The cost terms of `earliest-finish`, in seconds; 0 for other strategies.
     double backlog = 0;  ///< The worker's other work, divided among its threads.
     double coming = 0;   ///< The remaining transfer of blocks in flight.
     double transfer = 0; ///< The transfer of the missing bytes.
-    double blocks = 0;   ///< Requesting and decoding each missing block.
+    double blocks = 0;   ///< Requesting and decoding the missing blocks.
     double eviction = 0; ///< Fetching evicted blocks again later.
     double work = 0;     ///< The scenario itself.
 };

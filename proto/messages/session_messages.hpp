@@ -74,7 +74,7 @@ struct Heartbeat {
     std::uint64_t sequence = 0;                  ///< Number of the sender's heartbeat.
     std::uint64_t cached_bytes = 0;              ///< Worker: size of its subtree cache.
     std::uint64_t waiting = 0;                   ///< Worker: its unanswered scenarios.
-    CacheTraffic traffic;                        ///< Worker: its traffic so far.
+    CacheTraffic traffic;                        ///< Worker: its traffic; see CacheTraffic.
     std::optional<RunningScenario> longest = {}; ///< Worker: its longest-running scenario.
 };
 

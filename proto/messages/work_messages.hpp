@@ -68,11 +68,11 @@ struct RemoveJob {
     JobId job;
 };
 
-/// Stops a running scenario or drops a waiting one, of which the master needs no result any more.
+/// Stops a running scenario or drops a waiting one, because the master no longer needs its result.
 struct DropScenario {
     JobId job;
     std::uint64_t scenario = 0;
-    TaskId task = {}; ///< The task to drop it from, if another task has answered; 0: all tasks.
+    TaskId task = {}; ///< The only task to drop the scenario from; 0: all tasks.
 };
 
 /// A task: scenarios to search. Analysed by the master, it names their colliding distribution roots
@@ -149,9 +149,9 @@ struct Results {
     std::uint32_t count = 0;
     Bytes records;
     QueryStatistics statistics;
-    double compute_seconds = 0; ///< Sum over the worker's threads.
+    double compute_seconds = 0; ///< Computing time, summed over the worker's threads.
     std::uint64_t sequence = 0; ///< Number by which ResultsKept acknowledges the message.
-    BlockTraffic traffic;       ///< Traffic of the job since the worker's last Results of it.
+    BlockTraffic traffic;       ///< Traffic of the job since the worker's last Results for the job.
     Bytes map; ///< `pack_map` of these scenarios; empty unless the query asks for maps.
 };
 
@@ -161,8 +161,8 @@ struct ResultsKept {
     std::vector<std::uint64_t> sequences;
 };
 
-/// Starts a session: lists the cuts of which the worker has kept blocks. The master sends AddTree
-/// for those that its jobs use, and the worker answers with Held.
+/// Sent at the start of a session: lists the cuts of which the worker has kept blocks. The master
+/// sends AddTree for each cut that a job uses, and the worker answers with Held.
 struct Holding {
     std::vector<Sha256> cuts;
 };
@@ -171,8 +171,8 @@ struct Holding {
 /// answers any more.
 struct Recalled {
     TaskId task;
-    std::vector<std::uint64_t> scenarios; ///< Of an analysed unit: those returned, ascending.
-    std::uint64_t places = 0;             ///< Otherwise: how many of its first scenarios it keeps.
+    std::vector<std::uint64_t> scenarios; ///< If analysed: the returned scenarios, ascending.
+    std::uint64_t places = 0;             ///< If not: how many first scenarios the worker keeps.
 };
 
 /// A tree that the worker has.

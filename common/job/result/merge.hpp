@@ -45,8 +45,8 @@ struct ScenarioFacts {
 };
 [[nodiscard]] ScenarioFacts facts_of(const ScenarioResult& result);
 
-/// Merges results, idempotent by scenario: of several results for one, the first counts and later
-/// ones are compared with it. Memory: one hash for each scenario up to the last one merged.
+/// Merges results, idempotent by scenario: the first result of a scenario counts, and later results
+/// are compared with the first. Memory: one hash for each scenario up to the last one merged.
 class ResultMerger {
   public:
     explicit ResultMerger(std::uint64_t scenarios);

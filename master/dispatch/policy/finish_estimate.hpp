@@ -12,13 +12,13 @@ struct WorkerPowers {
     double bytes_per_second = 1; ///< Transfer rate of blocks to the worker.
     double threads = 1;
     double backlog_ns = 0;                        ///< Predicted time of its unanswered work.
-    double transfers_seconds = 0;                 ///< Until all blocks under way arrive.
-    std::uint64_t room_bytes = ~std::uint64_t{0}; ///< Free in its cache.
+    double transfers_seconds = 0;                 ///< Time until all blocks under way arrive.
+    std::uint64_t room_bytes = ~std::uint64_t{0}; ///< Free space in its cache.
 };
 
 /// Needs of the scenario at that worker.
 struct ScenarioNeeds {
-    std::uint64_t cost_ns = 0; ///< Predicted for one thread of speed 1.
+    std::uint64_t cost_ns = 0; ///< Predicted time on one thread of speed 1.
     std::uint64_t missing_bytes = 0;
     std::uint64_t missing_blocks = 0;
     std::uint64_t coming_bytes = 0; ///< Needed blocks that are under way.
@@ -28,10 +28,10 @@ struct ScenarioNeeds {
 /// Terms of the estimate in seconds; nothing is counted twice.
 struct FinishTerms {
     double backlog = 0;  ///< The worker's other work, over all threads.
-    double coming = 0;   ///< Rest of the blocks under way.
-    double transfer = 0; ///< Bytes that the worker lacks.
-    double blocks = 0;   ///< Requesting and opening each block.
-    double eviction = 0; ///< Blocks evicted now and fetched again later.
+    double coming = 0;   ///< The remaining transfer of blocks under way.
+    double transfer = 0; ///< The transfer of the missing bytes.
+    double blocks = 0;   ///< Requesting and decoding the missing blocks.
+    double eviction = 0; ///< Fetching evicted blocks again later.
     double work = 0;     ///< The scenario, on one thread.
 
     [[nodiscard]] double total() const {

@@ -53,9 +53,9 @@ class WorkerTasks {
     [[nodiscard]] bool have_claimed() const { return claiming_ != 0; }
     /// The job of the task sent last; the other jobs have their turn first.
     [[nodiscard]] JobId last_job() const { return last_job_; }
-    /// Number of tasks ever sent.
+    /// Number of tasks sent to the worker so far.
     [[nodiscard]] std::uint64_t sent() const { return sent_; }
-    /// Number of scenarios ever answered by this worker.
+    /// Number of scenarios that the worker has answered so far.
     [[nodiscard]] std::uint64_t answered() const { return answered_; }
     /// Time of the last answer or, if later, at which the idle worker got work, s.
     [[nodiscard]] double progressed() const { return progressed_; }

@@ -237,10 +237,10 @@ struct Seen {
 
 /// Collects what is proven for the edges added so far: see `decide_coplanar` of pair_decision.hpp.
 struct EdgesSeen {
-    M any_parts;   ///< An edge has the other triangle strictly outside.
-    M all_overlap; ///< The other triangle has a corner inside each edge.
-    M any_shuts;   ///< An edge has the other triangle outside or on its line.
-    M any_open;    ///< An edge with an unproven turn and no corner inside.
+    M any_parts;   ///< The other triangle is strictly outside some edge.
+    M all_overlap; ///< Inside each edge lies a corner of the other triangle.
+    M any_shuts;   ///< No corner of the other triangle is inside some edge.
+    M any_open;    ///< Whether a corner is inside is unproven for some edge.
 
     HWY_INLINE EdgesSeen() {
         const Doubles d;
