@@ -90,7 +90,7 @@ class BlockDirector {
   private:
     using FetchId = BlockIndex::FetchId;
 
-    /// Blocks that one worker was told to fetch from peers, in one action.
+    /// Blocks that a worker fetches from peers because of one SendToPeers.
     struct Fetch {
         WorkerId to;
         WorkerId source; ///< First source, while one of its upload slots is taken; else 0.

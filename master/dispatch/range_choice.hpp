@@ -6,20 +6,20 @@
 
 namespace cd {
 
-/// Cost of missing blocks: seconds to transfer and open them.
+/// Cost of missing blocks: seconds to transfer and decode them.
 struct MissingCosts {
-    std::optional<double> matched; ///< Per scenario, at the worker chosen by matching.
-    std::optional<double> any;     ///< Per scenario, at an average worker.
-    double all = 0;                ///< To fill every cache with both trees, summed over workers.
+    std::optional<double> matched; ///< For each scenario, at the worker chosen by matching.
+    std::optional<double> any;     ///< For each scenario, at an average worker.
+    double all = 0;                ///< Time to fill every cache with both trees, in total.
     bool all_fits = false;         ///< True if both trees fit into every worker's cache.
 };
 
 /// Inputs of the choice. Times are seconds of one thread.
 struct RangeCosts {
     std::uint64_t scenarios_left = 0;
-    double analysis = 0; ///< Per scenario, on a pool thread: the descent of the upper trees.
-    double matching = 0; ///< Per scenario, on the state thread: everything else.
-    double work = 0;     ///< Per scenario, on a worker's thread.
+    double analysis = 0; ///< Time per scenario on a pool thread: the descent of the upper trees.
+    double matching = 0; ///< Time per scenario on the state thread: everything else.
+    double work = 0;     ///< Time per scenario on a worker's thread.
     double threads_master = 1;
     double threads_workers = 1;
     MissingCosts missing;

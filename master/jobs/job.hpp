@@ -31,9 +31,9 @@ using Clock = std::chrono::steady_clock;
 
 /// Learned seconds per scenario, by which the master chooses between analysis and ranges.
 struct JobRates {
-    LearnedRate analysis; ///< On a pool thread of the master.
-    LearnedRate matching; ///< To match and send one analysed scenario.
-    LearnedRate work;     ///< On a worker's thread.
+    LearnedRate analysis; ///< Analysis on one pool thread of the master.
+    LearnedRate matching; ///< Matching and sending an analysed scenario.
+    LearnedRate work;     ///< Search on one thread of a worker.
 };
 
 /// State of a job that hands out work. Exists from the loading of its geometry until its end.

@@ -123,7 +123,8 @@ class Ledger {
 
     std::unordered_map<JobId, Job> jobs_;
     std::deque<Entry> entries_; ///< Written and uncommitted scenarios, by position.
-    std::multimap<std::uint64_t, Promise> promises_; ///< By the position whose commit they need.
+    /// Promises by the position up to which entries must be committed first.
+    std::multimap<std::uint64_t, Promise> promises_;
     std::vector<Promise> kept_;
     std::uint64_t committed_ = 0;
 };

@@ -22,7 +22,7 @@ class TaskResults {
     [[nodiscard]] std::optional<Results> take(TaskId task, const WorkerJob& job);
 
   private:
-    FinishedScenarios sum_; ///< Without the contact map.
+    FinishedScenarios sum_; ///< Sum of the results, without the contact map.
     ContactMapSum map_;     ///< Contact map of `sum_`.
     double seconds_per_scenario_ = 0;
 };

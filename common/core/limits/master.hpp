@@ -121,8 +121,8 @@ inline constexpr std::size_t results_in_hand_max = 8;
 inline constexpr std::uint64_t results_aside_bytes_max = 256u << 20;
 /// With so many queued, a commit begins at once.
 inline constexpr std::size_t journal_group_rows = 256;
-inline constexpr std::chrono::milliseconds journal_group_period{5};  ///< Between two commits.
-inline constexpr std::size_t journal_commit_rows_max = 8192;         ///< In one commit.
+inline constexpr std::chrono::milliseconds journal_group_period{5}; ///< Least time between commits.
+inline constexpr std::size_t journal_commit_rows_max = 8192;        ///< In one commit.
 inline constexpr std::uint64_t journal_commit_bytes_max = 64u << 20; ///< Records in one commit.
 /// Size of the queued records. With more, the master reads no further results.
 inline constexpr std::uint64_t journal_queue_bytes_max = 256u << 20;
@@ -165,7 +165,7 @@ inline constexpr double look_seconds_each = 2e-6;
 // Matching by time: what is assumed until it is measured, and the size of batches.
 inline constexpr double link_bytes_per_second_start = 125e6; ///< 1 Gb/s.
 inline constexpr double block_seconds = 20e-6; ///< Time to request a block and unpack it.
-inline constexpr std::uint64_t block_bytes_per_triangle = 16; ///< On the wire.
+inline constexpr std::uint64_t block_bytes_per_triangle = 16; ///< Size on the wire.
 inline constexpr std::uint64_t scenario_ns_unknown = 1'000'000;
 inline constexpr double batch_seconds_start = 0.1;
 inline constexpr double batch_seconds_min = 0.001;
@@ -185,7 +185,7 @@ inline constexpr double end_gain_seconds_min = 0.02; ///< A smaller gain is not 
 /// A recall that is not answered within this time counts as unanswered.
 inline constexpr double recall_answer_seconds = 0.5;
 inline constexpr std::uint32_t scenario_recalls_max = 3;
-inline constexpr std::chrono::milliseconds end_check_period{100}; ///< Between straggler searches.
+inline constexpr std::chrono::milliseconds end_check_period{100}; ///< Period of straggler checks.
 /// Each check examines up to this many stragglers, in large clusters more.
 inline constexpr std::size_t late_looked_at_min = 64;
 /// In large clusters, each check examines up to one straggler per this many workers.

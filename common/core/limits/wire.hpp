@@ -58,7 +58,7 @@ inline constexpr std::chrono::hours authority_life{24 * 3650};
 inline constexpr std::chrono::minutes clock_difference_max{5}; ///< Tolerated between two hosts.
 /// Longest pause before a certificate is looked at.
 inline constexpr std::chrono::minutes renewal_check_period{1};
-inline constexpr std::chrono::seconds renewal_retry_min{1}; ///< After a renewal that failed.
+inline constexpr std::chrono::seconds renewal_retry_min{1}; ///< Shortest pause between attempts.
 inline constexpr std::uint32_t token_uses_max = 100'000;    ///< Joins with one token.
 /// Bytes sent under one key; after that, the two ends agree on a new key.
 inline constexpr std::uint64_t tls_key_bytes_max = 64ull << 30;
@@ -103,7 +103,7 @@ inline constexpr std::chrono::seconds http_exchange_max{10}; ///< Time for a req
 
 // Workers that fetch blocks from each other.
 inline constexpr std::size_t peer_uploads_max = 2; ///< Workers that one worker serves at once.
-inline constexpr std::chrono::seconds peer_connect_timeout{
-    2}; ///< After that, the next source is tried.
+/// A worker that cannot connect to a source within this time tries the next source.
+inline constexpr std::chrono::seconds peer_connect_timeout{2};
 
 } // namespace cd::limits

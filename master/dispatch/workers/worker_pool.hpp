@@ -18,7 +18,7 @@ struct PooledTree {
     RootHolders held;
     /// The part of `held` whose blocks may still be under way.
     RootHolders coming;
-    std::vector<std::uint32_t> triangles; ///< Per root.
+    std::vector<std::uint32_t> triangles; ///< Number of triangles below each root.
     std::vector<std::uint32_t> bytes_64;  ///< Wire size of each root's block, in units of 64 bytes.
     std::uint64_t triangles_total = 0;
     std::uint64_t bytes_total = 0;

@@ -85,8 +85,8 @@ struct LocalTriangle {
     std::array<ExactComponents, 3> world;
     DoubleDoubleVec normal;
     double magnitude = 0; ///< The largest `LocalMap::magnitude_of` of a corner.
-    Vec3 least;           ///< By axis, the least high part of a corner.
-    Vec3 greatest;        ///< By axis, the greatest high part of a corner.
+    Vec3 least;           ///< Least coordinate of the corners on each axis (high parts).
+    Vec3 greatest;        ///< Greatest coordinate of the corners on each axis (high parts).
 
     LocalTriangle(const LocalMap& map, const Corners& corners, const Vec3& origin);
 };
