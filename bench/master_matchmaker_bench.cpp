@@ -40,7 +40,7 @@ std::vector<RootIndex> some_roots(std::mt19937_64& random, std::size_t count) {
 /// A dispatcher in the middle of a job, whose workers hold half of all roots.
 class Midway {
   public:
-    Midway(Strategy strategy, std::uint64_t workers, std::size_t roots_touched)
+    Midway(std::string_view strategy, std::uint64_t workers, std::size_t roots_touched)
         : roots_touched_(roots_touched) {
         ClusterOptions options;
         options.strategy = strategy;
@@ -120,7 +120,7 @@ double percentile(std::vector<double>& values, double share) {
     return 1e6 * *place;
 }
 
-void decide(benchmark::State& state, Strategy strategy) {
+void decide(benchmark::State& state, std::string_view strategy) {
     constexpr std::size_t decisions = 2000; // Each round uses these decisions.
     constexpr double unknown = 1e9;
     std::vector<double> own(decisions, unknown);
@@ -164,11 +164,11 @@ void settings(benchmark::internal::Benchmark* bench) {
         ->Iterations(5);
 }
 
-BENCHMARK_CAPTURE(decide, best_match, Strategy::BestMatch)->Apply(settings);
-BENCHMARK_CAPTURE(decide, best_match_load, Strategy::BestMatchLoad)->Apply(settings);
-BENCHMARK_CAPTURE(decide, lowest, Strategy::Lowest)->Apply(settings);
-BENCHMARK_CAPTURE(decide, random, Strategy::Random)->Apply(settings);
-BENCHMARK_CAPTURE(decide, earliest_finish, Strategy::EarliestFinish)->Apply(settings);
+BENCHMARK_CAPTURE(decide, best_match, "best-match")->Apply(settings);
+BENCHMARK_CAPTURE(decide, best_match_load, "best-match-load")->Apply(settings);
+BENCHMARK_CAPTURE(decide, lowest, "lowest")->Apply(settings);
+BENCHMARK_CAPTURE(decide, random, "random")->Apply(settings);
+BENCHMARK_CAPTURE(decide, earliest_finish, "earliest-finish")->Apply(settings);
 
 } // namespace
 } // namespace cd::bench

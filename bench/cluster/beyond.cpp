@@ -84,10 +84,10 @@ class Beyond {
         options.dispatch.v_kb = 16'384;
         options.dispatch.q = 4;
         for (const ComparedStrategy& compared :
-             {ComparedStrategy{Strategy::EarliestFinish, false, true, true},
-              ComparedStrategy{Strategy::EarliestFinish, false, true, false},
-              ComparedStrategy{Strategy::BestMatch, false, false, true},
-              ComparedStrategy{Strategy::Random, false, false, true}}) {
+             {ComparedStrategy{"earliest-finish", false, true, true},
+              ComparedStrategy{"earliest-finish", false, true, false},
+              ComparedStrategy{"best-match", false, false, true},
+              ComparedStrategy{"random", false, false, true}}) {
             options.dispatch.strategy = compared.strategy;
             options.dispatch.claim = compared.claims;
             options.peers = compared.peers;

@@ -20,7 +20,7 @@ struct Computer {
 };
 
 /// Uses the product's settings: its master analyses on every core.
-SimulationOptions options_of(const Computer& computer, Strategy strategy) {
+SimulationOptions options_of(const Computer& computer, std::string_view strategy) {
     SimulationOptions options = measured_setting().options;
     options.cluster.shared_cores = computer.cores;
     options.cluster.fast_cores = computer.workers;
@@ -52,18 +52,18 @@ int main(int argc, char** argv) {
     CLI11_PARSE(app, argc, argv);
     try {
         const auto trace = read_trace(path);
-        const auto strategy = strategy_from_text(name);
-        if (!trace || !strategy || trace.value().at(depth) == nullptr) {
+        const bool is_strategy = find_strategy(name) != nullptr;
+        if (!trace || !is_strategy || trace.value().at(depth) == nullptr) {
             std::fprintf(stderr,
                          "%s\n",
-                         !trace      ? trace.error().detail.c_str()
-                         : !strategy ? "there is no such strategy"
-                                     : "the trace does not have the depth");
+                         !trace         ? trace.error().detail.c_str()
+                         : !is_strategy ? "there is no such strategy"
+                                        : "the trace does not have the depth");
             return 2;
         }
         const Workload workload =
             make_workload(trace.value(), paper_table_heavy, {Costs::Measured, depth});
-        SimulationOptions options = options_of(computer, *strategy);
+        SimulationOptions options = options_of(computer, name);
         constexpr std::chrono::seconds limit{300};
         // The first run measures the dispatcher's decisions; the second charges them.
         const auto uncharged = simulate_apart(workload, options, limit);

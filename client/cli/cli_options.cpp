@@ -7,6 +7,7 @@
 #include "common/core/limits/master.hpp"
 
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <map>
@@ -22,6 +23,14 @@ constexpr const char* loopback_master = "127.0.0.1:7600";
 const std::vector<std::string> levels{"any", "count", "pairs", "contacts"};
 std::vector<std::string> words_of(std::span<const std::string_view> names) {
     return {names.begin(), names.end()};
+}
+std::string strategy_help() {
+    std::string text =
+        "The worker of a scenario (" + ClusterOptions().strategy + ") is the one that";
+    for (const Strategy& strategy : strategies) {
+        text += fmt::format("\n  {}: {}", strategy.name, strategy.worker);
+    }
+    return text;
 }
 const std::map<std::string, FailOn> fail_on_words{{"touch", FailOn::Touch},
                                                   {"cross", FailOn::Cross}};
@@ -118,7 +127,7 @@ void add_job_options(CLI::App& verb, JobOptions& job) {
     add_formats(verb, job.output.formats, job.output.exact_points);
 
     const std::string cluster = "On the cluster";
-    verb.add_option("--strategy", job.cluster.strategy, "How workers are chosen (earliest-finish)")
+    verb.add_option("--strategy", job.cluster.strategy, strategy_help())
         ->check(CLI::IsMember(words_of(strategy_names())))
         ->type_name("NAME")
         ->group(cluster);

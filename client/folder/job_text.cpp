@@ -100,7 +100,7 @@ std::string cluster_text(const ClusterOptions& options) {
     };
     std::string text;
     if (options.strategy != usual.strategy) {
-        text += line("strategy", toml_quoted(to_text(options.strategy)));
+        text += line("strategy", toml_quoted(options.strategy));
     }
     if (options.depth(0) || options.depth(1)) {
         text += line("depth", "{ a = " + depth(0) + ", b = " + depth(1) + " }");

@@ -92,15 +92,11 @@ nlohmann::ordered_json score_json(const WorkerScore& score, bool by_time) {
     return entry;
 }
 
-bool is_by_time(const Explained& explained) {
-    return explained.strategy == Strategy::EarliestFinish;
-}
-
 } // namespace
 
 std::string explained_text(const Explained& explained, const std::string& job) {
     std::string text = "scenario " + std::to_string(explained.scenario) + " of " + job + ", " +
-                       std::string(to_text(explained.strategy)) + "\n";
+                       explained.strategy + "\n";
     const bool is_scored = !explained.why.empty(); // Empty once the job has ended.
     text += !is_scored ? ""
                        : "  touches     " + std::to_string(explained.roots_a) + " roots of A, " +
@@ -109,8 +105,8 @@ std::string explained_text(const Explained& explained, const std::string& job) {
     text += !is_scored ? "" : "  now chosen  " + explained.why + "\n";
     text += explained.note.empty() ? "" : "  note        " + explained.note + "\n";
     if (!explained.workers.empty()) {
-        text += table_text(is_by_time(explained) ? table_by_time(explained)
-                                                 : table_by_triangles(explained),
+        text += table_text(explained.is_by_time ? table_by_time(explained)
+                                                : table_by_triangles(explained),
                            false,
                            "  ");
     }
@@ -121,7 +117,7 @@ std::string explained_json(const Explained& explained, const std::string& job) {
     nlohmann::ordered_json document;
     document["job"] = job;
     document["scenario"] = explained.scenario;
-    document["strategy"] = to_text(explained.strategy);
+    document["strategy"] = explained.strategy;
     document["where"] = explained.where;
     document["why"] = explained.why;
     document["note"] = explained.note;
@@ -131,7 +127,7 @@ std::string explained_json(const Explained& explained, const std::string& job) {
     }
     document["workers"] = nlohmann::ordered_json::array();
     for (const WorkerScore& score : explained.workers) {
-        document["workers"].push_back(score_json(score, is_by_time(explained)));
+        document["workers"].push_back(score_json(score, explained.is_by_time));
     }
     return document.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }

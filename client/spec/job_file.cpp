@@ -281,9 +281,7 @@ void read_cluster(const TomlFields& job, TomlProblem& problem, JobSpec& spec) {
         problem,
         {"strategy", "depth", "q", "v_kb", "claim", "seed", "analysis", "hints"});
     ClusterOptions& options = spec.cluster;
-    if (const auto strategy = fields.word("strategy", strategy_names())) {
-        options.strategy = strategy_from_text(*strategy).value_or(options.strategy);
-    }
+    options.strategy = fields.word("strategy", strategy_names()).value_or(options.strategy);
     read_depth(fields, problem, spec);
     options.q =
         static_cast<std::uint32_t>(fields.integer("q", 1, limits::q_max).value_or(options.q));
@@ -334,11 +332,13 @@ Status check_depths(const JobSpec& spec) {
 }
 
 Status check_matching(const ClusterOptions& options) {
-    if (options.strategy == Strategy::EarliestFinish &&
+    const Strategy* strategy = find_strategy(options.strategy);
+    if (strategy != nullptr && !strategy->uses_q &&
         (options.claim || options.q != ClusterOptions{}.q)) {
         return Error{ErrorCode::BadInput,
-                     "q and claim belong to the paper's strategies; earliest-finish ignores "
-                     "both. Leave them out, or add --strategy best-match (or [cluster] strategy)"};
+                     "q and claim belong to the paper's strategies; " + options.strategy +
+                         " ignores both. Leave them out, or add --strategy best-match (or "
+                         "[cluster] strategy)"};
     }
     return Done{};
 }

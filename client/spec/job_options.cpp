@@ -122,13 +122,7 @@ Status apply(const OutputOptions& options, OutputSpec& output) {
 
 Status apply(const MatchingOptions& options, JobSpec& spec) {
     if (!options.strategy.empty()) {
-        const auto strategy = strategy_from_text(options.strategy);
-        if (!strategy) {
-            return usage("--strategy \"" + options.strategy +
-                         "\" is not one of best-match, best-match-load, random, lowest, "
-                         "best-match-pull, earliest-finish");
-        }
-        spec.cluster.strategy = *strategy;
+        spec.cluster.strategy = options.strategy;
     }
     if (!options.analysis.empty()) {
         const auto analysis = analysis_mode_from_text(options.analysis);

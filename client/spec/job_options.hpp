@@ -42,7 +42,7 @@ struct OutputOptions {
 
 /// Options that override a job file's table [cluster].
 struct MatchingOptions {
-    std::string strategy;
+    std::string strategy; ///< One of `strategy_names`, or empty.
     std::string analysis;
     std::string depth_a; ///< A number, or "auto".
     std::string depth_b;

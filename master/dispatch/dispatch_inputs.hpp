@@ -5,10 +5,12 @@
 #include "common/core/limits/master.hpp"
 #include "common/tree/cut.hpp"
 #include "master/base/instance_id.hpp"
+#include "master/dispatch/policy/strategies.hpp"
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace cd {
@@ -38,6 +40,7 @@ struct DispatcherOptions {
     /// `look_seconds_each` seconds per worker above that number.
     std::size_t workers_few = limits::workers_few;
     double look_seconds_each = limits::look_seconds_each;
+    std::span<const RegisteredStrategy> strategies = registered_strategies();
 
     /// Minimum time between two checks of so many workers, s.
     [[nodiscard]] double look_seconds(std::size_t workers) const {

@@ -99,8 +99,11 @@ Dispatcher::job_opened(JobId job, const ClusterOptions& options, DispatchTree a,
     CD_CHECK(options.q > 0);
     parts().pool.add_tree(a);
     parts().pool.add_tree(b);
-    parts().queue.open(
-        job, options, std::move(a), std::move(b), make_policy(options, parts().context));
+    parts().queue.open(job,
+                       options,
+                       std::move(a),
+                       std::move(b),
+                       make_policy(options, parts().context, options_.strategies));
     return {};
 }
 

@@ -1,6 +1,7 @@
 #include "master/jobs/job_start.hpp"
 
 #include "common/core/host/log.hpp"
+#include "master/dispatch/policy/strategies.hpp"
 #include "master/submission/submission.hpp"
 
 #include <utility>
@@ -21,7 +22,7 @@ void JobStart::begin(const JobRecord& record,
              job.id.value,
              submit.name,
              submit.scenarios,
-             to_text(submit.cluster.strategy));
+             submit.cluster.strategy);
     prepare(job);
 }
 
@@ -37,6 +38,10 @@ void JobStart::prepared(JobId id, const StoreResult<JobGeometry>& made) {
     MasterJob* job = parts_.jobs.find_running(id);
     if (job == nullptr) {
         return; // The job was cancelled meanwhile.
+    }
+    if (const Status known = check_strategy(job->submit.cluster.strategy); !known) {
+        // Another build of cdmaster accepted the job.
+        return parts_.life.end(*job, JobState::Failed, known.error().detail);
     }
     if (made) {
         parts_.life.disk_gives(*job);

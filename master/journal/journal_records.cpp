@@ -59,7 +59,7 @@ std::optional<T> get_optional(ByteReader& in) {
 }
 
 void put_cluster(ByteWriter& out, const ClusterOptions& cluster) {
-    put_enumeration(out, cluster.strategy);
+    out.put_text(cluster.strategy);
     out.put(std::uint64_t{cluster.depths.size()});
     for (const auto& depth : cluster.depths) {
         put_optional(out, depth);
@@ -73,9 +73,9 @@ void put_cluster(ByteWriter& out, const ClusterOptions& cluster) {
 }
 
 bool get_cluster(ByteReader& in, ClusterOptions& cluster) {
-    const bool is_strategy = get_enumeration(in, cluster.strategy, Strategy::EarliestFinish);
+    cluster.strategy = in.get_text();
     const auto depths = in.get<std::uint64_t>();
-    if (!is_strategy || !may_hold(in, depths, 1)) {
+    if (!is_strategy_name(cluster.strategy) || !may_hold(in, depths, 1)) {
         return false;
     }
     for (std::uint64_t body = 0; body < depths; ++body) {

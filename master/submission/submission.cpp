@@ -5,6 +5,7 @@
 #include "common/core/limits/wire.hpp"
 #include "common/core/printable.hpp"
 #include "common/job/tolerance.hpp"
+#include "master/dispatch/policy/strategies.hpp"
 
 #include <algorithm>
 #include <array>
@@ -147,6 +148,7 @@ Status check_submission(const Submit& submit, std::span<const MeshStatus> stored
     for (const Status& status : {
              check_range("the distribution depth of A", cluster.depth(0).value_or(0), 0, depth_max),
              check_range("the distribution depth of B", cluster.depth(1).value_or(0), 0, depth_max),
+             check_strategy(cluster.strategy),
              check_range("q", cluster.q, 1, limits::q_max),
              check_range("v_kb", cluster.v_kb, 1, limits::v_kb_max),
              check_tolerance(submit.query.tolerance),

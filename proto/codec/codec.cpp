@@ -40,6 +40,19 @@ Problem problem_of(const AddJob& add) {
     return add.query.tolerance < 0 ? "a negative tolerance" : nullptr;
 }
 
+Problem problem_of_strategy(const std::string& name) {
+    return is_strategy_name(name) ? nullptr : "a strategy's name that is none";
+}
+Problem problem_of(const Submit& submit) {
+    return problem_of_strategy(submit.cluster.strategy);
+}
+Problem problem_of(const JobDescription& description) {
+    return problem_of(description.submit);
+}
+Problem problem_of(const Explained& explained) {
+    return problem_of_strategy(explained.strategy);
+}
+
 /// The intervals in `held` must ascend within [first, next) and have `count` scenarios in total.
 Problem problem_of(const ResultsPart& part) {
     std::uint64_t end = part.first;

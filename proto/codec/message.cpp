@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <span>
 
 namespace cd {
@@ -136,8 +137,6 @@ constexpr std::array<std::string_view, 9> party_names{"a stranger",
                                                       "a fetching worker",
                                                       "a giving worker",
                                                       "a master"};
-constexpr std::array<std::string_view, 6> names_of_strategies{
-    "best-match", "best-match-load", "random", "lowest", "best-match-pull", "earliest-finish"};
 constexpr std::array<std::string_view, 3> names_of_modes{"auto", "always", "never"};
 constexpr std::array<std::string_view, 4> state_names{"running", "done", "cancelled", "failed"};
 constexpr std::array<std::string_view, 3> worker_state_names{"alive", "silent", "lost"};
@@ -224,16 +223,20 @@ bool travels_as_data(std::uint16_t type) {
     return kind != nullptr && kind->lane == Lane::Data;
 }
 
-std::string_view to_text(Strategy strategy) {
-    return names_of_strategies[static_cast<std::size_t>(strategy)];
+const Strategy* find_strategy(std::string_view name) {
+    const auto found = std::ranges::find(strategies, name, &Strategy::name);
+    return found == strategies.end() ? nullptr : &*found;
 }
 
-std::optional<Strategy> strategy_from_text(std::string_view text) {
-    return from_text<Strategy>(text, names_of_strategies);
+std::vector<std::string_view> strategy_names() {
+    std::vector<std::string_view> names;
+    std::ranges::transform(strategies, std::back_inserter(names), &Strategy::name);
+    return names;
 }
 
-std::span<const std::string_view> strategy_names() {
-    return names_of_strategies;
+bool is_strategy_name(std::string_view text) {
+    return !text.empty() && text.size() <= limits::strategy_name_bytes_max &&
+           text.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789-") == text.npos;
 }
 
 std::string_view to_text(AnalysisMode mode) {

@@ -241,8 +241,7 @@ void serialize(Archive& archive, MeshStored& m) {
 
 template <class Archive>
 void serialize(Archive& archive, ClusterOptions& o) {
-    enumeration(archive, o.strategy, Strategy::BestMatch, Strategy::EarliestFinish);
-    archive(o.depths, o.q, o.v_kb, o.claim, o.seed);
+    archive(o.strategy, o.depths, o.q, o.v_kb, o.claim, o.seed);
     enumeration(archive, o.analysis, AnalysisMode::Auto, AnalysisMode::Never);
     archive(o.hints);
 }
@@ -447,8 +446,7 @@ void serialize(Archive& archive, WorkerScore& s) {
 
 template <class Archive>
 void serialize(Archive& archive, Explained& m) {
-    archive(m.job, m.scenario);
-    enumeration(archive, m.strategy, Strategy::BestMatch, Strategy::EarliestFinish);
+    archive(m.job, m.scenario, m.strategy, m.is_by_time);
     archive(m.where, m.why, m.note, m.roots_a, m.roots_b, m.workers);
 }
 

@@ -372,7 +372,7 @@ struct WorkerScore {
     double load = 0;                  ///< The job's scenarios buffered for the worker / q.
     std::uint64_t held_triangles = 0; ///< Triangles under the scenario's roots that it has cached.
     std::uint64_t missing_triangles = 0; ///< Triangles under the scenario's roots that it lacks.
-    // The cost terms of `earliest-finish`, in seconds; 0 for other strategies.
+    // The cost terms, in seconds; 0 if the strategy does not estimate when a scenario is done.
     double backlog = 0;  ///< The worker's other work, divided among its threads.
     double coming = 0;   ///< The remaining transfer of blocks in flight.
     double transfer = 0; ///< The transfer of the missing bytes.
@@ -386,7 +386,8 @@ struct WorkerScore {
 struct Explained {
     JobId job;
     std::uint64_t scenario = 0;
-    Strategy strategy = Strategy::BestMatch;
+    std::string strategy = ClusterOptions{}.strategy;
+    bool is_by_time = false;   ///< True: the strategy compares the cost terms of the workers.
     std::string where;         ///< Where the scenario is, in words.
     std::string why;           ///< Why the chosen worker is chosen, in words.
     std::string note;          ///< Limits of these scores, in words; usually empty.

@@ -2,10 +2,12 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -23,24 +25,33 @@ enum class AnalysisMode : std::uint8_t {
 [[nodiscard]] std::optional<AnalysisMode> analysis_mode_from_text(std::string_view text);
 [[nodiscard]] std::span<const std::string_view> analysis_mode_names();
 
-enum class Strategy : std::uint8_t {
-    BestMatch = 0,
-    BestMatchLoad = 1,
-    Random = 2,
-    Lowest = 3,
-    BestMatchPull = 4,  ///< Paper, 5.1: idle workers pull the most similar work.
-    EarliestFinish = 5, ///< Ours: sizes batches by time; ignores q and claim.
+/// A matching strategy as users know it. `master/dispatch/policy/strategies.cpp` makes its policy.
+struct Strategy {
+    std::string_view name;
+    std::string_view worker; ///< The worker that gets a scenario, in words.
+    bool uses_q = true;      ///< Its batches are of q scenarios, and it may claim.
 };
 
-[[nodiscard]] std::string_view to_text(Strategy strategy);
-[[nodiscard]] std::optional<Strategy> strategy_from_text(std::string_view text);
-/// Names in the order of the enumerators.
-[[nodiscard]] std::span<const std::string_view> strategy_names();
+/// One line a strategy.
+inline constexpr std::array strategies{
+    Strategy{"best-match", "holds most of what the scenario touches"},
+    Strategy{"best-match-load", "holds most, times the free share of its buffer"},
+    Strategy{"random", "is drawn"},
+    Strategy{"lowest", "holds least of what the scenario touches"},
+    Strategy{"best-match-pull", "is free; it takes the q scenarios of which it holds most"},
+    Strategy{"earliest-finish", "would be done first, transfers included", false},
+};
+
+/// Null if no strategy has the name.
+[[nodiscard]] const Strategy* find_strategy(std::string_view name);
+[[nodiscard]] std::vector<std::string_view> strategy_names();
+/// Whether the text may name a strategy: 1 to `limits::strategy_name_bytes_max` of a-z, 0-9 and -.
+[[nodiscard]] bool is_strategy_name(std::string_view text);
 
 /// The [cluster] table of a job. With a tolerance, `tolerance_depth` of the trees replaces
 /// `depths`.
 struct ClusterOptions {
-    Strategy strategy = Strategy::EarliestFinish;
+    std::string strategy = "earliest-finish"; ///< The name of a strategy.
     /// Distribution depths by body (paper: 12 or 10 for the fixed body, 6 for the moved one).
     std::vector<std::optional<std::uint32_t>> depths = {};
     std::uint32_t q = 20;      ///< Buffer capacity, scenarios.

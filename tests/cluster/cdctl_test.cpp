@@ -115,7 +115,7 @@ TEST_F(Cluster, ExplainShowsEachWorkersScore) {
             worker->signal(signal);
         }
     };
-    for (const Strategy strategy : {Strategy::BestMatch, Strategy::EarliestFinish}) {
+    for (const std::string_view strategy : {"best-match", "earliest-finish"}) {
         ClusterOptions options = many_blocks();
         options.strategy = strategy;
         options.q = 200; // Keeps buffers from filling, so that any worker may take the scenario.
@@ -137,7 +137,7 @@ TEST_F(Cluster, ExplainShowsEachWorkersScore) {
         signal_all(SIGCONT);
         EXPECT_EQ(finish(id, [](const JobStatus&) {}).state, JobState::Done);
 
-        const bool by_time = strategy == Strategy::EarliestFinish;
+        const bool by_time = strategy == "earliest-finish";
         EXPECT_EQ(text.exit_code, 0) << text.errors;
         EXPECT_THAT(text.output, HasSubstr("scenario 299"));
         EXPECT_THAT(text.output, HasSubstr("worker0"));

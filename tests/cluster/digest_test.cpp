@@ -116,12 +116,7 @@ TEST_F(Cluster, StrategyBufferAndClaimingDoNotChangeTheDigest) {
     const Sha256 expected = job.digest_in_one_process(query);
     start_worker();
     start_worker();
-    for (const Strategy strategy : {Strategy::BestMatch,
-                                    Strategy::BestMatchLoad,
-                                    Strategy::Random,
-                                    Strategy::Lowest,
-                                    Strategy::BestMatchPull,
-                                    Strategy::EarliestFinish}) {
+    for (const std::string_view strategy : strategy_names()) {
         for (const std::uint32_t q : {1u, 20u}) {
             for (const bool claim : {false, true}) {
                 ClusterOptions options = many_blocks();
@@ -129,7 +124,7 @@ TEST_F(Cluster, StrategyBufferAndClaimingDoNotChangeTheDigest) {
                 options.q = q;
                 options.claim = claim;
                 EXPECT_EQ(run(job, query, options).digest, expected)
-                    << to_text(strategy) << ", q " << q << ", claim " << claim;
+                    << strategy << ", q " << q << ", claim " << claim;
             }
         }
     }
@@ -169,7 +164,7 @@ TEST_F(Cluster, TheMapIsThatOfOneProcessThoughWorkersAreKilled) {
     start_worker(1);
     start_worker(2);
     for (const AnalysisMode mode : {AnalysisMode::Always, AnalysisMode::Never}) {
-        for (const Strategy strategy : {Strategy::BestMatch, Strategy::EarliestFinish}) {
+        for (const std::string_view strategy : {"best-match", "earliest-finish"}) {
             ClusterOptions options;
             options.analysis = mode;
             options.strategy = strategy;
@@ -189,7 +184,7 @@ TEST_F(Cluster, TheMapIsThatOfOneProcessThoughWorkersAreKilled) {
             EXPECT_EQ(answer.value().withdrawn, "");
             const auto map = unpack_map(answer.value().map, {1u << 20, 1u << 20, 1500});
             ASSERT_TRUE(map) << map.error().detail;
-            EXPECT_EQ(map.value(), expected) << to_text(mode) << ", " << to_text(strategy);
+            EXPECT_EQ(map.value(), expected) << to_text(mode) << ", " << strategy;
         }
     }
     Query cut = at_level(Level::Pairs);

@@ -35,7 +35,7 @@ class Slowed {
 };
 
 struct Way {
-    Strategy strategy = Strategy::EarliestFinish;
+    std::string strategy = "earliest-finish";
     AnalysisMode analysis = AnalysisMode::Always;
 };
 
@@ -126,8 +126,8 @@ TEST_P(EndOfJob, CopiesReplaceTheScenariosOfAStoppedHost) {
 
 INSTANTIATE_TEST_SUITE_P(Ways,
                          EndOfJob,
-                         testing::Values(Way{Strategy::EarliestFinish, AnalysisMode::Always},
-                                         Way{Strategy::BestMatch, AnalysisMode::Never}),
+                         testing::Values(Way{"earliest-finish", AnalysisMode::Always},
+                                         Way{"best-match", AnalysisMode::Never}),
                          [](const auto& way) {
                              return way.param.analysis == AnalysisMode::Never ? "Ranges" : "ByTime";
                          });

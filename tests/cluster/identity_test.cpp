@@ -103,7 +103,7 @@ TEST_F(SecuredCluster, AWholeJobWithPeersHasTheSameDigest) {
         start_joined(worker_token, name);
     }
     ClusterOptions everything_everywhere = many_blocks();
-    everything_everywhere.strategy = Strategy::Random;
+    everything_everywhere.strategy = "random";
     everything_everywhere.q = 4;
     const JobStatus status = run(job, Query{}, everything_everywhere);
     ASSERT_EQ(status.state, JobState::Done);

@@ -11,7 +11,7 @@ namespace {
 /// Every scenario, and so every worker, needs nearly all of both bodies.
 ClusterOptions everything_everywhere() {
     ClusterOptions options = many_blocks();
-    options.strategy = Strategy::Random;
+    options.strategy = "random";
     options.q = 4;
     return options;
 }

@@ -60,7 +60,7 @@ void Simulation::plan(std::size_t workers) {
     if (workers != 0) {
         ClusterOptions options = any_options();
         options.q = 1; // Spreads the work over all workers.
-        options.strategy = Strategy::Random;
+        options.strategy = "random";
         options.analysis = AnalysisMode::Always;
         plan_job(large_job(), options);
     }
@@ -90,7 +90,7 @@ void Simulation::plan_jobs() {
 
 ClusterOptions Simulation::any_options() {
     ClusterOptions options;
-    options.strategy = static_cast<Strategy>(world_.below(6));
+    options.strategy = strategies[world_.below(strategies.size())].name;
     const auto depth_a = static_cast<std::uint32_t>(1 + world_.below(3));
     const auto depth_b = static_cast<std::uint32_t>(1 + world_.below(3));
     options.depths = {depth_a, depth_b};

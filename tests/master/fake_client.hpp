@@ -40,7 +40,7 @@ struct Reference {
         Submit submit;
         submit.name = "test";
         submit.bodies = {{a.hash(), "a"}, {b.hash(), "b"}};
-        submit.cluster.strategy = Strategy::BestMatch; // Makes small batches.
+        submit.cluster.strategy = "best-match"; // Makes small batches.
         submit.cluster.depths = {4, 3};
         submit.cluster.q = 5;
         submit.scenarios = scenarios.size();

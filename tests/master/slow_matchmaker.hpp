@@ -48,7 +48,7 @@ class SlowMatchmaker {
         if (workers.empty()) {
             return best;
         }
-        if (options_.strategy == Strategy::Random) {
+        if (options_.strategy == "random") {
             auto place = workers.begin();
             std::advance(place, static_cast<std::ptrdiff_t>(random_() % workers.size()));
             return place->first;
@@ -68,14 +68,10 @@ class SlowMatchmaker {
   private:
     [[nodiscard]] double worth(std::uint64_t score, const SlowWorker& worker) const {
         const auto triangles = static_cast<double>(score);
-        switch (options_.strategy) {
-        case Strategy::BestMatchLoad:
+        if (options_.strategy == "best-match-load") {
             return triangles * (1.0 - static_cast<double>(worker.buffered) / options_.q);
-        case Strategy::Lowest:
-            return -triangles;
-        default:
-            return triangles;
         }
+        return options_.strategy == "lowest" ? -triangles : triangles;
     }
 
     ClusterOptions options_;

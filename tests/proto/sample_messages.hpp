@@ -121,7 +121,7 @@ inline Submit some_submit() {
                      {some_hash(2), "b", "van.stl", "m"}};
     submit.query = some_query();
     submit.cluster = {
-        Strategy::Lowest, {10, std::nullopt, 5}, 21, 4097, true, 6, AnalysisMode::Never, false};
+        "lowest", {10, std::nullopt, 5}, 21, 4097, true, 6, AnalysisMode::Never, false};
     submit.poses = {PosesKind::Random,
                     RandomPoses{7, 8, 0.25, 0.5},
                     "poses.csv",
@@ -200,7 +200,8 @@ inline std::vector<Message> sample_messages() {
         Explain{JobId{9}, 10},
         Explained{JobId{9},
                   10,
-                  Strategy::EarliestFinish,
+                  "earliest-finish",
+                  true,
                   "waits",
                   "it would be done first",
                   "as things stand now",

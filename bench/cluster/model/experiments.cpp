@@ -155,7 +155,7 @@ void Experiments::run(const Setting& setting, const Scene& scene, const Point& p
                 continue;
             }
             csv_.row(row_of(setting, scene, point, strategy, seed, workload, *outcome));
-            if (strategy.strategy == Strategy::BestMatch) {
+            if (strategy.strategy == "best-match") {
                 best_match_seconds_ += outcome->seconds / static_cast<double>(seeds(setting));
             }
         }
@@ -322,7 +322,7 @@ void Experiments::compare_additions(const std::vector<Setting>& settings, const 
                              double bytes_per_second) {
         SimulationOptions options = setting.options;
         options.ahead = 0;
-        options.dispatch.strategy = Strategy::EarliestFinish;
+        options.dispatch.strategy = "earliest-finish";
         options.dispatch.v_kb = limits::v_kb_max;
         options.cluster.bytes_per_second = bytes_per_second;
         for (const bool peers : {false, true}) {
@@ -374,7 +374,7 @@ double Experiments::mean_lowest(const Setting& setting, const Scene& scene) {
         const Workload workload =
             make_workload(*scene.trace, *scene.table, {setting.costs, point.depth, 0, seed});
         const auto outcome =
-            simulate_one(setting, scene, workload, {Strategy::Lowest, true, false}, point, seed);
+            simulate_one(setting, scene, workload, {"lowest", true, false}, point, seed);
         sum += outcome ? outcome->seconds : 0;
     }
     return sum / static_cast<double>(seeds(setting));

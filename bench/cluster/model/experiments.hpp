@@ -117,7 +117,7 @@ class Experiments {
     ExperimentOptions options_;
     CsvFile csv_;
     /// Keyed by scene, strategy, peers, and depth.
-    std::map<std::tuple<std::string, Strategy, bool, std::uint32_t>, double> dispatch_seconds_;
+    std::map<std::tuple<std::string, std::string, bool, std::uint32_t>, double> dispatch_seconds_;
     double best_match_seconds_ = 0; ///< Last point, mean of the seeds.
 };
 

@@ -5,11 +5,12 @@
 
 #include <array>
 #include <string>
+#include <string_view>
 
 namespace cd::bench {
 
 struct ComparedStrategy {
-    Strategy strategy;
+    std::string_view strategy;
     /// True: as in the paper, a worker with a task gets no other. False: a second task waits at the
     /// worker.
     bool claims;
@@ -18,18 +19,18 @@ struct ComparedStrategy {
     bool peers = false; ///< Workers send each other blocks.
 
     [[nodiscard]] std::string name() const {
-        return std::string(to_text(strategy)) + (peers ? "+peers" : "");
+        return std::string(strategy) + (peers ? "+peers" : "");
     }
 };
 
 inline constexpr std::array compared_strategies{
-    ComparedStrategy{Strategy::BestMatch, true, false},
-    ComparedStrategy{Strategy::BestMatchLoad, true, false},
-    ComparedStrategy{Strategy::Random, true, false},
-    ComparedStrategy{Strategy::Lowest, true, false},
-    ComparedStrategy{Strategy::BestMatchPull, true, true},
-    ComparedStrategy{Strategy::EarliestFinish, false, true},
-    ComparedStrategy{Strategy::EarliestFinish, false, true, true},
+    ComparedStrategy{"best-match", true, false},
+    ComparedStrategy{"best-match-load", true, false},
+    ComparedStrategy{"random", true, false},
+    ComparedStrategy{"lowest", true, false},
+    ComparedStrategy{"best-match-pull", true, true},
+    ComparedStrategy{"earliest-finish", false, true},
+    ComparedStrategy{"earliest-finish", false, true, true},
 };
 
 } // namespace cd::bench

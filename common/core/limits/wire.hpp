@@ -43,6 +43,7 @@ inline constexpr std::size_t write_queue_bytes_max = 64u << 20;
 inline constexpr std::uint64_t range_scenarios_max = 1u << 14;
 /// Poses in one answer to a client.
 inline constexpr std::uint64_t poses_answer_scenarios = 1u << 12;
+inline constexpr std::size_t strategy_name_bytes_max = 32;
 /// Workers that the master names as sources of one fetch.
 inline constexpr std::size_t peer_sources_max = 3;
 inline constexpr std::uint32_t worker_threads_max = 4096;

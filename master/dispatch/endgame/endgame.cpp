@@ -1,7 +1,6 @@
 #include "master/dispatch/endgame/endgame.hpp"
 
 #include "common/core/limits/master.hpp"
-#include "master/dispatch/policy/earliest_finish.hpp"
 
 #include <algorithm>
 #include <ranges>
@@ -79,8 +78,7 @@ Endgame::batch_to_ask(const WorkerProxy& from, TaskId task, const WorkerProxy& h
         if (scenario.copy || scenario.recalls == limits::scenario_recalls_max) {
             continue;
         }
-        const double finish =
-            finish_on(context_.pool, context_.pace, helper, job, scenario).total() + seconds_there;
+        const double finish = job.policy->finish_on(helper, job, scenario).total() + seconds_there;
         if (finish + limits::end_gain_seconds_min > seconds_here) {
             break;
         }
@@ -152,8 +150,7 @@ bool Endgame::copy_scenario(const WorkerProxy& from,
             continue;
         }
         const double finish =
-            finish_on(context_.pool, context_.pace, helper, job, scenario).total() +
-            limits::end_gain_seconds_min;
+            job.policy->finish_on(helper, job, scenario).total() + limits::end_gain_seconds_min;
         if (limits::copy_gain_min * finish > seconds_here || cost_ns > job.copies.left_ns()) {
             return false;
         }

@@ -146,13 +146,11 @@ std::uint64_t EarliestFinish::enough(const DispatchJob& /*job*/) const {
                                                static_cast<double>(limits::unsent_by_time_max)));
 }
 
-FinishTerms finish_on(const WorkerPool& pool,
-                      const ClusterPace& pace,
-                      const WorkerProxy& proxy,
-                      const DispatchJob& job,
-                      const DispatchScenario& scenario) {
-    const PooledTree& a = pool.tree(job.a.tree);
-    const PooledTree& b = pool.tree(job.b.tree);
+FinishTerms EarliestFinish::finish_on(const WorkerProxy& proxy,
+                                      const DispatchJob& job,
+                                      const DispatchScenario& scenario) const {
+    const PooledTree& a = context().pool.tree(job.a.tree);
+    const PooledTree& b = context().pool.tree(job.b.tree);
     ScenarioNeeds needs;
     needs.cost_ns = scenario.weight.cost_ns;
     needs.bytes_of_memory = bytes_of_memory(a, b);
@@ -169,7 +167,7 @@ FinishTerms finish_on(const WorkerPool& pool,
     };
     add(a, scenario.roots.a);
     add(b, scenario.roots.b);
-    return estimate_finish(pace.powers_of(proxy), needs);
+    return estimate_finish(context().pace.powers_of(proxy), needs);
 }
 
 bool ends_with_long_ones(const WorkQueue& queue, const WorkerProxy& proxy, const DispatchJob& job) {

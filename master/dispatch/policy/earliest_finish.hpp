@@ -44,15 +44,11 @@ class EarliestFinish final : public MatchingPolicy {
     [[nodiscard]] std::uint64_t enough(const DispatchJob& job) const override;
 
     [[nodiscard]] bool is_by_time() const override { return true; }
+    [[nodiscard]] FinishTerms finish_on(const WorkerProxy& proxy,
+                                        const DispatchJob& job,
+                                        const DispatchScenario& scenario) const override;
     [[nodiscard]] bool hints(const DispatchJob& job) const override { return job.options.hints; }
 };
-
-/// When the worker would finish the scenario, from now.
-[[nodiscard]] FinishTerms finish_on(const WorkerPool& pool,
-                                    const ClusterPace& pace,
-                                    const WorkerProxy& proxy,
-                                    const DispatchJob& job,
-                                    const DispatchScenario& scenario);
 
 /// True if the job's scenarios are so long that each is a batch, and no more will arrive.
 [[nodiscard]] bool

@@ -2,13 +2,13 @@
 // a task.
 #pragma once
 
+#include "master/dispatch/policy/finish_estimate.hpp"
 #include "master/dispatch/work_queue.hpp"
 #include "master/dispatch/workers/cluster_pace.hpp"
 #include "master/dispatch/workers/worker_pool.hpp"
 
 #include <cstddef>
 #include <cstdint>
-#include <memory>
 #include <string_view>
 #include <vector>
 
@@ -30,7 +30,8 @@ struct MatchingContext {
 /// than V kB, as soon as the worker has room or would run dry.
 class MatchingPolicy {
   public:
-    explicit MatchingPolicy(const MatchingContext& context) : context_(context) {}
+    MatchingPolicy(const MatchingContext& context, const ClusterOptions& /*options*/)
+        : context_(context) {}
     virtual ~MatchingPolicy() = default;
     MatchingPolicy(const MatchingPolicy&) = delete;
     MatchingPolicy& operator=(const MatchingPolicy&) = delete;
@@ -82,6 +83,12 @@ class MatchingPolicy {
     /// The policy estimates when a scenario is done (`finish_on`): its scenarios move between
     /// buffers, and are recalled and copied at the end of the job.
     [[nodiscard]] virtual bool is_by_time() const { return false; }
+    /// When the worker would finish the scenario, from now; zeros unless `is_by_time`.
+    [[nodiscard]] virtual FinishTerms finish_on(const WorkerProxy& /*proxy*/,
+                                                const DispatchJob& /*job*/,
+                                                const DispatchScenario& /*scenario*/) const {
+        return {};
+    }
     /// Announces missing blocks before it sends a task. The paper's strategies do not.
     [[nodiscard]] virtual bool hints(const DispatchJob& /*job*/) const { return false; }
 
@@ -91,9 +98,5 @@ class MatchingPolicy {
   private:
     MatchingContext context_;
 };
-
-/// The policy of the strategy that the options name.
-[[nodiscard]] std::unique_ptr<MatchingPolicy> make_policy(const ClusterOptions& options,
-                                                          const MatchingContext& context);
 
 } // namespace cd

@@ -9,8 +9,8 @@ namespace cd {
 
 class RandomWorker final : public MatchingPolicy {
   public:
-    RandomWorker(const MatchingContext& context, std::uint64_t seed)
-        : MatchingPolicy(context), random_(seed) {}
+    RandomWorker(const MatchingContext& context, const ClusterOptions& options)
+        : MatchingPolicy(context, options), random_(options.seed) {}
 
     [[nodiscard]] WorkerProxy* choose(const DispatchJob& job,
                                       const DispatchScenario& /*scenario*/) override {

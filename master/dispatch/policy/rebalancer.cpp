@@ -74,7 +74,7 @@ bool Rebalancer::move_if_earlier(WorkerProxy& from,
     DispatchScenario& scenario = job.at(index);
     const double seconds_there =
         1e-9 * static_cast<double>(from.backlog_ns()) / context_.pace.power_of(from);
-    if (finish_on(context_.pool, context_.pace, to, job, scenario).total() >= seconds_there) {
+    if (job.policy->finish_on(to, job, scenario).total() >= seconds_there) {
         return false;
     }
     from.buffers.remove(job.id, index, scenario.weight);

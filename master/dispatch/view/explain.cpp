@@ -1,6 +1,6 @@
 #include "master/dispatch/view/explain.hpp"
 
-#include "master/dispatch/policy/earliest_finish.hpp"
+#include "master/dispatch/policy/matching_policy.hpp"
 
 #include <string>
 
@@ -51,15 +51,13 @@ WorkerScore score_of(const MatchingContext& context,
     score.held_triangles = context.pool.tree(job.a.tree).held.held(proxy.slot(), roots.a) +
                            context.pool.tree(job.b.tree).held.held(proxy.slot(), roots.b);
     score.missing_triangles = sum_of(roots.a) + sum_of(roots.b) - score.held_triangles;
-    if (job.policy->is_by_time()) {
-        const FinishTerms terms = finish_on(context.pool, context.pace, proxy, job, scenario);
-        score.backlog = terms.backlog;
-        score.coming = terms.coming;
-        score.transfer = terms.transfer;
-        score.blocks = terms.blocks;
-        score.eviction = terms.eviction;
-        score.work = terms.work;
-    }
+    const FinishTerms terms = job.policy->finish_on(proxy, job, scenario);
+    score.backlog = terms.backlog;
+    score.coming = terms.coming;
+    score.transfer = terms.transfer;
+    score.blocks = terms.blocks;
+    score.eviction = terms.eviction;
+    score.work = terms.work;
     return score;
 }
 
@@ -72,6 +70,7 @@ Explained explain_choice(const MatchingContext& context,
     explained.job = job.id;
     explained.scenario = analysed.index;
     explained.strategy = job.options.strategy;
+    explained.is_by_time = job.policy->is_by_time();
     explained.roots_a = static_cast<std::uint32_t>(analysed.roots_a.size());
     explained.roots_b = static_cast<std::uint32_t>(analysed.roots_b.size());
     if (analysed.roots_a.empty()) {

@@ -15,11 +15,12 @@ namespace {
 using testing::HasSubstr;
 using testing::Not;
 
-Explained make_explained(Strategy strategy) {
+Explained make_explained(std::string_view strategy, bool is_by_time = false) {
     Explained explained;
     explained.job = JobId{1};
     explained.scenario = 17;
     explained.strategy = strategy;
+    explained.is_by_time = is_by_time;
     explained.where = "waits";
     explained.why = "it is drawn next";
     explained.roots_a = 3;
@@ -41,7 +42,7 @@ std::string line_with(const std::string& text, const std::string& name) {
 }
 
 TEST(ExplainReport, ByTrianglesEachWorkerHasALineWithWhatItHoldsAndLacks) {
-    const std::string text = explained_text(make_explained(Strategy::BestMatch), "j-1");
+    const std::string text = explained_text(make_explained("best-match"), "j-1");
     EXPECT_TRUE(text.starts_with("scenario 17 of j-1, best-match\n")) << text;
     EXPECT_THAT(text, HasSubstr("touches     3 roots of A, 2 of B\n"));
     EXPECT_THAT(text, HasSubstr("is          waits\n"));
@@ -57,7 +58,7 @@ TEST(ExplainReport, ByTrianglesEachWorkerHasALineWithWhatItHoldsAndLacks) {
 }
 
 TEST(ExplainReport, ByTimeEachTermStandsInMillisecondsAndTheyAddUp) {
-    const std::string text = explained_text(make_explained(Strategy::EarliestFinish), "j-1");
+    const std::string text = explained_text(make_explained("earliest-finish", true), "j-1");
     EXPECT_THAT(text, Not(HasSubstr("MISSING")));
     const std::string chosen = line_with(text, "node-4");
     for (const char* term : {"1.000", "2.000", "3.000", "4.000", "0.000", "500.000", "510.000"}) {
@@ -67,14 +68,14 @@ TEST(ExplainReport, ByTimeEachTermStandsInMillisecondsAndTheyAddUp) {
 }
 
 TEST(ExplainReport, OmissionsOfScoresAreListedOnlyIfAny) {
-    Explained explained = make_explained(Strategy::BestMatch);
+    Explained explained = make_explained("best-match");
     EXPECT_THAT(explained_text(explained, "j-1"), Not(HasSubstr("note")));
     explained.note = "the job has ended";
     EXPECT_THAT(explained_text(explained, "j-1"), HasSubstr("  note        the job has ended\n"));
 }
 
 TEST(ExplainReport, WithoutWorkersThereIsNoTable) {
-    Explained explained = make_explained(Strategy::BestMatch);
+    Explained explained = make_explained("best-match");
     explained.workers.clear();
     const std::string text = explained_text(explained, "j-1");
     EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 4);
@@ -85,6 +86,7 @@ TEST(ExplainReport, OfAJobThatHasEndedThereAreNoScores) {
     Explained explained;
     explained.job = JobId{1};
     explained.scenario = 17;
+    explained.strategy = "best-match";
     explained.where = "answered by node-4 (w-4)";
     explained.note = "the job has ended, so no worker is scored";
     EXPECT_EQ(explained_text(explained, "j-1"),
@@ -98,7 +100,7 @@ TEST(ExplainReport, OfAJobThatHasEndedThereAreNoScores) {
 }
 
 TEST(ExplainReport, JsonGivesEachNumberAsItIs) {
-    Explained explained = make_explained(Strategy::BestMatchLoad);
+    Explained explained = make_explained("best-match-load");
     explained.note = "as things stand";
     auto json = nlohmann::json::parse(explained_json(explained, "j-1"));
     EXPECT_EQ(json["job"], "j-1");
@@ -115,13 +117,13 @@ TEST(ExplainReport, JsonGivesEachNumberAsItIs) {
     EXPECT_EQ(json["workers"][1]["may_take"], false);
     EXPECT_FALSE(json["workers"][0].contains("total_ms")) << "it does not go by time";
 
-    json = nlohmann::json::parse(explained_json(make_explained(Strategy::EarliestFinish), "j-1"));
+    json = nlohmann::json::parse(explained_json(make_explained("earliest-finish", true), "j-1"));
     EXPECT_EQ(json["workers"][1]["eviction_ms"], 125);
     EXPECT_EQ(json["workers"][1]["total_ms"], 875);
 }
 
 TEST(ExplainReport, NamesCannotSteerATerminalOrBreakJson) {
-    Explained explained = make_explained(Strategy::BestMatch);
+    Explained explained = make_explained("best-match");
     explained.workers[0].name = "\x1b[2Jx\xff";
     EXPECT_THAT(explained_text(explained, "j-1"), Not(HasSubstr("\x1b")));
     EXPECT_TRUE(nlohmann::json::accept(explained_json(explained, "j-1")));

@@ -106,7 +106,7 @@ TEST(JobFile, EveryKeyIsRead) {
     EXPECT_EQ(job.ignore[0].line, 19u);
     EXPECT_EQ(job.output.dir, "folder/results");
     EXPECT_EQ(job.output.formats, (std::vector<std::string>{"json", "npz"}));
-    EXPECT_EQ(job.cluster.strategy, Strategy::Lowest);
+    EXPECT_EQ(job.cluster.strategy, "lowest");
     EXPECT_EQ(job.cluster.analysis, AnalysisMode::Never);
     EXPECT_EQ(job.cluster.depth(0), 10u);
     EXPECT_EQ(job.cluster.depth(1), 4u);

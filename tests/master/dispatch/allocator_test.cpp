@@ -22,7 +22,7 @@ class Allocating : public testing::Test, protected DispatchStage {
 using Lists = std::vector<std::vector<std::uint64_t>>;
 
 TEST_F(Allocating, AFullBufferGoesAtOnceAndTheRestOnceTheInputRests) {
-    DispatchJob& job = open(Strategy::BestMatch, 2);
+    DispatchJob& job = open("best-match", 2);
     WorkerProxy& one = join(1);
     queue.set_paused(false);
     add(job, 3);
@@ -38,8 +38,8 @@ TEST_F(Allocating, AFullBufferGoesAtOnceAndTheRestOnceTheInputRests) {
 }
 
 TEST_F(Allocating, JobsAreServedInTurn) {
-    DispatchJob& first = open(Strategy::BestMatch, 4, 1);
-    DispatchJob& second = open(Strategy::BestMatch, 4, 2);
+    DispatchJob& first = open("best-match", 4, 1);
+    DispatchJob& second = open("best-match", 4, 2);
     WorkerProxy& one = join(1);
     WorkerProxy& two = join(2);
     queue.set_paused(false);
@@ -53,7 +53,7 @@ TEST_F(Allocating, JobsAreServedInTurn) {
 }
 
 TEST_F(Allocating, ABufferTakenBackWaitsBeforeTheOthers) {
-    DispatchJob& job = open(Strategy::BestMatch, 2);
+    DispatchJob& job = open("best-match", 2);
     WorkerProxy& one = join(1);
     queue.set_paused(false);
     tasks.send_places(one, job, {0, 9}, 1, actions);
@@ -68,7 +68,7 @@ TEST_F(Allocating, ABufferTakenBackWaitsBeforeTheOthers) {
 }
 
 TEST_F(Allocating, ASuspectEmptiesTheBuffersOfTheWorkerThatIsReservedForIt) {
-    DispatchJob& job = open(Strategy::BestMatch, 3);
+    DispatchJob& job = open("best-match", 3);
     WorkerProxy& one = join(1);
     queue.set_paused(false);
     tasks.send_places(one, job, {0, 1}, 1, actions); // The worker is busy.
@@ -86,7 +86,7 @@ TEST_F(Allocating, ASuspectEmptiesTheBuffersOfTheWorkerThatIsReservedForIt) {
 }
 
 TEST_F(Allocating, ASuspectTravelsAloneToAnIdleWorkerThatItClaims) {
-    DispatchJob& job = open(Strategy::BestMatch, 2);
+    DispatchJob& job = open("best-match", 2);
     WorkerProxy& one = join(1);
     add(job, 1);
     DispatchScenario suspect = scenario(job);
@@ -100,7 +100,7 @@ TEST_F(Allocating, ASuspectTravelsAloneToAnIdleWorkerThatItClaims) {
 }
 
 TEST_F(Allocating, AFreeWorkerPulls) {
-    DispatchJob& job = open(Strategy::BestMatchPull, 2);
+    DispatchJob& job = open("best-match-pull", 2);
     WorkerProxy& one = join(1);
     queue.set_paused(false);
     add(job, 1);

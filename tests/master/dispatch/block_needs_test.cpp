@@ -8,7 +8,7 @@ namespace {
 
 TEST(BlockNeeds, AScenarioFetchesWhatItsWorkerDoesNotHold) {
     DispatchStage stage;
-    DispatchJob& job = stage.open(Strategy::EarliestFinish);
+    DispatchJob& job = stage.open("earliest-finish");
     WorkerProxy& one = stage.join(1);
     DispatchScenario first = DispatchStage::scenario(job, {0, 1});
     MissingOfJob missing = stage.blocks.hold(job, first, one);
@@ -27,7 +27,7 @@ TEST(BlockNeeds, AScenarioFetchesWhatItsWorkerDoesNotHold) {
 
 TEST(BlockNeeds, FillingACacheCostsTheBlocksThatItLacks) {
     DispatchStage stage;
-    DispatchJob& job = stage.open(Strategy::EarliestFinish);
+    DispatchJob& job = stage.open("earliest-finish");
     WorkerProxy& one = stage.join(1);
     const double all = stage.blocks.costs_of(job).all;
     EXPECT_DOUBLE_EQ(
@@ -41,8 +41,8 @@ TEST(BlockNeeds, FillingACacheCostsTheBlocksThatItLacks) {
 
 TEST(BlockNeeds, WhatARangeWantsCountsForJobsWithTasksAtTheWorker) {
     DispatchStage stage;
-    DispatchJob& job = stage.open(Strategy::EarliestFinish);
-    DispatchJob& other = stage.open(Strategy::EarliestFinish, 2, 2);
+    DispatchJob& job = stage.open("earliest-finish");
+    DispatchJob& other = stage.open("earliest-finish", 2, 2);
     WorkerProxy& one = stage.join(1);
     stage.tasks.send_places(one, job, {0, 4}, 100, stage.actions);
     stage.blocks.hold_wanted(stage.queue, one, job.a.tree, std::vector<RootIndex>{3});

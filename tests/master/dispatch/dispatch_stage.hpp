@@ -24,7 +24,7 @@ struct DispatchStage : DispatchParts {
         queue.open(JobId{id}, options, a, b, make_policy(options, context));
         return queue.at(JobId{id});
     }
-    DispatchJob& open(Strategy strategy, std::uint32_t q = 2, std::uint64_t id = 1) {
+    DispatchJob& open(std::string_view strategy, std::uint32_t q = 2, std::uint64_t id = 1) {
         ClusterOptions options;
         options.strategy = strategy;
         options.q = q;

@@ -28,7 +28,7 @@ class ByTime : public testing::Test {
   protected:
     void open(std::uint64_t block_bytes = 12'500'000, bool hints = true) {
         ClusterOptions options;
-        options.strategy = Strategy::EarliestFinish;
+        options.strategy = "earliest-finish";
         options.hints = hints;
         keep(dispatcher_.job_opened(job,
                                     options,
@@ -244,7 +244,7 @@ TEST_F(ByTime, BatchesGrowWhereTheyCostMoreThanTheirWork) {
         SCOPED_TRACE(share);
         Dispatcher dispatcher;
         ClusterOptions options;
-        options.strategy = Strategy::EarliestFinish;
+        options.strategy = "earliest-finish";
         (void)dispatcher.worker_joined(worker_1, {"w", 1});
         (void)dispatcher.job_opened(job, options, {tree_a, {100}, {1}}, {tree_b, {1}, {1}});
         std::vector<SendBatch> batches;
@@ -287,7 +287,7 @@ TEST_F(ByTime, ExplainNamesEachTermAndWhoIsChosen) {
     arrived(worker_1);
     const Explained explained = dispatcher_.explain(job, {77, {0}, {0}, 100, 10 * ms});
     ASSERT_EQ(explained.workers.size(), 2u);
-    EXPECT_EQ(explained.strategy, Strategy::EarliestFinish);
+    EXPECT_EQ(explained.strategy, "earliest-finish");
     EXPECT_TRUE(explained.workers[0].is_chosen);
     EXPECT_FALSE(explained.workers[1].is_chosen);
     EXPECT_DOUBLE_EQ(explained.workers[0].backlog, 0.01);
@@ -349,7 +349,7 @@ class TimedRun {
     double run(std::uint64_t scenarios, std::uint64_t seed) {
         std::mt19937_64 random(seed);
         ClusterOptions options;
-        options.strategy = Strategy::EarliestFinish;
+        options.strategy = "earliest-finish";
         for (std::size_t i = 0; i < speeds_.size(); ++i) {
             act(dispatcher_.worker_joined(WorkerId{i + 1}, {"w", 1}));
             if (are_known_) {

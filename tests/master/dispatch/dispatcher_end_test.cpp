@@ -42,7 +42,7 @@ class EndRun {
             act(dispatcher_.worker_joined(WorkerId{i + 1}, {"w", 1}));
         }
         ClusterOptions options;
-        options.strategy = way_ == Way::Places ? Strategy::BestMatch : Strategy::EarliestFinish;
+        options.strategy = way_ == Way::Places ? "best-match" : "earliest-finish";
         act(dispatcher_.job_opened(job, options, {TreeId{1}, {1}, {}}, {TreeId{2}, {1}, {}}));
         if (way_ == Way::Places) {
             act(dispatcher_.places_given(job, {0, seconds.size()}, 0));
@@ -355,7 +355,7 @@ TEST(AtTheEndOfLargeClusters, AnUnansweredRecallBlocksNoOtherHelp) {
         act(dispatcher.worker_joined(WorkerId{i}, {"w", 1}));
     }
     ClusterOptions options;
-    options.strategy = Strategy::EarliestFinish;
+    options.strategy = "earliest-finish";
     act(dispatcher.job_opened(job, options, {TreeId{1}, {1}, {}}, {TreeId{2}, {1}, {}}));
     constexpr std::uint64_t predicted_ns = 10'000'000'000;
     for (std::uint64_t i = 0; i < workers; ++i) {
@@ -379,8 +379,7 @@ TEST(AtTheEndOfLargeClusters, AnUnansweredRecallBlocksNoOtherHelp) {
 }
 
 TEST(AtTheEndOfPaperModes, NothingIsAskedBackOrCopied) {
-    for (const Strategy strategy :
-         {Strategy::BestMatch, Strategy::BestMatchLoad, Strategy::Random, Strategy::Lowest}) {
+    for (const std::string_view strategy : {"best-match", "best-match-load", "random", "lowest"}) {
         Dispatcher dispatcher;
         ClusterOptions options;
         options.strategy = strategy;

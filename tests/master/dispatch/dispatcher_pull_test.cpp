@@ -15,7 +15,7 @@ class Pulling : public testing::Test {
   protected:
     void open(std::uint32_t q, bool claim, std::uint32_t v_kb = 1000) {
         ClusterOptions options;
-        options.strategy = Strategy::BestMatchPull;
+        options.strategy = "best-match-pull";
         options.q = q;
         options.claim = claim;
         options.v_kb = v_kb;

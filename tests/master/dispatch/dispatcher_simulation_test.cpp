@@ -84,7 +84,7 @@ class Simulation {
 
     void open_job(JobId job) {
         ClusterOptions options;
-        options.strategy = static_cast<Strategy>(below(6));
+        options.strategy = strategies[below(strategies.size())].name;
         options.q = static_cast<std::uint32_t>(1 + below(6));
         options.v_kb = below(3) == 0 ? 1 : 100;
         options.claim = below(2) == 0;

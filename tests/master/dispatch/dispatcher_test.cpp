@@ -74,7 +74,7 @@ using Lists = std::vector<std::vector<std::uint64_t>>;
 
 ClusterOptions options_with(std::uint32_t q, bool claim) {
     ClusterOptions options;
-    options.strategy = Strategy::BestMatch;
+    options.strategy = "best-match";
     options.q = q;
     options.claim = claim;
     return options;
@@ -226,7 +226,7 @@ TEST(Dispatcher, LowestSpreadsWhatBestMatchWouldGather) {
     driver.join(worker_1);
     driver.join(worker_2);
     ClusterOptions options = options_with(8, false);
-    options.strategy = Strategy::Lowest;
+    options.strategy = "lowest";
     driver.open(job_1, options);
     driver.feed(job_1, 0, 2, 2);
     driver.pause();

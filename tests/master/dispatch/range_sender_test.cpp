@@ -10,7 +10,7 @@ class RangeSending : public testing::Test, protected DispatchStage {
   protected:
     RangeSending() { pace.add_scenario(1'000'000); } // 1000 scenarios/s and thread.
 
-    DispatchJob& job_ = open(Strategy::EarliestFinish);
+    DispatchJob& job_ = open("earliest-finish");
 };
 
 TEST_F(RangeSending, EachWorkerGetsABatchesWorthAndTheNextBeforeItRunsDry) {
@@ -50,7 +50,7 @@ TEST_F(RangeSending, AWorkerThatWouldBeLateGetsNone) {
 
 TEST_F(RangeSending, JobsTakeTurnsAndTheReservedWorkerIsSpared) {
     WorkerProxy& one = join(1, 20);
-    DispatchJob& other = open(Strategy::EarliestFinish, 2, 2);
+    DispatchJob& other = open("earliest-finish", 2, 2);
     job_.places.add({0, 5}, 0);
     other.places.add({0, 5}, 0);
     ranges.give(actions);

@@ -15,7 +15,7 @@ class TaskTables : public testing::Test, protected DispatchStage {
         job_.scenarios.erase(index);
     }
 
-    DispatchJob& job_ = open(Strategy::EarliestFinish);
+    DispatchJob& job_ = open("earliest-finish");
     WorkerProxy& one_ = join(1);
     WorkerProxy& two_ = join(2);
 };

@@ -20,7 +20,7 @@ DispatchScenario suspect_of(const DispatchJob& job) {
 
 TEST(WorkQueue, AScenarioIsUnsentUntilItLeavesForATask) {
     DispatchStage stage;
-    DispatchJob& job = stage.open(Strategy::BestMatch);
+    DispatchJob& job = stage.open("best-match");
     stage.add(job, 3);
     EXPECT_EQ(stage.queue.unsent(), 3u);
     job.waiting.pop_front(); // Into a buffer.
@@ -39,7 +39,7 @@ TEST(WorkQueue, AScenarioIsUnsentUntilItLeavesForATask) {
 
 TEST(WorkQueue, ASuspectWaitsApart) {
     DispatchStage stage;
-    DispatchJob& job = stage.open(Strategy::BestMatch);
+    DispatchJob& job = stage.open("best-match");
     EXPECT_TRUE(stage.queue.add(job, 7, suspect_of(job)));
     EXPECT_TRUE(stage.queue.add(job, 8, suspect_of(job)));
     EXPECT_TRUE(job.waiting.empty());
@@ -53,8 +53,8 @@ TEST(WorkQueue, ASuspectWaitsApart) {
 
 TEST(WorkQueue, AClosedJobTakesItsScenariosAlong) {
     DispatchStage stage;
-    DispatchJob& job = stage.open(Strategy::BestMatch);
-    stage.add(stage.open(Strategy::BestMatch, 2, 2), 1);
+    DispatchJob& job = stage.open("best-match");
+    stage.add(stage.open("best-match", 2, 2), 1);
     stage.add(job, 3);
     stage.queue.add(job, 77, suspect_of(job));
     stage.queue.close(job.id);
@@ -68,7 +68,7 @@ TEST(WorkQueue, AClosedJobTakesItsScenariosAlong) {
 
 TEST(WorkQueue, IsExhaustedOnceAllIsSentAndTheInputRests) {
     DispatchStage stage;
-    DispatchJob& job = stage.open(Strategy::BestMatch);
+    DispatchJob& job = stage.open("best-match");
     EXPECT_TRUE(stage.queue.is_exhausted());
     EXPECT_TRUE(stage.queue.set_paused(false));
     EXPECT_FALSE(stage.queue.is_exhausted());

@@ -121,6 +121,27 @@ TEST(ServerRestart, AJobWhoseMeshIsDamagedWaitsUntilThatIsMended) {
     expect_right_end(master, job);
 }
 
+/// Another build of cdmaster has accepted it.
+TEST(ServerRestart, AJobOfAnUnknownStrategyFailsAndNamesTheKnownOnes) {
+    const TemporaryFolder state;
+    const JobId job{1};
+    {
+        JobRecord record = job_record(job, 1);
+        record.submit.cluster.strategy = "of-tomorrow";
+        record.submit.poses.kind = PosesKind::Grid;
+        record.submit.grid = encode_grid(Grid());
+        Writer writer(state.path());
+        ASSERT_NE(ResultStore::create(writer.journal->results_path(job), job, 1), nullptr);
+        writer.wait_for(writer.journal->add(AcceptJob{record}));
+    }
+    Master master(no_return, state.path());
+    const auto status = [&] { return master.coordinator.jobs().status(job).value(); };
+    master.run_until([&] { return status().state != JobState::Running; });
+    EXPECT_EQ(status().state, JobState::Failed);
+    EXPECT_NE(status().failure.find("this master has best-match, "), std::string::npos)
+        << status().failure;
+}
+
 /// The mesh returns by hand, or with another job.
 TEST(ServerRestart, AJobWhoseMeshIsMissingWaitsUntilItIsThereAgain) {
     for (const bool by_hand : {true, false}) {

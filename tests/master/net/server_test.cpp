@@ -14,19 +14,14 @@ TEST(Server, AJobHasTheDigestOfTheSameScenariosWithoutACluster) {
     // Every class must occur, or agreement proves little.
     ASSERT_GT(reference().summary.cross, 10u);
     ASSERT_GT(reference().summary.separate, 10u);
-    for (const Strategy strategy : {Strategy::BestMatch,
-                                    Strategy::BestMatchLoad,
-                                    Strategy::Random,
-                                    Strategy::Lowest,
-                                    Strategy::BestMatchPull,
-                                    Strategy::EarliestFinish}) {
+    for (const std::string_view strategy : strategy_names()) {
         Master master;
         FakeWorker one(master, {});
         FakeWorker two(master, {});
         Client client(master);
         Submit submit = reference().submission();
         submit.cluster.strategy = strategy;
-        submit.cluster.claim = strategy != Strategy::BestMatch;
+        submit.cluster.claim = strategy != "best-match";
         client.start(submit);
         master.run_until([&] { return client.done; });
         expect_right(client);
@@ -73,7 +68,7 @@ double expected_transfer(bool says_what_it_holds) {
     for (const bool is_first : {true, false}) {
         Client client(master);
         Submit submit = reference().submission();
-        submit.cluster.strategy = Strategy::EarliestFinish;
+        submit.cluster.strategy = "earliest-finish";
         client.start(submit);
         if (is_first) {
             master.run_until([&] { return client.done; });
@@ -192,6 +187,7 @@ TEST(Server, InvalidSubmissionsAreRefusedWithAReason) {
                    "mesh's name is not printable");
     expect_failure(with([](Submit& s) { s.cluster.set_depth(0, 21); }), "depth of A");
     expect_failure(with([](Submit& s) { s.cluster.q = 0; }), "q is 0");
+    expect_failure(with([](Submit& s) { s.cluster.strategy = "fastest"; }), "has best-match, ");
     expect_failure(with([](Submit& s) { s.cluster.v_kb = 0; }), "v_kb");
     expect_failure(with([](Submit& s) { s.scenarios = ~0ull; }), "number of scenarios");
     expect_failure(with([](Submit& s) { s.query.ignored = {{0, 1u << 30, 0, 1}}; }), "outside");

@@ -14,7 +14,7 @@ class Endgames : public testing::Test, protected DispatchStage {
         return last<SendBatch>().task;
     }
 
-    DispatchJob& job_ = open(Strategy::EarliestFinish);
+    DispatchJob& job_ = open("earliest-finish");
     WorkerProxy& one_ = join(1);
     WorkerProxy& two_ = join(2);
 };
@@ -78,7 +78,7 @@ TEST_F(Endgames, CopiesTheLastPositionsOfARangeThatHasBegun) {
 }
 
 TEST_F(Endgames, ThePapersStrategiesAreLeftAlone) {
-    DispatchJob& paper = open(Strategy::BestMatch, 8, 2);
+    DispatchJob& paper = open("best-match", 8, 2);
     add(paper, 4, 100'000'000);
     send(one_, paper, 4);
     endgame.help(0, actions);

@@ -15,7 +15,7 @@ class Late : public testing::Test, protected DispatchStage {
         send(proxy, job_, count);
     }
 
-    DispatchJob& job_ = open(Strategy::EarliestFinish);
+    DispatchJob& job_ = open("earliest-finish");
     Stragglers stragglers_{context, tasks};
     WorkerProxy& one_ = join(1);
     WorkerProxy& two_ = join(2, 2);

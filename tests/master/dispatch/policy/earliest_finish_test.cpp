@@ -1,12 +1,9 @@
-// Proves how `earliest-finish` chooses, and what it makes a batch of; and which policy each
-// strategy has.
+// Proves how `earliest-finish` chooses, and what it makes a batch of.
 #include "master/dispatch/policy/earliest_finish.hpp"
 
 #include "tests/master/dispatch/dispatch_stage.hpp"
 
 #include <gtest/gtest.h>
-
-#include <set>
 
 namespace cd::tests {
 namespace {
@@ -22,7 +19,7 @@ class EarliestFinishes : public testing::Test, protected DispatchStage {
         }
     }
 
-    DispatchJob& job_ = open(Strategy::EarliestFinish);
+    DispatchJob& job_ = open("earliest-finish");
     const MatchingPolicy& policy_ = *job_.policy;
     WorkerProxy& one_ = join(1);
     WorkerProxy& two_ = join(2);
@@ -40,7 +37,7 @@ TEST_F(EarliestFinishes, AHolderIsAwaitedAsLongAsTheTransferWouldTake) {
     EXPECT_EQ(policy_.would_choose(job_, wanted), &two_);
     two_.buffers.add(job_.id, 78, {0, 20'000'000});
     EXPECT_EQ(policy_.would_choose(job_, wanted), &one_);
-    EXPECT_DOUBLE_EQ(finish_on(pool, pace, two_, job_, wanted).total(), 0.110 + 0.001);
+    EXPECT_DOUBLE_EQ(policy_.finish_on(two_, job_, wanted).total(), 0.110 + 0.001);
 }
 
 TEST_F(EarliestFinishes, EqualsGoToTheFewestScenariosThenToTheSmallestId) {
@@ -77,18 +74,6 @@ TEST_F(EarliestFinishes, TheLastLongScenariosGoLongestFirstToFreeThreads) {
 TEST_F(EarliestFinishes, EnoughIsFourBatchesForEachWorker) {
     pace.add_scenario(1'000'000);
     EXPECT_EQ(policy_.enough(job_), 2u * 4 * 100); // Of 0.1 s each.
-}
-
-TEST(MatchingPolicy, EachStrategyHasItsOwn) {
-    DispatchStage stage;
-    std::set<std::string_view> reasons;
-    for (std::size_t i = 0; i < strategy_names().size(); ++i) {
-        const DispatchJob& job = stage.open(static_cast<Strategy>(i), 2, i + 1);
-        reasons.insert(job.policy->why());
-        EXPECT_EQ(job.policy->is_by_time(), job.options.strategy == Strategy::EarliestFinish);
-        EXPECT_EQ(job.policy->is_pulled(), job.options.strategy == Strategy::BestMatchPull);
-    }
-    EXPECT_EQ(reasons.size(), strategy_names().size());
 }
 
 } // namespace

@@ -20,7 +20,7 @@ class Rebalancing : public testing::Test, protected DispatchStage {
         }
     }
 
-    DispatchJob& job_ = open(Strategy::EarliestFinish);
+    DispatchJob& job_ = open("earliest-finish");
     WorkerProxy& one_ = join(1);
     WorkerProxy& two_ = join(2);
 };

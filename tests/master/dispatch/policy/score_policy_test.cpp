@@ -32,7 +32,7 @@ ScenarioRoots table_1(int scenario) {
 /// count from 1.
 class Cluster : public DispatchParts {
   public:
-    Cluster(Strategy strategy,
+    Cluster(std::string_view strategy,
             const std::vector<std::set<int>>& allocated,
             std::uint64_t seed = 1) {
         ClusterOptions options;
@@ -81,7 +81,7 @@ class Cluster : public DispatchParts {
 };
 
 TEST(ScorePolicy, TheScoreIsTheSumOverBothTreesOfTrianglesAlreadyHeld) {
-    const Cluster cluster(Strategy::BestMatch, {{}, {1}, {4}, {1, 2, 3, 4, 5}});
+    const Cluster cluster("best-match", {{}, {1}, {4}, {1, 2, 3, 4, 5}});
     // Scenarios 1 and 2 share BB5 of the first tree; BB1, BB3 and BB4 of the second.
     EXPECT_EQ(cluster.score(1, 2), 0u);
     EXPECT_EQ(cluster.score(2, 2), 1u + 2u + 14u + 6u);
@@ -94,13 +94,13 @@ TEST(ScorePolicy, TheScoreIsTheSumOverBothTreesOfTrianglesAlreadyHeld) {
 
 TEST(ScorePolicy, BestMatchTakesTheHighestScore) {
     // Scenario 5 scores 7, 11 + 1 + 6, and 1.
-    Cluster cluster(Strategy::BestMatch, {{1}, {3}, {4}});
+    Cluster cluster("best-match", {{1}, {3}, {4}});
     cluster.load(2, 95);
     EXPECT_EQ(cluster.pick(5), 2u);
 }
 
 TEST(ScorePolicy, BestMatchLoadWeighsTheScoreByTheFreeShareOfTheBuffer) {
-    Cluster cluster(Strategy::BestMatchLoad, {{1}, {3}});
+    Cluster cluster("best-match-load", {{1}, {3}});
     // 7 x (1 - 0) equals 18 x (1 - load) at a load of 11/18.
     cluster.load(2, 60);
     EXPECT_EQ(cluster.pick(5), 2u);
@@ -109,14 +109,13 @@ TEST(ScorePolicy, BestMatchLoadWeighsTheScoreByTheFreeShareOfTheBuffer) {
 }
 
 TEST(ScorePolicy, LowestTakesTheLowestScore) {
-    Cluster cluster(Strategy::Lowest, {{1}, {3}, {4}});
+    Cluster cluster("lowest", {{1}, {3}, {4}});
     cluster.load(3, 90);
     EXPECT_EQ(cluster.pick(5), 3u);
 }
 
 TEST(ScorePolicy, EqualsGoToTheFewestScenariosThenToTheSmallestId) {
-    for (const Strategy strategy :
-         {Strategy::BestMatch, Strategy::BestMatchLoad, Strategy::Lowest}) {
+    for (const std::string_view strategy : {"best-match", "best-match-load", "lowest"}) {
         Cluster cluster(strategy, {{}, {}, {}});
         cluster.pool.at(WorkerId{1}).tasks.start(TaskId{1}, {JobId{1}, {0}});
         EXPECT_EQ(cluster.pick(1), 2u);
@@ -124,7 +123,7 @@ TEST(ScorePolicy, EqualsGoToTheFewestScenariosThenToTheSmallestId) {
 }
 
 TEST(ScorePolicy, AFullClaimedOrSilentWorkerGetsNothing) {
-    for (const Strategy strategy : {Strategy::BestMatch, Strategy::Random}) {
+    for (const std::string_view strategy : {"best-match", "random"}) {
         Cluster cluster(strategy, {{}, {}, {}, {}});
         cluster.load(1, 100);
         cluster.pool.at(WorkerId{2}).tasks.start(TaskId{1}, {JobId{1}, {0}, true});
@@ -145,8 +144,8 @@ TEST(BestMatchPull, AFreeWorkerTakesTheMostSimilarAndAmongEqualsTheFirst) {
 }
 
 TEST(RandomWorker, IsAFunctionOfTheSeedAndReachesEveryWorkerEvenly) {
-    Cluster one(Strategy::Random, {{1}, {}, {}}, 7);
-    Cluster same(Strategy::Random, {{1}, {}, {}}, 7);
+    Cluster one("random", {{1}, {}, {}}, 7);
+    Cluster same("random", {{1}, {}, {}}, 7);
     std::map<std::uint64_t, int> counts;
     for (int i = 0; i < 3000; ++i) {
         const std::uint64_t worker = one.pick(1);

@@ -22,7 +22,7 @@ TEST(ClusterPace, AnUnmeasuredWorkerIsTakenToBeAsFastAsTheOthers) {
 TEST(ClusterPace, ARangeGoesAsFastAsMeasuredOrAsScenariosArePredicted) {
     DispatchStage stage;
     const WorkerProxy& one = stage.join(1, 4);
-    DispatchJob& job = stage.open(Strategy::EarliestFinish);
+    DispatchJob& job = stage.open("earliest-finish");
     stage.pace.add_scenario(2'000'000);
     EXPECT_DOUBLE_EQ(stage.pace.places_per_second(one, job), 4 * 500);
     job.range_pace.add(one.id(), 30, 3);

@@ -11,7 +11,7 @@ const std::vector<RootIndex> both = {0, 2};
 
 TEST(WorkerPool, ABlockIsMissingOnceAndAgainAfterItsEviction) {
     DispatchStage stage;
-    stage.open(Strategy::BestMatch);
+    stage.open("best-match");
     WorkerProxy& one = stage.join(1);
     EXPECT_EQ(stage.pool.hold(one, tree, both).bytes, 2u * 6400);
     EXPECT_TRUE(stage.pool.hold(one, tree, both).roots.empty());
@@ -26,7 +26,7 @@ TEST(WorkerPool, ABlockIsMissingOnceAndAgainAfterItsEviction) {
 
 TEST(WorkerPool, ALostWorkersSlotIsFreeAndHoldsNothing) {
     DispatchStage stage;
-    stage.open(Strategy::BestMatch);
+    stage.open("best-match");
     stage.pool.hold(stage.join(1), tree, both);
     stage.pool.remove(WorkerId{1});
     const WorkerProxy& next = stage.join(2);
