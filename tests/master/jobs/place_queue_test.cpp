@@ -85,5 +85,14 @@ TEST(PlaceQueueParts, WithoutAHoleARunHasUpToTwoParts) {
     EXPECT_EQ(without(runs, {30, 0}), runs);
 }
 
+TEST(PlaceRuns, ConsecutivePositionsAreJoined) {
+    PlaceRuns runs;
+    for (const std::uint64_t place : {3, 4, 5, 7, 9, 10}) {
+        runs.add(place);
+    }
+    EXPECT_EQ(runs.take(), (std::vector<PlaceRange>{{3, 3}, {7, 1}, {9, 2}}));
+    EXPECT_TRUE(PlaceRuns().take().empty());
+}
+
 } // namespace
 } // namespace cd::tests
