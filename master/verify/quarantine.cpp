@@ -29,7 +29,6 @@ void Quarantine::impose(const Author& wrong) {
     for (const WorkerId id : parts_.workers.quarantine(wrong.process)) {
         parts_.blocks.worker_left(id);
         parts_.tasks.take_all_back(id); // The process is alive, so the work is not lost with it.
-        parts_.tasks.book().forget_batches(id);
         parts_.dispatch.act(parts_.dispatch->worker_lost(id));
     }
 }

@@ -185,6 +185,7 @@ void TaskExchange::take_all_back(WorkerId worker) {
     for (const TaskId task : tasks) {
         dispatch_.act(dispatch_->task_unbegun(worker, task));
     }
+    book_.forget_batches(worker);
 }
 
 // ---- Scenarios that are not to be run ----------------------------------------------------------
