@@ -1,0 +1,117 @@
+// Proves which jobs are fed, by analysis or in ranges, and in which turn.
+#include "master/jobs/work/work_feed.hpp"
+
+#include "tests/master/parts_stage.hpp"
+
+#include <gmock/gmock.h>
+
+namespace cd::tests {
+namespace {
+
+using testing::IsEmpty;
+
+class WorkFeedTest : public PartsStage {
+  protected:
+    /// Opens a job of many blocks of scenarios, in none of which the bodies meet.
+    MasterJob& open_large() {
+        Grid grid;
+        grid.position = {GridAxis{100, 200, 2000}, GridAxis{0, 0, 1}, GridAxis{0, 0, 1}};
+        Submit submit = submission(AnalysisMode::Always);
+        submit.grid = encode_grid(grid);
+        submit.scenarios = grid.count();
+        submit.poses.kind = PosesKind::Grid;
+        return open(submit, make_grid_source(grid));
+    }
+    [[nodiscard]] static bool is_fed(const MasterJob& job) {
+        return job.work()->todo.left() != job.submit.scenarios;
+    }
+
+    WorkFeed& work_ = services.work;
+};
+
+TEST_F(WorkFeedTest, AJobIsSentInRangesOrAnalysedAsItsClientAsks) {
+    MasterJob& ranges = open(AnalysisMode::Never);
+    MasterJob& analysed = open(AnalysisMode::Always);
+    join(70);
+    work_.feed();
+    EXPECT_EQ(ranges.work()->analyser, nullptr);
+    EXPECT_EQ(ranges.work()->places_loading, 90u);
+    EXPECT_NE(analysed.work()->analyser, nullptr);
+    EXPECT_EQ(analysed.work()->places_loading, 0u);
+}
+
+TEST_F(WorkFeedTest, StrictClaimingIsAnalysed) {
+    Submit submit = submission(AnalysisMode::Never);
+    submit.cluster.claim = true;
+    MasterJob& job = open(submit);
+    join(70);
+    work_.feed();
+    EXPECT_NE(job.work()->analyser, nullptr);
+    EXPECT_EQ(job.work()->places_loading, 0u);
+}
+
+TEST_F(WorkFeedTest, LostPositionsAreAnalysedWhateverTheClientAsks) {
+    MasterJob& job = open(AnalysisMode::Never);
+    job.work()->todo = PlaceQueue(90, std::vector<LostPlaces>{{{0, 90}, 71}});
+    join(70);
+    work_.feed();
+    EXPECT_NE(job.work()->analyser, nullptr);
+    EXPECT_EQ(job.work()->places_loading, 0u);
+}
+
+TEST_F(WorkFeedTest, JobsAreAnalysedInTurnWhileThePoolHasRoom) {
+    MasterJob& first = open_large();
+    MasterJob& second = open_large();
+    const auto released = occupy(compute);
+    work_.feed();
+    EXPECT_EQ(first.work()->analyses_under_way(), 2u);
+    EXPECT_EQ(second.work()->analyses_under_way(), 2u);
+    work_.feed();
+    EXPECT_EQ(first.work()->analyses_under_way(), 2u) << "the pool has enough to do";
+    released->count_down();
+}
+
+TEST_F(WorkFeedTest, AJobThatWaitsForTheDiskIsFedWhenItsStepIsRepeated) {
+    MasterJob& job = open();
+    MasterJob& other = open();
+    services.life.wait_for_disk(job, {ErrorCode::Io, "no space"}, [](MasterJob*) {});
+    work_.feed();
+    EXPECT_FALSE(is_fed(job));
+    EXPECT_TRUE(is_fed(other));
+    run_until([&] { return is_fed(job); });
+    EXPECT_FALSE(services.life.is_waiting(job.id));
+}
+
+TEST_F(WorkFeedTest, AResumedJobIsFedWhenItsWorkersHaveToldAll) {
+    MasterJob& job = open();
+    state.awaited = AwaitedWorkers({job.id}, {70}, Clock::now() + std::chrono::hours(1));
+    work_.feed();
+    EXPECT_FALSE(is_fed(job));
+    state.awaited.has_told_all(70);
+    work_.feed();
+    EXPECT_TRUE(is_fed(job));
+}
+
+TEST_F(WorkFeedTest, AJobWithoutGeometryIsNotFed) {
+    MasterJob& job = begin(submission(AnalysisMode::Always));
+    work_.feed();
+    EXPECT_EQ(job.work(), nullptr);
+}
+
+TEST_F(WorkFeedTest, BufferedScenariosAreSentWhenNoMoreFollow) {
+    Scenario only = reference().scenarios[scenario_with_contact()];
+    only.index = 0;
+    Submit submit = submission(AnalysisMode::Always);
+    submit.scenarios = 1;
+    join(70);
+    open(submit, make_list_source({only}));
+    work_.feed();
+    run_until([this, before = outcomes] { return outcomes == before + 1; });
+    EXPECT_THAT(performed<SendBatch>(), IsEmpty()) << "the buffer has room for more";
+    work_.feed();
+    ASSERT_EQ(performed<SendBatch>().size(), 1u);
+    EXPECT_EQ(performed<SendBatch>()[0].scenarios, std::vector<std::uint64_t>{0});
+}
+
+} // namespace
+} // namespace cd::tests
