@@ -58,7 +58,7 @@ struct BlockDirectorTest : testing::Test {
     Time now{};
 };
 
-TEST_F(BlockDirectorTest, TheFirstWhoWantsABlockGetsItFromTheMaster) {
+TEST_F(BlockDirectorTest, TheFirstWorkerThatWantsABlockGetsItFromTheMaster) {
     join(2);
     const auto send = from_master(want(1, {hot}));
     ASSERT_TRUE(send);
@@ -66,7 +66,7 @@ TEST_F(BlockDirectorTest, TheFirstWhoWantsABlockGetsItFromTheMaster) {
     EXPECT_TRUE(want(1, {hot}).empty()) << "it is on the way already";
 }
 
-TEST_F(BlockDirectorTest, OnlyAWorkerThatSaysSoHoldsABlock) {
+TEST_F(BlockDirectorTest, AWorkerHoldsABlockOnlyAfterItsReport) {
     join(2);
     (void)want(1, {hot});
     EXPECT_TRUE(want(2, {hot}).empty()) << "on the way to worker 1 is not held";
@@ -76,7 +76,7 @@ TEST_F(BlockDirectorTest, OnlyAWorkerThatSaysSoHoldsABlock) {
     EXPECT_EQ(*fetch, (SendToPeers{worker(2), tree, {hot}, {worker(1)}}));
 }
 
-TEST_F(BlockDirectorTest, ANonServingHolderDelaysNobody) {
+TEST_F(BlockDirectorTest, ANonServingHolderDelaysNoOtherWorker) {
     director.worker_joined(worker(1), false);
     director.worker_joined(worker(2), true);
     (void)want(1, {hot});
@@ -109,7 +109,7 @@ TEST_F(BlockDirectorTest, AThirdFetchWaitsForAnUploadSlot) {
     EXPECT_EQ(fetch->to, worker(4));
 }
 
-TEST_F(BlockDirectorTest, WhatPeersDidNotGiveTheMasterGives) {
+TEST_F(BlockDirectorTest, BlocksThatPeersDidNotGiveComeFromTheMaster) {
     join(2);
     (void)hold(1, {hot});
     ASSERT_TRUE(from_peers(want(2, {hot})));
@@ -117,7 +117,7 @@ TEST_F(BlockDirectorTest, WhatPeersDidNotGiveTheMasterGives) {
     EXPECT_TRUE(from_master(want(2, {hot})));
 }
 
-TEST_F(BlockDirectorTest, ASourceThatTwoCannotReachIsAvoided) {
+TEST_F(BlockDirectorTest, ASourceThatTwoWorkersCannotReachIsAvoided) {
     join(4);
     (void)hold(1, {hot, 8});
     for (const std::uint64_t who : {2, 3}) {
@@ -139,7 +139,7 @@ TEST_F(BlockDirectorTest, ASourceThatAProbeDidNotReachIsAvoided) {
     EXPECT_TRUE(director.not_reached(worker(9), now).empty()) << "it has left";
 }
 
-TEST_F(BlockDirectorTest, WhoWaitsForASourceThatIsNotReachedGetsItFromTheMaster) {
+TEST_F(BlockDirectorTest, ABlockAwaitedFromAnUnreachableSourceComesFromTheMaster) {
     join(4);
     (void)hold(1, {hot, 8});
     ASSERT_TRUE(from_peers(want(2, {8})));
@@ -172,7 +172,7 @@ TEST_F(BlockDirectorTest, ASourceOfDamageIsAvoidedAtOnce) {
     EXPECT_EQ(fetch->sources, std::vector{worker(2)});
 }
 
-TEST_F(BlockDirectorTest, WhoWaitsForAWorkerThatLeavesGetsTheBlockFromTheMaster) {
+TEST_F(BlockDirectorTest, ABlockAwaitedFromALeavingWorkerComesFromTheMaster) {
     join(3);
     (void)want(1, {hot});
     EXPECT_TRUE(want(2, {hot}).empty());
@@ -189,7 +189,7 @@ TEST_F(BlockDirectorTest, AnEvictedBlockIsNotHeld) {
     EXPECT_TRUE(from_master(want(2, {hot})));
 }
 
-TEST_F(BlockDirectorTest, NobodyWaitsForEver) {
+TEST_F(BlockDirectorTest, NoWorkerWaitsForEver) {
     join(3);
     (void)want(1, {hot});
     (void)want(2, {hot});
@@ -319,7 +319,7 @@ TEST(BlockSpreading, AHotBlockCostsTheMasterOneUploadAndALogarithmOfRounds) {
     }
 }
 
-TEST(BlockSpreading, AllBlocksComeWhateverFails) {
+TEST(BlockSpreading, AllBlocksArriveWhicheverFetchesFail) {
     for (std::uint64_t seed = 1; seed <= 200; ++seed) {
         Cluster cluster(seed, 12, 0.3);
         for (std::uint64_t i = 1; i <= 12; ++i) {

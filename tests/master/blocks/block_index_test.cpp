@@ -46,7 +46,7 @@ TEST_F(BlockIndices, ABlockIsUnderWayUntilItsDeliveryEnds) {
     EXPECT_EQ(index_.stop_sending(deaf, red), std::nullopt);
 }
 
-TEST_F(BlockIndices, AHolderCouldGiveWhatSomebodyAwaits) {
+TEST_F(BlockIndices, AHolderCanGiveTheBlocksThatOtherWorkersAwait) {
     index_.add_hold(one, red);
     index_.wait(deaf, red, start);
     index_.add_hold(two, red);
@@ -57,7 +57,7 @@ TEST_F(BlockIndices, AHolderCouldGiveWhatSomebodyAwaits) {
     EXPECT_TRUE(index_.line().empty());
 }
 
-TEST_F(BlockIndices, WhoHasWaitedLongestIsNextIfTheSourceReachesIt) {
+TEST_F(BlockIndices, TheLongestWaitingWorkerThatReachesTheSourceIsNext) {
     index_.add_hold(one, red);
     index_.add_hold(one, blue);
     index_.wait(deaf, blue, start);
@@ -68,7 +68,7 @@ TEST_F(BlockIndices, WhoHasWaitedLongestIsNextIfTheSourceReachesIt) {
     EXPECT_EQ(index_.next_for(two), WorkerId{});
 }
 
-TEST_F(BlockIndices, ASourceHasSoManyUploadSlots) {
+TEST_F(BlockIndices, ASourceHasALimitedNumberOfUploadSlots) {
     for (std::size_t i = 0; i < limits::peer_uploads_max; ++i) {
         EXPECT_EQ(index_.free(), (std::set<WorkerId>{one, two}));
         index_.add_upload(one);
@@ -78,7 +78,7 @@ TEST_F(BlockIndices, ASourceHasSoManyUploadSlots) {
     EXPECT_TRUE(index_.free().contains(one));
 }
 
-TEST_F(BlockIndices, ASourceThatTooManyCannotReachServesNobody) {
+TEST_F(BlockIndices, ASourceThatTooManyWorkersCannotReachServesNoWorker) {
     index_.add_hold(one, red);
     const BlockIndex::Block& block = index_.blocks().at(red);
     EXPECT_TRUE(index_.is_worth_waiting(block, deaf));

@@ -43,7 +43,7 @@ TEST(TransferMeter, AskingAgainDoesNotBeginAnew) {
     EXPECT_DOUBLE_EQ(held(meter, {1}, 3.0)->seconds, 2.0);
 }
 
-TEST(TransferMeter, WhatWasNotWantedIsNoTransfer) {
+TEST(TransferMeter, ABlockThatWasNotWantedIsNoTransfer) {
     TransferMeter meter;
     EXPECT_FALSE(held(meter, {1}, 1.0));
     meter.wanted(tree, 1, 1000, 1.0);

@@ -39,7 +39,7 @@ TEST(BlockNeeds, FillingACacheCostsTheBlocksThatItLacks) {
     EXPECT_FALSE(stage.blocks.costs_of(job).all_fits);
 }
 
-TEST(BlockNeeds, WhatARangeWantsCountsForJobsWithTasksAtTheWorker) {
+TEST(BlockNeeds, BlocksThatARangeWantsCountForJobsWithTasksAtTheWorker) {
     DispatchStage stage;
     DispatchJob& job = stage.open("earliest-finish");
     DispatchJob& other = stage.open("earliest-finish", 2, 2);

@@ -78,7 +78,7 @@ class ByTime : public testing::Test {
     std::uint64_t next_ = 0;
 };
 
-TEST_F(ByTime, WaitsForWhoHoldsTheBlocksNoLongerThanTheTransferTakes) {
+TEST_F(ByTime, AHolderOfTheBlocksIsAwaitedNoLongerThanTheTransferTakes) {
     open();
     join(worker_1);
     join(worker_2);
@@ -184,7 +184,7 @@ TEST_F(ByTime, AJoiningWorkerTakesOverWaitingScenarios) {
     EXPECT_EQ(batches_.back().worker, worker_2);
 }
 
-TEST_F(ByTime, NothingIsTakenOverThatWouldBeDoneLater) {
+TEST_F(ByTime, AScenarioThatWouldEndLaterIsNotTakenOver) {
     open(1'250'000'000); // 10 s.
     join(worker_1);
     feed(100, 0); // 1 s.
@@ -279,7 +279,7 @@ TEST_F(ByTime, BatchesGrowWhereTheyCostMoreThanTheirWork) {
     }
 }
 
-TEST_F(ByTime, ExplainNamesEachTermAndWhoIsChosen) {
+TEST_F(ByTime, ExplainNamesEachTermAndTheChosenWorker) {
     open();
     join(worker_1);
     join(worker_2);

@@ -284,7 +284,7 @@ TEST_P(AtTheEnd, BegunScenariosAreCopiedIfThatEndsSooner) {
     EXPECT_LE(helped.copied_seconds, limits::copies_share_max * 20 + 1e-9);
 }
 
-TEST_P(AtTheEnd, NothingIsCopiedThatWouldNotEndClearlySooner) {
+TEST_P(AtTheEnd, AScenarioIsCopiedOnlyIfItEndsClearlySooner) {
     EndRun run(GetParam(), {{1}, {0.8}});
     run.run(like(101, 0.5));
     EXPECT_EQ(run.copied, 0u);

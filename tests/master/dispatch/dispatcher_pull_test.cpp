@@ -56,7 +56,7 @@ class Pulling : public testing::Test {
     std::uint64_t next_ = 0;
 };
 
-TEST_F(Pulling, TheMostSimilarOfThoseThatWaitGoToTheWorkerThatGetsFree) {
+TEST_F(Pulling, AFreeWorkerGetsTheMostSimilarWaitingScenarios) {
     open(2, true);
     feed({1, 1, 3, 0, 3, 2, 1, 3, 1, 0});
     pause();
@@ -72,7 +72,7 @@ TEST_F(Pulling, TheMostSimilarOfThoseThatWaitGoToTheWorkerThatGetsFree) {
     ASSERT_EQ(sent().back(), (std::vector<std::uint64_t>{5, 9}));
 }
 
-TEST_F(Pulling, EachWorkerGathersItsOwn) {
+TEST_F(Pulling, EachWorkerGathersItsOwnScenarios) {
     open(1, true);
     join(1);
     join(2);
@@ -86,7 +86,7 @@ TEST_F(Pulling, EachWorkerGathersItsOwn) {
     EXPECT_EQ(batches_[3].worker, WorkerId{2});
 }
 
-TEST_F(Pulling, LessThanATasksWorthGoesOnlyWhenNothingMoreComes) {
+TEST_F(Pulling, APartialTaskIsSentOnlyWhenNothingMoreComes) {
     open(3, false);
     join(1);
     feed({0, 0});
@@ -114,7 +114,7 @@ TEST_F(Pulling, ATaskEndsWithTheScenarioThatMakesItMoreThanV) {
     EXPECT_EQ(sent(), (Lists{{0, 1, 2}}));
 }
 
-TEST_F(Pulling, WhatALostWorkerHadIsTakenByTheNext) {
+TEST_F(Pulling, ScenariosOfALostWorkerGoToTheNext) {
     open(2, true);
     join(1);
     feed({0, 1, 2});

@@ -47,7 +47,7 @@ class DispatcherRanges : public testing::Test {
     Dispatcher dispatcher_;
 };
 
-TEST_F(DispatcherRanges, EachWorkerGetsTwoAndMoreWhenItAnswers) {
+TEST_F(DispatcherRanges, EachWorkerGetsTwoRangesAndAnotherWhenItAnswers) {
     open(job_1, 1);
     (void)dispatcher_.worker_joined(slow, {"slow", 1});
     const auto first = ranges_in(dispatcher_.places_given(job_1, {0, 10'000}, 0));
@@ -108,7 +108,7 @@ TEST_F(DispatcherRanges, TowardsTheEndRangesShrink) {
     EXPECT_EQ(last, 1u);
 }
 
-TEST_F(DispatcherRanges, ThoseOfALostWorkerCountAsLostThoseOfADrainingOneDoNot) {
+TEST_F(DispatcherRanges, RangesOfALostWorkerCountAsLostAndThoseOfADrainingWorkerDoNot) {
     open(job_1, 1);
     (void)dispatcher_.worker_joined(slow, {"slow", 1});
     const auto sent = ranges_in(dispatcher_.places_given(job_1, {0, 1000}, 0));
@@ -124,7 +124,7 @@ TEST_F(DispatcherRanges, ThoseOfALostWorkerCountAsLostThoseOfADrainingOneDoNot) 
     EXPECT_TRUE(std::get<RangeEnded>(lost[0]).lost_with);
 }
 
-TEST_F(DispatcherRanges, WhatIsNotSentCanBeTakenBack) {
+TEST_F(DispatcherRanges, UnsentPositionsCanBeTakenBack) {
     open(job_1, 1);
     (void)dispatcher_.places_given(job_1, {0, 700}, 300);
     (void)dispatcher_.places_given(job_1, {700, 300}, 0);
@@ -158,7 +158,7 @@ TEST_F(DispatcherRanges, AClosedJobsTasksEndWithoutAnswers) {
     EXPECT_EQ(dispatcher_.task_ended(slow, sent[0].task).size(), 1u);
 }
 
-TEST_F(DispatcherRanges, WhatIsMissingIsMeasured) {
+TEST_F(DispatcherRanges, MissingBlocksAreMeasured) {
     open(job_1, 1);
     EXPECT_FALSE(dispatcher_.missing_costs(job_1).any);
     (void)dispatcher_.worker_joined(slow, {"slow", 1});

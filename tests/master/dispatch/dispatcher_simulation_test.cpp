@@ -573,7 +573,7 @@ TEST(DispatcherSimulation, EveryScenarioComesToExactlyOneEnd) {
     EXPECT_GT(copies, seeds / 30);
 }
 
-TEST(DispatcherSimulation, NoticesWhatIsDropped) {
+TEST(DispatcherSimulation, TheSimulationNoticesDroppedScenarios) {
     // A job may be cancelled before the defect shows, so not every seed must detect it.
     for (const Sabotage sabotage :
          {Sabotage::DropBatch, Sabotage::DropScenario, Sabotage::DropAnswer}) {

@@ -322,7 +322,7 @@ TEST(Dispatcher, ATaskThatEndsWithoutAllAnswersHasTheRestDoneAgain) {
     EXPECT_EQ(driver.sent(), Lists{});
 }
 
-TEST(Dispatcher, WhatADrainingWorkerHandsBackIsNotLost) {
+TEST(Dispatcher, WorkReturnedByADrainingWorkerIsNotLost) {
     Driver driver;
     driver.open(job_1, options_with(2, false));
     driver.feed(job_1, 0, 2);

@@ -104,7 +104,7 @@ TEST_F(TaskTables, AnUnsentScenarioLeavesQueueOrBuffer) {
     EXPECT_TRUE(one_.is_idle());
 }
 
-TEST_F(TaskTables, WhatIsGivenBackWaitsAndAShortAnswerMeansTheRestHasBegun) {
+TEST_F(TaskTables, ReturnedScenariosWaitAndAShortReturnMeansTheRestHasBegun) {
     add(job_, 3);
     send(one_, job_, 3);
     const TaskId task = last<SendBatch>().task;

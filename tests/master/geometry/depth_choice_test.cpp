@@ -71,7 +71,7 @@ TEST(DepthChoice, SmallMeshesAreOneBlock) {
     EXPECT_EQ(choose_depth(even_cuts(wanted / bytes + 1), bytes), 1u);
 }
 
-TEST(DepthChoice, NeverLessForALargerMesh) {
+TEST(DepthChoice, ALargerMeshIsNotCutLess) {
     std::uint32_t before = 0;
     for (int subdivisions = 0; subdivisions <= 7; ++subdivisions) {
         const std::uint32_t depth =

@@ -87,7 +87,7 @@ class GeometryStoreTest : public testing::Test {
     Mesh sphere_ = make_sphere(4);
 };
 
-TEST_F(GeometryStoreTest, AMeshThatCameInPiecesIsThere) {
+TEST_F(GeometryStoreTest, AMeshUploadedInPiecesIsStored) {
     EXPECT_FALSE(store_->has(sphere_.hash()));
     EXPECT_EQ(store_->missing(std::vector{sphere_.hash(), sphere_.hash()}),
               std::vector{sphere_.hash()});
@@ -176,7 +176,7 @@ TEST_F(GeometryStoreTest, TheSameMeshTwiceIsOneMesh) {
     EXPECT_EQ(last_write_time(only_file("trees", ".tree")), time);
 }
 
-TEST_F(GeometryStoreTest, ThreadsThatWantTheSameCutGetTheSame) {
+TEST_F(GeometryStoreTest, ThreadsThatWantTheSameCutShareIt) {
     upload(sphere_);
     std::vector<std::shared_ptr<const CutGeometry>> cuts(4);
     std::vector<std::thread> threads;
@@ -217,7 +217,7 @@ TEST_F(GeometryStoreTest, OneDirectoryServesOneProcess) {
     EXPECT_THAT(second.error().detail, HasSubstr("in use"));
 }
 
-TEST_F(GeometryStoreTest, WhatAKilledRunLeftHalfWrittenIsCleared) {
+TEST_F(GeometryStoreTest, HalfWrittenFilesOfAKilledRunAreDeleted) {
     upload(sphere_);
     write_text(folder_ / "meshes/abc.mesh.tmp-Xy12Zz", "half");
     open();
@@ -442,7 +442,7 @@ class NoMoreFiles {
     rlimit before_{};
 };
 
-TEST_F(GeometryStoreTest, WhatCannotBeOpenedForWantOfDescriptorsIsNotDamaged) {
+TEST_F(GeometryStoreTest, AFileThatCannotBeOpenedForWantOfDescriptorsIsNotDamaged) {
     upload(sphere_);
     (void)store_->cut(sphere_.hash(), 3).value();
     open();
@@ -516,7 +516,7 @@ TEST_F(HostileUploads, GapsRepetitionsAndSurplusAreRefused) {
     expect_refused(store_->finish_upload(std::move(upload.value())), "not complete");
 }
 
-TEST_F(HostileUploads, TooLargeAndTooManyAreRefused) {
+TEST_F(HostileUploads, TooLargeAndTooManyUploadsAreRefused) {
     EXPECT_EQ(store_->begin_upload(sphere_.hash(), "", limits::mesh_bytes_max + 1).error().code,
               ErrorCode::TooLarge);
     std::vector<std::unique_ptr<MeshUpload>> uploads;
@@ -530,7 +530,7 @@ TEST_F(HostileUploads, TooLargeAndTooManyAreRefused) {
     EXPECT_TRUE(store_->has(sphere_.hash()));
 }
 
-TEST_F(GeometryStoreTest, NoMoreMeshesAreStoredThanMayBe) {
+TEST_F(GeometryStoreTest, TheNumberOfStoredMeshesIsBounded) {
     store_.reset();
     store_ = std::move(GeometryStore::open(folder_.path(), pool_, 1).value());
     const Mesh first = make_sphere(1);

@@ -33,7 +33,7 @@ class AccessOfRoles : public testing::Test {
     std::unique_ptr<MasterIdentity> identity_;
 };
 
-TEST_F(AccessOfRoles, EachMessageIsForThoseWhoMaySendIt) {
+TEST_F(AccessOfRoles, EachRoleMaySendOnlyItsMessages) {
     const Message status{StatusQuery{}};
     const Message submit{Submit{}};
     const Message token{TokenCreate{}};
@@ -82,7 +82,7 @@ TEST_F(AccessOfRoles, AnAdminSendsWorkersAwayAndRemovesMeshes) {
     EXPECT_TRUE(of(CertifiedRole::Submitter).check(Message{JobQuery{}}));
 }
 
-TEST_F(AccessOfRoles, OneGreetsAsWhatItsCertificateSays) {
+TEST_F(AccessOfRoles, APeerGreetsInTheRoleOfItsCertificate) {
     EXPECT_TRUE(of(CertifiedRole::Worker).check(Role::Worker));
     EXPECT_FALSE(of(CertifiedRole::Worker).check(Role::Client));
     for (const CertifiedRole role :
@@ -101,7 +101,7 @@ TEST_F(AccessOfRoles, OneGreetsAsWhatItsCertificateSays) {
     EXPECT_FALSE(Access().check(Role::Joiner)) << "without TLS there is nothing to join";
 }
 
-TEST_F(AccessOfRoles, WhoseCertificateHasEndedMayNothing) {
+TEST_F(AccessOfRoles, AnExpiredCertificateAllowsNothing) {
     for (const auto left : {0s, -1s}) {
         const Access late(*identity_,
                           Identity{CertifiedRole::Admin, "someone", {}, identity_->now() + left});
@@ -113,7 +113,7 @@ TEST_F(AccessOfRoles, WhoseCertificateHasEndedMayNothing) {
     EXPECT_TRUE(of(CertifiedRole::Admin).check_holder());
 }
 
-TEST_F(AccessOfRoles, AHolderWhoIsRefusedMayNothingFromThenOn) {
+TEST_F(AccessOfRoles, ARefusedHolderMayDoNothingAnyMore) {
     const Access someone = of(CertifiedRole::Admin);
     const auto may = [&] {
         const bool may_ask = someone.check(Message{StatusQuery{}}).has_value();
@@ -140,7 +140,7 @@ TEST_F(AccessOfRoles, AHolderWhoIsRefusedMayNothingFromThenOn) {
     EXPECT_FALSE(may());
 }
 
-TEST_F(AccessOfRoles, AnIdentityIsThereOnceItWasMadeAndStaysTheSame) {
+TEST_F(AccessOfRoles, AnIdentityIsMadeOnceAndStaysTheSame) {
     const TemporaryFolder other;
     const MasterIdentity::Options options{1h};
     EXPECT_EQ(MasterIdentity::open(other.path(), options).value(), nullptr);
@@ -156,7 +156,7 @@ TEST_F(AccessOfRoles, AnIdentityIsThereOnceItWasMadeAndStaysTheSame) {
     EXPECT_EQ(read_text(folder_ / "identity/authority.pem"), "damaged");
 }
 
-TEST_F(AccessOfRoles, NobodyJoinsUnderANameThatMeansTheMaster) {
+TEST_F(AccessOfRoles, TheMastersNameIsRefusedToJoiners) {
     const auto made = identity_->create_token({CertifiedRole::Worker, 3600, 2});
     const JoinToken token = parse_join_token(made.value().token).value();
     const auto join_as = [&](const std::string& name) {

@@ -29,7 +29,7 @@ JoinToken create(TokenBook& book, std::uint32_t uses, CertifiedRole role = Certi
     return book.create({role, uses, start + 1h}, Sha256{}, start).value();
 }
 
-TEST(TokenBook, LetsInAsManyAsItSays) {
+TEST(TokenBook, ATokenAdmitsItsNumberOfHolders) {
     TokenBook book;
     const JoinToken token = create(book, 2, CertifiedRole::Metrics);
     for (int i = 0; i < 2; ++i) {
@@ -54,7 +54,7 @@ TEST(TokenBook, AReplayIsRefusedAndCostsNoUse) {
     EXPECT_TRUE(book.redeem(Joining().proof(token), start));
 }
 
-TEST(TokenBook, EndsWithItsTime) {
+TEST(TokenBook, ATokenExpires) {
     TokenBook book;
     const JoinToken token = create(book, 9);
     EXPECT_TRUE(book.redeem(Joining().proof(token), start + 1h - 1s));
@@ -89,7 +89,7 @@ TEST(TokenBook, TermsHaveBounds) {
         << "expired ones make room";
 }
 
-TEST(TokenBook, OutlastsTheProcessWithoutItsSecrets) {
+TEST(TokenBook, TheBookOutlastsTheProcessWithoutItsSecrets) {
     TokenBook book;
     const JoinToken token = create(book, 2, CertifiedRole::Admin);
     EXPECT_TRUE(book.redeem(Joining().proof(token), start));

@@ -18,7 +18,7 @@ AlarmRecord some_alarms() {
     return alarms;
 }
 
-TEST(AlarmRecord, ComesBackAsItWas) {
+TEST(AlarmRecord, ARecordIsReadBackAsWritten) {
     for (const AlarmRecord& alarms : {AlarmRecord{}, some_alarms()}) {
         const auto decoded = decode_alarms(encode_alarms(alarms));
         ASSERT_TRUE(decoded) << decoded.error().detail;
@@ -26,7 +26,7 @@ TEST(AlarmRecord, ComesBackAsItWas) {
     }
 }
 
-TEST(AlarmRecord, KeepsTheLastOnesAndCountsAll) {
+TEST(AlarmRecord, TheLastAlarmsAreKeptAndAllAreCounted) {
     AlarmRecord alarms;
     for (std::uint64_t i = 0; i < 10'000; ++i) {
         alarms.add(std::to_string(i));

@@ -33,7 +33,7 @@ std::map<std::uint64_t, InstanceId> authors_in(const RecoveredJob& job) {
     return authors;
 }
 
-TEST(JournalAuthors, ComeBackWhateverSharesACommit) {
+TEST(JournalAuthors, AuthorsAreRecoveredWhicheverEntriesShareACommit) {
     const TemporaryFolder folder;
     {
         Writer writer(folder.path());
@@ -57,7 +57,7 @@ TEST(JournalAuthors, ComeBackWhateverSharesACommit) {
     EXPECT_EQ(job.contributors, (std::set<InstanceId>{70, 71, 72}));
 }
 
-TEST(JournalAuthors, OfAJobThatHasEndedItIsKnownWhoContributed) {
+TEST(JournalAuthors, AnEndedJobKeepsItsContributors) {
     const TemporaryFolder folder;
     {
         Writer writer(folder.path());
@@ -227,7 +227,7 @@ void set_version(const std::filesystem::path& path, char version) {
     write_text(path, content);
 }
 
-TEST(JournalAuthors, AJournalOfAnotherVersionIsRefusedWithTheWayOut) {
+TEST(JournalAuthors, AJournalOfAnotherVersionIsRefusedWithARemedy) {
     for (const char version : {1, 6, 8}) {
         const TemporaryFolder folder;
         { const Writer writer(folder.path()); }

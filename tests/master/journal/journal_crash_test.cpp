@@ -406,7 +406,7 @@ TEST(JournalCrash, ThePowerMayFailBehindEveryOperation) {
 }
 
 /// The folder of the segments cannot be synced when a new segment is made.
-TEST(JournalCrash, ANameThatCouldNotBeSyncedAtOnceIsSyncedBeforeAnythingCounts) {
+TEST(JournalCrash, AFailedSyncOfAFileNameIsRepeatedBeforeTheCommit) {
     const TemporaryFolder folder;
     std::filesystem::create_directories(folder / "live/jobs");
     const History history = record(folder / "live", 1);

@@ -18,7 +18,7 @@
 namespace cd::tests {
 namespace {
 
-TEST(Journal, ANewOneIsEmptyAndHasANameOfItsOwn) {
+TEST(Journal, ANewJournalIsEmptyAndHasAUniqueName) {
     const TemporaryFolder one;
     const TemporaryFolder two;
     const Writer first(one.path());
@@ -27,7 +27,7 @@ TEST(Journal, ANewOneIsEmptyAndHasANameOfItsOwn) {
     EXPECT_NE(first.recovered.cluster, second.recovered.cluster);
 }
 
-TEST(Journal, TheRecordOfAJobHasAllThatSubmitSaid) {
+TEST(Journal, TheRecordOfAJobHasAllFieldsOfItsSubmission) {
     const JobRecord job{JobId{3}, some_submit(), 7};
     const Bytes record = encode_job(job);
     const auto read = decode_job(record);
@@ -39,7 +39,7 @@ TEST(Journal, TheRecordOfAJobHasAllThatSubmitSaid) {
     }
 }
 
-TEST(Journal, WhatItSaidIsWrittenComesBack) {
+TEST(Journal, CommittedEntriesAreRecovered) {
     const TemporaryFolder folder;
     Sha256 cluster;
     {
@@ -70,7 +70,7 @@ TEST(Journal, WhatItSaidIsWrittenComesBack) {
     EXPECT_EQ(job.results->read(0, 1000, 1u << 20).value().count, 350u);
 }
 
-TEST(Journal, WithoutItsDirectoryItWaitsAndGoesOnWhenThatIsBack) {
+TEST(Journal, TheJournalWaitsUntilItsDirectoryIsBack) {
     const TemporaryFolder folder;
     const std::filesystem::path directory = folder / "state";
     std::filesystem::create_directory(directory);
@@ -147,7 +147,7 @@ TEST(Journal, AnEndedJobComesBackWithItsDigest) {
     EXPECT_EQ(again.recovered.jobs[1].end->state, JobState::Failed);
 }
 
-TEST(Journal, GoesOnWhereItEndedAnyNumberOfTimes) {
+TEST(Journal, TheJournalGoesOnAfterAnyNumberOfRestarts) {
     const TemporaryFolder folder;
     for (std::uint64_t round = 0; round < 5; ++round) {
         Writer writer(folder.path());
@@ -199,7 +199,7 @@ TEST(Journal, ManyEntriesShareACommit) {
     EXPECT_EQ(store->count(), 20'000u);
 }
 
-TEST(Journal, ASecondOneOnTheSameDirectoryIsRefused) {
+TEST(Journal, ASecondJournalOnTheSameDirectoryIsRefused) {
     const TemporaryFolder folder;
     const Writer writer(folder.path());
     const auto second = Journal::open({.directory = folder.path()});
@@ -229,7 +229,7 @@ void expect_way_out(const std::string& error) {
     EXPECT_NE(error.find("restore the state directory from a copy"), std::string::npos) << error;
 }
 
-TEST(Journal, AKilledOneIsWhole) {
+TEST(Journal, TheJournalOfAKilledMasterIsWhole) {
     const TemporaryFolder folder;
     fill(folder.path());
     ASSERT_TRUE(std::filesystem::exists(folder / "left/journal.db-wal"));
@@ -335,7 +335,7 @@ TEST(Journal, AnEmptyIndexBesideJobFilesIsRefused) {
 }
 
 /// The process was killed while it made the journal, before it wrote anything.
-TEST(Journal, AnEmptyOneWithoutAMarkGetsOne) {
+TEST(Journal, AnEmptyJournalWithoutAMarkGetsOne) {
     for (const bool is_empty : {false, true}) {
         const TemporaryFolder folder;
         { const Writer writer(folder.path()); }
@@ -382,7 +382,7 @@ TEST(Journal, AFirstGroupThatIsNotTheFirstIsDamage) {
     expect_way_out(opened.error().detail);
 }
 
-TEST(Journal, ResultsOfAJobThatIsNotThereAreDamage) {
+TEST(Journal, ResultsOfAnUnknownJobAreDamage) {
     const TemporaryFolder folder;
     { const Writer writer(folder.path()); }
     {
@@ -399,7 +399,7 @@ TEST(Journal, ResultsOfAJobThatIsNotThereAreDamage) {
     expect_way_out(opened.error().detail);
 }
 
-TEST(Journal, ASegmentMayBeLongerThanWhatWasCommittedAndNotShorter) {
+TEST(Journal, ASegmentMayBeLongerThanItsCommittedBytesButNotShorter) {
     const TemporaryFolder folder;
     fill(folder.path());
     const std::string whole = read_text(folder / "left/jobs/1.results");
@@ -413,7 +413,7 @@ TEST(Journal, ASegmentMayBeLongerThanWhatWasCommittedAndNotShorter) {
 
 // ---- A full disk --------------------------------------------------------------------------------
 
-TEST(Journal, WithAFullDiskItWaitsAndGoesOnWhenThereIsRoom) {
+TEST(Journal, TheJournalWaitsUntilTheDiskHasRoom) {
     const TemporaryFolder folder;
     {
         Writer writer(folder.path());

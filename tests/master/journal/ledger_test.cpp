@@ -52,7 +52,7 @@ TEST(Ledger, DurableEntriesAreAcknowledgedAtOnce) {
     EXPECT_EQ(ledger.take_kept(), (std::vector<Promise>{again}));
 }
 
-TEST(Ledger, NobodyWaitsForAJobThatIsClosed) {
+TEST(Ledger, NoPromiseWaitsForAClosedJob) {
     Ledger ledger;
     ledger.open_job(job_a);
     ledger.write(job_a, 3, 1);
@@ -64,7 +64,7 @@ TEST(Ledger, NobodyWaitsForAJobThatIsClosed) {
     ledger.check_invariants();
 }
 
-TEST(Ledger, AWorkerThatLeftIsOwedNothing) {
+TEST(Ledger, AWorkerThatHasLeftGetsNoAcknowledgement) {
     Ledger ledger;
     ledger.promise(Delivery{WorkerId{1}, 1}, 1);
     ledger.promise(Delivery{WorkerId{2}, 1}, 1);

@@ -36,7 +36,7 @@ void expect_same(const ResultGroup& one, const ResultGroup& other) {
     EXPECT_EQ(one.losses, other.losses);
 }
 
-TEST(ResultGroup, ComesBackWithItsAuthorsRemarksAndLosses) {
+TEST(ResultGroup, AGroupIsReadBackWithItsAuthorsRemarksAndLosses) {
     ResultGroup only_remarks;
     only_remarks.begin = 5;
     only_remarks.remarks = some_group().remarks;
@@ -59,7 +59,7 @@ TEST(ResultGroup, CutShortOrFollowedByMoreIsAnError) {
     EXPECT_FALSE(decode_group(longer));
 }
 
-TEST(ResultGroup, WhoseRowsDoNotAddUpOrWhoseProcessIsNotThereIsAnError) {
+TEST(ResultGroup, RowsThatDoNotAddUpAndUnknownProcessesAreErrors) {
     ResultGroup group;
     group.rows = {{4, 20, {}, some_hash(1)}};
     group.authors = {{1, 7}};

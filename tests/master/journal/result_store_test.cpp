@@ -86,7 +86,7 @@ TEST_F(ResultStoreTest, GivesRecordsInTheOrderOfScenarios) {
     EXPECT_EQ(next, count);
 }
 
-TEST_F(ResultStoreTest, PassesOverWhatIsMissingAndSaysWhereToGoOn) {
+TEST_F(ResultStoreTest, AReadSkipsMissingRecordsAndReturnsWhereToGoOn) {
     const auto store = make_store(10);
     for (const std::uint64_t i : {0, 1, 2, 4, 9}) {
         ASSERT_TRUE(add(*store, i, make_record(i, 5)));
@@ -132,7 +132,7 @@ TEST_F(ResultStoreTest, AJobOfAnAbsurdSizeTakesNoMemoryUntilItHasResults) {
     EXPECT_EQ(store->read(limits::scenarios_max - 1, 5, 100).value().count, 1u);
 }
 
-TEST_F(ResultStoreTest, WhatIsNotCommittedIsNotThereAndIsWrittenOver) {
+TEST_F(ResultStoreTest, UncommittedRecordsAreUnreadableAndOverwritten) {
     const auto store = make_store(3);
     const Bytes first = make_record(0, 100);
     const Bytes second = make_record(1, 60);
@@ -153,7 +153,7 @@ TEST_F(ResultStoreTest, TheLastOfSeveralRecordsOfAScenarioCounts) {
     EXPECT_EQ(records_of(store->read(1, 1, 1000).value())[0], make_record(1, 60));
 }
 
-TEST_F(ResultStoreTest, AClosedOneHoldsNoFileOpenAndIsReadAndWrittenAllTheSame) {
+TEST_F(ResultStoreTest, AClosedStoreHoldsNoFileOpenAndIsStillReadAndWritten) {
     const auto is_open = [this] {
         const auto descriptors = std::filesystem::directory_iterator("/proc/self/fd");
         return std::any_of(begin(descriptors), end(descriptors), [this](const auto& descriptor) {
@@ -174,7 +174,7 @@ TEST_F(ResultStoreTest, AClosedOneHoldsNoFileOpenAndIsReadAndWrittenAllTheSame) 
     EXPECT_TRUE(store->verify());
 }
 
-TEST_F(ResultStoreTest, ComesBackAsItWasUpToWhatWasCommitted) {
+TEST_F(ResultStoreTest, AReopenedStoreHasItsCommittedRecords) {
     std::uint64_t end = 0;
     {
         const auto store = make_store(100);

@@ -11,7 +11,7 @@
 namespace cd::tests {
 namespace {
 
-TEST(Answers, NoneIsLargerThanAMessage) {
+TEST(Answers, NoAnswerIsLargerThanAMessage) {
     ClusterStatus status;
     status.meshes.resize(100);
     EXPECT_EQ(encode_message(fitting(status)), encode_message(status));

@@ -83,7 +83,7 @@ class HttpPages : public testing::Test {
     std::unique_ptr<HttpFront> front_ = make_front(master_);
 };
 
-TEST_F(HttpPages, TellHowTheMasterIs) {
+TEST_F(HttpPages, HealthReadinessAndMetricsAreServed) {
     EXPECT_THAT(get("/healthz"), StartsWith("HTTP/1.1 200 OK\r\n"));
     EXPECT_THAT(get("/readyz"), HasSubstr("\r\n\r\nready\n"));
     FakeWorker worker(master_, {});
@@ -97,7 +97,7 @@ TEST_F(HttpPages, TellHowTheMasterIs) {
     EXPECT_THAT(metrics, HasSubstr("Content-Length: "));
 }
 
-TEST(HttpPagesOfAPausedJob, SayThatItWaitsAndForWhat) {
+TEST(HttpPagesOfAPausedJob, ReadinessIsRefusedWithTheReasonOfThePause) {
     const TemporaryFolder state;
     const std::chrono::milliseconds at_once(0);
     {
@@ -124,7 +124,7 @@ TEST(HttpPagesOfAPausedJob, SayThatItWaitsAndForWhat) {
     EXPECT_THAT(ready(), StartsWith("HTTP/1.1 200 "));
 }
 
-TEST_F(HttpPages, AllElseIsRefusedWithAReason) {
+TEST_F(HttpPages, OtherRequestsAreRefusedWithAReason) {
     EXPECT_THAT(get("/jobs"), StartsWith("HTTP/1.1 404 "));
     EXPECT_THAT(ask("POST /metrics HTTP/1.1\r\nHost: here\r\nContent-Length: 0\r\n\r\n"),
                 StartsWith("HTTP/1.1 405 "));
@@ -136,7 +136,7 @@ TEST_F(HttpPages, AllElseIsRefusedWithAReason) {
     EXPECT_THAT(get("/healthz"), StartsWith("HTTP/1.1 200 "));
 }
 
-TEST(SecuredHttpPages, AreForWhoMayLookAtTheCluster) {
+TEST(SecuredHttpPages, MetricsNeedARoleThatMaySeeTheCluster) {
     const TemporaryFolder folder;
     const MasterIdentity::Options options{std::chrono::hours(1)};
     ASSERT_TRUE(MasterIdentity::init(folder.path(), options));

@@ -60,7 +60,7 @@ TEST_F(Requests, ACancelledScenarioIsFailedAndEndsTheJobIfItIsTheLast) {
         [&] { return master_.coordinator.jobs().status(job).value().state == JobState::Done; });
 }
 
-TEST_F(Requests, AJobThatIsNotThereIsNotFound) {
+TEST_F(Requests, AnUnknownJobIsNotFound) {
     EXPECT_EQ(run(requests_.cancel(JobId{9})).error().code, ErrorCode::NotFound);
     EXPECT_EQ(run(requests_.cancel_scenario(JobId{9}, 0)).error().code, ErrorCode::NotFound);
     EXPECT_EQ(run(requests_.explain(JobId{9}, 0)).error().code, ErrorCode::NotFound);

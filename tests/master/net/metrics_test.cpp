@@ -40,7 +40,7 @@ ClusterStatus make_status() {
     return status;
 }
 
-TEST(Metrics, TellWhatTheStatusTells) {
+TEST(Metrics, TheMetricsHaveTheNumbersOfTheStatus) {
     const std::string text = metrics_text(make_status());
     for (const char* const line :
          {"# TYPE cdcluster_alarms_total counter\n",

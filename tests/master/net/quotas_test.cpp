@@ -55,7 +55,7 @@ TEST(Quotas, OnlyJobsThatRunOrAreBeingOpenedCount) {
     EXPECT_TRUE(quotas.begin_job("ann", 1));
 }
 
-TEST(Quotas, BytesLeakAwayWithTimeAndItIsSaidHowMuchThatTakes) {
+TEST(Quotas, CountedBytesDecayAndARefusalNamesTheWait) {
     Quotas quotas({.bytes = 1000, .period = 100s}, all_run);
     EXPECT_TRUE(quotas.take_bytes("ann", 1000, start));
     const Status more = quotas.take_bytes("ann", 95, start);
@@ -69,7 +69,7 @@ TEST(Quotas, BytesLeakAwayWithTimeAndItIsSaidHowMuchThatTakes) {
     EXPECT_TRUE(quotas.take_bytes("ann", 1000, start + 1000s));
 }
 
-TEST(Quotas, WhatIsNotDoneIsQueuedUntilItsJobEnds) {
+TEST(Quotas, QueuedBytesCountUntilTheirJobEnds) {
     bool runs = true;
     Quotas quotas({.queued = 100},
                   [&](JobId /*job*/) { return runs ? Scenarios(1) : std::nullopt; });
@@ -144,7 +144,7 @@ TEST(Quotas, JobsThatRunAreCountedAfterARestart) {
     EXPECT_FALSE(after.queue("bob with a blank", 1));
 }
 
-TEST(Quotas, NamesThatComeAndGoAreForgotten) {
+TEST(Quotas, ClientsThatHaveLeftAreForgotten) {
     Quotas quotas({}, all_run);
     for (std::size_t i = 0; i < 2 * limits::connections_max + 2; ++i) {
         const std::string name = std::to_string(i);

@@ -188,7 +188,7 @@ TEST(ServerDamage, RepeatedUncheckableResultsAreParkedOnce) {
 }
 
 /// Results come as from an earlier session, so the master must read their poses.
-TEST(ServerDamage, NobodyIsCutOffForPosesThatCannotBeRead) {
+TEST(ServerDamage, UnreadablePosesCutNoWorkerOff) {
     DamagedMaster master(AnalysisMode::Always);
     const Damage damage(master.poses());
     const FakeWorker worker(master,

@@ -236,7 +236,7 @@ TEST(Server, AScenarioMayBeCancelledAndTheJobGoesOn) {
     EXPECT_EQ(client.statuses.back().summary.merged(), reference().scenarios.size());
 }
 
-TEST(Server, AScenarioMayBeCancelledWhileAWorkerHasItAndAnAnswerThatComesLaterIsNone) {
+TEST(Server, AScenarioCancelledAtAWorkerStaysCancelledWhenItsAnswerComes) {
     const std::uint64_t scenario = scenario_with_contact();
     Master master;
     Client client(master);
@@ -437,7 +437,7 @@ TEST(Server, ARecordThatTheJournalDoesNotTakeIsAnErrorThatNamesTheLimit) {
         << large.error().detail;
 }
 
-TEST(Server, AWorkerThatSendsRubbishOrHoldsWhatDoesNotExistIsCutOff) {
+TEST(Server, InvalidResultsAndUnknownRootsCutTheWorkerOff) {
     for (const FakeWorker::Habits& habits :
          {FakeWorker::Habits{.sends_rubbish = true}, FakeWorker::Habits{.holds_too_much = true}}) {
         Master master;

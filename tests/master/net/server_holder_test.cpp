@@ -15,7 +15,7 @@ std::optional<WorkerStatus> alive_at(Master& master) {
     return here == workers.end() ? std::nullopt : std::optional(*here);
 }
 
-TEST(ServerHolder, AnotherHolderWithTheSameNumberEndsNobodysSession) {
+TEST(ServerHolder, AProcessNumberOfAnotherHolderEndsNoSession) {
     Master master(no_return, {}, secured);
     const FakeWorker first(master, {.instance = 7, .holder = "first"});
     master.run_until([&] { return alive_at(master).has_value(); });

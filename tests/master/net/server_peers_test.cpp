@@ -30,7 +30,7 @@ TEST_F(ServerPeers, AWorkerThatIsReachedGivesToOthers) {
     EXPECT_GT(times_sent_to(port), 0u);
 }
 
-TEST_F(ServerPeers, AWorkerWhosePortIsNotReachedIsNobodysSource) {
+TEST_F(ServerPeers, AWorkerWhosePortIsNotReachedIsNoSource) {
     acceptor.close();
     EXPECT_EQ(times_sent_to(port), 0u);
 }

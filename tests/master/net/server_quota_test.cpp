@@ -131,7 +131,7 @@ TEST(ServerQuota, BytesOfMeshesPosesAndGridsAreCounted) {
     accepted(enough, submission_of(90));
 }
 
-TEST(ServerQuota, WhatIsQueuedComesBackWithItsJobAndItsConnection) {
+TEST(ServerQuota, QueuedBytesAreFreedWhenTheJobOrTheConnectionEnds) {
     const std::size_t bytes = pack_scenarios(reference().scenarios).size();
     Master master(usual, {}, {.clients = {.quotas = {.queued = bytes}}});
     store_meshes(master);

@@ -158,7 +158,7 @@ TEST(Removal, AMeshOfASubmissionUnderWayStays) {
     EXPECT_EQ(refused.code, ErrorCode::Refused);
 }
 
-TEST(Removal, WhatIsLeftOfJobsAndMeshesThatAreGoneGoesAtTheNextStart) {
+TEST(Removal, LeftoverFilesOfRemovedJobsAndMeshesAreDeletedAtTheNextStart) {
     const TemporaryFolder folder;
     const std::string gone = to_hex(Sha256{});
     std::filesystem::path kept;

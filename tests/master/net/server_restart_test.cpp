@@ -189,7 +189,7 @@ TEST(ServerRestart, ADamagedMeshMayBeMovedAwayAndSubmittedAgain) {
     expect_right_end(master, job);
 }
 
-TEST(ServerRestart, QuarantineAlarmsAndWithdrawalsAreAsTheyWere) {
+TEST(ServerRestart, QuarantineAlarmsAndWithdrawalsOutlastARestart) {
     for (const AnalysisMode mode : {AnalysisMode::Always, AnalysisMode::Never}) {
         const TemporaryFolder state;
         ClusterStatus before;
@@ -263,7 +263,7 @@ TEST(ServerRestart, ReturnedResultsSkipAnalysis) {
 }
 
 /// The master died after it had recorded a quarantine and before the withdrawal from another job.
-TEST(ServerRestart, WhatWasLeftToWithdrawIsWithdrawn) {
+TEST(ServerRestart, AnUnfinishedWithdrawalIsFinished) {
     const TemporaryFolder state;
     JobId job;
     {

@@ -59,7 +59,7 @@ void start_greeting(Master& master,
           greet_from(std::make_unique<Stream>(std::move(socket)), std::move(tls), role, greeting));
 }
 
-TEST(Strangers, SilentOnesOfOneHostDoNotLockOthersOut) {
+TEST(Strangers, SilentConnectionsOfOneHostDoNotLockOtherHostsOut) {
     Master master;
     const Logged logged;
     std::vector<asio::ip::tcp::socket> silent;

@@ -144,7 +144,7 @@ TEST(Server, AGridNeedsNoPoses) {
     EXPECT_EQ(master.coordinator.jobs().status(accepted->job).value().summary.merged(), 21u);
 }
 
-TEST(Server, ACancelledJobEndsAndSaysSo) {
+TEST(Server, ACancelledJobEndsAndItsStatusSaysSo) {
     Master master;
     Client client(master); // Without workers, the job never ends.
     client.start(reference().submission());

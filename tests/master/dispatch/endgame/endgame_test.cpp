@@ -19,7 +19,7 @@ class Endgames : public testing::Test, protected DispatchStage {
     WorkerProxy& two_ = join(2);
 };
 
-TEST_F(Endgames, BeginsWhenNothingWaitsAndSomebodyIsFree) {
+TEST_F(Endgames, TheEndBeginsWhenNothingWaitsAndAWorkerIsFree) {
     EXPECT_FALSE(endgame.has_begun());
     give(2);
     EXPECT_TRUE(endgame.has_begun());
@@ -36,7 +36,7 @@ TEST_F(Endgames, AsksBackTheLastScenariosThatTheOtherWouldEndEarlier) {
     EXPECT_EQ(tasks.recalls().at(one_.id()).asked, 2u);
 }
 
-TEST_F(Endgames, LooksOnceInAPeriod) {
+TEST_F(Endgames, StragglersAreSearchedOnceInAPeriod) {
     endgame.help(1, actions);
     give(4);
     pace.time_is(0.2);
@@ -53,7 +53,7 @@ TEST_F(Endgames, AsksForAsManyPositionsAsLetBothEndTogether) {
     EXPECT_EQ(last<AskBack>().places, 51u); // 0.49 s of the other, which begins 0.02 s later.
 }
 
-TEST_F(Endgames, CopiesWhatHasBegunWithinTheBudget) {
+TEST_F(Endgames, BegunScenariosAreCopiedWithinTheBudget) {
     const TaskId task = give(1, 1'000'000'000);
     one_.tasks.set_begun(task);
     pace.time_is(3); // Overdue by two seconds.

@@ -53,7 +53,7 @@ TEST_F(Late, TheLatestIsHelpedFirst) {
     EXPECT_EQ(stragglers_.late(), (Workers{&two_, &one_}));
 }
 
-TEST_F(Late, WhoIsAskedIsLeftAloneUntilItShouldHaveAnswered) {
+TEST_F(Late, AWorkerThatIsAskedIsLeftAloneUntilItShouldHaveAnswered) {
     give(one_, 3);
     const TaskId task = last<SendBatch>().task;
     tasks.ask_back({one_.id(), task, {2}, 0}, 1, two_.id(), actions);

@@ -45,7 +45,7 @@ TEST(FinishEstimate, BlocksUnderWayCountNoLongerThanUntilTheyAreThere) {
     EXPECT_EQ(estimate_finish(powers, needs).coming, 0);
 }
 
-TEST(FinishEstimate, WhatFitsTheCacheEvictsNothing) {
+TEST(FinishEstimate, BlocksThatFitTheCacheEvictNothing) {
     ScenarioNeeds needs;
     needs.missing_bytes = 1000;
     needs.bytes_of_memory = 1;

@@ -36,7 +36,7 @@ TEST_F(Rebalancing, AnIdleWorkerTakesTheLastOfTheFullestBufferUpToTwoBatches) {
     EXPECT_EQ(one_.buffers.count(), 7u);
 }
 
-TEST_F(Rebalancing, NothingMovesThatWouldNotEndEarlier) {
+TEST_F(Rebalancing, AScenarioMovesOnlyIfItEndsEarlier) {
     two_.batch.set(1'000'000'000, false);
     one_.batch.set(1'000'000'000, false);
     pace.add_transfer(two_, 1, 1); // Blocks of 6,464 bytes take two hours.
