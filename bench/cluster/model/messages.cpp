@@ -13,15 +13,17 @@ std::uint64_t on_wire(const Message& message) {
     return frame_header_bytes + encode_message(message).size();
 }
 
-Batch empty_batch() {
-    Batch batch;
-    batch.pair_offsets = {0};
-    return batch;
+/// Bytes of an analysed unit of work without its scenarios.
+std::uint64_t batch_overhead() {
+    WorkUnit one;
+    one.count = 1;
+    one.pair_offsets = {0, 0};
+    return on_wire(one) - sizeof(one.pair_offsets.front());
 }
 
 /// Bytes of the messages without content, and the overhead of a block.
 struct Overheads {
-    std::uint64_t batch = on_wire(empty_batch());
+    std::uint64_t batch = batch_overhead();
     std::uint64_t tree = on_wire(AddTree{});
     std::uint64_t blocks = on_wire(Subtrees{});
     std::uint64_t block = on_wire(Subtrees{TreeId{}, {SubtreeBlock{}}}) - blocks;
