@@ -6,6 +6,8 @@
 #include "common/core/host/daemon_options.hpp"
 #include "common/core/limits/master.hpp"
 #include "common/core/limits/wire.hpp"
+#include "common/core/timing/master.hpp"
+#include "common/core/timing/wire.hpp"
 #include "common/geometry/simd_target.hpp"
 
 #include <CLI/CLI.hpp>
@@ -73,7 +75,7 @@ Result<FailureTimes> failure_times(const Texts& texts) {
     times.lost_after = milliseconds(texts.lost_after_seconds);
     times.return_within = milliseconds(texts.return_within_seconds);
     times.forgotten_after = std::max(times.forgotten_after, times.lost_after);
-    if (times.heartbeat < limits::heartbeat_period_min) {
+    if (times.heartbeat < timing::heartbeat_period_min) {
         return Error{ErrorCode::BadInput, "--heartbeat: less than 0.01"};
     }
     if (times.lost_after < times.silent_after()) {
@@ -125,7 +127,7 @@ void add_options(CLI::App& app, MasterConfig& config, Texts& texts) {
            "N|DURATION")
         ->capture_default_str();
     const CLI::Range times(
-        0.0, std::chrono::duration<double>(limits::peer_lost_after_max).count(), "SECONDS");
+        0.0, std::chrono::duration<double>(timing::peer_lost_after_max).count(), "SECONDS");
     option(
         app.add_option("--heartbeat",
                        texts.heartbeat_seconds,
@@ -206,7 +208,7 @@ MasterCommandLine parse_master_command_line(int count, const char* const* argume
         config.http = http.value();
     }
     const Result<std::chrono::seconds> life = parse_duration(texts.certificate_life);
-    if (!life || life.value() < limits::certificate_life_min) {
+    if (!life || life.value() < timing::certificate_life_min) {
         return {std::nullopt,
                 "cdmaster: --certificate-ttl: " +
                     (life ? "too short for a renewal" : life.error().detail) + "\n",

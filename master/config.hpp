@@ -1,7 +1,7 @@
 // Options of cdmaster: from the command line, CDMASTER_* in the environment, and a TOML file.
 #pragma once
 
-#include "common/core/limits/master.hpp"
+#include "common/core/timing/master.hpp"
 #include "master/jobs/job_retention.hpp"
 #include "master/workers/worker_watch.hpp"
 #include "proto/channel/channel.hpp"
@@ -25,7 +25,7 @@ struct MasterConfig {
     std::string port_file;        ///< File that receives the port, for scripts. Empty: none.
     std::optional<Endpoint> http; ///< Address of the health and metrics pages. Empty: none.
     bool init = false;            ///< `cdmaster init`: create an identity, then exit.
-    std::chrono::seconds certificate_life = limits::certificate_life;
+    std::chrono::seconds certificate_life = timing::certificate_life;
     FailureTimes times;
     JobRetention retention; ///< Retention of ended jobs.
 };

@@ -6,6 +6,8 @@
 #include "common/core/host/wall_clock.hpp"
 #include "common/core/limits/master.hpp"
 #include "common/core/limits/wire.hpp"
+#include "common/core/timing/master.hpp"
+#include "common/core/timing/wire.hpp"
 #include "master/coordinator/coordinator.hpp"
 #include "master/geometry/geometry_store.hpp"
 #include "master/identity/identity.hpp"
@@ -49,12 +51,12 @@ void allow_many_files() {
     }
 }
 
-/// Forgets jobs whose retention is over, every `limits::retention_check_period`.
+/// Forgets jobs whose retention is over, every `timing::retention_check_period`.
 asio::awaitable<void>
 keep_jobs(Coordinator& coordinator, asio::steady_timer& pause, const bool& stopping) {
     while (!stopping) {
         coordinator.jobs().forget_expired(unix_seconds());
-        pause.expires_after(limits::retention_check_period);
+        pause.expires_after(timing::retention_check_period);
         boost::system::error_code ignored;
         co_await pause.async_wait(asio::redirect_error(asio::use_awaitable, ignored));
     }
@@ -64,7 +66,7 @@ keep_jobs(Coordinator& coordinator, asio::steady_timer& pause, const bool& stopp
 asio::awaitable<void>
 keep_valid(MasterIdentity& identity, asio::steady_timer& pause, const bool& stopping) {
     while (!stopping) {
-        pause.expires_after(limits::renewal_check_period);
+        pause.expires_after(timing::renewal_check_period);
         boost::system::error_code ignored;
         co_await pause.async_wait(asio::redirect_error(asio::use_awaitable, ignored));
         if (const Status valid = identity.keep_valid(); !valid) {
@@ -205,7 +207,7 @@ Status run_master(const MasterConfig& config) {
         context.run_one();
     }
     // Lets sessions end and functions on the pools return, for at most `stop_grace`.
-    context.run_for(limits::stop_grace);
+    context.run_for(timing::stop_grace);
     log_info("ended");
     return Done{};
 }

@@ -7,6 +7,7 @@
 #include "common/core/limits/wire.hpp"
 #include "common/core/limits/worker.hpp"
 #include "common/core/printable.hpp"
+#include "common/core/timing/worker.hpp"
 #include "common/geometry/simd_target.hpp"
 
 #include <CLI/CLI.hpp>
@@ -59,7 +60,7 @@ struct Texts {
     std::string master = "127.0.0.1:7600";
     std::string cache = "auto";
     std::int64_t connect_for = 30;
-    std::int64_t drain_timeout = limits::drain_timeout.count();
+    std::int64_t drain_timeout = timing::drain_timeout.count();
     std::string state = (state_folder() / "worker").string();
     std::string token;
     std::string token_file;
@@ -131,7 +132,7 @@ void add_options(CLI::App& app, WorkerConfig& config, Texts& texts) {
                        "Time limit for running scenarios after a signal; then they are returned"),
         "SECONDS")
         ->check(CLI::Range(std::int64_t{0},
-                           std::int64_t{std::chrono::seconds(limits::drain_timeout_max).count()}))
+                           std::int64_t{std::chrono::seconds(timing::drain_timeout_max).count()}))
         ->capture_default_str();
     app.set_config("--config", "", "A TOML file with these options")
         ->envname("CDWORKER_CONFIG")

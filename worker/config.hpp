@@ -1,8 +1,8 @@
 // The options of cdworker, from the command line, CDWORKER_* variables and a TOML file.
 #pragma once
 
-#include "common/core/limits/worker.hpp"
 #include "common/core/result.hpp"
+#include "common/core/timing/worker.hpp"
 #include "proto/access/join_token.hpp"
 #include "proto/channel/channel.hpp"
 
@@ -26,7 +26,7 @@ struct WorkerConfig {
     std::uint16_t peer_port = 0;   ///< Port for other workers; 0: the system chooses.
     std::string log_level = "info";
     std::chrono::seconds connect_for{30}; ///< Time limit for the first connection.
-    std::chrono::seconds drain_timeout = limits::drain_timeout;
+    std::chrono::seconds drain_timeout = timing::drain_timeout;
     std::filesystem::path state;   ///< Folder of the credential file.
     std::optional<JoinToken> join; ///< If set: get a credential with this token, then end.
 };

@@ -3,6 +3,7 @@
 #include "common/core/host/log.hpp"
 #include "common/core/limits/wire.hpp"
 #include "common/core/limits/worker.hpp"
+#include "common/core/timing/worker.hpp"
 #include "common/core/version.hpp"
 #include "common/geometry/simd_target.hpp"
 #include "proto/access/credential_file.hpp"
@@ -257,8 +258,8 @@ int join_as_worker(const WorkerConfig& config) {
 }
 
 std::chrono::milliseconds Backoff::next() {
-    const std::uint64_t min = limits::reconnect_after_min.count();
-    const std::uint64_t max = limits::reconnect_after_max.count();
+    const std::uint64_t min = timing::reconnect_after_min.count();
+    const std::uint64_t max = timing::reconnect_after_max.count();
     const std::uint64_t pause = std::min(max, min << std::min(attempts_, 16u));
     ++attempts_;
     return std::chrono::milliseconds(pause / 2 + random_() % (pause / 2 + 1));

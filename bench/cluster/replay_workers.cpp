@@ -10,6 +10,7 @@
 #include "common/core/limits/engine.hpp"
 #include "common/core/limits/wire.hpp"
 #include "common/core/limits/worker.hpp"
+#include "common/core/timing/wire.hpp"
 #include "common/job/result/merge.hpp"
 #include "common/job/result/packed_records.hpp"
 #include "common/job/run_scenario.hpp"
@@ -97,7 +98,7 @@ class ReplayWorker {
         }
         spawn(executor_, "heartbeats", send_heartbeats());
         for (;;) {
-            const Result<Message> message = co_await channel_->receive(limits::peer_lost_after);
+            const Result<Message> message = co_await channel_->receive(timing::peer_lost_after);
             if (!message) {
                 co_return;
             }
@@ -164,7 +165,7 @@ class ReplayWorker {
         asio::steady_timer timer(executor_);
         while (channel_->is_open()) {
             channel_->send(Heartbeat{});
-            timer.expires_after(limits::heartbeat_period);
+            timer.expires_after(timing::heartbeat_period);
             boost::system::error_code ignored;
             co_await timer.async_wait(asio::redirect_error(asio::use_awaitable, ignored));
         }

@@ -1,6 +1,6 @@
 #include "client/base/child_process.hpp"
 
-#include "common/core/limits/client.hpp"
+#include "common/core/timing/client.hpp"
 
 #include <fcntl.h>
 #include <sys/prctl.h>
@@ -82,7 +82,7 @@ void ChildProcess::stop(std::chrono::milliseconds grace) {
     kill(id_, SIGTERM);
     const auto deadline = std::chrono::steady_clock::now() + grace;
     while (is_running() && std::chrono::steady_clock::now() < deadline) {
-        std::this_thread::sleep_for(limits::process_poll_period);
+        std::this_thread::sleep_for(timing::process_poll_period);
     }
     if (is_running()) {
         kill(id_, SIGKILL);

@@ -1,6 +1,6 @@
 #include "client/base/slow_note.hpp"
 
-#include "common/core/limits/client.hpp"
+#include "common/core/timing/client.hpp"
 
 #include <cstdio>
 #include <utility>
@@ -26,7 +26,7 @@ SlowNote::~SlowNote() {
 
 void SlowNote::wait() {
     std::unique_lock lock(mutex_);
-    if (!ended_.wait_for(lock, limits::slow_note_after, [this] { return is_over_; })) {
+    if (!ended_.wait_for(lock, timing::slow_note_after, [this] { return is_over_; })) {
         std::fprintf(stderr, "%s\n", text_.c_str());
     }
 }

@@ -5,7 +5,7 @@
 #include "client/commands/run_command.hpp"
 #include "client/local/local_cluster.hpp"
 #include "client/trees/demo_vehicles.hpp"
-#include "common/core/limits/client.hpp"
+#include "common/core/timing/client.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -57,7 +57,7 @@ Status wait_for_workers(LocalCluster& cluster,
     if (!connection) {
         return connection.error();
     }
-    const auto deadline = std::chrono::steady_clock::now() + limits::local_start_max;
+    const auto deadline = std::chrono::steady_clock::now() + timing::local_start_max;
     while (std::chrono::steady_clock::now() < deadline) {
         const auto status = connection.value()->status();
         if (!status) {
@@ -70,7 +70,7 @@ Status wait_for_workers(LocalCluster& cluster,
             return Error{ErrorCode::Incomplete,
                          "cdworker ended at once; see " + options.logs.string()};
         }
-        if (Status paused = connection.value()->pause(limits::process_poll_period); !paused) {
+        if (Status paused = connection.value()->pause(timing::process_poll_period); !paused) {
             return paused;
         }
     }

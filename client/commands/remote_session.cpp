@@ -10,6 +10,7 @@
 #include "client/report/waiting_note.hpp"
 #include "common/core/limits/client.hpp"
 #include "common/core/limits/engine.hpp"
+#include "common/core/timing/client.hpp"
 #include "common/job/result/packed_map.hpp"
 
 #include <algorithm>
@@ -38,14 +39,14 @@ bool is_of_the_network(const Error& error) {
 }
 
 Result<std::unique_ptr<Connection>> open_again(const MasterOptions& master) {
-    const auto give_up_at = std::chrono::steady_clock::now() + limits::come_back_max;
+    const auto give_up_at = std::chrono::steady_clock::now() + timing::come_back_max;
     for (;;) {
         auto opened = open_master(master);
         if (opened || !is_of_the_network(opened.error()) ||
             std::chrono::steady_clock::now() > give_up_at) {
             return opened;
         }
-        std::this_thread::sleep_for(limits::come_back_period);
+        std::this_thread::sleep_for(timing::come_back_period);
     }
 }
 
@@ -205,7 +206,7 @@ Result<JobStatus> watch_job(const MasterOptions& master,
         std::fprintf(stderr,
                      "cdctl: the master is gone; waiting for it to come back: %s\n",
                      status.error().detail.c_str());
-        std::this_thread::sleep_for(limits::come_back_period);
+        std::this_thread::sleep_for(timing::come_back_period);
         auto again = open_again(master);
         if (!again) {
             return again.error();

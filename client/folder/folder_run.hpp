@@ -10,6 +10,7 @@
 #include "client/report/report.hpp"
 #include "common/core/limits/client.hpp"
 #include "common/core/result.hpp"
+#include "common/core/timing/client.hpp"
 #include "common/job/result/merge.hpp"
 
 #include <cstdint>
@@ -54,7 +55,7 @@ class FolderRun {
 
     /// Adds the next result. Errors: Io.
     [[nodiscard]] Status add(const DoneScenario& done) { return recorder_->add(done); }
-    /// Writes buffered results to the disk if `limits::record_flush_period` has passed. Errors: Io.
+    /// Writes buffered results to the disk if `timing::record_flush_period` has passed. Errors: Io.
     [[nodiscard]] Status keep_if_due() { return recorder_->flush_if_due(); }
     /// Writes buffered results to the disk. Errors: Io.
     [[nodiscard]] Status keep() { return recorder_->flush(); }

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "client/local/done_scenario.hpp"
-#include "common/core/limits/client.hpp"
 #include "common/core/result.hpp"
+#include "common/core/timing/client.hpp"
 #include "common/job/block_file.hpp"
 #include "common/job/result/contact_map.hpp"
 #include "common/job/result/record_file.hpp"
@@ -25,7 +25,7 @@ class RunRecorder {
     [[nodiscard]] static Result<RunRecorder>
     open(const std::filesystem::path& folder,
          bool with_maps,
-         std::chrono::milliseconds period = limits::record_flush_period);
+         std::chrono::milliseconds period = timing::record_flush_period);
 
     /// Adds the next result. Errors: Io.
     [[nodiscard]] Status add(const DoneScenario& done);

@@ -1,7 +1,7 @@
 #include "client/local/local_cluster.hpp"
 
 #include "common/core/files/state_folder.hpp"
-#include "common/core/limits/client.hpp"
+#include "common/core/timing/client.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -29,7 +29,7 @@ Result<std::string> wait_for_port(ChildProcess& master,
                                   const fs::path& port_file,
                                   const fs::path& log,
                                   const std::function<bool()>& stopped) {
-    const auto deadline = std::chrono::steady_clock::now() + limits::local_start_max;
+    const auto deadline = std::chrono::steady_clock::now() + timing::local_start_max;
     while (std::chrono::steady_clock::now() < deadline) {
         if (auto port = read_port(port_file)) {
             return *port;
@@ -40,7 +40,7 @@ Result<std::string> wait_for_port(ChildProcess& master,
         if (!master.is_running()) {
             return Error{ErrorCode::Incomplete, "cdmaster ended at once; see " + log.string()};
         }
-        std::this_thread::sleep_for(limits::process_poll_period);
+        std::this_thread::sleep_for(timing::process_poll_period);
     }
     return Error{ErrorCode::Timeout, "cdmaster does not listen; see " + log.string()};
 }

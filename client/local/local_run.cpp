@@ -3,6 +3,7 @@
 #include "client/local/ordered_run.hpp"
 #include "common/core/check.hpp"
 #include "common/core/limits/client.hpp"
+#include "common/core/timing/client.hpp"
 #include "common/job/run_scenario.hpp"
 
 #include <algorithm>
@@ -25,7 +26,7 @@ double seconds_since(Clock::time_point start) {
 
 /// Adds scenarios to the run while it wants more, until progress is due.
 Status feed(OrderedRun& run, PoseSource& poses, std::uint64_t& fed) {
-    const auto end = Clock::now() + limits::progress_period;
+    const auto end = Clock::now() + timing::progress_period;
     while (fed < poses.count() && Clock::now() < end) {
         const std::uint64_t wanted = std::min(run.wanted(), limits::run_poses_at_once_max);
         if (wanted == 0) {
@@ -104,9 +105,9 @@ Result<RunOutcome> run_locally(const ObbTree& a,
         }
         if (Clock::now() >= progress_due) {
             observer.progress(merger.summary(), seconds_since(start));
-            progress_due = Clock::now() + limits::progress_period;
+            progress_due = Clock::now() + timing::progress_period;
         }
-        auto results = run.take(limits::progress_period, fed < poses.count());
+        auto results = run.take(timing::progress_period, fed < poses.count());
         if (Status delivered = deliver(std::move(results), observer, merger); !delivered) {
             return delivered.error();
         }

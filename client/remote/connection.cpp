@@ -8,6 +8,8 @@
 #include "common/core/limits/client.hpp"
 #include "common/core/limits/engine.hpp"
 #include "common/core/printable.hpp"
+#include "common/core/timing/client.hpp"
+#include "common/core/timing/engine.hpp"
 #include "common/core/version.hpp"
 #include "proto/channel/channel.hpp"
 
@@ -158,7 +160,7 @@ void Connection::State::run_until(const bool& done) {
     std::optional<Clock::time_point> stopped_at;
     while (!done) {
         context.restart();
-        context.run_for(limits::stop_check_period);
+        context.run_for(timing::stop_check_period);
         if (done || !is_stopped()) {
             continue;
         }
@@ -166,7 +168,7 @@ void Connection::State::run_until(const bool& done) {
         if (channel == nullptr) {
             return;
         }
-        if (Clock::now() - *stopped_at > limits::stop_patience) {
+        if (Clock::now() - *stopped_at > timing::stop_patience) {
             channel->close();
         }
     }
@@ -180,7 +182,7 @@ asio::awaitable<Result<Message>> Connection::State::receive(Clock::duration time
         }
         const Clock::duration left = deadline - Clock::now();
         Result<Message> message = co_await channel->receive(
-            std::clamp<Clock::duration>(left, Clock::duration(0), limits::stop_check_period));
+            std::clamp<Clock::duration>(left, Clock::duration(0), timing::stop_check_period));
         if (message || message.error().code != ErrorCode::Timeout) {
             co_return message;
         }
@@ -225,7 +227,7 @@ asio::awaitable<Result<T>> Connection::State::answer(Clock::duration timeout) {
 template <class T>
 asio::awaitable<Result<T>> Connection::State::ask(Message question) {
     channel->send(question);
-    co_return co_await answer<T>(limits::answer_timeout);
+    co_return co_await answer<T>(timing::answer_timeout);
 }
 
 // ---- Conversations --------------------------------------------------------------------------
@@ -283,7 +285,7 @@ asio::awaitable<Status> Connection::State::upload_one(const NamedMesh& mesh,
                                Bytes(piece.begin(), piece.end())});
         progress(mesh, offset + piece.size(), bytes.size());
     }
-    const auto stored = co_await answer<MeshStored>(limits::mesh_stored_timeout);
+    const auto stored = co_await answer<MeshStored>(timing::mesh_stored_timeout);
     if (!stored) {
         const std::string what =
             mesh.name + " (" + cell_text(static_cast<double>(bytes.size()), CellKind::Size) + ")";
@@ -314,7 +316,7 @@ Connection::State::submit(Submit submit, PoseSource* poses, const PoseLabels& la
     if (poses != nullptr) {
         channel->send(PosesEnd{});
     }
-    const auto accepted = co_await answer<Accepted>(limits::mesh_stored_timeout);
+    const auto accepted = co_await answer<Accepted>(timing::mesh_stored_timeout);
     if (!accepted) {
         const std::string what = "the poses of " + counted(submit.scenarios, "scenario");
         co_return accepted.error().code == ErrorCode::Io ? no_room(what, accepted.error())
@@ -341,13 +343,13 @@ Connection::State::watch(JobId job,
     }
     while (true) {
         const Result<Message> message =
-            co_await receive(looked ? limits::watch_look_period : limits::answer_timeout);
+            co_await receive(looked ? timing::watch_look_period : timing::answer_timeout);
         const auto now = Clock::now();
         if (!message && (message.error().code != ErrorCode::Timeout ||
-                         now - heard > 2 * limits::answer_timeout)) {
+                         now - heard > 2 * timing::answer_timeout)) {
             co_return message.error();
         }
-        if (!message || (looked && now - asked > limits::watch_look_period_going_on)) {
+        if (!message || (looked && now - asked > timing::watch_look_period_going_on)) {
             look();
             asked = now;
         }
@@ -381,7 +383,7 @@ Connection::State::watch(JobId job,
 asio::awaitable<Result<JobStatus>> Connection::State::cancel(JobId job) {
     channel->send(Cancel{job});
     while (true) {
-        Result<JobStatus> status = co_await answer<JobStatus>(limits::answer_timeout);
+        Result<JobStatus> status = co_await answer<JobStatus>(timing::answer_timeout);
         if (!status || status.value().state != JobState::Running) {
             co_return status;
         }
@@ -570,7 +572,7 @@ Status Connection::pause(std::chrono::milliseconds time) {
         state_->context.restart();
         asio::steady_timer timer(
             state_->context,
-            std::min<Clock::duration>(limits::stop_check_period, end - Clock::now()));
+            std::min<Clock::duration>(timing::stop_check_period, end - Clock::now()));
         bool is_over = false;
         timer.async_wait([&is_over](const boost::system::error_code&) { is_over = true; });
         // Runs handlers only until the timer fires: `run` would also wait for the channel's

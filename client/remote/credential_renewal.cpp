@@ -1,7 +1,7 @@
 #include "client/remote/credential_renewal.hpp"
 
 #include "client/remote/membership.hpp"
-#include "common/core/limits/wire.hpp"
+#include "common/core/timing/wire.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -23,8 +23,8 @@ void CredentialRenewal::keep(const std::stop_token& stop) {
     while (due) {
         const auto pause =
             std::clamp<std::chrono::system_clock::duration>(*due - std::chrono::system_clock::now(),
-                                                            limits::renewal_retry_min,
-                                                            limits::renewal_check_period);
+                                                            timing::renewal_retry_min,
+                                                            timing::renewal_check_period);
         std::unique_lock lock(mutex_);
         if (stopped_.wait_for(lock, stop, pause, [&] { return stop.stop_requested(); })) {
             return;

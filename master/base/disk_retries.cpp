@@ -1,6 +1,6 @@
 #include "master/base/disk_retries.hpp"
 
-#include "common/core/limits/master.hpp"
+#include "common/core/timing/master.hpp"
 
 namespace cd {
 
@@ -9,7 +9,7 @@ void DiskRetries::start(JobId job, std::function<void()> again) {
         return;
     }
     const auto step = std::make_shared<Step>(
-        Step{asio::steady_timer(executor_, limits::journal_retry_period), std::move(again)});
+        Step{asio::steady_timer(executor_, timing::journal_retry_period), std::move(again)});
     const auto place = waiting_.emplace(job, step);
     step->timer.async_wait(
         [this, place, weak = std::weak_ptr(step)](const boost::system::error_code& error) {

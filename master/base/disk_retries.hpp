@@ -2,6 +2,7 @@
 #pragma once
 
 #include "common/core/id.hpp"
+#include "common/core/timing/master.hpp"
 #include "proto/channel/asio.hpp"
 
 #include <functional>
@@ -12,7 +13,7 @@
 namespace cd {
 
 /// Somebody may repair a full or damaged disk, so a step is tried again after
-/// `limits::journal_retry_period`. All members run on the executor's thread.
+/// `timing::journal_retry_period`. All members run on the executor's thread.
 class DiskRetries {
   public:
     explicit DiskRetries(asio::any_io_executor executor) : executor_(std::move(executor)) {}

@@ -4,6 +4,8 @@
 #include "common/core/limits/engine.hpp"
 #include "common/core/limits/master.hpp"
 #include "common/core/limits/wire.hpp"
+#include "common/core/timing/master.hpp"
+#include "common/core/timing/wire.hpp"
 #include "master/base/mutation.hpp"
 #include "master/base/run_on.hpp"
 #include "proto/access/peer_ticket.hpp"
@@ -83,7 +85,7 @@ void BlockDelivery::probe(WorkerId worker) {
 
 asio::awaitable<void>
 BlockDelivery::probe(WorkerId worker, Endpoint endpoint, std::weak_ptr<Channel> channel) {
-    const Status reached = co_await reach(endpoint, limits::peer_connect_timeout);
+    const Status reached = co_await reach(endpoint, timing::peer_connect_timeout);
     const auto link = links_.find(worker);
     if (reached || closed_ || link == links_.end() || link->second.channel != channel.lock()) {
         co_return;
@@ -260,7 +262,7 @@ asio::awaitable<void> BlockDelivery::send_anew(WorkerId worker, BlockKey block) 
 
 asio::awaitable<void> BlockDelivery::watch_time() {
     while (!closed_ && director_.open() != 0) {
-        timer_.expires_after(limits::peer_check_period);
+        timer_.expires_after(timing::peer_check_period);
         boost::system::error_code ignored;
         co_await timer_.async_wait(asio::redirect_error(asio::use_awaitable, ignored));
         if (!closed_) {

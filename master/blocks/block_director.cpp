@@ -3,6 +3,7 @@
 #include "common/core/check.hpp"
 #include "common/core/limits/master.hpp"
 #include "common/core/limits/wire.hpp"
+#include "common/core/timing/master.hpp"
 #include "master/base/mutation.hpp"
 
 #include <algorithm>
@@ -153,7 +154,7 @@ BlockActions BlockDirector::time_is(Time now) {
     for (const auto& [place, worker] : line) {
         const auto waits_for = index_.at(worker).waits_for;
         for (const auto& [block, since] : waits_for) {
-            if (now - since >= limits::peer_wait_max) {
+            if (now - since >= timing::peer_wait_max) {
                 send_from_master(worker, block, event);
             }
         }
@@ -269,7 +270,7 @@ void BlockDirector::fetch(
     Fetch& begun =
         fetches_
             .emplace(id,
-                     Fetch{worker, source, {}, roots.size(), event.now + limits::peer_fetch_max})
+                     Fetch{worker, source, {}, roots.size(), event.now + timing::peer_fetch_max})
             .first->second;
     index_.add_upload(source);
     for (const RootIndex root : roots) {

@@ -5,6 +5,7 @@
 #include "common/core/id.hpp"
 #include "common/core/limits/master.hpp"
 #include "common/core/limits/wire.hpp"
+#include "common/core/timing/master.hpp"
 #include "common/tree/cut.hpp"
 #include "master/blocks/block_index.hpp"
 #include "proto/messages/work_messages.hpp"
@@ -43,7 +44,7 @@ using BlockActions = std::vector<BlockAction>;
 /// The master sends a block once. Workers that hold the block then pass it on, each to at most
 /// `limits::peer_uploads_max` others at a time: a block that all want spreads like a tree and costs
 /// the master a bounded number of uploads. A worker waits for a block that no source can send now
-/// but some worker soon can; after `limits::peer_wait_max` the master sends the block. A worker
+/// but some worker soon can; after `timing::peer_wait_max` the master sends the block. A worker
 /// counts as a holder only once it has reported the block. A source that the master or two workers
 /// cannot reach, or that sends a damaged block, is not named again. If peers fail to deliver a
 /// block, so that the worker wants it again, the master sends it.
@@ -71,7 +72,7 @@ class BlockDirector {
     BlockActions not_reached(WorkerId source, Time now);
     BlockActions tree_removed(TreeId tree, Time now);
 
-    /// Advances the time. Call about every `limits::peer_check_period` while `open` is not 0.
+    /// Advances the time. Call about every `timing::peer_check_period` while `open` is not 0.
     BlockActions time_is(Time now);
 
     /// Returns the number of wanted blocks that have not arrived, over all workers.

@@ -1,6 +1,7 @@
 #include "master/coordinator/status_view.hpp"
 
 #include "common/core/limits/master.hpp"
+#include "common/core/timing/master.hpp"
 #include "common/core/version.hpp"
 
 #include <sys/resource.h>
@@ -58,7 +59,7 @@ void StatusView::add_what_it_waits_for(JobStatus& status) const {
     for (const auto& [id, worker] : workers_.all()) {
         const auto& longest = worker.meter.longest();
         if (longest && longest->job == status.job &&
-            longest->seconds >= limits::scenario_seconds_shown &&
+            longest->seconds >= timing::scenario_seconds_shown &&
             status.long_scenarios.size() < limits::long_scenarios_shown) {
             status.long_scenarios.push_back(
                 {longest->scenario, id, worker.author->name, longest->seconds});

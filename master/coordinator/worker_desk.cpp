@@ -1,7 +1,7 @@
 #include "master/coordinator/worker_desk.hpp"
 
 #include "common/core/host/log.hpp"
-#include "common/core/limits/master.hpp"
+#include "common/core/timing/master.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -133,7 +133,7 @@ void WorkerDesk::watch() {
     is_watching_ = true;
     const FailureTimes::Duration period = heartbeat_ / 2;
     const bool is_at_end = state_.dispatch.view().is_at_end();
-    state_.timers.after(is_at_end ? std::min(period, limits::end_check_period) : period,
+    state_.timers.after(is_at_end ? std::min(period, timing::end_check_period) : period,
                         [this, is_at_end] {
                             state_.workers.check();
                             if (is_at_end) {

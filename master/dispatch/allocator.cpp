@@ -1,6 +1,6 @@
 #include "master/dispatch/allocator.hpp"
 
-#include "common/core/limits/master.hpp"
+#include "common/core/timing/master.hpp"
 #include "master/dispatch/round_robin.hpp"
 
 #include <algorithm>
@@ -53,13 +53,13 @@ void Allocator::set_batches() {
     // is unknown, and batches keep their full length.
     const double share = power > 0 && unsent_ns > 0
                              ? 1e-9 * static_cast<double>(unsent_ns) / (2 * power)
-                             : limits::batch_seconds_max;
+                             : timing::batch_seconds_max;
     const double mean_ns = pace.mean_cost_ns();
     for (WorkerProxy* proxy : context_.pool.in_order()) {
         const double seconds =
-            std::max(std::min(proxy->batch.seconds(), share), limits::batch_seconds_min);
+            std::max(std::min(proxy->batch.seconds(), share), timing::batch_seconds_min);
         proxy->batch.set(static_cast<std::uint64_t>(1e9 * seconds * pace.power_of(*proxy)),
-                         mean_ns > 1e9 * limits::scenario_seconds_long * pace.speed_of(*proxy));
+                         mean_ns > 1e9 * timing::scenario_seconds_long * pace.speed_of(*proxy));
     }
 }
 

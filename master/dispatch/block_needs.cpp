@@ -2,6 +2,7 @@
 
 #include "common/core/limits/engine.hpp"
 #include "common/core/limits/master.hpp"
+#include "common/core/timing/master.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -85,7 +86,7 @@ double BlockNeeds::seconds_with_any(const DispatchJob& job, const DispatchScenar
     }
     const double blocks = static_cast<double>(scenario.roots.a.size() + scenario.roots.b.size());
     const double missing = std::max(0.0, 1 - held / (workers * std::max(triangles, 1.0)));
-    return missing * (bytes * workers / bytes_per_second + blocks * limits::block_seconds);
+    return missing * (bytes * workers / bytes_per_second + blocks * timing::block_seconds);
 }
 
 MissingCosts BlockNeeds::costs_of(const DispatchJob& job) const {
@@ -101,7 +102,7 @@ MissingCosts BlockNeeds::costs_of(const DispatchJob& job) const {
     for (const WorkerProxy* proxy : pool_.in_order()) {
         const double missing = missing_share(*proxy, job);
         costs.all += missing * (static_cast<double>(bytes) / pace_.link_of(*proxy) +
-                                static_cast<double>(blocks) * limits::block_seconds);
+                                static_cast<double>(blocks) * timing::block_seconds);
         const std::uint64_t memory = proxy->facts().cache_bytes;
         costs.all_fits = costs.all_fits &&
                          (memory == 0 || triangles * limits::wide_bytes_per_triangle <= memory);

@@ -3,6 +3,7 @@
 
 #include "common/core/id.hpp"
 #include "common/core/limits/master.hpp"
+#include "common/core/timing/master.hpp"
 #include "common/tree/cut.hpp"
 #include "master/base/instance_id.hpp"
 #include "master/dispatch/policy/strategies.hpp"
@@ -39,7 +40,7 @@ struct DispatcherOptions {
     /// With more than `workers_few` workers, a change triggers a check of all workers at most every
     /// `look_seconds_each` seconds per worker above that number.
     std::size_t workers_few = limits::workers_few;
-    double look_seconds_each = limits::look_seconds_each;
+    double look_seconds_each = timing::look_seconds_each;
     std::span<const RegisteredStrategy> strategies = registered_strategies();
 
     /// Minimum time between two checks of so many workers, s.

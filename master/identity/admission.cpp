@@ -1,7 +1,7 @@
 #include "master/identity/admission.hpp"
 
 #include "common/core/host/log.hpp"
-#include "common/core/limits/wire.hpp"
+#include "common/core/timing/wire.hpp"
 #include "master/identity/identity.hpp"
 
 namespace cd {
@@ -22,7 +22,7 @@ Result<Certified> decide(const Access& access, const Channel& channel, const Mes
 } // namespace
 
 asio::awaitable<void> admit(std::shared_ptr<Channel> channel, Access access) {
-    const Result<Message> question = co_await channel->receive(limits::connect_timeout);
+    const Result<Message> question = co_await channel->receive(timing::connect_timeout);
     if (!question) {
         co_return;
     }

@@ -1,7 +1,7 @@
 #include "master/identity/certificate_watch.hpp"
 
 #include "common/core/host/log.hpp"
-#include "common/core/limits/master.hpp"
+#include "common/core/timing/master.hpp"
 #include "master/identity/identity.hpp"
 
 #include <algorithm>
@@ -26,7 +26,7 @@ asio::awaitable<void> watch_certificate(std::shared_ptr<Channel> channel,
         pause->expires_after(
             std::clamp<std::chrono::milliseconds>(left + std::chrono::milliseconds(1),
                                                   std::chrono::milliseconds(1),
-                                                  limits::holder_check_period));
+                                                  timing::holder_check_period));
         boost::system::error_code ignored;
         co_await pause->async_wait(asio::redirect_error(asio::use_awaitable, ignored));
     }

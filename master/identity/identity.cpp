@@ -4,6 +4,8 @@
 #include "common/core/host/log.hpp"
 #include "common/core/limits/master.hpp"
 #include "common/core/limits/wire.hpp"
+#include "common/core/timing/master.hpp"
+#include "common/core/timing/wire.hpp"
 #include "proto/access/credential_file.hpp"
 
 #include <algorithm>
@@ -197,7 +199,7 @@ Status MasterIdentity::keep_valid() {
 
 void MasterIdentity::renew_own() {
     const Identity own =
-        identity_from_now(CertifiedRole::Master, master_name, limits::master_certificate_life);
+        identity_from_now(CertifiedRole::Master, master_name, timing::master_certificate_life);
     auto tls = Tls::make(authority_.issue(own));
     CD_CHECK(tls.has_value());
     tls_->now = std::move(tls.value());
@@ -205,7 +207,7 @@ void MasterIdentity::renew_own() {
 
 Status MasterIdentity::renew_admin() const {
     const Identity admin =
-        identity_from_now(CertifiedRole::Admin, admin_name, limits::master_certificate_life);
+        identity_from_now(CertifiedRole::Admin, admin_name, timing::master_certificate_life);
     return write_credential(folder_ / "admin.pem", authority_.issue(admin));
 }
 
@@ -214,7 +216,7 @@ Identity MasterIdentity::identity_from_now(CertifiedRole role,
                                            std::chrono::seconds life) const {
     const WallTime now = options_.now();
     // Valid from a time in the past, because the peer's clock may be slow.
-    return {role, name, now - limits::clock_difference_max, now + life};
+    return {role, name, now - timing::clock_difference_max, now + life};
 }
 
 Result<Certified> MasterIdentity::certify(const std::string& request,
@@ -286,7 +288,7 @@ Result<TokenCreated> MasterIdentity::create_token(const TokenCreate& message) {
         message.role,
         message.uses,
         now + std::chrono::seconds(std::min<std::uint64_t>(
-                  message.seconds, 2 * std::chrono::seconds(limits::token_life_max).count()))};
+                  message.seconds, 2 * std::chrono::seconds(timing::token_life_max).count()))};
     const Result<JoinToken> token = tokens_.create(terms, authority_.fingerprint(), now);
     if (!token) {
         return token.error();

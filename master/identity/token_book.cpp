@@ -2,6 +2,7 @@
 
 #include "common/core/limits/master.hpp"
 #include "common/core/limits/wire.hpp"
+#include "common/core/timing/master.hpp"
 
 #include <algorithm>
 #include <cstring>
@@ -42,10 +43,10 @@ Result<JoinToken> TokenBook::create(const Terms& terms, const Sha256& authority,
         return Error{ErrorCode::BadInput, "no token makes a master"};
     }
     if (terms.uses == 0 || terms.uses > limits::token_uses_max || terms.until <= now ||
-        terms.until > now + limits::token_life_max) {
+        terms.until > now + timing::token_life_max) {
         return Error{ErrorCode::BadInput,
                      "a token is good for 1 to " + std::to_string(limits::token_uses_max) +
-                         " uses within " + std::to_string(limits::token_life_max.count() / 24) +
+                         " uses within " + std::to_string(timing::token_life_max.count() / 24) +
                          " days"};
     }
     std::erase_if(tokens_, [now](const auto& entry) { return entry.second.until <= now; });

@@ -4,6 +4,7 @@
 #include "common/core/files/disk_file.hpp"
 #include "common/core/host/log.hpp"
 #include "common/core/limits/master.hpp"
+#include "common/core/timing/master.hpp"
 #include "master/base/remedy.hpp"
 #include "master/journal/journal_database.hpp"
 #include "master/journal/journal_groups.hpp"
@@ -82,7 +83,7 @@ bool Journal::State::write_until_done(const std::vector<JournalEntry>& group) {
             events.paused(told);
         }
         std::unique_lock lock(mutex);
-        if (changed.wait_for(lock, limits::journal_retry_period, [this] { return stopping; })) {
+        if (changed.wait_for(lock, timing::journal_retry_period, [this] { return stopping; })) {
             return false;
         }
     }
@@ -112,7 +113,7 @@ std::vector<JournalEntry> Journal::State::next_group(SteadyClock::time_point not
 void Journal::State::run() {
     for (auto not_before = SteadyClock::now();;) {
         const std::vector<JournalEntry> group = next_group(not_before);
-        not_before = SteadyClock::now() + limits::journal_group_period;
+        not_before = SteadyClock::now() + timing::journal_group_period;
         if (group.empty() || !write_until_done(group)) {
             return; // The journal is being destroyed.
         }

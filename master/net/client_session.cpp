@@ -4,6 +4,7 @@
 #include "common/core/limits/master.hpp"
 #include "common/core/limits/wire.hpp"
 #include "common/core/printable.hpp"
+#include "common/core/timing/master.hpp"
 #include "master/base/run_on.hpp"
 #include "master/identity/identity.hpp"
 #include "master/net/answers.hpp"
@@ -77,7 +78,7 @@ asio::awaitable<void> ClientSession::converse() {
 
 asio::awaitable<Result<Message>> ClientSession::receive() {
     if (!is_submitting()) {
-        co_return co_await channel_->receive(limits::client_idle_max);
+        co_return co_await channel_->receive(timing::client_idle_max);
     }
     // Waits since the last part of the upload: other messages do not extend the time.
     const auto left = progressed_ + quota_.submission_idle_max - std::chrono::steady_clock::now();
@@ -469,7 +470,7 @@ asio::awaitable<void> ClientSession::watch(std::shared_ptr<ClientSession> self, 
         if (is_over) {
             break;
         }
-        pause->expires_after(limits::watch_period);
+        pause->expires_after(timing::watch_period);
         boost::system::error_code ignored;
         co_await pause->async_wait(asio::redirect_error(asio::use_awaitable, ignored));
         // Sends no updates while the client has not read the earlier ones.

@@ -1,7 +1,7 @@
 // Serves one client's connection.
 #pragma once
 
-#include "common/core/limits/master.hpp"
+#include "common/core/timing/master.hpp"
 #include "master/coordinator/coordinator.hpp"
 #include "master/geometry/mesh_upload.hpp"
 #include "master/identity/access.hpp"
@@ -24,7 +24,7 @@ struct ClientQuota {
     std::string client;
     std::function<void()> jobs_changed; ///< Called after a job was added to the quotas.
     /// Longest time between two messages of an upload of a mesh or of poses.
-    std::chrono::milliseconds submission_idle_max = limits::submission_idle_max;
+    std::chrono::milliseconds submission_idle_max = timing::submission_idle_max;
 };
 
 /// Answers a client's requests in order; watches run concurrently. Drops an unfinished mesh or job

@@ -1,6 +1,6 @@
 #include "master/net/http_front.hpp"
 
-#include "common/core/limits/wire.hpp"
+#include "common/core/timing/wire.hpp"
 #include "master/coordinator/coordinator.hpp"
 #include "master/identity/access.hpp"
 #include "master/identity/identity.hpp"
@@ -93,7 +93,7 @@ asio::awaitable<void> HttpFront::serve(asio::ip::tcp::socket socket, Seats::Seat
     if (identity_ != nullptr) {
         std::shared_ptr<const Tls> tls = identity_->tls()->now;
         secured =
-            co_await stream->secure(std::move(tls), TlsEnd::Accepting, limits::http_exchange_max);
+            co_await stream->secure(std::move(tls), TlsEnd::Accepting, timing::http_exchange_max);
     }
     if (!secured) {
         refusals_.log(LogLevel::Warning, "http connection refused", peer, secured.error().detail);

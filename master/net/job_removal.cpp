@@ -1,7 +1,7 @@
 #include "master/net/job_removal.hpp"
 
 #include "common/core/host/log.hpp"
-#include "common/core/limits/master.hpp"
+#include "common/core/timing/master.hpp"
 #include "master/base/run_on.hpp"
 #include "master/coordinator/coordinator.hpp"
 #include "master/net/job_requests.hpp"
@@ -56,7 +56,7 @@ asio::awaitable<Result<Removed>> JobRemoval::remove(Remove wish) {
     if (const Status forgotten = coordinator_.jobs().forget(wish.job); !forgotten) {
         co_return forgotten.error();
     }
-    const auto until = JobWaits::Time::clock::now() + limits::cancel_wait_max;
+    const auto until = JobWaits::Time::clock::now() + timing::cancel_wait_max;
     if (!co_await coordinator_.jobs().waits().wait(wish.job, until)) {
         co_return Error{ErrorCode::Io, "the removal was not written to the disk in time"};
     }

@@ -1,7 +1,7 @@
 #include "master/net/job_requests.hpp"
 
 #include "common/core/host/wall_clock.hpp"
-#include "common/core/limits/master.hpp"
+#include "common/core/timing/master.hpp"
 #include "master/base/run_on.hpp"
 #include "master/coordinator/coordinator.hpp"
 
@@ -56,7 +56,7 @@ asio::awaitable<Result<JobStatus>> JobRequests::cancel(JobId job) {
         co_return status;
     }
     // The end becomes visible when it is durable.
-    const auto until = JobWaits::Time::clock::now() + limits::cancel_wait_max;
+    const auto until = JobWaits::Time::clock::now() + timing::cancel_wait_max;
     (void)co_await coordinator_.jobs().waits().wait(job, until);
     co_return coordinator_.jobs().status(job);
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "common/core/result.hpp"
+#include "common/core/timing/master.hpp"
 #include "master/submission/job_spool.hpp"
 #include "proto/channel/asio.hpp"
 #include "proto/messages/client_messages.hpp"
@@ -24,7 +25,7 @@ class JobRequests {
     /// Errors: Refused if too many jobs run; Io.
     [[nodiscard]] asio::awaitable<Result<JobId>> open(Submit submit,
                                                       std::shared_ptr<JobSpool> poses);
-    /// Cancels the job. Does nothing if it has ended. Waits at most `limits::cancel_wait_max` for
+    /// Cancels the job. Does nothing if it has ended. Waits at most `timing::cancel_wait_max` for
     /// the disk, which may be full; after that, returns a status that still says Running. Errors:
     /// NotFound.
     [[nodiscard]] asio::awaitable<Result<JobStatus>> cancel(JobId job);

@@ -1,6 +1,7 @@
 #include "master/net/quotas.hpp"
 
 #include "common/core/limits/master.hpp"
+#include "common/core/timing/master.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -12,7 +13,7 @@ namespace {
 
 Error too_much(const std::string& client,
                const std::string& what,
-               std::chrono::seconds retry_after = limits::retry_after) {
+               std::chrono::seconds retry_after = timing::retry_after) {
     return {ErrorCode::Refused,
             "busy: quota: " + client + " has " + what + "; retry after " +
                 std::to_string(retry_after.count()) + " s"};

@@ -5,6 +5,7 @@
 #include "common/core/id.hpp"
 #include "common/core/limits/master.hpp"
 #include "common/core/result.hpp"
+#include "common/core/timing/master.hpp"
 
 #include <chrono>
 #include <cstddef>
@@ -37,7 +38,7 @@ class Quotas {
         /// Bytes of meshes, poses and grids that a client may send at once: a leaky bucket, which
         /// drains in `period`.
         std::uint64_t bytes = limits::client_bytes_max;
-        std::chrono::seconds period = limits::client_bytes_period;
+        std::chrono::seconds period = timing::client_bytes_period;
         /// Bytes of poses of unfinished jobs.
         std::uint64_t queued = limits::client_queued_bytes_max;
         std::size_t uploads = limits::client_uploads_max; ///< Mesh uploads in progress.

@@ -3,6 +3,7 @@
 
 #include "common/core/limits/master.hpp"
 #include "common/core/result.hpp"
+#include "common/core/timing/master.hpp"
 #include "master/coordinator/coordinator.hpp"
 #include "master/identity/access.hpp"
 #include "master/identity/identity.hpp"
@@ -27,7 +28,7 @@ struct ClientLimits {
     Quotas::Limits quotas = {};
     Quotas::Limits workers = {.connections = limits::worker_connections_max,
                               .all_connections = limits::all_worker_connections_max};
-    std::chrono::milliseconds submission_idle_max = limits::submission_idle_max;
+    std::chrono::milliseconds submission_idle_max = timing::submission_idle_max;
     std::size_t greetings = limits::greetings_max; ///< Connections that are not welcomed yet.
 };
 

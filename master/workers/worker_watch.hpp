@@ -4,6 +4,8 @@
 
 #include "common/core/limits/master.hpp"
 #include "common/core/limits/wire.hpp"
+#include "common/core/timing/master.hpp"
+#include "common/core/timing/wire.hpp"
 #include "proto/messages/client_messages.hpp"
 
 #include <chrono>
@@ -18,12 +20,12 @@ namespace cd {
 struct FailureTimes {
     using Duration = std::chrono::milliseconds;
 
-    Duration heartbeat = limits::heartbeat_period; ///< Period between two heartbeats, both ways.
-    Duration lost_after = limits::peer_lost_after; ///< Silence until a connected worker is lost.
+    Duration heartbeat = timing::heartbeat_period; ///< Period between two heartbeats, both ways.
+    Duration lost_after = timing::peer_lost_after; ///< Silence until a connected worker is lost.
     /// Time after a broken connection until a worker that has not returned is lost.
-    Duration return_within = limits::peer_lost_after;
+    Duration return_within = timing::peer_lost_after;
     /// Silence until a lost worker is no longer shown.
-    Duration forgotten_after = limits::worker_forgotten_after;
+    Duration forgotten_after = timing::worker_forgotten_after;
 
     /// Silence after which a worker counts as silent, and gets no new work.
     [[nodiscard]] Duration silent_after() const {

@@ -3,6 +3,7 @@
 #include "common/core/files/disk_file.hpp"
 #include "common/core/files/state_folder.hpp"
 #include "common/core/limits/wire.hpp"
+#include "common/core/timing/wire.hpp"
 
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -163,7 +164,7 @@ Result<Credential> read_credential(const std::filesystem::path& path) {
 }
 
 WallTime renew_at(const Identity& identity) {
-    const auto life = identity.until - identity.from - limits::clock_difference_max;
+    const auto life = identity.until - identity.from - timing::clock_difference_max;
     return identity.until - life / 2;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "common/core/result.hpp"
+#include "common/core/timing/wire.hpp"
 #include "proto/channel/channel.hpp"
 #include "proto/identity/certificate.hpp"
 
@@ -34,7 +35,7 @@ namespace cd {
 [[nodiscard]] Result<std::string> read_private(const std::filesystem::path& path);
 
 /// Returns when to renew a certificate: after half of its validity. The validity begins
-/// `limits::clock_difference_max` before the issue; that time does not count.
+/// `timing::clock_difference_max` before the issue; that time does not count.
 [[nodiscard]] WallTime renew_at(const Identity& identity);
 
 } // namespace cd

@@ -2,6 +2,7 @@
 
 #include "common/core/limits/wire.hpp"
 #include "common/core/printable.hpp"
+#include "common/core/timing/wire.hpp"
 #include "common/core/version.hpp"
 
 #include <utility>
@@ -30,7 +31,7 @@ asio::awaitable<Result<std::shared_ptr<Channel>>> open(Target target, std::strin
 asio::awaitable<Result<Credential>>
 ask(std::shared_ptr<Channel> channel, Message question, CertificateRequest request) {
     channel->send(question);
-    Result<Message> answer = co_await channel->receive(limits::connect_timeout);
+    Result<Message> answer = co_await channel->receive(timing::connect_timeout);
     channel->close();
     if (!answer) {
         co_return answer.error();

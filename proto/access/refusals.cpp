@@ -1,6 +1,7 @@
 #include "proto/access/refusals.hpp"
 
 #include "common/core/limits/wire.hpp"
+#include "common/core/timing/wire.hpp"
 
 #include <tuple>
 #include <utility>
@@ -9,7 +10,7 @@ namespace cd {
 
 std::optional<std::uint64_t> Refusals::admit(const std::string& host, Time now) {
     const auto is_due = [now](const Host& each) {
-        return now - each.since >= limits::refusal_log_period;
+        return now - each.since >= timing::refusal_log_period;
     };
     auto known = hosts_.find(host);
     if (known == hosts_.end() && hosts_.size() >= limits::refusal_hosts_max) {

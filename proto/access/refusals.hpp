@@ -2,7 +2,7 @@
 #pragma once
 
 #include "common/core/host/log.hpp"
-#include "common/core/limits/wire.hpp"
+#include "common/core/timing/wire.hpp"
 
 #include <chrono>
 #include <cstddef>
@@ -13,7 +13,7 @@
 
 namespace cd {
 
-/// Limits the log lines about one host in each `limits::refusal_log_period`. The next line reports
+/// Limits the log lines about one host in each `timing::refusal_log_period`. The next line reports
 /// how many were suppressed. Hosts beyond the remembered ones share one limit. Not thread-safe.
 class Refusals {
   public:

@@ -2,6 +2,7 @@
 
 #include "common/core/check.hpp"
 #include "common/core/limits/wire.hpp"
+#include "common/core/timing/wire.hpp"
 #include "proto/channel/frame.hpp"
 #include "proto/codec/codec.hpp"
 
@@ -396,7 +397,7 @@ void Channel::State::flush_and_close() {
     }
     received.cancel();
     written.cancel();
-    flush_deadline.expires_after(limits::close_flush_max);
+    flush_deadline.expires_after(timing::close_flush_max);
     flush_deadline.async_wait([self = shared_from_this()](const error_code& error) {
         if (!error) {
             self->shut();

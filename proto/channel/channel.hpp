@@ -1,8 +1,8 @@
 // A connection that carries messages, over TCP or TLS.
 #pragma once
 
-#include "common/core/limits/wire.hpp"
 #include "common/core/result.hpp"
+#include "common/core/timing/wire.hpp"
 #include "proto/channel/asio.hpp"
 #include "proto/channel/stream.hpp"
 #include "proto/channel/tls.hpp"
@@ -47,9 +47,9 @@ struct Traffic {
 /// Time limits for frames; a channel that exceeds one closes.
 struct StallBounds {
     /// Longest wait for the next frame of a message that has begun to arrive.
-    std::chrono::steady_clock::duration read = limits::read_stall_max;
+    std::chrono::steady_clock::duration read = timing::read_stall_max;
     /// Longest time until the operating system accepts a frame.
-    std::chrono::steady_clock::duration write = limits::write_stall_max;
+    std::chrono::steady_clock::duration write = timing::write_stall_max;
 };
 
 /// A connection to one peer. All members run on the socket's executor, on one thread. Control
@@ -83,7 +83,7 @@ class Channel : public std::enable_shared_from_this<Channel> {
     [[nodiscard]] asio::awaitable<void> wait_until_queued_below(std::size_t bytes);
 
     /// Closes the connection; a waiting `receive` fails. With `flush`, queued messages are sent
-    /// first, within `limits::close_flush_max`, even if the channel is destroyed meanwhile. Without
+    /// first, within `timing::close_flush_max`, even if the channel is destroyed meanwhile. Without
     /// a flush, destroying the channel closes it at once.
     void close(bool flush = false);
     [[nodiscard]] bool is_open() const;
@@ -128,7 +128,7 @@ struct Target {
 /// Connects; each step must finish within the timeout. Errors: Disconnected naming host and port;
 /// Refused if one end rejects the other's certificate, or the peer has another role.
 [[nodiscard]] asio::awaitable<Result<std::shared_ptr<Channel>>>
-connect(Target target, std::chrono::seconds timeout = limits::connect_timeout);
+connect(Target target, std::chrono::seconds timeout = timing::connect_timeout);
 
 /// Checks that the endpoint accepts TCP connections, with any protocol. Errors: Disconnected naming
 /// host and port.
@@ -140,19 +140,19 @@ connect(Target target, std::chrono::seconds timeout = limits::connect_timeout);
 [[nodiscard]] asio::awaitable<Result<std::shared_ptr<Channel>>>
 accept_channel(asio::ip::tcp::socket socket,
                std::shared_ptr<const Tls> tls,
-               std::chrono::steady_clock::duration timeout = limits::connect_timeout);
+               std::chrono::steady_clock::duration timeout = timing::connect_timeout);
 
 /// Sends a Hello and awaits the answer within the timeout. The channel then expects the messages of
 /// the requested role. Errors: Refused with the peer's reason, and those of `receive`.
 [[nodiscard]] asio::awaitable<Result<Welcome>>
 greet(std::shared_ptr<Channel> channel,
       Hello hello,
-      std::chrono::steady_clock::duration timeout = limits::connect_timeout);
+      std::chrono::steady_clock::duration timeout = timing::connect_timeout);
 
 /// Errors: Refused naming both versions, if they differ.
 [[nodiscard]] Status check_version(const Hello& hello);
 
-/// Awaits the Hello of an accepted peer within `limits::connect_timeout`. The channel then expects
+/// Awaits the Hello of an accepted peer within `timing::connect_timeout`. The channel then expects
 /// the messages of its role, and the caller answers with a Welcome. A wrong version or message gets
 /// a Failure and a close. Errors: Refused, BadFrame, and those of `receive`.
 [[nodiscard]] asio::awaitable<Result<Hello>> accept_hello(std::shared_ptr<Channel> channel);

@@ -1,6 +1,7 @@
 // Opening connections: connecting and accepting.
 #include "common/core/host/log.hpp"
 #include "common/core/limits/wire.hpp"
+#include "common/core/timing/wire.hpp"
 #include "proto/channel/channel.hpp"
 #include "proto/channel/deadline.hpp"
 #include "proto/channel/frame.hpp"
@@ -28,7 +29,7 @@ asio::awaitable<Addresses> resolve(const Endpoint& endpoint, error_code& error) 
         co_return addresses;
     }
     asio::ip::tcp::resolver resolver(co_await asio::this_coro::executor);
-    const Deadline deadline(resolver, limits::connect_timeout);
+    const Deadline deadline(resolver, timing::connect_timeout);
     // GCC 12 may destroy a temporary twice in an expression with co_await, so the text has a name.
     const std::string port = std::to_string(endpoint.port);
     const auto found = co_await resolver.async_resolve(
@@ -72,7 +73,7 @@ asio::awaitable<Status> secure(Stream& stream, const Target& target, std::chrono
 asio::awaitable<void> end_gently(asio::ip::tcp::socket& socket) {
     error_code error;
     socket.shutdown(asio::ip::tcp::socket::shutdown_send, error);
-    const Deadline deadline(socket, limits::close_flush_max);
+    const Deadline deadline(socket, timing::close_flush_max);
     std::array<std::byte, 4096> dropped{};
     for (std::size_t bytes = 0; !error && bytes < limits::refused_tls_bytes_max;) {
         bytes += co_await socket.async_read_some(asio::buffer(dropped),

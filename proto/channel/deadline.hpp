@@ -1,7 +1,7 @@
 // A time limit for network operations.
 #pragma once
 
-#include "common/core/limits/wire.hpp"
+#include "common/core/timing/wire.hpp"
 #include "proto/channel/asio.hpp"
 
 #include <chrono>
@@ -47,7 +47,7 @@ class Deadline {
             }
             state->expired = true;
             state->target->cancel();
-            state->timer.expires_after(limits::overdue_check_period);
+            state->timer.expires_after(timing::overdue_check_period);
             watch(state);
         });
     }

@@ -1,6 +1,6 @@
 // The greeting on both sides of a new channel, and the start of coroutines.
 #include "common/core/host/log.hpp"
-#include "common/core/limits/wire.hpp"
+#include "common/core/timing/wire.hpp"
 #include "proto/channel/channel.hpp"
 
 namespace cd {
@@ -53,7 +53,7 @@ Status check_version(const Hello& hello) {
 }
 
 asio::awaitable<Result<Hello>> accept_hello(std::shared_ptr<Channel> channel) {
-    Result<Message> first = co_await channel->receive(limits::connect_timeout);
+    Result<Message> first = co_await channel->receive(timing::connect_timeout);
     if (!first) {
         channel->close();
         co_return first.error();

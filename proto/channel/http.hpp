@@ -1,7 +1,7 @@
 // One HTTP/1.1 request on a stream, and its answer.
 #pragma once
 
-#include "common/core/limits/wire.hpp"
+#include "common/core/timing/wire.hpp"
 #include "proto/channel/stream.hpp"
 
 #include <chrono>
@@ -27,6 +27,6 @@ struct HttpAnswer {
 /// with the stream.
 void serve_http(std::unique_ptr<Stream> stream,
                 std::function<HttpAnswer(const HttpRequest&)> answer,
-                std::chrono::steady_clock::duration timeout = limits::http_exchange_max);
+                std::chrono::steady_clock::duration timeout = timing::http_exchange_max);
 
 } // namespace cd

@@ -1,7 +1,7 @@
 #include "proto/channel/listener.hpp"
 
 #include "common/core/host/log.hpp"
-#include "common/core/limits/wire.hpp"
+#include "common/core/timing/wire.hpp"
 
 #include <utility>
 
@@ -97,7 +97,7 @@ asio::awaitable<void> Listener::accept_all(std::shared_ptr<State> state) {
         if (error) {
             // The process is probably out of file descriptors; retries when some may be free.
             log_warning("cannot accept: error=\"{}\"", error.message());
-            state->pause.expires_after(limits::accept_retry_period);
+            state->pause.expires_after(timing::accept_retry_period);
             co_await state->pause.async_wait(asio::redirect_error(asio::use_awaitable, error));
             continue;
         }

@@ -2,6 +2,7 @@
 
 #include "common/core/limits/wire.hpp"
 #include "common/core/printable.hpp"
+#include "common/core/timing/wire.hpp"
 #include "proto/identity/openssl.hpp"
 
 #include <openssl/ec.h>
@@ -311,8 +312,8 @@ CertificateAuthority CertificateAuthority::make(WallTime now) {
     state->key = make_key();
     Identity identity;
     identity.name = "cdcluster authority";
-    identity.from = now - limits::clock_difference_max;
-    identity.until = now + limits::authority_life;
+    identity.from = now - timing::clock_difference_max;
+    identity.until = now + timing::authority_life;
     state->certificate = make_certificate(state->key.get(), identity, "authority");
     X509* const certificate = state->certificate.get();
     add_extension(certificate, certificate, NID_basic_constraints, "critical,CA:TRUE,pathlen:0");

@@ -4,6 +4,7 @@
 #include "common/core/limits/engine.hpp"
 #include "common/core/limits/master.hpp"
 #include "common/core/limits/wire.hpp"
+#include "common/core/timing/wire.hpp"
 #include "master/base/mutation.hpp"
 #include "proto/codec/codec.hpp"
 
@@ -238,7 +239,7 @@ void LinkEnd::break_off(const Host& from, const Host& there, World& world) {
         return;
     }
     is_broken = true;
-    world.in(limits::write_stall_max, [end = weak_from_this()] {
+    world.in(timing::write_stall_max, [end = weak_from_this()] {
         if (const auto state = end.lock()) {
             state->notice_cut(1s, std::nullopt);
         }

@@ -1,6 +1,6 @@
 // Replaces SQLite by rows in memory, with atomic commits, and the journal's thread by writes of
 // groups at simulated times.
-#include "common/core/limits/master.hpp"
+#include "common/core/timing/master.hpp"
 #include "master/journal/journal.hpp"
 #include "master/journal/journal_groups.hpp"
 #include "tests/faults/world.hpp"
@@ -141,7 +141,7 @@ void Journal::State::write_group_now() {
             told = status.error().detail;
             events.paused(told);
         }
-        return later(limits::journal_retry_period, &State::write_group_now);
+        return later(timing::journal_retry_period, &State::write_group_now);
     }
     if (!told.empty()) {
         told.clear();

@@ -1,6 +1,7 @@
 #include "worker/execution/task.hpp"
 
 #include "common/core/limits/worker.hpp"
+#include "common/core/timing/worker.hpp"
 #include "common/job/result/packed_records.hpp"
 
 #include <algorithm>
@@ -105,7 +106,7 @@ Walk Task::next_walk(SubtreeCache& cache, unsigned threads) {
     const std::size_t unwalked = unwalked_end_ - walked_;
     const std::size_t share = unwalked / (2 * std::size_t{threads}) + 1;
     const double each = results_.seconds_per_scenario();
-    const double fits = each > 0 ? limits::walk_seconds / each : 1;
+    const double fits = each > 0 ? timing::walk_seconds / each : 1;
     const auto most = static_cast<std::size_t>(
         std::clamp(fits, 1.0, static_cast<double>(limits::walk_scenarios_max)));
     const std::size_t begin = walked_;

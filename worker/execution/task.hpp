@@ -1,7 +1,7 @@
 // One task of this worker: its scenarios, how many are unanswered, and the unsent results.
 #pragma once
 
-#include "common/core/limits/worker.hpp"
+#include "common/core/timing/worker.hpp"
 #include "proto/messages/work_messages.hpp"
 #include "worker/cache/subtree_cache.hpp"
 #include "worker/execution/executor.hpp"
@@ -42,7 +42,7 @@ class Task {
     // ---- Scenarios whose roots are not known ------------------------------------------------
     /// Whether any scenario has not been given to a descent yet.
     [[nodiscard]] bool has_unwalked() const { return walked_ < unwalked_end_; }
-    /// Takes the next scenarios: as many as take about `limits::walk_seconds`, but few enough to
+    /// Takes the next scenarios: as many as take about `timing::walk_seconds`, but few enough to
     /// leave work for every thread. Requires `has_unwalked()`.
     [[nodiscard]] Walk next_walk(SubtreeCache& cache, unsigned threads);
     /// Stores the colliding roots that a descent found for a scenario that lacks subtrees.

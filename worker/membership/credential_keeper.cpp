@@ -1,7 +1,7 @@
 #include "worker/membership/credential_keeper.hpp"
 
 #include "common/core/host/log.hpp"
-#include "common/core/limits/wire.hpp"
+#include "common/core/timing/wire.hpp"
 #include "proto/access/join.hpp"
 
 #include <algorithm>
@@ -58,7 +58,7 @@ asio::awaitable<void> CredentialKeeper::keep() {
         const Milliseconds due = time_until(renew_at(*tls_->now->identity()));
         // Checks periodically, because the clock may be set and the host may sleep.
         pause_.expires_after(std::clamp<Milliseconds>(
-            due, std::max(pause, Milliseconds(1)), limits::renewal_check_period));
+            due, std::max(pause, Milliseconds(1)), timing::renewal_check_period));
         boost::system::error_code ignored;
         co_await pause_.async_wait(asio::redirect_error(asio::use_awaitable, ignored));
         pause = Milliseconds(0);
@@ -102,7 +102,7 @@ asio::awaitable<Status> CredentialKeeper::renew() {
 Milliseconds CredentialKeeper::pause_after_failure() const {
     const Milliseconds left = time_until(tls_->now->identity()->until);
     return std::clamp<Milliseconds>(
-        left / 8, limits::renewal_retry_min, limits::renewal_check_period);
+        left / 8, timing::renewal_retry_min, timing::renewal_check_period);
 }
 
 void CredentialKeeper::stop() {

@@ -3,6 +3,8 @@
 #include "common/core/host/log.hpp"
 #include "common/core/limits/wire.hpp"
 #include "common/core/limits/worker.hpp"
+#include "common/core/timing/wire.hpp"
+#include "common/core/timing/worker.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -15,7 +17,7 @@ Membership::Membership(Executor& executor, std::uint64_t cache_bytes, const Unke
       drain_timer_(executor.home()) {}
 
 std::chrono::milliseconds Membership::patience() const {
-    const std::chrono::milliseconds longest = limits::connect_timeout;
+    const std::chrono::milliseconds longest = timing::connect_timeout;
     return session_ == nullptr ? longest : std::min(longest, silence_borne_);
 }
 
@@ -85,7 +87,7 @@ bool Membership::drain(std::chrono::milliseconds timeout, std::function<void()> 
     if (!is_connected_ && !has_work()) {
         return false;
     }
-    const std::chrono::milliseconds at_most = limits::results_kept_wait_max;
+    const std::chrono::milliseconds at_most = timing::results_kept_wait_max;
     const std::chrono::milliseconds last = std::min(at_most, timeout / 2);
     spawn(executor_.home(), "drain", watch_drain(timeout - last, last, std::move(out_of_time)));
     return true;

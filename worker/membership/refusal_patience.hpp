@@ -1,7 +1,7 @@
 // Decides how long a worker retries while TLS refuses the worker or its master.
 #pragma once
 
-#include "common/core/limits/worker.hpp"
+#include "common/core/timing/worker.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -10,7 +10,7 @@
 namespace cd {
 
 /// After a TLS refusal, a worker that a master has accepted before retries for
-/// `limits::refusal_retry_max`: a clock may be wrong, or a bit may have flipped in transit. A
+/// `timing::refusal_retry_max`: a clock may be wrong, or a bit may have flipped in transit. A
 /// worker that was never accepted does not retry.
 class RefusalPatience {
   public:
@@ -27,7 +27,7 @@ class RefusalPatience {
     [[nodiscard]] std::chrono::steady_clock::duration refused(Time now) {
         since_ = since_.value_or(now);
         const std::chrono::steady_clock::duration left =
-            limits::refusal_retry_max - (now - *since_);
+            timing::refusal_retry_max - (now - *since_);
         return was_accepted_ ? std::max(left, {}) : std::chrono::steady_clock::duration::zero();
     }
 

@@ -2,6 +2,8 @@
 
 #include "common/core/limits/wire.hpp"
 #include "common/core/limits/worker.hpp"
+#include "common/core/timing/wire.hpp"
+#include "common/core/timing/worker.hpp"
 #include "common/core/version.hpp"
 
 #include <algorithm>
@@ -40,7 +42,7 @@ asio::awaitable<PeerLinks::Answer> PeerLinks::ask(std::shared_ptr<Channel> chann
     std::set<RootIndex> left(directions.roots.begin(), directions.roots.end());
     Answer answer;
     for (;;) {
-        Result<Message> message = co_await channel->receive(limits::peer_answer_max);
+        Result<Message> message = co_await channel->receive(timing::peer_answer_max);
         if (!message) {
             channel->close();
             co_return answer;
@@ -83,7 +85,7 @@ std::shared_ptr<Channel> PeerLinks::take_kept(const Address& address) {
 asio::awaitable<std::shared_ptr<Channel>> PeerLinks::open(const Address& address) {
     Target target{{address.first, address.second}, tls_->now, CertifiedRole::Worker};
     const Result<std::shared_ptr<Channel>> made =
-        co_await connect(std::move(target), limits::peer_connect_timeout);
+        co_await connect(std::move(target), timing::peer_connect_timeout);
     if (!made) {
         co_return nullptr;
     }
@@ -91,7 +93,7 @@ asio::awaitable<std::shared_ptr<Channel>> PeerLinks::open(const Address& address
     hello.role = Role::Peer;
     hello.name = name_;
     hello.build = version;
-    const Result<Welcome> welcome = co_await greet(made.value(), hello, limits::peer_answer_max);
+    const Result<Welcome> welcome = co_await greet(made.value(), hello, timing::peer_answer_max);
     co_return welcome ? made.value() : nullptr;
 }
 

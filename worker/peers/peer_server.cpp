@@ -4,6 +4,7 @@
 #include "common/core/limits/engine.hpp"
 #include "common/core/limits/wire.hpp"
 #include "common/core/limits/worker.hpp"
+#include "common/core/timing/worker.hpp"
 #include "common/core/version.hpp"
 
 #include <utility>
@@ -94,7 +95,7 @@ asio::awaitable<void> PeerServer::converse(std::shared_ptr<Channel> channel, Sea
 
 asio::awaitable<void> PeerServer::answer_all(std::shared_ptr<Channel> channel) {
     for (;;) {
-        Result<Message> message = co_await channel->receive(limits::peer_idle_max);
+        Result<Message> message = co_await channel->receive(timing::peer_idle_max);
         const auto* fetch = message ? std::get_if<PeerFetch>(&message.value()) : nullptr;
         if (fetch == nullptr) {
             break;

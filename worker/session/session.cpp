@@ -1,7 +1,7 @@
 #include "worker/session/session.hpp"
 
 #include "common/core/host/log.hpp"
-#include "common/core/limits/worker.hpp"
+#include "common/core/timing/worker.hpp"
 #include "proto/codec/codec.hpp"
 
 #include <utility>
@@ -145,7 +145,7 @@ void Session::send_heartbeat() {
                          tasks_.book().unanswered(),
                          blocks_.traffic(),
                          tasks_.longest()});
-    if (std::chrono::steady_clock::now() - began_ > limits::parked_trees_kept) {
+    if (std::chrono::steady_clock::now() - began_ > timing::parked_trees_kept) {
         blocks_.cache().drop_parked();
     }
 }

@@ -1,6 +1,7 @@
 #include "worker/session/session_link.hpp"
 
 #include "common/core/host/log.hpp"
+#include "common/core/timing/wire.hpp"
 #include "proto/codec/codec.hpp"
 
 #include <utility>
@@ -10,7 +11,7 @@ namespace cd {
 SessionTimes SessionTimes::of(const Welcome& welcome) {
     const std::chrono::milliseconds heartbeat(welcome.heartbeat_ms);
     SessionTimes times;
-    times.heartbeat = std::max(heartbeat, limits::heartbeat_period_min);
+    times.heartbeat = std::max(heartbeat, timing::heartbeat_period_min);
     times.silent_after = limits::heartbeats_missed_max * times.heartbeat;
     const std::chrono::milliseconds lost_after(welcome.lost_after_ms);
     times.lost_after = std::max(lost_after, times.silent_after);

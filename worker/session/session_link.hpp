@@ -2,6 +2,7 @@
 #pragma once
 
 #include "common/core/limits/wire.hpp"
+#include "common/core/timing/wire.hpp"
 #include "proto/channel/channel.hpp"
 #include "worker/session/carry_over.hpp"
 #include "worker/session/session_hub.hpp"
@@ -26,12 +27,12 @@ enum class SessionEnd {
 
 /// Heartbeat timing, as set by the master.
 struct SessionTimes {
-    std::chrono::milliseconds heartbeat = limits::heartbeat_period;
+    std::chrono::milliseconds heartbeat = timing::heartbeat_period;
     /// Silence after which the worker considers its connection broken.
     std::chrono::milliseconds silent_after =
-        limits::heartbeats_missed_max * std::chrono::milliseconds(limits::heartbeat_period);
+        limits::heartbeats_missed_max * std::chrono::milliseconds(timing::heartbeat_period);
     /// Silence after which the master reassigns the worker's tasks. Not below `silent_after`.
-    std::chrono::milliseconds lost_after = limits::peer_lost_after;
+    std::chrono::milliseconds lost_after = timing::peer_lost_after;
 
     [[nodiscard]] static SessionTimes of(const Welcome& welcome);
 };

@@ -2,6 +2,7 @@
 
 #include "common/core/host/log.hpp"
 #include "common/core/limits/worker.hpp"
+#include "common/core/timing/worker.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -294,7 +295,7 @@ void TaskRunner::flush_soon() {
     if (std::exchange(flushing_soon_, true)) {
         return;
     }
-    flush_timer_.expires_after(limits::results_flush_period);
+    flush_timer_.expires_after(timing::results_flush_period);
     flush_timer_.async_wait(
         [this, weak = hub_.weak_from_this()](const boost::system::error_code& error) {
             const auto hub = weak.lock();

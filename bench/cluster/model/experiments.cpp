@@ -2,6 +2,7 @@
 
 #include "common/core/limits/master.hpp"
 #include "common/core/limits/worker.hpp"
+#include "common/core/timing/worker.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -125,7 +126,7 @@ Setting measured_setting() {
     setting.options.ahead = 0;
     setting.options.analysts = setting.options.cluster.fast_cores_each - 1;
     setting.options.results_period =
-        std::chrono::duration<double>(limits::results_flush_period).count();
+        std::chrono::duration<double>(timing::results_flush_period).count();
     return setting;
 }
 

@@ -4,6 +4,7 @@
 #include "common/core/check.hpp"
 #include "common/core/limits/engine.hpp"
 #include "common/core/limits/master.hpp"
+#include "common/core/timing/master.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -17,7 +18,7 @@ namespace {
 
 constexpr JobId the_job{1};
 constexpr double period_of_director =
-    std::chrono::duration<double>(limits::peer_check_period).count();
+    std::chrono::duration<double>(timing::peer_check_period).count();
 
 /// Returns the number that the simulated master gives a tree.
 TreeId tree_id(std::uint8_t tree) {

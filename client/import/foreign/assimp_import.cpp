@@ -4,6 +4,7 @@
 #include "client/import/foreign/child_call.hpp"
 #include "client/import/imported_bytes.hpp"
 #include "common/core/limits/client.hpp"
+#include "common/core/timing/client.hpp"
 
 #include <system_error>
 
@@ -15,7 +16,7 @@ ChildLimits limits_for(std::uint64_t file_bytes) {
     ChildLimits limits;
     limits.memory_bytes =
         limits::reader_memory_bytes_min + limits::reader_memory_per_file_byte * file_bytes;
-    limits.processor_time = limits::reader_seconds_min +
+    limits.processor_time = timing::reader_seconds_min +
                             std::chrono::seconds(file_bytes / limits::reader_file_bytes_per_second);
     limits.real_time = limits::reader_real_seconds_each * limits.processor_time;
     return limits;

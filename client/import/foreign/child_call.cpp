@@ -1,6 +1,6 @@
 #include "client/import/foreign/child_call.hpp"
 
-#include "common/core/limits/engine.hpp"
+#include "common/core/timing/engine.hpp"
 
 #include <fcntl.h>
 #include <poll.h>
@@ -152,7 +152,7 @@ ChildEnd read_until_end(int descriptor,
             return ChildEnd::OutOfTime;
         }
         pollfd wanted{descriptor, POLLIN, 0};
-        if (poll(&wanted, 1, static_cast<int>(limits::stop_check_period.count())) <= 0) {
+        if (poll(&wanted, 1, static_cast<int>(timing::stop_check_period.count())) <= 0) {
             continue;
         }
         const ssize_t got = read(descriptor, piece.data(), piece.size());

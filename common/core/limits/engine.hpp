@@ -1,7 +1,6 @@
 // Bounds of meshes, trees, queries and results: what common/ enforces.
 #pragma once
 
-#include <chrono>
 #include <cstddef>
 #include <cstdint>
 
@@ -30,8 +29,6 @@ inline constexpr std::size_t inside_ignored_max = 4096;
 /// Triangles of a body are of one kind if the same parts of the other body are ignored with them.
 /// With more kinds, it is not decided whether a body is inside the other.
 inline constexpr std::size_t inside_kinds_max = 256;
-/// A call that waits checks this often whether it has been stopped.
-inline constexpr std::chrono::milliseconds stop_check_period{100};
 
 // Poses.
 /// Poses are reordered within windows of this size, so that neighbours touch the same subtrees.

@@ -3,7 +3,6 @@
 
 #include "common/core/limits/engine.hpp"
 
-#include <chrono>
 #include <cstddef>
 #include <cstdint>
 
@@ -17,20 +16,10 @@ inline constexpr std::size_t worker_connections_max = 2048;
 /// Connections of all workers; the rest of `connections_max` is for clients.
 inline constexpr std::size_t all_worker_connections_max = 7168;
 inline constexpr std::size_t http_connections_max = 64; ///< Simultaneous; each has one request.
-inline constexpr std::chrono::hours client_idle_max{24};
-/// A stopping master waits so long for its sessions and threads to end.
-inline constexpr std::chrono::seconds stop_grace{5};
-inline constexpr unsigned blocking_threads = 4; ///< Threads that read and write files.
+inline constexpr unsigned blocking_threads = 4;         ///< Threads that read and write files.
 
 // Identity.
-inline constexpr std::chrono::hours master_certificate_life{24 * 30};
-/// Default validity of the certificates of workers and clients.
-inline constexpr std::chrono::hours certificate_life{24 * 7};
-inline constexpr std::chrono::seconds certificate_life_min{2};
 inline constexpr std::size_t tokens_max = 1024; ///< Tokens that are valid at the same time.
-inline constexpr std::chrono::hours token_life_max{24 * 30};
-/// Period of the checks whether a connected certificate holder is refused meanwhile.
-inline constexpr std::chrono::seconds holder_check_period{10};
 inline constexpr std::size_t refused_bytes_max = 1u << 20; ///< Size of the list of refused holders.
 
 // A client's share.
@@ -38,14 +27,11 @@ inline constexpr std::size_t client_connections_max = 64;
 inline constexpr std::size_t client_jobs_max = 64;
 /// Bytes of meshes, poses and grids that a client sends in one period.
 inline constexpr std::uint64_t client_bytes_max = 256ull << 30;
-inline constexpr std::chrono::hours client_bytes_period{24};
 inline constexpr std::uint64_t client_queued_bytes_max = 64ull << 30; ///< Poses of its open jobs.
 /// Unfinished scenarios in a client's jobs.
 inline constexpr std::uint64_t client_scenarios_max = 1ull << 27;
 inline constexpr std::size_t client_uploads_max = 8; ///< Uploads of meshes at once.
 inline constexpr std::size_t watches_max = 64;       ///< Jobs that a connection watches at once.
-/// A client above its share is told to retry after this.
-inline constexpr std::chrono::seconds retry_after{30};
 
 // Messages of clients, and answers to them.
 inline constexpr std::uint64_t poses_part_scenarios_max = 1u << 16; ///< In one message.
@@ -54,12 +40,6 @@ inline constexpr std::uint64_t mesh_answer_bytes = 1u << 20;        ///< In one 
 inline constexpr std::uint64_t results_part_bytes_target = 4u << 20;
 inline constexpr std::uint64_t results_scan_max = 1u << 20; ///< Scenarios read for one answer.
 inline constexpr std::size_t path_bytes_max = 4096; ///< Length of a file's name, for display.
-/// Longest time between two messages of a client's submission.
-inline constexpr std::chrono::seconds submission_idle_max{60};
-/// Shortest time between two updates to a client that watches a job.
-inline constexpr std::chrono::milliseconds watch_period{200};
-/// A client waits so long until a cancellation is on the disk.
-inline constexpr std::chrono::seconds cancel_wait_max{10};
 
 // Meshes and trees.
 inline constexpr std::size_t meshes_max = 1u << 16; ///< Limited so that a status fits a message.
@@ -80,7 +60,6 @@ inline constexpr std::size_t jobs_running_max = 256;
 inline constexpr std::size_t jobs_ended_kept_max = 1024;
 /// The most ended jobs that a setting may keep.
 inline constexpr std::size_t jobs_kept_max = 100'000;
-inline constexpr std::chrono::seconds retention_check_period{30};
 /// Scenarios in all running jobs. A scenario with a result takes 52 bytes: hash, position in a
 /// file, author.
 inline constexpr std::uint64_t scenarios_running_max = 1ull << 28;
@@ -110,8 +89,6 @@ inline constexpr std::size_t losses_again_that_count = 8;
 inline constexpr std::size_t alarms_kept_max = 20;
 /// Worker processes in quarantine that are remembered; a restarted worker is another process.
 inline constexpr std::size_t quarantined_kept_max = 4096;
-/// Sessions of departed workers, beside those that results of a running job refer to.
-inline constexpr std::size_t worker_sessions_kept = 4096;
 
 // Results on their way to the journal.
 /// Messages of one worker that are being checked.
@@ -121,22 +98,14 @@ inline constexpr std::size_t results_in_hand_max = 8;
 inline constexpr std::uint64_t results_aside_bytes_max = 256u << 20;
 /// With so many queued, a commit begins at once.
 inline constexpr std::size_t journal_group_rows = 256;
-inline constexpr std::chrono::milliseconds journal_group_period{5}; ///< Least time between commits.
-inline constexpr std::size_t journal_commit_rows_max = 8192;        ///< In one commit.
+inline constexpr std::size_t journal_commit_rows_max = 8192;         ///< In one commit.
 inline constexpr std::uint64_t journal_commit_bytes_max = 64u << 20; ///< Records in one commit.
 /// Size of the queued records. With more, the master reads no further results.
 inline constexpr std::uint64_t journal_queue_bytes_max = 256u << 20;
-/// Pause between two attempts while writes to the disk fail.
-inline constexpr std::chrono::milliseconds journal_retry_period{500};
 
 // Workers.
-inline constexpr std::chrono::hours peer_lost_after_max{24};
-inline constexpr std::chrono::milliseconds peer_check_period{500};
-/// A worker is forgotten so long after its last message.
-inline constexpr std::chrono::minutes worker_forgotten_after{10};
 /// With more lost workers, the one that joined first is forgotten.
 inline constexpr std::size_t lost_workers_kept_max = 1024;
-inline constexpr double scenario_seconds_shown = 10; ///< Status names scenarios that take longer.
 inline constexpr std::size_t long_scenarios_shown = 16; ///< Such scenarios per job.
 
 // Delivery of blocks.
@@ -145,10 +114,6 @@ inline constexpr std::size_t subtrees_queue_bytes_max = 16u << 20; ///< Bytes qu
 inline constexpr std::size_t peer_unreachable_by_max = 2;
 /// Number of workers considered as the source of one block.
 inline constexpr std::size_t sources_looked_at_max = 64;
-/// A fetch from a peer that takes longer has failed.
-inline constexpr std::chrono::seconds peer_fetch_max{60};
-/// A worker waits so long for a block from peers; then the master sends it.
-inline constexpr std::chrono::seconds peer_wait_max{10};
 
 // Dispatch.
 /// Number of analysed scenarios beyond those that fill the workers' buffers.
@@ -159,33 +124,21 @@ inline constexpr std::uint64_t unsent_by_time_max = 1u << 18;
 inline constexpr std::uint64_t open_analyses_bytes_max = 512u << 20;
 /// With more workers, all are checked less often, so that the cost of events stays bounded.
 inline constexpr std::size_t workers_few = 64;
-/// Each worker above `workers_few` adds this to the period of checks.
-inline constexpr double look_seconds_each = 2e-6;
 
 // Matching by time: what is assumed until it is measured, and the size of batches.
-inline constexpr double link_bytes_per_second_start = 125e6; ///< 1 Gb/s.
-inline constexpr double block_seconds = 20e-6; ///< Time to request a block and unpack it.
+inline constexpr double link_bytes_per_second_start = 125e6;  ///< 1 Gb/s.
 inline constexpr std::uint64_t block_bytes_per_triangle = 16; ///< Size on the wire.
 inline constexpr std::uint64_t scenario_ns_unknown = 1'000'000;
-inline constexpr double batch_seconds_start = 0.1;
-inline constexpr double batch_seconds_min = 0.001;
-inline constexpr double batch_seconds_max = 1;
 /// With a greater share of lost time, batches grow.
 inline constexpr double batch_overhead_max = 0.02;
 inline constexpr std::size_t batches_at_worker = 2;
-/// For scenarios that take longer, round trips do not matter.
-inline constexpr double scenario_seconds_long = 0.05;
 /// Number of scenarios moved together to a worker that runs dry.
 inline constexpr std::size_t moves_tried_max = 64;
 
 // The end of a job, when no work waits and some workers are idle.
 inline constexpr double copies_share_max = 0.05; ///< Share of a job's work that may be done twice.
 inline constexpr double copy_gain_min = 1.5;     ///< A copy must end so many times sooner.
-inline constexpr double end_gain_seconds_min = 0.02; ///< A smaller gain is not worth the messages.
-/// A recall that is not answered within this time counts as unanswered.
-inline constexpr double recall_answer_seconds = 0.5;
 inline constexpr std::uint32_t scenario_recalls_max = 3;
-inline constexpr std::chrono::milliseconds end_check_period{100}; ///< Period of straggler checks.
 /// Each check examines up to this many stragglers, in large clusters more.
 inline constexpr std::size_t late_looked_at_min = 64;
 /// In large clusters, each check examines up to one straggler per this many workers.

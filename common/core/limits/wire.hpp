@@ -2,7 +2,6 @@
 // of a connection must agree on.
 #pragma once
 
-#include <chrono>
 #include <cstddef>
 #include <cstdint>
 
@@ -48,19 +47,11 @@ inline constexpr std::size_t strategy_name_bytes_max = 32;
 inline constexpr std::size_t peer_sources_max = 3;
 inline constexpr std::uint32_t worker_threads_max = 4096;
 inline constexpr double worker_weight_max = 1000; ///< Factor that a worker states for its speed.
-/// Computing time that a message of results may state, so that sums stay finite.
-inline constexpr double compute_seconds_max = 1e7;
 
 // TLS and certificates.
 inline constexpr std::size_t certificate_bytes_max = 16u << 10; ///< One PEM text.
 inline constexpr std::size_t certified_name_bytes_max = 64;     ///< Also RFC 5280's bound.
-/// Validity of the cluster's own CA certificate.
-inline constexpr std::chrono::hours authority_life{24 * 3650};
-inline constexpr std::chrono::minutes clock_difference_max{5}; ///< Tolerated between two hosts.
-/// Longest pause before a certificate is looked at.
-inline constexpr std::chrono::minutes renewal_check_period{1};
-inline constexpr std::chrono::seconds renewal_retry_min{1}; ///< Shortest pause between attempts.
-inline constexpr std::uint32_t token_uses_max = 100'000;    ///< Joins with one token.
+inline constexpr std::uint32_t token_uses_max = 100'000;        ///< Joins with one token.
 /// Bytes sent under one key; after that, the two ends agree on a new key.
 inline constexpr std::uint64_t tls_key_bytes_max = 64ull << 30;
 /// Bytes read and dropped after a connection is refused.
@@ -69,29 +60,13 @@ inline constexpr std::size_t refused_tls_bytes_max = 1u << 20;
 inline constexpr std::size_t peer_tickets_remembered = 1u << 16;
 
 // Log lines about refused connections.
-inline constexpr std::chrono::seconds refusal_log_period{1};
 /// Log lines about one host in a period; further refusals are only counted.
 inline constexpr std::size_t refusal_lines_max = 8;
 /// Hosts that are counted apart; all further hosts are counted together.
 inline constexpr std::size_t refusal_hosts_max = 1024;
 
 // Silence and stalls.
-inline constexpr std::chrono::seconds heartbeat_period{2};
-inline constexpr std::chrono::milliseconds heartbeat_period_min{10};
 inline constexpr unsigned heartbeats_missed_max = 3; ///< After so many, a worker gets no new work.
-/// After this much silence, a worker's work goes to others.
-inline constexpr std::chrono::seconds peer_lost_after{15};
-inline constexpr std::chrono::seconds connect_timeout{10};
-/// The connection closes if a frame cannot be sent within this time.
-inline constexpr std::chrono::seconds write_stall_max{30};
-/// The connection closes if the next frame of a begun message does not arrive within this time.
-inline constexpr std::chrono::seconds read_stall_max{30};
-/// A closing connection may spend this long on sending what is queued.
-inline constexpr std::chrono::seconds close_flush_max{5};
-/// Pause after a failed accept, for example for lack of file descriptors.
-inline constexpr std::chrono::milliseconds accept_retry_period{100};
-/// An operation ends at most this long after its deadline.
-inline constexpr std::chrono::milliseconds overdue_check_period{50};
 // TCP keepalive: a connection ends within half a minute after its other host is gone, also where
 // neither end sends anything, as while a client waits until the master has stored a large mesh.
 inline constexpr int keepalive_idle_seconds = 15;
@@ -100,11 +75,8 @@ inline constexpr int keepalive_probes = 3;
 
 // HTTP.
 inline constexpr std::uint32_t http_request_bytes_max = 16u << 10;
-inline constexpr std::chrono::seconds http_exchange_max{10}; ///< Time for a request and its answer.
 
 // Workers that fetch blocks from each other.
 inline constexpr std::size_t peer_uploads_max = 2; ///< Workers that one worker serves at once.
-/// A worker that cannot connect to a source within this time tries the next source.
-inline constexpr std::chrono::seconds peer_connect_timeout{2};
 
 } // namespace cd::limits

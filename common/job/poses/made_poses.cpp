@@ -2,6 +2,7 @@
 
 #include "common/core/check.hpp"
 #include "common/core/limits/engine.hpp"
+#include "common/core/timing/engine.hpp"
 
 #include <algorithm>
 #include <atomic>
@@ -93,7 +94,7 @@ class ComputedSource final : public PoseSource {
         std::unique_lock lock(mutex_);
         const std::shared_ptr<const Window> window = windows_.at(number);
         while (!window_came_.wait_for(
-            lock, limits::stop_check_period, [&] { return window->is_whole; })) {
+            lock, timing::stop_check_period, [&] { return window->is_whole; })) {
             if (stopped_()) {
                 return interrupted();
             }

@@ -1,6 +1,7 @@
 #include "master/dispatch/endgame/endgame.hpp"
 
 #include "common/core/limits/master.hpp"
+#include "common/core/timing/master.hpp"
 
 #include <algorithm>
 #include <ranges>
@@ -79,7 +80,7 @@ Endgame::batch_to_ask(const WorkerProxy& from, TaskId task, const WorkerProxy& h
             continue;
         }
         const double finish = job.policy->finish_on(helper, job, scenario).total() + seconds_there;
-        if (finish + limits::end_gain_seconds_min > seconds_here) {
+        if (finish + timing::end_gain_seconds_min > seconds_here) {
             break;
         }
         ask.scenarios.push_back(index);
@@ -107,7 +108,7 @@ std::uint64_t Endgame::places_to_move(const WorkerProxy& from,
                                       double gain) const {
     const double rate_here = context_.pace.places_per_second(from, job);
     const double rate_there = context_.pace.places_per_second(helper, job);
-    const double begins = stragglers_.ends_in(helper) + limits::end_gain_seconds_min;
+    const double begins = stragglers_.ends_in(helper) + timing::end_gain_seconds_min;
     const double one = helper.facts().threads / rate_there + job.missing.any_or(0);
     if (gain * (begins + one) > seconds_here) {
         return 0;
@@ -150,7 +151,7 @@ bool Endgame::copy_scenario(const WorkerProxy& from,
             continue;
         }
         const double finish =
-            job.policy->finish_on(helper, job, scenario).total() + limits::end_gain_seconds_min;
+            job.policy->finish_on(helper, job, scenario).total() + timing::end_gain_seconds_min;
         if (limits::copy_gain_min * finish > seconds_here || cost_ns > job.copies.left_ns()) {
             return false;
         }
@@ -170,7 +171,7 @@ bool Endgame::copy_places(WorkerProxy& from, TaskId task, WorkerProxy& helper, A
     }
     const double copied_seconds =
         static_cast<double>(content.places_copied) / context_.pace.places_per_second(from, job);
-    const auto batch = static_cast<std::uint64_t>(limits::batch_seconds_start *
+    const auto batch = static_cast<std::uint64_t>(timing::batch_seconds_start *
                                                   context_.pace.places_per_second(helper, job));
     const std::uint64_t count = std::min({content.places_left - content.places_copied,
                                           job.copies.left_ns() / content.each_ns(),

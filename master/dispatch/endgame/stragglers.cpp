@@ -1,6 +1,7 @@
 #include "master/dispatch/endgame/stragglers.hpp"
 
 #include "common/core/limits/master.hpp"
+#include "common/core/timing/master.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +11,7 @@
 namespace cd {
 
 bool Stragglers::is_pending(const PendingRecall& recall) const {
-    return context_.pace.now() - recall.since < limits::recall_answer_seconds;
+    return context_.pace.now() - recall.since < timing::recall_answer_seconds;
 }
 
 bool Stragglers::can_help(const WorkerProxy& proxy) const {
@@ -58,7 +59,7 @@ std::vector<WorkerProxy*> Stragglers::late() const {
     std::vector<std::pair<double, WorkerProxy*>> late;
     for (WorkerProxy* proxy : context_.pool.in_order()) {
         const double seconds = may_be_helped(*proxy) ? ends_in(*proxy) : 0;
-        if (seconds > limits::end_gain_seconds_min) {
+        if (seconds > timing::end_gain_seconds_min) {
             late.emplace_back(seconds, proxy);
         }
     }

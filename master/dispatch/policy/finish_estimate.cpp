@@ -1,6 +1,6 @@
 #include "master/dispatch/policy/finish_estimate.hpp"
 
-#include "common/core/limits/master.hpp"
+#include "common/core/timing/master.hpp"
 
 #include <algorithm>
 
@@ -13,7 +13,7 @@ FinishTerms estimate_finish(const WorkerPowers& worker, const ScenarioNeeds& nee
     terms.coming = std::min(static_cast<double>(needs.coming_bytes) / worker.bytes_per_second,
                             worker.transfers_seconds);
     terms.transfer = static_cast<double>(needs.missing_bytes) / worker.bytes_per_second;
-    terms.blocks = static_cast<double>(needs.missing_blocks) * limits::block_seconds;
+    terms.blocks = static_cast<double>(needs.missing_blocks) * timing::block_seconds;
     // Blocks that fit into the free room evict nothing.
     const double fitting = static_cast<double>(worker.room_bytes) * needs.bytes_of_memory;
     const auto missing = static_cast<double>(needs.missing_bytes);

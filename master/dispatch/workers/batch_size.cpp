@@ -1,5 +1,7 @@
 #include "master/dispatch/workers/batch_size.hpp"
 
+#include "common/core/timing/master.hpp"
+
 #include <algorithm>
 #include <utility>
 
@@ -13,7 +15,7 @@ void BatchSize::judge(const TaskInFlight& ended, bool has_successor, double thre
     }
     const double overhead = 1 - ended.busy_seconds / (seconds * threads);
     if (overhead > limits::batch_overhead_max) {
-        seconds_ = std::min(1.5 * seconds_, limits::batch_seconds_max);
+        seconds_ = std::min(1.5 * seconds_, timing::batch_seconds_max);
     }
 }
 

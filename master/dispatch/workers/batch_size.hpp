@@ -1,7 +1,7 @@
 // Size of a worker's batches and ranges, for matching by time and for ranges.
 #pragma once
 
-#include "common/core/limits/master.hpp"
+#include "common/core/timing/master.hpp"
 #include "master/dispatch/workers/worker_tasks.hpp"
 
 #include <cstdint>
@@ -26,7 +26,7 @@ class BatchSize {
     void judge(const TaskInFlight& ended, bool has_successor, double threads, double now);
 
   private:
-    double seconds_ = limits::batch_seconds_start;
+    double seconds_ = timing::batch_seconds_start;
     std::uint64_t cost_ns_ = 0;
     bool are_long_ = false;
     double task_ended_ = 0; ///< End of the last task, s.

@@ -2,6 +2,7 @@
 
 #include "common/core/check.hpp"
 #include "common/core/limits/master.hpp"
+#include "common/core/timing/master.hpp"
 
 namespace cd {
 
@@ -36,7 +37,7 @@ double ClusterPace::places_per_second(const WorkerProxy& proxy, const DispatchJo
 
 double ClusterPace::seconds_of(const WorkerPool::Missing& missing, const WorkerProxy& proxy) const {
     return static_cast<double>(missing.bytes) / link_of(proxy) +
-           static_cast<double>(missing.roots.size()) * limits::block_seconds;
+           static_cast<double>(missing.roots.size()) * timing::block_seconds;
 }
 
 } // namespace cd

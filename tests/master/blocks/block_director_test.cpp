@@ -3,7 +3,7 @@
 // exceeds its serving limit; and that failing sources are avoided.
 #include "master/blocks/block_director.hpp"
 
-#include "common/core/limits/master.hpp"
+#include "common/core/timing/master.hpp"
 
 #include <gtest/gtest.h>
 
@@ -193,11 +193,11 @@ TEST_F(BlockDirectorTest, NoWorkerWaitsForEver) {
     join(3);
     (void)want(1, {hot});
     (void)want(2, {hot});
-    now += limits::peer_wait_max;
+    now += timing::peer_wait_max;
     EXPECT_TRUE(from_master(director.time_is(now)));
     (void)hold(1, {hot});
     EXPECT_TRUE(from_peers(want(3, {hot})));
-    now += limits::peer_fetch_max;
+    now += timing::peer_fetch_max;
     EXPECT_TRUE(from_master(director.time_is(now)));
     EXPECT_EQ(director.open(), 2u);
 }

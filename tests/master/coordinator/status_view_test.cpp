@@ -2,6 +2,7 @@
 #include "master/coordinator/status_view.hpp"
 
 #include "common/core/limits/master.hpp"
+#include "common/core/timing/master.hpp"
 
 #include <gtest/gtest.h>
 
@@ -70,15 +71,15 @@ TEST_F(Statuses, ARunningJobTellsWhyTheJournalDoesNotWrite) {
 }
 
 TEST_F(Statuses, OnlyLongScenariosAreNamedAndNotTooMany) {
-    join(limits::scenario_seconds_shown - 1);
+    join(timing::scenario_seconds_shown - 1);
     EXPECT_TRUE(status().long_scenarios.empty());
-    join(limits::scenario_seconds_shown);
+    join(timing::scenario_seconds_shown);
     ASSERT_EQ(status().long_scenarios.size(), 1u);
     EXPECT_EQ(status().long_scenarios[0].scenario, 2u);
     EXPECT_EQ(status().long_scenarios[0].worker, WorkerId{2});
     EXPECT_EQ(status().long_scenarios[0].name, "sim");
     for (std::size_t i = 0; i < limits::long_scenarios_shown; ++i) {
-        join(limits::scenario_seconds_shown);
+        join(timing::scenario_seconds_shown);
     }
     EXPECT_EQ(status().long_scenarios.size(), limits::long_scenarios_shown);
 }

@@ -1,4 +1,5 @@
 // Proves what workers miss for scenarios and ranges, and what that is taken to cost.
+#include "common/core/timing/master.hpp"
 #include "tests/master/dispatch/dispatch_stage.hpp"
 
 #include <gtest/gtest.h>
@@ -19,7 +20,7 @@ TEST(BlockNeeds, AScenarioFetchesWhatItsWorkerDoesNotHold) {
     EXPECT_EQ(std::get<SendHint>(stage.actions[1]).tree, job.b.tree);
     EXPECT_DOUBLE_EQ(one.transfers_end(),
                      (2 * 6400 + 64) / limits::link_bytes_per_second_start +
-                         3 * limits::block_seconds);
+                         3 * timing::block_seconds);
     DispatchScenario again = DispatchStage::scenario(job, {1});
     EXPECT_TRUE(stage.blocks.hold(job, again, one).is_nothing());
     EXPECT_FALSE(again.fetches);
@@ -31,7 +32,7 @@ TEST(BlockNeeds, FillingACacheCostsTheBlocksThatItLacks) {
     WorkerProxy& one = stage.join(1);
     const double all = stage.blocks.costs_of(job).all;
     EXPECT_DOUBLE_EQ(
-        all, (4 * 6400 + 64) / limits::link_bytes_per_second_start + 5 * limits::block_seconds);
+        all, (4 * 6400 + 64) / limits::link_bytes_per_second_start + 5 * timing::block_seconds);
     stage.blocks.hold_roots(job, DispatchStage::scenario(job, {0, 1}).roots, one);
     EXPECT_DOUBLE_EQ(stage.blocks.costs_of(job).all, all * 2 / 5);
     EXPECT_TRUE(stage.blocks.costs_of(job).all_fits);
@@ -49,7 +50,7 @@ TEST(BlockNeeds, BlocksThatARangeWantsCountForJobsWithTasksAtTheWorker) {
     job.missing.ranges_answered(1);
     other.missing.ranges_answered(1);
     EXPECT_DOUBLE_EQ(job.missing.any_or(0),
-                     6400 / limits::link_bytes_per_second_start + limits::block_seconds);
+                     6400 / limits::link_bytes_per_second_start + timing::block_seconds);
     EXPECT_EQ(other.missing.any_or(0), 0);
 }
 

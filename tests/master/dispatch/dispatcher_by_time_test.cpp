@@ -3,6 +3,7 @@
 // and a job's end does not wait for a slow worker.
 #include "common/core/limits/engine.hpp"
 #include "common/core/limits/master.hpp"
+#include "common/core/timing/master.hpp"
 #include "master/dispatch/dispatcher.hpp"
 
 #include <gtest/gtest.h>
@@ -294,7 +295,7 @@ TEST_F(ByTime, ExplainNamesEachTermAndTheChosenWorker) {
     EXPECT_EQ(explained.workers[0].transfer, 0);
     EXPECT_EQ(explained.workers[0].held_triangles, 101u);
     EXPECT_NEAR(explained.workers[1].transfer, 0.1, 1e-5);
-    EXPECT_DOUBLE_EQ(explained.workers[1].blocks, 2 * limits::block_seconds);
+    EXPECT_DOUBLE_EQ(explained.workers[1].blocks, 2 * timing::block_seconds);
     EXPECT_DOUBLE_EQ(explained.workers[1].work, 0.01);
     EXPECT_EQ(explained.workers[1].missing_triangles, 101u);
     EXPECT_EQ(explained.where, "not analysed yet, or in a range at a worker");

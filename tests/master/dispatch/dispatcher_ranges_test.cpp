@@ -3,6 +3,7 @@
 // (except speculative copies at the end) and every task ends once, whatever workers do or return.
 // Also proves what is measured for the choice between ranges and analysis.
 #include "common/core/limits/master.hpp"
+#include "common/core/timing/master.hpp"
 #include "master/dispatch/dispatcher.hpp"
 #include "master/jobs/place_queue.hpp"
 
@@ -165,7 +166,7 @@ TEST_F(DispatcherRanges, MissingBlocksAreMeasured) {
     (void)dispatcher_.worker_joined(fast, {"fast", 1});
     const double all = dispatcher_.missing_costs(job_1).all;
     EXPECT_NEAR(all,
-                2 * (20 * 1280 / limits::link_bytes_per_second_start + 20 * limits::block_seconds),
+                2 * (20 * 1280 / limits::link_bytes_per_second_start + 20 * timing::block_seconds),
                 1e-9);
     for (std::uint64_t i = 0; i < 64; ++i) {
         (void)dispatcher_.scenario_analysed(job_1, {i, {1, 2}, {3}, 100, 1000});

@@ -1,7 +1,7 @@
 // Proves that each client message is allowed to exactly the roles that may send it.
 #include "master/identity/access.hpp"
 
-#include "common/core/limits/master.hpp"
+#include "common/core/timing/master.hpp"
 #include "master/identity/identity.hpp"
 #include "proto/access/join_token.hpp"
 #include "tests/proto/sample_messages.hpp"
@@ -187,7 +187,7 @@ TEST_F(AccessOfRoles, TheMastersOwnCertificateIsRenewedInTime) {
     ASSERT_TRUE(identity->keep_valid());
     EXPECT_EQ(identity->tls()->now, first);
     const std::string admin = read_text(MasterIdentity::admin_path(folder_.path()));
-    now += limits::master_certificate_life / 2 + 1h;
+    now += timing::master_certificate_life / 2 + 1h;
     ASSERT_TRUE(identity->keep_valid());
     EXPECT_NE(identity->tls()->now, first);
     EXPECT_NE(read_text(MasterIdentity::admin_path(folder_.path())), admin);

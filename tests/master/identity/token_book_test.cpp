@@ -4,6 +4,7 @@
 
 #include "common/core/limits/master.hpp"
 #include "common/core/limits/wire.hpp"
+#include "common/core/timing/master.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -80,7 +81,7 @@ TEST(TokenBook, TermsHaveBounds) {
     EXPECT_FALSE(asked(CertifiedRole::Worker, 0, start + 1h));
     EXPECT_FALSE(asked(CertifiedRole::Worker, limits::token_uses_max + 1, start + 1h));
     EXPECT_FALSE(asked(CertifiedRole::Worker, 1, start));
-    EXPECT_FALSE(asked(CertifiedRole::Worker, 1, start + limits::token_life_max + 1s));
+    EXPECT_FALSE(asked(CertifiedRole::Worker, 1, start + timing::token_life_max + 1s));
     for (std::size_t i = 0; i < limits::tokens_max; ++i) {
         EXPECT_TRUE(asked(CertifiedRole::Worker, 1, start + 1h));
     }

@@ -1,6 +1,6 @@
 // Proves that a master in this process completes jobs over loopback with the digest of the same
 // scenarios without a cluster, and refuses invalid client messages.
-#include "common/core/limits/master.hpp"
+#include "common/core/timing/master.hpp"
 #include "tests/master/fake_client.hpp"
 #include "tests/master/fake_worker.hpp"
 #include "tests/master/master_stage.hpp"
@@ -153,7 +153,7 @@ TEST(Server, ACancelledJobEndsAndItsStatusSaysSo) {
     const auto begin = std::chrono::steady_clock::now();
     other.start_asking({Cancel{*client.job}});
     master.run_until([&] { return client.done && other.done; });
-    EXPECT_LT(std::chrono::steady_clock::now() - begin, limits::cancel_wait_max / 2);
+    EXPECT_LT(std::chrono::steady_clock::now() - begin, timing::cancel_wait_max / 2);
     EXPECT_EQ(client.statuses.back().state, JobState::Cancelled);
     EXPECT_EQ(std::get<JobStatus>(other.answer->value()).state, JobState::Cancelled);
 }

@@ -3,6 +3,7 @@
 #include "proto/access/credential_file.hpp"
 
 #include "common/core/limits/wire.hpp"
+#include "common/core/timing/wire.hpp"
 #include "proto/channel/tls.hpp"
 #include "tests/support/process.hpp"
 
@@ -116,7 +117,7 @@ TEST(CredentialFile, WhatIsNoneIsRefused) {
 TEST(CredentialFile, IsRenewedWhenHalfOfItsTimeIsOver) {
     const WallTime now = std::chrono::system_clock::now();
     const Identity identity{
-        CertifiedRole::Worker, "w", now - limits::clock_difference_max, now + 24h};
+        CertifiedRole::Worker, "w", now - timing::clock_difference_max, now + 24h};
     EXPECT_EQ(renew_at(identity), now + 12h);
 }
 

@@ -1,4 +1,5 @@
 // Proves who is late at the end of a job, and who can help.
+#include "common/core/timing/master.hpp"
 #include "tests/master/dispatch/dispatch_stage.hpp"
 
 #include <gtest/gtest.h>
@@ -61,7 +62,7 @@ TEST_F(Late, AWorkerThatIsAskedIsLeftAloneUntilItShouldHaveAnswered) {
     EXPECT_TRUE(stragglers_.may_answer_recall(one_));
     EXPECT_FALSE(stragglers_.can_help(two_)); // It will get what is asked back.
     EXPECT_TRUE(stragglers_.late().empty());
-    pace.time_is(limits::recall_answer_seconds);
+    pace.time_is(timing::recall_answer_seconds);
     EXPECT_FALSE(stragglers_.may_answer_recall(one_));
     EXPECT_TRUE(stragglers_.can_help(two_));
     EXPECT_EQ(stragglers_.late(), Workers{&one_}); // By a copy.

@@ -1,7 +1,7 @@
 // Proves that an estimate counts each cost once, in seconds, and nothing that is free.
 #include "master/dispatch/policy/finish_estimate.hpp"
 
-#include "common/core/limits/master.hpp"
+#include "common/core/timing/master.hpp"
 
 #include <gtest/gtest.h>
 
@@ -30,10 +30,10 @@ TEST(FinishEstimate, IsTheSumOfItsTerms) {
     EXPECT_DOUBLE_EQ(terms.backlog, 1);
     EXPECT_DOUBLE_EQ(terms.coming, 0.1);
     EXPECT_DOUBLE_EQ(terms.transfer, 0.25);
-    EXPECT_DOUBLE_EQ(terms.blocks, 10 * limits::block_seconds);
+    EXPECT_DOUBLE_EQ(terms.blocks, 10 * timing::block_seconds);
     EXPECT_DOUBLE_EQ(terms.eviction, 0.2); // The evicted 4,000 must be sent again.
     EXPECT_DOUBLE_EQ(terms.work, 1.5);     // On one thread.
-    EXPECT_DOUBLE_EQ(terms.total(), 3.05 + 10 * limits::block_seconds);
+    EXPECT_DOUBLE_EQ(terms.total(), 3.05 + 10 * timing::block_seconds);
 }
 
 TEST(FinishEstimate, BlocksUnderWayCountNoLongerThanUntilTheyAreThere) {

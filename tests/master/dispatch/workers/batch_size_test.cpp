@@ -1,6 +1,8 @@
 // Proves that batches get longer where a worker's threads were idle between them, and only there.
 #include "master/dispatch/workers/batch_size.hpp"
 
+#include "common/core/timing/master.hpp"
+
 #include <gtest/gtest.h>
 
 namespace cd::tests {
@@ -21,21 +23,21 @@ double after(const TaskInFlight& ended, bool has_successor) {
 }
 
 TEST(BatchSize, GrowsByHalfIfTheThreadsWereIdle) {
-    EXPECT_DOUBLE_EQ(after(task(1.9), true), 1.5 * limits::batch_seconds_start);
-    EXPECT_EQ(after(task(2), true), limits::batch_seconds_start);
+    EXPECT_DOUBLE_EQ(after(task(1.9), true), 1.5 * timing::batch_seconds_start);
+    EXPECT_EQ(after(task(2), true), timing::batch_seconds_start);
 }
 
 TEST(BatchSize, IgnoresTheLastBatchAndOneThatWaitedForBlocks) {
-    EXPECT_EQ(after(task(1), false), limits::batch_seconds_start);
-    EXPECT_EQ(after(task(1, true), true), limits::batch_seconds_start);
-    EXPECT_EQ(after(task(0), true), limits::batch_seconds_start);
+    EXPECT_EQ(after(task(1), false), timing::batch_seconds_start);
+    EXPECT_EQ(after(task(1, true), true), timing::batch_seconds_start);
+    EXPECT_EQ(after(task(0), true), timing::batch_seconds_start);
 }
 
 TEST(BatchSize, CountsFromTheEndOfTheTaskBefore) {
     BatchSize size;
     size.judge(task(0), true, 2, 1.0);
     size.judge(task(2), true, 2, 2.0); // One second on two threads, all of it busy.
-    EXPECT_EQ(size.seconds(), limits::batch_seconds_start);
+    EXPECT_EQ(size.seconds(), timing::batch_seconds_start);
 }
 
 TEST(BatchSize, HasABound) {
@@ -43,7 +45,7 @@ TEST(BatchSize, HasABound) {
     for (int i = 1; i < 100; ++i) {
         size.judge(task(0.1), true, 2, i);
     }
-    EXPECT_EQ(size.seconds(), limits::batch_seconds_max);
+    EXPECT_EQ(size.seconds(), timing::batch_seconds_max);
 }
 
 } // namespace
