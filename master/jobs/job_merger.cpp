@@ -31,15 +31,17 @@ Dispute open_dispute(MasterJob& job, Dispute dispute, AddResults& add) {
 void JobMerger::merge(MasterJob& job,
                       TakenResults taken,
                       const std::shared_ptr<const Author>& author) {
+    for (const TakenResult& one : taken.results) {
+        if (const Status fits = check_record_size(one.result.index, one.record.size()); !fits) {
+            return life_.end(job, JobState::Failed, fits.error().detail);
+        }
+    }
     AddResults add{job.id, job.results, {}, {}, {}};
     std::vector<Dispute> disputes;
     add.author = author == nullptr ? 0 : author->process;
     add.results.reserve(taken.results.size());
     for (TakenResult& one : taken.results) {
         job.tally.statistics += one.cost;
-        if (const Status fits = check_record_size(one.result.index, one.record.size()); !fits) {
-            return life_.end(job, JobState::Failed, fits.error().detail);
-        }
         if (auto dispute = merge_one(job, one, author, add)) {
             disputes.push_back(std::move(*dispute));
         }

@@ -78,10 +78,14 @@ TEST_F(JobMergerTest, AResultOfAScenarioThatTheJobLacksIsDropped) {
 }
 
 TEST_F(JobMergerTest, ARecordThatTheJournalDoesNotTakeFailsTheJob) {
-    TakenResults large = taken(right_result(touching_));
-    large.results[0].record.resize(limits::result_record_bytes_max + 1);
-    services.merger.merge(job_, std::move(large), author(70));
+    ScenarioResult sound = right_result(touching_);
+    sound.index = touching_ == 0 ? 1 : 0;
+    TakenResults message = taken(sound);
+    message.results.push_back(std::move(taken(right_result(touching_)).results[0]));
+    message.results[1].record.resize(limits::result_record_bytes_max + 1);
+    services.merger.merge(job_, std::move(message), author(70));
     ASSERT_FALSE(job_.is_running());
+    EXPECT_EQ(job_.merged.summary().merged(), 0u) << "the journal has no result of the message";
     EXPECT_EQ(job_.end->state, JobState::Failed);
     EXPECT_THAT(job_.end->failure, HasSubstr("set limit_pairs"));
 }
