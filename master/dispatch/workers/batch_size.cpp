@@ -1,5 +1,6 @@
 #include "master/dispatch/workers/batch_size.hpp"
 
+#include "common/core/limits/master.hpp"
 #include "common/core/timing/master.hpp"
 
 #include <algorithm>
