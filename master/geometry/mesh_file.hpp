@@ -1,4 +1,4 @@
-// The files of a mesh: its canonical bytes, and a description.
+// Writes and reads the two files of a mesh: its canonical bytes, and a description.
 #pragma once
 
 #include "common/core/files/hash.hpp"

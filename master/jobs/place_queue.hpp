@@ -1,4 +1,4 @@
-// The positions in a job's hand-out order that are not handed out yet.
+// Queues the positions, in a job's hand-out order, that have not been handed out yet.
 #pragma once
 
 #include "common/job/poses/ordered_poses.hpp"

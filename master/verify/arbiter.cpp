@@ -84,7 +84,7 @@ void Arbiter::punish(const MasterJob& job, const Dispute& dispute, const Verdict
             parts_.quarantine.impose(*first);
         }
     }
-    // If the process is in quarantine, this wrong result is no news.
+    // A process that is in quarantine already needs no second alarm.
     if (verdict.second_is_wrong && !parts_.alarms.is_quarantined(dispute.second->process)) {
         parts_.alarms.raise(differ + dispute.second->to_text() + " is wrong");
         parts_.quarantine.impose(*dispute.second);

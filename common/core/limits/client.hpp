@@ -1,4 +1,4 @@
-// Bounds of cdctl: what it queues, keeps and reads, and how long it waits.
+// Bounds of cdctl: what it queues, keeps and reads.
 #pragma once
 
 #include <cstddef>
@@ -46,7 +46,6 @@ inline constexpr std::uint64_t folder_bytes_unasked_max = 1'000'000'000;
 inline constexpr std::size_t mesh_piece_bytes = 1u << 20;
 /// While more is queued, cdctl waits before it sends more.
 inline constexpr std::size_t client_write_queue_bytes_max = 4u << 20;
-// Period in which `cdctl watch` asks for the cluster's status while there is news.
 /// Connections in a row that brought damaged bytes; then cdctl stops awaiting the job's end.
 inline constexpr int damaged_connections_max = 5;
 

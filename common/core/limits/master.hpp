@@ -106,7 +106,7 @@ inline constexpr std::uint64_t journal_queue_bytes_max = 256u << 20;
 // Workers.
 /// With more lost workers, the one that joined first is forgotten.
 inline constexpr std::size_t lost_workers_kept_max = 1024;
-inline constexpr std::size_t long_scenarios_shown = 16; ///< Such scenarios per job.
+inline constexpr std::size_t long_scenarios_shown = 16; ///< Long-running ones, per job.
 
 // Delivery of blocks.
 inline constexpr std::size_t subtrees_queue_bytes_max = 16u << 20; ///< Bytes queued for one worker.

@@ -11,8 +11,7 @@ inline constexpr std::chrono::milliseconds progress_period{100};
 inline constexpr std::chrono::milliseconds slow_note_after{500};
 
 // Mesh files.
-// The child process that reads a mesh file with assimp: its memory and processor time may grow with
-// the file.
+/// Processor time that the child process which reads a mesh file with assimp gets for a small file.
 inline constexpr std::chrono::seconds reader_seconds_min{20};
 
 // Caches and results folders.
@@ -24,9 +23,9 @@ inline constexpr std::chrono::seconds record_flush_period{5};
 inline constexpr std::chrono::seconds answer_timeout{30};
 /// cdctl waits this long for the master to store a mesh or to accept a job.
 inline constexpr std::chrono::seconds mesh_stored_timeout{3600};
-// `cdctl watch` asks for the cluster's status after this time without news of its job.
+/// Without a change of its job's status for this long, `cdctl watch` asks for the cluster's status.
 inline constexpr std::chrono::seconds watch_look_period{1};
-// Period in which `cdctl watch` asks for the cluster's status while there is news.
+/// While its job's status changes, `cdctl watch` asks for the cluster's status this often.
 inline constexpr std::chrono::seconds watch_look_period_going_on{10};
 /// After Ctrl-C, cdctl closes the connection if a call does not end within this time.
 inline constexpr std::chrono::milliseconds stop_patience{1000};

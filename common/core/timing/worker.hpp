@@ -12,8 +12,6 @@ inline constexpr double walk_seconds = 0.001;
 // Results.
 /// Results wait at most this long before they are sent.
 inline constexpr std::chrono::milliseconds results_flush_period{50};
-// Bounds on results that the master has not acknowledged. At either one the worker begins no
-// further scenario.
 /// At the end of a drain, the worker waits this long for acknowledgements of its last results.
 inline constexpr std::chrono::seconds results_kept_wait_max{5};
 
