@@ -449,8 +449,9 @@ Status write_files(const PreparedJob& job,
         return made;
     }
     std::error_code error;
-    // Files of an earlier case must not remain if writing fails. expected.json marks job.toml as
-    // that of a case, so job.toml is removed before expected.json and written after it.
+    // Removes the files of an earlier case, so that none is left if writing fails. A job.toml
+    // beside expected.json belongs to a case: it is removed before expected.json and written after
+    // it.
     for (const char* name : {"job.toml", "expected.json", ids_name}) {
         fs::remove(dir / name, error);
     }

@@ -40,8 +40,8 @@
 //
 // Overflow: coordinates of a wide tree are below 2^50, so that boxes share a point only where |w|
 // is below 2^55; steps are within [2^-70, 2^45]. Then all that is made of an interval stays below
-// 2^127 or is a margin. So whatever else overflows belongs to boxes that are apart, an infinite
-// margin separates nothing, and neither do comparisons with NaN.
+// 2^127 or is a margin. So any other overflow belongs to boxes that are apart. An infinite margin
+// and a comparison with NaN both count as no separation.
 #include "common/tree/wide/wide_kernel.hpp"
 
 #include "common/geometry/highway_targets.hpp"
@@ -101,7 +101,7 @@ HWY_INLINE std::size_t see_both(
         Visit& now = visits[i];
         const WideNode& a = walk.a.nodes[now.meeting.nodes.a];
         const WideNode& b = walk.b.nodes[now.meeting.nodes.b];
-        // A leaf stays closed until both nodes are leaves.
+        // While only one node is a leaf, the search descends the other one alone.
         now.side_a = side_of(a, now.meeting.nodes.a, !kBothLeaves && a.is_leaf);
         now.side_b = side_of(b, now.meeting.nodes.b, !kBothLeaves && b.is_leaf);
         walk.box_tests += now.side_b.count;

@@ -46,8 +46,8 @@ HWY_INLINE Lone lone_corner(const Sides& s) {
             hn::Or(hn::And(one_below, s.negative[i]), hn::AndNot(one_below, s.zero[i]));
         return hn::Or(hn::And(one_above, s.positive[i]), hn::AndNot(one_above, otherwise));
     };
-    // If no corner is alone on a side, the lone corner is in the plane, and above if another is
-    // below.
+    // If neither side has exactly one corner, the lone corner lies in the plane. It counts as above
+    // if another corner lies below.
     const M any_below = any_of(s.negative[0], s.negative[1], s.negative[2]);
     return {is_lone(1), is_lone(2), hn::Or(one_above, hn::AndNot(one_below, any_below))};
 }
