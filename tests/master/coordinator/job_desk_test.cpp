@@ -70,6 +70,33 @@ TEST_F(JobDeskTest, AJobIsForgottenWhenItsRetentionIsOver) {
     run_until([this] { return !dropped.empty(); });
 }
 
+TEST_F(JobDeskTest, WhileTheJournalCannotWriteNoJobBeginsOrIsForgotten) {
+    Submit submit = submission(AnalysisMode::Always);
+    submit.retention_seconds = 60;
+    MasterJob& past = open(submit);
+    const JobId id = past.id;
+    end(past);
+    MasterJob& running = open();
+    const std::uint64_t expired = past.end->ended + 61;
+    const std::filesystem::path elsewhere = folder.path().string() + "_away";
+    std::filesystem::rename(folder.path(), elsewhere);
+    merge(running, right_result(5), 70);
+    run_until([this] { return !jobs_.paused().empty(); });
+
+    EXPECT_EQ(jobs_.allot(10).error().code, ErrorCode::Io);
+    EXPECT_EQ(jobs_.forget(id).error().code, ErrorCode::Io);
+    jobs_.forget_expired(expired);
+    EXPECT_NE(jobs_.find(id), nullptr);
+    EXPECT_EQ(jobs_.cluster().jobs.size(), 2u) << "questions are still answered";
+
+    std::filesystem::rename(elsewhere, folder.path());
+    run_until([this] { return jobs_.paused().empty(); });
+    EXPECT_TRUE(jobs_.allot(10));
+    jobs_.forget_expired(expired);
+    EXPECT_EQ(jobs_.find(id), nullptr);
+    run_until([this] { return !dropped.empty(); });
+}
+
 TEST_F(JobDeskTest, AnUnansweredScenarioIsCancelledOnAllWorkers) {
     const WorkerId worker = join(70);
     MasterJob& job = open();

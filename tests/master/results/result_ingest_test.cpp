@@ -1,6 +1,7 @@
 // Proves which results are merged, which wait, and when a worker may forget them.
 #include "master/results/result_ingest.hpp"
 
+#include "common/job/result/packed_map.hpp"
 #include "tests/master/parts_stage.hpp"
 
 #include <gmock/gmock.h>
@@ -29,10 +30,17 @@ class ResultIngestTest : public PartsStage {
     }
     /// The right answers to the batch.
     [[nodiscard]] static Results answers(const WorkUnit& unit, std::uint64_t sequence) {
+        Results results = right_ones(unit.job, scenarios_of(unit), sequence);
+        results.task = unit.task;
+        return results;
+    }
+    /// Right results without a task.
+    [[nodiscard]] static Results
+    right_ones(JobId job, const std::vector<std::uint64_t>& scenarios, std::uint64_t sequence) {
         ByteWriter records;
-        Results results{unit.task, unit.job, 0, {}, {}, 0.25, sequence, {}, {}};
+        Results results{{}, job, 0, {}, {}, 0.25, sequence, {}, {}};
         results.traffic.hits = 1;
-        for (const std::uint64_t index : scenarios_of(unit)) {
+        for (const std::uint64_t index : scenarios) {
             const Bytes record = encode_result(right_result(index));
             records.put(static_cast<std::uint32_t>(record.size()));
             put_bytes(records, record);
@@ -128,6 +136,28 @@ TEST_F(ResultIngestTest, LateResultsOfARunningJobAreMerged) {
     run_until_kept(1);
     EXPECT_EQ(job.merged.author_of(touching_)->process, 70u);
     EXPECT_TRUE(job.results->has(touching_));
+}
+
+TEST_F(ResultIngestTest, IfSomeResultsAreKnownTheMasterMakesTheMapOfTheOthers) {
+    Submit submit = submission(AnalysisMode::Always);
+    submit.query.maps = true;
+    MasterJob& job = open(submit);
+    merge(job, right_result(touching_), 71);
+    std::uint64_t other = touching_ + 1;
+    while (right_result(other).pair_count == 0) {
+        ++other;
+    }
+    const auto map_of = [&](std::vector<std::uint64_t> scenarios) {
+        return reference_map(*job.work()->material, *job.run->poses, scenarios).value();
+    };
+    Results both = right_ones(job.id, {touching_, other}, 1);
+    both.map = pack_map(map_of({touching_, other}));
+    send(std::move(both));
+    run_until_kept(1);
+    EXPECT_EQ(job.merged.author_of(other)->process, 70u);
+    JobMap total = job.map;
+    total.finish();
+    EXPECT_EQ(total.packed(), pack_map(map_of({other})));
 }
 
 TEST_F(ResultIngestTest, ResultsThatComeBeforeTheGeometryWaitForIt) {
