@@ -77,9 +77,9 @@ class Midway {
     [[nodiscard]] double checksum() {
         Checksum sum;
         for (const Action& action : dispatcher_.input_paused()) {
-            const auto& batch = std::get<SendBatch>(action);
-            sum.add(batch.worker.value);
-            sum.add_all(batch.scenarios);
+            const auto& unit = std::get<SendUnit>(action);
+            sum.add(unit.worker.value);
+            sum.add_all(unit.positions.list());
         }
         return sum.value();
     }
@@ -94,7 +94,7 @@ class Midway {
     }
     AnalysedScenario scenario(std::size_t roots) {
         AnalysedScenario analysed;
-        analysed.index = next_++;
+        analysed.position = next_++;
         if (roots == roots_per_tree) {
             for (RootIndex root = 0; root < roots_per_tree; ++root) {
                 analysed.roots_a.push_back(root);

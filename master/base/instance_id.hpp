@@ -66,11 +66,11 @@ class Losses {
 };
 
 /// Consecutive positions in a job's hand-out order that were lost together with a process.
-struct LostPlaces {
-    PlaceRange places;
+struct LostPositions {
+    PlaceRange positions;
     InstanceId process = 0; ///< Argument for `Losses::add`.
 
-    friend bool operator==(const LostPlaces&, const LostPlaces&) = default;
+    friend bool operator==(const LostPositions&, const LostPositions&) = default;
 };
 
 } // namespace cd

@@ -37,6 +37,8 @@ enum class Mutation : std::uint8_t {
     BatchesWithoutBound,    ///< A worker gets batches without a limit.
     NobodyAwaited,          ///< After a restart, work goes out before the workers return.
     OthersSourceNamed,      ///< A fetch names a peer that holds only the first block.
+    IndexTakenForPosition,  ///< An answer counts for the position that equals its index.
+    SplitRunLosesEnd,       ///< A hole in a run of positions removes the positions after it, too.
     count,
 };
 

@@ -47,22 +47,22 @@ void analyse_block(const AnalysisInput& input,
                    const std::vector<bool>* done,
                    AnalysedBlock& block) {
     const auto begin = std::chrono::steady_clock::now();
-    const PlaceRange& places = block.places;
-    const Result<std::vector<Scenario>> scenarios = input.poses->read(places.first, places.count);
+    const PlaceRange& range = block.positions;
+    const Result<std::vector<Scenario>> scenarios = input.poses->read(range.first, range.count);
     if (!scenarios) {
         block.error = scenarios.error();
         return;
     }
-    const std::uint64_t pose_bytes = pack_scenarios(scenarios.value()).size() / places.count;
-    block.scenarios.reserve(places.count);
-    std::uint64_t place = places.first;
+    const std::uint64_t pose_bytes = pack_scenarios(scenarios.value()).size() / range.count;
+    block.scenarios.reserve(range.count);
+    std::uint64_t next = range.first;
     for (const Scenario& scenario : scenarios.value()) {
-        const std::uint64_t here = place++;
+        const std::uint64_t position = next++;
         if (done != nullptr && scenario.index < done->size() && (*done)[scenario.index]) {
             continue;
         }
         block.scenarios.push_back(analyse_uncounted(input, scenario));
-        block.scenarios.back().place = here;
+        block.scenarios.back().position = position;
         block.scenarios.back().bytes = bytes_in_batch(block.scenarios.back(), pose_bytes);
     }
     block.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
@@ -144,10 +144,10 @@ Analyser::~Analyser() {
     state_->changed.wait(lock, [this] { return !state_->delivering; });
 }
 
-void Analyser::start(const PlaceRange& places,
+void Analyser::start(const PlaceRange& positions,
                      const Losses& losses,
                      std::shared_ptr<const std::vector<bool>> done) {
-    CD_CHECK(places.count != 0 && places.count <= limits::analysis_block_scenarios);
+    CD_CHECK(positions.count != 0 && positions.count <= limits::analysis_block_scenarios);
     std::uint64_t number = 0;
     {
         const std::lock_guard lock(state_->mutex);
@@ -156,8 +156,8 @@ void Analyser::start(const PlaceRange& places,
         }
         number = state_->started++;
     }
-    pool_.post([state = state_, number, places, losses, done = std::move(done)] {
-        state->run_block(number, done.get(), {places, losses, {}, 0, std::nullopt});
+    pool_.post([state = state_, number, positions, losses, done = std::move(done)] {
+        state->run_block(number, done.get(), {positions, losses, {}, 0, std::nullopt});
     });
 }
 

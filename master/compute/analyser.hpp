@@ -32,13 +32,13 @@ struct AnalysisInput {
     std::shared_ptr<const TreeTop> top_b;
     Query query;
     std::shared_ptr<const Settler> settler; ///< Settles scenarios; made for trees `a` and `b`.
-    std::shared_ptr<PoseSource> poses;      ///< Several threads may call `read` at once.
+    std::shared_ptr<PoseSource> poses; ///< By position. Several threads may call `read` at once.
 };
 
 /// One analysed scenario, which either needs a worker or is finished.
 struct Analysis {
     Scenario scenario;
-    std::uint64_t place = 0;        ///< Position in the job's hand-out order; `analyse` leaves 0.
+    std::uint64_t position = 0;     ///< In the job's hand-out order; `analyse` leaves 0.
     std::vector<RootPair> pairs;    ///< Colliding distribution roots, sorted.
     std::vector<RootIndex> roots_a; ///< Distinct roots of A in `pairs`, ascending.
     std::vector<RootIndex> roots_b; ///< Distinct roots of B in `pairs`, ascending.
@@ -56,7 +56,7 @@ struct Analysis {
 
 /// A block of the analysis: scenarios at consecutive positions, analysed together.
 struct AnalysedBlock {
-    PlaceRange places;
+    PlaceRange positions;
     Losses losses = {}; ///< The losses passed to `Analyser::start`.
     std::vector<Analysis> scenarios;
     double seconds = 0;         ///< Duration of the analysis on a pool thread.
@@ -66,9 +66,9 @@ struct AnalysedBlock {
 /// Analyses blocks of a job's scenarios on a pool, several blocks at once.
 class Analyser {
   public:
-    /// `input.poses` must read by position. Blocks are delivered in the order of their start, one
-    /// at a time, on pool threads. `deliver` must neither throw nor destroy the analyser. The pool
-    /// must outlive the functions posted to it.
+    /// Blocks are delivered in the order of their start, one at a time, on pool threads. `deliver`
+    /// must neither throw nor destroy the analyser. The pool must outlive the functions posted to
+    /// it.
     Analyser(ThreadPool& pool, AnalysisInput input, std::function<void(AnalysedBlock)> deliver);
     Analyser(const Analyser&) = delete;
     Analyser& operator=(const Analyser&) = delete;
@@ -77,7 +77,7 @@ class Analyser {
 
     /// Starts a block of at most `limits::analysis_block_scenarios` positions. Skips scenarios
     /// whose index `done` marks; null marks none.
-    void start(const PlaceRange& places,
+    void start(const PlaceRange& positions,
                const Losses& losses = {},
                std::shared_ptr<const std::vector<bool>> done = nullptr);
 

@@ -1,24 +1,17 @@
 #include "master/compute/reference_run.hpp"
 
 #include "common/job/run_scenario.hpp"
+#include "master/compute/placed_scenario.hpp"
 
 #include <algorithm>
 
 namespace cd {
 
-Result<Scenario> read_one(PoseSource& poses, std::uint64_t scenario) {
-    Result<std::vector<Scenario>> read = poses.read(scenario, 1);
-    if (!read) {
-        return read.error();
-    }
-    return std::move(read.value().front());
-}
-
 Result<ReferenceResult> reference_result(const JobMaterial& material,
-                                         PoseSource& poses,
+                                         OrderedPoses& poses,
                                          std::uint64_t scenario,
                                          const StopCheck& stop) {
-    const Result<Scenario> read = read_one(poses, scenario);
+    const Result<PlacedScenario> read = read_one(poses, scenario);
     if (!read) {
         return read.error();
     }
@@ -26,27 +19,28 @@ Result<ReferenceResult> reference_result(const JobMaterial& material,
     ScenarioRun run;
     run.is_stopped = stop();
     if (!run.is_stopped) {
-        run = runner.run(read.value());
+        run = runner.run(read.value().scenario);
     }
     if (run.is_stopped) {
-        run.result =
-            failed_result(read.value(), material.query, {ErrorCode::Interrupted, "cancelled"});
+        run.result = failed_result(
+            read.value().scenario, material.query, {ErrorCode::Interrupted, "cancelled"});
     }
-    return ReferenceResult{take_result(std::move(run.result), {}), run.is_stopped};
+    return ReferenceResult{take_result(std::move(run.result), read.value().position, {}),
+                           run.is_stopped};
 }
 
 Result<ContactMap> reference_map(const JobMaterial& material,
-                                 PoseSource& poses,
+                                 OrderedPoses& poses,
                                  std::span<const std::uint64_t> scenarios) {
     const ScenarioRunner runner(*material.a, *material.b, material.query);
     ScenarioSession session(runner);
     ContactMapSum sum;
     for (const std::uint64_t scenario : scenarios) {
-        const Result<Scenario> read = read_one(poses, scenario);
+        const Result<PlacedScenario> read = read_one(poses, scenario);
         if (!read) {
             return read.error();
         }
-        sum.add(session.run(read.value()).found);
+        sum.add(session.run(read.value().scenario).found);
     }
     return sum.take();
 }
@@ -54,7 +48,7 @@ Result<ContactMap> reference_map(const JobMaterial& material,
 void ReferenceRuns::start(JobId job,
                           std::uint64_t scenario,
                           std::shared_ptr<const JobMaterial> material,
-                          std::shared_ptr<PoseSource> poses,
+                          std::shared_ptr<OrderedPoses> poses,
                           Done done) {
     if (is_closed_) {
         return;

@@ -3,7 +3,7 @@
 
 #include "common/core/host/stop_check.hpp"
 #include "common/core/result.hpp"
-#include "common/job/poses/pose_source.hpp"
+#include "common/job/poses/ordered_poses.hpp"
 #include "common/job/result/contact_map.hpp"
 #include "master/base/background.hpp"
 #include "master/compute/result_check.hpp"
@@ -19,9 +19,6 @@
 
 namespace cd {
 
-/// Reads one scenario of a job. Blocks on the disk. Errors: Io, BadInput of the poses.
-[[nodiscard]] Result<Scenario> read_one(PoseSource& poses, std::uint64_t scenario);
-
 struct ReferenceResult {
     TakenResult taken;       ///< A failure that says "cancelled" if the run was stopped.
     bool is_stopped = false; ///< The run was stopped, so the right result is unknown.
@@ -29,13 +26,13 @@ struct ReferenceResult {
 
 /// Runs a scenario on whole bodies, which may take long. Errors: those of the poses.
 [[nodiscard]] Result<ReferenceResult> reference_result(const JobMaterial& material,
-                                                       PoseSource& poses,
+                                                       OrderedPoses& poses,
                                                        std::uint64_t scenario,
                                                        const StopCheck& stop);
 
 /// Makes the contact map of some scenarios, which may take long. Errors: those of the poses.
 [[nodiscard]] Result<ContactMap> reference_map(const JobMaterial& material,
-                                               PoseSource& poses,
+                                               OrderedPoses& poses,
                                                std::span<const std::uint64_t> scenarios);
 
 /// Reference runs in the background that can be stopped by job and scenario.
@@ -49,7 +46,7 @@ class ReferenceRuns {
     void start(JobId job,
                std::uint64_t scenario,
                std::shared_ptr<const JobMaterial> material,
-               std::shared_ptr<PoseSource> poses,
+               std::shared_ptr<OrderedPoses> poses,
                Done done);
     /// Asks the runs of a job, or of one of its scenarios, to stop; `done` is called nevertheless.
     /// False if there is no such run.

@@ -4,8 +4,10 @@
 #include "common/job/result/packed_map.hpp"
 #include "common/job/result/packed_records.hpp"
 #include "common/job/settle.hpp"
+#include "master/base/mutation.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <unordered_map>
 #include <unordered_set>
 
@@ -15,7 +17,7 @@ namespace {
 
 /// A scenario of a task, and the cost of its analysis on the master.
 struct TaskScenario {
-    Scenario scenario;
+    PlacedScenario placed;
     JobStatistics cost;
 };
 
@@ -23,20 +25,22 @@ struct TaskScenario {
 class TaskIndex {
   public:
     explicit TaskIndex(const TaskContent& task) : task_(task) {
-        for (const auto& analysis : task.scenarios) {
+        for (const auto& analysis : task.analyses) {
             analyses_.emplace(analysis->scenario.index, analysis.get());
         }
     }
 
     [[nodiscard]] std::optional<TaskScenario> find(std::uint64_t index) const {
         if (task_.range) {
-            const auto scenario = task_.range->scenario(index);
-            return scenario ? std::optional(TaskScenario{*scenario, {}}) : std::nullopt;
+            const auto placed = task_.range->find(index);
+            return placed ? std::optional(TaskScenario{*placed, {}}) : std::nullopt;
         }
         const auto found = analyses_.find(index);
-        return found == analyses_.end()
-                   ? std::nullopt
-                   : std::optional(TaskScenario{found->second->scenario, found->second->cost});
+        if (found == analyses_.end()) {
+            return std::nullopt;
+        }
+        const Analysis& analysis = *found->second;
+        return TaskScenario{{analysis.scenario, analysis.position}, analysis.cost};
     }
 
   private:
@@ -66,7 +70,7 @@ Result<TakenResult> take_record(const JobMaterial& material,
                      "a result of scenario " + std::to_string(result.index) +
                          ", which is not in the task"};
     }
-    const Scenario& scenario = found->scenario;
+    const Scenario& scenario = found->placed.scenario;
     if (result.level != material.query.level || result.body_a != scenario.body_a ||
         result.body_b != scenario.body_b) {
         return Error{ErrorCode::BadFrame,
@@ -85,7 +89,9 @@ Result<TakenResult> take_record(const JobMaterial& material,
     }
     JobStatistics cost = found->cost;
     cost.inside += material.settler->settle(scenario, result);
-    return take_result(std::move(result), cost);
+    const std::uint64_t position =
+        mutated(Mutation::IndexTakenForPosition) ? result.index : found->placed.position;
+    return take_result(std::move(result), position, cost);
 }
 
 /// Unpacks and checks the map of a message. Each scenario with contacts must mark triangles of both
@@ -121,24 +127,10 @@ Result<ContactMap> take_map(const JobMaterial& material,
 
 } // namespace
 
-std::optional<Scenario> RangeContent::scenario(std::uint64_t index) const {
-    const auto is_in = [this](std::uint64_t place) {
-        return place >= places.first && place < places.end();
-    };
-    if (window == nullptr) {
-        return is_in(index) ? std::optional(scenario_on(*order->grid(), index)) : std::nullopt;
-    }
-    if (!window->has(index)) {
-        return std::nullopt;
-    }
-    const std::uint64_t place = window->place_of(index);
-    return is_in(place) ? std::optional(window->at({place, 1}).front()) : std::nullopt;
-}
-
-TakenResult take_result(ScenarioResult result, const JobStatistics& cost) {
+TakenResult take_result(ScenarioResult result, std::uint64_t position, const JobStatistics& cost) {
     Bytes record = encode_result(result);
     const Sha256 digest = sha256(record);
-    return {std::move(result), std::move(record), digest, cost};
+    return {std::move(result), position, std::move(record), digest, cost};
 }
 
 Result<TakenResults> take_results(const TaskContent& task, const Results& results) {
@@ -149,8 +141,9 @@ Result<TakenResults> take_results(const TaskContent& task, const Results& result
     const TaskIndex scenarios(task);
     std::vector<TakenResult> taken;
     // The worker's count may be forged, so the task's size limits the allocation.
-    const std::uint64_t given = task.range ? task.range->places.count : task.scenarios.size();
-    taken.reserve(std::min<std::uint64_t>(results.count, given));
+    taken.reserve(std::min<std::uint64_t>(results.count, task.count()));
+    std::vector<std::uint64_t> positions;
+    positions.reserve(taken.capacity());
     ByteReader reader(records.value());
     for (std::uint32_t i = 0; i < results.count; ++i) {
         const auto record = reader.get_bytes(reader.get<std::uint32_t>());
@@ -161,6 +154,7 @@ Result<TakenResults> take_results(const TaskContent& task, const Results& result
         if (!result) {
             return result.error();
         }
+        positions.push_back(result.value().position);
         taken.push_back(std::move(result.value()));
     }
     if (!reader.complete()) {
@@ -170,12 +164,13 @@ Result<TakenResults> take_results(const TaskContent& task, const Results& result
     if (!map) {
         return map.error();
     }
-    return TakenResults{std::move(taken), std::move(map.value())};
+    return TakenResults{
+        std::move(taken), std::move(map.value()), PositionSet::of(std::move(positions))};
 }
 
 Result<TakenResults> take_late_results(JobId job,
                                        std::shared_ptr<const JobMaterial> material,
-                                       PoseSource& poses,
+                                       OrderedPoses& poses,
                                        const Results& results) {
     const Result<Bytes> records = unpack_records(results.records, limits::results_bytes_max);
     if (!records) {
@@ -197,13 +192,14 @@ Result<TakenResults> take_late_results(JobId job,
         if (!seen.insert(index).second) {
             return Error{ErrorCode::BadFrame, "two results of one scenario in a message"};
         }
-        Result<std::vector<Scenario>> scenario = poses.read(index, 1);
-        if (!scenario) {
-            return scenario.error();
+        const Result<PlacedScenario> placed = read_one(poses, index);
+        if (!placed) {
+            return placed.error();
         }
         Analysis known;
-        known.scenario = scenario.value().front();
-        content.scenarios.push_back(std::make_shared<const Analysis>(std::move(known)));
+        known.scenario = placed.value().scenario;
+        known.position = placed.value().position;
+        content.analyses.push_back(std::make_shared<const Analysis>(std::move(known)));
     }
     return take_results(content, results);
 }

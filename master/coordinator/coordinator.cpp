@@ -60,7 +60,7 @@ Status Coordinator::restore_run(MasterJob& job, RecoveredJob& found, Authors& kn
     if (!poses) {
         return with_remedy(poses.error());
     }
-    job.run->poses = poses.value();
+    job.run->poses = std::make_shared<OrderedPoses>(poses.value());
     state_.writer.restore(job.id, found.done);
     const auto author_of = [&](InstanceId process) {
         std::shared_ptr<const Author>& author = known[process];
@@ -177,11 +177,7 @@ void Coordinator::perform(const Action& action) {
             using One = std::decay_t<decltype(one)>;
             if constexpr (std::is_same_v<One, GiveUp>) {
                 give_up(one);
-            } else if constexpr (std::is_same_v<One, RangeEnded>) {
-                services_.ranges.ended(one);
-            } else if constexpr (std::is_same_v<One, GivenBack>) {
-                services_.ranges.given_back(one);
-            } else if constexpr (std::is_same_v<One, ScenariosLost>) {
+            } else if constexpr (std::is_same_v<One, PositionsLost>) {
                 services_.ranges.lost(one);
             } else {
                 services_.tasks.send(one);
@@ -195,11 +191,11 @@ void Coordinator::give_up(const GiveUp& action) {
     if (job == nullptr) {
         return;
     }
-    const auto analysis = job->work()->open.find(action.scenario);
+    const auto analysis = job->work()->open.find(action.position);
     CD_CHECK(analysis != nullptr);
-    log_error("scenario given up: job={} scenario={}", job->id.value, action.scenario);
+    log_error("scenario given up: job={} scenario={}", job->id.value, analysis->scenario.index);
     services_.merger.fail(*job,
-                          analysis->scenario,
+                          {analysis->scenario, analysis->position},
                           "lost with " + std::to_string(limits::scenario_losses_max) +
                               " workers, one after the other, or with fewer again and again");
 }

@@ -7,7 +7,7 @@ namespace cd {
 namespace {
 
 AnalysedScenario analysed_scenario(Analysis analysis) {
-    return {analysis.scenario.index,
+    return {analysis.position,
             std::move(analysis.roots_a),
             std::move(analysis.roots_b),
             analysis.bytes,
@@ -70,7 +70,9 @@ Explainer::explain(JobId id, std::uint64_t scenario, std::optional<Analysis> ana
 }
 
 Explained Explainer::score(const MasterJob& job, Analysis analysis) const {
+    const std::uint64_t scenario = analysis.scenario.index;
     Explained explained = dispatcher_.explain(job.id, analysed_scenario(std::move(analysis)));
+    explained.scenario = scenario;
     if (job.merged.has(explained.scenario)) {
         explained.where = answered_by(job, explained.scenario, explained.roots_a != 0);
         explained.note = "it is answered: the scores are those that it would have now, not those "

@@ -17,59 +17,54 @@ void check_leases(const MasterState& state, const LeaseBook& book) {
         CD_CHECK(state.workers.all().contains(worker));
         CD_CHECK(!state.workers.all().at(worker).is_quarantined);
         for (const TaskId task : dispatch.tasks_of(worker)) {
-            CD_CHECK(book.all().contains(task));
-            CD_CHECK(book.all().at(task).worker == worker);
+            CD_CHECK(book.has(worker, task));
             ++tasks;
         }
     }
-    CD_CHECK(tasks == book.all().size());
+    CD_CHECK(tasks == book.size());
 }
 
-/// Marks, by index, the scenarios that wait to be handed out or are in ranges.
-std::vector<bool>
-scenarios_in_ranges(const MasterState& state, const LeaseBook& book, const MasterJob& job) {
-    std::vector<bool> found(job.submit.scenarios);
-    const auto add = [&](const PlaceRange& places) {
-        if (places.count == 0) {
-            return; // The worker has returned the whole range.
-        }
-        const auto scenarios = job.work()->order->read(places.first, places.count);
+/// Marks, by index, the scenarios at these positions.
+void mark(const MasterJob& job, const PositionSet& positions, std::vector<bool>& marks) {
+    for (const PlaceRange& run : positions.runs()) {
+        const auto scenarios = job.run->poses->read(run.first, run.count);
         CD_CHECK(scenarios.has_value());
         for (const Scenario& scenario : scenarios.value()) {
-            found[scenario.index] = true;
+            marks[scenario.index] = true;
         }
-    };
-    for (const PlaceQueue::Piece& piece : job.work()->todo.pieces()) {
-        add(piece.places);
     }
-    for (const PlaceRange& places : state.dispatch.view().places_of(job.id)) {
-        add(places);
-    }
-    for (const PlaceRange& places : book.places_of(job.id)) {
-        add(places);
-    }
-    return found;
 }
 
-void check_job(const MasterState& state, const LeaseBook& book, const MasterJob& job) {
+void check_job(const MasterState& state, const MasterJob& job) {
     const JobWork* work = job.work();
     if (work == nullptr) {
         return;
     }
     CD_CHECK(state.dispatch.view().unanswered(job.id) == work->open.size());
     std::uint64_t bytes = 0;
-    for (const auto& [index, analysis] : work->open.all()) {
-        CD_CHECK(!job.merged.has(index));
+    std::vector<bool> is_known(job.submit.scenarios);
+    for (const auto& [position, analysis] : work->open.all()) {
+        CD_CHECK(position == analysis->position);
+        CD_CHECK(!job.merged.has(analysis->scenario.index));
+        is_known[analysis->scenario.index] = true;
         bytes += analysis->bytes;
     }
     CD_CHECK(bytes == work->open.bytes());
-    if (work->analyses_under_way() != 0 || work->places_loading != 0) {
+    std::vector<bool> in_ranges(job.submit.scenarios);
+    mark(job, state.dispatch.view().unanalysed(job.id), in_ranges);
+    for (std::uint64_t index = 0; index < job.submit.scenarios; ++index) {
+        const bool answered_is_in_no_range = !in_ranges[index] || !job.merged.has(index);
+        CD_CHECK(answered_is_in_no_range);
+    }
+    if (work->analyses_under_way() != 0 || work->positions_loading != 0) {
         return;
     }
+    for (const PositionQueue::Piece& piece : work->todo.pieces()) {
+        mark(job, piece.positions, is_known);
+    }
     // No scenario is lost: each is merged, at the dispatcher, or still to be handed out.
-    const std::vector<bool> in_ranges = scenarios_in_ranges(state, book, job);
     for (std::uint64_t index = 0; index < job.submit.scenarios; ++index) {
-        CD_CHECK(job.merged.has(index) || in_ranges[index] || work->open.has(index));
+        CD_CHECK(job.merged.has(index) || in_ranges[index] || is_known[index]);
     }
 }
 
@@ -83,7 +78,7 @@ void check_invariants(const MasterState& state, const MasterServices& services) 
     state.workers.check_invariants();
     check_leases(state, services.tasks.book());
     for (const JobId id : state.jobs.running()) {
-        check_job(state, services.tasks.book(), state.jobs.at(id));
+        check_job(state, state.jobs.at(id));
     }
 }
 

@@ -65,7 +65,8 @@ bool JobDesk::cancel_disputed(JobId job, std::uint64_t scenario) {
     return true;
 }
 
-Result<std::shared_ptr<PoseSource>> JobDesk::poses_of_unanswered(JobId id, std::uint64_t scenario) {
+Result<std::shared_ptr<OrderedPoses>> JobDesk::poses_of_unanswered(JobId id,
+                                                                   std::uint64_t scenario) {
     const MasterJob* job = state_.jobs.find(id);
     if (job == nullptr) {
         return no_job();
@@ -80,17 +81,19 @@ Result<std::shared_ptr<PoseSource>> JobDesk::poses_of_unanswered(JobId id, std::
     return job->run->poses;
 }
 
-Status JobDesk::cancel_scenario(JobId id, const Scenario& scenario) {
-    if (const auto poses = poses_of_unanswered(id, scenario.index); !poses) {
+Status JobDesk::cancel_scenario(JobId id, const PlacedScenario& placed) {
+    const std::uint64_t index = placed.scenario.index;
+    if (const auto poses = poses_of_unanswered(id, index); !poses) {
         return poses.error();
     }
-    log_warning("scenario cancelled: job={} scenario={}", id.value, scenario.index);
-    services_.merger.fail(state_.jobs.at(id), scenario, "cancelled");
+    log_warning("scenario cancelled: job={} scenario={}", id.value, index);
+    services_.merger.fail(state_.jobs.at(id), placed, "cancelled");
     MasterJob* still = state_.jobs.find_running(id);
     if (still != nullptr && still->work() != nullptr) {
-        still->work()->cancelled.push_back(scenario.index);
-        services_.tasks.drop(id, scenario.index);
-        state_.dispatch.act(state_.dispatch->scenario_answered(WorkerId{}, id, scenario.index));
+        still->work()->cancelled.push_back(index);
+        services_.tasks.drop(id, index);
+        state_.dispatch.act(
+            state_.dispatch->answered({{}, {}, id, PlaceRange{placed.position, 1}}));
     }
     services_.work.feed();
     return Done{};

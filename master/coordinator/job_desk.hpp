@@ -49,11 +49,11 @@ class JobDesk {
     [[nodiscard]] bool cancel_disputed(JobId job, std::uint64_t scenario);
     /// The poses of a running job. Errors: NotFound; Refused if the job has ended or the scenario
     /// has a result.
-    [[nodiscard]] Result<std::shared_ptr<PoseSource>> poses_of_unanswered(JobId job,
-                                                                          std::uint64_t scenario);
+    [[nodiscard]] Result<std::shared_ptr<OrderedPoses>> poses_of_unanswered(JobId job,
+                                                                            std::uint64_t scenario);
     /// Fails the scenario and stops it on all workers; the job continues. Errors: NotFound; Refused
     /// if the job has ended or the scenario has a result.
-    [[nodiscard]] Status cancel_scenario(JobId job, const Scenario& scenario);
+    [[nodiscard]] Status cancel_scenario(JobId job, const PlacedScenario& placed);
 
     // ---- Questions ------------------------------------------------------------------------------
     /// Null if there is no such job.

@@ -18,7 +18,7 @@ MasterServices::MasterServices(const CoordinatorParts& parts, MasterState& state
             [this] { work.feed(); }}),
       merger(life, state.writer),
       tasks(state.jobs, state.workers, state.trees, state.dispatch),
-      ranges({state.jobs, life, tasks.book(), state.dispatch, state.writer, state.background}),
+      ranges({state.jobs, life, state.dispatch, state.writer, state.background}),
       analyses({state.jobs, life, merger, state.dispatch, state.background}),
       work({state.jobs,
             state.workers,

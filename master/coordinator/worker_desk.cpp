@@ -171,7 +171,7 @@ void WorkerDesk::worker_left(WorkerId worker) {
     state_.blocks.worker_left(worker);
     state_.writer.forget(worker);
     services_.ingest.forget(worker);
-    services_.tasks.book().forget_batches(worker);
+    services_.tasks.book().forget(worker);
     state_.dispatch.act(state_.dispatch->worker_lost(worker));
     services_.work.feed();
 }

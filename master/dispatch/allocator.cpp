@@ -70,8 +70,8 @@ bool Allocator::allocate_one(DispatchJob& job, Actions& actions) {
     if (job.policy->is_pulled()) {
         return pull_one(job, actions);
     }
-    const std::uint64_t index = job.waiting.front();
-    DispatchScenario& scenario = job.at(index);
+    const std::uint64_t position = job.waiting.front();
+    DispatchScenario& scenario = job.at(position);
     WorkerProxy* proxy = job.policy->choose(job, scenario);
     if (proxy == nullptr) {
         return false;
@@ -79,9 +79,9 @@ bool Allocator::allocate_one(DispatchJob& job, Actions& actions) {
     job.waiting.pop_front();
     queue_.note_served(job.id);
     scenario.where = Whereabouts::Buffered;
-    scenario.worker = proxy->id();
+    scenario.at = {proxy->id(), {}};
     MissingOfJob missing = blocks_.hold(job, scenario, *proxy);
-    proxy->buffers.add(job.id, index, scenario.weight);
+    proxy->buffers.add(job.id, position, scenario.weight);
     // Loops because, in matching by time, a batch takes only a part of the buffer.
     while (job.policy->is_full(*proxy, job) && job.policy->has_room_for_task(*proxy, job)) {
         flush(*proxy, job, actions);
@@ -102,8 +102,8 @@ void Allocator::give_suspects(Actions& actions) {
         }
         const Suspect suspect = queue_.take_suspect();
         DispatchJob& job = queue_.at(suspect.job);
-        blocks_.hold(job, job.at(suspect.scenario), *proxy);
-        tasks_.send(*proxy, job, {suspect.scenario}, true, actions);
+        blocks_.hold(job, job.at(suspect.position), *proxy);
+        tasks_.send(*proxy, job, {suspect.position}, true, actions);
     }
 }
 
@@ -150,14 +150,14 @@ bool Allocator::pull_one(DispatchJob& job, Actions& actions) {
 void Allocator::pull(WorkerProxy& proxy, DispatchJob& job, Actions& actions) {
     std::vector<bool> is_taken(job.waiting.size(), false);
     std::vector<std::uint64_t> taken;
-    for (const std::size_t place : job.policy->pulled(proxy, job)) {
-        const std::uint64_t index = job.waiting[place];
-        blocks_.hold(job, job.at(index), proxy);
-        is_taken[place] = true;
-        taken.push_back(index);
+    for (const std::size_t index : job.policy->pulled(proxy, job)) {
+        const std::uint64_t position = job.waiting[index];
+        blocks_.hold(job, job.at(position), proxy);
+        is_taken[index] = true;
+        taken.push_back(position);
     }
-    std::size_t place = 0;
-    std::erase_if(job.waiting, [&](std::uint64_t) { return is_taken[place++]; });
+    std::size_t index = 0;
+    std::erase_if(job.waiting, [&](std::uint64_t) { return is_taken[index++]; });
     tasks_.send(proxy, job, std::move(taken), job.policy->claims(job), actions);
 }
 

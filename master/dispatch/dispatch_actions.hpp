@@ -1,69 +1,59 @@
-// Actions that the dispatcher asks its owner to perform.
+// Actions that the dispatcher asks its owner to perform. Positions are those in the job's hand-out
+// order.
 #pragma once
 
 #include "common/core/id.hpp"
 #include "common/job/poses/ordered_poses.hpp"
 #include "common/tree/cut.hpp"
 #include "master/base/instance_id.hpp"
+#include "master/base/position_set.hpp"
 #include "proto/messages/work_messages.hpp"
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <variant>
 #include <vector>
 
 namespace cd {
 
-/// Asks to send these scenarios to this worker as one task.
-struct SendBatch {
+/// Asks to send these positions to this worker as one task. Positions that are not analysed are
+/// consecutive; the worker finds their colliding roots.
+struct SendUnit {
     WorkerId worker;
     TaskId task;
     JobId job;
-    std::vector<std::uint64_t> scenarios;
-    bool is_copy = false; ///< Speculative copy: another worker has the scenarios too.
-
-    friend bool operator==(const SendBatch&, const SendBatch&) = default;
-};
-
-/// Asks to send these positions in the job's hand-out order to this worker as one task, without
-/// analysis: the worker finds the colliding roots.
-struct SendRange {
-    WorkerId worker;
-    TaskId task;
-    JobId job;
-    PlaceRange places;
+    PositionSet positions;
+    bool is_analysed = true;
     TaskId copy_of = {}; ///< Another worker's task that has these positions; 0 if not a copy.
+    std::shared_ptr<const PoseWindow> window = {}; ///< From `positions_given`; null if analysed.
 
-    friend bool operator==(const SendRange&, const SendRange&) = default;
+    friend bool operator==(const SendUnit&, const SendUnit&) = default;
 };
 
-/// Recall: asks the worker to return the part of the task that it has not begun.
+/// Recall: asks the worker to return these positions of the task if it has not begun them. If they
+/// are not analysed, asks for all positions from the first of these on.
 struct AskBack {
     WorkerId worker;
     TaskId task;
-    std::vector<std::uint64_t> scenarios; ///< Wanted scenarios of a batch, ascending.
-    std::uint64_t places = 0;             ///< Number of a range's first positions to keep.
+    PositionSet positions;
 
     friend bool operator==(const AskBack&, const AskBack&) = default;
 };
 
-/// Reports that a worker has returned part of a task. The owner must queue the positions again; the
-/// dispatcher has queued the scenarios.
-struct GivenBack {
-    TaskId task;
+/// Reports that a worker has returned so many positions of a task, which are queued again.
+struct UnitsReturned {
     JobId job;
-    std::uint64_t scenarios = 0; ///< Number of scenarios returned of a batch.
-    PlaceRange places;           ///< Positions returned of a range, all unanswered.
+    std::uint64_t positions = 0;
 
-    friend bool operator==(const GivenBack&, const GivenBack&) = default;
+    friend bool operator==(const UnitsReturned&, const UnitsReturned&) = default;
 };
 
-/// Cancels the scenario at this worker: another one has answered it.
+/// Cancels the positions in this worker's task: its original or copy has answered them.
 struct CallOff {
     WorkerId worker;
     TaskId task;
-    JobId job;
-    std::uint64_t scenario = 0;
+    PositionSet positions;
 
     friend bool operator==(const CallOff&, const CallOff&) = default;
 };
@@ -71,15 +61,15 @@ struct CallOff {
 /// Worker process whose loss ended a task; empty if no loss ended it.
 using LostWith = std::optional<InstanceId>;
 
-/// Reports that the task of a range has ended. The owner must hand its unanswered positions out
-/// again, and analyse them first if they were lost.
-struct RangeEnded {
-    TaskId task;
+/// Reports positions that were lost with a worker. Analysed ones are queued again, and are in later
+/// actions. The others have left the dispatcher: the owner must have them analysed.
+struct PositionsLost {
     JobId job;
-    PlaceRange places;
-    LostWith lost_with;
+    PositionSet positions;
+    bool is_analysed = true;
+    InstanceId process = 0;
 
-    friend bool operator==(const RangeEnded&, const RangeEnded&) = default;
+    friend bool operator==(const PositionsLost&, const PositionsLost&) = default;
 };
 
 /// Tells the worker which blocks the scenarios in its buffer will need.
@@ -92,33 +82,16 @@ struct SendHint {
     friend bool operator==(const SendHint&, const SendHint&) = default;
 };
 
-/// Reports scenarios of a batch that were lost with a worker. Precedes any action that resends one
-/// of them.
-struct ScenariosLost {
-    JobId job;
-    std::vector<std::uint64_t> scenarios;
-    InstanceId process = 0;
-
-    friend bool operator==(const ScenariosLost&, const ScenariosLost&) = default;
-};
-
 /// Asks to fail a scenario that was lost with `limits::scenario_losses_max` worker processes.
 struct GiveUp {
     JobId job;
-    std::uint64_t scenario = 0;
+    std::uint64_t position = 0;
 
     friend bool operator==(const GiveUp&, const GiveUp&) = default;
 };
 
-using Action = std::variant<SendBatch,
-                            GiveUp,
-                            SendRange,
-                            RangeEnded,
-                            ScenariosLost,
-                            AskBack,
-                            GivenBack,
-                            CallOff,
-                            SendHint>;
+using Action =
+    std::variant<SendUnit, GiveUp, PositionsLost, AskBack, UnitsReturned, CallOff, SendHint>;
 using Actions = std::vector<Action>;
 
 } // namespace cd

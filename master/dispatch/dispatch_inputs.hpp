@@ -4,13 +4,16 @@
 #include "common/core/id.hpp"
 #include "common/core/limits/master.hpp"
 #include "common/core/timing/master.hpp"
+#include "common/job/poses/ordered_poses.hpp"
 #include "common/tree/cut.hpp"
 #include "master/base/instance_id.hpp"
+#include "master/base/position_set.hpp"
 #include "master/dispatch/policy/strategies.hpp"
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -18,7 +21,7 @@ namespace cd {
 
 /// A scenario that needs a worker: it has at least one pair of colliding roots.
 struct AnalysedScenario {
-    std::uint64_t index = 0;
+    std::uint64_t position = 0;     ///< In the job's hand-out order.
     std::vector<RootIndex> roots_a; ///< Ascending.
     std::vector<RootIndex> roots_b;
     std::uint64_t bytes = 0; ///< Size that the scenario adds to a batch on the wire.
@@ -28,11 +31,21 @@ struct AnalysedScenario {
     Losses losses = {};
 };
 
-/// Time that a worker's threads spent on answered scenarios of a task.
-struct MeasuredWork {
-    TaskId task;
-    std::uint64_t predicted_ns = 0; ///< Sum of the scenarios' predictions.
-    double seconds = 0;             ///< Measured, summed over the threads.
+/// Positions in a job's hand-out order that may go out without analysis.
+struct GivenRange {
+    PlaceRange positions;
+    std::shared_ptr<const PoseWindow> window = {}; ///< Their poses; null on a grid.
+
+    friend bool operator==(const GivenRange&, const GivenRange&) = default;
+};
+
+/// Answers of a worker or of the master.
+struct Answers {
+    WorkerId worker; ///< 0: the master.
+    TaskId task;     ///< Task of the worker that had the positions; 0 if unknown.
+    JobId job;
+    PositionSet positions;
+    double busy_seconds = 0; ///< Time of the worker's threads for these; 0: not measured.
 };
 
 struct DispatcherOptions {

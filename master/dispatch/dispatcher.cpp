@@ -31,7 +31,7 @@ Actions Dispatcher::refilled(WorkerProxy& proxy, Actions actions) {
 
 WorkerProxy* Dispatcher::worker_with(WorkerId worker, TaskId task) {
     WorkerProxy* proxy = parts().pool.find(worker);
-    return proxy != nullptr && proxy->tasks.contains(task) ? proxy : nullptr;
+    return proxy != nullptr && proxy->tasks.find(task) != nullptr ? proxy : nullptr;
 }
 
 bool Dispatcher::is_due() const {
@@ -113,13 +113,13 @@ Actions Dispatcher::scenario_analysed(JobId job_id, AnalysedScenario analysed) {
     CD_CHECK(job != nullptr);
     DispatchScenario scenario = job->scenario_of(analysed);
     if (scenario.is_lost_for_good()) {
-        return {
-            GiveUp{job_id, analysed.index}}; // The last incarnation ended before it gave this up.
+        // The master's last incarnation ended before it gave this up.
+        return {GiveUp{job_id, analysed.position}};
     }
     job->copies.add_work(scenario.weight.cost_ns);
-    job->places.nothing_follows();
+    job->unsent.nothing_follows();
     parts().pace.add_scenario(scenario.weight.cost_ns);
-    const bool is_suspect = queue.add(*job, analysed.index, std::move(scenario));
+    const bool is_suspect = queue.add(*job, analysed.position, std::move(scenario));
     const bool resumes = queue.set_paused(false);
 
     Actions actions;
@@ -132,19 +132,19 @@ Actions Dispatcher::input_paused() {
     return was_paused && !is_due() ? Actions{} : settled({});
 }
 
-Actions Dispatcher::places_given(JobId job_id, const PlaceRange& places, std::uint64_t after) {
+Actions Dispatcher::positions_given(JobId job_id, GivenRange given, std::uint64_t after) {
     DispatchJob* job = parts().queue.find(job_id);
     CD_CHECK(job != nullptr);
-    job->places.add(places, after);
+    job->unsent.add(std::move(given), after);
     Actions actions;
     parts().ranges.give(actions);
     return actions;
 }
 
-std::vector<PlaceRange> Dispatcher::take_places(JobId job_id) {
+std::vector<PlaceRange> Dispatcher::take_positions(JobId job_id) {
     DispatchJob* job = parts().queue.find(job_id);
     CD_CHECK(job != nullptr);
-    return job->places.take_all();
+    return job->unsent.take_all();
 }
 
 Actions Dispatcher::job_closed(JobId job_id) {
@@ -155,7 +155,7 @@ Actions Dispatcher::job_closed(JobId job_id) {
     }
     for (WorkerProxy* proxy : parts().pool.in_order()) {
         queue.leave(proxy->buffers.take(job_id).scenarios.size());
-        proxy->tasks.forget_scenarios(job_id);
+        proxy->tasks.forget_positions(job_id);
     }
     const TreeId tree_a = job->a.tree;
     const TreeId tree_b = job->b.tree;
@@ -170,53 +170,21 @@ Actions Dispatcher::job_closed(JobId job_id) {
 
 // ---- Answers and tasks --------------------------------------------------------------------------
 
-Actions Dispatcher::scenario_answered(WorkerId worker, JobId job_id, std::uint64_t index) {
-    DispatchJob* job = parts().queue.find(job_id);
+Actions Dispatcher::answered(const Answers& answers) {
+    DispatchJob* job = parts().queue.find(answers.job);
     if (job == nullptr) {
         return {};
     }
-    const auto found = job->scenarios.find(index);
-    if (found == job->scenarios.end()) {
-        return {};
-    }
-    WorkerPool& pool = parts().pool;
-    const bool was_sent = found->second.where == Whereabouts::Sent;
-    const WorkerId holder = found->second.worker;
-    const std::optional<Assignment> copy = found->second.copy;
-    if (was_sent && (holder == worker || (copy && copy->worker == worker))) {
-        WorkerProxy& proxy = pool.at(worker);
-        pool.arrived(proxy, job->a.tree, found->second.roots.a);
-        pool.arrived(proxy, job->b.tree, found->second.roots.b);
-        proxy.tasks.note_progress(parts().pace.now());
-    }
     Actions actions;
-    parts().tasks.withdraw(*job, index, found->second, worker, actions);
-    job->scenarios.erase(found);
-    if (!was_sent) {
+    const TaskTable::Relieved relieved = parts().tasks.answer(*job, answers, actions);
+    if (relieved.any_unsent) {
         return settled(std::move(actions));
     }
-    // Only the scenario's workers can take more now, since their load has decreased.
-    actions = refilled(pool.at(holder), std::move(actions));
-    return copy ? refilled(pool.at(copy->worker), std::move(actions)) : actions;
-}
-
-Actions Dispatcher::places_answered(WorkerId worker,
-                                    TaskId task,
-                                    std::uint64_t count,
-                                    double busy_seconds) {
-    WorkerProxy* proxy = worker_with(worker, task);
-    if (proxy == nullptr) {
-        return {};
+    // Only these workers can take more now, since their load has decreased.
+    for (const WorkerId worker : relieved.workers) {
+        actions = refilled(parts().pool.at(worker), std::move(actions));
     }
-    const TaskInFlight& content = proxy->tasks.at(task);
-    if (DispatchJob* job = parts().queue.find(content.job)) {
-        job->range_pace.add(worker, count, busy_seconds);
-        job->missing.ranges_answered(count);
-    }
-    proxy->tasks.note_busy(task, busy_seconds);
-    proxy->tasks.note_progress(parts().pace.now());
-    proxy->tasks.answer_places(task, std::min(count, content.places_left));
-    return refilled(*proxy, {});
+    return actions;
 }
 
 Actions Dispatcher::task_ended(WorkerId worker, TaskId task) {
@@ -225,7 +193,7 @@ Actions Dispatcher::task_ended(WorkerId worker, TaskId task) {
         return {};
     }
     Actions actions;
-    // The worker is alive, so the unanswered scenarios did not kill it.
+    // The worker is alive, so the unanswered positions did not kill it.
     const TaskInFlight ended = parts().tasks.end(*proxy, task, std::nullopt, actions);
     const bool has_successor = !proxy->tasks.all().empty();
     proxy->batch.judge(ended, has_successor, proxy->facts().threads, parts().pace.now());
@@ -243,13 +211,13 @@ Actions Dispatcher::task_unbegun(WorkerId worker, TaskId task) {
     return settled(std::move(actions));
 }
 
-Actions Dispatcher::task_recalled(WorkerId worker, const Recalled& recalled) {
-    WorkerProxy* proxy = worker_with(worker, recalled.task);
+Actions Dispatcher::task_recalled(WorkerId worker, TaskId task, const PositionSet& returned) {
+    WorkerProxy* proxy = worker_with(worker, task);
     if (proxy == nullptr) {
         return {};
     }
     Actions actions;
-    parts().tasks.take_recalled(*proxy, recalled, actions);
+    parts().tasks.take_recalled(*proxy, task, returned, actions);
     return settled(std::move(actions));
 }
 
@@ -277,12 +245,6 @@ void Dispatcher::roots_arrived(WorkerId worker, TreeId tree, std::span<const Roo
 
 void Dispatcher::time_is(double seconds) {
     parts().pace.time_is(seconds);
-}
-
-void Dispatcher::work_measured(WorkerId worker, const MeasuredWork& work) {
-    if (WorkerProxy* proxy = parts().pool.find(worker)) {
-        parts().pace.add_work(*proxy, work);
-    }
 }
 
 void Dispatcher::transfer_measured(WorkerId worker, std::uint64_t bytes, double seconds) {

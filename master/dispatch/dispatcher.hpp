@@ -4,6 +4,7 @@
 
 #include "common/core/id.hpp"
 #include "common/job/poses/ordered_poses.hpp"
+#include "master/base/position_set.hpp"
 #include "master/dispatch/dispatch_actions.hpp"
 #include "master/dispatch/dispatch_inputs.hpp"
 #include "master/dispatch/dispatch_tree.hpp"
@@ -18,10 +19,11 @@
 
 namespace cd {
 
-/// Each unanswered scenario is in exactly one state: waiting, in one worker's buffer, or in one
-/// task. Positions of ranges wait or are in one task, and leave the dispatcher when it ends.
+/// A scenario is named by its position in the job's hand-out order. It comes analysed, to be
+/// matched with a worker, or in a range without analysis, for the first worker that runs dry.
 ///
-/// Two exceptions exist. At the end of a job a scenario or range in a task may have one speculative
+/// Each unanswered position is in exactly one state: waiting, in one worker's buffer, or in one
+/// task. Two exceptions exist. At the end of a job a position in a task may have one speculative
 /// copy in a task of another worker. A recalled part stays in its task until the worker confirms
 /// its return.
 ///
@@ -47,28 +49,26 @@ class Dispatcher : public DispatchView {
     /// No more scenarios arrive for now: workers about to run dry get the scenarios in their
     /// buffers.
     Actions input_paused();
-    /// These positions in the job's hand-out order may go out without analysis, to the first
-    /// workers that run dry. `after`: number of the job's scenarios that follow the positions.
-    Actions places_given(JobId job, const PlaceRange& places, std::uint64_t after);
-    /// Takes back the positions that came with `places_given` and were not sent.
-    [[nodiscard]] std::vector<PlaceRange> take_places(JobId job);
-    /// Forgets the job and all its scenarios. Late results of it are ignored.
+    /// These positions may go out without analysis, to the first workers that run dry. `after`:
+    /// number of the job's scenarios that follow them.
+    Actions positions_given(JobId job, GivenRange given, std::uint64_t after);
+    /// Takes back the positions that came with `positions_given` and are in no task.
+    [[nodiscard]] std::vector<PlaceRange> take_positions(JobId job);
+    /// Forgets the job and all its positions. Late results of it are ignored.
     Actions job_closed(JobId job);
 
-    /// Records that the worker answered the scenario. Ignored if it was answered before.
-    Actions scenario_answered(WorkerId worker, JobId job, std::uint64_t scenario);
-    /// Records `count` answers of a range; `busy_seconds` is their time, summed over the worker's
-    /// threads. Ignored if the task does not exist.
-    Actions places_answered(WorkerId worker, TaskId task, std::uint64_t count, double busy_seconds);
-    /// The worker has sent all results of the task. Unanswered scenarios return to the queue, not
+    /// Records answers. Ignores positions that were answered before.
+    Actions answered(const Answers& answers);
+    /// The worker has sent all results of the task. Unanswered positions return to the queue, not
     /// counted as lost.
     Actions task_ended(WorkerId worker, TaskId task);
-    /// The task was lost on its way to the worker, which is alive. Unanswered scenarios return to
+    /// The task was lost on its way to the worker, which is alive. Unanswered positions return to
     /// the queue, not counted as lost.
     Actions task_unbegun(WorkerId worker, TaskId task);
-    /// The worker has returned this part of the task, in answer to AskBack or in its inventory
-    /// (Standing). The part waits again, not counted as lost. Ignores what is not in the task.
-    Actions task_recalled(WorkerId worker, const Recalled& recalled);
+    /// The worker has returned these positions of the task, in answer to AskBack or in its
+    /// inventory (Standing). They wait again, not counted as lost. Ignores positions that the task
+    /// lacks.
+    Actions task_recalled(WorkerId worker, TaskId task, const PositionSet& returned);
     /// The worker requests these blocks and counts as holding them from now on.
     void roots_wanted(WorkerId worker, TreeId tree, std::span<const RootIndex> roots);
     Actions roots_evicted(WorkerId worker, TreeId tree, std::span<const RootIndex> roots);
@@ -76,7 +76,6 @@ class Dispatcher : public DispatchView {
     // ---- Measurements for matching by time, which uses defaults until they arrive ----
     /// Sets the time, in seconds since any fixed point; it never decreases.
     void time_is(double seconds);
-    void work_measured(WorkerId worker, const MeasuredWork& work);
     /// Records that `bytes` of blocks reached the worker in `seconds`.
     void transfer_measured(WorkerId worker, std::uint64_t bytes, double seconds);
     /// Records that these blocks have reached the worker.

@@ -5,12 +5,13 @@
 #include "master/dispatch/round_robin.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace cd {
 
 void RangeSender::give(Actions& actions) {
     if (std::ranges::all_of(queue_.jobs(),
-                            [](const auto& job) { return job.second.places.is_empty(); })) {
+                            [](const auto& job) { return job.second.unsent.is_empty(); })) {
         return;
     }
     forget_totals();
@@ -35,28 +36,28 @@ std::uint64_t RangeSender::enough(const DispatchJob& job) const {
     forget_totals();
     std::uint64_t enough = 0;
     for (const WorkerProxy* proxy : context_.pool.in_order()) {
-        enough += proxy->takes_work() ? places_at_once(*proxy, job) : 0;
+        enough += proxy->takes_work() ? positions_at_once(*proxy, job) : 0;
     }
     return enough;
 }
 
 void RangeSender::forget_totals() const {
     for (const auto& [id, job] : queue_.jobs()) {
-        job.place_totals.reset();
+        job.range_totals.reset();
     }
 }
 
-const PlaceTotals& RangeSender::totals(const DispatchJob& job) const {
-    if (job.place_totals) {
-        return *job.place_totals;
+const RangeTotals& RangeSender::totals(const DispatchJob& job) const {
+    if (job.range_totals) {
+        return *job.range_totals;
     }
-    PlaceTotals totals;
-    totals.left = job.places.rest();
+    RangeTotals totals;
+    totals.left = job.unsent.rest();
     for (const WorkerProxy* proxy : context_.pool.in_order()) {
         if (!proxy->takes_work()) {
             continue;
         }
-        const double rate = context_.pace.places_per_second(*proxy, job);
+        const double rate = context_.pace.positions_per_second(*proxy, job);
         totals.rate += rate;
         if (proxy->is_claimed()) {
             continue;
@@ -70,38 +71,39 @@ const PlaceTotals& RangeSender::totals(const DispatchJob& job) const {
             totals.quickest_worker = proxy->id();
         }
     }
-    return job.place_totals.emplace(totals);
+    return job.range_totals.emplace(totals);
 }
 
 bool RangeSender::would_take(const WorkerProxy& proxy, const DispatchJob& job) const {
-    if (job.places.is_empty() || !proxy.takes_work() || proxy.is_claimed() ||
+    if (job.unsent.is_empty() || !proxy.takes_work() || proxy.is_claimed() ||
         &proxy == context_.reserved() ||
         proxy.tasks.count_of(job.id) >= limits::batches_at_worker) {
         return false;
     }
     // The next range goes out before the worker has finished the current one.
-    return proxy.tasks.left() < places_at_once(proxy, job) && !would_be_late(proxy, job);
+    return proxy.tasks.left() < positions_at_once(proxy, job) && !would_be_late(proxy, job);
 }
 
 bool RangeSender::would_be_late(const WorkerProxy& proxy, const DispatchJob& job) const {
-    const PlaceTotals& of_all = totals(job);
+    const RangeTotals& of_all = totals(job);
     const bool is_quickest = of_all.quickest_worker == proxy.id();
     const double quickest = is_quickest ? of_all.quickest_but : of_all.quickest;
     if (quickest <= 0) {
         return false;
     }
     // Compares the time of one scenario on this worker with the time that the others need for all.
-    const double rate = context_.pace.places_per_second(proxy, job);
+    const double rate = context_.pace.positions_per_second(proxy, job);
     const double others = std::max(of_all.unclaimed - rate, quickest);
     const auto left = static_cast<double>(of_all.left - proxy.tasks.left());
     return proxy.facts().threads / rate >
            limits::copy_gain_min * std::max(left / others, 1 / quickest);
 }
 
-std::uint64_t RangeSender::places_at_once(const WorkerProxy& proxy, const DispatchJob& job) const {
-    const double rate = context_.pace.places_per_second(proxy, job);
+std::uint64_t RangeSender::positions_at_once(const WorkerProxy& proxy,
+                                             const DispatchJob& job) const {
+    const double rate = context_.pace.positions_per_second(proxy, job);
     const double all = totals(job).rate;
-    const double left = static_cast<double>(job.places.rest());
+    const double left = static_cast<double>(job.unsent.rest());
     // Half of the worker's share of all unsent scenarios, so that later ranges even out errors.
     const double share = all > 0 ? left * rate / all / 2 : left;
     const double most = std::min(proxy.batch.seconds() * rate, share);
@@ -111,10 +113,10 @@ std::uint64_t RangeSender::places_at_once(const WorkerProxy& proxy, const Dispat
 }
 
 void RangeSender::send(WorkerProxy& proxy, DispatchJob& job, Actions& actions) {
-    const PlaceRange sent = job.places.take_first(places_at_once(proxy, job));
+    GivenRange sent = job.unsent.take_first(positions_at_once(proxy, job));
     queue_.note_served(job.id);
     const auto each_ns = static_cast<std::uint64_t>(context_.pace.mean_cost_ns());
-    tasks_.send_places(proxy, job, sent, each_ns, actions);
+    tasks_.send_range(proxy, job, std::move(sent), each_ns, actions);
 }
 
 } // namespace cd

@@ -1,4 +1,4 @@
-// Sends ranges: consecutive positions in a job's hand-out order, without analysis or matching. The
+// Sends ranges: consecutive positions of a job, without analysis or matching. The
 // first worker to run dry gets the next range, as long as a batch lasts at the worker's measured
 // rate, and shorter towards the end of a job.
 #pragma once
@@ -29,14 +29,14 @@ class RangeSender {
 
   private:
     /// The job's totals as of the last `forget_totals`; work sent since then does not change them.
-    [[nodiscard]] const PlaceTotals& totals(const DispatchJob& job) const;
+    [[nodiscard]] const RangeTotals& totals(const DispatchJob& job) const;
     void send_to(WorkerProxy& proxy, Actions& actions);
     void send(WorkerProxy& proxy, DispatchJob& job, Actions& actions);
     /// True if the worker would finish one scenario long after the others have finished the rest.
     [[nodiscard]] bool would_be_late(const WorkerProxy& proxy, const DispatchJob& job) const;
     /// Length of the worker's next range.
-    [[nodiscard]] std::uint64_t places_at_once(const WorkerProxy& proxy,
-                                               const DispatchJob& job) const;
+    [[nodiscard]] std::uint64_t positions_at_once(const WorkerProxy& proxy,
+                                                  const DispatchJob& job) const;
 
     MatchingContext context_;
     WorkQueue& queue_;

@@ -1,6 +1,5 @@
 #include "master/dispatch/task_table.hpp"
 
-#include "common/core/check.hpp"
 #include "master/base/mutation.hpp"
 
 #include <algorithm>
@@ -13,115 +12,190 @@ namespace cd {
 
 void TaskTable::send(WorkerProxy& proxy,
                      DispatchJob& job,
-                     std::vector<std::uint64_t> scenarios,
+                     std::vector<std::uint64_t> positions,
                      bool claims,
                      Actions& actions) {
     const TaskId task{++last_};
-    TaskInFlight content{job.id, scenarios, claims, 0, pace_.now(), false, 0};
-    for (const std::uint64_t index : scenarios) {
-        DispatchScenario& scenario = job.at(index);
+    TaskInFlight content{job.id, {}, true, claims, 0, pace_.now()};
+    for (const std::uint64_t position : positions) {
+        DispatchScenario& scenario = job.at(position);
         content.cost_ns += scenario.weight.cost_ns;
         content.fetches = content.fetches || scenario.fetches;
         scenario.where = Whereabouts::Sent;
-        scenario.worker = proxy.id();
-        scenario.task = task;
+        scenario.at = {proxy.id(), task};
     }
-    queue_.leave(scenarios.size());
+    queue_.leave(positions.size());
+    content.positions = PositionSet::of(std::move(positions));
+    actions.push_back(SendUnit{proxy.id(), task, job.id, content.positions});
     proxy.tasks.start(task, std::move(content));
-    actions.push_back(SendBatch{proxy.id(), task, job.id, std::move(scenarios)});
 }
 
-void TaskTable::send_places(WorkerProxy& proxy,
-                            DispatchJob& job,
-                            const PlaceRange& places,
-                            std::uint64_t each_ns,
-                            Actions& actions) {
+void TaskTable::send_range(WorkerProxy& proxy,
+                           DispatchJob& job,
+                           GivenRange range,
+                           std::uint64_t each_ns,
+                           Actions& actions) {
     const TaskId task{++last_};
-    const std::uint64_t cost_ns = places.count * each_ns;
+    const std::uint64_t cost_ns = range.positions.count * each_ns;
+    TaskInFlight content{job.id, range.positions, false, false, cost_ns, pace_.now()};
+    content.window = range.window;
     job.copies.add_work(cost_ns);
-    proxy.tasks.start(task,
-                      {job.id, {}, false, cost_ns, pace_.now(), false, 0, places, places.count});
-    actions.push_back(SendRange{proxy.id(), task, job.id, places});
+    actions.push_back(
+        SendUnit{proxy.id(), task, job.id, content.positions, false, {}, std::move(range.window)});
+    proxy.tasks.start(task, std::move(content));
 }
 
-void TaskTable::send_copy(
-    WorkerProxy& helper, DispatchJob& job, std::uint64_t index, bool fetches, Actions& actions) {
+void TaskTable::send_copy(const Assignment& at,
+                          WorkerProxy& helper,
+                          const PositionSet& positions,
+                          bool fetches,
+                          Actions& actions) {
     const TaskId task{++last_};
-    DispatchScenario& scenario = job.at(index);
-    TaskInFlight content{job.id, {index}, false, scenario.weight.cost_ns, pace_.now(), fetches, 0};
-    content.is_copy = true;
-    scenario.copy = {helper.id(), task};
-    scenario.was_copied = true;
-    job.copies.add_copy(scenario.weight.cost_ns);
-    helper.tasks.start(task, std::move(content));
-    actions.push_back(SendBatch{helper.id(), task, job.id, {index}, true});
-}
-
-void TaskTable::copy_places(
-    WorkerProxy& from, TaskId task, WorkerProxy& helper, std::uint64_t count, Actions& actions) {
-    const TaskInFlight& original = from.tasks.at(task);
+    WorkerTasks& tasks = pool_.at(at.worker).tasks;
+    const TaskInFlight& original = tasks.at(at.task);
     DispatchJob& job = queue_.at(original.job);
-    const PlaceRange places{original.places->end() - original.places_copied - count, count};
-    const std::uint64_t cost_ns = count * original.each_ns();
-    const TaskId id{++last_};
-    TaskInFlight content{job.id, {}, false, cost_ns, pace_.now(), false, 0, places, count};
-    content.is_copy = true;
-    from.tasks.add_copied(task, count);
+    const std::uint64_t cost_ns = cost_of(job, original, positions);
+    TaskInFlight copy{
+        job.id, positions, original.is_analysed, false, cost_ns, pace_.now(), fetches};
+    copy.shared.original = at;
+    copy.window = original.window;
+    tasks.add_copy(at.task, {helper.id(), task}, positions);
     job.copies.add_copy(cost_ns);
-    helper.tasks.start(id, std::move(content));
-    actions.push_back(SendRange{helper.id(), id, job.id, places, task});
+    actions.push_back(
+        SendUnit{helper.id(), task, job.id, positions, copy.is_analysed, at.task, copy.window});
+    helper.tasks.start(task, std::move(copy));
 }
 
-// ---- Answers and ends ---------------------------------------------------------------------------
+// ---- Answers ------------------------------------------------------------------------------------
 
-void TaskTable::withdraw(DispatchJob& job,
-                         std::uint64_t index,
-                         DispatchScenario& scenario,
-                         WorkerId by,
-                         Actions& actions) {
-    switch (scenario.where) {
-    case Whereabouts::Waiting:
-    case Whereabouts::Suspect:
-        queue_.remove(job, index, scenario);
-        return;
-    case Whereabouts::Buffered:
-        pool_.at(scenario.worker).buffers.remove(job.id, index, scenario.weight);
-        queue_.leave(mutated(Mutation::RoomNotGivenBack) ? 0 : 1);
-        return;
-    case Whereabouts::Sent:
-        if (!mutated(Mutation::AnswerLeftAtWorker)) {
-            answer_sent(job, index, scenario, by, actions);
+const TaskInFlight* TaskTable::find(const Assignment& task) const {
+    const WorkerProxy* const proxy = pool_.find(task.worker);
+    return proxy == nullptr ? nullptr : proxy->tasks.find(task.task);
+}
+
+TaskTable::Relieved TaskTable::answer(DispatchJob& job, const Answers& answers, Actions& actions) {
+    Relieved relieved;
+    PositionSet rest = answers.positions;
+    const Assignment named{answers.worker, answers.task};
+    const TaskInFlight* const task = find(named);
+    if (task != nullptr && task->job == job.id) {
+        const std::uint64_t cost_before = task->cost_ns;
+        PositionSet found = answer_in(job, named, answers.worker, rest, relieved);
+        learn(job, answers, cost_before - task->cost_ns);
+        const auto call_off = [&](const Assignment& at) {
+            PositionSet there = answer_in(job, at, answers.worker, rest, relieved);
+            found.add(there);
+            if (!there.is_empty()) {
+                actions.push_back(CallOff{at.worker, at.task, std::move(there)});
+            }
+        };
+        call_off(task->shared.original);
+        std::ranges::for_each(task->shared.copies, call_off);
+        if (task->is_analysed) {
+            for (const std::uint64_t position : found.list()) {
+                job.scenarios.erase(position);
+            }
         }
+        rest.remove(found);
+    }
+    if (!rest.is_empty()) {
+        answer_elsewhere(job, answers.worker, rest, relieved);
+    }
+    return relieved;
+}
+
+PositionSet TaskTable::answer_in(DispatchJob& job,
+                                 const Assignment& at,
+                                 WorkerId by,
+                                 const PositionSet& positions,
+                                 Relieved& relieved) {
+    const TaskInFlight* const task = find(at);
+    if (task == nullptr || task->job != job.id) {
+        return {};
+    }
+    PositionSet found = task->positions.common_with(positions);
+    if (found.is_empty()) {
+        return found;
+    }
+    WorkerProxy& proxy = pool_.at(at.worker);
+    const bool is_own = at.worker == by;
+    if (!mutated(is_own ? Mutation::AnswerLeftAtWorker : Mutation::CopyLeftAtWorker)) {
+        proxy.tasks.remove(at.task, found, cost_of(job, *task, found));
+    }
+    relieved.workers.insert(at.worker);
+    if (!is_own) {
+        return found;
+    }
+    proxy.tasks.note_answers(found.count(), pace_.now());
+    if (task->is_analysed) {
+        for (const std::uint64_t position : found.list()) {
+            const ScenarioRoots& roots = job.at(position).roots;
+            pool_.arrived(proxy, job.a.tree, roots.a);
+            pool_.arrived(proxy, job.b.tree, roots.b);
+        }
+    }
+    return found;
+}
+
+void TaskTable::answer_elsewhere(DispatchJob& job,
+                                 WorkerId by,
+                                 const PositionSet& positions,
+                                 Relieved& relieved) {
+    PositionSet unanalysed;
+    for (const std::uint64_t position : positions.list()) {
+        const auto found = job.scenarios.find(position);
+        if (found == job.scenarios.end()) {
+            unanalysed.add({position, 1});
+            continue;
+        }
+        const DispatchScenario& scenario = found->second;
+        if (scenario.where == Whereabouts::Sent) {
+            const PlaceRange alone{position, 1};
+            answer_in(job, scenario.at, by, alone, relieved);
+            for (const Assignment& copy : find(scenario.at)->shared.copies) {
+                answer_in(job, copy, by, alone, relieved);
+            }
+        } else {
+            if (scenario.where == Whereabouts::Buffered) {
+                pool_.at(scenario.at.worker).buffers.remove(job.id, position, scenario.weight);
+            }
+            queue_.remove(job, position, scenario);
+            relieved.any_unsent = true;
+        }
+        job.scenarios.erase(found);
+    }
+    if (unanalysed.is_empty()) {
         return;
+    }
+    relieved.any_unsent = job.unsent.remove(unanalysed) || relieved.any_unsent;
+    for (const WorkerProxy* proxy : pool_.in_order()) {
+        for (const auto& [id, task] : proxy->tasks.all()) {
+            if (!task.is_analysed) {
+                answer_in(job, {proxy->id(), id}, by, unanalysed, relieved);
+            }
+        }
     }
 }
 
-void TaskTable::answer_sent(DispatchJob& job,
-                            std::uint64_t index,
-                            const DispatchScenario& scenario,
-                            WorkerId by,
-                            Actions& actions) {
-    const std::uint64_t cost_ns = scenario.weight.cost_ns;
-    pool_.at(scenario.worker).tasks.answer(scenario.task, index, cost_ns, scenario.worker == by);
-    if (scenario.copy && !mutated(Mutation::CopyLeftAtWorker)) {
-        const auto& [worker, task] = *scenario.copy;
-        const bool copy_won = worker == by;
-        pool_.at(worker).tasks.answer(task, index, cost_ns, copy_won);
-        actions.push_back(CallOff{
-            copy_won ? scenario.worker : worker, copy_won ? scenario.task : task, job.id, index});
+void TaskTable::learn(DispatchJob& job, const Answers& answers, std::uint64_t cost_ns) {
+    WorkerProxy& proxy = pool_.at(answers.worker);
+    if (proxy.tasks.at(answers.task).is_analysed) {
+        pace_.add_work(proxy, cost_ns, answers.busy_seconds);
+    } else {
+        const std::uint64_t count = answers.positions.count();
+        job.range_pace.add(answers.worker, count, answers.busy_seconds);
+        job.missing.ranges_answered(count);
     }
+    proxy.tasks.note_busy(answers.task, answers.busy_seconds);
 }
+
+// ---- Ends ---------------------------------------------------------------------------------------
 
 TaskInFlight TaskTable::end(WorkerProxy& proxy, TaskId task, LostWith lost_with, Actions& actions) {
     TaskInFlight ended = proxy.tasks.end(task);
     std::erase_if(recalls_, [&](const auto& asked) { return asked.second.task == task; });
-    if (ended.is_range()) {
-        if (DispatchJob* job = queue_.find(ended.job)) {
-            job->copies.remove_work(ended.cost_ns);
-        }
-        actions.push_back(RangeEnded{task, ended.job, *ended.places, lost_with});
-    } else {
-        take_back(task, ended, lost_with, actions);
+    if (DispatchJob* job = queue_.find(ended.job)) {
+        requeue(*job, ended, unshared(*job, ended, ended.positions), lost_with, actions);
     }
     return ended;
 }
@@ -134,102 +208,139 @@ void TaskTable::lose_all(WorkerProxy& proxy, Actions& actions) {
     forget_recall(proxy.id());
 }
 
-void TaskTable::take_back(TaskId task,
-                          const TaskInFlight& ended,
-                          LostWith lost_with,
-                          Actions& actions) {
-    DispatchJob* job = queue_.find(ended.job);
-    if (job == nullptr) {
+PositionSet TaskTable::unshared(DispatchJob& job, const TaskInFlight& left, PositionSet positions) {
+    const auto leave_to = [&](const Assignment& at) {
+        const TaskInFlight* const other = find(at);
+        if (other == nullptr) {
+            return;
+        }
+        const PositionSet there = positions.common_with(other->positions);
+        if (left.is_analysed) {
+            for (const std::uint64_t position : there.list()) {
+                job.at(position).at = at;
+            }
+        }
+        positions.remove(there);
+    };
+    if (!mutated(Mutation::CopyIsAlone)) {
+        leave_to(left.shared.original);
+        std::ranges::for_each(left.shared.copies, leave_to);
+    }
+    return positions;
+}
+
+void TaskTable::requeue(DispatchJob& job,
+                        const TaskInFlight& left,
+                        const PositionSet& positions,
+                        LostWith lost_with,
+                        Actions& actions) {
+    if (positions.is_empty()) {
         return;
     }
+    if (left.is_analysed) {
+        return requeue_analysed(job, positions, lost_with, actions);
+    }
+    job.copies.remove_work(cost_of(job, left, positions));
+    if (mutated(Mutation::LostRangeForgotten)) {
+        return;
+    }
+    if (lost_with) {
+        actions.push_back(PositionsLost{job.id, positions, false, *lost_with});
+    } else {
+        job.unsent.put_back(positions, left.window);
+    }
+}
+
+void TaskTable::requeue_analysed(DispatchJob& job,
+                                 const PositionSet& positions,
+                                 LostWith lost_with,
+                                 Actions& actions) {
     std::vector<std::uint64_t> again;
-    ScenariosLost lost{job->id, {}, lost_with.value_or(0)};
-    for (const std::uint64_t index : ended.scenarios) {
+    PositionSet lost;
+    for (const std::uint64_t position : positions.list()) {
         if (mutated(lost_with ? Mutation::LostLeaseForgotten : Mutation::DrainedWorkForgotten)) {
-            job->scenarios.erase(index);
+            job.scenarios.erase(position);
             continue;
         }
-        DispatchScenario& scenario = job->at(index);
-        // Losing a copy does not count while the original is still running.
-        const bool is_copy = scenario.copy && scenario.copy->task == task;
-        if (lost_with && !is_copy) {
+        DispatchScenario& scenario = job.at(position);
+        if (lost_with) {
             scenario.losses.add(*lost_with);
-            lost.scenarios.push_back(index);
-        }
-        if (scenario.leave_task(task) && !mutated(Mutation::CopyIsAlone)) {
-            continue;
         }
         if (scenario.is_lost_for_good()) {
-            job->scenarios.erase(index);
-            actions.push_back(GiveUp{job->id, index});
-        } else if (!queue_.suspect(*job, index, scenario)) {
-            again.push_back(index);
+            job.scenarios.erase(position);
+            actions.push_back(GiveUp{job.id, position});
+            continue;
+        }
+        if (lost_with) {
+            lost.add({position, 1});
+        }
+        if (!queue_.suspect(job, position, scenario)) {
+            again.push_back(position);
         }
     }
-    queue_.put_back_sent(*job, again);
-    if (!lost.scenarios.empty()) {
-        actions.push_back(std::move(lost));
-    }
-}
-
-std::uint64_t TaskTable::owed(WorkerId worker, TaskId task) const {
-    const WorkerProxy* const proxy = pool_.find(worker);
-    const bool owes = proxy != nullptr && !proxy->is_draining() && proxy->tasks.contains(task);
-    return owes ? proxy->tasks.at(task).left() : 0;
-}
-
-// ---- Recalls ------------------------------------------------------------------------------------
-
-void TaskTable::ask_back(AskBack ask, std::uint64_t count, WorkerId helper, Actions& actions) {
-    recalls_[ask.worker] = {ask.task, count, helper, pace_.now()};
-    actions.push_back(std::move(ask));
-}
-
-void TaskTable::take_recalled(WorkerProxy& proxy, const Recalled& recalled, Actions& actions) {
-    const TaskInFlight& task = proxy.tasks.at(recalled.task);
-    DispatchJob* job = queue_.find(task.job);
-    GivenBack given{recalled.task, task.job, 0, {}};
-    if (job != nullptr && task.is_range()) {
-        const std::uint64_t before = task.cost_ns;
-        given.places = proxy.tasks.cut_places(recalled.task, recalled.places);
-        job->copies.remove_work(before - task.cost_ns);
-    } else if (job != nullptr) {
-        given.scenarios = take_recalled_scenarios(proxy, *job, recalled);
-    }
-    const std::uint64_t count = given.scenarios + given.places.count;
-    const auto asked = recalls_.find(proxy.id());
-    if (asked != recalls_.end() && asked->second.task == recalled.task) {
-        if (count < asked->second.asked) {
-            proxy.tasks.set_begun(recalled.task);
-        }
-        recalls_.erase(asked);
-    }
-    if (count != 0) {
-        actions.push_back(given);
+    queue_.put_back_sent(job, again);
+    if (!lost.is_empty()) {
+        actions.push_back(PositionsLost{job.id, std::move(lost), true, *lost_with});
     }
 }
 
 std::uint64_t
-TaskTable::take_recalled_scenarios(WorkerProxy& proxy, DispatchJob& job, const Recalled& recalled) {
-    std::uint64_t count = 0;
-    std::vector<std::uint64_t> again;
-    for (const std::uint64_t index : recalled.scenarios) {
-        const auto found = job.scenarios.find(index);
-        if (found == job.scenarios.end() || !found->second.is_in(recalled.task)) {
-            continue; // Returned before, or answered by another worker.
+TaskTable::cost_of(const DispatchJob& job, const TaskInFlight& task, const PositionSet& positions) {
+    std::uint64_t cost_ns = 0;
+    if (task.is_analysed) {
+        for (const std::uint64_t position : positions.list()) {
+            cost_ns += job.at(position).weight.cost_ns;
         }
-        DispatchScenario& scenario = found->second;
-        ++count;
-        if (!mutated(Mutation::RecalledLeftAtWorker)) {
-            proxy.tasks.answer(recalled.task, index, scenario.weight.cost_ns, false);
-        }
-        if (!scenario.leave_task(recalled.task)) {
-            ++scenario.recalls;
-            again.push_back(index);
-        }
+    } else if (positions.count() == task.left()) {
+        cost_ns = task.cost_ns;
+    } else {
+        const auto share =
+            static_cast<double>(positions.count()) / static_cast<double>(task.left());
+        cost_ns = static_cast<std::uint64_t>(share * static_cast<double>(task.cost_ns));
     }
-    queue_.put_back_sent(job, again);
-    return count;
+    return cost_ns;
+}
+
+std::uint64_t TaskTable::owed(const Assignment& task) const {
+    const TaskInFlight* const found = find(task);
+    return found == nullptr || pool_.find(task.worker)->is_draining() ? 0 : found->left();
+}
+
+// ---- Recalls ------------------------------------------------------------------------------------
+
+void TaskTable::ask_back(AskBack ask, WorkerId helper, Actions& actions) {
+    recalls_[ask.worker] = {ask.task, ask.positions.count(), helper, pace_.now()};
+    actions.push_back(std::move(ask));
+}
+
+void TaskTable::take_recalled(WorkerProxy& proxy,
+                              TaskId id,
+                              const PositionSet& returned,
+                              Actions& actions) {
+    const TaskInFlight task = proxy.tasks.at(id); // As it was before it shrinks.
+    const PositionSet back = task.positions.common_with(returned);
+    DispatchJob* job = queue_.find(task.job);
+    if (!back.is_empty() && job != nullptr) {
+        if (!mutated(Mutation::RecalledLeftAtWorker)) {
+            proxy.tasks.remove(id, back, cost_of(*job, task, back));
+        }
+        const PositionSet alone = unshared(*job, task, back);
+        for (const std::uint64_t position :
+             task.is_analysed ? alone.list() : std::vector<std::uint64_t>{}) {
+            ++job->at(position).recalls;
+        }
+        if (!mutated(Mutation::RecalledIsLost)) {
+            requeue(*job, task, alone, std::nullopt, actions);
+        }
+        actions.push_back(UnitsReturned{job->id, back.count()});
+    }
+    const auto asked = recalls_.find(proxy.id());
+    if (asked != recalls_.end() && asked->second.task == id) {
+        if (back.count() < asked->second.asked) {
+            proxy.tasks.set_begun(id);
+        }
+        recalls_.erase(asked);
+    }
 }
 
 } // namespace cd

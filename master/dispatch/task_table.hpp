@@ -5,10 +5,10 @@
 #include "master/dispatch/work_queue.hpp"
 #include "master/dispatch/workers/cluster_pace.hpp"
 #include "master/dispatch/workers/worker_pool.hpp"
-#include "proto/messages/work_messages.hpp"
 
 #include <cstdint>
 #include <map>
+#include <set>
 #include <vector>
 
 namespace cd {
@@ -16,16 +16,16 @@ namespace cd {
 /// An unanswered recall.
 struct PendingRecall {
     TaskId task;
-    std::uint64_t asked = 0; ///< Number of recalled scenarios or positions.
+    std::uint64_t asked = 0; ///< Number of recalled positions.
     WorkerId helper;         ///< Worker that is to get the returned work.
     double since = 0;        ///< Time of the recall, s.
 };
 
-/// Numbers the tasks, and keeps each in its worker's `WorkerTasks`. Scenarios that leave a task
-/// unanswered return to the queue.
+/// Numbers the tasks, and keeps each in its worker's `WorkerTasks`. Positions that leave all their
+/// tasks unanswered return to the queue.
 class TaskTable {
   public:
-    TaskTable(WorkerPool& pool, WorkQueue& queue, const ClusterPace& pace)
+    TaskTable(WorkerPool& pool, WorkQueue& queue, ClusterPace& pace)
         : pool_(pool), queue_(queue), pace_(pace) {}
 
     // ---- Sending ------------------------------------------------------------------------------
@@ -33,67 +33,92 @@ class TaskTable {
     /// the worker gets nothing else until the task ends.
     void send(WorkerProxy& proxy,
               DispatchJob& job,
-              std::vector<std::uint64_t> scenarios,
+              std::vector<std::uint64_t> positions,
               bool claims,
               Actions& actions);
-    /// Sends positions that are in no task. `each_ns`: predicted time of one position.
-    void send_places(WorkerProxy& proxy,
-                     DispatchJob& job,
-                     const PlaceRange& places,
-                     std::uint64_t each_ns,
-                     Actions& actions);
-    /// Sends a speculative copy of a sent scenario. `fetches`: the helper lacks blocks of it.
-    void send_copy(
-        WorkerProxy& helper, DispatchJob& job, std::uint64_t index, bool fetches, Actions& actions);
-    /// Sends a speculative copy of `count` positions of a range: the last ones without a copy.
-    void copy_places(
-        WorkerProxy& from, TaskId task, WorkerProxy& helper, std::uint64_t count, Actions& actions);
+    /// Sends positions without analysis, which are in no task. `each_ns`: predicted time of one.
+    void send_range(WorkerProxy& proxy,
+                    DispatchJob& job,
+                    GivenRange range,
+                    std::uint64_t each_ns,
+                    Actions& actions);
+    /// Sends a speculative copy of positions that are unanswered in the task. `fetches`: the helper
+    /// lacks blocks of it.
+    void send_copy(const Assignment& original,
+                   WorkerProxy& helper,
+                   const PositionSet& positions,
+                   bool fetches,
+                   Actions& actions);
 
     // ---- Answers and ends ---------------------------------------------------------------------
-    /// Removes the answered scenario from queue, buffer or task, but not from the job. If it had a
-    /// copy, cancels it at the worker that did not answer. `by`: the worker that answered.
-    void withdraw(DispatchJob& job,
-                  std::uint64_t index,
-                  DispatchScenario& scenario,
-                  WorkerId by,
-                  Actions& actions);
+    /// Workers whose load has decreased.
+    struct Relieved {
+        std::set<WorkerId> workers;
+        bool any_unsent = false; ///< Some positions were unsent, so any worker may take more.
+    };
+    /// Removes the answered positions wherever they are, cancels their speculative copies, and
+    /// learns the worker's speed. Ignores positions that were answered before.
+    Relieved answer(DispatchJob& job, const Answers& answers, Actions& actions);
     /// Ends a task of the worker. The unanswered rest is queued again; lost scenarios may become
     /// suspects or be given up. Returns the task.
     TaskInFlight end(WorkerProxy& proxy, TaskId task, LostWith lost_with, Actions& actions);
     /// Ends all tasks of a lost worker, and forgets its recall.
     void lose_all(WorkerProxy& proxy, Actions& actions);
-    /// Scenarios of the task that must be answered before it ends; 0 if the worker drains or does
+    /// Null if there is no such task.
+    [[nodiscard]] const TaskInFlight* find(const Assignment& task) const;
+    /// Positions of the task that must be answered before it ends; 0 if the worker drains or does
     /// not exist.
-    [[nodiscard]] std::uint64_t owed(WorkerId worker, TaskId task) const;
+    [[nodiscard]] std::uint64_t owed(const Assignment& task) const;
 
     // ---- Recalls ------------------------------------------------------------------------------
-    /// Recalls `count` scenarios or positions for the helper. The worker must have no open recall.
-    void ask_back(AskBack ask, std::uint64_t count, WorkerId helper, Actions& actions);
+    /// Recalls positions for the helper. The worker must have no open recall.
+    void ask_back(AskBack ask, WorkerId helper, Actions& actions);
     /// The unanswered recalls, at most one per worker.
     [[nodiscard]] const std::map<WorkerId, PendingRecall>& recalls() const { return recalls_; }
     /// Ignored if the worker has no open recall.
     void forget_recall(WorkerId worker) { recalls_.erase(worker); }
-    /// Takes back the part that the worker has returned of one of its tasks.
-    void take_recalled(WorkerProxy& proxy, const Recalled& recalled, Actions& actions);
+    /// Queues the positions again that the worker has returned of one of its tasks.
+    void
+    take_recalled(WorkerProxy& proxy, TaskId task, const PositionSet& returned, Actions& actions);
 
     /// Highest id of any task so far; 0 before the first.
     [[nodiscard]] TaskId last() const { return TaskId{last_}; }
 
   private:
-    /// Queues the scenarios of an ended batch again, or gives up those lost too often.
-    void take_back(TaskId task, const TaskInFlight& ended, LostWith lost_with, Actions& actions);
-    /// Returns the number of scenarios that were in the task.
-    std::uint64_t
-    take_recalled_scenarios(WorkerProxy& proxy, DispatchJob& job, const Recalled& recalled);
-    void answer_sent(DispatchJob& job,
-                     std::uint64_t index,
-                     const DispatchScenario& scenario,
-                     WorkerId by,
-                     Actions& actions);
+    /// Removes answered positions from one task, if it exists, and returns those that it had. `by`:
+    /// the worker that answered.
+    PositionSet answer_in(DispatchJob& job,
+                          const Assignment& at,
+                          WorkerId by,
+                          const PositionSet& positions,
+                          Relieved& relieved);
+    /// Removes answered positions that are unsent, or in a task that the worker did not name. Their
+    /// workers are not told: a second answer exposes a wrong worker.
+    void answer_elsewhere(DispatchJob& job,
+                          WorkerId by,
+                          const PositionSet& positions,
+                          Relieved& relieved);
+    /// Learns the worker's speed from answers of an existing task. `cost_ns`: their predicted time.
+    void learn(DispatchJob& job, const Answers& answers, std::uint64_t cost_ns);
+    /// Returns the positions that no task shares with `left`, which they have just left.
+    [[nodiscard]] PositionSet
+    unshared(DispatchJob& job, const TaskInFlight& left, PositionSet positions);
+    /// Queues positions again that are in no task any more, or gives up those lost too often.
+    void requeue(DispatchJob& job,
+                 const TaskInFlight& left,
+                 const PositionSet& positions,
+                 LostWith lost_with,
+                 Actions& actions);
+    void requeue_analysed(DispatchJob& job,
+                          const PositionSet& positions,
+                          LostWith lost_with,
+                          Actions& actions);
+    [[nodiscard]] static std::uint64_t
+    cost_of(const DispatchJob& job, const TaskInFlight& task, const PositionSet& positions);
 
     WorkerPool& pool_;
     WorkQueue& queue_;
-    const ClusterPace& pace_;
+    ClusterPace& pace_;
     std::map<WorkerId, PendingRecall> recalls_;
     std::uint64_t last_ = 0;
 };

@@ -1,6 +1,7 @@
 #include "master/dispatch/work_queue.hpp"
 
 #include "common/core/check.hpp"
+#include "master/base/mutation.hpp"
 #include "master/dispatch/policy/matching_policy.hpp"
 
 #include <algorithm>
@@ -38,48 +39,50 @@ bool WorkQueue::is_tree_used(TreeId tree) const {
     return std::ranges::any_of(jobs_, [&](const auto& job) { return job.second.uses(tree); });
 }
 
-bool WorkQueue::add(DispatchJob& job, std::uint64_t index, DispatchScenario scenario) {
-    const auto [place, is_new] = job.scenarios.emplace(index, std::move(scenario));
+bool WorkQueue::add(DispatchJob& job, std::uint64_t position, DispatchScenario scenario) {
+    const auto [added, is_new] = job.scenarios.emplace(position, std::move(scenario));
     CD_CHECK(is_new);
-    if (suspect(job, index, place->second)) {
+    if (suspect(job, position, added->second)) {
         return true;
     }
     ++unsent_;
-    job.waiting.push_back(index);
+    job.waiting.push_back(position);
     return false;
 }
 
-void WorkQueue::put_back(DispatchJob& job, std::span<const std::uint64_t> scenarios) {
-    for (const std::uint64_t index : scenarios) {
-        job.at(index).where = Whereabouts::Waiting;
+void WorkQueue::put_back(DispatchJob& job, std::span<const std::uint64_t> positions) {
+    for (const std::uint64_t position : positions) {
+        job.at(position).where = Whereabouts::Waiting;
     }
-    job.waiting.insert(job.waiting.begin(), scenarios.begin(), scenarios.end());
+    job.waiting.insert(job.waiting.begin(), positions.begin(), positions.end());
 }
 
-void WorkQueue::put_back_sent(DispatchJob& job, std::span<const std::uint64_t> scenarios) {
-    unsent_ += scenarios.size();
-    put_back(job, scenarios);
+void WorkQueue::put_back_sent(DispatchJob& job, std::span<const std::uint64_t> positions) {
+    unsent_ += positions.size();
+    put_back(job, positions);
 }
 
-bool WorkQueue::suspect(const DispatchJob& job, std::uint64_t index, DispatchScenario& scenario) {
+bool WorkQueue::suspect(const DispatchJob& job,
+                        std::uint64_t position,
+                        DispatchScenario& scenario) {
     if (!scenario.is_suspect()) {
         return false;
     }
     scenario.where = Whereabouts::Suspect;
-    suspects_.push_back({job.id, index});
+    suspects_.push_back({job.id, position});
     ++unsent_;
     return true;
 }
 
-void WorkQueue::remove(DispatchJob& job, std::uint64_t index, const DispatchScenario& scenario) {
+void WorkQueue::remove(DispatchJob& job, std::uint64_t position, const DispatchScenario& scenario) {
     if (scenario.where == Whereabouts::Waiting) {
-        std::erase(job.waiting, index);
-    } else {
+        std::erase(job.waiting, position);
+    } else if (scenario.where == Whereabouts::Suspect) {
         std::erase_if(suspects_, [&](const Suspect& suspect) {
-            return suspect.job == job.id && suspect.scenario == index;
+            return suspect.job == job.id && suspect.position == position;
         });
     }
-    --unsent_;
+    unsent_ -= mutated(Mutation::RoomNotGivenBack) ? 0 : 1;
 }
 
 Suspect WorkQueue::take_suspect() {
@@ -99,7 +102,7 @@ bool WorkQueue::something_waits() const {
 
 bool WorkQueue::is_exhausted() const {
     return unsent_ == 0 && is_paused_ && std::ranges::all_of(jobs_, [](const auto& job) {
-               return job.second.places.rest() == 0;
+               return job.second.unsent.rest() == 0;
            });
 }
 

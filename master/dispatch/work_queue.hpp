@@ -1,5 +1,4 @@
-// Unsent work: the jobs' analysed scenarios, and the positions in their hand-out order that go out
-// without analysis.
+// Unsent work: the jobs' analysed scenarios, and the positions that go out without analysis.
 #pragma once
 
 #include "master/dispatch/job/dispatch_job.hpp"
@@ -15,7 +14,7 @@ namespace cd {
 /// A scenario that is given up when it is lost with one more worker.
 struct Suspect {
     JobId job;
-    std::uint64_t scenario = 0;
+    std::uint64_t position = 0;
 };
 
 /// Holds the open jobs, each with its waiting scenarios and unsent positions. A scenario is unsent
@@ -49,16 +48,17 @@ class WorkQueue {
     /// Number of unsent scenarios of all jobs.
     [[nodiscard]] std::uint64_t unsent() const { return unsent_; }
     /// Queues a new scenario at the end. Returns whether it is a suspect.
-    bool add(DispatchJob& job, std::uint64_t index, DispatchScenario scenario);
+    bool add(DispatchJob& job, std::uint64_t position, DispatchScenario scenario);
     /// Returns scenarios from a buffer to the head of the job's queue.
-    void put_back(DispatchJob& job, std::span<const std::uint64_t> scenarios);
+    void put_back(DispatchJob& job, std::span<const std::uint64_t> positions);
     /// Returns scenarios from a task to the head of the job's queue.
-    void put_back_sent(DispatchJob& job, std::span<const std::uint64_t> scenarios);
+    void put_back_sent(DispatchJob& job, std::span<const std::uint64_t> positions);
     /// If the scenario is a suspect, queues it as one and returns true. It must be in no task.
-    bool suspect(const DispatchJob& job, std::uint64_t index, DispatchScenario& scenario);
-    /// Removes a scenario from the waiting ones or the suspects, but not from the job.
-    void remove(DispatchJob& job, std::uint64_t index, const DispatchScenario& scenario);
-    /// Counts scenarios as no longer unsent: sent in a task, or dropped from a buffer.
+    bool suspect(const DispatchJob& job, std::uint64_t position, DispatchScenario& scenario);
+    /// Removes an unsent scenario from the waiting ones or the suspects, but not from the job. One
+    /// that is buffered must have left its buffer.
+    void remove(DispatchJob& job, std::uint64_t position, const DispatchScenario& scenario);
+    /// Counts scenarios as no longer unsent: sent in a task, or dropped with their job.
     void leave(std::uint64_t scenarios) { unsent_ -= scenarios; }
     /// Each suspect travels alone, to an idle worker, so that one deadly scenario does not take
     /// others with it.

@@ -1,15 +1,14 @@
 // The state of one job on the master, from its acceptance until it is forgotten.
 #pragma once
 
-#include "common/job/poses/pose_source.hpp"
+#include "common/job/poses/ordered_poses.hpp"
 #include "master/compute/analyser.hpp"
 #include "master/compute/result_check.hpp"
 #include "master/dispatch/worker_pace.hpp"
 #include "master/geometry/mesh_hold.hpp"
-#include "master/jobs/given_places.hpp"
 #include "master/jobs/merged_results.hpp"
 #include "master/jobs/open_analyses.hpp"
-#include "master/jobs/place_queue.hpp"
+#include "master/jobs/position_queue.hpp"
 #include "master/journal/job_map.hpp"
 #include "master/journal/journal.hpp"
 #include "master/journal/ledger.hpp"
@@ -40,12 +39,10 @@ struct JobRates {
 struct JobWork {
     std::shared_ptr<const JobMaterial> material;
     AnalysisInput analysis_input;
-    std::vector<TreeId> trees; ///< One for each body, in the order of the bodies.
-    std::shared_ptr<OrderedPoses> order;
-    PlaceQueue todo;                    ///< Positions to hand out.
-    std::uint64_t places_loading = 0;   ///< Number taken from `todo` whose poses are loading.
-    PlacesAtDispatcher given;           ///< Positions given to the dispatcher and not sent.
-    std::unique_ptr<Analyser> analyser; ///< Made when the first analysis begins.
+    std::vector<TreeId> trees;           ///< One for each body, in the order of the bodies.
+    PositionQueue todo;                  ///< Positions to hand out.
+    std::uint64_t positions_loading = 0; ///< Number taken from `todo` whose poses are loading.
+    std::unique_ptr<Analyser> analyser;  ///< Made when the first analysis begins.
     OpenAnalyses open;
     JobRates rates;
     /// Entry i: true if scenario i has a result, so that an analysis skips the scenario. Null: not
@@ -61,12 +58,12 @@ struct JobWork {
 
 /// State that only a job that has not ended needs.
 struct JobRun {
-    std::shared_ptr<PoseSource> poses;
+    std::shared_ptr<OrderedPoses> poses;
     std::string paused;            ///< Disk error that pauses the job; empty if none.
     std::uint64_t disputes = 0;    ///< Number of disputes that the master has not decided.
     std::unique_ptr<JobWork> work; ///< Null until the geometry is loaded.
     // Restored after a restart of the master, until `work` exists.
-    std::vector<LostPlaces> losses_before;
+    std::vector<LostPositions> losses_before;
     std::vector<Dispute> disputes_before;
 };
 

@@ -84,7 +84,7 @@ std::optional<Dispute> JobMerger::merge_one(MasterJob& job,
         return std::nullopt;
     case MergedResults::Outcome::Added:
         if (JobWork* work = job.work()) {
-            work->open.close(index);
+            work->open.close(taken.position);
         }
     }
     const ResultRow row{index, taken.record.size(), facts, taken.digest};
@@ -92,10 +92,11 @@ std::optional<Dispute> JobMerger::merge_one(MasterJob& job,
     return std::nullopt;
 }
 
-void JobMerger::fail(MasterJob& job, const Scenario& scenario, const std::string& why) {
+void JobMerger::fail(MasterJob& job, const PlacedScenario& placed, const std::string& why) {
     const Error error{ErrorCode::Interrupted, why};
     std::vector<TakenResult> taken;
-    taken.push_back(take_result(failed_result(scenario, job.submit.query, error), {}));
+    taken.push_back(
+        take_result(failed_result(placed.scenario, job.submit.query, error), placed.position, {}));
     merge(job, {std::move(taken), {}}, nullptr);
     life_.end_if_complete(job);
 }

@@ -29,7 +29,7 @@ class JobMerger {
               const std::shared_ptr<const Author>& author,
               AddResults& add);
     /// Merges a failure as the scenario's result. Ends the job if no other result is missing.
-    void fail(MasterJob& job, const Scenario& scenario, const std::string& why);
+    void fail(MasterJob& job, const PlacedScenario& placed, const std::string& why);
 
   private:
     JobLife& life_;

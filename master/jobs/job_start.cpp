@@ -17,7 +17,7 @@ void JobStart::begin(const JobRecord& record,
         parts_.jobs.add(MasterJob(record.id, submit, std::move(results), Clock::now()));
     job.times.began = record.began;
     job.meshes = parts_.geometry.hold(meshes_of(submit));
-    job.run->poses = std::move(poses);
+    job.run->poses = std::make_shared<OrderedPoses>(std::move(poses));
     log_info("job accepted: job={} name=\"{}\" scenarios={} strategy={}",
              job.id.value,
              submit.name,
@@ -65,8 +65,7 @@ void JobStart::open(MasterJob& job, const JobGeometry& made) {
     work.analysis_input = make_analysis_input(made, submit.query, job.run->poses);
     work.material = std::make_shared<const JobMaterial>(
         JobMaterial{made.tree_a, made.tree_b, submit.query, work.analysis_input.settler});
-    work.order = std::make_shared<OrderedPoses>(job.run->poses);
-    work.todo = PlaceQueue(work.order->count(), std::exchange(job.run->losses_before, {}));
+    work.todo = PositionQueue(job.run->poses->count(), std::exchange(job.run->losses_before, {}));
     work.trees = {parts_.trees.acquire(submit.bodies[0].mesh, made.cut_a),
                   parts_.trees.acquire(submit.bodies[1].mesh, made.cut_b)};
     job.tally.depths = {made.cut_a->depth(), made.cut_b->depth()};

@@ -11,29 +11,29 @@
 
 namespace cd {
 
-/// The analyses by scenario index, and the memory that they take.
+/// The analyses by position in the job's hand-out order, and the memory that they take.
 class OpenAnalyses {
   public:
     /// The scenario must not have an open analysis.
     const Analysis& add(Analysis analysis) {
         bytes_ += analysis.bytes;
-        const std::uint64_t index = analysis.scenario.index;
-        return *all_.emplace(index, std::make_shared<const Analysis>(std::move(analysis)))
+        const std::uint64_t position = analysis.position;
+        return *all_.emplace(position, std::make_shared<const Analysis>(std::move(analysis)))
                     .first->second;
     }
     /// Frees the analysis of a scenario that has a result. Ignored if none is open.
-    void close(std::uint64_t scenario) {
-        if (const auto found = all_.find(scenario); found != all_.end()) {
+    void close(std::uint64_t position) {
+        if (const auto found = all_.find(position); found != all_.end()) {
             bytes_ -= found->second->bytes;
             all_.erase(found);
         }
     }
     /// Null if the scenario has no open analysis.
-    [[nodiscard]] std::shared_ptr<const Analysis> find(std::uint64_t scenario) const {
-        const auto found = all_.find(scenario);
+    [[nodiscard]] std::shared_ptr<const Analysis> find(std::uint64_t position) const {
+        const auto found = all_.find(position);
         return found == all_.end() ? nullptr : found->second;
     }
-    [[nodiscard]] bool has(std::uint64_t scenario) const { return all_.contains(scenario); }
+    [[nodiscard]] bool has(std::uint64_t position) const { return all_.contains(position); }
     /// Memory of all open analyses.
     [[nodiscard]] std::uint64_t bytes() const { return bytes_; }
     [[nodiscard]] std::size_t size() const { return all_.size(); }

@@ -40,7 +40,7 @@ struct AddResults {
     std::vector<Remark> remarks = {}; ///< Remarks on these or earlier results.
     /// Scenarios whose results are withdrawn: the commit makes their records unreadable.
     std::vector<std::uint64_t> withdrawn = {};
-    std::vector<LostPlaces> losses = {}; ///< Positions that were lost with a worker.
+    std::vector<LostPositions> losses = {}; ///< Positions that were lost with a worker.
     /// New state of the alarms, if changed. One commit writes it with the rest of the entry, so
     /// that a crash cannot undo a quarantine but keep its consequences.
     std::optional<AlarmRecord> alarms = {};
@@ -63,11 +63,11 @@ struct RecoveredJob {
     std::optional<JobEnd> end; ///< Empty: the job continues.
     ResultMerger merger{0};
     JobMap map;
-    std::uint64_t withdrawn = 0;     ///< Number of results withdrawn.
-    std::vector<ResultRow> done;     ///< Valid results; only for a job that continues.
-    std::vector<InstanceId> authors; ///< Author of each result in `done`; 0: the master.
-    std::vector<Remark> disputes;    ///< Open disputes.
-    std::vector<LostPlaces> losses;  ///< In the order of the losses; only if the job continues.
+    std::uint64_t withdrawn = 0;       ///< Number of results withdrawn.
+    std::vector<ResultRow> done;       ///< Valid results; only for a job that continues.
+    std::vector<InstanceId> authors;   ///< Author of each result in `done`; 0: the master.
+    std::vector<Remark> disputes;      ///< Open disputes.
+    std::vector<LostPositions> losses; ///< In the order of the losses; only if the job continues.
     /// All processes with results that were not withdrawn.
     std::set<InstanceId> contributors;
     std::shared_ptr<ResultStore> results;

@@ -65,7 +65,7 @@ void add_results(JobChanges& changes, const AddResults& add) {
     }
     std::vector<Remark>& remarks = changes.rows.remarks;
     remarks.insert(remarks.end(), add.remarks.begin(), add.remarks.end());
-    std::vector<LostPlaces>& losses = changes.rows.losses;
+    std::vector<LostPositions>& losses = changes.rows.losses;
     losses.insert(losses.end(), add.losses.begin(), add.losses.end());
 }
 
@@ -350,7 +350,9 @@ Status restore(FoundJob& found, const std::filesystem::path& path, bool check_re
     if (!std::ranges::all_of(job.disputes, is_scenario)) {
         return damaged(path, job.record.id, "a scenario that it does not have is in dispute");
     }
-    const auto is_place = [&](const LostPlaces& lost) { return lost.places.end() <= scenarios; };
+    const auto is_place = [&](const LostPositions& lost) {
+        return lost.positions.end() <= scenarios;
+    };
     if (!std::ranges::all_of(job.losses, is_place)) {
         return damaged(path, job.record.id, "scenarios that it does not have were lost");
     }

@@ -166,16 +166,16 @@ bool get_remarks(ByteReader& in, std::vector<Remark>& remarks) {
     return !in.failed();
 }
 
-void put_losses(ByteWriter& out, std::span<const LostPlaces> losses) {
+void put_losses(ByteWriter& out, std::span<const LostPositions> losses) {
     put_varint(out, losses.size());
-    for (const LostPlaces& lost : losses) {
-        put_varint(out, lost.places.first);
-        put_varint(out, lost.places.count);
+    for (const LostPositions& lost : losses) {
+        put_varint(out, lost.positions.first);
+        put_varint(out, lost.positions.count);
         out.put(lost.process);
     }
 }
 
-bool get_losses(ByteReader& in, std::vector<LostPlaces>& losses) {
+bool get_losses(ByteReader& in, std::vector<LostPositions>& losses) {
     const auto count = get_varint(in);
     if (!count || !may_hold(in, *count, 2 + sizeof(InstanceId))) {
         return false;

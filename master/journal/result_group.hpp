@@ -54,7 +54,7 @@ struct ResultGroup {
     std::vector<Bytes> maps;        ///< Packed contact maps, whose sum is the map of these results.
     std::vector<AuthorRun> authors; ///< Cover all rows.
     std::vector<Remark> remarks;    ///< About rows of this group or earlier groups, in time order.
-    std::vector<LostPlaces> losses; ///< In time order. Some of the scenarios may have a result.
+    std::vector<LostPositions> losses; ///< In time order. Some of the scenarios may have a result.
 };
 
 /// Encodes a group. Each distinct author takes 8 bytes, and each run of rows about 2. The runs must

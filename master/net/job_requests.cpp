@@ -12,12 +12,15 @@ namespace cd {
 
 namespace {
 
-Result<std::optional<Analysis>> analysed(const AnalysisInput& input, std::uint64_t scenario) {
-    const Result<Scenario> read = read_one(*input.poses, scenario);
+Result<std::optional<Analysis>>
+analysed(const AnalysisInput& input, OrderedPoses& poses, std::uint64_t scenario) {
+    const Result<PlacedScenario> read = read_one(poses, scenario);
     if (!read) {
         return read.error();
     }
-    return std::optional(analyse(input, read.value()));
+    Analysis analysis = analyse(input, read.value().scenario);
+    analysis.position = read.value().position;
+    return std::optional(std::move(analysis));
 }
 
 } // namespace
@@ -70,7 +73,7 @@ asio::awaitable<Result<JobStatus>> JobRequests::cancel_scenario(JobId job, std::
         co_return poses.error();
     }
     auto read = [&poses, scenario] { return read_one(*poses.value(), scenario); };
-    const Result<Scenario> pose = co_await run_on(coordinator_.parts().blocking, read);
+    const Result<PlacedScenario> pose = co_await run_on(coordinator_.parts().blocking, read);
     if (!pose) {
         co_return pose.error();
     }
@@ -87,7 +90,9 @@ asio::awaitable<Result<Explained>> JobRequests::explain(JobId job, std::uint64_t
     }
     Result<std::optional<Analysis>> analysis = std::optional<Analysis>();
     if (needed.value()) {
-        auto run = [&needed, scenario] { return analysed(*needed.value(), scenario); };
+        auto run = [&needed, poses = coordinator_.jobs().find(job)->run->poses, scenario] {
+            return analysed(*needed.value(), *poses, scenario);
+        };
         analysis = co_await run_on(coordinator_.parts().blocking, run);
         if (!analysis) {
             co_return analysis.error();

@@ -27,17 +27,6 @@ bool is_repeated(Worker& worker, std::uint64_t sequence) {
     return sequence != 0 && std::exchange(last, std::max(last, sequence)) >= sequence;
 }
 
-MeasuredWork
-measured_work(const MasterJob& job, const Results& results, std::span<const TakenResult> taken) {
-    MeasuredWork work{results.task, 0, results.compute_seconds};
-    for (const TakenResult& one : taken) {
-        if (const auto open = job.work()->open.find(one.result.index)) {
-            work.predicted_ns += open->predicted_ns;
-        }
-    }
-    return work;
-}
-
 } // namespace
 
 void ResultIngest::came(WorkerId worker, Results results, std::function<void()> done) {
@@ -48,7 +37,7 @@ void ResultIngest::came(WorkerId worker, Results results, std::function<void()> 
         return done();
     }
     const bool was_seen = is_repeated(*known, results.sequence);
-    Lease* task = parts_.tasks.book().find(results.task, worker);
+    Lease* task = parts_.tasks.book().find(worker, results.task);
     IncomingResults incoming{
         known->author, std::make_shared<const Results>(std::move(results)), std::move(done)};
     if (was_seen || task == nullptr || task->content->job != incoming.message->job) {
@@ -198,7 +187,7 @@ void ResultIngest::merge(Checked& hand) {
         parts_.writer.announce();
     }
     if (hand.task != nullptr) {
-        parts_.tasks.checked(results.task);
+        parts_.tasks.checked(author.worker, results.task);
     }
     parts_.tasks.note_work(author.worker);
 }
@@ -212,25 +201,18 @@ void ResultIngest::merge_into(MasterJob& job, Checked& hand) {
         scenarios.push_back(one.result.index);
     }
     measure(job, hand);
-    // Applies to answers of ranges as well: if the range was lost, its scenarios may have been
-    // analysed since.
-    if (parts_.dispatch.view().unanswered(job.id) != 0) {
-        for (const std::uint64_t scenario : scenarios) {
-            parts_.dispatch.act(parts_.dispatch->scenario_answered(worker, job.id, scenario));
-        }
-    }
+    const bool is_copy = parts_.dispatch.view().is_copy(worker, results.task);
+    // Late results belong to no task, and their times were measured before.
+    const bool is_late = hand.task == nullptr;
+    parts_.dispatch.act(parts_.dispatch->answered({worker,
+                                                   is_late ? TaskId{} : results.task,
+                                                   job.id,
+                                                   std::move(hand.taken.value().positions),
+                                                   is_late ? 0 : results.compute_seconds}));
     const std::uint64_t merged_before = job.merged.summary().merged();
     const std::uint64_t disputes_before = job.run->disputes;
     parts_.merger.merge(job, std::move(hand.taken.value()), hand.incoming.author);
-    const Lease* running = parts_.tasks.book().find(results.task);
-    if (running != nullptr && running->is_copy) {
-        job.tally.help.copies_won += job.merged.summary().merged() - merged_before;
-    }
-    if (job.tally.help.copies != 0) {
-        for (const std::uint64_t scenario : scenarios) {
-            parts_.tasks.call_off_copies(job.id, worker, scenario);
-        }
-    }
+    job.tally.help.copies_won += is_copy ? job.merged.summary().merged() - merged_before : 0;
     const Delivery delivery{worker, results.sequence};
     if (!job.is_running() || job.run->disputes == disputes_before) {
         parts_.writer.promise(delivery, job.id, scenarios);
@@ -243,7 +225,6 @@ void ResultIngest::merge_into(MasterJob& job, Checked& hand) {
 }
 
 void ResultIngest::measure(MasterJob& job, const Checked& hand) {
-    const WorkerId worker = hand.incoming.author->worker;
     const Results& results = *hand.incoming.message;
     const std::vector<TakenResult>& taken = hand.taken.value().results;
     job.tally.statistics.search += results.statistics;
@@ -254,15 +235,6 @@ void ResultIngest::measure(MasterJob& job, const Checked& hand) {
         job.tally.traffic.blocks += results.traffic;
     }
     job.work()->rates.work.add(results.compute_seconds, static_cast<double>(taken.size()));
-    if (hand.task == nullptr) {
-        return; // Late results belong to no task that could be measured.
-    }
-    if (hand.task->range) {
-        parts_.dispatch.act(parts_.dispatch->places_answered(
-            worker, results.task, taken.size(), results.compute_seconds));
-    } else {
-        parts_.dispatch->work_measured(worker, measured_work(job, results, taken));
-    }
 }
 
 } // namespace cd

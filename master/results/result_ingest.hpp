@@ -76,9 +76,8 @@ class ResultIngest {
     void map_made(const Hand& hand, Result<ContactMap> map);
     void merge(Checked& hand);
     void merge_into(MasterJob& job, Checked& hand);
-    /// Adds the cost of the results to the job's tally, and reports speed and range answers to the
-    /// dispatcher.
-    void measure(MasterJob& job, const Checked& hand);
+    /// Adds the cost of the results to the job's tally.
+    static void measure(MasterJob& job, const Checked& hand);
 
     Parts parts_;
     ParkedResults parked_;

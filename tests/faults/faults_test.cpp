@@ -148,7 +148,7 @@ const std::vector<KnownFault>& known_faults() {
         {Mutation::DoneIsDoneAgain, "DoneIsDoneAgain", "is done again after a restart"},
         {Mutation::RecalledLeftAtWorker, "RecalledLeftAtWorker", "known == placed"},
         {Mutation::RecalledIsLost, "RecalledIsLost", "in_ranges[index]"},
-        {Mutation::CopyLeftAtWorker, "CopyLeftAtWorker", "scenario_in_hand_is_unanswered"},
+        {Mutation::CopyLeftAtWorker, "CopyLeftAtWorker", "known == placed"},
         {Mutation::CopyIsAlone, "CopyIsAlone", "known == placed"},
         {Mutation::EvictionIgnored, "EvictionIgnored", "holds a block that is not there"},
         {Mutation::HeldWhenSent, "HeldWhenSent", "!peer.holds.contains(block)"},
@@ -161,6 +161,8 @@ const std::vector<KnownFault>& known_faults() {
         {Mutation::BatchesWithoutBound, "BatchesWithoutBound", "tasks <= std::max"},
         {Mutation::NobodyAwaited, "NobodyAwaited", "has said what it brings"},
         {Mutation::OthersSourceNamed, "OthersSourceNamed", "that it never said to hold"},
+        {Mutation::IndexTakenForPosition, "IndexTakenForPosition", "merged.has(analysis"},
+        {Mutation::SplitRunLosesEnd, "SplitRunLosesEnd", "task_had_positions"},
     };
     return faults;
 }

@@ -2,18 +2,20 @@
 //
 // Invariants; where they are checked; mutations that violate them:
 // - No result is merged twice: CD_CHECK at the merge, Watcher::add_group. SecondAnswerMerged.
-// - No result is lost: check_job (master/coordinator/invariants), the dispatcher's check_counts and
-//   check_job, check_kept (acknowledged results), inspect_job at the end. LostRangeForgotten,
+// - No result is lost: check_job (master/coordinator/invariants), the dispatcher's check_positions
+//   and check_job, check_kept (acknowledged results), inspect_job at the end. LostRangeForgotten,
 //   AnswerKeptTooEarly.
 // - Every supposed holder of a block has it, or its report to the contrary is under way:
 //   check_cache; by messages, Watcher::check_sources. EvictionNotTold, EvictionIgnored,
 //   OthersSourceNamed.
-// - No credit is negative: check_counts (unsent work), WorkerSession (results in flight).
+// - No credit is negative: check_unsent, WorkerSession (results in flight).
 //   RoomNotGivenBack, ReadsOn.
 // - Work in flight is bounded: a worker's tasks by the dispatcher's check_flight, blocks and all
 //   other bytes towards a peer by LinkEnd's check_flight and check_queue, unacknowledged results
 //   by keeps_too_much. BatchesWithoutBound, TooMuchInFlight.
-// - Every batch has a lease: check_leases, check_counts. LostLeaseForgotten.
+// - Every task has a lease: check_leases, check_positions. LostLeaseForgotten.
+// - A position is in one place, and an answered one in none: check_positions, check_job.
+//   IndexTakenForPosition, SplitRunLosesEnd.
 // - Work progresses after the last fault: stop_trouble. HeardAgainForgotten.
 //
 // The dispatcher's record of a worker's roots is no promise of blocks: it serves matching and

@@ -198,9 +198,16 @@ class PartsStage : public testing::Test {
         }
         return one;
     }
+    /// A scenario of a running job.
+    [[nodiscard]] static PlacedScenario placed(const MasterJob& job, std::uint64_t index) {
+        return read_one(*job.run->poses, index).value();
+    }
+    [[nodiscard]] static std::uint64_t position_of(const MasterJob& job, std::uint64_t index) {
+        return placed(job, index).position;
+    }
     [[nodiscard]] static TakenResults taken(ScenarioResult result) {
         TakenResults one;
-        one.results.push_back(take_result(std::move(result), {}));
+        one.results.push_back(take_result(std::move(result), 0, {}));
         return one;
     }
     /// The result of a worker that says that nothing touches.
@@ -212,8 +219,11 @@ class PartsStage : public testing::Test {
         return result;
     }
     void merge(MasterJob& job, ScenarioResult result, InstanceId process) {
-        services.merger.merge(
-            job, taken(std::move(result)), process == 0 ? nullptr : author(process));
+        const std::uint64_t index = result.index;
+        TakenResults one = taken(std::move(result));
+        one.results.front().position =
+            index < job.submit.scenarios ? position_of(job, index) : index;
+        services.merger.merge(job, std::move(one), process == 0 ? nullptr : author(process));
     }
 
     void perform(const Action& action) {
@@ -221,16 +231,12 @@ class PartsStage : public testing::Test {
         std::visit(
             [this](const auto& one) {
                 using One = std::decay_t<decltype(one)>;
-                if constexpr (std::is_same_v<One, RangeEnded>) {
-                    services.ranges.ended(one);
-                } else if constexpr (std::is_same_v<One, GivenBack>) {
-                    services.ranges.given_back(one);
-                } else if constexpr (std::is_same_v<One, ScenariosLost>) {
+                if constexpr (std::is_same_v<One, PositionsLost>) {
                     services.ranges.lost(one);
                 } else if constexpr (std::is_same_v<One, GiveUp>) {
                     MasterJob& job = state.jobs.at(one.job);
-                    services.merger.fail(
-                        job, job.work()->open.find(one.scenario)->scenario, "given up");
+                    const auto analysis = job.work()->open.find(one.position);
+                    services.merger.fail(job, {analysis->scenario, analysis->position}, "given up");
                 } else {
                     services.tasks.send(one);
                 }

@@ -70,7 +70,7 @@ void append(std::vector<Letter>& letters, std::vector<Letter> more) {
 AnalysedScenario analysed_scenario(const Workload& workload, std::uint64_t index) {
     const ScenarioCost& cost = workload.scenario(index);
     AnalysedScenario analysed;
-    analysed.index = index;
+    analysed.position = index;
     analysed.bytes = cost.batch_bytes;
     analysed.predicted_ns = cost.predicted_ns;
     for (const BlockId& block : cost.blocks) {
@@ -245,25 +245,19 @@ std::vector<Letter> MasterModel::take(const PeerFailed& message) {
     });
 }
 
-void MasterModel::report_work(const ResultsSent& message) {
-    MeasuredWork work{message.task, 0, message.compute_seconds};
-    for (const std::uint64_t scenario : message.scenarios) {
-        work.predicted_ns += workload_.scenario(scenario).predicted_ns;
-    }
-    report([&] { dispatcher_.work_measured(message.worker, work); });
-}
-
 std::vector<Letter> MasterModel::take(const ResultsSent& message) {
-    report_work(message);
-    std::vector<Letter> letters;
     for (const std::uint64_t scenario : message.scenarios) {
         CD_CHECK(scenario < is_answered_.size());
         ++(is_answered_[scenario] ? counts_.answered_again : counts_.answered);
         is_answered_[scenario] = true;
-        append(letters, dispatch([&] {
-                   return dispatcher_.scenario_answered(message.worker, the_job, scenario);
-               }));
     }
+    auto letters = dispatch([&] {
+        return dispatcher_.answered({message.worker,
+                                     message.task,
+                                     the_job,
+                                     PositionSet::of(message.scenarios),
+                                     message.compute_seconds});
+    });
     if (message.ends_task) {
         append(letters,
                dispatch([&] { return dispatcher_.task_ended(message.worker, message.task); }));
@@ -274,7 +268,8 @@ std::vector<Letter> MasterModel::take(const ResultsSent& message) {
 
 std::vector<Letter> MasterModel::take(const GaveBack& message) {
     auto letters = dispatch([&] {
-        return dispatcher_.task_recalled(message.worker, {message.task, message.scenarios, 0});
+        return dispatcher_.task_recalled(
+            message.worker, message.task, PositionSet::of(message.scenarios));
     });
     pause_at_end(letters);
     return letters;
@@ -310,25 +305,28 @@ void MasterModel::report(const Event& event) {
 
 void MasterModel::perform(const Action& action, std::vector<Letter>& letters) {
     if (const auto* ask = std::get_if<AskBack>(&action)) {
-        return post(ask->worker, AskedBack{ask->task, ask->scenarios}, letters);
+        return post(ask->worker, AskedBack{ask->task, ask->positions.list()}, letters);
     }
     if (const auto* loser = std::get_if<CallOff>(&action)) {
-        return post(loser->worker, CalledOff{loser->task, loser->scenario}, letters);
+        for (const std::uint64_t scenario : loser->positions.list()) {
+            post(loser->worker, CalledOff{loser->task, scenario}, letters);
+        }
+        return;
     }
     if (const auto* hint = std::get_if<SendHint>(&action)) {
         return post(hint->worker, Hinted{blocks_of(hint->tree, hint->roots)}, letters);
     }
-    if (const auto* given = std::get_if<GivenBack>(&action)) {
-        counts_.recalled += given->scenarios;
+    if (const auto* returned = std::get_if<UnitsReturned>(&action)) {
+        counts_.recalled += returned->positions;
         return;
     }
-    const auto* batch = std::get_if<SendBatch>(&action);
-    // No worker is lost here, so no batch is given up.
-    CD_CHECK(batch != nullptr);
+    const auto* unit = std::get_if<SendUnit>(&action);
+    // No worker is lost here, so no scenario is given up.
+    CD_CHECK(unit != nullptr);
     ++counts_.batches;
-    counts_.copies += batch->is_copy ? batch->scenarios.size() : 0;
-    const bool is_first = knows_trees_.insert(batch->worker).second;
-    post(batch->worker, BatchSent{batch->task, batch->scenarios, is_first}, letters);
+    counts_.copies += unit->copy_of == TaskId{} ? 0 : unit->positions.count();
+    const bool is_first = knows_trees_.insert(unit->worker).second;
+    post(unit->worker, BatchSent{unit->task, unit->positions.list(), is_first}, letters);
 }
 
 void MasterModel::post(WorkerId to, ToWorker content, std::vector<Letter>& letters) {

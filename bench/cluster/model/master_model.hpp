@@ -86,8 +86,6 @@ class MasterModel {
     /// size, as the real master does.
     std::vector<Letter> deliver(const BlockActions& actions);
     void post(WorkerId to, ToWorker content, std::vector<Letter>& letters);
-    /// Reports a worker's work as the coordinator does.
-    void report_work(const ResultsSent& message);
     /// Number of analysed scenarios that are in no buffer.
     [[nodiscard]] std::uint64_t waiting() const;
     [[nodiscard]] bool has_enough() const;

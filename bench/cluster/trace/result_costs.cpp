@@ -125,7 +125,7 @@ TaskContent task_of(const std::shared_ptr<const JobMaterial>& material,
     task.job = job;
     task.material = material;
     for (const Analysis& analysis : analyses) {
-        task.scenarios.push_back(std::make_shared<const Analysis>(analysis));
+        task.analyses.push_back(std::make_shared<const Analysis>(analysis));
     }
     return task;
 }

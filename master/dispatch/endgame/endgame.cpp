@@ -49,65 +49,60 @@ bool Endgame::helps(WorkerProxy& from, WorkerProxy& helper, Actions& actions) {
 bool Endgame::ask_back(const WorkerProxy& from, const WorkerProxy& helper, Actions& actions) {
     // Newest task first: the worker begins it last.
     for (const auto& [id, task] : std::views::reverse(from.tasks.all())) {
-        if (task.left() == 0 || task.is_copy || task.has_begun) {
+        if (!stragglers_.can_be_recalled(task)) {
             continue;
         }
-        AskBack ask =
-            task.is_range() ? range_to_ask(from, id, helper) : batch_to_ask(from, id, helper);
-        const std::uint64_t count =
-            task.is_range() ? task.places->count - ask.places : ask.scenarios.size();
-        if (count != 0) {
-            tasks_.ask_back(std::move(ask), count, helper.id(), actions);
+        PositionSet wanted = task.is_analysed ? scenarios_to_ask(from, task, helper)
+                                              : positions_to_ask(from, task, helper);
+        if (!wanted.is_empty()) {
+            tasks_.ask_back({from.id(), id, std::move(wanted)}, helper.id(), actions);
             return true;
         }
     }
     return false;
 }
 
-AskBack
-Endgame::batch_to_ask(const WorkerProxy& from, TaskId task, const WorkerProxy& helper) const {
-    AskBack ask{from.id(), task, {}, 0};
-    const TaskInFlight& content = from.tasks.at(task);
-    const DispatchJob& job = queue_.at(content.job);
-    if (!job.policy->is_by_time()) {
-        return ask;
-    }
+PositionSet Endgame::scenarios_to_ask(const WorkerProxy& from,
+                                      const TaskInFlight& task,
+                                      const WorkerProxy& helper) const {
+    const DispatchJob& job = queue_.at(task.job);
+    std::vector<std::uint64_t> wanted;
     double seconds_here = stragglers_.ends_in(from);
     double seconds_there = 0;
-    for (const std::uint64_t index : std::views::reverse(content.scenarios)) {
-        const DispatchScenario& scenario = job.at(index);
-        if (scenario.copy || scenario.recalls == limits::scenario_recalls_max) {
+    for (const std::uint64_t position : std::views::reverse(task.uncopied().list())) {
+        const DispatchScenario& scenario = job.at(position);
+        if (scenario.recalls == limits::scenario_recalls_max) {
             continue;
         }
         const double finish = job.policy->finish_on(helper, job, scenario).total() + seconds_there;
         if (finish + timing::end_gain_seconds_min > seconds_here) {
             break;
         }
-        ask.scenarios.push_back(index);
+        wanted.push_back(position);
         const double work = 1e-9 * static_cast<double>(scenario.weight.cost_ns);
         seconds_here -= work / context_.pace.power_of(from);
         seconds_there += work / context_.pace.power_of(helper);
     }
-    std::ranges::sort(ask.scenarios);
-    return ask;
+    return PositionSet::of(std::move(wanted));
 }
 
-AskBack
-Endgame::range_to_ask(const WorkerProxy& from, TaskId task, const WorkerProxy& helper) const {
-    const TaskInFlight& content = from.tasks.at(task);
-    const std::uint64_t most = content.places_copied != 0 ? 0 : content.places_left;
-    const std::uint64_t count = std::min(
-        most, places_to_move(from, queue_.at(content.job), helper, stragglers_.ends_in(from), 1));
-    return {from.id(), task, {}, content.places->count - count};
+PositionSet Endgame::positions_to_ask(const WorkerProxy& from,
+                                      const TaskInFlight& task,
+                                      const WorkerProxy& helper) const {
+    if (!task.shared.copied.is_empty()) {
+        return {}; // The worker can return the last positions alone, and these have a copy.
+    }
+    return task.positions.last(
+        positions_to_move(from, queue_.at(task.job), helper, stragglers_.ends_in(from), 1));
 }
 
-std::uint64_t Endgame::places_to_move(const WorkerProxy& from,
-                                      const DispatchJob& job,
-                                      const WorkerProxy& helper,
-                                      double seconds_here,
-                                      double gain) const {
-    const double rate_here = context_.pace.places_per_second(from, job);
-    const double rate_there = context_.pace.places_per_second(helper, job);
+std::uint64_t Endgame::positions_to_move(const WorkerProxy& from,
+                                         const DispatchJob& job,
+                                         const WorkerProxy& helper,
+                                         double seconds_here,
+                                         double gain) const {
+    const double rate_here = context_.pace.positions_per_second(from, job);
+    const double rate_there = context_.pace.positions_per_second(helper, job);
     const double begins = stragglers_.ends_in(helper) + timing::end_gain_seconds_min;
     const double one = helper.facts().threads / rate_there + job.missing.any_or(0);
     if (gain * (begins + one) > seconds_here) {
@@ -120,72 +115,72 @@ std::uint64_t Endgame::places_to_move(const WorkerProxy& from,
 
 // ---- Speculative copies -------------------------------------------------------------------------
 
-bool Endgame::copy(WorkerProxy& from, WorkerProxy& helper, Actions& actions) {
+bool Endgame::copy(const WorkerProxy& from, WorkerProxy& helper, Actions& actions) {
     for (const auto& [id, task] : std::views::reverse(from.tasks.all())) {
-        if (task.left() == 0 || task.is_copy) {
+        const PositionSet candidates = stragglers_.copyable(task);
+        if (candidates.is_empty()) {
             continue;
         }
-        const bool is_copied = task.is_range() ? copy_places(from, id, helper, actions)
-                                               : copy_scenario(from, id, helper, actions);
-        if (is_copied) {
+        const PositionSet copied = task.is_analysed
+                                       ? scenario_to_copy(from, task, candidates, helper)
+                                       : positions_to_copy(from, task, candidates, helper);
+        if (!copied.is_empty()) {
+            const bool fetches = task.is_analysed && fetch(queue_.at(task.job), copied, helper);
+            tasks_.send_copy({from.id(), id}, helper, copied, fetches, actions);
             return true;
         }
     }
     return false;
 }
 
-bool Endgame::copy_scenario(const WorkerProxy& from,
-                            TaskId task,
-                            WorkerProxy& helper,
-                            Actions& actions) {
-    DispatchJob& job = queue_.at(from.tasks.at(task).job);
-    if (!job.policy->is_by_time()) {
-        return false;
+bool Endgame::fetch(const DispatchJob& job, const PositionSet& positions, WorkerProxy& helper) {
+    bool fetches = false;
+    for (const std::uint64_t position : positions.list()) {
+        fetches = !blocks_.hold_roots(job, job.at(position).roots, helper).is_nothing() || fetches;
     }
+    return fetches;
+}
+
+PositionSet Endgame::scenario_to_copy(const WorkerProxy& from,
+                                      const TaskInFlight& task,
+                                      const PositionSet& candidates,
+                                      const WorkerProxy& helper) const {
+    const DispatchJob& job = queue_.at(task.job);
     double seconds_here = stragglers_.ends_in(from);
-    for (const std::uint64_t index : std::views::reverse(from.tasks.at(task).scenarios)) {
-        const DispatchScenario& scenario = job.at(index);
+    for (const std::uint64_t position : std::views::reverse(task.positions.list())) {
+        const DispatchScenario& scenario = job.at(position);
         const std::uint64_t cost_ns = scenario.weight.cost_ns;
-        if (!scenario.may_be_copied()) {
+        if (!candidates.contains(position)) {
             seconds_here -= 1e-9 * static_cast<double>(cost_ns) / context_.pace.power_of(from);
             continue;
         }
         const double finish =
             job.policy->finish_on(helper, job, scenario).total() + timing::end_gain_seconds_min;
-        if (limits::copy_gain_min * finish > seconds_here || cost_ns > job.copies.left_ns()) {
-            return false;
-        }
-        const bool fetches = !blocks_.hold_roots(job, scenario.roots, helper).is_nothing();
-        tasks_.send_copy(helper, job, index, fetches, actions);
-        return true;
+        const bool pays = limits::copy_gain_min * finish <= seconds_here;
+        return pays && cost_ns <= job.copies.left_ns() ? PositionSet(PlaceRange{position, 1})
+                                                       : PositionSet();
     }
-    return false;
+    return {};
 }
 
-bool Endgame::copy_places(WorkerProxy& from, TaskId task, WorkerProxy& helper, Actions& actions) {
-    const TaskInFlight& content = from.tasks.at(task);
-    const DispatchJob& job = queue_.at(content.job);
-    // Workers process ranges from the front, so mostly the last positions are left.
-    if (content.places_left <= content.places_copied) {
-        return false;
-    }
-    const double copied_seconds =
-        static_cast<double>(content.places_copied) / context_.pace.places_per_second(from, job);
+PositionSet Endgame::positions_to_copy(const WorkerProxy& from,
+                                       const TaskInFlight& task,
+                                       const PositionSet& candidates,
+                                       const WorkerProxy& helper) const {
+    const DispatchJob& job = queue_.at(task.job);
+    const double copied_seconds = static_cast<double>(task.left() - candidates.count()) /
+                                  context_.pace.positions_per_second(from, job);
     const auto batch = static_cast<std::uint64_t>(timing::batch_seconds_start *
-                                                  context_.pace.places_per_second(helper, job));
-    const std::uint64_t count = std::min({content.places_left - content.places_copied,
-                                          job.copies.left_ns() / content.each_ns(),
-                                          std::max<std::uint64_t>(batch, helper.facts().threads),
-                                          places_to_move(from,
-                                                         job,
-                                                         helper,
-                                                         stragglers_.ends_in(from) - copied_seconds,
-                                                         limits::copy_gain_min)});
-    if (count == 0) {
-        return false;
-    }
-    tasks_.copy_places(from, task, helper, count, actions);
-    return true;
+                                                  context_.pace.positions_per_second(helper, job));
+    // A task without analysis is one run of positions.
+    return PositionSet(candidates.runs().back())
+        .last(std::min({job.copies.left_ns() / task.each_ns(),
+                        std::max<std::uint64_t>(batch, helper.facts().threads),
+                        positions_to_move(from,
+                                          job,
+                                          helper,
+                                          stragglers_.ends_in(from) - copied_seconds,
+                                          limits::copy_gain_min)}));
 }
 
 } // namespace cd

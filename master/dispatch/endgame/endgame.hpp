@@ -32,25 +32,36 @@ class Endgame {
     [[nodiscard]] bool helps(WorkerProxy& from, WorkerProxy& helper, Actions& actions);
     [[nodiscard]] bool
     ask_back(const WorkerProxy& from, const WorkerProxy& helper, Actions& actions);
-    /// Returns a request for the scenarios of a batch that the helper would finish earlier, if any.
-    [[nodiscard]] AskBack
-    batch_to_ask(const WorkerProxy& from, TaskId task, const WorkerProxy& helper) const;
-    /// Returns a request for as many last positions of a range as the helper would finish earlier.
-    /// It asks for none if `places` equals the range's length.
-    [[nodiscard]] AskBack
-    range_to_ask(const WorkerProxy& from, TaskId task, const WorkerProxy& helper) const;
+    /// The last positions of an analysed task that the helper would finish earlier, by the job's
+    /// policy.
+    [[nodiscard]] PositionSet scenarios_to_ask(const WorkerProxy& from,
+                                               const TaskInFlight& task,
+                                               const WorkerProxy& helper) const;
+    /// The last positions of a task without analysis that the helper would finish earlier, by the
+    /// workers' measured rates.
+    [[nodiscard]] PositionSet positions_to_ask(const WorkerProxy& from,
+                                               const TaskInFlight& task,
+                                               const WorkerProxy& helper) const;
     /// Number of positions to move so that both workers finish together. 0 unless the helper would
     /// finish one position `gain` times sooner than the straggler, which needs `seconds_here`.
-    [[nodiscard]] std::uint64_t places_to_move(const WorkerProxy& from,
-                                               const DispatchJob& job,
-                                               const WorkerProxy& helper,
-                                               double seconds_here,
-                                               double gain) const;
-    [[nodiscard]] bool copy(WorkerProxy& from, WorkerProxy& helper, Actions& actions);
-    [[nodiscard]] bool
-    copy_scenario(const WorkerProxy& from, TaskId task, WorkerProxy& helper, Actions& actions);
-    [[nodiscard]] bool
-    copy_places(WorkerProxy& from, TaskId task, WorkerProxy& helper, Actions& actions);
+    [[nodiscard]] std::uint64_t positions_to_move(const WorkerProxy& from,
+                                                  const DispatchJob& job,
+                                                  const WorkerProxy& helper,
+                                                  double seconds_here,
+                                                  double gain) const;
+    [[nodiscard]] bool copy(const WorkerProxy& from, WorkerProxy& helper, Actions& actions);
+    /// Marks the blocks of the scenarios as held by the helper. False if it held all of them.
+    bool fetch(const DispatchJob& job, const PositionSet& positions, WorkerProxy& helper);
+    /// The last candidate of an analysed task, if copying it to the helper pays.
+    [[nodiscard]] PositionSet scenario_to_copy(const WorkerProxy& from,
+                                               const TaskInFlight& task,
+                                               const PositionSet& candidates,
+                                               const WorkerProxy& helper) const;
+    /// The last candidates of a task without analysis, as many as pay.
+    [[nodiscard]] PositionSet positions_to_copy(const WorkerProxy& from,
+                                                const TaskInFlight& task,
+                                                const PositionSet& candidates,
+                                                const WorkerProxy& helper) const;
 
     MatchingContext context_;
     WorkQueue& queue_;

@@ -42,11 +42,8 @@ double Stragglers::ends_in(const WorkerProxy& proxy) const {
     }
     double seconds = 0; // Time of one thread for all tasks.
     for (const auto& [id, task] : proxy.tasks.all()) {
-        if (!task.is_range()) {
-            seconds += 1e-9 * static_cast<double>(task.cost_ns) / context_.pace.speed_of(proxy);
-        } else if (const DispatchJob* job = context_.queue.find(task.job)) {
-            seconds += static_cast<double>(task.places_left) * proxy.facts().threads /
-                       context_.pace.places_per_second(proxy, *job);
+        if (const DispatchJob* job = context_.queue.find(task.job)) {
+            seconds += context_.pace.thread_seconds_of(task, proxy, *job);
         }
     }
     seconds /= static_cast<double>(std::min<std::uint64_t>(left, proxy.facts().threads));
@@ -91,21 +88,33 @@ bool Stragglers::may_be_helped(const WorkerProxy& from) const {
     return !may_answer_recall(from) &&
            std::ranges::any_of(from.tasks.all(), [&](const auto& entry) {
                const TaskInFlight& task = entry.second;
-               return task.left() != 0 && !task.is_copy &&
-                      ((may_be_asked(from) && !task.has_begun) || can_be_copied(task));
+               return (may_be_asked(from) && can_be_recalled(task)) || !copyable(task).is_empty();
            });
 }
 
-bool Stragglers::can_be_copied(const TaskInFlight& task) const {
-    if (task.is_range()) {
-        return task.places_left > task.places_copied;
+bool Stragglers::is_movable(const TaskInFlight& task) const {
+    return task.left() != 0 && !task.is_copy() &&
+           (!task.is_analysed || context_.queue.at(task.job).policy->is_by_time());
+}
+
+bool Stragglers::can_be_recalled(const TaskInFlight& task) const {
+    return is_movable(task) && !task.has_begun;
+}
+
+PositionSet Stragglers::copyable(const TaskInFlight& task) const {
+    if (!is_movable(task)) {
+        return {};
     }
-    const DispatchJob& job = context_.queue.at(task.job);
-    const auto may_be = [&](std::uint64_t index) {
-        const auto found = job.scenarios.find(index);
-        return found != job.scenarios.end() && found->second.may_be_copied();
-    };
-    return job.policy->is_by_time() && std::ranges::any_of(task.scenarios, may_be);
+    PositionSet positions = task.uncopied();
+    if (task.is_analysed) {
+        const DispatchJob& job = context_.queue.at(task.job);
+        for (const std::uint64_t position : positions.list()) {
+            if (!job.at(position).losses.none()) {
+                positions.remove({position, 1});
+            }
+        }
+    }
+    return positions;
 }
 
 } // namespace cd

@@ -28,12 +28,18 @@ class Stragglers {
     [[nodiscard]] bool may_be_asked(const WorkerProxy& from) const;
     /// True if a recall of the worker is open and may still be answered.
     [[nodiscard]] bool may_answer_recall(const WorkerProxy& from) const;
+    /// True if unanswered positions of the task may be moved to another worker.
+    [[nodiscard]] bool can_be_recalled(const TaskInFlight& task) const;
+    /// Positions of the task that may get a speculative copy. Each has one at most. A scenario that
+    /// was lost may kill a worker, so it is not copied.
+    [[nodiscard]] PositionSet copyable(const TaskInFlight& task) const;
 
   private:
     [[nodiscard]] bool is_pending(const PendingRecall& recall) const;
     /// True if the worker has work that can be recalled or copied now.
     [[nodiscard]] bool may_be_helped(const WorkerProxy& from) const;
-    [[nodiscard]] bool can_be_copied(const TaskInFlight& task) const;
+    /// True if the task is no copy, has work left, and is of a job whose work may move at the end.
+    [[nodiscard]] bool is_movable(const TaskInFlight& task) const;
 
     MatchingContext context_;
     const TaskTable& tasks_;

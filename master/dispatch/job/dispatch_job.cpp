@@ -6,6 +6,7 @@
 #include "master/dispatch/policy/matching_policy.hpp"
 
 #include <algorithm>
+#include <ranges>
 #include <utility>
 
 namespace cd {
@@ -20,8 +21,8 @@ std::uint32_t losses_max() {
 }
 
 template <class Scenarios>
-auto& unanswered_one(Scenarios& scenarios, std::uint64_t index) {
-    const auto found = scenarios.find(index);
+auto& unanswered_one(Scenarios& scenarios, std::uint64_t position) {
+    const auto found = scenarios.find(position);
     const bool scenario_in_hand_is_unanswered = found != scenarios.end();
     CD_CHECK(scenario_in_hand_is_unanswered);
     return found->second;
@@ -47,37 +48,58 @@ bool DispatchScenario::is_suspect() const {
     return losses.count() + 1 == limits::scenario_losses_max;
 }
 
-bool DispatchScenario::leave_task(TaskId one) {
-    if (!copy) {
-        return false;
+std::vector<PlaceRange> UnsentPositions::all() const {
+    std::vector<PlaceRange> all;
+    for (const GivenRange& range : ranges_) {
+        all.push_back(range.positions);
     }
-    if (copy->task != one) {
-        worker = copy->worker;
-        task = copy->task;
-    }
-    copy.reset();
-    return true;
+    return all;
 }
 
-void UnsentPlaces::add(const PlaceRange& places, std::uint64_t after) {
-    CD_CHECK(places.count != 0);
-    ranges_.push_back(places);
-    count_ += places.count;
+void UnsentPositions::add(GivenRange given, std::uint64_t after) {
+    CD_CHECK(given.positions.count != 0);
+    count_ += given.positions.count;
     after_ = after;
+    ranges_.push_back(std::move(given));
 }
 
-PlaceRange UnsentPlaces::take_first(std::uint64_t most) {
-    PlaceRange& front = ranges_.front();
-    const PlaceRange taken{front.first, std::min(front.count, most)};
-    front = {taken.end(), front.count - taken.count};
-    if (front.count == 0) {
+void UnsentPositions::put_back(const PositionSet& positions,
+                               const std::shared_ptr<const PoseWindow>& window) {
+    for (const PlaceRange& run : std::views::reverse(positions.runs())) {
+        ranges_.push_front({run, window});
+    }
+    count_ += positions.count();
+}
+
+GivenRange UnsentPositions::take_first(std::uint64_t most) {
+    GivenRange& front = ranges_.front();
+    GivenRange taken = front;
+    taken.positions.count = std::min(taken.positions.count, most);
+    count_ -= taken.positions.count;
+    front.positions = {taken.positions.end(), front.positions.count - taken.positions.count};
+    if (front.positions.count == 0) {
         ranges_.pop_front();
     }
-    count_ -= taken.count;
     return taken;
 }
 
-std::vector<PlaceRange> UnsentPlaces::take_all() {
+bool UnsentPositions::remove(const PositionSet& positions) {
+    const std::uint64_t before = count_;
+    for (std::size_t left = ranges_.size(); left != 0; --left) {
+        GivenRange range = std::move(ranges_.front());
+        ranges_.pop_front();
+        count_ -= range.positions.count;
+        PositionSet rest = range.positions;
+        rest.remove(positions);
+        for (const PlaceRange& run : rest.runs()) {
+            ranges_.push_back({run, range.window});
+        }
+        count_ += rest.count();
+    }
+    return count_ != before;
+}
+
+std::vector<PlaceRange> UnsentPositions::take_all() {
     std::vector<PlaceRange> taken = all();
     ranges_.clear();
     count_ = 0;
@@ -96,12 +118,12 @@ DispatchJob::DispatchJob(JobId job,
       policy(std::move(matching)) {}
 DispatchJob::~DispatchJob() = default;
 
-DispatchScenario& DispatchJob::at(std::uint64_t index) {
-    return unanswered_one(scenarios, index);
+DispatchScenario& DispatchJob::at(std::uint64_t position) {
+    return unanswered_one(scenarios, position);
 }
 
-const DispatchScenario& DispatchJob::at(std::uint64_t index) const {
-    return unanswered_one(scenarios, index);
+const DispatchScenario& DispatchJob::at(std::uint64_t position) const {
+    return unanswered_one(scenarios, position);
 }
 
 DispatchScenario DispatchJob::scenario_of(const AnalysedScenario& analysed) const {

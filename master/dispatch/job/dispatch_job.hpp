@@ -2,13 +2,13 @@
 #pragma once
 
 #include "common/core/id.hpp"
-#include "common/job/poses/ordered_poses.hpp"
 #include "common/tree/root_holders.hpp"
 #include "master/base/instance_id.hpp"
 #include "master/dispatch/dispatch_inputs.hpp"
 #include "master/dispatch/dispatch_tree.hpp"
 #include "master/dispatch/job/job_meters.hpp"
 #include "master/dispatch/workers/worker_buffers.hpp"
+#include "master/dispatch/workers/worker_tasks.hpp"
 #include "proto/messages/cluster_options.hpp"
 
 #include <cstdint>
@@ -36,64 +36,52 @@ enum class Whereabouts : std::uint8_t {
     Sent,     ///< In a task at a worker.
 };
 
-struct Assignment {
-    WorkerId worker;
-    TaskId task;
-};
-
 struct DispatchScenario {
     ScenarioRoots roots;
     ScenarioWeight weight;
     bool fetches = false; ///< The worker lacked some blocks of the scenario.
     Losses losses;        ///< Worker processes that were lost with the scenario.
     Whereabouts where = Whereabouts::Waiting;
-    WorkerId worker;                ///< Set if Buffered or Sent.
-    TaskId task;                    ///< Set if Sent.
-    std::optional<Assignment> copy; ///< Speculative copy; only if Sent.
-    bool was_copied = false;
+    Assignment at;             ///< The worker if Buffered or Sent, and the task if Sent.
     std::uint32_t recalls = 0; ///< Number of times that the scenario was recalled and returned.
 
-    /// A scenario that was lost may kill a worker, so it is not copied. Others are copied once.
-    [[nodiscard]] bool may_be_copied() const { return !was_copied && losses.none(); }
-    /// True if the scenario or its copy is in the task.
-    [[nodiscard]] bool is_in(TaskId one) const {
-        return where == Whereabouts::Sent && (task == one || (copy && copy->task == one));
-    }
     /// True if the scenario was lost too often and must be given up.
     [[nodiscard]] bool is_lost_for_good() const;
     /// True if the next loss would make `is_lost_for_good` true.
     [[nodiscard]] bool is_suspect() const;
-    /// Removes the unanswered scenario from one of its tasks. Returns whether another task still
-    /// has it.
-    bool leave_task(TaskId one);
 };
 
-/// Positions in a job's hand-out order that may go out as ranges and were not sent yet.
-class UnsentPlaces {
+/// Positions that may go out without analysis, and are in no task.
+class UnsentPositions {
   public:
     [[nodiscard]] bool is_empty() const { return ranges_.empty(); }
     /// Number of positions.
     [[nodiscard]] std::uint64_t count() const { return count_; }
     /// Number of positions and of the job's scenarios that follow them.
     [[nodiscard]] std::uint64_t rest() const { return count_ + after_; }
-    [[nodiscard]] std::vector<PlaceRange> all() const { return {ranges_.begin(), ranges_.end()}; }
+    /// The positions in the order in which they go out.
+    [[nodiscard]] std::vector<PlaceRange> all() const;
 
     /// `after`: number of the job's scenarios that follow these positions.
-    void add(const PlaceRange& places, std::uint64_t after);
+    void add(GivenRange given, std::uint64_t after);
+    /// Puts positions of a task at the head.
+    void put_back(const PositionSet& positions, const std::shared_ptr<const PoseWindow>& window);
     /// Sets `after` to 0: the scenarios that follow are analysed, or come with the next `add`.
     void nothing_follows() { after_ = 0; }
     /// Removes and returns at most `most` of the first positions; there must be some.
-    PlaceRange take_first(std::uint64_t most);
+    GivenRange take_first(std::uint64_t most);
     std::vector<PlaceRange> take_all();
+    /// Removes the positions that are unsent, and returns whether there were any.
+    bool remove(const PositionSet& positions);
 
   private:
-    std::deque<PlaceRange> ranges_;
+    std::deque<GivenRange> ranges_; ///< None is empty.
     std::uint64_t count_ = 0;
     std::uint64_t after_ = 0;
 };
 
 /// Speed at which all workers together process ranges of a job, and number of scenarios left.
-struct PlaceTotals {
+struct RangeTotals {
     double rate = 0;         ///< Scenarios/s of all workers that take work.
     double unclaimed = 0;    ///< Scenarios/s of unclaimed workers.
     double quickest = 0;     ///< Best rate per thread, unclaimed workers.
@@ -112,9 +100,9 @@ struct DispatchJob {
     DispatchJob(const DispatchJob&) = delete;
     DispatchJob& operator=(const DispatchJob&) = delete;
 
-    /// Requires an unanswered scenario. Those in buffers, batches and queues are.
-    [[nodiscard]] DispatchScenario& at(std::uint64_t index);
-    [[nodiscard]] const DispatchScenario& at(std::uint64_t index) const;
+    /// Requires an unanswered analysed scenario, as those in buffers, tasks and queues are.
+    [[nodiscard]] DispatchScenario& at(std::uint64_t position);
+    [[nodiscard]] const DispatchScenario& at(std::uint64_t position) const;
     [[nodiscard]] bool uses(TreeId tree) const { return a.tree == tree || b.tree == tree; }
     /// Makes the scenario's entry, in the state Waiting. Does not add it.
     [[nodiscard]] DispatchScenario scenario_of(const AnalysedScenario& analysed) const;
@@ -124,11 +112,12 @@ struct DispatchJob {
     DispatchTree a;
     DispatchTree b;
     std::unique_ptr<MatchingPolicy> policy;
-    std::unordered_map<std::uint64_t, DispatchScenario> scenarios; ///< All unanswered scenarios.
+    /// All unanswered analysed scenarios, by position.
+    std::unordered_map<std::uint64_t, DispatchScenario> scenarios;
     std::deque<std::uint64_t> waiting;
-    UnsentPlaces places;
+    UnsentPositions unsent;
     RangePace range_pace;
-    mutable std::optional<PlaceTotals> place_totals; ///< Computed once per event.
+    mutable std::optional<RangeTotals> range_totals; ///< Computed once per event.
     MissingMeter missing;
     CopyBudget copies;
 };

@@ -25,16 +25,16 @@ std::vector<std::size_t> BestMatchPull::pulled(const WorkerProxy& proxy,
     const RootHolders& held_b = context().pool.tree(job.b.tree).held;
     std::vector<std::uint64_t> scores;
     scores.reserve(job.waiting.size());
-    for (const std::uint64_t index : job.waiting) {
-        const ScenarioRoots& roots = job.at(index).roots;
+    for (const std::uint64_t position : job.waiting) {
+        const ScenarioRoots& roots = job.at(position).roots;
         scores.push_back(held_a.held(proxy.slot(), roots.a) + held_b.held(proxy.slot(), roots.b));
     }
     std::vector<std::size_t> taken = most_similar(scores, job.options.q);
     // Paper, 6.4.3: a task ends as soon as it exceeds V kB.
     std::uint64_t bytes = 0;
-    const auto end = std::ranges::find_if(taken, [&](std::size_t place) {
+    const auto end = std::ranges::find_if(taken, [&](std::size_t index) {
         const bool is_over = bytes > std::uint64_t{job.options.v_kb} * 1000;
-        bytes += job.at(job.waiting[place]).weight.bytes;
+        bytes += job.at(job.waiting[index]).weight.bytes;
         return is_over;
     });
     taken.erase(end, taken.end());
@@ -43,16 +43,16 @@ std::vector<std::size_t> BestMatchPull::pulled(const WorkerProxy& proxy,
 
 std::vector<std::size_t> BestMatchPull::most_similar(std::span<const std::uint64_t> scores,
                                                      std::size_t count) {
-    std::vector<std::size_t> places(scores.size());
-    std::iota(places.begin(), places.end(), std::size_t{0});
-    count = std::min(count, places.size());
-    const auto end = places.begin() + static_cast<std::ptrdiff_t>(count);
-    std::partial_sort(places.begin(), end, places.end(), [&](std::size_t one, std::size_t other) {
+    std::vector<std::size_t> indices(scores.size());
+    std::iota(indices.begin(), indices.end(), std::size_t{0});
+    count = std::min(count, indices.size());
+    const auto end = indices.begin() + static_cast<std::ptrdiff_t>(count);
+    std::partial_sort(indices.begin(), end, indices.end(), [&](std::size_t one, std::size_t other) {
         return std::tuple(scores[other], one) < std::tuple(scores[one], other);
     });
-    places.erase(end, places.end());
-    std::sort(places.begin(), places.end());
-    return places;
+    indices.erase(end, indices.end());
+    std::sort(indices.begin(), indices.end());
+    return indices;
 }
 
 } // namespace cd

@@ -120,7 +120,7 @@ std::vector<std::uint64_t> EarliestFinish::take_batch(WorkerProxy& proxy,
     }
     std::vector<std::uint64_t> batch;
     ScenarioWeight sum;
-    for (const std::uint64_t index : proxy.buffers.of(job.id).scenarios) {
+    for (const std::uint64_t position : proxy.buffers.of(job.id).scenarios) {
         // At least one scenario, whatever the estimates are.
         const bool is_enough = sum.cost_ns >= proxy.batch.cost_ns() ||
                                sum.bytes > std::uint64_t{job.options.v_kb} * 1000 ||
@@ -128,8 +128,8 @@ std::vector<std::uint64_t> EarliestFinish::take_batch(WorkerProxy& proxy,
         if (is_enough && !batch.empty()) {
             break;
         }
-        const ScenarioWeight& weight = job.at(index).weight;
-        batch.push_back(index);
+        const ScenarioWeight& weight = job.at(position).weight;
+        batch.push_back(position);
         sum.cost_ns += weight.cost_ns;
         sum.bytes += weight.bytes;
     }

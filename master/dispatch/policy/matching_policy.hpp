@@ -58,7 +58,7 @@ class MatchingPolicy {
                                         const DispatchJob& /*job*/) const {
         return false;
     }
-    /// The waiting scenarios that it pulls, as positions in the queue, ascending.
+    /// The waiting scenarios that it pulls, as indices into `DispatchJob::waiting`, ascending.
     [[nodiscard]] virtual std::vector<std::size_t> pulled(const WorkerProxy& /*proxy*/,
                                                           const DispatchJob& /*job*/) const {
         return {};

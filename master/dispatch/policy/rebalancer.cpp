@@ -57,7 +57,7 @@ bool Rebalancer::move_one(WorkerProxy& from, WorkerProxy& to, DispatchJob& job) 
         return false;
     }
     if (ends_with_long_ones(queue_, from, job)) {
-        const auto cost = [&](std::uint64_t index) { return job.at(index).weight.cost_ns; };
+        const auto cost = [&](std::uint64_t position) { return job.at(position).weight.cost_ns; };
         const auto longest = std::ranges::max_element(buffer.scenarios, {}, cost);
         if (move_if_earlier(from, to, job, *longest)) {
             return true;
@@ -70,17 +70,17 @@ bool Rebalancer::move_one(WorkerProxy& from, WorkerProxy& to, DispatchJob& job) 
 bool Rebalancer::move_if_earlier(WorkerProxy& from,
                                  WorkerProxy& to,
                                  DispatchJob& job,
-                                 std::uint64_t index) {
-    DispatchScenario& scenario = job.at(index);
+                                 std::uint64_t position) {
+    DispatchScenario& scenario = job.at(position);
     const double seconds_there =
         1e-9 * static_cast<double>(from.backlog_ns()) / context_.pace.power_of(from);
     if (job.policy->finish_on(to, job, scenario).total() >= seconds_there) {
         return false;
     }
-    from.buffers.remove(job.id, index, scenario.weight);
-    scenario.worker = to.id();
+    from.buffers.remove(job.id, position, scenario.weight);
+    scenario.at = {to.id(), {}};
     blocks_.hold(job, scenario, to);
-    to.buffers.add(job.id, index, scenario.weight);
+    to.buffers.add(job.id, position, scenario.weight);
     return true;
 }
 

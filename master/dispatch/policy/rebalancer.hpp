@@ -39,7 +39,7 @@ class Rebalancer {
     void move(WorkerProxy& from, WorkerProxy& to);
     [[nodiscard]] bool move_one(WorkerProxy& from, WorkerProxy& to, DispatchJob& job);
     [[nodiscard]] bool
-    move_if_earlier(WorkerProxy& from, WorkerProxy& to, DispatchJob& job, std::uint64_t index);
+    move_if_earlier(WorkerProxy& from, WorkerProxy& to, DispatchJob& job, std::uint64_t position);
 
     MatchingContext context_;
     WorkQueue& queue_;

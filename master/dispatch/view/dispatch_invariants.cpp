@@ -6,100 +6,104 @@
 
 #include <algorithm>
 #include <map>
+#include <span>
 #include <vector>
 
 namespace cd {
 
 namespace {
 
-std::uint64_t cost_of(const DispatchJob& job, std::span<const std::uint64_t> scenarios) {
+std::uint64_t cost_of(const DispatchJob& job, std::span<const std::uint64_t> positions) {
     std::uint64_t cost_ns = 0;
-    for (const std::uint64_t index : scenarios) {
-        cost_ns += job.at(index).weight.cost_ns;
+    for (const std::uint64_t position : positions) {
+        cost_ns += job.at(position).weight.cost_ns;
     }
     return cost_ns;
 }
 
-void check_counts(const DispatchParts& parts) {
-    std::uint64_t known = 0;
-    std::uint64_t placed = parts.queue.suspects().size();
+/// Checks a copy against its original, and returns the number of positions that both have.
+std::uint64_t
+check_copy(const DispatchParts& parts, const WorkerProxy& at, const TaskInFlight& copy) {
+    const TaskInFlight* original = parts.tasks.find(copy.shared.original);
+    if (original == nullptr) {
+        return 0; // No copy, or its original has ended.
+    }
+    const PositionSet both = copy.positions.common_with(original->positions);
+    CD_CHECK(copy.shared.original.worker != at.id());
+    CD_CHECK(original->job == copy.job);
+    CD_CHECK(original->is_analysed == copy.is_analysed);
+    CD_CHECK(both.common_with(original->shared.copied) == both);
+    return both.count();
+}
+
+/// Checks that each position of the job is in one place, apart from copies.
+void check_positions(const DispatchParts& parts, const DispatchJob& job) {
+    std::uint64_t known = job.scenarios.size();
+    std::uint64_t placed = job.waiting.size();
+    PositionSet unanalysed;
+    std::uint64_t in_ranges = job.unsent.count();
+    for (const PlaceRange& range : job.unsent.all()) {
+        CD_CHECK(range.count != 0);
+        unanalysed.add(range);
+    }
+    placed += static_cast<std::uint64_t>(
+        std::ranges::count(parts.queue.suspects(), job.id, &Suspect::job));
+    for (const auto& [id, proxy] : parts.pool.all()) {
+        placed += proxy.buffers.of(job.id).scenarios.size();
+        for (const auto& [task_id, task] : proxy.tasks.all()) {
+            if (task.job == job.id) {
+                (task.is_analysed ? placed : in_ranges) += task.left();
+                (task.is_analysed ? placed : in_ranges) -= check_copy(parts, proxy, task);
+                unanalysed.add(task.is_analysed ? PositionSet() : task.positions);
+            }
+        }
+    }
+    // `check_job` finds each scenario in its place. The counts match as well, so none is in two.
+    CD_CHECK(known == placed);
+    const std::uint64_t ranges_hold_each_position_once = unanalysed.count();
+    CD_CHECK(ranges_hold_each_position_once == in_ranges);
+}
+
+void check_unsent(const DispatchParts& parts) {
     std::uint64_t not_sent = parts.queue.suspects().size();
     for (const auto& [id, job] : parts.queue.jobs()) {
-        known += job.scenarios.size();
-        known += static_cast<std::uint64_t>(std::ranges::count_if(
-            job.scenarios, [](const auto& scenario) { return scenario.second.copy.has_value(); }));
-        placed += job.waiting.size();
         not_sent += job.waiting.size();
     }
     for (const auto& [id, proxy] : parts.pool.all()) {
-        placed += proxy.buffers.count();
-        for (const auto& [task_id, task] : proxy.tasks.all()) {
-            placed += task.scenarios.size();
-        }
         not_sent += proxy.buffers.count();
     }
-    // `check_job` finds each scenario and copy in its place. The counts match as well, so no
-    // scenario is in two places.
-    CD_CHECK(known == placed);
     const std::uint64_t unsent = parts.queue.unsent();
     CD_CHECK(unsent == not_sent);
 }
 
-void check_copy(const DispatchParts& parts,
-                const DispatchJob& job,
-                std::uint64_t index,
-                const DispatchScenario& scenario) {
-    if (!scenario.copy) {
-        return;
-    }
-    CD_CHECK(scenario.was_copied);
-    CD_CHECK(scenario.copy->worker != scenario.worker);
-    const WorkerProxy* proxy = parts.pool.find(scenario.copy->worker);
-    CD_CHECK(proxy != nullptr);
-    const TaskInFlight& task = proxy->tasks.at(scenario.copy->task);
-    CD_CHECK(task.is_copy);
-    CD_CHECK(task.job == job.id);
-    CD_CHECK(task.scenarios == std::vector<std::uint64_t>{index});
-}
-
 void check_job(const DispatchParts& parts, const DispatchJob& job) {
-    const auto holds = [](const auto& list, std::uint64_t index) {
-        return std::count(list.begin(), list.end(), index) == 1;
-    };
+    check_positions(parts, job);
     std::vector<std::uint64_t> waiting(job.waiting.begin(), job.waiting.end());
     std::ranges::sort(waiting); // Linear search would cost quadratic time.
     CD_CHECK(std::ranges::adjacent_find(waiting) == waiting.end());
-    std::uint64_t unsent_places = 0;
-    for (const PlaceRange& range : job.places.all()) {
-        CD_CHECK(range.count != 0);
-        unsent_places += range.count;
-    }
-    CD_CHECK(unsent_places == job.places.count());
-    for (const auto& [index, scenario] : job.scenarios) {
+    for (const auto& [position, scenario] : job.scenarios) {
         CD_CHECK(scenario.losses.count() < limits::scenario_losses_max);
-        CD_CHECK(!scenario.copy || scenario.where == Whereabouts::Sent);
         switch (scenario.where) {
         case Whereabouts::Waiting:
-            CD_CHECK(std::ranges::binary_search(waiting, index));
+            CD_CHECK(std::ranges::binary_search(waiting, position));
             break;
         case Whereabouts::Suspect:
             CD_CHECK(std::any_of(parts.queue.suspects().begin(),
                                  parts.queue.suspects().end(),
-                                 [&](const Suspect& suspect) {
-                                     return suspect.job == job.id && suspect.scenario == index;
+                                 [&, wanted = position](const Suspect& suspect) {
+                                     return suspect.job == job.id && suspect.position == wanted;
                                  }));
             break;
         case Whereabouts::Buffered: {
-            const WorkerProxy* proxy = parts.pool.find(scenario.worker);
+            const WorkerProxy* proxy = parts.pool.find(scenario.at.worker);
             CD_CHECK(proxy != nullptr);
-            CD_CHECK(holds(proxy->buffers.of(job.id).scenarios, index));
+            CD_CHECK(std::ranges::count(proxy->buffers.of(job.id).scenarios, position) == 1);
             break;
         }
         case Whereabouts::Sent: {
-            const WorkerProxy* proxy = parts.pool.find(scenario.worker);
-            CD_CHECK(proxy != nullptr);
-            CD_CHECK(holds(proxy->tasks.at(scenario.task).scenarios, index));
-            check_copy(parts, job, index, scenario);
+            const TaskInFlight* task = parts.tasks.find(scenario.at);
+            CD_CHECK(task != nullptr);
+            CD_CHECK(task->is_analysed && task->positions.contains(position));
             break;
         }
         }
@@ -110,7 +114,7 @@ void check_recalls(const DispatchParts& parts) {
     for (const auto& [worker, recall] : parts.tasks.recalls()) {
         const WorkerProxy* proxy = parts.pool.find(worker);
         CD_CHECK(proxy != nullptr);
-        CD_CHECK(proxy->tasks.contains(recall.task));
+        CD_CHECK(proxy->tasks.find(recall.task) != nullptr);
         CD_CHECK(!proxy->is_silent());
         CD_CHECK(recall.asked != 0);
     }
@@ -141,13 +145,9 @@ void check_worker(const DispatchParts& parts, const WorkerProxy& proxy) {
         CD_CHECK(id <= parts.tasks.last());
         working += task.left();
         claiming += task.claims ? 1 : 0;
-        CD_CHECK(!task.is_range() || task.places_left <= task.places->count);
-        CD_CHECK(!task.is_range() || task.places_copied <= task.places->count);
-        CD_CHECK(task.is_range()
-                     ? task.scenarios.empty()
-                     : task.cost_ns == (task.scenarios.empty()
-                                            ? 0
-                                            : cost_of(parts.queue.at(task.job), task.scenarios)));
+        CD_CHECK(!task.is_analysed || task.left() == 0 ||
+                 task.cost_ns == cost_of(parts.queue.at(task.job), task.positions.list()));
+        CD_CHECK(task.left() != 0 || task.cost_ns == 0);
         working_ns += task.cost_ns;
     }
     CD_CHECK(working_ns == proxy.tasks.cost_ns());
@@ -167,7 +167,7 @@ void check_flight(const DispatchParts& parts, const WorkerProxy& proxy) {
         }
         const DispatchJob& job = parts.queue.at(task.job);
         const std::uint64_t batch_max = job.policy->is_by_time() ? limits::q_max : job.options.q;
-        CD_CHECK(task.left() <= (task.is_range() ? limits::range_scenarios_max : batch_max));
+        CD_CHECK(task.left() <= (task.is_analysed ? batch_max : limits::range_scenarios_max));
         ++unanswered[task.job];
     }
     for (const auto& [id, tasks] : unanswered) {
@@ -204,7 +204,7 @@ void check_progress(const DispatchParts& parts) {
 } // namespace
 
 void check_invariants_of(const DispatchParts& parts) {
-    check_counts(parts);
+    check_unsent(parts);
     parts.pool.check();
     for (const auto& [id, job] : parts.queue.jobs()) {
         check_job(parts, job);

@@ -31,11 +31,11 @@ std::uint64_t DispatchView::unsent_enough() const {
     return limits::unsent_scenarios_max + enough;
 }
 
-std::uint64_t DispatchView::places_unsent(JobId job) const {
-    return parts_->queue.at(job).places.count();
+std::uint64_t DispatchView::positions_unsent(JobId job) const {
+    return parts_->queue.at(job).unsent.count();
 }
 
-std::uint64_t DispatchView::places_enough(JobId job) const {
+std::uint64_t DispatchView::positions_enough(JobId job) const {
     return parts_->ranges.enough(parts_->queue.at(job));
 }
 
@@ -59,7 +59,12 @@ std::vector<TaskId> DispatchView::tasks_of(WorkerId worker) const {
 }
 
 std::uint64_t DispatchView::owed(WorkerId worker, TaskId task) const {
-    return parts_->tasks.owed(worker, task);
+    return parts_->tasks.owed({worker, task});
+}
+
+bool DispatchView::is_copy(WorkerId worker, TaskId task) const {
+    const TaskInFlight* const found = parts_->tasks.find({worker, task});
+    return found != nullptr && found->is_copy();
 }
 
 std::uint64_t DispatchView::unanswered(JobId job) const {
@@ -67,8 +72,19 @@ std::uint64_t DispatchView::unanswered(JobId job) const {
     return found == nullptr ? 0 : found->scenarios.size();
 }
 
-std::vector<PlaceRange> DispatchView::places_of(JobId job) const {
-    return parts_->queue.at(job).places.all();
+PositionSet DispatchView::unanalysed(JobId job) const {
+    PositionSet positions;
+    for (const PlaceRange& range : parts_->queue.at(job).unsent.all()) {
+        positions.add(range);
+    }
+    for (const WorkerProxy* proxy : parts_->pool.in_order()) {
+        for (const auto& [id, task] : proxy->tasks.all()) {
+            if (task.job == job && !task.is_analysed) {
+                positions.add(task.positions);
+            }
+        }
+    }
+    return positions;
 }
 
 Explained DispatchView::explain(JobId job, const AnalysedScenario& scenario) const {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "common/core/id.hpp"
-#include "common/job/poses/ordered_poses.hpp"
+#include "master/base/position_set.hpp"
 #include "master/dispatch/dispatch_inputs.hpp"
 #include "master/dispatch/range_choice.hpp"
 #include "proto/messages/client_messages.hpp"
@@ -25,10 +25,11 @@ class DispatchView {
     [[nodiscard]] bool is_at_end() const;
     /// Number of unsent scenarios that gives workers enough choice; more would only take memory.
     [[nodiscard]] std::uint64_t unsent_enough() const;
-    /// Number of positions that came with `places_given` and were not sent. The job must be open.
-    [[nodiscard]] std::uint64_t places_unsent(JobId job) const;
+    /// Number of positions that came with `positions_given` and are in no task. The job must be
+    /// open.
+    [[nodiscard]] std::uint64_t positions_unsent(JobId job) const;
     /// Number of such positions that suffices for all workers. The job must be open.
-    [[nodiscard]] std::uint64_t places_enough(JobId job) const;
+    [[nodiscard]] std::uint64_t positions_enough(JobId job) const;
     /// Cost of the blocks that analysed scenarios lack at their chosen worker and at an average
     /// one, in seconds per scenario, and of filling every cache. The job must be open.
     [[nodiscard]] MissingCosts missing_costs(JobId job) const;
@@ -38,13 +39,16 @@ class DispatchView {
     [[nodiscard]] std::vector<WorkerId> workers() const;
     /// Tasks at the worker, which must exist.
     [[nodiscard]] std::vector<TaskId> tasks_of(WorkerId worker) const;
-    /// Scenarios of the task that must be answered before it ends; 0 if the worker drains or does
+    /// Positions of the task that must be answered before it ends; 0 if the worker drains or does
     /// not exist.
     [[nodiscard]] std::uint64_t owed(WorkerId worker, TaskId task) const;
+    /// True if the task exists and is a speculative copy.
+    [[nodiscard]] bool is_copy(WorkerId worker, TaskId task) const;
     /// Scenarios analysed but not answered; 0 if the job is not open.
     [[nodiscard]] std::uint64_t unanswered(JobId job) const;
-    /// The positions counted by `places_unsent`. The job must be open.
-    [[nodiscard]] std::vector<PlaceRange> places_of(JobId job) const;
+    /// The unanswered positions that came with `positions_given`, in tasks or not. The job must be
+    /// open.
+    [[nodiscard]] PositionSet unanalysed(JobId job) const;
     /// Scores every worker for the scenario in the present state, and names the worker that would
     /// be chosen. Changes nothing. The job must be open.
     [[nodiscard]] Explained explain(JobId job, const AnalysedScenario& scenario) const;

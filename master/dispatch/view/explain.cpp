@@ -16,8 +16,8 @@ std::uint64_t sum_of(std::span<const WeightedRoot> roots) {
     return sum;
 }
 
-std::string whereabouts(const WorkerPool& pool, const DispatchJob& job, std::uint64_t index) {
-    const auto found = job.scenarios.find(index);
+std::string whereabouts(const WorkerPool& pool, const DispatchJob& job, std::uint64_t position) {
+    const auto found = job.scenarios.find(position);
     if (found == job.scenarios.end()) {
         return "not analysed yet, or in a range at a worker";
     }
@@ -28,13 +28,20 @@ std::string whereabouts(const WorkerPool& pool, const DispatchJob& job, std::uin
     case Whereabouts::Suspect:
         return "was lost with workers, waits for an idle one";
     case Whereabouts::Buffered:
-        return "in the buffer of " + name_of(found->second.worker);
+        return "in the buffer of " + name_of(found->second.at.worker);
     case Whereabouts::Sent:
         break;
     }
-    const auto& copy = found->second.copy;
-    return "at " + name_of(found->second.worker) +
-           (copy ? ", and a copy at " + name_of(copy->worker) : "");
+    const Assignment& at = found->second.at;
+    std::string text = "at " + name_of(at.worker);
+    for (const Assignment& copy : pool.find(at.worker)->tasks.at(at.task).shared.copies) {
+        const WorkerProxy* helper = pool.find(copy.worker);
+        const TaskInFlight* task = helper == nullptr ? nullptr : helper->tasks.find(copy.task);
+        if (task != nullptr && task->positions.contains(position)) {
+            text += ", and a copy at " + name_of(copy.worker);
+        }
+    }
+    return text;
 }
 
 WorkerScore score_of(const MatchingContext& context,
@@ -68,7 +75,6 @@ Explained explain_choice(const MatchingContext& context,
                          const AnalysedScenario& analysed) {
     Explained explained;
     explained.job = job.id;
-    explained.scenario = analysed.index;
     explained.strategy = job.options.strategy;
     explained.is_by_time = job.policy->is_by_time();
     explained.roots_a = static_cast<std::uint32_t>(analysed.roots_a.size());
@@ -80,7 +86,7 @@ Explained explain_choice(const MatchingContext& context,
     }
     const DispatchScenario scenario = job.scenario_of(analysed);
     const WorkerProxy* chosen = job.policy->would_choose(job, scenario);
-    explained.where = whereabouts(context.pool, job, analysed.index);
+    explained.where = whereabouts(context.pool, job, analysed.position);
     explained.why = chosen == nullptr && !job.policy->is_pulled()
                         ? "no worker may take a scenario now"
                         : job.policy->why();

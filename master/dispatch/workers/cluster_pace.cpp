@@ -11,11 +11,10 @@ void ClusterPace::time_is(double seconds) {
     now_ = seconds;
 }
 
-void ClusterPace::add_work(WorkerProxy& proxy, const MeasuredWork& work) {
-    const double predicted = 1e-9 * static_cast<double>(work.predicted_ns);
-    proxy.pace.work.add(predicted, work.seconds);
-    general_.work.add(predicted, work.seconds);
-    proxy.tasks.note_busy(work.task, work.seconds);
+void ClusterPace::add_work(WorkerProxy& proxy, std::uint64_t predicted_ns, double seconds) {
+    const double predicted = 1e-9 * static_cast<double>(predicted_ns);
+    proxy.pace.work.add(predicted, seconds);
+    general_.work.add(predicted, seconds);
 }
 
 void ClusterPace::add_transfer(WorkerProxy& proxy, std::uint64_t bytes, double seconds) {
@@ -31,8 +30,16 @@ double ClusterPace::mean_cost_ns() const {
     return mean_cost_ns_.value_or(static_cast<double>(limits::scenario_ns_unknown));
 }
 
-double ClusterPace::places_per_second(const WorkerProxy& proxy, const DispatchJob& job) const {
+double ClusterPace::positions_per_second(const WorkerProxy& proxy, const DispatchJob& job) const {
     return job.range_pace.per_thread(proxy.id(), 1e9 / mean_cost_ns()) * proxy.facts().threads;
+}
+
+double ClusterPace::thread_seconds_of(const TaskInFlight& task,
+                                      const WorkerProxy& proxy,
+                                      const DispatchJob& job) const {
+    return task.is_analysed ? 1e-9 * static_cast<double>(task.cost_ns) / speed_of(proxy)
+                            : static_cast<double>(task.left()) * proxy.facts().threads /
+                                  positions_per_second(proxy, job);
 }
 
 double ClusterPace::seconds_of(const WorkerPool::Missing& missing, const WorkerProxy& proxy) const {

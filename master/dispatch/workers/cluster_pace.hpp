@@ -21,7 +21,8 @@ class ClusterPace {
     void time_is(double seconds);
     [[nodiscard]] double now() const { return now_; }
 
-    void add_work(WorkerProxy& proxy, const MeasuredWork& work);
+    /// Adds work that took the worker's threads `seconds`. `predicted_ns`: its predicted time.
+    void add_work(WorkerProxy& proxy, std::uint64_t predicted_ns, double seconds);
     void add_transfer(WorkerProxy& proxy, std::uint64_t bytes, double seconds);
     void add_scenario(std::uint64_t cost_ns);
 
@@ -35,7 +36,12 @@ class ClusterPace {
     [[nodiscard]] double link_of(const WorkerProxy& proxy) const;
     [[nodiscard]] WorkerPowers powers_of(const WorkerProxy& proxy) const;
     /// Scenarios of the job's ranges that all threads of the worker finish per second.
-    [[nodiscard]] double places_per_second(const WorkerProxy& proxy, const DispatchJob& job) const;
+    [[nodiscard]] double positions_per_second(const WorkerProxy& proxy,
+                                              const DispatchJob& job) const;
+    /// Time in which one thread of the worker would finish the unanswered part of the job's task.
+    [[nodiscard]] double thread_seconds_of(const TaskInFlight& task,
+                                           const WorkerProxy& proxy,
+                                           const DispatchJob& job) const;
     /// Estimated seconds until the blocks arrive and are open.
     [[nodiscard]] double seconds_of(const WorkerPool::Missing& missing,
                                     const WorkerProxy& proxy) const;

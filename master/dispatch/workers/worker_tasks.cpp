@@ -2,20 +2,18 @@
 
 #include "common/core/check.hpp"
 
-#include <algorithm>
 #include <utility>
 
 namespace cd {
 
+const TaskInFlight* WorkerTasks::find(TaskId task) const {
+    const auto found = tasks_.find(task);
+    return found == tasks_.end() ? nullptr : &found->second;
+}
+
 std::size_t WorkerTasks::count_of(JobId job) const {
     return static_cast<std::size_t>(std::count_if(
         tasks_.begin(), tasks_.end(), [&](const auto& task) { return task.second.job == job; }));
-}
-
-TaskInFlight& WorkerTasks::existing(TaskId task) {
-    const auto found = tasks_.find(task);
-    CD_CHECK(found != tasks_.end());
-    return found->second;
 }
 
 void WorkerTasks::start(TaskId task, TaskInFlight content) {
@@ -29,68 +27,36 @@ void WorkerTasks::start(TaskId task, TaskInFlight content) {
     CD_CHECK(is_new);
 }
 
-void WorkerTasks::answer(TaskId id, std::uint64_t scenario, std::uint64_t cost_ns, bool here) {
-    TaskInFlight& task = existing(id);
-    const auto place = std::find(task.scenarios.begin(), task.scenarios.end(), scenario);
-    CD_CHECK(place != task.scenarios.end());
-    task.scenarios.erase(place);
-    --left_;
+void WorkerTasks::remove(TaskId id, const PositionSet& positions, std::uint64_t cost_ns) {
+    TaskInFlight& task = tasks_.at(id);
+    const std::uint64_t before = task.left();
+    task.positions.remove(positions);
+    const bool task_had_positions = before - task.left() == positions.count();
+    CD_CHECK(task_had_positions);
+    left_ -= positions.count();
     task.cost_ns -= cost_ns;
     cost_ns_ -= cost_ns;
-    answered_ += here ? 1 : 0;
 }
 
-void WorkerTasks::forget_scenarios(JobId job) {
+void WorkerTasks::note_answers(std::uint64_t positions, double now) {
+    answered_ += positions;
+    progressed_ = now;
+}
+
+void WorkerTasks::add_copy(TaskId task, const Assignment& copy, const PositionSet& positions) {
+    SharedWork& shared = tasks_.at(task).shared;
+    shared.copies.push_back(copy);
+    shared.copied.add(positions);
+}
+
+void WorkerTasks::forget_positions(JobId job) {
     for (auto& [id, task] : tasks_) {
         if (task.job == job) {
             left_ -= task.left();
             cost_ns_ -= task.cost_ns;
-            task.scenarios.clear();
-            task.places_left = 0;
+            task.positions = {};
             task.cost_ns = 0;
         }
-    }
-}
-
-void WorkerTasks::answer_places(TaskId id, std::uint64_t count) {
-    TaskInFlight& task = existing(id);
-    CD_CHECK(count <= task.places_left);
-    remove_places(task, count);
-    answered_ += count;
-}
-
-PlaceRange WorkerTasks::cut_places(TaskId id, std::uint64_t kept) {
-    TaskInFlight& task = existing(id);
-    CD_CHECK(task.is_range());
-    // Cuts at most the unanswered positions, whatever the worker reports.
-    const std::uint64_t least = task.places->count - task.places_left;
-    const std::uint64_t count = std::clamp(kept, least, task.places->count);
-    const PlaceRange cut{task.places->first + count, task.places->count - count};
-    task.places->count = count;
-    task.places_copied -= std::min(task.places_copied, cut.count);
-    remove_places(task, cut.count);
-    return cut;
-}
-
-void WorkerTasks::remove_places(TaskInFlight& task, std::uint64_t count) {
-    if (count == 0) {
-        return;
-    }
-    const auto share = static_cast<double>(count) / static_cast<double>(task.places_left);
-    const auto cost_ns =
-        count == task.places_left
-            ? task.cost_ns
-            : static_cast<std::uint64_t>(share * static_cast<double>(task.cost_ns));
-    task.places_left -= count;
-    task.cost_ns -= cost_ns;
-    left_ -= count;
-    cost_ns_ -= cost_ns;
-}
-
-void WorkerTasks::note_busy(TaskId task, double seconds) {
-    const auto found = tasks_.find(task);
-    if (found != tasks_.end()) {
-        found->second.busy_seconds += seconds;
     }
 }
 

@@ -3,36 +3,55 @@
 
 #include "common/core/id.hpp"
 #include "common/job/poses/ordered_poses.hpp"
+#include "master/base/position_set.hpp"
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <map>
-#include <optional>
+#include <memory>
 #include <vector>
 
 namespace cd {
 
+/// A task, named by its worker and its id.
+struct Assignment {
+    WorkerId worker;
+    TaskId task;
+};
+
+/// The tasks with which a task shares positions. They may have ended since.
+struct SharedWork {
+    Assignment original;            ///< The task that this one copies; task 0 if this is no copy.
+    std::vector<Assignment> copies; ///< Speculative copies of parts of this task.
+    PositionSet copied;             ///< Positions that got a copy, which may be lost since.
+};
+
 /// A task at the worker, from sending until the worker reports its end.
 struct TaskInFlight {
     JobId job;
-    std::vector<std::uint64_t> scenarios;  ///< Unanswered, in the order sent.
-    bool claims = false;                   ///< The worker gets nothing else until the task ends.
-    std::uint64_t cost_ns = 0;             ///< Predicted time of the unanswered part, ns.
-    double sent = 0;                       ///< Send time, s.
-    bool fetches = false;                  ///< The worker lacked some of the task's blocks.
-    double busy_seconds = 0;               ///< Measured so far, summed over the worker's threads.
-    std::optional<PlaceRange> places = {}; ///< Ranges only; `scenarios` is empty then.
-    std::uint64_t places_left = 0;         ///< Unanswered positions of `places`.
-    bool is_copy = false;                  ///< Speculative copy of another task.
-    bool has_begun = false;                ///< The unanswered part has begun: no more recalls.
-    std::uint64_t places_copied = 0;       ///< Number of last positions that have a copy.
+    PositionSet positions;     ///< Unanswered and not returned.
+    bool is_analysed = true;   ///< False: the worker finds the colliding roots.
+    bool claims = false;       ///< The worker gets nothing else until the task ends.
+    std::uint64_t cost_ns = 0; ///< Predicted time of the unanswered part, ns.
+    double sent = 0;           ///< Send time, s.
+    bool fetches = false;      ///< The worker lacked some of the task's blocks.
+    double busy_seconds = 0;   ///< Measured so far, summed over the worker's threads.
+    bool has_begun = false;    ///< The unanswered part has begun: no more recalls.
+    SharedWork shared = {};
+    std::shared_ptr<const PoseWindow> window = {}; ///< As in `GivenRange`.
 
-    [[nodiscard]] bool is_range() const { return places.has_value(); }
-    [[nodiscard]] std::uint64_t left() const { return scenarios.size() + places_left; }
-    /// Predicted time of one unanswered position of a range, at least 1. There must be some.
+    [[nodiscard]] std::uint64_t left() const { return positions.count(); }
+    [[nodiscard]] bool is_copy() const { return shared.original.task != TaskId{}; }
+    /// The unanswered positions that had no copy.
+    [[nodiscard]] PositionSet uncopied() const {
+        PositionSet rest = positions;
+        rest.remove(shared.copied);
+        return rest;
+    }
+    /// Mean predicted time of an unanswered position, at least 1 ns. There must be some.
     [[nodiscard]] std::uint64_t each_ns() const {
-        return std::max<std::uint64_t>(1, cost_ns / places_left);
+        return std::max<std::uint64_t>(1, cost_ns / left());
     }
 };
 
@@ -41,13 +60,14 @@ struct TaskInFlight {
 class WorkerTasks {
   public:
     [[nodiscard]] const std::map<TaskId, TaskInFlight>& all() const { return tasks_; }
-    [[nodiscard]] bool contains(TaskId task) const { return tasks_.contains(task); }
+    /// Null if there is no such task.
+    [[nodiscard]] const TaskInFlight* find(TaskId task) const;
     [[nodiscard]] const TaskInFlight& at(TaskId task) const { return tasks_.at(task); }
     /// Number of the job's tasks.
     [[nodiscard]] std::size_t count_of(JobId job) const;
-    /// Number of unanswered scenarios and positions.
+    /// Number of unanswered positions.
     [[nodiscard]] std::uint64_t left() const { return left_; }
-    /// Predicted time of the unanswered scenarios and positions.
+    /// Predicted time of the unanswered positions.
     [[nodiscard]] std::uint64_t cost_ns() const { return cost_ns_; }
     /// True if a task that claims the worker is still running (the paper's label "claimed").
     [[nodiscard]] bool have_claimed() const { return claiming_ != 0; }
@@ -55,36 +75,29 @@ class WorkerTasks {
     [[nodiscard]] JobId last_job() const { return last_job_; }
     /// Number of tasks sent to the worker so far.
     [[nodiscard]] std::uint64_t sent() const { return sent_; }
-    /// Number of scenarios that the worker has answered so far.
+    /// Number of positions that the worker has answered so far.
     [[nodiscard]] std::uint64_t answered() const { return answered_; }
     /// Time of the last answer or, if later, at which the idle worker got work, s.
     [[nodiscard]] double progressed() const { return progressed_; }
-    void note_progress(double now) { progressed_ = now; }
 
     /// The task must be new.
     void start(TaskId task, TaskInFlight content);
-    /// Removes a scenario from a task that has it. `here`: this worker answered it.
-    void answer(TaskId task, std::uint64_t scenario, std::uint64_t cost_ns, bool here);
-    /// Records `count` answers of a range, at most as many as its unanswered positions.
-    void answer_places(TaskId task, std::uint64_t count);
-    /// Shortens a range to its first `kept` positions, or to the answered number if that is more.
-    /// Returns the positions cut off.
-    PlaceRange cut_places(TaskId task, std::uint64_t kept);
+    /// Removes positions from a task that has them. `cost_ns`: their predicted time.
+    void remove(TaskId task, const PositionSet& positions, std::uint64_t cost_ns);
+    /// Counts positions that the worker has answered. `now` in s.
+    void note_answers(std::uint64_t positions, double now);
+    /// Adds thread time measured for the task.
+    void note_busy(TaskId task, double seconds) { tasks_.at(task).busy_seconds += seconds; }
     /// Marks the unanswered part of the task as begun: it cannot be recalled.
     void set_begun(TaskId task) { tasks_.at(task).has_begun = true; }
-    /// Records that `places` more of a range's last positions have a speculative copy.
-    void add_copied(TaskId task, std::uint64_t places) { tasks_.at(task).places_copied += places; }
-    /// Adds thread time measured for the task. Ignored if the task does not exist.
-    void note_busy(TaskId task, double seconds);
-    /// Drops the job's scenarios; the tasks themselves last until they end.
-    void forget_scenarios(JobId job);
+    /// Records a speculative copy of these positions of the task.
+    void add_copy(TaskId task, const Assignment& copy, const PositionSet& positions);
+    /// Drops the job's positions; the tasks themselves last until they end.
+    void forget_positions(JobId job);
     /// Removes the task and returns it, with its unanswered part.
     TaskInFlight end(TaskId task);
 
   private:
-    [[nodiscard]] TaskInFlight& existing(TaskId task);
-    void remove_places(TaskInFlight& task, std::uint64_t count);
-
     std::map<TaskId, TaskInFlight> tasks_;
     std::uint64_t left_ = 0;
     std::uint64_t cost_ns_ = 0;

@@ -17,19 +17,18 @@ void AnalysisFeed::start(MasterJob& job) {
     if (work.done == nullptr) {
         work.done = job.merged.marks();
     }
-    const PlaceQueue::Piece piece = work.todo.take(limits::analysis_block_scenarios);
-    work.analyser->start(piece.places, piece.losses, work.done);
+    const PositionQueue::Piece piece = work.todo.take(limits::analysis_block_scenarios);
+    work.analyser->start(piece.positions, piece.losses, work.done);
 }
 
 std::unique_ptr<Analyser> AnalysisFeed::make_analyser(const MasterJob& job) {
-    AnalysisInput input = job.work()->analysis_input;
-    input.poses = job.work()->order;
     // Runs on a pool thread, so that the records are made there.
     auto deliver = [this, &background = parts_.background, id = job.id](AnalysedBlock block) {
         std::vector<TakenResult> finished;
         for (Analysis& analysis : block.scenarios) {
             if (analysis.finished) {
-                finished.push_back(take_result(std::move(*analysis.finished), analysis.cost));
+                finished.push_back(
+                    take_result(std::move(*analysis.finished), analysis.position, analysis.cost));
             }
         }
         background.post(
@@ -38,7 +37,7 @@ std::unique_ptr<Analyser> AnalysisFeed::make_analyser(const MasterJob& job) {
             });
     };
     return std::make_unique<Analyser>(
-        parts_.background.compute_pool(), std::move(input), std::move(deliver));
+        parts_.background.compute_pool(), job.work()->analysis_input, std::move(deliver));
 }
 
 void AnalysisFeed::came(JobId id, AnalysedBlock block, std::vector<TakenResult> finished) {
@@ -47,7 +46,7 @@ void AnalysisFeed::came(JobId id, AnalysedBlock block, std::vector<TakenResult> 
         return;
     }
     if (block.error) {
-        job->work()->todo.put_back({block.places, block.losses});
+        job->work()->todo.put_back({block.positions, block.losses});
         return parts_.life.wait_for_disk(*job, *block.error, [](MasterJob*) {});
     }
     parts_.life.disk_gives(*job);
@@ -57,7 +56,7 @@ void AnalysisFeed::came(JobId id, AnalysedBlock block, std::vector<TakenResult> 
         return;
     }
     JobRates& rates = job->work()->rates;
-    rates.analysis.add(block.seconds, static_cast<double>(block.places.count));
+    rates.analysis.add(block.seconds, static_cast<double>(block.positions.count));
     if (handed_out != 0) {
         const double seconds = std::chrono::duration<double>(Clock::now() - begin).count();
         rates.matching.add(seconds, static_cast<double>(handed_out));
@@ -73,10 +72,10 @@ std::uint64_t AnalysisFeed::hand_out(MasterJob& job, AnalysedBlock& block) {
     for (Analysis& analysis : block.scenarios) {
         // A scenario that was queued again may have an answer or an analysis by now.
         if (analysis.finished || job.merged.has(analysis.scenario.index) ||
-            job.work()->open.has(analysis.scenario.index)) {
+            job.work()->open.has(analysis.position)) {
             continue;
         }
-        AnalysedScenario scenario{analysis.scenario.index,
+        AnalysedScenario scenario{analysis.position,
                                   std::move(analysis.roots_a),
                                   std::move(analysis.roots_b),
                                   analysis.bytes,

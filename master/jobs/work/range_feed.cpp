@@ -2,7 +2,6 @@
 
 #include "common/core/limits/engine.hpp"
 #include "common/core/limits/master.hpp"
-#include "master/base/mutation.hpp"
 
 #include <algorithm>
 #include <map>
@@ -12,17 +11,19 @@ namespace cd {
 
 namespace {
 
-/// The given positions whose scenarios have no result.
-std::vector<PlaceRange> unmerged(const MasterJob& job, const GivenPlaces& given) {
-    PlaceRuns runs;
-    for (std::uint64_t place = given.places.first; place < given.places.end(); ++place) {
+/// The positions of the range that have neither a result nor an analysis.
+PositionSet open_positions(const MasterJob& job, const GivenRange& range) {
+    const OpenAnalyses& analyses = job.work()->open;
+    PositionSet open = range.positions;
+    for (std::uint64_t i = 0; i < range.positions.count; ++i) {
+        const PlaceRange one{range.positions.first + i, 1};
         const std::uint64_t index =
-            given.window == nullptr ? place : given.window->at({place, 1}).front().index;
-        if (!job.merged.has(index)) {
-            runs.add(place);
+            range.window == nullptr ? one.first : range.window->at(one).front().index;
+        if (job.merged.has(index) || analyses.has(one.first)) {
+            open.remove(one);
         }
     }
-    return runs.take();
+    return open;
 }
 
 } // namespace
@@ -30,131 +31,78 @@ std::vector<PlaceRange> unmerged(const MasterJob& job, const GivenPlaces& given)
 void RangeFeed::give(MasterJob& job) {
     JobWork& work = *job.work();
     while (parts_.writer.has_room() && !work.todo.empty() && work.todo.front().losses.none() &&
-           parts_.dispatch.view().places_unsent(job.id) + work.places_loading <
-               parts_.dispatch.view().places_enough(job.id)) {
-        const PlaceRange places = work.todo.take(limits::range_scenarios_max).places;
-        if (work.order->grid() != nullptr) {
-            give(job, {places, nullptr});
+           parts_.dispatch.view().positions_unsent(job.id) + work.positions_loading <
+               parts_.dispatch.view().positions_enough(job.id)) {
+        const PlaceRange positions = work.todo.take(limits::range_scenarios_max).positions;
+        if (job.run->poses->grid() != nullptr) {
+            give(job, {positions, nullptr});
             continue;
         }
-        work.places_loading += places.count;
+        work.positions_loading += positions.count;
         parts_.background.compute(
-            [order = work.order, places] { return order->window_of(places.first); },
-            [this, id = job.id, places](const Result<Window>& window) {
-                came(id, places, window);
+            [poses = job.run->poses, positions] { return poses->window_of(positions.first); },
+            [this, id = job.id, positions](const Result<Window>& window) {
+                came(id, positions, window);
             });
     }
 }
 
-void RangeFeed::came(JobId id, const PlaceRange& places, const Result<Window>& window) {
+void RangeFeed::came(JobId id, const PlaceRange& positions, const Result<Window>& window) {
     MasterJob* job = parts_.jobs.find_running(id);
     if (job == nullptr) {
         return;
     }
-    job->work()->places_loading -= places.count;
+    job->work()->positions_loading -= positions.count;
     if (window) {
         parts_.life.disk_gives(*job);
-        give(*job, {places, window.value()});
+        give(*job, {positions, window.value()});
     } else {
-        job->work()->todo.put_back({places});
+        job->work()->todo.put_back({positions});
         parts_.life.wait_for_disk(*job, window.error(), [](MasterJob*) {});
     }
 }
 
-void RangeFeed::give(MasterJob& job, const GivenPlaces& given) {
-    JobWork& work = *job.work();
-    for (const PlaceRange& run : unmerged(job, given)) {
-        work.given.add({run, given.window});
-        const std::uint64_t after = work.todo.left() + work.places_loading;
-        parts_.dispatch.act(parts_.dispatch->places_given(job.id, run, after));
+void RangeFeed::give(MasterJob& job, const GivenRange& range) {
+    const JobWork& work = *job.work();
+    const PositionSet open = open_positions(job, range);
+    for (const PlaceRange& run : open.runs()) {
+        const std::uint64_t after = work.todo.left() + work.positions_loading;
+        parts_.dispatch.act(parts_.dispatch->positions_given(job.id, {run, range.window}, after));
     }
 }
 
 void RangeFeed::take_back(MasterJob& job) {
-    if (parts_.dispatch.view().places_unsent(job.id) == 0) {
+    if (parts_.dispatch.view().positions_unsent(job.id) == 0) {
         return;
     }
-    for (const PlaceRange& places : parts_.dispatch->take_places(job.id)) {
-        job.work()->todo.put_back({places});
-    }
-    job.work()->given.clear();
-}
-
-// ---- What was not answered ---------------------------------------------------------------------
-
-void RangeFeed::ended(const RangeEnded& action) {
-    const auto task = parts_.tasks.take(action.task);
-    MasterJob* job = parts_.jobs.find_running(action.job);
-    if (!task || job == nullptr || mutated(Mutation::LostRangeForgotten)) {
-        return;
-    }
-    requeue(*job, {action.places, task->content->range->window}, action.lost_with);
-}
-
-void RangeFeed::given_back(const GivenBack& action) {
-    Lease* task = parts_.tasks.find(action.task);
-    MasterJob* job = parts_.jobs.find_running(action.job);
-    if (task == nullptr || job == nullptr) {
-        return;
-    }
-    job->tally.help.recalled += action.scenarios + action.places.count;
-    if (action.places.count == 0) {
-        return;
-    }
-    task->places->count = action.places.first - task->places->first;
-    if (!mutated(Mutation::RecalledIsLost)) {
-        requeue(*job, {action.places, task->content->range->window}, std::nullopt);
+    for (const PlaceRange& positions : parts_.dispatch->take_positions(job.id)) {
+        job.work()->todo.put_back({positions});
     }
 }
 
-void RangeFeed::requeue(MasterJob& job, const GivenPlaces& ended, LostWith lost_with) {
-    std::vector<PlaceRange> runs = unmerged(job, ended);
-    for (const PlaceRange& in_task : parts_.tasks.places_of(job.id)) {
-        runs = without(runs, in_task); // The other of original and speculative copy still runs.
-    }
-    Losses losses;
-    std::vector<LostPlaces> lost;
-    if (lost_with) {
-        losses.add(*lost_with);
-    }
-    for (const PlaceRange& run : runs) {
-        job.work()->todo.put_back({run, losses});
-        if (lost_with) {
-            lost.push_back({run, *lost_with});
-        }
-    }
-    write_losses(job, std::move(lost));
-}
-
-void RangeFeed::lost(const ScenariosLost& action) {
-    MasterJob* job = parts_.jobs.find_running(action.job);
+void RangeFeed::lost(const PositionsLost& lost) {
+    MasterJob* job = parts_.jobs.find_running(lost.job);
     if (job == nullptr) {
         return;
     }
-    std::vector<LostPlaces> lost;
-    for (const std::uint64_t index : action.scenarios) {
-        // A scenario that was given up has a result, so its loss need not be kept.
-        if (const auto open = job->work()->open.find(index)) {
-            lost.push_back({{open->place, 1}, action.process});
+    AddResults add{job->id, job->results, {}, {}, {}};
+    add.progress = job->progress(Clock::now());
+    Losses losses;
+    losses.add(lost.process);
+    for (const PlaceRange& run : lost.positions.runs()) {
+        add.losses.push_back({run, lost.process});
+        if (!lost.is_analysed) {
+            job->work()->todo.put_back({run, losses});
         }
     }
-    write_losses(*job, std::move(lost));
-}
-
-void RangeFeed::write_losses(MasterJob& job, std::vector<LostPlaces> losses) {
-    if (!losses.empty()) {
-        AddResults add{job.id, job.results, {}, {}, {}};
-        add.progress = job.progress(Clock::now());
-        add.losses = std::move(losses);
-        parts_.writer.write(std::move(add));
-    }
+    parts_.writer.write(std::move(add));
 }
 
 // ---- What was withdrawn ------------------------------------------------------------------------
 
 void RangeFeed::give_again(MasterJob& job, std::vector<std::uint64_t> scenarios) {
     JobWork& work = *job.work();
-    if (work.order->grid() != nullptr) {
+    if (job.run->poses->grid() != nullptr) {
         return give_again(job, nullptr, std::move(scenarios));
     }
     std::map<std::uint64_t, std::vector<std::uint64_t>> by_window;
@@ -162,26 +110,26 @@ void RangeFeed::give_again(MasterJob& job, std::vector<std::uint64_t> scenarios)
         by_window[index / limits::order_window_scenarios].push_back(index);
     }
     for (auto& [number, indices] : by_window) {
-        work.places_loading += indices.size();
+        work.positions_loading += indices.size();
         auto came = [this, id = job.id, indices](const Result<Window>& window) {
             MasterJob* running = parts_.jobs.find_running(id);
             if (running == nullptr) {
                 return;
             }
             if (window) {
-                running->work()->places_loading -= indices.size();
+                running->work()->positions_loading -= indices.size();
                 parts_.life.disk_gives(*running);
                 return give_again(*running, window.value(), indices);
             }
             parts_.life.wait_for_disk(*running, window.error(), [this, indices](MasterJob* again) {
                 if (again != nullptr) {
-                    again->work()->places_loading -= indices.size();
+                    again->work()->positions_loading -= indices.size();
                     give_again(*again, indices);
                 }
             });
         };
         parts_.background.block(
-            [order = work.order, first = indices.front()] { return order->window_of(first); },
+            [poses = job.run->poses, first = indices.front()] { return poses->window_of(first); },
             std::move(came));
     }
 }
@@ -194,23 +142,13 @@ void RangeFeed::give_again(MasterJob& job,
             return window->place_of(index);
         });
     }
-    std::ranges::sort(scenarios);
-    PlaceRuns places;
-    for (const std::uint64_t place : scenarios) {
-        places.add(place);
-    }
     // Leaves out the positions that are queued or handed out already.
-    std::vector<PlaceRange> runs = places.take();
-    for (const PlaceQueue::Piece& piece : job.work()->todo.pieces()) {
-        runs = without(runs, piece.places);
+    PositionSet withdrawn = PositionSet::of(std::move(scenarios));
+    for (const PositionQueue::Piece& piece : job.work()->todo.pieces()) {
+        withdrawn.remove(piece.positions);
     }
-    for (const PlaceRange& unsent : parts_.dispatch.view().places_of(job.id)) {
-        runs = without(runs, unsent);
-    }
-    for (const PlaceRange& in_task : parts_.tasks.places_of(job.id)) {
-        runs = without(runs, in_task);
-    }
-    for (const PlaceRange& run : runs) {
+    withdrawn.remove(parts_.dispatch.view().unanalysed(job.id));
+    for (const PlaceRange& run : withdrawn.runs()) {
         job.work()->todo.put_back({run});
     }
 }

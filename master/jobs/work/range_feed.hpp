@@ -1,11 +1,11 @@
-// Hands out positions of a job without analysis, and takes back those without an answer.
+// Gives positions of a job to the dispatcher without analysis, and queues those again that were
+// lost or withdrawn.
 #pragma once
 
 #include "master/base/background.hpp"
 #include "master/dispatch/dispatch_driver.hpp"
 #include "master/jobs/job_life.hpp"
 #include "master/jobs/job_table.hpp"
-#include "master/jobs/work/lease_book.hpp"
 #include "master/journal/journal_writer.hpp"
 
 #include <cstdint>
@@ -14,13 +14,12 @@
 
 namespace cd {
 
-/// Keeps each position without a result in the job's `todo`, at the dispatcher, or in a task.
+/// Each position without a result is in the job's `todo`, in an analysis, or at the dispatcher.
 class RangeFeed {
   public:
     struct Parts {
         JobTable& jobs;
         JobLife& life;
-        LeaseBook& tasks;
         DispatchDriver& dispatch;
         JournalWriter& writer;
         Background& background;
@@ -35,24 +34,17 @@ class RangeFeed {
     void take_back(MasterJob& job);
     /// Queues scenarios whose results were withdrawn. The job must have work.
     void give_again(MasterJob& job, std::vector<std::uint64_t> scenarios);
-
-    // ---- Actions of the dispatcher ------------------------------------------------------------
-    void ended(const RangeEnded& range);
-    void given_back(const GivenBack& given);
-    /// Writes the losses to the journal. Otherwise a scenario that kills workers would get all its
-    /// attempts again after a restart.
-    void lost(const ScenariosLost& lost);
+    /// Writes losses to the journal. Otherwise a scenario that kills workers would get all its
+    /// attempts again after a restart. Queues positions that were lost without analysis.
+    void lost(const PositionsLost& lost);
 
   private:
     using Window = std::shared_ptr<const PoseWindow>;
 
-    void came(JobId job, const PlaceRange& places, const Result<Window>& window);
-    /// Gives the dispatcher the positions that have no result.
-    void give(MasterJob& job, const GivenPlaces& given);
-    /// Queues the positions of an ended range that have no result and are in no other task.
-    void requeue(MasterJob& job, const GivenPlaces& ended, LostWith lost_with);
+    void came(JobId job, const PlaceRange& positions, const Result<Window>& window);
+    /// Gives the dispatcher the positions that have no result and are not analysed.
+    void give(MasterJob& job, const GivenRange& range);
     void give_again(MasterJob& job, const Window& window, std::vector<std::uint64_t> scenarios);
-    void write_losses(MasterJob& job, std::vector<LostPlaces> losses);
 
     Parts parts_;
 };

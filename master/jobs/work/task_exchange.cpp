@@ -3,6 +3,8 @@
 #include "common/core/check.hpp"
 #include "common/core/host/log.hpp"
 
+#include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -11,68 +13,37 @@ namespace cd {
 
 // ---- Actions of the dispatcher -----------------------------------------------------------------
 
-void TaskExchange::send(const SendBatch& action) {
+void TaskExchange::send(const SendUnit& action) {
     Worker* worker = workers_.find(action.worker);
     if (worker == nullptr) {
-        return; // The worker has left, and the dispatcher takes the batch back.
+        return; // The worker has left, and the dispatcher queues the positions again.
     }
     MasterJob* job = jobs_.find_running(action.job);
     if (job == nullptr) {
         return dispatch_.act(dispatch_->task_ended(action.worker, action.task));
     }
-    auto content = std::make_shared<TaskContent>();
-    content->job = job->id;
-    content->material = job->work()->material;
-    WorkUnit unit{action.task, job->id, 0, action.scenarios.size(), {}, {0}, {}};
-    std::vector<Scenario> scenarios;
-    for (const std::uint64_t index : action.scenarios) {
-        const auto analysis = job->work()->open.find(index);
-        CD_CHECK(analysis != nullptr);
-        scenarios.push_back(analysis->scenario);
-        unit.pairs.insert(unit.pairs.end(), analysis->pairs.begin(), analysis->pairs.end());
-        unit.pair_offsets.push_back(static_cast<std::uint32_t>(unit.pairs.size()));
-        content->scenarios.push_back(analysis);
-    }
-    unit.scenarios = pack_scenarios(scenarios);
+    job->tally.help.copies += action.copy_of == TaskId{} ? 0 : action.positions.count();
+    auto content = std::make_shared<const TaskContent>(content_of(*job, action));
     add_job_to(*worker, *job);
-    worker->channel->send(unit);
-    Lease task{action.worker, std::move(content)};
-    task.is_copy = action.is_copy;
-    job->tally.help.copies += action.is_copy ? action.scenarios.size() : 0;
-    book_.add(action.task, std::move(task));
+    worker->channel->send(content->unit(action.task));
+    book_.add(action.worker, action.task, {std::move(content)});
     note_work(action.worker);
 }
 
-void TaskExchange::send(const SendRange& action) {
-    MasterJob* job = jobs_.find_running(action.job);
-    if (job == nullptr) {
-        return dispatch_.act(dispatch_->task_ended(action.worker, action.task));
+TaskContent TaskExchange::content_of(const MasterJob& job, const SendUnit& action) {
+    const JobWork& work = *job.work();
+    TaskContent content{job.id, work.material, {}, std::nullopt};
+    if (!action.is_analysed) {
+        const auto runs = action.positions.runs();
+        CD_CHECK(runs.size() == 1);
+        content.range = RangeContent{runs.front(), action.window, job.run->poses};
+        return content;
     }
-    const bool is_copy = action.copy_of != TaskId{};
-    const Lease* original = is_copy ? book_.find(action.copy_of) : nullptr;
-    CD_CHECK(is_copy == (original != nullptr));
-    const GivenPlaces given = is_copy ? GivenPlaces{action.places, original->content->range->window}
-                                      : job->work()->given.take(action.places);
-    job->tally.help.copies += is_copy ? action.places.count : 0;
-    auto content = std::make_shared<TaskContent>();
-    content->job = job->id;
-    content->material = job->work()->material;
-    content->range = RangeContent{action.places, given.window, job->work()->order};
-    WorkUnit unit{action.task, job->id, action.places.first, action.places.count, {}, {}, {}};
-    if (given.window != nullptr) {
-        unit.first = 0;
-        unit.scenarios = pack_scenarios(given.window->at(action.places));
+    for (const std::uint64_t position : action.positions.list()) {
+        content.analyses.push_back(work.open.find(position));
+        CD_CHECK(content.analyses.back() != nullptr);
     }
-    Lease task{action.worker, std::move(content)};
-    task.is_copy = is_copy;
-    task.places = action.places;
-    book_.add(action.task, std::move(task));
-    // If the worker has left, the dispatcher ends the range.
-    if (Worker* worker = workers_.find(action.worker)) {
-        add_job_to(*worker, *job);
-        worker->channel->send(unit);
-        note_work(action.worker);
-    }
+    return content;
 }
 
 void TaskExchange::send(const SendHint& action) {
@@ -85,14 +56,28 @@ void TaskExchange::send(const SendHint& action) {
 }
 
 void TaskExchange::send(const AskBack& action) {
-    if (const Worker* worker = workers_.find(action.worker)) {
-        worker->channel->send(Recall{action.task, action.scenarios, action.places});
+    const Worker* worker = workers_.find(action.worker);
+    const Lease* lease = book_.find(action.worker, action.task);
+    if (worker != nullptr && lease != nullptr) {
+        worker->channel->send(lease->content->recall(action.task, action.positions));
+    }
+}
+
+void TaskExchange::send(const UnitsReturned& action) {
+    if (MasterJob* job = jobs_.find_running(action.job)) {
+        job->tally.help.recalled += action.positions;
     }
 }
 
 void TaskExchange::send(const CallOff& action) {
-    if (const Worker* worker = workers_.find(action.worker)) {
-        worker->channel->send(DropScenario{action.job, action.scenario, action.task});
+    const Worker* worker = workers_.find(action.worker);
+    const Lease* lease = book_.find(action.worker, action.task);
+    if (worker == nullptr || lease == nullptr) {
+        return;
+    }
+    for (const std::uint64_t position : action.positions.list()) {
+        const std::uint64_t index = lease->content->index_of(position);
+        worker->channel->send(DropScenario{lease->content->job, index, action.task});
     }
 }
 
@@ -102,7 +87,7 @@ void TaskExchange::add_job_to(Worker& worker, const MasterJob& job) {
     }
     const JobWork& work = *job.work();
     AddJob add{job.id, work.trees, job.submit.query, std::nullopt};
-    if (const Grid* grid = work.order->grid()) {
+    if (const Grid* grid = job.run->poses->grid()) {
         add.grid = encode_grid(*grid);
     }
     std::vector<AddTree> trees;
@@ -116,26 +101,27 @@ void TaskExchange::add_job_to(Worker& worker, const MasterJob& job) {
 // ---- From a worker -----------------------------------------------------------------------------
 
 void TaskExchange::ended(WorkerId worker, TaskId id) {
-    Lease* task = book_.find(id, worker);
-    if (task == nullptr) {
+    Lease* lease = book_.find(worker, id);
+    if (lease == nullptr) {
         log_warning("end of an unknown task: worker={} task={}", worker.value, id.value);
         return;
     }
-    task->ended = true;
-    end_if_complete(id, *task);
+    lease->ended = true;
+    end_if_complete(worker, id, *lease);
 }
 
 void TaskExchange::recalled(WorkerId worker, const Recalled& recalled) {
-    if (book_.find(recalled.task, worker) != nullptr) {
-        dispatch_.act(dispatch_->task_recalled(worker, recalled));
+    if (const Lease* lease = book_.find(worker, recalled.task)) {
+        dispatch_.act(
+            dispatch_->task_recalled(worker, recalled.task, lease->content->returned(recalled)));
         note_work(worker);
     }
 }
 
-void TaskExchange::checked(TaskId id) {
-    if (Lease* task = book_.find(id)) { // Null if the worker has left.
-        --task->checks;
-        end_if_complete(id, *task);
+void TaskExchange::checked(WorkerId worker, TaskId id) {
+    if (Lease* lease = book_.find(worker, id)) { // Null if the worker has left.
+        --lease->checks;
+        end_if_complete(worker, id, *lease);
     }
 }
 
@@ -146,25 +132,21 @@ void TaskExchange::compare(WorkerId worker, std::span<const Recalled> present) {
         recalled(worker, task);
     }
     for (const TaskId id : book_.missing(worker, present)) {
-        Lease* task = book_.find(id);
-        CD_CHECK(task != nullptr);
-        task->unbegun = !task->ended;
-        task->ended = true;
-        end_if_complete(id, *task);
+        Lease* lease = book_.find(worker, id);
+        CD_CHECK(lease != nullptr);
+        lease->unbegun = !lease->ended;
+        lease->ended = true;
+        end_if_complete(worker, id, *lease);
     }
 }
 
-void TaskExchange::end_if_complete(TaskId id, Lease& task) {
-    if (!task.ended || task.checks != 0) {
+void TaskExchange::end_if_complete(WorkerId worker, TaskId id, const Lease& lease) {
+    if (!lease.ended || lease.checks != 0) {
         return;
     }
-    const WorkerId worker = task.worker;
-    const bool unbegun = task.unbegun;
-    const bool is_excused = unbegun || task.is_called_off;
-    if (!task.content->range) {
-        (void)book_.take(id);
-    }
-    const std::uint64_t left = is_excused ? 0 : dispatch_.view().owed(worker, id);
+    const bool unbegun = lease.unbegun;
+    book_.remove(worker, id);
+    const std::uint64_t left = unbegun ? 0 : dispatch_.view().owed(worker, id);
     dispatch_.act(unbegun ? dispatch_->task_unbegun(worker, id)
                           : dispatch_->task_ended(worker, id));
     note_work(worker);
@@ -179,27 +161,15 @@ void TaskExchange::end_if_complete(TaskId id, Lease& task) {
 }
 
 void TaskExchange::take_all_back(WorkerId worker) {
-    const std::vector<TaskId> tasks = book_.of(worker);
     // Drains the worker first; otherwise it would get some of the work again.
     dispatch_.act(dispatch_->worker_draining(worker));
-    for (const TaskId task : tasks) {
+    for (const TaskId task : book_.missing(worker, {})) {
         dispatch_.act(dispatch_->task_unbegun(worker, task));
     }
-    book_.forget_batches(worker);
+    book_.forget(worker);
 }
 
 // ---- Scenarios that are not to be run ----------------------------------------------------------
-
-void TaskExchange::call_off_copies(JobId job, WorkerId worker, std::uint64_t scenario) {
-    for (auto& [id, task] : book_.all()) {
-        const Worker* other = workers_.find(task.worker);
-        if (task.content->job == job && task.places && task.worker != worker && other != nullptr &&
-            task.content->range->scenario(scenario)) {
-            other->channel->send(DropScenario{job, scenario, id});
-            task.is_called_off = true;
-        }
-    }
-}
 
 void TaskExchange::drop(JobId job, std::uint64_t scenario) {
     for (const auto& [id, worker] : workers_.all()) {

@@ -26,10 +26,10 @@ class TaskExchange {
     [[nodiscard]] const LeaseBook& book() const { return book_; }
 
     // ---- Actions of the dispatcher ------------------------------------------------------------
-    void send(const SendBatch& batch);
-    void send(const SendRange& range);
+    void send(const SendUnit& unit);
     void send(const SendHint& hint);
     void send(const AskBack& ask);
+    void send(const UnitsReturned& returned);
     void send(const CallOff& loser);
 
     // ---- From a worker ------------------------------------------------------------------------
@@ -39,7 +39,7 @@ class TaskExchange {
     /// unknown tasks.
     void recalled(WorkerId worker, const Recalled& recalled);
     /// A result message of the task has been checked, and merged or dropped. Ignores unknown tasks.
-    void checked(TaskId task);
+    void checked(WorkerId worker, TaskId task);
     /// Resynchronises the worker's tasks with its inventory `present`, after a reconnection.
     void compare(WorkerId worker, std::span<const Recalled> present);
     /// Returns the unanswered work of the worker's tasks to the queue, not counted as lost, and
@@ -47,8 +47,6 @@ class TaskExchange {
     void take_all_back(WorkerId worker);
 
     // ---- Scenarios that are not to be run -----------------------------------------------------
-    /// Cancels speculative copies of `scenario` on all workers except `worker`.
-    void call_off_copies(JobId job, WorkerId worker, std::uint64_t scenario);
     /// Cancels the scenario on all workers that know the job.
     void drop(JobId job, std::uint64_t scenario);
     /// Sends the job's cancelled scenarios to a worker that knows the job.
@@ -58,11 +56,12 @@ class TaskExchange {
     void note_work(WorkerId worker);
 
   private:
+    [[nodiscard]] static TaskContent content_of(const MasterJob& job, const SendUnit& unit);
     /// Sends the job and its trees, unless the worker has them.
     void add_job_to(Worker& worker, const MasterJob& job);
     /// Ends the task once the worker has sent all results and these are checked. Cuts a worker off
     /// that has left out answers.
-    void end_if_complete(TaskId id, Lease& task);
+    void end_if_complete(WorkerId worker, TaskId task, const Lease& lease);
 
     JobTable& jobs_;
     WorkerDirectory& workers_;

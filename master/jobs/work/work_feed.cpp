@@ -19,7 +19,7 @@ void WorkFeed::feed() {
         }
         parts_.ranges.give(*job);
         // Scenarios that were lost with a worker are analysed even if the job prefers ranges.
-        const PlaceQueue& todo = job->work()->todo;
+        const PositionQueue& todo = job->work()->todo;
         return todo.empty() || todo.front().losses.none();
     });
     for (bool any_started = true; any_started;) {

@@ -153,7 +153,7 @@ TEST_F(AnalyserTest, BlocksComeInOrderAndOnlyThoseAskedFor) {
     std::uint64_t next = 0;
     for (const AnalysedBlock& block : blocks) {
         EXPECT_FALSE(block.error);
-        EXPECT_EQ(block.places.first, next);
+        EXPECT_EQ(block.positions.first, next);
         EXPECT_EQ(block.losses, two_losses());
         for (const Analysis& analysis : block.scenarios) {
             ASSERT_EQ(analysis.scenario, scenarios[next]);
@@ -213,7 +213,7 @@ TEST_F(AnalyserTest, SkipsScenariosThatHaveAResultWhenABlockStarts) {
     for (std::size_t block = 0; block < 2; ++block) {
         EXPECT_EQ(blocks[block].scenarios.size(), 4u);
         EXPECT_EQ(blocks[block].scenarios.at(0).scenario.index, 1u);
-        EXPECT_EQ(blocks[block].scenarios.at(0).place, 1u);
+        EXPECT_EQ(blocks[block].scenarios.at(0).position, 1u);
     }
     EXPECT_EQ(blocks[2].scenarios.size(), 6u);
 }

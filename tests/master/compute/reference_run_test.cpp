@@ -19,14 +19,14 @@ class ReferenceRun : public testing::Test {
         };
         material_ = std::make_shared<const JobMaterial>(
             JobMaterial{tree(reference().a), tree(reference().b), {}, nullptr});
-        poses_ = make_list_source(reference().scenarios);
+        poses_ = std::make_shared<OrderedPoses>(make_list_source(reference().scenarios));
     }
 
     ThreadPool pool_{1};
     asio::io_context context_;
     Background background_{context_.get_executor(), pool_, pool_, [] {}};
     std::shared_ptr<const JobMaterial> material_;
-    std::shared_ptr<PoseSource> poses_;
+    std::shared_ptr<OrderedPoses> poses_;
 };
 
 TEST_F(ReferenceRun, GivesTheRecordOfAWholeRun) {

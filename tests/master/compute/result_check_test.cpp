@@ -31,17 +31,18 @@ class ResultIntake : public testing::Test {
         task_.material = material_;
         for (const double height : {2.0, 1.0}) { // One on the other, and one in the other.
             Analysis analysis;
-            analysis.scenario.index = task_.scenarios.size();
+            analysis.scenario.index = task_.analyses.size();
             analysis.scenario.poses.b = translation_pose(0, 0, height);
+            analysis.position = 10 + task_.analyses.size();
             analysis.cost.search.box_tests = 100;
-            task_.scenarios.push_back(std::make_shared<const Analysis>(std::move(analysis)));
+            task_.analyses.push_back(std::make_shared<const Analysis>(std::move(analysis)));
         }
     }
 
     /// Returns the result as a worker computes it.
     [[nodiscard]] ScenarioResult result_of(std::size_t scenario) const {
         const SubtreePair whole{material_->a->view(), material_->b->view()};
-        return run_on_subtrees({&whole, 1}, task_.scenarios[scenario]->scenario, material_->query)
+        return run_on_subtrees({&whole, 1}, task_.analyses[scenario]->scenario, material_->query)
             .result;
     }
 
@@ -76,14 +77,16 @@ class ResultIntake : public testing::Test {
 } // namespace
 
 TEST_F(ResultIntake, SettlesAndCountsWhatAWorkerFound) {
-    const auto taken = take_results(task_, message_of({result_of(0), result_of(1)}));
+    const auto taken = take_results(task_, message_of({result_of(1), result_of(0)}));
     ASSERT_TRUE(taken) << taken.error().detail;
+    EXPECT_EQ(taken.value().positions, (PlaceRange{10, 2}));
+    EXPECT_EQ(taken.value().results[0].position, 11u);
     ASSERT_EQ(taken.value().results.size(), 2u);
     EXPECT_TRUE(taken.value().map.empty());
     for (std::size_t i = 0; i < 2; ++i) {
         const TakenResult& one = taken.value().results[i];
         const ScenarioRun whole = run_scenario(
-            *material_->a, *material_->b, task_.scenarios[i]->scenario, material_->query);
+            *material_->a, *material_->b, task_.analyses[i]->scenario, material_->query);
         EXPECT_EQ(one.result.kind, whole.result.kind);
         EXPECT_EQ(one.record, encode_result(whole.result));
         EXPECT_EQ(one.digest, digest_of(whole.result));

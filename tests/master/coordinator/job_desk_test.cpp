@@ -103,11 +103,11 @@ TEST_F(JobDeskTest, AnUnansweredScenarioIsCancelledOnAllWorkers) {
     services.work.feed();
     next<AddJob>(worker);
     const std::uint64_t index = scenario_with_contact();
-    const Scenario& scenario = reference().scenarios[index];
-    ASSERT_TRUE(job.work()->open.has(index));
+    const PlacedScenario scenario = placed(job, index);
+    ASSERT_TRUE(job.work()->open.has(scenario.position));
     EXPECT_TRUE(jobs_.cancel_scenario(job.id, scenario));
     EXPECT_TRUE(job.merged.is_failed_by_master(index));
-    EXPECT_FALSE(job.work()->open.has(index));
+    EXPECT_FALSE(job.work()->open.has(scenario.position));
     EXPECT_EQ(received<DropScenario>(worker).at(0).scenario, index);
     EXPECT_EQ(jobs_.cancel_scenario(job.id, scenario).error().code, ErrorCode::Refused);
 }

@@ -67,7 +67,7 @@ TEST_F(WorkerDeskTest, AWorkerThatReturnsWithoutItsTasksGetsThemAgain) {
     desk.came(worker, Standing{});
     EXPECT_TRUE(state.workers.find(worker)->is_settled);
     EXPECT_EQ(state.dispatch.view().unanswered(job.id), unanswered);
-    EXPECT_THAT(performed<ScenariosLost>(), IsEmpty());
+    EXPECT_THAT(performed<PositionsLost>(), IsEmpty());
     EXPECT_THAT(state.dispatch.view().tasks_of(worker), testing::Not(testing::Contains(tasks[0])));
     EXPECT_NE(working(worker), 0u);
     EXPECT_EQ(received<AddJob>(worker).size(), 1u) << "over its new connection";
@@ -147,7 +147,7 @@ TEST_F(WorkerDeskTest, ATerminatedWorkerIsToldAndItsWorkIsNotLost) {
     desk.terminate(worker);
     EXPECT_EQ(working(worker), 0u);
     EXPECT_EQ(state.dispatch.view().unanswered(job.id), unanswered);
-    EXPECT_THAT(performed<ScenariosLost>(), IsEmpty());
+    EXPECT_THAT(performed<PositionsLost>(), IsEmpty());
     check_invariants(state, services);
     next<Terminate>(worker);
     connection_ended(worker);
@@ -161,9 +161,9 @@ TEST_F(WorkerDeskTest, TheWorkOfALostWorkerWaitsAgainAndCountsAsLost) {
     const std::uint64_t unanswered = state.dispatch.view().unanswered(job.id);
     lose(worker);
     EXPECT_THAT(state.dispatch.view().workers(), IsEmpty());
-    EXPECT_THAT(services.tasks.book().all(), IsEmpty());
+    EXPECT_EQ(services.tasks.book().size(), 0u);
     EXPECT_EQ(state.dispatch.view().unanswered(job.id), unanswered);
-    EXPECT_FALSE(performed<ScenariosLost>().empty());
+    EXPECT_FALSE(performed<PositionsLost>().empty());
 }
 
 } // namespace

@@ -13,7 +13,7 @@ class Allocating : public testing::Test, protected DispatchStage {
     [[nodiscard]] std::vector<std::vector<std::uint64_t>> sent() const {
         std::vector<std::vector<std::uint64_t>> lists;
         for (const Action& action : actions) {
-            lists.push_back(std::get<SendBatch>(action).scenarios);
+            lists.push_back(std::get<SendUnit>(action).positions.list());
         }
         return lists;
     }
@@ -31,7 +31,7 @@ TEST_F(Allocating, AFullBufferGoesAtOnceAndTheRestOnceTheInputRests) {
     EXPECT_EQ(one.buffers.count(), 1u);
     queue.set_paused(true);
     EXPECT_FALSE(allocator.is_ripe(one, job)); // The worker has q scenarios.
-    one.tasks.answer(last<SendBatch>().task, 0, 1'000'000, true);
+    one.tasks.remove(last<SendUnit>().task, PlaceRange{0, 1}, 1'000'000);
     EXPECT_TRUE(allocator.is_ripe(one, job));
     allocator.refill(one, actions);
     EXPECT_EQ(sent(), (Lists{{0, 1}, {2}}));
@@ -56,8 +56,8 @@ TEST_F(Allocating, ABufferTakenBackWaitsBeforeTheOthers) {
     DispatchJob& job = open("best-match", 2);
     WorkerProxy& one = join(1);
     queue.set_paused(false);
-    tasks.send_places(one, job, {0, 9}, 1, actions);
-    tasks.send_places(one, job, {9, 9}, 1, actions); // No room for a third task.
+    tasks.send_range(one, job, {{0, 9}}, 1, actions);
+    tasks.send_range(one, job, {{9, 9}}, 1, actions); // No room for a third task.
     actions.clear();
     add(job, 3);
     allocator.settle(actions);
@@ -71,7 +71,7 @@ TEST_F(Allocating, ASuspectEmptiesTheBuffersOfTheWorkerThatIsReservedForIt) {
     DispatchJob& job = open("best-match", 3);
     WorkerProxy& one = join(1);
     queue.set_paused(false);
-    tasks.send_places(one, job, {0, 1}, 1, actions); // The worker is busy.
+    tasks.send_range(one, job, {{0, 1}}, 1, actions); // The worker is busy.
     add(job, 1);
     allocator.settle(actions);
     EXPECT_EQ(one.buffers.count(), 1u);

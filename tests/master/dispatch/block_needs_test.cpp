@@ -45,7 +45,7 @@ TEST(BlockNeeds, BlocksThatARangeWantsCountForJobsWithTasksAtTheWorker) {
     DispatchJob& job = stage.open("earliest-finish");
     DispatchJob& other = stage.open("earliest-finish", 2, 2);
     WorkerProxy& one = stage.join(1);
-    stage.tasks.send_places(one, job, {0, 4}, 100, stage.actions);
+    stage.tasks.send_range(one, job, {{0, 4}}, 100, stage.actions);
     stage.blocks.hold_wanted(stage.queue, one, job.a.tree, std::vector<RootIndex>{3});
     job.missing.ranges_answered(1);
     other.missing.ranges_answered(1);

@@ -19,7 +19,7 @@ class DispatchDriverTest : public testing::Test {
     static Action action(std::uint64_t name) { return GiveUp{JobId{1}, name}; }
 
     void perform(const Action& action) {
-        const std::uint64_t name = std::get<GiveUp>(action).scenario;
+        const std::uint64_t name = std::get<GiveUp>(action).position;
         performed_.push_back(name);
         EXPECT_FALSE(driver_.is_idle());
         for (const std::uint64_t next : causes_[name]) {

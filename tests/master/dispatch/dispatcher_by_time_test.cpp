@@ -45,10 +45,8 @@ class ByTime : public testing::Test {
             keep(dispatcher_.scenario_analysed(job, {next_++, {root}, {0}, 100, cost_ns}));
         }
     }
-    void finish(const SendBatch& batch) {
-        for (const std::uint64_t scenario : batch.scenarios) {
-            keep(dispatcher_.scenario_answered(batch.worker, job, scenario));
-        }
+    void finish(const SendUnit& batch) {
+        keep(dispatcher_.answered({batch.worker, batch.task, job, batch.positions}));
         keep(dispatcher_.task_ended(batch.worker, batch.task));
     }
     void arrived(WorkerId worker) {
@@ -65,7 +63,7 @@ class ByTime : public testing::Test {
         dispatcher_.check_invariants();
         for (const Action& action : actions) {
             // Recalls at the end are not performed (dispatcher_end_test.cpp).
-            if (const auto* batch = std::get_if<SendBatch>(&action)) {
+            if (const auto* batch = std::get_if<SendUnit>(&action)) {
                 batches_.push_back(*batch);
             } else if (const auto* hint = std::get_if<SendHint>(&action)) {
                 hints_.push_back(*hint);
@@ -74,7 +72,7 @@ class ByTime : public testing::Test {
     }
 
     Dispatcher dispatcher_;
-    std::vector<SendBatch> batches_;
+    std::vector<SendUnit> batches_;
     std::vector<SendHint> hints_;
     std::uint64_t next_ = 0;
 };
@@ -147,8 +145,14 @@ TEST_F(ByTime, SpeedIsLearned) {
     open(0);
     join(worker_1);
     join(worker_2);
-    dispatcher_.work_measured(worker_1, {TaskId{0}, 10 * ms, 0.1});
-    dispatcher_.work_measured(worker_2, {TaskId{0}, 10 * ms, 0.01});
+    feed(2, 0);
+    keep(dispatcher_.input_paused());
+    ASSERT_EQ(batches_.size(), 2u);
+    for (const SendUnit& batch : std::vector(batches_)) {
+        const double seconds = batch.worker == worker_1 ? 0.1 : 0.01;
+        keep(dispatcher_.answered({batch.worker, batch.task, job, batch.positions, seconds}));
+        keep(dispatcher_.task_ended(batch.worker, batch.task));
+    }
     feed(9, 0);
     EXPECT_EQ(has(worker_1), 0u);
     EXPECT_EQ(has(worker_2), 9u);
@@ -200,15 +204,15 @@ TEST_F(ByTime, BatchesLastATenthOfASecondAndShrinkAtTheEnd) {
     feed(1000, 0, ms);
     keep(dispatcher_.input_paused());
     ASSERT_EQ(batches_.size(), 2u);
-    EXPECT_EQ(batches_[0].scenarios.size(), 100u);
+    EXPECT_EQ(batches_[0].positions.count(), 100u);
     std::uint64_t sent = 0;
     for (std::size_t i = 0; i < batches_.size(); ++i) {
-        sent += batches_[i].scenarios.size();
-        EXPECT_LE(batches_[i].scenarios.size(), 100u);
-        finish(SendBatch(batches_[i]));
+        sent += batches_[i].positions.count();
+        EXPECT_LE(batches_[i].positions.count(), 100u);
+        finish(SendUnit(batches_[i]));
     }
     EXPECT_EQ(sent, 1000u);
-    EXPECT_LT(batches_.back().scenarios.size(), 5u);
+    EXPECT_LT(batches_.back().positions.count(), 5u);
 }
 
 TEST_F(ByTime, AtTheEndLongScenariosGoOneByOneTheLongestFirst) {
@@ -221,15 +225,15 @@ TEST_F(ByTime, AtTheEndLongScenariosGoOneByOneTheLongestFirst) {
     ASSERT_EQ(batches_.size(), 2u);
     keep(dispatcher_.input_paused());
     for (std::size_t i = 0; i < batches_.size(); ++i) {
-        ASSERT_EQ(batches_[i].scenarios.size(), 1u);
-        finish(SendBatch(batches_[i]));
+        ASSERT_EQ(batches_[i].positions.count(), 1u);
+        finish(SendUnit(batches_[i]));
         // No batch waits behind another if it could run elsewhere.
         EXPECT_LE(batches_.size(), std::max<std::size_t>(2, i + 2));
     }
     ASSERT_EQ(batches_.size(), 5u);
-    EXPECT_EQ(batches_[2].scenarios[0], 2u); // Takes 5 s.
-    EXPECT_EQ(batches_[3].scenarios[0], 4u); // Takes 4 s.
-    EXPECT_EQ(batches_[4].scenarios[0], 3u); // Takes 2 s.
+    EXPECT_EQ(batches_[2].positions, (PlaceRange{2, 1})); // Takes 5 s.
+    EXPECT_EQ(batches_[3].positions, (PlaceRange{4, 1})); // Takes 4 s.
+    EXPECT_EQ(batches_[4].positions, (PlaceRange{3, 1})); // Takes 2 s.
 }
 
 TEST_F(ByTime, EachThreadHasALongScenario) {
@@ -248,10 +252,10 @@ TEST_F(ByTime, BatchesGrowWhereTheyCostMoreThanTheirWork) {
         options.strategy = "earliest-finish";
         (void)dispatcher.worker_joined(worker_1, {"w", 1});
         (void)dispatcher.job_opened(job, options, {tree_a, {100}, {1}}, {tree_b, {1}, {1}});
-        std::vector<SendBatch> batches;
+        std::vector<SendUnit> batches;
         const auto keep_batches = [&](const Actions& actions) {
             for (const Action& action : actions) {
-                if (const auto* batch = std::get_if<SendBatch>(&action)) {
+                if (const auto* batch = std::get_if<SendUnit>(&action)) {
                     batches.push_back(*batch);
                 }
             }
@@ -261,21 +265,18 @@ TEST_F(ByTime, BatchesGrowWhereTheyCostMoreThanTheirWork) {
         }
         double now = 0;
         for (std::size_t i = 0; i < 6; ++i) {
-            const SendBatch batch = batches.at(i);
-            const double work = 0.001 * static_cast<double>(batch.scenarios.size());
+            const SendUnit batch = batches.at(i);
+            const double work = 0.001 * static_cast<double>(batch.positions.count());
             now += work / share;
             dispatcher.time_is(now);
-            for (const std::uint64_t scenario : batch.scenarios) {
-                keep_batches(dispatcher.scenario_answered(worker_1, job, scenario));
-            }
-            dispatcher.work_measured(worker_1, {batch.task, batch.scenarios.size() * ms, work});
+            keep_batches(dispatcher.answered({worker_1, batch.task, job, batch.positions, work}));
             keep_batches(dispatcher.task_ended(worker_1, batch.task));
             dispatcher.check_invariants();
         }
         if (share < 0.98) {
-            EXPECT_GT(batches.back().scenarios.size(), 200u);
+            EXPECT_GT(batches.back().positions.count(), 200u);
         } else {
-            EXPECT_LE(batches.back().scenarios.size(), 110u);
+            EXPECT_LE(batches.back().positions.count(), 110u);
         }
     }
 }
@@ -352,10 +353,8 @@ class TimedRun {
         ClusterOptions options;
         options.strategy = "earliest-finish";
         for (std::size_t i = 0; i < speeds_.size(); ++i) {
-            act(dispatcher_.worker_joined(WorkerId{i + 1}, {"w", 1}));
-            if (are_known_) {
-                dispatcher_.work_measured(WorkerId{i + 1}, {TaskId{}, 3000 * ms, 1 / speeds_[i]});
-            }
+            const double weight = are_known_ ? speeds_[i] : 1;
+            act(dispatcher_.worker_joined(WorkerId{i + 1}, {"w", 1, weight}));
         }
         act(dispatcher_.job_opened(
             job, options, {tree_a, std::vector<std::uint32_t>(50, 10), {}}, {tree_b, {1}, {}}));
@@ -391,30 +390,25 @@ class TimedRun {
     }
 
   private:
-    [[nodiscard]] double work_of(const SendBatch& batch) const {
+    [[nodiscard]] double work_of(const SendUnit& batch) const {
         double seconds = 0;
-        for (const std::uint64_t index : batch.scenarios) {
-            seconds += seconds_[index];
+        for (const std::uint64_t position : batch.positions.list()) {
+            seconds += seconds_[position];
         }
         return seconds / speeds_[batch.worker.value - 1];
     }
-    void end_batch(double end, const SendBatch& batch) {
+    void end_batch(double end, const SendUnit& batch) {
         now_ = end;
         dispatcher_.time_is(now_);
-        std::uint64_t predicted = 0;
-        for (const std::uint64_t index : batch.scenarios) {
-            predicted += static_cast<std::uint64_t>(3e9 * seconds_[index]);
-            act(dispatcher_.scenario_answered(batch.worker, job, index));
-        }
-        dispatcher_.work_measured(batch.worker, {batch.task, predicted, work_of(batch)});
+        act(dispatcher_.answered({batch.worker, batch.task, job, batch.positions, work_of(batch)}));
         act(dispatcher_.task_ended(batch.worker, batch.task));
     }
     void act(const Actions& actions) {
         for (const Action& action : actions) {
-            if (!std::holds_alternative<SendBatch>(action)) {
+            if (!std::holds_alternative<SendUnit>(action)) {
                 continue; // Workers ignore recalls and cancellations.
             }
-            const auto& batch = std::get<SendBatch>(action);
+            const auto& batch = std::get<SendUnit>(action);
             double& free_at = free_at_[batch.worker];
             free_at = std::max(free_at, now_) + work_of(batch);
             ends_.emplace(free_at, batch);
@@ -427,7 +421,7 @@ class TimedRun {
     Dispatcher dispatcher_;
     double now_ = 0;
     std::map<WorkerId, double> free_at_;
-    std::multimap<double, SendBatch> ends_;
+    std::multimap<double, SendUnit> ends_;
 };
 
 TEST(ByTimeRun, UnlikeWorkersEndTogether) {

@@ -45,7 +45,7 @@ class EndRun {
         options.strategy = way_ == Way::Places ? "best-match" : "earliest-finish";
         act(dispatcher_.job_opened(job, options, {TreeId{1}, {1}, {}}, {TreeId{2}, {1}, {}}));
         if (way_ == Way::Places) {
-            act(dispatcher_.places_given(job, {0, seconds.size()}, 0));
+            act(dispatcher_.positions_given(job, {{0, seconds.size()}}, 0));
         }
         for (std::uint64_t i = 0; i < seconds.size() && way_ == Way::Scenarios; ++i) {
             const auto predicted = static_cast<std::uint64_t>(second_ns * seconds[i]);
@@ -71,8 +71,6 @@ class EndRun {
     struct Worker {
         std::deque<Item> queue; ///< The first item has begun.
         double ends = 0;        ///< When the first item ends.
-        std::map<TaskId, PlaceRange> ranges;
-        std::map<TaskId, std::vector<std::uint64_t>> given_back;
     };
 
     [[nodiscard]] bool has_stopped(std::size_t host) const { return now_ >= hosts_[host].stops_at; }
@@ -117,13 +115,7 @@ class EndRun {
         const WorkerId id{host + 1};
         answered_ += ++answers_[item.scenario] == 1 ? 1 : 0;
         const double took = seconds_[item.scenario] / hosts_[host].speed;
-        if (worker.ranges.contains(item.task)) {
-            act(dispatcher_.places_answered(id, item.task, 1, took));
-        } else {
-            const auto predicted = static_cast<std::uint64_t>(second_ns * seconds_[item.scenario]);
-            dispatcher_.work_measured(id, {item.task, predicted, took});
-        }
-        act(dispatcher_.scenario_answered(id, job, item.scenario));
+        act(dispatcher_.answered({id, item.task, job, PlaceRange{item.scenario, 1}, took}));
         end_if_done(host, item.task);
         act(dispatcher_.input_paused());
     }
@@ -154,31 +146,19 @@ class EndRun {
         copied_seconds += seconds_[scenario];
     }
 
-    void perform(const SendBatch& batch) {
-        for (const std::uint64_t scenario : batch.scenarios) {
-            if (batch.is_copy) {
-                count_copy(scenario);
+    void perform(const SendUnit& unit) {
+        const bool is_copy = unit.copy_of != TaskId{};
+        for (const std::uint64_t position : unit.positions.list()) {
+            if (is_copy) {
+                count_copy(position);
             }
-            if (helps || !batch.is_copy) {
-                add(batch.worker, batch.task, scenario);
-            }
-        }
-    }
-    void perform(const SendRange& range) {
-        workers_[range.worker.value - 1].ranges[range.task] = range.places;
-        for (std::uint64_t place = range.places.first; place < range.places.end(); ++place) {
-            if (range.copy_of != TaskId{}) {
-                count_copy(place);
-            }
-            if (helps || range.copy_of == TaskId{}) {
-                add(range.worker, range.task, place);
+            if (helps || !is_copy) {
+                add(unit.worker, unit.task, position);
             }
         }
     }
-    /// Does nothing: the range's cancelled scenarios are answered.
-    void perform(const RangeEnded& /*ended*/) {}
     void perform(const GiveUp& /*action*/) { ADD_FAILURE() << "nothing is lost here"; }
-    void perform(const ScenariosLost& /*lost*/) { ADD_FAILURE() << "nothing is lost here"; }
+    void perform(const PositionsLost& /*lost*/) { ADD_FAILURE() << "nothing is lost here"; }
 
     /// The first of the queue has begun, so it is not returned.
     void perform(const AskBack& ask) {
@@ -186,55 +166,35 @@ class EndRun {
         if (!helps || has_stopped(host)) {
             return;
         }
-        Worker& worker = workers_[host];
-        Recalled answer{ask.task, {}, 0};
-        std::uint64_t kept = 0;
-        for (auto item = worker.queue.begin(); item != worker.queue.end();) {
-            const bool is_range = worker.ranges.contains(ask.task);
-            const bool is_asked = is_range
-                                      ? item->scenario >= worker.ranges[ask.task].first + ask.places
-                                      : std::ranges::count(ask.scenarios, item->scenario) != 0;
-            if (item == worker.queue.begin() || item->task != ask.task || !is_asked) {
-                if (item->task == ask.task && is_range) {
-                    kept = item->scenario + 1 - worker.ranges[ask.task].first;
-                }
+        std::deque<Item>& queue = workers_[host].queue;
+        PositionSet returned;
+        for (auto item = queue.begin() + (queue.empty() ? 0 : 1); item != queue.end();) {
+            const bool is_asked = way_ == Way::Places
+                                      ? item->scenario >= ask.positions.runs().front().first
+                                      : ask.positions.contains(item->scenario);
+            if (item->task != ask.task || !is_asked) {
                 ++item;
                 continue;
             }
-            worker.given_back[ask.task].push_back(item->scenario);
-            item = worker.queue.erase(item);
+            returned.add({item->scenario, 1});
+            item = queue.erase(item);
         }
-        answer.scenarios = worker.given_back[ask.task];
-        std::ranges::sort(answer.scenarios);
-        if (worker.ranges.contains(ask.task)) {
-            answer.scenarios.clear();
-            answer.places = std::max(kept, ask.places);
-        }
-        act(dispatcher_.task_recalled(ask.worker, answer));
-        if (std::ranges::none_of(worker.queue,
-                                 [&](const Item& item) { return item.task == ask.task; })) {
-            act(dispatcher_.task_ended(ask.worker, ask.task));
-        }
+        act(dispatcher_.task_recalled(ask.worker, ask.task, returned));
+        end_if_done(host, ask.task);
     }
-    void perform(const GivenBack& given) {
-        recalled += given.scenarios + given.places.count;
-        if (given.places.count != 0) {
-            act(dispatcher_.places_given(job, given.places, 0));
-        }
-    }
+    void perform(const UnitsReturned& returned) { recalled += returned.positions; }
     void perform(const SendHint& /*hint*/) {} // A hint only serves the cache.
     void perform(const CallOff& loser) {
         const std::size_t host = loser.worker.value - 1;
         if (has_stopped(host)) {
             return;
         }
-        Worker& worker = workers_[host];
-        const bool was_first =
-            !worker.queue.empty() && worker.queue.front().scenario == loser.scenario;
-        const auto removed = std::erase_if(worker.queue, [&](const Item& item) {
-            return item.task == loser.task && item.scenario == loser.scenario;
-        });
-        if (removed != 0) {
+        std::deque<Item>& queue = workers_[host].queue;
+        const auto is_dropped = [&](const Item& item) {
+            return item.task == loser.task && loser.positions.contains(item.scenario);
+        };
+        const bool was_first = !queue.empty() && is_dropped(queue.front());
+        if (std::erase_if(queue, is_dropped) != 0) {
             if (was_first) {
                 begin_next(host);
             }
@@ -340,11 +300,12 @@ TEST(AtTheEndOfLargeClusters, AnUnansweredRecallBlocksNoOtherHelp) {
     constexpr std::size_t late = 100;
     constexpr std::size_t workers = 2 * late;
     Dispatcher dispatcher;
-    std::vector<SendBatch> given(workers + 1);
+    std::vector<SendUnit> given(workers + 1);
     std::set<WorkerId> asked;
     const auto act = [&](const Actions& actions) {
         for (const Action& action : actions) {
-            if (const auto* batch = std::get_if<SendBatch>(&action); batch && !batch->is_copy) {
+            if (const auto* batch = std::get_if<SendUnit>(&action);
+                batch && batch->copy_of == TaskId{}) {
                 given[batch->worker.value] = *batch;
             } else if (const auto* ask = std::get_if<AskBack>(&action)) {
                 asked.insert(ask->worker);
@@ -365,9 +326,8 @@ TEST(AtTheEndOfLargeClusters, AnUnansweredRecallBlocksNoOtherHelp) {
     // Each worker has one scenario; only the second half answers, and none obeys a recall.
     dispatcher.time_is(1);
     for (std::size_t i = late + 1; i <= workers; ++i) {
-        ASSERT_EQ(given[i].scenarios.size(), 1u) << i;
-        dispatcher.work_measured(WorkerId{i}, {given[i].task, predicted_ns, 1});
-        act(dispatcher.scenario_answered(WorkerId{i}, job, given[i].scenarios.front()));
+        ASSERT_EQ(given[i].positions.count(), 1u) << i;
+        act(dispatcher.answered({WorkerId{i}, given[i].task, job, given[i].positions, 1}));
         act(dispatcher.task_ended(WorkerId{i}, given[i].task));
     }
     // The other workers have no measured rate, so they count as stragglers.
@@ -398,9 +358,9 @@ TEST(AtTheEndOfPaperModes, NothingIsAskedBackOrCopied) {
         dispatcher.time_is(100);
         keep(dispatcher.input_paused());
         for (const Action& action : actions) {
-            const auto* batch = std::get_if<SendBatch>(&action);
+            const auto* batch = std::get_if<SendUnit>(&action);
             ASSERT_NE(batch, nullptr);
-            EXPECT_FALSE(batch->is_copy);
+            EXPECT_EQ(batch->copy_of, TaskId{});
         }
     }
 }

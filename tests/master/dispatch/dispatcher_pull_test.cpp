@@ -29,30 +29,28 @@ class Pulling : public testing::Test {
     }
     void pause() { keep(dispatcher_.input_paused()); }
     void finish(std::size_t batch) {
-        const SendBatch sent = batches_.at(batch);
-        for (const std::uint64_t scenario : sent.scenarios) {
-            keep(dispatcher_.scenario_answered(sent.worker, job, scenario));
-        }
+        const SendUnit sent = batches_.at(batch);
+        keep(dispatcher_.answered({sent.worker, sent.task, job, sent.positions}));
         keep(dispatcher_.task_ended(sent.worker, sent.task));
     }
     void keep(const Actions& actions) {
         dispatcher_.check_invariants();
         for (const Action& action : actions) {
-            if (!std::holds_alternative<ScenariosLost>(action)) {
-                batches_.push_back(std::get<SendBatch>(action));
+            if (!std::holds_alternative<PositionsLost>(action)) {
+                batches_.push_back(std::get<SendUnit>(action));
             }
         }
     }
     [[nodiscard]] Lists sent() const {
         Lists lists;
-        for (const SendBatch& batch : batches_) {
-            lists.push_back(batch.scenarios);
+        for (const SendUnit& batch : batches_) {
+            lists.push_back(batch.positions.list());
         }
         return lists;
     }
 
     Dispatcher dispatcher_;
-    std::vector<SendBatch> batches_;
+    std::vector<SendUnit> batches_;
     std::uint64_t next_ = 0;
 };
 

@@ -1,18 +1,16 @@
 // Proves how ranges of positions are sent: to workers that run out of work, sized to last a batch's
-// time at the measured rate, two per worker, smaller at the end. Every position is sent once
-// (except speculative copies at the end) and every task ends once, whatever workers do or return.
-// Also proves what is measured for the choice between ranges and analysis.
+// time at the measured rate, two per worker, smaller at the end. Every position is sent once,
+// except returned ones and speculative copies, whatever workers do or return. Also proves what is
+// measured for the choice between ranges and analysis.
 #include "common/core/limits/master.hpp"
 #include "common/core/timing/master.hpp"
 #include "master/dispatch/dispatcher.hpp"
-#include "master/jobs/place_queue.hpp"
 
 #include <gtest/gtest.h>
 
-#include <functional>
 #include <map>
-#include <numeric>
 #include <random>
+#include <utility>
 
 namespace cd::tests {
 namespace {
@@ -28,10 +26,10 @@ DispatchTree tree(std::uint64_t id, std::size_t roots) {
             std::vector<std::uint64_t>(roots, 1280)};
 }
 
-std::vector<SendRange> ranges_in(const Actions& actions) {
-    std::vector<SendRange> sent;
+std::vector<SendUnit> ranges_in(const Actions& actions) {
+    std::vector<SendUnit> sent;
     for (const Action& action : actions) {
-        if (const auto* range = std::get_if<SendRange>(&action)) {
+        if (const auto* range = std::get_if<SendUnit>(&action)) {
             sent.push_back(*range);
         }
     }
@@ -44,6 +42,12 @@ class DispatcherRanges : public testing::Test {
         (void)dispatcher_.job_opened(job, {}, tree(trees, 10), tree(trees + 1, 10));
     }
     void TearDown() override { dispatcher_.check_invariants(); }
+    /// The worker answers positions of a task.
+    std::vector<SendUnit>
+    answer(const SendUnit& sent, const PlaceRange& positions, double seconds) {
+        return ranges_in(
+            dispatcher_.answered({sent.worker, sent.task, sent.job, positions, seconds}));
+    }
 
     Dispatcher dispatcher_;
 };
@@ -51,17 +55,17 @@ class DispatcherRanges : public testing::Test {
 TEST_F(DispatcherRanges, EachWorkerGetsTwoRangesAndAnotherWhenItAnswers) {
     open(job_1, 1);
     (void)dispatcher_.worker_joined(slow, {"slow", 1});
-    const auto first = ranges_in(dispatcher_.places_given(job_1, {0, 10'000}, 0));
+    const auto first = ranges_in(dispatcher_.positions_given(job_1, {{0, 10'000}}, 0));
     // Unmeasured defaults: a scenario takes 1 ms, a batch lasts 0.1 s.
     ASSERT_EQ(first.size(), 1u);
-    EXPECT_EQ(first[0].places, (PlaceRange{0, 100}));
-    EXPECT_EQ(dispatcher_.places_unsent(job_1), 9900u);
+    EXPECT_EQ(first[0].positions, (PlaceRange{0, 100}));
+    EXPECT_EQ(dispatcher_.positions_unsent(job_1), 9900u);
     // The worker is twice as fast as the default.
-    const auto second = ranges_in(dispatcher_.places_answered(slow, first[0].task, 50, 0.025));
+    const auto second = answer(first[0], {0, 50}, 0.025);
     ASSERT_EQ(second.size(), 1u);
-    EXPECT_EQ(second[0].places, (PlaceRange{100, 200}));
+    EXPECT_EQ(second[0].positions, (PlaceRange{100, 200}));
     // The worker already has two ranges.
-    EXPECT_TRUE(ranges_in(dispatcher_.places_answered(slow, first[0].task, 50, 0.025)).empty());
+    EXPECT_TRUE(answer(first[0], {50, 50}, 0.025).empty());
     EXPECT_EQ(dispatcher_.worker_status(slow).working, 200u);
     const auto third = ranges_in(dispatcher_.task_ended(slow, first[0].task));
     EXPECT_TRUE(third.empty()) << "it has enough to do";
@@ -71,79 +75,80 @@ TEST_F(DispatcherRanges, UnlikeWorkersGetUnlikeShares) {
     open(job_1, 1);
     (void)dispatcher_.worker_joined(slow, {"slow", 1});
     (void)dispatcher_.worker_joined(fast, {"fast", 4});
-    const auto first = ranges_in(dispatcher_.places_given(job_1, {0, 10'000}, 0));
+    const auto first = ranges_in(dispatcher_.positions_given(job_1, {{0, 10'000}}, 0));
     ASSERT_EQ(first.size(), 2u);
-    EXPECT_EQ(first[0].places.count, 100u);
-    EXPECT_EQ(first[1].places.count, 400u);
+    EXPECT_EQ(first[0].positions.count(), 100u);
+    EXPECT_EQ(first[1].positions.count(), 400u);
     // The measured rate is per thread.
-    (void)dispatcher_.places_answered(slow, first[0].task, 100, 0.1);
-    const auto next = ranges_in(dispatcher_.places_answered(fast, first[1].task, 400, 0.1));
+    (void)answer(first[0], {0, 100}, 0.1);
+    const auto next = answer(first[1], {100, 400}, 0.1);
     ASSERT_EQ(next.size(), 1u);
     EXPECT_EQ(next[0].worker, fast);
-    EXPECT_EQ(next[0].places.count, 1600u);
+    EXPECT_EQ(next[0].positions.count(), 1600u);
 }
 
 TEST_F(DispatcherRanges, TowardsTheEndRangesShrink) {
     open(job_1, 1);
     (void)dispatcher_.worker_joined(slow, {"slow", 1});
     (void)dispatcher_.worker_joined(fast, {"fast", 1});
-    auto sent = ranges_in(dispatcher_.places_given(job_1, {0, 300}, 0));
+    auto sent = ranges_in(dispatcher_.positions_given(job_1, {{0, 300}}, 0));
     std::uint64_t next = 0;
     std::uint64_t last = 300;
     for (std::size_t i = 0; i < sent.size(); ++i) {
-        EXPECT_EQ(sent[i].places.first, next);
-        EXPECT_LE(sent[i].places.count, last);
-        last = sent[i].places.count;
-        next = sent[i].places.end();
-        for (const SendRange& more : ranges_in(dispatcher_.places_answered(
-                 sent[i].worker, sent[i].task, last, 1e-3 * static_cast<double>(last)))) {
+        const PlaceRange range = sent[i].positions.runs().front();
+        EXPECT_EQ(range.first, next);
+        EXPECT_LE(range.count, last);
+        last = range.count;
+        next = range.end();
+        for (const SendUnit& more : answer(sent[i], range, 1e-3 * static_cast<double>(last))) {
             sent.push_back(more);
         }
-        for (const SendRange& more :
+        for (const SendUnit& more :
              ranges_in(dispatcher_.task_ended(sent[i].worker, sent[i].task))) {
             sent.push_back(more);
         }
     }
     EXPECT_EQ(next, 300u);
-    EXPECT_EQ(sent.front().places.count, 75u);
+    EXPECT_EQ(sent.front().positions.count(), 75u);
     EXPECT_EQ(last, 1u);
 }
 
 TEST_F(DispatcherRanges, RangesOfALostWorkerCountAsLostAndThoseOfADrainingWorkerDoNot) {
     open(job_1, 1);
     (void)dispatcher_.worker_joined(slow, {"slow", 1});
-    const auto sent = ranges_in(dispatcher_.places_given(job_1, {0, 1000}, 0));
+    const auto sent = ranges_in(dispatcher_.positions_given(job_1, {{0, 1000}}, 0));
     ASSERT_EQ(sent.size(), 1u);
     (void)dispatcher_.worker_joined(fast, {"fast", 1});
     (void)dispatcher_.worker_draining(slow);
-    const RangeEnded handed_back{sent[0].task, job_1, sent[0].places, std::nullopt};
-    const auto after = dispatcher_.task_ended(slow, sent[0].task);
-    EXPECT_NE(std::find(after.begin(), after.end(), Action(handed_back)), after.end());
+    const auto after = ranges_in(dispatcher_.task_ended(slow, sent[0].task));
     EXPECT_EQ(dispatcher_.worker_status(fast).working, 100u);
+    EXPECT_TRUE(after.empty()) << "it has enough to do";
+    EXPECT_EQ(dispatcher_.positions_unsent(job_1), 900u) << "the returned ones among them";
     const auto lost = dispatcher_.worker_lost(fast);
     ASSERT_EQ(lost.size(), 1u);
-    EXPECT_TRUE(std::get<RangeEnded>(lost[0]).lost_with);
+    EXPECT_FALSE(std::get<PositionsLost>(lost[0]).is_analysed);
+    EXPECT_EQ(std::get<PositionsLost>(lost[0]).positions, (PlaceRange{100, 100}));
 }
 
 TEST_F(DispatcherRanges, UnsentPositionsCanBeTakenBack) {
     open(job_1, 1);
-    (void)dispatcher_.places_given(job_1, {0, 700}, 300);
-    (void)dispatcher_.places_given(job_1, {700, 300}, 0);
-    EXPECT_EQ(dispatcher_.places_unsent(job_1), 1000u);
+    (void)dispatcher_.positions_given(job_1, {{0, 700}}, 300);
+    (void)dispatcher_.positions_given(job_1, {{700, 300}}, 0);
+    EXPECT_EQ(dispatcher_.positions_unsent(job_1), 1000u);
     const std::vector<PlaceRange> expected{{0, 700}, {700, 300}};
-    EXPECT_EQ(dispatcher_.take_places(job_1), expected);
-    EXPECT_EQ(dispatcher_.places_unsent(job_1), 0u);
+    EXPECT_EQ(dispatcher_.take_positions(job_1), expected);
+    EXPECT_EQ(dispatcher_.positions_unsent(job_1), 0u);
     EXPECT_TRUE(dispatcher_.worker_joined(slow, {"slow", 1}).empty());
 }
 
 TEST_F(DispatcherRanges, SeveralJobsTakeTurns) {
     open(job_1, 1);
     open(job_2, 3);
-    (void)dispatcher_.places_given(job_1, {0, 5000}, 0);
-    (void)dispatcher_.places_given(job_2, {0, 5000}, 0);
+    (void)dispatcher_.positions_given(job_1, {{0, 5000}}, 0);
+    (void)dispatcher_.positions_given(job_2, {{0, 5000}}, 0);
     const auto sent = ranges_in(dispatcher_.worker_joined(slow, {"slow", 1}));
     ASSERT_EQ(sent.size(), 1u);
-    const auto next = ranges_in(dispatcher_.places_answered(slow, sent[0].task, 60, 0.06));
+    const auto next = answer(sent[0], {0, 60}, 0.06);
     ASSERT_EQ(next.size(), 1u);
     EXPECT_NE(next[0].job, sent[0].job);
 }
@@ -151,12 +156,13 @@ TEST_F(DispatcherRanges, SeveralJobsTakeTurns) {
 TEST_F(DispatcherRanges, AClosedJobsTasksEndWithoutAnswers) {
     open(job_1, 1);
     (void)dispatcher_.worker_joined(slow, {"slow", 1});
-    const auto sent = ranges_in(dispatcher_.places_given(job_1, {0, 1000}, 0));
+    const auto sent = ranges_in(dispatcher_.positions_given(job_1, {{0, 1000}}, 0));
     (void)dispatcher_.job_closed(job_1);
     EXPECT_EQ(dispatcher_.worker_status(slow).working, 0u);
     dispatcher_.check_invariants();
-    EXPECT_TRUE(dispatcher_.places_answered(slow, sent[0].task, 5, 0.1).empty());
-    EXPECT_EQ(dispatcher_.task_ended(slow, sent[0].task).size(), 1u);
+    EXPECT_TRUE(answer(sent[0], {0, 5}, 0.1).empty());
+    EXPECT_TRUE(dispatcher_.task_ended(slow, sent[0].task).empty());
+    EXPECT_TRUE(dispatcher_.tasks_of(slow).empty());
 }
 
 TEST_F(DispatcherRanges, MissingBlocksAreMeasured) {
@@ -186,127 +192,154 @@ TEST_F(DispatcherRanges, MissingBlocksAreMeasured) {
     EXPECT_GT(dispatcher_.missing_costs(job_1).all, 0);
 }
 
-/// Simulates workers that join, leave, answer and return work, and handles their tasks' ends.
-TEST_F(DispatcherRanges, EveryPlaceIsAnsweredWhateverWorkersDo) {
-    std::uint64_t copied_all = 0;
-    for (std::uint64_t seed = 0; seed < 200; ++seed) {
-        std::mt19937_64 random(seed);
-        Dispatcher dispatcher;
-        (void)dispatcher.job_opened(job_1, {}, tree(1, 4), tree(2, 4));
-        constexpr std::uint64_t total = 5000;
-        std::vector<int> answered(total, 0);
-        struct Under {
-            SendRange sent;
-            std::uint64_t done = 0;
-        };
-        std::map<TaskId, Under> tasks;
-        std::map<WorkerId, bool> workers; // True: draining.
-        std::vector<PlaceRange> again;
-        std::uint64_t copied = 0;
-        std::uint64_t worker_last = 0;
-        double now = 0;
-        const auto give_again = [&](const PlaceRange& places) {
-            std::vector<PlaceRange> runs{places};
-            for (const auto& [id, task] : tasks) {
-                runs = without(runs, task.sent.places);
-            }
-            for (std::uint64_t place = places.first; place < places.end(); ++place) {
-                runs = answered[place] != 0 ? without(runs, {place, 1}) : runs;
-            }
-            again.insert(again.end(), runs.begin(), runs.end());
-        };
-        std::function<void(const Actions&)> act;
-        // The worker has begun the positions after the answered ones, sometimes more.
-        const auto give_back = [&](const AskBack& ask) {
-            const auto task = tasks.find(ask.task);
-            if (task == tasks.end() || random() % 4 == 0) {
-                return;
-            }
-            PlaceRange& places = task->second.sent.places;
-            const std::uint64_t begun = std::min(places.count, task->second.done + random() % 3);
-            const PlaceRange kept{places.first, std::max(begun, ask.places)};
-            const PlaceRange given{kept.end(), places.count - kept.count};
-            places = kept;
-            const Recalled answer{ask.task, {}, kept.count};
-            const Actions more = dispatcher.task_recalled(ask.worker, answer);
-            if (given.count != 0) {
-                const GivenBack expected{ask.task, job_1, 0, given};
-                ASSERT_NE(std::ranges::find(more, Action(expected)), more.end());
-            }
-            act(more);
-        };
-        act = [&](const Actions& actions) {
-            for (const Action& action : actions) {
-                if (const auto* sent = std::get_if<SendRange>(&action)) {
-                    ASSERT_TRUE(tasks.emplace(sent->task, Under{*sent}).second);
-                    ASSERT_TRUE(workers.contains(sent->worker));
-                    ASSERT_FALSE(workers.at(sent->worker));
-                    copied += sent->copy_of == TaskId{} ? 0 : sent->places.count;
-                } else if (const auto* ask = std::get_if<AskBack>(&action)) {
-                    give_back(*ask);
-                } else if (const auto* given = std::get_if<GivenBack>(&action)) {
-                    give_again(given->places);
-                } else if (const auto* ended = std::get_if<RangeEnded>(&action)) {
-                    const auto task = tasks.extract(ended->task);
-                    ASSERT_FALSE(task.empty());
-                    ASSERT_EQ(task.mapped().sent.places, ended->places);
-                    give_again(ended->places);
-                }
-            }
-        };
-        act(dispatcher.places_given(job_1, {0, total}, 0));
-        const auto is_done = [&] {
-            return std::ranges::none_of(answered, [](int times) { return times == 0; });
-        };
-        for (int step = 0; step < 20'000 && !is_done(); ++step) {
-            dispatcher.time_is(now += 0.01);
-            const std::uint64_t dice = random() % 100;
-            if (workers.size() < 2 || dice < 2) {
-                const WorkerId id{++worker_last};
-                workers.emplace(id, false);
-                act(dispatcher.worker_joined(id,
-                                             {"w", 1 + static_cast<std::uint32_t>(random() % 4)}));
-            } else if (dice < 4) {
-                const WorkerId id =
-                    std::next(workers.begin(),
-                              static_cast<std::ptrdiff_t>(random() % workers.size()))
-                        ->first;
-                act(dispatcher.worker_lost(id));
-                workers.erase(id);
-            } else if (dice < 5) {
-                auto& [id, draining] = *workers.begin();
-                draining = true;
-                act(dispatcher.worker_draining(id));
-            } else if (!tasks.empty()) {
-                auto& [id, task] =
-                    *std::next(tasks.begin(), static_cast<std::ptrdiff_t>(random() % tasks.size()));
-                const std::uint64_t left = task.sent.places.count - task.done;
-                if (left == 0 || dice > 97) {
-                    const TaskId ended = id;
-                    act(dispatcher.task_ended(task.sent.worker, ended));
-                } else {
-                    const std::uint64_t count = 1 + random() % left;
-                    for (std::uint64_t i = 0; i < count; ++i) {
-                        ++answered[task.sent.places.first + task.done + i];
-                    }
-                    task.done += count;
-                    act(dispatcher.places_answered(
-                        task.sent.worker, id, count, 1e-4 * static_cast<double>(count)));
-                }
-            }
-            for (const PlaceRange& places : std::exchange(again, {})) {
-                act(dispatcher.places_given(job_1, places, 0));
-            }
-            dispatcher.check_invariants();
-        }
-        ASSERT_TRUE(is_done()) << "seed " << seed;
-        const auto answers = std::accumulate(answered.begin(), answered.end(), std::uint64_t{0});
-        ASSERT_LE(answers, total + copied);
-        copied_all += copied;
-        (void)dispatcher.job_closed(job_1);
-        dispatcher.check_invariants();
+/// Workers that join, leave, answer in any order and return work. Lost positions come again.
+class RangeRun {
+  public:
+    explicit RangeRun(std::uint64_t seed) : random_(seed) {
+        (void)dispatcher_.job_opened(job_1, {}, tree(1, 4), tree(2, 4));
     }
-    EXPECT_GT(copied_all, 0u);
+
+    void run() {
+        act(dispatcher_.positions_given(job_1, {{0, total}}, 0));
+        for (int step = 0; step < 20'000 && answered_.count() != total; ++step) {
+            dispatcher_.time_is(now_ += 0.01);
+            random_event();
+            for (const PlaceRange& range : std::exchange(lost_, {})) {
+                act(dispatcher_.positions_given(job_1, {range}, 0));
+            }
+            dispatcher_.check_invariants();
+        }
+        EXPECT_EQ(answered_.count(), total);
+        EXPECT_TRUE(dispatcher_.unanalysed(job_1).is_empty());
+        EXPECT_LE(repeated_, copied_);
+        (void)dispatcher_.job_closed(job_1);
+        dispatcher_.check_invariants();
+    }
+    [[nodiscard]] std::uint64_t copied() const { return copied_; }
+    [[nodiscard]] std::uint64_t recalled() const { return recalled_; }
+
+  private:
+    static constexpr std::uint64_t total = 5000;
+
+    struct Task {
+        SendUnit sent;
+        PositionSet open; ///< Neither answered nor returned nor called off.
+    };
+
+    template <class Map>
+    auto any_of(Map& map) {
+        return std::next(map.begin(), static_cast<std::ptrdiff_t>(random_() % map.size()));
+    }
+    void random_event() {
+        const std::uint64_t dice = random_() % 100;
+        if (workers_.size() < 2 || dice < 2) {
+            const WorkerId id{++worker_last_};
+            workers_.emplace(id, false);
+            act(dispatcher_.worker_joined(id,
+                                          {"w", 1 + static_cast<std::uint32_t>(random_() % 4)}));
+        } else if (dice < 4) {
+            const WorkerId id = any_of(workers_)->first;
+            std::erase_if(tasks_, [&](const auto& task) { return task.second.sent.worker == id; });
+            workers_.erase(id);
+            act(dispatcher_.worker_lost(id));
+        } else if (dice < 5) {
+            auto& [id, draining] = *workers_.begin();
+            draining = true;
+            act(dispatcher_.worker_draining(id));
+        } else if (!tasks_.empty()) {
+            const auto task = any_of(tasks_);
+            if (task->second.open.is_empty() || dice > 97) {
+                end(task->first);
+            } else {
+                answer(task->first, task->second);
+            }
+        }
+    }
+    void answer(TaskId id, Task& task) {
+        PositionSet some;
+        for (const PlaceRange& run : task.open.runs()) {
+            const std::uint64_t first = random_() % run.count;
+            some.add({run.first + first, 1 + random_() % (run.count - first)});
+        }
+        task.open.remove(some);
+        repeated_ += answered_.common_with(some).count();
+        answered_.add(some);
+        const double seconds = 1e-4 * static_cast<double>(some.count());
+        act(dispatcher_.answered({task.sent.worker, id, job_1, some, seconds}));
+    }
+    void end(TaskId id) {
+        const auto task = tasks_.extract(id);
+        act(dispatcher_.task_ended(task.mapped().sent.worker, id));
+    }
+
+    void act(const Actions& actions) {
+        for (const Action& action : actions) {
+            if (const auto* sent = std::get_if<SendUnit>(&action)) {
+                ASSERT_TRUE(tasks_.emplace(sent->task, Task{*sent, sent->positions}).second);
+                ASSERT_FALSE(workers_.at(sent->worker)) << "it drains";
+                ASSERT_TRUE(answered_.common_with(sent->positions).is_empty());
+                copied_ += sent->copy_of == TaskId{} ? 0 : sent->positions.count();
+            } else if (const auto* ask = std::get_if<AskBack>(&action)) {
+                give_back(*ask);
+            } else if (const auto* loser = std::get_if<CallOff>(&action)) {
+                call_off(*loser);
+            } else if (const auto* lost = std::get_if<PositionsLost>(&action)) {
+                ASSERT_TRUE(answered_.common_with(lost->positions).is_empty());
+                lost_.insert(
+                    lost_.end(), lost->positions.runs().begin(), lost->positions.runs().end());
+            } else {
+                recalled_ += std::get<UnitsReturned>(action).positions;
+            }
+        }
+    }
+    /// The worker has begun some more positions than it has answered.
+    void give_back(const AskBack& ask) {
+        const auto task = tasks_.find(ask.task);
+        if (task == tasks_.end() || random_() % 4 == 0) {
+            return;
+        }
+        PositionSet& open = task->second.open;
+        const std::uint64_t kept =
+            std::min(ask.positions.runs().front().first + random_() % 3, total);
+        const PlaceRange tail{kept, total - kept};
+        open.remove(tail);
+        act(dispatcher_.task_recalled(ask.worker, ask.task, tail));
+    }
+    void call_off(const CallOff& loser) {
+        const auto task = tasks_.find(loser.task);
+        ASSERT_NE(task, tasks_.end());
+        ASSERT_EQ(task->second.sent.worker, loser.worker);
+        if (random_() % 2 == 0) { // Otherwise the message comes too late.
+            task->second.open.remove(loser.positions);
+        }
+    }
+
+    std::mt19937_64 random_;
+    Dispatcher dispatcher_;
+    std::map<TaskId, Task> tasks_;
+    std::map<WorkerId, bool> workers_; ///< True: draining.
+    std::vector<PlaceRange> lost_;
+    PositionSet answered_;
+    std::uint64_t repeated_ = 0;
+    std::uint64_t copied_ = 0;
+    std::uint64_t recalled_ = 0;
+    std::uint64_t worker_last_ = 0;
+    double now_ = 0;
+};
+
+TEST(DispatcherRangeRun, EveryPositionIsAnsweredWhateverWorkersDo) {
+    std::uint64_t copied = 0;
+    std::uint64_t recalled = 0;
+    for (std::uint64_t seed = 0; seed < 200; ++seed) {
+        SCOPED_TRACE(testing::Message() << "seed " << seed);
+        RangeRun run(seed);
+        run.run();
+        ASSERT_FALSE(testing::Test::HasFailure());
+        copied += run.copied();
+        recalled += run.recalled();
+    }
+    EXPECT_GT(copied, 0u);
+    EXPECT_GT(recalled, 0u);
 }
 
 } // namespace

@@ -28,7 +28,7 @@ struct SimulatedTask {
     JobId job;
     std::vector<std::uint64_t> open;
     bool is_copy = false;
-    std::vector<std::uint64_t> given_back = {};
+    PositionSet given_back = {};
 };
 
 struct SimulatedJob {
@@ -136,7 +136,7 @@ class Simulation {
             return;
         }
         AnalysedScenario scenario;
-        scenario.index = job.fed++;
+        scenario.position = job.fed++;
         for (RootIndex root = 0; root < 8; ++root) {
             if (below(3) == 0) {
                 scenario.roots_a.push_back(root);
@@ -145,7 +145,7 @@ class Simulation {
         scenario.roots_b.push_back(static_cast<RootIndex>(below(5)));
         scenario.bytes = below(700);
         scenario.predicted_ns = below(4) == 0 ? 0 : 1'000'000 * (1 + below(80));
-        if (sabotage_ == Sabotage::DropScenario && scenario.index == 7) {
+        if (sabotage_ == Sabotage::DropScenario && scenario.position == 7) {
             return;
         }
         do_actions(dispatcher_.scenario_analysed(id, std::move(scenario)));
@@ -171,10 +171,12 @@ class Simulation {
         const auto place = static_cast<std::ptrdiff_t>(below(task->open.size()));
         const std::uint64_t scenario = task->open[static_cast<std::size_t>(place)];
         task->open.erase(task->open.begin() + place);
-        take_answer(task->worker, task->job, scenario);
+        take_answer(id, *task, scenario);
     }
 
-    void take_answer(WorkerId worker, JobId job, std::uint64_t scenario) {
+    void take_answer(TaskId id, const SimulatedTask& task, std::uint64_t scenario) {
+        const WorkerId worker = task.worker;
+        const JobId job = task.job;
         old_answers_.push_back({worker, job, {scenario}});
         SimulatedJob& content = jobs_.at(job);
         // The first answer counts, unless the job is over or the scenario given up.
@@ -184,13 +186,15 @@ class Simulation {
             !content.answers.contains(scenario)) {
             ++content.answers[scenario];
         }
-        do_actions(dispatcher_.scenario_answered(worker, job, scenario));
+        const double seconds = 0.001 * static_cast<double>(below(90));
+        do_actions(dispatcher_.answered({worker, id, job, PlaceRange{scenario, 1}, seconds}));
     }
 
     void repeat_an_old_answer() {
         if (!old_answers_.empty()) {
             const SimulatedTask old = old_answers_[below(old_answers_.size())];
-            do_actions(dispatcher_.scenario_answered(old.worker, old.job, old.open.front()));
+            do_actions(
+                dispatcher_.answered({old.worker, {}, old.job, PlaceRange{old.open.front(), 1}}));
         }
     }
 
@@ -236,9 +240,9 @@ class Simulation {
             return;
         }
         SimulatedTask& content = task->second;
-        for (const std::uint64_t scenario : ask.scenarios) {
+        for (const std::uint64_t scenario : ask.positions.list()) {
             if (below(3) != 0 && std::erase(content.open, scenario) != 0) {
-                content.given_back.push_back(scenario);
+                content.given_back.add({scenario, 1});
             }
         }
         if (below(5) != 0) {
@@ -248,9 +252,7 @@ class Simulation {
 
     void say_what_was_given_back(TaskId id) {
         const SimulatedTask& task = tasks_.at(id);
-        Recalled recalled{id, task.given_back, 0};
-        std::ranges::sort(recalled.scenarios);
-        do_actions(dispatcher_.task_recalled(task.worker, recalled));
+        do_actions(dispatcher_.task_recalled(task.worker, id, task.given_back));
     }
 
     /// A worker reconnects and reports its tasks.
@@ -320,7 +322,7 @@ class Simulation {
         for (const auto& [id, task] : tasks_) {
             if (task.worker == worker) {
                 count_losses(task);
-                for (const std::uint64_t scenario : task.given_back) {
+                for (const std::uint64_t scenario : task.given_back.list()) {
                     ++jobs_.at(task.job).losses[scenario]; // In case the return was lost.
                 }
             }
@@ -367,9 +369,6 @@ class Simulation {
         dispatcher_.time_is(now_);
         TaskId task;
         if (const SimulatedTask* found = random_task(task); found != nullptr) {
-            dispatcher_.work_measured(
-                found->worker,
-                {task, below(100) * 1'000'000, 0.001 * static_cast<double>(below(90))});
             dispatcher_.transfer_measured(
                 found->worker, below(1'000'000), 0.001 * static_cast<double>(below(50)));
         }
@@ -392,18 +391,18 @@ class Simulation {
     void do_actions(const Actions& actions) {
         dispatcher_.check_invariants();
         for (const Action& action : actions) {
-            if (const auto* batch = std::get_if<SendBatch>(&action)) {
+            if (const auto* batch = std::get_if<SendUnit>(&action)) {
                 take_batch(*batch);
             } else if (const auto* ask = std::get_if<AskBack>(&action)) {
                 asks_.push_back(*ask);
-            } else if (const auto* given = std::get_if<GivenBack>(&action)) {
-                recalled_ += given->scenarios;
+            } else if (const auto* given = std::get_if<UnitsReturned>(&action)) {
+                recalled_ += given->positions;
             } else if (const auto* loser = std::get_if<CallOff>(&action)) {
                 call_off(*loser);
             } else if (std::holds_alternative<SendHint>(action)) {
                 // A hint only serves the cache.
-            } else if (const auto* lost = std::get_if<ScenariosLost>(&action)) {
-                for (const std::uint64_t scenario : lost->scenarios) {
+            } else if (const auto* lost = std::get_if<PositionsLost>(&action)) {
+                for (const std::uint64_t scenario : lost->positions.list()) {
                     ++jobs_.at(lost->job).told_lost[scenario];
                 }
             } else {
@@ -415,23 +414,30 @@ class Simulation {
     /// The worker may have finished the scenario already.
     void call_off(const CallOff& loser) {
         const auto task = tasks_.find(loser.task);
-        if (task != tasks_.end() && below(2) == 0) {
-            std::erase(task->second.open, loser.scenario);
+        if (task == tasks_.end()) {
+            problem("a task is called off that does not exist");
+            return;
         }
-        if (!jobs_.at(loser.job).answers.contains(loser.scenario) && !dropped_) {
-            problem("a scenario is called off that nobody has answered");
+        for (const std::uint64_t scenario : loser.positions.list()) {
+            if (below(2) == 0) {
+                std::erase(task->second.open, scenario);
+            }
+            if (!jobs_.at(task->second.job).answers.contains(scenario) && !dropped_) {
+                problem("a scenario is called off that nobody has answered");
+            }
         }
     }
 
-    void take_batch(const SendBatch& batch) {
+    void take_batch(const SendUnit& batch) {
         ++batches_;
-        copies_ += batch.is_copy ? 1 : 0;
+        const bool is_copy = batch.copy_of != TaskId{};
+        copies_ += is_copy ? 1 : 0;
         const SimulatedJob& job = jobs_.at(batch.job);
         if (!workers_.contains(batch.worker) || draining_.contains(batch.worker) ||
             silent_.contains(batch.worker)) {
             problem("a batch for a worker that takes none");
         }
-        for (const std::uint64_t scenario : batch.scenarios) {
+        for (const std::uint64_t scenario : batch.positions.list()) {
             if (scenario >= job.fed || job.answers.contains(scenario) ||
                 job.given_up.contains(scenario) || job.cancelled) {
                 problem("a batch with a scenario that needs no answer");
@@ -441,7 +447,7 @@ class Simulation {
                 tasks += task.job == batch.job ? std::ranges::count(task.open, scenario) : 0;
             }
             // The first task may have returned the scenario in a message still in flight.
-            if (tasks > (batch.is_copy ? 1 : 0)) {
+            if (tasks > (is_copy ? 1 : 0)) {
                 problem("a scenario stands in two tasks");
             }
         }
@@ -449,19 +455,19 @@ class Simulation {
             dropped_ = true;
             return;
         }
-        tasks_[batch.task] = {batch.worker, batch.job, batch.scenarios, batch.is_copy};
+        tasks_[batch.task] = {batch.worker, batch.job, batch.positions.list(), is_copy};
     }
 
     void take_give_up(const GiveUp& action) {
         SimulatedJob& job = jobs_.at(action.job);
         ++gave_up_;
-        if (job.losses[action.scenario] < limits::scenario_losses_max) {
+        if (job.losses[action.position] < limits::scenario_losses_max) {
             problem("a scenario was given up too early");
         }
-        if (job.told_lost[action.scenario] + 1 < limits::scenario_losses_max) {
+        if (job.told_lost[action.position] + 1 < limits::scenario_losses_max) {
             problem("a scenario was given up of whose losses nobody was told");
         }
-        if (!job.given_up.insert(action.scenario).second || job.answers.contains(action.scenario)) {
+        if (!job.given_up.insert(action.position).second || job.answers.contains(action.position)) {
             problem("a scenario was given up that had its end already");
         }
     }

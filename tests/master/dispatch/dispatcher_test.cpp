@@ -32,23 +32,28 @@ class Driver {
         }
     }
     void pause() { keep(dispatcher.input_paused()); }
-    void answer_all(const SendBatch& batch) {
-        for (const std::uint64_t scenario : batch.scenarios) {
-            keep(dispatcher.scenario_answered(batch.worker, batch.job, scenario));
-        }
+    void answer_all(const SendUnit& batch) {
+        keep(dispatcher.answered({batch.worker, batch.task, batch.job, batch.positions}));
     }
-    void finish(const SendBatch& batch) {
+    /// The worker answers one position, of whatever task.
+    void answer(WorkerId worker, std::uint64_t position) {
+        keep(dispatcher.answered({worker, {}, job_1, PlaceRange{position, 1}}));
+    }
+    void finish(const SendUnit& batch) {
         answer_all(batch);
         keep(dispatcher.task_ended(batch.worker, batch.task));
     }
     void keep(Actions actions) {
         dispatcher.check_invariants();
         for (Action& action : actions) {
-            if (auto* batch = std::get_if<SendBatch>(&action)) {
+            if (auto* batch = std::get_if<SendUnit>(&action)) {
                 batches.push_back(*batch);
-            } else if (const auto* told = std::get_if<ScenariosLost>(&action)) {
+            } else if (const auto* told = std::get_if<PositionsLost>(&action)) {
                 EXPECT_EQ(told->job, job_1);
-                lost.insert(lost.end(), told->scenarios.begin(), told->scenarios.end());
+                EXPECT_TRUE(told->is_analysed);
+                for (const std::uint64_t position : told->positions.list()) {
+                    lost.push_back(position);
+                }
             } else {
                 given_up.push_back(std::get<GiveUp>(action));
             }
@@ -57,15 +62,15 @@ class Driver {
     /// Returns the scenarios of the batches since the last call.
     std::vector<std::vector<std::uint64_t>> sent() {
         std::vector<std::vector<std::uint64_t>> lists;
-        for (const SendBatch& batch : batches) {
-            lists.push_back(batch.scenarios);
+        for (const SendUnit& batch : batches) {
+            lists.push_back(batch.positions.list());
         }
         batches.clear();
         return lists;
     }
 
     Dispatcher dispatcher;
-    std::vector<SendBatch> batches;
+    std::vector<SendUnit> batches;
     std::vector<std::uint64_t> lost;
     std::vector<GiveUp> given_up;
 };
@@ -124,11 +129,11 @@ TEST(Dispatcher, AWorkerWithEnoughToDoDoesNotGetAPart) {
     driver.feed(job_1, 0, 4);
     driver.pause();
     ASSERT_EQ(driver.batches.size(), 1u);
-    const SendBatch first = driver.batches[0];
+    const SendUnit first = driver.batches[0];
     // After one answer less than a buffer of work is in flight, so the rest is sent.
-    driver.keep(driver.dispatcher.scenario_answered(worker_1, job_1, 0));
+    driver.answer(worker_1, 0);
     ASSERT_EQ(driver.batches.size(), 2u);
-    EXPECT_EQ(driver.batches[1].scenarios, (std::vector<std::uint64_t>{3}));
+    EXPECT_EQ(driver.batches[1].positions.list(), (std::vector<std::uint64_t>{3}));
 }
 
 TEST(Dispatcher, AClaimedWorkerGetsNothingUntilAllResultsOfItsTaskAreBack) {
@@ -137,7 +142,7 @@ TEST(Dispatcher, AClaimedWorkerGetsNothingUntilAllResultsOfItsTaskAreBack) {
     driver.open(job_1, options_with(2, true));
     driver.feed(job_1, 0, 5);
     ASSERT_EQ(driver.batches.size(), 1u);
-    const SendBatch first = driver.batches[0];
+    const SendUnit first = driver.batches[0];
     EXPECT_TRUE(driver.dispatcher.worker_status(worker_1).claimed);
     EXPECT_EQ(driver.dispatcher.worker_status(worker_1).buffered, 0u);
 
@@ -145,7 +150,7 @@ TEST(Dispatcher, AClaimedWorkerGetsNothingUntilAllResultsOfItsTaskAreBack) {
     EXPECT_EQ(driver.batches.size(), 1u); // Answered, but the task has not ended.
     driver.keep(driver.dispatcher.task_ended(worker_1, first.task));
     ASSERT_EQ(driver.batches.size(), 2u);
-    EXPECT_EQ(driver.batches[1].scenarios, (std::vector<std::uint64_t>{2, 3}));
+    EXPECT_EQ(driver.batches[1].positions.list(), (std::vector<std::uint64_t>{2, 3}));
 }
 
 TEST(Dispatcher, WithoutClaimingTwoTasksStandAtAWorkerAndABufferFillsBehindThem) {
@@ -160,7 +165,7 @@ TEST(Dispatcher, WithoutClaimingTwoTasksStandAtAWorkerAndABufferFillsBehindThem)
     EXPECT_EQ(status.buffered, 2u);
     EXPECT_EQ(driver.dispatcher.unsent(), 5u);
 
-    driver.finish(SendBatch(driver.batches[0]));
+    driver.finish(SendUnit(driver.batches[0]));
     EXPECT_EQ(driver.sent(), (Lists{{0, 1}, {2, 3}, {4, 5}}));
 }
 
@@ -201,11 +206,11 @@ TEST(Dispatcher, EvictedRootsDrawNoMore) {
     driver.join(worker_2);
     driver.open(job_1, options_with(2, false));
     driver.feed(job_1, 0, 2, 1);
-    driver.finish(SendBatch(driver.batches.at(0)));
+    driver.finish(SendUnit(driver.batches.at(0)));
     EXPECT_EQ(driver.batches.at(0).worker, worker_1);
 
     driver.feed(job_1, 2, 2, 1);
-    driver.finish(SendBatch(driver.batches.at(1)));
+    driver.finish(SendUnit(driver.batches.at(1)));
     EXPECT_EQ(driver.batches.at(1).worker, worker_1); // The worker holds root 1.
 
     const std::vector<RootIndex> evicted_a = {0, 1, 2, 3, 99};
@@ -218,7 +223,7 @@ TEST(Dispatcher, EvictedRootsDrawNoMore) {
     driver.pause();
     // As for new workers: the first worker gets the first; the next follows the shared root of B.
     EXPECT_EQ(driver.batches.at(2).worker, worker_1);
-    EXPECT_EQ(driver.batches.at(2).scenarios, (std::vector<std::uint64_t>{4, 5}));
+    EXPECT_EQ(driver.batches.at(2).positions.list(), (std::vector<std::uint64_t>{4, 5}));
 }
 
 TEST(Dispatcher, LowestSpreadsWhatBestMatchWouldGather) {
@@ -238,7 +243,7 @@ TEST(Dispatcher, TheScenariosOfALostWorkerGoFirst) {
     driver.join(worker_1);
     driver.open(job_1, options_with(2, false));
     driver.feed(job_1, 0, 8); // Two tasks, a buffer of 2, and 2 waiting.
-    driver.keep(driver.dispatcher.scenario_answered(worker_1, job_1, 1));
+    driver.answer(worker_1, 1);
     driver.sent();
     driver.keep(driver.dispatcher.worker_lost(worker_1));
     EXPECT_EQ(driver.dispatcher.unsent(), 7u);
@@ -258,10 +263,10 @@ TEST(Dispatcher, ADrainingWorkerFinishesItsTasksAndGetsNothingMore) {
     EXPECT_EQ(driver.dispatcher.worker_status(worker_2).buffered, 0u);
     driver.pause();
     EXPECT_EQ(driver.batches.size(), 1u);
-    driver.finish(SendBatch(driver.batches[0]));
+    driver.finish(SendUnit(driver.batches[0]));
     ASSERT_EQ(driver.batches.size(), 2u);
     EXPECT_EQ(driver.batches[1].worker, worker_1);
-    EXPECT_EQ(driver.batches[1].scenarios, (std::vector<std::uint64_t>{2}));
+    EXPECT_EQ(driver.batches[1].positions.list(), (std::vector<std::uint64_t>{2}));
 }
 
 TEST(Dispatcher, ASilentWorkerKeepsItsTasksAndGetsNothingUntilItIsHeard) {
@@ -280,7 +285,7 @@ TEST(Dispatcher, ASilentWorkerKeepsItsTasksAndGetsNothingUntilItIsHeard) {
     driver.batches.clear();
     driver.feed(job_1, 3, 20);
     driver.pause();
-    for (const SendBatch& batch : driver.batches) {
+    for (const SendUnit& batch : driver.batches) {
         EXPECT_NE(batch.worker, holder);
     }
     EXPECT_FALSE(driver.batches.empty());
@@ -297,8 +302,8 @@ TEST(Dispatcher, ATaskThatNeverCameGoesBackAndIsNoLoss) {
     driver.feed(job_1, 0, 2);
     for (unsigned round = 0; round < 2 * limits::scenario_losses_max; ++round) {
         ASSERT_EQ(driver.batches.size(), 1u) << "it goes out again, and as one task";
-        const SendBatch batch = std::exchange(driver.batches, {}).front();
-        EXPECT_EQ(batch.scenarios, (std::vector<std::uint64_t>{0, 1}));
+        const SendUnit batch = std::exchange(driver.batches, {}).front();
+        EXPECT_EQ(batch.positions.list(), (std::vector<std::uint64_t>{0, 1}));
         driver.keep(driver.dispatcher.task_unbegun(batch.worker, batch.task));
         driver.keep(driver.dispatcher.task_unbegun(batch.worker, batch.task)); // No effect.
         driver.pause();
@@ -312,8 +317,8 @@ TEST(Dispatcher, ATaskThatEndsWithoutAllAnswersHasTheRestDoneAgain) {
     driver.open(job_1, options_with(3, false));
     driver.feed(job_1, 0, 3);
     driver.pause();
-    const SendBatch batch = driver.batches.at(0);
-    driver.keep(driver.dispatcher.scenario_answered(worker_1, job_1, 1));
+    const SendUnit batch = driver.batches.at(0);
+    driver.answer(worker_1, 1);
     driver.sent();
     driver.keep(driver.dispatcher.task_ended(worker_1, batch.task));
     EXPECT_EQ(driver.sent(), (Lists{{0, 2}}));
@@ -328,9 +333,9 @@ TEST(Dispatcher, WorkReturnedByADrainingWorkerIsNotLost) {
     driver.feed(job_1, 0, 2);
     for (std::uint64_t i = 1; i <= 2 * limits::scenario_losses_max; ++i) {
         driver.join(WorkerId{i});
-        const SendBatch batch = driver.batches.back();
+        const SendUnit batch = driver.batches.back();
         EXPECT_EQ(batch.worker, WorkerId{i});
-        EXPECT_EQ(batch.scenarios, (std::vector<std::uint64_t>{0, 1}));
+        EXPECT_EQ(batch.positions.list(), (std::vector<std::uint64_t>{0, 1}));
         driver.keep(driver.dispatcher.worker_draining(WorkerId{i}));
         driver.keep(driver.dispatcher.task_ended(WorkerId{i}, batch.task));
         driver.keep(driver.dispatcher.worker_lost(WorkerId{i}));
@@ -377,7 +382,9 @@ TEST(Dispatcher, LossesFromBeforeTheMasterBeganCount) {
         }
         EXPECT_EQ(driver.given_up, (std::vector<GiveUp>{{job_1, 0}}));
         EXPECT_EQ(workers, limits::scenario_losses_max - before);
-        EXPECT_EQ(driver.lost, std::vector<std::uint64_t>(workers, 0)) << "each is told";
+        EXPECT_EQ(driver.lost,
+                  std::vector<std::uint64_t>(workers - std::min(workers, std::uint64_t{1}), 0))
+            << "each is told but the last, which gives the scenario up";
     }
 }
 
@@ -392,17 +399,18 @@ TEST(Dispatcher, OneDeadlyScenarioIsGivenUpAndItsNeighboursAreNot) {
     std::vector<std::uint64_t> answered;
     driver.join(WorkerId{++workers});
     for (std::size_t i = 0; i < driver.batches.size(); ++i) {
-        const SendBatch batch = driver.batches[i];
+        const SendUnit batch = driver.batches[i];
         if (batch.worker != WorkerId{workers}) {
             continue; // The worker is dead.
         }
-        if (std::ranges::count(batch.scenarios, deadly) != 0) {
+        if (batch.positions.contains(deadly)) {
             ++deaths;
             driver.keep(driver.dispatcher.worker_lost(batch.worker));
             driver.join(WorkerId{++workers});
             continue;
         }
-        answered.insert(answered.end(), batch.scenarios.begin(), batch.scenarios.end());
+        const std::vector<std::uint64_t> list = batch.positions.list();
+        answered.insert(answered.end(), list.begin(), list.end());
         driver.finish(batch);
     }
     EXPECT_EQ(deaths, limits::scenario_losses_max);
@@ -421,7 +429,7 @@ TEST(Dispatcher, JobsShareAWorkerInTurns) {
     driver.join(worker_1);
     for (std::size_t i = 0; i < 6; ++i) {
         ASSERT_GT(driver.batches.size(), i);
-        driver.finish(SendBatch(driver.batches[i]));
+        driver.finish(SendUnit(driver.batches[i]));
     }
     for (std::size_t i = 0; i + 1 < 6; ++i) {
         EXPECT_NE(driver.batches[i].job, driver.batches[i + 1].job) << i;
@@ -435,7 +443,7 @@ TEST(Dispatcher, AClosedJobLeavesNothingBehindAndItsLateResultsAreIgnored) {
     driver.open(job_2, options_with(2, true));
     driver.feed(job_1, 0, 5);
     driver.feed(job_2, 0, 1);
-    const SendBatch batch = driver.batches.at(0);
+    const SendUnit batch = driver.batches.at(0);
     driver.keep(driver.dispatcher.job_closed(job_1));
     driver.pause();
     EXPECT_EQ(driver.dispatcher.unsent(), 1u);
@@ -454,13 +462,13 @@ TEST(Dispatcher, AnAnswerFromElsewhereTakesTheScenarioFromWhereverItIs) {
     driver.open(job_1, options_with(2, true));
     driver.feed(job_1, 0, 4);
     driver.keep(driver.dispatcher.worker_lost(worker_1));
-    driver.keep(driver.dispatcher.scenario_answered(worker_1, job_1, 0)); // Waits.
+    driver.answer(worker_1, 0); // Waits.
     driver.join(worker_2);
-    EXPECT_EQ(driver.batches.at(1).scenarios, (std::vector<std::uint64_t>{1, 2}));
-    driver.keep(driver.dispatcher.scenario_answered(worker_1, job_1, 2)); // Not its own.
+    EXPECT_EQ(driver.batches.at(1).positions.list(), (std::vector<std::uint64_t>{1, 2}));
+    driver.answer(worker_1, 2); // Not its own.
     EXPECT_EQ(driver.dispatcher.worker_status(worker_2).working, 1u);
     EXPECT_EQ(driver.dispatcher.worker_status(worker_2).scenarios, 0u);
-    driver.keep(driver.dispatcher.scenario_answered(worker_1, job_1, 2)); // No effect.
+    driver.answer(worker_1, 2); // No effect.
     EXPECT_EQ(driver.dispatcher.worker_status(worker_2).working, 1u);
 }
 

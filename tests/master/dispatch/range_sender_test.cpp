@@ -15,23 +15,24 @@ class RangeSending : public testing::Test, protected DispatchStage {
 
 TEST_F(RangeSending, EachWorkerGetsABatchesWorthAndTheNextBeforeItRunsDry) {
     WorkerProxy& one = join(1);
-    job_.places.add({0, 10'000}, 0);
+    job_.unsent.add({{0, 10'000}}, 0);
     ranges.give(actions);
-    EXPECT_EQ(last<SendRange>().places, (PlaceRange{0, 100})); // 0.1 s.
+    EXPECT_EQ(last<SendUnit>().positions, (PlaceRange{0, 100})); // 0.1 s.
     EXPECT_EQ(actions.size(), 1u);
-    one.tasks.answer_places(last<SendRange>().task, 1);
+    one.tasks.remove(last<SendUnit>().task, PlaceRange{0, 1}, 0);
     ranges.give_to(one, actions);
-    EXPECT_EQ(last<SendRange>().places, (PlaceRange{100, 100}));
+    EXPECT_EQ(last<SendUnit>().positions, (PlaceRange{100, 100}));
     EXPECT_FALSE(ranges.would_take(one, job_));
 }
 
 TEST_F(RangeSending, TheRestIsDividedInTwoSharesForEachWorker) {
     join(1);
     join(2, 3);
-    job_.places.add({0, 80}, 0);
+    job_.unsent.add({{0, 80}}, 0);
     ranges.give(actions);
-    EXPECT_EQ(std::get<SendRange>(actions.at(0)).places.count, 10u);
-    EXPECT_EQ(std::get<SendRange>(actions.at(1)).places.count, 26u); // 3/4 of the other 70, halved.
+    EXPECT_EQ(std::get<SendUnit>(actions.at(0)).positions.count(), 10u);
+    EXPECT_EQ(std::get<SendUnit>(actions.at(1)).positions.count(),
+              26u); // 3/4 of the other 70, halved.
 }
 
 TEST_F(RangeSending, AWorkerThatWouldBeLateGetsNone) {
@@ -39,11 +40,11 @@ TEST_F(RangeSending, AWorkerThatWouldBeLateGetsNone) {
     WorkerProxy& quick = join(2);
     job_.range_pace.add(slow.id(), 1, 10);
     job_.range_pace.add(quick.id(), 1000, 1);
-    job_.places.add({0, 100}, 0);
+    job_.unsent.add({{0, 100}}, 0);
     ranges.forget_totals();
     EXPECT_FALSE(ranges.would_take(slow, job_));
     EXPECT_TRUE(ranges.would_take(quick, job_));
-    job_.places.add({100, 100'000}, 0);
+    job_.unsent.add({{100, 100'000}}, 0);
     ranges.forget_totals();
     EXPECT_TRUE(ranges.would_take(slow, job_));
 }
@@ -51,16 +52,16 @@ TEST_F(RangeSending, AWorkerThatWouldBeLateGetsNone) {
 TEST_F(RangeSending, JobsTakeTurnsAndTheReservedWorkerIsSpared) {
     WorkerProxy& one = join(1, 20);
     DispatchJob& other = open("earliest-finish", 2, 2);
-    job_.places.add({0, 5}, 0);
-    other.places.add({0, 5}, 0);
+    job_.unsent.add({{0, 5}}, 0);
+    other.unsent.add({{0, 5}}, 0);
     ranges.give(actions);
     ASSERT_EQ(actions.size(), 2u);
-    EXPECT_EQ(std::get<SendRange>(actions[0]).job, job_.id);
-    EXPECT_EQ(std::get<SendRange>(actions[1]).job, other.id);
+    EXPECT_EQ(std::get<SendUnit>(actions[0]).job, job_.id);
+    EXPECT_EQ(std::get<SendUnit>(actions[1]).job, other.id);
     DispatchScenario scenario = DispatchStage::scenario(job_);
     scenario.losses.add(1);
     scenario.losses.add(2);
-    job_.places.add({5, 5}, 0);
+    job_.unsent.add({{5, 5}}, 0);
     EXPECT_TRUE(ranges.would_take(one, job_));
     queue.add(job_, 0, scenario);
     EXPECT_FALSE(ranges.would_take(one, job_));
@@ -70,7 +71,7 @@ TEST_F(RangeSending, EnoughFillsEveryWorkerThatTakesWork) {
     join(1);
     join(2, 2);
     join(3).set_draining();
-    job_.places.add({0, 10'000}, 0);
+    job_.unsent.add({{0, 10'000}}, 0);
     EXPECT_EQ(ranges.enough(job_), 300u);
 }
 

@@ -46,7 +46,7 @@ TEST(WorkQueue, ASuspectWaitsApart) {
     EXPECT_TRUE(stage.queue.something_waits());
     stage.queue.remove(job, 8, job.at(8));
     EXPECT_EQ(stage.queue.unsent(), 1u);
-    EXPECT_EQ(stage.queue.take_suspect().scenario, 7u);
+    EXPECT_EQ(stage.queue.take_suspect().position, 7u);
     EXPECT_EQ(stage.queue.unsent(), 1u);
     EXPECT_FALSE(stage.queue.something_waits());
 }
@@ -74,11 +74,11 @@ TEST(WorkQueue, IsExhaustedOnceAllIsSentAndTheInputRests) {
     EXPECT_FALSE(stage.queue.is_exhausted());
     EXPECT_FALSE(stage.queue.nothing_comes(job));
     stage.queue.set_paused(true);
-    job.places.add({0, 4}, 3);
+    job.unsent.add({{0, 4}}, 3);
     EXPECT_FALSE(stage.queue.is_exhausted());
-    job.places.take_all();
+    job.unsent.take_all();
     EXPECT_FALSE(stage.queue.is_exhausted()); // Three scenarios follow.
-    job.places.nothing_follows();
+    job.unsent.nothing_follows();
     EXPECT_TRUE(stage.queue.is_exhausted());
 }
 

@@ -21,10 +21,11 @@ class JobMergerTest : public PartsStage {
 TEST_F(JobMergerTest, AnAnswerClosesItsAnalysisAndIsWritten) {
     Analysis analysis;
     analysis.scenario.index = touching_;
+    analysis.position = position_of(job_, touching_);
     job_.work()->open.add(std::move(analysis));
     const std::uint64_t changes = job_.changes;
     merge(job_, right_result(touching_), 70);
-    EXPECT_FALSE(job_.work()->open.has(touching_));
+    EXPECT_EQ(job_.work()->open.size(), 0u);
     EXPECT_EQ(job_.merged.author_of(touching_)->process, 70u);
     EXPECT_EQ(job_.changes, changes + 1);
     run_until_committed(job_);
@@ -61,7 +62,7 @@ TEST_F(JobMergerTest, TheMastersOwnDifferentResultOpensNoDispute) {
 }
 
 TEST_F(JobMergerTest, AFailureOfTheMasterIsNotDisputed) {
-    services.merger.fail(job_, reference().scenarios[touching_], "cancelled");
+    services.merger.fail(job_, placed(job_, touching_), "cancelled");
     EXPECT_TRUE(job_.merged.is_failed_by_master(touching_));
     merge(job_, right_result(touching_), 70);
     EXPECT_EQ(job_.run->disputes, 0u);
@@ -93,7 +94,7 @@ TEST_F(JobMergerTest, ARecordThatTheJournalDoesNotTakeFailsTheJob) {
 TEST_F(JobMergerTest, TheFailureOfTheLastScenarioEndsTheJob) {
     for (const Scenario& scenario : reference().scenarios) {
         ASSERT_TRUE(job_.is_running());
-        services.merger.fail(job_, scenario, "cancelled");
+        services.merger.fail(job_, placed(job_, scenario.index), "cancelled");
     }
     ASSERT_FALSE(job_.is_running());
     EXPECT_EQ(job_.end->state, JobState::Done);

@@ -23,7 +23,7 @@ TEST_F(JobStartTest, ALoadedJobIsOpenForWork) {
     EXPECT_EQ(job.work()->todo.left(), job.submit.scenarios);
     EXPECT_THAT(job.work()->trees, ElementsAre(TreeId{1}, TreeId{2}));
     EXPECT_THAT(job.tally.depths, ElementsAre(4, 3)) << "as submitted";
-    EXPECT_EQ(state.dispatch.view().places_unsent(job.id), 0u) << "the dispatcher knows it";
+    EXPECT_EQ(state.dispatch.view().positions_unsent(job.id), 0u) << "the dispatcher knows it";
 }
 
 TEST_F(JobStartTest, TheMeshesOfAJobAreHeld) {
@@ -66,11 +66,11 @@ TEST_F(JobStartTest, AResumedJobKeepsItsLosses) {
     before.results = ResultStore::create(
         journal->results_path(JobId{5}), JobId{5}, before.record.submit.scenarios);
     MasterJob& job = state.jobs.add(MasterJob(std::move(before), Clock::now()));
-    job.run->poses = poses();
+    job.run->poses = std::make_shared<OrderedPoses>(poses());
     services.start.resume(job);
     run_until([&] { return job.work() != nullptr; });
     ASSERT_EQ(job.work()->todo.pieces().size(), 3u);
-    EXPECT_EQ(job.work()->todo.pieces()[1].places, (PlaceRange{10, 5}));
+    EXPECT_EQ(job.work()->todo.pieces()[1].positions, (PlaceRange{10, 5}));
     EXPECT_EQ(job.work()->todo.pieces()[1].losses.count(), 1u);
     EXPECT_THAT(job.run->losses_before, IsEmpty());
 }

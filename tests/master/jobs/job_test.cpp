@@ -94,7 +94,7 @@ TEST(MasterJob, GoesOnAfterARestartOfTheMaster) {
     const MasterJob job(recovered(), start);
     EXPECT_TRUE(job.is_running());
     EXPECT_EQ(job.work(), nullptr);
-    EXPECT_EQ(job.run->losses_before, (std::vector<LostPlaces>{{{0, 1}, 70}}));
+    EXPECT_EQ(job.run->losses_before, (std::vector<LostPositions>{{{0, 1}, 70}}));
     const JobStatus status = job.status(start + 2s);
     EXPECT_DOUBLE_EQ(status.seconds, 7) << "of both incarnations";
     EXPECT_EQ(status.summary.merged(), 1u);

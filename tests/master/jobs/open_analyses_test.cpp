@@ -1,4 +1,4 @@
-// Proves that open analyses are found by scenario, and that their bytes are counted.
+// Proves that open analyses are found by position, and that their bytes are counted.
 #include "master/jobs/open_analyses.hpp"
 
 #include <gtest/gtest.h>
@@ -6,16 +6,16 @@
 namespace cd::tests {
 namespace {
 
-Analysis analysis(std::uint64_t index, std::uint64_t bytes) {
+Analysis analysis(std::uint64_t position, std::uint64_t bytes) {
     Analysis one;
-    one.scenario.index = index;
+    one.position = position;
     one.bytes = bytes;
     return one;
 }
 
 TEST(OpenAnalyses, AnAnalysisIsOpenUntilItIsClosed) {
     OpenAnalyses open;
-    EXPECT_EQ(open.add(analysis(7, 100)).scenario.index, 7u);
+    EXPECT_EQ(open.add(analysis(7, 100)).position, 7u);
     open.add(analysis(9, 20));
     EXPECT_TRUE(open.has(7));
     EXPECT_EQ(open.find(9)->bytes, 20u);

@@ -138,14 +138,14 @@ TEST(JournalAuthors, ADisputeIsOpenUntilItIsSettled) {
 }
 
 TEST(JournalAuthors, LossesOfAJobThatGoesOnComeBackInTheirOrder) {
-    const std::vector<LostPlaces> lost = {{{5, 90}, 7}, {{6, 1}, 8}, {{99, 1}, 9}};
+    const std::vector<LostPositions> lost = {{{5, 90}, 7}, {{6, 1}, 8}, {{99, 1}, 9}};
     for (const bool is_one_commit : {true, false}) {
         const TemporaryFolder folder;
         {
             Writer writer(folder.path());
             for (const JobId job : {JobId{1}, JobId{2}}) {
                 const auto store = writer.accept(job, 100);
-                for (const LostPlaces& one : lost) {
+                for (const LostPositions& one : lost) {
                     AddResults add{job, store, {}, {}, {}};
                     add.losses = {one};
                     const auto at = writer.journal->add(std::move(add));

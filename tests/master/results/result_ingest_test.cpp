@@ -72,12 +72,12 @@ TEST_F(ResultIngestTest, AnswersAreAcknowledgedWhenTheyAreDurable) {
     const WorkUnit unit = open_and_send();
     MasterJob& job = state.jobs.at(unit.job);
     send(answers(unit, 1));
-    EXPECT_EQ(services.tasks.book().find(unit.task)->checks, 1u);
+    EXPECT_EQ(services.tasks.book().find(worker_, unit.task)->checks, 1u);
     run_until([this] { return done_ == 1; });
-    EXPECT_EQ(services.tasks.book().find(unit.task)->checks, 0u);
+    EXPECT_EQ(services.tasks.book().find(worker_, unit.task)->checks, 0u);
     for (const std::uint64_t index : scenarios_of(unit)) {
         EXPECT_EQ(job.merged.author_of(index)->process, 70u);
-        EXPECT_FALSE(job.work()->open.has(index));
+        EXPECT_FALSE(job.work()->open.has(position_of(job, index)));
     }
     EXPECT_THAT(kept[worker_], IsEmpty()) << "nothing is durable yet";
     run_until_kept(1);

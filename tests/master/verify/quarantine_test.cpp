@@ -32,7 +32,7 @@ TEST_F(QuarantineTest, ResultsOfRunningJobsAreWithdrawnAndHandedOutAgain) {
     EXPECT_EQ(job.merged.summary().merged(), 89u);
     EXPECT_EQ(job.tally.withdrawn, 1u);
     EXPECT_EQ(job.work()->done, nullptr) << "an analysis must not skip it";
-    run_until([&] { return job.work()->places_loading == 0; });
+    run_until([&] { return job.work()->positions_loading == 0; });
     EXPECT_EQ(job.work()->todo.left(), 1u);
     run_until_committed(job);
     EXPECT_FALSE(job.results->has(5));
@@ -51,14 +51,14 @@ TEST_F(QuarantineTest, AWorkerInQuarantineHasNoWorkAndNoneIsLost) {
     const WorkerId liar = join(70);
     MasterJob& job = open();
     services.work.feed();
-    run_until([this] { return !services.tasks.book().all().empty(); });
+    run_until([this] { return services.tasks.book().size() != 0; });
     const std::uint64_t unanswered = state.dispatch.view().unanswered(job.id);
     services.quarantine.impose(*state.workers.find(liar)->author);
     EXPECT_TRUE(state.workers.find(liar)->is_quarantined);
     EXPECT_THAT(state.dispatch.view().workers(), IsEmpty());
-    EXPECT_THAT(services.tasks.book().all(), IsEmpty());
+    EXPECT_EQ(services.tasks.book().size(), 0u);
     EXPECT_EQ(state.dispatch.view().unanswered(job.id), unanswered);
-    EXPECT_THAT(performed<ScenariosLost>(), IsEmpty());
+    EXPECT_THAT(performed<PositionsLost>(), IsEmpty());
     const WorkerId honest = join(71);
     services.work.feed();
     EXPECT_NE(state.dispatch.view().worker_status(honest).working, 0u);

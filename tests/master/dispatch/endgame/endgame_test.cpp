@@ -11,7 +11,7 @@ class Endgames : public testing::Test, protected DispatchStage {
     TaskId give(std::uint64_t count, std::uint64_t cost_ns = 100'000'000) {
         add(job_, count, cost_ns);
         send(one_, job_, count);
-        return last<SendBatch>().task;
+        return last<SendUnit>().task;
     }
 
     DispatchJob& job_ = open("earliest-finish");
@@ -32,7 +32,7 @@ TEST_F(Endgames, TheEndBeginsWhenNothingWaitsAndAWorkerIsFree) {
 TEST_F(Endgames, AsksBackTheLastScenariosThatTheOtherWouldEndEarlier) {
     const TaskId task = give(4);
     endgame.help(0, actions);
-    EXPECT_EQ(last<AskBack>(), (AskBack{one_.id(), task, {2, 3}, 0}));
+    EXPECT_EQ(last<AskBack>(), (AskBack{one_.id(), task, PlaceRange{2, 2}}));
     EXPECT_EQ(tasks.recalls().at(one_.id()).asked, 2u);
 }
 
@@ -48,9 +48,10 @@ TEST_F(Endgames, StragglersAreSearchedOnceInAPeriod) {
 
 TEST_F(Endgames, AsksForAsManyPositionsAsLetBothEndTogether) {
     job_.range_pace.add(one_.id(), 100, 1);
-    tasks.send_places(one_, job_, {0, 100}, 1, actions);
+    tasks.send_range(one_, job_, {{0, 100}}, 1, actions);
     endgame.help(0, actions);
-    EXPECT_EQ(last<AskBack>().places, 51u); // 0.49 s of the other, which begins 0.02 s later.
+    EXPECT_EQ(last<AskBack>().positions,
+              (PlaceRange{51, 49})); // 0.49 s of the other, which begins 0.02 s later.
 }
 
 TEST_F(Endgames, BegunScenariosAreCopiedWithinTheBudget) {
@@ -61,7 +62,8 @@ TEST_F(Endgames, BegunScenariosAreCopiedWithinTheBudget) {
     EXPECT_EQ(actions.size(), 1u); // A copy would double all work.
     job_.copies.add_work(20'000'000'000);
     endgame.help(0, actions);
-    EXPECT_EQ(last<SendBatch>(), (SendBatch{two_.id(), TaskId{2}, job_.id, {0}, true}));
+    EXPECT_EQ(last<SendUnit>(),
+              (SendUnit{two_.id(), TaskId{2}, job_.id, PlaceRange{0, 1}, true, task}));
     endgame.help(0, actions);
     EXPECT_EQ(actions.size(), 2u); // One copy of each.
 }
@@ -69,12 +71,27 @@ TEST_F(Endgames, BegunScenariosAreCopiedWithinTheBudget) {
 TEST_F(Endgames, CopiesTheLastPositionsOfARangeThatHasBegun) {
     job_.range_pace.add(one_.id(), 1, 1);
     job_.range_pace.add(two_.id(), 1000, 1);
-    tasks.send_places(one_, job_, {0, 10}, 1'000'000'000, actions);
-    one_.tasks.set_begun(last<SendRange>().task);
+    tasks.send_range(one_, job_, {{0, 10}}, 1'000'000'000, actions);
+    one_.tasks.set_begun(last<SendUnit>().task);
     job_.copies.add_work(50'000'000'000); // Three of 60 may be copied.
     endgame.help(0, actions);
-    EXPECT_EQ(last<SendRange>().places, (PlaceRange{7, 3}));
-    EXPECT_EQ(last<SendRange>().copy_of, TaskId{1});
+    EXPECT_EQ(last<SendUnit>().positions, (PlaceRange{7, 3}));
+    EXPECT_EQ(last<SendUnit>().copy_of, TaskId{1});
+}
+
+TEST_F(Endgames, PositionsAreCopiedOnceAndInOneRun) {
+    job_.range_pace.add(one_.id(), 1, 1);
+    job_.range_pace.add(two_.id(), 1000, 1);
+    tasks.send_range(one_, job_, {{0, 10}}, 1'000'000'000, actions);
+    const TaskId task = last<SendUnit>().task;
+    one_.tasks.remove(task, PlaceRange{8, 1}, 1'000'000'000);
+    one_.tasks.set_begun(task);
+    job_.copies.add_work(50'000'000'000);
+    endgame.help(0, actions);
+    EXPECT_EQ(last<SendUnit>().positions, (PlaceRange{9, 1}));
+    tasks.lose_all(two_, actions);
+    endgame.help(0, actions);
+    EXPECT_EQ(last<SendUnit>().positions, (PlaceRange{6, 2})) << "the lost copy is not repeated";
 }
 
 TEST_F(Endgames, ThePapersStrategiesAreLeftAlone) {

@@ -34,7 +34,7 @@ TEST_F(Late, AWorkerEndsAfterItsWorkAndAnOverdueOneInAsLongAsItIsOverdue) {
 
 TEST_F(Late, ARangeEndsAtItsMeasuredRate) {
     job_.range_pace.add(two_.id(), 5, 1);
-    tasks.send_places(two_, job_, {0, 20}, 1, actions);
+    tasks.send_range(two_, job_, {{0, 20}}, 1, actions);
     EXPECT_DOUBLE_EQ(stragglers_.ends_in(two_), 2); // 20 scenarios at 10/s.
 }
 
@@ -56,8 +56,8 @@ TEST_F(Late, TheLatestIsHelpedFirst) {
 
 TEST_F(Late, AWorkerThatIsAskedIsLeftAloneUntilItShouldHaveAnswered) {
     give(one_, 3);
-    const TaskId task = last<SendBatch>().task;
-    tasks.ask_back({one_.id(), task, {2}, 0}, 1, two_.id(), actions);
+    const TaskId task = last<SendUnit>().task;
+    tasks.ask_back({one_.id(), task, PlaceRange{2, 1}}, two_.id(), actions);
     EXPECT_FALSE(stragglers_.may_be_asked(one_));
     EXPECT_TRUE(stragglers_.may_answer_recall(one_));
     EXPECT_FALSE(stragglers_.can_help(two_)); // It will get what is asked back.

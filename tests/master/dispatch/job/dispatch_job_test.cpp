@@ -1,5 +1,4 @@
-// Proves when a scenario is suspect or lost, how it leaves a task, and the order of unsent
-// positions.
+// Proves when a scenario is suspect or lost, and the order of unsent positions.
 #include "master/dispatch/job/dispatch_job.hpp"
 
 #include <gtest/gtest.h>
@@ -12,7 +11,6 @@ TEST(DispatchScenario, IsSuspectBeforeTheLossThatIsItsLast) {
     for (std::uint32_t lost = 1; lost < limits::scenario_losses_max; ++lost) {
         EXPECT_FALSE(scenario.is_suspect());
         scenario.losses.add(lost);
-        EXPECT_FALSE(scenario.may_be_copied());
     }
     EXPECT_TRUE(scenario.is_suspect());
     EXPECT_FALSE(scenario.is_lost_for_good());
@@ -20,32 +18,33 @@ TEST(DispatchScenario, IsSuspectBeforeTheLossThatIsItsLast) {
     EXPECT_TRUE(scenario.is_lost_for_good());
 }
 
-TEST(DispatchScenario, LeavingATaskLeavesItsCopyInTheOther) {
-    DispatchScenario scenario;
-    scenario.where = Whereabouts::Sent;
-    scenario.worker = WorkerId{1};
-    scenario.task = TaskId{1};
-    scenario.copy = Assignment{WorkerId{2}, TaskId{2}};
-    EXPECT_TRUE(scenario.is_in(TaskId{1}) && scenario.is_in(TaskId{2}));
-    EXPECT_TRUE(scenario.leave_task(TaskId{1}));
-    EXPECT_EQ(scenario.worker, WorkerId{2});
-    EXPECT_EQ(scenario.task, TaskId{2});
-    EXPECT_FALSE(scenario.leave_task(TaskId{2}));
+TEST(UnsentPositions, GoOutInOrderAndRangeByRange) {
+    UnsentPositions unsent;
+    unsent.add({{10, 5}}, 7);
+    unsent.add({{30, 2}}, 4);
+    EXPECT_EQ(unsent.count(), 7u);
+    EXPECT_EQ(unsent.rest(), 11u);
+    EXPECT_EQ(unsent.take_first(3).positions, (PlaceRange{10, 3}));
+    EXPECT_EQ(unsent.take_first(9).positions, (PlaceRange{13, 2}));
+    unsent.nothing_follows();
+    EXPECT_EQ(unsent.rest(), 2u);
+    EXPECT_EQ(unsent.take_all(), (std::vector<PlaceRange>{{30, 2}}));
+    EXPECT_TRUE(unsent.is_empty());
+    EXPECT_EQ(unsent.count(), 0u);
 }
 
-TEST(UnsentPlaces, GoOutInOrderAndRangeByRange) {
-    UnsentPlaces places;
-    places.add({10, 5}, 7);
-    places.add({30, 2}, 4);
-    EXPECT_EQ(places.count(), 7u);
-    EXPECT_EQ(places.rest(), 11u);
-    EXPECT_EQ(places.take_first(3), (PlaceRange{10, 3}));
-    EXPECT_EQ(places.take_first(9), (PlaceRange{13, 2}));
-    places.nothing_follows();
-    EXPECT_EQ(places.rest(), 2u);
-    EXPECT_EQ(places.take_all(), (std::vector<PlaceRange>{{30, 2}}));
-    EXPECT_TRUE(places.is_empty());
-    EXPECT_EQ(places.count(), 0u);
+TEST(UnsentPositions, ReturnedOnesComeFirstWithTheirPosesAndAnsweredOnesLeave) {
+    const auto window = std::make_shared<const PoseWindow>(std::vector<Scenario>(1));
+    UnsentPositions unsent;
+    unsent.add({{20, 5}}, 0);
+    unsent.put_back(PositionSet::of({3, 7, 8}), window);
+    EXPECT_EQ(unsent.all(), (std::vector<PlaceRange>{{3, 1}, {7, 2}, {20, 5}}));
+    EXPECT_TRUE(unsent.remove(PositionSet::of({3, 8, 22, 99})));
+    EXPECT_FALSE(unsent.remove(PositionSet::of({3, 99})));
+    EXPECT_EQ(unsent.all(), (std::vector<PlaceRange>{{7, 1}, {20, 2}, {23, 2}}));
+    EXPECT_EQ(unsent.count(), 5u);
+    EXPECT_EQ(unsent.take_first(2), (GivenRange{{7, 1}, window}));
+    EXPECT_EQ(unsent.take_first(2).window, nullptr);
 }
 
 } // namespace

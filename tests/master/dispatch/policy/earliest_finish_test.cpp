@@ -29,7 +29,7 @@ TEST_F(EarliestFinishes, AHolderIsAwaitedAsLongAsTheTransferWouldTake) {
     pace.add_transfer(one_, 6400, 0.1);
     const DispatchScenario wanted = scenario(job_);
     blocks.hold_roots(job_, wanted.roots, two_);
-    two_.tasks.note_progress(0);
+    two_.tasks.note_answers(0, 0);
     pool.arrived(two_, job_.a.tree, wanted.roots.a);
     pool.arrived(two_, job_.b.tree, wanted.roots.b);
     EXPECT_EQ(policy_.would_choose(job_, wanted), &two_);
@@ -65,7 +65,7 @@ TEST_F(EarliestFinishes, TheLastLongScenariosGoLongestFirstToFreeThreads) {
     buffer(one_, {10, 30, 20});
     EXPECT_TRUE(policy_.has_room_for_task(one_, job_));
     tasks.send(one_, job_, policy_.take_batch(one_, job_), false, actions);
-    EXPECT_EQ(last<SendBatch>().scenarios, std::vector<std::uint64_t>{1});
+    EXPECT_EQ(last<SendUnit>().positions, (PlaceRange{1, 1}));
     EXPECT_FALSE(policy_.has_room_for_task(one_, job_));
     queue.set_paused(false); // More may come.
     EXPECT_TRUE(policy_.has_room_for_task(one_, job_));

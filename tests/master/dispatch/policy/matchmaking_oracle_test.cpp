@@ -48,14 +48,18 @@ class Twins {
     }
 
     /// Returns the content of each worker's buffer, as the dispatcher finally shows it.
-    [[nodiscard]] std::map<WorkerId, std::vector<std::uint64_t>> sent() {
+    [[nodiscard]] std::map<WorkerId, PositionSet> sent() {
         keep(dispatcher_.input_paused());
         return sent_;
     }
-    [[nodiscard]] std::map<WorkerId, std::vector<std::uint64_t>> expected() const {
-        auto lists = buffers_;
-        std::erase_if(lists, [](const auto& entry) { return entry.second.empty(); });
-        return lists;
+    [[nodiscard]] std::map<WorkerId, PositionSet> expected() const {
+        std::map<WorkerId, PositionSet> expected;
+        for (const auto& [worker, buffer] : buffers_) {
+            if (!buffer.empty()) {
+                expected[worker] = PositionSet::of(buffer);
+            }
+        }
+        return expected;
     }
     [[nodiscard]] std::uint64_t losses() const { return losses_; }
 
@@ -151,9 +155,8 @@ class Twins {
     void keep(const Actions& actions) {
         dispatcher_.check_invariants();
         for (const Action& action : actions) {
-            const auto& batch = std::get<SendBatch>(action);
-            auto& list = sent_[batch.worker];
-            list.insert(list.end(), batch.scenarios.begin(), batch.scenarios.end());
+            const auto& batch = std::get<SendUnit>(action);
+            sent_[batch.worker].add(batch.positions);
         }
     }
 
@@ -166,7 +169,7 @@ class Twins {
     std::vector<std::uint64_t> waiting_;
     std::map<WorkerId, SlowWorker> workers_;
     std::map<WorkerId, std::vector<std::uint64_t>> buffers_;
-    std::map<WorkerId, std::vector<std::uint64_t>> sent_;
+    std::map<WorkerId, PositionSet> sent_;
     std::uint64_t worker_last_ = 0;
     std::uint64_t losses_ = 0;
 };

@@ -15,7 +15,7 @@ class Rebalancing : public testing::Test, protected DispatchStage {
         for (; !job_.waiting.empty(); job_.waiting.pop_front()) {
             DispatchScenario& scenario = job_.at(job_.waiting.front());
             scenario.where = Whereabouts::Buffered;
-            scenario.worker = proxy.id();
+            scenario.at.worker = proxy.id();
             proxy.buffers.add(job_.id, job_.waiting.front(), scenario.weight);
         }
     }
@@ -30,8 +30,8 @@ TEST_F(Rebalancing, AnIdleWorkerTakesTheLastOfTheFullestBufferUpToTwoBatches) {
     one_.batch.set(1'000'000'000, false);
     fill(one_, 10);
     rebalancer.rebalance(actions);
-    EXPECT_EQ(last<SendBatch>().worker, two_.id());
-    EXPECT_EQ(last<SendBatch>().scenarios, (std::vector<std::uint64_t>{9, 8}));
+    EXPECT_EQ(last<SendUnit>().worker, two_.id());
+    EXPECT_EQ(last<SendUnit>().positions, (PlaceRange{8, 2}));
     EXPECT_EQ(two_.buffers.of(job_.id).scenarios, std::vector<std::uint64_t>{7});
     EXPECT_EQ(one_.buffers.count(), 7u);
 }

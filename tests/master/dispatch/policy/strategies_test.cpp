@@ -75,7 +75,7 @@ TEST(Strategies, AnotherOneIsAPolicyAndALine) {
     EXPECT_EQ(dispatcher.explain(JobId{1}, scenario).why, "it joined last");
     const Actions actions = dispatcher.scenario_analysed(JobId{1}, scenario);
     ASSERT_EQ(actions.size(), 1u);
-    EXPECT_EQ(std::get<SendBatch>(actions.front()).worker, WorkerId{3});
+    EXPECT_EQ(std::get<SendUnit>(actions.front()).worker, WorkerId{3});
     dispatcher.check_invariants();
 }
 

@@ -12,7 +12,7 @@ TEST(ClusterPace, AnUnmeasuredWorkerIsTakenToBeAsFastAsTheOthers) {
     const WorkerProxy& other = stage.join(2, 2);
     EXPECT_EQ(stage.pace.speed_of(one), 1);
     EXPECT_EQ(stage.pace.link_of(one), limits::link_bytes_per_second_start);
-    stage.pace.add_work(one, {{}, 3'000'000'000, 1});
+    stage.pace.add_work(one, 3'000'000'000, 1);
     stage.pace.add_transfer(one, 1000, 2);
     EXPECT_DOUBLE_EQ(stage.pace.power_of(one), 12);
     EXPECT_DOUBLE_EQ(stage.pace.power_of(other), 6);
@@ -24,9 +24,9 @@ TEST(ClusterPace, ARangeGoesAsFastAsMeasuredOrAsScenariosArePredicted) {
     const WorkerProxy& one = stage.join(1, 4);
     DispatchJob& job = stage.open("earliest-finish");
     stage.pace.add_scenario(2'000'000);
-    EXPECT_DOUBLE_EQ(stage.pace.places_per_second(one, job), 4 * 500);
+    EXPECT_DOUBLE_EQ(stage.pace.positions_per_second(one, job), 4 * 500);
     job.range_pace.add(one.id(), 30, 3);
-    EXPECT_DOUBLE_EQ(stage.pace.places_per_second(one, job), 4 * 10);
+    EXPECT_DOUBLE_EQ(stage.pace.positions_per_second(one, job), 4 * 10);
 }
 
 TEST(ClusterPace, PowersHaveWhatIsLeftOfTransfersAndCache) {

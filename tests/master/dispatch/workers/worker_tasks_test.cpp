@@ -12,62 +12,61 @@ constexpr TaskId range{2};
 
 WorkerTasks two_tasks() {
     WorkerTasks tasks;
-    tasks.start(batch, {job, {4, 5, 6}, true, 30, 1.5});
-    tasks.start(range, {JobId{2}, {}, false, 100, 2, false, 0, PlaceRange{10, 10}, 10});
+    tasks.start(batch, {job, PlaceRange{4, 3}, true, true, 30, 1.5});
+    tasks.start(range, {JobId{2}, PlaceRange{10, 10}, false, false, 100, 2});
     return tasks;
 }
 
-TEST(WorkerTasks, AnAnswerLeavesTheTaskAndTheCounts) {
+TEST(WorkerTasks, RemovedPositionsLeaveTheTaskAndTheCounts) {
     WorkerTasks tasks = two_tasks();
     EXPECT_EQ(tasks.left(), 13u);
     EXPECT_EQ(tasks.cost_ns(), 130u);
-    tasks.answer(batch, 5, 10, true);
-    tasks.answer(batch, 4, 10, false);
-    EXPECT_EQ(tasks.at(batch).scenarios, std::vector<std::uint64_t>{6});
+    tasks.remove(batch, PositionSet::of({4, 5}), 20);
+    EXPECT_EQ(tasks.at(batch).positions, (PlaceRange{6, 1}));
     EXPECT_EQ(tasks.left(), 11u);
-    EXPECT_EQ(tasks.answered(), 1u);
-    tasks.answer_places(range, 4);
-    EXPECT_EQ(tasks.at(range).places_left, 6u);
+    tasks.remove(range, PlaceRange{12, 4}, 40);
+    EXPECT_EQ(tasks.at(range).left(), 6u);
+    EXPECT_EQ(tasks.at(range).each_ns(), 10u);
     EXPECT_EQ(tasks.cost_ns(), 10u + 60u);
-    EXPECT_EQ(tasks.answered(), 5u);
+    EXPECT_EQ(tasks.answered(), 0u);
+    EXPECT_EQ(tasks.find(TaskId{3}), nullptr);
 }
 
 TEST(WorkerTasks, AClaimLastsAsLongAsItsTask) {
     WorkerTasks tasks = two_tasks();
     EXPECT_TRUE(tasks.have_claimed());
-    EXPECT_EQ(tasks.end(batch).scenarios.size(), 3u);
+    EXPECT_EQ(tasks.end(batch).left(), 3u);
     EXPECT_FALSE(tasks.have_claimed());
     EXPECT_EQ(tasks.left(), 10u);
-    EXPECT_FALSE(tasks.contains(batch));
+    EXPECT_EQ(tasks.find(batch), nullptr);
     EXPECT_EQ(tasks.sent(), 2u);
     EXPECT_EQ(tasks.last_job(), JobId{2});
 }
 
-TEST(WorkerTasks, ACutKeepsAtLeastWhatIsAnswered) {
+TEST(WorkerTasks, CopiedPositionsRemainCopiedAfterOthersAreAnswered) {
     WorkerTasks tasks = two_tasks();
-    tasks.add_copied(range, 5);
-    EXPECT_EQ(tasks.cut_places(range, 8), (PlaceRange{18, 2}));
-    EXPECT_EQ(tasks.at(range).places_copied, 3u);
-    tasks.answer_places(range, 6);
-    EXPECT_EQ(tasks.cut_places(range, 0), (PlaceRange{16, 2}));
-    EXPECT_EQ(tasks.at(range).left(), 0u);
-    EXPECT_EQ(tasks.cut_places(range, 99), (PlaceRange{16, 0}));
+    tasks.add_copy(range, {WorkerId{5}, TaskId{9}}, PlaceRange{17, 3});
+    tasks.remove(range, PlaceRange{10, 2}, 20);
+    EXPECT_EQ(tasks.at(range).uncopied(), (PlaceRange{12, 5}));
+    EXPECT_EQ(tasks.at(range).shared.copies.at(0).worker, WorkerId{5});
+    EXPECT_FALSE(tasks.at(range).is_copy());
 }
 
-TEST(WorkerTasks, TasksOfAClosedJobLastWithoutScenarios) {
+TEST(WorkerTasks, TasksOfAClosedJobLastWithoutPositions) {
     WorkerTasks tasks = two_tasks();
-    tasks.forget_scenarios(job);
+    tasks.forget_positions(job);
     EXPECT_EQ(tasks.count_of(job), 1u);
     EXPECT_EQ(tasks.at(batch).left(), 0u);
     EXPECT_EQ(tasks.left(), 10u);
     EXPECT_EQ(tasks.cost_ns(), 100u);
 }
 
-TEST(WorkerTasks, AnIdleWorkerProgressesWhenItGetsWork) {
+TEST(WorkerTasks, AWorkerProgressesWhenItAnswersOrGetsWorkWhileIdle) {
     WorkerTasks tasks = two_tasks();
     EXPECT_EQ(tasks.progressed(), 1.5);
-    tasks.note_progress(3);
+    tasks.note_answers(2, 3);
     EXPECT_EQ(tasks.progressed(), 3);
+    EXPECT_EQ(tasks.answered(), 2u);
 }
 
 } // namespace

@@ -20,6 +20,10 @@ class AnalysisFeedTest : public PartsStage {
         run_until([this, before = outcomes] { return outcomes == before + 1; });
     }
 
+    [[nodiscard]] static bool is_open(const MasterJob& job, std::uint64_t index) {
+        return job.work()->open.has(position_of(job, index));
+    }
+
     const std::uint64_t touching_ = scenario_with_contact();
 };
 
@@ -28,12 +32,12 @@ TEST_F(AnalysisFeedTest, EachScenarioIsAnsweredByTheMasterOrGivenToTheDispatcher
     start(job);
     run_until_analysed();
     const JobWork& work = *job.work();
-    EXPECT_TRUE(work.open.has(touching_));
+    EXPECT_TRUE(is_open(job, touching_));
     EXPECT_EQ(state.dispatch.view().unanswered(job.id), work.open.size());
     EXPECT_EQ(job.tally.answered_by_master, job.merged.summary().merged());
     EXPECT_GT(job.tally.answered_by_master, 0u);
     for (const Scenario& scenario : reference().scenarios) {
-        EXPECT_NE(job.merged.has(scenario.index), work.open.has(scenario.index));
+        EXPECT_NE(job.merged.has(scenario.index), is_open(job, scenario.index));
         EXPECT_EQ(job.merged.author_of(scenario.index), nullptr);
     }
 }
@@ -48,8 +52,8 @@ TEST_F(AnalysisFeedTest, AScenarioThatHasAResultIsNotGivenToTheDispatcher) {
     start(job);
     merge(job, right_result(next), 70); // It is answered while the pool analyses it.
     run_until_analysed();
-    EXPECT_FALSE(job.work()->open.has(touching_));
-    EXPECT_FALSE(job.work()->open.has(next));
+    EXPECT_FALSE(is_open(job, touching_));
+    EXPECT_FALSE(is_open(job, next));
     EXPECT_EQ(job.merged.author_of(next)->process, 70u);
     EXPECT_EQ(job.run->disputes, 0u);
 }
@@ -72,26 +76,25 @@ TEST_F(AnalysisFeedTest, AJobThatTheMasterAnswersAloneEnds) {
 
 TEST_F(AnalysisFeedTest, PosesThatCannotBeReadAreQueuedAgainWithTheirLosses) {
     MasterJob& job = open(submission(AnalysisMode::Always), std::make_shared<FailingPoses>(1));
-    job.work()->todo = PlaceQueue(90, std::vector<LostPlaces>{{{0, 90}, 70}});
+    job.work()->todo = PositionQueue(90, std::vector<LostPositions>{{{0, 90}, 70}});
     start(job);
     run_until_analysed();
     EXPECT_EQ(job.run->paused, "the disk is gone");
     EXPECT_TRUE(services.life.is_waiting(job.id));
-    EXPECT_EQ(job.work()->todo.front().places, (PlaceRange{0, 90}));
+    EXPECT_EQ(job.work()->todo.front().positions, (PlaceRange{0, 90}));
     EXPECT_EQ(job.work()->todo.front().losses.count(), 1u);
     start(job);
     run_until_analysed();
-    EXPECT_TRUE(job.work()->open.has(touching_));
+    EXPECT_TRUE(is_open(job, touching_));
 }
 
 TEST_F(AnalysisFeedTest, AScenarioLostTooOftenIsGivenUp) {
     MasterJob& job = open();
-    const auto window = job.work()->order->window_of(0).value();
-    std::vector<LostPlaces> losses;
+    std::vector<LostPositions> losses;
     for (InstanceId process = 1; process <= limits::scenario_losses_max; ++process) {
-        losses.push_back({{window->place_of(touching_), 1}, process});
+        losses.push_back({{position_of(job, touching_), 1}, process});
     }
-    job.work()->todo = PlaceQueue(90, losses);
+    job.work()->todo = PositionQueue(90, losses);
     while (job.work()->todo.front().losses.none()) {
         services.analyses.start(job);
         run_until_analysed();
@@ -101,7 +104,7 @@ TEST_F(AnalysisFeedTest, AScenarioLostTooOftenIsGivenUp) {
     run_until_analysed();
     ASSERT_EQ(performed<GiveUp>().size(), 1u);
     EXPECT_TRUE(job.merged.is_failed_by_master(touching_));
-    EXPECT_FALSE(job.work()->open.has(touching_));
+    EXPECT_FALSE(is_open(job, touching_));
 }
 
 } // namespace

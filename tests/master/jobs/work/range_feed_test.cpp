@@ -1,5 +1,5 @@
-// Proves that each position of a job without a result is queued, at the dispatcher or in a task:
-// when ranges are given, ended, returned or lost, and when results are withdrawn.
+// Proves that each position of a job without a result is queued or at the dispatcher: when ranges
+// are given, returned or lost, and when results are withdrawn.
 #include "master/jobs/work/range_feed.hpp"
 
 #include "tests/master/parts_stage.hpp"
@@ -24,18 +24,20 @@ class RangeFeedTest : public PartsStage {
         submit.poses.kind = PosesKind::Grid;
         return open(submit, make_grid_source(grid));
     }
+    /// The master's state after an answer to a scenario on a grid.
     void answer(MasterJob& job, std::uint64_t index, InstanceId process = 70) {
         ScenarioResult result = right_result(0);
         result.index = index;
         merge(job, std::move(result), process);
+        state.dispatch.act(state.dispatch->answered({{}, {}, job.id, PlaceRange{index, 1}}));
     }
     /// The dispatcher loses the worker; nothing is handed out again.
     void lose(WorkerId worker) { state.dispatch.act(state.dispatch->worker_lost(worker)); }
-    [[nodiscard]] SendRange last_range() const { return performed<SendRange>().back(); }
+    [[nodiscard]] SendUnit last_range() const { return performed<SendUnit>().back(); }
     [[nodiscard]] static std::vector<PlaceRange> queued(const MasterJob& job) {
         std::vector<PlaceRange> places;
-        for (const PlaceQueue::Piece& piece : job.work()->todo.pieces()) {
-            places.push_back(piece.places);
+        for (const PositionQueue::Piece& piece : job.work()->todo.pieces()) {
+            places.push_back(piece.positions);
         }
         return places;
     }
@@ -50,21 +52,20 @@ TEST_F(RangeFeedTest, PositionsOfAGridAreGivenUntilTheDispatcherHasEnough) {
     join(70, 4);
     ranges_.give(job);
     EXPECT_EQ(job.work()->todo.left(), 0u);
-    ASSERT_FALSE(performed<SendRange>().empty());
-    EXPECT_EQ(performed<SendRange>()[0].places.first, 0u);
+    ASSERT_FALSE(performed<SendUnit>().empty());
+    EXPECT_EQ(performed<SendUnit>()[0].positions.runs().front().first, 0u);
 }
 
 TEST_F(RangeFeedTest, PosesOfAListAreLoadedFirst) {
     MasterJob& job = open(AnalysisMode::Never);
     join(70);
     ranges_.give(job);
-    EXPECT_EQ(job.work()->places_loading, 90u);
-    EXPECT_THAT(performed<SendRange>(), IsEmpty());
-    run_until([&] { return job.work()->places_loading == 0; });
-    const SendRange sent = performed<SendRange>().at(0);
-    const auto window = services.tasks.book().find(sent.task)->content->range->window;
-    ASSERT_NE(window, nullptr);
-    const std::span<const Scenario> scenarios = window->at(sent.places);
+    EXPECT_EQ(job.work()->positions_loading, 90u);
+    EXPECT_THAT(performed<SendUnit>(), IsEmpty());
+    run_until([&] { return job.work()->positions_loading == 0; });
+    const SendUnit sent = performed<SendUnit>().at(0);
+    ASSERT_NE(sent.window, nullptr);
+    const std::span<const Scenario> scenarios = sent.window->at(sent.positions.runs().front());
     EXPECT_EQ(unpack_scenarios(next<WorkUnit>(sent.worker).scenarios, 90).value(),
               std::vector(scenarios.begin(), scenarios.end()));
 }
@@ -75,9 +76,9 @@ TEST_F(RangeFeedTest, PosesThatCannotBeReadAreQueuedAgainAndTheJobWaits) {
     ranges_.give(job);
     run_until([&] { return services.life.is_waiting(job.id); });
     EXPECT_EQ(job.work()->todo.left(), 90u);
-    EXPECT_EQ(job.work()->places_loading, 0u);
+    EXPECT_EQ(job.work()->positions_loading, 0u);
     EXPECT_EQ(job.run->paused, "the disk is gone");
-    run_until([&] { return !performed<SendRange>().empty(); });
+    run_until([&] { return !performed<SendUnit>().empty(); });
     EXPECT_EQ(job.run->paused, "");
 }
 
@@ -87,19 +88,19 @@ TEST_F(RangeFeedTest, AnsweredPositionsAreNotGiven) {
     answer(job, 2);
     join(70);
     ranges_.give(job);
-    EXPECT_EQ(performed<SendRange>().at(0).places, (PlaceRange{1, 1}));
-    EXPECT_EQ(performed<SendRange>().at(1).places.first, 3u);
+    EXPECT_EQ(performed<SendUnit>().at(0).positions, (PlaceRange{1, 1}));
+    EXPECT_EQ(performed<SendUnit>().at(1).positions.runs().front().first, 3u);
 }
 
 TEST_F(RangeFeedTest, PositionsThatWereNotSentAreTakenBack) {
     MasterJob& job = open_grid();
     join(70);
     ranges_.give(job);
-    const std::uint64_t unsent = state.dispatch.view().places_unsent(job.id);
+    const std::uint64_t unsent = state.dispatch.view().positions_unsent(job.id);
     ASSERT_NE(unsent, 0u);
     ranges_.take_back(job);
     EXPECT_EQ(job.work()->todo.left(), unsent);
-    EXPECT_EQ(state.dispatch.view().places_unsent(job.id), 0u);
+    EXPECT_EQ(state.dispatch.view().positions_unsent(job.id), 0u);
     ranges_.take_back(job); // Nothing is left.
     EXPECT_EQ(job.work()->todo.left(), unsent);
 }
@@ -108,40 +109,26 @@ TEST_F(RangeFeedTest, UnansweredPositionsOfALostWorkerAreQueuedWithTheirLoss) {
     MasterJob& job = open_grid();
     const WorkerId worker = join(70, 90); // Gets all positions at once.
     ranges_.give(job);
-    ASSERT_EQ(last_range().places, (PlaceRange{0, 90}));
+    ASSERT_EQ(last_range().positions, (PlaceRange{0, 90}));
     answer(job, 0);
     answer(job, 40);
     lose(worker);
     EXPECT_EQ(job.work()->todo.left(), 88u);
-    for (const PlaceQueue::Piece& piece : job.work()->todo.pieces()) {
+    for (const PositionQueue::Piece& piece : job.work()->todo.pieces()) {
         EXPECT_EQ(piece.losses.count(), 1u);
     }
-    EXPECT_THAT(services.tasks.book().all(), IsEmpty());
+    EXPECT_TRUE(state.dispatch.view().unanalysed(job.id).is_empty());
 }
 
-TEST_F(RangeFeedTest, ALostCopyIsNotQueuedWhileItsOriginalRuns) {
-    MasterJob& job = open_grid();
-    join(70, 90);
-    ranges_.give(job);
-    const SendRange original = last_range();
-    auto content = services.tasks.book().find(original.task)->content;
-    Lease copy{WorkerId{9}, content};
-    copy.places = PlaceRange{0, 90};
-    services.tasks.book().add(TaskId{1000}, std::move(copy));
-    ranges_.ended({TaskId{1000}, job.id, {0, 90}, InstanceId{71}});
-    EXPECT_EQ(job.work()->todo.left(), 0u);
-    EXPECT_EQ(services.tasks.book().all().size(), 1u);
-}
-
-TEST_F(RangeFeedTest, ReturnedPositionsAreQueuedWithoutALoss) {
+TEST_F(RangeFeedTest, ReturnedPositionsGoOutAgainWithoutALoss) {
     MasterJob& job = open_grid();
     const WorkerId worker = join(70, 90);
     ranges_.give(job);
     services.tasks.recalled(worker, Recalled{last_range().task, {}, 60});
     EXPECT_EQ(job.tally.help.recalled, 30u);
-    EXPECT_EQ(services.tasks.book().find(last_range().task)->places, (PlaceRange{0, 60}));
-    ASSERT_THAT(queued(job), ElementsAre(PlaceRange{60, 30}));
-    EXPECT_TRUE(job.work()->todo.front().losses.none());
+    EXPECT_EQ(job.work()->todo.left(), 0u);
+    EXPECT_EQ(state.dispatch.view().positions_unsent(job.id), 30u);
+    EXPECT_THAT(performed<PositionsLost>(), IsEmpty());
 }
 
 TEST_F(RangeFeedTest, WithdrawnScenariosAreQueuedOnce) {
@@ -167,10 +154,9 @@ TEST_F(RangeFeedTest, WithdrawnScenariosOfAListAreQueuedByTheirPositions) {
     }
     job.merged.withdraw_one(11);
     ranges_.give_again(job, {11});
-    EXPECT_EQ(job.work()->places_loading, 1u);
-    run_until([&] { return job.work()->places_loading == 0; });
-    const auto window = job.work()->order->window_of(0).value();
-    EXPECT_THAT(queued(job), ElementsAre(PlaceRange{window->place_of(11), 1}));
+    EXPECT_EQ(job.work()->positions_loading, 1u);
+    run_until([&] { return job.work()->positions_loading == 0; });
+    EXPECT_THAT(queued(job), ElementsAre(PlaceRange{position_of(job, 11), 1}));
 }
 
 } // namespace

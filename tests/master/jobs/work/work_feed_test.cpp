@@ -35,9 +35,9 @@ TEST_F(WorkFeedTest, AJobIsSentInRangesOrAnalysedAsItsClientAsks) {
     join(70);
     work_.feed();
     EXPECT_EQ(ranges.work()->analyser, nullptr);
-    EXPECT_EQ(ranges.work()->places_loading, 90u);
+    EXPECT_EQ(ranges.work()->positions_loading, 90u);
     EXPECT_NE(analysed.work()->analyser, nullptr);
-    EXPECT_EQ(analysed.work()->places_loading, 0u);
+    EXPECT_EQ(analysed.work()->positions_loading, 0u);
 }
 
 TEST_F(WorkFeedTest, StrictClaimingIsAnalysed) {
@@ -47,16 +47,16 @@ TEST_F(WorkFeedTest, StrictClaimingIsAnalysed) {
     join(70);
     work_.feed();
     EXPECT_NE(job.work()->analyser, nullptr);
-    EXPECT_EQ(job.work()->places_loading, 0u);
+    EXPECT_EQ(job.work()->positions_loading, 0u);
 }
 
 TEST_F(WorkFeedTest, LostPositionsAreAnalysedWhateverTheClientAsks) {
     MasterJob& job = open(AnalysisMode::Never);
-    job.work()->todo = PlaceQueue(90, std::vector<LostPlaces>{{{0, 90}, 71}});
+    job.work()->todo = PositionQueue(90, std::vector<LostPositions>{{{0, 90}, 71}});
     join(70);
     work_.feed();
     EXPECT_NE(job.work()->analyser, nullptr);
-    EXPECT_EQ(job.work()->places_loading, 0u);
+    EXPECT_EQ(job.work()->positions_loading, 0u);
 }
 
 TEST_F(WorkFeedTest, JobsAreAnalysedInTurnWhileThePoolHasRoom) {
@@ -107,10 +107,10 @@ TEST_F(WorkFeedTest, BufferedScenariosAreSentWhenNoMoreFollow) {
     open(submit, make_list_source({only}));
     work_.feed();
     run_until([this, before = outcomes] { return outcomes == before + 1; });
-    EXPECT_THAT(performed<SendBatch>(), IsEmpty()) << "the buffer has room for more";
+    EXPECT_THAT(performed<SendUnit>(), IsEmpty()) << "the buffer has room for more";
     work_.feed();
-    ASSERT_EQ(performed<SendBatch>().size(), 1u);
-    EXPECT_EQ(performed<SendBatch>()[0].scenarios, std::vector<std::uint64_t>{0});
+    ASSERT_EQ(performed<SendUnit>().size(), 1u);
+    EXPECT_EQ(performed<SendUnit>()[0].positions, (PlaceRange{0, 1}));
 }
 
 } // namespace

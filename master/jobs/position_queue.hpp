@@ -7,39 +7,17 @@
 #include <cstdint>
 #include <deque>
 #include <span>
-#include <utility>
-#include <vector>
 
 namespace cd {
 
-/// Joins ascending positions into runs of consecutive ones.
-class PlaceRuns {
-  public:
-    /// `place` must be greater than all positions added before.
-    void add(std::uint64_t place) {
-        if (runs_.empty() || runs_.back().end() != place) {
-            runs_.push_back({place, 0});
-        }
-        ++runs_.back().count;
-    }
-    [[nodiscard]] std::vector<PlaceRange> take() { return std::move(runs_); }
-
-  private:
-    std::vector<PlaceRange> runs_;
-};
-
-/// Returns the runs without the positions in `hole`.
-[[nodiscard]] std::vector<PlaceRange> without(std::span<const PlaceRange> runs,
-                                              const PlaceRange& hole);
-
 /// Holds each position at most once. Positions that were put back come first.
-class PlaceQueue {
+class PositionQueue {
   public:
     /// Contains all positions of the job. `lost`: the losses of some of them before a restart.
-    explicit PlaceQueue(std::uint64_t scenarios = 0, std::span<const LostPlaces> lost = {});
+    explicit PositionQueue(std::uint64_t scenarios = 0, std::span<const LostPositions> lost = {});
 
     struct Piece {
-        PlaceRange places;
+        PlaceRange positions;
         Losses losses = {}; ///< Worker processes that were lost with these positions.
     };
 

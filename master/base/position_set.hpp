@@ -1,0 +1,52 @@
+// A set of positions in a job's hand-out order, kept as intervals.
+#pragma once
+
+#include "common/job/poses/ordered_poses.hpp"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace cd {
+
+/// Work in flight mostly is a few runs of consecutive positions, so operations cost time in the
+/// number of runs, not of positions.
+class PositionSet {
+  public:
+    PositionSet() = default;
+    /// Implicit, because a range is a set of positions.
+    PositionSet(const PlaceRange& range) { add(range); }
+    /// Takes positions in any order, each at most once.
+    [[nodiscard]] static PositionSet of(std::vector<std::uint64_t> positions);
+
+    [[nodiscard]] bool is_empty() const { return runs_.empty(); }
+    /// Number of positions.
+    [[nodiscard]] std::uint64_t count() const { return count_; }
+    [[nodiscard]] bool contains(std::uint64_t position) const;
+    /// Maximal runs of consecutive positions, ascending.
+    [[nodiscard]] std::span<const PlaceRange> runs() const { return runs_; }
+    /// All positions, ascending.
+    [[nodiscard]] std::vector<std::uint64_t> list() const;
+    /// The last `most` positions, or all if there are fewer.
+    [[nodiscard]] PositionSet last(std::uint64_t most) const;
+    [[nodiscard]] PositionSet common_with(const PositionSet& other) const;
+
+    void add(const PlaceRange& range);
+    void add(const PositionSet& other);
+    /// Removes the positions of the range that are in the set.
+    void remove(const PlaceRange& range);
+    void remove(const PositionSet& other);
+
+    friend bool operator==(const PositionSet&, const PositionSet&) = default;
+
+  private:
+    using Runs = std::vector<PlaceRange>;
+
+    /// The first run that ends after `position`.
+    [[nodiscard]] Runs::const_iterator run_after(std::uint64_t position) const;
+
+    Runs runs_; ///< Not empty and not adjacent to each other.
+    std::uint64_t count_ = 0;
+};
+
+} // namespace cd

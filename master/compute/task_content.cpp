@@ -1,0 +1,80 @@
+#include "master/compute/task_content.hpp"
+
+#include "common/core/check.hpp"
+
+#include <algorithm>
+
+namespace cd {
+
+std::optional<PlacedScenario> RangeContent::find(std::uint64_t index) const {
+    if (window != nullptr && !window->has(index)) {
+        return std::nullopt;
+    }
+    const std::uint64_t position = window == nullptr ? index : window->place_of(index);
+    if (position < positions.first || position >= positions.end()) {
+        return std::nullopt;
+    }
+    return PlacedScenario{window == nullptr ? scenario_on(*order->grid(), index)
+                                            : window->at({position, 1}).front(),
+                          position};
+}
+
+WorkUnit TaskContent::unit(TaskId task) const {
+    WorkUnit unit{task, job, 0, count(), {}, {}, {}};
+    if (range && range->window == nullptr) {
+        unit.first = range->positions.first;
+        return unit;
+    }
+    if (range) {
+        unit.scenarios = pack_scenarios(range->window->at(range->positions));
+        return unit;
+    }
+    std::vector<Scenario> scenarios;
+    unit.pair_offsets.push_back(0);
+    for (const auto& analysis : analyses) {
+        scenarios.push_back(analysis->scenario);
+        unit.pairs.insert(unit.pairs.end(), analysis->pairs.begin(), analysis->pairs.end());
+        unit.pair_offsets.push_back(static_cast<std::uint32_t>(unit.pairs.size()));
+    }
+    unit.scenarios = pack_scenarios(scenarios);
+    return unit;
+}
+
+std::uint64_t TaskContent::index_of(std::uint64_t position) const {
+    if (range) {
+        return range->window == nullptr ? position : range->window->at({position, 1}).front().index;
+    }
+    const auto found = std::ranges::lower_bound(
+        analyses, position, {}, [](const auto& analysis) { return analysis->position; });
+    const bool task_has_position = found != analyses.end() && (*found)->position == position;
+    CD_CHECK(task_has_position);
+    return (*found)->scenario.index;
+}
+
+Recall TaskContent::recall(TaskId task, const PositionSet& positions) const {
+    if (range) {
+        return {task, {}, positions.runs().front().first - range->positions.first};
+    }
+    Recall recall{task, {}, 0};
+    for (const std::uint64_t position : positions.list()) {
+        recall.scenarios.push_back(index_of(position));
+    }
+    std::ranges::sort(recall.scenarios);
+    return recall;
+}
+
+PositionSet TaskContent::returned(const Recalled& recalled) const {
+    PositionSet positions;
+    if (range) {
+        const std::uint64_t kept = std::min(recalled.places, range->positions.count);
+        return PlaceRange{range->positions.first + kept, range->positions.count - kept};
+    }
+    for (const auto& analysis : analyses) {
+        if (std::ranges::binary_search(recalled.scenarios, analysis->scenario.index)) {
+            positions.add({analysis->position, 1});
+        }
+    }
+    return positions;
+}
+
+} // namespace cd

@@ -1,0 +1,61 @@
+// The scenarios of a task as sent. Only this header converts between their positions in the job's
+// hand-out order, which name them on the master, and their indices as submitted, which name them to
+// workers.
+#pragma once
+
+#include "common/core/id.hpp"
+#include "common/job/poses/ordered_poses.hpp"
+#include "common/job/query.hpp"
+#include "common/tree/obb_tree.hpp"
+#include "master/base/position_set.hpp"
+#include "master/compute/analyser.hpp"
+#include "master/compute/placed_scenario.hpp"
+#include "proto/messages/work_messages.hpp"
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace cd {
+
+/// Inputs for checking and settling the results of a job.
+struct JobMaterial {
+    std::shared_ptr<const ObbTree> a;
+    std::shared_ptr<const ObbTree> b;
+    Query query;
+    std::shared_ptr<const Settler> settler; ///< Settles results; made for trees `a` and `b`.
+};
+
+/// Scenarios that were sent without analysis.
+struct RangeContent {
+    PlaceRange positions;
+    std::shared_ptr<const PoseWindow> window; ///< Null for a grid.
+    std::shared_ptr<OrderedPoses> order;
+
+    /// The scenario with this index; empty if it is not in the range.
+    [[nodiscard]] std::optional<PlacedScenario> find(std::uint64_t index) const;
+};
+
+/// The scenarios of a task, and the data to check their results.
+struct TaskContent {
+    JobId job;
+    std::shared_ptr<const JobMaterial> material;
+    /// If analysed, ascending by position.
+    std::vector<std::shared_ptr<const Analysis>> analyses;
+    std::optional<RangeContent> range; ///< If not analysed; `analyses` is empty then.
+
+    [[nodiscard]] std::uint64_t count() const {
+        return range ? range->positions.count : analyses.size();
+    }
+    /// The message that sends the task.
+    [[nodiscard]] WorkUnit unit(TaskId task) const;
+    /// The index of a scenario of the task as submitted.
+    [[nodiscard]] std::uint64_t index_of(std::uint64_t position) const;
+    /// The message that asks for positions of the task, of which there are some.
+    [[nodiscard]] Recall recall(TaskId task, const PositionSet& positions) const;
+    /// The positions that the worker says it has returned.
+    [[nodiscard]] PositionSet returned(const Recalled& recalled) const;
+};
+
+} // namespace cd
