@@ -134,26 +134,31 @@ Status run_master(const MasterConfig& config) {
     allow_many_files();
     // Declared first and so destroyed last: functions on the pools may post to the context.
     asio::io_context context(1);
+    AsioLoop loop(context.get_executor());
     ThreadPool compute(config.threads);
-    auto geometry = GeometryStore::open(config.state, compute);
-    if (!geometry) {
-        return geometry.error();
+    const auto store = GeometryStore::open(config.state, compute);
+    if (!store) {
+        return store.error();
     }
+    StoredGeometry geometry(*store.value());
     auto journal = Journal::open({config.state, !config.no_sync});
     if (!journal) {
         return journal.error();
     }
     ThreadPool blocking(limits::blocking_threads);
-    Coordinator coordinator({context.get_executor(),
-                             *geometry.value(),
-                             compute,
-                             blocking,
-                             *journal.value(),
-                             config.state / "jobs",
-                             config.no_sync ? Durability::Unsynced : Durability::Synced,
-                             config.times,
-                             limits::results_aside_bytes_max,
-                             config.retention});
+    Coordinator coordinator(
+        {context.get_executor(),
+         loop,
+         tcp_network(),
+         geometry,
+         store.value().get(),
+         compute,
+         blocking,
+         *journal.value(),
+         config.state / "jobs",
+         {.durability = config.no_sync ? Durability::Unsynced : Durability::Synced,
+          .times = config.times,
+          .retention = config.retention}});
     if (Status restored = coordinator.restore(journal.value()->take_recovered()); !restored) {
         return restored;
     }

@@ -68,7 +68,7 @@ class Beyond {
                 "start_share",
                 "between_share",
                 "tail_share",
-                "dispatcher_us",
+                "coordinator_us",
                 "fits"}) {}
 
     void run(const Trace& trace, const Case& one) {
@@ -80,7 +80,7 @@ class Beyond {
         options.speeds = unlike_speeds(one.hosts);
         options.bytes_per_second = 125e6 * one.gigabits;
         options.cache_bytes = cache_bytes;
-        options.charges_dispatcher = true;
+        options.charges_coordinator = true;
         options.dispatch.v_kb = 16'384;
         options.dispatch.q = 4;
         for (const ComparedStrategy& compared :
@@ -158,7 +158,7 @@ class Beyond {
                   cell(outcome.start_share),
                   cell(outcome.between_share),
                   cell(outcome.tail_share),
-                  cell(outcome.dispatcher_us / static_cast<double>(fleet.together)),
+                  cell(outcome.coordinator_us / static_cast<double>(fleet.together)),
                   fits ? "yes" : "no"});
     }
 

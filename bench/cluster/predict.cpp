@@ -65,9 +65,9 @@ int main(int argc, char** argv) {
             make_workload(trace.value(), paper_table_heavy, {Costs::Measured, depth});
         SimulationOptions options = options_of(computer, name);
         constexpr std::chrono::seconds limit{300};
-        // The first run measures the dispatcher's decisions; the second charges them.
+        // The first run measures the coordinator's time; the second charges it.
         const auto uncharged = simulate_apart(workload, options, limit);
-        options.dispatch_seconds = uncharged ? 1e-6 * uncharged->dispatcher_us : 0;
+        options.dispatch_seconds = uncharged ? 1e-6 * uncharged->coordinator_us : 0;
         const auto outcome = simulate_apart(workload, options, limit);
         if (!uncharged || !outcome) {
             std::fprintf(stderr, "the simulation does not end\n");

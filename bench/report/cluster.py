@@ -153,10 +153,10 @@ def both_ends(series, strategy, column, digits):
 
 
 def strategies_summary(runs):
-    """A row a strategy: speed-ups with all scenarios, transfer, memory, the dispatcher's time."""
+    """A row a strategy: speed-ups with all scenarios, transfer, memory, the coordinator's time."""
     series = {(scene, setting): Series(runs, setting, scene, "scenarios")
               for scene in SCENES for setting in (*SETTINGS, "measured")}
-    memory, dispatcher = (Series(runs, setting, "heavy", "depth") for setting in ("unfitted", "measured"))
+    memory, coordinator = (Series(runs, setting, "heavy", "depth") for setting in ("unfitted", "measured"))
     rows = []
     for strategy in memory.strategies():
         cells = [strategy]
@@ -165,15 +165,15 @@ def strategies_summary(runs):
                       for setting in (*SETTINGS, "measured")]
             cells.append(fixed(series[scene, "unfitted"].last(strategy, "transfer")))
         rows.append(cells + [both_ends(memory, strategy, "memory_sum_mb", 0),
-                             both_ends(dispatcher, strategy, "dispatcher_us", 1)])
+                             both_ends(coordinator, strategy, "coordinator_us", 1)])
     depths = " / ".join(show(x) for x in dict.fromkeys(memory.xs[:1] + memory.xs[-1:]))
     note = ("Speed-up with all scenarios against one fast core (bound 25.0); *today*: with the costs of "
             "today, most scenarios. *Sent*: bytes from the master by those of both bodies, unfitted. Memory of all "
-            f"workers (unfitted) and the dispatcher's time a scenario (today) are of the heavy case at depth {depths}. "
+            f"workers (unfitted) and the coordinator's time a scenario (today) are of the heavy case at depth {depths}. "
             "`+peers`: workers give each other blocks, as in the product.")
     columns = [f"{scene}: {column}" for scene in SCENES for column in ("unfitted", "fitted", "today", "sent")]
     return f"## Ours and the paper's strategies\n{note}\n\n" + table(
-        ["strategy", *columns, "memory, MB", "dispatcher, us"], rows)
+        ["strategy", *columns, "memory, MB", "coordinator, us"], rows)
 
 
 def prediction_summary(rows):

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "common/core/host/thread_pool.hpp"
-#include "proto/channel/asio.hpp"
+#include "master/base/event_loop.hpp"
 
 #include <functional>
 #include <memory>
@@ -12,24 +12,18 @@
 namespace cd {
 
 /// The parts of the coordinator use other threads only through this class. All members but `post`
-/// run on the owner's thread, which is the executor's.
+/// run on the owner's thread, which is the loop's.
 class Background {
   public:
-    /// `after_each` is called on the owner's thread after each `done` or posted function. The
-    /// executor's context must outlive the pools, and must not run after this object is destroyed.
-    Background(asio::any_io_executor executor,
-               ThreadPool& compute,
-               ThreadPool& blocking,
-               std::function<void()> after_each)
-        : executor_(std::move(executor)),
-          compute_(compute),
-          blocking_(blocking),
-          after_each_(std::move(after_each)) {}
+    /// `after_each` is called on the owner's thread after each `done` or posted function. The loop
+    /// must outlive the pools, and must not run after this object is destroyed.
+    Background(EventLoop& loop, Pool& compute, Pool& blocking, std::function<void()> after_each)
+        : loop_(loop), compute_(compute), blocking_(blocking), after_each_(std::move(after_each)) {}
     Background(const Background&) = delete;
     Background& operator=(const Background&) = delete;
 
     /// The pool for work that needs neither the disk nor another pool.
-    [[nodiscard]] ThreadPool& compute_pool() { return compute_; }
+    [[nodiscard]] Pool& compute_pool() { return compute_; }
     /// Runs `work` on the compute pool, then `done` with its outcome on the owner's thread.
     template <class Work, class Done>
     void compute(Work work, Done done) {
@@ -43,7 +37,7 @@ class Background {
     /// Calls `function` on the owner's thread; may be called on any thread.
     template <class Function>
     void post(Function function) {
-        asio::post(executor_, [this, function = std::move(function)]() mutable {
+        loop_.post([this, function = std::move(function)]() mutable {
             function();
             after_each_();
         });
@@ -51,23 +45,23 @@ class Background {
 
   private:
     template <class Work, class Done>
-    void run(ThreadPool& pool, Work work, Done done) {
+    void run(Pool& pool, Work work, Done done) {
         auto step = std::make_shared<std::pair<Work, Done>>(std::move(work), std::move(done));
         // The pool may outlive this object. Its thread keeps no reference to `step`, so that `done`
         // is destroyed on the owner's thread.
-        pool.post([this, executor = executor_, step = std::move(step)]() mutable {
+        pool.post([this, &loop = loop_, step = std::move(step)]() mutable {
             using Outcome = std::invoke_result_t<Work&>;
             auto outcome = std::make_shared<Outcome>(step->first());
-            asio::post(executor, [this, step = std::move(step), outcome = std::move(outcome)] {
+            loop.post([this, step = std::move(step), outcome = std::move(outcome)] {
                 step->second(std::move(*outcome));
                 after_each_();
             });
         });
     }
 
-    asio::any_io_executor executor_;
-    ThreadPool& compute_;
-    ThreadPool& blocking_;
+    EventLoop& loop_;
+    Pool& compute_;
+    Pool& blocking_;
     std::function<void()> after_each_;
 };
 

@@ -3,23 +3,22 @@
 
 #include "common/core/id.hpp"
 #include "common/core/timing/master.hpp"
-#include "proto/channel/asio.hpp"
+#include "master/base/event_loop.hpp"
 
 #include <functional>
 #include <map>
 #include <memory>
-#include <utility>
 
 namespace cd {
 
 /// Somebody may repair a full or damaged disk, so a step is tried again after
-/// `timing::journal_retry_period`. All members run on the executor's thread.
+/// `timing::journal_retry_period`. All members run on the loop's thread.
 class DiskRetries {
   public:
-    explicit DiskRetries(asio::any_io_executor executor) : executor_(std::move(executor)) {}
+    /// The loop outlives this object, and is closed before this object is destroyed.
+    explicit DiskRetries(EventLoop& loop) : loop_(loop) {}
     DiskRetries(const DiskRetries&) = delete;
     DiskRetries& operator=(const DiskRetries&) = delete;
-    ~DiskRetries() { close(); }
 
     /// Calls `again` after the retry period, or soon after `stop`, but not after `close`.
     void start(JobId job, std::function<void()> again);
@@ -34,12 +33,10 @@ class DiskRetries {
     }
 
   private:
-    struct Step {
-        asio::steady_timer timer;
-        std::function<void()> again;
-    };
-    asio::any_io_executor executor_;
-    std::multimap<JobId, std::shared_ptr<Step>> waiting_;
+    using Step = std::shared_ptr<const std::function<void()>>;
+
+    EventLoop& loop_;
+    std::multimap<JobId, Step> waiting_;
     bool is_closed_ = false;
 };
 

@@ -14,7 +14,7 @@ namespace cd {
 /// Runs `function` on the pool and resumes on the coroutine's own executor with its return value.
 /// The executor's context must outlive the pool.
 template <class Function>
-asio::awaitable<std::invoke_result_t<Function&>> run_on(ThreadPool& pool, Function function) {
+asio::awaitable<std::invoke_result_t<Function&>> run_on(Pool& pool, Function function) {
     struct Shared {
         Shared(asio::any_io_executor executor, Function f)
             : done(executor, asio::steady_timer::time_point::max()), function(std::move(f)) {}

@@ -17,23 +17,12 @@
 
 namespace cd {
 
-namespace {
-
-BlockDirector::Time now() {
-    return std::chrono::steady_clock::now();
-}
-
-} // namespace
-
-BlockDelivery::BlockDelivery(asio::any_io_executor executor, const TreeRegistry& trees)
-    : executor_(std::move(executor)), trees_(trees), timer_(executor_) {}
-
 bool BlockDelivery::knows(WorkerId worker, TreeId tree) const {
-    return links_.contains(worker) && trees_.find(tree) != nullptr;
+    return links_.contains(worker) && parts_.trees.find(tree) != nullptr;
 }
 
 Status BlockDelivery::check_roots(TreeId tree, const std::vector<RootIndex>& roots) const {
-    return trees_.find(tree)->has_blocks(roots)
+    return parts_.trees.find(tree)->has_blocks(roots)
                ? Status(Done{})
                : Error{ErrorCode::BadFrame, "it names a root that does not exist"};
 }
@@ -54,13 +43,13 @@ void BlockDelivery::worker_joined(WorkerId worker,
 
 void BlockDelivery::worker_left(WorkerId worker) {
     links_.erase(worker);
-    act(director_.worker_left(worker, now()));
+    act(director_.worker_left(worker, parts_.loop.now()));
 }
 
 void BlockDelivery::worker_detached(WorkerId worker) {
     if (const auto link = links_.find(worker); link != links_.end()) {
         link->second.queue.clear();
-        act(director_.worker_left(worker, now()));
+        act(director_.worker_left(worker, parts_.loop.now()));
     }
 }
 
@@ -77,7 +66,7 @@ void BlockDelivery::worker_returned(WorkerId worker, std::shared_ptr<Channel> ch
 void BlockDelivery::probe(WorkerId worker) {
     const Link& link = links_.at(worker);
     if (link.port != 0) {
-        spawn(executor_,
+        spawn(parts_.executor,
               "probe of a worker's port",
               probe(worker, {link.host, link.port}, link.channel));
     }
@@ -85,7 +74,7 @@ void BlockDelivery::probe(WorkerId worker) {
 
 asio::awaitable<void>
 BlockDelivery::probe(WorkerId worker, Endpoint endpoint, std::weak_ptr<Channel> channel) {
-    const Status reached = co_await reach(endpoint, timing::peer_connect_timeout);
+    const Status reached = co_await parts_.network.reach(endpoint, timing::peer_connect_timeout);
     const auto link = links_.find(worker);
     if (reached || closed_ || link == links_.end() || link->second.channel != channel.lock()) {
         co_return;
@@ -94,7 +83,7 @@ BlockDelivery::probe(WorkerId worker, Endpoint endpoint, std::weak_ptr<Channel> 
                 worker.value,
                 endpoint.port,
                 reached.error().detail);
-    act(director_.not_reached(worker, now()));
+    act(director_.not_reached(worker, parts_.loop.now()));
 }
 
 Status BlockDelivery::wanted(WorkerId worker, const WantSubtrees& want) {
@@ -103,7 +92,7 @@ Status BlockDelivery::wanted(WorkerId worker, const WantSubtrees& want) {
     }
     Status there = check_roots(want.tree, want.roots);
     if (there) {
-        act(director_.wanted(worker, want.tree, want.roots, now()));
+        act(director_.wanted(worker, want.tree, want.roots, parts_.loop.now()));
     }
     return there;
 }
@@ -114,14 +103,14 @@ Status BlockDelivery::held(WorkerId worker, const Held& held) {
     }
     Status there = check_roots(held.tree, held.roots);
     if (there) {
-        act(director_.held(worker, held.tree, held.roots, now()));
+        act(director_.held(worker, held.tree, held.roots, parts_.loop.now()));
     }
     return there;
 }
 
 void BlockDelivery::evicted(WorkerId worker, const Evicted& evicted) {
     if (knows(worker, evicted.tree)) {
-        act(director_.evicted(worker, evicted.tree, evicted.roots, now()));
+        act(director_.evicted(worker, evicted.tree, evicted.roots, parts_.loop.now()));
     }
 }
 
@@ -137,7 +126,7 @@ void BlockDelivery::failed(WorkerId worker, const FetchFailed& failed) {
              to_text(failed.outcome));
     const bool was_avoided = director_.is_avoided(failed.source);
     act(director_.peer_failed(
-        worker, failed.source, failed.tree, failed.roots, failed.outcome, now()));
+        worker, failed.source, failed.tree, failed.roots, failed.outcome, parts_.loop.now()));
     if (!was_avoided && director_.is_avoided(failed.source)) {
         log_warning("worker no longer serves other workers: worker={} outcome={}",
                     failed.source.value,
@@ -150,7 +139,7 @@ void BlockDelivery::tree_removed(TreeId tree) {
         const auto is_of_tree = [&](const BlockKey& block) { return block.tree == tree; };
         std::erase_if(link.queue, is_of_tree);
     }
-    act(director_.tree_removed(tree, now()));
+    act(director_.tree_removed(tree, parts_.loop.now()));
 }
 
 BlockDelivery::Sent BlockDelivery::sent_to(WorkerId worker) const {
@@ -168,9 +157,8 @@ void BlockDelivery::act(const BlockActions& actions) {
             direct(std::get<SendToPeers>(action));
         }
     }
-    if (!watching_ && !closed_ && director_.open() != 0) {
-        watching_ = true;
-        spawn(executor_, "blocks under way", watch_time());
+    if (!watching_) {
+        watch_time();
     }
 }
 
@@ -178,12 +166,12 @@ void BlockDelivery::send(const SendBlock& action) {
     Link& link = links_.at(action.to);
     link.queue.push_back(action.block);
     if (!std::exchange(link.sending, true)) {
-        spawn(executor_, "subtrees to a worker", send_queue(action.to));
+        spawn(parts_.executor, "subtrees to a worker", send_queue(action.to));
     }
 }
 
 void BlockDelivery::direct(const SendToPeers& action) {
-    const auto geometry = trees_.find(action.tree);
+    const auto geometry = parts_.trees.find(action.tree);
     FetchFromPeers directions;
     directions.tree = action.tree;
     directions.roots = action.roots;
@@ -210,7 +198,7 @@ asio::awaitable<void> BlockDelivery::send_queue(WorkerId worker) {
         }
         const BlockKey first = link->second.queue.front();
         const auto channel = link->second.channel;
-        if (!send_some(link->second, first.tree, *trees_.find(first.tree))) {
+        if (!send_some(link->second, first.tree, *parts_.trees.find(first.tree))) {
             co_await send_anew(worker, first);
         }
         if (!mutated(Mutation::TooMuchInFlight)) {
@@ -219,62 +207,59 @@ asio::awaitable<void> BlockDelivery::send_queue(WorkerId worker) {
     }
 }
 
-bool BlockDelivery::send_some(Link& link, TreeId tree, const CutGeometry& geometry) {
+bool BlockDelivery::send_some(Link& link, TreeId tree, const Cut& cut) {
     Subtrees subtrees;
     subtrees.tree = tree;
     std::uint64_t bytes = 0;
     while (!link.queue.empty() && link.queue.front().tree == tree &&
            bytes < limits::subtrees_bytes_min) {
-        Result<SubtreeBlock> block = geometry.read(link.queue.front().root);
+        Result<SubtreeBlock> block = cut.read(link.queue.front().root);
         if (!block) {
             break;
         }
-        bytes += block.value().compressed.size();
+        bytes += cut.compressed_bytes(block.value().root);
         subtrees.blocks.push_back(std::move(block.value()));
         link.queue.pop_front();
     }
     const bool is_any = !subtrees.blocks.empty();
     if (is_any) {
-        send_blocks(link, std::move(subtrees));
+        send_blocks(link, cut, subtrees);
     }
     return is_any;
 }
 
-void BlockDelivery::send_blocks(Link& link, Subtrees subtrees) {
+void BlockDelivery::send_blocks(Link& link, const Cut& cut, const Subtrees& subtrees) {
     for (const SubtreeBlock& block : subtrees.blocks) {
         ++link.sent.blocks;
-        link.sent.bytes += block.compressed.size();
+        link.sent.bytes += cut.compressed_bytes(block.root);
     }
     link.channel->send(subtrees);
 }
 
 asio::awaitable<void> BlockDelivery::send_anew(WorkerId worker, BlockKey block) {
-    const auto geometry = trees_.find(block.tree);
+    const auto geometry = parts_.trees.find(block.tree);
     auto make = [geometry, block] { return geometry->block(block.root); };
-    SubtreeBlock made = co_await run_on(geometry->pool(), make);
+    SubtreeBlock made = co_await run_on(parts_.pool, make);
     const auto link = links_.find(worker);
     if (link != links_.end() && !link->second.queue.empty() &&
         link->second.queue.front() == block) {
         link->second.queue.pop_front();
-        send_blocks(link->second, {block.tree, {std::move(made)}});
+        send_blocks(link->second, *geometry, {block.tree, {std::move(made)}});
     }
 }
 
-asio::awaitable<void> BlockDelivery::watch_time() {
-    while (!closed_ && director_.open() != 0) {
-        timer_.expires_after(timing::peer_check_period);
-        boost::system::error_code ignored;
-        co_await timer_.async_wait(asio::redirect_error(asio::use_awaitable, ignored));
-        if (!closed_) {
-            act(director_.time_is(now()));
-        }
+void BlockDelivery::watch_time() {
+    watching_ = !closed_ && director_.open() != 0;
+    if (watching_) {
+        parts_.loop.after(timing::peer_check_period, [this] {
+            act(director_.time_is(parts_.loop.now()));
+            watch_time();
+        });
     }
-    watching_ = false;
 }
 
 void BlockDelivery::close() {
     closed_ = true;
-    timer_.cancel();
     for (auto& [worker, link] : links_) {
         link.queue.clear();
     }

@@ -1,10 +1,12 @@
 // Sends blocks of geometry to the workers, or names the peers that they fetch blocks from.
 #pragma once
 
+#include "master/base/event_loop.hpp"
 #include "master/blocks/block_director.hpp"
 #include "master/geometry/tree_registry.hpp"
 #include "proto/channel/asio.hpp"
 #include "proto/channel/channel.hpp"
+#include "proto/channel/network.hpp"
 
 #include <cstdint>
 #include <deque>
@@ -16,14 +18,23 @@
 
 namespace cd {
 
-/// Carries out the director's decisions on the workers' channels. Runs on the executor's thread.
+/// Carries out the director's decisions on the workers' channels. Runs on the loop's thread.
 /// Ignores events of unknown workers and of trees that are no longer used.
 class BlockDelivery {
   public:
-    BlockDelivery(asio::any_io_executor executor, const TreeRegistry& trees);
+    struct Parts {
+        asio::any_io_executor executor; ///< Runs coroutines on the loop's thread.
+        EventLoop& loop;
+        Network& network; ///< Reaches the workers' ports.
+        Pool& pool;       ///< Makes damaged blocks again.
+        const TreeRegistry& trees;
+    };
+
+    /// All parts outlive this object.
+    explicit BlockDelivery(const Parts& parts) : parts_(parts) {}
     BlockDelivery(const BlockDelivery&) = delete;
     BlockDelivery& operator=(const BlockDelivery&) = delete;
-    /// Stops all transfers and timers when the master ends.
+    /// Stops all transfers when the master ends.
     void close();
 
     /// `port` is the worker's port for peers, or 0 if it serves none. A worker that a probe does
@@ -86,18 +97,16 @@ class BlockDelivery {
     [[nodiscard]] asio::awaitable<void> send_queue(WorkerId worker);
     /// Sends blocks of the tree from the head of the queue in one message. Returns false if the
     /// first block cannot be read from disk.
-    static bool send_some(Link& link, TreeId tree, const CutGeometry& geometry);
-    static void send_blocks(Link& link, Subtrees subtrees);
+    static bool send_some(Link& link, TreeId tree, const Cut& cut);
+    static void send_blocks(Link& link, const Cut& cut, const Subtrees& subtrees);
     /// Call if `block` cannot be read from disk: builds it again on a pool, and sends it if it is
     /// still the first of the worker's queue.
     [[nodiscard]] asio::awaitable<void> send_anew(WorkerId worker, BlockKey block);
-    [[nodiscard]] asio::awaitable<void> watch_time();
+    void watch_time();
 
-    asio::any_io_executor executor_;
-    const TreeRegistry& trees_;
+    Parts parts_;
     BlockDirector director_;
     std::map<WorkerId, Link> links_;
-    asio::steady_timer timer_;
     bool watching_ = false;
     bool closed_ = false;
 };

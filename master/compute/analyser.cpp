@@ -17,6 +17,9 @@ namespace {
 
 /// Analyses one scenario as in the paper, but does not set `bytes`.
 Analysis analyse_uncounted(const AnalysisInput& input, const Scenario& scenario) {
+    if (input.sketch) {
+        return input.sketch(scenario);
+    }
     Analysis analysis;
     analysis.scenario = scenario;
     // The root of an upper tree is the whole body's box, so this descent includes the broad phase.
@@ -61,9 +64,11 @@ void analyse_block(const AnalysisInput& input,
         if (done != nullptr && scenario.index < done->size() && (*done)[scenario.index]) {
             continue;
         }
-        block.scenarios.push_back(analyse_uncounted(input, scenario));
-        block.scenarios.back().position = position;
-        block.scenarios.back().bytes = bytes_in_batch(block.scenarios.back(), pose_bytes);
+        Analysis& analysis = block.scenarios.emplace_back(analyse_uncounted(input, scenario));
+        analysis.position = position;
+        if (!input.sketch) {
+            analysis.bytes = bytes_in_batch(analysis, pose_bytes);
+        }
     }
     block.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }
@@ -130,9 +135,7 @@ void Analyser::State::deliver_ready() {
     changed.notify_all();
 }
 
-Analyser::Analyser(ThreadPool& pool,
-                   AnalysisInput input,
-                   std::function<void(AnalysedBlock)> deliver)
+Analyser::Analyser(Pool& pool, AnalysisInput input, std::function<void(AnalysedBlock)> deliver)
     : pool_(pool), state_(std::make_shared<State>()) {
     state_->input = std::move(input);
     state_->deliver = std::move(deliver);
@@ -156,14 +159,10 @@ void Analyser::start(const PlaceRange& positions,
         }
         number = state_->started++;
     }
+    ++under_way_;
     pool_.post([state = state_, number, positions, losses, done = std::move(done)] {
         state->run_block(number, done.get(), {positions, losses, {}, 0, std::nullopt});
     });
-}
-
-std::uint64_t Analyser::under_way() const {
-    const std::lock_guard lock(state_->mutex);
-    return state_->stopped ? 0 : state_->started - state_->delivered;
 }
 
 } // namespace cd

@@ -24,17 +24,6 @@ namespace cd {
 
 class Settler;
 
-/// Inputs of a job's analysis: the bodies' trees, with the upper trees of their cuts.
-struct AnalysisInput {
-    std::shared_ptr<const ObbTree> a;
-    std::shared_ptr<const ObbTree> b;
-    std::shared_ptr<const TreeTop> top_a;
-    std::shared_ptr<const TreeTop> top_b;
-    Query query;
-    std::shared_ptr<const Settler> settler; ///< Settles scenarios; made for trees `a` and `b`.
-    std::shared_ptr<PoseSource> poses; ///< By position. Several threads may call `read` at once.
-};
-
 /// One analysed scenario, which either needs a worker or is finished.
 struct Analysis {
     Scenario scenario;
@@ -49,6 +38,19 @@ struct Analysis {
     /// then empty.
     std::optional<ScenarioResult> finished;
     JobStatistics cost; ///< Cost of the analysis, and of settling `finished`.
+};
+
+/// Inputs of a job's analysis: the bodies' trees, with the upper trees of their cuts.
+struct AnalysisInput {
+    std::shared_ptr<const ObbTree> a;
+    std::shared_ptr<const ObbTree> b;
+    std::shared_ptr<const TreeTop> top_a;
+    std::shared_ptr<const TreeTop> top_b;
+    Query query;
+    std::shared_ptr<const Settler> settler; ///< Settles scenarios; made for trees `a` and `b`.
+    std::shared_ptr<PoseSource> poses;      ///< Several threads may call `read` at once.
+    /// In a simulation without trees, this replaces the descent and also sets `bytes`. Any thread.
+    std::function<Analysis(const Scenario&)> sketch = nullptr;
 };
 
 /// Analyses one scenario. Pure. An error becomes a `finished` result of class Failed.
@@ -69,7 +71,7 @@ class Analyser {
     /// Blocks are delivered in the order of their start, one at a time, on pool threads. `deliver`
     /// must neither throw nor destroy the analyser. The pool must outlive the functions posted to
     /// it.
-    Analyser(ThreadPool& pool, AnalysisInput input, std::function<void(AnalysedBlock)> deliver);
+    Analyser(Pool& pool, AnalysisInput input, std::function<void(AnalysedBlock)> deliver);
     Analyser(const Analyser&) = delete;
     Analyser& operator=(const Analyser&) = delete;
     /// Waits until `deliver` has returned. Drops all blocks that are not delivered.
@@ -80,14 +82,16 @@ class Analyser {
     void start(const PlaceRange& positions,
                const Losses& losses = {},
                std::shared_ptr<const std::vector<bool>> done = nullptr);
-
-    /// Number of blocks started and not yet delivered.
-    [[nodiscard]] std::uint64_t under_way() const;
+    /// Call for each delivered block, on the thread that calls `start`.
+    void block_taken() { --under_way_; }
+    /// Number of blocks that were started and not taken.
+    [[nodiscard]] std::uint64_t under_way() const { return under_way_; }
 
   private:
     struct State;
-    ThreadPool& pool_;
+    Pool& pool_;
     std::shared_ptr<State> state_;
+    std::uint64_t under_way_ = 0;
 };
 
 } // namespace cd

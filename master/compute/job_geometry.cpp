@@ -15,9 +15,9 @@ std::shared_ptr<const TreeTop> top_of(const std::shared_ptr<const CutGeometry>& 
 
 } // namespace
 
-StoreResult<JobGeometry> make_job_geometry(GeometryStore& store, const Submit& submit) {
-    const auto tree_a = store.tree(submit.bodies[0].mesh);
-    const auto tree_b = store.tree(submit.bodies[1].mesh);
+StoreResult<JobGeometry> StoredGeometry::prepare(const Submit& submit) {
+    const auto tree_a = store_.tree(submit.bodies[0].mesh);
+    const auto tree_b = store_.tree(submit.bodies[1].mesh);
     for (const auto* tree : {&tree_a, &tree_b}) {
         if (!*tree) {
             return tree->error();
@@ -35,36 +35,31 @@ StoreResult<JobGeometry> make_job_geometry(GeometryStore& store, const Submit& s
     };
     const std::uint32_t depth_a = depth_of(*tree_a.value(), submit.cluster.depth(0));
     const std::uint32_t depth_b = depth_of(*tree_b.value(), submit.cluster.depth(1));
-    const auto cut_a = store.cut(submit.bodies[0].mesh, depth_a, form);
-    const auto cut_b = store.cut(submit.bodies[1].mesh, depth_b, form);
+    const auto cut_a = store_.cut(submit.bodies[0].mesh, depth_a, form);
+    const auto cut_b = store_.cut(submit.bodies[1].mesh, depth_b, form);
     for (const auto* cut : {&cut_a, &cut_b}) {
         if (!*cut) {
             return cut->is_unwritten() ? StoreResult<JobGeometry>::unwritten(cut->error())
                                        : StoreResult<JobGeometry>(cut->error());
         }
     }
-    return JobGeometry{tree_a.value(), tree_b.value(), cut_a.value(), cut_b.value()};
+    const std::shared_ptr<const ObbTree> a = tree_a.value();
+    const std::shared_ptr<const ObbTree> b = tree_b.value();
+    const auto settler = std::make_shared<const Settler>(*a, *b, submit.query.ignored);
+    return JobGeometry{
+        cut_a.value(),
+        cut_b.value(),
+        {a, b, top_of(cut_a.value()), top_of(cut_b.value()), submit.query, settler, nullptr},
+        std::make_shared<const JobMaterial>(JobMaterial{a, b, submit.query, settler})};
 }
 
-DispatchTree dispatch_tree(TreeId id, const CutGeometry& cut) {
+DispatchTree dispatch_tree(TreeId id, const Cut& cut) {
     DispatchTree tree{id, {}, {}};
     for (RootIndex root = 0; root < cut.root_count(); ++root) {
-        tree.root_triangles.push_back(cut.top().triangles_under(root));
+        tree.root_triangles.push_back(cut.triangles_under(root));
         tree.root_bytes.push_back(cut.compressed_bytes(root));
     }
     return tree;
-}
-
-AnalysisInput make_analysis_input(const JobGeometry& geometry,
-                                  const Query& query,
-                                  std::shared_ptr<PoseSource> poses) {
-    return {geometry.tree_a,
-            geometry.tree_b,
-            top_of(geometry.cut_a),
-            top_of(geometry.cut_b),
-            query,
-            std::make_shared<const Settler>(*geometry.tree_a, *geometry.tree_b, query.ignored),
-            std::move(poses)};
 }
 
 Result<std::shared_ptr<PoseSource>>

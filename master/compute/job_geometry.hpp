@@ -4,8 +4,9 @@
 #include "common/core/result.hpp"
 #include "common/job/poses/pose_source.hpp"
 #include "master/compute/analyser.hpp"
+#include "master/compute/result_check.hpp"
 #include "master/dispatch/dispatch_tree.hpp"
-#include "master/geometry/cut_geometry.hpp"
+#include "master/geometry/cut.hpp"
 #include "master/geometry/geometry_store.hpp"
 #include "proto/messages/client_messages.hpp"
 #include "proto/messages/work_messages.hpp"
@@ -13,27 +14,53 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <utility>
+#include <vector>
 
 namespace cd {
 
+/// What a job needs of its bodies.
 struct JobGeometry {
-    std::shared_ptr<const ObbTree> tree_a;
-    std::shared_ptr<const ObbTree> tree_b;
-    std::shared_ptr<const CutGeometry> cut_a;
-    std::shared_ptr<const CutGeometry> cut_b;
+    std::shared_ptr<const Cut> cut_a;
+    std::shared_ptr<const Cut> cut_b;
+    AnalysisInput analysis; ///< Without the poses.
+    std::shared_ptr<const JobMaterial> material;
 };
 
-/// Loads the bodies' trees and cuts them at the depths that the job asks for, or at good ones. May
-/// take seconds. Errors: those of the store.
-[[nodiscard]] StoreResult<JobGeometry> make_job_geometry(GeometryStore& store,
-                                                         const Submit& submit);
+/// The geometry of jobs.
+class Geometry {
+  public:
+    Geometry() = default;
+    Geometry(const Geometry&) = delete;
+    Geometry& operator=(const Geometry&) = delete;
+    virtual ~Geometry() = default;
+
+    /// Loads the bodies and cuts them at the depths that the job asks for, or at good ones. May
+    /// take seconds, and blocks. Any thread. Errors: those of `GeometryStore`.
+    [[nodiscard]] virtual StoreResult<JobGeometry> prepare(const Submit& submit) = 0;
+    /// Returns an object that prevents the removal of these meshes while it exists.
+    [[nodiscard]] virtual std::shared_ptr<const MeshHold> hold(std::vector<Sha256> meshes) = 0;
+    /// Returns all stored meshes in the order of their hashes.
+    [[nodiscard]] virtual std::vector<MeshStatus> meshes() const = 0;
+};
+
+/// The geometry in a store, which outlives this object.
+class StoredGeometry final : public Geometry {
+  public:
+    explicit StoredGeometry(GeometryStore& store) : store_(store) {}
+
+    [[nodiscard]] StoreResult<JobGeometry> prepare(const Submit& submit) override;
+    [[nodiscard]] std::shared_ptr<const MeshHold> hold(std::vector<Sha256> meshes) override {
+        return store_.hold(std::move(meshes));
+    }
+    [[nodiscard]] std::vector<MeshStatus> meshes() const override { return store_.meshes(); }
+
+  private:
+    GeometryStore& store_;
+};
 
 /// Returns the dispatcher's description of a cut.
-[[nodiscard]] DispatchTree dispatch_tree(TreeId id, const CutGeometry& cut);
-
-[[nodiscard]] AnalysisInput make_analysis_input(const JobGeometry& geometry,
-                                                const Query& query,
-                                                std::shared_ptr<PoseSource> poses);
+[[nodiscard]] DispatchTree dispatch_tree(TreeId id, const Cut& cut);
 
 /// Whether `open_poses` verifies the whole pose file at once. With AsRead it verifies nothing: each
 /// later read verifies the poses that it reads.

@@ -12,6 +12,7 @@
 #include "proto/messages/work_messages.hpp"
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -40,6 +41,9 @@ struct TakenResults {
 /// TooLarge for an invalid record, another level or other bodies than the job's, a scenario that is
 /// not in the task, or a map that cannot belong to the results.
 [[nodiscard]] Result<TakenResults> take_results(const TaskContent& task, const Results& results);
+
+/// `take_results`, or its sketch in a simulation. Any thread.
+using ResultCheck = std::function<Result<TakenResults>(const TaskContent&, const Results&)>;
 
 /// Like `take_results`, but for an unknown task, so that any scenario of the job may occur, once.
 [[nodiscard]] Result<TakenResults> take_late_results(JobId job,

@@ -22,7 +22,7 @@ Coordinator::Coordinator(CoordinatorParts parts)
               [this](const Action& action) { perform(action); },
               [this] { services_.work.feed(); }}),
       services_(parts_, state_),
-      worker_desk_(state_, services_, parts_.times.heartbeat),
+      worker_desk_(state_, services_, parts_.options.times.heartbeat),
       job_desk_(state_, services_, parts_.geometry) {}
 
 // ---- Restart -----------------------------------------------------------------------------------
@@ -33,7 +33,7 @@ Status Coordinator::restore(Recovered recovered) {
     Authors known;
     state_.jobs.reserve(recovered.last_job);
     for (RecoveredJob& found : recovered.jobs) {
-        MasterJob& job = state_.jobs.add(MasterJob(std::move(found), Clock::now()));
+        MasterJob& job = state_.jobs.add(MasterJob(std::move(found), state_.loop.now()));
         job.meshes = parts_.geometry.hold(meshes_of(job.submit));
         if (!job.is_running()) {
             continue;
@@ -93,13 +93,14 @@ void Coordinator::await_workers() {
         processes.merge(state_.jobs.at(id).merged.processes());
     }
     std::erase_if(processes, [this](InstanceId one) { return state_.alarms.is_quarantined(one); });
-    const FailureTimes::Duration within = parts_.times.return_within;
-    state_.awaited = AwaitedWorkers(std::move(jobs), std::move(processes), Clock::now() + within);
+    const FailureTimes::Duration within = parts_.options.times.return_within;
+    state_.awaited =
+        AwaitedWorkers(std::move(jobs), std::move(processes), state_.loop.now() + within);
     if (state_.awaited.size() != 0) {
         log_info("jobs wait for workers to come back: workers={} seconds_max={:.3f}",
                  state_.awaited.size(),
                  std::chrono::duration<double>(within).count());
-        state_.timers.after(within, [this] { services_.work.feed(); });
+        state_.loop.after(within, [this] { services_.work.feed(); });
     }
 }
 
@@ -107,7 +108,7 @@ void Coordinator::close() {
     is_closed_ = true;
     state_.workers.close();
     state_.blocks.close();
-    state_.timers.close();
+    state_.loop.close();
     state_.retries.close();
     services_.references.close();
 }
@@ -139,7 +140,7 @@ void Coordinator::job_ended(JobId id) {
     for (const JobId dropped : state_.jobs.announce(job)) {
         state_.writer.write(DropJob{dropped});
     }
-    const JobStatus status = job.status(Clock::now());
+    const JobStatus status = job.status(state_.loop.now());
     log_info("job ended: job={} state={} merged={} total={} seconds={:.3f} recalled={} copies={} "
              "copies_won={} digest={}{}",
              id.value,

@@ -100,12 +100,12 @@ Status JobDesk::cancel_scenario(JobId id, const PlacedScenario& placed) {
 }
 
 StatusView JobDesk::view() const {
-    return {state_.jobs, state_.workers, state_.alarms, paused(), Clock::now()};
+    return {state_.jobs, state_.workers, state_.alarms, paused(), state_.loop.now()};
 }
 
 ClusterStatus JobDesk::cluster() const {
     ClusterStatus status = view().cluster();
-    status.uptime_seconds = std::chrono::duration<double>(Clock::now() - started_).count();
+    status.uptime_seconds = std::chrono::duration<double>(state_.loop.now() - started_).count();
     status.meshes = geometry_.meshes();
     return status;
 }

@@ -16,7 +16,7 @@ namespace cd {
 class JobDesk {
   public:
     /// All references outlive the desk.
-    JobDesk(MasterState& state, MasterServices& services, GeometryStore& geometry)
+    JobDesk(MasterState& state, MasterServices& services, const Geometry& geometry)
         : state_(state), services_(services), geometry_(geometry) {}
 
     // ---- Beginning ------------------------------------------------------------------------------
@@ -73,8 +73,8 @@ class JobDesk {
 
     MasterState& state_;
     MasterServices& services_;
-    GeometryStore& geometry_;
-    Clock::time_point started_ = Clock::now();
+    const Geometry& geometry_;
+    Clock::time_point started_ = state_.loop.now();
 };
 
 } // namespace cd

@@ -7,26 +7,27 @@ namespace cd {
 
 namespace {
 
-double seconds_since(Clock::time_point begin) {
-    return std::chrono::duration<double>(Clock::now() - begin).count();
+double seconds_of(EventLoop::Duration time) {
+    return std::chrono::duration<double>(time).count();
 }
 
 } // namespace
 
 MasterState::MasterState(const CoordinatorParts& parts, const Hooks& hooks)
-    : background(parts.executor, parts.compute, parts.blocking, hooks.after_each),
-      timers(parts.executor),
-      jobs(limits::results_ended_kept_max, parts.retention),
+    : loop(parts.loop),
+      background(loop, parts.compute, parts.blocking, hooks.after_each),
+      jobs(limits::results_ended_kept_max, parts.options.retention, [this] { return loop.now(); }),
       waits(parts.executor),
-      workers(parts.times,
+      workers(parts.options.times,
               std::random_device{}() | std::uint64_t{std::random_device{}()} << 32,
               hooks.workers,
-              Clock::now),
-      blocks(parts.executor, trees),
-      dispatch([begin = Clock::now()] { return seconds_since(begin); }, hooks.perform),
-      writer([executor = parts.executor](
-                 std::function<void()> run) { asio::post(executor, std::move(run)); },
+              [this] { return loop.now(); }),
+      blocks({parts.executor, loop, parts.network, parts.compute, trees}),
+      dispatch([this, begin = loop.now()] { return seconds_of(loop.now() - begin); },
+               hooks.perform,
+               parts.options.dispatch),
+      writer([&thread = parts.loop](std::function<void()> run) { thread.post(std::move(run)); },
              parts.journal),
-      retries(parts.executor) {}
+      retries(loop) {}
 
 } // namespace cd

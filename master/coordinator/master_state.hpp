@@ -4,13 +4,15 @@
 #include "common/core/limits/master.hpp"
 #include "master/base/background.hpp"
 #include "master/base/disk_retries.hpp"
-#include "master/base/timers.hpp"
+#include "master/base/event_loop.hpp"
 #include "master/blocks/block_delivery.hpp"
+#include "master/compute/job_geometry.hpp"
 #include "master/dispatch/dispatch_driver.hpp"
 #include "master/geometry/geometry_store.hpp"
 #include "master/geometry/tree_registry.hpp"
 #include "master/jobs/job_table.hpp"
 #include "master/jobs/job_waits.hpp"
+#include "master/jobs/work/analysis_feed.hpp"
 #include "master/journal/journal_writer.hpp"
 #include "master/verify/alarms.hpp"
 #include "master/workers/awaited_workers.hpp"
@@ -22,19 +24,29 @@
 
 namespace cd {
 
+struct CoordinatorOptions {
+    Durability durability = Durability::Synced;
+    FailureTimes times = {};
+    std::uint64_t results_aside_bytes_max = limits::results_aside_bytes_max;
+    JobRetention retention = {};
+    ResultCheck check = take_results;
+    FeedLimits feed = {};
+    DispatcherOptions dispatch = {};
+};
+
 /// Resources and options of the coordinator. Everything referenced outlives the coordinator.
 struct CoordinatorParts {
     asio::any_io_executor executor; ///< Has one thread, which alone accesses the state.
-    GeometryStore& geometry;
-    ThreadPool& compute;  ///< Runs analyses and checks results.
-    ThreadPool& blocking; ///< Runs tasks that block on the disk or on `compute`.
+    EventLoop& loop;                ///< Its functions run on the executor's thread.
+    Network& network;
+    Geometry& geometry;
+    GeometryStore* store; ///< The meshes on disk, for clients' sessions; null without sessions.
+    Pool& compute;        ///< Runs analyses and checks results.
+    Pool& blocking;       ///< Runs tasks that block on the disk or on `compute`.
     /// Not started yet. Must stop after the coordinator, and before the executor's context.
     Journal& journal;
     std::filesystem::path directory; ///< Spool directory for incoming poses.
-    Durability durability = Durability::Synced;
-    FailureTimes times;
-    std::uint64_t results_aside_bytes_max = limits::results_aside_bytes_max;
-    JobRetention retention = {};
+    CoordinatorOptions options = {};
 };
 
 /// The members of the coordinator that the services share.
@@ -48,9 +60,10 @@ struct MasterState {
     MasterState(const CoordinatorParts& parts, const Hooks& hooks);
     MasterState(const MasterState&) = delete;
     MasterState& operator=(const MasterState&) = delete;
+    ~MasterState() { loop.close(); }
 
+    EventLoop& loop;
     Background background;
-    Timers timers;
     JobTable jobs;
     JobWaits waits;
     WorkerDirectory workers;

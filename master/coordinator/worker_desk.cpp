@@ -25,8 +25,8 @@ std::vector<RootIndex> others(std::uint32_t count, const std::vector<RootIndex>&
     return all;
 }
 
-double seconds_now() {
-    return std::chrono::duration<double>(Clock::now().time_since_epoch()).count();
+double seconds_of(EventLoop::Time time) {
+    return std::chrono::duration<double>(time.time_since_epoch()).count();
 }
 
 } // namespace
@@ -133,17 +133,17 @@ void WorkerDesk::watch() {
     is_watching_ = true;
     const FailureTimes::Duration period = heartbeat_ / 2;
     const bool is_at_end = state_.dispatch.view().is_at_end();
-    state_.timers.after(is_at_end ? std::min(period, timing::end_check_period) : period,
-                        [this, is_at_end] {
-                            state_.workers.check();
-                            if (is_at_end) {
-                                services_.work.feed(); // A straggler may need a speculative copy.
-                            }
-                            is_watching_ = false;
-                            if (state_.workers.is_watching()) {
-                                watch();
-                            }
-                        });
+    state_.loop.after(is_at_end ? std::min(period, timing::end_check_period) : period,
+                      [this, is_at_end] {
+                          state_.workers.check();
+                          if (is_at_end) {
+                              services_.work.feed(); // A straggler may need a speculative copy.
+                          }
+                          is_watching_ = false;
+                          if (state_.workers.is_watching()) {
+                              watch();
+                          }
+                      });
 }
 
 // ---- Leaving -----------------------------------------------------------------------------------
@@ -198,7 +198,7 @@ void WorkerDesk::came(WorkerId id, const WantSubtrees& want) {
     }
     for (const RootIndex root : want.roots) {
         worker->meter.transfers().wanted(
-            want.tree, root, geometry->compressed_bytes(root), seconds_now());
+            want.tree, root, geometry->compressed_bytes(root), seconds_of(state_.loop.now()));
     }
 }
 
@@ -207,8 +207,8 @@ void WorkerDesk::came(WorkerId id, const Held& held) {
         return state_.workers.cut_off(id, known.error());
     }
     if (Worker* worker = state_.workers.find(id)) {
-        if (const auto measured =
-                worker->meter.transfers().held(held.tree, held.roots, seconds_now())) {
+        if (const auto measured = worker->meter.transfers().held(
+                held.tree, held.roots, seconds_of(state_.loop.now()))) {
             state_.dispatch->transfer_measured(id, measured->bytes, measured->seconds);
         }
     }

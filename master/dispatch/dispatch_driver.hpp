@@ -13,8 +13,10 @@ namespace cd {
 class DispatchDriver {
   public:
     /// `now` returns seconds since a fixed point in time. `perform` may cause further actions.
-    DispatchDriver(std::function<double()> now, std::function<void(const Action&)> perform)
-        : now_(std::move(now)), perform_(std::move(perform)) {}
+    DispatchDriver(std::function<double()> now,
+                   std::function<void(const Action&)> perform,
+                   const DispatcherOptions& options = {})
+        : now_(std::move(now)), perform_(std::move(perform)), dispatcher_(options) {}
 
     /// Sets the dispatcher's time to now, and returns the dispatcher, for one event.
     Dispatcher* operator->() {

@@ -18,7 +18,6 @@ struct CutGeometry::State {
     TreeTop top;
     SubtreeBlock top_block;
     BlocksFile blocks;
-    ThreadPool& pool;
     std::uint64_t bytes = 0;
     mutable std::mutex writing{}; ///< Held while the file is written again.
     mutable bool is_lost = false; ///< The file could not be written again; guarded by `writing`.
@@ -46,8 +45,7 @@ Result<SubtreeBlock> block_of(const TreeTop& top) {
 Result<std::shared_ptr<const CutGeometry>> CutGeometry::open(const std::filesystem::path& path,
                                                              std::shared_ptr<const ObbTree> tree,
                                                              std::uint32_t depth,
-                                                             SubtreeForm form,
-                                                             ThreadPool& pool) {
+                                                             SubtreeForm form) {
     Result<BlocksFile> blocks = open_blocks_file(path, *tree, depth, form);
     if (!blocks) {
         return blocks.error();
@@ -62,8 +60,7 @@ Result<std::shared_ptr<const CutGeometry>> CutGeometry::open(const std::filesyst
                                            form,
                                            std::move(top),
                                            std::move(top_block.value()),
-                                           std::move(blocks.value()),
-                                           pool});
+                                           std::move(blocks.value())});
     for (const BlockPlace& place : state->blocks.places) {
         state->bytes += place.bytes;
     }
@@ -85,15 +82,6 @@ const TreeTop& CutGeometry::top() const {
     return state_->top;
 }
 
-std::uint32_t CutGeometry::root_count() const {
-    return state_->top.root_count();
-}
-
-bool CutGeometry::has_blocks(std::span<const RootIndex> roots) const {
-    roots = without_top(roots);
-    return roots.empty() || roots.back() < root_count();
-}
-
 const Sha256& CutGeometry::hash(RootIndex root) const {
     return root == top_root ? state_->top_block.hash : state_->blocks.places[root].hash;
 }
@@ -105,10 +93,6 @@ std::uint64_t CutGeometry::compressed_bytes(RootIndex root) const {
 
 std::uint64_t CutGeometry::bytes_total() const {
     return state_->bytes;
-}
-
-ThreadPool& CutGeometry::pool() const {
-    return state_->pool;
 }
 
 Result<Bytes> CutGeometry::State::read(RootIndex root) const {

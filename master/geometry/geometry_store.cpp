@@ -354,8 +354,7 @@ GeometryStore::State::load_cut(Entry& entry,
     if (const Status opens = check_opens(path); !opens) {
         return Cut::unwritten(opens.error());
     }
-    Result<std::shared_ptr<const CutGeometry>> cut =
-        CutGeometry::open(path, tree, depth, form, pool);
+    Result<std::shared_ptr<const CutGeometry>> cut = CutGeometry::open(path, tree, depth, form);
     if (!cut && cut.error().code != ErrorCode::NotFound) {
         if (const Status status = set_aside(path, cut.error().detail); !status) {
             return Cut::unwritten(status.error());
@@ -371,7 +370,7 @@ GeometryStore::State::load_cut(Entry& entry,
                  to_short_hex(tree->mesh().hash()),
                  depth,
                  seconds_since(start));
-        cut = CutGeometry::open(path, tree, depth, form, pool);
+        cut = CutGeometry::open(path, tree, depth, form);
     }
     if (cut) {
         kept = cut.value();

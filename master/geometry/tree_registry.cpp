@@ -8,7 +8,7 @@ namespace cd {
 namespace {
 
 /// Returns a hash over the blocks of all distribution roots, which identifies the cut.
-Sha256 name_of(const CutGeometry& geometry) {
+Sha256 name_of(const Cut& geometry) {
     ByteWriter out;
     out.put(static_cast<std::uint8_t>(geometry.form()));
     for (RootIndex root = 0; root < geometry.root_count(); ++root) {
@@ -19,7 +19,7 @@ Sha256 name_of(const CutGeometry& geometry) {
 
 } // namespace
 
-TreeId TreeRegistry::acquire(const Sha256& mesh, std::shared_ptr<const CutGeometry> geometry) {
+TreeId TreeRegistry::acquire(const Sha256& mesh, std::shared_ptr<const Cut> geometry) {
     const Key key{mesh, geometry->depth(), geometry->form()};
     const auto [place, is_new] = ids_.try_emplace(key, TreeId{last_ + 1});
     if (is_new) {
@@ -44,13 +44,13 @@ bool TreeRegistry::release(TreeId tree) {
 
 AddTree TreeRegistry::message(TreeId tree) const {
     const Used& used = trees_.at(tree);
-    const CutGeometry& geometry = *used.geometry;
+    const Cut& geometry = *used.geometry;
     return {tree,
             geometry.form(),
             used.cut,
             geometry.hash(top_root),
             geometry.root_count(),
-            geometry.top().triangle_count()};
+            geometry.triangle_count()};
 }
 
 std::vector<AddTree> TreeRegistry::messages() const {
@@ -61,7 +61,7 @@ std::vector<AddTree> TreeRegistry::messages() const {
     return all;
 }
 
-std::shared_ptr<const CutGeometry> TreeRegistry::find(TreeId tree) const {
+std::shared_ptr<const Cut> TreeRegistry::find(TreeId tree) const {
     const auto found = trees_.find(tree);
     return found == trees_.end() ? nullptr : found->second.geometry;
 }

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "common/core/files/hash.hpp"
-#include "master/geometry/cut_geometry.hpp"
+#include "master/geometry/cut.hpp"
 #include "proto/messages/work_messages.hpp"
 
 #include <cstdint>
@@ -18,7 +18,7 @@ namespace cd {
 class TreeRegistry {
   public:
     /// Adds a user of the tree, and returns the tree's id.
-    TreeId acquire(const Sha256& mesh, std::shared_ptr<const CutGeometry> geometry);
+    TreeId acquire(const Sha256& mesh, std::shared_ptr<const Cut> geometry);
     /// Removes a user of the tree. Returns true if this was the last user, so that the tree is
     /// dropped.
     bool release(TreeId tree);
@@ -29,13 +29,13 @@ class TreeRegistry {
     /// The messages of all used trees.
     [[nodiscard]] std::vector<AddTree> messages() const;
     /// Null for a tree without users.
-    [[nodiscard]] std::shared_ptr<const CutGeometry> find(TreeId tree) const;
+    [[nodiscard]] std::shared_ptr<const Cut> find(TreeId tree) const;
 
   private:
     using Key = std::tuple<Sha256, std::uint32_t, SubtreeForm>;
     struct Used {
         Key key;
-        std::shared_ptr<const CutGeometry> geometry;
+        std::shared_ptr<const Cut> geometry;
         Sha256 cut;
         std::uint64_t users = 0;
     };

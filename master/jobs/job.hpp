@@ -50,7 +50,7 @@ struct JobWork {
     std::shared_ptr<const std::vector<bool>> done;
     std::vector<std::uint64_t> cancelled; ///< Scenarios cancelled one by one.
 
-    /// Number of groups of scenarios whose analysis has started and is not delivered.
+    /// Number of groups of scenarios whose analysis has started and has not been taken.
     [[nodiscard]] std::uint64_t analyses_under_way() const {
         return analyser == nullptr ? 0 : analyser->under_way();
     }

@@ -31,7 +31,7 @@ void JobLife::end(MasterJob& job, JobState state, const std::string& failure) {
         job.work() == nullptr ? std::vector<TreeId>() : job.work()->trees;
     parts_.retries.stop(job.id);
     events_.ending(job.id);
-    parts_.jobs.end(job, state, failure, Clock::now());
+    parts_.jobs.end(job, state, failure, now());
     parts_.dispatch.act(parts_.dispatch->job_closed(job.id));
     for (auto& [id, worker] : parts_.workers.all()) {
         worker.send(worker.supply.remove_job(job.id));
@@ -39,7 +39,7 @@ void JobLife::end(MasterJob& job, JobState state, const std::string& failure) {
     for (const TreeId tree : trees) {
         release_tree(tree);
     }
-    parts_.writer.write(EndJob{job.id, *job.end, job.progress(Clock::now())});
+    parts_.writer.write(EndJob{job.id, *job.end, job.progress(now())});
 }
 
 void JobLife::end_if_complete(MasterJob& job) {

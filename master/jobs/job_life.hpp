@@ -37,6 +37,7 @@ class JobLife {
     /// All parts outlive this object.
     JobLife(const Parts& parts, Events events) : parts_(parts), events_(std::move(events)) {}
 
+    [[nodiscard]] Clock::time_point now() const { return parts_.jobs.now(); }
     /// Ends a running job: here, at the dispatcher and on the workers. Writes its end to the
     /// journal.
     void end(MasterJob& job, JobState state, const std::string& failure);

@@ -48,7 +48,7 @@ void JobMerger::merge(MasterJob& job,
     }
     if (!add.results.empty() || !add.remarks.empty()) {
         ++job.changes;
-        add.progress = job.progress(Clock::now());
+        add.progress = job.progress(life_.now());
         if (!add.results.empty() && !taken.map.empty() && job.map.withdrawn().empty()) {
             job.map.add(taken.map);
             add.map = pack_map(taken.map);

@@ -14,7 +14,7 @@ void JobStart::begin(const JobRecord& record,
                      std::shared_ptr<PoseSource> poses) {
     const Submit& submit = record.submit;
     MasterJob& job =
-        parts_.jobs.add(MasterJob(record.id, submit, std::move(results), Clock::now()));
+        parts_.jobs.add(MasterJob(record.id, submit, std::move(results), parts_.jobs.now()));
     job.times.began = record.began;
     job.meshes = parts_.geometry.hold(meshes_of(submit));
     job.run->poses = std::make_shared<OrderedPoses>(std::move(poses));
@@ -28,9 +28,7 @@ void JobStart::begin(const JobRecord& record,
 
 void JobStart::prepare(const MasterJob& job) {
     parts_.background.block(
-        [&store = parts_.geometry, submit = job.submit] {
-            return make_job_geometry(store, submit);
-        },
+        [&geometry = parts_.geometry, submit = job.submit] { return geometry.prepare(submit); },
         [this, id = job.id](const StoreResult<JobGeometry>& made) { prepared(id, made); });
 }
 
@@ -62,9 +60,9 @@ void JobStart::open(MasterJob& job, const JobGeometry& made) {
     const Submit& submit = job.submit;
     job.run->work = std::make_unique<JobWork>();
     JobWork& work = *job.run->work;
-    work.analysis_input = make_analysis_input(made, submit.query, job.run->poses);
-    work.material = std::make_shared<const JobMaterial>(
-        JobMaterial{made.tree_a, made.tree_b, submit.query, work.analysis_input.settler});
+    work.analysis_input = made.analysis;
+    work.analysis_input.poses = job.run->poses;
+    work.material = made.material;
     work.todo = PositionQueue(job.run->poses->count(), std::exchange(job.run->losses_before, {}));
     work.trees = {parts_.trees.acquire(submit.bodies[0].mesh, made.cut_a),
                   parts_.trees.acquire(submit.bodies[1].mesh, made.cut_b)};

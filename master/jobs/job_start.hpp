@@ -4,7 +4,6 @@
 #include "master/base/background.hpp"
 #include "master/compute/job_geometry.hpp"
 #include "master/dispatch/dispatch_driver.hpp"
-#include "master/geometry/geometry_store.hpp"
 #include "master/geometry/tree_registry.hpp"
 #include "master/jobs/job_life.hpp"
 #include "master/jobs/job_table.hpp"
@@ -18,7 +17,7 @@ namespace cd {
 class JobStart {
   public:
     struct Parts {
-        GeometryStore& geometry;
+        Geometry& geometry;
         JobTable& jobs;
         JobLife& life;
         WorkerDirectory& workers;

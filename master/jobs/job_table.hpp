@@ -8,22 +8,27 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace cd {
 
 [[nodiscard]] Error no_job();
 
-/// Jobs by id. Keeps ended jobs as long as `retention` allows, but drops the oldest when ended jobs
-/// have more than `results_kept` results together.
+/// Jobs by id, and the clock of their times. Keeps ended jobs as long as `retention` allows, but
+/// drops the oldest when ended jobs have more than `results_kept` results together.
 class JobTable {
   public:
     explicit JobTable(std::uint64_t results_kept = limits::results_ended_kept_max,
-                      JobRetention retention = {})
-        : results_kept_(results_kept), retention_(retention) {}
+                      JobRetention retention = {},
+                      std::function<Clock::time_point()> now = Clock::now)
+        : results_kept_(results_kept), retention_(retention), now_(std::move(now)) {}
+
+    [[nodiscard]] Clock::time_point now() const { return now_(); }
 
     /// Allocates a job id. Until `add` or `give_up` is called, the id counts as a running job with
     /// so many scenarios. Errors: Refused when too many jobs or scenarios are running.
@@ -65,6 +70,7 @@ class JobTable {
     std::uint64_t last_ = 0;
     std::uint64_t results_kept_;
     JobRetention retention_;
+    std::function<Clock::time_point()> now_;
 };
 
 } // namespace cd

@@ -30,87 +30,109 @@ bool is_urgent(const JournalEntry& entry) {
     return !std::holds_alternative<AddResults>(entry);
 }
 
-} // namespace
+/// Writes on a thread of its own.
+class DiskJournal final : public Journal {
+  public:
+    DiskJournal(const JournalOptions& options,
+                std::unique_ptr<JournalDatabase> database,
+                Recovered recovered)
+        : Journal(options.directory / "jobs"),
+          synced_(options.synced),
+          database_(std::move(database)),
+          recovered_(std::move(recovered)) {}
+    ~DiskJournal() override;
 
-struct Journal::State {
-    JournalOptions options;
-    std::mutex database_use;
-    std::unique_ptr<JournalDatabase> database; ///< Guarded by `database_use`.
-    Recovered recovered;
-    JournalEvents events;
+    [[nodiscard]] Recovered take_recovered() override { return std::move(recovered_); }
+    void start(JournalEvents events) override;
+    std::uint64_t add(JournalEntry entry) override;
+    [[nodiscard]] std::uint64_t queued_bytes() const override { return queued_bytes_; }
+    [[nodiscard]] Result<JobRecord> job(JobId job) const override;
 
-    mutable std::mutex mutex; ///< Guards the members from `queue` to `added`.
-    std::condition_variable changed;
-    std::deque<JournalEntry> queue;
-    std::size_t queued_rows = 0;
-    bool urgent = false;
-    bool stopping = false;
-    std::uint64_t added = 0;
-    std::atomic<std::uint64_t> queued_bytes = 0;
-
-    std::uint64_t committed = 0; ///< Only the journal's thread uses it.
-    std::thread thread;
-
+  private:
     void run();
     [[nodiscard]] std::vector<JournalEntry> next_group(SteadyClock::time_point not_before);
     [[nodiscard]] Status write(const std::vector<JournalEntry>& group);
     /// Retries until the group is written. False if the journal is destroyed before that.
     bool write_until_done(const std::vector<JournalEntry>& group);
-    [[nodiscard]] std::filesystem::path jobs_folder() const { return options.directory / "jobs"; }
+
+    bool synced_;
+    mutable std::mutex database_use_;
+    std::unique_ptr<JournalDatabase> database_; ///< Guarded by `database_use_`.
+    Recovered recovered_;
+    JournalEvents events_;
+
+    /// Entries that wait for a commit; `mutex_` guards them.
+    struct Queue {
+        std::deque<JournalEntry> entries;
+        std::size_t rows = 0;
+        bool urgent = false;
+        bool stopping = false;
+        std::uint64_t added = 0; ///< Number of entries ever added.
+    };
+    std::mutex mutex_;
+    std::condition_variable changed_;
+    Queue queue_;
+    std::atomic<std::uint64_t> queued_bytes_ = 0;
+
+    std::uint64_t committed_ = 0; ///< Only the journal's thread uses it.
+    std::thread thread_;
 };
+
+} // namespace
 
 // ---- Writing ------------------------------------------------------------------------------------
 
-Status Journal::State::write(const std::vector<JournalEntry>& group) {
-    const std::lock_guard lock(database_use);
-    return write_group({*database, jobs_folder(), options.synced}, group);
+Status DiskJournal::write(const std::vector<JournalEntry>& group) {
+    const std::lock_guard lock(database_use_);
+    return write_group({*database_, jobs_folder(), synced_}, group);
 }
 
-bool Journal::State::write_until_done(const std::vector<JournalEntry>& group) {
+bool DiskJournal::write_until_done(const std::vector<JournalEntry>& group) {
     std::string told;
     for (;;) {
         const Status status = write(group);
         if (status) {
             if (!told.empty()) {
                 log_info("journal resumed");
-                events.paused("");
+                events_.paused("");
             }
             return true;
         }
         if (told != status.error().detail) {
             told = status.error().detail;
             log_error("journal cannot write, jobs paused: error=\"{}\"", told);
-            events.paused(told);
+            events_.paused(told);
         }
-        std::unique_lock lock(mutex);
-        if (changed.wait_for(lock, timing::journal_retry_period, [this] { return stopping; })) {
+        std::unique_lock lock(mutex_);
+        if (changed_.wait_for(
+                lock, timing::journal_retry_period, [this] { return queue_.stopping; })) {
             return false;
         }
     }
 }
 
-std::vector<JournalEntry> Journal::State::next_group(SteadyClock::time_point not_before) {
-    std::unique_lock lock(mutex);
-    changed.wait(lock, [this] { return stopping || !queue.empty(); });
-    changed.wait_until(lock, not_before, [this] {
-        return stopping || urgent || queued_rows >= limits::journal_group_rows;
+std::vector<JournalEntry> DiskJournal::next_group(SteadyClock::time_point not_before) {
+    std::unique_lock lock(mutex_);
+    changed_.wait(lock, [this] { return queue_.stopping || !queue_.entries.empty(); });
+    changed_.wait_until(lock, not_before, [this] {
+        return queue_.stopping || queue_.urgent || queue_.rows >= limits::journal_group_rows;
     });
     std::vector<JournalEntry> group;
     std::size_t rows = 0;
     std::uint64_t bytes = 0;
-    while (!queue.empty() && rows < limits::journal_commit_rows_max &&
+    while (!queue_.entries.empty() && rows < limits::journal_commit_rows_max &&
            bytes < limits::journal_commit_bytes_max) {
-        rows += rows_of(queue.front());
-        bytes += bytes_of(queue.front());
-        group.push_back(std::move(queue.front()));
-        queue.pop_front();
+        rows += rows_of(queue_.entries.front());
+        bytes += bytes_of(queue_.entries.front());
+        group.push_back(std::move(queue_.entries.front()));
+        queue_.entries.pop_front();
     }
-    queued_rows -= rows;
-    urgent = urgent && !queue.empty();
+    queue_.rows -= rows;
+    queue_.urgent = queue_.urgent && !queue_.entries.empty();
     return group;
 }
 
-void Journal::State::run() {
+void DiskJournal::run() {
     for (auto not_before = SteadyClock::now();;) {
         const std::vector<JournalEntry> group = next_group(not_before);
         not_before = SteadyClock::now() + timing::journal_group_period;
@@ -118,10 +140,10 @@ void Journal::State::run() {
             return; // The journal is being destroyed.
         }
         for (const JournalEntry& entry : group) {
-            queued_bytes -= bytes_of(entry);
+            queued_bytes_ -= bytes_of(entry);
         }
-        committed += group.size();
-        events.committed(committed);
+        committed_ += group.size();
+        events_.committed(committed_);
     }
 }
 
@@ -163,94 +185,60 @@ void remove_leftovers(const JournalOptions& options,
 
 } // namespace
 
-Journal::Journal(std::unique_ptr<State> state) : state_(std::move(state)) {}
-
 Result<std::unique_ptr<Journal>> Journal::open(const JournalOptions& options) {
-    auto state = std::make_unique<State>();
-    state->options = options;
-    if (const Status status =
-            options.create ? make_directories(state->jobs_folder()) : Status(Done{});
-        !status) {
+    const std::filesystem::path folder = options.directory / "jobs";
+    if (const Status status = options.create ? make_directories(folder) : Status(Done{}); !status) {
         return status.error();
     }
-    auto database = JournalDatabase::open(
-        options.directory, {options.synced, options.create, file_of_a_job(state->jobs_folder())});
+    auto database = JournalDatabase::open(options.directory,
+                                          {options.synced, options.create, file_of_a_job(folder)});
     if (!database) {
         return database.error();
     }
-    auto jobs = recover_jobs(*database.value(), state->jobs_folder(), options.check_records);
-    if (!jobs) {
-        return with_remedy(jobs.error());
+    auto recovered = recover(*database.value(), folder, options.check_records);
+    if (!recovered) {
+        return with_remedy(recovered.error());
     }
-    auto alarms = recover_alarms(*database.value());
-    if (!alarms) {
-        return with_remedy(alarms.error());
-    }
-    state->database = std::move(database.value());
-    Recovered& recovered = state->recovered;
-    recovered.cluster = state->database->cluster();
-    recovered.last_job = state->database->last_job();
-    recovered.jobs = std::move(jobs.value());
-    recovered.alarms = std::move(alarms.value());
     if (options.create) {
-        remove_leftovers(options, state->jobs_folder(), recovered);
+        remove_leftovers(options, folder, recovered.value());
     }
-    return std::unique_ptr<Journal>(new Journal(std::move(state)));
+    return std::unique_ptr<Journal>(std::make_unique<DiskJournal>(
+        options, std::move(database.value()), std::move(recovered.value())));
 }
 
 // ---- The journal --------------------------------------------------------------------------------
 
-Journal::~Journal() {
+DiskJournal::~DiskJournal() {
     {
-        const std::lock_guard lock(state_->mutex);
-        state_->stopping = true;
+        const std::lock_guard lock(mutex_);
+        queue_.stopping = true;
     }
-    state_->changed.notify_all();
-    if (state_->thread.joinable()) {
-        state_->thread.join();
+    changed_.notify_all();
+    if (thread_.joinable()) {
+        thread_.join();
     }
 }
 
-Recovered Journal::take_recovered() {
-    return std::move(state_->recovered);
+void DiskJournal::start(JournalEvents events) {
+    CD_CHECK(!thread_.joinable());
+    events_ = std::move(events);
+    thread_ = std::thread([this] { run(); });
 }
 
-void Journal::start(JournalEvents events) {
-    CD_CHECK(!state_->thread.joinable());
-    state_->events = std::move(events);
-    state_->thread = std::thread([this] { state_->run(); });
+std::uint64_t DiskJournal::add(JournalEntry entry) {
+    queued_bytes_ += bytes_of(entry);
+    const std::lock_guard lock(mutex_);
+    queue_.rows += rows_of(entry);
+    queue_.urgent = queue_.urgent || is_urgent(entry);
+    queue_.entries.push_back(std::move(entry));
+    changed_.notify_all();
+    return ++queue_.added;
 }
 
-std::uint64_t Journal::add(JournalEntry entry) {
-    state_->queued_bytes += bytes_of(entry);
-    const std::lock_guard lock(state_->mutex);
-    state_->queued_rows += rows_of(entry);
-    state_->urgent = state_->urgent || is_urgent(entry);
-    state_->queue.push_back(std::move(entry));
-    state_->changed.notify_all();
-    return ++state_->added;
-}
-
-std::uint64_t Journal::queued_bytes() const {
-    return state_->queued_bytes;
-}
-
-Result<JobRecord> Journal::job(JobId job) const {
-    const std::lock_guard lock(state_->database_use);
-    const Result<Bytes> record = state_->database->record(job);
+Result<JobRecord> DiskJournal::job(JobId job) const {
+    const std::lock_guard lock(database_use_);
+    const Result<Bytes> record = database_->record(job);
     return record ? decode_job(record.value()) : Result<JobRecord>(record.error());
-}
-
-std::filesystem::path Journal::results_path(JobId job) const {
-    return state_->jobs_folder() / (std::to_string(job.value) + ".results");
-}
-
-std::filesystem::path Journal::labels_path(JobId job) const {
-    return state_->jobs_folder() / (std::to_string(job.value) + ".labels");
-}
-
-std::filesystem::path Journal::poses_path(JobId job) const {
-    return state_->jobs_folder() / (std::to_string(job.value) + ".poses");
 }
 
 } // namespace cd

@@ -15,6 +15,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -100,44 +101,52 @@ struct JournalEvents {
     std::function<void(const std::string& why)> paused;
 };
 
-/// Files: the index `journal.db` and, for each job N, the segment `jobs/N.results`
-/// (`result_store.hpp`). A segment is synced before the index commit that refers to its records.
+/// Commits entries in the order in which they are added, and reports the commits.
 class Journal {
   public:
-    /// Reads the whole journal. Errors: Io naming a file that is damaged or unusable, with a
-    /// remedy. An error leaves the disk unchanged.
+    /// Reads the whole journal of a state directory. Files: the index `journal.db` and, for each
+    /// job N, the segment `jobs/N.results` (`result_store.hpp`). A segment is synced before the
+    /// index commit that refers to its records. A thread of the journal writes. The destructor
+    /// writes all added entries, unless that fails. Errors: Io naming a file that is damaged or
+    /// unusable, with a remedy. An error leaves the disk unchanged.
     [[nodiscard]] static Result<std::unique_ptr<Journal>> open(const JournalOptions& options);
+    /// `jobs_folder` holds the files of the jobs.
+    explicit Journal(std::filesystem::path jobs_folder) : jobs_folder_(std::move(jobs_folder)) {}
     Journal(const Journal&) = delete;
     Journal& operator=(const Journal&) = delete;
-    /// Writes all added entries, unless that fails.
-    ~Journal();
+    virtual ~Journal() = default;
 
-    /// Returns the content that `open` found. Call once.
-    [[nodiscard]] Recovered take_recovered();
+    /// Returns the content that was found when the journal was opened. Call once.
+    [[nodiscard]] virtual Recovered take_recovered() = 0;
 
     /// Starts writing. Call once, before adding entries.
-    void start(JournalEvents events);
+    virtual void start(JournalEvents events) = 0;
     /// Queues the entry. Returns its position; the first is 1. Never blocks for the disk. Any
     /// thread.
-    std::uint64_t add(JournalEntry entry);
+    virtual std::uint64_t add(JournalEntry entry) = 0;
     /// Bytes of all queued records, that is, not committed yet. Any thread.
-    [[nodiscard]] std::uint64_t queued_bytes() const;
+    [[nodiscard]] virtual std::uint64_t queued_bytes() const = 0;
 
     /// Returns a job as accepted. Blocks for the disk. Any thread. Errors: NotFound; Io.
-    [[nodiscard]] Result<JobRecord> job(JobId job) const;
+    [[nodiscard]] virtual Result<JobRecord> job(JobId job) const = 0;
 
-    [[nodiscard]] std::filesystem::path results_path(JobId job) const;
-    [[nodiscard]] std::filesystem::path poses_path(JobId job) const;
-    [[nodiscard]] std::filesystem::path labels_path(JobId job) const;
+    [[nodiscard]] const std::filesystem::path& jobs_folder() const { return jobs_folder_; }
+    [[nodiscard]] std::filesystem::path results_path(JobId job) const {
+        return jobs_folder_ / (std::to_string(job.value) + ".results");
+    }
+    [[nodiscard]] std::filesystem::path poses_path(JobId job) const {
+        return jobs_folder_ / (std::to_string(job.value) + ".poses");
+    }
+    [[nodiscard]] std::filesystem::path labels_path(JobId job) const {
+        return jobs_folder_ / (std::to_string(job.value) + ".labels");
+    }
     /// Returns the job's three possible paths. Not every file need exist.
     [[nodiscard]] std::vector<std::filesystem::path> files_of(JobId job) const {
         return {results_path(job), poses_path(job), labels_path(job)};
     }
 
   private:
-    struct State;
-    explicit Journal(std::unique_ptr<State> state);
-    std::unique_ptr<State> state_;
+    std::filesystem::path jobs_folder_;
 };
 
 } // namespace cd

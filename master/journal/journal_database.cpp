@@ -136,36 +136,52 @@ class Statement {
     int code_ = SQLITE_OK;
 };
 
-} // namespace
+Error missing_mark(const std::filesystem::path& database) {
+    return with_remedy(
+        {ErrorCode::Io,
+         (database.parent_path() / "journal.mark").string() +
+             " is missing or empty, so that nothing tells whether commits are lost"});
+}
 
-struct JournalDatabase::State {
-    std::filesystem::path path;
-    std::optional<DiskFile> mark;
-    std::optional<DatabaseCopy> copy; ///< Read instead of `path`, if set.
-    Database database;
-    bool writing = false; ///< True after the first write: the database is intact.
-    Sha256 cluster;
-    std::uint64_t last_job = 0;
-    std::uint64_t commits = 0;
+/// The journal's index in SQLite. No other class uses SQLite.
+class SqliteDatabase final : public JournalDatabase {
+  public:
+    explicit SqliteDatabase(const std::filesystem::path& directory)
+        : path_(directory / "journal.db") {}
+    ~SqliteDatabase() override;
+    /// Errors: those of `JournalDatabase::open`.
+    [[nodiscard]] Status open(const Options& options);
 
+    [[nodiscard]] const Sha256& cluster() const override { return cluster_; }
+    [[nodiscard]] JobId last_job() const override { return JobId{last_job_}; }
+    [[nodiscard]] Result<std::vector<DatabaseJob>> jobs() const override;
+    [[nodiscard]] Result<Bytes> record(JobId job) const override;
+    [[nodiscard]] Result<Bytes> alarms() const override;
+    [[nodiscard]] Status
+    for_each_results(JobId job,
+                     const std::function<Status(std::span<const std::byte>)>& take) const override;
+    [[nodiscard]] Status check_owners() const override;
+    [[nodiscard]] Status write(std::span<const DatabaseChange> changes) override;
+    [[nodiscard]] const std::filesystem::path& path() const override { return path_; }
+
+  private:
     [[nodiscard]] Error failure(const std::string& what) const {
         return {ErrorCode::Io,
-                "cannot " + what + " " + path.string() + ": " +
-                    std::string(sqlite3_errmsg(database.get()))};
+                "cannot " + what + " " + path_.string() + ": " +
+                    std::string(sqlite3_errmsg(database_.get()))};
     }
     [[nodiscard]] Error damage(const std::string& why) const {
-        return {ErrorCode::Io, path.string() + " is damaged: " + why};
+        return {ErrorCode::Io, path_.string() + " is damaged: " + why};
     }
     [[nodiscard]] Error refusal(const std::string& why) const { return with_remedy(damage(why)); }
     [[nodiscard]] bool run(const char* text) const {
-        return sqlite3_exec(database.get(), text, nullptr, nullptr, nullptr) == SQLITE_OK;
+        return sqlite3_exec(database_.get(), text, nullptr, nullptr, nullptr) == SQLITE_OK;
     }
 
     [[nodiscard]] Status connect(const Options& options, bool create);
     [[nodiscard]] Status make();
     [[nodiscard]] Status make_mark();
     [[nodiscard]] Status check_unmarked(const Options& options);
-    [[nodiscard]] Error missing_mark() const;
     [[nodiscard]] bool is_empty() const;
     [[nodiscard]] Status check();
     [[nodiscard]] Status check_version();
@@ -178,30 +194,41 @@ struct JournalDatabase::State {
     [[nodiscard]] Result<std::uint64_t> read_mark() const;
     [[nodiscard]] Status write_mark() const;
     [[nodiscard]] bool apply(const DatabaseChange& change);
+
+    std::filesystem::path path_;
+    std::optional<DiskFile> mark_;
+    std::optional<DatabaseCopy> copy_; ///< Read instead of `path_`, if set.
+    Database database_;
+    bool writing_ = false; ///< True after the first write: the database is intact.
+    Sha256 cluster_;
+    std::uint64_t last_job_ = 0;
+    std::uint64_t commits_ = 0;
 };
+
+} // namespace
 
 // ---- Opening ------------------------------------------------------------------------------------
 
-Status JournalDatabase::State::connect(const Options& options, bool create) {
+Status SqliteDatabase::connect(const Options& options, bool create) {
     sqlite3* opened = nullptr;
     // `cdmaster check` may run in a read-only folder, where SQLite opens a database without a log
     // only as immutable, and one with a log not at all: then a copy is read.
     std::error_code none;
-    const std::uintmax_t log_bytes = std::filesystem::file_size(path.string() + "-wal", none);
+    const std::uintmax_t log_bytes = std::filesystem::file_size(path_.string() + "-wal", none);
     const bool is_at_rest = !options.create && (none || log_bytes == 0);
-    if (!options.create && !is_at_rest && ::access(path.parent_path().c_str(), W_OK) != 0) {
-        auto made = DatabaseCopy::make(path);
+    if (!options.create && !is_at_rest && ::access(path_.parent_path().c_str(), W_OK) != 0) {
+        auto made = DatabaseCopy::make(path_);
         if (!made) {
             return made.error();
         }
-        copy.emplace(std::move(made.value()));
+        copy_.emplace(std::move(made.value()));
     }
     const std::string name =
-        is_at_rest ? as_uri(path) + "?immutable=1" : (copy ? copy->path() : path).string();
+        is_at_rest ? as_uri(path_) + "?immutable=1" : (copy_ ? copy_->path() : path_).string();
     const int flags = is_at_rest ? SQLITE_OPEN_READONLY | SQLITE_OPEN_URI
                                  : SQLITE_OPEN_READWRITE | (create ? SQLITE_OPEN_CREATE : 0);
     const int code = sqlite3_open_v2(name.c_str(), &opened, flags | SQLITE_OPEN_NOMUTEX, nullptr);
-    database.reset(opened);
+    database_.reset(opened);
     if (code != SQLITE_OK) {
         return failure("open");
     }
@@ -216,12 +243,12 @@ Status JournalDatabase::State::connect(const Options& options, bool create) {
     return run(settings.c_str()) ? Status(Done{}) : failure("open");
 }
 
-Status JournalDatabase::State::make() {
+Status SqliteDatabase::make() {
     const std::string names = "PRAGMA application_id=" + std::to_string(application_id) +
                               "; PRAGMA user_version=" + std::to_string(schema_version);
-    cluster = random_secret();
+    cluster_ = random_secret();
     const bool made = run("PRAGMA journal_mode=WAL") && run("BEGIN IMMEDIATE") &&
-                      run(names.c_str()) && run(schema) && set_meta("cluster", cluster.bytes) &&
+                      run(names.c_str()) && run(schema) && set_meta("cluster", cluster_.bytes) &&
                       set_number("last_job", 0) && set_number("commits", 0) && run("COMMIT") &&
                       // Moves the tables into the database file, so that a state whose log is lost
                       // later does not look new.
@@ -229,48 +256,41 @@ Status JournalDatabase::State::make() {
     if (!made) {
         return failure("create");
     }
-    writing = true;
+    writing_ = true;
     return make_mark();
 }
 
-Status JournalDatabase::State::make_mark() {
-    const std::filesystem::path mark_path = path.parent_path() / "journal.mark";
+Status SqliteDatabase::make_mark() {
+    const std::filesystem::path mark_path = path_.parent_path() / "journal.mark";
     Result<DiskFile> file = DiskFile::create_for(mark_path);
     if (!file) {
         return file.error();
     }
-    mark.emplace(std::move(file.value()));
+    mark_.emplace(std::move(file.value()));
     if (Status status = write_mark(); !status) {
         return status;
     }
-    return mark->commit();
+    return mark_->commit();
 }
 
 /// Accepts a missing mark only if the creation of the journal was interrupted.
-Status JournalDatabase::State::check_unmarked(const Options& options) {
-    if (commits != 0 || !options.owned.empty()) {
-        return missing_mark();
+Status SqliteDatabase::check_unmarked(const Options& options) {
+    if (commits_ != 0 || !options.owned.empty()) {
+        return missing_mark(path_);
     }
     return options.create ? make_mark() : Status(Done{});
 }
 
-Error JournalDatabase::State::missing_mark() const {
-    return with_remedy(
-        {ErrorCode::Io,
-         (path.parent_path() / "journal.mark").string() +
-             " is missing or empty, so that nothing tells whether commits are lost"});
-}
-
 /// Returns whether the database has no tables yet, for example after an interrupted creation.
-bool JournalDatabase::State::is_empty() const {
-    Statement id(database.get(), "PRAGMA application_id");
+bool SqliteDatabase::is_empty() const {
+    Statement id(database_.get(), "PRAGMA application_id");
     return id.step() && id.number(0) == 0;
 }
 
-Status JournalDatabase::State::check() {
-    Statement id(database.get(), "PRAGMA application_id");
+Status SqliteDatabase::check() {
+    Statement id(database_.get(), "PRAGMA application_id");
     if (!id.step()) {
-        return refusal(sqlite3_errmsg(database.get()));
+        return refusal(sqlite3_errmsg(database_.get()));
     }
     if (id.number(0) != static_cast<std::uint64_t>(application_id)) {
         return refusal("it is no journal");
@@ -278,9 +298,9 @@ Status JournalDatabase::State::check() {
     if (Status known = check_version(); !known) {
         return known;
     }
-    Statement check(database.get(), "PRAGMA quick_check(1)");
+    Statement check(database_.get(), "PRAGMA quick_check(1)");
     if (!check.step()) {
-        return refusal(sqlite3_errmsg(database.get()));
+        return refusal(sqlite3_errmsg(database_.get()));
     }
     if (check.text(0) != "ok") {
         return refusal(check.text(0));
@@ -288,23 +308,23 @@ Status JournalDatabase::State::check() {
     return read_meta();
 }
 
-Status JournalDatabase::State::check_version() {
-    Statement number(database.get(), "PRAGMA user_version");
+Status SqliteDatabase::check_version() {
+    Statement number(database_.get(), "PRAGMA user_version");
     if (!number.step()) {
-        return refusal(sqlite3_errmsg(database.get()));
+        return refusal(sqlite3_errmsg(database_.get()));
     }
     const std::uint64_t version = number.number(0);
     if (version == schema_version) {
         return Done{};
     }
     return Error{ErrorCode::Io,
-                 path.string() + " is of version " + std::to_string(version) +
+                 path_.string() + " is of version " + std::to_string(version) +
                      ", and this cdmaster reads version " + std::to_string(schema_version) +
                      "; nothing was changed: start the cdmaster that wrote it, or move the state "
                      "directory away and start with an empty one"};
 }
 
-Status JournalDatabase::State::read_meta() {
+Status SqliteDatabase::read_meta() {
     const Result<Bytes> name = meta("cluster");
     const Result<Bytes> last = meta("last_job");
     const Result<Bytes> commit = meta("commits");
@@ -314,24 +334,24 @@ Status JournalDatabase::State::read_meta() {
         }
     }
     ByteReader in_name(name.value());
-    cluster = get_hash(in_name);
-    last_job = ByteReader(last.value()).get<std::uint64_t>();
-    commits = ByteReader(commit.value()).get<std::uint64_t>();
-    const Result<std::uint64_t> marked = mark ? read_mark() : commits;
+    cluster_ = get_hash(in_name);
+    last_job_ = ByteReader(last.value()).get<std::uint64_t>();
+    commits_ = ByteReader(commit.value()).get<std::uint64_t>();
+    const Result<std::uint64_t> marked = mark_ ? read_mark() : commits_;
     if (!marked) {
         return marked.error();
     }
-    if (marked.value() > commits) {
+    if (marked.value() > commits_) {
         return with_remedy({ErrorCode::Io,
-                            path.string() + "-wal is damaged or missing: " +
-                                std::to_string(marked.value() - commits) +
+                            path_.string() + "-wal is damaged or missing: " +
+                                std::to_string(marked.value() - commits_) +
                                 " commits are not in it"});
     }
     return Done{};
 }
 
-Result<std::uint64_t> JournalDatabase::State::read_mark() const {
-    const Result<Bytes> bytes = mark->read_at(0, mark_bytes);
+Result<std::uint64_t> SqliteDatabase::read_mark() const {
+    const Result<Bytes> bytes = mark_->read_at(0, mark_bytes);
     if (!bytes) {
         return with_remedy(bytes.error());
     }
@@ -341,44 +361,39 @@ Result<std::uint64_t> JournalDatabase::State::read_mark() const {
     const auto sum = in.get<std::uint64_t>();
     if (magic != mark_magic || sum != checksum(std::span(bytes.value()).first(2 * sizeof sum))) {
         return with_remedy(
-            {ErrorCode::Io, mark->path().string() + " is damaged: its checksum is wrong"});
+            {ErrorCode::Io, mark_->path().string() + " is damaged: its checksum is wrong"});
     }
     return commit;
 }
 
 // Called after each commit, without a sync: an outdated mark names fewer commits, which is valid.
-Status JournalDatabase::State::write_mark() const {
+Status SqliteDatabase::write_mark() const {
     ByteWriter out;
     out.put(mark_magic);
-    out.put(commits);
+    out.put(commits_);
     out.put(checksum(out.bytes()));
-    return mark->write_at(0, out.bytes());
+    return mark_->write_at(0, out.bytes());
 }
 
-JournalDatabase::JournalDatabase(std::unique_ptr<State> state) : state_(std::move(state)) {}
-
-JournalDatabase::~JournalDatabase() {
-    // After a write, lets SQLite move the log into the database file.
-    sqlite3_db_config(
-        state_->database.get(), SQLITE_DBCONFIG_NO_CKPT_ON_CLOSE, state_->writing ? 0 : 1, nullptr);
+SqliteDatabase::~SqliteDatabase() {
+    if (database_ != nullptr) { // After a write, lets SQLite move the log into the database file.
+        sqlite3_db_config(
+            database_.get(), SQLITE_DBCONFIG_NO_CKPT_ON_CLOSE, writing_ ? 0 : 1, nullptr);
+    }
 }
 
-Result<std::unique_ptr<JournalDatabase>>
-JournalDatabase::open(const std::filesystem::path& directory, const Options& options) {
-    auto state = std::make_unique<State>();
-    state->path = directory / "journal.db";
-    const std::filesystem::path mark_path = directory / "journal.mark";
-    const bool is_there = std::filesystem::exists(state->path);
+Status SqliteDatabase::open(const Options& options) {
+    const std::filesystem::path mark_path = path_.parent_path() / "journal.mark";
+    const bool is_there = std::filesystem::exists(path_);
     std::error_code none;
     const std::uintmax_t mark_size = std::filesystem::file_size(mark_path, none);
     const bool has_mark = !none && mark_size != 0;
     if (!is_there && (has_mark || !options.owned.empty())) {
         const std::string beside = has_mark ? mark_path.string() : options.owned.string();
-        return with_remedy(
-            {ErrorCode::Io, state->path.string() + " is missing, but there is " + beside});
+        return with_remedy({ErrorCode::Io, path_.string() + " is missing, but there is " + beside});
     }
     if (!is_there && !options.create) {
-        return Error{ErrorCode::NotFound, directory.string() + " holds no journal"};
+        return Error{ErrorCode::NotFound, path_.parent_path().string() + " holds no journal"};
     }
     if (has_mark) {
         Result<DiskFile> mark =
@@ -386,38 +401,25 @@ JournalDatabase::open(const std::filesystem::path& directory, const Options& opt
         if (!mark) {
             return mark.error();
         }
-        state->mark.emplace(std::move(mark.value()));
+        mark_.emplace(std::move(mark.value()));
     }
-    Status status = state->connect(options, !is_there);
+    Status status = connect(options, !is_there);
     const bool may_be_new = !has_mark && options.owned.empty() && options.create;
-    if (status && may_be_new && state->is_empty()) {
-        status = state->make();
+    if (status && may_be_new && is_empty()) {
+        status = make();
     } else if (status) {
-        status = state->check();
+        status = check();
         if (status && !has_mark) {
-            status = state->check_unmarked(options);
+            status = check_unmarked(options);
         }
     }
-    if (!status) {
-        return status.error();
-    }
-    return std::unique_ptr<JournalDatabase>(new JournalDatabase(std::move(state)));
-}
-
-const Sha256& JournalDatabase::cluster() const {
-    return state_->cluster;
-}
-JobId JournalDatabase::last_job() const {
-    return JobId{state_->last_job};
-}
-const std::filesystem::path& JournalDatabase::path() const {
-    return state_->path;
+    return status;
 }
 
 // ---- Reading ------------------------------------------------------------------------------------
 
-Result<Bytes> JournalDatabase::State::meta(const char* name) const {
-    Statement statement(database.get(), "SELECT value FROM meta WHERE name=?");
+Result<Bytes> SqliteDatabase::meta(const char* name) const {
+    Statement statement(database_.get(), "SELECT value FROM meta WHERE name=?");
     statement.bind(1, name);
     if (!statement.step()) {
         return refusal(std::string(name) + " is missing");
@@ -429,9 +431,9 @@ Result<Bytes> JournalDatabase::State::meta(const char* name) const {
     return std::move(*value);
 }
 
-Result<std::vector<DatabaseJob>> JournalDatabase::jobs() const {
+Result<std::vector<DatabaseJob>> SqliteDatabase::jobs() const {
     std::vector<DatabaseJob> jobs;
-    Statement statement(state_->database.get(),
+    Statement statement(database_.get(),
                         "SELECT job, record, progress, ended FROM jobs ORDER BY job");
     while (statement.step()) {
         const std::uint64_t id = statement.number(0);
@@ -448,104 +450,102 @@ Result<std::vector<DatabaseJob>> JournalDatabase::jobs() const {
             }
             auto content = unsealed(row, kind, id);
             if (!content) {
-                return state_->damage("job " + std::to_string(id) + " has a wrong checksum");
+                return damage("job " + std::to_string(id) + " has a wrong checksum");
             }
             *part = std::move(*content);
         }
         jobs.push_back(std::move(job));
     }
     if (statement.failed()) {
-        return state_->failure("read");
+        return failure("read");
     }
     return jobs;
 }
 
-Result<Bytes> JournalDatabase::record(JobId job) const {
+Result<Bytes> SqliteDatabase::record(JobId job) const {
     const std::string name = "job " + std::to_string(job.value);
-    Statement statement(state_->database.get(), "SELECT record FROM jobs WHERE job=?");
+    Statement statement(database_.get(), "SELECT record FROM jobs WHERE job=?");
     statement.bind(1, job.value);
     if (!statement.step()) {
-        return statement.failed() ? state_->failure("read")
+        return statement.failed() ? failure("read")
                                   : Error{ErrorCode::NotFound, "no " + name + " is known here"};
     }
     auto record = unsealed(statement.bytes(0), RowKind::Record, job.value);
     if (!record) {
-        return state_->damage(name + " has a wrong checksum");
+        return damage(name + " has a wrong checksum");
     }
     return std::move(*record);
 }
 
-Result<Bytes> JournalDatabase::alarms() const {
-    Statement statement(state_->database.get(), "SELECT value FROM meta WHERE name='alarms'");
+Result<Bytes> SqliteDatabase::alarms() const {
+    Statement statement(database_.get(), "SELECT value FROM meta WHERE name='alarms'");
     if (!statement.step()) {
-        return statement.failed() ? Result<Bytes>(state_->failure("read")) : Result<Bytes>(Bytes());
+        return statement.failed() ? Result<Bytes>(failure("read")) : Result<Bytes>(Bytes());
     }
     auto value = unsealed(statement.bytes(0), RowKind::Alarms, 0);
     if (!value) {
-        return state_->damage("the list of alarms has a wrong checksum");
+        return damage("the list of alarms has a wrong checksum");
     }
     return std::move(*value);
 }
 
-Status JournalDatabase::for_each_results(
+Status SqliteDatabase::for_each_results(
     JobId job, const std::function<Status(std::span<const std::byte>)>& take) const {
-    Statement statement(state_->database.get(),
-                        "SELECT content FROM results WHERE job=? ORDER BY number");
+    Statement statement(database_.get(), "SELECT content FROM results WHERE job=? ORDER BY number");
     statement.bind(1, job.value);
     while (statement.step()) {
         const auto content = unsealed(statement.bytes(0), RowKind::Results, job.value);
         if (!content) {
-            return state_->damage("results of job " + std::to_string(job.value) +
-                                  " have a wrong checksum");
+            return damage("results of job " + std::to_string(job.value) + " have a wrong checksum");
         }
         if (Status status = take(*content); !status) {
             return status;
         }
     }
-    return statement.failed() ? Status(state_->failure("read")) : Status(Done{});
+    return statement.failed() ? Status(failure("read")) : Status(Done{});
 }
 
-Status JournalDatabase::check_owners() const {
-    Statement statement(state_->database.get(),
+Status SqliteDatabase::check_owners() const {
+    Statement statement(database_.get(),
                         "SELECT job FROM results WHERE job NOT IN (SELECT job FROM jobs) LIMIT 1");
     if (statement.step()) {
-        return state_->damage("results of job " + std::to_string(statement.number(0)) +
-                              ", which is not there");
+        return damage("results of job " + std::to_string(statement.number(0)) +
+                      ", which is not there");
     }
-    return statement.failed() ? Status(state_->failure("read")) : Status(Done{});
+    return statement.failed() ? Status(failure("read")) : Status(Done{});
 }
 
 // ---- Writing ------------------------------------------------------------------------------------
 
-bool JournalDatabase::State::set_meta(const char* name,
-                                      std::span<const std::byte> value,
-                                      RowKind kind) const {
-    Statement statement(database.get(), "INSERT OR REPLACE INTO meta(name, value) VALUES(?, ?)");
+bool SqliteDatabase::set_meta(const char* name,
+                              std::span<const std::byte> value,
+                              RowKind kind) const {
+    Statement statement(database_.get(), "INSERT OR REPLACE INTO meta(name, value) VALUES(?, ?)");
     statement.bind(1, name).bind(2, sealed(value, kind, 0));
     return !statement.step() && !statement.failed();
 }
 
-bool JournalDatabase::State::set_number(const char* name, std::uint64_t value) const {
+bool SqliteDatabase::set_number(const char* name, std::uint64_t value) const {
     return set_meta(name, std::as_bytes(std::span(&value, 1)));
 }
 
-bool JournalDatabase::State::apply(const DatabaseChange& change) {
+bool SqliteDatabase::apply(const DatabaseChange& change) {
     using Kind = DatabaseChange::Kind;
     const std::uint64_t job = change.job.value;
     const auto run_with = [&](const char* text, RowKind kind) {
-        Statement statement(database.get(), text);
+        Statement statement(database_.get(), text);
         statement.bind(1, job).bind(2, sealed(change.content, kind, job));
         return !statement.step() && !statement.failed();
     };
     const auto run_for = [&](const char* text) {
-        Statement statement(database.get(), text);
+        Statement statement(database_.get(), text);
         statement.bind(1, job);
         return !statement.step() && !statement.failed();
     };
     switch (change.kind) {
     case Kind::Accept:
         return run_with("INSERT INTO jobs(job, record) VALUES(?, ?)", RowKind::Record) &&
-               set_number("last_job", std::max(last_job, job));
+               set_number("last_job", std::max(last_job_, job));
     case Kind::Results:
         return run_with("INSERT INTO results(job, content) VALUES(?, ?)", RowKind::Results);
     case Kind::Progress:
@@ -561,34 +561,42 @@ bool JournalDatabase::State::apply(const DatabaseChange& change) {
     return false;
 }
 
-Status JournalDatabase::write(std::span<const DatabaseChange> changes) {
-    State& state = *state_;
-    if (!state.mark->has_its_name()) {
+Status SqliteDatabase::write(std::span<const DatabaseChange> changes) {
+    if (!mark_->has_its_name()) {
         return Error{ErrorCode::Io,
-                     state.path.parent_path().string() +
+                     path_.parent_path().string() +
                          " was removed or replaced under the running master: nothing more can be "
                          "kept; put it back, or start the master again"};
     }
-    bool written = state.run("BEGIN IMMEDIATE");
+    bool written = run("BEGIN IMMEDIATE");
     for (const DatabaseChange& change : changes) {
-        written = written && state.apply(change);
+        written = written && apply(change);
     }
-    written = written && state.set_number("commits", state.commits + 1) && state.run("COMMIT");
+    written = written && set_number("commits", commits_ + 1) && run("COMMIT");
     if (!written) {
-        const Error why = state.failure("write");
-        (void)state.run("ROLLBACK"); // Fails harmlessly if SQLite has already rolled back.
+        const Error why = failure("write");
+        (void)run("ROLLBACK"); // Fails harmlessly if SQLite has already rolled back.
         return why;
     }
-    ++state.commits;
-    state.writing = true;
+    ++commits_;
+    writing_ = true;
     for (const DatabaseChange& change : changes) {
         if (change.kind == DatabaseChange::Kind::Accept) {
-            state.last_job = std::max(state.last_job, change.job.value);
+            last_job_ = std::max(last_job_, change.job.value);
         }
     }
     // An error is ignored: the mark then names fewer commits, which is valid.
-    (void)state.write_mark();
+    (void)write_mark();
     return Done{};
+}
+
+Result<std::unique_ptr<JournalDatabase>>
+JournalDatabase::open(const std::filesystem::path& directory, const Options& options) {
+    auto database = std::make_unique<SqliteDatabase>(directory);
+    if (const Status opened = database->open(options); !opened) {
+        return opened.error();
+    }
+    return std::unique_ptr<JournalDatabase>(std::move(database));
 }
 
 } // namespace cd

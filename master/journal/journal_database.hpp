@@ -1,4 +1,4 @@
-// The journal's index: jobs and groups of results in SQLite. No other file uses SQLite.
+// The journal's index: jobs and groups of results, in SQLite.
 #pragma once
 
 #include "common/core/files/bytes.hpp"
@@ -31,9 +31,7 @@ struct DatabaseJob {
     Bytes end;      ///< Empty while the job runs.
 };
 
-/// `journal.db` with its write-ahead log, and `journal.mark` with the number of the last commit.
-/// SQLite takes damage in the log for the log's end; the mark reveals the missing commits. The mark
-/// is created before the first commit. Every row has its own checksum. One thread at a time.
+/// The rows of the jobs. One thread at a time.
 class JournalDatabase {
   public:
     struct Options {
@@ -46,43 +44,42 @@ class JournalDatabase {
         std::filesystem::path owned = {};
     };
 
-    /// Opens `journal.db` in the directory. Changes an existing database only in `write`. Errors:
-    /// NotFound if there is none and `create` is false; Io naming a file that is damaged or
+    /// Opens `journal.db` in the directory: an SQLite database with its write-ahead log, and
+    /// `journal.mark` with the number of the last commit. SQLite takes damage in the log for the
+    /// log's end; the mark reveals the missing commits. The mark is created before the first
+    /// commit. Every row has its own checksum. Changes an existing database only in `write`.
+    /// Errors: NotFound if there is none and `create` is false; Io naming a file that is damaged or
     /// unusable, with a remedy.
     [[nodiscard]] static Result<std::unique_ptr<JournalDatabase>>
     open(const std::filesystem::path& directory, const Options& options);
+    JournalDatabase() = default;
     JournalDatabase(const JournalDatabase&) = delete;
     JournalDatabase& operator=(const JournalDatabase&) = delete;
-    ~JournalDatabase();
+    virtual ~JournalDatabase() = default;
 
     /// Random id of this state, made when it was created.
-    [[nodiscard]] const Sha256& cluster() const;
+    [[nodiscard]] virtual const Sha256& cluster() const = 0;
     /// Greatest job id ever used; 0: none.
-    [[nodiscard]] JobId last_job() const;
+    [[nodiscard]] virtual JobId last_job() const = 0;
     /// Returns all jobs in the order of their ids. Errors: Io.
-    [[nodiscard]] Result<std::vector<DatabaseJob>> jobs() const;
+    [[nodiscard]] virtual Result<std::vector<DatabaseJob>> jobs() const = 0;
     /// The record of one job. Errors: NotFound; Io.
-    [[nodiscard]] Result<Bytes> record(JobId job) const;
+    [[nodiscard]] virtual Result<Bytes> record(JobId job) const = 0;
     /// Returns the alarms; empty before the first. Errors: Io.
-    [[nodiscard]] Result<Bytes> alarms() const;
+    [[nodiscard]] virtual Result<Bytes> alarms() const = 0;
     /// Passes all groups of a job's results to `take`, in commit order. Stops at an error of
     /// `take`. Errors: Io.
-    [[nodiscard]] Status
+    [[nodiscard]] virtual Status
     for_each_results(JobId job,
-                     const std::function<Status(std::span<const std::byte>)>& take) const;
+                     const std::function<Status(std::span<const std::byte>)>& take) const = 0;
     /// Checks that every row of results belongs to an existing job. Errors: Io.
-    [[nodiscard]] Status check_owners() const;
+    [[nodiscard]] virtual Status check_owners() const = 0;
 
     /// Writes all changes in one commit, which is on disk when this returns. After an error no
     /// change is written, and the call may be repeated. Errors: Io.
-    [[nodiscard]] Status write(std::span<const DatabaseChange> changes);
+    [[nodiscard]] virtual Status write(std::span<const DatabaseChange> changes) = 0;
 
-    [[nodiscard]] const std::filesystem::path& path() const;
-
-  private:
-    struct State;
-    explicit JournalDatabase(std::unique_ptr<State> state);
-    std::unique_ptr<State> state_;
+    [[nodiscard]] virtual const std::filesystem::path& path() const = 0;
 };
 
 } // namespace cd

@@ -380,10 +380,10 @@ Result<AlarmRecord> recover_alarms(const JournalDatabase& database) {
     return alarms;
 }
 
-Result<std::vector<RecoveredJob>> recover_jobs(const JournalDatabase& database,
-                                               const std::filesystem::path& jobs_folder,
-                                               bool check_records) {
-    std::vector<RecoveredJob> jobs;
+Result<Recovered> recover(const JournalDatabase& database,
+                          const std::filesystem::path& jobs_folder,
+                          bool check_records) {
+    Recovered recovered;
     const Status read = for_each_job(database, [&](Result<FoundJob> found) {
         if (!found) {
             return Status(found.error());
@@ -397,11 +397,20 @@ Result<std::vector<RecoveredJob>> recover_jobs(const JournalDatabase& database,
         if (job.end) {
             job.merger.close();
         }
-        jobs.push_back(std::move(job));
+        recovered.jobs.push_back(std::move(job));
         return Status(Done{});
     });
-    return read ? Result<std::vector<RecoveredJob>>(std::move(jobs))
-                : Result<std::vector<RecoveredJob>>(read.error());
+    if (!read) {
+        return read.error();
+    }
+    Result<AlarmRecord> alarms = recover_alarms(database);
+    if (!alarms) {
+        return alarms.error();
+    }
+    recovered.cluster = database.cluster();
+    recovered.last_job = database.last_job();
+    recovered.alarms = std::move(alarms.value());
+    return recovered;
 }
 
 ExaminedJobs examine_jobs(const JournalDatabase& database,

@@ -31,9 +31,10 @@ struct JournalDisk {
 
 // Both functions change nothing on disk. Errors: Io naming a damaged file.
 [[nodiscard]] Result<AlarmRecord> recover_alarms(const JournalDatabase& database);
-/// Returns all jobs in the order of their ids, with their committed results.
-[[nodiscard]] Result<std::vector<RecoveredJob>> recover_jobs(
-    const JournalDatabase& database, const std::filesystem::path& jobs_folder, bool check_records);
+/// Returns all jobs with their committed results, and the alarms.
+[[nodiscard]] Result<Recovered> recover(const JournalDatabase& database,
+                                        const std::filesystem::path& jobs_folder,
+                                        bool check_records);
 
 /// The jobs found in a state directory, and the damage.
 struct ExaminedJobs {

@@ -39,7 +39,7 @@ ClientSession::ClientSession(Coordinator& coordinator,
       channel_(std::move(channel)),
       access_(std::move(access)),
       quota_(std::move(quota)),
-      queries_(coordinator.parts().journal, coordinator.parts().geometry) {}
+      queries_(coordinator.parts().journal, *coordinator.parts().store) {}
 
 asio::awaitable<void> ClientSession::run() {
     const auto self = shared_from_this();
@@ -127,8 +127,8 @@ asio::awaitable<void> ClientSession::on(Heartbeat /*message*/) {
 // ---- Meshes -------------------------------------------------------------------------------------
 
 asio::awaitable<void> ClientSession::on(MeshesQuery message) {
-    meshes_asked_for_ = coordinator_.parts().geometry.hold(message.meshes);
-    channel_->send(MeshesMissing{coordinator_.parts().geometry.missing(message.meshes)});
+    meshes_asked_for_ = coordinator_.parts().store->hold(message.meshes);
+    channel_->send(MeshesMissing{coordinator_.parts().store->missing(message.meshes)});
     co_return;
 }
 
@@ -161,7 +161,7 @@ Status ClientSession::begin_upload(MeshPart& part) {
         return allowed;
     }
     part.name.resize(std::min(part.name.size(), limits::hello_text_bytes_max));
-    auto begun = coordinator_.parts().geometry.begin_upload(part.mesh, part.name, part.bytes_total);
+    auto begun = coordinator_.parts().store->begin_upload(part.mesh, part.name, part.bytes_total);
     if (!begun) {
         quota_.quotas->end_upload(quota_.client);
         return begun.error();
@@ -192,8 +192,8 @@ asio::awaitable<Status> ClientSession::take_mesh_part(MeshPart message) {
     auto append = [this, &message] { return upload_->append(message.offset, message.bytes); };
     Status status = co_await run_on(coordinator_.parts().blocking, append);
     if (status && upload_->is_complete()) {
-        auto finish = [this, &store = coordinator_.parts().geometry] {
-            return store.finish_upload(std::move(upload_));
+        auto finish = [this, store = coordinator_.parts().store] {
+            return store->finish_upload(std::move(upload_));
         };
         status = co_await run_on(coordinator_.parts().blocking, finish);
         quota_.quotas->end_upload(quota_.client);
@@ -235,8 +235,8 @@ asio::awaitable<void> ClientSession::on(Submit message) {
 }
 
 asio::awaitable<Status> ClientSession::begin_poses(Submit message) {
-    meshes_submitted_ = coordinator_.parts().geometry.hold(meshes_of(message));
-    const auto stored = coordinator_.parts().geometry.meshes();
+    meshes_submitted_ = coordinator_.parts().store->hold(meshes_of(message));
+    const auto stored = coordinator_.parts().store->meshes();
     if (const Status checked = check_submission(message, stored); !checked) {
         co_return checked;
     }

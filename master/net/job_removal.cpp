@@ -62,7 +62,7 @@ asio::awaitable<Result<Removed>> JobRemoval::remove(Remove wish) {
     }
     for (const Sha256& mesh : status.value().bodies) {
         // An error is ignored: another job needs the mesh, or both bodies have the same one.
-        auto free = [&store = coordinator_.parts().geometry, mesh] { return store.remove(mesh); };
+        auto free = [store = coordinator_.parts().store, mesh] { return store->remove(mesh); };
         const Result<std::uint64_t> freed = co_await run_on(coordinator_.parts().blocking, free);
         removed.bytes += freed ? freed.value() : 0;
     }
@@ -71,8 +71,8 @@ asio::awaitable<Result<Removed>> JobRemoval::remove(Remove wish) {
 }
 
 asio::awaitable<Result<Removed>> JobRemoval::remove(RemoveMesh wish) {
-    auto free = [&store = coordinator_.parts().geometry, mesh = wish.mesh] {
-        return store.remove(mesh);
+    auto free = [store = coordinator_.parts().store, mesh = wish.mesh] {
+        return store->remove(mesh);
     };
     const Result<std::uint64_t> freed = co_await run_on(coordinator_.parts().blocking, free);
     if (!freed) {

@@ -34,7 +34,8 @@ asio::awaitable<Result<JobId>> JobRequests::open(Submit submit, std::shared_ptr<
     std::shared_ptr<PoseSource> poses;
     if (spool != nullptr) {
         auto seal = [&coordinator = coordinator_, id, spool] {
-            return spool->seal(coordinator.parts().journal, id, coordinator.parts().durability);
+            return spool->seal(
+                coordinator.parts().journal, id, coordinator.parts().options.durability);
         };
         if (const Status sealed = co_await run_on(coordinator_.parts().blocking, seal); !sealed) {
             coordinator_.jobs().give_up(id);

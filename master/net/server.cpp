@@ -27,7 +27,7 @@ Result<std::unique_ptr<Server>> Server::listen(const asio::any_io_executor& exec
                                                Coordinator& coordinator,
                                                MasterIdentity* identity,
                                                const ClientLimits& clients) {
-    Result<std::unique_ptr<Listener>> listener = Listener::open(executor, endpoint);
+    auto listener = coordinator.parts().network.listen(executor, endpoint);
     if (!listener) {
         return listener.error();
     }
@@ -35,7 +35,7 @@ Result<std::unique_ptr<Server>> Server::listen(const asio::any_io_executor& exec
         new Server(std::move(listener.value()), coordinator, identity, clients));
 }
 
-Server::Server(std::unique_ptr<Listener> listener,
+Server::Server(std::unique_ptr<ChannelListener> listener,
                Coordinator& coordinator,
                MasterIdentity* identity,
                const ClientLimits& clients)
@@ -55,7 +55,7 @@ Server::Server(std::unique_ptr<Listener> listener,
 
 void Server::start() {
     restore_jobs();
-    listener_->start([this](asio::ip::tcp::socket socket) { accept(std::move(socket)); });
+    listener_->start([this](Incoming incoming) { accept(std::move(incoming)); });
 }
 
 void Server::close() {
@@ -77,12 +77,12 @@ void Server::refuse_greeting(Channel& channel, const Error& error) {
     channel.close(true);
 }
 
-void Server::accept(asio::ip::tcp::socket socket) {
-    Seats::Seat seat = greetings_.take(socket);
+void Server::accept(Incoming incoming) {
+    Seats::Seat seat = greetings_.take(incoming.address);
     if (connections_.size() >= limits::connections_max || seat == nullptr) {
         refusals_.log(LogLevel::Warning,
                       "connection refused",
-                      peer_name(socket),
+                      incoming.peer,
                       std::to_string(connections_.size()) + " are open, " +
                           std::to_string(greetings_.taken()) + " not yet greeted");
         return;
@@ -91,15 +91,13 @@ void Server::accept(asio::ip::tcp::socket socket) {
     connections_.emplace(connection, nullptr);
     spawn(coordinator_.parts().executor,
           "session",
-          serve(connection, std::move(socket), std::move(seat)));
+          serve(connection, std::move(incoming), std::move(seat)));
 }
 
-asio::awaitable<void>
-Server::serve(std::uint64_t connection, asio::ip::tcp::socket socket, Seats::Seat seat) {
-    const std::string peer = peer_name(socket);
+asio::awaitable<void> Server::serve(std::uint64_t connection, Incoming incoming, Seats::Seat seat) {
+    const std::string peer = incoming.peer;
     std::shared_ptr<const Tls> tls = identity_ == nullptr ? nullptr : identity_->tls()->now;
-    const Result<std::shared_ptr<Channel>> channel =
-        co_await accept_channel(std::move(socket), std::move(tls));
+    const Result<std::shared_ptr<Channel>> channel = co_await incoming.accept(std::move(tls));
     if (channel) {
         connections_[connection] = channel.value();
         co_await converse(channel.value(), seat);
@@ -161,9 +159,9 @@ asio::awaitable<void> Server::welcome_as(std::shared_ptr<Channel> channel,
         welcome.epoch = coordinator_.workers().epoch();
         welcome.is_resumed = reception.is_resumed;
         welcome.heartbeat_ms =
-            static_cast<std::uint32_t>(coordinator_.parts().times.heartbeat.count());
+            static_cast<std::uint32_t>(coordinator_.parts().options.times.heartbeat.count());
         welcome.lost_after_ms =
-            static_cast<std::uint32_t>(coordinator_.parts().times.lost_after.count());
+            static_cast<std::uint32_t>(coordinator_.parts().options.times.lost_after.count());
         channel->send(welcome);
         const auto session = std::make_shared<WorkerSession>(coordinator_, channel, reception);
         co_await session->run(hello);

@@ -11,7 +11,7 @@
 #include "proto/access/refusals.hpp"
 #include "proto/channel/asio.hpp"
 #include "proto/channel/channel.hpp"
-#include "proto/channel/listener.hpp"
+#include "proto/channel/network.hpp"
 #include "proto/channel/seats.hpp"
 
 #include <chrono>
@@ -34,9 +34,9 @@ struct ClientLimits {
 
 class Server {
   public:
-    /// Opens the port at once; with port 0 the system chooses one. With an `identity`, which must
-    /// outlive the server, accepts only TLS. Errors: BadInput for a host that is no address of this
-    /// machine; Io if the port is in use or not permitted.
+    /// Listens at once on the coordinator's network; with port 0 the system chooses one. With an
+    /// `identity`, which must outlive the server, accepts only TLS. Errors: BadInput for a host
+    /// that is no address of this machine; Io if the port is in use or not permitted.
     [[nodiscard]] static Result<std::unique_ptr<Server>>
     listen(const asio::any_io_executor& executor,
            const Endpoint& endpoint,
@@ -53,14 +53,14 @@ class Server {
     void close();
 
   private:
-    Server(std::unique_ptr<Listener> listener,
+    Server(std::unique_ptr<ChannelListener> listener,
            Coordinator& coordinator,
            MasterIdentity* identity,
            const ClientLimits& clients);
 
-    void accept(asio::ip::tcp::socket socket);
+    void accept(Incoming incoming);
     [[nodiscard]] asio::awaitable<void>
-    serve(std::uint64_t connection, asio::ip::tcp::socket socket, Seats::Seat seat);
+    serve(std::uint64_t connection, Incoming incoming, Seats::Seat seat);
     // These members release the slot `seat` when the peer is welcomed.
     [[nodiscard]] asio::awaitable<void> converse(std::shared_ptr<Channel> channel,
                                                  Seats::Seat& seat);
@@ -76,7 +76,7 @@ class Server {
     void save_jobs();
     void restore_jobs();
 
-    std::unique_ptr<Listener> listener_;
+    std::unique_ptr<ChannelListener> listener_;
     Coordinator& coordinator_;
     MasterIdentity* identity_; ///< Null: no TLS.
     /// All open connections by number. A channel is null until its TLS handshake has finished.

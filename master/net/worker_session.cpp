@@ -57,7 +57,8 @@ asio::awaitable<void> WorkerSession::run(Hello hello) {
     std::string why;
     for (;;) {
         co_await wait_for_room();
-        Result<Message> message = co_await channel_->receive(coordinator_.parts().times.lost_after);
+        Result<Message> message =
+            co_await channel_->receive(coordinator_.parts().options.times.lost_after);
         if (!message && message.error().code == ErrorCode::Timeout && channel_->is_open()) {
             continue; // A large message may arrive slowly; the directory judges silence.
         }
@@ -82,7 +83,7 @@ asio::awaitable<void> WorkerSession::wait_for_room() {
            !mutated(Mutation::ReadsOn)) {
         coordinator_.workers().unheard(worker_, *channel_);
         // Wakes up periodically, because the connection may end during the wait.
-        room_.expires_after(coordinator_.parts().times.heartbeat);
+        room_.expires_after(coordinator_.parts().options.times.heartbeat);
         boost::system::error_code ignored;
         co_await room_.async_wait(asio::redirect_error(asio::use_awaitable, ignored));
         // Reading resumes, so silence counts from now on.
@@ -96,7 +97,7 @@ asio::awaitable<void> WorkerSession::send_heartbeats(std::shared_ptr<WorkerSessi
     while (self->channel_->is_open()) {
         ++heartbeat.sequence;
         self->channel_->send(heartbeat);
-        self->heartbeat_.expires_after(self->coordinator_.parts().times.heartbeat);
+        self->heartbeat_.expires_after(self->coordinator_.parts().options.times.heartbeat);
         boost::system::error_code ignored;
         co_await self->heartbeat_.async_wait(asio::redirect_error(asio::use_awaitable, ignored));
     }

@@ -45,8 +45,8 @@ void ResultIngest::came(WorkerId worker, Results results, std::function<void()> 
     }
     ++task->checks;
     parts_.background.compute(
-        [content = task->content, message = incoming.message] {
-            return take_results(*content, *message);
+        [check = check_, content = task->content, message = incoming.message] {
+            return check(*content, *message);
         },
         [this, incoming, content = task->content](Result<TakenResults> taken) {
             take_in(std::make_shared<Checked>(Checked{incoming, content, std::move(taken), {}}));

@@ -20,6 +20,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <utility>
 #include <vector>
 
 namespace cd {
@@ -39,9 +40,12 @@ class ResultIngest {
         Background& background;
     };
 
-    /// All parts outlive this object. `parked_bytes_max`: memory for results that wait.
-    ResultIngest(const Parts& parts, std::uint64_t parked_bytes_max)
-        : parts_(parts), parked_(parked_bytes_max) {}
+    /// All parts outlive this object. `parked_bytes_max`: memory for results that wait. `check`
+    /// checks the messages of current tasks.
+    ResultIngest(const Parts& parts,
+                 std::uint64_t parked_bytes_max,
+                 ResultCheck check = take_results)
+        : parts_(parts), parked_(parked_bytes_max), check_(std::move(check)) {}
 
     /// Checks and merges the results, and calls `done` when the journal has room. Invalid results
     /// cut the worker off.
@@ -81,6 +85,7 @@ class ResultIngest {
 
     Parts parts_;
     ParkedResults parked_;
+    ResultCheck check_;
 };
 
 } // namespace cd

@@ -62,7 +62,7 @@ void Arbiter::close(MasterJob& job, const Dispute& dispute, ReferenceResult righ
             parts_.dispatch->answered({{}, {}, job.id, PlaceRange{right.taken.position, 1}}));
     }
     entry.alarms = parts_.alarms.take_changed();
-    entry.progress = job.progress(Clock::now());
+    entry.progress = job.progress(parts_.jobs.now());
     parts_.writer.write(std::move(entry));
     --job.run->disputes;
     ++job.changes;

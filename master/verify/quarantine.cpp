@@ -68,7 +68,7 @@ void Quarantine::withdraw_results(const Author& wrong, MasterJob& job) {
     AddResults withdrawal{job.id, job.results, {}, {}, {}};
     withdrawal.remarks.push_back({Remark::Kind::Withdrawn, 0, {}, wrong.process});
     withdrawal.withdrawn = std::move(scenarios);
-    withdrawal.progress = job.progress(Clock::now());
+    withdrawal.progress = job.progress(parts_.jobs.now());
     // In the same entry, so that no withdrawal is durable without its quarantine.
     withdrawal.alarms = parts_.alarms.take_changed();
     parts_.writer.write(std::move(withdrawal));

@@ -62,12 +62,10 @@ void keep_alive(asio::ip::tcp::socket& socket) {
     }
 }
 
-} // namespace
-
-// Pending operations share the state, so it outlives the channel until they have ended. All
-// handlers run on the socket's executor.
-struct Channel::State : std::enable_shared_from_this<State> {
-    State(std::unique_ptr<Stream> connected, const StallBounds& longest_stalls)
+/// Pending operations share the state, so it outlives the channel until they have ended. All
+/// handlers run on the socket's executor.
+struct ChannelState : std::enable_shared_from_this<ChannelState> {
+    ChannelState(std::unique_ptr<Stream> connected, const StallBounds& longest_stalls)
         : stream(std::move(connected)),
           peer_host(remote_end(stream->socket()).address().to_string()),
           peer(peer_host + ":" + std::to_string(remote_end(stream->socket()).port())),
@@ -86,7 +84,7 @@ struct Channel::State : std::enable_shared_from_this<State> {
     }
 
     void read_next();
-    void read_part(asio::mutable_buffer rest, void (State::*next)());
+    void read_part(asio::mutable_buffer rest, void (ChannelState::*next)());
     void read_header();
     void read_payload();
     void header_came();
@@ -138,9 +136,46 @@ struct Channel::State : std::enable_shared_from_this<State> {
     asio::steady_timer flush_deadline;
 };
 
+/// A channel over a stream.
+class StreamChannel final : public Channel {
+  public:
+    explicit StreamChannel(std::shared_ptr<ChannelState> state) : state_(std::move(state)) {}
+    ~StreamChannel() override {
+        if (state_->phase == Phase::Open) {
+            state_->shut();
+        }
+    }
+
+    [[nodiscard]] asio::awaitable<Result<Message>>
+    receive(std::chrono::steady_clock::duration timeout) override;
+    void expect(Party party) override { state_->assembler.expect(party); }
+    void send(const Message& message) override { state_->send(message); }
+    [[nodiscard]] std::size_t queued_bytes() const override { return state_->queued_bytes; }
+    [[nodiscard]] asio::awaitable<void> wait_until_queued_below(std::size_t bytes) override;
+    void close(bool flush) override;
+    [[nodiscard]] bool is_open() const override { return state_->phase == Phase::Open; }
+    [[nodiscard]] asio::awaitable<void> wait_until_closed() override;
+    [[nodiscard]] const Traffic& traffic() const override { return state_->traffic; }
+    [[nodiscard]] const std::string& peer() const override { return state_->peer; }
+    [[nodiscard]] const std::string& peer_host() const override { return state_->peer_host; }
+    [[nodiscard]] const std::string& own_host() const override { return state_->own_host; }
+    [[nodiscard]] bool is_secured() const override { return state_->stream->is_secured(); }
+    [[nodiscard]] std::optional<Identity> peer_identity() const override {
+        return state_->stream->peer_identity();
+    }
+    [[nodiscard]] std::optional<Sha256> binding() const override {
+        return state_->stream->binding();
+    }
+
+  private:
+    std::shared_ptr<ChannelState> state_; ///< Shared with pending operations.
+};
+
+} // namespace
+
 // ---- Reading --------------------------------------------------------------------------------
 
-void Channel::State::read_next() {
+void ChannelState::read_next() {
     if (reading || phase != Phase::Open) {
         return;
     }
@@ -151,16 +186,16 @@ void Channel::State::read_next() {
     read_header();
 }
 
-void Channel::State::read_header() {
-    read_part(asio::buffer(header_bytes) + came, &State::header_came);
+void ChannelState::read_header() {
+    read_part(asio::buffer(header_bytes) + came, &ChannelState::header_came);
 }
 
-void Channel::State::read_payload() {
-    read_part(asio::buffer(frame.data(), header.payload_bytes) + came, &State::payload_came);
+void ChannelState::read_payload() {
+    read_part(asio::buffer(frame.data(), header.payload_bytes) + came, &ChannelState::payload_came);
 }
 
 /// Reads some bytes into `rest`, then calls `next`.
-void Channel::State::read_part(asio::mutable_buffer rest, void (State::*next)()) {
+void ChannelState::read_part(asio::mutable_buffer rest, void (ChannelState::*next)()) {
     reading = true;
     stream->read_some(
         rest, [self = shared_from_this(), next](const error_code& error, std::size_t bytes) {
@@ -174,7 +209,7 @@ void Channel::State::read_part(asio::mutable_buffer rest, void (State::*next)())
         });
 }
 
-void Channel::State::header_came() {
+void ChannelState::header_came() {
     if (came < header_bytes.size()) {
         // An answer in another protocol may be shorter than a header.
         if (auto foreign = foreign_answer(std::span(header_bytes).first(came))) {
@@ -211,7 +246,7 @@ void Channel::State::header_came() {
     read_payload();
 }
 
-void Channel::State::payload_came() {
+void ChannelState::payload_came() {
     if (came < header.payload_bytes) {
         return read_payload();
     }
@@ -227,13 +262,13 @@ void Channel::State::payload_came() {
 }
 
 /// With TLS, a peer must show a certificate before its messages may take much memory.
-bool Channel::State::may_be_large() const {
+bool ChannelState::may_be_large() const {
     return !stream->is_secured() || stream->peer_identity();
 }
 
 /// Starts the deadline of the current frame. One timer serves many frames: when it expires, the
 /// frame is usually complete, and the timer waits for the deadline of a later frame.
-void Channel::State::watch_read() {
+void ChannelState::watch_read() {
     if (!rest_due) {
         rest_due = Clock::now() + stalls.read;
     }
@@ -254,7 +289,7 @@ void Channel::State::watch_read() {
     });
 }
 
-void Channel::State::deliver(const MessageAssembler::Whole& whole_message) {
+void ChannelState::deliver(const MessageAssembler::Whole& whole_message) {
     auto decoded = decode_message(whole_message.type, whole_message.payload);
     if (!decoded) {
         return fail(decoded.error());
@@ -267,7 +302,7 @@ void Channel::State::deliver(const MessageAssembler::Whole& whole_message) {
 }
 
 /// Ends the connection. A peer that has greeted gets the reason first.
-void Channel::State::refuse(Error error) {
+void ChannelState::refuse(Error error) {
     if (assembler.sender() == Party::Stranger) {
         return fail(std::move(error));
     }
@@ -276,7 +311,7 @@ void Channel::State::refuse(Error error) {
     flush_and_close();
 }
 
-void Channel::State::read_failed(const error_code& error) {
+void ChannelState::read_failed(const error_code& error) {
     if (phase == Phase::Closed) {
         return;
     }
@@ -294,7 +329,7 @@ void Channel::State::read_failed(const error_code& error) {
 
 // Keeps reading while closing: unread bytes at a close would reset the connection and lose data
 // still in transit to the peer.
-void Channel::State::drop_incoming() {
+void ChannelState::drop_incoming() {
     if (reading || phase != Phase::Flushing) {
         return;
     }
@@ -310,7 +345,7 @@ void Channel::State::drop_incoming() {
 
 // ---- Writing --------------------------------------------------------------------------------
 
-void Channel::State::send(const Message& message) {
+void ChannelState::send(const Message& message) {
     if (phase != Phase::Open) {
         return;
     }
@@ -321,7 +356,7 @@ void Channel::State::send(const Message& message) {
     write_next();
 }
 
-void Channel::State::write_next() {
+void ChannelState::write_next() {
     if (writing || phase == Phase::Closed) {
         return;
     }
@@ -357,7 +392,7 @@ void Channel::State::write_next() {
     watch_write();
 }
 
-void Channel::State::frame_written(std::size_t lane, std::size_t payload, const error_code& error) {
+void ChannelState::frame_written(std::size_t lane, std::size_t payload, const error_code& error) {
     writing = false;
     write_deadline.cancel();
     if (phase == Phase::Closed) {
@@ -377,7 +412,7 @@ void Channel::State::frame_written(std::size_t lane, std::size_t payload, const 
     write_next();
 }
 
-void Channel::State::watch_write() {
+void ChannelState::watch_write() {
     write_deadline.expires_after(stalls.write);
     write_deadline.async_wait(
         [self = shared_from_this(), frame_number = ++frames_begun](const error_code& error) {
@@ -390,7 +425,7 @@ void Channel::State::watch_write() {
 
 // ---- Closing --------------------------------------------------------------------------------
 
-void Channel::State::flush_and_close() {
+void ChannelState::flush_and_close() {
     phase = Phase::Flushing;
     if (!failure) {
         failure = Error{ErrorCode::Disconnected, "closed on this side"};
@@ -407,14 +442,14 @@ void Channel::State::flush_and_close() {
     write_next();
 }
 
-void Channel::State::fail(Error error) {
+void ChannelState::fail(Error error) {
     if (!failure) {
         failure = std::move(error);
     }
     shut();
 }
 
-void Channel::State::shut() {
+void ChannelState::shut() {
     if (phase == Phase::Closed) {
         return;
     }
@@ -437,20 +472,13 @@ void Channel::State::shut() {
 // ---- The channel ----------------------------------------------------------------------------
 
 std::shared_ptr<Channel> Channel::make(std::unique_ptr<Stream> stream, const StallBounds& stalls) {
-    return std::shared_ptr<Channel>(
-        new Channel(std::make_shared<State>(std::move(stream), stalls)));
+    return std::make_shared<StreamChannel>(
+        std::make_shared<ChannelState>(std::move(stream), stalls));
 }
 
-Channel::Channel(std::shared_ptr<State> state) : state_(std::move(state)) {}
-
-Channel::~Channel() {
-    if (state_->phase == Phase::Open) {
-        state_->shut();
-    }
-}
-
-asio::awaitable<Result<Message>> Channel::receive(std::chrono::steady_clock::duration timeout) {
-    const std::shared_ptr<State> state = state_;
+asio::awaitable<Result<Message>>
+StreamChannel::receive(std::chrono::steady_clock::duration timeout) {
+    const std::shared_ptr<ChannelState> state = state_;
     CD_CHECK(!state->receiving);
     if (!state->incoming && state->phase == Phase::Open) {
         state->receiving = true;
@@ -471,72 +499,28 @@ asio::awaitable<Result<Message>> Channel::receive(std::chrono::steady_clock::dur
     co_return Error{ErrorCode::Timeout, "no message in time"};
 }
 
-void Channel::send(const Message& message) {
-    state_->send(message);
-}
-
-std::size_t Channel::queued_bytes() const {
-    return state_->queued_bytes;
-}
-
-asio::awaitable<void> Channel::wait_until_queued_below(std::size_t bytes) {
-    const std::shared_ptr<State> state = state_;
+asio::awaitable<void> StreamChannel::wait_until_queued_below(std::size_t bytes) {
+    const std::shared_ptr<ChannelState> state = state_;
     while (state->phase == Phase::Open && state->queued_bytes >= bytes) {
         error_code ignored;
         co_await state->written.async_wait(asio::redirect_error(asio::use_awaitable, ignored));
     }
 }
 
-void Channel::expect(Party party) {
-    state_->assembler.expect(party);
-}
-
-asio::awaitable<void> Channel::wait_until_closed() {
-    const std::shared_ptr<State> state = state_;
+asio::awaitable<void> StreamChannel::wait_until_closed() {
+    const std::shared_ptr<ChannelState> state = state_;
     while (state->phase != Phase::Closed) {
         error_code ignored;
         co_await state->written.async_wait(asio::redirect_error(asio::use_awaitable, ignored));
     }
 }
 
-void Channel::close(bool flush) {
+void StreamChannel::close(bool flush) {
     if (!flush) {
         state_->shut();
     } else if (state_->phase == Phase::Open) {
         state_->flush_and_close();
     }
-}
-
-bool Channel::is_open() const {
-    return state_->phase == Phase::Open;
-}
-
-const Traffic& Channel::traffic() const {
-    return state_->traffic;
-}
-
-const std::string& Channel::peer() const {
-    return state_->peer;
-}
-
-const std::string& Channel::peer_host() const {
-    return state_->peer_host;
-}
-
-const std::string& Channel::own_host() const {
-    return state_->own_host;
-}
-
-bool Channel::is_secured() const {
-    return state_->stream->is_secured();
-}
-
-const std::optional<Identity>& Channel::peer_identity() const {
-    return state_->stream->peer_identity();
-}
-
-std::optional<Sha256> Channel::binding() const {
-    return state_->stream->binding();
 }
 
 } // namespace cd

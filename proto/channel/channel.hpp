@@ -55,62 +55,56 @@ struct StallBounds {
 /// A connection to one peer. All members run on the socket's executor, on one thread. Control
 /// messages are sent before data messages. Data messages are sent in frames, so that a heartbeat
 /// waits for one frame at most.
-class Channel : public std::enable_shared_from_this<Channel> {
+class Channel {
   public:
-    /// The stream must be connected, and secured if the channel uses TLS.
+    /// A channel over a stream, which must be connected, and secured if the channel uses TLS.
     [[nodiscard]] static std::shared_ptr<Channel> make(std::unique_ptr<Stream> stream,
                                                        const StallBounds& stalls = {});
+    Channel() = default;
+    Channel(const Channel&) = delete;
+    Channel& operator=(const Channel&) = delete;
+    virtual ~Channel() = default;
 
     /// Receives the next message. Reads at most one message ahead, so that a slow caller slows the
     /// peer. Errors: Timeout (the channel stays usable); Disconnected, also for a stalled frame;
     /// Refused if the peer rejects this end's certificate; BadFrame or TooLarge for invalid bytes
     /// or a message that the peer may not send, which close the channel. The first message must be
     /// a small Hello, Welcome or Failure. One caller at a time.
-    [[nodiscard]] asio::awaitable<Result<Message>>
-    receive(std::chrono::steady_clock::duration timeout);
+    [[nodiscard]] virtual asio::awaitable<Result<Message>>
+    receive(std::chrono::steady_clock::duration timeout) = 0;
 
     /// Sets the peer's party after its greeting. The party decides which messages the peer may
     /// send, and how large.
-    void expect(Party party);
+    virtual void expect(Party party) = 0;
 
     /// Queues a message, whose payload has at most the `payload_bytes_max` of its type. Never
     /// blocks; does nothing after `close`. Senders of much data await `wait_until_queued_below`.
-    void send(const Message& message);
+    virtual void send(const Message& message) = 0;
 
     /// Bytes not yet handed to the operating system.
-    [[nodiscard]] std::size_t queued_bytes() const;
+    [[nodiscard]] virtual std::size_t queued_bytes() const = 0;
     /// Returns when fewer than `bytes` bytes are queued, or the channel is closed.
-    [[nodiscard]] asio::awaitable<void> wait_until_queued_below(std::size_t bytes);
+    [[nodiscard]] virtual asio::awaitable<void> wait_until_queued_below(std::size_t bytes) = 0;
 
     /// Closes the connection; a waiting `receive` fails. With `flush`, queued messages are sent
     /// first, within `timing::close_flush_max`, even if the channel is destroyed meanwhile. Without
     /// a flush, destroying the channel closes it at once.
-    void close(bool flush = false);
-    [[nodiscard]] bool is_open() const;
+    virtual void close(bool flush = false) = 0;
+    [[nodiscard]] virtual bool is_open() const = 0;
     /// Returns when the connection has ended, that is after the flush of `close`.
-    [[nodiscard]] asio::awaitable<void> wait_until_closed();
+    [[nodiscard]] virtual asio::awaitable<void> wait_until_closed() = 0;
 
-    [[nodiscard]] const Traffic& traffic() const;
+    [[nodiscard]] virtual const Traffic& traffic() const = 0;
     /// The other end as HOST:PORT, for logs.
-    [[nodiscard]] const std::string& peer() const;
+    [[nodiscard]] virtual const std::string& peer() const = 0;
     /// The other end's address, without the port.
-    [[nodiscard]] const std::string& peer_host() const;
+    [[nodiscard]] virtual const std::string& peer_host() const = 0;
     /// This end's address, without the port.
-    [[nodiscard]] const std::string& own_host() const;
-    // The next three forward to `Stream`.
-    [[nodiscard]] bool is_secured() const;
-    [[nodiscard]] const std::optional<Identity>& peer_identity() const;
-    [[nodiscard]] std::optional<Sha256> binding() const;
-
-  private:
-    struct State;
-    explicit Channel(std::shared_ptr<State> state);
-    std::shared_ptr<State> state_; ///< Shared with pending operations.
-
-  public:
-    Channel(const Channel&) = delete;
-    Channel& operator=(const Channel&) = delete;
-    ~Channel();
+    [[nodiscard]] virtual const std::string& own_host() const = 0;
+    // The next three are those of `Stream`; by default, of a plain one.
+    [[nodiscard]] virtual bool is_secured() const { return false; }
+    [[nodiscard]] virtual std::optional<Identity> peer_identity() const { return std::nullopt; }
+    [[nodiscard]] virtual std::optional<Sha256> binding() const { return std::nullopt; }
 };
 
 /// The endpoint, security and role of a peer to connect to.

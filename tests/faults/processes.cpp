@@ -3,6 +3,9 @@
 #include "common/core/limits/master.hpp"
 #include "common/core/limits/worker.hpp"
 #include "proto/codec/codec.hpp"
+#include "tests/faults/simulated_journal.hpp"
+#include "tests/faults/simulated_network.hpp"
+#include "tests/faults/simulated_pool.hpp"
 
 namespace cd::tests {
 
@@ -24,24 +27,23 @@ asio::awaitable<void> pause_for(Duration time) {
 
 MasterProcess::MasterProcess(World& world) : host_(master_host, "master") {
     world.watcher.master_began();
-    world.make_for(&host_);
-    compute_ = std::make_unique<ThreadPool>(master_threads);
-    blocking_ = std::make_unique<ThreadPool>(master_threads);
-    world.make_for(nullptr);
-    auto journal = Journal::open({.directory = "/state"});
+    compute_ = std::make_unique<SimulatedPool>(world, host_, master_threads);
+    blocking_ = std::make_unique<SimulatedPool>(world, host_, master_threads);
+    auto journal = SimulatedJournal::open(world);
     if (!journal) {
         world.problem("the master does not start: " + journal.error().detail);
         return;
     }
     journal_ = std::move(journal.value());
     coordinator_ = std::make_unique<Coordinator>(CoordinatorParts{host_.context.get_executor(),
-                                                                  known_geometry(),
+                                                                  loop_,
+                                                                  simulated_network(),
+                                                                  geometry_,
+                                                                  &known_geometry(),
                                                                   *compute_,
                                                                   *blocking_,
                                                                   *journal_,
-                                                                  "/state/jobs",
-                                                                  Durability::Synced,
-                                                                  {}});
+                                                                  "/state/jobs"});
     if (const Status restored = coordinator_->restore(journal_->take_recovered()); !restored) {
         coordinator_.reset();
         world.problem("the master does not start: " + restored.error().detail);
@@ -59,9 +61,9 @@ MasterProcess::MasterProcess(World& world) : host_(master_host, "master") {
 WorkerProcess::WorkerProcess(World& world, std::uint64_t id, const WorkerHabits& habits)
     : world_(world), habits_(habits), host_(id, "worker-" + std::to_string(id)) {
     host_.is_odd = true;
-    world_.make_for(&host_);
-    executor_ = std::make_unique<Executor>(host_.context.get_executor(), habits.threads);
-    world_.make_for(nullptr);
+    executor_ =
+        std::make_unique<Executor>(host_.context.get_executor(),
+                                   std::make_unique<SimulatedPool>(world_, host_, habits.threads));
     membership_ = std::make_unique<Membership>(*executor_, habits.cache_bytes, habits.unkept);
     spawn(host_.context.get_executor(), "worker", run());
     world.wake(host_);
@@ -83,7 +85,7 @@ bool WorkerProcess::keeps_too_much() const {
 asio::awaitable<void> WorkerProcess::run() {
     while (!has_ended_) {
         Target master{Endpoint{"master", master_port}};
-        const auto channel = co_await connect(std::move(master));
+        const auto channel = co_await simulated_network().connect(std::move(master), 10s);
         if (channel) {
             co_await serve(channel.value());
         }
@@ -96,7 +98,10 @@ asio::awaitable<void> WorkerProcess::run() {
 asio::awaitable<void> WorkerProcess::serve(std::shared_ptr<Channel> channel) {
     if (habits_.serves_peers && peer_server_ == nullptr) {
         const Endpoint endpoint{host_.name, static_cast<std::uint16_t>(8000 + host_.id)};
-        peer_server_ = PeerServer::listen(host_.context.get_executor(), endpoint).value();
+        const auto no_tls = std::make_shared<TlsSlot>();
+        peer_server_ =
+            PeerServer::listen(host_.context.get_executor(), endpoint, no_tls, simulated_network())
+                .value();
     }
     Hello hello;
     hello.role = Role::Worker;
@@ -107,6 +112,7 @@ asio::awaitable<void> WorkerProcess::serve(std::shared_ptr<Channel> channel) {
     hello.instance = host_.id;
     hello.peer_port = peer_server_ == nullptr ? std::uint16_t{0} : peer_server_->port();
     PeerParts peers{peer_server_, {}, host_.name};
+    peers.network = &simulated_network();
     const Result<Served> served =
         co_await membership_->serve(std::move(channel), std::move(hello), std::move(peers));
     if (served) {
@@ -130,7 +136,7 @@ ClientProcess::ClientProcess(World& world,
 asio::awaitable<void> ClientProcess::run() {
     while (!end_) {
         Target master{Endpoint{"master", master_port}};
-        const auto channel = co_await connect(std::move(master));
+        const auto channel = co_await simulated_network().connect(std::move(master), 10s);
         if (channel) {
             co_await converse(channel.value());
         }

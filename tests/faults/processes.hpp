@@ -27,9 +27,11 @@ class MasterProcess {
 
   private:
     Host host_;
-    std::unique_ptr<ThreadPool> compute_;
+    AsioLoop loop_{host_.context.get_executor()};
+    StoredGeometry geometry_{known_geometry()};
+    std::unique_ptr<Pool> compute_;
     std::unique_ptr<Journal> journal_;
-    std::unique_ptr<ThreadPool> blocking_;
+    std::unique_ptr<Pool> blocking_;
     std::unique_ptr<Coordinator> coordinator_;
     std::unique_ptr<Server> server_;
 };

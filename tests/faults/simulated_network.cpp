@@ -1,56 +1,52 @@
-// Replaces connections by messages that take time and suffer faults on the way.
+#include "tests/faults/simulated_network.hpp"
+
 #include "common/core/check.hpp"
 #include "master/base/mutation.hpp"
-#include "proto/channel/channel.hpp"
-#include "proto/channel/listener.hpp"
 #include "tests/faults/link_end.hpp"
 #include "tests/faults/world.hpp"
-
-#include <fcntl.h>
 
 #include <map>
 #include <optional>
 #include <utility>
 
-namespace cd {
+namespace cd::tests {
 
 using namespace std::chrono_literals;
-using tests::Duration;
-using tests::Host;
-using tests::latency_max;
-using tests::latency_min;
-using tests::LinkEnd;
-using tests::Time;
-using tests::World;
 
 namespace {
 
 const Error nobody_there{ErrorCode::Disconnected, "nobody is there"};
 
-// One function that takes sockets makes all channels; this is the end for the next one.
-std::shared_ptr<LinkEnd> next_end;
-
-} // namespace
-
 // ---- The channel ------------------------------------------------------------------------------
 
-struct Channel::State {
-    std::shared_ptr<LinkEnd> end;
+class SimulatedChannel final : public Channel {
+  public:
+    explicit SimulatedChannel(std::shared_ptr<LinkEnd> end) : end_(std::move(end)) {}
+    ~SimulatedChannel() override { end_->shut(!*end_->is_silent); }
+
+    [[nodiscard]] asio::awaitable<Result<Message>>
+    receive(std::chrono::steady_clock::duration timeout) override;
+    void expect(Party party) override { end_->other_party = party; }
+    void send(const Message& message) override;
+    [[nodiscard]] std::size_t queued_bytes() const override { return end_->queued; }
+    [[nodiscard]] asio::awaitable<void> wait_until_queued_below(std::size_t bytes) override;
+    void close(bool /*flush*/) override { end_->shut(true); }
+    [[nodiscard]] bool is_open() const override {
+        return end_->open && !(end_->is_ended && end_->inbox.empty());
+    }
+    [[nodiscard]] asio::awaitable<void> wait_until_closed() override { co_return; }
+    [[nodiscard]] const Traffic& traffic() const override { return end_->traffic; }
+    [[nodiscard]] const std::string& peer() const override { return end_->other_host; }
+    [[nodiscard]] const std::string& peer_host() const override { return end_->other_host; }
+    [[nodiscard]] const std::string& own_host() const override { return end_->this_host; }
+
+  private:
+    std::shared_ptr<LinkEnd> end_;
 };
 
-Channel::Channel(std::shared_ptr<State> state) : state_(std::move(state)) {}
-
-Channel::~Channel() {
-    state_->end->shut(!*state_->end->is_silent);
-}
-
-std::shared_ptr<Channel> Channel::make(std::unique_ptr<Stream>, const StallBounds&) {
-    return std::shared_ptr<Channel>(
-        new Channel(std::make_shared<State>(State{std::exchange(next_end, nullptr)})));
-}
-
-asio::awaitable<Result<Message>> Channel::receive(std::chrono::steady_clock::duration timeout) {
-    const std::shared_ptr<LinkEnd> end = state_->end;
+asio::awaitable<Result<Message>>
+SimulatedChannel::receive(std::chrono::steady_clock::duration timeout) {
+    const std::shared_ptr<LinkEnd> end = end_;
     const Time deadline = std::chrono::steady_clock::now() + timeout;
     end->is_awaited = true;
     if (end->open && !end->inbox.empty()) {
@@ -76,133 +72,80 @@ asio::awaitable<Result<Message>> Channel::receive(std::chrono::steady_clock::dur
     }
 }
 
-void Channel::send(const Message& message) {
+void SimulatedChannel::send(const Message& message) {
     World& world = *World::current();
-    const Host* from = world.find_host(state_->end->host);
+    const Host* from = world.find_host(end_->host);
     if (mutated(Mutation::EvictionNotTold) && std::holds_alternative<Evicted>(message)) {
         return;
     }
     const auto* results = std::get_if<Results>(&message);
     if (results != nullptr && from != nullptr && from->liar) {
-        state_->end->send(world.watcher.lies.told_by(from->id, *from->liar, *results), is_open());
+        end_->send(world.watcher.lies.told_by(from->id, *from->liar, *results), is_open());
     } else {
-        state_->end->send(message, is_open());
+        end_->send(message, is_open());
     }
 }
 
-void Channel::expect(Party party) {
-    state_->end->other_party = party;
-}
-
-asio::awaitable<void> Channel::wait_until_closed() {
-    co_return;
-}
-
-std::size_t Channel::queued_bytes() const {
-    return state_->end->queued;
-}
-
-asio::awaitable<void> Channel::wait_until_queued_below(std::size_t bytes) {
-    const std::shared_ptr<LinkEnd> end = state_->end;
-    while (is_open() && end->queued >= bytes) {
+asio::awaitable<void> SimulatedChannel::wait_until_queued_below(std::size_t bytes) {
+    const std::shared_ptr<LinkEnd> end = end_;
+    while (end->open && !(end->is_ended && end->inbox.empty()) && end->queued >= bytes) {
         boost::system::error_code ignored;
         co_await end->drained.async_wait(asio::redirect_error(asio::use_awaitable, ignored));
     }
 }
 
-void Channel::close(bool) {
-    state_->end->shut(true);
-}
-
-bool Channel::is_open() const {
-    return state_->end->open && !(state_->end->is_ended && state_->end->inbox.empty());
-}
-
-const Traffic& Channel::traffic() const {
-    return state_->end->traffic;
-}
-const std::string& Channel::peer() const {
-    return state_->end->other_host;
-}
-const std::string& Channel::peer_host() const {
-    return state_->end->other_host;
-}
-const std::string& Channel::own_host() const {
-    return state_->end->this_host;
-}
-bool Channel::is_secured() const {
-    return false;
-}
-const std::optional<Identity>& Channel::peer_identity() const {
-    static const std::optional<Identity> nobody;
-    return nobody;
-}
-std::optional<Sha256> Channel::binding() const {
-    return std::nullopt;
-}
-
-// ---- Connecting -------------------------------------------------------------------------------
-
-namespace {
+// ---- Accepting --------------------------------------------------------------------------------
 
 struct Listening {
     asio::any_io_executor executor;
     std::uint16_t port = 0;
-    Listener::OnSocket on_socket = nullptr;
+    ChannelListener::OnIncoming on_incoming = nullptr;
 };
 
 std::map<std::uint16_t, std::weak_ptr<Listening>> listeners;
-/// Made but unaccepted connections, by the descriptor of the placeholder socket. Closing the socket
-/// refuses the connection.
-std::map<int, std::shared_ptr<LinkEnd>> backlog;
 
-void offer(Listening& listening, std::shared_ptr<LinkEnd> end) {
-    if (listening.on_socket == nullptr) {
-        return end->shut(true);
+/// An end that no channel has yet.
+struct Unaccepted {
+    explicit Unaccepted(std::shared_ptr<LinkEnd> of) : end(std::move(of)) {}
+    Unaccepted(const Unaccepted&) = delete;
+    Unaccepted& operator=(const Unaccepted&) = delete;
+    ~Unaccepted() {
+        if (end != nullptr) {
+            end->shut(!*end->is_silent);
+        }
     }
-    asio::ip::tcp::socket socket(listening.executor, asio::ip::tcp::v4());
-    const int descriptor = socket.native_handle();
-    backlog[descriptor] = end;
-    listening.on_socket(std::move(socket));
-    if (::fcntl(descriptor, F_GETFD) < 0) {
-        backlog.erase(descriptor);
-        end->shut(true);
-    }
-}
-
-} // namespace
-
-struct Listener::State {
-    std::shared_ptr<Listening> listening;
+    std::shared_ptr<LinkEnd> end;
 };
 
-Result<std::unique_ptr<Listener>> Listener::open(const asio::any_io_executor& executor,
-                                                 const Endpoint& endpoint) {
-    const auto listening = std::make_shared<Listening>(Listening{executor, endpoint.port});
-    listeners[endpoint.port] = listening;
-    return std::unique_ptr<Listener>(new Listener(std::make_shared<State>(State{listening})));
-}
-
-Listener::Listener(std::shared_ptr<State> state) : state_(std::move(state)) {}
-
-Listener::~Listener() {
-    if (const Host* host = World::current()->host_of(state_->listening->executor)) {
-        std::erase_if(backlog,
-                      [&](const auto& waiting) { return waiting.second->host == host->id; });
+void offer(const Listening& listening, const std::shared_ptr<LinkEnd>& end) {
+    if (listening.on_incoming == nullptr) {
+        return end->shut(true);
     }
+    listening.on_incoming(
+        {{},
+         end->other_host,
+         [offered = std::make_shared<Unaccepted>(end)](
+             std::shared_ptr<const Tls>) -> asio::awaitable<Result<std::shared_ptr<Channel>>> {
+             co_return std::make_shared<SimulatedChannel>(std::exchange(offered->end, nullptr));
+         }});
 }
 
-std::uint16_t Listener::port() const {
-    return state_->listening->port;
-}
+class SimulatedListener final : public ChannelListener {
+  public:
+    explicit SimulatedListener(std::shared_ptr<Listening> listening)
+        : listening_(std::move(listening)) {}
 
-void Listener::start(OnSocket on_socket) {
-    state_->listening->on_socket = std::move(on_socket);
-}
+    [[nodiscard]] std::uint16_t port() const override { return listening_->port; }
+    void start(OnIncoming on_incoming) override {
+        listening_->on_incoming = std::move(on_incoming);
+    }
+    void close() override { listening_->on_incoming = nullptr; }
 
-void Listener::close() {
-    state_->listening->on_socket = nullptr;
-}
+  private:
+    std::shared_ptr<Listening> listening_;
+};
+
+// ---- Connecting -------------------------------------------------------------------------------
 
 asio::awaitable<std::shared_ptr<Listening>> find_listener(Endpoint endpoint) {
     World& world = *World::current();
@@ -212,18 +155,31 @@ asio::awaitable<std::shared_ptr<Listening>> find_listener(Endpoint endpoint) {
     co_await timer.async_wait(asio::use_awaitable);
     const std::shared_ptr<Listening> listener = listeners[endpoint.port].lock();
     Host* there = listener == nullptr ? nullptr : world.host_of(listener->executor);
-    const bool reaches = there != nullptr && listener->on_socket != nullptr &&
+    const bool reaches = there != nullptr && listener->on_incoming != nullptr &&
                          world.now() >= from.cut_off_until && world.now() >= there->cut_off_until &&
                          !world.is_severed(from, *there) && !world.is_severed(*there, from);
     co_return reaches ? listener : nullptr;
 }
 
-asio::awaitable<Status> reach(Endpoint endpoint, std::chrono::seconds) {
-    const std::shared_ptr<Listening> listener = co_await find_listener(endpoint);
-    co_return listener == nullptr ? Status(nobody_there) : Status(Done{});
-}
+class SimulatedNetwork final : public Network {
+  public:
+    [[nodiscard]] asio::awaitable<Result<std::shared_ptr<Channel>>>
+    connect(Target target, std::chrono::seconds timeout) override;
+    [[nodiscard]] asio::awaitable<Status> reach(Endpoint endpoint,
+                                                std::chrono::seconds /*timeout*/) override {
+        const std::shared_ptr<Listening> listener = co_await find_listener(std::move(endpoint));
+        co_return listener == nullptr ? Status(nobody_there) : Status(Done{});
+    }
+    [[nodiscard]] Result<std::unique_ptr<ChannelListener>>
+    listen(const asio::any_io_executor& executor, const Endpoint& endpoint) override {
+        const auto listening = std::make_shared<Listening>(Listening{executor, endpoint.port});
+        listeners[endpoint.port] = listening;
+        return std::unique_ptr<ChannelListener>(std::make_unique<SimulatedListener>(listening));
+    }
+};
 
-asio::awaitable<Result<std::shared_ptr<Channel>>> connect(Target target, std::chrono::seconds) {
+asio::awaitable<Result<std::shared_ptr<Channel>>>
+SimulatedNetwork::connect(Target target, std::chrono::seconds /*timeout*/) {
     const std::shared_ptr<Listening> listener = co_await find_listener(target.endpoint);
     if (listener == nullptr) {
         co_return nobody_there;
@@ -243,16 +199,14 @@ asio::awaitable<Result<std::shared_ptr<Channel>>> connect(Target target, std::ch
     here->other_host = other->this_host = there->name;
     asio::post(listener->executor, [listener, other] { offer(*listener, other); });
     world.wake(*there);
-    next_end = here;
-    co_return Channel::make(nullptr);
+    co_return std::make_shared<SimulatedChannel>(here);
 }
 
-asio::awaitable<Result<std::shared_ptr<Channel>>>
-accept_channel(asio::ip::tcp::socket socket, std::shared_ptr<const Tls>, Duration) {
-    const auto waiting = backlog.extract(socket.native_handle());
-    CD_CHECK(!waiting.empty());
-    next_end = waiting.mapped();
-    co_return Channel::make(nullptr);
+} // namespace
+
+Network& simulated_network() {
+    static SimulatedNetwork network;
+    return network;
 }
 
-} // namespace cd
+} // namespace cd::tests

@@ -1,8 +1,11 @@
 #include "tests/faults/world.hpp"
 
+#include "common/core/check.hpp"
 #include "common/core/host/log.hpp"
 
 #include <algorithm>
+#include <cstdio>
+#include <cstdlib>
 
 namespace cd::tests {
 
@@ -14,9 +17,6 @@ World* the_world = nullptr;
 Time clock_time{std::chrono::seconds(1000)};
 /// Each read of the clock advances it by this much, so work on a slow host takes long.
 Duration look_takes{0};
-
-constexpr Duration pool_work_min = std::chrono::microseconds(200);
-constexpr Duration pool_work_max = std::chrono::milliseconds(40);
 
 /// Bound on turns of a host without outside events; a sound host needs a few.
 constexpr std::size_t turns_max = 100'000;
@@ -34,6 +34,16 @@ std::chrono::steady_clock::time_point std::chrono::steady_clock::now() noexcept 
 // Makes Asio's timers follow the simulated clock, not the system's.
 extern "C" int timerfd_create(int, int) noexcept {
     return -1;
+}
+
+// Makes a failed CD_CHECK a problem of the simulation.
+void cd::check_failed(const char* condition, const char* file, int line) {
+    const std::string what = std::string(condition) + " at " + file + ":" + std::to_string(line);
+    if (tests::World* world = tests::World::current()) {
+        world->check_failed(what);
+    }
+    std::fprintf(stderr, "broken invariant: %s\n", what.c_str());
+    std::abort();
 }
 
 namespace cd::tests {
@@ -162,60 +172,10 @@ Host* World::find_host(std::uint64_t id) {
     return found == hosts_.end() ? nullptr : found->second;
 }
 
-// ---- Threads --------------------------------------------------------------------------------
-
-void World::pool_made(const ThreadPool* pool, unsigned threads) {
-    if (making_ != nullptr) {
-        pools_[pool] = Pool{making_->id, ++number_last_, threads, {}, {}};
-    }
-}
-
-void World::post(const ThreadPool* pool, std::function<void()> function) {
-    const auto found = pools_.find(pool);
-    if (found == pools_.end()) {
-        return function();
-    }
-    found->second.waiting.push_back(std::move(function));
-    start_next(pool);
-}
-
-void World::start_next(const ThreadPool* pool) {
-    Pool& content = pools_.at(pool);
-    if (content.free == 0 || content.waiting.empty()) {
-        return;
-    }
-    --content.free;
-    const std::uint64_t job = ++number_last_;
-    content.running.emplace(job, std::move(content.waiting.front()));
-    content.waiting.pop_front();
-    const Duration work = between(pool_work_min, pool_work_max);
-    if (const Host& host = *hosts_.at(content.host);
-        host.slowed_at != Time{} && host.slowness >= 2) {
-        felt(Trouble::WorkerSlowed, host, host.slowed_at);
-    }
-    in(std::chrono::duration_cast<Duration>(work * hosts_.at(content.host)->slowness),
-       [this, pool, number = content.number, job] { run_on_pool(pool, number, job); });
-}
-
-void World::run_on_pool(const ThreadPool* pool, std::uint64_t number, std::uint64_t job) {
-    const auto found = pools_.find(pool);
-    if (found == pools_.end() || found->second.number != number) {
-        return; // Its process has ended.
-    }
-    Host& host = *hosts_.at(found->second.host);
-    if (is_stopped(host)) {
-        felt_stop(host);
-        return at(host.stopped_until,
-                  [this, pool, number, job] { run_on_pool(pool, number, job); });
-    }
-    ++found->second.free;
-    const auto running = found->second.running.extract(job);
-    look_takes =
-        std::chrono::duration_cast<Duration>(std::chrono::microseconds(20) * host.slowness);
-    running.mapped()();
+void World::work_slowly(Duration look, const std::function<void()>& function) {
+    look_takes = look;
+    function();
     look_takes = Duration(0);
-    wake(host);
-    start_next(pool);
 }
 
 // ---- Faults -----------------------------------------------------------------------------------

@@ -1,6 +1,7 @@
-// A simulated environment for the real programs: time, randomness, network, disk. The
-// simulated_*.cpp files replace threads, sockets, files and the clock at link time; all else is the
-// shipped code.
+// A simulated environment for the real programs: time, randomness, network, disk. Journal, thread
+// pools and connections implement the programs' interfaces (simulated_*.hpp). Only the system below
+// the programs is replaced at link time: files (simulated_files.cpp), and the C++ library's clock
+// (world.cpp), which Asio's timers follow. All else is the shipped code.
 #pragma once
 
 #include "proto/channel/asio.hpp"
@@ -12,7 +13,6 @@
 
 #include <chrono>
 #include <cstdint>
-#include <deque>
 #include <exception>
 #include <functional>
 #include <map>
@@ -23,10 +23,6 @@
 #include <string>
 #include <utility>
 #include <vector>
-
-namespace cd {
-class ThreadPool;
-} // namespace cd
 
 namespace cd::tests {
 
@@ -102,8 +98,6 @@ class World {
     void log(const std::string& text) const;
 
     // ---- Hosts ------------------------------------------------------------------------------
-    /// Assigns new thread pools to this host. Null: to none; they run functions at once.
-    void make_for(Host* host) { making_ = host; }
     /// Runs the host's ready handlers at the end of this step.
     void wake(Host& host) { awake_.insert(host.id); }
     void wake_all();
@@ -116,10 +110,9 @@ class World {
     /// message.
     [[nodiscard]] bool is_severed(const Host& from, const Host& to);
 
-    // ---- Called by the replaced parts ---------------------------------------------------------
-    void pool_made(const ThreadPool* pool, unsigned threads);
-    void pool_gone(const ThreadPool* pool) { pools_.erase(pool); }
-    void post(const ThreadPool* pool, std::function<void()> function);
+    // ---- Called by the simulated parts --------------------------------------------------------
+    /// Runs the function, with a clock that each read advances by `look`.
+    static void work_slowly(Duration look, const std::function<void()>& function);
     void check_failed(const std::string& what);
     /// Must be called before every change of the master's disk.
     void touch_disk();
@@ -151,15 +144,6 @@ class World {
 
   private:
     friend struct Host;
-    struct Pool {
-        std::uint64_t host = 0;
-        std::uint64_t number = 0; ///< Distinguishes pools at one address.
-        unsigned free = 0;
-        std::deque<std::function<void()>> waiting;
-        std::map<std::uint64_t, std::function<void()>> running; ///< Key: a running number.
-    };
-    void start_next(const ThreadPool* pool);
-    void run_on_pool(const ThreadPool* pool, std::uint64_t number, std::uint64_t job);
     void run_awake();
 
     std::mt19937_64 random_;
@@ -168,9 +152,7 @@ class World {
     std::map<std::uint64_t, Host*> hosts_;
     std::set<std::uint64_t> awake_;
     std::set<std::uint64_t> have_run_; ///< In the last step.
-    std::map<const ThreadPool*, Pool> pools_;
-    std::uint64_t number_last_ = 0; ///< Last number of a pool, function or connection.
-    Host* making_ = nullptr;
+    std::uint64_t number_last_ = 0;    ///< Last number of a function or connection.
     std::map<std::pair<Trouble, std::uint64_t>, Time> felt_; ///< Last fault by kind and host.
     std::vector<std::string> problems_;
 };

@@ -35,14 +35,17 @@ class Master {
         : directory(state.empty() ? folder.path() : state),
           times(failure_times),
           coordinator({context.get_executor(),
-                       *store,
+                       loop,
+                       tcp_network(),
+                       geometry,
+                       store.get(),
                        compute,
                        blocking,
                        *journal,
                        directory / "jobs",
-                       Durability::Unsynced,
-                       times,
-                       stage.results_aside_bytes_max}),
+                       {.durability = Durability::Unsynced,
+                        .times = times,
+                        .results_aside_bytes_max = stage.results_aside_bytes_max}}),
           identity(stage.is_secured ? make_identity() : nullptr),
           server(std::move(Server::listen(context.get_executor(),
                                           {"127.0.0.1", 0},
@@ -88,9 +91,11 @@ class Master {
     TemporaryFolder folder;
     std::filesystem::path directory;
     asio::io_context context{1};
+    AsioLoop loop{context.get_executor()};
     ThreadPool compute{2};
     std::unique_ptr<GeometryStore> store =
         std::move(GeometryStore::open(directory, compute).value());
+    StoredGeometry geometry{*store};
     std::unique_ptr<Journal> journal =
         std::move(Journal::open({.directory = directory, .synced = false}).value());
     ThreadPool blocking{2};

@@ -269,24 +269,29 @@ class PartsStage : public testing::Test {
     asio::executor_work_guard<asio::io_context::executor_type> pools_may_post{
         context.get_executor()};
     std::map<WorkerId, End> ends; ///< Their sockets end before the context.
+    AsioLoop loop{context.get_executor()};
     ThreadPool compute{2};
     std::unique_ptr<GeometryStore> geometry =
         std::move(GeometryStore::open(folder.path(), compute).value());
+    StoredGeometry stored{*geometry};
     std::unique_ptr<Journal> journal =
         std::move(Journal::open({.directory = folder.path(), .synced = false}).value());
     ThreadPool blocking{2};
     CoordinatorParts parts{context.get_executor(),
-                           *geometry,
+                           loop,
+                           tcp_network(),
+                           stored,
+                           geometry.get(),
                            compute,
                            blocking,
                            *journal,
                            folder / "jobs",
-                           Durability::Unsynced,
-                           {.return_within = std::chrono::milliseconds(0)}};
+                           {.durability = Durability::Unsynced,
+                            .times = {.return_within = std::chrono::milliseconds(0)}}};
     MasterState state{
         parts, {desk, [this](const Action& action) { perform(action); }, [this] { ++outcomes; }}};
     MasterServices services{parts, state};
-    WorkerDesk desk{state, services, parts.times.heartbeat};
+    WorkerDesk desk{state, services, parts.options.times.heartbeat};
 
   private:
     WorkerId connect(const Hello& hello) {

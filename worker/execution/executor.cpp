@@ -18,11 +18,8 @@ TreeView view_of(const std::vector<RootIndex>& roots,
 
 } // namespace
 
-Executor::Executor(asio::any_io_executor home, unsigned threads)
-    : home_(std::move(home)), pool_(threads) {}
-
 void Executor::submit(std::function<Continuation()> job) {
-    pool_.post([this, job = std::move(job)] {
+    pool_->post([this, job = std::move(job)] {
         Continuation then = job();
         bool is_first = false;
         {

@@ -9,6 +9,7 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace cd {
@@ -19,15 +20,19 @@ class Executor {
   public:
     using Continuation = std::function<void()>;
 
-    /// 0 threads: one per core that this process may use. Continuations run on `home`.
-    Executor(asio::any_io_executor home, unsigned threads);
+    /// Continuations run on `home`.
+    Executor(asio::any_io_executor home, std::unique_ptr<Pool> pool)
+        : home_(std::move(home)), pool_(std::move(pool)) {}
+    /// 0 threads: one per core that this process may use.
+    Executor(asio::any_io_executor home, unsigned threads)
+        : Executor(std::move(home), std::make_unique<ThreadPool>(threads)) {}
 
     /// Runs `job` on a pool thread, then the continuation that it returns on `home`. Neither may
     /// throw. Continuations of functions that end close together are posted to `home` as one.
     void submit(std::function<Continuation()> job);
 
     [[nodiscard]] const asio::any_io_executor& home() const { return home_; }
-    [[nodiscard]] unsigned threads() const { return pool_.size(); }
+    [[nodiscard]] unsigned threads() const { return pool_->size(); }
 
   private:
     void hand_over();
@@ -35,7 +40,7 @@ class Executor {
     asio::any_io_executor home_;
     std::mutex mutex_;
     std::vector<Continuation> ended_;
-    ThreadPool pool_; ///< Last: its threads use the members above.
+    std::unique_ptr<Pool> pool_; ///< Last: its threads use the members above.
 };
 
 /// A scenario with all the data that it needs to run, independent of later cache changes.

@@ -85,7 +85,7 @@ std::shared_ptr<Channel> PeerLinks::take_kept(const Address& address) {
 asio::awaitable<std::shared_ptr<Channel>> PeerLinks::open(const Address& address) {
     Target target{{address.first, address.second}, tls_->now, CertifiedRole::Worker};
     const Result<std::shared_ptr<Channel>> made =
-        co_await connect(std::move(target), timing::peer_connect_timeout);
+        co_await network_.connect(std::move(target), timing::peer_connect_timeout);
     if (!made) {
         co_return nullptr;
     }

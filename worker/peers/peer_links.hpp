@@ -2,7 +2,7 @@
 #pragma once
 
 #include "common/core/limits/worker.hpp"
-#include "proto/channel/channel.hpp"
+#include "proto/channel/network.hpp"
 
 #include <functional>
 #include <map>
@@ -17,8 +17,9 @@ class PeerLinks {
   public:
     /// `name` is this worker's name, for the logs of other workers.
     explicit PeerLinks(std::string name,
-                       std::shared_ptr<const TlsSlot> tls = std::make_shared<TlsSlot>())
-        : name_(std::move(name)), tls_(std::move(tls)) {}
+                       std::shared_ptr<const TlsSlot> tls = std::make_shared<TlsSlot>(),
+                       Network& network = tcp_network())
+        : name_(std::move(name)), tls_(std::move(tls)), network_(network) {}
 
     using OnBlock = std::function<void(SubtreeBlock)>;
     /// Fetches blocks from a source. Calls `on_block` once for each received block that was
@@ -45,6 +46,7 @@ class PeerLinks {
 
     std::string name_;
     std::shared_ptr<const TlsSlot> tls_;
+    Network& network_;
     std::multimap<Address, std::shared_ptr<Channel>> idle_; ///< Connections kept for reuse.
 };
 

@@ -21,23 +21,24 @@ bool is_worker(const std::optional<Identity>& identity) {
 
 Result<std::shared_ptr<PeerServer>> PeerServer::listen(const asio::any_io_executor& executor,
                                                        const Endpoint& endpoint,
-                                                       std::shared_ptr<const TlsSlot> tls) {
-    Result<std::unique_ptr<Listener>> listener = Listener::open(executor, endpoint);
+                                                       std::shared_ptr<const TlsSlot> tls,
+                                                       Network& network) {
+    auto listener = network.listen(executor, endpoint);
     if (!listener) {
         return listener.error();
     }
     std::shared_ptr<PeerServer> server(
         new PeerServer(executor, std::move(listener.value()), std::move(tls)));
-    server->listener_->start([weak = std::weak_ptr(server)](asio::ip::tcp::socket socket) {
+    server->listener_->start([weak = std::weak_ptr(server)](Incoming incoming) {
         if (const auto self = weak.lock()) {
-            self->accept(std::move(socket));
+            self->accept(std::move(incoming));
         }
     });
     return server;
 }
 
 PeerServer::PeerServer(asio::any_io_executor executor,
-                       std::unique_ptr<Listener> listener,
+                       std::unique_ptr<ChannelListener> listener,
                        std::shared_ptr<const TlsSlot> tls)
     : executor_(std::move(executor)), listener_(std::move(listener)), tls_(std::move(tls)) {}
 
@@ -51,20 +52,18 @@ void PeerServer::stop_serving() {
     blocks_ = nullptr;
 }
 
-void PeerServer::accept(asio::ip::tcp::socket socket) {
-    Seats::Seat seat = greetings_.take(socket);
+void PeerServer::accept(Incoming incoming) {
+    Seats::Seat seat = greetings_.take(incoming.address);
     if (seat == nullptr || places_.taken() >= limits::peer_connections_max) {
-        return; // The socket closes, and the peer tries its next source.
+        return; // The connection closes, and the peer tries its next source.
     }
-    spawn(executor_, "a peer", serve(shared_from_this(), std::move(socket), std::move(seat)));
+    spawn(executor_, "a peer", serve(shared_from_this(), std::move(incoming), std::move(seat)));
 }
 
-asio::awaitable<void> PeerServer::serve(std::shared_ptr<PeerServer> self,
-                                        asio::ip::tcp::socket socket,
-                                        Seats::Seat seat) {
-    const std::string peer = peer_name(socket);
-    const Result<std::shared_ptr<Channel>> channel =
-        co_await accept_channel(std::move(socket), tls_->now);
+asio::awaitable<void>
+PeerServer::serve(std::shared_ptr<PeerServer> self, Incoming incoming, Seats::Seat seat) {
+    const std::string peer = incoming.peer;
+    const Result<std::shared_ptr<Channel>> channel = co_await incoming.accept(tls_->now);
     if (!channel) {
         // The master probes the port by a connection without a byte.
         const auto level =

@@ -5,7 +5,7 @@
 #include "common/core/limits/worker.hpp"
 #include "proto/access/peer_ticket.hpp"
 #include "proto/access/refusals.hpp"
-#include "proto/channel/listener.hpp"
+#include "proto/channel/network.hpp"
 #include "proto/channel/seats.hpp"
 #include "worker/cache/subtree_cache.hpp"
 
@@ -23,11 +23,12 @@ class PeerServer : public std::enable_shared_from_this<PeerServer> {
     /// Returns a cached block, or null if this worker does not have it.
     using Blocks = std::function<std::shared_ptr<const SubtreeBlock>(const SubtreeKey&)>;
 
-    /// Listens at once. Errors: those of `Listener::open`.
+    /// Listens at once. Errors: those of `Network::listen`.
     [[nodiscard]] static Result<std::shared_ptr<PeerServer>>
     listen(const asio::any_io_executor& executor,
            const Endpoint& endpoint,
-           std::shared_ptr<const TlsSlot> tls = std::make_shared<TlsSlot>());
+           std::shared_ptr<const TlsSlot> tls = std::make_shared<TlsSlot>(),
+           Network& network = tcp_network());
 
     [[nodiscard]] std::uint16_t port() const { return listener_->port(); }
 
@@ -41,13 +42,13 @@ class PeerServer : public std::enable_shared_from_this<PeerServer> {
 
   private:
     PeerServer(asio::any_io_executor executor,
-               std::unique_ptr<Listener> listener,
+               std::unique_ptr<ChannelListener> listener,
                std::shared_ptr<const TlsSlot> tls);
 
-    void accept(asio::ip::tcp::socket socket);
+    void accept(Incoming incoming);
     /// Holds `self`, because the coroutine may run after the server's owner is gone.
     [[nodiscard]] asio::awaitable<void>
-    serve(std::shared_ptr<PeerServer> self, asio::ip::tcp::socket socket, Seats::Seat seat);
+    serve(std::shared_ptr<PeerServer> self, Incoming incoming, Seats::Seat seat);
     [[nodiscard]] asio::awaitable<void> converse(std::shared_ptr<Channel> channel,
                                                  Seats::Seat& seat);
     [[nodiscard]] asio::awaitable<void> answer_all(std::shared_ptr<Channel> channel);
@@ -55,7 +56,7 @@ class PeerServer : public std::enable_shared_from_this<PeerServer> {
     [[nodiscard]] asio::awaitable<void> upload(std::shared_ptr<Channel> channel, PeerFetch fetch);
 
     asio::any_io_executor executor_;
-    std::unique_ptr<Listener> listener_;
+    std::unique_ptr<ChannelListener> listener_;
     std::shared_ptr<const TlsSlot> tls_;
     std::optional<TicketCheck> tickets_; ///< Empty: refuses all tickets.
     Blocks blocks_;

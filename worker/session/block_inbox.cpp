@@ -29,7 +29,7 @@ BlockInbox::BlockInbox(SessionHub& hub,
       cache_(std::exchange(keep_->cache, SubtreeCache(keep_->cache.bytes_max()))),
       fetcher_(cache_),
       peers_(std::move(peers)),
-      links_(peers_.name, peers_.tls) {}
+      links_(peers_.name, peers_.tls, *peers_.network) {}
 
 void BlockInbox::leave() {
     if (peers_.server != nullptr) {

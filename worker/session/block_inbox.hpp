@@ -24,6 +24,7 @@ struct PeerParts {
     PeerKey key;                        ///< From the Welcome.
     std::string name;                   ///< This worker's name, for the logs of peers.
     std::shared_ptr<const TlsSlot> tls = std::make_shared<TlsSlot>();
+    Network* network = &tcp_network();
 };
 
 /// Gets the blocks that scenarios, ranges and hints need, and tells the master what the cache holds

@@ -42,7 +42,7 @@ const std::vector<std::string> columns{"setting",
                                        "between_share",
                                        "tail_share",
                                        "peer_mb",
-                                       "dispatcher_us",
+                                       "coordinator_us",
                                        "batches"};
 
 double megabytes(std::uint64_t bytes) {
@@ -97,7 +97,7 @@ std::vector<std::string> row_of(const Setting& setting,
             cell(outcome.between_share),
             cell(outcome.tail_share),
             cell(megabytes(outcome.peer_bytes)),
-            cell(outcome.dispatcher_us),
+            cell(outcome.coordinator_us),
             cell(outcome.batches)};
 }
 
@@ -206,7 +206,7 @@ double Experiments::dispatch_seconds(const Scene& scene,
         return known->second;
     }
     const auto outcome = simulate_apart(workload, uncharged, options_.limit);
-    const double seconds = outcome ? 1e-6 * outcome->dispatcher_us : 0;
+    const double seconds = outcome ? 1e-6 * outcome->coordinator_us : 0;
     dispatch_seconds_.emplace(key, seconds);
     return seconds;
 }

@@ -102,7 +102,7 @@ class Experiments {
                                         const ComparedStrategy& strategy,
                                         const Point& point,
                                         std::uint64_t seed);
-    /// Returns the dispatcher's time per scenario, once measured.
+    /// Returns the coordinator's time per scenario, once measured.
     double dispatch_seconds(const Scene& scene,
                             const Workload& workload,
                             const Point& point,

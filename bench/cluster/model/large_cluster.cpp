@@ -1,8 +1,7 @@
 #include "bench/cluster/model/large_cluster.hpp"
 
-#include "bench/cluster/model/master_model.hpp"
+#include "bench/cluster/model/simulated_master.hpp"
 #include "bench/cluster/model/worker_model.hpp"
-#include "common/core/limits/engine.hpp"
 
 #include <algorithm>
 #include <deque>
@@ -55,7 +54,7 @@ class LargeCluster {
     LargeCluster(const Workload& workload, const LargeOptions& options)
         : workload_(workload),
           options_(options),
-          master_(workload, options.dispatch, 0, options.peers, options.cache_bytes),
+          master_(workload, master_options(options)),
           idle_analysts_(options.analysts) {
         hosts_.reserve(options.speeds.size());
         for (const double speed : options.speeds) {
@@ -68,7 +67,8 @@ class LargeCluster {
     LargeOutcome run() {
         const std::vector<std::uint32_t> threads(hosts_.size(), 1);
         send(master_.start(threads));
-        analyse();
+        work_on_pool();
+        await_timer();
         while (!master_.is_done() && agenda_.step()) {
         }
         return outcome();
@@ -126,126 +126,144 @@ class LargeCluster {
         }
     }
 
-    void tell_master(std::size_t from, ToMaster message) {
-        const std::uint64_t bytes = bytes_of(message, workload_);
-        outcome_.received_bytes += bytes;
-        agenda_.at(pass(from, 0, bytes), [this, message = std::move(message)]() mutable {
-            in_.push_back(std::move(message));
-            serve();
-        });
+    void tell_master(std::size_t from, Messages messages) {
+        for (Message& message : messages) {
+            const std::uint64_t bytes = bytes_of(message, workload_);
+            outcome_.received_bytes += bytes;
+            agenda_.at(pass(from, 0, bytes), [this, from, message = std::move(message)] {
+                add_event([this, from, message] { return master_.take(WorkerId{from}, message); });
+            });
+        }
     }
 
     // ---- The master -----------------------------------------------------------------------------
 
-    /// Handles one message after the other.
+    using Letters = SimulatedMaster::Letters;
+
+    static MasterOptions master_options(const LargeOptions& options) {
+        MasterOptions master;
+        master.dispatch = options.dispatch;
+        master.peers = options.peers;
+        master.cache_bytes = options.cache_bytes;
+        master.pool_threads = options.analysts;
+        return master;
+    }
+
+    void add_event(std::function<Letters()> event) {
+        in_.push_back(std::move(event));
+        serve();
+    }
+
+    /// Handles one event after the other. The journal takes no time.
     void serve() {
         if (is_serving_ || in_.empty()) {
             return;
         }
         is_serving_ = true;
-        const ToMaster message = std::move(in_.front());
+        const auto event = std::move(in_.front());
         in_.pop_front();
-        const double spent_before = master_.counts().dispatcher_seconds;
-        std::vector<Letter> letters = master_.time_is(agenda_.now());
-        auto more = std::visit([&](const auto& content) { return master_.take(content); }, message);
-        std::move(more.begin(), more.end(), std::back_inserter(letters));
+        const double spent_before = master_.counts().seconds;
+        Letters letters = master_.time_is(agenda_.now());
+        const auto append = [&](Letters more) {
+            std::move(more.begin(), more.end(), std::back_inserter(letters));
+        };
+        append(event());
+        while (!master_.uncommitted().empty()) {
+            append(master_.commit());
+        }
         const double spent =
-            options_.charges_dispatcher ? master_.counts().dispatcher_seconds - spent_before : 0;
+            options_.charges_coordinator ? master_.counts().seconds - spent_before : 0;
         charged_ += spent;
         agenda_.at(agenda_.now() + spent, [this, letters = std::move(letters)]() mutable {
             send(std::move(letters));
             is_serving_ = false;
-            analyse();
+            work_on_pool();
+            await_timer();
             serve();
         });
     }
 
-    /// Analyses in blocks, as the real master does.
-    void analyse() {
-        while (idle_analysts_ != 0) {
-            const auto [first, count] =
-                master_.next_block_to_analyse(limits::analysis_block_scenarios);
-            if (count == 0) {
-                return;
-            }
+    void work_on_pool() {
+        while (idle_analysts_ != 0 && master_.has_pool_work()) {
             --idle_analysts_;
-            double seconds = 0;
-            for (std::uint64_t index = first; index < first + count; ++index) {
-                seconds += workload_.scenario(index).analysis_seconds;
-            }
-            agenda_.at(agenda_.now() + seconds, [this, first = first, count = count] {
+            SimulatedMaster::PoolRun run = master_.start_pool_work();
+            agenda_.at(agenda_.now() + run.seconds, [this, run = std::move(run)] {
                 ++idle_analysts_;
-                for (std::uint64_t index = first; index < first + count; ++index) {
-                    in_.push_back(Analysed{index});
-                }
-                serve();
+                add_event([this, run] { return master_.take(run); });
+                work_on_pool();
             });
+        }
+    }
+
+    void await_timer() {
+        const auto next = master_.next_timer();
+        if (next && (*next < timer_ || timer_ <= agenda_.now())) {
+            timer_ = *next;
+            agenda_.at(timer_, [this] { add_event([] { return Letters(); }); });
         }
     }
 
     // ---- A host ---------------------------------------------------------------------------------
 
-    void deliver(std::size_t to, const ToWorker& message) {
+    void deliver(std::size_t to, const Message& message) {
         std::visit([&](const auto& content) { take(to, content); }, message);
         work(to);
     }
 
-    void take(std::size_t to, const BatchSent& batch) {
-        if (auto wanted = host(to).model.take(batch)) {
-            tell_master(to, std::move(*wanted));
-        }
-    }
-    void take(std::size_t to, const Hinted& hint) {
+    void take(std::size_t to, const WorkUnit& unit) { tell_master(to, host(to).model.take(unit)); }
+    void take(std::size_t to, const Hint& hint) {
         host(to).model.take(hint);
-        ask_ahead(to);
-    }
-    void ask_ahead(std::size_t number) {
-        if (auto wanted = host(number).model.ahead()) {
-            tell_master(number, std::move(*wanted));
-        }
+        tell_master(to, host(to).model.ahead());
     }
     /// A group of scenarios does not delay the opening of blocks: its next scenario waits.
-    void take(std::size_t to, const BlocksSent& blocks) {
+    void take(std::size_t to, const Subtrees& blocks) {
         Host& here = host(to);
         const double seconds = here.model.open_seconds(blocks) / here.speed;
         here.opened_until = std::max(here.opened_until, agenda_.now()) + seconds;
         here.ends += seconds;
         agenda_.at(here.opened_until, [this, to, blocks] { opened(to, blocks); });
     }
-    void take(std::size_t to, const FetchDirected& directed) {
-        const PeerAsked asked{host(to).model.id(), directed.blocks};
-        const std::size_t source = directed.source.value;
-        agenda_.at(pass(to, source, bytes_of(ToWorker(asked), workload_)),
-                   [this, source, asked] { answer(source, asked); });
+    void take(std::size_t to, const FetchFromPeers& directed) {
+        PeerFetch fetch;
+        fetch.tree = directed.tree;
+        fetch.roots = directed.roots;
+        const std::size_t source = directed.sources.front().worker.value;
+        agenda_.at(pass(to, source, bytes_of(fetch, workload_)),
+                   [this, source, to, fetch] { answer(source, to, fetch); });
     }
-    void take(std::size_t to, const PeerAsked& asked) { answer(to, asked); }
-    void take(std::size_t to, const AskedBack& asked) {
-        tell_master(to, host(to).model.take(asked));
+    void take(std::size_t to, const Recall& recall) {
+        tell_master(to, {host(to).model.take(recall)});
         tell_results(to);
     }
     /// A running scenario is not stopped.
-    void take(std::size_t to, const CalledOff& loser) {
+    void take(std::size_t to, const DropScenario& loser) {
         (void)host(to).model.take(loser);
         tell_results(to);
     }
-    void take(std::size_t /*to*/, const Ended& /*message*/) {}
+    template <class Other>
+    void take(std::size_t /*to*/, const Other& /*message*/) {}
 
     /// Reports missing blocks, so that they are requested again.
-    void answer(std::size_t source, const PeerAsked& asked) {
-        BlocksSent given;
-        std::vector<BlockId> missing;
-        for (const BlockId& block : asked.blocks) {
-            (host(source).model.has(block) ? given.blocks : missing).push_back(block);
+    void answer(std::size_t source, std::size_t to, const PeerFetch& fetch) {
+        Subtrees given;
+        given.tree = fetch.tree;
+        std::vector<RootIndex> missing;
+        for (const RootIndex root : fetch.roots) {
+            if (host(source).model.has(block_id(fetch.tree, root))) {
+                given.blocks.push_back({root, {}, {}});
+            } else {
+                missing.push_back(root);
+            }
         }
-        const std::size_t to = asked.asker.value;
         if (!given.blocks.empty()) {
-            const std::uint64_t bytes = bytes_of(ToWorker(given), workload_);
+            const std::uint64_t bytes = bytes_of(given, workload_);
             outcome_.peer_bytes += bytes;
             agenda_.at(pass(source, to, bytes), [this, to, given] { deliver(to, given); });
         }
         if (!missing.empty()) {
-            tell_master(to, PeerFailed{asked.asker, host(source).model.id(), missing});
-            tell_master(to, BlocksWanted{asked.asker, std::move(missing)});
+            tell_master(to,
+                        {FetchFailed{fetch.tree, missing, WorkerId{source}, PeerOutcome::Missing},
+                         WantSubtrees{fetch.tree, missing}});
         }
     }
 
@@ -266,12 +284,9 @@ class LargeCluster {
                    [this, number, scenario, seconds] { ran(number, scenario, seconds); });
     }
 
-    void opened(std::size_t number, const BlocksSent& blocks) {
-        Host& here = host(number);
-        if (BlocksHeld held = here.model.opened(blocks); !held.blocks.empty()) {
-            tell_master(number, std::move(held));
-        }
-        ask_ahead(number);
+    void opened(std::size_t number, const Subtrees& blocks) {
+        tell_master(number, host(number).model.opened(blocks));
+        tell_master(number, host(number).model.ahead());
         tell_evicted(number);
         work(number);
     }
@@ -295,33 +310,32 @@ class LargeCluster {
     void tell_results(std::size_t number) {
         Host& here = host(number);
         const double period = here.model.ready_count() != 0 ? options_.results_period : 0;
-        for (ResultsSent& results : here.model.due(agenda_.now(), period)) {
-            tell_master(number, std::move(results));
-        }
+        tell_master(number, here.model.due(agenda_.now(), period));
     }
 
     void tell_evicted(std::size_t number) {
-        if (auto evicted = host(number).model.evicted()) {
-            outcome_.evictions += evicted->blocks.size();
-            tell_master(number, std::move(*evicted));
+        Messages evicted = host(number).model.evicted();
+        for (const Message& message : evicted) {
+            outcome_.evictions += std::get<Evicted>(message).roots.size();
         }
+        tell_master(number, std::move(evicted));
     }
 
     [[nodiscard]] LargeOutcome outcome() const {
         const MasterCounts& counts = master_.counts();
         LargeOutcome outcome = outcome_;
         outcome.seconds = agenda_.now();
-        outcome.answered = counts.answered;
+        outcome.answered = master_.answered();
         outcome.sent_bytes = counts.sent_bytes;
         outcome.block_bytes = counts.block_bytes;
-        outcome.dispatcher_us =
-            1e6 * counts.dispatcher_seconds / static_cast<double>(workload_.count());
+        outcome.coordinator_us = 1e6 * counts.seconds / static_cast<double>(workload_.count());
         outcome.master_share = charged_ / outcome.seconds;
         double all = 0;
         for (const Host& host : hosts_) {
             all += host.speed * outcome.seconds;
         }
         for (const Host& host : hosts_) {
+            outcome.blocks_again += host.model.blocks_again();
             const bool worked = host.worked > 0;
             const double first = worked ? host.first : outcome.seconds;
             const double last = worked ? host.last : outcome.seconds;
@@ -334,11 +348,12 @@ class LargeCluster {
 
     const Workload& workload_;
     const LargeOptions& options_;
-    MasterModel master_;
+    SimulatedMaster master_;
     std::vector<Host> hosts_;
     std::vector<Link> links_;
     Agenda agenda_;
-    std::deque<ToMaster> in_;
+    std::deque<std::function<Letters()>> in_; ///< Events that the master has yet to handle.
+    double timer_ = 0; ///< Time of the last event that was scheduled for a timer.
     bool is_serving_ = false;
     std::uint32_t idle_analysts_ = 0;
     double charged_ = 0;

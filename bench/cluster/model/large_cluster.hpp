@@ -1,5 +1,4 @@
-// Jobs on thousands of simulated hosts: the real dispatcher and director on a simple, scalable
-// network model.
+// Jobs on thousands of simulated hosts: the real coordinator on a simple, scalable network model.
 #pragma once
 
 #include "bench/cluster/model/workload.hpp"
@@ -19,8 +18,8 @@ struct LargeOptions {
     double latency_seconds = 50e-6; ///< Latency of one link; a message passes two.
     std::uint32_t analysts = 15;    ///< Cores of the master's computer that analyse.
     double results_period = 0.05;
-    /// Charges the master's thread with the dispatcher's real time; runs then differ slightly.
-    bool charges_dispatcher = false;
+    /// Charges the master's thread with the coordinator's real time; runs then differ slightly.
+    bool charges_coordinator = false;
 };
 
 struct LargeOutcome {
@@ -31,8 +30,9 @@ struct LargeOutcome {
     std::uint64_t received_bytes = 0;
     std::uint64_t peer_bytes = 0;
     std::uint64_t evictions = 0;
-    double dispatcher_us = 0; ///< Real time per scenario of the workload.
-    double master_share = 0;  ///< Share of the time for which the master's thread is charged.
+    std::uint64_t blocks_again = 0; ///< Blocks that reached a host which had them.
+    double coordinator_us = 0;      ///< Real time per scenario of the workload.
+    double master_share = 0;        ///< Share of the time for which the master's thread is charged.
     // Idle shares of the time of all hosts.
     double start_share = 0;
     double between_share = 0;
@@ -41,7 +41,7 @@ struct LargeOutcome {
 
 /// Every host has one link in each direction. Messages larger than control messages pass the
 /// sender's link, then the receiver's, in sending order. Control messages overtake them, and take
-/// their share of the link. Deterministic unless the dispatcher is charged.
+/// their share of the link. Deterministic unless the coordinator is charged.
 [[nodiscard]] LargeOutcome simulate_large(const Workload& workload, const LargeOptions& options);
 
 } // namespace cd::bench

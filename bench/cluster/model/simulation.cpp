@@ -1,8 +1,8 @@
 #include "bench/cluster/model/simulation.hpp"
 
 #include "bench/accuracy/isolate.hpp"
-#include "bench/cluster/model/master_model.hpp"
 #include "bench/cluster/model/platform.hpp"
+#include "bench/cluster/model/simulated_master.hpp"
 #include "bench/cluster/model/worker_model.hpp"
 
 #include <simgrid/s4u.hpp>
@@ -11,8 +11,10 @@
 #include <array>
 #include <deque>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 namespace cd::bench {
@@ -26,14 +28,10 @@ class Simulation {
     Simulation(const Workload& workload, const SimulationOptions& options)
         : workload_(workload),
           options_(options),
-          master_(
-              workload, options.dispatch, options.ahead, options.peers, 0, options.helps_at_end),
+          master_(workload, master_options(options)),
           to_master_("master"),
-          work_available_(s4u::ConditionVariable::create()),
-          analysts_lock_(s4u::Mutex::create()),
-          results_came_(s4u::Semaphore::create(0)),
-          results_merged_(s4u::Semaphore::create(0)),
-          results_written_(s4u::Semaphore::create(0)) {}
+          work_(s4u::Semaphore::create(0)),
+          entries_(s4u::Semaphore::create(0)) {}
 
     Outcome run(s4u::Engine& engine) {
         const std::uint32_t shared = options_.cluster.shared_cores;
@@ -49,8 +47,7 @@ class Simulation {
             start_worker(*workers_[i], platform.workers[i].host, platform.master);
         }
         for (std::uint32_t i = 0; i < options_.analysts; ++i) {
-            s4u::Actor::create("analyst", platform.master, [this] { run_analyst(); });
-            s4u::Actor::create("intake", platform.master, [this] { run_intake(); });
+            s4u::Actor::create("pool thread", platform.master, [this] { run_pool_thread(); });
         }
         s4u::Actor::create("journal", platform.master, [this] { run_journal(); });
         engine.run();
@@ -60,66 +57,70 @@ class Simulation {
   private:
     // ---- The master ---------------------------------------------------------------------------
 
+    using Letters = SimulatedMaster::Letters;
+    // To the master's thread: a message of a worker, the work of a pool thread, or a commit.
+    struct FromWorker {
+        WorkerId worker;
+        Message message;
+    };
+    struct Committed {};
+    using Event = std::variant<FromWorker, SimulatedMaster::PoolRun, Committed>;
+
+    static MasterOptions master_options(const SimulationOptions& options) {
+        MasterOptions master;
+        master.dispatch = options.dispatch;
+        master.feed.waiting_max = options.ahead;
+        // The paper's master analyses one scenario after the other.
+        master.feed.block_scenarios = options.analysts == 0 ? 1 : master.feed.block_scenarios;
+        master.peers = options.peers;
+        master.helps_at_end = options.helps_at_end;
+        master.pool_threads = std::max(1u, options.analysts);
+        return master;
+    }
+
     void run_master(const std::vector<std::uint32_t>& threads) {
         to_master_.open();
         send(master_.start(threads));
+        offer_work();
         while (!master_.is_done()) {
-            if (to_master_.has_message()) {
-                take_message();
-            } else if (options_.analysts != 0 || !analyse_one()) {
-                take_message();
+            if (to_master_.has_message() || options_.analysts != 0 || !master_.has_pool_work()) {
+                take(*to_master_.get());
+            } else {
+                SimulatedMaster::PoolRun run = master_.start_pool_work();
+                master_spends(run.seconds);
+                take(std::move(run));
             }
-            wake_analysts();
-        }
-        while (unwritten_ != 0) {
-            results_written_->acquire();
+            offer_work();
         }
         outcome_.seconds = s4u::Engine::get_clock();
         is_over_ = true;
-        wake_analysts();
         for (std::uint32_t i = 0; i < options_.analysts; ++i) {
-            results_came_->release();
+            work_->release();
         }
-        results_merged_->release();
+        entries_->release();
         for (const auto& worker : workers_) {
-            post(*worker, {WorkerId{}, Ended{}, bytes_of(ToWorker(Ended{}), workload_)});
+            post(*worker, {WorkerId{}, Terminate{}, bytes_of(Terminate{}, workload_)});
         }
         to_master_.close();
     }
 
-    void take_message() {
-        const std::unique_ptr<ToMaster> message = to_master_.get();
-        if (std::holds_alternative<Analysed>(*message)) {
-            master_spends(options_.dispatch_seconds);
-        }
-        if (auto* results = std::get_if<ResultsSent>(message.get())) {
-            if (is_intake_apart() && !results->is_checked) {
-                unchecked_.push_back(std::move(*results));
-                results_came_->release();
-                return;
-            }
-            unwritten_ += results->scenarios.size();
-            merged_.push_back(results->scenarios.size());
-            results_merged_->release();
-        }
+    void take(Event event) {
         tell_time();
-        send(std::visit([this](const auto& content) { return master_.take(content); }, *message));
+        send(std::visit([this](auto& content) { return handle(std::move(content)); }, event));
     }
-
-    bool analyse_one() {
-        const auto scenario = master_.next_to_analyse();
-        if (!scenario) {
-            return false;
-        }
-        master_spends(workload_.scenario(*scenario).analysis_seconds + options_.dispatch_seconds);
-        tell_time();
-        send(master_.take(Analysed{*scenario}));
-        return true;
+    Letters handle(const FromWorker& from) { return master_.take(from.worker, from.message); }
+    Letters handle(SimulatedMaster::PoolRun run) {
+        master_spends(options_.dispatch_seconds * static_cast<double>(run.analysed));
+        return master_.take(std::move(run));
+    }
+    Letters handle(Committed /*event*/) {
+        --entries_offered_;
+        return master_.commit();
     }
 
     void tell_time() { send(master_.time_is(s4u::Engine::get_clock())); }
 
-    void send(std::vector<Letter> letters) {
+    void send(Letters letters) {
         for (Letter& letter : letters) {
             if (options_.pipe_bytes_per_second > 0) {
                 master_spends(static_cast<double>(letter.bytes) / options_.pipe_bytes_per_second);
@@ -133,60 +134,44 @@ class Simulation {
         spend(seconds);
     }
 
-    // Holds the lock, so that no analyst misses the wake-up between its check and its wait.
-    void wake_analysts() {
-        if (options_.analysts != 0) {
-            const std::unique_lock lock(*analysts_lock_);
-            work_available_->notify_all();
+    /// Wakes the threads that can go on.
+    void offer_work() {
+        if (options_.analysts != 0 && master_.has_pool_work()) {
+            for (std::uint32_t i = 0; i < options_.analysts; ++i) {
+                work_->release();
+            }
+        }
+        for (; entries_offered_ < master_.uncommitted().size(); ++entries_offered_) {
+            entries_to_write_.push_back(master_.uncommitted()[entries_offered_]);
+            entries_->release();
         }
     }
 
-    void run_analyst() {
-        while (const auto scenario = wait_for_scenario()) {
-            spend(workload_.scenario(*scenario).analysis_seconds);
-            to_master_.put(Analysed{*scenario}, 0);
-        }
-    }
-
-    // ---- What becomes of results, as in the product: other threads check and write them ---------
-
-    /// With a single master thread, results cost it nothing, as in the paper's setting.
-    [[nodiscard]] bool is_intake_apart() const { return options_.analysts != 0; }
-
-    void run_intake() {
-        for (results_came_->acquire(); !is_over_; results_came_->acquire()) {
-            ResultsSent results = std::move(unchecked_.front());
-            unchecked_.pop_front();
-            spend(static_cast<double>(results.scenarios.size()) * workload_.results.intake_seconds);
-            results.is_checked = true;
-            to_master_.put(std::move(results), 0);
+    void run_pool_thread() {
+        for (work_->acquire(); !is_over_; work_->acquire()) {
+            while (master_.has_pool_work()) {
+                SimulatedMaster::PoolRun run = master_.start_pool_work();
+                spend(run.seconds);
+                to_master_.put(std::move(run), 0);
+            }
         }
     }
 
     void run_journal() {
-        for (results_merged_->acquire(); !is_over_; results_merged_->acquire()) {
-            const std::size_t count = merged_.front();
-            merged_.pop_front();
+        for (entries_->acquire(); !is_over_; entries_->acquire()) {
+            const std::size_t count = entries_to_write_.front();
+            entries_to_write_.pop_front();
             spend(static_cast<double>(count) * workload_.results.journal_seconds);
-            unwritten_ -= count;
-            results_written_->release();
+            to_master_.put(Committed{}, 0);
         }
-    }
-
-    /// Returns nothing at the end.
-    std::optional<std::uint64_t> wait_for_scenario() {
-        const std::unique_lock lock(*analysts_lock_);
-        while (!is_over_) {
-            if (const auto scenario = master_.next_to_analyse()) {
-                return scenario;
-            }
-            work_available_->wait(lock);
-        }
-        return std::nullopt;
     }
 
     // ---- A worker -----------------------------------------------------------------------------
 
+    struct ToWorker {
+        Message message;
+        WorkerId asker = {}; ///< The worker that sends a PeerFetch.
+    };
     /// A session that receives, and threads that compute, as in the real worker.
     struct Worker {
         Worker(std::size_t id, std::uint32_t thread_count, const Workload& workload)
@@ -201,9 +186,9 @@ class Simulation {
         Inbox<ToWorker> inbox;
         std::deque<Letter> outbox;                     ///< At the master.
         s4u::SemaphorePtr posted;                      ///< Counts the letters in the outbox.
-        std::deque<ResultsSent> unpacked;              ///< Results to be sent.
-        s4u::SemaphorePtr finished;                    ///< Counts the unpacked results.
-        std::deque<BlocksSent> unopened;               ///< Opened before scenarios run.
+        std::deque<Message> unpacked;                  ///< Results and ends of tasks to be sent.
+        s4u::SemaphorePtr finished;                    ///< Counts the unpacked messages.
+        std::deque<Subtrees> unopened;                 ///< Opened before scenarios run.
         s4u::SemaphorePtr work;                        ///< Counts the tasks that a thread can take.
         std::map<std::uint64_t, s4u::ExecPtr> running; ///< By scenario.
         std::uint32_t threads;
@@ -230,8 +215,8 @@ class Simulation {
             worker.posted->acquire();
             Letter letter = std::move(worker.outbox.front());
             worker.outbox.pop_front();
-            is_last = std::holds_alternative<Ended>(letter.content);
-            worker.inbox.put_and_wait(std::move(letter.content), letter.bytes);
+            is_last = std::holds_alternative<Terminate>(letter.content);
+            worker.inbox.put_and_wait({std::move(letter.content)}, letter.bytes);
         }
     }
 
@@ -247,40 +232,38 @@ class Simulation {
     void run_session(Worker& worker) {
         worker.inbox.open();
         while (!worker.is_over) {
-            const std::unique_ptr<ToWorker> message = worker.inbox.get();
-            std::visit([&](const auto& content) { take(worker, content); }, *message);
+            const std::unique_ptr<ToWorker> got = worker.inbox.get();
+            if (const auto* fetch = std::get_if<PeerFetch>(&got->message)) {
+                answer(*workers_[got->asker.value - 1], *fetch);
+            } else {
+                std::visit([&](const auto& content) { take(worker, content); }, got->message);
+            }
         }
         worker.inbox.close();
     }
 
-    void take(Worker& worker, const BatchSent& batch) {
+    void take(Worker& worker, const WorkUnit& unit) {
         const std::size_t ready_before = worker.model.ready_count();
-        auto wanted = worker.model.take(batch);
+        Messages wanted = worker.model.take(unit);
         // Runs first, so that waiting threads of this worker can start.
         offer(worker, worker.model.ready_count() - ready_before);
-        if (wanted) {
-            put_to_master(std::move(*wanted));
-        }
+        put_to_master(worker, std::move(wanted));
     }
 
-    void take(Worker& worker, const Hinted& hint) {
+    void take(Worker& worker, const Hint& hint) {
         worker.model.take(hint);
-        ask_ahead(worker);
-    }
-    void ask_ahead(Worker& worker) {
-        if (auto wanted = worker.model.ahead()) {
-            put_to_master(std::move(*wanted));
-        }
+        put_to_master(worker, worker.model.ahead());
     }
 
     /// The threads share the opening.
-    void take(Worker& worker, const BlocksSent& message) {
+    void take(Worker& worker, const Subtrees& message) {
         const std::size_t count = message.blocks.size();
         std::size_t begin = 0;
         for (std::uint32_t i = 1; i <= worker.threads; ++i) {
             const std::size_t end = count * i / worker.threads;
             if (end > begin) {
-                worker.unopened.push_back({{message.blocks.begin() + offset(begin),
+                worker.unopened.push_back({message.tree,
+                                           {message.blocks.begin() + offset(begin),
                                             message.blocks.begin() + offset(end)}});
                 offer(worker, 1);
             }
@@ -288,37 +271,47 @@ class Simulation {
         }
     }
 
-    void take(Worker& worker, const FetchDirected& directed) {
-        ToWorker asked = PeerAsked{worker.model.id(), directed.blocks};
-        const std::uint64_t bytes = bytes_of(asked, workload_);
-        workers_[directed.source.value - 1]->inbox.put(std::move(asked), bytes);
+    void take(Worker& worker, const FetchFromPeers& directed) {
+        PeerFetch fetch;
+        fetch.tree = directed.tree;
+        fetch.roots = directed.roots;
+        const std::uint64_t bytes = bytes_of(fetch, workload_);
+        workers_[directed.sources.front().worker.value - 1]->inbox.put(
+            {std::move(fetch), worker.model.id()}, bytes);
     }
 
     /// The source's uploads share its link.
-    void take(Worker& /*source*/, const PeerAsked& asked) {
-        ToWorker blocks = BlocksSent{asked.blocks};
+    void answer(Worker& asker, const PeerFetch& fetch) {
+        Subtrees blocks;
+        blocks.tree = fetch.tree;
+        for (const RootIndex root : fetch.roots) {
+            blocks.blocks.push_back({root, {}, {}});
+        }
         const std::uint64_t bytes = bytes_of(blocks, workload_);
         outcome_.peer_bytes += bytes;
-        workers_[asked.asker.value - 1]->inbox.put(std::move(blocks), bytes);
+        asker.inbox.put({std::move(blocks)}, bytes);
     }
 
-    void take(Worker& worker, const AskedBack& asked) {
-        put_to_master(worker.model.take(asked));
+    void take(Worker& worker, const Recall& recall) {
+        put_to_master(worker, {worker.model.take(recall)});
         send_results(worker); // A task with no scenarios left ends.
     }
 
-    void take(Worker& worker, const CalledOff& loser) {
+    void take(Worker& worker, const DropScenario& loser) {
         if (worker.model.take(loser)) {
             worker.running.at(loser.scenario)->cancel();
         }
         send_results(worker);
     }
 
-    void take(Worker& worker, const Ended& /*message*/) {
+    void take(Worker& worker, const Terminate& /*message*/) {
         worker.is_over = true;
         offer(worker, worker.threads);
         worker.finished->release();
     }
+
+    template <class Other>
+    void take(Worker& /*worker*/, const Other& /*message*/) {}
 
     static std::ptrdiff_t offset(std::size_t place) { return static_cast<std::ptrdiff_t>(place); }
 
@@ -333,7 +326,7 @@ class Simulation {
         times.speed = s4u::this_actor::get_host()->get_speed() / fast_speed;
         for (worker.work->acquire(); !worker.is_over; worker.work->acquire()) {
             if (!worker.unopened.empty()) {
-                const BlocksSent blocks = std::move(worker.unopened.front());
+                const Subtrees blocks = std::move(worker.unopened.front());
                 worker.unopened.pop_front();
                 open(worker, blocks);
             } else if (worker.model.ready_count() != 0) { // Otherwise the scenario was returned.
@@ -342,15 +335,13 @@ class Simulation {
         }
     }
 
-    void open(Worker& worker, const BlocksSent& blocks) {
+    void open(Worker& worker, const Subtrees& blocks) {
         spend(worker.model.open_seconds(blocks));
         const std::size_t ready_before = worker.model.ready_count();
-        BlocksHeld held = worker.model.opened(blocks);
+        Messages held = worker.model.opened(blocks);
         offer(worker, worker.model.ready_count() - ready_before);
-        if (!held.blocks.empty()) {
-            put_to_master(std::move(held));
-        }
-        ask_ahead(worker);
+        put_to_master(worker, std::move(held));
+        put_to_master(worker, worker.model.ahead());
     }
 
     void run_scenario(Worker& worker, std::uint64_t scenario, ThreadTimes& times) {
@@ -379,8 +370,8 @@ class Simulation {
         const double period = worker.model.ready_count() != 0
                                   ? options_.results_period
                                   : std::min(options_.results_period, idle_period());
-        for (ResultsSent& results : worker.model.due(s4u::Engine::get_clock(), period)) {
-            worker.unpacked.push_back(std::move(results));
+        for (Message& message : worker.model.due(s4u::Engine::get_clock(), period)) {
+            worker.unpacked.push_back(std::move(message));
             worker.finished->release();
         }
     }
@@ -388,11 +379,12 @@ class Simulation {
     /// Packs outgoing messages on the worker's network thread.
     void run_packer(Worker& worker) {
         for (worker.finished->acquire(); !worker.is_over; worker.finished->acquire()) {
-            ResultsSent results = std::move(worker.unpacked.front());
+            Message message = std::move(worker.unpacked.front());
             worker.unpacked.pop_front();
-            spend(static_cast<double>(results.scenarios.size()) *
-                  workload_.results.packing_seconds);
-            put_to_master(std::move(results));
+            if (const auto* results = std::get_if<Results>(&message)) {
+                spend(results->count * workload_.results.packing_seconds);
+            }
+            put_to_master(worker, {std::move(message)});
         }
     }
 
@@ -403,26 +395,28 @@ class Simulation {
                    : 0;
     }
 
-    void put_to_master(ToMaster message) {
-        const std::uint64_t bytes = bytes_of(message, workload_);
-        outcome_.received_bytes += bytes;
-        to_master_.put(std::move(message), bytes);
+    void put_to_master(const Worker& worker, Messages messages) {
+        for (Message& message : messages) {
+            const std::uint64_t bytes = bytes_of(message, workload_);
+            outcome_.received_bytes += bytes;
+            to_master_.put(FromWorker{worker.model.id(), std::move(message)}, bytes);
+        }
     }
 
     [[nodiscard]] Outcome outcome() const {
         const MasterCounts& counts = master_.counts();
         Outcome outcome = outcome_;
-        outcome.answered = counts.answered;
-        outcome.answered_again = counts.answered_again;
+        outcome.answered = master_.answered();
+        outcome.answered_again = counts.results - master_.answered();
         outcome.batches = counts.batches;
-        outcome.recalled = counts.recalled;
-        outcome.copies = counts.copies;
+        outcome.recalled = master_.recalled();
+        outcome.copies = master_.copies();
         outcome.wants = counts.wants;
         outcome.blocks = counts.blocks;
         outcome.block_bytes = counts.block_bytes;
         outcome.sent_bytes = counts.sent_bytes;
-        outcome.dispatcher_us = 1e6 * counts.dispatcher_seconds /
-                                static_cast<double>(std::max<std::size_t>(workload_.count(), 1));
+        outcome.coordinator_us =
+            1e6 * counts.seconds / static_cast<double>(std::max<std::size_t>(workload_.count(), 1));
         add_idle_shares(outcome);
         for (const auto& worker : workers_) {
             const WorkerModel& model = worker->model;
@@ -449,18 +443,14 @@ class Simulation {
 
     const Workload& workload_;
     const SimulationOptions& options_;
-    MasterModel master_;
-    Inbox<ToMaster> to_master_;
+    SimulatedMaster master_;
+    Inbox<Event> to_master_;
     std::vector<std::unique_ptr<Worker>> workers_;
-    s4u::ConditionVariablePtr work_available_;
-    s4u::MutexPtr analysts_lock_;
     bool is_over_ = false;
-    std::deque<ResultsSent> unchecked_;
-    s4u::SemaphorePtr results_came_; ///< Counts the messages of results.
-    std::deque<std::size_t> merged_; ///< Number of scenarios in each message.
-    s4u::SemaphorePtr results_merged_;
-    std::uint64_t unwritten_ = 0; ///< Scenarios received and not yet written.
-    s4u::SemaphorePtr results_written_;
+    s4u::SemaphorePtr work_;                   ///< Wakes the pool's threads.
+    std::deque<std::size_t> entries_to_write_; ///< Number of results in each.
+    std::size_t entries_offered_ = 0;          ///< Those that the journal's thread has or had.
+    s4u::SemaphorePtr entries_;                ///< Counts the entries to write.
     std::deque<ThreadTimes> thread_times_;
     Outcome outcome_;
 };

@@ -1,4 +1,4 @@
-// One job on a simulated cluster: the real dispatcher on SimGrid's hosts and network.
+// One job on a simulated cluster: the real coordinator on SimGrid's hosts and network.
 #pragma once
 
 #include "bench/cluster/model/workload.hpp"
@@ -42,7 +42,7 @@ struct SimulationOptions {
     bool helps_at_end = true;
     /// Cores of the master's computer that analyse; 0: the master's one thread analyses.
     std::uint32_t analysts = 0;
-    /// Time of the master's thread for the dispatcher's decisions, per scenario.
+    /// Time of the master's thread for each analysed scenario.
     double dispatch_seconds = 0;
     /// Above 0: the master's thread sends everything through a pipe of this rate.
     double pipe_bytes_per_second = 0;
@@ -68,15 +68,15 @@ struct Outcome {
     std::uint64_t memory_bytes_sum = 0; ///< Final memory of all workers.
     double master_seconds = 0;          ///< Busy time of the master's thread.
     double work_seconds = 0;            ///< Time of all workers with scenarios, in fast cores.
-    double dispatcher_us = 0;           ///< Real time in the dispatcher per scenario.
+    double coordinator_us = 0;          ///< Real time of the coordinator per scenario.
     // Idle shares of the time of all cores:
     double start_share = 0;   ///< Before a core's first scenario.
     double between_share = 0; ///< Between two scenarios.
     double tail_share = 0;    ///< After a core's last scenario.
 };
 
-/// Runs in this process, which can do it only once. Deterministic, except for the dispatcher's real
-/// time.
+/// Runs in this process, which can do it only once. Deterministic, except for the coordinator's
+/// real time.
 [[nodiscard]] Outcome simulate(const Workload& workload, const SimulationOptions& options);
 
 /// Runs in a child process; only for a process with one thread. Returns nothing if the child

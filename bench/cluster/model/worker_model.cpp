@@ -15,10 +15,11 @@ WorkerModel::WorkerModel(WorkerId id, const Workload& workload, std::uint64_t ca
     }
 }
 
-std::optional<BlocksWanted> WorkerModel::take(const BatchSent& batch) {
-    BlocksWanted wanted{id_, {}};
-    tasks_[batch.task].open = batch.scenarios.size();
-    for (const std::uint64_t scenario : batch.scenarios) {
+Messages WorkerModel::take(const WorkUnit& unit) {
+    std::vector<BlockId> wanted;
+    tasks_[unit.task].open = unit.count;
+    tasks_[unit.task].job = unit.job;
+    for (const std::uint64_t scenario : scenarios_in(unit)) {
         std::size_t missing = 0;
         for (const BlockId& block : workload_.scenario(scenario).blocks) {
             Slot& slot = slots_[block.tree][block.root];
@@ -32,22 +33,23 @@ std::optional<BlocksWanted> WorkerModel::take(const BatchSent& batch) {
             waiting_for_[block].push_back(scenario);
             ++missing;
         }
-        const bool is_new = scenarios_.emplace(scenario, Waiting{batch.task, missing}).second;
+        const bool is_new = scenarios_.emplace(scenario, Waiting{unit.task, missing}).second;
         CD_CHECK(is_new);
         if (missing == 0) {
             ready_.push_back(scenario);
         }
     }
-    std::ranges::sort(wanted.blocks);
-    return wanted.blocks.empty() ? std::nullopt : std::optional(std::move(wanted));
+    return by_tree<WantSubtrees>(std::move(wanted));
 }
 
-void WorkerModel::take(const Hinted& hint) {
-    hinted_.insert(hinted_.end(), hint.blocks.begin(), hint.blocks.end());
+void WorkerModel::take(const Hint& hint) {
+    for (const RootIndex root : hint.roots) {
+        hinted_.push_back(block_id(hint.tree, root));
+    }
 }
 
-std::optional<BlocksWanted> WorkerModel::ahead() {
-    BlocksWanted wanted{id_, {}};
+Messages WorkerModel::ahead() {
+    std::vector<BlockId> wanted;
     const bool needs_some = std::ranges::any_of(
         waiting_for_, [](const auto& waiting) { return !waiting.second.empty(); });
     while (!needs_some && !hinted_.empty() && wanted_bytes_ < limits::hinted_bytes_max) {
@@ -60,34 +62,33 @@ std::optional<BlocksWanted> WorkerModel::ahead() {
             want(block, wanted);
         }
     }
-    std::ranges::sort(wanted.blocks);
-    return wanted.blocks.empty() ? std::nullopt : std::optional(std::move(wanted));
+    return by_tree<WantSubtrees>(std::move(wanted));
 }
 
-void WorkerModel::want(const BlockId& block, BlocksWanted& wanted) {
+void WorkerModel::want(const BlockId& block, std::vector<BlockId>& wanted) {
     slots_[block.tree][block.root] = Slot::Wanted;
     wanted_bytes_ += workload_.block(block).memory_bytes;
-    wanted.blocks.push_back(block);
+    wanted.push_back(block);
 }
 
-GaveBack WorkerModel::take(const AskedBack& asked) {
-    const auto task = tasks_.find(asked.task);
+Recalled WorkerModel::take(const Recall& recall) {
+    const auto task = tasks_.find(recall.task);
     if (task == tasks_.end()) {
-        return {id_, asked.task, {}};
+        return {recall.task, {}, 0};
     }
-    for (const std::uint64_t scenario : asked.scenarios) {
+    for (const std::uint64_t scenario : recall.scenarios) {
         const auto place = scenarios_.find(scenario);
-        if (place != scenarios_.end() && place->second.task == asked.task &&
+        if (place != scenarios_.end() && place->second.task == recall.task &&
             !place->second.has_begun) {
             drop(scenario);
             task->second.given_back.insert(scenario);
         }
     }
     const auto& given_back = task->second.given_back;
-    return {id_, asked.task, {given_back.begin(), given_back.end()}};
+    return {recall.task, {given_back.begin(), given_back.end()}, 0};
 }
 
-bool WorkerModel::take(const CalledOff& loser) {
+bool WorkerModel::take(const DropScenario& loser) {
     const auto place = scenarios_.find(loser.scenario);
     if (place == scenarios_.end() || place->second.task != loser.task) {
         return false;
@@ -112,24 +113,26 @@ void WorkerModel::drop(std::uint64_t scenario) {
     scenarios_.erase(scenario);
 }
 
-double WorkerModel::open_seconds(const BlocksSent& message) const {
+double WorkerModel::open_seconds(const Subtrees& blocks) const {
     double seconds = 0;
-    for (const BlockId& block : message.blocks) {
-        seconds += workload_.block(block).open_seconds;
+    for (const SubtreeBlock& block : blocks.blocks) {
+        seconds += workload_.block(block_id(blocks.tree, block.root)).open_seconds;
     }
     return seconds;
 }
 
-BlocksHeld WorkerModel::opened(const BlocksSent& message) {
-    BlocksHeld held{id_, {}};
-    for (const BlockId& block : message.blocks) {
+Messages WorkerModel::opened(const Subtrees& blocks) {
+    std::vector<BlockId> held;
+    for (const SubtreeBlock& one : blocks.blocks) {
+        const BlockId block = block_id(blocks.tree, one.root);
         Slot& slot = slots_[block.tree][block.root];
         // The master also sends a block that a slow peer was to give.
         if (slot != Slot::Wanted) {
+            ++blocks_again_;
             continue;
         }
         slot = Slot::Here;
-        held.blocks.push_back(block);
+        held.push_back(block);
         ++received_blocks_;
         memory_bytes_ += workload_.block(block).memory_bytes;
         wanted_bytes_ -= workload_.block(block).memory_bytes;
@@ -148,16 +151,7 @@ BlocksHeld WorkerModel::opened(const BlocksSent& message) {
         waiting_for_.erase(waiting);
     }
     evict();
-    return held;
-}
-
-std::optional<BlocksEvicted> WorkerModel::evicted() {
-    if (evicted_.empty()) {
-        return std::nullopt;
-    }
-    BlocksEvicted evicted{id_, std::exchange(evicted_, {})};
-    std::ranges::sort(evicted.blocks);
-    return evicted;
+    return by_tree<Held>(std::move(held));
 }
 
 void WorkerModel::pin(const BlockId& block) {
@@ -226,18 +220,23 @@ void WorkerModel::ran(std::uint64_t scenario, double now, double seconds) {
     task.compute_seconds += seconds;
 }
 
-std::vector<ResultsSent> WorkerModel::due(double now, double period) {
-    std::vector<ResultsSent> due;
+Messages WorkerModel::due(double now, double period) {
+    Messages due;
     for (auto place = tasks_.begin(); place != tasks_.end();) {
         auto& [id, task] = *place;
         const bool has_ended = task.open == 0;
-        const bool is_old = !task.unsent.empty() && now - task.unsent_since >= period;
-        if (has_ended || is_old) {
-            due.push_back({id_,
-                           id,
-                           std::exchange(task.unsent, {}),
-                           std::exchange(task.compute_seconds, 0),
-                           has_ended});
+        const bool is_old = has_ended || now - task.unsent_since >= period;
+        if (is_old && !task.unsent.empty()) {
+            Results results;
+            results.task = id;
+            results.job = task.job;
+            set_scenarios(results, std::exchange(task.unsent, {}));
+            results.compute_seconds = std::exchange(task.compute_seconds, 0);
+            results.sequence = ++sequence_;
+            due.emplace_back(std::move(results));
+        }
+        if (has_ended) {
+            due.emplace_back(EndOfTask{id});
         }
         place = has_ended ? tasks_.erase(place) : std::next(place);
     }

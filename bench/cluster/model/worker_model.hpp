@@ -9,7 +9,6 @@
 #include <cstdint>
 #include <deque>
 #include <map>
-#include <optional>
 #include <set>
 #include <utility>
 #include <vector>
@@ -25,23 +24,24 @@ class WorkerModel {
     WorkerModel(WorkerId id, const Workload& workload, std::uint64_t cache_bytes = 0);
 
     [[nodiscard]] WorkerId id() const { return id_; }
-    /// Returns the blocks to request from the master, if any.
-    std::optional<BlocksWanted> take(const BatchSent& batch);
-    void take(const Hinted& hint);
-    /// Returns hinted blocks to request, when nothing is needed at once, within the product's
+    /// Returns the requests for blocks.
+    Messages take(const WorkUnit& unit);
+    void take(const Hint& hint);
+    /// Returns requests for hinted blocks, when nothing is needed at once, within the product's
     /// limits.
-    std::optional<BlocksWanted> ahead();
-    GaveBack take(const AskedBack& asked);
+    Messages ahead();
+    /// Returns all returned scenarios of the task, ascending.
+    Recalled take(const Recall& recall);
     /// Returns true if the scenario runs here and may stop.
-    [[nodiscard]] bool take(const CalledOff& loser);
+    [[nodiscard]] bool take(const DropScenario& loser);
     /// Returns the seconds to open the blocks on a fast core.
-    [[nodiscard]] double open_seconds(const BlocksSent& message) const;
-    /// Adds blocks, and returns the report to the master. Blocks already here, or wanted by no
+    [[nodiscard]] double open_seconds(const Subtrees& blocks) const;
+    /// Adds blocks, and returns the reports to the master. Blocks already here, or wanted by no
     /// scenario, are dropped.
-    BlocksHeld opened(const BlocksSent& message);
+    Messages opened(const Subtrees& blocks);
 
-    /// Returns the blocks evicted since the last call, if any.
-    std::optional<BlocksEvicted> evicted();
+    /// Reports the blocks evicted since the last call.
+    Messages evicted() { return by_tree<Evicted>(std::exchange(evicted_, {})); }
 
     [[nodiscard]] bool has(const BlockId& block) const {
         return slots_[block.tree][block.root] == Slot::Here;
@@ -52,15 +52,18 @@ class WorkerModel {
     /// Notes that the scenario ran, or was stopped, after so many seconds.
     void ran(std::uint64_t scenario, double now, double seconds);
     /// Returns the results to send: all of ended tasks, and of other tasks those whose oldest
-    /// result is at least `period` old.
-    std::vector<ResultsSent> due(double now, double period);
+    /// result is at least `period` old. Reports the end of ended tasks.
+    Messages due(double now, double period);
 
     [[nodiscard]] std::uint64_t memory_bytes() const { return memory_bytes_; }
     [[nodiscard]] std::uint64_t received_blocks() const { return received_blocks_; }
+    /// Number of blocks that came although they were here.
+    [[nodiscard]] std::uint64_t blocks_again() const { return blocks_again_; }
 
   private:
     enum class Slot : std::uint8_t { Absent, Wanted, Here };
     struct Task {
+        JobId job;
         std::uint64_t open = 0; ///< Scenarios not yet run.
         std::vector<std::uint64_t> unsent;
         double unsent_since = 0;
@@ -77,7 +80,7 @@ class WorkerModel {
     /// Removes a scenario that has not begun from its task.
     void drop(std::uint64_t scenario);
 
-    void want(const BlockId& block, BlocksWanted& wanted);
+    void want(const BlockId& block, std::vector<BlockId>& wanted);
     void pin(const BlockId& block);
     void unpin(const BlockId& block);
     void set_idle(const BlockId& block);
@@ -103,6 +106,8 @@ class WorkerModel {
     std::uint64_t memory_bytes_ = 0;
     std::uint64_t wanted_bytes_ = 0; ///< Memory of the requested blocks once they arrive.
     std::uint64_t received_blocks_ = 0;
+    std::uint64_t blocks_again_ = 0;
+    std::uint64_t sequence_ = 0; ///< Number of the last message of results.
 };
 
 } // namespace cd::bench

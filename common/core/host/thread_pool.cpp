@@ -49,9 +49,7 @@ void ThreadPool::work() {
     }
 }
 
-void parallel_for(ThreadPool& pool,
-                  std::size_t count,
-                  const std::function<void(std::size_t)>& function) {
+void parallel_for(Pool& pool, std::size_t count, const std::function<void(std::size_t)>& function) {
     std::atomic<std::size_t> next{0};
     const auto take_turns = [&] {
         for (std::size_t i = next++; i < count; i = next++) {
@@ -71,9 +69,7 @@ void parallel_for(ThreadPool& pool,
     finished.wait();
 }
 
-void parallel_for(ThreadPool* pool,
-                  std::size_t count,
-                  const std::function<void(std::size_t)>& function) {
+void parallel_for(Pool* pool, std::size_t count, const std::function<void(std::size_t)>& function) {
     if (pool != nullptr) {
         parallel_for(*pool, count, function);
         return;

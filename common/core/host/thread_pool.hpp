@@ -1,4 +1,4 @@
-// A thread pool that its users share.
+// Pools of threads that their users share.
 #pragma once
 
 #include <atomic>
@@ -12,20 +12,30 @@
 
 namespace cd {
 
-/// A fixed number of threads that run posted functions in the order of posting.
-class ThreadPool {
+/// Runs posted functions, which must not throw, in the order of posting.
+class Pool {
+  public:
+    Pool() = default;
+    Pool(const Pool&) = delete;
+    Pool& operator=(const Pool&) = delete;
+    virtual ~Pool() = default;
+
+    /// Queues a function. Any thread.
+    virtual void post(std::function<void()> function) = 0;
+    /// Number of functions that may run at once; at least 1.
+    [[nodiscard]] virtual unsigned size() const = 0;
+};
+
+/// A fixed number of threads.
+class ThreadPool final : public Pool {
   public:
     /// With 0 threads, starts one for each core that this process may use.
     explicit ThreadPool(unsigned threads = 0);
-    ThreadPool(const ThreadPool&) = delete;
-    ThreadPool& operator=(const ThreadPool&) = delete;
     /// Runs all posted functions, then joins the threads.
-    ~ThreadPool();
+    ~ThreadPool() override;
 
-    /// Queues a function, which a thread of the pool runs. The function must not throw.
-    void post(std::function<void()> function);
-
-    [[nodiscard]] unsigned size() const { return static_cast<unsigned>(threads_.size()); }
+    void post(std::function<void()> function) override;
+    [[nodiscard]] unsigned size() const override { return static_cast<unsigned>(threads_.size()); }
 
   private:
     void work();
@@ -39,13 +49,9 @@ class ThreadPool {
 
 /// Calls `function(i)` once for each i in [0, count), on the pool's threads and the caller's.
 /// Returns when all calls have. Must not be called from a function that runs on the same pool.
-void parallel_for(ThreadPool& pool,
-                  std::size_t count,
-                  const std::function<void(std::size_t)>& function);
+void parallel_for(Pool& pool, std::size_t count, const std::function<void(std::size_t)>& function);
 
 /// Calls `function(i)` for each i in [0, count); on the caller's thread alone if `pool` is null.
-void parallel_for(ThreadPool* pool,
-                  std::size_t count,
-                  const std::function<void(std::size_t)>& function);
+void parallel_for(Pool* pool, std::size_t count, const std::function<void(std::size_t)>& function);
 
 } // namespace cd

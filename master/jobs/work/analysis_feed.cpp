@@ -1,7 +1,5 @@
 #include "master/jobs/work/analysis_feed.hpp"
 
-#include "common/core/limits/engine.hpp"
-
 #include <algorithm>
 #include <chrono>
 #include <memory>
@@ -17,7 +15,7 @@ void AnalysisFeed::start(MasterJob& job) {
     if (work.done == nullptr) {
         work.done = job.merged.marks();
     }
-    const PositionQueue::Piece piece = work.todo.take(limits::analysis_block_scenarios);
+    const PositionQueue::Piece piece = work.todo.take(parts_.limits.block_scenarios);
     work.analyser->start(piece.positions, piece.losses, work.done);
 }
 
@@ -45,12 +43,13 @@ void AnalysisFeed::came(JobId id, AnalysedBlock block, std::vector<TakenResult> 
     if (job == nullptr) {
         return;
     }
+    job->work()->analyser->block_taken();
     if (block.error) {
         job->work()->todo.put_back({block.positions, block.losses});
         return parts_.life.wait_for_disk(*job, *block.error, [](MasterJob*) {});
     }
     parts_.life.disk_gives(*job);
-    const auto begin = Clock::now();
+    const auto begin = parts_.jobs.now();
     const std::uint64_t handed_out = hand_out(*job, block);
     if (!job->is_running()) {
         return;
@@ -58,7 +57,7 @@ void AnalysisFeed::came(JobId id, AnalysedBlock block, std::vector<TakenResult> 
     JobRates& rates = job->work()->rates;
     rates.analysis.add(block.seconds, static_cast<double>(block.positions.count));
     if (handed_out != 0) {
-        const double seconds = std::chrono::duration<double>(Clock::now() - begin).count();
+        const double seconds = std::chrono::duration<double>(parts_.jobs.now() - begin).count();
         rates.matching.add(seconds, static_cast<double>(handed_out));
     }
     job->tally.answered_by_master += static_cast<std::uint64_t>(std::ranges::count_if(

@@ -2,15 +2,26 @@
 // to the dispatcher.
 #pragma once
 
+#include "common/core/limits/engine.hpp"
 #include "master/base/background.hpp"
 #include "master/dispatch/dispatch_driver.hpp"
 #include "master/jobs/job_life.hpp"
 #include "master/jobs/job_merger.hpp"
 #include "master/jobs/job_table.hpp"
 
+#include <cstdint>
 #include <vector>
 
 namespace cd {
+
+/// Bounds on the analyses that are ahead of the workers. A simulation of the paper's master lowers
+/// them.
+struct FeedLimits {
+    /// Scenarios of one analysis on the pool; at most `limits::analysis_block_scenarios`.
+    std::uint64_t block_scenarios = limits::analysis_block_scenarios;
+    /// Analysed scenarios that may wait outside the workers' buffers; 0: the dispatcher's number.
+    std::uint64_t waiting_max = 0;
+};
 
 class AnalysisFeed {
   public:
@@ -20,6 +31,7 @@ class AnalysisFeed {
         JobMerger& merger;
         DispatchDriver& dispatch;
         Background& background;
+        FeedLimits limits;
     };
 
     /// All parts outlive the feed.

@@ -86,7 +86,7 @@ void RangeFeed::lost(const PositionsLost& lost) {
         return;
     }
     AddResults add{job->id, job->results, {}, {}, {}};
-    add.progress = job->progress(Clock::now());
+    add.progress = job->progress(parts_.jobs.now());
     Losses losses;
     losses.add(lost.process);
     for (const PlaceRange& run : lost.positions.runs()) {

@@ -187,7 +187,7 @@ void TaskExchange::drop_cancelled(const Worker& worker, const MasterJob& job) {
 
 void TaskExchange::note_work(WorkerId id) {
     if (Worker* worker = workers_.find(id)) {
-        worker->meter.work_is(dispatch_.view().worker_status(id).working != 0, Clock::now());
+        worker->meter.work_is(dispatch_.view().worker_status(id).working != 0, jobs_.now());
     }
 }
 

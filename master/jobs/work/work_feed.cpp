@@ -49,7 +49,7 @@ std::vector<MasterJob*> WorkFeed::jobs_to_feed(Load& load) {
         load.under_way += job.work()->analyses_under_way();
         load.open_bytes += job.work()->open.bytes();
         const bool is_held_back =
-            parts_.awaited.holds_back(id, Clock::now()) && !mutated(Mutation::NobodyAwaited);
+            parts_.awaited.holds_back(id, parts_.jobs.now()) && !mutated(Mutation::NobodyAwaited);
         if (!parts_.life.is_waiting(id) && !is_held_back) {
             jobs.push_back(&job);
         }
@@ -64,12 +64,22 @@ std::vector<MasterJob*> WorkFeed::jobs_to_feed(Load& load) {
 
 bool WorkFeed::has_room_for_analysis(const Load& load) const {
     // Enough analyses keep the pool busy; more would only delay results.
-    const DispatchView& dispatch = parts_.dispatch.view();
     return parts_.writer.has_room() &&
            load.under_way < parts_.background.compute_pool().size() + 2 &&
            load.open_bytes < limits::open_analyses_bytes_max &&
-           dispatch.unsent() + load.under_way * limits::analysis_block_scenarios <
-               dispatch.unsent_enough();
+           wants_more(load.under_way * parts_.limits.block_scenarios);
+}
+
+bool WorkFeed::wants_more(std::uint64_t under_way) const {
+    const DispatchView& dispatch = parts_.dispatch.view();
+    if (parts_.limits.waiting_max == 0) {
+        return dispatch.unsent() + under_way < dispatch.unsent_enough();
+    }
+    std::uint64_t waiting = dispatch.unsent();
+    for (const WorkerId worker : dispatch.workers()) {
+        waiting -= dispatch.worker_status(worker).buffered;
+    }
+    return waiting + under_way < parts_.limits.waiting_max;
 }
 
 bool WorkFeed::prefers_ranges_now(const MasterJob& job) const {

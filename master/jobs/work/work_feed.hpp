@@ -25,6 +25,7 @@ class WorkFeed {
         Background& background;
         RangeFeed& ranges;
         AnalysisFeed& analyses;
+        FeedLimits limits;
     };
 
     /// All parts outlive the feed.
@@ -43,6 +44,8 @@ class WorkFeed {
     /// Jobs that may get work, in the order of their turns. Adds the load of all jobs to `load`.
     [[nodiscard]] std::vector<MasterJob*> jobs_to_feed(Load& load);
     [[nodiscard]] bool has_room_for_analysis(const Load& load) const;
+    /// True if `under_way` more scenarios still leave workers too little choice.
+    [[nodiscard]] bool wants_more(std::uint64_t under_way) const;
     [[nodiscard]] bool prefers_ranges_now(const MasterJob& job) const;
 
     Parts parts_;

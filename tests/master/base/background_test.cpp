@@ -21,11 +21,11 @@ class BackgroundTest : public testing::Test {
     }
 
     asio::io_context context_;
+    AsioLoop loop_{context_.get_executor()};
     ThreadPool compute_{1};
     ThreadPool blocking_{1};
     std::string log_;
-    Background background_{
-        context_.get_executor(), compute_, blocking_, [this] { log_ += "after"; }};
+    Background background_{loop_, compute_, blocking_, [this] { log_ += "after"; }};
     const std::thread::id owner_ = std::this_thread::get_id();
 };
 

@@ -9,7 +9,8 @@ namespace {
 class DiskRetriesTest : public testing::Test {
   protected:
     asio::io_context context_;
-    DiskRetries retries_{context_.get_executor()};
+    AsioLoop loop_{context_.get_executor()};
+    DiskRetries retries_{loop_};
     int runs_ = 0;
 };
 

@@ -22,9 +22,10 @@ class ReferenceRun : public testing::Test {
         poses_ = std::make_shared<OrderedPoses>(make_list_source(reference().scenarios));
     }
 
-    ThreadPool pool_{1};
     asio::io_context context_;
-    Background background_{context_.get_executor(), pool_, pool_, [] {}};
+    AsioLoop loop_{context_.get_executor()};
+    ThreadPool pool_{1};
+    Background background_{loop_, pool_, pool_, [] {}};
     std::shared_ptr<const JobMaterial> material_;
     std::shared_ptr<OrderedPoses> poses_;
 };

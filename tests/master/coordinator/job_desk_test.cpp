@@ -20,7 +20,7 @@ class JobDeskTest : public PartsStage {
         (void)state.jobs.announce(job);
     }
 
-    JobDesk jobs_{state, services, *geometry};
+    JobDesk jobs_{state, services, stored};
 };
 
 TEST_F(JobDeskTest, AnIdIsAllottedOnceAndMayBeGivenUp) {

@@ -3,6 +3,7 @@
 #include "bench/cluster/model/large_cluster.hpp"
 
 #include "bench/cluster/model/baselines.hpp"
+#include "bench/cluster/model/strategies.hpp"
 #include "tests/bench/cluster/synthetic.hpp"
 
 #include <gtest/gtest.h>
@@ -30,16 +31,18 @@ LargeOptions some_hosts(std::string_view strategy, bool peers) {
 
 TEST(LargeCluster, IsWholeWithinItsBoundsAndTheSameEachTime) {
     const Workload workload = make_synthetic_workload(7, 2000);
-    for (const std::string_view strategy : {"earliest-finish", "best-match", "random"}) {
+    for (const ComparedStrategy& compared : compared_strategies) {
         for (const bool peers : {false, true}) {
-            SCOPED_TRACE(testing::Message() << strategy << " " << peers);
-            const LargeOptions options = some_hosts(strategy, peers);
+            SCOPED_TRACE(testing::Message() << compared.name() << " " << peers);
+            LargeOptions options = some_hosts(compared.strategy, peers);
+            options.dispatch.claim = compared.claims;
             const LargeOutcome first = simulate_large(workload, options);
             const LargeOutcome second = simulate_large(workload, options);
             EXPECT_EQ(first.answered, workload.count());
             EXPECT_EQ(first.seconds, second.seconds);
             EXPECT_EQ(first.sent_bytes, second.sent_bytes);
             EXPECT_EQ(first.peer_bytes != 0, peers);
+            EXPECT_EQ(first.blocks_again, 0u);
             const BaselineOutcome optimum =
                 offline_optimum(workload, options.speeds, options.bytes_per_second);
             EXPECT_GT(first.seconds, optimum.seconds);

@@ -1,5 +1,5 @@
-// Proves that functions run after their delays, and that none runs after the close.
-#include "master/base/timers.hpp"
+// Proves that functions run after their delays, and that no delayed function runs after the close.
+#include "master/base/event_loop.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,18 +10,18 @@ namespace {
 
 using namespace std::chrono_literals;
 
-class TimersTest : public testing::Test {
+class EventLoopTest : public testing::Test {
   protected:
     void add(std::chrono::hours delay, const std::string& name) {
-        timers_.after(delay, [this, name] { log_ += name; });
+        loop_.after(delay, [this, name] { log_ += name; });
     }
 
     asio::io_context context_;
-    Timers timers_{context_.get_executor()};
+    AsioLoop loop_{context_.get_executor()};
     std::string log_;
 };
 
-TEST_F(TimersTest, AFunctionRunsAfterItsDelay) {
+TEST_F(EventLoopTest, AFunctionRunsAfterItsDelay) {
     add(24h, "later");
     add(0h, "soon");
     EXPECT_EQ(log_, "") << "not within the call";
@@ -29,23 +29,23 @@ TEST_F(TimersTest, AFunctionRunsAfterItsDelay) {
     EXPECT_EQ(log_, "soon");
 }
 
-TEST_F(TimersTest, AFunctionMayStartTheNext) {
-    timers_.after(0h, [this] { add(0h, "next"); });
+TEST_F(EventLoopTest, AFunctionMayStartTheNext) {
+    loop_.after(0h, [this] { add(0h, "next"); });
     context_.run();
     EXPECT_EQ(log_, "next");
 }
 
-TEST_F(TimersTest, TheCloseDropsAllFunctions) {
+TEST_F(EventLoopTest, TheCloseDropsDelayedFunctions) {
     add(0h, "expired");
     add(24h, "running");
-    timers_.close();
+    loop_.close();
     add(0h, "late");
     context_.run(); // Returns, because no timer is left.
     EXPECT_EQ(log_, "");
 }
 
-TEST_F(TimersTest, AFunctionMayDropTheOthers) {
-    timers_.after(0h, [this] { timers_.close(); });
+TEST_F(EventLoopTest, AFunctionMayDropTheOthers) {
+    loop_.after(0h, [this] { loop_.close(); });
     add(0h, "expired meanwhile");
     context_.run();
     EXPECT_EQ(log_, "");

@@ -1,10 +1,10 @@
-#include "master/base/timers.hpp"
+#include "master/base/event_loop.hpp"
 
 #include <utility>
 
 namespace cd {
 
-void Timers::after(std::chrono::steady_clock::duration delay, std::function<void()> function) {
+void AsioLoop::after(Duration delay, std::function<void()> function) {
     if (is_closed_) {
         return;
     }
@@ -18,7 +18,7 @@ void Timers::after(std::chrono::steady_clock::duration delay, std::function<void
     });
 }
 
-void Timers::close() {
+void AsioLoop::close() {
     is_closed_ = true;
     for (const Timer& timer : std::exchange(*running_, {})) {
         timer->cancel();
