@@ -92,29 +92,18 @@ void PositionSet::add(const PositionSet& other) {
     }
 }
 
-void PositionSet::remove(const PlaceRange& range) {
-    if (range.count == 0) {
-        return; // An empty hole must not split a run.
-    }
-    auto run = runs_.begin() + (run_after(range.first) - runs_.cbegin());
-    while (run != runs_.end() && run->first < range.end()) {
-        const PlaceRange before{run->first, std::max(range.first, run->first) - run->first};
-        const std::uint64_t end = std::max(range.end(), before.end());
-        const PlaceRange after{end, run->end() - std::min(end, run->end())};
-        count_ -= run->count - before.count - after.count;
-        if (before.count != 0 && after.count != 0) {
-            *run = before;
-            if (mutated(Mutation::SplitRunLosesEnd)) {
-                count_ -= after.count;
-                return;
-            }
-            runs_.insert(run + 1, after);
+void PositionSet::remove(const PlaceRange& hole) {
+    auto run = runs_.begin() + (run_after(hole.first) - runs_.cbegin());
+    while (hole.count != 0 && run != runs_.end() && run->first < hole.end()) {
+        const std::uint64_t first = std::max(run->first, hole.first);
+        const std::uint64_t end = std::min(run->end(), hole.end());
+        const PlaceRange after{end, run->end() - end};
+        count_ -= mutated(Mutation::SplitRunLosesEnd) ? run->end() - first : end - first;
+        run->count = first - run->first;
+        run = run->count == 0 ? runs_.erase(run) : run + 1;
+        if (after.count != 0 && !mutated(Mutation::SplitRunLosesEnd)) {
+            runs_.insert(run, after);
             return;
-        }
-        if (before.count == 0 && after.count == 0) {
-            run = runs_.erase(run);
-        } else {
-            *run++ = before.count != 0 ? before : after;
         }
     }
 }

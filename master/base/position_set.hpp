@@ -33,8 +33,8 @@ class PositionSet {
 
     void add(const PlaceRange& range);
     void add(const PositionSet& other);
-    /// Removes the positions of the range that are in the set.
-    void remove(const PlaceRange& range);
+    /// Removes the positions in the hole.
+    void remove(const PlaceRange& hole);
     void remove(const PositionSet& other);
 
     friend bool operator==(const PositionSet&, const PositionSet&) = default;

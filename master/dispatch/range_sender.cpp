@@ -5,7 +5,6 @@
 #include "master/dispatch/round_robin.hpp"
 
 #include <algorithm>
-#include <utility>
 
 namespace cd {
 
@@ -113,10 +112,10 @@ std::uint64_t RangeSender::positions_at_once(const WorkerProxy& proxy,
 }
 
 void RangeSender::send(WorkerProxy& proxy, DispatchJob& job, Actions& actions) {
-    GivenRange sent = job.unsent.take_first(positions_at_once(proxy, job));
+    const GivenRange sent = job.unsent.take_first(positions_at_once(proxy, job));
     queue_.note_served(job.id);
     const auto each_ns = static_cast<std::uint64_t>(context_.pace.mean_cost_ns());
-    tasks_.send_range(proxy, job, std::move(sent), each_ns, actions);
+    tasks_.send_range(proxy, job, sent, each_ns, actions);
 }
 
 } // namespace cd

@@ -15,55 +15,58 @@ void TaskTable::send(WorkerProxy& proxy,
                      std::vector<std::uint64_t> positions,
                      bool claims,
                      Actions& actions) {
-    const TaskId task{++last_};
-    TaskInFlight content{job.id, {}, true, claims, 0, pace_.now()};
+    TaskInFlight task{job.id, {}, true, claims, 0, pace_.now()};
     for (const std::uint64_t position : positions) {
         DispatchScenario& scenario = job.at(position);
-        content.cost_ns += scenario.weight.cost_ns;
-        content.fetches = content.fetches || scenario.fetches;
+        task.cost_ns += scenario.weight.cost_ns;
+        task.fetches = task.fetches || scenario.fetches;
         scenario.where = Whereabouts::Sent;
-        scenario.at = {proxy.id(), task};
+        scenario.at = {proxy.id(), TaskId{last_ + 1}};
     }
     queue_.leave(positions.size());
-    content.positions = PositionSet::of(std::move(positions));
-    actions.push_back(SendUnit{proxy.id(), task, job.id, content.positions});
-    proxy.tasks.start(task, std::move(content));
+    task.positions = PositionSet::of(std::move(positions));
+    start(proxy, std::move(task), actions);
 }
 
 void TaskTable::send_range(WorkerProxy& proxy,
                            DispatchJob& job,
-                           GivenRange range,
+                           const GivenRange& range,
                            std::uint64_t each_ns,
                            Actions& actions) {
-    const TaskId task{++last_};
     const std::uint64_t cost_ns = range.positions.count * each_ns;
-    TaskInFlight content{job.id, range.positions, false, false, cost_ns, pace_.now()};
-    content.window = range.window;
+    TaskInFlight task{job.id, range.positions, false, false, cost_ns, pace_.now()};
+    task.window = range.window;
     job.copies.add_work(cost_ns);
-    actions.push_back(
-        SendUnit{proxy.id(), task, job.id, content.positions, false, {}, std::move(range.window)});
-    proxy.tasks.start(task, std::move(content));
+    start(proxy, std::move(task), actions);
 }
 
-void TaskTable::send_copy(const Assignment& at,
+void TaskTable::send_copy(const Assignment& original,
                           WorkerProxy& helper,
                           const PositionSet& positions,
                           bool fetches,
                           Actions& actions) {
-    const TaskId task{++last_};
-    WorkerTasks& tasks = pool_.at(at.worker).tasks;
-    const TaskInFlight& original = tasks.at(at.task);
-    DispatchJob& job = queue_.at(original.job);
-    const std::uint64_t cost_ns = cost_of(job, original, positions);
-    TaskInFlight copy{
-        job.id, positions, original.is_analysed, false, cost_ns, pace_.now(), fetches};
-    copy.shared.original = at;
-    copy.window = original.window;
-    tasks.add_copy(at.task, {helper.id(), task}, positions);
+    WorkerTasks& tasks = pool_.at(original.worker).tasks;
+    const TaskInFlight& copied = tasks.at(original.task);
+    DispatchJob& job = queue_.at(copied.job);
+    const std::uint64_t cost_ns = cost_of(job, copied, positions);
+    TaskInFlight copy{job.id, positions, copied.is_analysed, false, cost_ns, pace_.now(), fetches};
+    copy.shared.original = original;
+    copy.window = copied.window;
     job.copies.add_copy(cost_ns);
-    actions.push_back(
-        SendUnit{helper.id(), task, job.id, positions, copy.is_analysed, at.task, copy.window});
-    helper.tasks.start(task, std::move(copy));
+    tasks.add_copy(original.task, {helper.id(), TaskId{last_ + 1}}, positions);
+    start(helper, std::move(copy), actions);
+}
+
+void TaskTable::start(WorkerProxy& proxy, TaskInFlight task, Actions& actions) {
+    const TaskId id{++last_};
+    actions.push_back(SendUnit{proxy.id(),
+                               id,
+                               task.job,
+                               task.positions,
+                               task.is_analysed,
+                               task.shared.original.task,
+                               task.window});
+    proxy.tasks.start(id, std::move(task));
 }
 
 // ---- Answers ------------------------------------------------------------------------------------

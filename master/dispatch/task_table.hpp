@@ -39,7 +39,7 @@ class TaskTable {
     /// Sends positions without analysis, which are in no task. `each_ns`: predicted time of one.
     void send_range(WorkerProxy& proxy,
                     DispatchJob& job,
-                    GivenRange range,
+                    const GivenRange& range,
                     std::uint64_t each_ns,
                     Actions& actions);
     /// Sends a speculative copy of positions that are unanswered in the task. `fetches`: the helper
@@ -85,6 +85,8 @@ class TaskTable {
     [[nodiscard]] TaskId last() const { return TaskId{last_}; }
 
   private:
+    /// Numbers the task, and sends it.
+    void start(WorkerProxy& proxy, TaskInFlight task, Actions& actions);
     /// Removes answered positions from one task, if it exists, and returns those that it had. `by`:
     /// the worker that answered.
     PositionSet answer_in(DispatchJob& job,

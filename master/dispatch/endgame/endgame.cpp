@@ -125,20 +125,16 @@ bool Endgame::copy(const WorkerProxy& from, WorkerProxy& helper, Actions& action
                                        ? scenario_to_copy(from, task, candidates, helper)
                                        : positions_to_copy(from, task, candidates, helper);
         if (!copied.is_empty()) {
-            const bool fetches = task.is_analysed && fetch(queue_.at(task.job), copied, helper);
+            const DispatchJob& job = queue_.at(task.job);
+            // A copy of an analysed task has one scenario.
+            const std::uint64_t first = copied.runs().front().first;
+            const bool fetches = task.is_analysed &&
+                                 !blocks_.hold_roots(job, job.at(first).roots, helper).is_nothing();
             tasks_.send_copy({from.id(), id}, helper, copied, fetches, actions);
             return true;
         }
     }
     return false;
-}
-
-bool Endgame::fetch(const DispatchJob& job, const PositionSet& positions, WorkerProxy& helper) {
-    bool fetches = false;
-    for (const std::uint64_t position : positions.list()) {
-        fetches = !blocks_.hold_roots(job, job.at(position).roots, helper).is_nothing() || fetches;
-    }
-    return fetches;
 }
 
 PositionSet Endgame::scenario_to_copy(const WorkerProxy& from,

@@ -50,8 +50,6 @@ class Endgame {
                                                   double seconds_here,
                                                   double gain) const;
     [[nodiscard]] bool copy(const WorkerProxy& from, WorkerProxy& helper, Actions& actions);
-    /// Marks the blocks of the scenarios as held by the helper. False if it held all of them.
-    bool fetch(const DispatchJob& job, const PositionSet& positions, WorkerProxy& helper);
     /// The last candidate of an analysed task, if copying it to the helper pays.
     [[nodiscard]] PositionSet scenario_to_copy(const WorkerProxy& from,
                                                const TaskInFlight& task,

@@ -14,13 +14,13 @@ namespace {
 /// The positions of the range that have neither a result nor an analysis.
 PositionSet open_positions(const MasterJob& job, const GivenRange& range) {
     const OpenAnalyses& analyses = job.work()->open;
-    PositionSet open = range.positions;
+    PositionSet open;
     for (std::uint64_t i = 0; i < range.positions.count; ++i) {
         const PlaceRange one{range.positions.first + i, 1};
         const std::uint64_t index =
             range.window == nullptr ? one.first : range.window->at(one).front().index;
-        if (job.merged.has(index) || analyses.has(one.first)) {
-            open.remove(one);
+        if (!job.merged.has(index) && !analyses.has(one.first)) {
+            open.add(one);
         }
     }
     return open;

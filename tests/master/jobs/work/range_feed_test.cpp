@@ -31,8 +31,11 @@ class RangeFeedTest : public PartsStage {
         merge(job, std::move(result), process);
         state.dispatch.act(state.dispatch->answered({{}, {}, job.id, PlaceRange{index, 1}}));
     }
-    /// The dispatcher loses the worker; nothing is handed out again.
-    void lose(WorkerId worker) { state.dispatch.act(state.dispatch->worker_lost(worker)); }
+    /// The worker is lost, and nothing is handed out again.
+    void lose(WorkerId worker) {
+        services.tasks.book().forget(worker);
+        state.dispatch.act(state.dispatch->worker_lost(worker));
+    }
     [[nodiscard]] SendUnit last_range() const { return performed<SendUnit>().back(); }
     [[nodiscard]] static std::vector<PlaceRange> queued(const MasterJob& job) {
         std::vector<PlaceRange> places;
@@ -127,7 +130,7 @@ TEST_F(RangeFeedTest, ReturnedPositionsGoOutAgainWithoutALoss) {
     services.tasks.recalled(worker, Recalled{last_range().task, {}, 60});
     EXPECT_EQ(job.tally.help.recalled, 30u);
     EXPECT_EQ(job.work()->todo.left(), 0u);
-    EXPECT_EQ(state.dispatch.view().positions_unsent(job.id), 30u);
+    EXPECT_EQ(last_range().positions, (PlaceRange{60, 30}));
     EXPECT_THAT(performed<PositionsLost>(), IsEmpty());
 }
 
