@@ -255,6 +255,7 @@ PosedPair posed_together(std::mt19937_64& random, PosedPair pair) {
 PosedPair finished(std::mt19937_64& random, PosedPair pair) {
     return posed_together(random, shuffled(random, std::move(pair)));
 }
+
 void add_contact_makers(PairMakers& makers) {
     makers["coplanar, overlapping"] = coplanar_overlapping;
     makers["coplanar, touching along an edge"] = coplanar_along_an_edge;

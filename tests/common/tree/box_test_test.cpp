@@ -37,6 +37,7 @@ bool may_overlap(const ObbNode& a, const ObbNode& b, const PosePair& poses) {
 Pose moved(const Pose& pose, const Vec3& by) {
     return with_translation(pose, pose.translation() + by);
 }
+
 double size_of(const ObbNode& node) {
     return static_cast<double>(node.half[0]) + static_cast<double>(node.half[1]) +
            static_cast<double>(node.half[2]);
@@ -69,6 +70,7 @@ PosedBrink find_brink(std::mt19937_64& random, const ObbNode& a, const ObbNode& 
             {poses.a, moved(poses.b, far * direction)},
             direction};
 }
+
 TEST(BoxTest, RejectsOnlyBoxesThatAreApart) {
     for (SeededRandom random : seeds(200)) {
         // Roundings of the centres matter most for small, distant boxes.

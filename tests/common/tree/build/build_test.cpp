@@ -18,6 +18,7 @@ namespace {
 ObbTree build(const Mesh& mesh, const BuildOptions& options = {}) {
     return make_tree(mesh, options, 2);
 }
+
 void expect_every_triangle_once(const ObbTree& tree) {
     std::vector<std::uint32_t> ids(tree.triangle_ids().begin(), tree.triangle_ids().end());
     std::sort(ids.begin(), ids.end());
