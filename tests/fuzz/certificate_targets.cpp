@@ -14,8 +14,8 @@ namespace {
 
 /// In DER every byte has a meaning; in PEM most changes only make invalid letters.
 std::string pem_of(Input input, const char* label) {
-    const Input rest = input.subspan(1);
-    if ((std::to_integer<unsigned>(input.front()) & 1u) == 0) {
+    const Input rest = rest_of(input);
+    if (!is_odd(input)) {
         return text_of(rest);
     }
     const openssl::Bio bio(BIO_new(BIO_s_mem()));
@@ -30,9 +30,6 @@ std::string pem_of(Input input, const char* label) {
 } // namespace
 
 void certificate(Input input) {
-    if (input.empty()) {
-        return;
-    }
     const std::string text = pem_of(input, PEM_STRING_X509);
     const auto identity = read_identity(text);
     if (identity) {
@@ -44,9 +41,6 @@ void certificate(Input input) {
 }
 
 void certificate_request(Input input) {
-    if (input.empty()) {
-        return;
-    }
     static const WallTime now{std::chrono::hours(24 * 365 * 50)};
     static const CertificateAuthority authority = CertificateAuthority::make(now);
     const Identity asked{CertifiedRole::Worker, "peer", now, now + std::chrono::hours(1)};

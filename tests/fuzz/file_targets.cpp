@@ -26,8 +26,7 @@ constexpr std::uint64_t elements_max = 1u << 16;
 /// Accepted poses are rigid, and there are as many scenarios as rows.
 void use(Result<PoseTable> table) {
     if (!table) {
-        require(!table.error().detail.empty(), "whoever is refused is told why");
-        return;
+        return require_reason(table.error());
     }
     if (!check_rows(table.value(), std::nullopt)) {
         return;
@@ -75,7 +74,7 @@ void use_reader(Input input, Result<ImportedMesh> (*read)(const MeshSource&)) {
         require(imported.value().mesh->triangles().size() <= text.size(),
                 "no more triangles than bytes");
     } else {
-        require(imported.error().detail.starts_with(path.string()), "an error names the file");
+        require_reason(imported.error(), path);
         require(imported.error().detail.find('\n') == std::string::npos, "an error is one line");
     }
 }
@@ -108,10 +107,8 @@ void job_file(Input input) {
 }
 
 void csv_poses(Input input) {
-    if (!input.empty()) {
-        std::istringstream text(text_of(input.subspan(1)));
-        use(read_csv_poses(text, (std::to_integer<unsigned>(input.front()) & 1u) != 0));
-    }
+    std::istringstream text(text_of(rest_of(input)));
+    use(read_csv_poses(text, is_odd(input)));
 }
 
 void tum_poses(Input input) {
@@ -140,8 +137,7 @@ void npz(Input input) {
         if (array) {
             use(array.value());
         } else {
-            require(array.error().detail.starts_with(file.path().string()),
-                    "an error names the file");
+            require_reason(array.error(), file.path());
         }
     }
 }
@@ -156,8 +152,7 @@ void gltf(Input input) {
     const std::filesystem::path path = "/nowhere/at/all.gltf";
     const auto imported = read_gltf({path, text, {}});
     if (!imported) {
-        require(imported.error().detail.starts_with(path.string()), "an error names the file");
-        return;
+        return require_reason(imported.error(), path);
     }
     require(document.has_value(), "no mesh without a document");
     require(!imported.value().mesh->triangles().empty(), "a mesh has triangles");
@@ -186,16 +181,13 @@ void mesh_text(Input input) {
     const MemoryFile file(input.subspan(1));
     const std::string extension =
         mesh_extensions[std::to_integer<std::size_t>(input.front()) % mesh_extensions.size()];
-    const auto check_names_file = [&](const Error& error) {
-        require(error.detail.starts_with(file.path().string()), "an error names the file");
-    };
     if (const Status sound = check_for_assimp(file.path(), extension); !sound) {
-        check_names_file(sound.error());
+        require_reason(sound.error(), file.path());
     }
     if (is_ac3d(file.path(), extension)) {
         const auto triangles = count_ac3d_triangles(file.path());
         if (!triangles) {
-            check_names_file(triangles.error());
+            require_reason(triangles.error(), file.path());
         } else {
             require(triangles.value() <= input.size(), "no more triangles than bytes");
         }

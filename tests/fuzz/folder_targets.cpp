@@ -1,6 +1,5 @@
 #include "client/folder/run_manifest.hpp"
 #include "client/poses/label_file.hpp"
-#include "common/core/files/hash.hpp"
 #include "common/job/result/record_file.hpp"
 #include "tests/fuzz/memory_file.hpp"
 #include "tests/fuzz/require.hpp"
@@ -8,28 +7,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 
 namespace cd::fuzz {
 
 namespace {
 
-constexpr std::size_t word = sizeof(std::uint64_t);
 constexpr std::size_t header_bytes = 2 * word;
 constexpr std::size_t block_header_bytes = 3 * word;
 constexpr std::size_t footer_bytes = 4 * word;
-
-std::uint64_t word_at(const Bytes& bytes, std::size_t at) {
-    std::uint64_t value = 0;
-    std::memcpy(&value, bytes.data() + at, word);
-    return value;
-}
-
-/// Writes the checksum of [begin, end) at `end`.
-void sum_up(Bytes& file, std::size_t begin, std::size_t end) {
-    const std::uint64_t sum = checksum(std::span(file).subspan(begin, end - begin));
-    std::memcpy(file.data() + end, &sum, word);
-}
 
 /// Corrects the checksums of a block file, as far as its sizes can be followed.
 void sum_up_blocks(Bytes& file) {
@@ -40,7 +25,7 @@ void sum_up_blocks(Bytes& file) {
             break;
         }
         const std::size_t end = at + block_header_bytes + bytes;
-        sum_up(file, at, end);
+        sum_up(file, at, end, end);
         at = end + word;
     }
     if (file.size() < header_bytes + footer_bytes) {
@@ -49,7 +34,7 @@ void sum_up_blocks(Bytes& file) {
     const std::size_t footer = file.size() - footer_bytes;
     const std::uint64_t rows = word_at(file, footer);
     if (rows <= (footer - header_bytes) / (4 * word)) {
-        sum_up(file, footer - rows * 4 * word, footer + 2 * word);
+        sum_up(file, footer - rows * 4 * word, footer + 2 * word, footer + 2 * word);
     }
 }
 
@@ -57,8 +42,7 @@ void sum_up_blocks(Bytes& file) {
 /// read.
 void check_records(const Result<RecordFile>& file) {
     if (!file) {
-        require(!file.error().detail.empty(), "whoever is refused is told why");
-        return;
+        return require_reason(file.error());
     }
     std::uint64_t count = 0;
     std::uint64_t index_min = 0;
@@ -75,11 +59,9 @@ void check_records(const Result<RecordFile>& file) {
 } // namespace
 
 void record_file(Input input) {
-    if (input.empty()) {
-        return;
-    }
-    Bytes bytes(input.begin() + 1, input.end());
-    if ((std::to_integer<unsigned>(input.front()) & 1u) != 0) {
+    const Input rest = rest_of(input);
+    Bytes bytes(rest.begin(), rest.end());
+    if (is_odd(input)) {
         sum_up_blocks(bytes);
     }
     const MemoryFile file(bytes);
@@ -90,8 +72,7 @@ void record_file(Input input) {
 void run_json(Input input) {
     const auto manifest = parse_manifest(text_of(input));
     if (!manifest) {
-        require(!manifest.error().detail.empty(), "whoever is refused is told why");
-        return;
+        return require_reason(manifest.error());
     }
     const std::string text = manifest_json(manifest.value());
     const auto again = parse_manifest(text);
@@ -104,8 +85,7 @@ void labels(Input input) {
     const MemoryFile file(input);
     const auto read = read_labels(file.path());
     if (!read) {
-        require(!read.error().detail.empty(), "the refusal says why");
-        return;
+        return require_reason(read.error());
     }
     const PoseLabels& labels = read.value();
     const std::size_t rows =

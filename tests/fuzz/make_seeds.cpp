@@ -34,6 +34,7 @@
 #include "tests/proto/sample_messages.hpp"
 #include "tests/support/process.hpp"
 #include "tests/support/shapes.hpp"
+#include "tests/support/trees.hpp"
 
 #include <openssl/evp.h>
 
@@ -60,6 +61,13 @@ Bytes bytes_of(std::string_view text) {
     return {bytes.begin(), bytes.end()};
 }
 
+/// Ends the program if something could not be made.
+void need(bool is_made) {
+    if (!is_made) {
+        std::exit(1);
+    }
+}
+
 std::string read_file(const fs::path& path) {
     std::ifstream file(path, std::ios::binary);
     return {std::istreambuf_iterator<char>(file), {}};
@@ -72,9 +80,8 @@ class Seeds {
     void add(const std::string& target, const std::string& name, std::span<const std::byte> bytes) {
         fs::create_directories(folder_ / target);
         std::ofstream file(folder_ / target / name, std::ios::binary);
-        const Bytes copy(bytes.begin(), bytes.end());
-        file.write(reinterpret_cast<const char*>(copy.data()),
-                   static_cast<std::streamsize>(copy.size()));
+        file.write(reinterpret_cast<const char*>(bytes.data()),
+                   static_cast<std::streamsize>(bytes.size()));
     }
     void add(const std::string& target, const std::string& name, std::string_view text) {
         add(target, name, bytes_of(text));
@@ -147,9 +154,8 @@ Bytes columns_of(std::span<const std::byte> packed) {
 }
 
 void add_blocks_and_records(Seeds& seeds) {
-    ThreadPool pool(1);
-    const ObbTree a = build_tree(tests::share(tests::make_torus(1.0, 0.4, 8, 6)), {}, pool);
-    const ObbTree b = build_tree(tests::share(tests::make_sphere(1)), {}, pool);
+    const ObbTree a = tests::make_tree(tests::make_torus(1.0, 0.4, 8, 6));
+    const ObbTree b = tests::make_tree(tests::make_sphere(1));
     for (const std::uint32_t depth : {0u, 2u}) {
         const std::uint32_t root = cut_nodes(a, depth).front();
         const std::string name = "depth_" + std::to_string(depth);
@@ -181,9 +187,7 @@ void add_blocks_and_records(Seeds& seeds) {
         records.put(static_cast<std::uint32_t>(record.size()));
         put_bytes(records, record);
         const StoredRecord stored{scenario.index, record};
-        if (!store->write({&stored, 1})) {
-            std::exit(1);
-        }
+        need(store->write({&stored, 1}).has_value());
         store->commit();
         header = header != 0 ? header : store->end() - record.size() - 3 * sizeof(std::uint64_t);
     }
@@ -301,9 +305,7 @@ void add_files(Seeds& seeds) {
     const tests::TemporaryFolder folder;
     NpzWriter writer(folder / "poses.npz");
     const auto array_of_poses = writer.add_array("poses", NpyType::F8, 12);
-    if (!writer.append<double>(array_of_poses, pose) || !writer.finish()) {
-        std::exit(1);
-    }
+    need(writer.append<double>(array_of_poses, pose) && writer.finish());
     seeds.add("npz", "poses", read_file(folder / "poses.npz"));
 }
 
@@ -361,16 +363,9 @@ constexpr std::string_view collada_text =
 </geometry></library_geometries><node><matrix>1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1</matrix></node></COLLADA>
 )";
 
-/// Adds mesh files, each after its format's number in the target.
-void add_mesh_texts(Seeds& seeds) {
-    const auto add = [&](std::uint8_t format, const std::string& name, std::string_view text) {
-        seeds.add("mesh_text", name, marked(format, bytes_of(text)));
-    };
-    add(0, "ac3d", ac3d_text);
-    add(1, "collada", collada_text);
-}
-
 void add_meshes(Seeds& seeds) {
+    seeds.add("mesh_text", "ac3d", marked(0, bytes_of(ac3d_text))); // The formats' numbers.
+    seeds.add("mesh_text", "collada", marked(1, bytes_of(collada_text)));
     const auto add = [&](const std::string& target, const std::string& name, std::string text) {
         seeds.add(target, name, bytes_of(text));
     };
@@ -457,17 +452,12 @@ void add_state(Seeds& seeds) {
         scenarios.push_back({i, 0, 1, {Pose(), b}});
     }
     const auto spool = PoseSpool::create(folder / "spool", scenarios.size());
-    const bool is_sealed =
-        spool.value()->append(pack_scenarios(scenarios)).has_value() &&
-        spool.value()->seal(folder / "spool" / "poses", Durability::Unsynced).has_value();
+    need(spool.value()->append(pack_scenarios(scenarios)) &&
+         spool.value()->seal(folder / "spool" / "poses", Durability::Unsynced));
     ThreadPool pool(1);
     const ObbTree tree = build_tree(sample_mesh(), {}, pool);
-    const bool are_written =
-        write_tree_file(folder / "binary", tree, {}, Durability::Unsynced).has_value() &&
-        write_wide_tree_file(folder / "wide", tree, {}, Durability::Unsynced).has_value();
-    if (!is_sealed || !are_written) {
-        std::exit(1);
-    }
+    need(write_tree_file(folder / "binary", tree, {}, Durability::Unsynced) &&
+         write_wide_tree_file(folder / "wide", tree, {}, Durability::Unsynced));
     Bytes poses = bytes_of(read_file(folder / "spool" / "poses"));
     poses.insert(poses.begin(), static_cast<std::byte>(scenarios.size() / 2));
     add_both(seeds, "pose_spool", "two_runs", 0, poses);
@@ -480,9 +470,7 @@ void add_state(Seeds& seeds) {
 void add_folders(Seeds& seeds) {
     const tests::TemporaryFolder folder;
     auto writer = RecordWriter::create(folder / "records");
-    if (!writer) {
-        std::exit(1);
-    }
+    need(writer.has_value());
     for (std::uint64_t i = 0; i < 6; ++i) {
         ScenarioResult result;
         result.index = 2 * i;
@@ -492,22 +480,16 @@ void add_folders(Seeds& seeds) {
             result.pair_count = 2;
         }
         writer.value().add(result.index, encode_result(result));
-        if (i == 2 && !writer.value().flush()) {
-            std::exit(1);
-        }
+        need(i != 2 || writer.value().flush());
     }
-    if (!writer.value().finish()) {
-        std::exit(1);
-    }
+    need(writer.value().finish().has_value());
     add_both(seeds, "record_file", "two_blocks", 0, bytes_of(read_file(folder / "records")));
 
     for (const auto& [name, labels] :
          {std::pair<std::string, PoseLabels>{"integers", {{7, -3}, {}, {}}},
           {"texts_and_times", {{}, {"a, b", "say \"x\"\nand y"}, {0.1, -1e300}}},
           {"times", {{}, {}, {0.25, 2}}}}) {
-        if (!write_labels(folder / "ids", labels)) {
-            std::exit(1);
-        }
+        need(write_labels(folder / "ids", labels).has_value());
         seeds.add("labels", name, read_file(folder / "ids"));
     }
 
@@ -560,7 +542,6 @@ int main(int argc, char** argv) {
     cd::fuzz::add_rows(seeds);
     cd::fuzz::add_files(seeds);
     cd::fuzz::add_state(seeds);
-    cd::fuzz::add_mesh_texts(seeds);
     cd::fuzz::add_meshes(seeds);
     cd::fuzz::add_gltf(seeds);
     cd::fuzz::add_certificates(seeds);

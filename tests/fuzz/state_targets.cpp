@@ -18,18 +18,6 @@ namespace cd::fuzz {
 
 namespace {
 
-constexpr std::size_t word = sizeof(std::uint64_t);
-
-std::uint64_t word_at(const Bytes& file, std::size_t offset) {
-    return ByteReader(Input(file).subspan(offset)).get<std::uint64_t>();
-}
-
-/// Writes the checksum of `size` bytes from `begin` at `to`.
-void sum_up(Bytes& file, std::size_t begin, std::size_t size, std::size_t to) {
-    const std::uint64_t sum = checksum(Input(file).subspan(begin, size));
-    std::memcpy(file.data() + to, &sum, sizeof sum);
-}
-
 /// Corrects the checksums of a spool file's runs (spool_file.cpp) that lie in the file, then its
 /// counts and its index's checksum.
 void sum_up_spool(Bytes& file, std::uint64_t scenarios) {
@@ -46,12 +34,12 @@ void sum_up_spool(Bytes& file, std::uint64_t scenarios) {
         if (end < from || end > begin) {
             break;
         }
-        sum_up(file, from, end - from, begin + (runs + run) * word);
+        sum_up(file, from, end, begin + (runs + run) * word);
         from = end;
     }
     const std::array<std::uint64_t, 2> counts{scenarios, runs};
     std::memcpy(file.data() + file.size() - 3 * word, counts.data(), sizeof counts);
-    sum_up(file, begin, index - word, file.size() - word);
+    sum_up(file, begin, file.size() - word, file.size() - word);
 }
 
 /// Corrects the checksums of a section file (section_file.hpp) that lie in the file.
@@ -70,7 +58,7 @@ void sum_up_sections(Bytes& file) {
         const std::uint64_t offset = word_at(file, at);
         const std::uint64_t size = word_at(file, at + word);
         if (offset <= file.size() && size <= file.size() - offset) {
-            sum_up(file, offset, size, at + 2 * word);
+            sum_up(file, offset, offset + size, at + 2 * word);
         }
     }
     const std::size_t header = table + sections * entry;
@@ -95,7 +83,7 @@ void pose_spool(Input input) {
     }
     const auto scenarios = 2 * std::to_integer<std::uint64_t>(input[1]); // Makes two runs.
     Bytes bytes(input.begin() + 2, input.end());
-    if ((std::to_integer<unsigned>(input.front()) & 1u) != 0) {
+    if (is_odd(input)) {
         sum_up_spool(bytes, scenarios);
     }
     const MemoryFile file(bytes);
@@ -112,18 +100,16 @@ void pose_spool(Input input) {
 }
 
 void tree_file(Input input) {
-    if (input.empty()) {
-        return;
-    }
     static const std::shared_ptr<const Mesh> mesh = sample_mesh();
-    const auto mark = std::to_integer<unsigned>(input.front());
-    Bytes bytes(input.begin() + 1, input.end());
-    if ((mark & 1u) != 0) {
+    const Input rest = rest_of(input);
+    Bytes bytes(rest.begin(), rest.end());
+    if (is_odd(input)) {
         sum_up_sections(bytes);
     }
     const MemoryFile file(bytes);
-    const auto read = (mark & 2u) != 0 ? read_wide_tree_file(file.path(), mesh, {})
-                                       : read_tree_file(file.path(), mesh, {});
+    const bool is_wide = !input.empty() && (input.front() & std::byte{2}) != std::byte{};
+    const auto read = is_wide ? read_wide_tree_file(file.path(), mesh, {})
+                              : read_tree_file(file.path(), mesh, {});
     if (!read) {
         return;
     }
