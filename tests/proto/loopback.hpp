@@ -20,10 +20,14 @@ struct SocketEnds {
     asio::ip::tcp::socket right;
 };
 
+/// Listens on a port chosen by the system.
+inline asio::ip::tcp::acceptor listen_anywhere(const asio::any_io_executor& executor) {
+    return {executor, {asio::ip::address_v4::loopback(), 0}};
+}
+
 inline asio::awaitable<SocketEnds> connect_sockets() {
     const auto executor = co_await asio::this_coro::executor;
-    const asio::ip::tcp::endpoint any_port(asio::ip::address_v4::loopback(), 0);
-    asio::ip::tcp::acceptor acceptor(executor, any_port);
+    asio::ip::tcp::acceptor acceptor = listen_anywhere(executor);
     asio::ip::tcp::socket left(executor);
     co_await left.async_connect(acceptor.local_endpoint(), asio::use_awaitable);
     asio::ip::tcp::socket right = co_await acceptor.async_accept(asio::use_awaitable);
@@ -38,8 +42,7 @@ struct Ends {
 /// Connects two channels over a port chosen by the system.
 inline asio::awaitable<Ends> connect_ends() {
     const auto executor = co_await asio::this_coro::executor;
-    const asio::ip::tcp::endpoint any_port(asio::ip::address_v4::loopback(), 0);
-    asio::ip::tcp::acceptor acceptor(executor, any_port);
+    asio::ip::tcp::acceptor acceptor = listen_anywhere(executor);
     Endpoint endpoint{"127.0.0.1", acceptor.local_endpoint().port()};
     Result<std::shared_ptr<Channel>> left = co_await connect(endpoint);
     asio::ip::tcp::socket socket = co_await acceptor.async_accept(asio::use_awaitable);
@@ -77,5 +80,13 @@ inline void run_conversation(const std::function<asio::awaitable<void>()>& conve
     EXPECT_TRUE(ended);
     EXPECT_TRUE(context.stopped()) << "something is still under way";
 }
+
+/// A test that is a coroutine, with everything it spawns.
+#define CD_CONVERSATION(suite, name)                                                               \
+    asio::awaitable<void> suite##name();                                                           \
+    TEST(suite, name) {                                                                            \
+        run_conversation(suite##name);                                                             \
+    }                                                                                              \
+    asio::awaitable<void> suite##name()
 
 } // namespace cd::tests

@@ -5,7 +5,6 @@
 
 #include "common/core/limits/wire.hpp"
 #include "proto/channel/frame.hpp"
-#include "proto/channel/signals.hpp"
 #include "proto/codec/codec.hpp"
 #include "tests/proto/loopback.hpp"
 #include "tests/proto/sample_messages.hpp"
@@ -14,12 +13,11 @@
 #include <gtest/gtest.h>
 #include <netinet/tcp.h>
 
-#include <csignal>
-
 namespace cd::tests {
 namespace {
 
 using namespace std::chrono_literals;
+using testing::HasSubstr;
 
 Results results_of(std::uint64_t task, std::size_t bytes) {
     Results results;
@@ -29,147 +27,126 @@ Results results_of(std::uint64_t task, std::size_t bytes) {
     return results;
 }
 
-TEST(Channel, EveryMessageArrivesInTheOrderOfItsLane) {
-    run_conversation([]() -> asio::awaitable<void> {
-        const Ends ends = co_await connect_greeted_ends();
-        std::vector<Message> sent;
-        for (const bool data : {false, true}) {
-            for (const Message& message : sample_messages()) {
-                if (travels_as_data(message_type(message)) == data) {
-                    sent.push_back(message);
-                }
+CD_CONVERSATION(Channel, EveryMessageArrivesInTheOrderOfItsLane) {
+    const Ends ends = co_await connect_greeted_ends();
+    std::vector<Message> sent;
+    for (const bool data : {false, true}) {
+        for (const Message& message : sample_messages()) {
+            if (travels_as_data(message_type(message)) == data) {
+                sent.push_back(message);
             }
         }
-        for (const Message& message : sent) {
-            ends.left->send(message);
-        }
-        for (const Message& message : sent) {
-            const Result<Message> came = co_await ends.right->receive(patience);
-            EXPECT_TRUE(came);
-            EXPECT_EQ(encode_message(came.value()), encode_message(message));
-        }
-        EXPECT_EQ(ends.left->queued_bytes(), 0u);
-        EXPECT_EQ(ends.left->traffic().bytes_sent, ends.right->traffic().bytes_received);
-        ends.left->close();
-    });
-}
-
-TEST(Channel, AHeartbeatOvertakesALargeMessage) {
-    run_conversation([]() -> asio::awaitable<void> {
-        const Ends ends = co_await connect_greeted_ends();
-        ends.left->send(results_of(1, 48u << 20));
-        ends.left->send(results_of(2, 10));
-        ends.left->send(Heartbeat{});
-        const Result<Message> first = co_await ends.right->receive(patience);
-        EXPECT_TRUE(std::holds_alternative<Heartbeat>(first.value()));
-        const Result<Message> second = co_await ends.right->receive(patience);
-        EXPECT_EQ(std::get<Results>(second.value()).records.size(), 48u << 20);
-        const Result<Message> third = co_await ends.right->receive(patience);
-        EXPECT_EQ(std::get<Results>(third.value()).task, TaskId{2});
-        ends.left->close();
-    });
-}
-
-TEST(Channel, AReaderThatDoesNotReadStopsTheSender) {
-    run_conversation([]() -> asio::awaitable<void> {
-        const Ends ends = co_await connect_greeted_ends();
-        for (std::uint64_t i = 0; i < 48; ++i) {
-            ends.left->send(results_of(i, 1u << 20));
-        }
-        // Let time pass; the two sockets buffer far less than what is queued.
-        const Result<Message> nothing = co_await ends.left->receive(100ms);
-        EXPECT_EQ(nothing.error().code, ErrorCode::Timeout);
-        EXPECT_GT(ends.left->queued_bytes(), 16u << 20);
-        for (std::uint64_t i = 0; i < 48; ++i) {
-            const Result<Message> came = co_await ends.right->receive(patience);
-            EXPECT_EQ(std::get<Results>(came.value()).task, TaskId{i});
-        }
-        co_await ends.left->wait_until_queued_below(1);
-        EXPECT_EQ(ends.left->queued_bytes(), 0u);
-        ends.left->close();
-    });
-}
-
-TEST(Channel, WaitingForTheQueueEndsWhenTheChannelCloses) {
-    run_conversation([]() -> asio::awaitable<void> {
-        const Ends ends = co_await connect_greeted_ends();
-        ends.left->send(results_of(1, 64u << 20));
-        const auto executor = co_await asio::this_coro::executor;
-        asio::post(executor, [left = ends.left] { left->close(); });
-        co_await ends.left->wait_until_queued_below(1);
-        EXPECT_FALSE(ends.left->is_open());
-        ends.left->send(Heartbeat{});
-        EXPECT_EQ(ends.left->queued_bytes(), 0u);
-    });
-}
-
-TEST(Channel, ATimeoutLosesNothing) {
-    run_conversation([]() -> asio::awaitable<void> {
-        const Ends ends = co_await connect_greeted_ends();
-        const Result<Message> nothing = co_await ends.right->receive(1ms);
-        EXPECT_EQ(nothing.error().code, ErrorCode::Timeout);
-        EXPECT_TRUE(ends.right->is_open());
-        ends.left->send(Heartbeat{5, 6, 7, {}});
+    }
+    for (const Message& message : sent) {
+        ends.left->send(message);
+    }
+    for (const Message& message : sent) {
         const Result<Message> came = co_await ends.right->receive(patience);
-        EXPECT_EQ(std::get<Heartbeat>(came.value()).waiting, 7u);
-        ends.left->close();
-    });
+        EXPECT_TRUE(came);
+        EXPECT_EQ(encode_message(came.value()), encode_message(message));
+    }
+    EXPECT_EQ(ends.left->queued_bytes(), 0u);
+    EXPECT_EQ(ends.left->traffic().bytes_sent, ends.right->traffic().bytes_received);
+    ends.left->close();
 }
 
-TEST(Channel, CloseWakesWhoReceives) {
-    run_conversation([]() -> asio::awaitable<void> {
-        const Ends ends = co_await connect_greeted_ends();
-        const auto executor = co_await asio::this_coro::executor;
-        asio::post(executor, [left = ends.left] { left->close(); });
-        const Result<Message> nothing = co_await ends.left->receive(patience);
-        EXPECT_EQ(nothing.error().code, ErrorCode::Disconnected);
-        const Result<Message> peer = co_await ends.right->receive(patience);
-        EXPECT_EQ(peer.error().code, ErrorCode::Disconnected);
-        EXPECT_FALSE(ends.right->is_open());
-    });
+CD_CONVERSATION(Channel, AHeartbeatOvertakesALargeMessage) {
+    const Ends ends = co_await connect_greeted_ends();
+    ends.left->send(results_of(1, 48u << 20));
+    ends.left->send(results_of(2, 10));
+    ends.left->send(Heartbeat{});
+    const Result<Message> first = co_await ends.right->receive(patience);
+    EXPECT_TRUE(std::holds_alternative<Heartbeat>(first.value()));
+    const Result<Message> second = co_await ends.right->receive(patience);
+    EXPECT_EQ(std::get<Results>(second.value()).records.size(), 48u << 20);
+    const Result<Message> third = co_await ends.right->receive(patience);
+    EXPECT_EQ(std::get<Results>(third.value()).task, TaskId{2});
+    ends.left->close();
 }
 
-TEST(Channel, ACloseWithFlushDeliversAllEvenWhileThePeerSends) {
-    run_conversation([]() -> asio::awaitable<void> {
-        Ends ends = co_await connect_greeted_ends();
-        ends.right->send(results_of(9, 8u << 20));
-        for (std::uint64_t i = 0; i < 20; ++i) {
-            ends.left->send(results_of(i, 1u << 20));
-        }
-        ends.left->close(true);
-        ends.left.reset();
-        for (std::uint64_t i = 0; i < 20; ++i) {
-            const Result<Message> came = co_await ends.right->receive(patience);
-            EXPECT_TRUE(came);
-            EXPECT_EQ(std::get<Results>(came.value()).task, TaskId{i});
-            ends.right->send(Heartbeat{});
-        }
-        const Result<Message> end = co_await ends.right->receive(patience);
-        EXPECT_EQ(end.error().code, ErrorCode::Disconnected);
-    });
+CD_CONVERSATION(Channel, AReaderThatDoesNotReadStopsTheSender) {
+    const Ends ends = co_await connect_greeted_ends();
+    for (std::uint64_t i = 0; i < 48; ++i) {
+        ends.left->send(results_of(i, 1u << 20));
+    }
+    // Let time pass; the two sockets buffer far less than what is queued.
+    const Result<Message> nothing = co_await ends.left->receive(100ms);
+    EXPECT_EQ(nothing.error().code, ErrorCode::Timeout);
+    EXPECT_GT(ends.left->queued_bytes(), 16u << 20);
+    for (std::uint64_t i = 0; i < 48; ++i) {
+        const Result<Message> came = co_await ends.right->receive(patience);
+        EXPECT_EQ(std::get<Results>(came.value()).task, TaskId{i});
+    }
+    co_await ends.left->wait_until_queued_below(1);
+    EXPECT_EQ(ends.left->queued_bytes(), 0u);
+    ends.left->close();
 }
 
-TEST(Channel, DroppingItClosesTheConnection) {
-    run_conversation([]() -> asio::awaitable<void> {
-        Ends ends = co_await connect_greeted_ends();
-        const Result<Message> nothing = co_await ends.left->receive(1ms);
-        EXPECT_FALSE(nothing);
-        ends.left.reset();
-        const Result<Message> end = co_await ends.right->receive(patience);
-        EXPECT_EQ(end.error().code, ErrorCode::Disconnected);
-    });
+CD_CONVERSATION(Channel, WaitingForTheQueueEndsWhenTheChannelCloses) {
+    const Ends ends = co_await connect_greeted_ends();
+    ends.left->send(results_of(1, 64u << 20));
+    const auto executor = co_await asio::this_coro::executor;
+    asio::post(executor, [left = ends.left] { left->close(); });
+    co_await ends.left->wait_until_queued_below(1);
+    EXPECT_FALSE(ends.left->is_open());
+    ends.left->send(Heartbeat{});
+    EXPECT_EQ(ends.left->queued_bytes(), 0u);
+}
+
+CD_CONVERSATION(Channel, ATimeoutLosesNothing) {
+    const Ends ends = co_await connect_greeted_ends();
+    const Result<Message> nothing = co_await ends.right->receive(1ms);
+    EXPECT_EQ(nothing.error().code, ErrorCode::Timeout);
+    EXPECT_TRUE(ends.right->is_open());
+    ends.left->send(Heartbeat{5, 6, 7, {}});
+    const Result<Message> came = co_await ends.right->receive(patience);
+    EXPECT_EQ(std::get<Heartbeat>(came.value()).waiting, 7u);
+    ends.left->close();
+}
+
+CD_CONVERSATION(Channel, CloseWakesWhoReceives) {
+    const Ends ends = co_await connect_greeted_ends();
+    const auto executor = co_await asio::this_coro::executor;
+    asio::post(executor, [left = ends.left] { left->close(); });
+    const Result<Message> nothing = co_await ends.left->receive(patience);
+    EXPECT_EQ(nothing.error().code, ErrorCode::Disconnected);
+    const Result<Message> peer = co_await ends.right->receive(patience);
+    EXPECT_EQ(peer.error().code, ErrorCode::Disconnected);
+    EXPECT_FALSE(ends.right->is_open());
+}
+
+CD_CONVERSATION(Channel, ACloseWithFlushDeliversAllEvenWhileThePeerSends) {
+    Ends ends = co_await connect_greeted_ends();
+    ends.right->send(results_of(9, 8u << 20));
+    for (std::uint64_t i = 0; i < 20; ++i) {
+        ends.left->send(results_of(i, 1u << 20));
+    }
+    ends.left->close(true);
+    ends.left.reset();
+    for (std::uint64_t i = 0; i < 20; ++i) {
+        const Result<Message> came = co_await ends.right->receive(patience);
+        EXPECT_TRUE(came);
+        EXPECT_EQ(std::get<Results>(came.value()).task, TaskId{i});
+        ends.right->send(Heartbeat{});
+    }
+    const Result<Message> end = co_await ends.right->receive(patience);
+    EXPECT_EQ(end.error().code, ErrorCode::Disconnected);
+}
+
+CD_CONVERSATION(Channel, DroppingItClosesTheConnection) {
+    Ends ends = co_await connect_greeted_ends();
+    const Result<Message> nothing = co_await ends.left->receive(1ms);
+    EXPECT_FALSE(nothing);
+    ends.left.reset();
+    const Result<Message> end = co_await ends.right->receive(patience);
+    EXPECT_EQ(end.error().code, ErrorCode::Disconnected);
 }
 
 /// Sends the bytes and closes; returns the other channel's error.
 asio::awaitable<ErrorCode> verdict_on(Bytes bytes) {
-    const auto executor = co_await asio::this_coro::executor;
-    const asio::ip::tcp::endpoint any_port(asio::ip::address_v4::loopback(), 0);
-    asio::ip::tcp::acceptor acceptor(executor, any_port);
-    asio::ip::tcp::socket raw(executor);
-    co_await raw.async_connect(acceptor.local_endpoint(), asio::use_awaitable);
-    asio::ip::tcp::socket socket = co_await acceptor.async_accept(asio::use_awaitable);
-    const std::shared_ptr<Channel> channel =
-        Channel::make(std::make_unique<Stream>(std::move(socket)));
+    SocketEnds ends = co_await connect_sockets();
+    asio::ip::tcp::socket& raw = ends.left;
+    const auto channel = Channel::make(std::make_unique<Stream>(std::move(ends.right)));
     co_await asio::async_write(raw, asio::buffer(bytes), asio::use_awaitable);
     raw.close();
     const Result<Message> message = co_await channel->receive(patience);
@@ -192,69 +169,59 @@ Bytes frame_of(const Message& message) {
     return bytes;
 }
 
-TEST(Channel, BytesThatAreNoMessageEndTheConnection) {
-    run_conversation([]() -> asio::awaitable<void> {
-        Bytes zeros(200);
-        EXPECT_EQ(co_await verdict_on(zeros), ErrorCode::BadFrame);
-        Bytes damaged = frame_of(Hello{});
-        damaged.back() ^= std::byte{1};
-        EXPECT_EQ(co_await verdict_on(damaged), ErrorCode::BadFrame);
-        Bytes ungreeted = frame_of(Heartbeat{});
-        EXPECT_EQ(co_await verdict_on(ungreeted), ErrorCode::BadFrame);
-    });
+CD_CONVERSATION(Channel, BytesThatAreNoMessageEndTheConnection) {
+    Bytes zeros(200);
+    EXPECT_EQ(co_await verdict_on(zeros), ErrorCode::BadFrame);
+    Bytes damaged = frame_of(Hello{});
+    damaged.back() ^= std::byte{1};
+    EXPECT_EQ(co_await verdict_on(damaged), ErrorCode::BadFrame);
+    Bytes ungreeted = frame_of(Heartbeat{});
+    EXPECT_EQ(co_await verdict_on(ungreeted), ErrorCode::BadFrame);
 }
 
-TEST(Channel, APeerThatClosesMidFrameIsDisconnected) {
-    run_conversation([]() -> asio::awaitable<void> {
-        const Bytes frame = frame_of(Hello{});
-        for (const std::size_t size : {std::size_t{0}, std::size_t{10}, frame.size() - 1}) {
-            Bytes piece(frame.begin(), frame.begin() + static_cast<std::ptrdiff_t>(size));
-            EXPECT_EQ(co_await verdict_on(piece), ErrorCode::Disconnected);
-        }
-    });
+CD_CONVERSATION(Channel, APeerThatClosesMidFrameIsDisconnected) {
+    const Bytes frame = frame_of(Hello{});
+    for (const std::size_t size : {std::size_t{0}, std::size_t{10}, frame.size() - 1}) {
+        Bytes piece(frame.begin(), frame.begin() + static_cast<std::ptrdiff_t>(size));
+        EXPECT_EQ(co_await verdict_on(piece), ErrorCode::Disconnected);
+    }
 }
 
-TEST(Channel, WhatThePeerMayNotSendIsRefusedBeforeItHasCome) {
-    run_conversation([]() -> asio::awaitable<void> {
-        SocketEnds ends = co_await connect_sockets();
-        asio::ip::tcp::socket& raw = ends.left;
-        asio::ip::tcp::socket& socket = ends.right;
-        const auto channel = Channel::make(std::make_unique<Stream>(std::move(socket)));
-        const Bytes hello = frame_of(Hello{});
-        co_await asio::async_write(raw, asio::buffer(hello), asio::use_awaitable);
-        const Result<Hello> greeted = co_await accept_hello(channel);
-        EXPECT_TRUE(greeted);
-        // The first header of the largest message, and not one byte more.
-        FrameHeader header;
-        header.type = message_type(Subtrees{});
-        header.has_more = true;
-        header.payload_bytes = limits::frame_payload_bytes_max;
-        const auto head = encode_header(header);
-        co_await asio::async_write(raw, asio::buffer(head), asio::use_awaitable);
-        const Result<Message> refused = co_await channel->receive(patience);
-        EXPECT_EQ(refused.error().code, ErrorCode::BadFrame);
-        EXPECT_THAT(refused.error().detail, testing::HasSubstr("does not send 'subtrees'"));
-        EXPECT_FALSE(channel->is_open());
-        // The channel sends the reason, and the connection ends after the peer had time to read it.
-        const Bytes told = frame_of(Failure{refused.error().code, refused.error().detail});
-        Bytes came(told.size());
-        co_await asio::async_read(raw, asio::buffer(came), asio::use_awaitable);
-        EXPECT_EQ(came, told);
-        raw.close();
-        co_await channel->wait_until_closed();
-    });
+CD_CONVERSATION(Channel, WhatThePeerMayNotSendIsRefusedBeforeItHasCome) {
+    SocketEnds ends = co_await connect_sockets();
+    asio::ip::tcp::socket& raw = ends.left;
+    asio::ip::tcp::socket& socket = ends.right;
+    const auto channel = Channel::make(std::make_unique<Stream>(std::move(socket)));
+    const Bytes hello = frame_of(Hello{});
+    co_await asio::async_write(raw, asio::buffer(hello), asio::use_awaitable);
+    const Result<Hello> greeted = co_await accept_hello(channel);
+    EXPECT_TRUE(greeted);
+    // The first header of the largest message, and not one byte more.
+    FrameHeader header;
+    header.type = message_type(Subtrees{});
+    header.has_more = true;
+    header.payload_bytes = limits::frame_payload_bytes_max;
+    const auto head = encode_header(header);
+    co_await asio::async_write(raw, asio::buffer(head), asio::use_awaitable);
+    const Result<Message> refused = co_await channel->receive(patience);
+    EXPECT_EQ(refused.error().code, ErrorCode::BadFrame);
+    EXPECT_THAT(refused.error().detail, HasSubstr("does not send 'subtrees'"));
+    EXPECT_FALSE(channel->is_open());
+    // The channel sends the reason, and the connection ends after the peer had time to read it.
+    const Bytes told = frame_of(Failure{refused.error().code, refused.error().detail});
+    Bytes came(told.size());
+    co_await asio::async_read(raw, asio::buffer(came), asio::use_awaitable);
+    EXPECT_EQ(came, told);
+    raw.close();
+    co_await channel->wait_until_closed();
 }
 
 /// Connects, sends only these bytes, and waits until the other end gives up.
 asio::awaitable<Error> verdict_on_standstill_after(Bytes bytes, bool is_greeted = false) {
-    const auto executor = co_await asio::this_coro::executor;
-    const asio::ip::tcp::endpoint any_port(asio::ip::address_v4::loopback(), 0);
-    asio::ip::tcp::acceptor acceptor(executor, any_port);
-    asio::ip::tcp::socket slow(executor);
-    co_await slow.async_connect(acceptor.local_endpoint(), asio::use_awaitable);
-    asio::ip::tcp::socket socket = co_await acceptor.async_accept(asio::use_awaitable);
-    const std::shared_ptr<Channel> channel =
-        Channel::make(std::make_unique<Stream>(std::move(socket)), {.read = 20ms});
+    SocketEnds ends = co_await connect_sockets();
+    const auto channel =
+        Channel::make(std::make_unique<Stream>(std::move(ends.right)), {.read = 20ms});
+    asio::ip::tcp::socket& slow = ends.left;
     co_await asio::async_write(slow, asio::buffer(bytes), asio::use_awaitable);
     Result<Message> message = co_await channel->receive(patience);
     if (is_greeted) {
@@ -265,70 +232,62 @@ asio::awaitable<Error> verdict_on_standstill_after(Bytes bytes, bool is_greeted 
     co_return message.error();
 }
 
-TEST(Channel, AMessageThatStandsStillMidwayEndsTheConnection) {
-    run_conversation([]() -> asio::awaitable<void> {
-        const Bytes hello = frame_of(Hello{});
-        for (const std::size_t size :
-             {std::size_t{1}, frame_header_bytes - 1, frame_header_bytes, hello.size() - 1}) {
-            Bytes piece(hello.begin(), hello.begin() + static_cast<std::ptrdiff_t>(size));
-            const Error verdict = co_await verdict_on_standstill_after(std::move(piece));
-            EXPECT_EQ(verdict.code, ErrorCode::Disconnected);
-            EXPECT_THAT(verdict.detail, testing::HasSubstr("midway"));
-        }
-    });
-}
-
-TEST(Channel, AFrameThatPromisesMoreIsHeldToIt) {
-    run_conversation([]() -> asio::awaitable<void> {
-        FrameHeader header;
-        header.type = message_type(Results{});
-        header.has_more = true;
-        header.payload_bytes = limits::frame_with_more_bytes_min;
-        const Bytes payload(header.payload_bytes);
-        header.payload_checksum = checksum(payload);
-        const auto head = encode_header(header);
-        Bytes begun = frame_of(Hello{});
-        begun.insert(begun.end(), head.begin(), head.end());
-        begun.insert(begun.end(), payload.begin(), payload.end());
-        const Error verdict = co_await verdict_on_standstill_after(std::move(begun), true);
+CD_CONVERSATION(Channel, AMessageThatStandsStillMidwayEndsTheConnection) {
+    const Bytes hello = frame_of(Hello{});
+    for (const std::size_t size :
+         {std::size_t{1}, frame_header_bytes - 1, frame_header_bytes, hello.size() - 1}) {
+        Bytes piece(hello.begin(), hello.begin() + static_cast<std::ptrdiff_t>(size));
+        const Error verdict = co_await verdict_on_standstill_after(std::move(piece));
         EXPECT_EQ(verdict.code, ErrorCode::Disconnected);
-        EXPECT_THAT(verdict.detail, testing::HasSubstr("midway"));
-    });
+        EXPECT_THAT(verdict.detail, HasSubstr("midway"));
+    }
 }
 
-TEST(Channel, AMessageInSmallPiecesIsNotTaken) {
-    run_conversation([]() -> asio::awaitable<void> {
-        FrameHeader header;
-        header.type = message_type(Results{});
-        header.has_more = true;
-        header.payload_bytes = limits::frame_with_more_bytes_min - 1;
-        const auto head = encode_header(header);
-        Bytes begun = frame_of(Hello{});
-        begun.insert(begun.end(), head.begin(), head.end());
-        const Error verdict = co_await verdict_on_standstill_after(std::move(begun), true);
-        EXPECT_EQ(verdict.code, ErrorCode::BadFrame);
-        EXPECT_THAT(verdict.detail, testing::HasSubstr("too small"));
-    });
+CD_CONVERSATION(Channel, AFrameThatPromisesMoreIsHeldToIt) {
+    FrameHeader header;
+    header.type = message_type(Results{});
+    header.has_more = true;
+    header.payload_bytes = limits::frame_with_more_bytes_min;
+    const Bytes payload(header.payload_bytes);
+    header.payload_checksum = checksum(payload);
+    const auto head = encode_header(header);
+    Bytes begun = frame_of(Hello{});
+    begun.insert(begun.end(), head.begin(), head.end());
+    begun.insert(begun.end(), payload.begin(), payload.end());
+    const Error verdict = co_await verdict_on_standstill_after(std::move(begun), true);
+    EXPECT_EQ(verdict.code, ErrorCode::Disconnected);
+    EXPECT_THAT(verdict.detail, HasSubstr("midway"));
 }
 
-TEST(Channel, BetweenMessagesOneMayBeSilent) {
-    run_conversation([]() -> asio::awaitable<void> {
-        SocketEnds ends = co_await connect_sockets();
-        asio::ip::tcp::socket& quiet = ends.left;
-        asio::ip::tcp::socket& socket = ends.right;
-        const std::shared_ptr<Channel> channel =
-            Channel::make(std::make_unique<Stream>(std::move(socket)), {.read = 500ms});
-        const Bytes hello = frame_of(Hello{});
-        for (int i = 0; i < 2; ++i) {
-            co_await asio::async_write(quiet, asio::buffer(hello), asio::use_awaitable);
-            const Result<Message> message = co_await channel->receive(patience);
-            EXPECT_TRUE(message);
-            const Result<Message> nothing = co_await channel->receive(600ms);
-            EXPECT_EQ(nothing.error().code, ErrorCode::Timeout);
-            EXPECT_TRUE(channel->is_open());
-        }
-        channel->close();
-    });
+CD_CONVERSATION(Channel, AMessageInSmallPiecesIsNotTaken) {
+    FrameHeader header;
+    header.type = message_type(Results{});
+    header.has_more = true;
+    header.payload_bytes = limits::frame_with_more_bytes_min - 1;
+    const auto head = encode_header(header);
+    Bytes begun = frame_of(Hello{});
+    begun.insert(begun.end(), head.begin(), head.end());
+    const Error verdict = co_await verdict_on_standstill_after(std::move(begun), true);
+    EXPECT_EQ(verdict.code, ErrorCode::BadFrame);
+    EXPECT_THAT(verdict.detail, HasSubstr("too small"));
+}
+
+CD_CONVERSATION(Channel, BetweenMessagesOneMayBeSilent) {
+    SocketEnds ends = co_await connect_sockets();
+    asio::ip::tcp::socket& quiet = ends.left;
+    asio::ip::tcp::socket& socket = ends.right;
+    const std::shared_ptr<Channel> channel =
+        Channel::make(std::make_unique<Stream>(std::move(socket)), {.read = 500ms});
+    const Bytes hello = frame_of(Hello{});
+    for (int i = 0; i < 2; ++i) {
+        co_await asio::async_write(quiet, asio::buffer(hello), asio::use_awaitable);
+        const Result<Message> message = co_await channel->receive(patience);
+        EXPECT_TRUE(message);
+        const Result<Message> nothing = co_await channel->receive(600ms);
+        EXPECT_EQ(nothing.error().code, ErrorCode::Timeout);
+        EXPECT_TRUE(channel->is_open());
+    }
+    channel->close();
 }
 
 int option_of(int socket, int level, int option) {
@@ -338,74 +297,26 @@ int option_of(int socket, int level, int option) {
     return value;
 }
 
-TEST(Channel, AHostThatIsGoneIsNoticedInASilence) {
-    run_conversation([]() -> asio::awaitable<void> {
-        SocketEnds ends = co_await connect_sockets();
-        const int socket = ends.left.native_handle();
-        const auto channel = Channel::make(std::make_unique<Stream>(std::move(ends.left)));
-        EXPECT_EQ(option_of(socket, SOL_SOCKET, SO_KEEPALIVE), 1);
-        EXPECT_EQ(option_of(socket, IPPROTO_TCP, TCP_KEEPIDLE), limits::keepalive_idle_seconds);
-        EXPECT_EQ(option_of(socket, IPPROTO_TCP, TCP_KEEPINTVL), limits::keepalive_period_seconds);
-        EXPECT_EQ(option_of(socket, IPPROTO_TCP, TCP_KEEPCNT), limits::keepalive_probes);
-    });
+CD_CONVERSATION(Channel, AHostThatIsGoneIsNoticedInASilence) {
+    SocketEnds ends = co_await connect_sockets();
+    const int socket = ends.left.native_handle();
+    const auto channel = Channel::make(std::make_unique<Stream>(std::move(ends.left)));
+    EXPECT_EQ(option_of(socket, SOL_SOCKET, SO_KEEPALIVE), 1);
+    EXPECT_EQ(option_of(socket, IPPROTO_TCP, TCP_KEEPIDLE), limits::keepalive_idle_seconds);
+    EXPECT_EQ(option_of(socket, IPPROTO_TCP, TCP_KEEPINTVL), limits::keepalive_period_seconds);
+    EXPECT_EQ(option_of(socket, IPPROTO_TCP, TCP_KEEPCNT), limits::keepalive_probes);
 }
 
-TEST(Greeting, AHelloOfTheSameVersionIsTaken) {
-    run_conversation([]() -> asio::awaitable<void> {
-        const Ends ends = co_await connect_ends();
-        Hello hello;
-        hello.name = "node";
-        hello.role = Role::Worker;
-        ends.left->send(hello);
-        const Result<Hello> accepted = co_await accept_hello(ends.right);
-        EXPECT_EQ(accepted.value().name, "node");
-        EXPECT_EQ(accepted.value().version, protocol_version);
-        ends.left->close();
-    });
-}
-
-asio::awaitable<void> answer_welcome(std::shared_ptr<Channel> channel) {
-    const Result<Hello> accepted = co_await accept_hello(channel);
-    EXPECT_TRUE(accepted);
-    Welcome welcome;
-    welcome.id = 42;
-    channel->send(welcome);
-    const Result<Message> end = co_await channel->receive(patience);
-    EXPECT_FALSE(end);
-}
-
-TEST(Greeting, GreetReturnsTheWelcome) {
-    run_conversation([]() -> asio::awaitable<void> {
-        Ends ends = co_await connect_ends();
-        const auto executor = co_await asio::this_coro::executor;
-        spawn(executor, "answer", answer_welcome(std::move(ends.right)));
-        Hello hello;
-        const Result<Welcome> welcome = co_await greet(ends.left, hello);
-        EXPECT_EQ(welcome.value().id, 42u);
-        ends.left->close();
-    });
-}
-
-asio::awaitable<void> refuse(std::shared_ptr<Channel> channel) {
-    const Result<Hello> refused = co_await accept_hello(channel);
-    EXPECT_EQ(refused.error().code, ErrorCode::Refused);
-    EXPECT_FALSE(channel->is_open());
-}
-
-TEST(Greeting, AnotherVersionIsRefusedAndBothSidesSayWhy) {
-    run_conversation([]() -> asio::awaitable<void> {
-        Ends ends = co_await connect_ends();
-        const auto executor = co_await asio::this_coro::executor;
-        spawn(executor, "refuse", refuse(std::move(ends.right)));
-        Hello hello;
-        hello.version = protocol_version + 1;
-        const Result<Welcome> welcome = co_await greet(ends.left, hello);
-        EXPECT_EQ(welcome.error().code, ErrorCode::Refused);
-        EXPECT_THAT(welcome.error().detail,
-                    testing::HasSubstr("speaks version " + std::to_string(protocol_version + 1) +
-                                       " of the protocol, this side version " +
-                                       std::to_string(protocol_version)));
-    });
+CD_CONVERSATION(Greeting, AHelloOfTheSameVersionIsTaken) {
+    const Ends ends = co_await connect_ends();
+    Hello hello;
+    hello.name = "node";
+    hello.role = Role::Worker;
+    ends.left->send(hello);
+    const Result<Hello> accepted = co_await accept_hello(ends.right);
+    EXPECT_EQ(accepted.value().name, "node");
+    EXPECT_EQ(accepted.value().version, protocol_version);
+    ends.left->close();
 }
 
 asio::awaitable<void> welcome_with(std::shared_ptr<Channel> channel, Welcome welcome) {
@@ -416,66 +327,73 @@ asio::awaitable<void> welcome_with(std::shared_ptr<Channel> channel, Welcome wel
     EXPECT_FALSE(end);
 }
 
-TEST(Greeting, AWelcomeOfAnotherVersionIsNone) {
-    run_conversation([]() -> asio::awaitable<void> {
-        Welcome wrong;
-        wrong.version = protocol_version + 1;
-        const auto executor = co_await asio::this_coro::executor;
-        Ends ends = co_await connect_ends();
-        spawn(executor, "welcome", welcome_with(std::move(ends.right), wrong));
-        const Hello hello;
-        const Result<Welcome> answer = co_await greet(ends.left, hello);
-        EXPECT_EQ(answer.error().code, ErrorCode::BadFrame);
-        EXPECT_FALSE(ends.left->is_open());
-    });
+CD_CONVERSATION(Greeting, GreetReturnsTheWelcome) {
+    Ends ends = co_await connect_ends();
+    const auto executor = co_await asio::this_coro::executor;
+    Welcome answer;
+    answer.id = 42;
+    spawn(executor, "answer", welcome_with(std::move(ends.right), answer));
+    Hello hello;
+    const Result<Welcome> welcome = co_await greet(ends.left, hello);
+    EXPECT_EQ(welcome.value().id, 42u);
+    ends.left->close();
 }
 
-TEST(Connect, AClosedPortIsAnErrorThatNamesIt) {
-    run_conversation([]() -> asio::awaitable<void> {
-        const auto executor = co_await asio::this_coro::executor;
-        const asio::ip::tcp::endpoint any_port(asio::ip::address_v4::loopback(), 0);
-        asio::ip::tcp::acceptor acceptor(executor, any_port);
-        const Endpoint endpoint{"127.0.0.1", acceptor.local_endpoint().port()};
-        acceptor.close();
-        const Result<std::shared_ptr<Channel>> channel = co_await connect(endpoint);
-        EXPECT_EQ(channel.error().code, ErrorCode::Disconnected);
-        EXPECT_THAT(channel.error().detail, testing::HasSubstr(std::to_string(endpoint.port)));
-    });
+asio::awaitable<void> refuse(std::shared_ptr<Channel> channel) {
+    const Result<Hello> refused = co_await accept_hello(channel);
+    EXPECT_EQ(refused.error().code, ErrorCode::Refused);
+    EXPECT_FALSE(channel->is_open());
 }
 
-TEST(Connect, ReachSaysWhetherSomebodyListens) {
-    run_conversation([]() -> asio::awaitable<void> {
-        const auto executor = co_await asio::this_coro::executor;
-        const asio::ip::tcp::endpoint any_port(asio::ip::address_v4::loopback(), 0);
-        asio::ip::tcp::acceptor acceptor(executor, any_port);
-        const Endpoint endpoint{"127.0.0.1", acceptor.local_endpoint().port()};
-        const Status open = co_await reach(endpoint, patience);
-        EXPECT_TRUE(open);
-        acceptor.close();
-        const Status closed = co_await reach(endpoint, patience);
-        EXPECT_FALSE(closed);
-        if (!closed) {
-            EXPECT_EQ(closed.error().code, ErrorCode::Disconnected);
-            EXPECT_THAT(closed.error().detail, testing::HasSubstr(std::to_string(endpoint.port)));
-        }
-    });
+CD_CONVERSATION(Greeting, AnotherVersionIsRefusedAndBothSidesSayWhy) {
+    Ends ends = co_await connect_ends();
+    const auto executor = co_await asio::this_coro::executor;
+    spawn(executor, "refuse", refuse(std::move(ends.right)));
+    Hello hello;
+    hello.version = protocol_version + 1;
+    const Result<Welcome> welcome = co_await greet(ends.left, hello);
+    EXPECT_EQ(welcome.error().code, ErrorCode::Refused);
+    EXPECT_THAT(welcome.error().detail,
+                HasSubstr("speaks version " + std::to_string(protocol_version + 1) +
+                          " of the protocol, this side version " +
+                          std::to_string(protocol_version)));
 }
 
-TEST(StopSignals, CountsTheSignalsUntilCancelled) {
-    asio::io_context context;
-    std::vector<unsigned> seen;
-    StopSignals signals(context.get_executor(), [&](unsigned count) {
-        seen.push_back(count);
-        if (count == 1) {
-            std::raise(SIGINT);
-        } else {
-            signals.cancel();
-        }
-    });
-    std::raise(SIGTERM);
-    context.run_for(patience);
-    EXPECT_TRUE(context.stopped());
-    EXPECT_EQ(seen, (std::vector<unsigned>{1, 2}));
+CD_CONVERSATION(Greeting, AWelcomeOfAnotherVersionIsNone) {
+    Welcome wrong;
+    wrong.version = protocol_version + 1;
+    const auto executor = co_await asio::this_coro::executor;
+    Ends ends = co_await connect_ends();
+    spawn(executor, "welcome", welcome_with(std::move(ends.right), wrong));
+    const Hello hello;
+    const Result<Welcome> answer = co_await greet(ends.left, hello);
+    EXPECT_EQ(answer.error().code, ErrorCode::BadFrame);
+    EXPECT_FALSE(ends.left->is_open());
+}
+
+CD_CONVERSATION(Connect, AClosedPortIsAnErrorThatNamesIt) {
+    const auto executor = co_await asio::this_coro::executor;
+    asio::ip::tcp::acceptor acceptor = listen_anywhere(executor);
+    const Endpoint endpoint{"127.0.0.1", acceptor.local_endpoint().port()};
+    acceptor.close();
+    const Result<std::shared_ptr<Channel>> channel = co_await connect(endpoint);
+    EXPECT_EQ(channel.error().code, ErrorCode::Disconnected);
+    EXPECT_THAT(channel.error().detail, HasSubstr(std::to_string(endpoint.port)));
+}
+
+CD_CONVERSATION(Connect, ReachSaysWhetherSomebodyListens) {
+    const auto executor = co_await asio::this_coro::executor;
+    asio::ip::tcp::acceptor acceptor = listen_anywhere(executor);
+    const Endpoint endpoint{"127.0.0.1", acceptor.local_endpoint().port()};
+    const Status open = co_await reach(endpoint, patience);
+    EXPECT_TRUE(open);
+    acceptor.close();
+    const Status closed = co_await reach(endpoint, patience);
+    EXPECT_FALSE(closed);
+    if (!closed) {
+        EXPECT_EQ(closed.error().code, ErrorCode::Disconnected);
+        EXPECT_THAT(closed.error().detail, HasSubstr(std::to_string(endpoint.port)));
+    }
 }
 
 } // namespace

@@ -27,37 +27,33 @@ asio::awaitable<error_code> run(Operation& operation) {
     co_return error;
 }
 
-TEST(Deadline, WhatIsBegunAfterItsEndIsCancelledToo) {
-    run_conversation([]() -> asio::awaitable<void> {
-        Operation operation(co_await asio::this_coro::executor);
-        asio::steady_timer meanwhile(co_await asio::this_coro::executor);
-        const Deadline deadline(operation, 1ms);
-        // No operation is pending when the deadline ends.
-        while (!deadline.expired()) {
-            meanwhile.expires_after(1ms);
-            co_await meanwhile.async_wait(asio::use_awaitable);
-        }
-        for (int i = 0; i < 3; ++i) {
-            const error_code error = co_await run(operation);
-            EXPECT_EQ(error, asio::error::operation_aborted);
-        }
-    });
+CD_CONVERSATION(Deadline, WhatIsBegunAfterItsEndIsCancelledToo) {
+    Operation operation(co_await asio::this_coro::executor);
+    asio::steady_timer meanwhile(co_await asio::this_coro::executor);
+    const Deadline deadline(operation, 1ms);
+    // No operation is pending when the deadline ends.
+    while (!deadline.expired()) {
+        meanwhile.expires_after(1ms);
+        co_await meanwhile.async_wait(asio::use_awaitable);
+    }
+    for (int i = 0; i < 3; ++i) {
+        const error_code error = co_await run(operation);
+        EXPECT_EQ(error, asio::error::operation_aborted);
+    }
 }
 
-TEST(Deadline, ItsEndIsThatOfItsOwner) {
-    run_conversation([]() -> asio::awaitable<void> {
-        Operation operation(co_await asio::this_coro::executor);
-        {
-            const Deadline deadline(operation, 1ms);
-            const error_code error = co_await run(operation);
-            EXPECT_EQ(error, asio::error::operation_aborted);
-        }
-        // Several of the deadline's periods later.
-        operation.expires_after(200ms);
-        error_code error;
-        co_await operation.async_wait(asio::redirect_error(asio::use_awaitable, error));
-        EXPECT_FALSE(error);
-    });
+CD_CONVERSATION(Deadline, ItsEndIsThatOfItsOwner) {
+    Operation operation(co_await asio::this_coro::executor);
+    {
+        const Deadline deadline(operation, 1ms);
+        const error_code error = co_await run(operation);
+        EXPECT_EQ(error, asio::error::operation_aborted);
+    }
+    // Several of the deadline's periods later.
+    operation.expires_after(200ms);
+    error_code error;
+    co_await operation.async_wait(asio::redirect_error(asio::use_awaitable, error));
+    EXPECT_FALSE(error);
 }
 
 /// A connection on which these bytes have arrived, and no others ever will. They take several
@@ -75,33 +71,29 @@ asio::awaitable<Flooded> flood(std::string bytes) {
     co_return Flooded{std::move(silent), std::make_unique<Stream>(std::move(socket))};
 }
 
-TEST(Deadline, AHandshakeThatIsReadWhenItEndsEndsWithIt) {
-    run_conversation([]() -> asio::awaitable<void> {
-        const WallTime now = std::chrono::system_clock::now();
-        const Identity master{CertifiedRole::Master, "master", now - 1min, now + 1h};
-        const auto tls = Tls::make(CertificateAuthority::make(now).issue(master)).value();
-        // A ClientHello of 128 KiB in records of one byte each.
-        std::string bytes;
-        for (const char byte : std::string("\x01\x02\x00\x00", 4) + std::string(8000, 'x')) {
-            bytes += std::string("\x16\x03\x01\x00\x01", 5) + byte;
-        }
-        Flooded flooded = co_await flood(std::move(bytes));
-        const Status secured = co_await flooded.stream->secure(tls, TlsEnd::Accepting, 0ms);
-        EXPECT_EQ(secured.error().code, ErrorCode::Timeout);
-    });
+CD_CONVERSATION(Deadline, AHandshakeThatIsReadWhenItEndsEndsWithIt) {
+    const WallTime now = std::chrono::system_clock::now();
+    const Identity master{CertifiedRole::Master, "master", now - 1min, now + 1h};
+    const auto tls = Tls::make(CertificateAuthority::make(now).issue(master)).value();
+    // A ClientHello of 128 KiB in records of one byte each.
+    std::string bytes;
+    for (const char byte : std::string("\x01\x02\x00\x00", 4) + std::string(8000, 'x')) {
+        bytes += std::string("\x16\x03\x01\x00\x01", 5) + byte;
+    }
+    Flooded flooded = co_await flood(std::move(bytes));
+    const Status secured = co_await flooded.stream->secure(tls, TlsEnd::Accepting, 0ms);
+    EXPECT_EQ(secured.error().code, ErrorCode::Timeout);
 }
 
-TEST(Deadline, ARequestThatIsReadWhenItEndsEndsWithIt) {
-    run_conversation([]() -> asio::awaitable<void> {
-        Flooded flooded = co_await flood("GET /" + std::string(12'000, 'x'));
-        serve_http(
-            std::move(flooded.stream), [](const HttpRequest&) { return HttpAnswer(); }, 0ms);
-        char nothing = 0;
-        error_code error;
-        co_await flooded.silent.async_read_some(asio::buffer(&nothing, 1),
-                                                asio::redirect_error(asio::use_awaitable, error));
-        EXPECT_TRUE(error);
-    });
+CD_CONVERSATION(Deadline, ARequestThatIsReadWhenItEndsEndsWithIt) {
+    Flooded flooded = co_await flood("GET /" + std::string(12'000, 'x'));
+    serve_http(
+        std::move(flooded.stream), [](const HttpRequest&) { return HttpAnswer(); }, 0ms);
+    char nothing = 0;
+    error_code error;
+    co_await flooded.silent.async_read_some(asio::buffer(&nothing, 1),
+                                            asio::redirect_error(asio::use_awaitable, error));
+    EXPECT_TRUE(error);
 }
 
 } // namespace

@@ -272,7 +272,6 @@ TEST(MessageAssembler, WhatIsTooLargeIsRefusedByItsHeader) {
     EXPECT_EQ(stranger.check(next).error().code, ErrorCode::TooLarge);
 }
 
-} // namespace
 TEST(Frame, AWebServersAnswerIsRecognised) {
     const std::string_view answer = "HTTP/1.1 400 Bad Request\r\nServer: cdmaster\r\n";
     std::array<std::byte, frame_header_bytes> bytes{};
@@ -294,4 +293,5 @@ TEST(Frame, AnAlertOfTlsIsRecognisedBeforeAHeaderIsWhole) {
     EXPECT_FALSE(foreign_answer(encode_header({})));
 }
 
+} // namespace
 } // namespace cd::tests

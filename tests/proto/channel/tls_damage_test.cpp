@@ -78,8 +78,7 @@ asio::awaitable<Result<Welcome>> meet(std::shared_ptr<const Tls> worker,
                                       std::shared_ptr<const Tls> master,
                                       std::shared_ptr<Relay> relay) {
     const auto executor = co_await asio::this_coro::executor;
-    const tcp::endpoint any_port(asio::ip::address_v4::loopback(), 0);
-    tcp::acceptor acceptor(executor, any_port);
+    tcp::acceptor acceptor = listen_anywhere(executor);
     spawn(executor, "accept", accept(acceptor, relay, master));
     Target target{{"127.0.0.1", acceptor.local_endpoint().port()}, worker};
     const auto channel = co_await connect(std::move(target), std::chrono::seconds(1));

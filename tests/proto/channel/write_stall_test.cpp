@@ -42,42 +42,38 @@ asio::awaitable<void> await_room(std::shared_ptr<Channel> channel, bool& has_end
     has_ended = true;
 }
 
-TEST(WriteStall, APeerThatReadsNothingIsGivenUp) {
-    run_conversation([]() -> asio::awaitable<void> {
-        const auto executor = co_await asio::this_coro::executor;
-        const OneWay link = co_await connect_one_way({.write = 50ms});
-        link.send_pieces(16);
-        bool has_ended = false;
-        spawn(executor, "waits for room", await_room(link.sender, has_ended));
-        const Result<Message> message = co_await link.sender->receive(patience);
-        EXPECT_EQ(message.error().code, ErrorCode::Disconnected);
-        EXPECT_THAT(message.error().detail, testing::HasSubstr("does not read"));
-        EXPECT_FALSE(link.sender->is_open());
-        EXPECT_EQ(link.sender->queued_bytes(), 0u);
-        co_await link.sender->wait_until_closed();
-        co_await asio::post(executor, asio::use_awaitable);
-        EXPECT_TRUE(has_ended);
-    });
+CD_CONVERSATION(WriteStall, APeerThatReadsNothingIsGivenUp) {
+    const auto executor = co_await asio::this_coro::executor;
+    const OneWay link = co_await connect_one_way({.write = 50ms});
+    link.send_pieces(16);
+    bool has_ended = false;
+    spawn(executor, "waits for room", await_room(link.sender, has_ended));
+    const Result<Message> message = co_await link.sender->receive(patience);
+    EXPECT_EQ(message.error().code, ErrorCode::Disconnected);
+    EXPECT_THAT(message.error().detail, testing::HasSubstr("does not read"));
+    EXPECT_FALSE(link.sender->is_open());
+    EXPECT_EQ(link.sender->queued_bytes(), 0u);
+    co_await link.sender->wait_until_closed();
+    co_await asio::post(executor, asio::use_awaitable);
+    EXPECT_TRUE(has_ended);
 }
 
-TEST(WriteStall, ASlowReaderIsServedAsLongAsEachFrameIsTaken) {
-    run_conversation([]() -> asio::awaitable<void> {
-        constexpr auto stall_max = 2s;
-        const auto executor = co_await asio::this_coro::executor;
-        OneWay link = co_await connect_one_way({.write = stall_max});
-        const auto end = Clock::now() + 2 * stall_max;
-        asio::steady_timer pause(executor);
-        Bytes bytes(piece_bytes);
-        while (Clock::now() < end && link.sender->is_open()) {
-            link.send_pieces(link.sender->queued_bytes() < 4 * piece_bytes ? 4 : 0);
-            co_await asio::async_read(link.reader, asio::buffer(bytes), asio::use_awaitable);
-            pause.expires_after(100ms);
-            co_await pause.async_wait(asio::use_awaitable);
-        }
-        EXPECT_TRUE(link.sender->is_open());
-        EXPECT_GT(link.sender->queued_bytes(), 0u) << "it was never slow";
-        link.sender->close();
-    });
+CD_CONVERSATION(WriteStall, ASlowReaderIsServedAsLongAsEachFrameIsTaken) {
+    constexpr auto stall_max = 2s;
+    const auto executor = co_await asio::this_coro::executor;
+    OneWay link = co_await connect_one_way({.write = stall_max});
+    const auto end = Clock::now() + 2 * stall_max;
+    asio::steady_timer pause(executor);
+    Bytes bytes(piece_bytes);
+    while (Clock::now() < end && link.sender->is_open()) {
+        link.send_pieces(link.sender->queued_bytes() < 4 * piece_bytes ? 4 : 0);
+        co_await asio::async_read(link.reader, asio::buffer(bytes), asio::use_awaitable);
+        pause.expires_after(100ms);
+        co_await pause.async_wait(asio::use_awaitable);
+    }
+    EXPECT_TRUE(link.sender->is_open());
+    EXPECT_GT(link.sender->queued_bytes(), 0u) << "it was never slow";
+    link.sender->close();
 }
 
 } // namespace
