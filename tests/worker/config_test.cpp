@@ -3,15 +3,13 @@
 #include "worker/config.hpp"
 
 #include "common/core/host/memory_limit.hpp"
+#include "tests/support/process.hpp"
 #include "worker/run_worker.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <cstdlib>
-#include <filesystem>
-#include <fstream>
 #include <vector>
 
 namespace cd::tests {
@@ -36,22 +34,11 @@ class Environment {
     const char* name_;
 };
 
-/// A file that exists during a test.
-class File {
-  public:
-    explicit File(const std::string& content)
-        : path_(testing::TempDir() + "cdworker_config_test_" + std::to_string(::getpid()) + "_" +
-                std::to_string(content.size()) + ".toml") {
-        std::ofstream(path_) << content;
-    }
-    File(const File&) = delete;
-    File& operator=(const File&) = delete;
-    ~File() { std::filesystem::remove(path_); }
-    [[nodiscard]] const char* path() const { return path_.c_str(); }
-
-  private:
-    std::string path_;
-};
+/// Writes a file; returns its path.
+std::string file_with(const TemporaryFolder& folder, const char* name, const std::string& text) {
+    write_text(folder / name, text);
+    return (folder / name).string();
+}
 
 TEST(WorkerConfig, DefaultsAreForAMasterOnThisMachine) {
     const WorkerCommandLine line = parse({});
@@ -99,10 +86,14 @@ TEST(WorkerConfig, OptionsAreRead) {
 }
 
 TEST(WorkerConfig, TheCommandLineGoesBeforeTheEnvironmentBeforeTheFile) {
-    const File file("threads = 1\nname = \"from the file\"\ncache = \"1MiB\"\ninsecure = true\n");
+    const TemporaryFolder folder;
+    const std::string file =
+        file_with(folder,
+                  "worker.toml",
+                  "threads = 1\nname = \"from the file\"\ncache = \"1MiB\"\ninsecure = true\n");
     const Environment name("CDWORKER_NAME", "from the environment");
     const Environment cache("CDWORKER_CACHE", "2MiB");
-    const WorkerCommandLine line = parse({"--config", file.path(), "--cache", "3MiB"});
+    const WorkerCommandLine line = parse({"--config", file.c_str(), "--cache", "3MiB"});
     ASSERT_TRUE(line.config) << line.text;
     EXPECT_EQ(line.config->threads, 1u);
     EXPECT_TRUE(line.config->insecure);
@@ -111,8 +102,9 @@ TEST(WorkerConfig, TheCommandLineGoesBeforeTheEnvironmentBeforeTheFile) {
 }
 
 TEST(WorkerConfig, WhatIsWrongIsUsage) {
-    const File unknown("thread = 1\n");
-    const File broken("threads = \n");
+    const TemporaryFolder folder;
+    const std::string unknown = file_with(folder, "unknown.toml", "thread = 1\n");
+    const std::string broken = file_with(folder, "broken.toml", "threads = \n");
     const std::vector<std::vector<const char*>> wrong{
         {"--master", "nowhere"},
         {"--cache", "much"},
@@ -123,8 +115,8 @@ TEST(WorkerConfig, WhatIsWrongIsUsage) {
         {"--frobnicate"},
         {"--name", "a\nb"},
         {"--config", "/no/such/f"},
-        {"--config", unknown.path()},
-        {"--config", broken.path()},
+        {"--config", unknown.c_str()},
+        {"--config", broken.c_str()},
     };
     for (const auto& arguments : wrong) {
         const WorkerCommandLine line = parse(arguments);
@@ -203,8 +195,9 @@ TEST(WorkerConfig, JoinNamesAMasterAndAToken) {
     EXPECT_EQ(line.config->join->secret, token.secret);
     EXPECT_EQ(line.config->master.host, "node-1");
     EXPECT_EQ(line.config->state, "here");
-    const File file(text + "\n");
-    const auto from_file = parse({"join", "node-1:7600", "--token-file", file.path()});
+    const TemporaryFolder folder;
+    const std::string file = file_with(folder, "token", text + "\n");
+    const auto from_file = parse({"join", "node-1:7600", "--token-file", file.c_str()});
     ASSERT_TRUE(from_file.config) << from_file.text;
     EXPECT_EQ(from_file.config->join->id, 7u);
     EXPECT_EQ(parse({"join"}).exit_code, 2);

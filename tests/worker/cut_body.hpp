@@ -8,7 +8,7 @@
 #include "common/tree/wire/subtree_block.hpp"
 #include "common/tree/wire/top_block.hpp"
 #include "proto/messages/work_messages.hpp"
-#include "tests/support/shapes.hpp"
+#include "tests/support/trees.hpp"
 
 #include <memory>
 #include <vector>
@@ -43,8 +43,7 @@ inline SubtreeBlock packed(RootIndex root, const Bytes& bytes) {
 }
 
 inline CutBody cut_body(Mesh mesh, std::uint32_t depth, SubtreeForm form = SubtreeForm::Wide) {
-    ThreadPool pool(1);
-    ObbTree tree = build_tree(share(std::move(mesh)), BuildOptions{}, pool);
+    ObbTree tree = make_tree(std::move(mesh));
     TreeTop top = cut_tree(tree, depth);
     std::vector<SubtreeBlock> blocks;
     for (const std::uint32_t node : cut_nodes(tree, depth)) {

@@ -7,6 +7,7 @@
 #include "common/job/run_scenario.hpp"
 #include "tests/proto/loopback.hpp"
 #include "tests/proto/sample_messages.hpp"
+#include "tests/support/scenarios.hpp"
 #include "tests/worker/cut_body.hpp"
 #include "worker/session/session.hpp"
 
@@ -38,10 +39,7 @@ inline std::vector<Scenario> make_scenarios(std::uint64_t first, std::uint64_t c
     std::vector<Scenario> scenarios;
     for (std::uint64_t index = first; index < first + count; ++index) {
         std::mt19937_64 random(index);
-        Scenario scenario;
-        scenario.index = index;
-        scenario.poses.b = make_pose(random, 1.5);
-        scenarios.push_back(scenario);
+        scenarios.push_back(make_scenario({Pose{}, make_pose(random, 1.5)}, index));
     }
     return scenarios;
 }
@@ -85,15 +83,23 @@ class FakeMaster {
         channel->send(AddJob{JobId{1}, {tree_a, tree_b}, {}, std::move(grid)});
     }
 
+    /// Takes one message; returns it, or nothing if the connection has ended.
+    asio::awaitable<std::optional<Message>> serve_one() {
+        Result<Message> message = co_await channel->receive(patience);
+        if (!message) {
+            end = message.error().detail;
+            co_return std::nullopt;
+        }
+        std::visit([this](auto& content) { on(content); }, message.value());
+        co_return std::move(message.value());
+    }
     /// Serves until the condition holds or the connection has ended.
-    asio::awaitable<void> serve_until(const std::function<bool()>& is_enough) {
+    asio::awaitable<void> serve_until(std::function<bool()> is_enough) {
         while (!is_enough()) {
-            Result<Message> message = co_await channel->receive(patience);
+            const std::optional<Message> message = co_await serve_one();
             if (!message) {
-                end = message.error().detail;
                 break;
             }
-            std::visit([this](auto& content) { on(content); }, message.value());
         }
     }
     asio::awaitable<void> serve_until_ended(std::size_t tasks) {
@@ -200,11 +206,15 @@ inline asio::awaitable<void> run_session(std::shared_ptr<Session> session,
     }
 }
 
-/// A session with its threads, and a master played by the test.
-struct Stage {
+/// A master played by the test, with a session and its threads.
+struct Stage : FakeMaster {
+    Stage(Ends ends, Executor& threads, const std::shared_ptr<CarryOver>& keep)
+        : FakeMaster(std::move(ends.right)),
+          session(std::make_shared<Session>(
+              std::move(ends.left), threads, keep, PeerParts{}, quick_times)),
+          executor(threads) {}
+
     std::shared_ptr<Session> session;
-    FakeMaster master;
-    std::optional<SessionEnd>& how;
     Executor& executor;
 };
 
@@ -217,17 +227,13 @@ inline asio::awaitable<void> play_on(asio::io_context& context,
                                      const std::shared_ptr<CarryOver>& keep,
                                      std::optional<SessionEnd>& how) {
     Ends ends = co_await connect_greeted_ends();
-    Stage stage{
-        std::make_shared<Session>(std::move(ends.left), executor, keep, PeerParts{}, quick_times),
-        FakeMaster(std::move(ends.right)),
-        how,
-        executor};
+    Stage stage(std::move(ends), executor, keep);
     spawn(context.get_executor(), "session", run_session(stage.session, how));
     if (adds_job) {
-        stage.master.add_job();
+        stage.add_job();
     }
     co_await play(stage);
-    stage.master.channel->close();
+    stage.channel->close();
 }
 
 /// Runs the play and the session to their ends; returns how the session ended.

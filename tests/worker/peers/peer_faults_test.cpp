@@ -63,22 +63,16 @@ asio::awaitable<PeerOutcome> fetch_struck(Fault fault) {
     co_return outcome;
 }
 
-TEST(PeerFaults, ABlockThatIsDamagedOnItsWayIsNotTaken) {
-    run_conversation([]() -> asio::awaitable<void> {
-        EXPECT_EQ(co_await fetch_struck(damaged), PeerOutcome::Unreachable);
-    });
+CD_CONVERSATION(PeerFaults, ABlockThatIsDamagedOnItsWayIsNotTaken) {
+    EXPECT_EQ(co_await fetch_struck(damaged), PeerOutcome::Unreachable);
 }
 
-TEST(PeerFaults, AFetchThatIsCutFailsAtOnce) {
-    run_conversation([]() -> asio::awaitable<void> {
-        EXPECT_EQ(co_await fetch_struck(cut), PeerOutcome::Unreachable);
-    });
+CD_CONVERSATION(PeerFaults, AFetchThatIsCutFailsAtOnce) {
+    EXPECT_EQ(co_await fetch_struck(cut), PeerOutcome::Unreachable);
 }
 
-TEST(PeerFaults, APeerThatFallsSilentIsWaitedForNoLongerThanAnAnswerMayTake) {
-    run_conversation([]() -> asio::awaitable<void> {
-        EXPECT_EQ(co_await fetch_struck(swallowed), PeerOutcome::Unreachable);
-    });
+CD_CONVERSATION(PeerFaults, APeerThatFallsSilentIsWaitedForNoLongerThanAnAnswerMayTake) {
+    EXPECT_EQ(co_await fetch_struck(swallowed), PeerOutcome::Unreachable);
 }
 
 /// Cuts all connections once bytes of an answer are lost.
@@ -94,28 +88,26 @@ asio::awaitable<void> cut_after_loss(FaultyProxy& proxy) {
 
 /// A ticket is for one use. The fetch is repeated over a new connection, since the peer may just
 /// have closed the idle one; but here the peer had taken the ticket.
-TEST(PeerFaults, AFetchWhoseAnswerIsLostOnAnIdleConnectionIsNotCalledRefused) {
-    run_conversation([]() -> asio::awaitable<void> {
-        const auto executor = co_await asio::this_coro::executor;
-        BlockSource source(executor, bodies().a, tree_a);
-        FaultyProxy proxy(source.server->port());
-        bool is_lossy = false;
-        source.server->serve(source.key, [&](const SubtreeKey&) {
-            proxy.set(is_lossy ? Weather::Swallowed : Weather::Fair);
-            return std::make_shared<const SubtreeBlock>(bodies().a.blocks[0]);
-        });
-        PeerLinks links("a test");
-        const PeerLinks::OnBlock on_block = [](const SubtreeBlock&) {};
-        const std::vector<RootIndex> roots(1);
-        FetchFromPeers asked = source.directions(roots, proxy.port());
-        const PeerOutcome first = co_await links.fetch(asked.sources[0], asked, on_block);
-        EXPECT_EQ(first, PeerOutcome::Given);
-        is_lossy = true;
-        spawn(executor, "cut", cut_after_loss(proxy));
-        asked = source.directions(roots, proxy.port());
-        const PeerOutcome second = co_await links.fetch(asked.sources[0], asked, on_block);
-        EXPECT_EQ(second, PeerOutcome::Unreachable);
+CD_CONVERSATION(PeerFaults, AFetchWhoseAnswerIsLostOnAnIdleConnectionIsNotCalledRefused) {
+    const auto executor = co_await asio::this_coro::executor;
+    BlockSource source(executor, bodies().a, tree_a);
+    FaultyProxy proxy(source.server->port());
+    bool is_lossy = false;
+    source.server->serve(source.key, [&](const SubtreeKey&) {
+        proxy.set(is_lossy ? Weather::Swallowed : Weather::Fair);
+        return std::make_shared<const SubtreeBlock>(bodies().a.blocks[0]);
     });
+    PeerLinks links("a test");
+    const PeerLinks::OnBlock on_block = [](const SubtreeBlock&) {};
+    const std::vector<RootIndex> roots(1);
+    FetchFromPeers asked = source.directions(roots, proxy.port());
+    const PeerOutcome first = co_await links.fetch(asked.sources[0], asked, on_block);
+    EXPECT_EQ(first, PeerOutcome::Given);
+    is_lossy = true;
+    spawn(executor, "cut", cut_after_loss(proxy));
+    asked = source.directions(roots, proxy.port());
+    const PeerOutcome second = co_await links.fetch(asked.sources[0], asked, on_block);
+    EXPECT_EQ(second, PeerOutcome::Unreachable);
 }
 
 // ---- A session ------------------------------------------------------------------------------
@@ -151,7 +143,7 @@ struct Story {
 
 /// Runs a task for which the master names the sources once. Expects right results.
 asio::awaitable<Story> do_task(Stage& stage, Sources& sources, bool has_next) {
-    FakeMaster& master = stage.master;
+    FakeMaster& master = stage;
     const auto scenarios = make_scenarios(0, 40);
     master.channel->send(make_batch(TaskId{1}, scenarios));
     Story story;

@@ -48,133 +48,119 @@ asio::awaitable<Fetched> fetch(PeerLinks& links, const FetchFromPeers& direction
     co_return fetched;
 }
 
-TEST(Peers, GiveWhatTheyHold) {
-    run_conversation([]() -> asio::awaitable<void> {
-        Source source(co_await asio::this_coro::executor);
-        PeerLinks links("a test");
-        FetchFromPeers asked; // Named, since GCC 12 destroys temporaries of an awaited call twice.
-        for (const RootIndex root : list_of(0, 2, 5)) {
-            source.hold(root);
-        }
-        asked = source.directions(list_of(0, 2, 5));
-        Fetched fetched = co_await fetch(links, asked);
-        EXPECT_EQ(fetched.outcome, PeerOutcome::Given);
-        EXPECT_THAT(fetched.roots, UnorderedElementsAre(0, 2, 5));
-        EXPECT_EQ(source.server->uploaded_bytes(),
-                  body().blocks[0].compressed.size() + body().blocks[2].compressed.size() +
-                      body().blocks[5].compressed.size());
-        // The next fetch uses the same connection.
-        asked = source.directions(list_of(2));
-        fetched = co_await fetch(links, asked);
-        EXPECT_EQ(fetched.outcome, PeerOutcome::Given);
-        EXPECT_THAT(fetched.roots, ElementsAre(2));
-    });
+CD_CONVERSATION(Peers, GiveWhatTheyHold) {
+    Source source(co_await asio::this_coro::executor);
+    PeerLinks links("a test");
+    FetchFromPeers asked; // Named, since GCC 12 destroys temporaries of an awaited call twice.
+    for (const RootIndex root : list_of(0, 2, 5)) {
+        source.hold(root);
+    }
+    asked = source.directions(list_of(0, 2, 5));
+    Fetched fetched = co_await fetch(links, asked);
+    EXPECT_EQ(fetched.outcome, PeerOutcome::Given);
+    EXPECT_THAT(fetched.roots, UnorderedElementsAre(0, 2, 5));
+    EXPECT_EQ(source.server->uploaded_bytes(),
+              body().blocks[0].compressed.size() + body().blocks[2].compressed.size() +
+                  body().blocks[5].compressed.size());
+    // The next fetch uses the same connection.
+    asked = source.directions(list_of(2));
+    fetched = co_await fetch(links, asked);
+    EXPECT_EQ(fetched.outcome, PeerOutcome::Given);
+    EXPECT_THAT(fetched.roots, ElementsAre(2));
 }
 
-TEST(Peers, SayWhatTheyDoNotHold) {
-    run_conversation([]() -> asio::awaitable<void> {
-        Source source(co_await asio::this_coro::executor);
-        PeerLinks links("a test");
-        FetchFromPeers asked;
-        source.hold(1);
-        asked = source.directions(list_of(1, 4));
-        const Fetched fetched = co_await fetch(links, asked);
-        EXPECT_EQ(fetched.outcome, PeerOutcome::Missing);
-        EXPECT_THAT(fetched.roots, ElementsAre(1));
-    });
+CD_CONVERSATION(Peers, SayWhatTheyDoNotHold) {
+    Source source(co_await asio::this_coro::executor);
+    PeerLinks links("a test");
+    FetchFromPeers asked;
+    source.hold(1);
+    asked = source.directions(list_of(1, 4));
+    const Fetched fetched = co_await fetch(links, asked);
+    EXPECT_EQ(fetched.outcome, PeerOutcome::Missing);
+    EXPECT_THAT(fetched.roots, ElementsAre(1));
 }
 
-TEST(Peers, TakeNoTicketTwiceAndNoneThatIsNotTheMasters) {
-    run_conversation([]() -> asio::awaitable<void> {
-        Source source(co_await asio::this_coro::executor);
-        PeerLinks links("a test");
-        FetchFromPeers asked;
-        source.hold(1);
+CD_CONVERSATION(Peers, TakeNoTicketTwiceAndNoneThatIsNotTheMasters) {
+    Source source(co_await asio::this_coro::executor);
+    PeerLinks links("a test");
+    FetchFromPeers asked;
+    source.hold(1);
+    const FetchFromPeers directions = source.directions(list_of(1));
+    EXPECT_EQ((co_await fetch(links, directions)).outcome, PeerOutcome::Given);
+    EXPECT_EQ((co_await fetch(links, directions)).outcome, PeerOutcome::Refused);
+    FetchFromPeers forged = source.directions(list_of(1));
+    forged.sources[0].proof = Sha256{};
+    EXPECT_EQ((co_await fetch(links, forged)).outcome, PeerOutcome::Refused);
+    source.server->stop_serving();
+    asked = source.directions(list_of(1));
+    EXPECT_EQ((co_await fetch(links, asked)).outcome, PeerOutcome::Refused);
+}
+
+CD_CONVERSATION(Peers, ThatCannotBeReachedAreToldFromOthers) {
+    const auto executor = co_await asio::this_coro::executor;
+    PeerLinks links("a test");
+    FetchFromPeers asked;
+    {
+        Source gone(executor);
+        asked = gone.directions(list_of(1));
+    }
+    // The end of the listener is a separate event.
+    co_await asio::post(executor, asio::use_awaitable);
+    EXPECT_EQ((co_await fetch(links, asked)).outcome, PeerOutcome::Unreachable);
+}
+
+CD_CONVERSATION(Peers, AreNotBelievedWhenTheirBlockHasAnotherHash) {
+    Source source(co_await asio::this_coro::executor);
+    PeerLinks links("a test");
+    FetchFromPeers asked;
+    SubtreeBlock other = body().blocks[2];
+    other.root = 1;
+    source.blocks[1] = std::make_shared<const SubtreeBlock>(other);
+    asked = source.directions(list_of(1));
+    const Fetched fetched = co_await fetch(links, asked);
+    EXPECT_EQ(fetched.outcome, PeerOutcome::Damaged);
+    EXPECT_TRUE(fetched.roots.empty());
+}
+
+CD_CONVERSATION(Peers, ServeNoMoreAtATimeThanTheyMay) {
+    const auto executor = co_await asio::this_coro::executor;
+    Source source(executor);
+    // The block exceeds the buffers of an unread connection.
+    SubtreeBlock large = body().blocks[1];
+    large.compressed.resize(64u << 20);
+    source.blocks[1] = std::make_shared<const SubtreeBlock>(large);
+    const Endpoint address{"127.0.0.1", source.server->port()};
+    std::vector<std::shared_ptr<Channel>> slow;
+    for (std::size_t i = 0; i < limits::peer_uploads_max; ++i) {
         const FetchFromPeers directions = source.directions(list_of(1));
-        EXPECT_EQ((co_await fetch(links, directions)).outcome, PeerOutcome::Given);
-        EXPECT_EQ((co_await fetch(links, directions)).outcome, PeerOutcome::Refused);
-        FetchFromPeers forged = source.directions(list_of(1));
-        forged.sources[0].proof = Sha256{};
-        EXPECT_EQ((co_await fetch(links, forged)).outcome, PeerOutcome::Refused);
-        source.server->stop_serving();
-        asked = source.directions(list_of(1));
-        EXPECT_EQ((co_await fetch(links, asked)).outcome, PeerOutcome::Refused);
-    });
+        slow.push_back((co_await connect(address)).value());
+        Hello hello;
+        hello.role = Role::Peer;
+        EXPECT_TRUE(co_await greet(slow.back(), hello));
+        slow.back()->send(
+            PeerFetch{tree, {1}, directions.sources[0].ticket, directions.sources[0].proof});
+    }
+    PeerLinks links("a test");
+    FetchFromPeers asked;
+    PeerOutcome outcome = PeerOutcome::Given;
+    // Wait until both are being served, which no event reports.
+    while (outcome == PeerOutcome::Given) {
+        source.hold(2);
+        asked = source.directions(list_of(2));
+        outcome = (co_await fetch(links, asked)).outcome;
+    }
+    EXPECT_EQ(outcome, PeerOutcome::Busy);
+    for (const auto& channel : slow) {
+        channel->close();
+    }
 }
 
-TEST(Peers, ThatCannotBeReachedAreToldFromOthers) {
-    run_conversation([]() -> asio::awaitable<void> {
-        const auto executor = co_await asio::this_coro::executor;
-        PeerLinks links("a test");
-        FetchFromPeers asked;
-        {
-            Source gone(executor);
-            asked = gone.directions(list_of(1));
-        }
-        // The end of the listener is a separate event.
-        co_await asio::post(executor, asio::use_awaitable);
-        EXPECT_EQ((co_await fetch(links, asked)).outcome, PeerOutcome::Unreachable);
-    });
-}
-
-TEST(Peers, AreNotBelievedWhenTheirBlockHasAnotherHash) {
-    run_conversation([]() -> asio::awaitable<void> {
-        Source source(co_await asio::this_coro::executor);
-        PeerLinks links("a test");
-        FetchFromPeers asked;
-        SubtreeBlock other = body().blocks[2];
-        other.root = 1;
-        source.blocks[1] = std::make_shared<const SubtreeBlock>(other);
-        asked = source.directions(list_of(1));
-        const Fetched fetched = co_await fetch(links, asked);
-        EXPECT_EQ(fetched.outcome, PeerOutcome::Damaged);
-        EXPECT_TRUE(fetched.roots.empty());
-    });
-}
-
-TEST(Peers, ServeNoMoreAtATimeThanTheyMay) {
-    run_conversation([]() -> asio::awaitable<void> {
-        const auto executor = co_await asio::this_coro::executor;
-        Source source(executor);
-        // The block exceeds the buffers of an unread connection.
-        SubtreeBlock large = body().blocks[1];
-        large.compressed.resize(64u << 20);
-        source.blocks[1] = std::make_shared<const SubtreeBlock>(large);
-        const Endpoint address{"127.0.0.1", source.server->port()};
-        std::vector<std::shared_ptr<Channel>> slow;
-        for (std::size_t i = 0; i < limits::peer_uploads_max; ++i) {
-            const FetchFromPeers directions = source.directions(list_of(1));
-            slow.push_back((co_await connect(address)).value());
-            Hello hello;
-            hello.role = Role::Peer;
-            EXPECT_TRUE(co_await greet(slow.back(), hello));
-            slow.back()->send(
-                PeerFetch{tree, {1}, directions.sources[0].ticket, directions.sources[0].proof});
-        }
-        PeerLinks links("a test");
-        FetchFromPeers asked;
-        PeerOutcome outcome = PeerOutcome::Given;
-        // Wait until both are being served, which no event reports.
-        while (outcome == PeerOutcome::Given) {
-            source.hold(2);
-            asked = source.directions(list_of(2));
-            outcome = (co_await fetch(links, asked)).outcome;
-        }
-        EXPECT_EQ(outcome, PeerOutcome::Busy);
-        for (const auto& channel : slow) {
-            channel->close();
-        }
-    });
-}
-
-TEST(Peers, TurnAwayWhoIsNoPeer) {
-    run_conversation([]() -> asio::awaitable<void> {
-        Source source(co_await asio::this_coro::executor);
-        const Endpoint address{"127.0.0.1", source.server->port()};
-        const auto channel = (co_await connect(address)).value();
-        const Hello hello;
-        EXPECT_FALSE(co_await greet(channel, hello));
-    });
+CD_CONVERSATION(Peers, TurnAwayWhoIsNoPeer) {
+    Source source(co_await asio::this_coro::executor);
+    const Endpoint address{"127.0.0.1", source.server->port()};
+    const auto channel = (co_await connect(address)).value();
+    const Hello hello;
+    EXPECT_FALSE(co_await greet(channel, hello));
 }
 
 TEST(Peers, TurnAwayWhoHasNoWorkersCertificate) {
@@ -203,26 +189,24 @@ TEST(Peers, TurnAwayWhoHasNoWorkersCertificate) {
     });
 }
 
-TEST(Peers, LeaveRoomForOtherHosts) {
-    run_conversation([]() -> asio::awaitable<void> {
-        Source source(co_await asio::this_coro::executor);
-        const Endpoint address{"127.0.0.1", source.server->port()};
-        Hello hello;
-        hello.role = Role::Peer;
-        std::vector<std::shared_ptr<Channel>> channels;
-        std::size_t welcome = 0;
-        for (std::size_t i = 0; i <= limits::peer_connections_max / 2; ++i) {
-            Target target(address);
-            const auto channel = co_await connect(std::move(target));
-            channels.push_back(channel.value());
-            const Result<Welcome> answer = co_await greet(channel.value(), hello);
-            welcome += answer ? 1 : 0;
-        }
-        EXPECT_EQ(welcome, limits::peer_connections_max / 2);
-        for (const auto& channel : channels) {
-            channel->close();
-        }
-    });
+CD_CONVERSATION(Peers, LeaveRoomForOtherHosts) {
+    Source source(co_await asio::this_coro::executor);
+    const Endpoint address{"127.0.0.1", source.server->port()};
+    Hello hello;
+    hello.role = Role::Peer;
+    std::vector<std::shared_ptr<Channel>> channels;
+    std::size_t welcome = 0;
+    for (std::size_t i = 0; i <= limits::peer_connections_max / 2; ++i) {
+        Target target(address);
+        const auto channel = co_await connect(std::move(target));
+        channels.push_back(channel.value());
+        const Result<Welcome> answer = co_await greet(channel.value(), hello);
+        welcome += answer ? 1 : 0;
+    }
+    EXPECT_EQ(welcome, limits::peer_connections_max / 2);
+    for (const auto& channel : channels) {
+        channel->close();
+    }
 }
 
 } // namespace

@@ -10,8 +10,7 @@ namespace cd::tests {
 namespace {
 
 TEST(Session, ResultsTellWhatTheirJobCostTheNetwork) {
-    perform(unlimited, 2, [](Stage& stage) -> asio::awaitable<void> {
-        FakeMaster& master = stage.master;
+    perform(unlimited, 2, [](Stage& master) -> asio::awaitable<void> {
         const auto scenarios = make_scenarios(0, 120);
         master.channel->send(make_batch(TaskId{1}, std::span(scenarios).first(40)));
         co_await master.serve_until_ended(1);
@@ -41,8 +40,7 @@ TEST(Session, ResultsTellWhatTheirJobCostTheNetwork) {
 }
 
 TEST(Session, WhatIsHintedComesBeforeAScenarioNeedsIt) {
-    perform(unlimited, 1, [](Stage& stage) -> asio::awaitable<void> {
-        FakeMaster& master = stage.master;
+    perform(unlimited, 1, [](Stage& master) -> asio::awaitable<void> {
         const auto scenarios = make_scenarios(0, 40);
         const WorkUnit batch = make_batch(TaskId{1}, scenarios);
         const std::vector<RootIndex> roots_a = roots_of_a(batch.pairs);
@@ -65,8 +63,7 @@ TEST(Session, WhatIsHintedComesBeforeAScenarioNeedsIt) {
 }
 
 TEST(Session, OnlyRangesRequestUpperTrees) {
-    perform(1, 2, [](Stage& stage) -> asio::awaitable<void> {
-        FakeMaster& master = stage.master;
+    perform(1, 2, [](Stage& master) -> asio::awaitable<void> {
         const auto scenarios = make_scenarios(0, 60);
         master.channel->send(make_batch(TaskId{1}, std::span(scenarios).first(20)));
         co_await master.serve_until_ended(1);
@@ -83,8 +80,7 @@ TEST(Session, OnlyRangesRequestUpperTrees) {
 }
 
 TEST(Session, EvictionsCountForTheJobWhoseTreeTheyAreOf) {
-    perform(1, 1, [](Stage& stage) -> asio::awaitable<void> {
-        FakeMaster& master = stage.master;
+    perform(1, 1, [](Stage& master) -> asio::awaitable<void> {
         const auto scenarios = make_scenarios(100, 20);
         master.channel->send(make_batch(TaskId{1}, scenarios));
         co_await master.serve_until_ended(1);
@@ -95,10 +91,9 @@ TEST(Session, EvictionsCountForTheJobWhoseTreeTheyAreOf) {
 }
 
 TEST(Session, TheConnectionIsServedWhileBlocksWaitForAThreadToOpenThem) {
-    perform(unlimited, 1, [](Stage& stage) -> asio::awaitable<void> {
-        FakeMaster& master = stage.master;
+    perform(unlimited, 1, [](Stage& master) -> asio::awaitable<void> {
         std::latch released(1);
-        stage.executor.submit([&released] {
+        master.executor.submit([&released] {
             released.wait(); // The only thread opens no block meanwhile.
             return Executor::Continuation([] {});
         });
@@ -111,13 +106,12 @@ TEST(Session, TheConnectionIsServedWhileBlocksWaitForAThreadToOpenThem) {
         // If the connection's thread opened blocks, it would report the error before reading on.
         bool wants = false;
         while (!wants && master.complaint.empty()) {
-            Result<Message> message = co_await master.channel->receive(patience);
+            const std::optional<Message> message = co_await master.serve_one();
             EXPECT_TRUE(message);
             if (!message) {
                 break;
             }
-            wants = std::holds_alternative<WantSubtrees>(message.value());
-            std::visit([&](auto& content) { master.on(content); }, message.value());
+            wants = std::holds_alternative<WantSubtrees>(*message);
         }
         EXPECT_TRUE(wants);
         EXPECT_EQ(master.complaint, "");

@@ -6,8 +6,7 @@ namespace cd::tests {
 namespace {
 
 TEST(Session, WhatWaitsForARemovedJobIsDroppedAndItsTreesStay) {
-    perform(unlimited, 1, [](Stage& stage) -> asio::awaitable<void> {
-        FakeMaster& master = stage.master;
+    perform(unlimited, 1, [](Stage& master) -> asio::awaitable<void> {
         const auto scenarios = make_scenarios(600, 400);
         master.channel->send(make_range(TaskId{1}, scenarios));
         master.channel->send(RemoveJob{JobId{1}});
@@ -21,26 +20,8 @@ TEST(Session, WhatWaitsForARemovedJobIsDroppedAndItsTreesStay) {
     });
 }
 
-TEST(Session, StopHandsBackTheRestOfARange) {
-    const auto how = perform(unlimited, 1, [](Stage& stage) -> asio::awaitable<void> {
-        FakeMaster& master = stage.master;
-        const auto scenarios = make_scenarios(500, 3000);
-        master.channel->send(make_range(TaskId{1}, scenarios));
-        const std::function<bool()> has_begun = [&] { return master.results_messages != 0; };
-        co_await master.serve_until(has_begun);
-        stage.session->stop();
-        co_await master.serve_until_ended(2);
-        EXPECT_TRUE(master.ended.contains(TaskId{1}));
-        for (const auto& [index, record] : master.records) {
-            EXPECT_EQ(record, expected_record(scenarios[index - 500]));
-        }
-    });
-    EXPECT_EQ(how, SessionEnd::Drained);
-}
-
 TEST(Session, RemovedTreesAreFreedAndMayComeAgain) {
-    perform(unlimited, 1, [](Stage& stage) -> asio::awaitable<void> {
-        FakeMaster& master = stage.master;
+    perform(unlimited, 1, [](Stage& master) -> asio::awaitable<void> {
         const auto scenarios = make_scenarios(200, 10);
         master.channel->send(make_batch(TaskId{1}, scenarios));
         co_await master.serve_until_ended(1);
@@ -60,8 +41,7 @@ TEST(Session, RemovedTreesAreFreedAndMayComeAgain) {
 }
 
 TEST(Session, WhatWaitsForARemovedTreeIsDroppedWithIt) {
-    perform(unlimited, 1, [](Stage& stage) -> asio::awaitable<void> {
-        FakeMaster& master = stage.master;
+    perform(unlimited, 1, [](Stage& master) -> asio::awaitable<void> {
         const auto scenarios = make_scenarios(300, 10);
         master.channel->send(make_batch(TaskId{1}, scenarios));
         master.channel->send(RemoveTree{tree_b});
@@ -82,8 +62,7 @@ TEST(Session, WhatWaitsForARemovedTreeIsDroppedWithIt) {
 
 /// The returned scenario's blocks are evicted: nothing else needs them, and the cache is full.
 TEST(Session, BlocksOfReturnedScenariosAreRequestedAgain) {
-    perform(1, 1, [](Stage& stage) -> asio::awaitable<void> {
-        FakeMaster& master = stage.master;
+    perform(1, 1, [](Stage& master) -> asio::awaitable<void> {
         std::uint64_t index = 0;
         while (make_batch(TaskId{1}, make_scenarios(index, 1)).pairs.empty()) {
             ++index; // Until it needs blocks.
@@ -94,15 +73,14 @@ TEST(Session, BlocksOfReturnedScenariosAreRequestedAgain) {
         recall.scenarios.push_back(index);
         master.channel->send(make_batch(TaskId{1}, scenarios));
         while (master.ended.empty()) {
-            Result<Message> message = co_await master.channel->receive(patience);
+            const std::optional<Message> message = co_await master.serve_one();
             EXPECT_TRUE(message);
             if (!message) {
                 co_return;
             }
-            if (std::holds_alternative<WantSubtrees>(message.value())) {
-                master.channel->send(recall); // It arrives before the blocks.
+            if (std::holds_alternative<WantSubtrees>(*message)) {
+                master.channel->send(recall);
             }
-            std::visit([&](auto& content) { master.on(content); }, message.value());
         }
         EXPECT_TRUE(master.records.empty());
         master.channel->send(make_batch(TaskId{2}, scenarios));

@@ -11,8 +11,7 @@ namespace cd::tests {
 namespace {
 
 TEST(Session, AnswersBatchesAsWholeTreesDo) {
-    const auto how = perform(unlimited, 2, [](Stage& stage) -> asio::awaitable<void> {
-        FakeMaster& master = stage.master;
+    const auto how = perform(unlimited, 2, [](Stage& master) -> asio::awaitable<void> {
         const auto scenarios = make_scenarios(0, 60);
         master.channel->send(make_batch(TaskId{1}, std::span(scenarios).first(20)));
         master.channel->send(make_batch(TaskId{2}, std::span(scenarios).subspan(20, 20)));
@@ -29,19 +28,18 @@ TEST(Session, AnswersBatchesAsWholeTreesDo) {
 }
 
 TEST(Session, ACacheTooSmallForAScenarioStillGivesEveryResult) {
-    perform(1, 2, [](Stage& stage) -> asio::awaitable<void> {
+    perform(1, 2, [](Stage& master) -> asio::awaitable<void> {
         const auto scenarios = make_scenarios(100, 20);
-        stage.master.channel->send(make_batch(TaskId{1}, scenarios));
-        co_await stage.master.serve_until_ended(1);
-        expect_all_right(stage.master, scenarios);
-        EXPECT_GT(stage.master.subtrees_evicted, 0u);
+        master.channel->send(make_batch(TaskId{1}, scenarios));
+        co_await master.serve_until_ended(1);
+        expect_all_right(master, scenarios);
+        EXPECT_GT(master.subtrees_evicted, 0u);
     });
 }
 
 TEST(Session, AnswersRangesAsWholeTreesDoWithCachesColdWarmOrTooSmall) {
     for (const std::uint64_t cache_bytes : {unlimited, std::uint64_t{1}}) {
-        perform(cache_bytes, 2, [](Stage& stage) -> asio::awaitable<void> {
-            FakeMaster& master = stage.master;
+        perform(cache_bytes, 2, [](Stage& master) -> asio::awaitable<void> {
             const auto scenarios = make_scenarios(0, 120);
             master.channel->send(make_range(TaskId{1}, std::span(scenarios).first(50)));
             master.channel->send(make_batch(TaskId{2}, std::span(scenarios).subspan(50, 20)));
@@ -58,8 +56,7 @@ TEST(Session, ARangeOfAGridNeedsNoPoses) {
     grid.position[0] = {-1.5, 1.5, 9};
     grid.position[1] = {-1, 1, 5};
     grid.rotation[2] = rotation_axis({0, 90, 3}, 2);
-    const auto play = [&](Stage& stage) -> asio::awaitable<void> {
-        FakeMaster& master = stage.master;
+    const auto play = [&](Stage& master) -> asio::awaitable<void> {
         master.add_job(encode_grid(grid));
         master.channel->send(WorkUnit{TaskId{1}, JobId{1}, 5, 100, {}, {}, {}});
         co_await master.serve_until_ended(1);
@@ -81,52 +78,46 @@ TEST(Session, HeartbeatsComeWhileEveryThreadIsBusyAndSayForHowLong) {
                 return Executor::Continuation([] {});
             });
         }
-        stage.master.channel->send(make_batch(TaskId{1}, make_scenarios(0, 2)));
-        const std::function<bool()> beats = [&] { return stage.master.heartbeats >= 3; };
-        co_await stage.master.serve_until(beats);
-        EXPECT_TRUE(stage.master.records.empty());
+        stage.channel->send(make_batch(TaskId{1}, make_scenarios(0, 2)));
+        const std::function<bool()> beats = [&] { return stage.heartbeats >= 3; };
+        co_await stage.serve_until(beats);
+        EXPECT_TRUE(stage.records.empty());
         released.count_down();
-        co_await stage.master.serve_until_ended(1);
+        co_await stage.serve_until_ended(1);
     });
 }
 
-TEST(Session, AMasterThatSaysDrainGetsBackWhatHasNotBegun) {
-    const auto how = perform(unlimited, 1, [](Stage& stage) -> asio::awaitable<void> {
-        FakeMaster& master = stage.master;
-        const auto scenarios = make_scenarios(500, 3000);
-        master.channel->send(make_range(TaskId{1}, scenarios));
-        const std::function<bool()> has_begun = [&] { return master.results_messages != 0; };
-        co_await master.serve_until(has_begun);
-        master.channel->send(Drain{});
-        co_await master.serve_until_ended(2);
-        EXPECT_TRUE(master.worker_drains);
-        EXPECT_TRUE(master.ended.contains(TaskId{1}));
-        EXPECT_LT(master.records.size(), scenarios.size());
-        for (const auto& [index, record] : master.records) {
-            EXPECT_EQ(record, expected_record(scenarios[index - 500]));
+/// The session is in the middle of its work when the master says Drain, or the worker stops.
+TEST(Session, WhatHasNotBegunIsHandedBackWhenItDrains) {
+    for (const bool is_range : {true, false}) {
+        for (const bool is_asked : {true, false}) {
+            const Play play = [&](Stage& master) -> asio::awaitable<void> {
+                const auto scenarios = make_scenarios(500, is_range ? 3000 : 300);
+                master.channel->send(is_range ? make_range(TaskId{1}, scenarios)
+                                              : make_batch(TaskId{1}, scenarios));
+                const std::function<bool()> has_begun = [&] {
+                    return master.results_messages != 0;
+                };
+                co_await master.serve_until(has_begun);
+                if (is_asked) {
+                    master.channel->send(Drain{});
+                } else {
+                    master.session->stop();
+                }
+                co_await master.serve_until_ended(2);
+                EXPECT_TRUE(master.worker_drains);
+                EXPECT_TRUE(master.ended.contains(TaskId{1}));
+                if (is_range) {
+                    EXPECT_LT(master.records.size(), scenarios.size());
+                }
+                for (const auto& [index, record] : master.records) {
+                    EXPECT_EQ(record, expected_record(scenarios[index - 500]));
+                }
+                EXPECT_FALSE(master.end.empty()) << "it closed";
+            };
+            EXPECT_EQ(perform(unlimited, 1, play), SessionEnd::Drained);
         }
-        EXPECT_FALSE(master.end.empty()) << "it closed";
-    });
-    EXPECT_EQ(how, SessionEnd::Drained);
-}
-
-TEST(Session, StopHandsBackWhatItHasNotBegun) {
-    const auto how = perform(unlimited, 1, [](Stage& stage) -> asio::awaitable<void> {
-        FakeMaster& master = stage.master;
-        const auto scenarios = make_scenarios(500, 300);
-        master.channel->send(make_batch(TaskId{1}, scenarios));
-        // Some results come first, so the session is in the middle of its work.
-        const std::function<bool()> has_begun = [&] { return master.results_messages != 0; };
-        co_await master.serve_until(has_begun);
-        stage.session->stop();
-        co_await master.serve_until_ended(2);
-        EXPECT_TRUE(master.worker_drains);
-        EXPECT_TRUE(master.ended.contains(TaskId{1}));
-        for (const auto& [index, record] : master.records) {
-            EXPECT_EQ(record, expected_record(scenarios[index - 500]));
-        }
-    });
-    EXPECT_EQ(how, SessionEnd::Drained);
+    }
 }
 
 /// Waits until a thread is inside scenario 0 of job 2, which takes long: half a million near
@@ -151,11 +142,10 @@ asio::awaitable<void> begin_what_takes_long(FakeMaster& master, const CutBody& d
 
 TEST(Session, WhatTakesTooLongIsHandedBackTooWhenItHasToEnd) {
     const CutBody dense = cut_body(make_sphere(7), 1);
-    const auto play = [&](Stage& stage) -> asio::awaitable<void> {
-        FakeMaster& master = stage.master;
+    const auto play = [&](Stage& master) -> asio::awaitable<void> {
         co_await begin_what_takes_long(master, dense);
-        stage.session->stop();
-        stage.session->hand_back();
+        master.session->stop();
+        master.session->hand_back();
         co_await master.serve_until_ended(2); // Until the connection ends.
         EXPECT_TRUE(master.ended.contains(TaskId{1}));
         EXPECT_TRUE(master.records.empty());
@@ -167,8 +157,7 @@ TEST(Session, WhatIsCancelledInsideItsRunStopsThereAndItsThreadIsFree) {
     const CutBody dense = cut_body(make_sphere(7), 1);
     const std::vector<Message> cancels{DropScenario{JobId{2}, 0}, RemoveJob{JobId{2}}};
     for (const Message& cancel : cancels) {
-        perform(unlimited, 1, [&](Stage& stage) -> asio::awaitable<void> {
-            FakeMaster& master = stage.master;
+        perform(unlimited, 1, [&](Stage& master) -> asio::awaitable<void> {
             co_await begin_what_takes_long(master, dense);
             master.channel->send(cancel);
             const auto scenarios = make_scenarios(100, 30);
@@ -180,9 +169,9 @@ TEST(Session, WhatIsCancelledInsideItsRunStopsThereAndItsThreadIsFree) {
 }
 
 TEST(Session, TerminateEndsAtOnce) {
-    const auto how = perform(unlimited, 1, [](Stage& stage) -> asio::awaitable<void> {
-        stage.master.channel->send(Terminate{"enough"});
-        co_await stage.master.serve_until_ended(1);
+    const auto how = perform(unlimited, 1, [](Stage& master) -> asio::awaitable<void> {
+        master.channel->send(Terminate{"enough"});
+        co_await master.serve_until_ended(1);
     });
     EXPECT_EQ(how, SessionEnd::Terminated);
 }
@@ -190,10 +179,10 @@ TEST(Session, TerminateEndsAtOnce) {
 /// Returns the session's error report before it closes.
 std::string complaint_about(const Message& message) {
     std::string complaint;
-    const auto how = perform(unlimited, 1, [&](Stage& stage) -> asio::awaitable<void> {
-        stage.master.channel->send(message);
-        co_await stage.master.serve_until_ended(1);
-        complaint = stage.master.complaint;
+    const auto how = perform(unlimited, 1, [&](Stage& master) -> asio::awaitable<void> {
+        master.channel->send(message);
+        co_await master.serve_until_ended(1);
+        complaint = master.complaint;
     });
     EXPECT_EQ(how, SessionEnd::Disagreed);
     return complaint;
