@@ -4,9 +4,9 @@
 #include "common/job/poses/pose_source.hpp"
 #include "common/job/result/packed_records.hpp"
 #include "common/job/run_scenario.hpp"
-#include "common/tree/build/build.hpp"
 #include "tests/master/master_stage.hpp"
-#include "tests/support/shapes.hpp"
+#include "tests/support/scenarios.hpp"
+#include "tests/support/trees.hpp"
 
 #include <gtest/gtest.h>
 
@@ -20,14 +20,10 @@ struct Reference {
     Reference() {
         std::mt19937_64 random(1);
         for (std::uint64_t i = 0; i < 90; ++i) {
-            Scenario scenario;
-            scenario.index = i;
-            scenario.poses.b = make_pose(random, 1.6);
-            scenarios.push_back(scenario);
+            scenarios.push_back(make_scenario({Pose{}, make_pose(random, 1.6)}, i));
         }
-        ThreadPool pool(2);
-        const ObbTree tree_a = build_tree(share(a), {}, pool);
-        const ObbTree tree_b = build_tree(share(b), {}, pool);
+        const ObbTree tree_a = make_tree(a);
+        const ObbTree tree_b = make_tree(b);
         ResultMerger merger(scenarios.size());
         for (const Scenario& scenario : scenarios) {
             (void)merger.add(run_scenario(tree_a, tree_b, scenario, {}).result);
@@ -59,23 +55,42 @@ inline const Reference& reference() {
     return instance;
 }
 
+/// Returns the submission of `reference()` with this analysis.
+inline Submit submission(AnalysisMode mode) {
+    Submit submit = reference().submission();
+    submit.cluster.analysis = mode;
+    return submit;
+}
+
+/// Returns the submission of `reference()` with a grid in place of its poses.
+inline Submit submission(const Grid& grid) {
+    Submit submit = reference().submission();
+    submit.scenarios = grid.count();
+    submit.grid = encode_grid(grid);
+    submit.poses.kind = PosesKind::Grid;
+    return submit;
+}
+
 /// Returns the result as a worker computes it.
 inline ScenarioResult right_result(std::uint64_t index) {
-    static const auto trees = [] {
-        ThreadPool pool(2);
-        return std::pair(build_tree(share(reference().a), {}, pool),
-                         build_tree(share(reference().b), {}, pool));
-    }();
+    static const auto trees = std::pair(make_tree(reference().a), make_tree(reference().b));
     const std::vector<SubtreePair> whole{{trees.first.view(), trees.second.view()}};
     return run_on_subtrees(whole, reference().scenarios[index], {}).result;
 }
 
+/// Returns what a worker answers that says that nothing touches.
+inline ScenarioResult wrong_result(std::uint64_t index) {
+    ScenarioResult result = right_result(index);
+    result.kind = ScenarioClass::Separate;
+    result.pair_count = 0;
+    result.pairs.clear();
+    return result;
+}
+
 /// Results without a task, as from an earlier session.
 inline Results late_results(JobId job, const ScenarioResult& result) {
-    const Bytes record = encode_result(result);
     ByteWriter records;
-    records.put(static_cast<std::uint32_t>(record.size()));
-    put_bytes(records, record);
+    put_record(records, encode_result(result));
     Results results;
     results.job = job;
     results.count = 1;
@@ -110,6 +125,8 @@ inline std::optional<std::uint64_t> wrong_scenario(const ResultStore& results) {
 class Client {
   public:
     explicit Client(Master& master) : master_(master) {}
+    /// Starts this submission.
+    Client(Master& master, Submit submit) : Client(master) { start(std::move(submit)); }
     ~Client() { hang_up(master_, channel_, ended_); }
 
     /// Uploads missing meshes, submits with poses, watches to the end, and fetches all results.
@@ -123,6 +140,24 @@ class Client {
     /// Sends the messages and keeps one answer.
     void start_asking(std::vector<Message> messages) {
         spawn(master_.context.get_executor(), "client", ask(std::move(messages)));
+    }
+    void run_until_done() {
+        master_.run_until([this] { return done; });
+    }
+    /// Expects the job to end with the results of `reference()`, and so many failed.
+    void expect_right(std::uint64_t failed = 0) {
+        run_until_done();
+        ASSERT_TRUE(done);
+        const JobStatus& last = statuses.back();
+        EXPECT_EQ(last.state, JobState::Done) << last.failure;
+        EXPECT_EQ(last.summary.failed, failed);
+        EXPECT_EQ(last.summary.merged(), reference().scenarios.size());
+        if (failed == 0) {
+            EXPECT_EQ(last.digest, reference().digest);
+            EXPECT_EQ(last.summary.pairs, reference().summary.pairs);
+            EXPECT_EQ(last.summary.cross, reference().summary.cross);
+            EXPECT_EQ(records, reference().scenarios.size());
+        }
     }
 
     std::vector<JobStatus> statuses;
@@ -224,15 +259,38 @@ class Client {
     bool ended_ = false;
 };
 
-inline void expect_right(const Client& client) {
-    ASSERT_TRUE(client.done);
-    const JobStatus& last = client.statuses.back();
-    EXPECT_EQ(last.state, JobState::Done) << last.failure;
-    EXPECT_EQ(last.digest, reference().digest);
-    EXPECT_EQ(last.summary.merged(), reference().scenarios.size());
-    EXPECT_EQ(last.summary.pairs, reference().summary.pairs);
-    EXPECT_EQ(last.summary.cross, reference().summary.cross);
-    EXPECT_EQ(client.records, reference().scenarios.size());
+/// Returns the answer to the last message; the others need none.
+inline Message answer_to(Master& master, std::vector<Message> messages) {
+    Client client(master);
+    client.start_asking(std::move(messages));
+    client.run_until_done();
+    EXPECT_TRUE(client.answer->has_value());
+    return client.answer->has_value() ? client.answer->value() : Message{};
+}
+
+/// Returns the text of the failure that answers the last message.
+inline std::string refusal_of(Master& master, std::vector<Message> messages) {
+    const Message answer = answer_to(master, std::move(messages));
+    const auto* const failure = std::get_if<Failure>(&answer);
+    EXPECT_NE(failure, nullptr) << answer.index();
+    return failure == nullptr ? "" : failure->detail;
+}
+
+/// Returns once the job is accepted; does not wait for its end.
+inline JobId submit_to(Master& master, Submit submit) {
+    Client client(master);
+    client.start_submitting(std::move(submit));
+    client.run_until_done();
+    return client.job.value();
+}
+
+inline void expect_right_end(Master& master, JobId job) {
+    master.run_until([&] { return master.status(job).state != JobState::Running; });
+    const JobStatus status = master.status(job);
+    EXPECT_EQ(status.state, JobState::Done) << status.failure;
+    EXPECT_EQ(status.digest, reference().digest);
+    EXPECT_EQ(status.summary.pairs, reference().summary.pairs);
+    EXPECT_TRUE(status.paused.empty());
 }
 
 } // namespace cd::tests

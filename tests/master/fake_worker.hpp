@@ -85,12 +85,7 @@ class FakeWorker {
         Target target = master_.target(CertifiedRole::Worker, habits_.holder);
         auto connected = co_await connect(std::move(target));
         channel_ = connected.value();
-        Hello hello;
-        hello.role = Role::Worker;
-        hello.name = "fake";
-        hello.threads = 1;
-        hello.cache_bytes = 1 << 20;
-        hello.instance = habits_.instance;
+        Hello hello = hello_of_worker("fake", habits_.instance);
         hello.peer_port = habits_.peer_port;
         (void)co_await greet(channel_, hello);
         for (Results& results : habits_.comes_with) {
@@ -279,9 +274,7 @@ class FakeWorker {
                 result.kind = ScenarioClass::Failed;
                 result.failure = "too hard for me";
             }
-            const Bytes record = encode_result(result);
-            out.put(static_cast<std::uint32_t>(record.size()));
-            out.put_array(std::span(reinterpret_cast<const char*>(record.data()), record.size()));
+            put_record(out, encode_result(result));
         }
         results.records = pack_records(out.bytes());
         return results;
@@ -300,10 +293,7 @@ class FakeWorker {
                                  trees_.at(job.trees[1]).subtrees.at(batch.pairs[p].b).view()});
             }
             const ScenarioRun run = run_on_subtrees(pairs, scenarios[i], job.query);
-            const Bytes record = encode_result(run.result);
-            records.put(static_cast<std::uint32_t>(record.size()));
-            records.put_array(
-                std::span(reinterpret_cast<const char*>(record.data()), record.size()));
+            put_record(records, encode_result(run.result));
             results.statistics += run.statistics;
             ++results.count;
         }

@@ -5,6 +5,7 @@
 #include "tests/proto/sample_messages.hpp"
 #include "tests/support/process.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <condition_variable>
@@ -14,6 +15,8 @@
 #include <string>
 
 namespace cd::tests {
+
+using testing::HasSubstr;
 
 inline JobRecord job_record(JobId job, std::uint64_t scenarios) {
     JobRecord record{job, some_submit()};
@@ -65,6 +68,15 @@ class Writer {
         changed_.wait(lock, [&] { return !paused_.empty(); });
         return paused_;
     }
+    /// Adds the entry and returns its position; waits for its commit if asked.
+    template <class Entry>
+    std::uint64_t add(Entry entry, bool waits) {
+        const std::uint64_t at = journal->add(std::move(entry));
+        if (waits) {
+            wait_for(at);
+        }
+        return at;
+    }
     [[nodiscard]] std::uint64_t committed() {
         const std::lock_guard lock(mutex_);
         return committed_;
@@ -88,6 +100,16 @@ class Writer {
     Recovered recovered;
     std::unique_ptr<Journal> journal; ///< Destroyed first: it still calls back.
 };
+
+/// Expects that the journal cannot be opened and says so in these words; returns all it says.
+inline std::string expect_refused(const std::filesystem::path& directory,
+                                  const std::string& words) {
+    const auto opened = Journal::open({.directory = directory});
+    EXPECT_FALSE(opened) << directory;
+    const std::string why = opened ? "" : opened.error().detail;
+    EXPECT_THAT(why, HasSubstr(words));
+    return why;
+}
 
 inline AddResults results_of(JobId job,
                              const std::shared_ptr<ResultStore>& store,

@@ -10,12 +10,63 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <chrono>
+#include <latch>
+#include <memory>
+#include <string>
 #include <utility>
 
 namespace cd::tests {
 
 inline constexpr std::chrono::seconds patience{60};
+
+/// A worker whose connection breaks does not return.
+inline constexpr FailureTimes no_return{.return_within = std::chrono::milliseconds(0)};
+
+[[nodiscard]] inline Hello hello_of_worker(const std::string& name, InstanceId process) {
+    Hello hello;
+    hello.role = Role::Worker;
+    hello.name = name;
+    hello.threads = 1;
+    hello.cache_bytes = 1 << 20;
+    hello.instance = process;
+    return hello;
+}
+
+/// Appends a record as `Results` has it, before packing.
+inline void put_record(ByteWriter& records, const Bytes& record) {
+    records.put(static_cast<std::uint32_t>(record.size()));
+    put_bytes(records, record);
+}
+
+/// Keeps the pool's threads busy until the latch is counted down.
+inline std::shared_ptr<std::latch> occupy(ThreadPool& pool) {
+    const auto released = std::make_shared<std::latch>(1);
+    for (std::size_t thread = 0; thread < pool.size(); ++thread) {
+        pool.post([released] { released->wait(); });
+    }
+    return released;
+}
+
+/// Returns when all work posted before has ended.
+inline void wait_for_all(ThreadPool& pool) {
+    const auto all = std::make_shared<std::latch>(pool.size() + 1);
+    for (std::size_t thread = 0; thread < pool.size(); ++thread) {
+        pool.post([all] { all->arrive_and_wait(); });
+    }
+    all->arrive_and_wait();
+}
+
+/// Runs all handlers until the condition holds.
+template <class Condition>
+void run_until(asio::io_context& context, const Condition& condition) {
+    const auto deadline = std::chrono::steady_clock::now() + patience;
+    while (!condition() && std::chrono::steady_clock::now() < deadline) {
+        context.run_one_for(std::chrono::seconds(1));
+    }
+    ASSERT_TRUE(condition()) << "this took too long";
+}
 
 /// Settings that differ from a default master's.
 struct Stage {
@@ -27,11 +78,9 @@ struct Stage {
 /// A whole master on one context, which the test runs.
 class Master {
   public:
-    /// By default, a worker whose connection breaks does not return.
-    explicit Master(
-        const FailureTimes& failure_times = {.return_within = std::chrono::milliseconds(0)},
-        const std::filesystem::path& state = {}, ///< Empty: a temporary folder.
-        const Stage& stage = {})
+    explicit Master(const FailureTimes& failure_times = no_return,
+                    const std::filesystem::path& state = {}, ///< Empty: a temporary folder.
+                    const Stage& stage = {})
         : directory(state.empty() ? folder.path() : state),
           times(failure_times),
           coordinator({context.get_executor(),
@@ -64,14 +113,27 @@ class Master {
         context.run_for(patience);
     }
 
-    /// Runs all handlers until the condition holds.
     template <class Condition>
-    void run_until(Condition condition) {
-        const auto deadline = std::chrono::steady_clock::now() + patience;
-        while (!condition() && std::chrono::steady_clock::now() < deadline) {
-            context.run_one_for(std::chrono::seconds(1));
-        }
-        ASSERT_TRUE(condition()) << "this took too long";
+    void run_until(const Condition& condition) {
+        tests::run_until(context, condition);
+    }
+    /// Runs until the job's geometry is loaded.
+    void run_until_prepared(JobId job) {
+        run_until([&] { return coordinator.jobs().explainer().input(job).has_value(); });
+    }
+    void run_until_quarantined() {
+        run_until([&] { return quarantined() == 1; });
+    }
+    [[nodiscard]] JobStatus status(JobId job) { return coordinator.jobs().status(job).value(); }
+    [[nodiscard]] ClusterStatus cluster() { return coordinator.jobs().cluster(); }
+    [[nodiscard]] std::size_t quarantined() {
+        const auto workers = cluster().workers;
+        return static_cast<std::size_t>(
+            std::ranges::count(workers, true, &WorkerStatus::quarantined));
+    }
+    [[nodiscard]] std::uint64_t alarms() { return coordinator.alarms().record().count; }
+    [[nodiscard]] bool has_result(JobId job, std::uint64_t scenario) {
+        return coordinator.jobs().find(job)->results->has(scenario);
     }
     [[nodiscard]] Endpoint endpoint() const { return {"127.0.0.1", server->port()}; }
     /// Returns a target for a holder of that name and role; plain without an identity.

@@ -78,32 +78,14 @@ class PartsStage : public testing::Test {
     void run_until_idle() {
         do {
             for (ThreadPool* pool : {&blocking, &compute}) {
-                const auto all = std::make_shared<std::latch>(pool->size() + 1);
-                for (std::size_t thread = 0; thread < pool->size(); ++thread) {
-                    pool->post([all] { all->arrive_and_wait(); });
-                }
-                all->arrive_and_wait();
+                wait_for_all(*pool);
             }
         } while (context.poll() != 0);
     }
 
-    /// Runs all handlers until the condition holds.
     template <class Condition>
-    void run_until(Condition condition) {
-        const auto deadline = std::chrono::steady_clock::now() + patience;
-        while (!condition() && std::chrono::steady_clock::now() < deadline) {
-            context.run_one_for(std::chrono::seconds(1));
-        }
-        ASSERT_TRUE(condition()) << "this took too long";
-    }
-
-    /// Keeps the pool's threads busy until the latch is counted down.
-    static std::shared_ptr<std::latch> occupy(ThreadPool& pool) {
-        const auto released = std::make_shared<std::latch>(1);
-        for (std::size_t thread = 0; thread < pool.size(); ++thread) {
-            pool.post([released] { released->wait(); });
-        }
-        return released;
+    void run_until(const Condition& condition) {
+        tests::run_until(context, condition);
     }
 
     void store(const Mesh& mesh) {
@@ -111,11 +93,6 @@ class PartsStage : public testing::Test {
         auto upload = geometry->begin_upload(mesh.hash(), "mesh", bytes.size());
         ASSERT_TRUE(upload && upload.value()->append(0, bytes));
         ASSERT_TRUE(geometry->finish_upload(std::move(upload.value())));
-    }
-    [[nodiscard]] static Submit submission(AnalysisMode mode) {
-        Submit submit = reference().submission();
-        submit.cluster.analysis = mode;
-        return submit;
     }
     [[nodiscard]] static std::shared_ptr<PoseSource> poses() {
         return make_list_source(reference().scenarios);
@@ -140,12 +117,8 @@ class PartsStage : public testing::Test {
 
     /// Returns a worker process with a connection.
     WorkerId join(InstanceId process, std::uint32_t threads = 1) {
-        Hello hello;
-        hello.role = Role::Worker;
-        hello.name = "w" + std::to_string(process);
+        Hello hello = hello_of_worker("w" + std::to_string(process), process);
         hello.threads = threads;
-        hello.cache_bytes = 1 << 20;
-        hello.instance = process;
         return connect(hello);
     }
     /// The worker goes on over another connection, on which nothing has come yet.
@@ -209,14 +182,6 @@ class PartsStage : public testing::Test {
         TakenResults one;
         one.results.push_back(take_result(std::move(result), 0, {}));
         return one;
-    }
-    /// The result of a worker that says that nothing touches.
-    [[nodiscard]] static ScenarioResult wrong_result(std::uint64_t index) {
-        ScenarioResult result = right_result(index);
-        result.kind = ScenarioClass::Separate;
-        result.pair_count = 0;
-        result.pairs.clear();
-        return result;
     }
     void merge(MasterJob& job, ScenarioResult result, InstanceId process) {
         const std::uint64_t index = result.index;

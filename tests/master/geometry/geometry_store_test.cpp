@@ -81,10 +81,28 @@ class GeometryStoreTest : public testing::Test {
         write_text(path, text);
     }
 
+    std::vector<ObbNode> nodes() const {
+        const auto nodes = store_->tree(sphere_.hash()).value()->nodes();
+        return {nodes.begin(), nodes.end()};
+    }
+    /// Cuts the stored mesh; returns the file of its blocks.
+    std::filesystem::path cut_into_blocks() {
+        EXPECT_TRUE(store_->cut(sphere_.hash(), 3));
+        return only_file("blocks", ".blocks");
+    }
+
     TemporaryFolder folder_;
     ThreadPool pool_{2};
     std::unique_ptr<GeometryStore> store_;
     Mesh sphere_ = make_sphere(4);
+};
+
+class StoredMesh : public GeometryStoreTest {
+  protected:
+    void SetUp() override {
+        open();
+        upload(sphere_);
+    }
 };
 
 TEST_F(GeometryStoreTest, AMeshUploadedInPiecesIsStored) {
@@ -106,8 +124,7 @@ TEST_F(GeometryStoreTest, AMeshUploadedInPiecesIsStored) {
     EXPECT_EQ(meshes[0].bytes, sphere_.canonical_bytes().size());
 }
 
-TEST_F(GeometryStoreTest, TheBlocksOfACutAreTheSubtreesOfTheTree) {
-    upload(sphere_);
+TEST_F(StoredMesh, TheBlocksOfACutAreTheSubtreesOfTheTree) {
     const auto tree = store_->tree(sphere_.hash()).value();
     const auto cut = store_->cut(sphere_.hash(), 5).value();
 
@@ -127,8 +144,7 @@ TEST_F(GeometryStoreTest, TheBlocksOfACutAreTheSubtreesOfTheTree) {
     }
 }
 
-TEST_F(GeometryStoreTest, BothFormsOfACutStandSideBySide) {
-    upload(sphere_);
+TEST_F(StoredMesh, BothFormsOfACutStandSideBySide) {
     const auto wide = store_->cut(sphere_.hash(), 2, SubtreeForm::Wide).value();
     const auto binary = store_->cut(sphere_.hash(), 2, SubtreeForm::Binary).value();
     EXPECT_EQ(wide->form(), SubtreeForm::Wide);
@@ -141,12 +157,10 @@ TEST_F(GeometryStoreTest, BothFormsOfACutStandSideBySide) {
               binary->hash(0));
 }
 
-TEST_F(GeometryStoreTest, ARestartFindsEverythingAndMakesNothingAgain) {
-    upload(sphere_);
+TEST_F(StoredMesh, ARestartFindsEverythingAndMakesNothingAgain) {
     const auto before = store_->cut(sphere_.hash(), 3).value();
     const auto block_before = before->block(0);
-    const auto nodes = store_->tree(sphere_.hash()).value()->nodes();
-    const std::vector<ObbNode> nodes_before(nodes.begin(), nodes.end());
+    const std::vector<ObbNode> nodes_before = nodes();
     const auto tree_time = last_write_time(only_file("trees", ".tree"));
     const auto blocks_time = last_write_time(only_file("blocks", ".blocks"));
 
@@ -155,9 +169,7 @@ TEST_F(GeometryStoreTest, ARestartFindsEverythingAndMakesNothingAgain) {
 
     ASSERT_TRUE(after) << after.error().detail;
     EXPECT_EQ(after.value()->block(0).compressed, block_before.compressed);
-    const auto tree = store_->tree(sphere_.hash()).value();
-    EXPECT_TRUE(std::equal(
-        nodes_before.begin(), nodes_before.end(), tree->nodes().begin(), tree->nodes().end()));
+    EXPECT_EQ(nodes(), nodes_before);
     EXPECT_EQ(last_write_time(only_file("trees", ".tree")), tree_time);
     EXPECT_EQ(last_write_time(only_file("blocks", ".blocks")), blocks_time);
     const std::vector<MeshStatus> meshes = store_->meshes();
@@ -167,8 +179,7 @@ TEST_F(GeometryStoreTest, ARestartFindsEverythingAndMakesNothingAgain) {
     EXPECT_EQ(meshes[0].build_seconds, 0);
 }
 
-TEST_F(GeometryStoreTest, TheSameMeshTwiceIsOneMesh) {
-    upload(sphere_);
+TEST_F(StoredMesh, TheSameMeshTwiceIsOneMesh) {
     const auto time = last_write_time(only_file("trees", ".tree"));
     upload(sphere_);
 
@@ -176,8 +187,7 @@ TEST_F(GeometryStoreTest, TheSameMeshTwiceIsOneMesh) {
     EXPECT_EQ(last_write_time(only_file("trees", ".tree")), time);
 }
 
-TEST_F(GeometryStoreTest, ThreadsThatWantTheSameCutShareIt) {
-    upload(sphere_);
+TEST_F(StoredMesh, ThreadsThatWantTheSameCutShareIt) {
     std::vector<std::shared_ptr<const CutGeometry>> cuts(4);
     std::vector<std::thread> threads;
     for (auto& cut : cuts) {
@@ -217,8 +227,7 @@ TEST_F(GeometryStoreTest, OneDirectoryServesOneProcess) {
     EXPECT_THAT(second.error().detail, HasSubstr("in use"));
 }
 
-TEST_F(GeometryStoreTest, HalfWrittenFilesOfAKilledRunAreDeleted) {
-    upload(sphere_);
+TEST_F(StoredMesh, HalfWrittenFilesOfAKilledRunAreDeleted) {
     write_text(folder_ / "meshes/abc.mesh.tmp-Xy12Zz", "half");
     open();
     EXPECT_FALSE(std::filesystem::exists(folder_ / "meshes/abc.mesh.tmp-Xy12Zz"));
@@ -235,47 +244,37 @@ TEST_F(GeometryStoreTest, AnUnknownMeshAndAnAbsurdDepthAreErrors) {
 
 // ---- Damage ---------------------------------------------------------------------------------
 
-TEST_F(GeometryStoreTest, ADamagedTreeIsSetAsideAndBuiltAnew) {
-    upload(sphere_);
-    const auto nodes = store_->tree(sphere_.hash()).value()->nodes();
-    const std::vector<ObbNode> nodes_before(nodes.begin(), nodes.end());
+TEST_F(StoredMesh, ADamagedTreeIsSetAsideAndBuiltAnew) {
+    const std::vector<ObbNode> nodes_before = nodes();
     const auto path = only_file("trees", ".tree");
     const std::string whole = read_text(path);
     flip_byte(path, whole.size() / 2);
 
     open();
-    const auto tree = store_->tree(sphere_.hash());
-
-    ASSERT_TRUE(tree) << tree.error().detail;
-    EXPECT_TRUE(std::equal(nodes_before.begin(),
-                           nodes_before.end(),
-                           tree.value()->nodes().begin(),
-                           tree.value()->nodes().end()));
+    EXPECT_EQ(nodes(), nodes_before);
     EXPECT_EQ(read_text(path), whole);
     EXPECT_TRUE(std::filesystem::exists(path.string() + ".damaged-1"));
     EXPECT_GT(store_->meshes()[0].build_seconds, 0);
 }
 
-TEST_F(GeometryStoreTest, DamageOfABlocksIndexIsEncodedAnew) {
-    upload(sphere_);
-    (void)store_->cut(sphere_.hash(), 3).value();
-    const auto path = only_file("blocks", ".blocks");
+TEST_F(StoredMesh, ADamagedFileOfBlocksIsSetAsideAndMadeAgain) {
+    const auto path = cut_into_blocks();
     const std::string whole = read_text(path);
-    for (const std::size_t kept : {std::size_t{0}, std::size_t{10}, whole.size() - 1}) {
+    std::vector<std::string> damaged{"", whole.substr(0, 10), whole.substr(0, whole.size() - 1)};
+    for (const std::size_t at : {std::size_t{69}, whole.size() - 4}) { // Index and last block.
+        damaged.push_back(whole);
+        damaged.back()[at] ^= 0x20;
+    }
+    for (std::size_t i = 0; i < damaged.size(); ++i) {
         open();
-        write_text(path, whole.substr(0, kept));
+        write_text(path, damaged[i]);
         ASSERT_TRUE(store_->cut(sphere_.hash(), 3));
         EXPECT_EQ(read_text(path), whole);
+        EXPECT_TRUE(std::filesystem::exists(path.string() + ".damaged-" + std::to_string(i + 1)));
     }
-    open();
-    flip_byte(path, whole.size() - 70); // In the index.
-    ASSERT_TRUE(store_->cut(sphere_.hash(), 3));
-    EXPECT_EQ(read_text(path), whole);
-    EXPECT_TRUE(std::filesystem::exists(path.string() + ".damaged-4"));
 }
 
-TEST_F(GeometryStoreTest, BlocksThatAreDamagedInUseAreWrittenAnewOnce) {
-    upload(sphere_);
+TEST_F(StoredMesh, BlocksThatAreDamagedInUseAreWrittenAnewOnce) {
     const auto cut = store_->cut(sphere_.hash(), 3).value();
     const RootIndex last = cut->root_count() - 1;
     const SubtreeBlock sound = cut->block(last);
@@ -292,8 +291,7 @@ TEST_F(GeometryStoreTest, BlocksThatAreDamagedInUseAreWrittenAnewOnce) {
               (std::vector<std::filesystem::path>{path, path.string() + ".damaged-1"}));
 }
 
-TEST_F(GeometryStoreTest, DamagedBlocksAreServedThoughTheDiskHasNoRoomForNewOnes) {
-    upload(sphere_);
+TEST_F(StoredMesh, DamagedBlocksAreServedThoughTheDiskHasNoRoomForNewOnes) {
     const auto cut = store_->cut(sphere_.hash(), 3).value();
     const SubtreeBlock sound = cut->block(0);
     const auto path = only_file("blocks", ".blocks");
@@ -306,8 +304,7 @@ TEST_F(GeometryStoreTest, DamagedBlocksAreServedThoughTheDiskHasNoRoomForNewOnes
     EXPECT_EQ(cut->block(0).compressed, sound.compressed);
 }
 
-TEST_F(GeometryStoreTest, AMeshIsNeededWhileItIsHeldAndCanBeRemovedAfterwards) {
-    upload(sphere_);
+TEST_F(StoredMesh, AMeshIsNeededWhileItIsHeldAndCanBeRemovedAfterwards) {
     auto hold = store_->hold({sphere_.hash()});
     EXPECT_TRUE(store_->meshes().front().is_needed);
     EXPECT_EQ(store_->remove(sphere_.hash()).error().code, ErrorCode::Refused);
@@ -317,21 +314,7 @@ TEST_F(GeometryStoreTest, AMeshIsNeededWhileItIsHeldAndCanBeRemovedAfterwards) {
     EXPECT_TRUE(store_->meshes().empty());
 }
 
-TEST_F(GeometryStoreTest, AFileWithADamagedBlockIsSetAsideAndMadeAgain) {
-    upload(sphere_);
-    (void)store_->cut(sphere_.hash(), 3).value();
-    const auto path = only_file("blocks", ".blocks");
-    const std::string whole = read_text(path);
-    flip_byte(path, 3); // In the last block.
-
-    open();
-    EXPECT_TRUE(store_->cut(sphere_.hash(), 3));
-    EXPECT_EQ(read_text(path), whole);
-    EXPECT_TRUE(std::filesystem::exists(path.string() + ".damaged-1"));
-}
-
-TEST_F(GeometryStoreTest, ADamagedMeshIsAnErrorThatNamesTheFileAndNothingIsDeleted) {
-    upload(sphere_);
+TEST_F(StoredMesh, ADamagedMeshIsAnErrorThatNamesTheFileAndNothingIsDeleted) {
     const auto path = only_file("meshes", ".mesh");
     flip_byte(path, 100);
 
@@ -344,8 +327,7 @@ TEST_F(GeometryStoreTest, ADamagedMeshIsAnErrorThatNamesTheFileAndNothingIsDelet
     EXPECT_TRUE(std::filesystem::exists(path));
 }
 
-TEST_F(GeometryStoreTest, ALostDescriptionCostsTheNameAlone) {
-    upload(sphere_);
+TEST_F(StoredMesh, ALostDescriptionCostsTheNameAlone) {
     flip_byte(only_file("meshes", ".info"), 0);
 
     open();
@@ -356,8 +338,7 @@ TEST_F(GeometryStoreTest, ALostDescriptionCostsTheNameAlone) {
 
 // ---- A full disk ----------------------------------------------------------------------------
 
-TEST_F(GeometryStoreTest, BlocksThatHaveNoRoomMayBeTriedAgainAndOtherErrorsMayNot) {
-    upload(sphere_);
+TEST_F(StoredMesh, BlocksThatHaveNoRoomMayBeTriedAgainAndOtherErrorsMayNot) {
     {
         const FileSizeLimit full(1000);
         const auto cut = store_->cut(sphere_.hash(), 5);
@@ -377,10 +358,8 @@ TEST_F(GeometryStoreTest, BlocksThatHaveNoRoomMayBeTriedAgainAndOtherErrorsMayNo
     EXPECT_FALSE(damaged.is_unwritten());
 }
 
-TEST_F(GeometryStoreTest, DamagedBlocksStayWhereTheyAreUntilTheyCanBeSetAside) {
-    upload(sphere_);
-    (void)store_->cut(sphere_.hash(), 3).value();
-    const auto path = only_file("blocks", ".blocks");
+TEST_F(StoredMesh, DamagedBlocksStayWhereTheyAreUntilTheyCanBeSetAside) {
+    const auto path = cut_into_blocks();
     flip_byte(path, read_text(path).size() - 1);
     const std::string bad = read_text(path);
     open();
@@ -392,8 +371,7 @@ TEST_F(GeometryStoreTest, DamagedBlocksStayWhereTheyAreUntilTheyCanBeSetAside) {
     EXPECT_TRUE(store_->cut(sphere_.hash(), 3));
 }
 
-TEST_F(GeometryStoreTest, ATreeThatHasNoRoomIsUsedAllTheSame) {
-    upload(sphere_);
+TEST_F(StoredMesh, ATreeThatHasNoRoomIsUsedAllTheSame) {
     const auto path = only_file("trees", ".tree");
     std::filesystem::remove(path);
     open();
@@ -442,9 +420,8 @@ class NoMoreFiles {
     rlimit before_{};
 };
 
-TEST_F(GeometryStoreTest, AFileThatCannotBeOpenedForWantOfDescriptorsIsNotDamaged) {
-    upload(sphere_);
-    (void)store_->cut(sphere_.hash(), 3).value();
+TEST_F(StoredMesh, AFileThatCannotBeOpenedForWantOfDescriptorsIsNotDamaged) {
+    cut_into_blocks();
     open();
     const auto tree = store_->tree(sphere_.hash()).value(); // In memory from now on.
     {

@@ -3,6 +3,7 @@
 #include "master/journal/alarm_record.hpp"
 
 #include "common/core/limits/master.hpp"
+#include "tests/support/damage.hpp"
 
 #include <gtest/gtest.h>
 
@@ -41,12 +42,7 @@ TEST(AlarmRecord, TheLastAlarmsAreKeptAndAllAreCounted) {
 }
 
 TEST(AlarmRecord, CutShortFollowedByMoreOrTooLongIsAnError) {
-    Bytes whole = encode_alarms(some_alarms());
-    for (std::size_t size = 0; size < whole.size(); ++size) {
-        EXPECT_FALSE(decode_alarms(std::span(whole).first(size))) << size;
-    }
-    whole.push_back(std::byte{0});
-    EXPECT_FALSE(decode_alarms(whole));
+    expect_no_other_length(encode_alarms(some_alarms()), decode_alarms);
     AlarmRecord many;
     many.last.resize(limits::alarms_kept_max + 1);
     EXPECT_FALSE(decode_alarms(encode_alarms(many)));

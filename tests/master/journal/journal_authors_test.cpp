@@ -39,10 +39,7 @@ TEST(JournalAuthors, AuthorsAreRecoveredWhicheverEntriesShareACommit) {
         Writer writer(folder.path());
         const auto store = writer.accept(JobId{1}, 100);
         for (std::uint64_t i = 0; i < 12; ++i) {
-            const auto at = writer.journal->add(results_by(70 + i % 3, store, 5 * i, 5));
-            if (i % 4 == 0) {
-                writer.wait_for(at);
-            }
+            writer.add(results_by(70 + i % 3, store, 5 * i, 5), i % 4 == 0);
         }
         writer.journal->add(results_by(0, store, 60, 1)); // The master's.
     }
@@ -77,11 +74,7 @@ TEST(JournalAuthors, WithdrawnResultsCountAsNeverWrittenAndCorrectedOnesAreTheMa
             Writer writer(folder.path());
             const auto store = writer.accept(JobId{1}, 100);
             const auto add = [&](AddResults entry) {
-                const auto at = writer.journal->add(std::move(entry));
-                if (!is_one_commit) {
-                    writer.wait_for(at);
-                }
-                return at;
+                return writer.add(std::move(entry), !is_one_commit);
             };
             add(results_by(7, store, 0, 10));
             add(results_by(8, store, 10, 10));
@@ -122,10 +115,7 @@ TEST(JournalAuthors, ADisputeIsOpenUntilItIsSettled) {
             const auto store = writer.accept(JobId{1}, 100);
             writer.journal->add(results_by(7, store, 0, 10));
             for (const Remark& one : {first, second, other}) {
-                const auto at = writer.journal->add(remarks_on(store, {one}));
-                if (!is_one_commit) {
-                    writer.wait_for(at);
-                }
+                writer.add(remarks_on(store, {one}), !is_one_commit);
             }
             Remark settled = first;
             settled.kind = Kind::Settled;
@@ -148,10 +138,7 @@ TEST(JournalAuthors, LossesOfAJobThatGoesOnComeBackInTheirOrder) {
                 for (const LostPositions& one : lost) {
                     AddResults add{job, store, {}, {}, {}};
                     add.losses = {one};
-                    const auto at = writer.journal->add(std::move(add));
-                    if (!is_one_commit) {
-                        writer.wait_for(at);
-                    }
+                    writer.add(std::move(add), !is_one_commit);
                 }
             }
             writer.journal->add(EndJob{JobId{2}, {JobState::Cancelled, "cancelled", {}}, {}});
@@ -170,9 +157,7 @@ TEST(JournalAuthors, LossesOfScenariosThatTheJobDoesNotHaveAreDamage) {
         add.losses = {{{99, 2}, 7}};
         writer.journal->add(std::move(add));
     }
-    const auto opened = Journal::open({.directory = folder.path()});
-    ASSERT_FALSE(opened);
-    EXPECT_NE(opened.error().detail.find("were lost"), std::string::npos) << opened.error().detail;
+    expect_refused(folder.path(), "were lost");
 }
 
 TEST(JournalAuthors, AlarmsAndTheQuarantinedComeBackAsTheyWereLast) {
@@ -211,9 +196,7 @@ TEST(JournalAuthors, DamagedAlarmsAreFoundAndNamed) {
     ASSERT_NE(at, std::string::npos);
     database[at] = 'S';
     write_text(folder / "journal.db", database);
-    const auto opened = Journal::open({.directory = folder.path()});
-    ASSERT_FALSE(opened);
-    EXPECT_NE(opened.error().detail.find("alarms"), std::string::npos) << opened.error().detail;
+    expect_refused(folder.path(), "alarms");
 }
 
 // ---- Versions -----------------------------------------------------------------------------------
@@ -232,13 +215,9 @@ TEST(JournalAuthors, AJournalOfAnotherVersionIsRefusedWithARemedy) {
         const TemporaryFolder folder;
         { const Writer writer(folder.path()); }
         set_version(folder / "journal.db", version);
-        const auto opened = Journal::open({.directory = folder.path()});
-        ASSERT_FALSE(opened);
-        const std::string& why = opened.error().detail;
-        const std::string named = "is of version " + std::to_string(int{version});
-        for (const std::string& part : {std::string("journal.db"), named, std::string("move")}) {
-            EXPECT_NE(why.find(part), std::string::npos) << why;
-        }
+        const std::string why = expect_refused(folder.path(), "journal.db");
+        EXPECT_THAT(why, HasSubstr("is of version " + std::to_string(int{version})));
+        EXPECT_THAT(why, HasSubstr("move"));
     }
 }
 

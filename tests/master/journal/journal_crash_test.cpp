@@ -6,7 +6,7 @@
 // of sectors of each later write, and a random number of later names, in order; or all of it, as
 // after the death of the process alone; or nothing unsynced.
 #include "master/journal/journal.hpp"
-#include "tests/support/process.hpp"
+#include "tests/master/journal_writer.hpp"
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
@@ -221,15 +221,8 @@ class Disk {
     std::map<std::string, std::size_t> durable_names_;
 };
 
-JournalResult result_of(std::uint64_t scenario) {
-    ScenarioResult result;
-    result.index = scenario;
-    result.kind = ScenarioClass::Failed;
-    result.failure = std::string(100 + scenario % 900, 'x');
-    JournalResult made;
-    made.record = encode_result(result);
-    made.row = {scenario, made.record.size(), facts_of(result), sha256(made.record)};
-    return made;
+JournalResult sized_result(std::uint64_t scenario) {
+    return result_of(scenario, 100 + scenario % 900);
 }
 
 /// The journal's operations, and the scenarios of job 1 added by each position.
@@ -281,7 +274,7 @@ History record(const std::filesystem::path& directory, int failing_folder_syncs 
             AddResults add{job.id, store, {}, {}, {}};
             history.added.emplace_back();
             for (std::uint64_t i = 0; i <= group % 7; ++i, ++next) {
-                add.results.push_back(result_of(next));
+                add.results.push_back(sized_result(next));
                 history.added.back().push_back(next);
             }
             if (group == verdict_group) {
@@ -308,7 +301,7 @@ History record(const std::filesystem::path& directory, int failing_folder_syncs 
             {},
             {}};
         for (std::uint64_t i = 0; i < dropped_results; ++i) {
-            results.results.push_back(result_of(i));
+            results.results.push_back(sized_result(i));
         }
         journal->add(std::move(results));
         journal->add(EndJob{dropped.id, {JobState::Done, "", {}}, {}});
@@ -368,7 +361,7 @@ void expect_kept(const std::filesystem::path& directory,
             const bool is_here = done.erase(scenario) == 1;
             ASSERT_TRUE(is_here || position > confirmed) << "lost, and it was confirmed";
             if (is_here) {
-                ASSERT_EQ(job.merger.digest_of(scenario), result_of(scenario).row.digest);
+                ASSERT_EQ(job.merger.digest_of(scenario), sized_result(scenario).row.digest);
             }
         }
     }
@@ -427,8 +420,16 @@ TEST(JournalCrash, AFailedSyncOfAFileNameIsRepeatedBeforeTheCommit) {
     }
 }
 
+template <class Where>
+void note(const Where& where, Kind kind, std::uint64_t at = 0, std::string bytes = "") {
+    Recorder::instance().add(where, {kind, "", at, std::move(bytes)});
+}
+
 } // namespace
 } // namespace cd::tests
+
+using cd::tests::note;
+using Kind = cd::tests::Kind;
 
 // Replaces functions of the C library, for SQLite too.
 extern "C" {
@@ -436,12 +437,10 @@ extern "C" {
 ssize_t pwrite64(int descriptor, const void* data, size_t size, off64_t at) {
     const ssize_t written = ::syscall(SYS_pwrite64, descriptor, data, size, at);
     if (written > 0) {
-        cd::tests::Recorder::instance().add(
-            descriptor,
-            {cd::tests::Kind::Write,
-             "",
+        note(descriptor,
+             Kind::Write,
              static_cast<std::uint64_t>(at),
-             std::string(static_cast<const char*>(data), static_cast<std::size_t>(written))});
+             std::string(static_cast<const char*>(data), static_cast<std::size_t>(written)));
     }
     return written;
 }
@@ -452,7 +451,7 @@ ssize_t pwrite(int descriptor, const void* data, size_t size, off_t at) {
 
 int fdatasync(int descriptor) {
     const auto result = static_cast<int>(::syscall(SYS_fdatasync, descriptor));
-    cd::tests::Recorder::instance().add(descriptor, {cd::tests::Kind::Sync, "", 0, ""});
+    note(descriptor, Kind::Sync);
     return result;
 }
 
@@ -465,14 +464,13 @@ int fsync(int descriptor) {
         return -1;
     }
     const auto result = static_cast<int>(::syscall(SYS_fsync, descriptor));
-    cd::tests::Recorder::instance().add(descriptor, {cd::tests::Kind::Sync, "", 0, ""});
+    note(descriptor, Kind::Sync);
     return result;
 }
 
 int ftruncate64(int descriptor, off64_t size) noexcept {
     const auto result = static_cast<int>(::syscall(SYS_ftruncate, descriptor, size));
-    cd::tests::Recorder::instance().add(
-        descriptor, {cd::tests::Kind::Resize, "", static_cast<std::uint64_t>(size), ""});
+    note(descriptor, Kind::Resize, static_cast<std::uint64_t>(size));
     return result;
 }
 
@@ -483,8 +481,7 @@ int ftruncate(int descriptor, off_t size) noexcept {
 int rename(const char* path, const char* to) noexcept {
     const auto result = static_cast<int>(::syscall(SYS_renameat, AT_FDCWD, path, AT_FDCWD, to));
     if (result == 0) {
-        cd::tests::Recorder::instance().add(std::string(path),
-                                            {cd::tests::Kind::Rename, "", 0, to});
+        note(std::string(path), Kind::Rename, 0, to);
     }
     return result;
 }
@@ -498,8 +495,7 @@ int open64(const char* path, int flags, ...) {
     const auto descriptor =
         static_cast<int>(::syscall(SYS_openat, AT_FDCWD, path, flags | O_LARGEFILE, mode));
     if (descriptor >= 0 && is_new) {
-        cd::tests::Recorder::instance().add(std::string(path),
-                                            {cd::tests::Kind::Create, "", 0, ""});
+        note(std::string(path), Kind::Create);
     }
     return descriptor;
 }
@@ -523,8 +519,7 @@ int mkostemp(char* name, int flags) {
 int unlink(const char* path) noexcept {
     const auto result = static_cast<int>(::syscall(SYS_unlinkat, AT_FDCWD, path, 0));
     if (result == 0) {
-        cd::tests::Recorder::instance().add(std::string(path),
-                                            {cd::tests::Kind::Unlink, "", 0, ""});
+        note(std::string(path), Kind::Unlink);
     }
     return result;
 }

@@ -7,7 +7,7 @@
 #include "master/journal/journal_database.hpp"
 #include "proto/codec/codec.hpp"
 #include "tests/master/journal_writer.hpp"
-#include "tests/proto/sample_messages.hpp"
+#include "tests/support/damage.hpp"
 #include "tests/support/file_size_limit.hpp"
 
 #include <gtest/gtest.h>
@@ -34,9 +34,7 @@ TEST(Journal, TheRecordOfAJobHasAllFieldsOfItsSubmission) {
     ASSERT_TRUE(read) << read.error().detail;
     EXPECT_EQ(read.value().began, 7u);
     EXPECT_EQ(encode_message(read.value().submit), encode_message(job.submit));
-    for (std::size_t size = 0; size < record.size(); ++size) {
-        EXPECT_FALSE(decode_job(std::span(record).first(size))) << size;
-    }
+    expect_no_other_length(record, decode_job);
 }
 
 TEST(Journal, CommittedEntriesAreRecovered) {
@@ -81,8 +79,7 @@ TEST(Journal, TheJournalWaitsUntilItsDirectoryIsBack) {
         writer.wait_for(last);
         std::filesystem::rename(directory, folder / "elsewhere");
         const std::uint64_t next = writer.journal->add(results_of(JobId{1}, store, 10, 10));
-        EXPECT_NE(writer.wait_until_paused().find(directory.string() + " was removed"),
-                  std::string::npos);
+        EXPECT_THAT(writer.wait_until_paused(), HasSubstr(directory.string() + " was removed"));
         EXPECT_EQ(writer.committed(), last);
         std::filesystem::rename(folder / "elsewhere", directory);
         writer.wait_for(next);
@@ -115,8 +112,7 @@ TEST(Journal, MissingResultsOfAnEndedJobDoNotKeepTheMasterFromStarting) {
         const auto read = job.results->read(0, 20, 1u << 20);
         ASSERT_FALSE(read);
         EXPECT_EQ(read.error().code, ErrorCode::Io);
-        EXPECT_NE(read.error().detail.find(results.string()), std::string::npos)
-            << read.error().detail;
+        EXPECT_THAT(read.error().detail, HasSubstr(results.string()));
     }
 }
 
@@ -202,9 +198,7 @@ TEST(Journal, ManyEntriesShareACommit) {
 TEST(Journal, ASecondJournalOnTheSameDirectoryIsRefused) {
     const TemporaryFolder folder;
     const Writer writer(folder.path());
-    const auto second = Journal::open({.directory = folder.path()});
-    ASSERT_FALSE(second);
-    EXPECT_NE(second.error().detail.find("journal.db"), std::string::npos);
+    expect_refused(folder.path(), "journal.db");
 }
 
 // ---- Damage -------------------------------------------------------------------------------------
@@ -221,13 +215,7 @@ void fill(const std::filesystem::path& directory) {
         directory / "live", directory / "left", std::filesystem::copy_options::recursive);
 }
 
-std::string name_in(const std::filesystem::path& path) {
-    return path.filename().string();
-}
-
-void expect_way_out(const std::string& error) {
-    EXPECT_NE(error.find("restore the state directory from a copy"), std::string::npos) << error;
-}
+constexpr const char* way_out = "restore the state directory from a copy";
 
 TEST(Journal, TheJournalOfAKilledMasterIsWhole) {
     const TemporaryFolder folder;
@@ -277,9 +265,9 @@ TEST(Journal, FlippedBytesAreFoundNamedAndLeftAsTheyAre) {
                 continue;
             }
             ++found;
-            EXPECT_NE(opened.error().detail.find(name_in(original).substr(0, 7)), std::string::npos)
-                << opened.error().detail;
-            expect_way_out(opened.error().detail);
+            EXPECT_THAT(opened.error().detail,
+                        HasSubstr(original.filename().string().substr(0, 7)));
+            EXPECT_THAT(opened.error().detail, HasSubstr(way_out));
             ASSERT_EQ(read_text(hit), bad) << "it was changed";
         }
     }
@@ -291,10 +279,7 @@ TEST(Journal, MissingFilesAreNamed) {
         const TemporaryFolder folder;
         fill(folder.path());
         std::filesystem::remove(folder / "left" / gone);
-        const auto opened = Journal::open({.directory = folder / "left"});
-        ASSERT_FALSE(opened) << gone;
-        EXPECT_NE(opened.error().detail.find(gone), std::string::npos) << opened.error().detail;
-        expect_way_out(opened.error().detail);
+        EXPECT_THAT(expect_refused(folder / "left", gone), HasSubstr(way_out));
         // SQLite creates an empty log if none exists; ignore it.
         std::error_code none;
         const auto size = std::filesystem::file_size(folder / "left" / gone, none);
@@ -323,9 +308,8 @@ TEST(Journal, AnEmptyIndexBesideJobFilesIsRefused) {
             for (const bool create : {false, true, true}) {
                 const auto opened = Journal::open({.directory = folder.path(), .create = create});
                 ASSERT_FALSE(opened) << journal;
-                EXPECT_NE(opened.error().detail.find("journal."), std::string::npos)
-                    << opened.error().detail;
-                expect_way_out(opened.error().detail);
+                EXPECT_THAT(opened.error().detail,
+                            testing::AllOf(HasSubstr("journal."), HasSubstr(way_out)));
             }
             for (const std::string& name : left) {
                 EXPECT_EQ(read_text(folder / "jobs" / name), "precious");
@@ -375,11 +359,7 @@ TEST(Journal, AFirstGroupThatIsNotTheFirstIsDamage) {
             std::vector<DatabaseChange>{{Kind::Accept, JobId{2}, std::move(record)},
                                         {Kind::Results, JobId{2}, encode_group(group)}}));
     }
-    const auto opened = Journal::open({.directory = folder.path()});
-    ASSERT_FALSE(opened);
-    EXPECT_NE(opened.error().detail.find("job 2: results are missing"), std::string::npos)
-        << opened.error().detail;
-    expect_way_out(opened.error().detail);
+    EXPECT_THAT(expect_refused(folder.path(), "job 2: results are missing"), HasSubstr(way_out));
 }
 
 TEST(Journal, ResultsOfAnUnknownJobAreDamage) {
@@ -392,11 +372,8 @@ TEST(Journal, ResultsOfAnUnknownJobAreDamage) {
         ASSERT_TRUE(database->write(std::vector<DatabaseChange>{
             {DatabaseChange::Kind::Results, JobId{7}, encode_group(group)}}));
     }
-    const auto opened = Journal::open({.directory = folder.path()});
-    ASSERT_FALSE(opened);
-    EXPECT_NE(opened.error().detail.find("results of job 7, which is not there"), std::string::npos)
-        << opened.error().detail;
-    expect_way_out(opened.error().detail);
+    EXPECT_THAT(expect_refused(folder.path(), "results of job 7, which is not there"),
+                HasSubstr(way_out));
 }
 
 TEST(Journal, ASegmentMayBeLongerThanItsCommittedBytesButNotShorter) {
@@ -406,9 +383,7 @@ TEST(Journal, ASegmentMayBeLongerThanItsCommittedBytesButNotShorter) {
     write_text(folder / "left/jobs/1.results", whole + "half a rec");
     { EXPECT_TRUE(Journal::open({.directory = folder / "left"})); }
     write_text(folder / "left/jobs/1.results", whole.substr(0, whole.size() - 1));
-    const auto opened = Journal::open({.directory = folder / "left"});
-    ASSERT_FALSE(opened);
-    EXPECT_NE(opened.error().detail.find("1.results"), std::string::npos);
+    expect_refused(folder / "left", "1.results");
 }
 
 // ---- A full disk --------------------------------------------------------------------------------

@@ -3,6 +3,7 @@
 
 #include "proto/channel/asio.hpp"
 #include "tests/master/journal_writer.hpp"
+#include "tests/master/master_stage.hpp"
 
 #include <gtest/gtest.h>
 
@@ -33,13 +34,10 @@ class JournalWriterTest : public testing::Test {
     ~JournalWriterTest() override { journal_.reset(); }
 
     template <class Condition>
-    void run_until(Condition condition) {
+    void run_until(const Condition& condition) {
         context_.restart();
         const auto work = asio::make_work_guard(context_);
-        for (int i = 0; i < 1000 && !condition(); ++i) {
-            context_.run_one_for(std::chrono::seconds(1));
-        }
-        EXPECT_TRUE(condition());
+        tests::run_until(context_, condition);
     }
 
     const TemporaryFolder folder_;

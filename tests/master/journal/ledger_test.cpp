@@ -3,6 +3,8 @@
 // them.
 #include "master/journal/ledger.hpp"
 
+#include "tests/support/rounds.hpp"
+
 #include <gtest/gtest.h>
 
 #include <map>
@@ -94,9 +96,7 @@ struct Twin {
 
 TEST(Ledger, AgreesWithATwinOnRandomHistories) {
     std::uint64_t waited = 0;
-    for (std::uint64_t seed = 0; seed < 60; ++seed) {
-        SCOPED_TRACE(testing::Message() << "seed " << seed);
-        std::mt19937_64 random(seed);
+    for (SeededRandom random : seeds(60)) {
         Ledger ledger;
         Twin twin;
         for (const JobId job : {job_a, job_b}) {

@@ -3,6 +3,7 @@
 #include "master/journal/result_group.hpp"
 
 #include "tests/proto/sample_messages.hpp"
+#include "tests/support/damage.hpp"
 
 #include <gtest/gtest.h>
 
@@ -50,13 +51,7 @@ TEST(ResultGroup, AGroupIsReadBackWithItsAuthorsRemarksAndLosses) {
 }
 
 TEST(ResultGroup, CutShortOrFollowedByMoreIsAnError) {
-    const Bytes whole = encode_group(some_group());
-    for (std::size_t size = 0; size < whole.size(); ++size) {
-        EXPECT_FALSE(decode_group(std::span(whole).first(size))) << size;
-    }
-    Bytes longer = whole;
-    longer.push_back(std::byte{0});
-    EXPECT_FALSE(decode_group(longer));
+    expect_no_other_length(encode_group(some_group()), decode_group);
 }
 
 TEST(ResultGroup, RowsThatDoNotAddUpAndUnknownProcessesAreErrors) {

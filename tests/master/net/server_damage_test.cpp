@@ -5,12 +5,14 @@
 #include "tests/master/fake_worker.hpp"
 #include "tests/master/master_stage.hpp"
 
-#include <latch>
+#include <gmock/gmock.h>
 
 namespace cd::tests {
 namespace {
 
-/// Flips a bit of a file until it is mended.
+using testing::HasSubstr;
+
+/// Flips a bit of many bytes of a file until it is mended.
 class Damage {
   public:
     explicit Damage(std::filesystem::path path) : path_(std::move(path)), whole_(read_text(path_)) {
@@ -32,46 +34,29 @@ class Damage {
 class DamagedMaster : public Master {
   public:
     explicit DamagedMaster(AnalysisMode mode, const Stage& stage = {})
-        : Master({.return_within = std::chrono::milliseconds(0)}, {}, stage) {
-        Client client(*this);
-        Submit submit = reference().submission();
-        submit.cluster.analysis = mode;
-        client.start_submitting(submit);
-        run_until([&] { return client.done; });
-        job = client.job.value();
-    }
+        : Master(no_return, {}, stage), job(submit_to(*this, submission(mode))) {}
 
     [[nodiscard]] std::filesystem::path poses() const { return journal->poses_path(job); }
-    [[nodiscard]] JobStatus status() { return coordinator.jobs().status(job).value(); }
+    [[nodiscard]] JobStatus status() { return Master::status(job); }
 
     void expect_to_wait_for(const Damage& damage) {
         run_until([&] { return !status().paused.empty(); });
-        EXPECT_NE(status().paused.find(damage.name()), std::string::npos) << status().paused;
+        EXPECT_THAT(status().paused, HasSubstr(damage.name()));
         EXPECT_EQ(status().state, JobState::Running);
-        EXPECT_EQ(coordinator.jobs().cluster().jobs.at(0).paused, status().paused);
+        EXPECT_EQ(cluster().jobs.at(0).paused, status().paused);
     }
 
     /// Runs until the results with which the only worker came are read and checked.
     void finish_checks_of_results() {
         run_until([&] {
-            const auto workers = coordinator.jobs().cluster().workers;
+            const auto workers = cluster().workers;
             return !workers.empty() && workers[0].cached_bytes == FakeWorker::cached_bytes;
         });
-        // When all threads meet, what was posted before has ended.
-        const auto all_meet = std::make_shared<std::latch>(blocking.size() + 1);
-        for (unsigned thread = 0; thread < blocking.size(); ++thread) {
-            blocking.post([all_meet] { all_meet->arrive_and_wait(); });
-        }
-        all_meet->arrive_and_wait();
+        wait_for_all(blocking);
         context.poll();
     }
 
-    void expect_right_end() {
-        run_until([&] { return status().state != JobState::Running; });
-        EXPECT_EQ(status().state, JobState::Done) << status().failure;
-        EXPECT_EQ(status().digest, reference().digest);
-        EXPECT_TRUE(status().paused.empty());
-    }
+    void expect_right_end() { tests::expect_right_end(*this, job); }
 
     JobId job;
 };
@@ -99,11 +84,7 @@ TEST(ServerDamage, AJobThatWaitsForItsPosesMayBeCancelledAndTheMasterEnded) {
     DamagedMaster master(AnalysisMode::Always);
     const Damage damage(master.poses());
     master.expect_to_wait_for(damage);
-    {
-        Client client(master);
-        client.start_asking({Cancel{master.job, std::nullopt}});
-        master.run_until([&] { return client.done; });
-    }
+    (void)answer_to(master, {Cancel{master.job, std::nullopt}});
     EXPECT_EQ(master.status().state, JobState::Cancelled);
     EXPECT_TRUE(master.status().paused.empty());
     master.end();
@@ -112,8 +93,7 @@ TEST(ServerDamage, AJobThatWaitsForItsPosesMayBeCancelledAndTheMasterEnded) {
 
 TEST(ServerDamage, DamagedBlocksDoNotPauseAJob) {
     DamagedMaster master(AnalysisMode::Never);
-    master.run_until(
-        [&] { return master.coordinator.jobs().explainer().input(master.job).has_value(); });
+    master.run_until_prepared(master.job);
     std::vector<Damage> damages;
     for (const auto& entry : std::filesystem::directory_iterator(master.directory / "blocks")) {
         damages.emplace_back(entry.path());
@@ -125,24 +105,20 @@ TEST(ServerDamage, DamagedBlocksDoNotPauseAJob) {
 
 TEST(ServerDamage, ADisputeWaitsForThePosesToJudgeIt) {
     DamagedMaster master(AnalysisMode::Never);
-    master.run_until(
-        [&] { return master.coordinator.jobs().explainer().input(master.job).has_value(); });
-    std::latch released(1);
-    for (unsigned thread = 0; thread < master.blocking.size(); ++thread) {
-        master.blocking.post([&] { released.wait(); }); // Blocks the master's runs.
-    }
+    master.run_until_prepared(master.job);
+    const auto runs = occupy(master.blocking);
     {
         const FakeWorker liar(master, {.lies_second = true, .batches_max = 1});
         master.run_until([&] { return liar.kept == 2; });
     }
     const Damage damage(master.poses());
-    released.count_down();
+    runs->count_down();
     master.expect_to_wait_for(damage);
-    EXPECT_EQ(master.coordinator.alarms().record().count, 0u);
+    EXPECT_EQ(master.alarms(), 0u);
     damage.mend();
     const FakeWorker good(master, {});
     master.expect_right_end();
-    EXPECT_GT(master.coordinator.alarms().record().count, 0u);
+    EXPECT_GT(master.alarms(), 0u);
 }
 
 TEST(ServerDamage, ResultsOfAWaitingJobBlockNoOther) {
@@ -151,10 +127,7 @@ TEST(ServerDamage, ResultsOfAWaitingJobBlockNoOther) {
     const std::vector<Results> all = more_than_fit_in_hand(master.job);
     const FakeWorker worker(master, {.comes_with = all});
     master.expect_to_wait_for(damage);
-    Client client(master);
-    client.start(reference().submission());
-    master.run_until([&] { return client.done; });
-    expect_right(client);
+    Client(master, reference().submission()).expect_right();
     EXPECT_EQ(master.status().state, JobState::Running);
     damage.mend();
     master.expect_right_end();

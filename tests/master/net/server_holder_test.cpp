@@ -6,11 +6,10 @@
 namespace cd::tests {
 namespace {
 
-constexpr FailureTimes no_return{.return_within = std::chrono::milliseconds(0)};
 constexpr Stage secured{.is_secured = true};
 
 std::optional<WorkerStatus> alive_at(Master& master) {
-    const auto workers = master.coordinator.jobs().cluster().workers;
+    const auto workers = master.cluster().workers;
     const auto here = std::ranges::find(workers, WorkerState::Alive, &WorkerStatus::state);
     return here == workers.end() ? std::nullopt : std::optional(*here);
 }
@@ -21,7 +20,7 @@ TEST(ServerHolder, AProcessNumberOfAnotherHolderEndsNoSession) {
     master.run_until([&] { return alive_at(master).has_value(); });
     const FakeWorker second(master, {.instance = 7, .holder = "second"});
     const auto here = [&] {
-        const auto workers = master.coordinator.jobs().cluster().workers;
+        const auto workers = master.cluster().workers;
         return std::ranges::count(workers, WorkerState::Alive, &WorkerStatus::state);
     };
     master.run_until([&] { return first.ended || here() == 2; });

@@ -6,23 +6,12 @@
 namespace cd::tests {
 namespace {
 
-constexpr FailureTimes no_return{.return_within = std::chrono::milliseconds(0)};
-
 JobId run_job(Master& master, const FakeWorker::Habits& habits) {
     const FakeWorker worker(master, habits);
-    Client client(master);
-    client.start(reference().submission());
-    master.run_until([&] { return client.done; });
+    Client client(master, reference().submission());
+    client.run_until_done();
     EXPECT_EQ(client.statuses.back().state, JobState::Done);
     return client.job.value();
-}
-
-ScenarioResult wrong_result(std::uint64_t index) {
-    ScenarioResult result = right_result(index);
-    result.kind = ScenarioClass::Separate;
-    result.pair_count = 0;
-    result.pairs.clear();
-    return result;
 }
 
 TEST(LateServer, AnEqualLateResultIsAcknowledged) {
@@ -32,18 +21,18 @@ TEST(LateServer, AnEqualLateResultIsAcknowledged) {
         const FakeWorker late(master, {.comes_with = {right_results(job, scenario.index)}});
         master.run_until([&] { return late.kept == 1; });
     }
-    EXPECT_EQ(master.coordinator.alarms().record().count, 0u);
+    EXPECT_EQ(master.alarms(), 0u);
 }
 
 TEST(LateServer, ADifferingResultOfAnEndedJobIsOnlyAcknowledged) {
-    Master master(no_return);
+    Master master;
     const JobId job = run_job(master, {});
     const FakeWorker late(
         master, {.comes_with = {late_results(job, wrong_result(scenario_with_contact()))}});
     master.run_until([&] { return late.kept == 1; });
-    EXPECT_EQ(master.coordinator.alarms().record().count, 0u);
+    EXPECT_EQ(master.alarms(), 0u);
     EXPECT_TRUE(master.coordinator.alarms().quarantined().empty());
-    EXPECT_EQ(master.coordinator.jobs().status(job).value().digest, reference().digest);
+    EXPECT_EQ(master.status(job).digest, reference().digest);
 }
 
 /// The only result of a job arrives twice; the second one differs, and arrives while the job's end
@@ -53,10 +42,7 @@ TEST(LateServer, AResultDuringTheEndsCommitIsOnlyAcknowledged) {
     run_job(master, {}); // Stores the meshes.
     Grid grid;
     grid.position = {GridAxis{1, 1, 1}, GridAxis{0, 0, 1}, GridAxis{0, 0, 1}};
-    Submit submit = reference().submission();
-    submit.scenarios = grid.count();
-    submit.grid = encode_grid(grid);
-    submit.poses.kind = PosesKind::Grid;
+    Submit submit = submission(grid);
     submit.cluster.analysis = AnalysisMode::Never;
     Client client(master);
     client.start_asking({submit});
@@ -64,8 +50,8 @@ TEST(LateServer, AResultDuringTheEndsCommitIsOnlyAcknowledged) {
     master.run_until([&] { return liar.kept == 2; });
     ASSERT_TRUE(client.answer && client.answer->has_value());
     const JobId job = std::get<Accepted>(client.answer->value()).job;
-    EXPECT_EQ(master.coordinator.jobs().status(job).value().state, JobState::Done);
-    EXPECT_EQ(master.coordinator.alarms().record().count, 0u);
+    EXPECT_EQ(master.status(job).state, JobState::Done);
+    EXPECT_EQ(master.alarms(), 0u);
 }
 
 } // namespace

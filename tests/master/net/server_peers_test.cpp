@@ -11,8 +11,7 @@ struct ServerPeers : testing::Test {
     /// to serve peers at that port.
     std::uint64_t times_sent_to(std::uint16_t at) {
         Master master;
-        Client client(master);
-        client.start_submitting(reference().submission());
+        submit_to(master, reference().submission());
         const FakeWorker first(master,
                                {.says_what_it_holds = true, .batches_max = 6, .peer_port = at});
         master.run_until([&] { return first.kept != 0; });

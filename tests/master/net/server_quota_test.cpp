@@ -13,20 +13,10 @@ namespace {
 using namespace std::chrono_literals;
 using testing::HasSubstr;
 
-constexpr FailureTimes usual{.return_within = std::chrono::milliseconds(0)};
-
-Message first_answer(Master& master, std::vector<Message> messages) {
-    Client client(master);
-    client.start_asking(std::move(messages));
-    master.run_until([&] { return client.done; });
-    EXPECT_TRUE(client.answer->has_value());
-    return client.answer->has_value() ? client.answer->value() : Message{};
-}
-
-/// As `answer`, but repeats until the master has noticed all departed clients.
+/// As `answer_to`, but repeats until the master has noticed all departed clients.
 Message answer_in_the_end(Master& master, const std::vector<Message>& messages) {
     for (;;) {
-        Message answer = first_answer(master, messages);
+        Message answer = answer_to(master, messages);
         const auto* const failure = std::get_if<Failure>(&answer);
         if (failure == nullptr || failure->detail.find("busy") == std::string::npos) {
             return answer;
@@ -34,18 +24,11 @@ Message answer_in_the_end(Master& master, const std::vector<Message>& messages) 
     }
 }
 
-std::string refusal_of(Master& master, std::vector<Message> messages) {
-    const Message answer = first_answer(master, std::move(messages));
-    const auto* const failure = std::get_if<Failure>(&answer);
-    EXPECT_NE(failure, nullptr) << answer.index();
-    return failure == nullptr ? "" : failure->detail;
-}
-
 void store_meshes(Master& master) {
     for (const Mesh* mesh : {&reference().a, &reference().b}) {
         const Bytes bytes = mesh->canonical_bytes();
         const Message answer =
-            first_answer(master, {MeshPart{mesh->hash(), "mesh", bytes.size(), 0, bytes}});
+            answer_to(master, {MeshPart{mesh->hash(), "mesh", bytes.size(), 0, bytes}});
         ASSERT_TRUE(std::holds_alternative<MeshStored>(answer));
     }
 }
@@ -58,7 +41,7 @@ std::vector<Message> submission_of(std::size_t scenarios) {
 }
 
 JobId accepted(Master& master, std::vector<Message> messages) {
-    const Message answer = first_answer(master, std::move(messages));
+    const Message answer = answer_to(master, std::move(messages));
     const auto* const job = std::get_if<Accepted>(&answer);
     EXPECT_NE(job, nullptr);
     return job == nullptr ? JobId{} : job->job;
@@ -71,43 +54,32 @@ Submit grid_submission(std::uint32_t steps) {
         grid.rotation[static_cast<std::size_t>(axis)] =
             rotation_axis({0, 360, axis == 0 ? steps : 1}, axis);
     }
-    Submit submit = reference().submission();
-    submit.scenarios = grid.count();
-    submit.grid = encode_grid(grid);
-    submit.poses.kind = PosesKind::Grid;
-    return submit;
+    return submission(grid);
 }
 
-TEST(ServerQuota, JobsThatRunAreCountedAlsoAfterARestart) {
-    const TemporaryFolder state;
-    const Stage one_job{.clients = {.quotas = {.jobs = 1}}};
-    JobId job;
-    {
-        Master master(usual, state.path(), one_job);
-        store_meshes(master);
-        job = accepted(master, submission_of(90));
-        EXPECT_THAT(refusal_of(master, submission_of(90)), HasSubstr("1 jobs running"));
+/// One job takes all of the quota, which a restart does not change.
+TEST(ServerQuota, WhatRunsIsCountedAlsoAfterARestart) {
+    for (const auto& [quotas, what] :
+         {std::pair(Quotas::Limits{.jobs = 1}, "1 jobs running"),
+          std::pair(Quotas::Limits{.scenarios = 100}, "180 scenarios of jobs")}) {
+        const TemporaryFolder state;
+        const Stage stage{.clients = {.quotas = quotas}};
+        JobId job;
+        {
+            Master master(no_return, state.path(), stage);
+            store_meshes(master);
+            job = accepted(master, submission_of(90));
+            EXPECT_THAT(refusal_of(master, submission_of(90)), HasSubstr(what));
+        }
+        Master master(no_return, state.path(), stage);
+        const std::string refusal = refusal_of(master, submission_of(90));
+        EXPECT_THAT(refusal, testing::AllOf(HasSubstr(what), HasSubstr("retry after")));
+        if (quotas.jobs != 1) {
+            accepted(master, submission_of(10));
+        }
+        ASSERT_TRUE(std::holds_alternative<JobStatus>(answer_to(master, {Cancel{job}})));
+        accepted(master, submission_of(90));
     }
-    Master master(usual, state.path(), one_job);
-    EXPECT_THAT(refusal_of(master, submission_of(90)), HasSubstr("retry after"));
-    ASSERT_TRUE(std::holds_alternative<JobStatus>(first_answer(master, {Cancel{job}})));
-    accepted(master, submission_of(90));
-}
-
-TEST(ServerQuota, ScenariosOfJobsThatRunAreCountedAlsoAfterARestart) {
-    const TemporaryFolder state;
-    const Stage stage{.clients = {.quotas = {.scenarios = 100}}};
-    JobId job;
-    {
-        Master master(usual, state.path(), stage);
-        store_meshes(master);
-        job = accepted(master, submission_of(90));
-    }
-    Master master(usual, state.path(), stage);
-    EXPECT_THAT(refusal_of(master, submission_of(90)), HasSubstr("180 scenarios of jobs"));
-    accepted(master, submission_of(10));
-    ASSERT_TRUE(std::holds_alternative<JobStatus>(first_answer(master, {Cancel{job}})));
-    accepted(master, submission_of(90));
 }
 
 TEST(ServerQuota, BytesOfMeshesPosesAndGridsAreCounted) {
@@ -116,7 +88,7 @@ TEST(ServerQuota, BytesOfMeshesPosesAndGridsAreCounted) {
     const auto stage = [&](std::uint64_t bytes) {
         return Stage{.clients = {.quotas = {.bytes = mesh_bytes + bytes, .period = 10'000'000s}}};
     };
-    Master little(usual, {}, stage(100));
+    Master little(no_return, {}, stage(100));
     store_meshes(little);
     EXPECT_THAT(refusal_of(little, submission_of(90)), HasSubstr("bytes"));
     EXPECT_THAT(refusal_of(little, {grid_submission(100)}), HasSubstr("bytes"));
@@ -126,22 +98,22 @@ TEST(ServerQuota, BytesOfMeshesPosesAndGridsAreCounted) {
     const Bytes bytes = reference().a.canonical_bytes();
     const MeshPart again{reference().a.hash(), "mesh", bytes.size(), 0, bytes};
     EXPECT_THAT(refusal_of(little, {again}), HasSubstr("bytes"));
-    Master enough(usual, {}, stage(100'000));
+    Master enough(no_return, {}, stage(100'000));
     store_meshes(enough);
     accepted(enough, submission_of(90));
 }
 
 TEST(ServerQuota, QueuedBytesAreFreedWhenTheJobOrTheConnectionEnds) {
     const std::size_t bytes = pack_scenarios(reference().scenarios).size();
-    Master master(usual, {}, {.clients = {.quotas = {.queued = bytes}}});
+    Master master(no_return, {}, {.clients = {.quotas = {.queued = bytes}}});
     store_meshes(master);
     const JobId job = accepted(master, submission_of(90));
     EXPECT_THAT(refusal_of(master, submission_of(1)), HasSubstr("bytes of poses not yet done"));
-    ASSERT_TRUE(std::holds_alternative<JobStatus>(first_answer(master, {Cancel{job}})));
+    ASSERT_TRUE(std::holds_alternative<JobStatus>(answer_to(master, {Cancel{job}})));
     // Abandoned or refused submissions do not count.
     std::vector<Message> left = submission_of(90);
     left.back() = StatusQuery{};
-    ASSERT_TRUE(std::holds_alternative<ClusterStatus>(first_answer(master, left)));
+    ASSERT_TRUE(std::holds_alternative<ClusterStatus>(answer_to(master, left)));
     left = submission_of(90);
     std::get<Submit>(left.front()).scenarios = 91;
     EXPECT_THAT(std::get<Failure>(answer_in_the_end(master, left)).detail, HasSubstr("announced"));
@@ -149,14 +121,14 @@ TEST(ServerQuota, QueuedBytesAreFreedWhenTheJobOrTheConnectionEnds) {
 }
 
 TEST(ServerQuota, OneClientHasItsShareOfBegunMeshes) {
-    Master master(usual, {}, {.clients = {.quotas = {.uploads = 1}}});
+    Master master(no_return, {}, {.clients = {.quotas = {.uploads = 1}}});
     const Bytes bytes = reference().a.canonical_bytes();
     const MeshPart half{
         reference().a.hash(), "mesh", bytes.size(), 0, {bytes.begin(), bytes.begin() + 1000}};
     {
         Client first(master);
         first.start_asking({half, StatusQuery{}});
-        master.run_until([&] { return first.done; });
+        first.run_until_done();
         EXPECT_THAT(refusal_of(master, {half}), HasSubstr("1 meshes begun"));
     }
     // The share is freed with the connection, and with a complete mesh.
@@ -168,7 +140,7 @@ TEST(ServerQuota, OneClientHasItsShareOfBegunMeshes) {
 }
 
 TEST(ServerQuota, AbandonedOperationsEnd) {
-    Master master(usual, {}, {.clients = {.submission_idle_max = 20ms}});
+    Master master(no_return, {}, {.clients = {.submission_idle_max = 20ms}});
     store_meshes(master);
     const Bytes bytes(1000);
     EXPECT_THAT(refusal_of(master, {MeshPart{Sha256{}, "mesh", 2000, 0, bytes}}),
@@ -177,7 +149,7 @@ TEST(ServerQuota, AbandonedOperationsEnd) {
                 HasSubstr("stopped before its end"));
 }
 
-TEST(ServerQuota, OfAJobThatHasEndedALargeGridIsNotKept) {
+TEST(ServerQuota, ALargeGridIsDroppedWhenItsJobEnds) {
     const Submit small = grid_submission(10);
     Submit large = grid_submission(4000);
     ASSERT_GT(large.grid->size(), limits::ended_grid_bytes_max);
@@ -193,7 +165,7 @@ TEST(ServerQuota, OfAJobThatHasEndedALargeGridIsNotKept) {
     EXPECT_TRUE(kept.ignore.empty());
 }
 
-TEST(ServerQuota, AGridOfAnySizeIsNotTaken) {
+TEST(ServerQuota, GridsBeyondTheLimitsAreRefused) {
     Master master;
     store_meshes(master);
     Submit many = grid_submission(10);

@@ -12,14 +12,6 @@ namespace {
 
 using testing::HasSubstr;
 
-/// Returns the answer to the last message; the others need none.
-Message answer_to(Master& master, std::vector<Message> messages) {
-    Client client(master);
-    client.start_asking(std::move(messages));
-    master.run_until([&] { return client.done; });
-    return client.answer->value();
-}
-
 Submit labelled_submission() {
     Submit submit = reference().submission();
     submit.unit = "mm";
@@ -47,9 +39,7 @@ std::vector<Message> parts_with_labels(const Submit& submit) {
 /// Runs a job, so that its meshes are stored.
 void do_a_job(Master& master) {
     FakeWorker worker(master, {});
-    Client client(master);
-    client.start(reference().submission());
-    master.run_until([&] { return client.done; });
+    Client(master, reference().submission()).run_until_done();
 }
 
 TEST(Removal, AJobIsToldAsItWasSubmittedWithItsLabels) {
@@ -119,7 +109,7 @@ TEST(Removal, JobsThatHaveEndedHoldNoFilesOpen) {
     EXPECT_EQ(open_job_files(folder.path()), 0u) << "read, and closed again";
     Client connected(master);
     connected.start_asking({PosesQuery{JobId{1}, 0, 10}});
-    master.run_until([&] { return connected.done; });
+    connected.run_until_done();
     EXPECT_TRUE(std::holds_alternative<JobPoses>(connected.answer->value()));
     EXPECT_EQ(open_job_files(folder.path()), 0u) << "while the client stays";
 }
@@ -152,7 +142,7 @@ TEST(Removal, AMeshOfASubmissionUnderWayStays) {
     });
     const auto removed = std::get<Removed>(answer_to(master, {Remove{JobId{1}, false}}));
     EXPECT_GT(removed.bytes, 0u);
-    master.run_until([&] { return master.coordinator.jobs().cluster().jobs.empty(); });
+    master.run_until([&] { return master.cluster().jobs.empty(); });
     EXPECT_EQ(master.store->meshes().size(), 2u);
     const auto refused = std::get<Failure>(answer_to(master, {RemoveMesh{reference().a.hash()}}));
     EXPECT_EQ(refused.code, ErrorCode::Refused);

@@ -8,67 +8,54 @@
 #include "tests/master/journal_writer.hpp"
 #include "tests/master/master_stage.hpp"
 
-#include <latch>
+#include <gmock/gmock.h>
 
 namespace cd::tests {
 namespace {
 
-constexpr FailureTimes no_return{.return_within = std::chrono::milliseconds(0)};
 constexpr std::uint64_t liars_process = 7;
 constexpr std::uint64_t good_process = 8;
-
-/// Returns once the job is accepted; does not wait for its end.
-JobId submit_to(Master& master, AnalysisMode mode) {
-    Client client(master);
-    Submit submit = reference().submission();
-    submit.cluster.analysis = mode;
-    client.start_submitting(submit);
-    master.run_until([&] { return client.done; });
-    return client.job.value();
-}
-
-void expect_right_end(Master& master, JobId job) {
-    const auto status = [&] { return master.coordinator.jobs().status(job).value(); };
-    master.run_until([&] { return status().state != JobState::Running; });
-    EXPECT_EQ(status().state, JobState::Done) << status().failure;
-    EXPECT_EQ(status().digest, reference().digest);
-    EXPECT_EQ(status().summary.pairs, reference().summary.pairs);
-}
-
-std::size_t quarantined_in(const ClusterStatus& status) {
-    return static_cast<std::size_t>(std::ranges::count_if(
-        status.workers, [](const WorkerStatus& worker) { return worker.quarantined; }));
-}
 
 /// Waits until the master has noticed that its workers are gone.
 void wait_until_gone(Master& master) {
     master.run_until([&] {
-        return std::ranges::all_of(
-            master.coordinator.jobs().cluster().workers,
-            [](const WorkerStatus& worker) { return worker.state == WorkerState::Lost; });
+        return std::ranges::all_of(master.cluster().workers, [](const WorkerStatus& worker) {
+            return worker.state == WorkerState::Lost;
+        });
     });
 }
 
 /// The worker returns and behaves well.
 void expect_in_quarantine(Master& master, std::uint64_t process) {
     const FakeWorker again(master, {.instance = process});
-    master.run_until([&] { return quarantined_in(master.coordinator.jobs().cluster()) == 1; });
+    master.run_until_quarantined();
     master.run_until([&] {
-        const auto running = master.coordinator.jobs().cluster().jobs;
-        return std::ranges::none_of(
-            running, [](const JobStatus& job) { return job.state == JobState::Running; });
+        const auto running = master.cluster().jobs;
+        return std::ranges::count(running, JobState::Running, &JobStatus::state) == 0;
     });
     EXPECT_EQ(again.batches + again.ranges, 0u);
 }
 
 /// Exposes a wrong worker. Its other answers are withdrawn when the master ends.
 ClusterStatus run_to_the_alarm(Master& master, AnalysisMode mode) {
-    submit_to(master, mode);
+    submit_to(master, submission(mode));
     const FakeWorker liar(master, {.lies_first = true, .lies_alone = 3, .instance = liars_process});
-    master.run_until([&] { return quarantined_in(master.coordinator.jobs().cluster()) == 1; });
+    master.run_until_quarantined();
     master.end();
-    return master.coordinator.jobs().cluster();
+    return master.cluster();
 }
+
+/// A state folder with a job that no worker has done.
+struct AcceptedJob {
+    AcceptedJob() {
+        Master master(no_return, state.path());
+        job = submit_to(master, submission(AnalysisMode::Always));
+    }
+
+    TemporaryFolder state;
+    JobId job;
+    std::filesystem::path mesh = mesh_path(state.path(), reference().a.hash());
+};
 
 /// One worker dies of the scenario in each incarnation of the master.
 TEST(ServerRestart, AScenarioThatTakesItsWorkersDownFailsAfterAsManyAsWithoutARestart) {
@@ -79,46 +66,52 @@ TEST(ServerRestart, AScenarioThatTakesItsWorkersDownFailsAfterAsManyAsWithoutARe
         for (std::uint64_t life = 0; life < limits::scenario_losses_max; ++life) {
             Master master(no_return, state.path());
             if (life == 0) {
-                job = submit_to(master, mode);
+                job = submit_to(master, submission(mode));
             }
-            EXPECT_EQ(master.coordinator.jobs().status(job).value().summary.failed, 0u);
+            EXPECT_EQ(master.status(job).summary.failed, 0u);
             const FakeWorker mortal(master, {.dies_of = deadly, .instance = 100 + life});
             master.run_until([&] { return mortal.ended; });
             wait_until_gone(master);
             master.end();
         }
         Master master(no_return, state.path());
-        EXPECT_EQ(master.coordinator.jobs().status(job).value().summary.failed, 1u);
+        EXPECT_EQ(master.status(job).summary.failed, 1u);
         const FakeWorker last(master, {.dies_of = deadly, .instance = 200});
-        const auto status = [&] { return master.coordinator.jobs().status(job).value(); };
-        master.run_until([&] { return status().state != JobState::Running; });
-        EXPECT_EQ(status().state, JobState::Done) << status().failure;
-        EXPECT_EQ(status().summary.failed, 1u);
-        EXPECT_EQ(status().summary.merged(), reference().scenarios.size());
+        master.run_until([&] { return master.status(job).state != JobState::Running; });
+        const JobStatus status = master.status(job);
+        EXPECT_EQ(status.state, JobState::Done) << status.failure;
+        EXPECT_EQ(status.summary.failed, 1u);
+        EXPECT_EQ(status.summary.merged(), reference().scenarios.size());
         EXPECT_FALSE(last.ended);
     }
 }
 
-TEST(ServerRestart, AJobWhoseMeshIsDamagedWaitsUntilThatIsMended) {
-    const TemporaryFolder state;
-    JobId job;
-    {
-        Master master(no_return, state.path());
-        job = submit_to(master, AnalysisMode::Always);
+/// The mesh is damaged and mended, or missing and returns by hand or with another job.
+TEST(ServerRestart, AJobWhoseMeshIsDamagedOrMissingWaitsUntilThatIsMended) {
+    enum class Way { Mended, BroughtBack, Resubmitted };
+    for (const Way way : {Way::Mended, Way::BroughtBack, Way::Resubmitted}) {
+        const AcceptedJob accepted;
+        const std::string whole = read_text(accepted.mesh);
+        std::string damaged = whole;
+        damaged[50] = static_cast<char>(damaged[50] ^ 1);
+        if (way == Way::Mended) {
+            write_text(accepted.mesh, damaged);
+        } else {
+            std::filesystem::remove(accepted.mesh);
+        }
+        Master master(no_return, accepted.state.path());
+        const FakeWorker worker(master, {});
+        master.run_until([&] { return !master.status(accepted.job).paused.empty(); });
+        const JobStatus status = master.status(accepted.job);
+        EXPECT_THAT(status.paused, HasSubstr(accepted.mesh.filename().string()));
+        EXPECT_EQ(status.state, JobState::Running);
+        if (way == Way::Resubmitted) {
+            submit_to(master, submission(AnalysisMode::Always));
+        } else {
+            write_text(accepted.mesh, whole);
+        }
+        expect_right_end(master, accepted.job);
     }
-    const auto mesh = state / "meshes" / (to_hex(reference().a.hash()) + ".mesh");
-    const std::string whole = read_text(mesh);
-    std::string damaged = whole;
-    damaged[50] = static_cast<char>(damaged[50] ^ 1);
-    write_text(mesh, damaged);
-    Master master(no_return, state.path());
-    const FakeWorker worker(master, {});
-    const auto status = [&] { return master.coordinator.jobs().status(job).value(); };
-    master.run_until([&] { return !status().paused.empty(); });
-    EXPECT_NE(status().paused.find(mesh.filename()), std::string::npos) << status().paused;
-    EXPECT_EQ(status().state, JobState::Running);
-    write_text(mesh, whole);
-    expect_right_end(master, job);
 }
 
 /// Another build of cdmaster has accepted it.
@@ -135,58 +128,23 @@ TEST(ServerRestart, AJobOfAnUnknownStrategyFailsAndNamesTheKnownOnes) {
         writer.wait_for(writer.journal->add(AcceptJob{record}));
     }
     Master master(no_return, state.path());
-    const auto status = [&] { return master.coordinator.jobs().status(job).value(); };
-    master.run_until([&] { return status().state != JobState::Running; });
-    EXPECT_EQ(status().state, JobState::Failed);
-    EXPECT_NE(status().failure.find("this master has best-match, "), std::string::npos)
-        << status().failure;
-}
-
-/// The mesh returns by hand, or with another job.
-TEST(ServerRestart, AJobWhoseMeshIsMissingWaitsUntilItIsThereAgain) {
-    for (const bool by_hand : {true, false}) {
-        const TemporaryFolder state;
-        JobId job;
-        {
-            Master master(no_return, state.path());
-            job = submit_to(master, AnalysisMode::Always);
-        }
-        const auto mesh = mesh_path(state.path(), reference().a.hash());
-        const std::string whole = read_text(mesh);
-        std::filesystem::remove(mesh);
-        Master master(no_return, state.path());
-        const FakeWorker worker(master, {});
-        const auto status = [&] { return master.coordinator.jobs().status(job).value(); };
-        master.run_until([&] { return !status().paused.empty(); });
-        EXPECT_NE(status().paused.find(mesh.filename()), std::string::npos) << status().paused;
-        EXPECT_EQ(status().state, JobState::Running);
-        if (by_hand) {
-            write_text(mesh, whole);
-        } else {
-            submit_to(master, AnalysisMode::Always);
-        }
-        expect_right_end(master, job);
-    }
+    master.run_until([&] { return master.status(job).state != JobState::Running; });
+    EXPECT_EQ(master.status(job).state, JobState::Failed);
+    EXPECT_THAT(master.status(job).failure, HasSubstr("this master has best-match, "));
 }
 
 /// Follows the advice of the message about a damaged mesh.
 TEST(ServerRestart, ADamagedMeshMayBeMovedAwayAndSubmittedAgain) {
-    const TemporaryFolder state;
-    JobId job;
-    {
-        Master master(no_return, state.path());
-        job = submit_to(master, AnalysisMode::Always);
-    }
-    const auto mesh = mesh_path(state.path(), reference().a.hash());
-    write_text(mesh, "rubbish");
-    Master master(no_return, state.path());
+    const AcceptedJob accepted;
+    write_text(accepted.mesh, "rubbish");
+    Master master(no_return, accepted.state.path());
     const FakeWorker worker(master, {});
-    const auto paused = [&] { return master.coordinator.jobs().status(job).value().paused; };
+    const auto paused = [&] { return master.status(accepted.job).paused; };
     master.run_until([&] { return paused().find("move it away") != std::string::npos; });
-    std::filesystem::rename(mesh, state / "away");
+    std::filesystem::rename(accepted.mesh, accepted.state / "away");
     master.run_until([&] { return paused().find("is missing") != std::string::npos; });
-    submit_to(master, AnalysisMode::Always);
-    expect_right_end(master, job);
+    submit_to(master, submission(AnalysisMode::Always));
+    expect_right_end(master, accepted.job);
 }
 
 TEST(ServerRestart, QuarantineAlarmsAndWithdrawalsOutlastARestart) {
@@ -200,7 +158,7 @@ TEST(ServerRestart, QuarantineAlarmsAndWithdrawalsOutlastARestart) {
         ASSERT_GT(before.alarm_count, 0u);
         ASSERT_GT(before.jobs.at(0).withdrawn, 1u);
         Master master(no_return, state.path());
-        const ClusterStatus after = master.coordinator.jobs().cluster();
+        const ClusterStatus after = master.cluster();
         EXPECT_EQ(after.alarms, before.alarms);
         EXPECT_EQ(after.alarm_count, before.alarm_count);
         EXPECT_EQ(after.jobs.at(0).withdrawn, before.jobs.at(0).withdrawn);
@@ -217,7 +175,7 @@ JobId job_to_be_analysed(const std::filesystem::path& state) {
     JobId job;
     {
         Master master(no_return, state);
-        job = submit_to(master, AnalysisMode::Never);
+        job = submit_to(master, submission(AnalysisMode::Never));
         const FakeWorker worker(master, {.instance = good_process, .batches_max = 1});
         master.run_until([&] { return worker.kept == 1; });
     }
@@ -233,7 +191,7 @@ TEST(ServerRestart, ReturnedResultsSkipAnalysis) {
     const TemporaryFolder state;
     const JobId job = job_to_be_analysed(state.path());
     Master master({}, state.path());
-    master.run_until([&] { return master.coordinator.jobs().explainer().input(job).has_value(); });
+    master.run_until_prepared(job);
     const AnalysisInput input = master.coordinator.jobs().explainer().input(job).value();
     const auto results = master.coordinator.jobs().find(job)->results;
     std::optional<Analysis> separate; // The only scenario missing from the worker's results.
@@ -251,14 +209,13 @@ TEST(ServerRestart, ReturnedResultsSkipAnalysis) {
     }
     ASSERT_TRUE(separate);
     ASSERT_GT(brought.size(), reference().scenarios.size() / 3) << "then this shows little";
-    const auto status = [&] { return master.coordinator.jobs().status(job).value(); };
-    const JobStatus before = status();
+    const JobStatus before = master.status(job);
     ASSERT_EQ(before.answered_by_master, 0u);
 
     const FakeWorker worker(master, {.instance = good_process, .comes_with = brought});
     expect_right_end(master, job);
-    EXPECT_EQ(status().answered_by_master, 1u);
-    EXPECT_EQ(status().statistics.search.box_tests - before.statistics.search.box_tests,
+    EXPECT_EQ(master.status(job).answered_by_master, 1u);
+    EXPECT_EQ(master.status(job).statistics.search.box_tests - before.statistics.search.box_tests,
               separate->cost.search.box_tests);
 }
 
@@ -268,7 +225,7 @@ TEST(ServerRestart, AnUnfinishedWithdrawalIsFinished) {
     JobId job;
     {
         Master master(no_return, state.path());
-        job = submit_to(master, AnalysisMode::Never);
+        job = submit_to(master, submission(AnalysisMode::Never));
         const FakeWorker liar(master,
                               {.lies_alone = 3, .instance = liars_process, .batches_max = 3});
         master.run_until([&] { return liar.kept == 3; });
@@ -281,7 +238,7 @@ TEST(ServerRestart, AnUnfinishedWithdrawalIsFinished) {
         writer.wait_for(writer.journal->add(std::move(add)));
     }
     Master master(no_return, state.path());
-    EXPECT_GT(master.coordinator.jobs().status(job).value().withdrawn, 0u);
+    EXPECT_GT(master.status(job).withdrawn, 0u);
     const FakeWorker good(master, {.instance = good_process});
     expect_right_end(master, job);
 }
@@ -293,12 +250,12 @@ TEST(ServerRestart, AnOldWrongResultWithdrawsItsAuthorsResults) {
     std::optional<std::uint64_t> wrong;
     {
         Master master(no_return, state.path());
-        ended = submit_to(master, AnalysisMode::Never);
+        ended = submit_to(master, submission(AnalysisMode::Never));
         {
             const FakeWorker still_good(master, {.instance = liars_process});
             expect_right_end(master, ended);
         }
-        job = submit_to(master, AnalysisMode::Never);
+        job = submit_to(master, submission(AnalysisMode::Never));
         {
             const FakeWorker liar(master,
                                   {.lies_alone = 3, .instance = liars_process, .batches_max = 3});
@@ -310,20 +267,20 @@ TEST(ServerRestart, AnOldWrongResultWithdrawsItsAuthorsResults) {
     }
     ASSERT_TRUE(wrong);
     Master master(no_return, state.path());
-    EXPECT_EQ(master.coordinator.jobs().cluster().alarm_count, 0u);
+    EXPECT_EQ(master.alarms(), 0u);
     // No earlier worker is here. A new one brings a contradicting result, as after a speculative
     // copy.
     std::uint64_t missing = 0; // The job waits for it.
-    while (master.coordinator.jobs().find(job)->results->has(missing)) {
+    while (master.has_result(job, missing)) {
         ++missing;
     }
     FakeWorker good(
         master,
         {.instance = good_process, .comes_with = {right_results(job, *wrong)}, .holds = missing});
-    master.run_until([&] { return master.coordinator.alarms().record().count != 0; });
+    master.run_until([&] { return master.alarms() != 0; });
     good.go_on();
     expect_right_end(master, job);
-    const ClusterStatus status = master.coordinator.jobs().cluster();
+    const ClusterStatus status = master.cluster();
     ASSERT_FALSE(status.alarms.empty());
     const std::string named = "check them with cdctl verify: " + std::to_string(ended.value);
     EXPECT_TRUE(std::ranges::any_of(status.alarms, [&](const std::string& alarm) {
@@ -341,24 +298,20 @@ TEST(ServerRestart, ADisputeThatWasOpenIsSettled) {
         JobId job;
         {
             Master master({}, state.path());
-            job = submit_to(master, AnalysisMode::Never);
-            master.run_until(
-                [&] { return master.coordinator.jobs().explainer().input(job).has_value(); });
-            std::latch released(1);
-            for (unsigned thread = 0; thread < master.blocking.size(); ++thread) {
-                master.blocking.post([&] { released.wait(); }); // Blocks the master's runs.
-            }
+            job = submit_to(master, submission(AnalysisMode::Never));
+            master.run_until_prepared(job);
+            const auto runs = occupy(master.blocking);
             {
                 const FakeWorker liar(master, habits);
                 master.run_until([&] { return liar.kept == 2; });
             }
-            EXPECT_EQ(master.coordinator.jobs().cluster().alarm_count, 0u);
+            EXPECT_EQ(master.alarms(), 0u);
             master.end();
-            released.count_down();
+            runs->count_down();
         }
         Master master(no_return, state.path());
-        EXPECT_EQ(master.coordinator.jobs().cluster().alarm_count, 0u);
-        master.run_until([&] { return master.coordinator.jobs().cluster().alarm_count != 0; });
+        EXPECT_EQ(master.alarms(), 0u);
+        master.run_until([&] { return master.alarms() != 0; });
         FakeWorker good(master, {.instance = good_process});
         expect_in_quarantine(master, liars_process);
         expect_right_end(master, job);

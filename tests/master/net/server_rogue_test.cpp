@@ -37,12 +37,7 @@ class Rogue {
         Target target = master_.target(CertifiedRole::Worker, "rogue");
         auto connected = co_await connect(std::move(target));
         channel = connected.value();
-        Hello hello;
-        hello.role = Role::Worker;
-        hello.name = "rogue";
-        hello.threads = 1;
-        hello.cache_bytes = 1 << 20;
-        hello.instance = instance_;
+        const Hello hello = hello_of_worker("rogue", instance_);
         const Result<Welcome> welcome = co_await greet(channel, hello);
         has_joined = welcome.has_value();
         while (has_joined) {
@@ -73,27 +68,21 @@ void ends_all(Channel& channel, const Message& message) {
 TEST(Rogue, EndingTasksUnansweredFailsNoScenario) {
     const Logged logged;
     Master master;
-    Client client(master);
-    client.start(reference().submission());
+    Client client(master, reference().submission());
     for (std::uint64_t time = 0; time <= limits::scenario_losses_max; ++time) {
         Rogue rogue(master, ends_all, 66 + time);
         master.run_until([&] { return rogue.ended; });
     }
     EXPECT_THAT(logged.text(), HasSubstr("ended a task without an answer for"));
     const FakeWorker honest(master, {});
-    master.run_until([&] { return client.done; });
-    expect_right(client);
+    client.expect_right();
 }
 
 TEST(Rogue, RequestsOfAQuarantinedWorkerDoNoHarm) {
     Master master;
     const FakeWorker liar(master, {.lies_first = true, .instance = 77});
-    Client client(master);
-    client.start(reference().submission());
-    master.run_until([&] {
-        const auto workers = master.coordinator.jobs().cluster().workers;
-        return !workers.empty() && workers[0].quarantined;
-    });
+    Client client(master, reference().submission());
+    master.run_until_quarantined();
     Rogue again(master, says_nothing, 77);
     for (std::uint64_t tree = 0; tree < 4; ++tree) {
         for (const RootIndex root : {RootIndex{0}, ~RootIndex{0}, ~RootIndex{0} - 5}) {
@@ -131,9 +120,8 @@ TEST(Rogue, OnlyDirectedWorkersCanReportASource) {
     Master master;
     const std::uint16_t port = master.endpoint().port; // The master's probe of this port succeeds.
     const FakeWorker holder(master, {.only_takes = true, .peer_port = port});
-    Client client(master);
-    client.start_submitting(reference().submission());
-    master.run_until([&] { return client.done && holder.batches != 0; });
+    submit_to(master, reference().submission());
+    master.run_until([&] { return holder.batches != 0; });
     Rogue rogue(master, says_nothing);
     for (const PeerOutcome outcome : {PeerOutcome::Damaged, PeerOutcome::Unreachable}) {
         for (const std::vector<RootIndex>& roots : {std::vector<RootIndex>{}, {0}, {1, 2}}) {
@@ -147,7 +135,7 @@ TEST(Rogue, OnlyDirectedWorkersCanReportASource) {
 
 TEST(Rogue, WorkersLeaveRoomForOthers) {
     const Stage stage{.clients = {.workers = {.connections = 2, .all_connections = 3}}};
-    Master master({.return_within = std::chrono::milliseconds(0)}, {}, stage);
+    Master master(no_return, {}, stage);
     Rogue first(master, says_nothing, 1);
     Rogue second(master, says_nothing, 2);
     EXPECT_TRUE(first.has_joined && second.has_joined);

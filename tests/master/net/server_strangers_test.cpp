@@ -49,24 +49,41 @@ asio::awaitable<void> greet_from(std::unique_ptr<Stream> stream,
     greeting.answer = co_await greet(greeting.channel, hello, patience);
 }
 
-void start_greeting(Master& master,
-                    asio::ip::tcp::socket socket,
-                    std::shared_ptr<const Tls> tls,
-                    Role role,
-                    Greeting& greeting) {
+/// Greets the master and waits for its answer.
+Greeting greeting_over(Master& master,
+                       asio::ip::tcp::socket socket,
+                       Role role,
+                       std::shared_ptr<const Tls> tls = nullptr) {
+    Greeting greeting;
     spawn(master.context.get_executor(),
           "greeting",
           greet_from(std::make_unique<Stream>(std::move(socket)), std::move(tls), role, greeting));
+    master.run_until([&] { return greeting.answer.has_value(); });
+    return greeting;
 }
 
-TEST(Strangers, SilentConnectionsOfOneHostDoNotLockOtherHostsOut) {
-    Master master;
-    const Logged logged;
+Greeting greet_from_host(Master& master,
+                         const char* address,
+                         Role role,
+                         std::shared_ptr<const Tls> tls = nullptr) {
+    return greeting_over(
+        master, connect_from(master, address, master.server->port()), role, std::move(tls));
+}
+
+/// Makes as many connections that stay silent as one host may have, and one more.
+std::vector<asio::ip::tcp::socket> silent_connections(Master& master) {
     std::vector<asio::ip::tcp::socket> silent;
     for (std::size_t i = 0; i < too_many; ++i) {
         silent.push_back(connect_from(master, "127.0.0.1", master.server->port()));
         master.context.poll();
     }
+    return silent;
+}
+
+TEST(Strangers, SilentConnectionsOfOneHostDoNotLockOtherHostsOut) {
+    Master master;
+    const Logged logged;
+    auto silent = silent_connections(master);
     // The master closes the last connection at once.
     std::array<char, 1> nothing{};
     bool is_closed = false;
@@ -74,40 +91,19 @@ TEST(Strangers, SilentConnectionsOfOneHostDoNotLockOtherHostsOut) {
                                   [&](const auto& error, std::size_t) { is_closed = !!error; });
     master.run_until([&] { return is_closed; });
     EXPECT_THAT(logged.text(), HasSubstr("connection refused: peer=127.0.0.1:"));
-    Greeting turned_away;
-    start_greeting(master,
-                   connect_from(master, "127.0.0.1", master.server->port()),
-                   nullptr,
-                   Role::Client,
-                   turned_away);
-    master.run_until([&] { return turned_away.answer.has_value(); });
+    const Greeting turned_away = greet_from_host(master, "127.0.0.1", Role::Client);
     ASSERT_FALSE(turned_away.answer->has_value());
     EXPECT_THAT(turned_away.answer->error().detail, HasSubstr("no place for another connection"));
-    Greeting other;
-    start_greeting(master,
-                   connect_from(master, "127.0.0.2", master.server->port()),
-                   nullptr,
-                   Role::Client,
-                   other);
-    master.run_until([&] { return other.answer.has_value(); });
+    const Greeting other = greet_from_host(master, "127.0.0.2", Role::Client);
     EXPECT_TRUE(other.answer->has_value()) << other.answer->error().detail;
     other.channel->close();
 }
 
 TEST(Strangers, UnderTlsAClientThatFindsNoPlaceIsToldSo) {
     Master master({}, {}, {.is_secured = true});
-    std::vector<asio::ip::tcp::socket> silent;
-    for (std::size_t i = 0; i < too_many; ++i) {
-        silent.push_back(connect_from(master, "127.0.0.1", master.server->port()));
-        master.context.poll();
-    }
-    Greeting turned_away;
-    start_greeting(master,
-                   connect_from(master, "127.0.0.1", master.server->port()),
-                   master.target(CertifiedRole::Submitter, "ilan").tls,
-                   Role::Client,
-                   turned_away);
-    master.run_until([&] { return turned_away.answer.has_value(); });
+    const auto silent = silent_connections(master);
+    const auto tls = master.target(CertifiedRole::Submitter, "ilan").tls;
+    const Greeting turned_away = greet_from_host(master, "127.0.0.1", Role::Client, tls);
     ASSERT_FALSE(turned_away.answer->has_value());
     EXPECT_THAT(turned_away.answer->error().detail, HasSubstr("no place for another connection"));
 }
@@ -115,13 +111,8 @@ TEST(Strangers, UnderTlsAClientThatFindsNoPlaceIsToldSo) {
 TEST(Strangers, GreetedConnectionsFreeTheirSlot) {
     Master master;
     for (std::size_t i = 0; i < too_many; ++i) {
-        Greeting greeting;
-        start_greeting(master,
-                       connect_from(master, "127.0.0.1", master.server->port()),
-                       nullptr,
-                       i % 2 == 0 ? Role::Worker : Role::Peer,
-                       greeting);
-        master.run_until([&] { return greeting.answer.has_value(); });
+        const Role role = i % 2 == 0 ? Role::Worker : Role::Peer;
+        const Greeting greeting = greet_from_host(master, "127.0.0.1", role);
         // The others are refused, and keep their slots until they leave.
         EXPECT_EQ(greeting.answer->has_value(), i % 2 == 0);
         greeting.channel->close();
@@ -146,12 +137,8 @@ TEST(Strangers, JoinersKeepTheirSlotUntilAdmitted) {
     const auto nobody = Tls::make_joining(identity->fingerprint());
     std::vector<Greeting> joiners(clients.greetings / 2 + 1);
     for (Greeting& joiner : joiners) {
-        start_greeting(master,
-                       connect_from(master, "127.0.0.1", server->port()),
-                       nobody,
-                       Role::Joiner,
-                       joiner);
-        master.run_until([&] { return joiner.answer.has_value(); });
+        auto socket = connect_from(master, "127.0.0.1", server->port());
+        joiner = greeting_over(master, std::move(socket), Role::Joiner, nobody);
         EXPECT_EQ(joiner.answer->has_value(), &joiner != &joiners.back());
     }
     for (Greeting& joiner : joiners) {

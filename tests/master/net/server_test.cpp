@@ -5,6 +5,8 @@
 #include "tests/master/fake_worker.hpp"
 #include "tests/master/master_stage.hpp"
 
+#include <gmock/gmock.h>
+
 #include <algorithm>
 
 namespace cd::tests {
@@ -23,8 +25,7 @@ TEST(Server, AJobHasTheDigestOfTheSameScenariosWithoutACluster) {
         submit.cluster.strategy = strategy;
         submit.cluster.claim = strategy != "best-match";
         client.start(submit);
-        master.run_until([&] { return client.done; });
-        expect_right(client);
+        client.expect_right();
         EXPECT_EQ(client.meshes_sent, 2u);
         EXPECT_GT(client.statuses.back().answered_by_master, 0u);
         EXPECT_GT(client.statuses.back().statistics.search.box_tests, 0u);
@@ -39,12 +40,7 @@ TEST(Server, TheDigestIsEqualWithAndWithoutAnalysis) {
         Master master;
         FakeWorker one(master, {});
         FakeWorker two(master, {.answers_twice = true});
-        Client client(master);
-        Submit submit = reference().submission();
-        submit.cluster.analysis = mode;
-        client.start(submit);
-        master.run_until([&] { return client.done; });
-        expect_right(client);
+        Client(master, submission(mode)).expect_right();
         EXPECT_EQ(one.ranges + two.ranges != 0, mode == AnalysisMode::Never) << to_text(mode);
         EXPECT_EQ(one.batches + two.batches == 0, mode == AnalysisMode::Never) << to_text(mode);
     }
@@ -52,12 +48,10 @@ TEST(Server, TheDigestIsEqualWithAndWithoutAnalysis) {
 
 TEST(Server, AWorkerMayComeAfterTheJob) {
     Master master;
-    Client client(master);
-    client.start(reference().submission());
+    Client client(master, reference().submission());
     master.run_until([&] { return client.job.has_value(); });
     FakeWorker late(master, {});
-    master.run_until([&] { return client.done; });
-    expect_right(client);
+    client.expect_right();
 }
 
 /// Returns the link seconds a worker must expect for the first blocks of a job after it has done
@@ -71,12 +65,12 @@ double expected_transfer(bool says_what_it_holds) {
         submit.cluster.strategy = "earliest-finish";
         client.start(submit);
         if (is_first) {
-            master.run_until([&] { return client.done; });
+            client.run_until_done();
             continue;
         }
         // The job has no task yet when its geometry is there, even before its client hears of it.
         const auto job = [&] {
-            const std::vector<JobStatus> jobs = master.coordinator.jobs().cluster().jobs;
+            const std::vector<JobStatus> jobs = master.cluster().jobs;
             const auto running = std::ranges::find(jobs, JobState::Running, &JobStatus::state);
             return running == jobs.end() ? JobId{} : running->job;
         };
@@ -102,16 +96,13 @@ TEST(Server, TransfersToAWorkerAreMeasured) {
 TEST(Server, JobsOfSeveralClientsRunSideBySideAndMeshesAreSentOnce) {
     Master master;
     FakeWorker worker(master, {});
-    Client first(master);
-    first.start(reference().submission());
+    Client first(master, reference().submission());
     master.run_until([&] { return first.job.has_value(); });
-    Client second(master);
     Submit other = reference().submission();
     other.cluster.set_depth(0, 6);
-    second.start(other);
-    master.run_until([&] { return first.done && second.done; });
-    expect_right(first);
-    expect_right(second);
+    Client second(master, other);
+    first.expect_right();
+    second.expect_right();
     EXPECT_NE(first.job, second.job);
     EXPECT_EQ(second.meshes_sent, 0u);
 }
@@ -119,60 +110,36 @@ TEST(Server, JobsOfSeveralClientsRunSideBySideAndMeshesAreSentOnce) {
 TEST(Server, AGridNeedsNoPoses) {
     Master master;
     FakeWorker worker(master, {});
-    Client upload(master);
-    upload.start(reference().submission());
-    master.run_until([&] { return upload.done; });
+    Client(master, reference().submission()).run_until_done();
 
     Grid grid;
     grid.position = {GridAxis{-1.5, 1.5, 7}, GridAxis{-1, 1, 3}, GridAxis{0, 0, 1}};
     for (int axis = 0; axis < 3; ++axis) {
         grid.rotation[static_cast<std::size_t>(axis)] = rotation_axis({0, 0, 1}, axis);
     }
-    Submit submit = reference().submission();
-    submit.scenarios = grid.count();
-    submit.grid = encode_grid(grid);
-    submit.poses.kind = PosesKind::Grid;
-    Client client(master);
-    client.start_asking({submit});
-    master.run_until([&] { return client.done; });
-    ASSERT_TRUE(client.answer->has_value());
-    const auto* accepted = std::get_if<Accepted>(&client.answer->value());
-    ASSERT_NE(accepted, nullptr);
-    master.run_until([&] {
-        return master.coordinator.jobs().status(accepted->job).value().state == JobState::Done;
-    });
-    EXPECT_EQ(master.coordinator.jobs().status(accepted->job).value().summary.merged(), 21u);
+    const JobId job = std::get<Accepted>(answer_to(master, {submission(grid)})).job;
+    master.run_until([&] { return master.status(job).state == JobState::Done; });
+    EXPECT_EQ(master.status(job).summary.merged(), 21u);
 }
 
 TEST(Server, ACancelledJobEndsAndItsStatusSaysSo) {
     Master master;
-    Client client(master); // Without workers, the job never ends.
-    client.start(reference().submission());
+    Client client(master, reference().submission()); // Without workers, the job never ends.
     master.run_until([&] { return !client.statuses.empty(); });
-    Client other(master);
     const auto begin = std::chrono::steady_clock::now();
-    other.start_asking({Cancel{*client.job}});
-    master.run_until([&] { return client.done && other.done; });
+    const Message answer = answer_to(master, {Cancel{*client.job}});
+    client.run_until_done();
     EXPECT_LT(std::chrono::steady_clock::now() - begin, timing::cancel_wait_max / 2);
     EXPECT_EQ(client.statuses.back().state, JobState::Cancelled);
-    EXPECT_EQ(std::get<JobStatus>(other.answer->value()).state, JobState::Cancelled);
+    EXPECT_EQ(std::get<JobStatus>(answer).state, JobState::Cancelled);
 }
 
 TEST(Server, InvalidSubmissionsAreRefusedWithAReason) {
     Master master;
-    Client upload(master);
-    upload.start(reference().submission());
-    master.run_until([&] { return upload.job.has_value(); });
+    submit_to(master, reference().submission());
 
-    const auto expect_failure = [&](std::vector<Message> messages, const std::string& words) {
-        SCOPED_TRACE(words);
-        Client client(master);
-        client.start_asking(std::move(messages));
-        master.run_until([&] { return client.done; });
-        ASSERT_TRUE(client.answer->has_value());
-        const auto* failure = std::get_if<Failure>(&client.answer->value());
-        ASSERT_NE(failure, nullptr);
-        EXPECT_NE(failure->detail.find(words), std::string::npos) << failure->detail;
+    const auto expect_failure = [&](const std::vector<Message>& messages, const char* words) {
+        EXPECT_THAT(refusal_of(master, messages), testing::HasSubstr(words));
     };
     const Submit good = reference().submission();
     const auto with = [&](auto change) {
@@ -218,13 +185,8 @@ TEST(Server, InvalidSubmissionsAreRefusedWithAReason) {
 TEST(Server, TheStatusOfTheClusterTellsOfWorkersJobsAndMeshes) {
     Master master;
     FakeWorker worker(master, {});
-    Client client(master);
-    client.start(reference().submission());
-    master.run_until([&] { return client.done; });
-    Client asking(master);
-    asking.start_asking({StatusQuery{}});
-    master.run_until([&] { return asking.done; });
-    const auto status = std::get<ClusterStatus>(asking.answer->value());
+    Client(master, reference().submission()).run_until_done();
+    const auto status = std::get<ClusterStatus>(answer_to(master, {StatusQuery{}}));
     ASSERT_EQ(status.workers.size(), 1u);
     EXPECT_EQ(status.workers[0].name, "fake");
     EXPECT_EQ(status.workers[0].scenarios + status.jobs.at(0).answered_by_master,

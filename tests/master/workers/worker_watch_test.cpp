@@ -3,6 +3,7 @@
 #include "master/workers/worker_watch.hpp"
 
 #include "common/core/limits/master.hpp"
+#include "tests/support/rounds.hpp"
 
 #include <gtest/gtest.h>
 
@@ -112,9 +113,7 @@ TEST(WorkerWatch, OnlySoManyLostWorkersAreRemembered) {
 }
 
 TEST(WorkerWatch, WhateverHappensStatesFollowFromTheLastWord) {
-    for (std::uint64_t seed = 0; seed < 200; ++seed) {
-        SCOPED_TRACE(testing::Message() << "seed " << seed);
-        std::mt19937_64 random(seed);
+    for (SeededRandom random : seeds(200)) {
         WorkerWatch watch(times);
         watch.joined(one, at(0s));
         Time now = at(0s);
