@@ -103,24 +103,6 @@ TEST(ServerDamage, DamagedBlocksDoNotPauseAJob) {
     master.expect_right_end();
 }
 
-TEST(ServerDamage, ADisputeWaitsForThePosesToJudgeIt) {
-    DamagedMaster master(AnalysisMode::Never);
-    master.run_until_prepared(master.job);
-    const auto runs = occupy(master.blocking);
-    {
-        const FakeWorker liar(master, {.lies_second = true, .batches_max = 1});
-        master.run_until([&] { return liar.kept == 2; });
-    }
-    const Damage damage(master.poses());
-    runs->count_down();
-    master.expect_to_wait_for(damage);
-    EXPECT_EQ(master.alarms(), 0u);
-    damage.mend();
-    const FakeWorker good(master, {});
-    master.expect_right_end();
-    EXPECT_GT(master.alarms(), 0u);
-}
-
 TEST(ServerDamage, ResultsOfAWaitingJobBlockNoOther) {
     DamagedMaster master(AnalysisMode::Always);
     const Damage damage(master.poses());

@@ -78,6 +78,18 @@ TEST_F(ArbiterTest, AWrongFirstResultIsCorrectedAndItsWorkerQuarantined) {
     EXPECT_FALSE(state.alarms.take_changed()) << "the journal has the alarm";
 }
 
+TEST_F(ArbiterTest, ADisputeWaitsForPosesThatCannotBeRead) {
+    job_.run->poses = std::make_shared<OrderedPoses>(std::make_shared<FailingPoses>(1));
+    services.arbiter.settle(dispute(wrong_result(index_), right_result(index_)));
+    run_until([this] { return !job_.run->paused.empty(); });
+    EXPECT_THAT(job_.run->paused, HasSubstr("the disk is gone"));
+    EXPECT_EQ(state.alarms.record().count, 0u);
+    run_until_settled();
+    EXPECT_TRUE(is_right());
+    EXPECT_TRUE(state.alarms.is_quarantined(70));
+    EXPECT_THAT(job_.run->paused, IsEmpty());
+}
+
 TEST_F(ArbiterTest, AWrongSecondResultOnlyQuarantinesItsWorker) {
     services.arbiter.settle(dispute(right_result(index_), wrong_result(index_)));
     run_until_settled();
