@@ -126,7 +126,8 @@ TEST(ScorePolicy, AFullClaimedOrSilentWorkerGetsNothing) {
     for (const std::string_view strategy : {"best-match", "random"}) {
         Cluster cluster(strategy, {{}, {}, {}, {}});
         cluster.load(1, 100);
-        cluster.pool.at(WorkerId{2}).tasks.start(TaskId{1}, {JobId{1}, PlaceRange{0, 1}, true, true});
+        cluster.pool.at(WorkerId{2})
+            .tasks.start(TaskId{1}, {JobId{1}, PlaceRange{0, 1}, true, true});
         cluster.pool.at(WorkerId{3}).set_silent(true);
         EXPECT_EQ(cluster.pick(1), 4u);
         EXPECT_FALSE(cluster.job().policy->may_take(cluster.pool.at(WorkerId{1}), cluster.job()));
