@@ -98,8 +98,11 @@ Result<TakenResults> SimulatedMaster::State::check(const Results& message) {
     spent += message.count * workload.results.intake_seconds;
     TakenResults taken;
     for (const std::uint64_t scenario : scenarios_in(message)) {
-        taken.results.emplace_back().result.index = scenario;
+        TakenResult& one = taken.results.emplace_back();
+        one.result.index = scenario;
+        one.position = scenario; // The scenarios lie on a grid, which keeps its order.
     }
+    taken.positions = PositionSet::of(scenarios_in(message));
     return taken;
 }
 
