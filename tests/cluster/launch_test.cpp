@@ -51,7 +51,8 @@ TEST_F(Launch, WorkersUnderMpirun) {
     expect_the_digest_of_one_process();
     script.signal(SIGTERM);
     EXPECT_TRUE(script.wait().has_value()) << script.errors();
-    EXPECT_TRUE(connection_->status().value().workers.empty());
+    // mpirun kills a worker that has not ended when another one has; the master then waits for it.
+    EXPECT_TRUE(comes_true([&] { return connection_->status().value().workers.empty(); }));
 }
 
 TEST(LaunchScripts, SayHowTheyAreUsed) {
