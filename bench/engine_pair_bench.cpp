@@ -10,11 +10,9 @@
 // time of one candidate. The checksum of the decisions must be equal for all targets.
 #include "bench/posed_trees.hpp"
 #include "bench/timed_work.hpp"
-#include "common/geometry/aabb.hpp"
 #include "common/geometry/simd_target.hpp"
 #include "common/geometry/triangle_blocks.hpp"
 #include "common/pair/stages/float/float_triangle_pair.hpp"
-#include "common/tree/box_test.hpp"
 #include "common/tree/wide/candidates_at_once.hpp"
 
 #include <benchmark/benchmark.h>
@@ -64,59 +62,6 @@ TriangleBlockArrays blocks_of(const ObbTree& tree, Precision precision) {
         blocks.add(all.triangles.subspan(i, size), std::span(ids).first(size), all.vertices);
     }
     return blocks;
-}
-
-void add_candidates(const Scene& scene,
-                    const BoxTest& boxes,
-                    const ObbNode& a,
-                    const ObbNode& b,
-                    std::vector<Candidate>& to) {
-    for (std::uint32_t i = a.triangles_begin; i < a.triangles_end; ++i) {
-        const Aabb own = bounding_box(triangles_of(scene.a).corners_at(i));
-        for (std::uint32_t j = b.triangles_begin; j < b.triangles_end; ++j) {
-            const Aabb other = boxes.bounds(triangles_of(scene.b).corners_at(j));
-            if ((own.min.array() <= other.max.array()).all() &&
-                (other.min.array() <= own.max.array()).all()) {
-                to.push_back({i, j});
-            }
-        }
-    }
-}
-
-/// Descends the larger box first, as BinarySearch does.
-std::vector<Candidate> candidates_of(const Scene& scene, const PosePair& poses) {
-    struct NodePair {
-        std::uint32_t a;
-        std::uint32_t b;
-    };
-    const BoxTest boxes(relative_pose(poses));
-    const auto nodes_a = scene.a.view().nodes;
-    const auto nodes_b = scene.b.view().nodes;
-    const auto surface = [](const ObbNode& node) {
-        const auto& [x, y, z] = node.half;
-        return x * y + y * z + z * x;
-    };
-    std::vector<Candidate> candidates;
-    std::vector<NodePair> stack{{0, 0}};
-    while (!stack.empty()) {
-        const NodePair now = stack.back();
-        stack.pop_back();
-        const ObbNode& a = nodes_a[now.a];
-        const ObbNode& b = nodes_b[now.b];
-        if (!boxes.may_overlap(a, boxes.pose(b))) {
-            continue;
-        }
-        if (a.is_leaf() && b.is_leaf()) {
-            add_candidates(scene, boxes, a, b, candidates);
-        } else if (b.is_leaf() || (!a.is_leaf() && surface(a) >= surface(b))) {
-            stack.push_back({now.a + 1, now.b});
-            stack.push_back({a.right, now.b});
-        } else {
-            stack.push_back({now.a, now.b + 1});
-            stack.push_back({now.a, b.right});
-        }
-    }
-    return candidates;
 }
 
 void report(benchmark::State& state, std::size_t candidates, const Checksum& checksum) {
@@ -253,7 +198,7 @@ std::optional<Scene> make_scene(const PosedTreesOptions& options) {
     TriangleBlockArrays blocks_b = blocks_of(posed->b, posed->mesh_b->precision());
     Scene scene{std::move(*posed), std::move(blocks_a), std::move(blocks_b), {}};
     for (const PosePair& pair : scene.poses) {
-        scene.works.push_back({pair, candidates_of(scene, pair)});
+        scene.works.push_back({pair, candidates_of(scene.a, scene.b, pair)});
     }
     if (scene.candidates() == 0) {
         std::fprintf(stderr, "no candidates under %zu poses\n", scene.poses.size());

@@ -11,6 +11,7 @@
 // the checksum of the results is equal for all targets, hot and cold. `any to pairs` runs the two
 // levels alternately, each pose in turn. It prints the medians over the poses of their medians over
 // the rounds, and their ratio: without contact, `any` costs no more than `pairs`.
+#include "bench/accuracy/timing.hpp"
 #include "bench/posed_trees.hpp"
 #include "bench/timed_work.hpp"
 #include "common/geometry/simd_target.hpp"
@@ -175,12 +176,6 @@ void run(benchmark::State& state,
     const std::string same_as = work.name + (depends_on_target ? std::string(to_text(target)) : "");
     report(state, trees, work, same_as, checksums);
     static_cast<void>(force_simd_target("auto"));
-}
-
-double median(std::vector<double> values) {
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
 }
 
 /// Microseconds of each pose at one level, round by round.

@@ -1,8 +1,9 @@
 #include "bench/posed_trees.hpp"
 
 #include "client/import/mesh_import.hpp"
-#include "common/core/host/thread_pool.hpp"
+#include "common/geometry/aabb.hpp"
 #include "common/job/poses/pose_source.hpp"
+#include "common/tree/box_test.hpp"
 #include "common/tree/build/build.hpp"
 
 #include <cstdio>
@@ -13,24 +14,9 @@
 
 namespace cd::bench {
 
-namespace {
-
-std::vector<PosePair>
-random_poses(const ObbTree& a, const ObbTree& b, std::uint64_t count, ThreadPool& pool) {
-    RandomPoses random;
-    random.count = count;
-    std::vector<PosePair> all;
-    for (const Scenario& scenario : make_random_poses(random, a, b, pool)) {
-        all.push_back(scenario.poses);
-    }
-    return all;
-}
-
-} // namespace
-
 void PosedTreesOptions::add_to(CLI::App& app) {
     app.add_option("MESH_A", a, "A mesh file")->required();
-    app.add_option("MESH_B", b, "A mesh file")->required();
+    app.add_option("MESH_B", b, "A mesh file; without it A meets itself");
     app.add_option("--unit-a", unit_a, "What A's coordinates are multiplied by");
     app.add_option("--poses", poses, "A file of poses of B in A's frame");
     app.add_option("--random", random, "How many random poses, without a file");
@@ -38,7 +24,7 @@ void PosedTreesOptions::add_to(CLI::App& app) {
 
 std::optional<PosedTrees> load(const PosedTreesOptions& options) {
     const auto a = import_mesh(options.a, {options.unit_a});
-    const auto b = import_mesh(options.b, {});
+    const auto b = options.b.empty() ? a : import_mesh(options.b, {});
     for (const auto* mesh : {&a, &b}) {
         if (!*mesh) {
             std::fprintf(stderr, "%s\n", mesh->error().detail.c_str());
@@ -79,6 +65,54 @@ std::optional<std::vector<PosePair>> read_poses(const std::string& path) {
         poses.push_back({Pose{}, Pose::from_matrix(rotation, {n[9], n[10], n[11]})});
     }
     return poses;
+}
+
+std::vector<PosePair>
+random_poses(const ObbTree& a, const ObbTree& b, std::uint64_t count, ThreadPool& pool) {
+    RandomPoses random;
+    random.count = count;
+    std::vector<PosePair> all;
+    for (const Scenario& scenario : make_random_poses(random, a, b, pool)) {
+        all.push_back(scenario.poses);
+    }
+    return all;
+}
+
+std::vector<Candidate> candidates_of(const ObbTree& a, const ObbTree& b, const PosePair& poses) {
+    const BoxTest boxes(relative_pose(poses));
+    const TriangleSpan triangles_a{a.view().vertices, a.view().triangles};
+    const TriangleSpan triangles_b{b.view().vertices, b.view().triangles};
+    std::vector<Candidate> candidates;
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> stack{{0, 0}};
+    while (!stack.empty()) {
+        const auto [ia, ib] = stack.back();
+        stack.pop_back();
+        const ObbNode& node_a = a.nodes()[ia];
+        const ObbNode& node_b = b.nodes()[ib];
+        if (!boxes.may_overlap(node_a, node_b)) {
+            continue;
+        }
+        if (!node_a.is_leaf() &&
+            (node_b.is_leaf() || node_a.triangle_count() >= node_b.triangle_count())) {
+            stack.emplace_back(node_a.right, ib);
+            stack.emplace_back(ia + 1, ib);
+        } else if (!node_b.is_leaf()) {
+            stack.emplace_back(ia, node_b.right);
+            stack.emplace_back(ia, ib + 1);
+        } else {
+            for (std::uint32_t i = node_a.triangles_begin; i < node_a.triangles_end; ++i) {
+                const Aabb own = bounding_box(triangles_a.corners_at(i));
+                for (std::uint32_t j = node_b.triangles_begin; j < node_b.triangles_end; ++j) {
+                    const Aabb other = boxes.bounds(triangles_b.corners_at(j));
+                    if ((own.min.array() <= other.max.array()).all() &&
+                        (other.min.array() <= own.max.array()).all()) {
+                        candidates.push_back({i, j});
+                    }
+                }
+            }
+        }
+    }
+    return candidates;
 }
 
 } // namespace cd::bench

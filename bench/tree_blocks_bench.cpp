@@ -8,6 +8,7 @@
 // compression (block by block, as on the wire), compressed bytes per triangle of each column alone,
 // ns per triangle to extract, encode, decompress, hash and decode (medians of the rounds, in one
 // thread's own time), the decoder's GB/s of block bytes, and bytes per triangle in memory.
+#include "bench/accuracy/timing.hpp"
 #include "bench/timed_work.hpp"
 #include "client/import/mesh_import.hpp"
 #include "common/core/check.hpp"
@@ -21,11 +22,11 @@
 
 #include <CLI/CLI.hpp>
 
-#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <filesystem>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace cd {
@@ -48,8 +49,7 @@ double median_seconds(std::size_t rounds, const Function& function) {
         function();
         seconds.push_back(bench::processor_seconds() - before);
     }
-    std::sort(seconds.begin(), seconds.end());
-    return seconds[seconds.size() / 2];
+    return bench::median(std::move(seconds));
 }
 
 /// The columns of a wide block (wide_block.hpp), in order.

@@ -2,10 +2,11 @@
 // along the body's axes, and no bound of a quarter. Builds the trees of two meshes in each way and
 // runs one set of scenarios on each tree.
 //
-//   tree_build_bench MESH [B] [--poses FILE | --scenarios 50] [--rounds 5] [--depth 12] [--no-bare]
+//   tree_build_bench MESH_A [MESH_B] [--poses FILE | --random 50] [--rounds 5] [--depth 12]
+//                    [--no-bare]
 //
-// Without B the mesh meets itself. FILE holds a pose of B in A's frame per line: the rotation by
-// rows, then the translation. Without FILE the poses are random ones in contact.
+// Without MESH_B the mesh meets itself. FILE holds a pose of B in A's frame per line: the rotation
+// by rows, then the translation. Without FILE the poses are random ones in contact.
 //
 // The first table has a row per mesh: the time of the connections alone, then the least and the
 // median time of a build over the rounds, on one thread and on two, without and with the wide tree.
@@ -21,11 +22,10 @@
 // over N_p), the paper's cost N_b C_b + N_p C_p with the first row's C_b and C_p, and the digest,
 // which must be equal in all rows. All rows but the last search the paper's binary tree. The last
 // row searches the wide tree, whose box tests differ: only its own C_b and C_p tell its cost.
-#include "client/import/mesh_import.hpp"
+#include "bench/posed_trees.hpp"
 #include "client/trees/tree_cache.hpp"
 #include "common/core/host/thread_pool.hpp"
 #include "common/geometry/aabb.hpp"
-#include "common/job/poses/pose_source.hpp"
 #include "common/job/result/merge.hpp"
 #include "common/job/run_scenario.hpp"
 #include "common/search/contact_search.hpp"
@@ -39,7 +39,6 @@
 #include <cstdio>
 #include <ctime>
 #include <filesystem>
-#include <fstream>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -54,10 +53,7 @@ namespace cd {
 namespace {
 
 struct Options {
-    std::string a;
-    std::string b; ///< Empty: A meets itself.
-    std::string poses;
-    std::uint64_t scenarios = 50;
+    bench::PosedTreesOptions bodies;
     std::uint32_t depth = 12;
     std::size_t rounds = 5;
     bool skips_bare = false;
@@ -273,54 +269,17 @@ void measure(const char* name, const BuildOptions& rule, const Options& options,
     std::fflush(stdout);
 }
 
-std::vector<Scenario> read_poses(const std::string& path) {
-    std::vector<Scenario> all;
-    std::ifstream file(path);
-    Mat3 rotation;
-    Vec3 translation;
-    const auto next = [&] {
-        for (int i = 0; i < 9; ++i) {
-            file >> rotation(i / 3, i % 3);
-        }
-        return static_cast<bool>(file >> translation[0] >> translation[1] >> translation[2]);
-    };
-    while (next()) {
-        Scenario scenario;
-        scenario.index = all.size();
-        scenario.poses = {Pose{}, Pose::from_matrix(rotation, translation)};
-        all.push_back(scenario);
-    }
-    return all;
-}
-
-std::vector<Scenario> random_poses(const Scene& scene, std::uint64_t count) {
-    ThreadPool pool;
-    RandomPoses random;
-    random.count = count;
-    return make_random_poses(
-        random, build_tree(scene.a, {}, pool), build_tree(scene.b, {}, pool), pool);
-}
-
 /// Returns nothing, with a line on stderr, if a file cannot be read.
 std::optional<Scene> make_scene(const Options& options) {
-    Scene scene;
-    for (const auto& [path, mesh] : {std::pair(options.a, &scene.a), {options.b, &scene.b}}) {
-        if (path.empty()) {
-            scene.b = scene.a;
-            continue;
-        }
-        const auto imported = import_mesh(path, {});
-        if (!imported) {
-            std::fprintf(stderr, "%s\n", imported.error().detail.c_str());
-            return std::nullopt;
-        }
-        *mesh = imported.value().mesh;
-    }
-    scene.scenarios =
-        options.poses.empty() ? random_poses(scene, options.scenarios) : read_poses(options.poses);
-    if (scene.scenarios.empty()) {
-        std::fprintf(stderr, "no poses\n");
+    const auto trees = bench::load(options.bodies);
+    if (!trees) {
         return std::nullopt;
+    }
+    Scene scene;
+    scene.a = trees->mesh_a;
+    scene.b = trees->mesh_b;
+    for (const PosePair& poses : trees->poses) {
+        scene.scenarios.push_back({scene.scenarios.size(), 0, 1, poses});
     }
     return scene;
 }
@@ -334,9 +293,9 @@ int compare(const Options& options) {
         "| mesh | triangles | connections ms | processor ms | build ms, 1 thread | processor "
         "ms | 2 threads | processor ms | with the wide tree, 1 thread | processor ms | 2 "
         "threads | processor ms |\n|---|---|---|---|---|---|---|---|---|---|---|---|\n");
-    print_build_times(options.a, scene->a, options.rounds);
+    print_build_times(options.bodies.a, scene->a, options.rounds);
     if (scene->b != scene->a) {
-        print_build_times(options.b, scene->b, options.rounds);
+        print_build_times(options.bodies.b, scene->b, options.rounds);
     }
     std::printf(
         "\n| mesh | triangles | binary MB | keep ms | processor ms | find ms | processor ms | wide "
@@ -345,9 +304,9 @@ int compare(const Options& options) {
         "| built | processor ms "
         "|\n|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|"
         "\n");
-    print_kept_times(options.a, scene->a, options.rounds);
+    print_kept_times(options.bodies.a, scene->a, options.rounds);
     if (scene->b != scene->a) {
-        print_kept_times(options.b, scene->b, options.rounds);
+        print_kept_times(options.bodies.b, scene->b, options.rounds);
     }
     std::printf("\n%zu scenarios, distribution depth %u\n\n"
                 "| tree | nodes | depth | largest root | bytes/triangle | N_b | N_p | C_b ns | C_p "
@@ -379,10 +338,7 @@ int compare(const Options& options) {
 int main(int argc, char** argv) {
     cd::Options options;
     CLI::App app("Compares the rules by which OBB trees are built");
-    app.add_option("MESH", options.a, "A mesh file")->required();
-    app.add_option("B", options.b, "Another; without it the mesh meets itself");
-    app.add_option("--poses", options.poses, "A file of poses of B in A's frame");
-    app.add_option("--scenarios", options.scenarios, "How many random poses, without a file");
+    options.bodies.add_to(app);
     app.add_option("--rounds", options.rounds, "How often each is timed")
         ->check(CLI::PositiveNumber);
     app.add_option("--depth", options.depth, "Distribution depth of the share");

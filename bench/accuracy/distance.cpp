@@ -47,6 +47,20 @@ double distance_of_segments(const Vec3& p0, const Vec3& p1, const Vec3& q0, cons
     return least;
 }
 
+/// Returns the distance of a point from a triangle, which may be degenerate.
+double distance_to_triangle(const Vec3& p, const Corners& t) {
+    double least = infinity;
+    for (std::size_t i = 0; i < 3; ++i) {
+        least = std::min(least, distance_to_segment(p, t[i], t[(i + 1) % 3]));
+    }
+    const Vec3 normal = (t[1] - t[0]).cross(t[2] - t[0]);
+    bool is_above = normal.squaredNorm() > 0;
+    for (std::size_t i = 0; i < 3 && is_above; ++i) {
+        is_above = normal.cross(t[(i + 1) % 3] - t[i]).dot(p - t[i]) >= 0;
+    }
+    return is_above ? std::min(least, std::abs(normal.dot(p - t[0])) / normal.norm()) : least;
+}
+
 double distance_of_triangles(const Corners& a, const Corners& b) {
     double least = infinity;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -78,32 +92,6 @@ std::vector<Sphere> spheres_of(const ObbTree& tree, const WorldFrame& to_world) 
 }
 
 } // namespace
-
-double distance_to_triangle(const Vec3& p, const Corners& t) {
-    double least = infinity;
-    for (std::size_t i = 0; i < 3; ++i) {
-        least = std::min(least, distance_to_segment(p, t[i], t[(i + 1) % 3]));
-    }
-    const Vec3 normal = (t[1] - t[0]).cross(t[2] - t[0]);
-    bool is_above = normal.squaredNorm() > 0;
-    for (std::size_t i = 0; i < 3 && is_above; ++i) {
-        is_above = normal.cross(t[(i + 1) % 3] - t[i]).dot(p - t[i]) >= 0;
-    }
-    return is_above ? std::min(least, std::abs(normal.dot(p - t[0])) / normal.norm()) : least;
-}
-
-double distance_to_hull(const Vec3& p, std::span<const Vec3> corners) {
-    double least = infinity;
-    for (std::size_t i = 0; i < corners.size(); ++i) {
-        for (std::size_t j = i; j < corners.size(); ++j) {
-            for (std::size_t k = j; k < corners.size(); ++k) {
-                least =
-                    std::min(least, distance_to_triangle(p, {corners[i], corners[j], corners[k]}));
-            }
-        }
-    }
-    return least;
-}
 
 double distance_of_bodies(const ObbTree& a, const ObbTree& b, const PosePair& poses) {
     const WorldFrame to_world_a(poses.a);

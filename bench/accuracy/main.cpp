@@ -1,13 +1,14 @@
 // Speed against error: our settings and other engines on hard pairs, whole meshes and vehicles,
 // compared with an exact oracle. See README.md.
-#include "bench/accuracy/engines.hpp"
 #include "bench/accuracy/machine.hpp"
+#include "bench/accuracy/ours.hpp"
 #include "bench/accuracy/suites/coarse_suite.hpp"
 #include "bench/accuracy/suites/pair_suite.hpp"
 #include "bench/accuracy/suites/point_suite.hpp"
 #include "bench/accuracy/suites/scene_suite.hpp"
 #include "bench/accuracy/suites/sources.hpp"
 #include "bench/accuracy/suites/stage_suite.hpp"
+#include "bench/peers/engines/peers.hpp"
 #include "tests/corpus/pairs.hpp"
 
 #include <CLI/CLI.hpp>
@@ -72,19 +73,14 @@ void ask_category(const std::string& category,
     run_category("corpus", category, next_chunk, engines, pair_options(options), pairs_csv);
 }
 
-void run_corpus(const Options& options,
-                std::span<const Engine> engines,
-                CsvFile& pairs_csv,
-                CsvFile& stages_csv) {
+void run_corpus(const Options& options, std::span<const Engine> engines, CsvFile& pairs_csv) {
     CsvFile points_csv = open_points_csv(options.out);
     const std::uint64_t each = pairs_of_category(options);
     for (const std::string& category : tests::pair_categories()) {
         ask_category(category, options, engines, pairs_csv);
         const std::uint64_t timed = std::min<std::uint64_t>(each, options.timed);
-        const PairBatch first = corpus_batch(category, 0, timed);
-        run_stages("corpus", category, first, options.rounds, stages_csv);
         run_points(category,
-                   first,
+                   corpus_batch(category, 0, timed),
                    options.points,
                    engines,
                    std::chrono::seconds(options.limit_seconds),
@@ -131,15 +127,10 @@ void run_one_scene(const Scene& scene,
 
 void run(const Options& options) {
     std::filesystem::create_directories(options.out);
-    const Engines engines = all_engines();
-    write_machine(options.out, engines.missing);
-    for (const std::string& name : engines.missing) {
-        std::fprintf(
-            stderr, "MISSING: %s was not installed at build time: no rows\n", name.c_str());
-    }
-    std::vector<Engine> pair_engines = engines.all;
+    std::vector<Engine> pair_engines = our_engines();
+    write_machine(options.out, add_peers(pair_engines));
     std::erase_if(pair_engines, [](const Engine& engine) { return !engine.make_pairs; });
-    std::vector<Engine> mesh_engines = engines.all;
+    std::vector<Engine> mesh_engines = pair_engines;
     std::erase_if(mesh_engines, [](const Engine& engine) { return !engine.make_meshes; });
 
     CsvFile pairs_csv = open_pairs_csv(options.out);
@@ -150,7 +141,7 @@ void run(const Options& options) {
         return;
     }
     CsvFile stages_csv = open_stages_csv(options.out);
-    run_corpus(options, pair_engines, pairs_csv, stages_csv);
+    run_corpus(options, pair_engines, pairs_csv);
     SceneFiles files{open_queries_csv(options.out), open_coarse_csv(options.out)};
     std::vector<Scene> scenes = hard_scenes(options.scenes);
     scenes.push_back(torus_scene(2 * options.scenarios));

@@ -111,13 +111,6 @@ class Certified final : public PairEngine {
     std::vector<TrianglePairTest> tests_;
 };
 
-/// Returns the bytes that a query reads, cached or not: a node per box test, and two triangles with
-/// corners per candidate.
-std::uint64_t bytes_read(const QueryStatistics& statistics) {
-    return statistics.box_tests * sizeof(ObbNode) +
-           statistics.triangle_tests * 2 * (sizeof(Triangle) + sizeof(Corners));
-}
-
 /// Runs a whole scenario as a worker does.
 class CertifiedMeshes final : public MeshEngine {
   public:
@@ -141,8 +134,6 @@ class CertifiedMeshes final : public MeshEngine {
         for (const ContactPair& pair : run.result.pairs) {
             answer.pairs.emplace_back(pair.a, pair.b);
         }
-        answer.record_bytes = encode_result(run.result).size();
-        answer.read_bytes = bytes_read(run.statistics);
         return answer;
     }
 

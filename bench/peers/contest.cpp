@@ -34,9 +34,6 @@ struct Told {
     std::uint64_t extra;
     std::uint64_t judged;
     std::uint64_t wrong_any;
-    std::uint64_t box_tests;
-    std::uint64_t triangle_tests;
-    TestCosts test_costs;
 };
 
 /// Returns this process's anonymous memory after freed memory is returned to the system.
@@ -119,11 +116,12 @@ class Contestant {
     void check() {
         const std::size_t judged_a_pose =
             std::max<std::size_t>(1, judged_.size() / scene_.poses.size());
-        told_.test_costs = meshes_->test_costs(scene_.poses);
         for (std::size_t p = 0; p < scene_.poses.size(); ++p) {
             MeshAnswer answer = meshes_->ask(scene_.poses[p], level_);
-            told_.box_tests += answer.box_tests;
-            told_.triangle_tests += answer.triangle_tests;
+            told_.wrong_any += answer.touches != (reference_.pair_count(p) > 0) ? 1u : 0u;
+            if (level_ == Level::Any) {
+                continue;
+            }
             const PairSet found = pair_set(std::move(answer));
             told_.pairs_found += found.size();
             const std::vector<Disagreement> all = disagreements(reference_, p, found);
@@ -141,12 +139,9 @@ class Contestant {
     }
 
     void time_each() {
-        told_.wrong_any = 0;
         for (std::size_t p = 0; p < scene_.poses.size(); ++p) {
-            bool touches = false;
-            pose_seconds_[p] =
-                seconds_of([&] { touches = meshes_->ask(scene_.poses[p], level_).touches; });
-            told_.wrong_any += touches != (reference_.pair_count(p) > 0) ? 1u : 0u;
+            pose_seconds_[p] = seconds_of(
+                [&] { touches_ += meshes_->ask(scene_.poses[p], level_).touches ? 1u : 0u; });
         }
     }
 
@@ -214,9 +209,6 @@ class Lane {
         }
         ++heat_.rounds;
     }
-
-    /// Renews the budget for rounds after passes.
-    void renew_budget() { spent_ = 0; }
 
     [[nodiscard]] Heat heat() const {
         Heat heat = heat_;
@@ -291,9 +283,6 @@ void find_all_pairs(const Scene& scene,
         outcome.pairs_found = told.pairs_found;
         outcome.missing = told.missing;
         outcome.extra = told.extra;
-        outcome.box_tests = told.box_tests;
-        outcome.triangle_tests = told.triangle_tests;
-        outcome.test_costs = told.test_costs;
         outcome.judged = told.judged;
         outcome.ours_wrong = ours_wrong(scene, lanes[i]->judged());
     }
@@ -307,9 +296,8 @@ void find_any(const Scene& scene,
     Lanes lanes = make_lanes(scene, reference, engines, Level::Any, options);
     take_rounds(lanes, Pass, options.passes);
     for (const auto& lane : lanes) {
-        lane->renew_budget();
+        lane->take_turn(Check);
     }
-    take_rounds(lanes, Each, options.rounds);
     for (std::size_t i = 0; i < lanes.size(); ++i) {
         const Told& told = lanes[i]->told();
         Outcome& outcome = outcomes[i];

@@ -44,9 +44,6 @@ struct Outcome {
     std::uint64_t judged = 0;
     std::uint64_t ours_wrong = 0;
     std::uint64_t wrong_any = 0; ///< Number of poses.
-    std::uint64_t box_tests = 0; ///< Over all poses, for all pairs.
-    std::uint64_t triangle_tests = 0;
-    TestCosts test_costs;
 };
 
 /// Every engine finds all pairs of every pose; later, in fresh processes, whether there is any.

@@ -32,44 +32,6 @@ struct Options {
     std::string peers;
 };
 
-struct MeshEngines {
-    std::vector<Engine> all; ///< Our engines first.
-    std::vector<std::string> missing;
-};
-
-MeshEngines mesh_engines() {
-    MeshEngines engines{our_mesh_engines(), {}};
-#ifdef CD_PEER_FCL
-    add_fcl_float(engines.all);
-    add_fcl_double(engines.all);
-    add_fcl_obbrss(engines.all);
-#else
-    engines.missing.emplace_back("FCL");
-#endif
-#ifdef CD_PEER_EMBREE
-    add_embree(engines.all);
-#else
-    engines.missing.emplace_back("Embree");
-#endif
-#ifdef CD_PEER_ODE
-    add_ode(engines.all);
-#else
-    engines.missing.emplace_back("ODE");
-#endif
-#ifdef CD_PEER_BULLET
-    add_bullet(engines.all);
-#else
-    engines.missing.emplace_back("Bullet");
-#endif
-#ifdef CD_PEER_CGAL
-    add_cgal_meshes(engines.all);
-#else
-    engines.missing.emplace_back("CGAL");
-#endif
-    std::erase_if(engines.all, [](const Engine& engine) { return !engine.make_meshes; });
-    return engines;
-}
-
 /// Returns the engines for scaling: the fastest of each kind.
 std::vector<Engine> scaling_engines(const std::vector<Engine>& all) {
     std::vector<Engine> engines;
@@ -102,16 +64,13 @@ void write_floor(const std::filesystem::path& folder) {
 
 void run(const Options& options) {
     std::filesystem::create_directories(options.out);
-    MeshEngines engines = mesh_engines();
-    std::erase_if(engines.all, [&](const Engine& engine) {
-        return !engine.is_ours && engine.name.find(options.peers) == std::string::npos;
+    std::vector<Engine> engines = our_mesh_engines();
+    write_machine(options.out, add_peers(engines));
+    std::erase_if(engines, [&](const Engine& engine) {
+        return !engine.make_meshes ||
+               (!engine.is_ours && engine.name.find(options.peers) == std::string::npos);
     });
-    const std::vector<Engine> scaling = scaling_engines(engines.all);
-    write_machine(options.out, engines.missing);
-    for (const std::string& name : engines.missing) {
-        std::fprintf(
-            stderr, "MISSING: %s was not installed at build time: no rows\n", name.c_str());
-    }
+    const std::vector<Engine> scaling = scaling_engines(engines);
     write_floor(options.out);
     Room room;
     Tables tables(options.out);
@@ -129,14 +88,14 @@ void run(const Options& options) {
         if (!scene) {
             continue;
         }
-        const Reference reference(*scene, engines.all.front(), options.contest.limit);
+        const Reference reference(*scene, engines.front(), options.contest.limit);
         const std::uint64_t triangles = scene->a->triangles().size() + scene->b->triangles().size();
         const std::vector<Engine> taking_part =
-            room.fitting(source.suite == "scenes" ? engines.all : scaling, triangles);
+            room.fitting(source.suite == "scenes" ? engines : scaling, triangles);
         const auto outcomes = run_contest(*scene, reference, taking_part, options.contest);
         room.learn(outcomes, triangles);
         tables.add(source, *scene, reference, outcomes);
-        run_threads(source.suite, *scene, engines.all.front(), thread_options, threads);
+        run_threads(source.suite, *scene, engines.front(), thread_options, threads);
         if (source.name == "motorbike x motorbike") {
             run_builds("motorbike", scene->a, thread_options, builds);
         }

@@ -4,7 +4,6 @@
 #include "common/core/host/thread_pool.hpp"
 #include "common/geometry/simd_target.hpp"
 #include "common/search/contact_search.hpp"
-#include "common/search/search_cost.hpp"
 #include "common/tree/build/build.hpp"
 
 #include <string>
@@ -70,21 +69,11 @@ class OurMeshes final : public MeshEngine {
                 answer.pairs.emplace_back(pair.a, pair.b);
             }
         }
-        const QueryStatistics statistics = search.report().statistics;
-        answer.box_tests = statistics.box_tests;
-        answer.triangle_tests = statistics.triangle_tests;
         return answer;
     }
 
     [[nodiscard]] std::uint64_t resident_bytes() const override {
         return bytes_of(a_->view()) + bytes_of(b_->view());
-    }
-
-    [[nodiscard]] TestCosts test_costs(std::span<const PosePair> poses) const override {
-        SearchCostOptions options;
-        options.time_max = std::chrono::seconds(1);
-        const auto cost = measure_search_cost(a_->view(), b_->view(), poses, options);
-        return cost ? TestCosts{cost->box_test_ns, cost->triangle_test_ns} : TestCosts{};
     }
 
     [[nodiscard]] std::unique_ptr<MeshEngine> for_another_thread() const override {

@@ -1,11 +1,11 @@
 #include "bench/peers/scenes.hpp"
 
 #include "bench/accuracy/suites/sources.hpp"
+#include "bench/posed_trees.hpp"
 #include "bench/scenarios/sheet.hpp"
 #include "bench/scenarios/vehicle.hpp"
 #include "common/core/host/thread_pool.hpp"
 #include "common/geometry/aabb.hpp"
-#include "common/job/poses/pose_source.hpp"
 #include "common/tree/build/build.hpp"
 #include "tests/support/shapes.hpp"
 
@@ -13,10 +13,7 @@
 #include <array>
 #include <cstdio>
 #include <fstream>
-#include <iterator>
 #include <random>
-#include <sstream>
-#include <stdexcept>
 #include <utility>
 
 namespace cd::bench {
@@ -24,24 +21,6 @@ namespace cd::bench {
 namespace {
 
 using MeshPointer = std::shared_ptr<const Mesh>;
-
-/// Reads poses of B in A's frame, one a line: nine numbers of the matrix, row by row, then the
-/// translation.
-std::vector<PosePair> read_poses(const std::filesystem::path& path) {
-    std::ifstream file(path);
-    std::vector<PosePair> poses;
-    for (std::string line; std::getline(file, line);) {
-        std::istringstream stream(line);
-        const std::vector<double> n(std::istream_iterator<double>(stream), {});
-        if (n.size() != 12) {
-            throw std::runtime_error(path.string() + ": not 12 numbers a line");
-        }
-        Mat3 rotation;
-        rotation << n[0], n[1], n[2], n[3], n[4], n[5], n[6], n[7], n[8];
-        poses.push_back({Pose{}, Pose::from_matrix(rotation, {n[9], n[10], n[11]})});
-    }
-    return poses;
-}
 
 std::vector<PosePair> spread(const std::vector<PosePair>& all, std::size_t count) {
     const std::size_t kept = std::min(count, all.size());
@@ -52,25 +31,9 @@ std::vector<PosePair> spread(const std::vector<PosePair>& all, std::size_t count
     return poses;
 }
 
-struct Depths {
-    double min = 0.005;
-    double max = 0.05;
-};
-
-std::vector<PosePair>
-penetrating(const MeshPointer& a, const MeshPointer& b, std::size_t count, const Depths& depths) {
+std::vector<PosePair> penetrating(const MeshPointer& a, const MeshPointer& b, std::size_t count) {
     ThreadPool pool;
-    RandomPoses random;
-    random.count = count;
-    random.penetration_min = depths.min;
-    random.penetration_max = depths.max;
-    const ObbTree tree_a = build_tree(a, {}, pool);
-    const ObbTree tree_b = build_tree(b, {}, pool);
-    std::vector<PosePair> poses;
-    for (const Scenario& scenario : make_random_poses(random, tree_a, tree_b, pool)) {
-        poses.push_back(scenario.poses);
-    }
-    return poses;
+    return random_poses(build_tree(a, {}, pool), build_tree(b, {}, pool), count, pool);
 }
 
 /// Places a wheel, its axle along y, into itself, turned about the axle, slightly tilted and moved:
@@ -119,10 +82,10 @@ std::optional<Scene> load_couple(const Couple& couple, const SceneOptions& optio
     }
     Scene scene{"scenes", couple.name, a, b, {}};
     if (couple.poses == nullptr) {
-        scene.poses = penetrating(a, b, options.poses, {});
+        scene.poses = penetrating(a, b, options.poses);
     } else {
         const std::filesystem::path path = options.scenarios / couple.poses;
-        scene.poses = spread(read_poses(path), options.poses);
+        scene.poses = spread(read_poses(path).value_or(std::vector<PosePair>()), options.poses);
         if (scene.poses.empty()) {
             std::fprintf(stderr, "MISSING: %s; its scene is left out\n", path.c_str());
             return std::nullopt;
@@ -155,11 +118,10 @@ constexpr std::uint64_t posing_triangles = 30000;
 Scene generated_scene(std::string suite,
                       std::string name,
                       std::uint64_t triangles,
-                      std::size_t poses,
-                      const Depths& depths) {
+                      std::size_t poses) {
     const Generated posed = generate(posing_triangles);
     Scene scene{std::move(suite), std::move(name), nullptr, nullptr, {}};
-    scene.poses = penetrating(posed.truck, posed.car, poses, depths);
+    scene.poses = penetrating(posed.truck, posed.car, poses);
     const Generated vehicles = generate(triangles);
     scene.a = vehicles.truck;
     scene.b = vehicles.car;
@@ -175,21 +137,9 @@ void add_sizes(const SceneOptions& options, std::vector<SceneSource>& sources) {
             const std::string name = "truck of " + std::to_string(triangles);
             sources.push_back({"size", name, 1.3 * static_cast<double>(triangles), [=] {
                                    return generated_scene(
-                                       "size", name, triangles, options.scaling_poses, {});
+                                       "size", name, triangles, options.scaling_poses);
                                }});
         }
-    }
-}
-
-void add_depths(const SceneOptions& options, std::vector<SceneSource>& sources) {
-    const std::uint64_t triangles = std::min<std::uint64_t>(100000, options.vehicle_triangles);
-    for (const double depth : {0.001, 0.003, 0.01, 0.03, 0.1, 0.3}) {
-        std::ostringstream name;
-        name << "truck x car, depth " << depth;
-        sources.push_back({"depth", name.str(), depth, [=, name = name.str()] {
-                               return generated_scene(
-                                   "depth", name, triangles, options.scaling_poses, {depth, depth});
-                           }});
     }
 }
 
@@ -201,13 +151,11 @@ std::vector<SceneSource> scene_sources(const SceneOptions& options) {
         sources.push_back({"scenes", couple.name, 0, [=] { return load_couple(couple, options); }});
     }
     sources.push_back({"scenes", "wheel in its grooves", 0, [=] { return load_wheel(options); }});
-    sources.push_back(
-        {"scenes", "truck x car", 0, [=] {
-             return generated_scene(
-                 "scenes", "truck x car", options.vehicle_triangles, options.poses, {});
-         }});
+    sources.push_back({"scenes", "truck x car", 0, [=] {
+                           return generated_scene(
+                               "scenes", "truck x car", options.vehicle_triangles, options.poses);
+                       }});
     add_sizes(options, sources);
-    add_depths(options, sources);
     return sources;
 }
 

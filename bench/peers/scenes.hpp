@@ -24,9 +24,9 @@ struct SceneOptions {
 
 /// A scene not yet loaded: not all fit into memory together.
 struct SceneSource {
-    std::string suite; ///< "scenes", "size" (by triangles) or "depth" (by penetration).
+    std::string suite; ///< "scenes", or "size" for scaling by triangles.
     std::string name;
-    double x = 0; ///< Varied quantity: triangles of both bodies, or share of B's diagonal.
+    double x = 0; ///< Triangles of both bodies, where their number varies.
     /// Returns nothing, with a line on stderr, if a file is missing.
     std::function<std::optional<Scene>()> load;
 };

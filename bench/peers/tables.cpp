@@ -15,20 +15,8 @@ std::string known(double value, bool is_known) {
     return is_known ? cell(value) : std::string();
 }
 
-std::string micros(const std::vector<double>& seconds, double (*of)(std::vector<double>)) {
-    return seconds.empty() ? std::string() : cell(1e6 * of(seconds));
-}
-
-double mean(std::vector<double> values) {
+double mean(const std::vector<double>& values) {
     return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
-}
-
-/// Returns the least value that at least 95 % do not exceed.
-double p95(std::vector<double> values) {
-    const std::size_t place = (95 * values.size() + 99) / 100 - 1;
-    const auto at = values.begin() + static_cast<std::ptrdiff_t>(place);
-    std::nth_element(values.begin(), at, values.end());
-    return *at;
 }
 
 /// Returns the median over the poses of the ratio of the two times.
@@ -57,9 +45,7 @@ std::vector<std::string> cells_of_pairs(const Outcome& outcome, const Outcome& o
             count(outcome.judged),
             count(outcome.ours_wrong),
             cell(std::uint64_t{heat.rounds}),
-            micros(heat.pose_seconds, median),
-            micros(heat.pose_seconds, p95),
-            micros(heat.pose_seconds, mean),
+            heat.pose_seconds.empty() ? std::string() : cell(1e6 * mean(heat.pose_seconds)),
             median_ratio(heat, ours.pairs)};
 }
 
@@ -68,14 +54,10 @@ cells_of_any(const Outcome& outcome, const Outcome& ours, std::size_t poses) {
     const Heat& heat = outcome.any;
     const bool has_best = heat.passes > 0;
     return {ending_of(heat),
-            heat.rounds > 0 ? cell(outcome.wrong_any) : std::string(),
+            heat.took_part ? cell(outcome.wrong_any) : std::string(),
             cell(std::uint64_t{heat.passes}),
             known(1e6 * heat.pass_seconds / static_cast<double>(poses), has_best),
-            known(heat.pass_seconds / ours.any.pass_seconds, has_best && ours.any.passes > 0),
-            micros(heat.pose_seconds, median),
-            micros(heat.pose_seconds, p95),
-            micros(heat.pose_seconds, mean),
-            median_ratio(heat, ours.any)};
+            known(heat.pass_seconds / ours.any.pass_seconds, has_best && ours.any.passes > 0)};
 }
 
 std::vector<std::string> cells_of_load(const Outcome& outcome, const Scene& scene) {
@@ -84,28 +66,19 @@ std::vector<std::string> cells_of_load(const Outcome& outcome, const Scene& scen
     const auto each = [&](std::uint64_t bytes) {
         return known(static_cast<double>(bytes) / triangles, bytes > 0);
     };
-    const auto pose_mean = [&](std::uint64_t sum) {
-        return known(static_cast<double>(sum) / static_cast<double>(scene.poses.size()), sum > 0);
-    };
     return {known(1e3 * outcome.build_seconds, outcome.build_seconds > 0),
             each(outcome.memory_bytes),
-            each(outcome.resident_bytes),
-            pose_mean(outcome.box_tests),
-            pose_mean(outcome.triangle_tests),
-            known(outcome.test_costs.box_ns, outcome.test_costs.box_ns > 0),
-            known(outcome.test_costs.triangle_ns, outcome.test_costs.triangle_ns > 0)};
+            each(outcome.resident_bytes)};
 }
 
 void add_scene(CsvFile& csv,
                const SceneSource& source,
                const Scene& scene,
                const Reference& reference) {
-    std::vector<double> counts;
     std::uint64_t touching = 0;
     std::uint64_t pairs = 0;
     for (std::size_t p = 0; p < reference.pose_count(); ++p) {
         const std::uint64_t count = reference.pair_count(p);
-        counts.push_back(static_cast<double>(count));
         pairs += count;
         touching += count > 0 ? 1u : 0u;
     }
@@ -116,26 +89,7 @@ void add_scene(CsvFile& csv,
              cell(std::uint64_t{scene.b->triangles().size()}),
              cell(std::uint64_t{scene.poses.size()}),
              cell(touching),
-             cell(pairs),
-             cell(median(counts))});
-}
-
-void add_poses(CsvFile& csv,
-               const SceneSource& source,
-               const Reference& reference,
-               const Outcome& outcome) {
-    for (std::size_t p = 0; p < reference.pose_count(); ++p) {
-        const auto time = [&](const Heat& heat) {
-            return heat.pose_seconds.empty() ? std::string() : cell(1e6 * heat.pose_seconds[p]);
-        };
-        csv.row({source.suite,
-                 source.name,
-                 outcome.engine->name,
-                 cell(std::uint64_t{p}),
-                 cell(reference.pair_count(p)),
-                 time(outcome.pairs),
-                 time(outcome.any)});
-    }
+             cell(pairs)});
 }
 
 } // namespace
@@ -149,8 +103,7 @@ Tables::Tables(const std::filesystem::path& folder)
               "triangles_b",
               "poses",
               "poses_touching",
-              "pairs",
-              "pairs_median"}),
+              "pairs"}),
       engines(folder / "engines.csv",
               {"suite",
                "scene",
@@ -160,10 +113,6 @@ Tables::Tables(const std::filesystem::path& folder)
                "build_ms",
                "bytes_triangle",
                "resident_bytes_triangle",
-               "box_tests",
-               "triangle_tests",
-               "box_test_ns",
-               "triangle_test_ns",
                "ending",
                "pairs_found",
                "missing",
@@ -171,21 +120,13 @@ Tables::Tables(const std::filesystem::path& folder)
                "judged",
                "ours_wrong",
                "rounds",
-               "median_us",
-               "p95_us",
                "mean_us",
                "ratio",
                "any_ending",
                "any_wrong",
                "any_passes",
                "any_best_us",
-               "any_best_ratio",
-               "any_median_us",
-               "any_p95_us",
-               "any_mean_us",
-               "any_ratio"}),
-      poses(folder / "poses.csv",
-            {"suite", "scene", "engine", "pose", "pairs", "all_us", "any_us"}) {}
+               "any_best_ratio"}) {}
 
 void Tables::add(const SceneSource& source,
                  const Scene& scene,
@@ -205,7 +146,6 @@ void Tables::add(const SceneSource& source,
             row.insert(row.end(), cells.begin(), cells.end());
         }
         engines.row(row);
-        add_poses(poses, source, reference, outcome);
     }
 }
 

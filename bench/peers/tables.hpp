@@ -13,7 +13,6 @@ namespace cd::bench {
 struct Tables {
     CsvFile scenes;  ///< One row per scene.
     CsvFile engines; ///< One row per engine and scene; ratios are to the first engine.
-    CsvFile poses;   ///< One row per engine, scene and pose.
 
     explicit Tables(const std::filesystem::path& folder);
 

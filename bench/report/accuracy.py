@@ -1,10 +1,10 @@
-"""Speed against error: what accuracy_report measured, as tables and as a summary."""
+"""Speed against error: what accuracy_report measured, as a page."""
 from tables import (figure, figures_table, in_order, known, number, read, select, show, table, total,
                     weighted)
 
 TITLE = "Speed against error"
 FILES = ("pairs", "queries", "coarse", "stages", "points", "certification")
-PICTURES = ("speed_error", "coarse")
+PAGE = "RESULTS.md"
 CERTIFIED = "cdcluster, certified"
 KINDS = ("touch", "coplanar", "proper")
 # Scenes where touching is the normal case.
@@ -29,72 +29,15 @@ def wrong_per_million(rows):
     return 1e6 * wrong / answered if answered else None
 
 
-def pair_row(engine, rows, timed=True):
-    pairs = total(rows, *KINDS, "separate")
-
-    def per_million(column, among):
-        count = total(rows, among)
-        return show(1e6 * total(rows, column) / count) if count else ""
-
-    bad = [row for row in rows if row["ending"] != "done"]
-    return [
-        engine,
-        show(pairs),
-        show(wrong_per_million(rows)),
-        per_million("invented", "separate"),
-        *(per_million("missed_" + kind, kind) for kind in KINDS),
-        show(total(rows, "swap_differs")),
-        show(total(rows, "order_differs")),
-        show(len(select(bad, ending="crashed"))),
-        show(len(select(bad, ending="timed out"))),
-        *([show(mean_ns(rows))] if timed else []),
-    ]
-
-
-def pairs_section(pairs, suite, title, note, timed=True):
-    rows = select(pairs, suite=suite)
-    header = ["engine", "pairs", "wrong per million", "invented", "missed touch",
-              "missed coplanar", "missed proper", "swap differs", "order differs", "crashes",
-              "hangs"] + (["ns a pair"] if timed else [])
-    body = [pair_row(engine, select(rows, engine=engine), timed)
-            for engine in in_order(rows, "engine")]
-    return f"## {title}\n\n{note}\n\n" + table(header, body)
-
-
-def query_us(rows):
-    """Of an engine that came through every scene; the time of one that did not is of other scenes."""
-    return weighted(rows, "us_query", "asked") if all(row["us_query"] for row in rows) else None
-
-
-def queries_section(queries):
-    parts = ["## Whole meshes\n"]
-    for suite in in_order(queries, "suite"):
-        rows = select(queries, suite=suite)
-        body = []
-        for engine in in_order(rows, "engine"):
-            for level in in_order(select(rows, engine=engine), "level"):
-                mine = select(rows, engine=engine, level=level)
-                answered = total(mine, "answered")
-                us = query_us(mine)
-                has_pairs = level in ("pairs", "contacts")
-                body.append([
-                    engine, level, show(answered), show(total(mine, "wrong_any")),
-                    show(total(mine, "invented")) if has_pairs else "",
-                    *(show(total(mine, "missed_" + k)) if has_pairs else "" for k in KINDS),
-                    show(sum(row["ending"] != "done" for row in mine)),
-                    show(us), show(1e6 / us if us else None),
-                    *(show(weighted(mine, c, "answered") or None)
-                      for c in ("record_bytes", "read_bytes")),
-                ])
-        header = ["engine", "level", "queries", "wrong any-contact", "pairs invented",
-                  "missed touch", "missed coplanar", "missed proper", "crashes, hangs", "us a query",
-                  "queries/s", "bytes sent", "bytes read"]
-        count = len(in_order(rows, "scene"))
-        true_pairs = sum(number(select(rows, scene=s)[0], "true_pairs")
-                         for s in in_order(rows, "scene"))
-        parts.append(f"### {suite}: {count} scenes, {true_pairs:,.0f} pairs in contact\n")
-        parts.append(table(header, body))
-    return "\n".join(parts)
+def speed_errors(pairs):
+    """A row for each engine: its wrong answers and its time, over all categories of the given pairs."""
+    rows = []
+    for engine in in_order(pairs, "engine"):
+        mine = select(pairs, engine=engine)
+        wrong, ns = wrong_per_million(mine), mean_ns(mine)
+        rows.append({"engine": engine, "wrong per million": "" if wrong is None else wrong,
+                     "ns a pair": "" if wrong is None or ns is None else ns})
+    return rows
 
 
 COARSE_NOTE = ("Any contact, on motion and vehicles. The error is the stated bound less the true "
@@ -125,22 +68,6 @@ def times_text(rows, exact):
     return f"{show(ratios[0])} to {show(ratios[-1])}" if ratios and ratios[0] != 1 else ""
 
 
-def stages_section(stages):
-    header = ["suite", "stage", "pairs", "share %", "ns a pair"]
-    body = []
-    for suite in in_order(stages, "suite"):
-        rows = select(stages, suite=suite)
-        everything = total(select(rows, stage="all"), "pairs")
-        for stage in in_order(rows, "stage"):
-            mine = select(rows, stage=stage)
-            pairs = total(mine, "pairs")
-            ns = sum(number(r, "ns_pair") * number(r, "pairs") for r in mine) / pairs
-            body.append([suite, stage, show(pairs), f"{100 * pairs / everything:.4g}", show(ns)])
-    note = ("A pair counts for the highest stage that it needs; its time holds what the stages "
-            "before cost, and is that of pairs in a row that end at the same stage.")
-    return f"## Stages of our decision\n\n{note}\n\n" + table(header, body)
-
-
 def extremes_apart(rows):
     """The rows of the usual categories, and of the extreme ones."""
     return ([row for row in rows if row["category"] not in EXTREME],
@@ -155,27 +82,6 @@ def rounded_percent(points):
 EXTREME_NOTE = ("The largest errors of end points, in units, are those of the extreme categories, whose "
                 "coordinates lie at the ends of the range of doubles or whose triangles are thinner than a "
                 "rounding step; they have columns of their own.")
-
-
-def points_section(points):
-    header = ["engine", "pairs", "points", "correctly rounded %", "stray p99", "stray max",
-              "end p99", "end max", "end max, units", "extreme: end max", "units"]
-    body = []
-    for engine in in_order(points, "engine"):
-        rows = select(points, engine=engine)
-        if total(rows, "points") == 0:
-            continue
-        usual, extreme = extremes_apart(rows)
-        body.append([engine, show(total(rows, "pairs")), show(total(rows, "points")),
-                     show(rounded_percent(rows), 6),
-                     *(worst(usual, c) for c in
-                       ("stray_p99", "stray_max", "end_p99", "end_max", "end_max_units")),
-                     *(worst(extreme, c) for c in ("end_max", "end_max_units"))])
-    note = ("Of the hard pairs that are in contact. *Stray*: how far a returned point is from the "
-            "exact shared set; *end*: how far the exact set's corners are from the nearest returned "
-            "point. As shares of the longer triangle's longest edge; p99 and maximum of the worst "
-            "category. " + EXTREME_NOTE + " These are " + ", ".join(EXTREME) + ".")
-    return f"## Points of contact\n\n{note}\n\n" + table(header, body)
 
 
 def worst(rows, column):
@@ -278,23 +184,3 @@ def engine_summary(data):
 def summary(data):
     return [figures_section(data), engine_summary(data),
             f"## Coarse answers\n{COARSE_NOTE}\n\n" + coarse_table(data["coarse"])]
-
-
-def tables(data):
-    return [
-        figures_section(data),
-        pairs_section(data["pairs"], "corpus", "Hard pairs",
-                      "The corpus: every category alike. Missed and invented are per million of "
-                      "the pairs of that class; crashes and hangs count categories."),
-        pairs_section(data["pairs"], "vehicles", "Candidates of vehicles",
-                      "The pairs that our boxes leave for the triangle test."),
-        pairs_section(data["pairs"], "scenes", "Candidates of hard scenes",
-                      "Missed, invented, crashes and hangs as for the hard pairs."),
-        queries_section(data["queries"]),
-        f"## Coarse answers\n\n{COARSE_NOTE}\n\n" + coarse_table(data["coarse"]),
-        stages_section(data["stages"]),
-        points_section(data["points"]),
-    ]
-
-
-PAGES = {"TABLES.md": tables, "RESULTS.md": summary}

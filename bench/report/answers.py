@@ -1,9 +1,32 @@
-"""Hard pairs alone, without times: what accuracy_report --answers was answered."""
-from accuracy import CERTIFIED, KINDS, faults, pairs_section  # noqa: F401
+"""Hard pairs alone, without times: what accuracy_report --answers measured, as a page."""
+from accuracy import CERTIFIED, KINDS, faults, wrong_per_million  # noqa: F401
 from tables import in_order, select, show, table, total
 
 TITLE = "Hard pairs against the oracle"
 FILES = ("pairs",)
+PAGE = "ANSWERS.md"
+
+
+def engine_row(engine, rows):
+    def per_million(column, among):
+        count = total(rows, among)
+        return show(1e6 * total(rows, column) / count) if count else ""
+
+    endings = [row["ending"] for row in rows]
+    return [engine, show(total(rows, *KINDS, "separate")), show(wrong_per_million(rows)),
+            per_million("invented", "separate"),
+            *(per_million("missed_" + kind, kind) for kind in KINDS),
+            *(show(total(rows, column)) for column in ("swap_differs", "order_differs")),
+            show(endings.count("crashed")), show(endings.count("timed out"))]
+
+
+def engines_section(pairs):
+    note = ("Missed and invented are per million of the pairs of that class; crashes and hangs count categories, "
+            "and end the engine's part in them.")
+    return f"## All engines\n\n{note}\n\n" + table(
+        ["engine", "pairs", "wrong per million", "invented", "missed touch", "missed coplanar", "missed proper",
+         "swap differs", "order differs", "crashes", "hangs"],
+        [engine_row(engine, select(pairs, engine=engine)) for engine in in_order(pairs, "engine")])
 
 
 def summary(data):
@@ -23,9 +46,4 @@ def summary(data):
     return [f"## Our answers\n\n{note}\n\n" + table(
                 ["setting", "pairs", "apart", *KINDS, "wrong", "wrong class", "swap differs",
                  "order differs", "unanswered"], body),
-            pairs_section(pairs, "corpus", "All engines",
-                          "Missed and invented are per million of the pairs of that class; crashes and hangs "
-                          "count categories, and end the engine's part in them.", timed=False)]
-
-
-PAGES = {"ANSWERS.md": summary}
+            engines_section(pairs)]

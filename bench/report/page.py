@@ -1,10 +1,9 @@
 #!/usr/bin/env python3
-"""Turns the CSV files of a run into pages of Markdown: TABLES.md has all tables, RESULTS.md the summary
-that is committed; a run of kind `answers` has ANSWERS.md alone.
+"""Turns the CSV files of a run into a page of Markdown: RESULTS.md, or ANSWERS.md for the kind `answers`.
 
     page.py KIND FOLDER      KIND: peers, accuracy, answers or cluster
 
-Fails, after it has written them, when an answer of ours is wrong, and when the summary breaks a rule.
+Fails, after it has written the page, when an answer of ours is wrong, and when the page breaks a rule.
 """
 import argparse
 import importlib
@@ -19,17 +18,6 @@ LINES_MAX = 60
 CELL_WORDS_MAX = 25
 # Rows of machine.csv that the first line of a page has.
 ORIGIN = ("command", "commit", "date")
-
-
-def load(kind, folder):
-    data = {name: read(folder, name) for name in ("machine", *kind.FILES)}
-    for name in getattr(kind, "TEXTS", ()):
-        path = os.path.join(folder, name + ".txt")
-        data[name] = ""
-        if os.path.exists(path):
-            with open(path, encoding="utf-8") as file:
-                data[name] = file.read()
-    return data
 
 
 def page(title, machine, sections):
@@ -56,11 +44,10 @@ def main():
     parser.add_argument("folder")
     options = parser.parse_args()
     kind = importlib.import_module(options.kind)
-    data = load(kind, options.folder)
-    for name, sections in kind.PAGES.items():
-        text = page(kind.TITLE, data["machine"], sections(data))
-        with open(os.path.join(options.folder, name), "w", encoding="utf-8") as file:
-            file.write(text)
+    data = {name: read(options.folder, name) for name in ("machine", *kind.FILES)}
+    text = page(kind.TITLE, data["machine"], kind.summary(data))
+    with open(os.path.join(options.folder, kind.PAGE), "w", encoding="utf-8") as file:
+        file.write(text)
     problems = kind.faults(data) + broken_rules(text)
     for problem in problems:
         print(f"{options.folder}: {problem}", file=sys.stderr)

@@ -1,12 +1,12 @@
-"""Ours and the peers: what peers_report measured, as tables and as a summary."""
+"""Ours and the peers: what peers_report measured, as a page."""
 import statistics
 
 from tables import (figure, figures_table, in_order, known, number, select, show, table, total,
                     weighted)
 
 TITLE = "Ours and the peers"
-FILES = ("floor", "scenes", "engines", "poses", "threads", "builds")
-PICTURES = ("peers", "scaling")
+FILES = ("floor", "scenes", "engines", "threads", "builds")
+PAGE = "RESULTS.md"
 OURS = "cdcluster"
 FCL_FLOAT = "FCL OBB float"
 FCL_DOUBLE = "FCL OBB double"
@@ -32,19 +32,6 @@ def floors(data):
     here = {row["kernel"]: number(row, "ns") for row in data["floor"]}
     return (sum(count * ns for _, count, ns in FLOOR) / 1e3,
             sum(count * here[kernel] for kernel, count, _ in FLOOR) / 1e3)
-
-
-def floor_section(data):
-    here = {row["kernel"]: number(row, "ns") for row in data["floor"]}
-    there_us, here_us = floors(data)
-    rows = [[kernel, show(count), show(ns), show(here[kernel]), show(count * ns / 1e3),
-             show(count * here[kernel] / 1e3)] for kernel, count, ns in FLOOR]
-    rows.append(["together", "", "", "", show(there_us), show(here_us)])
-    note = ("The least that a query of drivaer x sedan was estimated to take: three kernels "
-            "(`bench/floor_kernels.hpp`) so many times each, by what they took on the machine of "
-            "the estimate and by the best of many runs here.")
-    return f"## The floor\n\n{note}\n\n" + table(
-        ["kernel", "times", "ns there", "ns here", "us there", "us here"], rows)
 
 
 def figures_section(data):
@@ -88,109 +75,6 @@ def figures_section(data):
     return "## Figures\n" + figures_table(rows)
 
 
-def engine_row(row):
-    return [
-        row["engine"],
-        *(cell(row, c) for c in ("median_us", "p95_us", "mean_us", "ratio")),
-        *(cell(row, c) for c in ("any_best_us", "any_median_us", "any_p95_us", "any_best_ratio",
-                                 "any_ratio")),
-        *(cell(row, c) for c in ("build_ms", "bytes_triangle")),
-        *(cell(row, c) for c in ("pairs_found", "missing", "extra", "any_wrong")),
-        ", ".join(f"{what} {row[c]}" for what, c in (("all", "ending"), ("any", "any_ending"))
-                  if row[c] not in ("", "done")),
-    ]
-
-
-ENGINE_HEADER = ["engine", "all: median us", "p95", "mean", "x ours", "any: best us", "median",
-                 "p95", "x ours, best", "x ours", "build ms", "bytes a triangle", "pairs", "missing",
-                 "extra", "any wrong", "failed"]
-
-
-def scenes_section(data):
-    parts = []
-    for scene in select(data["scenes"], suite="scenes"):
-        rows = select(data["engines"], suite="scenes", scene=scene["scene"])
-        parts.append(f"### {scene['scene']}\n")
-        parts.append(f"{cell(scene, 'triangles_a')} and {cell(scene, 'triangles_b')} triangles; "
-                     f"{cell(scene, 'poses')} poses, {cell(scene, 'poses_touching')} in contact; "
-                     f"{cell(scene, 'pairs')} pairs.\n")
-        parts.append(table(ENGINE_HEADER, [engine_row(row) for row in rows]))
-    return "## Scenes\n\n" + "\n".join(parts)
-
-
-def disagreements_section(data):
-    rows = []
-    for engine in in_order(data["engines"], "engine"):
-        mine = [r for r in select(data["engines"], engine=engine) if r["pairs_found"]]
-        if mine:
-            rows.append([engine] + [show(total(mine, c)) for c in (
-                "pairs_found", "missing", "extra", "judged", "ours_wrong")])
-    note = ("Over all scenes in which the engine took part: pairs that ours has and it has not, "
-            "pairs that only it has; the exact oracle looked at so many of both and found ours "
-            "wrong in the last column's.")
-    return f"## Who is wrong\n\n{note}\n\n" + table(
-        ["engine", "pairs", "missing", "extra", "judged", "ours wrong"], rows)
-
-
-def work_section(data):
-    rows = []
-    for row in select(data["engines"], engine=OURS):
-        scene = next(iter(select(data["scenes"], suite=row["suite"], scene=row["scene"])))
-        contacts = number(scene, "pairs") / number(scene, "poses")
-        n_b, c_b, n_p, c_p = (known(row, c) for c in (
-            "box_tests", "box_test_ns", "triangle_tests", "triangle_test_ns"))
-        is_timed = None not in (n_b, c_b, n_p, c_p)
-        cost = 1e-3 * (n_b * c_b + n_p * c_p) if is_timed else None
-        rows.append([row["scene"], show(contacts), cell(row, "box_tests"),
-                     cell(row, "triangle_tests"), cell(row, "box_test_ns"),
-                     cell(row, "triangle_test_ns"), show(cost),
-                     cell(row, "mean_us"), cell(row, "resident_bytes_triangle"),
-                     cell(row, "bytes_triangle")])
-    note = ("Means over the poses, for all pairs. N_b C_b + N_p C_p is the paper's cost; C_b and "
-            "C_p were measured in a pass of their own.")
-    return f"## Our work\n\n{note}\n\n" + table(
-        ["scene", "contacts", "N_b", "N_p", "C_b ns", "C_p ns", "N_b C_b + N_p C_p, us",
-         "mean us", "resident bytes a triangle", "memory bytes a triangle"], rows)
-
-
-def scaling_section(data, suite, title, name):
-    sources = select(data["scenes"], suite=suite)
-    engines = in_order(select(data["engines"], suite=suite), "engine")
-    header = [name, "contacts"]
-    for engine in engines:
-        header += [f"{engine}: all us", "any us", "build ms", "bytes a triangle"]
-    rows = []
-    for scene in sources:
-        contacts = number(scene, "pairs") / number(scene, "poses")
-        if suite == "size":
-            x = show(number(scene, "triangles_a") + number(scene, "triangles_b"))
-        else:
-            x = show(100 * number(scene, "x"))
-        line = [x, show(contacts)]
-        for engine in engines:
-            row = find(select(data["engines"], suite=suite), scene["scene"], engine)
-            line += [cell(row, c) if row else "" for c in (
-                "mean_us", "any_best_us", "build_ms", "bytes_triangle")]
-        rows.append(line)
-    return f"## {title}\n\nMeans over the poses.\n\n" + table(header, rows)
-
-
-def contacts_section(data):
-    """All poses of all scenes in which an engine was timed, by their numbers of contacts."""
-    bins = [("0", 0, 1)] + [(f"{show(10**k)} to {show(10**(k + 1) - 1)}", 10**k, 10**(k + 1))
-                            for k in range(6)]
-    rows = []
-    for name, low, high in bins:
-        times = [[number(row, "all_us") for row in select(data["poses"], engine=engine)
-                  if row["all_us"] and low <= number(row, "pairs") < high]
-                 for engine in (OURS, FCL_FLOAT, FCL_DOUBLE)]
-        if times[0]:
-            rows.append([name, show(len(times[0])),
-                         *(show(statistics.median(each)) if each else "" for each in times)])
-    return "## Time against contacts\n\nMedians over the poses of all scenes, us for all pairs.\n\n" \
-        + table(["contacts", "poses", OURS, FCL_FLOAT, FCL_DOUBLE], rows)
-
-
 def thread_ratio(rows):
     """The median speed-up of two threads; None where it is above 2, which two threads cannot reach:
     something else slowed the runs on one thread, so that the measurement is void."""
@@ -198,20 +82,6 @@ def thread_ratio(rows):
         return None
     ratio = statistics.median(float(row["ratio"]) for row in rows)
     return ratio if ratio <= 2 else None
-
-
-def threads_section(data):
-    rows = []
-    for name, column in (("threads", "scene"), ("builds", "mesh")):
-        for what in in_order(data[name], column):
-            mine = select(data[name], **{column: what})
-            ratio = thread_ratio(mine)
-            rows.append([what, "queries" if name == "threads" else "build",
-                         *(show(statistics.median(float(row[c]) for row in mine))
-                           for c in ("seconds_1", "seconds_2")),
-                         "void" if ratio is None else show(ratio)])
-    return "## Two threads\n\nA ratio above 2 is void: the runs on one thread were disturbed.\n\n" \
-        + table(["what", "", "seconds, 1 thread", "2 threads", "ratio, median"], rows)
 
 
 def faults(data):
@@ -282,15 +152,3 @@ def threads_summary(data):
 
 def summary(data):
     return [figures_section(data), scenes_summary(data), engines_summary(data), threads_summary(data)]
-
-
-def tables(data):
-    return [figures_section(data), floor_section(data), scenes_section(data),
-            disagreements_section(data), work_section(data),
-            scaling_section(data, "size", "Time against triangles", "triangles"),
-            contacts_section(data),
-            scaling_section(data, "depth", "Time against depth", "depth, % of B's diagonal"),
-            threads_section(data)]
-
-
-PAGES = {"TABLES.md": tables, "RESULTS.md": summary}

@@ -1,5 +1,5 @@
-# Shared by bench/*/run and bench/figures: builds programs, writes down where figures come from, makes
-# pages and pictures. Sourced.
+# Shared by bench/*/run and bench/figures: builds programs, writes down where figures come from, makes a
+# page and pictures. Sourced.
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 build=$root/build/bench
 commit=unknown
@@ -31,9 +31,9 @@ meshes_of() { # FOLDER OF THE BUILD
     echo "${CD_MESHES:-$(sed -n 's/^CD_MESHES:PATH=//p' "$1/CMakeCache.txt")}"
 }
 
-# Writes the pages and pictures of a folder whose machine.csv its programs have begun, and names the
-# pages. Fails when an answer of ours is wrong.
-write_pages() { # KIND FOLDER COMMAND
+# Writes the page and the pictures of a folder whose machine.csv its programs have begun, and names the
+# folder. Fails when an answer of ours is wrong.
+write_page() { # KIND FOLDER COMMAND
     local python
     {
         echo "command,\"$3\""
@@ -55,5 +55,5 @@ write_pages() { # KIND FOLDER COMMAND
         echo "MISSING: python3-matplotlib; the pictures are left out" >&2
     fi
     python3 -B "$root/bench/report/page.py" "$1" "$2"
-    echo "the pages are in $2"
+    echo "the page is in $2"
 }

@@ -99,7 +99,7 @@ void add_nested(Scenes& scenes) {
     add("nested boxes, on the floor of a coarse one", coarse, cube(Vec3(1, 1, 0), 1, 2));
     add("nested boxes, in a corner", outer, cube(Vec3(0, 0, 0), 1, 2));
     // The octahedron touches with a corner or an edge only.
-    const Mesh diamond = make_round_sphere(0);
+    const Mesh diamond = make_sphere(0);
     add("nested, a corner on the floor", outer, translated(diamond, Vec3(2, 2, 1)));
     add("nested, corners on all walls",
         solid(make_box_between(Vec3(-1, -1, -1), Vec3(1, 1, 1))),

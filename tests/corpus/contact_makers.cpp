@@ -63,10 +63,6 @@ double decade(std::mt19937_64& random, int least, int most) {
     return decades[static_cast<std::size_t>(whole(random, least, most))];
 }
 
-PosedPair finished(std::mt19937_64& random, PosedPair pair) {
-    return posed_together(random, shuffled(random, std::move(pair)));
-}
-
 PosedPair coplanar_overlapping(std::mt19937_64& random) {
     const LatticePlane plane = random_plane(random);
     PosedPair pair;
@@ -256,6 +252,9 @@ PosedPair posed_together(std::mt19937_64& random, PosedPair pair) {
     return pair;
 }
 
+PosedPair finished(std::mt19937_64& random, PosedPair pair) {
+    return posed_together(random, shuffled(random, std::move(pair)));
+}
 void add_contact_makers(PairMakers& makers) {
     makers["coplanar, overlapping"] = coplanar_overlapping;
     makers["coplanar, touching along an edge"] = coplanar_along_an_edge;

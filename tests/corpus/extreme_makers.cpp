@@ -14,10 +14,6 @@ double thinness(std::mt19937_64& random) {
     return thin[random() % thin.size()];
 }
 
-PosedPair finished(std::mt19937_64& random, PosedPair pair) {
-    return posed_together(random, shuffled(random, std::move(pair)));
-}
-
 void move_by(Corners& t, const Vec3& offset) {
     for (Vec3& corner : t) {
         corner += offset;

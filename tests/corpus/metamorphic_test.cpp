@@ -1,12 +1,12 @@
 // Proves that results do not depend on irrelevant choices: the order of bodies, vertices and
 // corners, the unit of length by powers of two, the world's axes, the processor's instructions, the
 // first stage of decisions, and wide or binary trees. Not one bit differs, on every hard scene.
-#include "common/core/host/thread_pool.hpp"
-#include "common/geometry/simd_target.hpp"
 #include "common/job/run_scenario.hpp"
-#include "common/tree/build/build.hpp"
 #include "tests/corpus/categories.hpp"
-#include "tests/support/shapes.hpp"
+#include "tests/support/brink_boxes.hpp"
+#include "tests/support/rounds.hpp"
+#include "tests/support/scenarios.hpp"
+#include "tests/support/trees.hpp"
 
 #include <gtest/gtest.h>
 
@@ -18,18 +18,13 @@ namespace cd::tests {
 
 namespace {
 
-ObbTree build(const Body& body, const BuildOptions& options = {}) {
-    ThreadPool pool(1);
-    return build_tree(body.mesh, options, pool);
-}
-
 ScenarioResult
 result_of(const Scene& scene, Level level = Level::Pairs, const BuildOptions& options = {}) {
-    Scenario scenario;
-    scenario.poses = scene.poses;
-    Query query;
-    query.level = level;
-    return run_scenario(build(scene.a, options), build(scene.b, options), scenario, query).result;
+    return run_scenario(make_tree(*scene.a.mesh, options),
+                        make_tree(*scene.b.mesh, options),
+                        make_scenario(scene.poses),
+                        query_of(level))
+        .result;
 }
 
 /// Rotates each triangle's corners, which keeps its direction, and reverses the vertices.
@@ -50,17 +45,12 @@ Vec3 rescaled(const Vec3& point, int exponent) {
 }
 
 Body rescaled(const Body& body, int exponent) {
-    std::vector<Vec3> vertices;
-    for (const Vec3& vertex : body.mesh->vertices()) {
-        vertices.push_back(rescaled(vertex, exponent));
-    }
-    return {share(make_mesh(std::move(vertices), body.mesh->triangles())), body.closed};
+    const auto rescale = [&](const Vec3& vertex) { return rescaled(vertex, exponent); };
+    return {share(mapped(*body.mesh, rescale)), body.closed};
 }
 
 Pose rescaled(const Pose& pose, int exponent) {
-    const Vec3 offset = rescaled(pose.translation(), exponent);
-    return pose.kind() == Pose::Kind::Matrix ? Pose::from_matrix(pose.matrix(), offset)
-                                             : Pose::from_quaternion(pose.quaternion(), offset);
+    return with_translation(pose, rescaled(pose.translation(), exponent));
 }
 
 Scene rescaled(const Scene& scene, int exponent) {
@@ -164,8 +154,8 @@ TEST_P(Metamorphic, TheAxesOfTheWorldChangeNothing) {
 TEST_P(Metamorphic, TheFirstStageChangesNothing) {
     for (const Scene* scene : scenes_of(GetParam())) {
         SCOPED_TRACE(scene->name);
-        const ObbTree a = build(scene->a);
-        const ObbTree b = build(scene->b);
+        const ObbTree a = make_tree(*scene->a.mesh);
+        const ObbTree b = make_tree(*scene->b.mesh);
         const std::vector<ContactPair> expected = contact_pairs(a, b, scene->poses);
         for (std::size_t stage = 1; stage < pair_stage_count; ++stage) {
             SearchOptions options;
@@ -182,7 +172,7 @@ TEST_P(Metamorphic, TheTreeThatIsWalkedChangesNothing) {
     constexpr BuildOptions binary{.prepare_search = false};
     for (const Scene* scene : scenes_of(GetParam())) {
         SCOPED_TRACE(scene->name);
-        for (const Level level : {Level::Any, Level::Count, Level::Pairs, Level::Contacts}) {
+        for (const Level level : levels) {
             EXPECT_EQ(digest_of(result_of(*scene, level)),
                       digest_of(result_of(*scene, level, binary)));
         }
@@ -196,12 +186,9 @@ TEST_P(Metamorphic, TheSimdTargetChangesNothing) {
     for (const Scene* scene : scenes_of(GetParam())) {
         SCOPED_TRACE(scene->name);
         const Sha256 expected = digest_of(result_of(*scene, Level::Contacts));
-        for (const SimdTarget target : available_simd_targets()) {
-            SCOPED_TRACE(to_text(target));
-            ASSERT_TRUE(force_simd_target(to_text(target)).has_value());
+        on_every_target([&](SimdTarget) {
             EXPECT_EQ(digest_of(result_of(*scene, Level::Contacts)), expected);
-        }
-        ASSERT_TRUE(force_simd_target("auto").has_value());
+        });
     }
 }
 

@@ -12,7 +12,7 @@ namespace {
 void add_open(Scenes& scenes) {
     const Mesh box = make_box_between(Vec3(-1, -1, -1), Vec3(1, 1, 1));
     const Body open = surface(without_last(box, 2));
-    const Mesh sphere = make_round_sphere(2);
+    const Mesh sphere = make_sphere(2);
     const auto add = [&](const char* name, const Body& a, Body b, const PosePair& poses) {
         scenes.push_back({name, "open bodies", a, std::move(b), poses});
     };
@@ -63,8 +63,8 @@ void add_soups(Scenes& scenes) {
 }
 
 void add_scales(Scenes& scenes) {
-    const Body large = solid(scaled(make_round_sphere(3), 1e6));
-    const Body small = solid(scaled(make_round_sphere(1), 1e-6));
+    const Body large = solid(scaled(make_sphere(3), 1e6));
+    const Body small = solid(scaled(make_sphere(1), 1e-6));
     const auto add = [&](const char* name, const Pose& pose) {
         scenes.push_back({name, "scales 1e-6 with 1e6", large, small, {Pose{}, pose}});
     };

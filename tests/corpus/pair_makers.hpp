@@ -23,5 +23,7 @@ void add_scene_makers(PairMakers& makers);
 [[nodiscard]] PosedPair posed_together(std::mt19937_64& random, PosedPair pair);
 /// Shuffles the corners and perhaps swaps A and B.
 [[nodiscard]] PosedPair shuffled(std::mt19937_64& random, PosedPair pair);
+/// Shuffles, then poses both triangles.
+[[nodiscard]] PosedPair finished(std::mt19937_64& random, PosedPair pair);
 
 } // namespace cd::tests

@@ -1,9 +1,9 @@
 // Proves that no answer about a corpus pair is wrong: 200,000 pairs over three ranges of seeds,
 // through every interface, SIMD target, first stage, and order of bodies and corners.
-#include "common/geometry/simd_target.hpp"
 #include "common/pair/triangle_pair.hpp"
 #include "tests/corpus/categories.hpp"
 #include "tests/support/oracle.hpp"
+#include "tests/support/rounds.hpp"
 
 #include <gtest/gtest.h>
 
@@ -133,14 +133,11 @@ TEST_P(PairTruth, AnswersDoNotDependOnTheFirstStage) {
 TEST_P(PairTruth, WithEverySimdTarget) {
     const std::vector<KnownPair> known = known_pairs(GetParam(), ranges[2]);
     const std::vector<KnownPair> some(known.begin(), known.begin() + 400);
-    for (const SimdTarget target : available_simd_targets()) {
-        SCOPED_TRACE(to_text(target));
-        ASSERT_TRUE(force_simd_target(to_text(target)).has_value());
+    on_every_target([&](SimdTarget) {
         for (const auto& group : by_poses(some)) {
             expect_batches_right(group, PairStage::Float);
         }
-    }
-    ASSERT_TRUE(force_simd_target("auto").has_value());
+    });
 }
 
 TEST_P(PairTruth, ATouchIsFoundJustWhereThereIsOne) {

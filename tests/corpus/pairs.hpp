@@ -1,4 +1,4 @@
-// The hard triangle pairs, by category (NUMERICS, section 4). Their truth comes from the oracle,
+// The hard triangle pairs, by category. Their truth comes from the oracle,
 // never from their construction.
 #pragma once
 

@@ -9,7 +9,7 @@ namespace cd::tests {
 namespace {
 
 void add_spheres(Scenes& scenes) {
-    const Body sphere = solid(make_round_sphere(3));
+    const Body sphere = solid(make_sphere(3));
     const auto add = [&](const char* name, const PosePair& poses) {
         scenes.push_back({name, "spheres", sphere, sphere, poses});
     };
@@ -39,7 +39,7 @@ void add_spheres(Scenes& scenes) {
         scenes.push_back({name,
                           "spheres",
                           sphere,
-                          solid(scaled(make_round_sphere(2), factor)),
+                          solid(scaled(make_sphere(2), factor)),
                           {Pose{}, translation_pose(offset.x(), offset.y(), offset.z())}});
     };
     inside("a sphere inside", 0.5, Vec3(0.1, 0.2, 0.1));

@@ -1,10 +1,10 @@
 // Proves that each hard scene has the class of the definition, even if two solids penetrate each
 // other and no two triangles cross.
-#include "common/core/host/thread_pool.hpp"
 #include "common/job/run_scenario.hpp"
-#include "common/tree/build/build.hpp"
 #include "tests/corpus/categories.hpp"
+#include "tests/support/scenarios.hpp"
 #include "tests/support/scene_oracle.hpp"
+#include "tests/support/trees.hpp"
 
 #include <gtest/gtest.h>
 
@@ -18,24 +18,19 @@ TEST_P(SceneClass, IsThatOfTheDefinition) {
         const bool closed = scene->a.closed && scene->b.closed;
         const SceneOracle oracle(*scene->a.mesh, *scene->b.mesh, scene->poses);
         const ScenarioClass expected = oracle.scenario_class(closed);
-        ThreadPool pool(1);
-        const ObbTree a = build_tree(scene->a.mesh, {}, pool);
-        const ObbTree b = build_tree(scene->b.mesh, {}, pool);
-        Scenario scenario;
-        scenario.poses = scene->poses;
+        const ObbTree a = make_tree(*scene->a.mesh);
+        const ObbTree b = make_tree(*scene->b.mesh);
+        const Scenario scenario = make_scenario(scene->poses);
         for (const Level level : {Level::Count, Level::Pairs, Level::Contacts}) {
-            Query query;
-            query.level = level;
-            const ScenarioResult result = run_scenario(a, b, scenario, query).result;
+            const ScenarioResult result = run_scenario(a, b, scenario, query_of(level)).result;
             EXPECT_EQ(to_text(result.kind), to_text(expected));
             EXPECT_EQ(result.surfaces_only, !closed);
             EXPECT_EQ(result.pair_count, oracle.contact_pairs().size());
         }
-        Query any;
-        any.level = Level::Any;
         const ScenarioClass at_any =
             oracle.contact_pairs().empty() ? expected : ScenarioClass::Contact;
-        EXPECT_EQ(to_text(run_scenario(a, b, scenario, any).result.kind), to_text(at_any));
+        const ScenarioResult any = run_scenario(a, b, scenario, query_of(Level::Any)).result;
+        EXPECT_EQ(to_text(any.kind), to_text(at_any));
     }
 }
 

@@ -2,6 +2,7 @@
 #include "tests/support/scene_oracle.hpp"
 
 #include "tests/corpus/solids.hpp"
+#include "tests/support/rounds.hpp"
 
 #include <gtest/gtest.h>
 
@@ -13,8 +14,7 @@ namespace cd::tests {
 
 TEST(SceneOracle, EqualsTheIntervalsOfBoxes) {
     std::map<ScenarioClass, int> seen;
-    for (std::uint64_t seed = 0; seed < 400; ++seed) {
-        std::mt19937_64 random(seed);
+    for (SeededRandom random : seeds(400)) {
         std::array<Vec3, 4> ends;
         for (int k = 0; k < 3; ++k) {
             for (const std::size_t body : {std::size_t{0}, std::size_t{2}}) {
@@ -22,7 +22,7 @@ TEST(SceneOracle, EqualsTheIntervalsOfBoxes) {
                 ends[body + 1][k] = ends[body][k] + 1 + static_cast<double>(random() % 3);
             }
         }
-        if (seed % 4 == 0) { // B encloses A or shares a wall with it.
+        if (random.seed % 4 == 0) { // B encloses A or shares a wall with it.
             const double low = -static_cast<double>(random() % 2);
             ends[2] = Vec3::Constant(low);
             ends[3] = Vec3::Constant(7);
@@ -43,7 +43,7 @@ TEST(SceneOracle, EqualsTheIntervalsOfBoxes) {
                                                        : ScenarioClass::Separate;
         const SceneOracle oracle(
             make_box_between(ends[0], ends[1]), make_box_between(ends[2], ends[3]), {});
-        ASSERT_EQ(to_text(oracle.scenario_class(true)), to_text(meeting)) << seed;
+        ASSERT_EQ(to_text(oracle.scenario_class(true)), to_text(meeting));
         ++seen[meeting];
     }
     EXPECT_EQ(seen.size(), 4u);

@@ -1,5 +1,6 @@
-// The hard scenes of whole meshes, by name (NUMERICS, section 4). Their truth comes from the
-// oracle, never from their construction.
+// The hard scenes of whole meshes, by name: bodies that rest, fit or pass along each other, and
+// coordinates at the limits of doubles. Their truth comes from the oracle, never from their
+// construction.
 #pragma once
 
 #include "common/geometry/mesh.hpp"

@@ -3,13 +3,12 @@
 // none is lost in boxes, none invented.
 #include "tests/corpus/scenes.hpp"
 
-#include "common/core/host/thread_pool.hpp"
-#include "common/geometry/simd_target.hpp"
 #include "common/search/contact_search.hpp"
-#include "common/tree/build/build.hpp"
 #include "tests/corpus/categories.hpp"
 #include "tests/corpus/fingerprint.hpp"
+#include "tests/support/rounds.hpp"
 #include "tests/support/scene_oracle.hpp"
+#include "tests/support/trees.hpp"
 
 #include <gtest/gtest.h>
 
@@ -152,11 +151,6 @@ const std::map<std::string, std::uint64_t> golden{
     {"huge soup, turned", 0xef2ec978c997c49b},
 };
 
-ObbTree build(const Body& body, const BuildOptions& options) {
-    ThreadPool pool(1);
-    return build_tree(body.mesh, options, pool);
-}
-
 const std::array<BuildOptions, 3> variants{
     BuildOptions{}, BuildOptions{.leaf_triangles_max = 1}, BuildOptions{.boxes = BoxKind::Aabb}};
 
@@ -180,12 +174,6 @@ bool is_extreme(const Mesh& mesh) {
     }
     const double reach = std::max(low.cwiseAbs().maxCoeff(), high.cwiseAbs().maxCoeff());
     return reach >= 0x1p50 || (high - low).maxCoeff() <= 0x1p-40;
-}
-
-TreeView without_wide(const ObbTree& tree) {
-    TreeView view = tree.view();
-    view.wide = {};
-    return view;
 }
 
 } // namespace
@@ -215,18 +203,15 @@ TEST_P(SceneContacts, AreExactlyThose) {
         SCOPED_TRACE(scene->name);
         const SceneOracle oracle(*scene->a.mesh, *scene->b.mesh, scene->poses);
         for (const BuildOptions& options : variants) {
-            const ObbTree a = build(scene->a, options);
-            const ObbTree b = build(scene->b, options);
+            const ObbTree a = make_tree(*scene->a.mesh, options);
+            const ObbTree b = make_tree(*scene->b.mesh, options);
             // Only coordinates beyond the range of floats have no wide tree.
             ASSERT_EQ(a.view().wide.nodes.empty(), is_extreme(*scene->a.mesh));
             ASSERT_EQ(b.view().wide.nodes.empty(), is_extreme(*scene->b.mesh));
-            expect_found(without_wide(a), without_wide(b), scene->poses, oracle.contact_pairs());
-            for (const SimdTarget target : available_simd_targets()) {
-                SCOPED_TRACE(to_text(target));
-                ASSERT_TRUE(force_simd_target(to_text(target)));
+            expect_found(forms_of(a)[1], forms_of(b)[1], scene->poses, oracle.contact_pairs());
+            on_every_target([&](SimdTarget) {
                 expect_found(a.view(), b.view(), scene->poses, oracle.contact_pairs());
-            }
-            ASSERT_TRUE(force_simd_target("auto"));
+            });
         }
     }
 }

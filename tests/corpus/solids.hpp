@@ -1,8 +1,8 @@
 // Solids and surfaces of the corpus, made with + - * / and sqrt in a fixed order and so
-// bit-identical with every compiler and library.
+// bit-identical with every compiler and library, as those of shapes.hpp that are said to be.
 #pragma once
 
-#include "common/geometry/mesh.hpp"
+#include "tests/support/shapes.hpp"
 
 #include <array>
 #include <cstdint>
@@ -20,15 +20,6 @@ using Vec2 = std::array<double, 2>;
 /// Returns `count + 1` values: first + i * step.
 [[nodiscard]] std::vector<double> ticks(double first, double step, int count);
 
-/// Makes a closed box whose faces are divided at these ascending coordinates, which its vertices
-/// have exactly.
-[[nodiscard]] Mesh make_ticked_box(const std::vector<double>& x,
-                                   const std::vector<double>& y,
-                                   const std::vector<double>& z);
-[[nodiscard]] Mesh make_box_between(const Vec3& low, const Vec3& high);
-
-/// Makes a closed sphere of radius 1 around the origin: an octahedron, each triangle split in four.
-[[nodiscard]] Mesh make_round_sphere(int subdivisions);
 /// Makes a closed torus around z with 4 * 2^around by 4 * 2^across quadrilaterals.
 [[nodiscard]] Mesh make_round_torus(double radius, double tube, int around, int across);
 
@@ -43,8 +34,6 @@ using Vec2 = std::array<double, 2>;
 /// `corner`.
 [[nodiscard]] Mesh make_terrain(std::uint64_t seed, int n, double cell, const Vec3& corner);
 
-/// Returns the mesh with every coordinate times `factor`, rounded.
-[[nodiscard]] Mesh scaled(const Mesh& mesh, double factor);
 /// Returns the mesh without its last `count` triangles: open, if it was closed.
 [[nodiscard]] Mesh without_last(const Mesh& mesh, std::size_t count);
 

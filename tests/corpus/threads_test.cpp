@@ -1,12 +1,11 @@
 // Rebuilds, with our own numbers, situations that users of other projects reported as wrong. Each
 // test is named after the report.
-#include "common/core/host/thread_pool.hpp"
 #include "common/job/run_scenario.hpp"
-#include "common/tree/build/build.hpp"
 #include "tests/corpus/solids.hpp"
 #include "tests/support/oracle.hpp"
+#include "tests/support/scenarios.hpp"
 #include "tests/support/scene_oracle.hpp"
-#include "tests/support/shapes.hpp"
+#include "tests/support/trees.hpp"
 
 #include <gtest/gtest.h>
 
@@ -20,14 +19,7 @@ namespace cd::tests {
 namespace {
 
 ScenarioResult run(const Mesh& a, const Mesh& b, const PosePair& poses, Level level) {
-    ThreadPool pool(1);
-    const ObbTree tree_a = build_tree(share(Mesh(a)), {}, pool);
-    const ObbTree tree_b = build_tree(share(Mesh(b)), {}, pool);
-    Scenario scenario;
-    scenario.poses = poses;
-    Query query;
-    query.level = level;
-    return run_scenario(tree_a, tree_b, scenario, query).result;
+    return run_scenario(make_tree(a), make_tree(b), make_scenario(poses), query_of(level)).result;
 }
 
 /// Expects no contact in any order of corners and bodies.

@@ -1,5 +1,7 @@
 #include "tests/support/clipping_oracle.hpp"
 
+#include "tests/support/posed_point.hpp"
+
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -30,34 +32,6 @@ Point cross(const Point& l, const Point& r) {
 
 bool is_zero(const Point& p) {
     return p[0] == 0 && p[1] == 0 && p[2] == 0;
-}
-
-/// Applies the pose as the contract defines it: a quaternion q rotates by M(q) / q.q.
-Point world(const Pose& pose, const Vec3& corner) {
-    std::array<std::array<Number, 3>, 3> r;
-    if (pose.kind() == Pose::Kind::Matrix) {
-        for (int i = 0; i < 3; ++i) {
-            for (int j = 0; j < 3; ++j) {
-                r[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)] =
-                    Number(pose.matrix()(i, j));
-            }
-        }
-    } else {
-        const Number w(pose.quaternion().w);
-        const Number x(pose.quaternion().x);
-        const Number y(pose.quaternion().y);
-        const Number z(pose.quaternion().z);
-        const Number s = 2 / (w * w + x * x + y * y + z * z);
-        r[0] = {1 - s * (y * y + z * z), s * (x * y - w * z), s * (x * z + w * y)};
-        r[1] = {s * (x * y + w * z), 1 - s * (x * x + z * z), s * (y * z - w * x)};
-        r[2] = {s * (x * z - w * y), s * (y * z + w * x), 1 - s * (x * x + y * y)};
-    }
-    const Point from{Number(corner.x()), Number(corner.y()), Number(corner.z())};
-    Point to;
-    for (std::size_t i = 0; i < 3; ++i) {
-        to[i] = dot(r[i], from) + Number(pose.translation()[static_cast<Eigen::Index>(i)]);
-    }
-    return to;
 }
 
 /// The half-space of points x with normal.(x - on) >= 0.
@@ -142,7 +116,9 @@ Point mean(const Polygon& polygon) {
 }
 
 Polygon world(const Pose& pose, const Corners& corners) {
-    return {world(pose, corners[0]), world(pose, corners[1]), world(pose, corners[2])};
+    return {clipping_oracle_world(pose, corners[0]),
+            clipping_oracle_world(pose, corners[1]),
+            clipping_oracle_world(pose, corners[2])};
 }
 
 Polygon common_part(const Polygon& a, const Polygon& b) {
@@ -215,7 +191,7 @@ clipping_oracle_points(const Corners& a, const Corners& b, const PosePair& poses
 }
 
 RationalPoint clipping_oracle_world(const Pose& pose, const Vec3& corner) {
-    return world(pose, corner);
+    return world_point<Rational>(pose, corner);
 }
 
 bool is_nearest_double(double value, const Rational& exact) {

@@ -1,5 +1,7 @@
 #include "tests/support/exact_distance.hpp"
 
+#include "tests/support/posed_point.hpp"
+
 #include <boost/multiprecision/cpp_int.hpp>
 
 #include <algorithm>
@@ -33,39 +35,12 @@ Point<N> cross(const Point<N>& l, const Point<N>& r) {
         N(l[1] * r[2] - l[2] * r[1]), N(l[2] * r[0] - l[0] * r[2]), N(l[0] * r[1] - l[1] * r[0])};
 }
 
-/// Applies the pose as the contract defines it: a quaternion q rotates by M(q) / q.q.
-template <class N>
-Point<N> world(const Pose& pose, const Vec3& corner) {
-    std::array<Point<N>, 3> r;
-    if (pose.kind() == Pose::Kind::Matrix) {
-        for (std::size_t i = 0; i < 3; ++i) {
-            for (std::size_t j = 0; j < 3; ++j) {
-                r[i][j] =
-                    N(pose.matrix()(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)));
-            }
-        }
-    } else {
-        const N w(pose.quaternion().w);
-        const N x(pose.quaternion().x);
-        const N y(pose.quaternion().y);
-        const N z(pose.quaternion().z);
-        const N s = N(2) / N(w * w + x * x + y * y + z * z);
-        r[0] = {N(1 - s * (y * y + z * z)), N(s * (x * y - w * z)), N(s * (x * z + w * y))};
-        r[1] = {N(s * (x * y + w * z)), N(1 - s * (x * x + z * z)), N(s * (y * z - w * x))};
-        r[2] = {N(s * (x * z - w * y)), N(s * (y * z + w * x)), N(1 - s * (x * x + y * y))};
-    }
-    const Point<N> from{N(corner.x()), N(corner.y()), N(corner.z())};
-    Point<N> to;
-    for (std::size_t i = 0; i < 3; ++i) {
-        to[i] = dot(r[i], from) + N(pose.translation()[static_cast<Eigen::Index>(i)]);
-    }
-    return to;
-}
-
 template <class N>
 Points<N> corners_in_world(const Mesh& mesh, std::uint32_t triangle, const Pose& pose) {
     const Corners corners = mesh.corners(triangle);
-    return {world<N>(pose, corners[0]), world<N>(pose, corners[1]), world<N>(pose, corners[2])};
+    return {world_point<N>(pose, corners[0]),
+            world_point<N>(pose, corners[1]),
+            world_point<N>(pose, corners[2])};
 }
 
 template <class N>

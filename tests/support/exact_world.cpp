@@ -161,6 +161,14 @@ ExactWorld exact_world(std::span<const Vec3> a, std::span<const Vec3> b, const P
     return {std::move(in_a.points), std::move(in_b.points)};
 }
 
+std::vector<ExactTriangle> triangles_of(const Mesh& mesh, const std::vector<ExactPoint>& points) {
+    std::vector<ExactTriangle> triangles;
+    for (const Triangle& t : mesh.triangles()) {
+        triangles.push_back({points[t[0]], points[t[1]], points[t[2]]});
+    }
+    return triangles;
+}
+
 ExactPoint minus(const ExactPoint& l, const ExactPoint& r) {
     return {l[0] - r[0], l[1] - r[1], l[2] - r[2]};
 }

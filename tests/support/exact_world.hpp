@@ -1,6 +1,7 @@
 // Bodies in world space as integers: exact coordinates times one common positive number.
 #pragma once
 
+#include "common/geometry/mesh.hpp"
 #include "common/geometry/pose.hpp"
 #include "common/geometry/types.hpp"
 
@@ -26,6 +27,10 @@ struct ExactWorld {
 /// by M(q) / q.q.
 [[nodiscard]] ExactWorld
 exact_world(std::span<const Vec3> a, std::span<const Vec3> b, const PosePair& poses);
+
+/// Returns the triangles of a mesh whose vertices are at these points.
+[[nodiscard]] std::vector<ExactTriangle> triangles_of(const Mesh& mesh,
+                                                      const std::vector<ExactPoint>& points);
 
 [[nodiscard]] ExactPoint minus(const ExactPoint& l, const ExactPoint& r);
 [[nodiscard]] Integer dot(const ExactPoint& l, const ExactPoint& r);

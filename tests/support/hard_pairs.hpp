@@ -1,4 +1,4 @@
-// Triangle pairs that floating point misjudges, by kind (NUMERICS, section 4).
+// Triangle pairs that floating point misjudges, by kind.
 #pragma once
 
 #include "common/geometry/pose.hpp"

@@ -38,14 +38,6 @@ struct ExactBox {
     }
 };
 
-std::vector<ExactTriangle> triangles_of(const Mesh& mesh, const std::vector<ExactPoint>& points) {
-    std::vector<ExactTriangle> triangles;
-    for (const Triangle& t : mesh.triangles()) {
-        triangles.push_back({points[t[0]], points[t[1]], points[t[2]]});
-    }
-    return triangles;
-}
-
 std::vector<std::uint32_t> pieces_of(const Mesh& mesh) {
     std::vector<std::uint32_t> leader(mesh.vertices().size());
     std::iota(leader.begin(), leader.end(), 0u);

@@ -18,8 +18,9 @@ class SceneOracle {
     /// Returns every pair that shares a point, with its class, sorted.
     [[nodiscard]] const std::vector<ContactPair>& contact_pairs() const { return pairs_; }
 
-    /// Classifies by the definition (NUMERICS, section 1). `closed`: both surfaces are closed and
-    /// do not cross themselves.
+    /// Classifies by the definition. If surfaces meet, the class is Cross or Touch, as interiors do
+    /// or do not; otherwise it is Inside if one body lies within the other, or else Separate.
+    /// `closed`: both surfaces are closed and do not cross themselves. Others have no interior.
     [[nodiscard]] ScenarioClass scenario_class(bool closed) const;
 
   private:

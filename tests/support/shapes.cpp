@@ -15,13 +15,44 @@ namespace {
 
 constexpr double pi = 3.14159265358979323846;
 
-/// Adds the two triangles of a quadrilateral, corners counter-clockwise from outside.
+/// Returns the normalised sum, computed in one fixed order.
+Vec3 middle_on_sphere(const Vec3& a, const Vec3& b) {
+    const double x = a.x() + b.x();
+    const double y = a.y() + b.y();
+    const double z = a.z() + b.z();
+    const double length = std::sqrt((x * x + y * y) + z * z);
+    return {x / length, y / length, z / length};
+}
+
+/// Numbers vertices by grid position, each once.
+class GridVertices {
+  public:
+    using Place = std::array<std::size_t, 3>;
+
+    explicit GridVertices(std::array<std::vector<double>, 3> ticks) : ticks_(std::move(ticks)) {}
+
+    std::uint32_t at(const Place& place) {
+        const auto [found, is_new] =
+            numbers_.emplace(place, static_cast<std::uint32_t>(vertices.size()));
+        if (is_new) {
+            vertices.emplace_back(ticks_[0][place[0]], ticks_[1][place[1]], ticks_[2][place[2]]);
+        }
+        return found->second;
+    }
+
+    std::vector<Vec3> vertices;
+
+  private:
+    std::array<std::vector<double>, 3> ticks_;
+    std::map<Place, std::uint32_t> numbers_;
+};
+
+} // namespace
+
 void add_quad(std::vector<Triangle>& triangles, const std::array<std::uint32_t, 4>& corners) {
     triangles.push_back({corners[0], corners[1], corners[2]});
     triangles.push_back({corners[0], corners[2], corners[3]});
 }
-
-} // namespace
 
 double uniform(std::mt19937_64& random, double low, double high) {
     const double unit = static_cast<double>(random() >> 11) * 0x1p-53;
@@ -48,17 +79,23 @@ std::shared_ptr<const Mesh> share(Mesh mesh) {
     return std::make_shared<const Mesh>(std::move(mesh));
 }
 
-Mesh make_triangle_soup(std::mt19937_64& random, std::uint32_t count, double size) {
-    std::vector<Vec3> vertices;
+Mesh make_soup(std::vector<Vec3> corners) {
     std::vector<Triangle> triangles;
+    for (std::uint32_t i = 0; i + 2 < corners.size(); i += 3) {
+        triangles.push_back({i, i + 1, i + 2});
+    }
+    return make_mesh(std::move(corners), std::move(triangles));
+}
+
+Mesh make_triangle_soup(std::mt19937_64& random, std::uint32_t count, double size) {
+    std::vector<Vec3> corners;
     for (std::uint32_t i = 0; i < count; ++i) {
         const Vec3 center = random_point(random, 1.0);
         for (int corner = 0; corner < 3; ++corner) {
-            vertices.emplace_back(center + random_point(random, 0.5 * size));
+            corners.emplace_back(center + random_point(random, 0.5 * size));
         }
-        triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2});
     }
-    return make_mesh(std::move(vertices), std::move(triangles));
+    return make_soup(std::move(corners));
 }
 
 Mesh make_sphere(int subdivisions) {
@@ -68,12 +105,10 @@ Mesh make_sphere(int subdivisions) {
     for (int round = 0; round < subdivisions; ++round) {
         std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> middles;
         const auto middle = [&](std::uint32_t a, std::uint32_t b) {
-            const auto key = std::minmax(a, b);
-            const auto next = static_cast<std::uint32_t>(vertices.size());
-            const auto [place, is_new] = middles.emplace(key, next);
+            const auto [place, is_new] =
+                middles.emplace(std::minmax(a, b), static_cast<std::uint32_t>(vertices.size()));
             if (is_new) {
-                const Vec3 sum = vertices[key.first] + vertices[key.second];
-                vertices.emplace_back(sum / std::sqrt(sum.squaredNorm()));
+                vertices.push_back(middle_on_sphere(vertices[a], vertices[b]));
             }
             return place->second;
         };
@@ -95,38 +130,42 @@ Mesh make_box(const Vec3& size) {
 }
 
 Mesh make_gridded_box(const Vec3& size, int n) {
-    std::vector<Vec3> vertices;
-    std::map<std::array<int, 3>, std::uint32_t> places;
-    const auto vertex = [&](const std::array<int, 3>& cell) {
-        const auto [place, is_new] =
-            places.emplace(cell, static_cast<std::uint32_t>(vertices.size()));
-        if (is_new) {
-            Vec3 point;
-            for (int axis = 0; axis < 3; ++axis) {
-                const auto k = static_cast<std::size_t>(axis);
-                point[axis] = size[axis] * (static_cast<double>(cell[k]) / n - 0.5);
-            }
-            vertices.push_back(point);
+    std::array<std::vector<double>, 3> ticks;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        for (int i = 0; i <= n; ++i) {
+            const double share = static_cast<double>(i) / n - 0.5;
+            ticks[axis].push_back(size[static_cast<Eigen::Index>(axis)] * share);
         }
-        return place->second;
-    };
+    }
+    return make_ticked_box(ticks[0], ticks[1], ticks[2]);
+}
+
+Mesh make_box_between(const Vec3& low, const Vec3& high) {
+    return make_ticked_box({low.x(), high.x()}, {low.y(), high.y()}, {low.z(), high.z()});
+}
+
+Mesh make_ticked_box(const std::vector<double>& x,
+                     const std::vector<double>& y,
+                     const std::vector<double>& z) {
+    const std::array<std::size_t, 3> cells{x.size() - 1, y.size() - 1, z.size() - 1};
+    GridVertices grid({x, y, z});
     std::vector<Triangle> triangles;
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const std::size_t u = (axis + 1) % 3;
         const std::size_t v = (axis + 2) % 3;
-        for (const int side : {0, n}) {
-            for (int i = 0; i < n; ++i) {
-                for (int j = 0; j < n; ++j) {
-                    const auto corner = [&](int du, int dv) {
-                        std::array<int, 3> cell{};
-                        cell[axis] = side;
-                        cell[u] = i + du;
-                        cell[v] = j + dv;
-                        return vertex(cell);
+        for (const bool top : {false, true}) {
+            for (std::size_t i = 0; i < cells[u]; ++i) {
+                for (std::size_t j = 0; j < cells[v]; ++j) {
+                    const auto corner = [&](std::size_t du, std::size_t dv) {
+                        GridVertices::Place place{};
+                        place[axis] = top ? cells[axis] : 0;
+                        place[u] = i + du;
+                        place[v] = j + dv;
+                        return grid.at(place);
                     };
                     std::array<std::uint32_t, 4> quad{
                         corner(0, 0), corner(1, 0), corner(1, 1), corner(0, 1)};
-                    if (side == 0) {
+                    if (!top) {
                         std::swap(quad[1], quad[3]);
                     }
                     add_quad(triangles, quad);
@@ -134,7 +173,7 @@ Mesh make_gridded_box(const Vec3& size, int n) {
             }
         }
     }
-    return make_mesh(std::move(vertices), std::move(triangles));
+    return make_mesh(std::move(grid.vertices), std::move(triangles));
 }
 
 Mesh make_torus(double radius, double tube, int around, int across) {
@@ -194,6 +233,18 @@ Mesh make_degenerate_soup(std::mt19937_64& random, std::uint32_t count) {
     return make_mesh(std::move(vertices), std::move(triangles));
 }
 
+Mesh make_staircase(std::uint32_t count) {
+    std::vector<Vec3> vertices = {Vec3::Zero()};
+    std::vector<Triangle> triangles;
+    for (std::uint32_t i = 0; i < count; ++i) {
+        const double size = 1.0 + 0.01 * i;
+        vertices.emplace_back(size, 0, 0);
+        vertices.emplace_back(size, 1e-3, 0);
+        triangles.push_back({0, 2 * i + 1, 2 * i + 2});
+    }
+    return make_mesh(std::move(vertices), std::move(triangles));
+}
+
 Mesh join(const std::vector<Mesh>& meshes) {
     std::vector<Vec3> vertices;
     std::vector<Triangle> triangles;
@@ -215,12 +266,44 @@ Mesh reversed(const Mesh& mesh) {
     return make_mesh(mesh.vertices(), std::move(triangles));
 }
 
-Mesh translated(const Mesh& mesh, const Vec3& offset) {
-    std::vector<Vec3> vertices = mesh.vertices();
-    for (Vec3& vertex : vertices) {
-        vertex += offset;
+Mesh mapped(const Mesh& mesh, const std::function<Vec3(const Vec3&)>& map) {
+    std::vector<Vec3> vertices;
+    for (const Vec3& vertex : mesh.vertices()) {
+        vertices.push_back(map(vertex));
     }
     return make_mesh(std::move(vertices), mesh.triangles());
+}
+
+Mesh unshared(const Mesh& mesh) {
+    std::vector<Vec3> corners;
+    for (std::uint32_t i = 0; i < mesh.triangles().size(); ++i) {
+        const Corners of_one = mesh.corners(i);
+        corners.insert(corners.end(), of_one.begin(), of_one.end());
+    }
+    return make_soup(std::move(corners));
+}
+
+Mesh scaled(const Mesh& mesh, double factor) {
+    return mapped(mesh, [&](const Vec3& vertex) { return Vec3(factor * vertex); });
+}
+
+Mesh as_floats(const Mesh& mesh) {
+    MeshArrays arrays{{}, mesh.triangles(), {}, Precision::Float};
+    // Goes through memory: in place, GCC 12 drops the rounding when it vectorises by two.
+    std::vector<float> narrow;
+    for (const Vec3& vertex : mesh.vertices()) {
+        for (const double coordinate : vertex) {
+            narrow.push_back(static_cast<float>(coordinate));
+        }
+    }
+    for (std::size_t i = 0; i < narrow.size(); i += 3) {
+        arrays.vertices.emplace_back(narrow[i], narrow[i + 1], narrow[i + 2]);
+    }
+    return Mesh::create(std::move(arrays)).value();
+}
+
+Mesh translated(const Mesh& mesh, const Vec3& offset) {
+    return mapped(mesh, [&](const Vec3& vertex) { return Vec3(vertex + offset); });
 }
 
 Pose make_pose(std::mt19937_64& random, double reach) {

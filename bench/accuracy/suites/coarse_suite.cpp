@@ -136,7 +136,6 @@ void write_row(CsvFile& csv,
              cell(sum / static_cast<double>(count) / diagonal),
              cell(totals.errors[count * 99 / 100] / diagonal),
              cell(totals.errors.back() / diagonal),
-             cell(totals.errors.back()),
              cell(1e6 * seconds_a_query)});
 }
 
@@ -190,7 +189,6 @@ CsvFile open_coarse_csv(const std::filesystem::path& folder) {
              "error_mean",
              "error_p99",
              "error_max",
-             "error_max_units",
              "us_query"}};
 }
 

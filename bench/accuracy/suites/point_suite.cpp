@@ -1,6 +1,5 @@
 #include "bench/accuracy/suites/point_suite.hpp"
 
-#include "bench/accuracy/distance.hpp"
 #include "tests/support/clipping_oracle.hpp"
 
 #include <algorithm>
@@ -37,7 +36,6 @@ struct Given {
 struct Errors {
     std::uint64_t points = 0;
     std::uint64_t rounded = 0; ///< Correctly rounded points.
-    std::vector<double> stray; ///< Distance of each point from the exact set.
     std::vector<double> end;   ///< Distance of each exact corner from the nearest point.
     double end_units = 0;      ///< Largest of these distances, in model units.
 };
@@ -115,7 +113,6 @@ void judge(const Given& given, const Contact& contact, Errors& errors) {
     for (std::size_t i = 0; i < given.count; ++i) {
         ++errors.points;
         if (!is_finite(given, i)) {
-            errors.stray.push_back(infinity);
             continue;
         }
         errors.rounded += is_rounded(given, i, contact) ? 1u : 0u;
@@ -124,7 +121,6 @@ void judge(const Given& given, const Contact& contact, Errors& errors) {
             world[k] = Rational(given.origin[k]) + Rational(given.points[i][k]);
         }
         points.push_back(relative(world, contact));
-        errors.stray.push_back(distance_to_hull(points.back(), exact));
     }
     // If the engine sees no contact there is nothing to measure; the wrong answer is counted
     // elsewhere.
@@ -140,12 +136,8 @@ void judge(const Given& given, const Contact& contact, Errors& errors) {
     }
 }
 
-double share(std::vector<double>& values, std::size_t percent) {
-    if (values.empty()) {
-        return 0;
-    }
-    std::sort(values.begin(), values.end());
-    return values[std::min(values.size() - 1, values.size() * percent / 100)];
+double largest(const std::vector<double>& values) {
+    return values.empty() ? 0 : *std::max_element(values.begin(), values.end());
 }
 
 Ending ask(const Engine& engine,
@@ -194,28 +186,16 @@ void run_points(const std::string& category,
                  cell(std::uint64_t{contacts.size()}),
                  cell(errors.points),
                  cell(errors.rounded),
-                 cell(share(errors.stray, 99)),
-                 cell(share(errors.stray, 100)),
-                 cell(share(errors.end, 99)),
-                 cell(share(errors.end, 100)),
+                 cell(largest(errors.end)),
                  cell(errors.end_units),
                  std::string(to_text(ending))});
     }
 }
 
 CsvFile open_points_csv(const std::filesystem::path& folder) {
-    return {folder / "points.csv",
-            {"category",
-             "engine",
-             "pairs",
-             "points",
-             "rounded",
-             "stray_p99",
-             "stray_max",
-             "end_p99",
-             "end_max",
-             "end_max_units",
-             "ending"}};
+    return {
+        folder / "points.csv",
+        {"category", "engine", "pairs", "points", "rounded", "end_max", "end_max_units", "ending"}};
 }
 
 } // namespace cd::bench

@@ -1,8 +1,6 @@
 #include "bench/accuracy/suites/scene.hpp"
 
 #include "common/core/host/thread_pool.hpp"
-#include "common/geometry/aabb.hpp"
-#include "common/tree/box_test.hpp"
 #include "tests/support/oracle.hpp"
 
 #include <algorithm>
@@ -112,43 +110,6 @@ PairClass true_class(const TrueContacts& contacts, const IdPair& ids) {
             return pair.ids < i;
         });
     return found != contacts.end() && found->ids == ids ? found->kind : PairClass::Separate;
-}
-
-std::vector<Candidate> candidates_of(const ObbTree& a, const ObbTree& b, const PosePair& poses) {
-    const BoxTest boxes(relative_pose(poses));
-    const TriangleSpan triangles_a{a.view().vertices, a.view().triangles};
-    const TriangleSpan triangles_b{b.view().vertices, b.view().triangles};
-    std::vector<Candidate> candidates;
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> stack{{0, 0}};
-    while (!stack.empty()) {
-        const auto [ia, ib] = stack.back();
-        stack.pop_back();
-        const ObbNode& node_a = a.nodes()[ia];
-        const ObbNode& node_b = b.nodes()[ib];
-        if (!boxes.may_overlap(node_a, node_b)) {
-            continue;
-        }
-        if (!node_a.is_leaf() &&
-            (node_b.is_leaf() || node_a.triangle_count() >= node_b.triangle_count())) {
-            stack.emplace_back(node_a.right, ib);
-            stack.emplace_back(ia + 1, ib);
-        } else if (!node_b.is_leaf()) {
-            stack.emplace_back(ia, node_b.right);
-            stack.emplace_back(ia, ib + 1);
-        } else {
-            for (std::uint32_t i = node_a.triangles_begin; i < node_a.triangles_end; ++i) {
-                const Aabb own = bounding_box(triangles_a.corners_at(i));
-                for (std::uint32_t j = node_b.triangles_begin; j < node_b.triangles_end; ++j) {
-                    const Aabb other = boxes.bounds(triangles_b.corners_at(j));
-                    if ((own.min.array() <= other.max.array()).all() &&
-                        (other.min.array() <= own.max.array()).all()) {
-                        candidates.push_back({i, j});
-                    }
-                }
-            }
-        }
-    }
-    return candidates;
 }
 
 } // namespace cd::bench

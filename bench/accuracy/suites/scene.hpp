@@ -34,9 +34,4 @@ using TrueContacts = std::vector<TruePair>;
 /// Returns Separate for a pair that is not in contact.
 [[nodiscard]] PairClass true_class(const TrueContacts& contacts, const IdPair& ids);
 
-/// Returns the pairs that our box tests leave for the triangle test (the narrow phase's input), by
-/// position in the trees.
-[[nodiscard]] std::vector<Candidate>
-candidates_of(const ObbTree& a, const ObbTree& b, const PosePair& poses);
-
 } // namespace cd::bench

@@ -22,7 +22,6 @@ struct Setting {
 void count_pairs(MeshAnswer& answer, const TrueContacts& truth, QueryTotals& totals) {
     std::sort(answer.pairs.begin(), answer.pairs.end());
     answer.pairs.erase(std::unique(answer.pairs.begin(), answer.pairs.end()), answer.pairs.end());
-    totals.pairs_found += answer.pairs.size();
     for (const IdPair& pair : answer.pairs) {
         totals.wrong[0] += true_class(truth, pair) == PairClass::Separate ? 1u : 0u;
     }
@@ -33,8 +32,6 @@ void count_pairs(MeshAnswer& answer, const TrueContacts& truth, QueryTotals& tot
 }
 
 void judge(MeshAnswer answer, Level level, const TrueContacts& truth, QueryTotals& totals) {
-    totals.record_bytes += answer.record_bytes;
-    totals.read_bytes += answer.read_bytes;
     totals.wrong_any += answer.touches == truth.empty() ? 1u : 0u;
     if (level >= Level::Pairs) {
         count_pairs(answer, truth, totals);
@@ -89,20 +86,8 @@ void time_settings(const Scene& scene,
     }
 }
 
-void write_row(CsvFile& csv,
-               const Scene& scene,
-               std::span<const TrueContacts> truth,
-               const Setting& setting) {
+void write_row(CsvFile& csv, const Scene& scene, const Setting& setting) {
     const QueryTotals& totals = setting.totals;
-    std::uint64_t true_pairs = 0;
-    for (const TrueContacts& contacts : truth) {
-        true_pairs += contacts.size();
-    }
-    const auto mean = [&](std::uint64_t sum) {
-        const bool known = sum > 0 && totals.queries > 0;
-        return known ? cell(static_cast<double>(sum) / static_cast<double>(totals.queries))
-                     : std::string();
-    };
     csv.row({scene.suite,
              scene.name,
              setting.engine->name,
@@ -112,16 +97,12 @@ void write_row(CsvFile& csv,
              cell(totals.queries),
              cell(totals.wrong_any),
              cell(totals.wrong_count),
-             cell(true_pairs),
-             cell(totals.pairs_found),
              cell(totals.wrong[0]),
              cell(totals.wrong[1]),
              cell(totals.wrong[2]),
              cell(totals.wrong[3]),
              std::string(to_text(setting.ending)),
-             setting.seconds_a_query > 0 ? cell(1e6 * setting.seconds_a_query) : std::string(),
-             mean(totals.record_bytes),
-             mean(totals.read_bytes)});
+             setting.seconds_a_query > 0 ? cell(1e6 * setting.seconds_a_query) : std::string()});
 }
 
 } // namespace
@@ -142,7 +123,7 @@ void run_scene(const Scene& scene,
     }
     time_settings(scene, options, settings);
     for (const Setting& setting : settings) {
-        write_row(csv, scene, truth, setting);
+        write_row(csv, scene, setting);
     }
 }
 
@@ -157,16 +138,12 @@ CsvFile open_queries_csv(const std::filesystem::path& folder) {
              "answered",
              "wrong_any",
              "wrong_count",
-             "true_pairs",
-             "pairs_found",
              "invented",
              "missed_touch",
              "missed_coplanar",
              "missed_proper",
              "ending",
-             "us_query",
-             "record_bytes",
-             "read_bytes"}};
+             "us_query"}};
 }
 
 } // namespace cd::bench

@@ -18,11 +18,8 @@ struct QueryTotals {
     std::uint64_t queries = 0;     ///< Answered queries.
     std::uint64_t wrong_any = 0;   ///< Wrong answers to whether anything touches.
     std::uint64_t wrong_count = 0; ///< Wrong numbers of pairs, from level count on.
-    std::uint64_t pairs_found = 0; ///< Distinct pairs, from level pairs on.
     /// Wrong pairs: extra ones, and missed ones by true class.
     std::array<std::uint64_t, 4> wrong{};
-    std::uint64_t record_bytes = 0;
-    std::uint64_t read_bytes = 0;
 };
 
 struct SceneSuiteOptions {

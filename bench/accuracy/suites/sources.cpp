@@ -1,10 +1,10 @@
 #include "bench/accuracy/suites/sources.hpp"
 
+#include "bench/posed_trees.hpp"
 #include "client/import/mesh_import.hpp"
 #include "common/core/check.hpp"
 #include "common/core/host/thread_pool.hpp"
 #include "common/geometry/aabb.hpp"
-#include "common/job/poses/pose_source.hpp"
 #include "common/tree/build/build.hpp"
 #include "common/tree/wide/wide_descent.hpp"
 #include "tests/corpus/pairs.hpp"
@@ -105,14 +105,12 @@ vehicle_scene(const std::filesystem::path& models, std::size_t couple, std::uint
     if (scenarios == 0) {
         return scene;
     }
-    RandomPoses random;
-    random.count = scenarios;
     const Aabb box = bounding_box(a->vertices());
     std::mt19937_64 draw(1);
     ThreadPool pool(1);
-    for (const Scenario& s : make_random_poses(random, tree_of(a), tree_of(b), pool)) {
-        scene.poses.push_back(s.poses);
-        scene.poses.push_back(moved_off(s.poses, box, tests::uniform(draw, 0, 0.2)));
+    for (const PosePair& poses : random_poses(tree_of(a), tree_of(b), scenarios, pool)) {
+        scene.poses.push_back(poses);
+        scene.poses.push_back(moved_off(poses, box, tests::uniform(draw, 0, 0.2)));
     }
     return scene;
 }

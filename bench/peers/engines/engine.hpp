@@ -68,17 +68,7 @@ using IdPair = std::pair<std::uint32_t, std::uint32_t>;
 struct MeshAnswer {
     bool touches = false;
     std::uint64_t pair_count = 0;
-    std::vector<IdPair> pairs;        ///< At level pairs and above; unordered, may repeat.
-    std::uint64_t record_bytes = 0;   ///< Size of the result record; 0 if the engine has none.
-    std::uint64_t read_bytes = 0;     ///< Bytes of boxes and triangles read; 0 if unknown.
-    std::uint64_t box_tests = 0;      ///< The paper's N_b; 0 if unknown.
-    std::uint64_t triangle_tests = 0; ///< The paper's N_p; 0 if unknown.
-};
-
-/// Time per box test and per triangle test: the paper's C_b and C_p; 0 if unknown.
-struct TestCosts {
-    double box_ns = 0;
-    double triangle_ns = 0;
+    std::vector<IdPair> pairs; ///< At level pairs and above; unordered, may repeat.
 };
 
 /// Decides whole meshes.
@@ -96,8 +86,6 @@ class MeshEngine {
 
     /// Returns the loaded bytes that a query may read; 0 if unknown.
     [[nodiscard]] virtual std::uint64_t resident_bytes() const { return 0; }
-    /// Returns the costs of the search for all pairs under the poses.
-    [[nodiscard]] virtual TestCosts test_costs(std::span<const PosePair>) const { return {}; }
     /// Returns an engine for another thread on this one's data; null if unsupported.
     [[nodiscard]] virtual std::unique_ptr<MeshEngine> for_another_thread() const { return nullptr; }
 };

@@ -1,11 +1,16 @@
-// Third-party engines. Each function has its own file, built where its library is installed.
+// Third-party engines. Each is built where its library is installed.
 #pragma once
 
 #include "bench/peers/engines/engine.hpp"
 
+#include <string>
 #include <vector>
 
 namespace cd::bench {
+
+/// Appends every installed engine. Returns the names of the engines whose libraries were missing at
+/// build time, with a line on stderr for each.
+std::vector<std::string> add_peers(std::vector<Engine>& engines);
 
 void add_fcl_double(std::vector<Engine>& engines);
 void add_fcl_float(std::vector<Engine>& engines);

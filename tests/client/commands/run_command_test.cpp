@@ -384,8 +384,7 @@ double bytes_below(const fs::path& folder) {
 
 } // namespace
 
-/// Compares work instead of time, which a busy machine changes (bench/estimate_bench.cpp measures
-/// time).
+/// Compares work instead of time, which a busy machine changes.
 TEST_F(Run, ADryRunTellsWhatTheRunTakesWithinAFactorOfTwo) {
     write_obj((dir_ / "a.obj").string(), make_torus(1.5, 0.5, 60, 30));
     write("poses.csv", poses_all_around(3000));

@@ -3,12 +3,12 @@
 // bounds are tight enough to be useful.
 #include "common/geometry/pose.hpp"
 
+#include "tests/common/tree/exact_box.hpp"
+#include "tests/support/brink_boxes.hpp"
 #include "tests/support/shapes.hpp"
 
-#include <boost/multiprecision/cpp_int.hpp>
 #include <gtest/gtest.h>
 
-#include <array>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -17,98 +17,28 @@ namespace cd::tests {
 
 namespace {
 
-using Number = boost::multiprecision::cpp_rational;
-using Matrix = std::array<std::array<Number, 3>, 3>;
-
 constexpr std::array<std::size_t, 3> three{0, 1, 2};
 
-Number at(const Mat3& m, std::size_t row, std::size_t column) {
-    return Number(m(static_cast<Eigen::Index>(row), static_cast<Eigen::Index>(column)));
-}
-
-Number at(const Vec3& v, std::size_t row) {
-    return Number(v[static_cast<Eigen::Index>(row)]);
-}
-
-Matrix exact_rotation(const Pose& pose) {
-    Matrix r;
-    if (pose.kind() == Pose::Kind::Matrix) {
-        for (const std::size_t i : three) {
-            for (const std::size_t j : three) {
-                r[i][j] = at(pose.matrix(), i, j);
-            }
-        }
-        return r;
-    }
-    const Number w(pose.quaternion().w);
-    const Number x(pose.quaternion().x);
-    const Number y(pose.quaternion().y);
-    const Number z(pose.quaternion().z);
-    const Number s = 2 / (w * w + x * x + y * y + z * z);
-    r[0] = {1 - s * (y * y + z * z), s * (x * y - w * z), s * (x * z + w * y)};
-    r[1] = {s * (x * y + w * z), 1 - s * (x * x + z * z), s * (y * z - w * x)};
-    r[2] = {s * (x * z - w * y), s * (y * z + w * x), 1 - s * (x * x + y * y)};
-    return r;
-}
-
-Matrix product(const Matrix& l, const Matrix& r) {
-    Matrix m;
-    for (const std::size_t i : three) {
-        for (const std::size_t j : three) {
-            m[i][j] = l[i][0] * r[0][j] + l[i][1] * r[1][j] + l[i][2] * r[2][j];
-        }
-    }
-    return m;
-}
-
-Matrix transpose(const Matrix& m) {
-    Matrix t;
-    for (const std::size_t i : three) {
-        for (const std::size_t j : three) {
-            t[i][j] = m[j][i];
-        }
-    }
-    return t;
-}
-
-Matrix inverse(const Matrix& m) {
-    Matrix cofactors;
-    for (const std::size_t i : three) {
-        for (const std::size_t j : three) {
-            const std::size_t i1 = (i + 1) % 3;
-            const std::size_t i2 = (i + 2) % 3;
-            const std::size_t j1 = (j + 1) % 3;
-            const std::size_t j2 = (j + 2) % 3;
-            cofactors[i][j] = m[j1][i1] * m[j2][i2] - m[j1][i2] * m[j2][i1];
-        }
-    }
-    const Number determinant =
-        m[0][0] * cofactors[0][0] + m[0][1] * cofactors[1][0] + m[0][2] * cofactors[2][0];
-    for (auto& row : cofactors) {
-        for (Number& entry : row) {
-            entry /= determinant;
-        }
-    }
-    return cofactors;
+Rational at(const Mat3& m, std::size_t row, std::size_t column) {
+    return Rational(m(static_cast<Eigen::Index>(row), static_cast<Eigen::Index>(column)));
 }
 
 /// Expects the three bounds of a relative pose to hold.
 void expect_bounds_hold(const PosePair& poses) {
     const RelativePose relative = relative_pose(poses);
-    const Matrix inverse_a = inverse(exact_rotation(poses.a));
-    const Matrix rotation = product(inverse_a, exact_rotation(poses.b));
-    const Matrix gram = product(transpose(rotation), rotation);
+    const ExactMat inverse_a = inverse(exact_rotation(poses.a));
+    const ExactMat rotation = inverse_a * exact_rotation(poses.b);
+    const ExactMat gram = transposed(rotation) * rotation;
+    const ExactVec translation = inverse_a * (exact(poses.b.translation()) +
+                                              scaled(Rational(-1), exact(poses.a.translation())));
+    const ExactVec rounded = exact(relative.translation);
     for (const std::size_t i : three) {
-        Number translation = 0;
         for (const std::size_t j : three) {
-            translation +=
-                inverse_a[i][j] * (at(poses.b.translation(), j) - at(poses.a.translation(), j));
-            EXPECT_LE(abs(Number(rotation[i][j] - at(relative.rotation, i, j))),
-                      Number(relative.rotation_error));
-            EXPECT_LE(abs(Number(gram[i][j] - (i == j ? 1 : 0))), Number(relative.skew));
+            EXPECT_LE(abs(Rational(rotation[i][j] - at(relative.rotation, i, j))),
+                      Rational(relative.rotation_error));
+            EXPECT_LE(abs(Rational(gram[i][j] - (i == j ? 1 : 0))), Rational(relative.skew));
         }
-        EXPECT_LE(abs(Number(translation - at(relative.translation, i))),
-                  Number(relative.translation_error));
+        EXPECT_LE(abs(Rational(translation[i] - rounded[i])), Rational(relative.translation_error));
     }
 }
 
@@ -143,11 +73,11 @@ TEST(Pose, RotationIsWithinItsErrorForQuaternionsOfAnyNorm) {
         for (int round = 0; round < 20; ++round) {
             const Pose pose = with_norm(make_pose(random, 1), factor);
             const Mat3 rounded = pose.rotation();
-            const Matrix exact = exact_rotation(pose);
+            const ExactMat exact = exact_rotation(pose);
             for (const std::size_t i : three) {
                 for (const std::size_t j : three) {
-                    EXPECT_LE(abs(Number(exact[i][j] - at(rounded, i, j))),
-                              Number(pose.rotation_error()))
+                    EXPECT_LE(abs(Rational(exact[i][j] - at(rounded, i, j))),
+                              Rational(pose.rotation_error()))
                         << factor;
                 }
             }

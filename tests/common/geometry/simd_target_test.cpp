@@ -12,10 +12,7 @@ namespace {
 /// Resets the target when a test ends.
 class SimdTargets : public testing::Test {
   protected:
-    void TearDown() override { ASSERT_TRUE(force_simd_target(to_text(before_))); }
-
-  private:
-    SimdTarget before_ = simd_target();
+    void TearDown() override { ASSERT_TRUE(force_simd_target("auto")); }
 };
 
 } // namespace

@@ -3,10 +3,10 @@
 
 #include "common/job/run_scenario.hpp"
 
-#include "common/job/settle.hpp"
 #include "common/search/brute_force.hpp"
-#include "common/tree/build/build.hpp"
-#include "tests/support/shapes.hpp"
+#include "tests/common/job/in_parts.hpp"
+#include "tests/support/scenarios.hpp"
+#include "tests/support/trees.hpp"
 
 #include <gtest/gtest.h>
 
@@ -19,60 +19,8 @@ namespace cd::tests {
 
 namespace {
 
-ObbTree make_tree(Mesh mesh) {
-    ThreadPool pool(1);
-    return build_tree(share(std::move(mesh)), BuildOptions{}, pool);
-}
-
-Scenario make_scenario(const Pose& a, const Pose& b) {
-    Scenario scenario;
-    scenario.index = 17;
-    scenario.poses = {a, b};
-    return scenario;
-}
-
-Query query_of(Level level) {
-    Query query;
-    query.level = level;
-    return query;
-}
-
 ScenarioClass class_at(const ObbTree& a, const ObbTree& b, const Pose& pose, Level level) {
-    return run_scenario(a, b, make_scenario(Pose{}, pose), query_of(level)).result.kind;
-}
-
-/// Works as the cluster does: cuts, finds root pairs, and runs on decoded blocks in any order.
-ScenarioResult run_in_parts(const ObbTree& a,
-                            const ObbTree& b,
-                            const Scenario& scenario,
-                            const Query& query,
-                            std::mt19937_64& random) {
-    const auto depth_a = static_cast<std::uint32_t>(random() % 12);
-    const auto depth_b = static_cast<std::uint32_t>(random() % 12);
-    auto pairs =
-        colliding_roots(cut_tree(a, depth_a), cut_tree(b, depth_b), scenario.poses).value().pairs;
-    std::reverse(pairs.begin(), pairs.end());
-    const bool is_wide = suits_wide_tree(a.view()) && suits_wide_tree(b.view()) && random() % 4 > 0;
-    const SubtreeForm form = is_wide ? SubtreeForm::Wide : SubtreeForm::Binary;
-    const auto through_bytes = [form](const ObbTree& tree, std::uint32_t node) {
-        const Subtree subtree = extract_subtree(tree, node, form);
-        return decode_subtree(encode_subtree(subtree)).value();
-    };
-    std::vector<Subtree> parts_a;
-    std::vector<Subtree> parts_b;
-    for (const std::uint32_t node : cut_nodes(a, depth_a)) {
-        parts_a.push_back(through_bytes(a, node));
-    }
-    for (const std::uint32_t node : cut_nodes(b, depth_b)) {
-        parts_b.push_back(through_bytes(b, node));
-    }
-    std::vector<SubtreePair> parts;
-    for (const RootPair& pair : pairs) {
-        parts.push_back({parts_a[pair.a].view(), parts_b[pair.b].view()});
-    }
-    ScenarioResult result = run_on_subtrees(parts, scenario, query).result;
-    Settler(a, b, query.ignored).settle(scenario, result);
-    return result;
+    return run_scenario(a, b, make_scenario({Pose{}, pose}), query_of(level)).result.kind;
 }
 
 } // namespace
@@ -89,13 +37,19 @@ TEST(RunScenario, PartsGiveTheSameRecordAsTheWhole) {
         SCOPED_TRACE(testing::Message() << "round " << round);
         const ObbTree& a = trees[random() % trees.size()];
         const ObbTree& b = trees[random() % trees.size()];
-        const Scenario scenario = make_scenario(make_pose(random, 0.2), make_pose(random, 1.5));
-        for (const Level level : {Level::Any, Level::Count, Level::Pairs, Level::Contacts}) {
-            Query query = query_of(level);
-            query.limit_pairs = round % 3 == 0 ? 5 : 0;
+        const Scenario scenario =
+            make_scenario({make_pose(random, 0.2), make_pose(random, 1.5)}, 17);
+        const bool is_wide = suits_wide_tree(a.view()) && suits_wide_tree(b.view());
+        for (const Level level : levels) {
+            const Query query = query_of(level, round % 3 == 0 ? 5 : 0);
+            const std::array<std::uint32_t, 2> depths{static_cast<std::uint32_t>(random() % 12),
+                                                      static_cast<std::uint32_t>(random() % 12)};
+            const SubtreeForm form =
+                is_wide && random() % 4 > 0 ? SubtreeForm::Wide : SubtreeForm::Binary;
             const ScenarioResult whole = run_scenario(a, b, scenario, query).result;
             const Bytes record = encode_result(whole);
-            ASSERT_EQ(encode_result(run_in_parts(a, b, scenario, query, random)), record);
+            const ScenarioResult parts = run_in_parts(a, b, depths, form, scenario, query, random);
+            ASSERT_EQ(encode_result(parts), record);
             const auto decoded = decode_result(record);
             ASSERT_TRUE(decoded) << decoded.error().detail;
             in_contact += whole.kind == ScenarioClass::Contact ? 1 : 0;
@@ -107,7 +61,7 @@ TEST(RunScenario, PartsGiveTheSameRecordAsTheWhole) {
 
 TEST(RunScenario, EachLevelContainsWhatItPromises) {
     const ObbTree sphere = make_tree(make_sphere(2));
-    const Scenario scenario = make_scenario(Pose{}, translation_pose(0.9, 0.1, 0.2));
+    const Scenario scenario = make_scenario({Pose{}, translation_pose(0.9, 0.1, 0.2)}, 17);
     const auto expected = contact_pairs_brute_force(sphere.mesh(), sphere.mesh(), scenario.poses);
     ASSERT_GT(expected.size(), 10u);
 
@@ -142,7 +96,7 @@ TEST(RunScenario, EachLevelContainsWhatItPromises) {
 
 TEST(RunScenario, AnyStopsAtTheFirstContact) {
     const ObbTree sphere = make_tree(make_sphere(4));
-    const Scenario scenario = make_scenario(Pose{}, translation_pose(0.9, 0.1, 0.2));
+    const Scenario scenario = make_scenario({Pose{}, translation_pose(0.9, 0.1, 0.2)});
     const auto any = run_scenario(sphere, sphere, scenario, query_of(Level::Any)).statistics;
     const auto pairs = run_scenario(sphere, sphere, scenario, query_of(Level::Pairs)).statistics;
     EXPECT_GT(any.triangle_tests, 0u);
@@ -159,7 +113,7 @@ TEST(RunScenario, TheFirstStageChangesNoResult) {
         const bool ties = round % 3 == 0;
         const ObbTree& b = ties ? box : sphere;
         const Pose pose = ties ? translation_pose(1, 0.25 * round, 0) : make_pose(random, 0.8);
-        const Scenario scenario = make_scenario(Pose{}, pose);
+        const Scenario scenario = make_scenario({Pose{}, pose});
         const Query query = query_of(Level::Contacts);
         const ScenarioRun first = ScenarioRunner(box, b, query).run(scenario);
         for (std::size_t i = 1; i < pair_stage_count; ++i) {
@@ -177,20 +131,20 @@ TEST(RunScenario, TheFirstStageChangesNoResult) {
 TEST(RunScenario, TheCostOfContainmentIsReportedSeparately) {
     const ObbTree box = make_tree(make_box(Vec3(2, 2, 2)));
     const ObbTree small = make_tree(make_box(Vec3(0.5, 0.5, 0.5)));
-    const Scenario inside = make_scenario(Pose{}, Pose{});
-    const Scenario across = make_scenario(Pose{}, translation_pose(1, 0.1, 0.1));
-    EXPECT_EQ(run_scenario(box, small, inside, query_of(Level::Count)).inside.scenarios, 1u);
-    EXPECT_EQ(run_scenario(box, small, inside, query_of(Level::Any)).inside.scenarios, 1u);
-    EXPECT_EQ(run_scenario(box, small, across, query_of(Level::Any)).inside.scenarios, 0u);
-    EXPECT_EQ(run_scenario(box, small, across, query_of(Level::Count)).inside.scenarios, 0u);
+    const Scenario inside{};
+    const Scenario across = make_scenario({Pose{}, translation_pose(1, 0.1, 0.1)});
+    for (const Level level : {Level::Any, Level::Count}) {
+        EXPECT_EQ(run_scenario(box, small, inside, query_of(level)).inside.scenarios, 1u);
+        EXPECT_EQ(run_scenario(box, small, across, query_of(level)).inside.scenarios, 0u);
+    }
 }
 
 TEST(RunScenario, AStoppedScenarioHasNoAnswer) {
     const ObbTree sphere = make_tree(make_sphere(4));
     const ObbTree box = make_tree(make_gridded_box(Vec3(2, 2, 2), 12));
-    const Scenario in_place = make_scenario(Pose{}, Pose{});
-    const Scenario stacked = make_scenario(Pose{}, translation_pose(0, 0, 2));
-    for (const Level level : {Level::Any, Level::Count, Level::Pairs, Level::Contacts}) {
+    const Scenario in_place{};
+    const Scenario stacked = make_scenario({Pose{}, translation_pose(0, 0, 2)});
+    for (const Level level : levels) {
         SCOPED_TRACE(to_text(level));
         const Query query = query_of(level);
         for (const auto& [tree, scenario] :
@@ -226,13 +180,12 @@ TEST(RunScenario, RunAllGivesTheResultsOfSingleRuns) {
     std::vector<Scenario> scenarios;
     for (std::uint64_t i = 0; i < 50; ++i) {
         const auto place = [&] { return 0.25 * static_cast<double>(random() % 9) - 1; };
-        scenarios.push_back(make_scenario(Pose{}, translation_pose(place(), place(), place())));
-        scenarios.back().index = i;
+        scenarios.push_back(
+            make_scenario({Pose{}, translation_pose(place(), place(), place())}, i));
     }
-    for (const Level level : {Level::Any, Level::Count, Level::Pairs, Level::Contacts}) {
+    for (const Level level : levels) {
         for (const double tolerance : {0.0, 0.2}) {
-            Query query = query_of(level);
-            query.tolerance = tolerance;
+            const Query query = query_of(level, 0, tolerance);
             const ScenarioRunner runner(sphere, box, query);
             ScenarioSession session(runner);
             std::vector<int> seen(scenarios.size());
@@ -248,7 +201,7 @@ TEST(RunScenario, RunAllGivesTheResultsOfSingleRuns) {
 
 TEST(RunScenario, RunAllEndsWhenTheCallbackReturnsFalse) {
     const ObbTree sphere = make_tree(make_sphere(1));
-    const std::vector<Scenario> scenarios(10, make_scenario(Pose{}, Pose{}));
+    const std::vector<Scenario> scenarios(10);
     const Query query = query_of(Level::Any);
     const ScenarioRunner runner(sphere, sphere, query);
     int runs = 0;
@@ -259,7 +212,7 @@ TEST(RunScenario, RunAllEndsWhenTheCallbackReturnsFalse) {
 
 TEST(RunScenario, ALimitKeepsTheFirstPairsAndTheTrueCount) {
     const ObbTree sphere = make_tree(make_sphere(2));
-    const Scenario scenario = make_scenario(Pose{}, translation_pose(0.9, 0.1, 0.2));
+    const Scenario scenario = make_scenario({Pose{}, translation_pose(0.9, 0.1, 0.2)});
     Query query = query_of(Level::Contacts);
     const auto all = run_scenario(sphere, sphere, scenario, query).result;
     query.limit_pairs = 4;
@@ -293,17 +246,17 @@ TEST(RunScenario, OpenBodiesAreSurfacesOnly) {
     triangles.pop_back();
     const ObbTree open = make_tree(make_mesh(make_box(Vec3(2, 2, 2)).vertices(), triangles));
     const ObbTree small = make_tree(make_box(Vec3(0.5, 0.5, 0.5)));
-    const Scenario scenario = make_scenario(Pose{}, Pose{});
-    const auto result = run_scenario(open, small, scenario, query_of(Level::Count)).result;
+    const auto result = run_scenario(open, small, Scenario{}, query_of(Level::Count)).result;
     EXPECT_EQ(result.kind, ScenarioClass::Separate);
     EXPECT_TRUE(result.surfaces_only);
     EXPECT_FALSE(Settler(open, small, {}).is_work(result));
-    EXPECT_FALSE(run_scenario(small, small, scenario, query_of(Level::Count)).result.surfaces_only);
+    const auto closed = run_scenario(small, small, Scenario{}, query_of(Level::Count)).result;
+    EXPECT_FALSE(closed.surfaces_only);
 }
 
 TEST(RunScenario, IgnoredPairsAreNoContacts) {
     const ObbTree box = make_tree(make_box(Vec3(2, 2, 2)));
-    const Scenario scenario = make_scenario(Pose{}, translation_pose(1.3, 0.4, 0.2));
+    const Scenario scenario = make_scenario({Pose{}, translation_pose(1.3, 0.4, 0.2)});
     Query query = query_of(Level::Pairs);
     const auto all = run_scenario(box, box, scenario, query).result;
     const ContactPair& first = all.pairs.front();
@@ -318,9 +271,8 @@ TEST(RunScenario, IgnoredPairsAreNoContacts) {
 }
 
 TEST(RunScenario, NoPairsOfSubtreesMeansSeparate) {
-    const Scenario scenario = make_scenario(Pose{}, Pose{});
-    for (const Level level : {Level::Any, Level::Count, Level::Pairs, Level::Contacts}) {
-        const ScenarioRun run = run_on_subtrees({}, scenario, query_of(level));
+    for (const Level level : levels) {
+        const ScenarioRun run = run_on_subtrees({}, Scenario{}, query_of(level));
         EXPECT_EQ(run.result.kind, ScenarioClass::Separate);
         EXPECT_EQ(run.statistics.box_tests, 0u);
         EXPECT_TRUE(decode_result(encode_result(run.result)));

@@ -3,7 +3,9 @@
 
 #include "common/job/scenario.hpp"
 
-#include "tests/support/shapes.hpp"
+#include "tests/support/damage.hpp"
+#include "tests/support/rounds.hpp"
+#include "tests/support/scenarios.hpp"
 
 #include <gtest/gtest.h>
 
@@ -13,13 +15,6 @@
 namespace cd::tests {
 
 namespace {
-
-Scenario make_scenario(std::uint64_t index, const Pose& a, const Pose& b) {
-    Scenario scenario;
-    scenario.index = index;
-    scenario.poses = {a, b};
-    return scenario;
-}
 
 Pose pose_of_any_form(std::mt19937_64& random) {
     switch (random() % 4) {
@@ -39,7 +34,7 @@ std::vector<Scenario> mixed_scenarios(std::mt19937_64& random, std::size_t count
     std::uint64_t index = random() % 1000;
     for (std::size_t i = 0; i < count; ++i) {
         Scenario scenario =
-            make_scenario(index, pose_of_any_form(random), pose_of_any_form(random));
+            make_scenario({pose_of_any_form(random), pose_of_any_form(random)}, index);
         scenario.body_b = random() % 8 == 0 ? 7u : 1u;
         scenarios.push_back(scenario);
         index = random() % 4 == 0 ? random() >> 1 : index + 1;
@@ -58,10 +53,8 @@ std::size_t packed_size(std::span<const Scenario> scenarios) {
 } // namespace
 
 TEST(Scenario, ComesBackAsItWas) {
-    for (std::uint64_t seed = 0; seed < 200; ++seed) {
-        SCOPED_TRACE(testing::Message() << "seed " << seed);
-        std::mt19937_64 random(seed);
-        const auto scenarios = mixed_scenarios(random, seed % 40);
+    for (SeededRandom random : seeds(200)) {
+        const auto scenarios = mixed_scenarios(random, random.seed % 40);
         const auto unpacked = unpack(pack_scenarios(scenarios));
         ASSERT_TRUE(unpacked) << unpacked.error().detail;
         ASSERT_EQ(unpacked.value(), scenarios);
@@ -71,8 +64,8 @@ TEST(Scenario, ComesBackAsItWas) {
 TEST(Scenario, PosesKeepTheirKindAndNumbers) {
     const Pose turned = Pose::from_quaternion({2, 0, 0, 0}, Vec3(1e300, 5e-324, -0.1));
     const Pose identity = Pose::from_quaternion({1, 0, 0, 0}, Vec3::Zero());
-    const std::vector<Scenario> scenarios{make_scenario(0, turned, Pose{}),
-                                          make_scenario(1, Pose{}, identity)};
+    const std::vector<Scenario> scenarios{make_scenario({turned, Pose{}}, 0),
+                                          make_scenario({Pose{}, identity}, 1)};
     const auto unpacked = unpack(pack_scenarios(scenarios));
     ASSERT_TRUE(unpacked);
     EXPECT_EQ(unpacked.value()[0].poses.a.quaternion(), (Quaternion{2, 0, 0, 0}));
@@ -87,9 +80,9 @@ TEST(Scenario, CostsLittleMoreThanItsNumbers) {
     std::vector<Scenario> matrices;
     std::vector<Scenario> scattered;
     for (std::uint64_t i = 0; i < 1000; ++i) {
-        quaternions.push_back(make_scenario(5000 + i, Pose{}, make_pose(random, 1)));
-        matrices.push_back(make_scenario(5000 + i, Pose{}, make_matrix_pose(random, 1)));
-        scattered.push_back(make_scenario(random() % 1'000'000, Pose{}, make_pose(random, 1)));
+        quaternions.push_back(make_scenario({Pose{}, make_pose(random, 1)}, 5000 + i));
+        matrices.push_back(make_scenario({Pose{}, make_matrix_pose(random, 1)}, 5000 + i));
+        scattered.push_back(make_scenario({Pose{}, make_pose(random, 1)}, random() % 1'000'000));
     }
     EXPECT_LE(packed_size(quaternions), 56u * 1000 + 16);
     EXPECT_LE(packed_size(matrices), 96u * 1000 + 16);
@@ -99,8 +92,8 @@ TEST(Scenario, CostsLittleMoreThanItsNumbers) {
 TEST(Scenario, NamesTheScenarioWhosePoseIsNoPose) {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     Bytes bytes = pack_scenarios(std::vector<Scenario>{
-        make_scenario(41, Pose{}, translation_pose(1, 2, 3)),
-        make_scenario(42, Pose{}, translation_pose(1, 2, 3)),
+        make_scenario({Pose{}, translation_pose(1, 2, 3)}, 41),
+        make_scenario({Pose{}, translation_pose(1, 2, 3)}, 42),
     });
     std::memcpy(bytes.data() + bytes.size() - sizeof nan, &nan, sizeof nan);
     const auto unpacked = unpack(bytes);
@@ -109,7 +102,7 @@ TEST(Scenario, NamesTheScenarioWhosePoseIsNoPose) {
     EXPECT_NE(unpacked.error().detail.find("scenario 42"), std::string::npos);
 
     Bytes zero = pack_scenarios(std::vector<Scenario>{
-        make_scenario(7, Pose{}, Pose::from_quaternion({1, 0, 0, 0}, Vec3::Zero()))});
+        make_scenario({Pose{}, Pose::from_quaternion({1, 0, 0, 0}, Vec3::Zero())}, 7)});
     std::fill(zero.end() - 56, zero.end(), std::byte{0});
     const auto unpacked_zero = unpack(zero);
     ASSERT_FALSE(unpacked_zero);
@@ -118,17 +111,11 @@ TEST(Scenario, NamesTheScenarioWhosePoseIsNoPose) {
 
 TEST(Scenario, RefusesEveryTruncation) {
     std::mt19937_64 random(3);
-    const Bytes bytes = pack_scenarios(mixed_scenarios(random, 12));
-    for (std::size_t size = 0; size < bytes.size(); ++size) {
-        ASSERT_FALSE(unpack(std::span(bytes).first(size))) << size;
-    }
-    Bytes longer = bytes;
-    longer.push_back(std::byte{0});
-    EXPECT_FALSE(unpack(longer));
+    expect_no_other_length(pack_scenarios(mixed_scenarios(random, 12)), unpack);
 }
 
 TEST(Scenario, UnpackingRefusesMoreThanTheMaximumCount) {
-    const Bytes bytes = pack_scenarios(std::vector<Scenario>(10, make_scenario(3, Pose{}, Pose{})));
+    const Bytes bytes = pack_scenarios(std::vector<Scenario>(10, make_scenario({}, 3)));
     EXPECT_TRUE(unpack_scenarios(bytes, 10));
     // The count is checked first: the bytes after it are neither read nor kept.
     for (const auto& many : {std::span(bytes), std::span(bytes).first(2)}) {
@@ -150,9 +137,7 @@ TEST(Scenario, SurvivesDamage) {
     const Bytes bytes = pack_scenarios(mixed_scenarios(random, 6));
     for (int round = 0; round < 20'000; ++round) {
         Bytes damaged = bytes;
-        for (std::uint64_t flips = 1 + random() % 4; flips > 0; --flips) {
-            damaged[random() % damaged.size()] ^= static_cast<std::byte>(1u << (random() % 8));
-        }
+        flip_bits(random, damaged, 0, damaged.size());
         if (const auto unpacked = unpack(damaged)) {
             for (const Scenario& scenario : unpacked.value()) {
                 ASSERT_TRUE(scenario.poses.a.is_finite());

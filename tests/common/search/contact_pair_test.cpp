@@ -3,7 +3,7 @@
 #include "common/search/contact_pair.hpp"
 
 #include "common/core/limits/engine.hpp"
-#include "common/geometry/simd_target.hpp"
+#include "tests/support/rounds.hpp"
 
 #include <gtest/gtest.h>
 
@@ -37,8 +37,7 @@ Corners corners_of(const ContactPair& pair, double which) {
 } // namespace
 
 TEST(PairSorter, PutsPairsInTheirOrderOnEverySimdTarget) {
-    for (const SimdTarget target : available_simd_targets()) {
-        ASSERT_TRUE(force_simd_target(to_text(target)));
+    on_every_target([](SimdTarget) {
         std::mt19937_64 random(1);
         PairSorter sorter;
         for (const std::size_t count : {0u, 1u, 2u, 3u, 17u, 100u, 528u, 5'000u}) {
@@ -47,11 +46,10 @@ TEST(PairSorter, PutsPairsInTheirOrderOnEverySimdTarget) {
                 std::vector<ContactPair> expected = pairs;
                 std::sort(expected.begin(), expected.end());
                 sorter.sort(pairs);
-                EXPECT_EQ(pairs, expected) << to_text(target);
+                EXPECT_EQ(pairs, expected);
             }
         }
-    }
-    ASSERT_TRUE(force_simd_target("auto"));
+    });
 }
 
 TEST(PairSorter, KeepsEachPairsCornersBesideIt) {

@@ -3,11 +3,10 @@
 
 #include "common/search/contact_search.hpp"
 
-#include "common/core/host/thread_pool.hpp"
 #include "common/search/brute_force.hpp"
-#include "common/tree/build/build.hpp"
 #include "tests/support/brink_boxes.hpp"
-#include "tests/support/shapes.hpp"
+#include "tests/support/rounds.hpp"
+#include "tests/support/trees.hpp"
 
 #include <gtest/gtest.h>
 
@@ -19,19 +18,14 @@ namespace cd::tests {
 
 namespace {
 
-ObbTree build(const Mesh& mesh, const BuildOptions& options = {}) {
-    ThreadPool pool(1);
-    return build_tree(share(Mesh(mesh)), options, pool);
-}
-
 /// Compares all answers of a search with brute force; returns the number of pairs.
 std::size_t expect_agreement(const Mesh& a, const Mesh& b, const PosePair& poses) {
     const std::vector<ContactPair> expected = contact_pairs_brute_force(a, b, poses);
     const BuildOptions variants[] = {
         {}, {.leaf_triangles_max = 1}, {.boxes = BoxKind::Aabb}, {.rule = SplitRule::Bare}};
     for (const BuildOptions& options : variants) {
-        const ObbTree tree_a = build(a, options);
-        const ObbTree tree_b = build(b, options);
+        const ObbTree tree_a = make_tree(a, options);
+        const ObbTree tree_b = make_tree(b, options);
         EXPECT_EQ(contact_pairs(tree_a, tree_b, poses), expected);
         const auto search = make_search(tree_a.view(), tree_b.view(), poses);
         EXPECT_EQ(search->any(tree_a.view(), tree_b.view()), !expected.empty());
@@ -52,9 +46,7 @@ PosePair random_poses(std::mt19937_64& random, double reach) {
 TEST(ContactSearch, AgreesWithBruteForceOnRandomSoups) {
     constexpr std::uint64_t rounds = 60;
     std::uint64_t rounds_with_contact = 0;
-    for (std::uint64_t seed = 0; seed < rounds; ++seed) {
-        SCOPED_TRACE(testing::Message() << "seed " << seed);
-        std::mt19937_64 random(seed);
+    for (SeededRandom random : seeds(rounds)) {
         const Mesh a = make_triangle_soup(random, 40);
         const Mesh b = make_triangle_soup(random, 50, 0.2);
         rounds_with_contact += expect_agreement(a, b, random_poses(random, 1.5)) != 0 ? 1u : 0u;
@@ -66,9 +58,7 @@ TEST(ContactSearch, AgreesWithBruteForceOnRandomSoups) {
 
 TEST(ContactSearch, AgreesWithBruteForceOnDegenerateSoups) {
     std::size_t contacts = 0;
-    for (std::uint64_t seed = 0; seed < 20; ++seed) {
-        SCOPED_TRACE(testing::Message() << "seed " << seed);
-        std::mt19937_64 random(seed);
+    for (SeededRandom random : seeds(20)) {
         const Mesh a = make_degenerate_soup(random, 40);
         const Mesh b = make_degenerate_soup(random, 40);
         contacts += expect_agreement(a, b, {Pose{}, translation_pose(1, 0, 0)});
@@ -105,9 +95,7 @@ TEST(ContactSearch, FindsEveryContactOfGriddedBoxesFaceToFace) {
 std::size_t expect_agreement_of_stacked_boxes(const Vec3& size, int cells, const Pose& lower) {
     const Mesh box = make_gridded_box(size, cells);
     const Vec3 up = lower.rotation() * Vec3(0, 0, size.z());
-    const Pose upper = lower.kind() == Pose::Kind::Matrix
-                           ? Pose::from_matrix(lower.matrix(), lower.translation() + up)
-                           : Pose::from_quaternion(lower.quaternion(), lower.translation() + up);
+    const Pose upper = with_translation(lower, lower.translation() + up);
     return expect_agreement(box, box, {lower, upper});
 }
 
@@ -128,10 +116,8 @@ TEST(ContactSearch, LosesNoTouchingPairOfStackedBoxes) {
     }
     // Rounded poses and decimal sizes: some pairs touch, depending on roundings.
     std::size_t contacts = 0;
-    for (std::uint64_t seed = 0; seed < 2; ++seed) {
-        SCOPED_TRACE(testing::Message() << "seed " << seed);
-        std::mt19937_64 random(seed);
-        const double reach = seed % 2 == 0 ? 1.0 : 1e7;
+    for (SeededRandom random : seeds(2)) {
+        const double reach = random.seed % 2 == 0 ? 1.0 : 1e7;
         contacts +=
             expect_agreement_of_stacked_boxes(Vec3(0.1, 0.3, 0.7), 4, make_pose(random, reach));
         contacts += expect_agreement_of_stacked_boxes(
@@ -142,18 +128,16 @@ TEST(ContactSearch, LosesNoTouchingPairOfStackedBoxes) {
 
 TEST(ContactSearch, AgreesWithBruteForceUnderMatricesThatAreNotQuiteRigid) {
     std::size_t contacts = 0;
-    for (std::uint64_t seed = 0; seed < 8; ++seed) {
-        SCOPED_TRACE(testing::Message() << "seed " << seed);
-        std::mt19937_64 random(seed);
+    for (SeededRandom random : seeds(8)) {
         const Mesh box = make_gridded_box(Vec3(1, 1, 1), 3);
         contacts += expect_agreement(box, box, {any_pose(random, 1e-5), any_pose(random, 1e-5)});
         // A stretch along z near the tolerated maximum: the bodies are 1e-6 apart, or 1e-6 deep.
         const double stretch = 1 + 4.9e-6;
         const Mat3 longer = Vec3(1, 1, stretch).asDiagonal();
-        const double up = 0.5 * (1 + stretch) + (seed % 2 == 0 ? 1e-6 : -1e-6);
+        const double up = 0.5 * (1 + stretch) + (random.seed % 2 == 0 ? 1e-6 : -1e-6);
         const std::size_t pairs =
             expect_agreement(box, box, {Pose{}, Pose::from_matrix(longer, Vec3(0, 0, up))});
-        EXPECT_EQ(pairs == 0, seed % 2 == 0);
+        EXPECT_EQ(pairs == 0, random.seed % 2 == 0);
     }
     EXPECT_GT(contacts, 0u);
 }
@@ -163,11 +147,7 @@ TEST(ContactSearch, AgreesWithBruteForceOnHugeTinyAndFarMeshes) {
     const Mesh soup = make_triangle_soup(random, 30);
     for (const double scale : {1e-320, 1e-200, 1e-30, 1e30, 0x1p400}) {
         SCOPED_TRACE(testing::Message() << "scale " << scale);
-        std::vector<Vec3> vertices = soup.vertices();
-        for (Vec3& vertex : vertices) {
-            vertex *= scale;
-        }
-        const Mesh mesh = make_mesh(vertices, soup.triangles());
+        const Mesh mesh = scaled(soup, scale);
         EXPECT_GT(expect_agreement(mesh, mesh, PosePair{}), 0u);
         expect_agreement(mesh, mesh, random_poses(random, 0.5 * scale));
     }
@@ -176,16 +156,9 @@ TEST(ContactSearch, AgreesWithBruteForceOnHugeTinyAndFarMeshes) {
     expect_agreement(far, soup, {Pose{}, translation_pose(1e7, -1e7, 1e6)});
 }
 
-/// Returns the tree's view for a wide search, then for a binary one.
-std::array<TreeView, 2> forms_of(const ObbTree& tree) {
-    TreeView binary = tree.view();
-    binary.wide = {};
-    return {tree.view(), binary};
-}
-
 TEST(ContactSearch, PassesOverIgnoredRanges) {
     const Mesh sphere = make_sphere(2);
-    const ObbTree tree = build(sphere);
+    const ObbTree tree = make_tree(sphere);
     const auto last = static_cast<std::uint32_t>(sphere.triangles().size());
     const std::vector<IgnoredRange> ignored = {{0, 40, 0, last}, {50, 60, 10, 70}};
     const std::vector<IgnoredRange> all = {{0, last, 0, last}};
@@ -210,8 +183,8 @@ TEST(ContactSearch, KeepsTheCornersOfEachPairBesideItIfAsked) {
     std::mt19937_64 random(8);
     const Mesh a = make_triangle_soup(random, 80);
     const Mesh b = make_triangle_soup(random, 80);
-    const ObbTree tree_a = build(a);
-    const ObbTree tree_b = build(b);
+    const ObbTree tree_a = make_tree(a);
+    const ObbTree tree_b = make_tree(b);
     const auto search =
         make_search(tree_a.view(), tree_b.view(), PosePair{}, {}, {.keep_corners = true});
     search->collect(tree_a.view(), tree_b.view());
@@ -228,10 +201,8 @@ TEST(ContactSearch, KeepsTheCornersOfEachPairBesideItIfAsked) {
 
 TEST(ContactSearch, KeepsTheFirstPairsOfManyAndCountsAll) {
     constexpr std::uint32_t triangles = 400; // All triangles touch in one point.
-    MeshArrays arrays;
-    arrays.vertices = {Vec3(1, 2, 3)};
-    arrays.triangles.assign(triangles, {0, 0, 0});
-    const ObbTree tree = build(Mesh::create(std::move(arrays)).value());
+    const ObbTree tree =
+        make_tree(make_mesh({Vec3(1, 2, 3)}, std::vector<Triangle>(triangles, {0, 0, 0})));
 
     const auto search = make_search(tree.view(), tree.view(), PosePair{}, {}, {.pairs_max = 450});
     search->collect(tree.view(), tree.view());
@@ -247,7 +218,7 @@ TEST(ContactSearch, KeepsTheFirstPairsOfManyAndCountsAll) {
 }
 
 TEST(ContactSearch, GathersOverSeveralCallsAndCounts) {
-    const ObbTree tree = build(make_sphere(1));
+    const ObbTree tree = make_tree(make_sphere(1));
     for (const TreeView& view : forms_of(tree)) {
         const auto search = make_search(view, view, PosePair{});
         search->collect(view, view);
@@ -263,7 +234,7 @@ TEST(ContactSearch, GathersOverSeveralCallsAndCounts) {
 }
 
 TEST(ContactSearch, EndsSoonAfterItIsToldToStop) {
-    const ObbTree sphere = build(make_sphere(4));
+    const ObbTree sphere = make_tree(make_sphere(4));
     for (const TreeView& view : forms_of(sphere)) {
         const auto search_until = [&](std::uint64_t checks_max) {
             std::uint64_t checks = 0;
@@ -288,7 +259,7 @@ TEST(ContactSearch, EndsSoonAfterItIsToldToStop) {
 
 TEST(ContactSearch, ASearchForAnyContactStopsToo) {
     // Two nested shells that are near each other everywhere.
-    const ObbTree outer = build(make_sphere(4));
+    const ObbTree outer = make_tree(make_sphere(4));
     const PosePair poses{Pose::from_matrix(1.001 * Mat3::Identity(), Vec3::Zero()), Pose{}};
     for (const TreeView& view : forms_of(outer)) {
         std::uint64_t checks = 0;
@@ -302,7 +273,7 @@ TEST(ContactSearch, ASearchForAnyContactStopsToo) {
 }
 
 TEST(ContactSearch, SeparateBodiesCostNoMoreThanTheirRoots) {
-    const ObbTree tree = build(make_sphere(3));
+    const ObbTree tree = make_tree(make_sphere(3));
     const PosePair poses{Pose{}, translation_pose(10, 0, 0)};
     const auto search = make_search(tree.view(), tree.view(), poses);
     EXPECT_FALSE(search->any(tree.view(), tree.view()));
@@ -312,19 +283,12 @@ TEST(ContactSearch, SeparateBodiesCostNoMoreThanTheirRoots) {
 }
 
 TEST(ContactSearch, EndsOnTreesAsDeepAsTheBareRuleMakesThem) {
-    std::vector<Vec3> vertices = {Vec3::Zero()};
-    std::vector<Triangle> triangles;
-    for (std::uint32_t i = 0; i < 2000; ++i) {
-        vertices.emplace_back(1.0 + 0.01 * i, 0, 0);
-        vertices.emplace_back(1.0 + 0.01 * i, 1e-3, 0);
-        triangles.push_back({0, 2 * i + 1, 2 * i + 2});
-    }
-    const Mesh fan = make_mesh(vertices, triangles);
+    const Mesh fan = make_staircase(2000);
     const Mesh needle =
         make_mesh({Vec3(15, 5e-4, -1), Vec3(15, 5e-4, 1), Vec3(15, 6e-4, 1)}, {{0, 1, 2}});
-    const ObbTree deep = build(fan, {.rule = SplitRule::Bare, .leaf_triangles_max = 1});
+    const ObbTree deep = make_tree(fan, {.rule = SplitRule::Bare, .leaf_triangles_max = 1});
     ASSERT_GT(deep.depth(), 500u);
-    EXPECT_EQ(contact_pairs(deep, build(needle), PosePair{}),
+    EXPECT_EQ(contact_pairs(deep, make_tree(needle), PosePair{}),
               contact_pairs_brute_force(fan, needle, PosePair{}));
 }
 

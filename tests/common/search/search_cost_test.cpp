@@ -2,9 +2,8 @@
 // constants are measured if there is data. Checks no times.
 #include "common/search/search_cost.hpp"
 
-#include "common/search/contact_search.hpp"
-#include "common/tree/build/build.hpp"
-#include "tests/support/shapes.hpp"
+#include "common/tree/query_statistics.hpp"
+#include "tests/support/trees.hpp"
 
 #include <gtest/gtest.h>
 
@@ -15,8 +14,7 @@ namespace cd::tests {
 namespace {
 
 ObbTree torus_tree() {
-    ThreadPool pool(1);
-    return build_tree(share(make_torus(1.0, 0.4, 24, 12)), {}, pool);
+    return make_tree(make_torus(1.0, 0.4, 24, 12));
 }
 
 /// Makes poses of B along x; the nearer, the more contacts.
@@ -59,9 +57,7 @@ TEST(SearchCost, IsUnknownWhereNoTriangleIsTested) {
     const ObbTree tree = torus_tree();
     EXPECT_FALSE(measure_search_cost(tree.view(), tree.view(), moved_along_x(50, 60)));
     EXPECT_FALSE(measure_search_cost(tree.view(), tree.view(), {}));
-    TreeView without_wide = tree.view();
-    without_wide.wide = {};
-    EXPECT_FALSE(measure_search_cost(without_wide, tree.view(), moved_along_x(0.2, 2.0)));
+    EXPECT_FALSE(measure_search_cost(forms_of(tree)[1], tree.view(), moved_along_x(0.2, 2.0)));
 }
 
 } // namespace cd::tests

@@ -2,9 +2,7 @@
 // once it has enough memory.
 
 #include "common/search/wide_search.hpp"
-#include "common/tree/build/build.hpp"
-#include "tests/support/hard_pairs.hpp"
-#include "tests/support/shapes.hpp"
+#include "tests/support/trees.hpp"
 
 #include <gtest/gtest.h>
 
@@ -41,11 +39,6 @@ namespace cd::tests {
 
 namespace {
 
-ObbTree build(Mesh mesh) {
-    ThreadPool pool(1);
-    return build_tree(share(std::move(mesh)), BuildOptions{}, pool);
-}
-
 /// Makes poses under which most pairs of unit spheres are in contact and some are apart.
 std::vector<PosePair> poses_around(std::mt19937_64& random, std::size_t count) {
     std::vector<PosePair> poses;
@@ -65,8 +58,8 @@ std::vector<ContactPair> sorted_pairs(WideSearch& search, const ObbTree& a, cons
 
 TEST(SearchMemory, ASearchThatGoesOnFindsWhatANewOneFinds) {
     std::mt19937_64 random(1);
-    const ObbTree a = build(make_sphere(3));
-    const ObbTree b = build(make_sphere(4));
+    const ObbTree a = make_tree(make_sphere(3));
+    const ObbTree b = make_tree(make_sphere(4));
     for (const bool keep_corners : {false, true}) {
         const SearchOptions options{.keep_corners = keep_corners};
         WideSearch kept(PosePair{}, {}, options);
@@ -94,8 +87,8 @@ TEST(SearchMemory, ASearchThatGoesOnFindsWhatANewOneFinds) {
 
 TEST(SearchMemory, NothingIsAllocatedOnceThereIsEnough) {
     std::mt19937_64 random(2);
-    const ObbTree a = build(make_sphere(3));
-    const ObbTree b = build(make_sphere(4));
+    const ObbTree a = make_tree(make_sphere(3));
+    const ObbTree b = make_tree(make_sphere(4));
     const std::vector<PosePair> all = poses_around(random, 40);
     WideSearch any(PosePair{});
     WideSearch count(PosePair{}, {}, {.keep_pairs = false});

@@ -1,12 +1,10 @@
 // Proves that wide and binary searches find the same for every query, on every SIMD target.
 #include "common/search/wide_search.hpp"
 
-#include "common/core/host/thread_pool.hpp"
-#include "common/geometry/simd_target.hpp"
 #include "common/search/binary_search.hpp"
-#include "common/tree/build/build.hpp"
 #include "tests/support/brink_boxes.hpp"
-#include "tests/support/shapes.hpp"
+#include "tests/support/rounds.hpp"
+#include "tests/support/trees.hpp"
 
 #include <gtest/gtest.h>
 
@@ -17,11 +15,6 @@
 namespace cd::tests {
 
 namespace {
-
-ObbTree build(const Mesh& mesh) {
-    ThreadPool pool(1);
-    return build_tree(share(Mesh(mesh)), {}, pool);
-}
 
 /// Expects both searches to find the same; returns the number of contacts.
 std::uint64_t expect_same(const ObbTree& a,
@@ -52,19 +45,15 @@ TEST(WideSearch, FindsWhatABinarySearchFinds) {
     const std::vector<IgnoredRange> some = {{0, 20, 0, 1000}, {30, 35, 5, 50}};
     const std::vector<IgnoredRange> none;
     std::uint64_t contacts = 0;
-    for (std::uint64_t seed = 0; seed < 25; ++seed) {
-        SCOPED_TRACE(testing::Message() << "seed " << seed);
-        std::mt19937_64 random(seed);
+    for (SeededRandom random : seeds(25)) {
         const std::array<Mesh, 4> meshes = {make_sphere(2),
                                             make_degenerate_soup(random, 60),
                                             make_gridded_box(Vec3(1, 0.5, 0.25), 3),
                                             make_triangle_soup(random, 120, 0.1)};
-        const ObbTree a = build(meshes[random() % 4]);
-        const ObbTree b = build(meshes[random() % 4]);
+        const ObbTree a = make_tree(meshes[random() % 4]);
+        const ObbTree b = make_tree(meshes[random() % 4]);
         const PosePair poses{any_pose(random, 0.3), any_pose(random, 0.3)};
-        for (const SimdTarget target : available_simd_targets()) {
-            SCOPED_TRACE(to_text(target));
-            ASSERT_TRUE(force_simd_target(to_text(target)));
+        on_every_target([&](SimdTarget) {
             for (const auto& ignored : {none, some}) {
                 for (const SearchOptions& options :
                      {SearchOptions{},
@@ -76,14 +65,13 @@ TEST(WideSearch, FindsWhatABinarySearchFinds) {
                     contacts += expect_same(a, b, poses, ignored, options);
                 }
             }
-        }
-        ASSERT_TRUE(force_simd_target("auto"));
+        });
     }
     EXPECT_GT(contacts, 10'000u);
 }
 
 TEST(WideSearch, AnExpectedContactChangesNoAnswer) {
-    const ObbTree sphere = build(make_sphere(4));
+    const ObbTree sphere = make_tree(make_sphere(4));
     std::mt19937_64 random(6);
     WideSearch any(PosePair{});
     WideSearch all(PosePair{});

@@ -3,8 +3,8 @@
 
 #include "common/solid/containment.hpp"
 
-#include "common/tree/build/build.hpp"
-#include "tests/support/shapes.hpp"
+#include "tests/support/rounds.hpp"
+#include "tests/support/trees.hpp"
 
 #include <gtest/gtest.h>
 
@@ -14,11 +14,6 @@
 namespace cd::tests {
 
 namespace {
-
-ObbTree make_tree(Mesh mesh) {
-    ThreadPool pool(1);
-    return build_tree(share(std::move(mesh)), BuildOptions{}, pool);
-}
 
 /// Makes a body that is a single point.
 ObbTree make_point(const Vec3& at) {
@@ -36,14 +31,6 @@ bool contains(const ObbTree& outer,
 
 bool contains(const ObbTree& outer, const ObbTree& inner, const Pose& inner_pose = Pose{}) {
     return contains(outer, Pose{}, inner, inner_pose);
-}
-
-Mesh scaled(const Mesh& mesh, double factor) {
-    std::vector<Vec3> vertices = mesh.vertices();
-    for (Vec3& vertex : vertices) {
-        vertex *= factor;
-    }
-    return make_mesh(std::move(vertices), mesh.triangles());
 }
 
 } // namespace
@@ -90,10 +77,11 @@ TEST(Containment, ATorusHasAHole) {
 
 TEST(Containment, PointsOnTheSurfaceAreNotInside) {
     const ObbTree box = make_tree(make_gridded_box(Vec3(2, 2, 2), 4));
-    EXPECT_FALSE(contains(box, make_point(Vec3(1, 1, 1)))) << "corner";
-    EXPECT_FALSE(contains(box, make_point(Vec3(1, 0.5, 0.5)))) << "vertex of the grid";
-    EXPECT_FALSE(contains(box, make_point(Vec3(-1, 0.25, 0.5)))) << "edge";
-    EXPECT_FALSE(contains(box, make_point(Vec3(0.125, 0.0625, 1)))) << "face";
+    // A corner, a vertex of the grid, points of an edge and of a face.
+    for (const Vec3& point :
+         {Vec3(1, 1, 1), Vec3(1, 0.5, 0.5), Vec3(-1, 0.25, 0.5), Vec3(0.125, 0.0625, 1)}) {
+        EXPECT_FALSE(contains(box, make_point(point))) << point.transpose();
+    }
 }
 
 TEST(Containment, OneUnitInTheLastPlaceDecides) {
@@ -135,13 +123,12 @@ TEST(Containment, QuaternionsAreTakenAsRationals) {
 TEST(Containment, AgreesWithTheDefinitionOfABoxUnderRandomPoses) {
     const ObbTree box = make_tree(make_gridded_box(Vec3(2, 2, 2), 3));
     int inside = 0;
-    for (std::uint64_t seed = 0; seed < 400; ++seed) {
-        SCOPED_TRACE(testing::Message() << "seed " << seed);
-        std::mt19937_64 random(seed);
+    for (SeededRandom random : seeds(400)) {
         const Vec3 at = random_point(random, 1.3);
         const bool expected = at.cwiseAbs().maxCoeff() < 1;
         // Both bodies move together, so the point keeps its distance from the faces.
-        const Pose pose = seed % 2 == 0 ? make_pose(random, 10) : make_matrix_pose(random, 10);
+        const Pose pose =
+            random.seed % 2 == 0 ? make_pose(random, 10) : make_matrix_pose(random, 10);
         ASSERT_EQ(contains(box, pose, make_point(at), pose), expected);
         inside += expected ? 1 : 0;
     }
@@ -172,16 +159,12 @@ TEST(Containment, RaysThroughEdgesAreCastAgain) {
 }
 
 TEST(Containment, ExtremeCoordinatesAreDecided) {
-    const ObbTree huge = make_tree(scaled(make_sphere(1), 0x1p400));
-    EXPECT_TRUE(contains(huge, make_point(Vec3(0x1p390, 0, 0))));
-    EXPECT_FALSE(contains(huge, make_point(Vec3(0x1p401, 0, 0))));
-    const ObbTree tiny = make_tree(scaled(make_sphere(1), 0x1p-400));
-    EXPECT_TRUE(contains(tiny, make_point(Vec3(0x1p-410, 0, 0))));
-    EXPECT_FALSE(contains(tiny, make_point(Vec3(0x1p-399, 0, 0))));
-    // Every cross product of its edges underflows in double.
-    const ObbTree least = make_tree(scaled(make_sphere(1), 0x1p-600));
-    EXPECT_TRUE(contains(least, make_point(Vec3(0x1p-610, 0, 0))));
-    EXPECT_FALSE(contains(least, make_point(Vec3(0x1p-599, 0, 0))));
+    // At the last size every cross product of its edges underflows in double.
+    for (const double size : {0x1p400, 0x1p-400, 0x1p-600}) {
+        const ObbTree sphere = make_tree(scaled(make_sphere(1), size));
+        EXPECT_TRUE(contains(sphere, make_point(Vec3(0x1p-10 * size, 0, 0)))) << size;
+        EXPECT_FALSE(contains(sphere, make_point(Vec3(2 * size, 0, 0)))) << size;
+    }
 }
 
 } // namespace cd::tests

@@ -6,9 +6,9 @@
 #include "common/solid/penetration.hpp"
 
 #include "common/search/contact_search.hpp"
-#include "common/tree/build/build.hpp"
 #include "tests/support/lattice_solids.hpp"
-#include "tests/support/shapes.hpp"
+#include "tests/support/rounds.hpp"
+#include "tests/support/trees.hpp"
 
 #include <gtest/gtest.h>
 
@@ -18,11 +18,6 @@
 namespace cd::tests {
 
 namespace {
-
-ObbTree make_tree(Mesh mesh) {
-    ThreadPool pool(1);
-    return build_tree(share(std::move(mesh)), BuildOptions{}, pool);
-}
 
 bool is_proper(const std::vector<ContactPair>& contacts) {
     return std::any_of(contacts.begin(), contacts.end(), [](const ContactPair& contact) {
@@ -98,30 +93,28 @@ Mesh slab(double bottom, double top) {
     return prism({{-20, 0}, {bottom, 0}, {20, 0}, {20, 1}, {top, 1}, {-20, 1}}, {0, 1, 3, 4});
 }
 
-/// Expects agreement, then counts it.
-void expect_truth(Found result, bool interiors_meet, Tally& tally) {
+/// Compares what two bodies' contacts say, whichever is A, with the truth, then counts it. Passes
+/// over cubes that meet along an edge only, whose surface bounds no solid, and over bodies of
+/// several components, which another test covers.
+void expect_truth(
+    const Mesh& a, const Mesh& b, const PosePair& poses, bool interiors_meet, Tally& tally) {
+    const ObbTree tree_a = make_tree(a);
+    const ObbTree tree_b = make_tree(b);
+    for (const ObbTree* tree : {&tree_a, &tree_b}) {
+        if (!tree->topology().is_closed() || tree->topology().component_triangles.size() != 1) {
+            return;
+        }
+    }
+    const Found result = found(tree_a, tree_b, poses);
+    ASSERT_EQ(found(tree_b, tree_a, {poses.b, poses.a}), result);
     tally.add(result);
     if (result != Found::Nothing) {
         EXPECT_EQ(result != Found::Touch, interiors_meet);
     }
 }
 
-/// Excludes cubes that meet along an edge only, whose surface bounds no solid, and further
-/// components, which another test covers.
-bool is_one_solid(const ObbTree& tree) {
-    return tree.topology().is_closed() && tree.topology().component_triangles.size() == 1;
-}
-
 int from_1_to(std::mt19937_64& random, std::uint64_t most) {
     return static_cast<int>(1 + random() % most);
-}
-
-Mesh scaled(const Mesh& mesh, double factor) {
-    std::vector<Vec3> vertices = mesh.vertices();
-    for (Vec3& vertex : vertices) {
-        vertex *= factor;
-    }
-    return make_mesh(std::move(vertices), mesh.triangles());
 }
 
 /// Combines the turn of a body whose coordinates were multiplied by 5 with a 3-4-5 turn, which then
@@ -136,22 +129,16 @@ Pose turned_by_3_4_5(const LatticeTurn& turn, const Quaternion& by) {
 
 TEST(Penetration, CubesPenetrateExactlyWhereTheyShareACube) {
     Tally tally;
-    for (std::uint64_t seed = 0; seed < 1200; ++seed) {
-        SCOPED_TRACE(testing::Message() << "seed " << seed);
-        std::mt19937_64 random(seed);
+    for (SeededRandom random : seeds(1200)) {
         const CubeSolid a = random_cubes(random, from_1_to(random, 5), 2);
         const CubeSolid b = random_cubes(random, from_1_to(random, 5), from_1_to(random, 3));
-        const ObbTree tree_a = make_tree(a.mesh);
-        const ObbTree tree_b = make_tree(b.mesh);
-        if (!is_one_solid(tree_a) || !is_one_solid(tree_b)) {
-            continue;
-        }
         const LatticeMotion motion_a = random_motion(random, 2, true);
         const LatticeMotion motion_b = random_motion(random, 2, true);
-        const PosePair poses{motion_a.pose(), motion_b.pose()};
-        const Found result = found(tree_a, tree_b, poses);
-        ASSERT_EQ(found(tree_b, tree_a, {poses.b, poses.a}), result);
-        expect_truth(result, interiors_meet(a, motion_a, b, motion_b), tally);
+        expect_truth(a.mesh,
+                     b.mesh,
+                     {motion_a.pose(), motion_b.pose()},
+                     interiors_meet(a, motion_a, b, motion_b),
+                     tally);
     }
     EXPECT_GT(tally.touch, 120);
     EXPECT_GT(tally.penetrate, 60);
@@ -162,21 +149,16 @@ TEST(Penetration, AnswersSurviveExactQuaternionTurns) {
     constexpr std::array<Quaternion, 4> turns{
         Quaternion{1, 0, 0, 0}, {2, 1, 0, 0}, {2, 0, 1, 0}, {2, 0, 0, -1}};
     Tally tally;
-    for (std::uint64_t seed = 0; seed < 800; ++seed) {
-        SCOPED_TRACE(testing::Message() << "seed " << seed);
-        std::mt19937_64 random(seed);
+    for (SeededRandom random : seeds(800)) {
         const CubeSolid a = random_cubes(random, from_1_to(random, 4), 2);
         const CubeSolid b = random_cubes(random, from_1_to(random, 4), from_1_to(random, 2));
-        const ObbTree tree_a = make_tree(scaled(a.mesh, 5));
-        const ObbTree tree_b = make_tree(scaled(b.mesh, 5));
-        if (!is_one_solid(tree_a) || !is_one_solid(tree_b)) {
-            continue;
-        }
         const LatticeTurn turn_a = random_turn(random, 2);
         const LatticeTurn turn_b = random_turn(random, 2);
-        const Quaternion& by = turns[seed % turns.size()];
+        const Quaternion& by = turns[random.seed % turns.size()];
         const PosePair poses{turned_by_3_4_5(turn_a, by), turned_by_3_4_5(turn_b, by)};
-        expect_truth(found(tree_a, tree_b, poses),
+        expect_truth(scaled(a.mesh, 5),
+                     scaled(b.mesh, 5),
+                     poses,
                      interiors_meet(a, turn_a.motion, b, turn_b.motion),
                      tally);
     }
@@ -187,22 +169,19 @@ TEST(Penetration, AnswersSurviveExactQuaternionTurns) {
 
 TEST(Penetration, TetrahedraPenetrateExactlyWhereNoPlaneIsBetween) {
     Tally tally;
-    for (std::uint64_t seed = 0; seed < 1500; ++seed) {
-        SCOPED_TRACE(testing::Message() << "seed " << seed);
-        std::mt19937_64 random(seed);
+    for (SeededRandom random : seeds(1500)) {
         Tetrahedron a = random_tetrahedron(random, 2);
         for (LatticePoint& corner : a.corners) {
             corner = {2 * corner[0], 2 * corner[1], 2 * corner[2]};
         }
         a.mesh = scaled(a.mesh, 2);
         const Tetrahedron b = random_relative(random, a);
-        const ObbTree tree_a = make_tree(a.mesh);
-        const ObbTree tree_b = make_tree(b.mesh);
         const LatticeMotion motion = random_motion(random, 1, true);
-        const PosePair poses{motion.pose(), motion.pose()};
-        const Found result = found(tree_a, tree_b, poses);
-        ASSERT_EQ(found(tree_b, tree_a, {poses.b, poses.a}), result);
-        expect_truth(result, interiors_meet(a, motion, b, motion), tally);
+        expect_truth(a.mesh,
+                     b.mesh,
+                     {motion.pose(), motion.pose()},
+                     interiors_meet(a, motion, b, motion),
+                     tally);
     }
     EXPECT_GT(tally.touch, 120);
     EXPECT_GT(tally.penetrate, 200);

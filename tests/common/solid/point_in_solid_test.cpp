@@ -2,8 +2,7 @@
 // be, and that the solid's side is found for any winding.
 #include "common/solid/point_in_solid.hpp"
 
-#include "common/tree/build/build.hpp"
-#include "tests/support/shapes.hpp"
+#include "tests/support/trees.hpp"
 
 #include <gtest/gtest.h>
 
@@ -12,11 +11,6 @@
 namespace cd::tests {
 
 namespace {
-
-ObbTree make_tree(Mesh mesh) {
-    ThreadPool pool(1);
-    return build_tree(share(std::move(mesh)), BuildOptions{}, pool);
-}
 
 SolidPoint exact_point(const Vec3& at) {
     return {at, 0, [at] { return ExactPoint{{to_dyadic(at)}, Dyadic{1, 0}}; }};

@@ -5,6 +5,7 @@
 #include "common/tree/box_test.hpp"
 #include "tests/common/tree/exact_box.hpp"
 #include "tests/support/brink_boxes.hpp"
+#include "tests/support/rounds.hpp"
 #include "tests/support/shapes.hpp"
 
 #include <gtest/gtest.h>
@@ -29,18 +30,37 @@ struct Setting {
 };
 constexpr std::array<Setting, 4> settings{{{1, 1}, {1e-3, 1e7}, {1e6, 1e-6}, {1e-20, 1e-3}}};
 
+/// Two boxes and poses for them.
+struct Boxes {
+    ObbNode a;
+    ObbNode b;
+    PosePair poses;
+};
+
+/// Makes boxes that touch up to some roundings.
+Boxes touching_boxes(SeededRandom& random) {
+    const auto [size, offset] = settings[random.seed % settings.size()];
+    const ObbNode a = crooked_node(random, size, offset);
+    const ObbNode b = crooked_node(random, size, offset);
+    return {a, b, touching_poses(random, a, b, offset)};
+}
+
+bool is_rejected(const Boxes& boxes, double error_scale) {
+    return !BoxTest(relative_pose(boxes.poses), error_scale).may_overlap(boxes.a, boxes.b);
+}
+
+void count_rejected(const Boxes& boxes, Tally& tally) {
+    ++tally.rejected;
+    tally.lost += exactly_overlap(boxes.a, boxes.b, boxes.poses) ? 1 : 0;
+}
+
 /// Tests boxes that touch up to some roundings.
 Tally search_touching(double error_scale, std::uint64_t rounds) {
     Tally tally;
-    for (std::uint64_t seed = 0; seed < rounds; ++seed) {
-        std::mt19937_64 random(seed);
-        const Setting setting = settings[seed % settings.size()];
-        const ObbNode a = crooked_node(random, setting.size, setting.offset);
-        const ObbNode b = crooked_node(random, setting.size, setting.offset);
-        const PosePair poses = touching_poses(random, a, b, setting.offset);
-        if (!BoxTest(relative_pose(poses), error_scale).may_overlap(a, b)) {
-            ++tally.rejected;
-            tally.lost += exactly_overlap(exact_box(a, poses.a), exact_box(b, poses.b)) ? 1 : 0;
+    for (SeededRandom random : seeds(rounds)) {
+        const Boxes boxes = touching_boxes(random);
+        if (is_rejected(boxes, error_scale)) {
+            count_rejected(boxes, tally);
         }
     }
     return tally;
@@ -49,56 +69,34 @@ Tally search_touching(double error_scale, std::uint64_t rounds) {
 /// Moves B away from touching until the test just rejects.
 Tally search_brinks(double error_scale, std::uint64_t rounds) {
     Tally tally;
-    for (std::uint64_t seed = 0; seed < rounds; ++seed) {
-        std::mt19937_64 random(seed);
-        const Setting setting = settings[seed % settings.size()];
-        const ObbNode a = crooked_node(random, setting.size, setting.offset);
-        const ObbNode b = crooked_node(random, setting.size, setting.offset);
-        const PosePair touching = touching_poses(random, a, b, setting.offset);
-        const auto center = [](const ObbNode& node) {
-            return Vec3(node.center[0], node.center[1], node.center[2]);
-        };
-        const Vec3 apart = touching.b.apply(center(b)) - touching.a.apply(center(a));
-        const auto poses_at = [&](double share) {
-            return PosePair{touching.a,
-                            with_translation(touching.b, touching.b.translation() + share * apart)};
-        };
-        const auto kept = [&](double share) {
-            return BoxTest(relative_pose(poses_at(share)), error_scale).may_overlap(a, b);
+    for (SeededRandom random : seeds(rounds)) {
+        const Boxes touching = touching_boxes(random);
+        const PosePair& at = touching.poses;
+        const Vec3 apart =
+            at.b.apply(center_point(touching.b)) - at.a.apply(center_point(touching.a));
+        const auto moved = [&](double share) {
+            const Vec3 place = at.b.translation() + share * apart;
+            return Boxes{touching.a, touching.b, {at.a, with_translation(at.b, place)}};
         };
         double near = -0.5;
         double far = 64;
-        if (!kept(near) || kept(far)) {
+        if (is_rejected(moved(near), error_scale) || !is_rejected(moved(far), error_scale)) {
             continue; // The error exceeds the boxes.
         }
         for (int i = 0; i < 64; ++i) {
             const double middle = 0.5 * near + 0.5 * far;
-            (kept(middle) ? near : far) = middle;
+            (is_rejected(moved(middle), error_scale) ? far : near) = middle;
         }
-        const PosePair poses = poses_at(far);
-        ++tally.rejected;
-        tally.lost += exactly_overlap(exact_box(a, poses.a), exact_box(b, poses.b)) ? 1 : 0;
+        count_rejected(moved(far), tally);
     }
     return tally;
 }
 
-Rational determinant(const ExactMat& m) {
-    return dot(m[0], cross(m[1], m[2]));
-}
-
 /// Maps a point of B to A's body coordinates.
 ExactVec seen_from_a(const Vec3& point, const PosePair& poses) {
-    const ExactMat a = exact_rotation(poses.a);
     const ExactVec world = exact_rotation(poses.b) * exact(point) + exact(poses.b.translation());
-    const ExactVec from_a = world + scaled(Rational(-1), exact(poses.a.translation()));
-    // Cramer's rule with the columns of A's matrix.
-    const auto column = [&](std::size_t k) { return ExactVec{a[0][k], a[1][k], a[2][k]}; };
-    const Rational whole = determinant(a);
-    ExactVec seen;
-    for (std::size_t k = 0; k < 3; ++k) {
-        seen[k] = dot(from_a, cross(column((k + 1) % 3), column((k + 2) % 3))) / whole;
-    }
-    return seen;
+    return inverse(exact_rotation(poses.a)) *
+           (world + scaled(Rational(-1), exact(poses.a.translation())));
 }
 
 bool holds(const Aabb& box, const ExactVec& point) {
@@ -118,9 +116,8 @@ bool holds(const Aabb& box, const ExactVec& point) {
 /// Counts triangles of B whose box, seen from A, misses one of their corners.
 int search_triangle_bounds(double error_scale, std::uint64_t rounds) {
     int lost = 0;
-    for (std::uint64_t seed = 0; seed < rounds; ++seed) {
-        std::mt19937_64 random(seed);
-        const Setting setting = settings[seed % settings.size()];
+    for (SeededRandom random : seeds(rounds)) {
+        const Setting setting = settings[random.seed % settings.size()];
         const PosePair poses{any_pose(random, setting.offset), any_pose(random, setting.offset)};
         const Vec3 place = random_point(random, setting.offset);
         Corners corners;
@@ -193,15 +190,10 @@ TEST(BoxBounds, ATriangleSeenFromTheOtherBodyStaysInItsBounds) {
 
 TEST(BoxBounds, TheLargestDistanceOfTwoBoxesIsBounded) {
     int exceeded_without_bounds = 0;
-    for (std::uint64_t seed = 0; seed < 80; ++seed) {
-        SCOPED_TRACE(testing::Message() << "seed " << seed);
-        std::mt19937_64 random(seed);
-        const Setting setting = settings[seed % settings.size()];
-        const ObbNode a = crooked_node(random, setting.size, setting.offset);
-        ObbNode b = crooked_node(random, setting.size, setting.offset);
-        PosePair poses = touching_poses(random, a, b, setting.offset);
+    for (SeededRandom random : seeds(80)) {
+        auto [a, b, poses] = touching_boxes(random);
         poses.a = translation_pose(0, 0, 0);
-        if (seed % 2 == 0) {
+        if (random.seed % 2 == 0) {
             // The diagonals lie on one line, where the bound is nearly reached.
             b = a;
             poses.b = with_translation(Pose{}, Vec3::Zero());

@@ -5,9 +5,8 @@
 #include "common/tree/cut.hpp"
 
 #include "common/search/binary_search.hpp"
-#include "common/tree/build/build.hpp"
 #include "common/tree/wire/subtree_block.hpp"
-#include "tests/support/shapes.hpp"
+#include "tests/support/trees.hpp"
 
 #include <gtest/gtest.h>
 
@@ -18,11 +17,6 @@
 namespace cd::tests {
 
 namespace {
-
-ObbTree make_tree(Mesh mesh) {
-    ThreadPool pool(1);
-    return build_tree(share(std::move(mesh)), BuildOptions{}, pool);
-}
 
 /// Returns the contacts under the root pairs, from independent subtrees.
 std::vector<ContactPair> contacts_under_roots(const ObbTree& a,
@@ -46,13 +40,11 @@ std::vector<ContactPair> contacts_under_roots(const ObbTree& a,
 }
 
 std::vector<Mesh> shapes(std::mt19937_64& random) {
-    std::vector<Mesh> meshes;
-    meshes.push_back(make_sphere(2));
-    meshes.push_back(make_torus(1.0, 0.3, 20, 10));
-    meshes.push_back(make_gridded_box(Vec3(1, 1, 1), 5));
-    meshes.push_back(make_triangle_soup(random, 120));
-    meshes.push_back(make_degenerate_soup(random, 60));
-    return meshes;
+    return {make_sphere(2),
+            make_torus(1.0, 0.3, 20, 10),
+            make_gridded_box(Vec3(1, 1, 1), 5),
+            make_triangle_soup(random, 120),
+            make_degenerate_soup(random, 60)};
 }
 
 ObbNode make_box_node(std::uint32_t right, std::uint32_t begin, std::uint32_t end) {

@@ -3,6 +3,7 @@
 
 #include "common/geometry/pose.hpp"
 #include "common/tree/obb_tree.hpp"
+#include "tests/support/posed_point.hpp"
 
 #include <boost/multiprecision/cpp_int.hpp>
 
@@ -28,12 +29,30 @@ inline ExactVec operator*(const ExactMat& m, const ExactVec& v) {
     return {dot(m[0], v), dot(m[1], v), dot(m[2], v)};
 }
 
+inline ExactMat transposed(const ExactMat& m) {
+    return {ExactVec{m[0][0], m[1][0], m[2][0]},
+            ExactVec{m[0][1], m[1][1], m[2][1]},
+            ExactVec{m[0][2], m[1][2], m[2][2]}};
+}
+
+inline ExactMat operator*(const ExactMat& a, const ExactMat& b) {
+    const ExactMat columns = transposed(b);
+    return transposed({a * columns[0], a * columns[1], a * columns[2]});
+}
+
 inline ExactVec operator+(const ExactVec& a, const ExactVec& b) {
     return {a[0] + b[0], a[1] + b[1], a[2] + b[2]};
 }
 
 inline ExactVec scaled(const Rational& factor, const ExactVec& v) {
     return {factor * v[0], factor * v[1], factor * v[2]};
+}
+
+inline ExactMat inverse(const ExactMat& m) {
+    const Rational factor = 1 / dot(m[0], cross(m[1], m[2]));
+    return transposed({scaled(factor, cross(m[1], m[2])),
+                       scaled(factor, cross(m[2], m[0])),
+                       scaled(factor, cross(m[0], m[1]))});
 }
 
 inline ExactVec exact(const Vec3& v) {
@@ -52,6 +71,11 @@ inline ExactVec center_of(const ObbNode& node) {
     return {Rational(node.center[0]), Rational(node.center[1]), Rational(node.center[2])};
 }
 
+/// Returns the centre in doubles.
+inline Vec3 center_point(const ObbNode& node) {
+    return {node.center[0], node.center[1], node.center[2]};
+}
+
 /// Checks the contract of ObbNode.
 inline bool contains(const ObbNode& node, const Vec3& point) {
     const ExactVec alpha = axes_of(node) * (exact(point) + scaled(Rational(-1), center_of(node)));
@@ -65,24 +89,7 @@ inline bool contains(const ObbNode& node, const Vec3& point) {
 
 /// Returns the exact linear part of a pose.
 inline ExactMat exact_rotation(const Pose& pose) {
-    if (pose.kind() == Pose::Kind::Matrix) {
-        const Mat3& m = pose.matrix();
-        return {exact(m.row(0)), exact(m.row(1)), exact(m.row(2))};
-    }
-    const Quaternion& q = pose.quaternion();
-    const Rational w(q.w);
-    const Rational x(q.x);
-    const Rational y(q.y);
-    const Rational z(q.z);
-    const Rational n = w * w + x * x + y * y + z * z;
-    ExactMat m = {
-        ExactVec{w * w + x * x - y * y - z * z, 2 * (x * y - w * z), 2 * (x * z + w * y)},
-        ExactVec{2 * (x * y + w * z), w * w - x * x + y * y - z * z, 2 * (y * z - w * x)},
-        ExactVec{2 * (x * z - w * y), 2 * (y * z + w * x), w * w - x * x - y * y + z * z}};
-    for (ExactVec& row : m) {
-        row = scaled(1 / n, row);
-    }
-    return m;
+    return rotation_in<Rational>(pose);
 }
 
 /// A box in the world: a parallelepiped, since its frame is only nearly orthonormal.
@@ -94,19 +101,17 @@ struct ExactBox {
 inline ExactBox exact_box(const ObbNode& node, const Pose& pose) {
     const ExactMat f = axes_of(node);
     const ExactMat rotation = exact_rotation(pose);
-    const Rational determinant = dot(f[0], cross(f[1], f[2]));
+    const ExactMat columns = transposed(inverse(f));
     ExactBox box;
     box.center = rotation * center_of(node) + exact(pose.translation());
     for (std::size_t k = 0; k < 3; ++k) {
-        // Columns of the frame's inverse.
-        const ExactVec column = cross(f[(k + 1) % 3], f[(k + 2) % 3]);
-        box.edges[k] = rotation * scaled(Rational(node.half[k]) / determinant, column);
+        box.edges[k] = rotation * scaled(Rational(node.half[k]), columns[k]);
     }
     return box;
 }
 
-/// True if the closed boxes share a point: no plane along a face of one, or along one edge of each,
-/// separates them.
+/// True if the closed boxes share a point: no plane along a face of one, or along one edge of
+/// each, separates them.
 inline bool exactly_overlap(const ExactBox& a, const ExactBox& b) {
     std::vector<ExactVec> axes;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -127,6 +132,10 @@ inline bool exactly_overlap(const ExactBox& a, const ExactBox& b) {
         }
     }
     return true;
+}
+
+inline bool exactly_overlap(const ObbNode& a, const ObbNode& b, const PosePair& poses) {
+    return exactly_overlap(exact_box(a, poses.a), exact_box(b, poses.b));
 }
 
 } // namespace cd::tests

@@ -2,8 +2,7 @@
 
 #include "common/tree/partial_tree.hpp"
 
-#include "common/tree/build/build.hpp"
-#include "tests/support/shapes.hpp"
+#include "tests/support/trees.hpp"
 
 #include <gtest/gtest.h>
 
@@ -18,8 +17,7 @@ struct Cut {
 };
 
 Cut make_cut(std::uint32_t depth) {
-    ThreadPool pool(1);
-    ObbTree tree = build_tree(share(make_sphere(2)), BuildOptions{}, pool);
+    ObbTree tree = make_tree(make_sphere(2));
     auto nodes = cut_nodes(tree, depth);
     auto top = std::make_shared<const TreeTop>(cut_tree(tree, depth));
     PartialObbTree partial(top->root_count());

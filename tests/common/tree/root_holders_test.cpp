@@ -2,7 +2,7 @@
 // any holders and weights, and that holders keep their roots when more join.
 #include "common/tree/root_holders.hpp"
 
-#include "common/geometry/simd_target.hpp"
+#include "tests/support/rounds.hpp"
 
 #include <gtest/gtest.h>
 
@@ -56,11 +56,8 @@ sums_of(const Truth& truth, std::span<const WeightedRoot> roots, std::size_t cou
 }
 
 TEST(RootHolders, SumsAreThoseOfEachHolderOnEveryTarget) {
-    for (const SimdTarget target : available_simd_targets()) {
-        ASSERT_TRUE(force_simd_target(to_text(target)).has_value());
-        for (std::uint64_t seed = 0; seed < 60; ++seed) {
-            SCOPED_TRACE(testing::Message() << to_text(target) << ", seed " << seed);
-            std::mt19937_64 random(seed);
+    on_every_target([](SimdTarget) {
+        for (SeededRandom random : seeds(60)) {
             RootHolders holders(root_count, 1 + static_cast<std::uint32_t>(random() % 300));
             const Truth truth = set_some(random, holders);
             const auto roots = some_roots(random);
@@ -75,8 +72,7 @@ TEST(RootHolders, SumsAreThoseOfEachHolderOnEveryTarget) {
                 ASSERT_EQ(sums[holder], 2 * expected[holder]) << "sums are added to";
             }
         }
-        ASSERT_TRUE(force_simd_target("auto").has_value());
-    }
+    });
 }
 
 TEST(RootHolders, NewHoldersHoldNothingAndChangeNoOther) {

@@ -6,16 +6,14 @@
 
 #include "common/core/files/section_file.hpp"
 #include "common/search/contact_search.hpp"
-#include "common/tree/build/build.hpp"
 #include "tests/support/process.hpp"
-#include "tests/support/shapes.hpp"
+#include "tests/support/trees.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <cstring>
 #include <functional>
 
@@ -23,12 +21,6 @@ namespace cd::tests {
 namespace {
 
 using Tree = Result<std::shared_ptr<const ObbTree>>;
-
-template <class T>
-bool same_bytes(std::span<const T> a, std::span<const T> b) {
-    return a.size() == b.size() &&
-           (a.empty() || std::memcmp(a.data(), b.data(), a.size_bytes()) == 0);
-}
 
 void expect_same_topology(const Topology& a, const Topology& b) {
     EXPECT_EQ(a.degenerate, b.degenerate);
@@ -39,23 +31,8 @@ void expect_same_topology(const Topology& a, const Topology& b) {
     EXPECT_EQ(a.component_triangles, b.component_triangles);
 }
 
-void expect_same_wide(const WideView& a, const WideView& b) {
-    EXPECT_TRUE(same_bytes(a.nodes, b.nodes));
-    EXPECT_TRUE(same_bytes(a.triangles.floats, b.triangles.floats));
-    EXPECT_TRUE(same_bytes(a.triangles.doubles, b.triangles.doubles));
-    EXPECT_TRUE(same_bytes(a.triangles.vertex_begin, b.triangles.vertex_begin));
-    EXPECT_TRUE(same_bytes(a.triangles.corners, b.triangles.corners));
-    EXPECT_TRUE(same_bytes(a.triangles.ids, b.triangles.ids));
-    EXPECT_EQ(a.triangles.reach, b.triangles.reach);
-    EXPECT_EQ(a.extent, b.extent);
-}
-
 class TreeFile : public testing::Test {
   protected:
-    [[nodiscard]] static ObbTree build(const std::shared_ptr<const Mesh>& mesh) {
-        ThreadPool pool(1);
-        return build_tree(mesh, BuildOptions{}, pool);
-    }
     [[nodiscard]] Sha256 key() const { return tree_key(mesh_->hash(), BuildOptions{}); }
     [[nodiscard]] Status write_binary() const {
         return write_tree_file(path_, tree_, key(), Durability::Synced);
@@ -79,7 +56,7 @@ class TreeFile : public testing::Test {
     TemporaryFolder folder_;
     std::filesystem::path path_ = folder_ / "one.tree";
     std::shared_ptr<const Mesh> mesh_ = share(join({make_sphere(2), make_box({3, 3, 3})}));
-    ObbTree tree_ = build(mesh_);
+    ObbTree tree_ = make_tree(Mesh(*mesh_));
 };
 
 TEST_F(TreeFile, TheBinaryFormComesBackAsItWas) {
@@ -102,13 +79,13 @@ TEST_F(TreeFile, TheWideFormComesBackAsItWas) {
     for (const Mesh& mesh :
          {soup, make_gridded_box({2, 4, 8}, 7), translated(soup, {1e30, 0, 0})}) {
         mesh_ = share(Mesh(mesh));
-        tree_ = build(mesh_);
+        tree_ = make_tree(mesh);
         ASSERT_TRUE(write_wide());
         const Tree read = read_wide();
         ASSERT_TRUE(read) << read.error().detail;
         EXPECT_FALSE(read.value()->has_binary());
         ASSERT_NE(read.value()->wide(), nullptr);
-        expect_same_wide(read.value()->view().wide, tree_.view().wide);
+        expect_same(read.value()->view().wide, tree_.view().wide);
         expect_same_topology(read.value()->topology(), tree_.topology());
     }
     EXPECT_TRUE(tree_.view().wide.nodes.empty());
@@ -191,7 +168,7 @@ TEST_F(TreeFile, TheKeyTellsApartAllThatDecidesTheTree) {
 /// trees do not pass for new ones.
 TEST_F(TreeFile, TheBuildersTreesAreThoseOfItsVersion) {
     std::mt19937_64 random(3);
-    const ObbTree tree = build(share(make_triangle_soup(random, 5000, 0.1)));
+    const ObbTree tree = make_tree(make_triangle_soup(random, 5000, 0.1));
     const WideView wide = tree.view().wide;
     EXPECT_EQ(tree_build_version, 2u);
     EXPECT_EQ(tree_checksum(tree), 17357885670689973998u);
@@ -214,7 +191,7 @@ TEST_F(TreeFile, TwoProcessesThatWriteTheSameAtOnceLeaveOneWholeFile) {
         EXPECT_TRUE(write_wide());
         const Tree read = read_wide();
         ASSERT_TRUE(read) << read.error().detail;
-        expect_same_wide(read.value()->view().wide, tree_.view().wide);
+        expect_same(read.value()->view().wide, tree_.view().wide);
     }
     int status = -1;
     ASSERT_EQ(::waitpid(child, &status, 0), child);

@@ -4,7 +4,7 @@
 
 #include "common/core/limits/engine.hpp"
 #include "common/job/poses/pose_order.hpp"
-#include "tests/support/shapes.hpp"
+#include "tests/support/scenarios.hpp"
 
 #include <gtest/gtest.h>
 
@@ -13,16 +13,6 @@
 
 namespace cd::tests {
 namespace {
-
-std::vector<Scenario> some_scenarios(std::uint64_t count) {
-    std::mt19937_64 random(5);
-    std::vector<Scenario> scenarios(count);
-    for (std::uint64_t i = 0; i < count; ++i) {
-        scenarios[i].index = i;
-        scenarios[i].poses.b = make_pose(random, 3);
-    }
-    return scenarios;
-}
 
 /// Counts reads, and fails on demand.
 class CountingSource final : public PoseSource {
@@ -47,7 +37,7 @@ class CountingSource final : public PoseSource {
 
 TEST(OrderedPoses, EachWindowHasItsScenariosOnceInCoherentOrder) {
     const std::uint64_t window = limits::order_window_scenarios;
-    const auto submitted = some_scenarios(window + 1000);
+    const auto submitted = numbered_scenarios(window + 1000);
     OrderedPoses ordered(std::make_shared<CountingSource>(submitted));
     const auto handed_out = ordered.read(0, submitted.size()).value();
     ASSERT_EQ(handed_out.size(), submitted.size());
@@ -67,7 +57,7 @@ TEST(OrderedPoses, EachWindowHasItsScenariosOnceInCoherentOrder) {
 }
 
 TEST(OrderedPoses, PlacesAndIndicesAreInverse) {
-    const auto submitted = some_scenarios(500);
+    const auto submitted = numbered_scenarios(500);
     OrderedPoses ordered(std::make_shared<CountingSource>(submitted));
     const auto window = ordered.window_of(17).value();
     for (std::uint64_t index = 0; index < 500; ++index) {
@@ -78,7 +68,7 @@ TEST(OrderedPoses, PlacesAndIndicesAreInverse) {
 }
 
 TEST(OrderedPoses, AWindowIsReadOnceWhileItIsInUse) {
-    auto source = std::make_shared<CountingSource>(some_scenarios(2000));
+    auto source = std::make_shared<CountingSource>(numbered_scenarios(2000));
     OrderedPoses ordered(source);
     for (std::uint64_t first = 0; first < 2000; first += 250) {
         ASSERT_TRUE(ordered.read(first, 250));
@@ -87,7 +77,7 @@ TEST(OrderedPoses, AWindowIsReadOnceWhileItIsInUse) {
 }
 
 TEST(OrderedPoses, AReadErrorIsReturnedAndNotCached) {
-    auto source = std::make_shared<CountingSource>(some_scenarios(10));
+    auto source = std::make_shared<CountingSource>(numbered_scenarios(10));
     source->fails = true;
     OrderedPoses ordered(source);
     EXPECT_EQ(ordered.read(2, 3).error().detail, "the disk is gone");

@@ -3,7 +3,7 @@
 
 #include "common/job/poses/pose_order.hpp"
 
-#include "tests/support/shapes.hpp"
+#include "tests/support/scenarios.hpp"
 
 #include <gtest/gtest.h>
 
@@ -16,10 +16,7 @@ namespace cd::tests {
 namespace {
 
 Scenario at(std::uint64_t index, const Pose& b) {
-    Scenario scenario;
-    scenario.index = index;
-    scenario.poses = {Pose{}, b};
-    return scenario;
+    return make_scenario({Pose{}, b}, index);
 }
 
 /// Makes a cube of translations, shuffled.

@@ -4,7 +4,8 @@
 #include "common/job/poses/pose_source.hpp"
 
 #include "common/core/limits/engine.hpp"
-#include "tests/support/shapes.hpp"
+#include "tests/support/damage.hpp"
+#include "tests/support/scenarios.hpp"
 
 #include <gtest/gtest.h>
 
@@ -25,6 +26,18 @@ Grid make_grid() {
 
 Mat3 rotation_of(const Quaternion& q) {
     return Pose::from_quaternion(q, Vec3::Zero()).rotation();
+}
+
+/// Makes a turn about an axis by an angle of this cosine and sine.
+Mat3 turn_about(int axis, double c, double s) {
+    const int i = (axis + 1) % 3;
+    const int j = (axis + 2) % 3;
+    Mat3 matrix = Mat3::Identity();
+    matrix(i, i) = c;
+    matrix(j, j) = c;
+    matrix(j, i) = s;
+    matrix(i, j) = -s;
+    return matrix;
 }
 
 } // namespace
@@ -83,18 +96,11 @@ TEST(Rotation, QuarterTurnsAreExact) {
     for (int axis = 0; axis < 3; ++axis) {
         for (int quarter = -9; quarter <= 9; ++quarter) {
             const Mat3 rotation = rotation_of(rotation_axis({90.0 * quarter, 0, 1}, axis)[0]);
-            const int i = (axis + 1) % 3;
-            const int j = (axis + 2) % 3;
             constexpr std::array<int, 4> cosine{1, 0, -1, 0};
             const int c = cosine[static_cast<std::size_t>(quarter & 3)];
             const int s = cosine[static_cast<std::size_t>((quarter + 3) & 3)];
-            Mat3 expected = Mat3::Zero();
-            expected(axis, axis) = 1;
-            expected(i, i) = c;
-            expected(j, j) = c;
-            expected(j, i) = s;
-            expected(i, j) = -s;
-            ASSERT_EQ(rotation, expected) << "axis " << axis << " quarter " << quarter;
+            ASSERT_EQ(rotation, turn_about(axis, c, s))
+                << "axis " << axis << " quarter " << quarter;
         }
     }
 }
@@ -105,16 +111,7 @@ TEST(Rotation, EulerAnglesRollFirstThenPitchThenYaw) {
     const double pitch = -35;
     const double yaw = 110;
     const auto turn = [&](double degrees, int axis) {
-        const double c = std::cos(degrees * degree);
-        const double s = std::sin(degrees * degree);
-        const int i = (axis + 1) % 3;
-        const int j = (axis + 2) % 3;
-        Mat3 matrix = Mat3::Identity();
-        matrix(i, i) = c;
-        matrix(j, j) = c;
-        matrix(j, i) = s;
-        matrix(i, j) = -s;
-        return matrix;
+        return turn_about(axis, std::cos(degrees * degree), std::sin(degrees * degree));
     };
     const Mat3 expected = turn(yaw, 2) * turn(pitch, 1) * turn(roll, 0);
     const Mat3 actual = rotation_of(quaternion_from_euler(roll, pitch, yaw));
@@ -128,10 +125,7 @@ TEST(GridBytes, ComeBackAsTheyWere) {
 }
 
 TEST(GridBytes, InvalidGridsAreRefused) {
-    const Bytes bytes = encode_grid(make_grid());
-    for (std::size_t size = 0; size < bytes.size(); ++size) {
-        ASSERT_FALSE(decode_grid(std::span(bytes).first(size))) << size;
-    }
+    expect_no_other_length(encode_grid(make_grid()), decode_grid);
     Grid grid = make_grid();
     grid.position[1].last = std::numeric_limits<double>::infinity();
     EXPECT_FALSE(decode_grid(encode_grid(grid)));
@@ -159,12 +153,7 @@ TEST(GridBytes, InvalidGridsAreRefused) {
 }
 
 TEST(ListSource, GivesWhatItHolds) {
-    std::mt19937_64 random(1);
-    std::vector<Scenario> scenarios(10);
-    for (std::size_t i = 0; i < scenarios.size(); ++i) {
-        scenarios[i].index = i;
-        scenarios[i].poses.b = make_pose(random, 1);
-    }
+    const std::vector<Scenario> scenarios = numbered_scenarios(10);
     const auto source = make_list_source(scenarios);
     EXPECT_EQ(source->count(), 10u);
     const auto run = source->read(3, 4);

@@ -6,8 +6,8 @@
 #include "common/geometry/aabb.hpp"
 #include "common/job/poses/made_poses.hpp"
 #include "common/search/contact_search.hpp"
-#include "common/tree/build/build.hpp"
-#include "tests/support/shapes.hpp"
+#include "tests/support/scenarios.hpp"
+#include "tests/support/trees.hpp"
 
 #include <gtest/gtest.h>
 
@@ -18,17 +18,6 @@
 namespace cd::tests {
 
 namespace {
-
-ObbTree make_tree(Mesh mesh) {
-    ThreadPool pool(1);
-    return build_tree(share(std::move(mesh)), BuildOptions{}, pool);
-}
-
-Scenario numbered(std::uint64_t index) {
-    Scenario scenario;
-    scenario.index = index;
-    return scenario;
-}
 
 bool collides(const ObbTree& a, const ObbTree& b, const PosePair& poses) {
     return make_search(a.view(), b.view(), poses)->any(a.view(), b.view());
@@ -141,7 +130,7 @@ TEST(ComputedPoses, AreMadeAheadInBoundedNumber) {
             count,
             [&](std::uint64_t index) {
                 ++made;
-                return numbered(index);
+                return make_scenario({}, index);
             },
             1,
             [] { return false; });
@@ -161,7 +150,7 @@ TEST(ComputedPoses, AReadThatIsStoppedEnds) {
             while (!stopped) {
                 std::this_thread::yield();
             }
-            return numbered(index);
+            return make_scenario({}, index);
         },
         1,
         [&] {

@@ -8,6 +8,7 @@
 #include "common/job/result/result.hpp"
 #include "common/job/run_scenario.hpp"
 #include "common/tree/build/build.hpp"
+#include "tests/support/rounds.hpp"
 #include "tests/support/shapes.hpp"
 
 #include <gtest/gtest.h>
@@ -79,12 +80,11 @@ Bytes some_records(std::mt19937_64& random, std::size_t count) {
 } // namespace
 
 TEST(PackedRecords, ComeBackByteForByte) {
-    for (std::uint64_t seed = 0; seed < 200; ++seed) {
-        std::mt19937_64 random(seed);
-        const Bytes records = some_records(random, seed % 20);
+    for (SeededRandom random : seeds(200)) {
+        const Bytes records = some_records(random, random.seed % 20);
         const auto unpacked = unpack_records(pack_records(records), unlimited);
-        ASSERT_TRUE(unpacked) << seed << ' ' << unpacked.error().detail;
-        EXPECT_EQ(unpacked.value(), records) << seed;
+        ASSERT_TRUE(unpacked) << random.seed << ' ' << unpacked.error().detail;
+        EXPECT_EQ(unpacked.value(), records);
     }
 }
 

@@ -4,8 +4,10 @@
 #include "common/pair/points/double_double_points.hpp"
 
 #include "common/pair/points/exact_points.hpp"
+#include "tests/support/brink_boxes.hpp"
 #include "tests/support/clipping_oracle.hpp"
 #include "tests/support/hard_pairs.hpp"
+#include "tests/support/rounds.hpp"
 #include "tests/support/shapes.hpp"
 
 #include <gtest/gtest.h>
@@ -46,11 +48,7 @@ Rational middle_near(const Rational& exact) {
 }
 
 PosedPair moved(PosedPair c, const Vec3& by) {
-    const auto with = [&](const Pose& pose) {
-        return pose.kind() == Pose::Kind::Matrix ? Pose::from_matrix(pose.matrix(), by)
-                                                 : Pose::from_quaternion(pose.quaternion(), by);
-    };
-    c.poses = {with(c.poses.a), with(c.poses.b)};
+    c.poses = {with_translation(c.poses.a, by), with_translation(c.poses.b, by)};
     return c;
 }
 
@@ -113,10 +111,9 @@ std::map<std::string, PairMaker> makers() {
 }
 
 /// Returns the number of wrong answers.
-int wrong_answers(const PairMaker& make, double bound_scale, std::uint64_t seeds) {
+int wrong_answers(const PairMaker& make, double bound_scale, std::uint64_t rounds) {
     int wrong = 0;
-    for (std::uint64_t seed = 0; seed < seeds; ++seed) {
-        std::mt19937_64 random(seed);
+    for (SeededRandom random : seeds(rounds)) {
         const PosedPair base = make(random);
         const std::optional<Vec3> origin = DoubleDoublePoints(base.poses).origin(base.a);
         if (!origin) {
@@ -159,8 +156,7 @@ TEST(DoubleDoublePoints, WouldBeWrongWithBoundsThatAreTooSmall) {
 TEST(DoubleDoublePoints, AnOriginWouldBeWrongWithBoundsThatAreTooSmall) {
     for (const double bound_scale : {1.0, 0x1p-20}) {
         int wrong = 0;
-        for (std::uint64_t seed = 0; seed < 200; ++seed) {
-            std::mt19937_64 random(seed);
+        for (SeededRandom random : seeds(200)) {
             const PosedPair base{random_corners(random, 1), {}, {make_pose(random, 1), Pose{}}};
             const PosedPair still = moved(base, Vec3::Zero());
             const RationalPoint at = clipping_oracle_world(still.poses.a, still.a[0]);

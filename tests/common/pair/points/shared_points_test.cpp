@@ -5,6 +5,7 @@
 
 #include "tests/support/clipping_oracle.hpp"
 #include "tests/support/hard_pairs.hpp"
+#include "tests/support/rounds.hpp"
 #include "tests/support/shapes.hpp"
 
 #include <gtest/gtest.h>
@@ -129,12 +130,11 @@ TEST(SharedPoints, AreTheExactOnesRoundedOnceOnEveryKindOfPair) {
 TEST(SharedPoints, BothPathsGiveTheSameBits) {
     PointStatistics total;
     for (const auto& [name, make] : all_makers()) {
-        for (std::uint64_t seed = 1000; seed < 1400; ++seed) {
-            std::mt19937_64 random(seed);
+        for (SeededRandom random : seeds(400, 1000)) {
             const PosedPair c = make(random);
             SharedPoints any(c.poses);
             SharedPoints exact(c.poses, SharedPoints::Path::Exact);
-            ASSERT_EQ(bits_of(any, c), bits_of(exact, c)) << name << ", seed " << seed;
+            ASSERT_EQ(bits_of(any, c), bits_of(exact, c)) << name;
             EXPECT_EQ(exact.statistics().points_fast, 0u);
             EXPECT_EQ(exact.statistics().origins_fast, 0u);
             total.points_fast += any.statistics().points_fast;

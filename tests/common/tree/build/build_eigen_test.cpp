@@ -4,7 +4,7 @@
 
 #include "common/tree/build/build_eigen.hpp"
 
-#include "common/geometry/simd_target.hpp"
+#include "tests/support/rounds.hpp"
 #include "tests/support/shapes.hpp"
 
 #include <gtest/gtest.h>
@@ -107,17 +107,15 @@ TEST(BuildEigen, EveryTargetAndNumberOfMatricesGetsTheSameBits) {
     for (std::size_t i = 0; i < matrices.size(); ++i) {
         principal_directions({&matrices[i], 1}, {&expected[i], 1});
     }
-    for (const SimdTarget target : available_simd_targets()) {
-        ASSERT_TRUE(force_simd_target(to_text(target)));
+    on_every_target([&](SimdTarget) {
         std::vector<Directions> found(matrices.size());
         principal_directions(matrices, found);
         for (std::size_t i = 0; i < matrices.size(); ++i) {
             for (std::size_t k = 0; k < 3; ++k) {
-                EXPECT_EQ(found[i][k], expected[i][k]) << to_text(target) << ' ' << i;
+                EXPECT_EQ(found[i][k], expected[i][k]) << i;
             }
         }
-    }
-    ASSERT_TRUE(force_simd_target("auto"));
+    });
 }
 
 } // namespace

@@ -10,13 +10,14 @@
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
 #include <random>
 
 namespace cd::tests {
 
 namespace {
 
-double uniform(std::mt19937_64& random) {
+double fraction(std::mt19937_64& random) {
     return static_cast<double>(random() >> 11) * 0x1p-53;
 }
 
@@ -25,8 +26,8 @@ std::vector<Projection> random_projections(std::mt19937_64& random, std::size_t 
     std::vector<Projection> all(count);
     for (Projection& one : all) {
         for (std::size_t k = 0; k < 3; ++k) {
-            const double low = static_cast<double>(k + 1) * uniform(random);
-            one[k] = {low, low + 0.3 * uniform(random)};
+            const double low = static_cast<double>(k + 1) * fraction(random);
+            one[k] = {low, low + 0.3 * fraction(random)};
         }
     }
     return all;
@@ -55,12 +56,8 @@ segment_sum(std::span<const Projection> all, std::size_t axis, const std::vector
 
 std::vector<std::size_t> order_along(std::span<const Projection> all, std::size_t axis) {
     std::vector<std::size_t> order(all.size());
-    for (std::size_t i = 0; i < order.size(); ++i) {
-        order[i] = i;
-    }
-    std::stable_sort(order.begin(), order.end(), [&](std::size_t l, std::size_t r) {
-        return all[l][axis].high < all[r][axis].high;
-    });
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::ranges::stable_sort(order, {}, [&](std::size_t i) { return all[i][axis].high; });
     return order;
 }
 
@@ -113,13 +110,11 @@ std::vector<Projection> one_in_each_bin(std::mt19937_64& random) {
     std::vector<Projection> all(count);
     for (std::size_t k = 0; k < 3; ++k) {
         std::vector<std::size_t> bins(count);
-        for (std::size_t i = 0; i < count; ++i) {
-            bins[i] = i;
-        }
+        std::iota(bins.begin(), bins.end(), std::size_t{0});
         std::shuffle(bins.begin(), bins.end(), random);
         for (std::size_t i = 0; i < count; ++i) {
             const double high = bins[i] + 1 == count ? count : static_cast<double>(bins[i]) + 0.5;
-            all[i][k] = {bins[i] == 0 ? 0.0 : uniform(random) * high, high};
+            all[i][k] = {bins[i] == 0 ? 0.0 : fraction(random) * high, high};
         }
     }
     return all;

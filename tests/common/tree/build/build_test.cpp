@@ -1,11 +1,9 @@
 // Proves that a tree holds every triangle once, in boxes that contain them in exact terms, that it
 // does not depend on the number of threads, and that no input crashes the builder.
 
-#include "common/tree/build/build.hpp"
-
 #include "common/tree/build/build_fit.hpp"
 #include "tests/common/tree/exact_box.hpp"
-#include "tests/support/shapes.hpp"
+#include "tests/support/trees.hpp"
 
 #include <gtest/gtest.h>
 
@@ -17,11 +15,9 @@ namespace cd::tests {
 
 namespace {
 
-ObbTree build(const Mesh& mesh, const BuildOptions& options = {}, unsigned threads = 2) {
-    ThreadPool pool(threads);
-    return build_tree(share(Mesh(mesh)), options, pool);
+ObbTree build(const Mesh& mesh, const BuildOptions& options = {}) {
+    return make_tree(mesh, options, 2);
 }
-
 void expect_every_triangle_once(const ObbTree& tree) {
     std::vector<std::uint32_t> ids(tree.triangle_ids().begin(), tree.triangle_ids().end());
     std::sort(ids.begin(), ids.end());
@@ -100,27 +96,13 @@ void expect_sound(const ObbTree& tree) {
     expect_vertices_inside(tree);
 }
 
-Mesh scaled_soup(std::uint64_t seed, double scale, const Vec3& offset) {
-    std::mt19937_64 random(seed);
-    const Mesh soup = make_triangle_soup(random, 60);
-    std::vector<Vec3> vertices = soup.vertices();
-    for (Vec3& vertex : vertices) {
-        vertex = scale * vertex + offset;
-    }
-    return make_mesh(vertices, soup.triangles());
+Mesh grown(const Mesh& mesh, const Vec3& factors, const Vec3& offset) {
+    return mapped(mesh, [&](const Vec3& v) { return Vec3(v.cwiseProduct(factors) + offset); });
 }
 
-/// Makes triangles of doubling size from one corner: every split of the bare rule peels one off.
-Mesh make_staircase(std::uint32_t count) {
-    std::vector<Vec3> vertices = {Vec3::Zero()};
-    std::vector<Triangle> triangles;
-    for (std::uint32_t i = 0; i < count; ++i) {
-        const double size = 1.0 + 0.01 * i;
-        vertices.emplace_back(size, 0, 0);
-        vertices.emplace_back(size, 1e-3, 0);
-        triangles.push_back({0, 2 * i + 1, 2 * i + 2});
-    }
-    return make_mesh(vertices, triangles);
+Mesh scaled_soup(std::uint64_t seed, double scale, const Vec3& offset) {
+    std::mt19937_64 random(seed);
+    return grown(make_triangle_soup(random, 60), Vec3::Constant(scale), offset);
 }
 
 TEST(Build, HoldsEveryTriangleInsideItsBoxes) {
@@ -148,14 +130,6 @@ TEST(Build, HoldsTinyHugeAndDistantTriangles) {
                   {{0, 1, 2}, {0, 0, 0}, {1, 1, 2}, {2, 2, 2}, {0, 1, 1}, {1, 2, 2}})));
 }
 
-Mesh grown(const Mesh& mesh, const Vec3& factors, const Vec3& offset) {
-    std::vector<Vec3> vertices = mesh.vertices();
-    for (Vec3& vertex : vertices) {
-        vertex = vertex.cwiseProduct(factors) + offset;
-    }
-    return make_mesh(vertices, mesh.triangles());
-}
-
 TEST(Build, HoldsHostileMeshes) {
     std::mt19937_64 random(9);
     const Mesh soup = make_triangle_soup(random, 40);
@@ -172,11 +146,7 @@ TEST(Build, HoldsHostileMeshes) {
         const Vec3 utm(691'607.86, 5'334'760.38, 519.2);
         const Mesh building = grown(soup, Vec3(1e-3, 1e-3, 1e-3), utm);
         expect_held(building);
-        std::vector<Vec3> floats = building.vertices();
-        for (Vec3& vertex : floats) {
-            vertex = vertex.cast<float>().cast<double>();
-        }
-        expect_held(make_mesh(floats, building.triangles()));
+        expect_held(as_floats(building));
         // Sizes of a millionth beside a million, degenerate shapes far away, and steps of one ulp.
         expect_held(join({grown(soup, Vec3::Constant(1e-6), zero),
                           grown(soup, Vec3::Constant(1e6), Vec3(3e6, 0, 1))}));
@@ -201,9 +171,9 @@ TEST(Build, IsTheSameForAnyNumberOfThreads) {
     std::mt19937_64 random(3);
     // Several tasks, and waves of one and of several nodes.
     const Mesh mesh = make_triangle_soup(random, 30000, 0.02);
-    const ObbTree one = build(mesh, {}, 1);
+    const ObbTree one = make_tree(mesh);
     for (const unsigned threads : {2u, 3u, 7u}) {
-        const ObbTree many = build(mesh, {}, threads);
+        const ObbTree many = make_tree(mesh, {}, threads);
         EXPECT_TRUE(std::ranges::equal(one.nodes(), many.nodes()));
         EXPECT_TRUE(std::ranges::equal(one.triangle_ids(), many.triangle_ids()));
     }
@@ -227,12 +197,8 @@ TEST(Build, LeavesAQuarterOnEachSideOfLargeNodes) {
     std::mt19937_64 random(7);
     // Several pieces at the top. A distant triangle puts all others into one bin on each axis.
     const Mesh soup = make_triangle_soup(random, 10000, 0.02);
-    std::vector<Vec3> vertices = soup.vertices();
-    std::vector<Triangle> triangles = soup.triangles();
-    const auto first = static_cast<std::uint32_t>(vertices.size());
-    vertices.insert(vertices.end(), {Vec3(1e6, 1e6, 1e6), Vec3(1e6, 1e6, 2e6), Vec3(1e6, 0, 1e6)});
-    triangles.push_back({first, first + 1, first + 2});
-    for (const Mesh& mesh : {soup, make_mesh(vertices, triangles)}) {
+    const Mesh far = make_soup({Vec3(1e6, 1e6, 1e6), Vec3(1e6, 1e6, 2e6), Vec3(1e6, 0, 1e6)});
+    for (const Mesh& mesh : {soup, join({soup, far})}) {
         for (const std::uint32_t most : {0u, 32u, 1000u, 20000u}) {
             const ObbTree tree = build(mesh, {.sweep_triangles_max = most});
             expect_every_triangle_once(tree);
@@ -280,13 +246,11 @@ TEST(Build, LeavesHoldNoMoreThanAsked) {
 TEST(Build, ABoxFitsAFlatTurnedRectangle) {
     std::mt19937_64 random(6);
     const Pose pose = make_pose(random, 1.0);
-    std::vector<Vec3> vertices;
-    for (const Vec3& corner : {Vec3(-3, -1, 0), Vec3(3, -1, 0), Vec3(3, 1, 0), Vec3(-3, 1, 0)}) {
-        vertices.push_back(pose.apply(corner));
-    }
+    const Mesh corners = mapped(make_mesh({{-3, -1, 0}, {3, -1, 0}, {3, 1, 0}, {-3, 1, 0}},
+                                          {{0, 1, 2}, {0, 2, 3}, {0, 1, 3}, {1, 2, 3}}),
+                                [&](const Vec3& corner) { return pose.apply(corner); });
     // Both diagonals, so that the corners weigh equally.
-    const ObbTree tree = build(make_mesh(vertices, {{0, 1, 2}, {0, 2, 3}, {0, 1, 3}, {1, 2, 3}}),
-                               {.leaf_triangles_max = 4});
+    const ObbTree tree = build(corners, {.leaf_triangles_max = 4});
     const ObbNode& box = tree.nodes()[0];
     EXPECT_LT(box.half[0], 1e-6F);
     EXPECT_NEAR(box.half[1], 1.0, 1e-5);

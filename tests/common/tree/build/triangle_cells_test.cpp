@@ -3,6 +3,8 @@
 
 #include "common/tree/build/triangle_cells.hpp"
 
+#include "tests/support/rounds.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -63,9 +65,7 @@ TEST(TriangleCells, SegmentsAndPointsWithinSplit) {
 }
 
 TEST(TriangleCells, EachFaceOfRandomLinesHasACentre) {
-    for (std::uint64_t seed = 0; seed < 60; ++seed) {
-        SCOPED_TRACE(testing::Message() << "seed " << seed);
-        std::mt19937_64 random(seed);
+    for (SeededRandom random : seeds(60)) {
         const auto coordinate = [&] { return Rational(static_cast<int>(random() % 121) - 30); };
         std::vector<PlaneCut> lines;
         for (int i = 0; i < 6; ++i) {

@@ -2,13 +2,12 @@
 // point at the border of a box. Also proves that they are needed: with smaller margins such pairs
 // are lost.
 
-#include "common/core/host/thread_pool.hpp"
-#include "common/geometry/simd_target.hpp"
 #include "common/pair/triangle_pair.hpp"
-#include "common/tree/build/build.hpp"
 #include "common/tree/wide/wide_descent.hpp"
 #include "tests/common/tree/exact_box.hpp"
-#include "tests/support/shapes.hpp"
+#include "tests/support/brink_boxes.hpp"
+#include "tests/support/rounds.hpp"
+#include "tests/support/trees.hpp"
 
 #include <gtest/gtest.h>
 
@@ -22,11 +21,6 @@
 namespace cd::tests {
 
 namespace {
-
-ObbTree build(const Mesh& mesh) {
-    static ThreadPool pool(1); // Shared, since many trees are built.
-    return build_tree(share(Mesh(mesh)), {}, pool);
-}
 
 /// Two bodies that touch only in one corner of a triangle each.
 struct Brink {
@@ -64,8 +58,7 @@ std::size_t lost_of(const Brinks& brinks, double error_scale) {
 template <class Maker>
 Brinks brinks_of(std::uint64_t rounds, const Maker& maker) {
     Brinks brinks;
-    for (std::uint64_t seed = 0; seed < rounds; ++seed) {
-        std::mt19937_64 random(seed);
+    for (SeededRandom random : seeds(rounds)) {
         std::optional<Brink> brink = maker(random);
         if (!brink) {
             continue;
@@ -73,8 +66,7 @@ Brinks brinks_of(std::uint64_t rounds, const Maker& maker) {
         EXPECT_NE(TrianglePairTest(brink->poses)
                       .classify(brink->a.mesh().corners(brink->triangle_a),
                                 brink->b.mesh().corners(brink->triangle_b)),
-                  PairClass::Separate)
-            << "seed " << seed;
+                  PairClass::Separate);
         brinks.push_back(std::move(*brink));
     }
     return brinks;
@@ -134,15 +126,11 @@ Mesh lattice_soup(std::mt19937_64& random,
                factor;
     };
     const Vec3 place(lattice(far), lattice(far), lattice(far));
-    std::vector<Vec3> vertices;
-    std::vector<Triangle> triangles;
-    for (std::uint32_t i = 0; i < count; ++i) {
-        for (int k = 0; k < 3; ++k) {
-            vertices.push_back(place + Vec3(lattice(size), lattice(size), lattice(size)));
-        }
-        triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2});
+    std::vector<Vec3> corners;
+    for (std::uint32_t i = 0; i < 3 * count; ++i) {
+        corners.push_back(place + Vec3(lattice(size), lattice(size), lattice(size)));
     }
-    return make_mesh(std::move(vertices), std::move(triangles));
+    return make_soup(std::move(corners));
 }
 
 /// Returns the extreme vertex in a direction.
@@ -168,9 +156,7 @@ std::optional<Pose> moved_to(const Pose& rotation, const Vec3& from, const Exact
         }
         translation[static_cast<int>(k)] = rounded;
     }
-    return rotation.kind() == Pose::Kind::Matrix
-               ? Pose::from_matrix(rotation.matrix(), translation)
-               : Pose::from_quaternion(rotation.quaternion(), translation);
+    return with_translation(rotation, translation);
 }
 
 /// A body with a triangle whose plane is on the border of its box, to the last bits, on one side of
@@ -182,18 +168,18 @@ struct SharpBody {
 
 /// Makes three triangles across the x axis, the last one at `plane`.
 Mesh across_x(double size, double plane) {
-    std::vector<Vec3> vertices;
+    std::vector<Vec3> corners;
     for (const double x : {0.0, size, plane}) {
-        vertices.insert(vertices.end(),
-                        {Vec3(x, -size, -size), Vec3(x, size, -size), Vec3(x, 0, size)});
+        corners.insert(corners.end(),
+                       {Vec3(x, -size, -size), Vec3(x, size, -size), Vec3(x, 0, size)});
     }
-    return make_mesh(std::move(vertices), {{0, 1, 2}, {3, 4, 5}, {6, 7, 8}});
+    return make_soup(std::move(corners));
 }
 
 /// Returns how far the last triangle's box extends beyond it on the x side `side`; nothing if the
 /// box is not along x.
 std::optional<Rational> slack_of(const Mesh& mesh, double plane, int side) {
-    const ObbTree tree = build(mesh);
+    const ObbTree tree = make_tree(mesh);
     const WideView wide = tree.view().wide;
     const WideNode& node = wide.nodes[0];
     for (std::size_t k = 0; k < 3; ++k) {
@@ -250,7 +236,7 @@ std::optional<Brink> corner_on_corner(std::mt19937_64& random, double far, int b
     const Mesh small = lattice_soup(random, triangles(), 1, turn_small.factor, 0, bits);
     const Mesh large =
         lattice_soup(random, triangles(), ratio, turn_large.factor, far * ratio, bits);
-    const ObbTree tree = build(small);
+    const ObbTree tree = make_tree(small);
     const auto& columns = tree.view().wide.nodes[0].columns;
     const auto k = random() % 3;
     const double sign = random() % 2 == 0 ? 1 : -1;
@@ -265,9 +251,9 @@ std::optional<Brink> corner_on_corner(std::mt19937_64& random, double far, int b
         return std::nullopt;
     }
     if (random() % 2 == 0) {
-        return Brink{tree, build(large), {turn_small.pose, *pose}, last / 3, first / 3};
+        return Brink{tree, make_tree(large), {turn_small.pose, *pose}, last / 3, first / 3};
     }
-    return Brink{build(large), tree, {*pose, turn_small.pose}, first / 3, last / 3};
+    return Brink{make_tree(large), tree, {*pose, turn_small.pose}, first / 3, last / 3};
 }
 
 /// A small body's corner touches a large one's triangle on the border of its box.
@@ -289,87 +275,50 @@ std::optional<Brink> corner_on_plane(std::mt19937_64& random) {
         return std::nullopt;
     }
     if (random() % 2 == 0) {
-        return Brink{build(small), build(large->mesh), {turn.pose, *pose}, 0, 2};
+        return Brink{make_tree(small), make_tree(large->mesh), {turn.pose, *pose}, 0, 2};
     }
-    return Brink{build(large->mesh), build(small), {*pose, turn.pose}, 2, 0};
+    return Brink{make_tree(large->mesh), make_tree(small), {*pose, turn.pose}, 2, 0};
 }
 
-// Made once for all targets.
-const Brinks& corners() {
-    static const Brinks brinks =
-        brinks_of(600, [](std::mt19937_64& random) { return corner_on_corner(random, 0, 10); });
-    return brinks;
-}
-
-/// Their corners exceed float precision.
-const Brinks& double_corners() {
-    static const Brinks brinks =
-        brinks_of(600, [](std::mt19937_64& random) { return corner_on_corner(random, 0, 28); });
-    return brinks;
-}
-
-const Brinks& far_corners() {
-    static const Brinks brinks =
-        brinks_of(400, [](std::mt19937_64& random) { return corner_on_corner(random, 0x1p38, 3); });
-    return brinks;
-}
-
-const Brinks& borders() {
-    static const Brinks brinks = brinks_of(250, corner_on_plane);
-    return brinks;
-}
-
-class WideBounds : public testing::TestWithParam<SimdTarget> {
-  protected:
-    void SetUp() override { ASSERT_TRUE(force_simd_target(to_text(GetParam()))); }
-    void TearDown() override { ASSERT_TRUE(force_simd_target("auto")); }
+/// Bodies that touch in one point. Made once for all targets.
+struct AllBrinks {
+    Brinks corners = brinks_of(600, [](auto& random) { return corner_on_corner(random, 0, 10); });
+    /// Their corners exceed float precision.
+    Brinks doubles = brinks_of(600, [](auto& random) { return corner_on_corner(random, 0, 28); });
+    Brinks far = brinks_of(400, [](auto& random) { return corner_on_corner(random, 0x1p38, 3); });
+    Brinks borders = brinks_of(250, corner_on_plane);
 };
 
-TEST_P(WideBounds, CornersThatTouchAtTheBrinkAreNotLost) {
-    EXPECT_GT(corners().size(), 400u);
-    EXPECT_EQ(lost_of(corners(), 1), 0u);
-}
-
-TEST_P(WideBounds, CornersThatFloatsCannotHoldAreNotLost) {
-    EXPECT_GT(double_corners().size(), 300u);
-    for (const Brink& brink : double_corners()) {
+TEST(WideBounds, BodiesThatTouchAtTheBrinkAreNotLostButSomeAreWithSmallerMargins) {
+    const AllBrinks all;
+    EXPECT_GT(all.corners.size(), 400u);
+    EXPECT_GT(all.doubles.size(), 300u);
+    EXPECT_GT(all.far.size(), 200u);
+    EXPECT_GT(all.borders.size(), 150u);
+    for (const Brink& brink : all.doubles) {
         EXPECT_FALSE(brink.a.view().wide.triangles.doubles.empty());
         EXPECT_FALSE(brink.b.view().wide.triangles.doubles.empty());
     }
-    EXPECT_EQ(lost_of(double_corners(), 1), 0u);
+    on_every_target([&](SimdTarget target) {
+        EXPECT_EQ(lost_of(all.corners, 1), 0u);
+        EXPECT_EQ(lost_of(all.doubles, 1), 0u) << "corners that floats cannot hold";
+        EXPECT_EQ(lost_of(all.far, 1), 0u) << "far from a body's origin";
+        EXPECT_EQ(lost_of(all.borders, 1), 0u) << "on the border of a box";
+        // If boxes are bytes on both sides, only those that end on whole steps are sharp.
+        EXPECT_GT(lost_of(all.borders, 0), 0u);
+        EXPECT_GT(lost_of(all.borders, -0.01), 50u);
+        if (target == SimdTarget::Avx512 || target == SimdTarget::Avx2) {
+            // The larger body's triangles are bounded by their corners.
+            EXPECT_GT(lost_of(all.corners, 0), 50u);
+            EXPECT_GT(lost_of(all.corners, 0.003), 0u);
+            EXPECT_GT(lost_of(all.doubles, 0), 50u);
+            EXPECT_GT(lost_of(all.doubles, 0.003), 0u);
+        }
+        // Far from the origin a body's steps exceed the rounding errors, and none of these boxes
+        // ends on a whole step: margins of 0 would suffice here, but not less.
+        EXPECT_GT(lost_of(all.far, -0.02), 5u);
+    });
 }
-
-TEST_P(WideBounds, CornersThatTouchFarFromABodysOriginAreNotLost) {
-    EXPECT_GT(far_corners().size(), 200u);
-    EXPECT_EQ(lost_of(far_corners(), 1), 0u);
-}
-
-TEST_P(WideBounds, CornersOnTheBorderOfABoxAreNotLost) {
-    EXPECT_GT(borders().size(), 150u);
-    EXPECT_EQ(lost_of(borders(), 1), 0u);
-}
-
-TEST_P(WideBounds, SmallerMarginsLoseSome) {
-    // If boxes are bytes on both sides, only those that end on whole steps are sharp.
-    EXPECT_GT(lost_of(borders(), 0), 0u);
-    EXPECT_GT(lost_of(borders(), -0.01), 50u);
-    if (GetParam() == SimdTarget::Avx512 || GetParam() == SimdTarget::Avx2) {
-        // The larger body's triangles are bounded by their corners.
-        EXPECT_GT(lost_of(corners(), 0), 50u);
-        EXPECT_GT(lost_of(corners(), 0.003), 0u);
-        EXPECT_GT(lost_of(double_corners(), 0), 50u);
-        EXPECT_GT(lost_of(double_corners(), 0.003), 0u);
-    }
-    // Far from the origin a body's steps exceed the rounding errors, and none of these boxes ends
-    // on a whole step: margins of 0 would suffice here, but not less.
-    EXPECT_GT(lost_of(far_corners(), -0.02), 5u);
-}
-
-INSTANTIATE_TEST_SUITE_P(Targets,
-                         WideBounds,
-                         testing::ValuesIn(available_simd_targets().begin(),
-                                           available_simd_targets().end()),
-                         [](const auto& instance) { return std::string(to_text(instance.param)); });
 
 } // namespace
 

@@ -3,8 +3,7 @@
 
 #include "common/tree/wide/wide_check.hpp"
 
-#include "common/tree/build/build.hpp"
-#include "tests/support/shapes.hpp"
+#include "tests/support/trees.hpp"
 
 #include <gtest/gtest.h>
 
@@ -52,30 +51,25 @@ struct Arrays {
 class WideCheck : public testing::Test {
   protected:
     void SetUp() override {
-        ThreadPool pool(1);
-        tree_ = std::make_unique<ObbTree>(build_tree(mesh_, {}, pool));
-        ASSERT_GT(tree_->view().wide.nodes.size(), 20u);
-        ASSERT_FALSE(tree_->view().wide.nodes[0].is_leaf);
+        ASSERT_GT(tree_.view().wide.nodes.size(), 20u);
+        ASSERT_FALSE(tree_.view().wide.nodes[0].is_leaf);
     }
     void expect_refused(const char* what, const std::function<void(Arrays&)>& change) const {
-        Arrays arrays(tree_->view().wide);
+        Arrays arrays(tree_.view().wide);
         change(arrays);
-        EXPECT_FALSE(check_wide_tree(arrays.view(), mesh_->triangles().size())) << what;
+        EXPECT_FALSE(check_wide_tree(arrays.view(), 512)) << what;
     }
 
-    std::shared_ptr<const Mesh> mesh_ = share(make_sphere(3)); // 512 triangles, in doubles.
-    std::unique_ptr<ObbTree> tree_;
+    ObbTree tree_ = make_tree(make_sphere(3)); // 512 triangles, in doubles.
 };
 
 TEST_F(WideCheck, TakesWhatTheBuilderMakes) {
-    EXPECT_TRUE(check_wide_tree(tree_->view().wide, mesh_->triangles().size()));
-    EXPECT_TRUE(check_wide_tree(WideView{}, mesh_->triangles().size()));
+    EXPECT_TRUE(check_wide_tree(tree_.view().wide, 512));
+    EXPECT_TRUE(check_wide_tree(WideView{}, 512));
     std::mt19937_64 random(4);
     for (std::uint32_t count : {1u, 16u, 17u, 3000u}) {
-        const auto soup = share(make_degenerate_soup(random, count));
-        ThreadPool pool(2);
-        const ObbTree tree = build_tree(soup, {}, pool);
-        EXPECT_TRUE(check_wide_tree(tree.view().wide, soup->triangles().size())) << count;
+        const ObbTree tree = make_tree(make_degenerate_soup(random, count), {}, 2);
+        EXPECT_TRUE(check_wide_tree(tree.view().wide, count)) << count;
     }
 }
 

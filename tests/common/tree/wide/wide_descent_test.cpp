@@ -3,13 +3,11 @@
 
 #include "common/tree/wide/wide_descent.hpp"
 
-#include "common/core/host/thread_pool.hpp"
-#include "common/geometry/simd_target.hpp"
 #include "common/search/brute_force.hpp"
 #include "common/search/contact_search.hpp"
-#include "common/tree/build/build.hpp"
 #include "tests/support/brink_boxes.hpp"
-#include "tests/support/shapes.hpp"
+#include "tests/support/rounds.hpp"
+#include "tests/support/trees.hpp"
 
 #include <Eigen/LU>
 #include <gtest/gtest.h>
@@ -23,30 +21,6 @@ namespace cd::tests {
 namespace {
 
 using IdPair = std::pair<std::uint32_t, std::uint32_t>;
-
-ObbTree build(const Mesh& mesh) {
-    ThreadPool pool(1);
-    return build_tree(share(Mesh(mesh)), {}, pool);
-}
-
-Mesh scaled_mesh(const Mesh& mesh, double scale) {
-    std::vector<Vec3> vertices = mesh.vertices();
-    for (Vec3& vertex : vertices) {
-        vertex *= scale;
-    }
-    return make_mesh(std::move(vertices), mesh.triangles());
-}
-
-/// Runs `work` on each target of this host, then restores the best one.
-template <class Work>
-void on_every_target(const Work& work) {
-    for (const SimdTarget target : available_simd_targets()) {
-        SCOPED_TRACE(to_text(target));
-        ASSERT_TRUE(force_simd_target(to_text(target)));
-        work();
-    }
-    ASSERT_TRUE(force_simd_target("auto"));
-}
 
 /// Returns the sorted triangle ids of all candidates; expects no duplicates.
 std::vector<IdPair> candidates_of(const WideView& a,
@@ -74,12 +48,12 @@ struct Tally {
 
 /// Expects the candidates of two bodies to include every touching pair.
 void expect_none_lost(const Mesh& a, const Mesh& b, const PosePair& poses, Tally& tally) {
-    const ObbTree tree_a = build(a);
-    const ObbTree tree_b = build(b);
+    const ObbTree tree_a = make_tree(a);
+    const ObbTree tree_b = make_tree(b);
     ASSERT_FALSE(tree_a.view().wide.nodes.empty());
     ASSERT_FALSE(tree_b.view().wide.nodes.empty());
     const std::vector<ContactPair> contacts = contact_pairs_brute_force(a, b, poses);
-    on_every_target([&] {
+    on_every_target([&](SimdTarget) {
         const auto found = candidates_of(tree_a.view().wide, tree_b.view().wide, poses);
         for (const ContactPair& pair : contacts) {
             ASSERT_TRUE(std::binary_search(found.begin(), found.end(), IdPair{pair.a, pair.b}))
@@ -114,13 +88,11 @@ Mesh any_mesh(std::mt19937_64& random) {
 
 TEST(WideDescent, LosesNoPairUnderRigidPoses) {
     Tally tally;
-    for (std::uint64_t seed = 0; seed < 60; ++seed) {
-        SCOPED_TRACE(testing::Message() << "seed " << seed);
-        std::mt19937_64 random(seed);
+    for (SeededRandom random : seeds(60)) {
         const Mesh a = any_mesh(random);
         const Mesh b = any_mesh(random);
         const Pose pose_a = any_pose(random, 3);
-        const Pose pose_b = seed % 5 == 0 ? pose_a : any_pose(random, 3);
+        const Pose pose_b = random.seed % 5 == 0 ? pose_a : any_pose(random, 3);
         expect_none_lost(
             a, b, meeting_at(pose_a, random_point(random, 1), pose_b, Vec3::Zero()), tally);
     }
@@ -130,13 +102,11 @@ TEST(WideDescent, LosesNoPairUnderRigidPoses) {
 
 TEST(WideDescent, LosesNoPairUnderSkewPoses) {
     Tally tally;
-    for (std::uint64_t seed = 0; seed < 40; ++seed) {
-        SCOPED_TRACE(testing::Message() << "seed " << seed);
-        std::mt19937_64 random(seed);
+    for (SeededRandom random : seeds(40)) {
         const Mesh a = any_mesh(random);
         const Mesh b = any_mesh(random);
         // From somewhat more than the bounds allow for to almost none.
-        const double skew = std::ldexp(1.1, -10 - static_cast<int>(seed % 16));
+        const double skew = std::ldexp(1.1, -10 - static_cast<int>(random.seed % 16));
         Mat3 stretch = Mat3::Identity();
         for (int i = 0; i < 3; ++i) {
             stretch.col(i) += random_point(random, 0.25 * skew);
@@ -159,10 +129,8 @@ TEST(WideDescent, LosesNoPairUnderSkewPoses) {
 
 TEST(WideDescent, LosesNoPairFarFromTheOrigin) {
     Tally tally;
-    for (std::uint64_t seed = 0; seed < 40; ++seed) {
-        SCOPED_TRACE(testing::Message() << "seed " << seed);
-        std::mt19937_64 random(seed);
-        const double offset = std::ldexp(1.0, 10 + static_cast<int>(seed % 4) * 8);
+    for (SeededRandom random : seeds(40)) {
+        const double offset = std::ldexp(1.0, 10 + static_cast<int>(random.seed % 4) * 8);
         const Vec3 place_a = random_point(random, offset);
         const Vec3 place_b = random_point(random, offset);
         const Mesh a = translated(any_mesh(random), place_a);
@@ -178,13 +146,11 @@ TEST(WideDescent, LosesNoPairFarFromTheOrigin) {
 
 TEST(WideDescent, LosesNoPairOfBodiesOfDifferentSizes) {
     Tally tally;
-    for (std::uint64_t seed = 0; seed < 60; ++seed) {
-        SCOPED_TRACE(testing::Message() << "seed " << seed);
-        std::mt19937_64 random(seed);
+    for (SeededRandom random : seeds(60)) {
         // A corner of the small one is on, or in, a triangle of the large one.
-        const double scale = std::ldexp(1.0, static_cast<int>(seed % 60) - 30);
+        const double scale = std::ldexp(1.0, static_cast<int>(random.seed % 60) - 30);
         const Mesh a = any_mesh(random);
-        const Mesh b = scaled_mesh(any_mesh(random), scale);
+        const Mesh b = scaled(any_mesh(random), scale);
         const Vec3 place_a = a.vertices()[a.triangles()[0][0]];
         const Vec3 place_b = b.vertices()[b.triangles()[0][0]];
         const PosePair poses =
@@ -202,31 +168,23 @@ TEST(WideDescent, LosesNoPairOfTheTiniestOnTheLargestTriangles) {
     // One large triangle and all tiny ones have a corner at the origin: in the tiny ones' steps,
     // the large size is near the limit of floats.
     Tally tally;
-    for (std::uint64_t seed = 0; seed < 30; ++seed) {
-        SCOPED_TRACE(testing::Message() << "seed " << seed);
-        std::mt19937_64 random(seed);
-        const double tiny = std::ldexp(1.0, -60 - static_cast<int>(seed % 30));
+    for (SeededRandom random : seeds(30)) {
+        const double tiny = std::ldexp(1.0, -60 - static_cast<int>(random.seed % 30));
         std::vector<Vec3> small = make_triangle_soup(random, 40).vertices();
         std::vector<Vec3> large = make_triangle_soup(random, 12, 0.1).vertices();
-        std::vector<Triangle> triangles_small;
-        std::vector<Triangle> triangles_large;
-        for (std::uint32_t i = 0; i < 40; ++i) {
-            triangles_small.push_back({3 * i, 3 * i + 1, 3 * i + 2});
-            for (std::uint32_t k = 0; i < 24 && k < 3; ++k) {
-                small[3 * i + k] *= k == 0 ? 0 : tiny; // The others make the body large enough.
+        for (std::uint32_t i = 0; i < small.size(); ++i) {
+            if (i < 3 * 24) { // The others make the body large enough.
+                small[i] *= i % 3 == 0 ? 0 : tiny;
             }
-        }
-        for (std::uint32_t i = 0; i < 12; ++i) {
-            triangles_large.push_back({3 * i, 3 * i + 1, 3 * i + 2});
         }
         for (Vec3& vertex : large) {
             vertex *= 0x1p49;
         }
         large[0] = Vec3::Zero();
         large[1] *= 0x1p-20;
-        large[2] *= std::ldexp(1.0, -static_cast<int>(seed % 50));
-        const Mesh a = make_mesh(small, triangles_small);
-        const Mesh b = make_mesh(large, triangles_large);
+        large[2] *= std::ldexp(1.0, -static_cast<int>(random.seed % 50));
+        const Mesh a = make_soup(small);
+        const Mesh b = make_soup(large);
         const Pose turn = with_translation(make_pose(random, 1), Vec3::Zero());
         expect_none_lost(a, b, {Pose{}, turn}, tally);
         expect_none_lost(b, a, {turn, Pose{}}, tally);
@@ -246,7 +204,7 @@ TEST(WideDescent, LosesNoPairWhereNumbersOverflow) {
         expect_none_lost(soup, soup, {turned, turned}, tally);
         expect_none_lost(soup, soup, {there, turned}, tally);
         expect_none_lost(soup, soup, {Pose{}, there}, tally);
-        const ObbTree tree = build(soup);
+        const ObbTree tree = make_tree(soup);
         EXPECT_TRUE(contact_pairs(tree, tree, {Pose{}, there}).empty());
         EXPECT_TRUE(contact_pairs(tree, tree, {turned, Pose{}}).empty());
     }
@@ -254,11 +212,11 @@ TEST(WideDescent, LosesNoPairWhereNumbersOverflow) {
 }
 
 TEST(WideDescent, TheWantedCountChangesNoCandidates) {
-    const ObbTree sphere = build(make_sphere(3));
+    const ObbTree sphere = make_tree(make_sphere(3));
     const WideView view = sphere.view().wide;
     std::mt19937_64 random(2);
     const PosePair poses{Pose{}, make_pose(random, 0.5)};
-    on_every_target([&] {
+    on_every_target([&](SimdTarget) {
         const auto expected = candidates_of(view, view, poses, 1u << 20);
         EXPECT_GT(expected.size(), 100u);
         EXPECT_EQ(candidates_of(view, view, poses, 1), expected);
@@ -267,12 +225,12 @@ TEST(WideDescent, TheWantedCountChangesNoCandidates) {
 }
 
 TEST(WideDescent, EveryAimFindsAllCandidatesInTheEnd) {
-    const ObbTree sphere = build(make_sphere(4));
+    const ObbTree sphere = make_tree(make_sphere(4));
     const WideView view = sphere.view().wide;
     std::mt19937_64 random(5);
     for (const double far : {0.0, 0.5, 1.9, 2.5}) {
         const PosePair poses{Pose{}, make_pose(random, far)};
-        on_every_target([&] {
+        on_every_target([&](SimdTarget) {
             const auto expected = candidates_of(view, view, poses);
             for (const auto aim : {WideDescent::Aim::First, WideDescent::Aim::LikelyFirst}) {
                 EXPECT_EQ(candidates_of(view, view, poses, 1, aim), expected);
@@ -284,8 +242,8 @@ TEST(WideDescent, EveryAimFindsAllCandidatesInTheEnd) {
 
 TEST(WideDescent, PausesAfterMuchWorkAndResumes) {
     // Two shells that are near each other everywhere.
-    const ObbTree inner = build(make_sphere(5));
-    const ObbTree outer = build(scaled_mesh(make_sphere(5), 1.002));
+    const ObbTree inner = make_tree(make_sphere(5));
+    const ObbTree outer = make_tree(scaled(make_sphere(5), 1.002));
     WideDescent descent{relative_pose(PosePair{})};
     std::size_t pauses = 0;
     std::size_t found = 0;
@@ -307,15 +265,12 @@ TEST(WideDescent, PausesAfterMuchWorkAndResumes) {
 TEST(WideDescent, GrowsForAllWaitingPairs) {
     // Needles through one point: every box of one body overlaps every box of the other.
     std::mt19937_64 random(3);
-    std::vector<Vec3> vertices;
-    std::vector<Triangle> triangles;
+    std::vector<Vec3> corners;
     for (std::uint32_t i = 0; i < 40'000; ++i) {
         const Vec3 end = random_point(random, 1);
-        vertices.push_back(end);
-        vertices.push_back(-end);
-        triangles.push_back({2 * i, 2 * i + 1, 2 * i});
+        corners.insert(corners.end(), {end, -end, end});
     }
-    const ObbTree tree = build(make_mesh(std::move(vertices), std::move(triangles)));
+    const ObbTree tree = make_tree(make_soup(std::move(corners)));
     const WideView view = tree.view().wide;
     WideDescent descent{relative_pose(PosePair{})};
     descent.start(view, view);

@@ -4,13 +4,12 @@
 
 #include "common/tree/wide/wide_tree.hpp"
 
-#include "common/core/host/thread_pool.hpp"
 #include "common/search/brute_force.hpp"
 #include "common/search/contact_search.hpp"
-#include "common/tree/build/build.hpp"
 #include "common/tree/build/build_fit.hpp"
 #include "tests/common/tree/exact_box.hpp"
-#include "tests/support/shapes.hpp"
+#include "tests/support/rounds.hpp"
+#include "tests/support/trees.hpp"
 
 #include <gtest/gtest.h>
 
@@ -23,72 +22,41 @@ namespace cd::tests {
 
 namespace {
 
-ObbTree build(const Mesh& mesh, const BuildOptions& options = {}, unsigned threads = 1) {
-    ThreadPool pool(threads);
-    return build_tree(share(Mesh(mesh)), options, pool);
-}
-
-Mesh mapped(const Mesh& mesh, const std::function<Vec3(const Vec3&)>& map) {
-    std::vector<Vec3> vertices;
-    for (const Vec3& vertex : mesh.vertices()) {
-        vertices.push_back(map(vertex));
-    }
-    return make_mesh(std::move(vertices), mesh.triangles());
-}
-
-Mesh scaled_mesh(const Mesh& mesh, double scale) {
-    return mapped(mesh, [&](const Vec3& vertex) { return Vec3(scale * vertex); });
-}
-
-Mesh in_floats(const Mesh& mesh) {
-    return mapped(mesh, [](const Vec3& vertex) { return vertex.cast<float>().cast<double>(); });
-}
-
 /// Makes needles of length 2000 and width 1e-4 in all directions.
 Mesh make_needles(std::mt19937_64& random, std::uint32_t count) {
-    std::vector<Vec3> vertices;
-    std::vector<Triangle> triangles;
+    std::vector<Vec3> corners;
     for (std::uint32_t i = 0; i < count; ++i) {
-        vertices.push_back(random_point(random, 1000));
-        vertices.push_back(random_point(random, 1000));
-        vertices.push_back(vertices.back() + random_point(random, 1e-4));
-        triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2});
+        corners.push_back(random_point(random, 1000));
+        corners.push_back(random_point(random, 1000));
+        corners.push_back(corners.back() + random_point(random, 1e-4));
     }
-    return make_mesh(std::move(vertices), std::move(triangles));
+    return make_soup(std::move(corners));
 }
 
 /// Makes triangles of sizes from 2^-60 to 2^44, each size around its own position.
 Mesh make_mixture(std::mt19937_64& random, std::uint32_t count) {
-    std::vector<Vec3> vertices;
-    std::vector<Triangle> triangles;
+    std::vector<Vec3> corners;
     for (std::uint32_t i = 0; i < count; ++i) {
         const double size = std::ldexp(1.0, static_cast<int>(random() % 105) - 60);
         const Vec3 place = random() % 2 == 0 ? Vec3::Zero() : random_point(random, size * 16);
         for (int k = 0; k < 3; ++k) {
-            vertices.push_back(place + random_point(random, size));
+            corners.push_back(place + random_point(random, size));
         }
-        triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2});
     }
-    return make_mesh(std::move(vertices), std::move(triangles));
+    return make_soup(std::move(corners));
 }
 
 /// Makes a grid of cells in the plane z = 0.
 Mesh make_sheet(std::uint32_t cells) {
-    std::vector<Vec3> vertices;
-    std::vector<Triangle> triangles;
-    for (std::uint32_t i = 0; i <= cells; ++i) {
-        for (std::uint32_t k = 0; k <= cells; ++k) {
-            vertices.emplace_back(0.1 * i, 0.1 * k, 0);
-        }
-    }
+    std::vector<Vec3> corners;
+    const auto at = [](std::uint32_t i, std::uint32_t k) { return Vec3(0.1 * i, 0.1 * k, 0); };
     for (std::uint32_t i = 0; i < cells; ++i) {
         for (std::uint32_t k = 0; k < cells; ++k) {
-            const std::uint32_t at = i * (cells + 1) + k;
-            triangles.push_back({at, at + 1, at + cells + 1});
-            triangles.push_back({at + 1, at + cells + 2, at + cells + 1});
+            corners.insert(corners.end(), {at(i, k), at(i, k + 1), at(i + 1, k)});
+            corners.insert(corners.end(), {at(i, k + 1), at(i + 1, k + 1), at(i + 1, k)});
         }
     }
-    return make_mesh(std::move(vertices), std::move(triangles));
+    return make_soup(std::move(corners));
 }
 
 ExactMat rows_of(const WideNode& node) {
@@ -195,7 +163,7 @@ std::vector<std::uint32_t> Walk::visit(std::uint32_t index) {
 
 /// Checks all promises of a mesh's wide tree.
 void expect_good_tree(const Mesh& mesh) {
-    const ObbTree tree = build(mesh);
+    const ObbTree tree = make_tree(mesh);
     const WideView wide = tree.view().wide;
     ASSERT_FALSE(wide.nodes.empty());
     Walk walk(mesh, wide);
@@ -213,7 +181,7 @@ void expect_good_tree(const Mesh& mesh) {
         EXPECT_EQ(walk.blocks_[block], block);
     }
     const bool has_floats = !wide.triangles.floats.empty();
-    EXPECT_EQ(has_floats, in_floats(mesh).vertices() == mesh.vertices());
+    EXPECT_EQ(has_floats, as_floats(mesh).vertices() == mesh.vertices());
     EXPECT_NE(has_floats, !wide.triangles.doubles.empty());
     for (const WideNode& node : wide.nodes) {
         for (const double coordinate : node.origin) {
@@ -232,52 +200,32 @@ void expect_good_trees(std::mt19937_64& random, const Mesh& mesh) {
     for (const Mesh& one : {mesh,
                             turned,
                             translated(turned, Vec3(1e6, -3e5, 5e5)),
-                            scaled_mesh(turned, 1e-9),
-                            scaled_mesh(mesh, 0x1p33)}) {
+                            scaled(turned, 1e-9),
+                            scaled(mesh, 0x1p33)}) {
         expect_good_tree(one);
-        expect_good_tree(in_floats(one));
+        expect_good_tree(as_floats(one));
     }
     // Floats cannot distinguish these from a point.
-    expect_good_tree(translated(scaled_mesh(turned, 1e-4), Vec3(1e6, -3e5, 5e5)));
-    expect_good_tree(translated(scaled_mesh(mesh, 0x1p-10), Vec3(0, 0x1p20, 0)));
+    expect_good_tree(translated(scaled(turned, 1e-4), Vec3(1e6, -3e5, 5e5)));
+    expect_good_tree(translated(scaled(mesh, 0x1p-10), Vec3(0, 0x1p20, 0)));
 }
 
-TEST(WideTree, HoldsSoupsInExactTerms) {
-    for (std::uint64_t seed = 0; seed < 2; ++seed) {
-        SCOPED_TRACE(testing::Message() << "seed " << seed);
-        std::mt19937_64 random(seed);
-        expect_good_trees(random, make_triangle_soup(random, seed % 2 == 0 ? 60 : 300, 0.2));
-    }
-}
-
-TEST(WideTree, HoldsDegenerateSoupsInExactTerms) {
+TEST(WideTree, HoldsEachKindOfMeshInExactTerms) {
     std::mt19937_64 random(3);
+    expect_good_trees(random, make_triangle_soup(random, 60, 0.2));
+    expect_good_trees(random, make_triangle_soup(random, 300, 0.2));
     expect_good_trees(random, make_degenerate_soup(random, 200));
-}
-
-TEST(WideTree, HoldsClosedSurfacesInExactTerms) {
-    std::mt19937_64 random(4);
     expect_good_trees(random, make_sphere(2));
     expect_good_trees(random, make_gridded_box(Vec3(1, 2, 0.5), 4));
-}
-
-TEST(WideTree, HoldsFlatMeshesInExactTerms) {
-    std::mt19937_64 random(5);
     expect_good_trees(random, make_sheet(9));
-}
-
-TEST(WideTree, HoldsNeedlesInExactTerms) {
-    std::mt19937_64 random(6);
     expect_good_trees(random, make_needles(random, 150));
 }
 
 TEST(WideTree, HoldsSizesOfEveryOrderSideBySideInExactTerms) {
-    for (std::uint64_t seed = 0; seed < 4; ++seed) {
-        SCOPED_TRACE(testing::Message() << "seed " << seed);
-        std::mt19937_64 random(seed);
+    for (SeededRandom random : seeds(4)) {
         const Mesh mixture = make_mixture(random, 120);
         expect_good_tree(mixture);
-        expect_good_tree(in_floats(mixture));
+        expect_good_tree(as_floats(mixture));
     }
 }
 
@@ -285,7 +233,7 @@ TEST(WideTree, HoldsOneTriangle) {
     std::mt19937_64 random(7);
     const Mesh one = make_triangle_soup(random, 1);
     expect_good_trees(random, one);
-    const ObbTree tree = build(one);
+    const ObbTree tree = make_tree(one);
     ASSERT_EQ(tree.view().wide.nodes.size(), 1u);
     EXPECT_TRUE(tree.view().wide.nodes[0].is_leaf);
     EXPECT_EQ(contact_pairs(tree, tree, PosePair{}).size(), 1u);
@@ -295,7 +243,7 @@ TEST(WideTree, HoldsOneTriangle) {
 }
 
 TEST(WideTree, NodesAreWellFilled) {
-    const ObbTree tree = build(make_sphere(5));
+    const ObbTree tree = make_tree(make_sphere(5));
     std::size_t leaves = 0;
     std::size_t triangles = 0;
     std::size_t inner = 0;
@@ -309,34 +257,19 @@ TEST(WideTree, NodesAreWellFilled) {
     EXPECT_GT(children, 8 * inner);
 }
 
-void expect_same(const WideView& a, const WideView& b) {
-    EXPECT_EQ(a.extent, b.extent);
-    EXPECT_EQ(a.triangles.reach, b.triangles.reach);
-    EXPECT_TRUE(std::ranges::equal(a.nodes, b.nodes, [](const auto& x, const auto& y) {
-        return x.low == y.low && x.high == y.high && x.columns == y.columns &&
-               x.origin == y.origin && x.steps == y.steps && x.first == y.first &&
-               x.count == y.count && x.is_leaf == y.is_leaf;
-    }));
-    EXPECT_TRUE(std::ranges::equal(a.triangles.floats, b.triangles.floats));
-    EXPECT_TRUE(std::ranges::equal(a.triangles.doubles, b.triangles.doubles));
-    EXPECT_TRUE(std::ranges::equal(a.triangles.vertex_begin, b.triangles.vertex_begin));
-    EXPECT_TRUE(std::ranges::equal(a.triangles.corners, b.triangles.corners));
-    EXPECT_TRUE(std::ranges::equal(a.triangles.ids, b.triangles.ids));
-}
-
 TEST(WideTree, IsTheSameForAnyNumberOfThreadsAndWithoutAPool) {
     std::mt19937_64 random(8);
     // Several tasks of every kind, in doubles and floats; and a mesh of a single task.
     const Mesh soup = make_triangle_soup(random, 20000, 0.02);
-    for (const Mesh& mesh : {soup, in_floats(soup), make_sphere(4)}) {
-        const ObbTree tree = build(mesh, {.prepare_search = false});
+    for (const Mesh& mesh : {soup, as_floats(soup), make_sphere(4)}) {
+        const ObbTree tree = make_tree(mesh, {.prepare_search = false});
         const WideTree alone(tree.view());
         EXPECT_FALSE(alone.view().nodes.empty());
         for (const unsigned threads : {1u, 2u, 3u, 7u}) {
             SCOPED_TRACE(threads);
             ThreadPool pool(threads);
             expect_same(WideTree(tree.view(), &pool).view(), alone.view());
-            expect_same(build(mesh, {}, threads).view().wide, alone.view());
+            expect_same(make_tree(mesh, {}, threads).view().wide, alone.view());
         }
     }
 }
@@ -347,19 +280,19 @@ TEST(WideTree, BodiesThatItCannotHoldAreSearchedWithoutIt) {
     const Mesh sphere = make_sphere(3);
     const Mesh point = make_mesh({Vec3(1, 2, 3)}, std::vector<Triangle>(20, {0, 0, 0}));
     const auto expect_found = [](const Mesh& mesh, const BuildOptions& options) {
-        const ObbTree tree = build(mesh, options);
+        const ObbTree tree = make_tree(mesh, options);
         EXPECT_TRUE(tree.view().wide.nodes.empty());
         const auto expected = contact_pairs_brute_force(mesh, mesh, PosePair{});
         EXPECT_GE(expected.size(), mesh.triangles().size());
         EXPECT_EQ(contact_pairs(tree, tree, PosePair{}), expected);
         // Wide trees are also unused if only the other body has one.
-        const ObbTree other = build(make_sphere(1));
+        const ObbTree other = make_tree(make_sphere(1));
         EXPECT_EQ(contact_pairs(tree, other, PosePair{}),
                   contact_pairs_brute_force(mesh, make_sphere(1), PosePair{}));
     };
-    expect_found(scaled_mesh(soup, 0x1p60), {});
+    expect_found(scaled(soup, 0x1p60), {});
     expect_found(translated(soup, Vec3(0, 0, 0x1p60)), {});
-    expect_found(scaled_mesh(soup, 0x1p-60), {});
+    expect_found(scaled(soup, 0x1p-60), {});
     expect_found(point, {});
     expect_found(sphere, {.leaf_triangles_max = 1000}); // More than 256 in a leaf.
 }

@@ -4,9 +4,9 @@
 #include "common/tree/wire/subtree_block.hpp"
 
 #include "common/core/files/compress.hpp"
-#include "common/tree/build/build.hpp"
 #include "common/tree/node_check.hpp"
-#include "tests/support/shapes.hpp"
+#include "tests/support/damage.hpp"
+#include "tests/support/trees.hpp"
 
 #include <gtest/gtest.h>
 
@@ -18,13 +18,6 @@ namespace cd::tests {
 
 namespace {
 
-ObbTree make_tree(Mesh mesh, BoxKind boxes = BoxKind::Obb) {
-    ThreadPool pool(1);
-    BuildOptions options;
-    options.boxes = boxes;
-    return build_tree(share(std::move(mesh)), options, pool);
-}
-
 template <class T>
 std::vector<T> copied(std::span<const T> values) {
     return {values.begin(), values.end()};
@@ -35,33 +28,6 @@ void expect_equal(const TreeView& left, const TreeView& right) {
     EXPECT_EQ(copied(left.vertices), copied(right.vertices));
     EXPECT_EQ(copied(left.triangles), copied(right.triangles));
     EXPECT_EQ(copied(left.triangle_ids), copied(right.triangle_ids));
-}
-
-Mesh as_floats(const Mesh& mesh) {
-    MeshArrays arrays{{}, mesh.triangles(), {}, Precision::Float};
-    // Goes through memory: in place, GCC 12 drops the rounding when it vectorises by two.
-    std::vector<float> narrow;
-    for (const Vec3& vertex : mesh.vertices()) {
-        for (int i = 0; i < 3; ++i) {
-            narrow.push_back(static_cast<float>(vertex[i]));
-        }
-    }
-    for (std::size_t i = 0; i < narrow.size(); i += 3) {
-        arrays.vertices.emplace_back(narrow[i], narrow[i + 1], narrow[i + 2]);
-    }
-    return Mesh::create(std::move(arrays)).value();
-}
-
-/// Returns the mesh with unshared corners.
-Mesh unshared(const Mesh& mesh) {
-    std::vector<Vec3> vertices;
-    std::vector<Triangle> triangles;
-    for (std::uint32_t i = 0; i < mesh.triangles().size(); ++i) {
-        const Corners corners = mesh.corners(i);
-        vertices.insert(vertices.end(), corners.begin(), corners.end());
-        triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2});
-    }
-    return make_mesh(std::move(vertices), std::move(triangles));
 }
 
 } // namespace
@@ -107,7 +73,7 @@ TEST(SubtreeBlock, ComesBackAsItWas) {
                                    translated(make_sphere(1), Vec3(1e7, -1e7, 0))};
     for (const Mesh& mesh : meshes) {
         for (const BoxKind boxes : {BoxKind::Obb, BoxKind::Aabb}) {
-            const ObbTree tree = make_tree(mesh, boxes);
+            const ObbTree tree = make_tree(mesh, {.boxes = boxes});
             for (const std::uint32_t node : cut_nodes(tree, 2)) {
                 const Subtree subtree = extract_subtree(tree, node);
                 const Bytes bytes = encode_subtree(subtree);
@@ -146,10 +112,8 @@ TEST(SubtreeBlock, IndicesGrowWithTheVertices) {
 }
 
 TEST(SubtreeBlock, IsCompact) {
-    ThreadPool pool(1);
-    BuildOptions options;
-    options.leaf_triangles_max = 4; // Boxes are most of a block; the figures are for this size.
-    const ObbTree tree = build_tree(share(as_floats(make_sphere(5))), options, pool);
+    // Boxes are most of a block; the figures are for this size of leaves.
+    const ObbTree tree = make_tree(as_floats(make_sphere(5)), {.leaf_triangles_max = 4});
     std::size_t plain = 0;
     std::size_t compressed = 0;
     for (const std::uint32_t node : cut_nodes(tree, 4)) {
@@ -168,12 +132,7 @@ TEST(SubtreeBlock, IsCompact) {
 
 TEST(SubtreeBlock, RefusesEveryTruncation) {
     const ObbTree tree = make_tree(make_sphere(1));
-    Bytes bytes = encode_subtree(extract_subtree(tree, 0));
-    for (std::size_t size = 0; size < bytes.size(); ++size) {
-        ASSERT_FALSE(decode_subtree(std::span(bytes).first(size))) << size;
-    }
-    bytes.push_back(std::byte{0});
-    EXPECT_FALSE(decode_subtree(bytes));
+    expect_no_other_length(encode_subtree(extract_subtree(tree, 0)), decode_subtree);
 }
 
 TEST(SubtreeBlock, RefusesCountsThatTheBytesDoNotJustify) {
@@ -200,10 +159,7 @@ TEST(SubtreeBlock, DamageNeverMakesAViewThatLeavesItsArrays) {
         Bytes bytes = good;
         // Half of the damage hits the shape and the corners, which are at the end.
         const std::size_t from = round % 2 == 0 ? 0 : bytes.size() * 3 / 4;
-        for (std::uint64_t flips = 1 + random() % 3; flips > 0; --flips) {
-            bytes[from + random() % (bytes.size() - from)] ^=
-                static_cast<std::byte>(1u << (random() % 8));
-        }
+        flip_bits(random, bytes, from, bytes.size());
         const auto decoded = decode_subtree(bytes);
         if (!decoded) {
             continue;

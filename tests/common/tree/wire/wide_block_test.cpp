@@ -5,45 +5,24 @@
 #include "common/tree/wire/wide_block.hpp"
 
 #include "common/core/files/compress.hpp"
-#include "common/tree/build/build.hpp"
 #include "common/tree/cut.hpp"
 #include "common/tree/wide/wide_check.hpp"
 #include "common/tree/wide/wide_descent.hpp"
 #include "common/tree/wire/subtree_block.hpp"
-#include "tests/support/shapes.hpp"
+#include "tests/support/damage.hpp"
+#include "tests/support/trees.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstring>
 #include <random>
 #include <vector>
 
 namespace cd::tests {
 namespace {
 
-ObbTree make_tree(Mesh mesh) {
-    ThreadPool pool(1);
-    BuildOptions options;
-    options.prepare_search = false;
-    return build_tree(share(std::move(mesh)), options, pool);
-}
-
-template <class T>
-bool same_bytes(std::span<const T> left, std::span<const T> right) {
-    return left.size() == right.size() &&
-           (left.empty() || std::memcmp(left.data(), right.data(), left.size_bytes()) == 0);
-}
-
-void expect_same(const WideView& left, const WideView& right) {
-    EXPECT_TRUE(same_bytes(left.nodes, right.nodes));
-    EXPECT_TRUE(same_bytes(left.triangles.floats, right.triangles.floats));
-    EXPECT_TRUE(same_bytes(left.triangles.doubles, right.triangles.doubles));
-    EXPECT_TRUE(same_bytes(left.triangles.vertex_begin, right.triangles.vertex_begin));
-    EXPECT_TRUE(same_bytes(left.triangles.corners, right.triangles.corners));
-    EXPECT_TRUE(same_bytes(left.triangles.ids, right.triangles.ids));
-    EXPECT_EQ(left.triangles.reach, right.triangles.reach);
-    EXPECT_EQ(left.extent, right.extent);
+ObbTree make_binary_tree(const Mesh& mesh) {
+    return make_tree(mesh, {.prepare_search = false});
 }
 
 std::vector<Bytes> blocks_of(const ObbTree& tree, std::uint32_t depth) {
@@ -52,19 +31,6 @@ std::vector<Bytes> blocks_of(const ObbTree& tree, std::uint32_t depth) {
         blocks.push_back(encode_subtree(extract_subtree(tree, node, SubtreeForm::Wide)));
     }
     return blocks;
-}
-
-/// Returns the mesh as a file of floats has it.
-Mesh as_floats(const Mesh& mesh) {
-    MeshArrays arrays{{}, mesh.triangles(), {}, Precision::Float};
-    for (const Vec3& vertex : mesh.vertices()) {
-        std::array<float, 3> narrow{};
-        for (int i = 0; i < 3; ++i) {
-            narrow[static_cast<std::size_t>(i)] = static_cast<float>(vertex[i]);
-        }
-        arrays.vertices.emplace_back(narrow[0], narrow[1], narrow[2]);
-    }
-    return Mesh::create(std::move(arrays)).value();
 }
 
 /// Checks what a descent relies on, except the ids, which the block's hash protects.
@@ -88,17 +54,17 @@ void expect_walkable(const WideTree& tree) {
 
 TEST(WideBlock, ComesBackBitForBit) {
     std::mt19937_64 random(2);
-    std::vector<Mesh> meshes;
-    meshes.push_back(make_sphere(3));
-    meshes.push_back(as_floats(make_sphere(4)));
-    meshes.push_back(make_box(Vec3(1, 2, 3)));
-    meshes.push_back(make_triangle_soup(random, 300));
-    meshes.push_back(make_degenerate_soup(random, 300));
-    meshes.push_back(as_floats(make_degenerate_soup(random, 300)));
-    meshes.push_back(translated(make_sphere(2), Vec3(1e7, -1e7, 0)));
-    meshes.push_back(make_mesh({{0, 0, 0}, {-0.0, 0, 0}, {1, 0, -0.0}}, {{0, 1, 2}, {0, 0, 1}}));
+    const std::vector<Mesh> meshes = {
+        make_sphere(3),
+        as_floats(make_sphere(4)),
+        make_box(Vec3(1, 2, 3)),
+        make_triangle_soup(random, 300),
+        make_degenerate_soup(random, 300),
+        as_floats(make_degenerate_soup(random, 300)),
+        translated(make_sphere(2), Vec3(1e7, -1e7, 0)),
+        make_mesh({{0, 0, 0}, {-0.0, 0, 0}, {1, 0, -0.0}}, {{0, 1, 2}, {0, 0, 1}})};
     for (const Mesh& mesh : meshes) {
-        const ObbTree tree = make_tree(mesh);
+        const ObbTree tree = make_binary_tree(mesh);
         for (const std::uint32_t depth : {0u, 2u, 5u}) {
             for (const std::uint32_t node : cut_nodes(tree, depth)) {
                 const Subtree subtree = extract_subtree(tree, node, SubtreeForm::Wide);
@@ -115,7 +81,7 @@ TEST(WideBlock, ComesBackBitForBit) {
 }
 
 TEST(WideBlock, IsCompact) {
-    const ObbTree tree = make_tree(as_floats(make_sphere(6))); // 32,768 triangles.
+    const ObbTree tree = make_binary_tree(as_floats(make_sphere(6))); // 32,768 triangles.
     std::size_t plain = 0;
     std::size_t compressed = 0;
     for (const Bytes& bytes : blocks_of(tree, 6)) {
@@ -129,12 +95,7 @@ TEST(WideBlock, IsCompact) {
 
 TEST(WideBlock, RefusesEveryTruncation) {
     for (const Mesh& mesh : {make_sphere(2), as_floats(make_sphere(2))}) {
-        Bytes bytes = blocks_of(make_tree(mesh), 0).front();
-        for (std::size_t size = 0; size < bytes.size(); ++size) {
-            ASSERT_FALSE(decode_subtree(std::span(bytes).first(size))) << size;
-        }
-        bytes.push_back(std::byte{0});
-        EXPECT_FALSE(decode_subtree(bytes));
+        expect_no_other_length(blocks_of(make_binary_tree(mesh), 0).front(), decode_subtree);
     }
 }
 
@@ -169,15 +130,13 @@ TEST(WideBlock, RefusesNodesThatAreNoTree) {
 TEST(WideBlock, DamageNeverMakesATreeThatLeavesItsArrays) {
     std::mt19937_64 random(9);
     for (const Mesh& mesh : {make_sphere(2), as_floats(make_sphere(3))}) {
-        const Bytes good = blocks_of(make_tree(mesh), 0).front();
+        const Bytes good = blocks_of(make_binary_tree(mesh), 0).front();
         std::size_t decoded_count = 0;
         for (int round = 0; round < 10'000; ++round) {
             Bytes bytes = good;
             // A third of the damage hits the beginning.
             const std::size_t room = round % 3 == 0 ? 60 : bytes.size();
-            for (std::uint64_t flips = 1 + random() % 3; flips > 0; --flips) {
-                bytes[random() % room] ^= static_cast<std::byte>(1u << (random() % 8));
-            }
+            flip_bits(random, bytes, 0, room);
             const auto decoded = decode_wide_block(bytes);
             if (decoded) {
                 ++decoded_count;
@@ -194,8 +153,7 @@ TEST(WideBlock, AnyCoordinatesMakeBoxes) {
     // byte. The decoded tree equals a built one.
     std::mt19937_64 random(5);
     for (int round = 0; round < 300; ++round) {
-        std::vector<Vec3> vertices;
-        std::vector<Triangle> triangles;
+        std::vector<Vec3> corners;
         const auto coordinate = [&] {
             const int exponent = static_cast<int>(random() % 200) - 151;
             const double size = static_cast<float>(uniform(random, -1, 1));
@@ -203,12 +161,9 @@ TEST(WideBlock, AnyCoordinatesMakeBoxes) {
         };
         for (std::uint32_t i = 0; i < 3 * 40; ++i) {
             const double same = coordinate();
-            vertices.emplace_back(coordinate(), round % 2 == 0 ? same : 1.0, coordinate());
+            corners.emplace_back(coordinate(), round % 2 == 0 ? same : 1.0, coordinate());
         }
-        for (std::uint32_t i = 0; i < 40; ++i) {
-            triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2});
-        }
-        const ObbTree tree = make_tree(make_mesh(std::move(vertices), std::move(triangles)));
+        const ObbTree tree = make_binary_tree(make_soup(std::move(corners)));
         const Subtree subtree = extract_subtree(tree, 0, SubtreeForm::Wide);
         const auto decoded = decode_subtree(encode_subtree(subtree));
         ASSERT_TRUE(decoded) << decoded.error().detail;

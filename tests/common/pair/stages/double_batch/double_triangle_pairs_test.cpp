@@ -3,13 +3,10 @@
 // answers are equal on every SIMD target, in any batch and order.
 #include "common/pair/stages/double_batch/double_triangle_pairs.hpp"
 
-#include "common/geometry/simd_target.hpp"
-#include "common/pair/stages/arbitrary/exact_triangle_pair.hpp"
 #include "common/pair/stages/double/double_triangle_pair.hpp"
 #include "common/pair/stages/float/plain_poses.hpp"
-#include "tests/support/hard_pairs.hpp"
+#include "tests/common/pair/pair_batch.hpp"
 #include "tests/support/oracle.hpp"
-#include "tests/support/shapes.hpp"
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
@@ -49,23 +46,8 @@ std::vector<Decided> decided_in_all_orders(const PosedPair& c) {
     return all;
 }
 
-struct Proofs {
-    int of_contact = 0;
-    int wrong = 0;
-};
-
-Proofs proofs_of(PosedPair (*make)(std::mt19937_64&), double bound_scale) {
-    Proofs proofs;
-    for (std::uint64_t seed = 0; seed < 20'000; ++seed) {
-        std::mt19937_64 random(seed);
-        const PosedPair c = make(random);
-        if (const Decided found = decided(c, bound_scale)) {
-            const PairClass expected = ExactTrianglePair(c.poses).classify(c.a, c.b);
-            proofs.wrong += *found != expected ? 1 : 0;
-            proofs.of_contact += *found != PairClass::Separate ? 1 : 0;
-        }
-    }
-    return proofs;
+Proofs proofs_with(PosedPair (*make)(std::mt19937_64&), double bound_scale) {
+    return proofs_of(make, [&](const PosedPair& c) { return decided(c, bound_scale); });
 }
 
 /// Both lie in a plane perpendicular to an axis, about which both may be turned. A corner of B is
@@ -108,18 +90,9 @@ PosedPair in_one_plane(std::mt19937_64& random) {
     return c;
 }
 
-/// Resets the SIMD target when a test ends.
-class ManyInDoubles : public testing::Test {
-  protected:
-    void TearDown() override { ASSERT_TRUE(force_simd_target(to_text(before_))); }
-
-  private:
-    SimdTarget before_ = simd_target();
-};
-
 } // namespace
 
-TEST_F(ManyInDoubles, OnlyProveWhatIsTrueOfHardPairsInAnyOrder) {
+TEST(ManyInDoubles, OnlyProveWhatIsTrueOfHardPairsInAnyOrder) {
     int proven = 0;
     int proven_one_by_one = 0;
     for (const auto& [name, make] : pair_makers()) {
@@ -138,43 +111,30 @@ TEST_F(ManyInDoubles, OnlyProveWhatIsTrueOfHardPairsInAnyOrder) {
     EXPECT_GT(proven, proven_one_by_one * 3 / 4);
 }
 
-TEST_F(ManyInDoubles, TheirBoundsAreNeeded) {
-    EXPECT_EQ(proofs_of(nearly_touching, 1).wrong, 0);
-    EXPECT_GT(proofs_of(nearly_touching, 0.03).wrong, 10);
+TEST(ManyInDoubles, TheirBoundsAreNeeded) {
+    EXPECT_EQ(proofs_with(nearly_touching, 1).wrong, 0);
+    EXPECT_GT(proofs_with(nearly_touching, 0.03).wrong, 10);
 }
 
-TEST_F(ManyInDoubles, TiesAlongTheAxisOfATurnAreProvenAndOnlyThose) {
-    const Proofs proofs = proofs_of(turned_about_an_axis, 1);
+TEST(ManyInDoubles, TiesAlongTheAxisOfATurnAreProvenAndOnlyThose) {
+    const Proofs proofs = proofs_with(turned_about_an_axis, 1);
     EXPECT_EQ(proofs.wrong, 0);
     EXPECT_GT(proofs.of_contact, 1000);
-    EXPECT_GT(proofs_of(turned_about_an_axis, 0.03).wrong, 10);
+    EXPECT_GT(proofs_with(turned_about_an_axis, 0.03).wrong, 10);
 }
 
-TEST_F(ManyInDoubles, ContactsInOnePlaneAreProvenAndOnlyThose) {
-    const Proofs proofs = proofs_of(in_one_plane, 1);
+TEST(ManyInDoubles, ContactsInOnePlaneAreProvenAndOnlyThose) {
+    const Proofs proofs = proofs_with(in_one_plane, 1);
     EXPECT_EQ(proofs.wrong, 0);
     EXPECT_GT(proofs.of_contact, 1000);
-    EXPECT_GT(proofs_of(in_one_plane, 0.03).wrong, 10);
+    EXPECT_GT(proofs_with(in_one_plane, 0.03).wrong, 10);
 }
 
-TEST_F(ManyInDoubles, TinyAndHugeValuesAreNotTakenForZero) {
-    int touching = 0;
-    for (std::uint64_t seed = 0; seed < 3000; ++seed) {
-        SCOPED_TRACE(testing::Message() << "seed " << seed);
-        std::mt19937_64 random(seed);
-        PosedPair c = seed % 2 == 0 ? in_one_plane(random)
-                                    : PosedPair{lattice_corners(random, 2),
-                                                lattice_corners(random, 2),
-                                                {Pose(), translation_pose(0, 1, 0)}};
-        scale_far_apart(random, c);
-        const PairClass expected = ExactTrianglePair(c.poses).classify(c.a, c.b);
-        ASSERT_EQ(decided(c).value_or(expected), expected);
-        touching += expected == PairClass::Separate ? 0 : 1;
-    }
-    EXPECT_GT(touching, 100);
+TEST(ManyInDoubles, TinyAndHugeValuesAreNotTakenForZero) {
+    expect_zero_is_not_assumed(in_one_plane, [](const PosedPair& c) { return decided(c); });
 }
 
-TEST_F(ManyInDoubles, EveryTargetGivesTheSameAnswersInAnyBatch) {
+TEST(ManyInDoubles, EveryTargetGivesTheSameAnswersInAnyBatch) {
     std::mt19937_64 random(19);
     for (int round = 0; round < 400; ++round) {
         SCOPED_TRACE(testing::Message() << "round " << round);
@@ -188,17 +148,16 @@ TEST_F(ManyInDoubles, EveryTargetGivesTheSameAnswersInAnyBatch) {
         for (const PosedPair& each : all) {
             alone.push_back(decided(each));
         }
-        for (const SimdTarget target : available_simd_targets()) {
-            ASSERT_TRUE(force_simd_target(to_text(target)));
+        on_every_target([&](SimdTarget) {
             DoubleTrianglePairs pairs(plain_poses(c.poses));
             for (const PosedPair& each : all) {
                 pairs.add(each.a, each.b);
             }
             pairs.decide();
             for (std::size_t i = 0; i < all.size(); ++i) {
-                ASSERT_EQ(pairs.decided(i), alone[i]) << to_text(target) << ", pair " << i;
+                ASSERT_EQ(pairs.decided(i), alone[i]) << "pair " << i;
             }
-        }
+        });
     }
 }
 

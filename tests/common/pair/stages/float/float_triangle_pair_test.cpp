@@ -3,10 +3,7 @@
 // target and in any batch.
 #include "common/pair/stages/float/float_triangle_pair.hpp"
 
-#include "common/geometry/simd_target.hpp"
-#include "common/pair/stages/arbitrary/exact_triangle_pair.hpp"
-#include "tests/support/hard_pairs.hpp"
-#include "tests/support/shapes.hpp"
+#include "tests/common/pair/pair_batch.hpp"
 
 #include <gtest/gtest.h>
 
@@ -17,24 +14,6 @@
 namespace cd::tests {
 
 namespace {
-
-/// Triangles with unshared corners, and the pairs to test.
-struct Batch {
-    std::vector<Vec3> vertices_a;
-    std::vector<Vec3> vertices_b;
-    std::vector<Triangle> triangles;
-    std::vector<Candidate> candidates;
-
-    void add(const Corners& a, const Corners& b) {
-        const auto place = static_cast<std::uint32_t>(triangles.size());
-        triangles.push_back({3 * place, 3 * place + 1, 3 * place + 2});
-        vertices_a.insert(vertices_a.end(), a.begin(), a.end());
-        vertices_b.insert(vertices_b.end(), b.begin(), b.end());
-        candidates.push_back({place, place});
-    }
-    [[nodiscard]] TriangleSpan a() const { return {vertices_a, triangles}; }
-    [[nodiscard]] TriangleSpan b() const { return {vertices_b, triangles}; }
-};
 
 std::vector<FloatVerdict> verdicts_of(const FloatTrianglePair& test, const Batch& batch) {
     std::vector<FloatVerdict> verdicts(batch.candidates.size());
@@ -92,18 +71,9 @@ Batch random_batch(std::mt19937_64& random, std::size_t size) {
     return batch;
 }
 
-/// Resets the SIMD target when a test ends.
-class FloatTrianglePairs : public testing::Test {
-  protected:
-    void TearDown() override { ASSERT_TRUE(force_simd_target(to_text(before_))); }
-
-  private:
-    SimdTarget before_ = simd_target();
-};
-
 } // namespace
 
-TEST_F(FloatTrianglePairs, OnlyProveWhatIsTrueOfHardPairs) {
+TEST(FloatTrianglePairs, OnlyProveWhatIsTrueOfHardPairs) {
     for (const auto& [name, make] : pair_makers()) {
         SCOPED_TRACE(name);
         std::mt19937_64 random(11);
@@ -114,7 +84,7 @@ TEST_F(FloatTrianglePairs, OnlyProveWhatIsTrueOfHardPairs) {
     }
 }
 
-TEST_F(FloatTrianglePairs, OnlyProveWhatIsTrueAroundTheirBounds) {
+TEST(FloatTrianglePairs, OnlyProveWhatIsTrueAroundTheirBounds) {
     const SearchCounts counts = search_around_bounds(12, 1500, 1);
     EXPECT_EQ(counts.wrong, 0);
     // The search crossed the bounds.
@@ -122,11 +92,11 @@ TEST_F(FloatTrianglePairs, OnlyProveWhatIsTrueAroundTheirBounds) {
     EXPECT_LT(counts.decided, 1500 * 16 * 3 / 4);
 }
 
-TEST_F(FloatTrianglePairs, BoundsScaledDownAreCaught) {
+TEST(FloatTrianglePairs, BoundsScaledDownAreCaught) {
     EXPECT_GT(search_around_bounds(12, 1500, 0.03).wrong, 0);
 }
 
-TEST_F(FloatTrianglePairs, EveryTargetGivesTheSameVerdicts) {
+TEST(FloatTrianglePairs, EveryTargetGivesTheSameVerdicts) {
     std::mt19937_64 random(13);
     std::vector<std::pair<PosePair, Batch>> all;
     for (const auto& [name, make] : pair_makers()) {
@@ -156,19 +126,12 @@ TEST_F(FloatTrianglePairs, EveryTargetGivesTheSameVerdicts) {
         }
         return verdicts;
     };
-    ASSERT_TRUE(force_simd_target("auto"));
     const std::vector<FloatVerdict> expected = run();
-    for (const SimdTarget target : available_simd_targets()) {
-        SCOPED_TRACE(to_text(target));
-        ASSERT_TRUE(force_simd_target(to_text(target)));
-        EXPECT_EQ(run(), expected);
-    }
+    on_every_target([&](SimdTarget) { EXPECT_EQ(run(), expected); });
 }
 
-TEST_F(FloatTrianglePairs, AVerdictDoesNotDependOnTheBatch) {
-    for (const SimdTarget target : available_simd_targets()) {
-        SCOPED_TRACE(to_text(target));
-        ASSERT_TRUE(force_simd_target(to_text(target)));
+TEST(FloatTrianglePairs, AVerdictDoesNotDependOnTheBatch) {
+    on_every_target([](SimdTarget) {
         std::mt19937_64 random(14);
         const PosePair poses{make_pose(random, 0.3), make_pose(random, 0.3)};
         const FloatTrianglePair test(poses);
@@ -187,10 +150,10 @@ TEST_F(FloatTrianglePairs, AVerdictDoesNotDependOnTheBatch) {
                                    verdicts.begin()));
             EXPECT_EQ(verdicts.back(), FloatVerdict{77});
         }
-    }
+    });
 }
 
-TEST_F(FloatTrianglePairs, SharedCornersAndRepeatedTrianglesAreAllowed) {
+TEST(FloatTrianglePairs, SharedCornersAndRepeatedTrianglesAreAllowed) {
     std::mt19937_64 random(15);
     const Mesh sphere = make_sphere(2);
     const TriangleSpan span{sphere.vertices(), sphere.triangles()};
@@ -211,7 +174,7 @@ TEST_F(FloatTrianglePairs, SharedCornersAndRepeatedTrianglesAreAllowed) {
     }
 }
 
-TEST_F(FloatTrianglePairs, OrdinaryPairsAreDecided) {
+TEST(FloatTrianglePairs, OrdinaryPairsAreDecided) {
     std::mt19937_64 random(16);
     const FloatTrianglePair test({make_pose(random, 0.3), make_pose(random, 0.3)});
     const auto verdicts = verdicts_of(test, random_batch(random, 20'000));
@@ -223,21 +186,18 @@ TEST_F(FloatTrianglePairs, OrdinaryPairsAreDecided) {
     EXPECT_GT(count(FloatVerdict::Proper), 2'000);
 }
 
-TEST_F(FloatTrianglePairs, FarFromTheOriginTheyDecideAsWell) {
+TEST(FloatTrianglePairs, FarFromTheOriginTheyDecideAsWell) {
     std::mt19937_64 random(17);
     const Vec3 far(5e5, -4e6, 100); // Metres of a map grid.
     Batch batch = random_batch(random, 2'000);
-    for (Vec3& vertex : batch.vertices_a) {
-        vertex += far;
-    }
-    for (Vec3& vertex : batch.vertices_b) {
-        vertex += far;
+    for (std::vector<Vec3>* vertices : {&batch.vertices_a, &batch.vertices_b}) {
+        std::ranges::for_each(*vertices, [&](Vec3& vertex) { vertex += far; });
     }
     const auto verdicts = verdicts_of(FloatTrianglePair(PosePair{}), batch);
     EXPECT_LE(std::count(verdicts.begin(), verdicts.end(), FloatVerdict::Unknown), 2);
 }
 
-TEST_F(FloatTrianglePairs, MirroredPosesAreDecidedCorrectly) {
+TEST(FloatTrianglePairs, MirroredPosesAreDecidedCorrectly) {
     std::mt19937_64 random(18);
     Mat3 mirror = Mat3::Identity();
     mirror(1, 1) = -1;
@@ -253,7 +213,7 @@ TEST_F(FloatTrianglePairs, MirroredPosesAreDecidedCorrectly) {
     EXPECT_GE(decided, 498);
 }
 
-TEST_F(FloatTrianglePairs, NothingIsKnownBeyondTheRangeOfFloats) {
+TEST(FloatTrianglePairs, NothingIsKnownBeyondTheRangeOfFloats) {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     const double infinity = std::numeric_limits<double>::infinity();
     const Corners a{Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0)};
@@ -261,9 +221,7 @@ TEST_F(FloatTrianglePairs, NothingIsKnownBeyondTheRangeOfFloats) {
     const Corners c{Vec3(0.2, 0.2, -1), Vec3(0.3, 0.2, 1), Vec3(0.2, 0.3, 1)};
     ASSERT_EQ(verdict_of({a, b, {}}), FloatVerdict::Separate);
     ASSERT_EQ(verdict_of({a, c, {}}), FloatVerdict::Proper);
-    for (const SimdTarget target : available_simd_targets()) {
-        SCOPED_TRACE(to_text(target));
-        ASSERT_TRUE(force_simd_target(to_text(target)));
+    on_every_target([&](SimdTarget) {
         for (const double bad : {nan, infinity, -infinity, 1e308, -1e308, 1e39, 1e30, 1e12}) {
             for (const Corners& other : {b, c}) {
                 for (std::size_t place = 0; place < 18; ++place) {
@@ -283,10 +241,10 @@ TEST_F(FloatTrianglePairs, NothingIsKnownBeyondTheRangeOfFloats) {
             }
             EXPECT_EQ(verdict_of(pair), FloatVerdict::Unknown) << scale;
         }
-    }
+    });
 }
 
-TEST_F(FloatTrianglePairs, NothingIsKnownUnderPosesWithoutBounds) {
+TEST(FloatTrianglePairs, NothingIsKnownUnderPosesWithoutBounds) {
     const Corners a{Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0)};
     const Corners b{Vec3(0, 0, 1), Vec3(1, 0, 1), Vec3(0, 1, 2)};
     Mat3 flat = Mat3::Identity();
@@ -301,7 +259,7 @@ TEST_F(FloatTrianglePairs, NothingIsKnownUnderPosesWithoutBounds) {
     }
 }
 
-TEST_F(FloatTrianglePairs, TheyDecideFirstAndChangeNoAnswer) {
+TEST(FloatTrianglePairs, TheyDecideFirstAndChangeNoAnswer) {
     std::mt19937_64 random(19);
     const PosePair poses{make_pose(random, 0.3), make_pose(random, 0.3)};
     const Batch batch = random_batch(random, 3'000);
@@ -316,7 +274,7 @@ TEST_F(FloatTrianglePairs, TheyDecideFirstAndChangeNoAnswer) {
     EXPECT_EQ(without.statistics()[PairStage::Float], 0u);
 }
 
-TEST_F(FloatTrianglePairs, AProofOfContactSkipsTheOtherStages) {
+TEST(FloatTrianglePairs, AProofOfContactSkipsTheOtherStages) {
     const Corners a{Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0)};
     const Corners through{Vec3(0.2, 0.2, -1), Vec3(0.3, 0.2, 1), Vec3(0.2, 0.3, 1)};
     Batch batch;
