@@ -5,6 +5,7 @@
 #include "client/job/prepared_job.hpp"
 #include "common/geometry/simd_target.hpp"
 #include "tests/support/obj_file.hpp"
+#include "tests/support/process.hpp"
 #include "tests/support/shapes.hpp"
 
 #include <gmock/gmock.h>
@@ -44,10 +45,6 @@ std::string tetrahedron(const std::string& name, double x, int first) {
 class Run : public testing::Test {
   protected:
     Run() {
-        const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-        dir_ =
-            fs::temp_directory_path() / ("cd-run-" + std::to_string(getpid()) + "-" + test->name());
-        fs::create_directories(dir_);
         write("a.obj", tetrahedron("wheel_left", 0, 1) + tetrahedron("body", 5, 5));
         write("b.obj", tetrahedron("post", 0, 1));
         // B is away from A, across its wheel, across its body, and touches its body at a corner.
@@ -64,16 +61,11 @@ class Run : public testing::Test {
         command_.host.threads = 2;
         command_.quiet = true;
     }
-    ~Run() override { fs::remove_all(dir_); }
 
     void write(const std::string& name, const std::string& text) const {
-        std::ofstream(dir_ / name, std::ios::binary) << text;
+        write_text(dir_ / name, text);
     }
-    [[nodiscard]] std::string read(const std::string& name) const {
-        std::ostringstream text;
-        text << std::ifstream(dir_ / name, std::ios::binary).rdbuf();
-        return text.str();
-    }
+    [[nodiscard]] std::string read(const std::string& name) const { return read_text(dir_ / name); }
 
     /// Runs the command and keeps its output.
     int run() {
@@ -85,7 +77,8 @@ class Run : public testing::Test {
         return code;
     }
 
-    fs::path dir_;
+    const TemporaryFolder folder_;
+    const fs::path dir_ = folder_.path();
     RunCommand command_;
     std::string stdout_;
     std::string stderr_;
