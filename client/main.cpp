@@ -1,25 +1,50 @@
 // cdctl: the user's command line program.
-#include "client/base/heap.hpp"
-#include "client/base/standard_output.hpp"
+#include "client/base/exit_code.hpp"
 #include "client/cli/cli.hpp"
 #include "client/commands/commands.hpp"
-#include "client/commands/remote_commands.hpp"
 #include "common/core/host/log.hpp"
+
+#include <malloc.h>
 
 #include <cstdio>
 #include <exception>
 #include <new>
 
+namespace {
+
+/// Makes the allocator map arrays above 4 MiB separately, and trim more than 8 MiB of free memory
+/// at a heap's end: importing and building need several times the memory that stays in use.
+void keep_heap_small() {
+    // Fixes both thresholds: by default they grow with the largest array freed so far.
+    ::mallopt(M_MMAP_THRESHOLD, 4 << 20);
+    ::mallopt(M_TRIM_THRESHOLD, 8 << 20);
+}
+
+/// Flushes stdout and returns `code`. If a verb succeeded but not all of its output could be
+/// written, prints a line on stderr and returns `exit_incomplete`.
+int finish_standard_output(int code) {
+    const bool is_written = std::fflush(stdout) == 0 && std::ferror(stdout) == 0;
+    if (is_written || (code != cd::exit_done && code != cd::exit_contacts)) {
+        return code;
+    }
+    std::fputs("cdctl: standard output: not all could be written; is its disk full, or its reader "
+               "gone?\n",
+               stderr);
+    return cd::exit_incomplete;
+}
+
+} // namespace
+
 int main(int argc, char** argv) {
     try {
-        cd::keep_heap_small();
+        keep_heap_small();
         cd::start_logging("cdctl", "warning"); // Programs read stdout, so it gets no log.
         const cd::CommandLine line = cd::parse_command_line({argv + 1, argv + argc});
         if (!line.command) {
             std::fputs(line.text.c_str(), line.exit_code == 0 ? stdout : stderr);
-            return cd::finish_standard_output(line.exit_code);
+            return finish_standard_output(line.exit_code);
         }
-        return cd::finish_standard_output(
+        return finish_standard_output(
             std::visit([](const auto& command) { return cd::execute(command); }, *line.command));
     } catch (const std::bad_alloc&) {
         std::fputs("cdctl: out of memory; it takes a smaller mesh, fewer --threads or a larger "

@@ -1,9 +1,12 @@
 #include "client/base/job_id.hpp"
 
+#include "client/base/errors.hpp"
+#include "client/base/words.hpp"
+
+#include <fmt/format.h>
+
 #include <algorithm>
-#include <charconv>
 #include <optional>
-#include <vector>
 
 namespace cd {
 
@@ -19,12 +22,7 @@ std::string digits_of(JobId job) {
     mixed = (mixed ^ (mixed >> 30)) * 0xbf58476d1ce4e5b9;
     mixed = (mixed ^ (mixed >> 27)) * 0x94d049bb133111eb;
     mixed ^= mixed >> 31;
-    constexpr std::string_view hex = "0123456789abcdef";
-    std::string digits;
-    for (int shift = 60; shift >= 0; shift -= 4) {
-        digits += hex[(mixed >> shift) & 0xf];
-    }
-    return digits;
+    return fmt::format("{:016x}", mixed);
 }
 
 std::size_t common_length(std::string_view left, std::string_view right) {
@@ -32,22 +30,12 @@ std::size_t common_length(std::string_view left, std::string_view right) {
     return static_cast<std::size_t>(end - left.begin());
 }
 
-std::optional<JobId> plain_number(std::string_view text) {
-    JobId job;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), job.value);
-    if (error != std::errc() || end != text.data() + text.size()) {
-        return std::nullopt;
-    }
-    return job;
-}
-
 Error ambiguous(std::string_view text, std::span<const JobId> found, std::span<const JobId> jobs) {
     std::string names;
     for (const JobId job : found.first(std::min<std::size_t>(found.size(), 5))) {
         names += (names.empty() ? "" : ", ") + job_id_text(job, jobs);
     }
-    return {ErrorCode::BadInput,
-            "more than one job begins with '" + std::string(text) + "': " + names};
+    return bad_input("more than one job begins with '" + std::string(text) + "': " + names);
 }
 
 } // namespace
@@ -65,9 +53,9 @@ std::string job_id_text(JobId job, std::span<const JobId> others) {
 
 Result<JobId> find_job(std::string_view text, std::span<const JobId> jobs) {
     const bool has_prefix = text.starts_with(prefix);
-    const auto number = has_prefix ? std::nullopt : plain_number(text);
-    if (number && std::find(jobs.begin(), jobs.end(), *number) != jobs.end()) {
-        return *number;
+    const auto number = has_prefix ? std::nullopt : number_in<std::uint64_t>(text);
+    if (number && std::ranges::find(jobs, JobId{*number}) != jobs.end()) {
+        return JobId{*number};
     }
     const std::string_view digits = has_prefix ? text.substr(prefix.size()) : text;
     std::vector<JobId> found;

@@ -2,6 +2,7 @@
 
 #include "client/base/words.hpp"
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -29,26 +30,16 @@ double number_of(const Cell& cell) {
     return value == nullptr ? 0 : *value;
 }
 
-std::string list_text(const std::vector<std::uint32_t>& list) {
-    std::string text;
-    for (const std::uint32_t number : list) {
-        text += (text.empty() ? "" : " ") + std::to_string(number);
-    }
-    return text;
-}
-
 /// The cell's value for programs, without units or digit groups.
 std::string raw_text(const Cell& cell) {
-    if (const auto* text = std::get_if<std::string>(&cell)) {
-        return *text;
-    }
-    if (const auto* count = std::get_if<std::uint64_t>(&cell)) {
-        return std::to_string(*count);
-    }
     if (const auto* list = std::get_if<std::vector<std::uint32_t>>(&cell)) {
-        return list_text(*list);
+        return fmt::format("{}", fmt::join(*list, " "));
     }
-    return exact_text(std::get<double>(cell));
+    if (const auto* value = std::get_if<double>(&cell)) {
+        return exact_text(*value);
+    }
+    const auto* count = std::get_if<std::uint64_t>(&cell);
+    return count != nullptr ? std::to_string(*count) : std::get<std::string>(cell);
 }
 
 /// The number of terminal columns of a UTF-8 text: one for each code point.
@@ -73,9 +64,27 @@ std::string padded(const std::string& text, std::size_t width, bool to_the_left)
     return to_the_left ? text + space : space + text;
 }
 
-std::string without_end_spaces(std::string line) {
-    line.erase(line.find_last_not_of(' ') + 1);
-    return line;
+std::string table_csv(const Table& table) {
+    std::string text;
+    for (std::size_t c = 0; c < table.columns.size(); ++c) {
+        text += (c == 0 ? "" : ",") + csv_field(table.columns[c].key);
+    }
+    text += "\n";
+    for (const auto& row : table.rows) {
+        for (std::size_t c = 0; c < row.size(); ++c) {
+            text += (c == 0 ? "" : ",") + csv_field(raw_text(row[c]));
+        }
+        text += "\n";
+    }
+    return text;
+}
+
+std::string table_names(const Table& table) {
+    std::string text;
+    for (const auto& row : table.rows) {
+        text += raw_text(row.front()) + "\n";
+    }
+    return text;
 }
 
 } // namespace
@@ -124,28 +133,14 @@ std::string table_text(const Table& table, bool wide, const std::string& indent)
         first = false;
     }
     std::string text;
-    for (const std::string& line : lines) {
-        text += without_end_spaces(line) + "\n";
+    for (std::string& line : lines) {
+        line.erase(line.find_last_not_of(' ') + 1);
+        text += line + "\n";
     }
     return text;
 }
 
-std::string table_csv(const Table& table) {
-    std::string text;
-    for (std::size_t c = 0; c < table.columns.size(); ++c) {
-        text += (c == 0 ? "" : ",") + csv_field(table.columns[c].key);
-    }
-    text += "\n";
-    for (const auto& row : table.rows) {
-        for (std::size_t c = 0; c < row.size(); ++c) {
-            text += (c == 0 ? "" : ",") + csv_field(raw_text(row[c]));
-        }
-        text += "\n";
-    }
-    return text;
-}
-
-std::string table_json(const Table& table) {
+nlohmann::ordered_json table_json(const Table& table) {
     nlohmann::ordered_json list = nlohmann::ordered_json::array();
     for (const auto& row : table.rows) {
         nlohmann::ordered_json object;
@@ -154,29 +149,18 @@ std::string table_json(const Table& table) {
         }
         list.push_back(std::move(object));
     }
-    // Names come from foreign files, so invalid UTF-8 is replaced.
-    return list.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+    return list;
 }
 
-std::string table_names(const Table& table) {
-    std::string text;
-    for (const auto& row : table.rows) {
-        text += raw_text(row.front()) + "\n";
-    }
-    return text;
+std::string json_text(const nlohmann::ordered_json& json, int indent) {
+    return json.dump(indent, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }
 
 std::string format_table(const Table& table, const std::string& form) {
-    if (form == "json") {
-        return table_json(table);
-    }
-    if (form == "csv") {
-        return table_csv(table);
-    }
-    if (form == "name") {
-        return table_names(table);
-    }
-    return table_text(table, form == "wide");
+    return form == "json"   ? json_text(table_json(table))
+           : form == "csv"  ? table_csv(table)
+           : form == "name" ? table_names(table)
+                            : table_text(table, form == "wide");
 }
 
 } // namespace cd

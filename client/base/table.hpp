@@ -1,8 +1,14 @@
 // Tables, printed for people or for programs.
 #pragma once
 
+#include <nlohmann/json_fwd.hpp>
+
+#include <cstddef>
 #include <cstdint>
+#include <functional>
+#include <span>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -34,18 +40,49 @@ struct Table {
     std::vector<std::vector<Cell>> rows;
 };
 
+/// Builds a table with a row for each object of a list, column by column.
+template <class Row>
+class TableOf {
+  public:
+    explicit TableOf(std::span<const Row> objects) : objects_(objects) {
+        table_.rows.resize(objects.size());
+    }
+
+    /// Adds a column. `cell_of` is a function of an object, or a pointer to a member.
+    template <class CellOf>
+    void add(const char* key, const char* title, CellKind kind, const CellOf& cell_of) {
+        table_.columns.push_back({key, title, kind});
+        for (std::size_t i = 0; i < objects_.size(); ++i) {
+            table_.rows[i].emplace_back(std::invoke(cell_of, objects_[i]));
+        }
+    }
+    /// Adds a column that is printed only with -o wide, csv or json.
+    template <class CellOf>
+    void add_wide(const char* key, const char* title, CellKind kind, const CellOf& cell_of) {
+        add(key, title, kind, cell_of);
+        table_.columns.back().only_wide = true;
+    }
+
+    [[nodiscard]] Table take() { return std::move(table_); }
+
+  private:
+    std::span<const Row> objects_;
+    Table table_;
+};
+
 [[nodiscard]] std::string cell_text(const Cell& cell, CellKind kind);
 
 /// The table as aligned columns under their titles, each line after `indent`.
 [[nodiscard]] std::string table_text(const Table& table, bool wide, const std::string& indent = "");
-/// The table as CSV with a line of keys; fields are quoted as in RFC 4180.
-[[nodiscard]] std::string table_csv(const Table& table);
 /// The table as a JSON array of objects.
-[[nodiscard]] std::string table_json(const Table& table);
-/// The cells of the first column, one per line.
-[[nodiscard]] std::string table_names(const Table& table);
+[[nodiscard]] nlohmann::ordered_json table_json(const Table& table);
 
-/// The table in the named form: text, wide, csv, json or name.
+/// A JSON document with a newline, or one line if `indent` is -1. Invalid UTF-8, which names from
+/// foreign files may contain, is replaced.
+[[nodiscard]] std::string json_text(const nlohmann::ordered_json& json, int indent = 2);
+
+/// The table in the named form: text; wide; csv, with a line of keys and fields quoted as in RFC
+/// 4180; json; or name, the cells of the first column, one per line.
 [[nodiscard]] std::string format_table(const Table& table, const std::string& form);
 
 } // namespace cd

@@ -2,10 +2,10 @@
 
 #include "common/core/printable.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
-#include <charconv>
-#include <cstdio>
 #include <utility>
 #include <vector>
 
@@ -61,12 +61,7 @@ std::string suggestion(std::string_view word, std::span<const std::string_view> 
     if (const auto nearest = nearest_word(word, known)) {
         return "; did you mean \"" + std::string(*nearest) + "\"?";
     }
-    std::string text = "; known are ";
-    for (std::size_t i = 0; i < known.size(); ++i) {
-        text += (i == 0 ? "" : ", ");
-        text += known[i];
-    }
-    return text;
+    return fmt::format("; known are {}", fmt::join(known, ", "));
 }
 
 std::string grouped(std::uint64_t number) {
@@ -79,14 +74,11 @@ std::string grouped(std::uint64_t number) {
 
 std::string exact_text(double value) {
     std::array<char, 32> buffer{};
-    const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr;
-    return {buffer.data(), end};
+    return {buffer.data(), std::to_chars(buffer.begin(), buffer.end(), value).ptr};
 }
 
 std::string fixed_text(double value, int digits) {
-    std::array<char, 512> buffer{};
-    const int size = std::snprintf(buffer.data(), buffer.size(), "%.*f", digits, value);
-    return {buffer.data(), static_cast<std::size_t>(size)};
+    return fmt::format("{:.{}f}", value, digits);
 }
 
 std::string rate_text(double per_second) {

@@ -1,11 +1,13 @@
-// Text utilities: suggestions for mistyped words, and numbers for people.
+// Text utilities: suggestions for mistyped words, and numbers in texts.
 #pragma once
 
+#include <charconv>
 #include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
+#include <system_error>
 
 namespace cd {
 
@@ -17,6 +19,16 @@ namespace cd {
 /// "; did you mean "x"?" if a known word is near, otherwise the list of known words.
 [[nodiscard]] std::string suggestion(std::string_view word,
                                      std::span<const std::string_view> known);
+
+/// The number that makes up the whole text; nothing if the text is anything else, or if `Number`
+/// cannot hold it.
+template <class Number, class... Base>
+[[nodiscard]] std::optional<Number> number_in(std::string_view text, Base... base) {
+    Number number{};
+    const char* const end = text.data() + text.size();
+    const auto [behind, error] = std::from_chars(text.data(), end, number, base...);
+    return error == std::errc() && behind == end ? std::optional(number) : std::nullopt;
+}
 
 /// The number with digit groups: 48 212.
 [[nodiscard]] std::string grouped(std::uint64_t number);

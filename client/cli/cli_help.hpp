@@ -1,113 +1,208 @@
-// Long help texts: the first line says what the verb does, then come examples, then the rest.
+// Help texts of the verbs: the first line says what the verb does, then come examples and the rest.
 #pragma once
 
 namespace cd {
 
-/// Help text of `cdctl`.
 inline constexpr const char* main_help =
-    "Finds every contact of two triangle meshes for many poses, here or on a cluster.\n"
-    "Examples:\n"
-    "  cdctl demo                                          a local cluster and a real vehicle\n"
-    "  cdctl run --a car.obj --b post.stl --poses p.csv --out out\n"
-    "  cdctl run --a car.obj --b post.stl --random 1000    the paper's kind of scenarios\n"
-    "  cdctl run job.toml                                  on this machine alone\n"
-    "  cdctl run job.toml --master 127.0.0.1:7600          on the cluster\n"
-    "  cdctl inspect car.obj                               size, parts, closed or not\n"
-    "\n"
-    "Triangles only, exactly: no hulls, and no tolerance unless you ask for one. A pose maps B's "
-    "coordinates into A's frame:\n"
-    "x_A = R x_B + t.\n"
-    "\n"
-    "Exit codes: 0 done; 1 done, and contacts found (only with --fail-on); 2 wrong usage or "
-    "input;\n"
-    "3 incomplete (failed, cancelled); 4 master unreachable; 5 refused; 130 and 143 ended by a "
-    "signal.\n"
-    "Data goes to stdout, progress to stderr. NO_COLOR is honoured. `cdctl VERB --help` tells "
-    "more.";
+    R"(Finds every contact of two triangle meshes for many poses, here or on a cluster.
+Examples:
+  cdctl demo                                          a local cluster and a real vehicle
+  cdctl run --a car.obj --b post.stl --poses p.csv --out out
+  cdctl run --a car.obj --b post.stl --random 1000    the paper's kind of scenarios
+  cdctl run job.toml                                  on this machine alone
+  cdctl run job.toml --master 127.0.0.1:7600          on the cluster
+  cdctl inspect car.obj                               size, parts, closed or not
 
-/// Help text of `cdctl run`.
+Triangles only, exactly: no hulls, and no tolerance unless you ask for one. A pose maps B's
+coordinates into A's frame: x_A = R x_B + t.
+
+Exit codes: 0 done; 1 done, and contacts found (only with --fail-on); 2 wrong usage or input;
+3 incomplete (failed, cancelled); 4 master unreachable; 5 refused; 130 and 143 ended by a signal.
+Data goes to stdout, progress to stderr. NO_COLOR is honoured. `cdctl VERB --help` tells more.)";
+
 inline constexpr const char* run_help =
-    "Runs a job and reports: on this machine alone, or with --master on the cluster.\n"
-    "Examples:\n"
-    "  cdctl run job.toml\n"
-    "  cdctl run job.toml --master 127.0.0.1:7600 --out out\n"
-    "  cdctl run --a car.obj --b post.stl --unit-b mm --poses poses.csv --out out --formats "
-    "csv,npz\n"
-    "  cdctl run --a car.obj --b tram.obj --random 3744 --seed 1 --penetration 0.005 0.05\n"
-    "  cdctl run --a a.stl --b b.stl --poses - -o csv < poses.csv > scenarios.csv\n"
-    "  cdctl run job.toml --level count --fail-on cross || echo 'it clashes'\n"
-    "  cdctl run job.toml --dry-run                        checks inputs, estimates time and size\n"
-    "  cdctl run job.toml --tolerance 0.05                 also finds near misses; slower\n"
-    "  cdctl run out                                       runs a results folder again\n"
-    "\n"
-    "A job.toml has the keys name, unit, and the tables\n"
-    "  [a] [b]    mesh = \"car.obj\", unit = \"mm\" (m, cm, mm, km, in, ft), name\n"
-    "             precision = \"float\" rounds coordinates (default: double if float loses "
-    "digits);\n"
-    "             up = \"y\" turns y up to z up (default: the file's axes are not turned);\n"
-    "             the default unit is the one that the file declares (COLLADA, FBX, 3MF, ...),\n"
-    "             or else the job's\n"
-    "  [poses]    file = \"poses.npy\" | grid = { x = [-3, 3, 200], yaw_deg = [0, 350, 36] }\n"
-    "             | random = { n = 1000, seed = 1, penetration = [0.005, 0.05] };\n"
-    "             unit = \"mm\" (of their lengths), quat_order = \"xyzw\", of = \"both\",\n"
-    "             rigid_tolerance = 1e-5. A .csv names its columns: x,y,z,qx,qy,qz,qw, or some of\n"
-    "             x, y, z, roll_deg, pitch_deg, yaw_deg (or _rad), or m00 to m23\n"
-    "  [query]    level = \"any\" | \"count\" | \"pairs\" | \"contacts\", limit_pairs = 10_000,\n"
-    "             tolerance = 0.05, ignore = [[\"wheel_*\", \"ground\"]]: parts of a with\n"
-    "             parts of b; or \"a/wheel_*\", with the body's name; \\ before / * ? [ in names;\n"
-    "             maps = true: from level count on, map.csv and map.npz say in how many scenarios "
-    "each\n"
-    "             triangle was in contact\n"
-    "  [output]   dir = \"out\", formats = [\"csv\", \"csv-pairs\", \"npz\", \"json\", "
-    "\"text\"]\n"
-    "  [cluster]  strategy = \"earliest-finish\", depth = \"auto\" | { a = 12, b = 6 }, v_kb = "
-    "4096\n"
-    "             strategy: as --strategy; with the paper's also q = 20 and claim = true\n"
-    "             analysis = \"auto\": the master finds which parts collide (always), or leaves "
-    "it\n"
-    "             to the workers and sends ranges of scenarios (never); auto: what costs less\n"
-    "             depth: where a body's tree is cut into the blocks that travel; auto: into "
-    "blocks\n"
-    "             of some 64 KiB\n"
-    "             hints = false: with earliest-finish, workers do not hear ahead what they will "
-    "need\n"
-    "\n"
-    "A tolerance above 0 does not descend below boxes whose diameters sum to at most that length.\n"
-    "No contact is missed: `separate` is still proven, and all else is `undecided`, with an upper\n"
-    "bound for the distance of the bodies. Use it to find near misses, not for speed: at\n"
-    "level any it took 0.9 to 25 times the time of exact on four pairs of bodies of five\n"
-    "(bench/accuracy/RESULTS.md). It fixes the distribution depths. With --fail-on,\n"
-    "undecided scenarios give exit code 3 if no contact was proven.\n"
-    "\n"
-    "If a run into a folder is interrupted or killed, the same command resumes it. A finished\n"
-    "folder has summary.json, run.json, records (all results), the formats, and inputs/.\n"
-    "\n"
-    "--stats (and statistics in summary.json) counts box pairs, N_b, and candidates, N_p: "
-    "pairs\n"
-    "of triangles that were tested. Without --master it also gives the paper's cost N_b C_b + N_p\n"
-    "C_p. C_b and C_p, the time of one test of each kind, are measured on this machine after the\n"
-    "run, under some of its poses, on one thread. With --master it tells what travelled for the "
-    "job:\n"
-    "geometry, by who gave it; how often a worker's cache held what a scenario needed; results.";
+    R"(Runs a job and reports: on this machine alone, or with --master on the cluster.
+Examples:
+  cdctl run job.toml
+  cdctl run job.toml --master 127.0.0.1:7600 --out out
+  cdctl run --a car.obj --b post.stl --unit-b mm --poses poses.csv --out out --formats csv,npz
+  cdctl run --a car.obj --b tram.obj --random 3744 --seed 1 --penetration 0.005 0.05
+  cdctl run --a a.stl --b b.stl --poses - -o csv < poses.csv > scenarios.csv
+  cdctl run job.toml --level count --fail-on cross || echo 'it clashes'
+  cdctl run job.toml --dry-run                        checks inputs, estimates time and size
+  cdctl run job.toml --tolerance 0.05                 also finds near misses; slower
+  cdctl run out                                       runs a results folder again
 
-/// Help text of `cdctl results`.
+A job.toml has the keys name, unit, and the tables
+  [a] [b]    mesh = "car.obj", unit = "mm" (m, cm, mm, km, in, ft), name
+             precision = "float" rounds coordinates (default: double if float loses digits);
+             up = "y" turns y up to z up (default: the file's axes are not turned);
+             the default unit is the one that the file declares (COLLADA, FBX, 3MF, ...),
+             or else the job's
+  [poses]    file = "poses.npy" | grid = { x = [-3, 3, 200], yaw_deg = [0, 350, 36] }
+             | random = { n = 1000, seed = 1, penetration = [0.005, 0.05] };
+             unit = "mm" (of their lengths), quat_order = "xyzw", of = "both",
+             rigid_tolerance = 1e-5. A .csv names its columns: x,y,z,qx,qy,qz,qw, or some of
+             x, y, z, roll_deg, pitch_deg, yaw_deg (or _rad), or m00 to m23
+  [query]    level = "any" | "count" | "pairs" | "contacts", limit_pairs = 10_000,
+             tolerance = 0.05, ignore = [["wheel_*", "ground"]]: parts of a with
+             parts of b; or "a/wheel_*", with the body's name; \ before / * ? [ in names;
+             maps = true: from level count on, map.csv and map.npz say in how many scenarios each
+             triangle was in contact
+  [output]   dir = "out", formats = ["csv", "csv-pairs", "npz", "json", "text"]
+  [cluster]  strategy = "earliest-finish", depth = "auto" | { a = 12, b = 6 }, v_kb = 4096
+             strategy: as --strategy; with the paper's also q = 20 and claim = true
+             analysis = "auto": the master finds which parts collide (always), or leaves it
+             to the workers and sends ranges of scenarios (never); auto: what costs less
+             depth: where a body's tree is cut into the blocks that travel; auto: into blocks
+             of some 64 KiB
+             hints = false: with earliest-finish, workers do not hear ahead what they will need
+
+A tolerance above 0 does not descend below boxes whose diameters sum to at most that length.
+No contact is missed: `separate` is still proven, and all else is `undecided`, with an upper
+bound for the distance of the bodies. Use it to find near misses, not for speed: at
+level any it took 0.9 to 25 times the time of exact on four pairs of bodies of five
+(bench/accuracy/RESULTS.md). It fixes the distribution depths. With --fail-on,
+undecided scenarios give exit code 3 if no contact was proven.
+
+If a run into a folder is interrupted or killed, the same command resumes it. A finished
+folder has summary.json, run.json, records (all results), the formats, and inputs/.
+
+--stats (and statistics in summary.json) counts box pairs, N_b, and candidates, N_p: pairs
+of triangles that were tested. Without --master it also gives the paper's cost N_b C_b + N_p
+C_p. C_b and C_p, the time of one test of each kind, are measured on this machine after the
+run, under some of its poses, on one thread. With --master it tells what travelled for the job:
+geometry, by who gave it; how often a worker's cache held what a scenario needed; results.)";
+
+inline constexpr const char* demo_help =
+    R"(Starts a local cluster, runs a job on a real vehicle, stops it.
+Examples:
+  cdctl demo
+  cdctl demo --scenarios 5000 --out results
+  cdctl demo --a car.obj --b tram.obj)";
+
+inline constexpr const char* inspect_help =
+    R"(Shows what a mesh file holds.
+Examples:
+  cdctl inspect car.obj
+  cdctl inspect post.stl --unit mm
+  cdctl inspect car.obj --png car.png)";
+
+inline constexpr const char* submit_help =
+    R"(Hands a job to the master and prints its id.
+Examples:
+  cdctl submit job.toml
+  job=$(cdctl submit job.toml -o name) && cdctl watch "$job")";
+
+inline constexpr const char* watch_help =
+    R"(Follows a job to its end.
+Examples:
+  cdctl watch j-5692)";
+
+inline constexpr const char* wait_help =
+    R"(Waits for a job's end. Prints no progress, only why the job is waiting.
+Examples:
+  cdctl wait j-5692 --fail-on cross)";
+
 inline constexpr const char* results_help =
-    "Exports the results of a folder in more formats, or fetches those of a job on a master.\n"
-    "Examples:\n"
-    "  cdctl results out --formats npz,csv-pairs           more formats; runs nothing\n"
-    "  cdctl results out -o csv > scenarios.csv\n"
-    "  cdctl results j-5692 --out out --formats csv,npz\n"
-    "\n"
-    "Scenarios and triangles are numbered from 0; triangles are in the order of the mesh file.\n"
-    "Classes: 0 separate, 1 touch, 2 cross, 3 inside, 4 contact, 5 undecided, 6 failed. Classes "
-    "of\n"
-    "pairs: 1 touch, 2 coplanar, 3 proper.\n"
-    "  cut             the list of pairs ends at limit_pairs; the count is still exact\n"
-    "  surfaces_only   a body is open, so containment was not tested\n"
-    "  insides_skipped triangles are ignored, so that nothing is said of the rest's insides\n"
-    "  distance_bound  undecided scenarios: the bodies are at most this far apart\n"
-    "npz: the pairs of scenario i are pairs[offsets[i]:offsets[i+1]], the points of pair j\n"
-    "points_world[point_offsets[j]:point_offsets[j+1]], in the job's unit. docs/formats.md has "
-    "all.";
+    R"(Exports the results of a folder in more formats, or fetches those of a job on a master.
+Examples:
+  cdctl results out --formats npz,csv-pairs           more formats; runs nothing
+  cdctl results out -o csv > scenarios.csv
+  cdctl results j-5692 --out out --formats csv,npz
+
+Scenarios and triangles are numbered from 0; triangles are in the order of the mesh file.
+Classes: 0 separate, 1 touch, 2 cross, 3 inside, 4 contact, 5 undecided, 6 failed. Classes of
+pairs: 1 touch, 2 coplanar, 3 proper.
+  cut             the list of pairs ends at limit_pairs; the count is still exact
+  surfaces_only   a body is open, so containment was not tested
+  insides_skipped triangles are ignored, so that nothing is said of the rest's insides
+  distance_bound  undecided scenarios: the bodies are at most this far apart
+npz: the pairs of scenario i are pairs[offsets[i]:offsets[i+1]], the points of pair j
+points_world[point_offsets[j]:point_offsets[j+1]], in the job's unit. docs/formats.md has all.)";
+
+inline constexpr const char* cancel_help =
+    R"(Ends a job early, or one of its scenarios, which fails then.
+Examples:
+  cdctl cancel j-5692
+  cdctl cancel j-5692 --scenario 17     it takes too long; the job goes on without it)";
+
+inline constexpr const char* explain_help =
+    R"(Shows who answered a scenario and, while its job runs, how each worker
+scores for it.
+Examples:
+  cdctl explain j-5692 17
+  cdctl explain j-5692 17 -o json)";
+
+inline constexpr const char* get_help =
+    R"(Lists jobs, workers or meshes.
+Examples:
+  cdctl get jobs
+  cdctl get workers -o wide)";
+
+inline constexpr const char* status_help =
+    R"(Shows the cluster; the last line names the bottleneck.
+Examples:
+  cdctl status)";
+
+inline constexpr const char* version_help =
+    R"(Prints version, commit, compiler, SIMD target and libraries.
+Examples:
+  cdctl version -o json)";
+
+inline constexpr const char* remove_help =
+    R"(Removes jobs, with results, poses and meshes that no other job uses, or single meshes.
+Examples:
+  cdctl rm j-5692 j-a01c --yes
+  cdctl rm j-5692 --cancel --yes      also while it runs
+  cdctl rm 3f9c27a1 --yes             a mesh, for admins)";
+
+inline constexpr const char* drain_help =
+    R"(Drains workers: each finishes its running scenarios, returns the rest, and exits with code 0.
+Examples:
+  cdctl drain w-3
+  cdctl drain --all
+  cdctl drain w-3 --now               does not wait for running scenarios)";
+
+inline constexpr const char* join_help =
+    R"(Gets a credential for a master with a token.
+Examples:
+  cdctl join node-1:7600 --token T
+  cdctl join node-1:7600 --token-file token --credential me.pem)";
+
+inline constexpr const char* token_help =
+    R"(Tokens with which others join.
+Examples:
+  cdctl token create --ttl 1h --uses 50
+  cdctl token create --role submitter)";
+
+inline constexpr const char* create_help =
+    R"(Prints a token. Needs the credential of an admin.
+Examples:
+  cdctl token create --ttl 1h --uses 50
+  cdctl token create --role submitter --credential admin.pem)";
+
+inline constexpr const char* verify_help =
+    R"(Runs a sample of a run's scenarios again here and compares.
+Examples:
+  cdctl verify out
+  cdctl verify out --sample 100000 --seed 7
+  cdctl verify j-5692
+
+Exit codes: 0 all records are the same; 1 one differs; 3 some scenario could not be run.)";
+
+inline constexpr const char* extract_help =
+    R"(Writes scenarios of a run as a job of their own, or as pictures.
+Examples:
+  cdctl extract out 41230 --out case && cdctl run case/job.toml
+  cdctl extract out 100-199 --out case
+  cdctl extract j-5692 41230 --out case
+  cdctl extract out 41230 --out case --minimal
+  cdctl extract out 41230 --as png
+
+A case has a.npz and b.npz (all triangles), poses.csv in the form that was
+tested, job.toml, and expected.json with the class and the digest that `cdctl run`
+must give. A picture shows the bodies, and in red the triangles in contact that the
+run listed (levels pairs and contacts).)";
 
 } // namespace cd

@@ -21,13 +21,9 @@ remedy(std::string_view word, const std::vector<std::string>& known, const std::
                    : "; `" + command + " --help` lists those that exist";
 }
 
-std::vector<const CLI::App*> verbs_of(const CLI::App& app) {
-    return app.get_subcommands([](const CLI::App*) { return true; });
-}
-
-std::vector<std::string> names_of(const std::vector<const CLI::App*>& verbs) {
+std::vector<std::string> verbs_of(const CLI::App& app) {
     std::vector<std::string> names;
-    for (const CLI::App* verb : verbs) {
+    for (const CLI::App* verb : app.get_subcommands([](const CLI::App*) { return true; })) {
         names.push_back(verb->get_name());
     }
     return names;
@@ -46,14 +42,14 @@ std::vector<std::string> options_of(const CLI::App& app) {
 std::optional<std::string> unknown_option(const CLI::App& app,
                                           std::span<const std::string> arguments,
                                           const std::string& command) {
-    const std::vector<std::string> known = options_of(app);
     for (const std::string& argument : arguments) {
         if (argument == "--") {
             break;
         }
         const std::string name = argument.substr(0, argument.find('='));
-        if (name.starts_with("--") && std::find(known.begin(), known.end(), name) == known.end()) {
-            return "no option '" + name + "' of `" + command + "`" + remedy(name, known, command);
+        if (name.starts_with("--") && app.get_option_no_throw(name) == nullptr) {
+            return "no option '" + name + "' of `" + command + "`" +
+                   remedy(name, options_of(app), command);
         }
     }
     return std::nullopt;
@@ -80,17 +76,15 @@ std::optional<std::string> unknown_word(const CLI::App& app,
     const CLI::App* verb = &app;
     std::span<const std::string> rest = arguments;
     while (!rest.empty() && !rest.front().starts_with('-')) {
-        const std::vector<const CLI::App*> known = verbs_of(*verb);
+        const std::vector<std::string> known = verbs_of(*verb);
         if (known.empty()) {
             break;
         }
-        const auto next = std::ranges::find_if(
-            known, [&](const CLI::App* each) { return each->get_name() == rest.front(); });
-        if (next == known.end()) {
+        if (std::ranges::find(known, rest.front()) == known.end()) {
             return (verb == &app ? "no verb '" : "no verb '" + verb->get_name() + " ") +
-                   rest.front() + "'" + remedy(rest.front(), names_of(known), command);
+                   rest.front() + "'" + remedy(rest.front(), known, command);
         }
-        verb = *next;
+        verb = verb->get_subcommand(rest.front());
         command += " " + rest.front();
         rest = rest.subspan(1);
     }

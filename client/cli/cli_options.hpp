@@ -4,7 +4,7 @@
 
 #include "client/cli/cli.hpp"
 
-#include <CLI/App.hpp>
+#include <CLI/CLI.hpp>
 
 #include <optional>
 #include <string>
@@ -12,13 +12,28 @@
 
 namespace cd {
 
-/// Names of units of length that --unit accepts.
-[[nodiscard]] std::vector<std::string> units();
+/// A function that adds an option to a verb; the help calls its value `type`.
+[[nodiscard]] inline auto option_adder(CLI::App& verb) {
+    return [&verb](const char* names, auto& value, const char* type, const std::string& help) {
+        return verb.add_option(names, value, help)->type_name(type);
+    };
+}
+
+/// The check that a value is one of `words`.
+[[nodiscard]] CLI::Validator one_of(const std::vector<std::string>& words);
+/// The check that a value is the name of a unit of length.
+[[nodiscard]] CLI::Validator is_unit();
 
 void add_job_options(CLI::App& verb, JobOptions& job);
+/// Adds the required argument that names a job on the master.
+void add_job(CLI::App& verb, std::string& job);
+/// Adds the required argument `name` that names a results folder or a job on the master.
+void add_run(CLI::App& verb, const char* name, std::string& run, const char* type);
 /// Adds `--master`, `--insecure` and `--credential`. If `required_here`, the verb needs a master,
 /// so the address has a default.
-void add_master_options(CLI::App& verb, MasterOptions& master, bool required_here);
+void add_master_options(CLI::App& verb, MasterOptions& master, bool required_here = true);
+/// Adds `--threads`.
+CLI::Option* add_threads(CLI::App& verb, unsigned& threads, const char* help);
 void add_tree_cache(CLI::App& verb, std::string& folder);
 /// Adds `--output`; `words` are the available formats.
 void add_output(CLI::App& verb, std::string& output, const std::vector<std::string>& words);

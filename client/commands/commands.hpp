@@ -1,17 +1,40 @@
-// The verbs of cdctl that work without a master. Each returns the exit code.
+// The verbs of cdctl.
 #pragma once
 
 #include "client/cli/cli.hpp"
 #include "client/report/report.hpp"
+#include "common/core/result.hpp"
 
 namespace cd {
 
-[[nodiscard]] int execute(const RunCommand& command);
-[[nodiscard]] int execute(const DemoCommand& command);
-[[nodiscard]] int execute(const InspectCommand& command);
-[[nodiscard]] int execute(const VerifyCommand& command);
-[[nodiscard]] int execute(const ExtractCommand& command);
-[[nodiscard]] int execute(const VersionCommand& command);
+/// Runs a verb and returns its exit code. An error ends the verb with the code of its kind.
+[[nodiscard]] Result<int> perform(const RunCommand& command);
+[[nodiscard]] Result<int> perform(const DemoCommand& command);
+[[nodiscard]] Result<int> perform(const SubmitCommand& command);
+[[nodiscard]] Result<int> perform(const WatchCommand& command);
+[[nodiscard]] Result<int> perform(const ResultsCommand& command);
+[[nodiscard]] Result<int> perform(const VerifyCommand& command);
+[[nodiscard]] Result<int> perform(const ExtractCommand& command);
+[[nodiscard]] Result<int> perform(const GetCommand& command);
+[[nodiscard]] Result<int> perform(const StatusCommand& command);
+[[nodiscard]] Result<int> perform(const CancelCommand& command);
+[[nodiscard]] Result<int> perform(const RemoveCommand& command);
+[[nodiscard]] Result<int> perform(const DrainCommand& command);
+[[nodiscard]] Result<int> perform(const ExplainCommand& command);
+[[nodiscard]] Result<int> perform(const JoinCommand& command);
+[[nodiscard]] Result<int> perform(const TokenCommand& command);
+[[nodiscard]] Result<int> perform(const InspectCommand& command);
+[[nodiscard]] Result<int> perform(const VersionCommand& command);
+
+/// Prints an error as one line on stderr and returns its exit code.
+[[nodiscard]] int fail(const Error& error);
+
+/// Runs a verb, prints its error, if any, and returns the exit code.
+template <class Command>
+[[nodiscard]] int execute(const Command& command) {
+    const Result<int> code = perform(command);
+    return code ? code.value() : fail(code.error());
+}
 
 /// The exit code of a finished run: 3 if a scenario has no result or failed; else 1 if the run has
 /// contacts that `fail_on` names (`inside` counts like `cross`, since the solids share space); else
@@ -20,8 +43,5 @@ namespace cd {
 
 /// Refuses `FailOn::Cross` at `level any`, which does not tell touch from cross. Errors: BadInput.
 [[nodiscard]] Status check_fail_on(FailOn fail_on, Level level);
-
-/// Prints an error as one line on stderr and returns its exit code.
-[[nodiscard]] int fail(const Error& error);
 
 } // namespace cd

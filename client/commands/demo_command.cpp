@@ -1,4 +1,5 @@
-#include "client/base/exit_code.hpp"
+// The verb `demo`: a job on real vehicles, run by a cluster that it starts on this machine.
+#include "client/base/errors.hpp"
 #include "client/base/interrupt.hpp"
 #include "client/commands/commands.hpp"
 #include "client/commands/remote_session.hpp"
@@ -31,21 +32,9 @@ RunCommand demo_run(const DemoCommand& command, const std::filesystem::path& cac
     run.job.output.dir = command.out.empty() ? (cache / "demo-results").string() : command.out;
     run.folder.fresh = true;
     run.folder.overwrite = command.out.empty(); // The default folder belongs to the demo.
+    run.master.credential = "none";
     run.quiet = command.quiet;
     return run;
-}
-
-Status use_vehicles(const std::filesystem::path& cache, RunCommand& run) {
-    if (!run.job.a.empty()) {
-        return Done{};
-    }
-    const auto vehicles = find_vehicles(cache);
-    if (!vehicles) {
-        return vehicles.error();
-    }
-    run.job.a = vehicles.value()[0].string();
-    run.job.b = vehicles.value()[1].string();
-    return Done{};
 }
 
 /// Waits until all workers have joined, so that the first line that the run prints counts them.
@@ -53,51 +42,41 @@ Status use_vehicles(const std::filesystem::path& cache, RunCommand& run) {
 Status wait_for_workers(LocalCluster& cluster,
                         const LocalClusterOptions& options,
                         const MasterOptions& master) {
-    auto connection = open_master(master);
-    if (!connection) {
-        return connection.error();
-    }
+    auto connection = CD_TRY(open_master(master));
     const auto deadline = std::chrono::steady_clock::now() + timing::local_start_max;
     while (std::chrono::steady_clock::now() < deadline) {
-        const auto status = connection.value()->status();
-        if (!status) {
-            return status.error();
-        }
-        if (worker_count(status.value()) >= options.workers) {
+        const ClusterStatus status = CD_TRY(connection->status());
+        if (worker_count(status) >= options.workers) {
             return Done{};
         }
         if (!cluster.is_running()) {
             return Error{ErrorCode::Incomplete,
                          "cdworker ended at once; see " + options.logs.string()};
         }
-        if (Status paused = connection.value()->pause(timing::process_poll_period); !paused) {
-            return paused;
-        }
+        CD_TRY(connection->pause(timing::process_poll_period));
     }
     return Error{ErrorCode::Timeout, "the workers do not join; see " + options.logs.string()};
 }
 
 } // namespace
 
-int execute(const DemoCommand& command) {
+Result<int> perform(const DemoCommand& command) {
     const InterruptGuard interrupts;
     const auto cache = cache_dir();
     RunCommand run = demo_run(command, cache);
-    if (Status found = use_vehicles(cache, run); !found) {
-        return fail(found.error());
+    if (run.job.a.empty()) {
+        const auto vehicles = CD_TRY(find_vehicles(cache));
+        run.job.a = vehicles[0].string();
+        run.job.b = vehicles[1].string();
     }
-    LocalClusterOptions options;
-    options.programs = program_folder();
-    options.state = cache / "demo-state";
-    options.logs = cache / "demo-logs";
-    options.workers = demo_workers;
-    options.threads = std::max(1u, std::thread::hardware_concurrency() / demo_workers);
-    auto cluster = LocalCluster::start(options, &InterruptGuard::has_come);
-    if (!cluster) {
-        return fail(cluster.error());
-    }
-    run.master.address = cluster.value().address();
-    run.master.credential = "none";
+    const LocalClusterOptions options{
+        program_folder(),
+        cache / "demo-state",
+        cache / "demo-logs",
+        demo_workers,
+        std::max(1u, std::thread::hardware_concurrency() / demo_workers)};
+    auto cluster = CD_TRY(LocalCluster::start(options, &InterruptGuard::has_come));
+    run.master.address = cluster.address();
     if (!command.quiet) {
         std::fprintf(stderr,
                      "  cluster  cdmaster on %s and %u workers; logs in %s\n",
@@ -105,9 +84,7 @@ int execute(const DemoCommand& command) {
                      options.workers,
                      options.logs.c_str());
     }
-    if (Status joined = wait_for_workers(cluster.value(), options, run.master); !joined) {
-        return fail(joined.error());
-    }
+    CD_TRY(wait_for_workers(cluster, options, run.master));
     return run_job(run);
 }
 

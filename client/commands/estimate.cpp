@@ -1,11 +1,13 @@
 #include "client/commands/estimate.hpp"
 
+#include "client/base/errors.hpp"
+#include "client/base/table.hpp"
+#include "client/base/temporary_folder.hpp"
 #include "client/base/words.hpp"
 #include "client/export/result_sink.hpp"
 #include "client/folder/folder_run.hpp"
 #include "client/folder/run_recorder.hpp"
 #include "client/local/done_scenario.hpp"
-#include "common/core/files/disk_file.hpp"
 #include "common/core/limits/client.hpp"
 #include "common/job/run_scenario.hpp"
 #include "common/job/scenario_file.hpp"
@@ -90,9 +92,7 @@ void run_samples(const ScenarioRunner& runner,
                 return;
             }
             ScenarioRun run = session.run(sample.scenario);
-            DoneScenario done{std::move(run.result), {}, {}, std::move(run.found)};
-            done.record = encode_result(done.result);
-            done.digest = sha256(done.record);
+            DoneScenario done = done_scenario(std::move(run.result), std::move(run.found));
             sample.seconds = seconds_since(start);
             sample.work = run.statistics;
             pairs += done.result.pairs.size();
@@ -116,87 +116,47 @@ struct FolderBytes {
     std::uint64_t maps = 0;      ///< Size of files that grow with the triangles in contact.
 };
 
-/// A temporary folder; the destructor removes it.
-class TemporaryFiles {
-  public:
-    TemporaryFiles() = default;
-    TemporaryFiles(const TemporaryFiles&) = delete;
-    TemporaryFiles& operator=(const TemporaryFiles&) = delete;
-    ~TemporaryFiles() {
-        std::error_code ignored;
-        if (own_) {
-            fs::remove_all(own_.value(), ignored);
-        }
+/// Writes the results as a run does: records and exports.
+Status
+write_results(const PreparedJob& job, const std::vector<Sample>& samples, const fs::path& folder) {
+    auto sink =
+        CD_TRY(ResultSink::open({folder, job.spec.output.formats, "text"}, export_context(job)));
+    auto recorder = CD_TRY(RunRecorder::open(folder, job.query.maps));
+    for (const Sample& sample : samples) {
+        CD_TRY(sink.add(sample.done->result, sample.done->found));
+        CD_TRY(recorder.add(*sample.done));
     }
+    CD_TRY(recorder.finish());
+    const bool has_map = job.query.maps || job.query.level >= Level::Pairs;
+    return sink.finish(has_map ? std::optional(sink.map()) : std::nullopt);
+}
 
-    /// Writes the files of a run with these results: records, exports and, if kept, poses.
-    Result<FolderBytes>
-    write(const PreparedJob& job, bool keeps_inputs, const std::vector<Sample>& samples) {
-        if (!own_) {
-            return own_.error();
-        }
-        std::error_code ignored;
-        fs::remove_all(folder_, ignored);
-        if (Status written = write_results(job, samples); !written) {
-            return written.error();
-        }
-        if (keeps_inputs && !job.grid) {
-            if (Status written = write_poses(samples); !written) {
-                return written.error();
-            }
-        }
-        FolderBytes bytes;
-        for (const auto& entry : fs::recursive_directory_iterator(folder_)) {
-            const bool is_map = entry.path().filename().string().starts_with("map");
-            (is_map ? bytes.maps : bytes.scenarios) += entry.file_size();
-        }
-        return bytes;
+Status write_poses(const std::vector<Sample>& samples, const fs::path& folder) {
+    std::vector<Scenario> scenarios;
+    for (const Sample& sample : samples) {
+        scenarios.push_back(sample.scenario);
+        scenarios.back().index = scenarios.size() - 1;
     }
+    auto writer = CD_TRY(ScenarioWriter::create(folder / "scenarios"));
+    CD_TRY(writer.add(scenarios));
+    return writer.finish();
+}
 
-  private:
-    Status write_results(const PreparedJob& job, const std::vector<Sample>& samples) {
-        auto sink =
-            ResultSink::open({folder_, job.spec.output.formats, "text"}, export_context(job));
-        if (!sink) {
-            return sink.error();
-        }
-        auto recorder = RunRecorder::open(folder_, job.query.maps);
-        if (!recorder) {
-            return recorder.error();
-        }
-        for (const Sample& sample : samples) {
-            const DoneScenario& done = *sample.done;
-            for (const Status& added :
-                 {sink.value().add(done.result, done.found), recorder.value().add(done)}) {
-                if (!added) {
-                    return added;
-                }
-            }
-        }
-        if (Status finished = recorder.value().finish(); !finished) {
-            return finished;
-        }
-        const bool has_map = job.query.maps || job.query.level >= Level::Pairs;
-        return sink.value().finish(has_map ? std::optional(sink.value().map()) : std::nullopt);
+/// The sizes of the files of a run with these results: records, exports and, if kept, poses.
+Result<FolderBytes>
+bytes_of(const PreparedJob& job, bool keeps_inputs, const std::vector<Sample>& samples) {
+    const auto folder = CD_TRY(TemporaryFolder::make("cdctl-estimate"));
+    CD_TRY(write_results(job, samples, folder.path()));
+    if (keeps_inputs && !job.grid) {
+        CD_TRY(write_poses(samples, folder.path()));
     }
-
-    Status write_poses(const std::vector<Sample>& samples) {
-        std::vector<Scenario> scenarios;
-        for (const Sample& sample : samples) {
-            scenarios.push_back(sample.scenario);
-            scenarios.back().index = scenarios.size() - 1;
-        }
-        auto writer = ScenarioWriter::create(folder_ / "scenarios");
-        if (!writer) {
-            return writer.error();
-        }
-        const Status added = writer.value().add(scenarios);
-        return added ? writer.value().finish() : added;
+    FolderBytes bytes;
+    for (const auto& entry : fs::recursive_directory_iterator(folder.path())) {
+        const bool is_map = entry.path().filename().string().starts_with("map");
+        (is_map ? bytes.maps : bytes.scenarios) += entry.file_size();
     }
-
-    Result<fs::path> own_ = make_temporary_folder("cdctl-estimate");
-    fs::path folder_ = own_ ? own_.value() / "files" : fs::path();
-};
+    return bytes;
+}
 
 /// The number of triangles, of both bodies, that are in contact in any of every `step`-th sample.
 double triangles_touched(const std::vector<Sample>& samples, std::size_t step) {
@@ -235,11 +195,8 @@ read_samples(PoseSource& poses, std::uint64_t samples_max, Clock::time_point end
         if (!samples.empty() && Clock::now() >= end) {
             break;
         }
-        auto read = poses.read(indices[place], 1);
-        if (!read) {
-            return read.error();
-        }
-        samples.push_back({std::move(read.value().front()), {}, {}, 0});
+        auto read = CD_TRY(poses.read(indices[place], 1));
+        samples.push_back({std::move(read.front()), {}, {}, 0});
     }
     std::ranges::sort(samples, {}, [](const Sample& sample) { return sample.scenario.index; });
     return samples;
@@ -283,29 +240,20 @@ Result<double> put_bytes(const PreparedJob& job,
                          RunEstimate& estimate) {
     const bool keeps_inputs =
         options.keeps_inputs && input_bytes(job) <= limits::run_inputs_bytes_max;
-    TemporaryFiles files;
     const auto base_start = Clock::now();
-    const auto base = files.write(job, keeps_inputs, {});
+    const FolderBytes base = CD_TRY(bytes_of(job, keeps_inputs, {}));
     const double base_seconds = seconds_since(base_start);
-    if (!base) {
-        return base.error();
-    }
     const auto start = Clock::now();
-    const auto bytes = files.write(job, keeps_inputs, samples);
+    const FolderBytes bytes = CD_TRY(bytes_of(job, keeps_inputs, samples));
     const double seconds = seconds_since(start);
-    if (!bytes) {
-        return bytes.error();
-    }
     const auto size = static_cast<double>(samples.size());
     const auto more = [](std::uint64_t with, std::uint64_t without) {
         return static_cast<double>(with - std::min(with, without));
     };
     const double times = static_cast<double>(estimate.scenarios) / size;
-    const double grown =
-        times * more(bytes.value().scenarios, base.value().scenarios) +
-        triangles_factor(job, samples) * more(bytes.value().maps, base.value().maps);
-    estimate.bytes = base.value().scenarios + base.value().maps +
-                     (keeps_inputs ? bytes_beside_poses(job) : 0) +
+    const double grown = times * more(bytes.scenarios, base.scenarios) +
+                         triangles_factor(job, samples) * more(bytes.maps, base.maps);
+    estimate.bytes = base.scenarios + base.maps + (keeps_inputs ? bytes_beside_poses(job) : 0) +
                      static_cast<std::uint64_t>(grown);
     // Returns seconds per scenario. `base_seconds` does not grow with the number of scenarios: it
     // is the time of an empty run, which syncs each file once.
@@ -340,11 +288,8 @@ std::uint64_t free_bytes_near(fs::path folder) {
 Result<RunEstimate>
 estimate_run(const PreparedJob& job, ThreadPool& pool, const EstimateOptions& options) {
     const auto start = Clock::now();
-    auto read = read_samples(*job.poses, options.samples_max, start + options.time_max / 2);
-    if (!read) {
-        return read.error();
-    }
-    std::vector<Sample>& samples = read.value();
+    auto read = CD_TRY(read_samples(*job.poses, options.samples_max, start + options.time_max / 2));
+    std::vector<Sample>& samples = read;
     RunEstimate estimate;
     estimate.scenarios = job.poses->count();
     // Random poses are generated on all threads; other poses are read on one thread.
@@ -363,11 +308,8 @@ estimate_run(const PreparedJob& job, ThreadPool& pool, const EstimateOptions& op
     estimate.sampled = samples.size();
     double write_seconds = 0;
     if (!job.spec.output.dir.empty()) {
-        const auto written = put_bytes(job, options, samples, estimate);
-        if (!written) {
-            return written.error();
-        }
-        write_seconds = written.value();
+        const auto written = CD_TRY(put_bytes(job, options, samples, estimate));
+        write_seconds = written;
     }
     put_work(samples, estimate);
     put_times(samples, read_seconds + write_seconds, pool.size(), estimate);
@@ -401,7 +343,7 @@ std::string estimate_json(const RunEstimate& estimate, const Status& room) {
         {"triangle_tests", std::round(estimate.triangle_tests)},
         {"bytes", estimate.bytes},
         {"refused", room ? nlohmann::ordered_json() : nlohmann::ordered_json(room.error().detail)}};
-    return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+    return json_text(json);
 }
 
 Status check_room(const RunEstimate& estimate, const OutputSpec& output, std::uint64_t bytes_max) {
@@ -413,11 +355,10 @@ Status check_room(const RunEstimate& estimate, const OutputSpec& output, std::ui
     for (const std::string& format : output.formats) {
         formats += (formats.empty() ? "" : ",") + format;
     }
-    return Error{ErrorCode::BadInput,
-                 output.dir.string() + ": the run would take " + estimate_text(estimate) + " as " +
-                     formats + ", and " + size_text(free) +
+    return bad_input(output.dir.string() + ": the run would take " + estimate_text(estimate) +
+                     " as " + formats + ", and " + size_text(free) +
                      " are free; choose other --formats, a lower --level or --limit-pairs, or say "
-                     "--yes"};
+                     "--yes");
 }
 
 } // namespace cd

@@ -1,4 +1,5 @@
 // The verb `extract`: turns scenarios of a run into a separate job, or into pictures.
+#include "client/base/errors.hpp"
 #include "client/base/exit_code.hpp"
 #include "client/base/interrupt.hpp"
 #include "client/base/words.hpp"
@@ -11,11 +12,8 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cstdio>
 #include <filesystem>
-#include <optional>
-#include <utility>
 
 namespace cd {
 
@@ -28,51 +26,35 @@ struct Range {
     std::uint64_t last = 0;
 };
 
-std::optional<std::uint64_t> whole_number(std::string_view text) {
-    std::uint64_t number = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-    return error == std::errc() && end == text.data() + text.size() ? std::optional(number)
-                                                                    : std::nullopt;
-}
-
 /// Parses "N" or "N-M".
 Result<Range> parse_range(const std::string& text, std::uint64_t count) {
     const std::size_t dash = text.find('-');
-    const auto first = whole_number(std::string_view(text).substr(0, dash));
-    const auto last =
-        dash == std::string::npos ? first : whole_number(std::string_view(text).substr(dash + 1));
+    const auto first = number_in<std::uint64_t>(std::string_view(text).substr(0, dash));
+    const auto last = dash == std::string::npos
+                          ? first
+                          : number_in<std::uint64_t>(std::string_view(text).substr(dash + 1));
     if (!first || !last || *last < *first) {
-        return Error{ErrorCode::BadInput,
-                     "\"" + text + "\" is no scenario: give its number, or first-last"};
+        return bad_input("\"" + text + "\" is no scenario: give its number, or first-last");
     }
     if (*last >= count) {
-        return Error{ErrorCode::BadInput,
-                     "the run has the scenarios 0 to " + std::to_string(count - 1)};
+        return bad_input("the run has the scenarios 0 to " + std::to_string(count - 1));
     }
     if (*last - *first >= scenarios_max) {
-        return Error{ErrorCode::BadInput,
-                     "a case has at most " + grouped(scenarios_max) + " scenarios"};
+        return bad_input("a case has at most " + grouped(scenarios_max) + " scenarios");
     }
     return Range{*first, *last};
 }
 
 Result<CaseScenarios> read_case(OpenedRun& run, PreparedJob& job, const Range& range) {
     CaseScenarios found;
-    auto scenarios = job.poses->read(range.first, range.last - range.first + 1);
-    if (!scenarios) {
-        return scenarios.error();
-    }
-    found.scenarios = std::move(scenarios.value());
+    found.scenarios = CD_TRY(job.poses->read(range.first, range.last - range.first + 1));
     for (std::uint64_t index = range.first; index <= range.last; ++index) {
-        const auto record = run.records().find(index);
+        const auto record = CD_TRY(run.records().find(index));
         if (!record) {
-            return record.error();
-        }
-        if (!record.value()) {
             return Error{ErrorCode::Incomplete,
                          "the run has no result of scenario " + std::to_string(index)};
         }
-        found.results.push_back(record.value()->result);
+        found.results.push_back(record->result);
     }
     return found;
 }
@@ -100,67 +82,37 @@ Status write_pictures(const PreparedJob& job,
                       const CaseScenarios& found,
                       std::uint64_t first,
                       const std::filesystem::path& dir) {
-    std::error_code failed;
-    std::filesystem::create_directories(dir, failed);
-    if (failed) {
-        return Error{ErrorCode::Io, dir.string() + ": " + failed.message()};
-    }
+    CD_TRY(make_directories(dir));
     for (std::size_t i = 0; i < found.scenarios.size(); ++i) {
         if (InterruptGuard::has_come()) {
             return interrupted();
         }
         const Image image = draw_contacts(pictured(job, found.scenarios[i], found.results[i]));
         const std::filesystem::path path = dir / (std::to_string(first + i) + ".png");
-        if (Status written = write_png(image, path); !written) {
-            return written;
-        }
+        CD_TRY(write_png(image, path));
     }
     return Done{};
 }
 
 } // namespace
 
-int execute(const ExtractCommand& command) {
+Result<int> perform(const ExtractCommand& command) {
     const InterruptGuard interrupts(InterruptGuard::First::EndsProcess);
-    const std::filesystem::path tree_cache = tree_cache_folder(command.tree_cache);
-    auto at_hand = RunAtHand::open(command.run, command.master, tree_cache);
-    if (!at_hand) {
-        return fail(at_hand.error());
-    }
-    OpenedRun& run = at_hand.value().run;
-    const auto range = parse_range(command.scenarios, run.manifest().poses.count);
-    if (!range) {
-        return fail(range.error());
-    }
     ThreadPool pool(command.threads);
-    TreeCache cache(tree_cache);
-    auto job = at_hand.value().prepare(Trees::ForPosesOnly, cache, pool);
-    if (!job) {
-        return fail(job.error());
-    }
-    const auto found = read_case(run, job.value(), range.value());
-    if (!found) {
-        return fail(found.error());
-    }
+    auto [run, job] = CD_TRY(open_run_at_hand(
+        command.run, command.master, command.tree_cache, Trees::ForPosesOnly, pool));
+    const Range range = CD_TRY(parse_range(command.scenarios, job.poses->count()));
+    const CaseScenarios found = CD_TRY(read_case(run, job, range));
     InterruptGuard::begin_to_flag(); // A signal must not leave partial files.
     const std::string dir = command.out.empty() ? "scenario-" + command.scenarios : command.out;
+    const std::size_t count = found.results.size();
     if (command.as == "png") {
-        const Status drawn = write_pictures(job.value(), found.value(), range.value().first, dir);
-        if (!drawn) {
-            return fail(drawn.error());
-        }
-        const std::size_t count = found.value().results.size();
+        CD_TRY(write_pictures(job, found, range.first, dir));
         std::printf("%s in %s\n", counted(count, "picture").c_str(), dir.c_str());
         return exit_done;
     }
-    const Status written = write_case(
-        job.value(), found.value(), {command.minimal, &InterruptGuard::has_come}, dir, pool);
-    if (!written) {
-        return fail(written.error());
-    }
-    std::printf("%s: cdctl run %s/job.toml\n",
-                counted(found.value().results.size(), "scenario").c_str(),
-                dir.c_str());
+    CD_TRY(write_case(job, found, {command.minimal, &InterruptGuard::has_come}, dir, pool));
+    std::printf("%s: cdctl run %s/job.toml\n", counted(count, "scenario").c_str(), dir.c_str());
     return exit_done;
 }
 

@@ -1,10 +1,16 @@
 #include "client/commands/fetched_job.hpp"
 
+#include "client/base/errors.hpp"
 #include "client/base/words.hpp"
-#include "client/export/result_sink.hpp"
+#include "client/commands/run_command.hpp"
 #include "client/job/submission.hpp"
+#include "client/remote/mesh_cache.hpp"
+#include "common/core/limits/engine.hpp"
+#include "common/job/result/merge.hpp"
+#include "common/job/result/packed_map.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -23,9 +29,8 @@ class RemotePoses final : public PoseSource {
     [[nodiscard]] std::uint64_t count() const override { return count_; }
     [[nodiscard]] Result<std::vector<Scenario>> read(std::uint64_t first,
                                                      std::uint64_t count) override {
-        auto poses = connection_.fetch_poses(job_, first, count);
-        return poses ? Result<std::vector<Scenario>>(std::move(poses.value().scenarios))
-                     : poses.error();
+        auto poses = CD_TRY(connection_.fetch_poses(job_, first, count));
+        return std::move(poses.scenarios);
     }
 
   private:
@@ -40,30 +45,9 @@ get_mesh(Connection& connection, const Sha256& mesh, const MeshCache& cache) {
     if (auto kept = cache.find(mesh)) {
         return kept;
     }
-    auto fetched = connection.fetch_mesh(mesh);
-    if (!fetched) {
-        return fetched.error();
-    }
-    cache.keep(fetched.value());
-    return std::make_shared<const Mesh>(std::move(fetched.value()));
-}
-
-Status get_meshes(Connection& connection,
-                  const Submit& submit,
-                  const MeshCache& cache,
-                  JobInputs& inputs) {
-    for (std::size_t i = 0; i < inputs.meshes.size(); ++i) {
-        if (i == 1 && submit.bodies.at(1).mesh == submit.bodies.at(0).mesh) {
-            inputs.meshes[1] = inputs.meshes[0];
-            continue;
-        }
-        auto mesh = get_mesh(connection, submit.bodies.at(i).mesh, cache);
-        if (!mesh) {
-            return mesh.error();
-        }
-        inputs.meshes[i] = std::move(mesh.value());
-    }
-    return Done{};
+    auto fetched = CD_TRY(connection.fetch_mesh(mesh));
+    cache.keep(fetched);
+    return std::make_shared<const Mesh>(std::move(fetched));
 }
 
 /// The error for an argument that was taken for a job's id, since no folder has this name.
@@ -81,94 +65,136 @@ Error no_folder(const std::string& text, const Error& error) {
     }
 }
 
-} // namespace
+/// Fetches all existing results of a job into `take`, and returns their number. Errors: those of
+/// `take`; BadFrame when the results do not match the digest that the master states.
+Result<std::uint64_t> fetch_each(Connection& connection,
+                                 const JobStatus& job,
+                                 const std::function<Status(const ScenarioResult&)>& take) {
+    // The master uses this merger too, so a result lost or changed in transit changes the digest.
+    ResultMerger merger(job.summary.total);
+    CD_TRY(connection.fetch(job.job, 0, job.summary.total, [&](const ScenarioResult& result) {
+        static_cast<void>(merger.add(result));
+        return take(result);
+    }));
+    if (job.digest && merger.digest() != job.digest) {
+        return Error{ErrorCode::BadFrame, "the received results do not have the job's digest"};
+    }
+    return merger.summary().merged();
+}
 
-Result<RunReport>
-fetched_report(Connection& connection, const Query& query, const JobStatus& status) {
+/// Adds the job's contact map, if the job asks for maps, to its report. Errors: BadFrame for an
+/// invalid map.
+Status fetch_map(Connection& connection, JobId job, RunReport& report) {
+    const ContactMapAnswer answer = CD_TRY(connection.contact_map(job));
+    report.map_withdrawn = answer.withdrawn;
+    if (answer.is_asked && report.map_withdrawn.empty()) {
+        // Uses bounds that hold for any mesh, since the meshes need not be loaded here.
+        const ContactMapBounds bounds{
+            limits::mesh_triangles_max, limits::mesh_triangles_max, report.summary.total};
+        report.map = CD_TRY(unpack_map(answer.map, bounds));
+    }
+    return Done{};
+}
+
+/// The report of a job whose results were fetched, with the contact map if the master summed one.
+Result<RunReport> fetched_report(Connection& connection,
+                                 const Query& query,
+                                 const JobStatus& status,
+                                 std::uint64_t fetched) {
     RunReport report = report_of(status, query.level);
     report.limit_pairs = query.limit_pairs;
     report.maps_all_pairs = query.maps;
-    const Result<ClusterStatus> cluster = connection.status();
-    report.execution.where = cluster ? workers_text(cluster.value()) : std::string();
+    report.execution.where = workers_text(connection);
+    report.execution.fetched = fetched;
     if (query.maps && status.state == JobState::Done) {
-        if (Status map = fetch_map(connection, status.job, report); !map) {
-            return map.error();
-        }
+        CD_TRY(fetch_map(connection, status.job, report));
     }
+    return report;
+}
+
+} // namespace
+
+RunReport report_of(const JobStatus& job, Level level) {
+    RunReport report;
+    report.summary = job.summary;
+    report.level = level;
+    report.digest = job.digest;
+    report.execution.seconds = job.seconds;
+    report.execution.statistics = job.statistics;
+    report.execution.traffic = job.traffic;
+    report.execution.depths = job.depths;
+    return report;
+}
+
+Result<RunReport>
+fetch_results(Connection& connection, const Query& query, const JobStatus& job, ResultSink& sink) {
+    const std::uint64_t fetched = CD_TRY(fetch_each(
+        connection, job, [&](const ScenarioResult& result) { return sink.add(result); }));
+    auto report = CD_TRY(fetched_report(connection, query, job, fetched));
+    report.most_touched = sink.tally().most_touched();
+    return report;
+}
+
+Result<RunReport> fetch_results(Connection& connection,
+                                const PreparedJob& prepared,
+                                const JobStatus& job,
+                                FolderRun& run,
+                                const std::string& output,
+                                bool with_hint) {
+    const std::uint64_t fetched =
+        CD_TRY(fetch_each(connection, job, [&](const ScenarioResult& result) {
+            return run.add({result, encode_result(result), {}, {}});
+        }));
+    auto report = CD_TRY(fetched_report(connection, prepared.query, job, fetched));
+    if (with_hint) {
+        CD_TRY(add_hint(prepared, report));
+    }
+    const std::optional<ContactMap> map = report.map;
+    CD_TRY(run.finish(report, output, map));
     return report;
 }
 
 Result<FetchedJob> FetchedJob::open(const MasterOptions& master,
                                     const std::string& text,
                                     const std::filesystem::path& tree_cache) {
-    auto connection = open_master(master);
-    if (!connection) {
-        return no_folder(text, connection.error());
+    auto opened = open_job(master, text);
+    if (!opened) {
+        return no_folder(text, opened.error());
     }
-    auto known = find_known_job(*connection.value(), text);
-    if (!known) {
-        return no_folder(text, known.error());
-    }
-    FetchedJob job(std::move(connection.value()), std::move(known.value()));
-    if (Status prepared = job.prepare(MeshCache(tree_cache)); !prepared) {
-        return prepared.error();
-    }
+    FetchedJob job(std::move(opened.value()));
+    CD_TRY(job.prepare(tree_cache));
     return job;
 }
 
-Status FetchedJob::prepare(const MeshCache& meshes) {
-    const JobId id = known_.status.job;
-    const auto described = connection_->job_description(id);
-    if (!described) {
-        return described.error();
-    }
-    const Submit& submit = described.value().submit;
-    auto spec = spec_of(submit);
-    if (!spec) {
-        return spec.error();
-    }
-    JobInputs inputs;
-    if (Status fetched = get_meshes(*connection_, submit, meshes, inputs); !fetched) {
-        return fetched;
-    }
+Status FetchedJob::prepare(const std::filesystem::path& tree_cache) {
+    Connection& connection = *job_.connection;
+    const auto [id, began, submit] = CD_TRY(connection.job_description(job_.status.job));
+    auto spec = CD_TRY(spec_of(submit));
     labels_ = submit.poses.labels;
+    JobInputs inputs;
+    const MeshCache meshes(tree_cache);
+    inputs.meshes[0] = CD_TRY(get_mesh(connection, submit.bodies[0].mesh, meshes));
+    inputs.meshes[1] = inputs.meshes[0];
+    if (submit.bodies[1].mesh != submit.bodies[0].mesh) {
+        inputs.meshes[1] = CD_TRY(get_mesh(connection, submit.bodies[1].mesh, meshes));
+    }
     if (!submit.grid) {
-        inputs.poses = std::make_unique<RemotePoses>(*connection_, id, submit.scenarios);
+        inputs.poses = std::make_unique<RemotePoses>(connection, id, submit.scenarios);
     }
     inputs.ignored = submit.query.ignored;
     ThreadPool pool(1);
     TreeCache cache{std::filesystem::path()};
-    auto job = prepare_job(
-        std::move(spec.value()), Trees::ForPosesOnly, cache, pool, true, std::move(inputs));
-    if (!job) {
-        return job.error();
-    }
-    prepared_ = std::make_unique<PreparedJob>(std::move(job.value()));
+    auto job = CD_TRY(
+        prepare_job(std::move(spec), Trees::ForPosesOnly, cache, pool, true, std::move(inputs)));
+    prepared_ = std::make_unique<PreparedJob>(std::move(job));
     return Done{};
 }
 
-Result<RunReport> FetchedJob::make_report() {
-    return fetched_report(*connection_, prepared_->query, known_.status);
-}
-
 Result<RunReport> FetchedJob::print(const std::string& output) {
-    auto sink = ResultSink::open({{}, {}, output}, export_context(*prepared_));
-    if (!sink) {
-        return sink.error();
-    }
-    const Status fetched = fetch_results(*connection_, known_.status, [&](const auto& result) {
-        ++fetched_;
-        return sink.value().add(result);
-    });
-    if (!fetched) {
-        return fetched.error();
-    }
-    if (Status finished = sink.value().finish(std::nullopt); !finished) {
-        return finished.error();
-    }
-    auto report = make_report();
+    auto sink = CD_TRY(ResultSink::open({{}, {}, output}, export_context(*prepared_)));
+    auto report = fetch_results(*job_.connection, prepared_->query, job_.status, sink);
     if (report) {
-        report.value().most_touched = sink.value().tally().most_touched();
+        CD_TRY(sink.finish(std::nullopt));
     }
     return report;
 }
@@ -179,12 +205,9 @@ Status FetchedJob::fetch_labels() {
     }
     const std::uint64_t count = prepared_->poses->count();
     for (std::uint64_t first = 0; first < count; first += poses_at_once) {
-        const auto poses = connection_->fetch_poses(
-            known_.status.job, first, std::min(poses_at_once, count - first));
-        if (!poses) {
-            return poses.error();
-        }
-        prepared_->labels.append(poses.value().labels);
+        const auto poses = CD_TRY(job_.connection->fetch_poses(
+            job_.status.job, first, std::min(poses_at_once, count - first)));
+        prepared_->labels.append(poses.labels);
     }
     return labels_.fit(prepared_->labels, count)
                ? Status(Done{})
@@ -192,42 +215,16 @@ Status FetchedJob::fetch_labels() {
 }
 
 Result<RunReport> FetchedJob::write(FolderRunOptions options, const std::string& output) {
-    if (Status fetched = fetch_labels(); !fetched) {
-        return fetched.error();
-    }
-    options.where.job = known_.id;
-    const auto cluster = connection_->status();
-    options.where.workers = cluster ? worker_count(cluster.value()) : 0;
-    const JobStatus& job = known_.status;
+    CD_TRY(fetch_labels());
+    const JobStatus& job = job_.status;
+    options.where.job = job_.id;
+    options.where.workers = worker_count(*job_.connection);
     options.started = iso_time(job.began);
     options.ended = iso_time(job.began + static_cast<std::uint64_t>(std::max(0.0, job.seconds)));
     options.folder.fresh = true; // A running job may have more results by now.
-    auto run = FolderRun::begin(*prepared_, std::move(options));
-    if (!run) {
-        return run.error();
-    }
-    auto report = write_into(run.value(), output);
-    run.value().drop_unfinished();
-    return report;
-}
-
-Result<RunReport> FetchedJob::write_into(FolderRun& run, const std::string& output) {
-    const Status fetched =
-        fetch_results(*connection_, known_.status, [&](const ScenarioResult& result) {
-            ++fetched_;
-            return run.add({result, encode_result(result), {}, {}});
-        });
-    if (!fetched) {
-        return fetched.error();
-    }
-    auto report = make_report();
-    if (!report) {
-        return report;
-    }
-    const std::optional<ContactMap> map = report.value().map;
-    if (Status finished = run.finish(report.value(), output, map); !finished) {
-        return finished.error();
-    }
+    auto run = CD_TRY(FolderRun::begin(*prepared_, std::move(options)));
+    auto report = fetch_results(*job_.connection, *prepared_, job, run, output, false);
+    run.drop_unfinished();
     return report;
 }
 

@@ -1,11 +1,11 @@
-// A job fetched from a master with its meshes and poses.
+// A job fetched from a master with its meshes, poses and results.
 #pragma once
 
 #include "client/cli/cli.hpp"
 #include "client/commands/remote_session.hpp"
+#include "client/export/result_sink.hpp"
 #include "client/folder/folder_run.hpp"
 #include "client/job/prepared_job.hpp"
-#include "client/remote/mesh_cache.hpp"
 #include "client/report/report.hpp"
 #include "common/core/result.hpp"
 
@@ -27,9 +27,7 @@ class FetchedJob {
                                                  const std::filesystem::path& tree_cache);
 
     [[nodiscard]] PreparedJob& prepared() { return *prepared_; }
-    [[nodiscard]] const KnownJob& known() const { return known_; }
-    /// `coverage_text` of the results fetched so far; empty for a completed job.
-    [[nodiscard]] std::string coverage() const { return coverage_text(known_.status, fetched_); }
+    [[nodiscard]] const JobStatus& status() const { return job_.status; }
 
     /// Writes the results to stdout in the format `output`. Errors: those of the connection and of
     /// writing.
@@ -39,23 +37,32 @@ class FetchedJob {
     [[nodiscard]] Result<RunReport> write(FolderRunOptions options, const std::string& output);
 
   private:
-    FetchedJob(std::unique_ptr<Connection> connection, KnownJob known)
-        : connection_(std::move(connection)), known_(std::move(known)) {}
+    explicit FetchedJob(ConnectedJob job) : job_(std::move(job)) {}
 
-    [[nodiscard]] Status prepare(const MeshCache& meshes);
-    [[nodiscard]] Result<RunReport> make_report();
-    [[nodiscard]] Result<RunReport> write_into(FolderRun& run, const std::string& output);
+    [[nodiscard]] Status prepare(const std::filesystem::path& tree_cache);
     [[nodiscard]] Status fetch_labels();
 
-    std::unique_ptr<Connection> connection_;
-    KnownJob known_;
+    ConnectedJob job_;
     std::unique_ptr<PreparedJob> prepared_;
-    LabelColumns labels_;       ///< The job's label columns.
-    std::uint64_t fetched_ = 0; ///< Results fetched so far.
+    LabelColumns labels_; ///< The job's label columns.
 };
 
-/// The report of a job on a master, with the contact map if the master summed one.
+/// The report of an ended job. `level` is the level of the job.
+[[nodiscard]] RunReport report_of(const JobStatus& job, Level level);
+
+/// Fetches all existing results of a job into `sink`. Returns a report, with the contact map if the
+/// master summed one. Errors: those of `connection` and `sink`; BadFrame when the results do not
+/// match the digest that the master states for a completed job.
 [[nodiscard]] Result<RunReport>
-fetched_report(Connection& connection, const Query& query, const JobStatus& status);
+fetch_results(Connection& connection, const Query& query, const JobStatus& job, ResultSink& sink);
+
+/// Like the other `fetch_results`, into a folder. The report's `hint` is set if `with_hint`. Also
+/// completes the folder, and writes the results to stdout in the format `output`.
+[[nodiscard]] Result<RunReport> fetch_results(Connection& connection,
+                                              const PreparedJob& prepared,
+                                              const JobStatus& job,
+                                              FolderRun& run,
+                                              const std::string& output,
+                                              bool with_hint);
 
 } // namespace cd

@@ -1,8 +1,8 @@
 // The verbs that obtain credentials: `join` and `token create`.
+#include "client/base/errors.hpp"
 #include "client/base/exit_code.hpp"
 #include "client/base/interrupt.hpp"
 #include "client/commands/commands.hpp"
-#include "client/commands/remote_commands.hpp"
 #include "client/commands/remote_session.hpp"
 #include "client/remote/membership.hpp"
 #include "common/core/duration.hpp"
@@ -37,62 +37,44 @@ Result<JoinToken> token_of(const JoinCommand& command) {
     std::ifstream file(command.token_file);
     std::string line;
     if (!std::getline(file, line)) {
-        return Error{ErrorCode::BadInput, "cannot read a token from '" + command.token_file + "'"};
+        return bad_input("cannot read a token from '" + command.token_file + "'");
     }
     return parse_join_token(line);
 }
 
 } // namespace
 
-int execute(const JoinCommand& command) {
-    const Result<JoinToken> token = token_of(command);
-    if (!token) {
-        return fail(token.error());
-    }
-    const Result<Endpoint> master = parse_endpoint(command.master.address);
-    if (!master) {
-        return fail(master.error());
-    }
-    const auto path = client_credential_path(command.master, master.value());
+Result<int> perform(const JoinCommand& command) {
+    const JoinToken token = CD_TRY(token_of(command));
+    const Endpoint master = CD_TRY(parse_endpoint(command.master.address));
+    const auto path = client_credential_path(command.master, master);
     if (path.empty()) {
-        return fail({ErrorCode::BadInput, "--credential none leaves no place for a credential"});
+        return bad_input("--credential none leaves no place for a credential");
     }
-    const auto identity = join_as_client(
-        master.value(), token.value(), command.name.empty() ? default_name() : command.name, path);
-    if (!identity) {
-        return fail(identity.error());
-    }
+    const auto identity = CD_TRY(
+        join_as_client(master, token, command.name.empty() ? default_name() : command.name, path));
     std::printf("joined %s as %s (%s); credential %s\n",
                 command.master.address.c_str(),
-                std::string(to_text(identity.value().role)).c_str(),
-                identity.value().name.c_str(),
+                std::string(to_text(identity.role)).c_str(),
+                identity.name.c_str(),
                 path.c_str());
     return exit_done;
 }
 
-int execute(const TokenCommand& command) {
+Result<int> perform(const TokenCommand& command) {
     const InterruptGuard interrupts;
-    const Result<std::chrono::seconds> life = parse_duration(command.ttl);
-    if (!life) {
-        return fail(life.error());
-    }
-    auto connection = open_master(command.master);
-    if (!connection) {
-        return fail(connection.error());
-    }
+    const std::chrono::seconds life = CD_TRY(parse_duration(command.ttl));
+    auto connection = CD_TRY(open_master(command.master));
     TokenCreate create;
     create.role = certified_role_from_text(command.role).value();
-    create.seconds = static_cast<std::uint64_t>(life.value().count());
+    create.seconds = static_cast<std::uint64_t>(life.count());
     create.uses = command.uses;
-    const Result<TokenCreated> created = connection.value()->create_token(create);
-    if (!created) {
-        return fail(created.error());
-    }
-    const Result<JoinToken> token = parse_join_token(created.value().token);
+    const TokenCreated created = CD_TRY(connection->create_token(create));
+    const Result<JoinToken> token = parse_join_token(created.token);
     if (!token) {
-        return fail({ErrorCode::BadFrame, "the master answers something else than a token"});
+        return Error{ErrorCode::BadFrame, "the master answers something else than a token"};
     }
-    std::printf("%s\n", created.value().token.c_str());
+    std::printf("%s\n", created.token.c_str());
     std::fprintf(stderr,
                  "for %u %s, within %s; authority %s\n",
                  command.uses,

@@ -1,8 +1,8 @@
+#include "client/base/errors.hpp"
 #include "client/base/exit_code.hpp"
 #include "client/base/interrupt.hpp"
 #include "client/base/units.hpp"
 #include "client/commands/commands.hpp"
-#include "client/import/import_notes.hpp"
 #include "client/picture/body_picture.hpp"
 #include "client/report/inspect.hpp"
 #include "client/report/report.hpp"
@@ -19,7 +19,7 @@ namespace {
 /// as in the file, or in metres if the file declares a unit.
 Result<double> factor_of(const InspectCommand& command) {
     if (command.unit.empty() && !command.job_unit.empty()) {
-        return Error{ErrorCode::BadInput, "--job-unit needs --unit, the unit of the file"};
+        return bad_input("--job-unit needs --unit, the unit of the file");
     }
     if (command.unit.empty()) {
         return 1.0;
@@ -29,29 +29,22 @@ Result<double> factor_of(const InspectCommand& command) {
 
 } // namespace
 
-int execute(const InspectCommand& command) {
+Result<int> perform(const InspectCommand& command) {
     if (!command.png.empty() && command.meshes.size() != 1) {
-        return fail(
-            {ErrorCode::BadInput, "--png draws one mesh; inspect the others by themselves"});
+        return bad_input("--png draws one mesh; inspect the others by themselves");
     }
-    const auto factor = factor_of(command);
-    if (!factor) {
-        return fail(factor.error());
-    }
+    const auto factor = CD_TRY(factor_of(command));
     std::vector<BodyLine> bodies;
     for (const std::string& file : command.meshes) {
-        ImportOptions options{factor.value()};
+        ImportOptions options{factor};
         options.declared_unit_to = command.unit.empty() ? "m" : "";
         options.is_stopped = &InterruptGuard::has_come;
-        const auto imported = import_mesh(file, options);
-        if (!imported) {
-            return fail(imported.error());
-        }
-        MeshReport report = inspect_mesh(file, imported.value());
-        report.notes = import_notes(imported.value(), command.unit, false);
+        const auto imported = CD_TRY(import_mesh(file, options));
+        MeshReport report = inspect_mesh(file, imported);
+        report.notes = import_notes(imported, command.unit, false);
         const std::string text = command.output == "json" ? to_json(report) : to_text(report);
         std::fputs(text.c_str(), stdout);
-        const BodyLine body = describe_body(file, "", *imported.value().mesh);
+        const BodyLine body = describe_body(file, "", *imported.mesh);
         for (const BodyLine& earlier : bodies) {
             if (const auto warning = unit_warning(earlier, body)) {
                 std::fputs((*warning + "\n").c_str(), stderr);
@@ -59,9 +52,7 @@ int execute(const InspectCommand& command) {
         }
         bodies.push_back(body);
         if (!command.png.empty()) {
-            if (Status drawn = write_png(draw_parts(*imported.value().mesh), command.png); !drawn) {
-                return fail(drawn.error());
-            }
+            CD_TRY(write_png(draw_parts(*imported.mesh), command.png));
         }
     }
     return exit_done;

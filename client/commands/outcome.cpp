@@ -39,7 +39,7 @@ int fail(const Error& error) {
     return exit_code_of(error, signal == 0 ? SIGINT : signal);
 }
 
-int execute(const VersionCommand& command) {
+Result<int> perform(const VersionCommand& command) {
     const bool as_json = command.output == "json";
     std::fputs(version_text("cdctl", to_text(simd_target()), as_json).c_str(), stdout);
     return exit_done;

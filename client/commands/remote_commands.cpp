@@ -1,13 +1,14 @@
 // The verbs that show a master and its jobs.
-#include "client/commands/remote_commands.hpp"
-
+#include "client/base/errors.hpp"
 #include "client/base/exit_code.hpp"
 #include "client/base/interrupt.hpp"
 #include "client/commands/commands.hpp"
+#include "client/commands/fetched_job.hpp"
 #include "client/commands/remote_session.hpp"
 #include "client/report/cluster_report.hpp"
 #include "client/report/explain_report.hpp"
 
+#include <algorithm>
 #include <cstdio>
 
 namespace cd {
@@ -17,148 +18,72 @@ namespace {
 /// Time between the two cluster statuses from which rates and the bottleneck are computed.
 constexpr std::chrono::milliseconds sample_time{500};
 
+int print(const std::string& text) {
+    std::fputs(text.c_str(), stdout);
+    return exit_done;
+}
+
 /// Guesses the level, which a job's status lacks: only `level any` finds the class `contact`.
 Level level_of(const Summary& summary) {
     return summary.contact != 0 ? Level::Any : Level::Pairs;
 }
 
-struct Statuses {
-    ClusterStatus before;
-    ClusterStatus after;
-};
-
-/// Gets two statuses, `sample_time` apart if a job is running.
-Result<Statuses> sample(Connection& connection) {
-    const Result<ClusterStatus> before = connection.status();
-    if (!before) {
-        return before.error();
-    }
-    bool running = false;
-    for (const JobStatus& job : before.value().jobs) {
-        running = running || job.state == JobState::Running;
-    }
-    if (!running) {
-        return Statuses{before.value(), before.value()};
-    }
-    if (const Status paused = connection.pause(sample_time); !paused) {
-        return paused.error();
-    }
-    const Result<ClusterStatus> after = connection.status();
-    if (!after) {
-        return after.error();
-    }
-    return Statuses{before.value(), after.value()};
-}
-
 } // namespace
 
-int execute(const WatchCommand& command) {
+Result<int> perform(const WatchCommand& command) {
     const InterruptGuard interrupts;
-    auto connection = open_master(command.master);
-    if (!connection) {
-        return fail(connection.error());
-    }
-    const Result<KnownJob> job = find_known_job(*connection.value(), command.job);
-    if (!job) {
-        return fail(job.error());
-    }
+    auto [connection, known, id] = CD_TRY(open_job(command.master, command.job));
     const auto style = command.only_wait && !command.quiet
                            ? ProgressPrinter::Style::Notes
                            : ProgressPrinter::style_for(command.quiet);
-    const auto status = watch_job(
-        command.master, connection.value(), job.value().status.job, job.value().id, style);
-    if (!status) {
-        return fail(status.error());
-    }
-    const Level level = level_of(status.value().summary);
+    const JobStatus status = CD_TRY(watch_job(command.master, connection, known.job, id, style));
+    const Level level = level_of(status.summary);
     if (command.output == "json") {
-        std::fputs(job_json(status.value()).c_str(), stdout);
+        print(job_json(status));
     } else if (!command.quiet && !command.only_wait) {
-        const RunReport report = report_of(status.value(), level);
-        std::fputs(summary_text(report, {colours_wanted(stdout), command.statistics}).c_str(),
-                   stdout);
+        print(summary_text(report_of(status, level), {colours_wanted(stdout), command.statistics}));
     }
-    if (const Status done = check_done(status.value(), job.value().id); !done) {
-        return fail(done.error());
-    }
-    if (const Status answerable = check_fail_on(command.fail_on, level); !answerable) {
-        return fail(answerable.error());
-    }
-    return exit_code_of(status.value().summary, command.fail_on);
+    CD_TRY(check_done(status, id));
+    CD_TRY(check_fail_on(command.fail_on, level));
+    return exit_code_of(status.summary, command.fail_on);
 }
 
-int execute(const GetCommand& command) {
+Result<int> perform(const GetCommand& command) {
     const InterruptGuard interrupts;
-    const auto cluster = open_cluster(command.master);
-    if (!cluster) {
-        return fail(cluster.error());
-    }
-    const auto& [connection, status] = cluster.value();
+    const auto [connection, status] = CD_TRY(open_cluster(command.master));
     const Table table = command.what == "jobs"      ? jobs_table(status)
                         : command.what == "workers" ? workers_table(status)
                                                     : meshes_table(status);
-    std::fputs(format_table(table, command.output).c_str(), stdout);
-    return exit_done;
+    return print(format_table(table, command.output));
 }
 
-int execute(const StatusCommand& command) {
+Result<int> perform(const StatusCommand& command) {
     const InterruptGuard interrupts;
-    auto connection = open_master(command.master);
-    if (!connection) {
-        return fail(connection.error());
+    const auto [connection, before] = CD_TRY(open_cluster(command.master));
+    ClusterStatus after = before;
+    if (std::ranges::count(before.jobs, JobState::Running, &JobStatus::state) != 0) {
+        CD_TRY(connection->pause(sample_time));
+        after = CD_TRY(connection->status());
     }
-    const Result<Statuses> statuses = sample(*connection.value());
-    if (!statuses) {
-        return fail(statuses.error());
-    }
-    const auto& [before, after] = statuses.value();
-    const bool json = command.output == "json";
-    std::fputs((json ? status_json(before, after) : status_text(before, after)).c_str(), stdout);
-    return exit_done;
+    return print(command.output == "json" ? status_json(before, after)
+                                          : status_text(before, after));
 }
 
-int execute(const ExplainCommand& command) {
+Result<int> perform(const ExplainCommand& command) {
     const InterruptGuard interrupts;
-    auto connection = open_master(command.master);
-    if (!connection) {
-        return fail(connection.error());
-    }
-    const Result<KnownJob> job = find_known_job(*connection.value(), command.job);
-    if (!job) {
-        return fail(job.error());
-    }
-    const Result<Explained> explained =
-        connection.value()->explain(job.value().status.job, command.scenario);
-    if (!explained) {
-        return fail(explained.error());
-    }
-    const bool json = command.output == "json";
-    const std::string text = json ? explained_json(explained.value(), job.value().id)
-                                  : explained_text(explained.value(), job.value().id);
-    std::fputs(text.c_str(), stdout);
-    return exit_done;
+    const auto [connection, job, id] = CD_TRY(open_job(command.master, command.job));
+    const Explained explained = CD_TRY(connection->explain(job.job, command.scenario));
+    return print(command.output == "json" ? explained_json(explained, id)
+                                          : explained_text(explained, id));
 }
 
-int execute(const CancelCommand& command) {
+Result<int> perform(const CancelCommand& command) {
     const InterruptGuard interrupts;
-    auto connection = open_master(command.master);
-    if (!connection) {
-        return fail(connection.error());
-    }
-    const Result<KnownJob> job = find_known_job(*connection.value(), command.job);
-    if (!job) {
-        return fail(job.error());
-    }
-    const JobId id = job.value().status.job;
-    const auto status = command.scenario
-                            ? connection.value()->cancel_scenario(id, *command.scenario)
-                            : connection.value()->cancel(id);
-    if (!status) {
-        return fail(status.error());
-    }
-    std::printf(
-        "%s  %s\n", job.value().id.c_str(), std::string(to_text(status.value().state)).c_str());
-    return exit_done;
+    const auto [connection, job, id] = CD_TRY(open_job(command.master, command.job));
+    const JobStatus status =
+        CD_TRY(command.scenario ? connection->cancel_scenario(job.job, *command.scenario)
+                                : connection->cancel(job.job));
+    return print(id + "  " + std::string(to_text(status.state)) + "\n");
 }
 
 } // namespace cd

@@ -1,5 +1,6 @@
 #include "client/commands/remote_session.hpp"
 
+#include "client/base/errors.hpp"
 #include "client/base/interrupt.hpp"
 #include "client/base/job_id.hpp"
 #include "client/base/slow_note.hpp"
@@ -9,13 +10,14 @@
 #include "client/remote/membership.hpp"
 #include "client/report/waiting_note.hpp"
 #include "common/core/limits/client.hpp"
-#include "common/core/limits/engine.hpp"
 #include "common/core/timing/client.hpp"
-#include "common/job/result/packed_map.hpp"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cstdio>
+#include <functional>
+#include <optional>
 #include <thread>
 #include <utility>
 
@@ -24,13 +26,6 @@ namespace cd {
 namespace {
 
 constexpr double bytes_per_megabyte = 1e6;
-
-std::string mesh_name(const ClusterStatus& status, const Sha256& mesh) {
-    const auto found = std::find_if(status.meshes.begin(),
-                                    status.meshes.end(),
-                                    [&](const MeshStatus& each) { return each.mesh == mesh; });
-    return found == status.meshes.end() || found->name.empty() ? to_short_hex(mesh) : found->name;
-}
 
 /// True if a new connection may help: the old one broke, was silent, or brought damaged bytes.
 bool is_of_the_network(const Error& error) {
@@ -53,16 +48,10 @@ Result<std::unique_ptr<Connection>> open_again(const MasterOptions& master) {
 } // namespace
 
 Result<std::unique_ptr<Connection>> open_master(const MasterOptions& options) {
-    const Result<Endpoint> master = parse_endpoint(options.address);
-    if (!master) {
-        return master.error();
-    }
-    auto tls = client_tls(options, master.value());
-    if (!tls) {
-        return tls.error();
-    }
+    const Endpoint master = CD_TRY(parse_endpoint(options.address));
+    auto tls = CD_TRY(client_tls(options, master));
     auto opened = Connection::open(
-        options.address, options.insecure, &InterruptGuard::has_come, std::move(tls.value()));
+        options.address, options.insecure, &InterruptGuard::has_come, std::move(tls));
     if (!opened && opened.error().code == ErrorCode::Disconnected &&
         opened.error().detail.starts_with("cannot connect")) {
         return Error{ErrorCode::Disconnected,
@@ -81,32 +70,37 @@ Result<std::unique_ptr<Connection>> open_master_for_job(const MasterOptions& opt
 }
 
 Result<ConnectedCluster> open_cluster(const MasterOptions& options) {
-    auto connection = open_master(options);
-    if (!connection) {
-        return connection.error();
-    }
-    auto status = connection.value()->status();
-    if (!status) {
-        return status.error();
-    }
-    return ConnectedCluster{std::move(connection.value()), std::move(status.value())};
+    auto connection = CD_TRY(open_master(options));
+    auto status = CD_TRY(connection->status());
+    return ConnectedCluster{std::move(connection), std::move(status)};
+}
+
+Result<ConnectedJob> open_job(const MasterOptions& options, const std::string& text) {
+    auto [connection, cluster] = CD_TRY(open_cluster(options));
+    const JobId id = CD_TRY(find_job(text, cluster.jobs, connection->owner()));
+    const auto status = std::ranges::find(cluster.jobs, id, &JobStatus::job);
+    return ConnectedJob{std::move(connection), *status, job_id_text(id, ids_of(cluster.jobs))};
 }
 
 std::uint64_t worker_count(const ClusterStatus& cluster) {
-    const auto here = std::ranges::count_if(cluster.workers, [](const WorkerStatus& worker) {
-        return worker.state != WorkerState::Lost;
-    });
-    return static_cast<std::uint64_t>(here);
+    const auto lost = std::ranges::count(cluster.workers, WorkerState::Lost, &WorkerStatus::state);
+    return cluster.workers.size() - static_cast<std::uint64_t>(lost);
 }
 
-std::string workers_text(const ClusterStatus& cluster) {
-    return counted(worker_count(cluster), "worker");
+std::uint64_t worker_count(Connection& connection) {
+    const auto cluster = connection.status();
+    return cluster ? worker_count(cluster.value()) : 0;
+}
+
+std::string workers_text(Connection& connection) {
+    const auto cluster = connection.status();
+    return cluster ? counted(worker_count(cluster.value()), "worker") : "";
 }
 
 Result<JobId> send_job(Connection& connection, PreparedJob& job, bool quiet) {
     const std::array<NamedMesh, 2> meshes{NamedMesh{job.names[0], job.meshes[0]},
                                           NamedMesh{job.names[1], job.meshes[1]}};
-    const Status uploaded = connection.upload(
+    CD_TRY(connection.upload(
         meshes, [quiet](const NamedMesh& mesh, std::uint64_t bytes, std::uint64_t total) {
             if (!quiet && bytes == 0) {
                 std::fprintf(stderr,
@@ -114,39 +108,13 @@ Result<JobId> send_job(Connection& connection, PreparedJob& job, bool quiet) {
                              mesh.name.c_str(),
                              static_cast<double>(total) / bytes_per_megabyte);
             }
-        });
-    if (!uploaded) {
-        return uploaded.error();
-    }
+        }));
     Submit submit = submission_of(job);
-    if (!job.grid) {
-        const SlowNote note("  sending " + counted(submit.scenarios, "pose") + "...", quiet);
-        return connection.submit(std::move(submit), *job.poses, job.labels);
+    if (job.grid) {
+        return connection.submit(submit);
     }
-    return connection.submit(submit);
-}
-
-Result<KnownJob> find_known_job(Connection& connection, const std::string& text) {
-    const Result<ClusterStatus> status = connection.status();
-    if (!status) {
-        return status.error();
-    }
-    const std::vector<JobId> ids = ids_of(status.value().jobs);
-    const Result<JobId> id = find_job(text, status.value().jobs, connection.owner());
-    if (!id) {
-        return id.error();
-    }
-    KnownJob known;
-    known.id = job_id_text(id.value(), ids);
-    for (const JobStatus& job : status.value().jobs) {
-        if (job.job == id.value()) {
-            known.status = job;
-        }
-    }
-    for (std::size_t body = 0; body < known.bodies.size(); ++body) {
-        known.bodies[body] = mesh_name(status.value(), known.status.bodies.at(body));
-    }
-    return known;
+    const SlowNote note("  sending " + counted(submit.scenarios, "pose") + "...", quiet);
+    return connection.submit(std::move(submit), *job.poses, job.labels);
 }
 
 Result<JobStatus> watch_job(const MasterOptions& master,
@@ -157,11 +125,10 @@ Result<JobStatus> watch_job(const MasterOptions& master,
     ProgressPrinter printer(progress);
     int damaged = 0; // Number of connections in a row that brought damaged bytes.
     JobStatus last;
-    ClusterStatus cluster;
-    bool has_looked = false;
+    std::optional<ClusterStatus> cluster;
     const auto print = [&] {
         const WaitingNote note =
-            has_looked ? waiting_note(last, cluster, master.address) : WaitingNote();
+            cluster ? waiting_note(last, *cluster, master.address) : WaitingNote();
         const ProgressState state{id, last.summary, last.seconds, note};
         if (last.state == JobState::Running) {
             printer.update(state);
@@ -176,7 +143,6 @@ Result<JobStatus> watch_job(const MasterOptions& master,
     };
     const auto look = [&](const ClusterStatus& status) {
         cluster = status;
-        has_looked = true;
         print();
     };
     const bool tells = progress != ProgressPrinter::Style::Silent;
@@ -185,14 +151,10 @@ Result<JobStatus> watch_job(const MasterOptions& master,
     for (;;) {
         Result<JobStatus> status = connection->watch(
             job, show, tells ? look : std::function<void(const ClusterStatus&)>());
-        if (!status && status.error().code == ErrorCode::Refused && renewal.count() != renewals) {
-            // The connection's certificate has expired and has been renewed.
+        const bool is_renewed = renewal.count() != renewals; // An expired certificate was renewed.
+        if (!status && status.error().code == ErrorCode::Refused && is_renewed) {
             renewals = renewal.count();
-            auto again = open_again(master);
-            if (!again) {
-                return again.error();
-            }
-            connection = std::move(again.value());
+            connection = CD_TRY(open_again(master));
             continue;
         }
         if (status || !is_of_the_network(status.error())) {
@@ -207,51 +169,8 @@ Result<JobStatus> watch_job(const MasterOptions& master,
                      "cdctl: the master is gone; waiting for it to come back: %s\n",
                      status.error().detail.c_str());
         std::this_thread::sleep_for(timing::come_back_period);
-        auto again = open_again(master);
-        if (!again) {
-            return again.error();
-        }
-        connection = std::move(again.value());
+        connection = CD_TRY(open_again(master));
     }
-}
-
-Status fetch_results(Connection& connection,
-                     const JobStatus& job,
-                     const std::function<Status(const ScenarioResult&)>& take) {
-    // The master uses this merger too, so a result lost or changed in transit changes the digest.
-    ResultMerger merger(job.summary.total);
-    const Status fetched =
-        connection.fetch(job.job, 0, job.summary.total, [&](const ScenarioResult& result) {
-            (void)merger.add(result);
-            return take(result);
-        });
-    if (!fetched) {
-        return fetched;
-    }
-    if (job.digest && merger.digest() != job.digest) {
-        return Error{ErrorCode::BadFrame, "the received results do not have the job's digest"};
-    }
-    return Done{};
-}
-
-Status fetch_map(Connection& connection, JobId job, RunReport& report) {
-    const Result<ContactMapAnswer> answer = connection.contact_map(job);
-    if (!answer) {
-        return answer.error();
-    }
-    report.map_withdrawn = answer.value().withdrawn;
-    if (!answer.value().is_asked || !report.map_withdrawn.empty()) {
-        return Done{};
-    }
-    // Uses bounds that hold for any mesh, since the meshes need not be loaded here.
-    const ContactMapBounds bounds{
-        limits::mesh_triangles_max, limits::mesh_triangles_max, report.summary.total};
-    Result<ContactMap> map = unpack_map(answer.value().map, bounds);
-    if (!map) {
-        return map.error();
-    }
-    report.map = std::move(map.value());
-    return Done{};
 }
 
 Status check_done(const JobStatus& job, const std::string& id) {
@@ -270,27 +189,6 @@ Status check_done(const JobStatus& job, const std::string& id) {
         return Error{ErrorCode::Incomplete, "job " + id + " failed" + done + ": " + job.failure};
     }
     return Error{ErrorCode::BadFrame, "job " + id + " is in a state that is not known here"};
-}
-
-std::string coverage_text(const JobStatus& job, std::uint64_t answered) {
-    if (job.state == JobState::Done) {
-        return "";
-    }
-    return "incomplete: " + grouped(answered) + " of " + grouped(job.summary.total) +
-           " scenarios have a result; the job is " + std::string(to_text(job.state)) +
-           (job.failure.empty() || job.state != JobState::Failed ? "" : ": " + job.failure);
-}
-
-RunReport report_of(const JobStatus& job, Level level) {
-    RunReport report;
-    report.summary = job.summary;
-    report.level = level;
-    report.digest = job.digest;
-    report.execution.seconds = job.seconds;
-    report.execution.statistics = job.statistics;
-    report.execution.traffic = job.traffic;
-    report.execution.depths = job.depths;
-    return report;
 }
 
 } // namespace cd

@@ -1,73 +1,68 @@
 #include "client/commands/run_at_hand.hpp"
 
+#include "client/base/errors.hpp"
 #include "client/base/interrupt.hpp"
+#include "client/base/temporary_folder.hpp"
 #include "client/commands/fetched_job.hpp"
 #include "client/commands/run_command.hpp"
-#include "common/core/files/disk_file.hpp"
 
 #include <cstdint>
 #include <filesystem>
-#include <system_error>
 #include <utility>
 
 namespace cd {
 
 namespace {
 
-Status fetch_into(const std::filesystem::path& dir,
-                  const std::string& id,
-                  const MasterOptions& master,
-                  const std::filesystem::path& tree_cache) {
-    auto job = FetchedJob::open(master, id, tree_cache);
-    if (!job) {
-        return job.error();
-    }
-    job.value().prepared().spec.output.dir = dir;
-    job.value().prepared().spec.output.formats.clear();
+/// A run and its inputs, which stay valid when its folder is removed.
+struct RunWithInputs {
+    OpenedRun run;
+    JobInputs inputs;
+};
+
+Result<RunWithInputs> open_folder(const std::filesystem::path& dir) {
+    auto run = CD_TRY(OpenedRun::open(dir));
+    auto inputs = CD_TRY(read_inputs(run));
+    return RunWithInputs{std::move(run), std::move(inputs)};
+}
+
+Result<RunWithInputs>
+fetch(const std::string& id, const MasterOptions& master, const std::string& tree_cache) {
+    const auto folder = CD_TRY(TemporaryFolder::make("cdctl"));
+    auto job = CD_TRY(FetchedJob::open(master, id, tree_cache_folder(tree_cache)));
+    job.prepared().spec.output.dir = folder.path();
+    job.prepared().spec.output.formats.clear();
     FolderRunOptions options = folder_options({}, master);
     options.inputs_bytes_max = UINT64_MAX; // The inputs have no other local copy.
-    const auto written = job.value().write(std::move(options), "text");
-    return written ? Status(Done{}) : written.error();
+    CD_TRY(job.write(std::move(options), "text"));
+    return open_folder(folder.path());
 }
 
-Result<RunAtHand> opened(const std::filesystem::path& dir) {
-    auto run = OpenedRun::open(dir);
-    if (!run) {
-        return run.error();
-    }
-    auto inputs = read_inputs(run.value());
-    return inputs ? Result<RunAtHand>(RunAtHand{std::move(run.value()), std::move(inputs.value())})
-                  : inputs.error();
-}
-
-} // namespace
-
-Result<RunAtHand> RunAtHand::open(const std::string& argument,
-                                  const MasterOptions& master,
-                                  const std::filesystem::path& tree_cache) {
+Result<RunWithInputs> open_or_fetch(const std::string& argument,
+                                    const MasterOptions& master,
+                                    const std::string& tree_cache) {
     if (is_folder(argument)) {
-        return opened(argument);
+        return open_folder(argument);
     }
     InterruptGuard::begin_to_flag();
-    const auto folder = make_temporary_folder("cdctl");
-    if (!folder) {
-        return folder.error();
-    }
-    const Status fetched = fetch_into(folder.value(), argument, master, tree_cache);
-    auto run = fetched ? opened(folder.value()) : Result<RunAtHand>(fetched.error());
-    std::error_code ignored;
-    std::filesystem::remove_all(folder.value(), ignored);
+    auto run = fetch(argument, master, tree_cache);
     InterruptGuard::begin_to_end();
     return run;
 }
 
-Result<PreparedJob> RunAtHand::prepare(Trees trees, TreeCache& cache, ThreadPool& pool) {
-    auto spec = run.spec();
-    if (!spec) {
-        return spec.error();
-    }
-    return prepare_again(
-        run.manifest(), std::move(inputs), std::move(spec.value()), trees, cache, pool);
+} // namespace
+
+Result<RunAtHand> open_run_at_hand(const std::string& argument,
+                                   const MasterOptions& master,
+                                   const std::string& tree_cache,
+                                   Trees trees,
+                                   ThreadPool& pool) {
+    auto [run, inputs] = CD_TRY(open_or_fetch(argument, master, tree_cache));
+    auto spec = CD_TRY(run.spec());
+    TreeCache cache(tree_cache_folder(tree_cache));
+    auto job = CD_TRY(
+        prepare_again(run.manifest(), std::move(inputs), std::move(spec), trees, cache, pool));
+    return RunAtHand{std::move(run), std::move(job)};
 }
 
 } // namespace cd

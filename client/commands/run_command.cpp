@@ -1,12 +1,11 @@
 #include "client/commands/run_command.hpp"
 
+#include "client/base/errors.hpp"
 #include "client/base/exit_code.hpp"
-#include "client/base/heap.hpp"
 #include "client/base/interrupt.hpp"
 #include "client/base/words.hpp"
 #include "client/commands/commands.hpp"
 #include "client/commands/estimate.hpp"
-#include "client/commands/remote_commands.hpp"
 #include "client/commands/remote_session.hpp"
 #include "client/export/result_sink.hpp"
 #include "client/folder/folder_exports.hpp"
@@ -15,6 +14,8 @@
 #include "client/poses/nearness.hpp"
 #include "client/report/progress.hpp"
 #include "common/geometry/simd_target.hpp"
+
+#include <malloc.h>
 
 #include <algorithm>
 #include <chrono>
@@ -79,72 +80,57 @@ Result<RunOutcome> run_with_progress(const LocalJob& local,
     return outcome;
 }
 
-int fail_without_folder(const Error& error) {
-    return fail(
-        error.code == ErrorCode::Interrupted
-            ? Error{error.code, "interrupted; no results were kept, since there was no --out"}
-            : error);
+Error without_results(const Error& error) {
+    return error.code == ErrorCode::Interrupted
+               ? Error{error.code, "interrupted; no results were kept, since there was no --out"}
+               : error;
 }
 
-int run_without_folder(const LocalJob& local) {
+Result<int> run_without_folder(const LocalJob& local) {
     const RunCommand& command = local.command;
-    auto sink = ResultSink::open({{}, {}, command.output}, export_context(local.job));
-    if (!sink) {
-        return fail(sink.error());
-    }
+    auto sink = CD_TRY(ResultSink::open({{}, {}, command.output}, export_context(local.job)));
     const auto outcome = run_with_progress(
         local,
         {},
-        [&](const DoneScenario& done) { return sink.value().add(done.result, done.found); },
+        [&](const DoneScenario& done) { return sink.add(done.result, done.found); },
         [] {});
     if (!outcome) {
-        return fail_without_folder(outcome.error());
+        return without_results(outcome.error());
     }
     RunReport report = report_of(local, outcome.value());
-    report.most_touched = sink.value().tally().most_touched();
+    report.most_touched = sink.tally().most_touched();
     if (Status told = add_hint(local.job, report); !told) {
-        return fail_without_folder(told.error());
+        return without_results(told.error());
     }
     if (local.job.query.maps || local.job.query.level >= Level::Pairs) {
-        report.map = sink.value().map();
+        report.map = sink.map();
     }
-    if (Status finished = sink.value().finish(std::nullopt); !finished) {
-        return fail(finished.error());
-    }
-    const Status told =
-        print_summary(report, sink.value().uses_stdout(), command.quiet, command.statistics);
-    return told ? exit_code_of(report.summary, command.fail_on) : fail(told.error());
+    CD_TRY(sink.finish(std::nullopt));
+    return end_run(command, report, sink.uses_stdout());
 }
 
-/// Saves the results of an interrupted run and reports the error.
-int fail_and_keep(const LocalJob& local, FolderRun& run, const Error& error) {
-    const Status kept = run.keep();
-    if (!kept) {
-        return fail(kept.error());
+/// Saves the results of an interrupted run. Returns the error, with the number of these results.
+Error keep_results(const LocalJob& local, FolderRun& run, const Error& error) {
+    if (const Status kept = run.keep(); !kept) {
+        return kept.error();
     }
     const std::string what = "; " + grouped(run.kept()) + " of " +
                              grouped(local.job.poses->count()) + " are kept in " +
                              run.folder().dir().string() + "; the same command resumes the run";
-    return fail({error.code, error.detail + what});
+    return {error.code, error.detail + what};
 }
 
-int run_into_folder(const LocalJob& local) {
+Result<int> run_into_folder(const LocalJob& local) {
     const RunCommand& command = local.command;
     FolderRunOptions options = folder_options(command.folder);
     options.where.threads = local.pool.size();
     options.where.simd = to_text(simd_target());
-    auto run = FolderRun::begin(local.job, std::move(options));
-    if (!run) {
-        return fail(run.error());
+    auto run = CD_TRY(FolderRun::begin(local.job, std::move(options)));
+    if (run.is_complete()) {
+        return tell_complete(command, local.job, run);
     }
-    if (run.value().is_complete()) {
-        return tell_complete(command, local.job, run.value());
-    }
-    auto done = run.value().done();
-    if (!done) {
-        return fail(done.error());
-    }
-    const std::uint64_t resumed_at = done.value().summary().merged();
+    auto done = CD_TRY(run.done());
+    const std::uint64_t resumed_at = done.summary().merged();
     if (resumed_at != 0 && !command.quiet) {
         std::fprintf(stderr,
                      "resumed at %s of %s\n",
@@ -152,27 +138,24 @@ int run_into_folder(const LocalJob& local) {
                      grouped(local.job.poses->count()).c_str());
     }
     LocalRunOptions run_options;
-    run_options.done = std::move(done.value());
+    run_options.done = std::move(done);
     Status ticked = Done{};
     const auto outcome = run_with_progress(
         local,
         std::move(run_options),
-        [&](const DoneScenario& result) { return ticked ? run.value().add(result) : ticked; },
-        [&] { ticked = ticked ? run.value().keep_if_due() : ticked; });
+        [&](const DoneScenario& result) { return ticked ? run.add(result) : ticked; },
+        [&] { ticked = ticked ? run.keep_if_due() : ticked; });
     if (!outcome) {
-        return fail_and_keep(local, run.value(), outcome.error());
+        return keep_results(local, run, outcome.error());
     }
     RunReport report = report_of(local, outcome.value());
     report.execution.resumed_at = resumed_at;
     const Status hinted = add_hint(local.job, report);
-    const Status finished =
-        hinted ? run.value().finish(report, command.output, std::nullopt) : hinted;
+    const Status finished = hinted ? run.finish(report, command.output, std::nullopt) : hinted;
     if (!finished) {
-        return fail_and_keep(local, run.value(), finished.error());
+        return keep_results(local, run, finished.error());
     }
-    const Status told =
-        print_summary(report, command.output != "text", command.quiet, command.statistics);
-    return told ? exit_code_of(report.summary, command.fail_on) : fail(told.error());
+    return end_run(command, report, command.output != "text");
 }
 
 /// The job of the command line: from a job file, options, or a results folder.
@@ -184,30 +167,19 @@ struct AskedJob {
 /// Reads the job, but none of its inputs. Errors: those of `make_job_spec` and `OpenedRun::open`.
 Result<AskedJob> asked_job(const JobOptions& options) {
     if (!is_folder(options.file)) {
-        auto spec = make_job_spec(options);
-        return spec ? Result<AskedJob>(AskedJob{std::move(spec.value()), std::nullopt})
-                    : spec.error();
+        auto spec = CD_TRY(make_job_spec(options));
+        return AskedJob{std::move(spec), std::nullopt};
     }
-    if (Status none = check_no_inputs(options); !none) {
-        return none.error();
-    }
+    CD_TRY(check_no_inputs(options));
     if (!options.precision.empty()) {
-        return Error{ErrorCode::BadInput,
-                     options.file + " holds the meshes as they were tested, so --precision has no "
-                                    "effect: give the job file"};
+        return bad_input(options.file +
+                         " holds the meshes as they were tested, so --precision has no "
+                         "effect: give the job file");
     }
-    auto run = OpenedRun::open(options.file);
-    if (!run) {
-        return run.error();
-    }
-    auto spec = run.value().spec();
-    if (!spec) {
-        return spec.error();
-    }
-    if (Status applied = apply(options, spec.value()); !applied) {
-        return applied.error();
-    }
-    return AskedJob{std::move(spec.value()), std::move(run.value())};
+    auto run = CD_TRY(OpenedRun::open(options.file));
+    auto spec = CD_TRY(run.spec());
+    CD_TRY(apply(options, spec));
+    return AskedJob{std::move(spec), std::move(run)};
 }
 
 Result<PreparedJob>
@@ -215,15 +187,9 @@ prepare(AskedJob asked, Trees trees, TreeCache& cache, ThreadPool& pool, bool qu
     if (!asked.run) {
         return prepare_job(std::move(asked.spec), trees, cache, pool, quiet);
     }
-    auto inputs = read_inputs(*asked.run);
-    return inputs ? prepare_again(asked.run->manifest(),
-                                  std::move(inputs.value()),
-                                  std::move(asked.spec),
-                                  trees,
-                                  cache,
-                                  pool,
-                                  quiet)
-                  : inputs.error();
+    auto inputs = CD_TRY(read_inputs(*asked.run));
+    return prepare_again(
+        asked.run->manifest(), std::move(inputs), std::move(asked.spec), trees, cache, pool, quiet);
 }
 
 /// The first line that a run prints: where it runs. `connection` is null for this machine.
@@ -236,9 +202,8 @@ std::string where_text(const RunCommand& command, Connection* connection, const 
                     : "; to run on CDCTL_MASTER: --master " + std::string(master)) +
                "\n";
     }
-    const Result<ClusterStatus> status = connection->status();
-    return "  on " + command.master.address + (status ? ", " + workers_text(status.value()) : "") +
-           "\n";
+    const std::string workers = workers_text(*connection);
+    return "  on " + command.master.address + (workers.empty() ? "" : ", " + workers) + "\n";
 }
 
 EstimateOptions estimate_options(const RunCommand& command) {
@@ -249,18 +214,15 @@ EstimateOptions estimate_options(const RunCommand& command) {
 }
 
 /// Prints the answer to --dry-run.
-int tell_estimate(const RunCommand& command, const PreparedJob& job, ThreadPool& pool) {
-    const auto estimate = estimate_run(job, pool, estimate_options(command));
-    if (!estimate) {
-        return fail(estimate.error());
-    }
-    const Status room =
-        command.yes ? Status(Done{})
-                    : check_room(estimate.value(), job.spec.output, command.results_bytes_max);
-    std::string text = "inputs are fine; " + estimate_text(estimate.value()) +
-                       "; nothing was run\n" + (room ? "" : room.error().detail + "\n");
+Result<int> tell_estimate(const RunCommand& command, const PreparedJob& job, ThreadPool& pool) {
+    const auto estimate = CD_TRY(estimate_run(job, pool, estimate_options(command)));
+    const Status room = command.yes
+                            ? Status(Done{})
+                            : check_room(estimate, job.spec.output, command.results_bytes_max);
+    std::string text = "inputs are fine; " + estimate_text(estimate) + "; nothing was run\n" +
+                       (room ? "" : room.error().detail + "\n");
     if (command.output == "json") {
-        text = estimate_json(estimate.value(), room);
+        text = estimate_json(estimate, room);
     }
     std::fputs(text.c_str(), stdout);
     return exit_done;
@@ -304,12 +266,9 @@ FolderRunOptions folder_options(const FolderFlags& flags, const MasterOptions& m
     return options;
 }
 
-int tell_complete(const RunCommand& command, const PreparedJob& job, FolderRun& run) {
+Result<int> tell_complete(const RunCommand& command, const PreparedJob& job, FolderRun& run) {
     const RunManifest manifest = *run.folder().finished();
-    const auto opened = OpenedRun::open(run.folder().dir());
-    if (!opened) {
-        return fail(opened.error());
-    }
+    const auto opened = CD_TRY(OpenedRun::open(run.folder().dir()));
     if (!command.quiet) {
         std::fprintf(stderr,
                      "%s already holds this run (of %s): digest %s; --fresh runs it again\n",
@@ -317,14 +276,11 @@ int tell_complete(const RunCommand& command, const PreparedJob& job, FolderRun& 
                      manifest.origin.started.c_str(),
                      to_short_hex(*manifest.outcome.digest).c_str());
     }
-    const auto report = add_exports(opened.value(),
-                                    &run.folder(),
-                                    export_context(job),
-                                    {job.spec.output.formats, command.output, false});
-    if (!report) {
-        return fail(report.error());
-    }
-    return exit_code_of(report.value().summary, command.fail_on);
+    const auto report = CD_TRY(add_exports(opened,
+                                           &run.folder(),
+                                           export_context(job),
+                                           {job.spec.output.formats, command.output, false}));
+    return exit_code_of(report.summary, command.fail_on);
 }
 
 void print_header(const PreparedJob& job, bool quiet) {
@@ -336,7 +292,12 @@ void print_header(const PreparedJob& job, bool quiet) {
     }
 }
 
-int execute(const RunCommand& command) {
+Result<int> end_run(const RunCommand& command, const RunReport& report, bool stdout_is_used) {
+    CD_TRY(print_summary(report, stdout_is_used, command.quiet, command.statistics));
+    return exit_code_of(report.summary, command.fail_on);
+}
+
+Result<int> perform(const RunCommand& command) {
     const InterruptGuard interrupts(InterruptGuard::First::EndsProcess);
     return run_job(command);
 }
@@ -345,67 +306,49 @@ Status add_hint(const PreparedJob& job, RunReport& report) {
     if (report.summary.separate != report.summary.total) {
         return Done{};
     }
-    auto hint = nearness_hint(
-        *job.meshes[0], *job.meshes[1], *job.poses, job.spec.unit, &InterruptGuard::has_come);
-    if (!hint) {
-        return hint.error();
-    }
-    report.hint = std::move(hint.value());
+    report.hint = CD_TRY(nearness_hint(
+        *job.meshes[0], *job.meshes[1], *job.poses, job.spec.unit, &InterruptGuard::has_come));
     return Done{};
 }
 
-int run_job(const RunCommand& command) {
+Result<int> run_job(const RunCommand& command) {
     const auto start = std::chrono::steady_clock::now();
     const bool here = command.master.address.empty();
     if (command.host.first_stage && !here) {
-        return fail({ErrorCode::BadInput, "--first-stage is for a run on this machine alone"});
+        return bad_input("--first-stage is for a run on this machine alone");
     }
-    const Status simd =
-        command.host.simd.empty() ? check_simd_environment() : force_simd_target(command.host.simd);
-    if (!simd) {
-        return fail(simd.error());
-    }
-    auto asked = asked_job(command.job);
-    if (!asked) {
-        return fail(asked.error());
-    }
+    CD_TRY(command.host.simd.empty() ? check_simd_environment()
+                                     : force_simd_target(command.host.simd));
+    auto asked = CD_TRY(asked_job(command.job));
     ThreadPool pool(command.host.threads);
-    auto connection =
-        here ? Result<std::unique_ptr<Connection>>(nullptr) : open_master_for_job(command.master);
-    if (!connection) {
-        return fail(connection.error());
+    std::unique_ptr<Connection> connection;
+    if (!here) {
+        connection = CD_TRY(open_master_for_job(command.master));
     }
     if (!command.quiet) {
-        std::fputs(where_text(command, connection.value().get(), pool).c_str(), stderr);
+        std::fputs(where_text(command, connection.get(), pool).c_str(), stderr);
     }
     TreeCache cache(tree_cache_folder(command.host.tree_cache));
-    const bool samples_run = command.dry_run || checks_size(command, asked.value().spec);
-    auto job = prepare(std::move(asked.value()),
-                       here || samples_run ? Trees::Always : Trees::ForPosesOnly,
-                       cache,
-                       pool,
-                       command.quiet);
-    if (!job) {
-        return fail(job.error());
-    }
-    if (Status answerable = check_fail_on(command.fail_on, job.value().spec.level); !answerable) {
-        return fail(answerable.error());
-    }
-    return_free_memory();
-    print_header(job.value(), command.quiet);
+    const bool samples_run = command.dry_run || checks_size(command, asked.spec);
+    auto job = CD_TRY(prepare(std::move(asked),
+                              here || samples_run ? Trees::Always : Trees::ForPosesOnly,
+                              cache,
+                              pool,
+                              command.quiet));
+    CD_TRY(check_fail_on(command.fail_on, job.spec.level));
+    ::malloc_trim(0); // Importing and building have freed much memory.
+    print_header(job, command.quiet);
     if (command.dry_run) {
-        return tell_estimate(command, job.value(), pool);
+        return tell_estimate(command, job, pool);
     }
-    if (Status room = check_size(command, job.value(), pool); !room) {
-        return fail(room.error());
-    }
+    CD_TRY(check_size(command, job, pool));
     InterruptGuard::begin_to_flag();
     if (!here) {
-        return run_on_master(command, job.value(), std::move(connection.value()));
+        return run_on_master(command, job, std::move(connection));
     }
     const std::chrono::duration<double> prepared = std::chrono::steady_clock::now() - start;
-    const LocalJob local{command, job.value(), pool, prepared.count()};
-    return job.value().spec.output.dir.empty() ? run_without_folder(local) : run_into_folder(local);
+    const LocalJob local{command, job, pool, prepared.count()};
+    return job.spec.output.dir.empty() ? run_without_folder(local) : run_into_folder(local);
 }
 
 } // namespace cd

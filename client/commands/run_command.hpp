@@ -4,13 +4,24 @@
 #include "client/cli/cli.hpp"
 #include "client/folder/folder_run.hpp"
 #include "client/job/prepared_job.hpp"
+#include "client/remote/connection.hpp"
+#include "common/core/result.hpp"
 
-#include <string>
+#include <memory>
 
 namespace cd {
 
 /// The verb `run` without signal handling; the caller holds an `InterruptGuard`.
-[[nodiscard]] int run_job(const RunCommand& command);
+[[nodiscard]] Result<int> run_job(const RunCommand& command);
+
+/// `run --master`: submits, watches, fetches, reports. The caller has printed the job's header and
+/// holds an InterruptGuard; an interrupt cancels the job.
+[[nodiscard]] Result<int>
+run_on_master(const RunCommand& command, PreparedJob& job, std::unique_ptr<Connection> connection);
+
+/// Prints the summary of a run, and returns the exit code.
+[[nodiscard]] Result<int>
+end_run(const RunCommand& command, const RunReport& report, bool stdout_is_used);
 
 /// Prints header and warnings on stderr; if quiet, only the warnings.
 void print_header(const PreparedJob& job, bool quiet);
@@ -27,6 +38,7 @@ void print_header(const PreparedJob& job, bool quiet);
 
 /// Reports that the folder already holds the run, adds missing formats, and writes `command.output`
 /// to stdout. Returns the exit code.
-[[nodiscard]] int tell_complete(const RunCommand& command, const PreparedJob& job, FolderRun& run);
+[[nodiscard]] Result<int>
+tell_complete(const RunCommand& command, const PreparedJob& job, FolderRun& run);
 
 } // namespace cd

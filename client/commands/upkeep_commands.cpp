@@ -1,12 +1,11 @@
 // The verbs that maintain a cluster: removing jobs and meshes, draining workers.
+#include "client/base/errors.hpp"
 #include "client/base/exit_code.hpp"
 #include "client/base/interrupt.hpp"
 #include "client/base/job_id.hpp"
 #include "client/base/table.hpp"
 #include "client/commands/commands.hpp"
-#include "client/commands/remote_commands.hpp"
 #include "client/commands/remote_session.hpp"
-#include "client/report/cluster_report.hpp"
 
 #include <cstdio>
 #include <string>
@@ -38,20 +37,13 @@ find_removable(const ClusterStatus& status, const std::string& text, const std::
         }
     }
     if (meshes.size() > 1) {
-        return Error{ErrorCode::BadInput,
-                     std::to_string(meshes.size()) + " meshes begin with '" + text + "'"};
+        return bad_input(std::to_string(meshes.size()) + " meshes begin with '" + text + "'");
     }
     if (meshes.size() == 1 && job.error().code == ErrorCode::NotFound) {
         return Removable{meshes.front()->mesh,
                          "mesh " + to_short_hex(meshes.front()->mesh) + " " + meshes.front()->name};
     }
     return job.error();
-}
-
-Result<Removed> remove(Connection& connection, const Removable& target, bool cancel) {
-    const auto* job = std::get_if<JobId>(&target.what);
-    return job != nullptr ? connection.remove_job(*job, cancel)
-                          : connection.remove_mesh(std::get<Sha256>(target.what));
 }
 
 /// Finds a worker that is not lost by its id ("w-3") or name. Errors: NotFound; BadInput for an
@@ -70,9 +62,8 @@ Result<WorkerId> find_worker(const ClusterStatus& status, const std::string& tex
         }
     }
     if (named.size() > 1) {
-        return Error{ErrorCode::BadInput,
-                     std::to_string(named.size()) + " workers are called '" + text +
-                         "'; name one by its id, see `cdctl get workers`"};
+        return bad_input(std::to_string(named.size()) + " workers are called '" + text +
+                         "'; name one by its id, see `cdctl get workers`");
     }
     if (named.empty()) {
         return Error{ErrorCode::NotFound,
@@ -83,63 +74,46 @@ Result<WorkerId> find_worker(const ClusterStatus& status, const std::string& tex
 
 } // namespace
 
-int execute(const RemoveCommand& command) {
+Result<int> perform(const RemoveCommand& command) {
     const InterruptGuard interrupts;
-    const auto cluster = open_cluster(command.master);
-    if (!cluster) {
-        return fail(cluster.error());
-    }
-    const auto& [connection, status] = cluster.value();
+    const auto [connection, status] = CD_TRY(open_cluster(command.master));
     std::vector<Removable> targets;
     for (const std::string& text : command.what) {
-        Result<Removable> target = find_removable(status, text, connection->owner());
-        if (!target) {
-            return fail(target.error());
-        }
-        targets.push_back(std::move(target.value()));
+        targets.push_back(CD_TRY(find_removable(status, text, connection->owner())));
     }
     if (!command.yes) {
         for (const Removable& target : targets) {
             std::fprintf(stderr, "cdctl: %s would be removed for good\n", target.name.c_str());
         }
-        return fail({ErrorCode::BadInput, "nothing was removed; add --yes"});
+        return bad_input("nothing was removed; add --yes");
     }
-    for (const Removable& target : targets) {
-        const Result<Removed> removed = remove(*connection, target, command.cancel);
+    for (const auto& [what, name] : targets) {
+        const auto* job = std::get_if<JobId>(&what);
+        const Result<Removed> removed = job != nullptr
+                                            ? connection->remove_job(*job, command.cancel)
+                                            : connection->remove_mesh(std::get<Sha256>(what));
         if (!removed) {
-            return fail({removed.error().code, target.name + ": " + removed.error().detail});
+            return Error{removed.error().code, name + ": " + removed.error().detail};
         }
-        std::printf("%s removed, %s freed\n",
-                    target.name.c_str(),
-                    cell_text(removed.value().bytes, CellKind::Size).c_str());
+        const std::string freed = cell_text(removed.value().bytes, CellKind::Size);
+        std::printf("%s removed, %s freed\n", name.c_str(), freed.c_str());
     }
     return exit_done;
 }
 
-int execute(const DrainCommand& command) {
+Result<int> perform(const DrainCommand& command) {
     if (command.all == !command.workers.empty()) {
-        return fail({ErrorCode::BadInput, "name the workers to drain, or say --all"});
+        return bad_input("name the workers to drain, or say --all");
     }
     const InterruptGuard interrupts;
-    const auto cluster = open_cluster(command.master);
-    if (!cluster) {
-        return fail(cluster.error());
-    }
-    const auto& [connection, status] = cluster.value();
+    const auto [connection, status] = CD_TRY(open_cluster(command.master));
     DrainWorkers wish;
     wish.now = command.now;
     for (const std::string& text : command.workers) {
-        const Result<WorkerId> worker = find_worker(status, text);
-        if (!worker) {
-            return fail(worker.error());
-        }
-        wish.workers.push_back(worker.value());
+        wish.workers.push_back(CD_TRY(find_worker(status, text)));
     }
-    const Result<Draining> told = connection->drain(wish);
-    if (!told) {
-        return fail(told.error());
-    }
-    for (const WorkerId worker : told.value().workers) {
+    const Draining told = CD_TRY(connection->drain(wish));
+    for (const WorkerId worker : told.workers) {
         std::printf("w-%llu %s\n",
                     static_cast<unsigned long long>(worker.value),
                     command.now ? "ends" : "drains");

@@ -1,4 +1,5 @@
 // The verb `verify`: repeats a sample of a run's scenarios here.
+#include "client/base/errors.hpp"
 #include "client/base/exit_code.hpp"
 #include "client/base/interrupt.hpp"
 #include "client/base/words.hpp"
@@ -9,10 +10,8 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <optional>
 #include <random>
 #include <set>
-#include <utility>
 #include <vector>
 
 namespace cd {
@@ -22,14 +21,7 @@ namespace {
 /// `count` distinct numbers below `total`, ascending, drawn from the seed (Floyd).
 std::vector<std::uint64_t> sample(std::uint64_t total, std::uint64_t count, std::uint64_t seed) {
     std::mt19937_64 random(seed);
-    std::vector<std::uint64_t> drawn;
     count = std::min(count, total);
-    if (count == total) {
-        for (std::uint64_t i = 0; i < total; ++i) {
-            drawn.push_back(i);
-        }
-        return drawn;
-    }
     std::set<std::uint64_t> taken;
     for (std::uint64_t top = total - count; top < total; ++top) {
         const std::uint64_t number = random() % (top + 1);
@@ -37,6 +29,8 @@ std::vector<std::uint64_t> sample(std::uint64_t total, std::uint64_t count, std:
     }
     return {taken.begin(), taken.end()};
 }
+
+constexpr std::uint64_t differences_shown_max = 10;
 
 struct Counts {
     std::uint64_t same = 0;
@@ -49,27 +43,13 @@ enum class Outcome : std::uint8_t { Same, Different, NotRun };
 /// Runs a scenario again and compares its record with the one in the folder.
 Result<Outcome>
 compare(OpenedRun& run, PreparedJob& job, const ScenarioRunner& runner, std::uint64_t index) {
-    const auto kept = run.records().find(index);
-    if (!kept) {
-        return kept.error();
-    }
-    if (!kept.value() || kept.value()->result.kind == ScenarioClass::Failed) {
+    const auto kept = CD_TRY(run.records().find(index));
+    if (!kept || kept->result.kind == ScenarioClass::Failed) {
         return Outcome::NotRun;
     }
-    const auto scenario = job.poses->read(index, 1);
-    if (!scenario) {
-        return scenario.error();
-    }
-    const ScenarioRun again = runner.run(scenario.value().front());
-    return encode_result(again.result) == kept.value()->bytes ? Outcome::Same : Outcome::Different;
-}
-
-/// Prints that scenario `index` differs, unless ten (`number`) have been printed before.
-void tell_difference(std::uint64_t index, std::uint64_t number) {
-    constexpr std::uint64_t shown_max = 10;
-    if (number < shown_max) {
-        std::printf("scenario %llu differs\n", static_cast<unsigned long long>(index));
-    }
+    const auto scenario = CD_TRY(job.poses->read(index, 1));
+    const ScenarioRun again = runner.run(scenario.front());
+    return encode_result(again.result) == kept->bytes ? Outcome::Same : Outcome::Different;
 }
 
 Result<Counts>
@@ -77,45 +57,29 @@ compare_all(OpenedRun& run, PreparedJob& job, const std::vector<std::uint64_t>& 
     const ScenarioRunner runner(*job.trees[0], *job.trees[1], job.query);
     Counts counts;
     for (const std::uint64_t index : indices) {
-        const auto outcome = compare(run, job, runner, index);
-        if (!outcome) {
-            return outcome.error();
+        const auto outcome = CD_TRY(compare(run, job, runner, index));
+        if (outcome == Outcome::Different && counts.different < differences_shown_max) {
+            std::printf("scenario %llu differs\n", static_cast<unsigned long long>(index));
         }
-        if (outcome.value() == Outcome::Different) {
-            tell_difference(index, counts.different);
-        }
-        counts.same += outcome.value() == Outcome::Same ? 1 : 0;
-        counts.different += outcome.value() == Outcome::Different ? 1 : 0;
-        counts.not_run += outcome.value() == Outcome::NotRun ? 1 : 0;
+        counts.same += outcome == Outcome::Same ? 1 : 0;
+        counts.different += outcome == Outcome::Different ? 1 : 0;
+        counts.not_run += outcome == Outcome::NotRun ? 1 : 0;
     }
     return counts;
 }
 
 } // namespace
 
-int execute(const VerifyCommand& command) {
+Result<int> perform(const VerifyCommand& command) {
     const InterruptGuard interrupts(InterruptGuard::First::EndsProcess);
-    const std::filesystem::path tree_cache = tree_cache_folder(command.tree_cache);
-    auto at_hand = RunAtHand::open(command.run, command.master, tree_cache);
-    if (!at_hand) {
-        return fail(at_hand.error());
-    }
-    OpenedRun& run = at_hand.value().run;
     ThreadPool pool(command.threads);
-    TreeCache cache(tree_cache);
-    auto job = at_hand.value().prepare(Trees::Always, cache, pool);
-    if (!job) {
-        return fail(job.error());
-    }
-    const auto indices = sample(job.value().poses->count(), command.sample, command.seed);
-    const auto counts = compare_all(run, job.value(), indices);
-    if (!counts) {
-        return fail(counts.error());
-    }
-    const auto& [same, different, not_run] = counts.value();
+    auto [run, job] = CD_TRY(
+        open_run_at_hand(command.run, command.master, command.tree_cache, Trees::Always, pool));
+    const auto indices = sample(job.poses->count(), command.sample, command.seed);
+    const auto [same, different, not_run] = CD_TRY(compare_all(run, job, indices));
     std::printf("%s of %s run again: %s the same, %s different, %s could not be run\n",
                 grouped(indices.size()).c_str(),
-                counted(job.value().poses->count(), "scenario").c_str(),
+                counted(job.poses->count(), "scenario").c_str(),
                 grouped(same).c_str(),
                 grouped(different).c_str(),
                 grouped(not_run).c_str());

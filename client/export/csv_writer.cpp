@@ -1,3 +1,4 @@
+#include "client/base/errors.hpp"
 #include "client/base/words.hpp"
 #include "client/export/result_writer.hpp"
 #include "client/formats/csv_rows.hpp"
@@ -46,9 +47,7 @@ class ScenariosCsvWriter final : public ResultWriter {
     }
 
     Status finish() override {
-        if (Status written = file_.write(header_once()); !written) {
-            return written;
-        }
+        CD_TRY(file_.write(header_once()));
         return file_.commit();
     }
 
@@ -91,9 +90,7 @@ class PairsCsvWriter final : public ResultWriter {
             if (!file->has_value()) {
                 continue;
             }
-            if (Status done = (*file)->commit(); !done) {
-                return done;
-            }
+            CD_TRY((*file)->commit());
         }
         return Done{};
     }
@@ -136,20 +133,14 @@ Result<std::unique_ptr<ResultWriter>> make_pairs_csv_writer(const ExportContext&
     std::optional<RowFile> pairs;
     std::optional<RowFile> points;
     if (context.level >= Level::Pairs) {
-        auto created = RowFile::create(dir / "pairs.csv",
-                                       "scenario,triangle_a,triangle_b,class,part_a,part_b\n");
-        if (!created) {
-            return created.error();
-        }
-        pairs.emplace(std::move(created.value()));
+        auto created = CD_TRY(RowFile::create(
+            dir / "pairs.csv", "scenario,triangle_a,triangle_b,class,part_a,part_b\n"));
+        pairs.emplace(std::move(created));
     }
     if (context.level == Level::Contacts) {
         auto created =
-            RowFile::create(dir / "points.csv", "scenario,triangle_a,triangle_b,x,y,z\n");
-        if (!created) {
-            return created.error();
-        }
-        points.emplace(std::move(created.value()));
+            CD_TRY(RowFile::create(dir / "points.csv", "scenario,triangle_a,triangle_b,x,y,z\n"));
+        points.emplace(std::move(created));
     }
     return std::unique_ptr<ResultWriter>(
         std::make_unique<PairsCsvWriter>(context, std::move(pairs), std::move(points)));

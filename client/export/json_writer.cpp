@@ -1,4 +1,4 @@
-#include "client/base/words.hpp"
+#include "client/base/table.hpp"
 #include "client/export/result_writer.hpp"
 #include "common/geometry/aabb.hpp"
 
@@ -9,11 +9,6 @@ namespace cd {
 namespace {
 
 using Json = nlohmann::ordered_json; // Keys in the order in which they are written here.
-
-/// Names may contain invalid UTF-8, which is replaced instead of throwing.
-std::string dump(const Json& json, int indent = -1) {
-    return json.dump(indent, ' ', false, Json::error_handler_t::replace);
-}
 
 Json points_of(const ScenarioResult& result, std::size_t pair) {
     Json points = Json::array();
@@ -49,7 +44,7 @@ class JsonWriter final : public ResultWriter {
             line["cut"] = result.is_cut();
             add_pairs(result, line);
         }
-        return file_.write(dump(line) + "\n");
+        return file_.write(json_text(line, -1));
     }
 
     Status finish() override { return file_.commit(); }
@@ -123,7 +118,9 @@ std::unique_ptr<ResultWriter> make_json_writer(const ExportContext& context, Out
     return std::make_unique<JsonWriter>(context, std::move(file));
 }
 
-std::string summary_json(const ExportContext& context, const RunReport& report) {
+Status write_summary(const std::filesystem::path& dir,
+                     const ExportContext& context,
+                     const RunReport& report) {
     const Summary& summary = report.summary;
     Json bodies = Json::array();
     for (const ExportBody& body : context.bodies) {
@@ -175,7 +172,7 @@ std::string summary_json(const ExportContext& context, const RunReport& report) 
         touched.push_back({{"part", part.part}, {"scenarios", part.scenarios}});
     }
     json["most_touched"] = std::move(touched);
-    return dump(json, 2);
+    return write_file(dir / "summary.json", json_text(json));
 }
 
 } // namespace cd

@@ -1,13 +1,12 @@
-#include "client/export/map_files.hpp"
-
+#include "client/base/errors.hpp"
 #include "client/base/words.hpp"
+#include "client/export/result_writer.hpp"
 #include "client/formats/csv_rows.hpp"
 #include "client/formats/npz.hpp"
 
 #include <algorithm>
 #include <array>
 #include <span>
-#include <string>
 
 namespace cd {
 
@@ -19,28 +18,22 @@ write_csv(const ContactMap& map, const std::filesystem::path& path, const Export
         context.map_pairs == 0
             ? "scenarios"
             : "scenarios_of_first_" + std::to_string(context.map_pairs) + "_pairs";
-    auto file = RowFile::create(path, "body,triangle," + scenarios + ",part\n");
-    if (!file) {
-        return file.error();
-    }
+    auto file = CD_TRY(RowFile::create(path, "body,triangle," + scenarios + ",part\n"));
     for (std::size_t i = 0; i < map.bodies.size(); ++i) {
         PartFields parts(context.bodies[i].mesh);
         const std::string name = csv_field(context.bodies[i].name);
         for (const TriangleContacts& row : map.bodies[i]) {
-            const Status added = file.value().add(std::string_view(name),
-                                                  ",",
-                                                  row.triangle,
-                                                  ",",
-                                                  row.scenarios,
-                                                  ",",
-                                                  parts.of(row.triangle),
-                                                  "\n");
-            if (!added) {
-                return added;
-            }
+            CD_TRY(file.add(std::string_view(name),
+                            ",",
+                            row.triangle,
+                            ",",
+                            row.scenarios,
+                            ",",
+                            parts.of(row.triangle),
+                            "\n"));
         }
     }
-    return file.value().commit();
+    return file.commit();
 }
 
 Status
@@ -49,18 +42,13 @@ write_npz(const ContactMap& map, const std::filesystem::path& path, const Export
     if (context.map_pairs != 0) {
         const std::array<std::uint64_t, 1> pairs{context.map_pairs};
         const std::size_t array = file.add_array("first_pairs", NpyType::U8);
-        if (Status added = file.append(array, std::span<const std::uint64_t>(pairs)); !added) {
-            return added;
-        }
+        CD_TRY(file.append(array, std::span<const std::uint64_t>(pairs)));
     }
     for (std::size_t i = 0; i < map.bodies.size(); ++i) {
         const std::size_t array = file.add_array(context.bodies[i].name, NpyType::U8, 2);
         for (const TriangleContacts& row : map.bodies[i]) {
             const std::array<std::uint64_t, 2> numbers{row.triangle, row.scenarios};
-            if (Status added = file.append(array, std::span<const std::uint64_t>(numbers));
-                !added) {
-                return added;
-            }
+            CD_TRY(file.append(array, std::span<const std::uint64_t>(numbers)));
         }
     }
     return file.finish();
@@ -76,9 +64,7 @@ Status write_map_files(const ContactMap& map,
         return std::find(formats.begin(), formats.end(), format) != formats.end();
     };
     if (has("npz")) {
-        if (Status written = write_npz(map, dir / "map.npz", context); !written) {
-            return written;
-        }
+        CD_TRY(write_npz(map, dir / "map.npz", context));
         if (!has("csv")) {
             return Done{};
         }

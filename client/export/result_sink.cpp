@@ -1,8 +1,12 @@
 #include "client/export/result_sink.hpp"
 
+#include "client/base/errors.hpp"
+#include "client/spec/job_file.hpp"
+#include "common/core/files/disk_file.hpp"
+
 #include <algorithm>
 #include <cstdio>
-#include <string>
+#include <utility>
 
 namespace cd {
 
@@ -11,58 +15,79 @@ namespace {
 /// The size in bytes at which the partial sum `waiting_` is added to the total `map_`.
 constexpr std::uint64_t waiting_bytes_max = 1u << 20;
 
-std::unique_ptr<ResultWriter> stdout_writer(const std::string& output,
-                                            const ExportContext& context) {
-    if (output == "json") {
-        return make_json_writer(context, OutputFile::standard_output());
-    }
-    if (output == "csv") {
-        return make_scenarios_csv_writer(context, OutputFile::standard_output());
-    }
-    return output == "records-text" ? make_text_writer(context, OutputFile::standard_output())
-                                    : nullptr;
+/// The file name of a format with a single file.
+std::string file_of(std::string_view format) {
+    return format == "csv" ? "scenarios.csv" : format == "text" ? "results.txt" : "results.jsonl";
 }
 
-} // namespace
+std::unique_ptr<ResultWriter>
+make_row_writer(std::string_view format, const ExportContext& context, OutputFile file) {
+    return format == "csv"    ? make_scenarios_csv_writer(context, std::move(file))
+           : format == "json" ? make_json_writer(context, std::move(file))
+                              : make_text_writer(context, std::move(file));
+}
 
-Result<ResultSink> ResultSink::open(const SinkOptions& options, const ExportContext& context) {
+Result<std::unique_ptr<ResultWriter>> make_writer(const std::string& format,
+                                                  const ExportContext& context,
+                                                  const std::filesystem::path& dir) {
+    if (format == "csv-pairs") {
+        return make_pairs_csv_writer(context, dir);
+    }
+    if (format == "npz") {
+        return make_npz_writer(context, dir);
+    }
+    CD_TRY(check_format(format));
+    auto file = CD_TRY(OutputFile::create(dir / file_of(format)));
+    return make_row_writer(format, context, std::move(file));
+}
+
+std::vector<std::shared_ptr<const Mesh>> meshes_of(const ExportContext& context) {
     std::vector<std::shared_ptr<const Mesh>> meshes;
     for (const ExportBody& body : context.bodies) {
         meshes.push_back(body.mesh);
     }
-    ResultSink sink(meshes, context.stop);
-    if (!options.dir.empty()) {
-        auto files = ResultFiles::open(options.dir, options.formats, context);
-        if (!files) {
-            return files.error();
+    return meshes;
+}
+
+} // namespace
+
+ResultSink::ResultSink(SinkOptions options, const ExportContext& context)
+    : options_(std::move(options)), context_(context), tally_(meshes_of(context)) {}
+
+Result<ResultSink> ResultSink::open(SinkOptions options, const ExportContext& context) {
+    ResultSink sink(std::move(options), context);
+    const SinkOptions& to = sink.options_;
+    if (!to.dir.empty()) {
+        CD_TRY(make_directories(to.dir));
+        for (const std::string& format : to.formats) {
+            sink.writers_.push_back(CD_TRY(make_writer(format, context, to.dir)));
         }
-        sink.files_.emplace(std::move(files.value()));
     }
-    sink.stdout_writer_ = stdout_writer(options.output, context);
+    if (sink.uses_stdout()) {
+        sink.writers_.push_back(make_row_writer(to.output, context, OutputFile::standard_output()));
+    }
     return sink;
 }
 
 Status ResultSink::add(const ScenarioResult& result, std::span<const ContactPair> found) {
-    if (stop_ && stop_()) {
+    if (context_.stop && context_.stop()) {
         return interrupted();
     }
     const std::uint32_t body = std::max(result.body_a, result.body_b);
-    if (body >= body_count_) {
-        return Error{ErrorCode::BadInput,
-                     "the result of scenario " + std::to_string(result.index) + " is of body " +
-                         std::to_string(body) + ", and the job has " + std::to_string(body_count_)};
+    const std::size_t bodies = context_.bodies.size();
+    if (body >= bodies) {
+        return bad_input("the result of scenario " + std::to_string(result.index) + " is of body " +
+                         std::to_string(body) + ", and the job has " + std::to_string(bodies));
     }
     tally_.add(result);
     waiting_.add(found.empty() ? std::span<const ContactPair>(result.pairs) : found);
     if (waiting_.bytes() >= waiting_bytes_max) {
         map_.add(waiting_.take());
     }
-    if (files_) {
-        if (Status added = files_->add(result); !added) {
-            return added;
-        }
+    for (const auto& writer : writers_) {
+        CD_TRY(writer->add(result));
     }
-    return stdout_writer_ ? stdout_writer_->add(result) : Status(Done{});
+    return Done{};
 }
 
 ContactMap ResultSink::map() {
@@ -71,12 +96,12 @@ ContactMap ResultSink::map() {
 }
 
 Status ResultSink::finish(const std::optional<ContactMap>& map) {
-    if (files_) {
-        if (Status finished = files_->finish(map); !finished) {
-            return finished;
-        }
+    for (const auto& writer : writers_) {
+        CD_TRY(writer->finish());
     }
-    return stdout_writer_ ? stdout_writer_->finish() : Status(Done{});
+    return map && !options_.dir.empty()
+               ? write_map_files(*map, options_.dir, options_.formats, context_)
+               : Status(Done{});
 }
 
 Status print_summary(const RunReport& report, bool stdout_is_used, bool quiet, bool statistics) {
@@ -87,8 +112,8 @@ Status print_summary(const RunReport& report, bool stdout_is_used, bool quiet, b
         return Done{};
     }
     OutputFile out = OutputFile::standard_output();
-    const Status written = out.write(summary_text(report, {colours_wanted(stdout), statistics}));
-    return written ? out.commit() : written;
+    CD_TRY(out.write(summary_text(report, {colours_wanted(stdout), statistics})));
+    return out.commit();
 }
 
 } // namespace cd

@@ -6,13 +6,11 @@
 #include "common/core/result.hpp"
 #include "common/job/result/contact_map.hpp"
 
-#include <cstddef>
 #include <filesystem>
 #include <memory>
 #include <optional>
 #include <span>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace cd {
@@ -26,32 +24,31 @@ struct SinkOptions {
 
 class ResultSink {
   public:
-    /// The context's bodies must have meshes. Errors: those of `ResultFiles::open`.
-    [[nodiscard]] static Result<ResultSink> open(const SinkOptions& options,
-                                                 const ExportContext& context);
+    /// Creates the folder. The context's bodies must have meshes. Errors: Io; BadInput for an
+    /// unknown format.
+    [[nodiscard]] static Result<ResultSink> open(SinkOptions options, const ExportContext& context);
 
     /// Adds the next result in submitted order. `found` has all pairs of the scenario for a job
     /// with maps. If `found` is empty, the map counts the pairs that the result lists. Errors: Io;
     /// Interrupted; BadInput for a body that the job does not have.
     [[nodiscard]] Status add(const ScenarioResult& result, std::span<const ContactPair> found = {});
-    /// Completes all files, and writes the files of `map` if it is set.
+    /// Completes all files, and writes the files of `map` if it is set. Without
+    /// this call no file is left in the folder.
     [[nodiscard]] Status finish(const std::optional<ContactMap>& map);
 
     /// The contact map of all results so far; empty below `level pairs` unless `found` was given.
     [[nodiscard]] ContactMap map();
     /// The counts for `RunReport::most_touched`.
     [[nodiscard]] const PartTally& tally() const { return tally_; }
-    [[nodiscard]] bool uses_stdout() const { return stdout_writer_ != nullptr; }
+    [[nodiscard]] bool uses_stdout() const { return options_.output != "text"; }
 
   private:
-    ResultSink(const std::vector<std::shared_ptr<const Mesh>>& meshes, StopCheck stop)
-        : body_count_(meshes.size()), tally_(meshes), stop_(std::move(stop)) {}
+    ResultSink(SinkOptions options, const ExportContext& context);
 
-    std::optional<ResultFiles> files_;
-    std::unique_ptr<ResultWriter> stdout_writer_;
-    std::size_t body_count_;
+    SinkOptions options_;
+    ExportContext context_;
+    std::vector<std::unique_ptr<ResultWriter>> writers_;
     PartTally tally_;
-    StopCheck stop_;
     ContactMapSum waiting_; ///< Partial sum, not yet added to `map_`.
     ContactMapTotal map_;
 };

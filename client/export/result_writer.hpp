@@ -71,36 +71,21 @@ class ResultWriter {
 [[nodiscard]] Result<std::unique_ptr<ResultWriter>>
 make_pairs_csv_writer(const ExportContext& context, const std::filesystem::path& dir);
 /// results.npz; docs/formats.md describes its arrays.
-[[nodiscard]] Result<std::unique_ptr<ResultWriter>>
-make_npz_writer(const ExportContext& context, const std::filesystem::path& dir);
+[[nodiscard]] std::unique_ptr<ResultWriter> make_npz_writer(const ExportContext& context,
+                                                            const std::filesystem::path& dir);
 
-/// Writes the exports of a job into a folder: the files of each format, and those of its map
-/// (`map_files.hpp`).
-class ResultFiles {
-  public:
-    /// Creates the folder. Errors: Io; BadInput for an unknown format.
-    [[nodiscard]] static Result<ResultFiles> open(const std::filesystem::path& dir,
-                                                  const std::vector<std::string>& formats,
-                                                  const ExportContext& context);
+/// Writes a job's contact map. Format csv gives map.csv with a row per triangle: the body's name,
+/// triangle, scenarios, part. Format npz gives map.npz with an array (K,2) named after each body:
+/// triangle, scenarios. If `formats` has neither, map.csv is written. Triangles ascend; those
+/// without contact have no row. If the map counts only the first N pairs of each scenario, both
+/// files say so: the CSV's column is named scenarios_of_first_N_pairs, and the NPZ has an array
+/// first_pairs that holds N. Errors: Io naming the file.
+[[nodiscard]] Status write_map_files(const ContactMap& map,
+                                     const std::filesystem::path& dir,
+                                     const std::vector<std::string>& formats,
+                                     const ExportContext& context);
 
-    [[nodiscard]] Status add(const ScenarioResult& result);
-    /// Completes all files. Without this call no file is left in the folder.
-    [[nodiscard]] Status finish(const std::optional<ContactMap>& map);
-
-  private:
-    ResultFiles(std::filesystem::path dir, ExportContext context)
-        : dir_(std::move(dir)), context_(std::move(context)) {}
-
-    std::filesystem::path dir_;
-    ExportContext context_;
-    std::vector<std::string> formats_;
-    std::vector<std::unique_ptr<ResultWriter>> writers_;
-};
-
-/// The report and the bodies as one JSON document.
-[[nodiscard]] std::string summary_json(const ExportContext& context, const RunReport& report);
-
-/// Writes `summary_json` to summary.json. Errors: Io naming the file.
+/// Writes the report and the bodies to summary.json. Errors: Io naming the file.
 [[nodiscard]] Status write_summary(const std::filesystem::path& dir,
                                    const ExportContext& context,
                                    const RunReport& report);

@@ -1,5 +1,7 @@
 #include "client/folder/extracted_case.hpp"
 
+#include "client/base/errors.hpp"
+#include "client/base/table.hpp"
 #include "client/base/words.hpp"
 #include "client/folder/job_text.hpp"
 #include "client/formats/csv_rows.hpp"
@@ -10,12 +12,11 @@
 #include "common/job/run_scenario.hpp"
 #include "common/tree/build/build.hpp"
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <array>
-#include <cstdio>
-#include <limits>
 #include <utility>
 
 namespace cd {
@@ -34,37 +35,15 @@ struct CaseBody {
     std::vector<std::uint32_t> ids;
 };
 
-std::string seventeen_digits(double value) {
-    std::array<char, 40> text{};
-    const int size = std::snprintf(text.data(), text.size(), "%.17g", value);
-    return {text.data(), static_cast<std::size_t>(size)};
-}
-
-Status write_text(const fs::path& path, const std::string& text) {
-    auto file = OutputFile::create(path);
-    if (!file) {
-        return file.error();
-    }
-    if (Status written = file.value().write(text); !written) {
-        return written;
-    }
-    return file.value().commit();
-}
-
 Status write_mesh(const fs::path& path, const Mesh& mesh, const StopCheck& stop) {
     NpzWriter file(path, stop);
     const std::size_t vertices = file.add_array("vertices", NpyType::F8, 3);
     const std::size_t faces = file.add_array("faces", NpyType::U4, 3);
     for (const Vec3& vertex : mesh.vertices()) {
-        if (Status added = file.append(vertices, std::span<const double>(vertex.data(), 3));
-            !added) {
-            return added;
-        }
+        CD_TRY(file.append(vertices, std::span<const double>(vertex.data(), 3)));
     }
     for (const Triangle& triangle : mesh.triangles()) {
-        if (Status added = file.append(faces, std::span<const std::uint32_t>(triangle)); !added) {
-            return added;
-        }
+        CD_TRY(file.append(faces, std::span<const std::uint32_t>(triangle)));
     }
     if (mesh.parts().empty()) {
         return file.finish();
@@ -74,22 +53,13 @@ Status write_mesh(const fs::path& path, const Mesh& mesh, const StopCheck& stop)
     for (const Part& part : mesh.parts()) {
         const std::array<std::uint32_t, 3> row{
             part.triangles_begin, part.triangles_end, static_cast<std::uint32_t>(part.name.size())};
-        Status added = file.append(parts, std::span<const std::uint32_t>(row));
-        if (added) {
-            added = file.append(names, std::span<const char>(part.name));
-        }
-        if (!added) {
-            return added;
-        }
+        CD_TRY(file.append(parts, std::span<const std::uint32_t>(row)));
+        CD_TRY(file.append(names, std::span<const char>(part.name)));
     }
     return file.finish();
 }
 
 // ---- Poses --------------------------------------------------------------------------------------
-
-bool is_identity(const Pose& pose) {
-    return pose == Pose();
-}
 
 /// The layout of poses.csv: poses of one body or both, all as quaternions or all as matrices.
 struct PoseColumns {
@@ -100,41 +70,33 @@ struct PoseColumns {
 Result<PoseColumns> columns_for(const std::vector<Scenario>& scenarios) {
     PoseColumns columns;
     columns.kind = scenarios.front().poses.b.kind();
-    for (const Scenario& scenario : scenarios) {
-        columns.of_both_bodies = columns.of_both_bodies || !is_identity(scenario.poses.a);
-    }
+    columns.of_both_bodies = std::ranges::any_of(
+        scenarios, [](const Scenario& scenario) { return scenario.poses.a != Pose(); });
     for (const Scenario& scenario : scenarios) {
         const bool fits = scenario.poses.b.kind() == columns.kind &&
                           (!columns.of_both_bodies || scenario.poses.a.kind() == columns.kind);
         if (!fits) {
-            return Error{ErrorCode::BadInput,
-                         "the poses of these scenarios are quaternions and matrices mixed, which "
-                         "one pose file cannot hold; extract them one by one"};
+            return bad_input(
+                "the poses of these scenarios are quaternions and matrices mixed, which "
+                "one pose file cannot hold; extract them one by one");
         }
     }
     return columns;
 }
 
 std::string pose_text(const Pose& pose) {
-    std::string text;
-    const auto add = [&](double value) {
-        text += (text.empty() ? "" : ",") + seventeen_digits(value);
-    };
     const Vec3& t = pose.translation();
+    std::vector<double> numbers;
     if (pose.kind() == Pose::Kind::Quaternion) {
         const Quaternion& q = pose.quaternion();
-        for (const double value : {t.x(), t.y(), t.z(), q.x, q.y, q.z, q.w}) {
-            add(value);
+        numbers = {t.x(), t.y(), t.z(), q.x, q.y, q.z, q.w};
+    } else {
+        const Mat3& m = pose.matrix();
+        for (int row = 0; row < 3; ++row) {
+            numbers.insert(numbers.end(), {m(row, 0), m(row, 1), m(row, 2), t[row]});
         }
-        return text;
     }
-    for (int row = 0; row < 3; ++row) {
-        for (int column = 0; column < 3; ++column) {
-            add(pose.matrix()(row, column));
-        }
-        add(t[row]);
-    }
-    return text;
+    return fmt::format("{:.17g}", fmt::join(numbers, ","));
 }
 
 std::string poses_text(const std::vector<Scenario>& scenarios, const PoseColumns& columns) {
@@ -222,17 +184,12 @@ Result<CaseBody> part_that_meets(const Mesh& mesh,
         arrays.triangles.push_back(triangle);
     }
     if (body.ids.empty()) {
-        return Error{ErrorCode::BadInput,
-                     std::string("no triangle of ") + name +
-                         " comes near the other body there: without --minimal the case has all"};
+        return bad_input(std::string("no triangle of ") + name +
+                         " comes near the other body there: without --minimal the case has all");
     }
     arrays.precision = mesh.precision();
     arrays.parts = remaining_parts(mesh, body.ids);
-    auto made = Mesh::create(std::move(arrays));
-    if (!made) {
-        return made.error();
-    }
-    body.mesh = std::make_shared<const Mesh>(std::move(made.value()));
+    body.mesh = std::make_shared<const Mesh>(CD_TRY(Mesh::create(std::move(arrays))));
     return body;
 }
 
@@ -245,12 +202,9 @@ Result<std::array<CaseBody, 2>> smallest_bodies(const PreparedJob& job,
         poses.push_back(scenario.poses);
         swapped.push_back({scenario.poses.b, scenario.poses.a});
     }
-    auto a = part_that_meets(*job.meshes[0], *job.meshes[1], poses, "a", stop);
-    auto b = part_that_meets(*job.meshes[1], *job.meshes[0], swapped, "b", stop);
-    if (!a || !b) {
-        return a ? b.error() : a.error();
-    }
-    return std::array<CaseBody, 2>{std::move(a.value()), std::move(b.value())};
+    auto a = CD_TRY(part_that_meets(*job.meshes[0], *job.meshes[1], poses, "a", stop));
+    auto b = CD_TRY(part_that_meets(*job.meshes[1], *job.meshes[0], swapped, "b", stop));
+    return std::array<CaseBody, 2>{std::move(a), std::move(b)};
 }
 
 /// Checks that the smallest meshes give the run's result. `pairs` are the pairs of `smallest`, with
@@ -260,10 +214,9 @@ Status check_smallest(const ScenarioResult& smallest,
                       const ScenarioResult& of_run) {
     const std::string name = "scenario " + std::to_string(of_run.index);
     if (smallest.pair_count != of_run.pair_count || pairs != of_run.pairs) {
-        return Error{ErrorCode::BadInput,
-                     "the smallest meshes of " + name +
+        return bad_input("the smallest meshes of " + name +
                          " do not have the run's contacts; `cdctl verify` tells whether the run is "
-                         "right"};
+                         "right");
     }
     const bool insides_matter =
         of_run.kind == ScenarioClass::Separate || of_run.kind == ScenarioClass::Touch;
@@ -273,11 +226,10 @@ Status check_smallest(const ScenarioResult& smallest,
             return std::string(to_text(result.kind)) +
                    (result.surfaces_only ? " (surfaces only)" : "");
         };
-        return Error{ErrorCode::BadInput,
-                     name + " is " + class_text(of_run) + ", and its smallest meshes are " +
+        return bad_input(name + " is " + class_text(of_run) + ", and its smallest meshes are " +
                          class_text(smallest) +
                          ": the class depends on more triangles; without --minimal the case has "
-                         "all"};
+                         "all");
     }
     return Done{};
 }
@@ -307,29 +259,21 @@ Result<std::vector<ScenarioResult>> run_smallest(const PreparedJob& job,
             pair.a = bodies[0].ids[pair.a];
             pair.b = bodies[1].ids[pair.b];
         }
-        if (Status same = check_smallest(result, as_in_run, given.results[i]); !same) {
-            return same.error();
-        }
+        CD_TRY(check_smallest(result, as_in_run, given.results[i]));
         results.push_back(std::move(result));
     }
     return results;
 }
 
 Status write_ids(const fs::path& path, const std::array<CaseBody, 2>& bodies) {
-    auto file = RowFile::create(path, "body,triangle,triangle_in_run\n");
-    if (!file) {
-        return file.error();
-    }
+    auto file = CD_TRY(RowFile::create(path, "body,triangle,triangle_in_run\n"));
     for (std::size_t i = 0; i < bodies.size(); ++i) {
         for (std::size_t id = 0; id < bodies[i].ids.size(); ++id) {
-            const Status added = file.value().add(
-                std::string_view(body_names[i]), ",", id, ",", bodies[i].ids[id], "\n");
-            if (!added) {
-                return added;
-            }
+            CD_TRY(
+                file.add(std::string_view(body_names[i]), ",", id, ",", bodies[i].ids[id], "\n"));
         }
     }
-    return file.value().commit();
+    return file.commit();
 }
 
 // ---- The job and its expected results -----------------------------------------------------------
@@ -395,7 +339,7 @@ std::string expected_text(std::vector<ScenarioResult> results) {
     }
     const nlohmann::ordered_json json{{"digest", to_hex(*merger.digest())},
                                       {"scenarios", std::move(list)}};
-    return json.dump(1) + "\n";
+    return json_text(json, 1);
 }
 
 Status check_expressible(const PreparedJob& job, const CaseScenarios& given, bool minimal) {
@@ -403,21 +347,21 @@ Status check_expressible(const PreparedJob& job, const CaseScenarios& given, boo
         if (result.kind == ScenarioClass::Failed) {
             // The text of a failure contains the scenario's number, and a case numbers scenarios
             // anew.
-            return Error{ErrorCode::BadInput,
-                         result.failure + ": a scenario that failed has no answer for a case to "
-                                          "give again"};
+            return bad_input(result.failure +
+                             ": a scenario that failed has no answer for a case to "
+                             "give again");
         }
     }
     const auto ignored = resolve_ignored(job.spec, *job.meshes[0], *job.meshes[1]);
     if (!ignored || ignored.value() != job.query.ignored) {
-        return Error{ErrorCode::BadInput,
-                     "the run has no ignore rules that name the parts it passed over: run the job "
-                     "again into another folder, and extract from there"};
+        return bad_input(
+            "the run has no ignore rules that name the parts it passed over: run the job "
+            "again into another folder, and extract from there");
     }
     if (minimal && job.query.tolerance > 0) {
-        return Error{ErrorCode::BadInput,
-                     "--minimal goes without a tolerance: what stays undecided depends on all of "
-                     "a body's triangles; leave out --minimal"};
+        return bad_input(
+            "--minimal goes without a tolerance: what stays undecided depends on all of "
+            "a body's triangles; leave out --minimal");
     }
     return Done{};
 }
@@ -426,10 +370,9 @@ Status check_expressible(const PreparedJob& job, const CaseScenarios& given, boo
 Status check_target(const fs::path& dir) {
     std::error_code error;
     if (fs::exists(dir / "job.toml", error) && !fs::exists(dir / "expected.json", error)) {
-        return Error{ErrorCode::BadInput,
-                     (dir / "job.toml").string() +
+        return bad_input((dir / "job.toml").string() +
                          " is of no case, and would be overwritten; give another folder with "
-                         "--out"};
+                         "--out");
     }
     return Done{};
 }
@@ -441,13 +384,8 @@ Status write_files(const PreparedJob& job,
                    const std::vector<IgnoreRule>& rules,
                    const StopCheck& stop,
                    const fs::path& dir) {
-    const auto columns = columns_for(given.scenarios);
-    if (!columns) {
-        return columns.error();
-    }
-    if (Status made = make_directories(dir); !made) {
-        return made;
-    }
+    const auto columns = CD_TRY(columns_for(given.scenarios));
+    CD_TRY(make_directories(dir));
     std::error_code error;
     // Removes the files of an earlier case, so that none is left if writing fails. A job.toml
     // beside expected.json belongs to a case: it is removed before expected.json and written after
@@ -457,17 +395,13 @@ Status write_files(const PreparedJob& job,
     }
     for (std::size_t i = 0; i < bodies.size(); ++i) {
         const fs::path path = dir / (std::string(body_names[i]) + ".npz");
-        if (Status written = write_mesh(path, *bodies[i].mesh, stop); !written) {
-            return written;
-        }
+        CD_TRY(write_mesh(path, *bodies[i].mesh, stop));
     }
     for (const auto& [name, text] :
-         {std::pair("poses.csv", poses_text(given.scenarios, columns.value())),
+         {std::pair("poses.csv", poses_text(given.scenarios, columns)),
           std::pair("expected.json", expected_text(expected)),
-          std::pair("job.toml", case_job_text(job, given, columns.value(), rules))}) {
-        if (Status written = write_text(dir / name, text); !written) {
-            return written;
-        }
+          std::pair("job.toml", case_job_text(job, given, columns, rules))}) {
+        CD_TRY(write_file(dir / name, text));
     }
     return Done{};
 }
@@ -479,33 +413,18 @@ Status write_case(const PreparedJob& job,
                   const CaseOptions& options,
                   const fs::path& dir,
                   ThreadPool& pool) {
-    for (const Status& possible :
-         {check_expressible(job, scenarios, options.minimal), check_target(dir)}) {
-        if (!possible) {
-            return possible;
-        }
+    CD_TRY(check_expressible(job, scenarios, options.minimal));
+    CD_TRY(check_target(dir));
+    std::array<CaseBody, 2> bodies{CaseBody{job.meshes[0], {}}, CaseBody{job.meshes[1], {}}};
+    std::vector<ScenarioResult> expected = scenarios.results;
+    CaseRules rules{job.spec.ignore, job.query.ignored};
+    if (options.minimal) {
+        bodies = CD_TRY(smallest_bodies(job, scenarios.scenarios, options.stop));
+        rules = rules_for(job, bodies);
+        expected = CD_TRY(run_smallest(job, scenarios, bodies, rules.ignored, options.stop, pool));
     }
-    if (!options.minimal) {
-        return write_files(job,
-                           scenarios,
-                           {CaseBody{job.meshes[0], {}}, CaseBody{job.meshes[1], {}}},
-                           scenarios.results,
-                           job.spec.ignore,
-                           options.stop,
-                           dir);
-    }
-    const auto bodies = smallest_bodies(job, scenarios.scenarios, options.stop);
-    if (!bodies) {
-        return bodies.error();
-    }
-    const CaseRules rules = rules_for(job, bodies.value());
-    auto expected = run_smallest(job, scenarios, bodies.value(), rules.ignored, options.stop, pool);
-    if (!expected) {
-        return expected.error();
-    }
-    const Status written = write_files(
-        job, scenarios, bodies.value(), expected.value(), rules.rules, options.stop, dir);
-    return written ? write_ids(dir / ids_name, bodies.value()) : written;
+    CD_TRY(write_files(job, scenarios, bodies, expected, rules.rules, options.stop, dir));
+    return options.minimal ? write_ids(dir / ids_name, bodies) : Status(Done{});
 }
 
 } // namespace cd

@@ -7,7 +7,6 @@
 #include "common/core/result.hpp"
 #include "common/job/scenario.hpp"
 
-#include <cstdint>
 #include <filesystem>
 #include <vector>
 

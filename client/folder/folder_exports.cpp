@@ -1,16 +1,62 @@
 #include "client/folder/folder_exports.hpp"
 
-#include "client/folder/kept_summary.hpp"
+#include "client/base/errors.hpp"
+#include "client/formats/output_file.hpp"
+#include "common/job/query.hpp"
 #include "common/job/result/merge.hpp"
 
+#include <nlohmann/json.hpp>
+
 #include <algorithm>
-#include <filesystem>
+#include <array>
 #include <optional>
 #include <utility>
 
 namespace cd {
 
 namespace {
+
+using Json = nlohmann::json;
+
+Summary classes_of(const Json& json) {
+    Summary summary;
+    const std::array<std::pair<const char*, std::uint64_t*>, 12> counts{
+        {{"total", &summary.total},
+         {"separate", &summary.separate},
+         {"touch", &summary.touch},
+         {"cross", &summary.cross},
+         {"inside", &summary.inside},
+         {"contact", &summary.contact},
+         {"undecided", &summary.undecided},
+         {"failed", &summary.failed},
+         {"pairs", &summary.pairs},
+         {"surfaces_only", &summary.surfaces_only},
+         {"insides_skipped", &summary.insides_skipped},
+         {"cut", &summary.cut}}};
+    for (const auto& [key, value] : counts) {
+        *value = json.value(key, std::uint64_t{0});
+    }
+    return summary;
+}
+
+RunReport report_of(const Json& json) {
+    RunReport report;
+    report.summary = classes_of(json);
+    report.level = level_from_text(json.value("level", "")).value_or(Level::Pairs);
+    report.limit_pairs = json.value("limit_pairs", std::uint64_t{0});
+    report.execution.seconds = json.value("seconds", 0.0);
+    report.execution.resumed_at =
+        std::min(json.value("resumed_at", std::uint64_t{0}), report.summary.merged());
+    report.execution.where = json.value("where", "");
+    if (json.contains("digest") && json["digest"].is_string()) {
+        report.digest = sha256_from_hex(json["digest"].get<std::string>());
+    }
+    for (const Json& part : json.value("most_touched", Json::array())) {
+        report.most_touched.push_back(
+            {part.value("part", ""), part.value("scenarios", std::uint64_t{0})});
+    }
+    return report;
+}
 
 /// The contact map to export: of a job with maps, the stored one; of another job, the sum over the
 /// pairs in the records, or nothing below `level pairs`.
@@ -30,38 +76,36 @@ RunReport kept_report(const OpenedRun& run) {
 
 Result<RunReport>
 write_exports(const OpenedRun& run, const SinkOptions& options, const ExportContext& context) {
-    auto sink = ResultSink::open(options, context);
-    if (!sink) {
-        return sink.error();
-    }
+    auto sink = CD_TRY(ResultSink::open(options, context));
     ResultMerger merger(run.manifest().poses.count);
-    const Status read = run.records().for_each([&](const KeptRecord& record) {
+    CD_TRY(run.records().for_each([&](const KeptRecord& record) {
         static_cast<void>(merger.add(record.result, sha256(record.bytes)));
-        return sink.value().add(record.result);
-    });
-    if (!read) {
-        return read.error();
-    }
-    auto map = map_of(run, sink.value());
-    if (!map) {
-        return map.error();
-    }
-    if (Status finished = sink.value().finish(map.value()); !finished) {
-        return finished.error();
-    }
+        return sink.add(record.result);
+    }));
+    auto map = CD_TRY(map_of(run, sink));
+    CD_TRY(sink.finish(map));
     RunReport report = kept_report(run);
     report.summary = merger.summary();
     report.digest = merger.digest();
     report.level = run.manifest().query.level;
     report.limit_pairs = run.manifest().query.limit_pairs;
     report.maps_all_pairs = run.manifest().query.maps;
-    report.map = std::move(map.value());
-    report.most_touched = sink.value().tally().most_touched();
+    report.map = std::move(map);
+    report.most_touched = sink.tally().most_touched();
     report.summary_file = (run.dir() / "summary.json").string();
     return report;
 }
 
 } // namespace
+
+Result<RunReport> read_summary(const std::filesystem::path& path) {
+    const std::string text = CD_TRY(read_file(path));
+    try {
+        return report_of(Json::parse(text));
+    } catch (const Json::exception&) {
+        return bad_input(path.string() + " is damaged, or no summary of cdctl");
+    }
+}
 
 Result<RunReport> add_exports(const OpenedRun& run,
                               RunFolder* folder,

@@ -1,4 +1,4 @@
-// Adds exports to the folder of a finished run without running anything.
+// Adds exports to the folder of a finished run without running anything, and reads its summary.
 #pragma once
 
 #include "client/export/result_sink.hpp"
@@ -7,6 +7,7 @@
 #include "client/report/report.hpp"
 #include "common/core/result.hpp"
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -26,5 +27,9 @@ struct ExportOptions {
                                             RunFolder* folder,
                                             const ExportContext& context,
                                             ExportOptions options);
+
+/// Reads the counts of classes, time, place, most touched parts and digest from summary.json.
+/// Missing keys count as 0 or none. Errors: Io, BadInput naming the file.
+[[nodiscard]] Result<RunReport> read_summary(const std::filesystem::path& path);
 
 } // namespace cd

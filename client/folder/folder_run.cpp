@@ -1,5 +1,6 @@
 #include "client/folder/folder_run.hpp"
 
+#include "client/base/errors.hpp"
 #include "client/base/interrupt.hpp"
 #include "client/base/words.hpp"
 #include "client/folder/job_text.hpp"
@@ -15,7 +16,6 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
-#include <set>
 #include <variant>
 
 namespace cd {
@@ -85,11 +85,8 @@ Result<RunManifest> manifest_of(const PreparedJob& job) {
     manifest.poses = poses_of(job);
     manifest.formats = job.spec.output.formats;
     if (manifest.poses.kind != PosesKind::Random) {
-        const auto hash = hash_of(*job.poses, &InterruptGuard::has_come);
-        if (!hash) {
-            return hash.error();
-        }
-        manifest.poses.hash = hash.value();
+        const auto hash = CD_TRY(hash_of(*job.poses, &InterruptGuard::has_come));
+        manifest.poses.hash = hash;
     }
     return manifest;
 }
@@ -126,76 +123,58 @@ std::string own_command_line() {
 }
 
 Result<FolderRun> FolderRun::begin(PreparedJob& job, FolderRunOptions options) {
-    auto manifest = manifest_of(job);
-    if (!manifest) {
-        return manifest.error();
+    auto manifest = CD_TRY(manifest_of(job));
+    manifest.origin.command = std::move(options.command);
+    manifest.where = std::move(options.where);
+    manifest.origin.started = options.started.empty() ? iso_time(unix_seconds()) : options.started;
+    manifest.origin.ended = std::move(options.ended);
+    auto folder = CD_TRY(RunFolder::open(job.spec.output.dir, manifest, options.folder));
+    if (folder.unfinished()) {
+        manifest.origin.started = folder.unfinished()->origin.started;
     }
-    manifest.value().origin.command = std::move(options.command);
-    manifest.value().where = std::move(options.where);
-    manifest.value().origin.started =
-        options.started.empty() ? iso_time(unix_seconds()) : options.started;
-    manifest.value().origin.ended = std::move(options.ended);
-    auto folder = RunFolder::open(job.spec.output.dir, manifest.value(), options.folder);
-    if (!folder) {
-        return folder.error();
-    }
-    FolderRun run(std::move(folder.value()), std::move(manifest.value()), job);
-    if (run.folder_.unfinished()) {
-        run.manifest_.origin.started = run.folder_.unfinished()->origin.started;
-    }
+    FolderRun run(std::move(folder), std::move(manifest), job);
     run.maps_from_master_ = options.maps_from_master;
     run.inputs_bytes_max_ = options.inputs_bytes_max;
     run.wants_inputs_ = options.keep_inputs;
     if (!run.is_complete()) {
-        if (Status opened = run.open_files(job); !opened) {
-            return opened.error();
-        }
+        CD_TRY(run.open_files(job));
     }
     return run;
 }
 
 Status FolderRun::open_files(PreparedJob& job) {
-    auto recorder = RunRecorder::open(folder_.part(), job_->query.maps && !maps_from_master_);
-    if (!recorder) {
-        return recorder.error();
-    }
-    recorder_.emplace(std::move(recorder.value()));
+    recorder_.emplace(
+        CD_TRY(RunRecorder::open(folder_.part(), job_->query.maps && !maps_from_master_)));
     keeps_inputs_ = wants_inputs_ && input_bytes(job) <= inputs_bytes_max_;
     if (job.grid) {
         return Done{};
     }
-    PoseRecorderOptions options;
-    options.hashes = !manifest_.poses.hash;
-    options.bytes_max = keeps_inputs_ ? inputs_bytes_max_ - bytes_beside_poses(job) : 0;
-    auto poses = PoseRecorder::open(std::move(job.poses), folder_.part() / "scenarios", options);
-    if (!poses) {
-        return poses.error();
-    }
-    poses_ = poses.value().get();
-    job.poses = std::move(poses.value());
+    const PoseRecorderOptions options{
+        !manifest_.poses.hash, keeps_inputs_ ? inputs_bytes_max_ - bytes_beside_poses(job) : 0};
+    auto poses =
+        CD_TRY(PoseRecorder::open(std::move(job.poses), folder_.part() / "scenarios", options));
+    poses_ = poses.get();
+    job.poses = std::move(poses);
     return Done{};
 }
 
 Result<ResultMerger> FolderRun::done() const {
     ResultMerger merger(manifest_.poses.count);
-    const auto records = RecordFile::open_unfinished(folder_.part() / "records");
-    if (!records) {
-        return records.error();
-    }
-    const Status read = records.value().for_each([&](const KeptRecord& record) -> Status {
+    const auto records = CD_TRY(RecordFile::open_unfinished(folder_.part() / "records"));
+    CD_TRY(records.for_each([&](const KeptRecord& record) -> Status {
         if (InterruptGuard::has_come()) {
             return interrupted();
         }
         const auto added = merger.add(record.result, sha256(record.bytes));
         // Only a local run, which writes its results in the order of their indices, can be resumed.
-        return added == ResultMerger::Outcome::Added &&
-                       merger.summary().merged() == record.result.index + 1
-                   ? Status(Done{})
-                   : Status(Error{ErrorCode::Io,
-                                  (folder_.part() / "records").string() +
-                                      " cannot be resumed; add --fresh"});
-    });
-    return read ? Result<ResultMerger>(std::move(merger)) : read.error();
+        if (added != ResultMerger::Outcome::Added ||
+            merger.summary().merged() != record.result.index + 1) {
+            return Error{ErrorCode::Io,
+                         (folder_.part() / "records").string() + " cannot be resumed; add --fresh"};
+        }
+        return Done{};
+    }));
+    return merger;
 }
 
 Status FolderRun::keep_inputs() const {
@@ -207,16 +186,10 @@ Status FolderRun::keep_inputs() const {
             continue;
         }
         const Mesh& mesh = *job_->meshes[i];
-        const Status written =
-            write_mesh_file(mesh_file_path(inputs / "meshes", mesh.hash()), mesh);
-        if (!written) {
-            return written;
-        }
+        CD_TRY(write_mesh_file(mesh_file_path(inputs / "meshes", mesh.hash()), mesh));
     }
     if (!job_->labels.is_empty()) {
-        if (Status written = write_labels(inputs / "ids", job_->labels); !written) {
-            return written;
-        }
+        CD_TRY(write_labels(inputs / "ids", job_->labels));
     }
     return poses_ == nullptr ? Status(Done{})
                              : move_file(folder_.part() / "scenarios", inputs / "scenarios");
@@ -224,11 +197,8 @@ Status FolderRun::keep_inputs() const {
 
 Status FolderRun::finish_inputs() {
     if (poses_ != nullptr) {
-        const auto hash = poses_->finish(&InterruptGuard::has_come);
-        if (!hash) {
-            return hash.error();
-        }
-        manifest_.poses.hash = hash.value() ? hash.value() : manifest_.poses.hash;
+        const auto hash = CD_TRY(poses_->finish(&InterruptGuard::has_come));
+        manifest_.poses.hash = hash ? hash : manifest_.poses.hash;
         keeps_inputs_ = keeps_inputs_ && poses_->keeps();
     }
     return keeps_inputs_ ? keep_inputs() : Status(Done{});
@@ -241,18 +211,11 @@ FolderRun::finish_maps(const std::optional<ContactMap>& fetched) const {
     }
     const fs::path path = folder_.part() / "maps";
     if (fetched) {
-        if (Status written = write_maps(path, *fetched, manifest_.poses.count); !written) {
-            return written.error();
-        }
+        CD_TRY(write_maps(path, *fetched, manifest_.poses.count));
     }
-    auto map = read_maps(path);
-    if (!map) {
-        return map.error();
-    }
-    if (Status moved = move_file(path, folder_.out() / "maps"); !moved) {
-        return moved.error();
-    }
-    return std::optional(std::move(map.value()));
+    std::optional<ContactMap> map = CD_TRY(read_maps(path));
+    CD_TRY(move_file(path, folder_.out() / "maps"));
+    return map;
 }
 
 Status FolderRun::finish(RunReport& report,
@@ -261,42 +224,23 @@ Status FolderRun::finish(RunReport& report,
     std::error_code error;
     fs::remove_all(folder_.out(), error);
     fs::create_directories(folder_.out(), error);
-    if (Status finished = recorder_->finish(); !finished) {
-        return finished;
-    }
-    auto kept_map = finish_maps(fetched_map);
-    if (!kept_map) {
-        return kept_map.error();
-    }
+    CD_TRY(recorder_->finish());
+    report.map = CD_TRY(finish_maps(fetched_map));
     const ExportContext context = export_context(*job_);
-    const auto records = RecordFile::open(folder_.part() / "records");
-    auto sink = ResultSink::open({folder_.out(), manifest_.formats, output}, context);
-    if (!records || !sink) {
-        return records ? sink.error() : records.error();
-    }
-    const Status exported = records.value().for_each(
-        [&](const KeptRecord& record) { return sink.value().add(record.result); });
-    if (!exported) {
-        return exported;
-    }
-    report.map = std::move(kept_map.value());
+    const auto records = CD_TRY(RecordFile::open(folder_.part() / "records"));
+    auto sink = CD_TRY(ResultSink::open({folder_.out(), manifest_.formats, output}, context));
+    CD_TRY(records.for_each([&](const KeptRecord& record) { return sink.add(record.result); }));
     if (!job_->query.maps && job_->query.level >= Level::Pairs) {
-        report.map = sink.value().map();
+        report.map = sink.map();
     }
-    if (Status finished = sink.value().finish(report.map); !finished) {
-        return finished;
-    }
-    report.most_touched = sink.value().tally().most_touched();
-    if (Status kept = finish_inputs(); !kept) {
-        return kept;
-    }
+    CD_TRY(sink.finish(report.map));
+    report.most_touched = sink.tally().most_touched();
+    CD_TRY(finish_inputs());
     report.inputs_are_too_large = wants_inputs_ && !keeps_inputs_;
-    if (Status written = write_summary(folder_.out(), context, report); !written) {
-        return written;
-    }
+    CD_TRY(write_summary(folder_.out(), context, report));
     manifest_.origin.ended =
         manifest_.origin.ended.empty() ? iso_time(unix_seconds()) : manifest_.origin.ended;
-    manifest_.outcome.answered = records.value().count();
+    manifest_.outcome.answered = records.count();
     manifest_.outcome.digest = report.digest;
     manifest_.outcome.map_digest =
         report.map ? std::optional(digest_of(*report.map)) : std::optional<Sha256>();

@@ -1,5 +1,6 @@
 #include "client/folder/opened_run.hpp"
 
+#include "client/base/errors.hpp"
 #include "client/base/interrupt.hpp"
 #include "client/base/words.hpp"
 #include "client/folder/run_folder.hpp"
@@ -18,22 +19,21 @@ namespace fs = std::filesystem;
 
 Error no_run(const fs::path& dir) {
     if (const auto unfinished = read_run_json(dir / ".part" / "run.json")) {
-        return {ErrorCode::BadInput,
-                dir.string() + " holds an unfinished run of " +
-                    counted(unfinished.value().poses.count, "scenario") +
-                    "; resume it with: " + unfinished.value().origin.command};
+        return bad_input(dir.string() + " holds an unfinished run of " +
+                         counted(unfinished.value().poses.count, "scenario") +
+                         "; resume it with: " + unfinished.value().origin.command);
     }
     if (holds_only_a_summary(dir)) {
-        return {ErrorCode::BadInput,
-                dir.string() + " was written by an earlier version, without run.json and records: "
-                               "only its summary.json can be opened; run the job again"};
+        return bad_input(dir.string() +
+                         " was written by an earlier version, without run.json and records: "
+                         "only its summary.json can be opened; run the job again");
     }
     return {ErrorCode::NotFound, dir.string() + " holds no run: it has no run.json"};
 }
 
 Error changed(const std::string& file) {
-    return {ErrorCode::BadInput,
-            file + " has changed since the run; restore the old file, or run the job again"};
+    return bad_input(file +
+                     " has changed since the run; restore the old file, or run the job again");
 }
 
 Error damaged(const fs::path& file, const std::string& what) {
@@ -44,17 +44,13 @@ Error damaged(const fs::path& file, const std::string& what) {
 /// Imports the mesh of a body. Errors: those of `import_mesh`; BadInput if the mesh has changed.
 Result<std::shared_ptr<const Mesh>>
 import_again(const JobSpec& spec, std::size_t body, const Sha256& expected) {
-    const auto options = import_options(spec, body);
-    if (!options) {
-        return options.error();
-    }
+    const auto options = CD_TRY(import_options(spec, body));
     const std::string file = spec.bodies[body].path.string();
-    auto imported = import_mesh(file, options.value());
-    if (!imported) {
-        return imported.error();
+    const auto imported = CD_TRY(import_mesh(file, options));
+    if (imported.mesh->hash() != expected) {
+        return changed(file);
     }
-    return imported.value().mesh->hash() == expected ? Result(imported.value().mesh)
-                                                     : changed(file);
+    return imported.mesh;
 }
 
 } // namespace
@@ -64,28 +60,21 @@ Result<OpenedRun> OpenedRun::open(const fs::path& dir) {
     if (!manifest) {
         return manifest.error().code == ErrorCode::NotFound ? no_run(dir) : manifest.error();
     }
-    auto records = RecordFile::open(dir / "records");
-    if (!records) {
-        return records.error();
-    }
-    if (records.value().count() != manifest.value().outcome.answered) {
+    auto records = CD_TRY(RecordFile::open(dir / "records"));
+    if (records.count() != manifest.value().outcome.answered) {
         return damaged(dir / "records",
-                       "it has " + grouped(records.value().count()) +
-                           " records, and run.json says " +
+                       "it has " + grouped(records.count()) + " records, and run.json says " +
                            grouped(manifest.value().outcome.answered));
     }
-    return OpenedRun(dir, std::move(manifest.value()), std::move(records.value()));
+    return OpenedRun(dir, std::move(manifest.value()), std::move(records));
 }
 
 Result<JobSpec> OpenedRun::spec() const {
-    auto spec = parse_job(manifest_.job, dir_ / "run.json");
-    if (!spec) {
-        return spec;
-    }
-    spec.value().output.dir.clear();
-    for (std::size_t i = 0; i < spec.value().bodies.size(); ++i) {
+    auto spec = CD_TRY(parse_job(manifest_.job, dir_ / "run.json"));
+    spec.output.dir.clear();
+    for (std::size_t i = 0; i < spec.bodies.size(); ++i) {
         const ManifestBody& body = manifest_.bodies[i];
-        spec.value().bodies[i].declared_unit = body.is_unit_given ? "" : body.unit;
+        spec.bodies[i].declared_unit = body.is_unit_given ? "" : body.unit;
     }
     return spec;
 }
@@ -102,8 +91,8 @@ Result<std::shared_ptr<const Mesh>> OpenedRun::mesh(std::size_t body) const {
                      kept.error().detail + "; remove it to import " + wanted.file +
                          " again, or run the job again with --fresh"};
     }
-    const auto job = spec();
-    return job ? import_again(job.value(), body, wanted.mesh) : job.error();
+    const auto job = CD_TRY(spec());
+    return import_again(job, body, wanted.mesh);
 }
 
 Result<std::unique_ptr<PoseSource>> OpenedRun::kept_poses() const {
@@ -115,8 +104,8 @@ Result<std::unique_ptr<PoseSource>> OpenedRun::kept_poses() const {
     if (!fs::exists(path, error)) {
         return std::unique_ptr<PoseSource>();
     }
-    auto poses = open_scenario_file(path);
-    if (poses && poses.value()->count() != manifest_.poses.count) {
+    auto poses = CD_TRY(open_scenario_file(path));
+    if (poses->count() != manifest_.poses.count) {
         return damaged(path, "scenarios are missing in it");
     }
     return poses;
@@ -141,8 +130,7 @@ Result<std::optional<ContactMap>> OpenedRun::kept_map() const {
     if (!manifest_.query.maps || !fs::exists(dir_ / "maps", error)) {
         return std::optional<ContactMap>();
     }
-    auto map = read_maps(dir_ / "maps");
-    return map ? Result<std::optional<ContactMap>>(std::move(map.value())) : map.error();
+    return std::optional<ContactMap>(CD_TRY(read_maps(dir_ / "maps")));
 }
 
 bool holds_only_a_summary(const fs::path& dir) {
@@ -164,23 +152,11 @@ Result<JobInputs> read_inputs(const OpenedRun& run) {
             inputs.meshes[1] = inputs.meshes[0];
             continue;
         }
-        auto mesh = run.mesh(body);
-        if (!mesh) {
-            return mesh.error();
-        }
-        inputs.meshes[body] = std::move(mesh.value());
+        inputs.meshes[body] = CD_TRY(run.mesh(body));
     }
-    auto poses = run.kept_poses();
-    if (!poses) {
-        return poses.error();
-    }
-    inputs.poses = std::move(poses.value());
+    inputs.poses = CD_TRY(run.kept_poses());
     if (inputs.poses) {
-        auto labels = run.kept_labels();
-        if (!labels) {
-            return labels.error();
-        }
-        inputs.labels = std::move(labels.value());
+        inputs.labels = CD_TRY(run.kept_labels());
     }
     inputs.ignored = run.manifest().query.ignored;
     return inputs;
@@ -194,15 +170,14 @@ Result<PreparedJob> prepare_again(const RunManifest& manifest,
                                   ThreadPool& pool,
                                   bool quiet) {
     const bool are_kept = inputs.poses != nullptr;
-    auto job = prepare_job(std::move(spec), trees, cache, pool, quiet, std::move(inputs));
-    if (!job || are_kept || !manifest.poses.hash) {
-        return job;
+    auto job = CD_TRY(prepare_job(std::move(spec), trees, cache, pool, quiet, std::move(inputs)));
+    if (!are_kept && manifest.poses.hash) {
+        const Sha256 hash = CD_TRY(hash_of(*job.poses, &InterruptGuard::has_come));
+        if (hash != manifest.poses.hash) {
+            return changed(manifest.poses.file);
+        }
     }
-    const auto hash = hash_of(*job.value().poses, &InterruptGuard::has_come);
-    if (!hash) {
-        return hash.error();
-    }
-    return hash.value() == manifest.poses.hash ? std::move(job) : changed(manifest.poses.file);
+    return job;
 }
 
 Result<ExportContext> export_context(const OpenedRun& run) {
@@ -213,13 +188,10 @@ Result<ExportContext> export_context(const OpenedRun& run) {
     context.describe(manifest.query);
     context.stop = &InterruptGuard::has_come;
     for (std::size_t i = 0; i < manifest.bodies.size(); ++i) {
-        auto mesh = run.mesh(i);
-        if (!mesh) {
-            return mesh.error();
-        }
+        auto mesh = CD_TRY(run.mesh(i));
         const ManifestBody& body = manifest.bodies[i];
         context.bodies.push_back(
-            {body.name, fs::path(body.file).filename().string(), std::move(mesh.value())});
+            {body.name, fs::path(body.file).filename().string(), std::move(mesh)});
     }
     return context;
 }

@@ -1,5 +1,7 @@
 #include "client/folder/pose_recorder.hpp"
 
+#include "client/base/errors.hpp"
+
 #include <algorithm>
 
 namespace cd {
@@ -25,11 +27,8 @@ Status PoseRecorder::open_file() {
     }
     std::error_code error;
     const bool resumes = std::filesystem::exists(file_, error);
-    auto writer = resumes ? ScenarioWriter::resume(file_) : ScenarioWriter::create(file_);
-    if (!writer) {
-        return writer.error();
-    }
-    writer_.emplace(std::move(writer.value()));
+    writer_.emplace(
+        CD_TRY(resumes ? ScenarioWriter::resume(file_) : ScenarioWriter::create(file_)));
     next_ = writer_->written();
     if (!hash_ || next_ == 0) {
         return Done{};
@@ -37,11 +36,8 @@ Status PoseRecorder::open_file() {
     auto before = open_unfinished_scenario_file(file_);
     for (std::uint64_t first = 0; before && first < next_; first += scenarios_at_once) {
         const auto scenarios =
-            before.value()->read(first, std::min(scenarios_at_once, next_ - first));
-        if (!scenarios) {
-            return scenarios.error();
-        }
-        hash_->add(scenarios.value());
+            CD_TRY(before.value()->read(first, std::min(scenarios_at_once, next_ - first)));
+        hash_->add(scenarios);
     }
     return before ? Status(Done{}) : before.error();
 }
@@ -60,9 +56,7 @@ Status PoseRecorder::add(std::span<const Scenario> news) {
     if (!writer_) {
         return Done{};
     }
-    if (Status added = writer_->add(news); !added) {
-        return added;
-    }
+    CD_TRY(writer_->add(news));
     if (writer_->bytes() > bytes_max_) {
         drop_file();
     }
@@ -70,16 +64,11 @@ Status PoseRecorder::add(std::span<const Scenario> news) {
 }
 
 Result<std::vector<Scenario>> PoseRecorder::read(std::uint64_t first, std::uint64_t count) {
-    auto scenarios = source_->read(first, count);
-    if (!scenarios) {
-        return scenarios;
-    }
+    auto scenarios = CD_TRY(source_->read(first, count));
     const std::lock_guard lock(mutex_);
     if (first <= next_ && next_ < first + count) {
-        const auto news = std::span<const Scenario>(scenarios.value()).subspan(next_ - first);
-        if (Status added = add(news); !added) {
-            return added.error();
-        }
+        const auto news = std::span<const Scenario>(scenarios).subspan(next_ - first);
+        CD_TRY(add(news));
     }
     return scenarios;
 }
@@ -89,15 +78,10 @@ Result<std::optional<Sha256>> PoseRecorder::finish(const StopCheck& stop) {
         if (stop && stop()) {
             return interrupted();
         }
-        const auto more = read(next_, std::min(scenarios_at_once, count() - next_));
-        if (!more) {
-            return more.error();
-        }
+        CD_TRY(read(next_, std::min(scenarios_at_once, count() - next_)));
     }
     if (writer_) {
-        if (Status finished = writer_->finish(); !finished) {
-            return finished.error();
-        }
+        CD_TRY(writer_->finish());
     }
     return hash_ ? std::optional(hash_->finish()) : std::optional<Sha256>();
 }

@@ -1,13 +1,12 @@
 #include "client/folder/run_folder.hpp"
 
+#include "client/base/errors.hpp"
 #include "client/base/words.hpp"
 #include "client/formats/output_file.hpp"
 #include "common/job/result/record_file.hpp"
 
 #include <algorithm>
 #include <array>
-#include <fstream>
-#include <sstream>
 #include <system_error>
 #include <vector>
 
@@ -34,8 +33,8 @@ constexpr std::array<const char*, 13> result_names{"summary.json",
                                                    "inputs/ids"};
 
 Error refused(const fs::path& dir, const std::string& what) {
-    return {ErrorCode::BadInput,
-            dir.string() + " holds " + what + "; give another folder with --out, or --overwrite"};
+    return bad_input(dir.string() + " holds " + what +
+                     "; give another folder with --out, or --overwrite");
 }
 
 /// Reads a run.json; nothing if the file is missing, or unreadable while `overwrite` is set.
@@ -81,17 +80,6 @@ Status check_no_other(const fs::path& dir,
     return Done{};
 }
 
-Status write_text(const fs::path& path, const std::string& text) {
-    auto file = OutputFile::create(path);
-    if (!file) {
-        return file.error();
-    }
-    if (Status written = file.value().write(text); !written) {
-        return written;
-    }
-    return file.value().commit();
-}
-
 Error failure(const fs::path& path, const std::error_code& error) {
     return {ErrorCode::Io, path.string() + ": " + error.message()};
 }
@@ -121,20 +109,8 @@ std::vector<std::string> files_below(const fs::path& folder) {
 } // namespace
 
 Result<RunManifest> read_run_json(const fs::path& path) {
-    std::error_code error;
-    if (!fs::is_regular_file(path, error)) {
-        return Error{ErrorCode::NotFound, path.string() + ": no such file"};
-    }
-    std::ifstream file(path, std::ios::binary);
-    std::ostringstream text;
-    if (!file || !(text << file.rdbuf())) {
-        return Error{ErrorCode::Io, path.string() + ": cannot be read, or is empty"};
-    }
-    auto manifest = parse_manifest(text.str());
-    if (!manifest) {
-        return Error{ErrorCode::BadInput, path.string() + ": " + manifest.error().detail};
-    }
-    return manifest;
+    const std::string text = CD_TRY(read_file(path));
+    return within(path.string() + ": ", parse_manifest(text));
 }
 
 bool is_inside(std::string_view name) {
@@ -148,11 +124,8 @@ RunFolder::RunFolder(fs::path dir, DiskFile lock)
 
 Result<RunFolder>
 RunFolder::open(const fs::path& dir, const RunManifest& manifest, FolderOptions options) {
-    auto taken = take(dir);
-    if (!taken) {
-        return taken;
-    }
-    RunFolder& folder = taken.value();
+    auto taken = CD_TRY(take(dir));
+    RunFolder& folder = taken;
     auto finished = read_if_there(dir / manifest_name, options.overwrite);
     auto unfinished = read_if_there(folder.part_ / manifest_name, options.overwrite);
     if (!finished || !unfinished) {
@@ -178,42 +151,32 @@ RunFolder::open(const fs::path& dir, const RunManifest& manifest, FolderOptions 
         folder.recover_files();
         return taken;
     }
-    if (Status begun = folder.begin(manifest); !begun) {
-        return begun.error();
-    }
+    CD_TRY(folder.begin(manifest));
     return taken;
 }
 
 Result<RunFolder> RunFolder::open_finished(const fs::path& dir, const RunManifest& expected) {
-    auto taken = take(dir);
-    if (!taken) {
-        return taken;
-    }
+    auto taken = CD_TRY(take(dir));
     const auto manifest = read_run_json(dir / manifest_name);
     if (!manifest || manifest_json(manifest.value()) != manifest_json(expected)) {
-        return taken.value().give_up(
+        return taken.give_up(
             {ErrorCode::BadInput,
              dir.string() + " was changed by another process; repeat the command"});
     }
-    taken.value().before_ = expected;
-    taken.value().state_ = State::All;
+    taken.before_ = expected;
+    taken.state_ = State::All;
     return taken;
 }
 
 Result<RunFolder> RunFolder::take(const fs::path& dir) {
     constexpr int attempts_max = 8;
     for (int attempt = 0; attempt < attempts_max; ++attempt) {
-        if (Status made = make_directories(dir / ".part"); !made) {
-            return made.error();
-        }
-        auto lock = DiskFile::lock(dir / ".part" / "lock");
-        if (!lock) {
-            return lock.error();
-        }
+        CD_TRY(make_directories(dir / ".part"));
+        auto lock = CD_TRY(DiskFile::lock(dir / ".part" / "lock"));
         // The process that held the lock before may have removed the locked file: then lock a new
         // one.
-        if (lock.value().has_its_name()) {
-            return RunFolder(dir, std::move(lock.value()));
+        if (lock.has_its_name()) {
+            return RunFolder(dir, std::move(lock));
         }
     }
     return Error{ErrorCode::Io, (dir / ".part").string() + " is in use by other processes"};
@@ -234,7 +197,7 @@ Status RunFolder::begin(const RunManifest& manifest) {
             fs::remove_all(entry.path(), error);
         }
     }
-    return write_text(part_ / manifest_name, manifest_json(manifest));
+    return write_file(part_ / manifest_name, manifest_json(manifest));
 }
 
 /// Moves files back into `.part` that a run killed during `commit` had already moved.
@@ -286,30 +249,22 @@ Status RunFolder::commit(RunManifest manifest) {
             }
         }
     }
-    auto files = move_files();
-    if (!files) {
-        return files.error();
-    }
-    manifest.files = std::move(files.value());
+    auto files = CD_TRY(move_files());
+    manifest.files = std::move(files);
     manifest.files.push_back({"records", fs::file_size(part_ / "records", error)});
     fs::rename(part_ / "records", dir_ / "records", error);
     if (error) {
         return failure(dir_ / "records", error);
     }
-    if (Status written = write_text(dir_ / manifest_name, manifest_json(manifest)); !written) {
-        return written;
-    }
+    CD_TRY(write_file(dir_ / manifest_name, manifest_json(manifest)));
     clean();
     return Done{};
 }
 
 Status RunFolder::add_files(std::span<const std::string> formats) {
     RunManifest manifest = *before_;
-    auto files = move_files();
-    if (!files) {
-        return files.error();
-    }
-    for (const ManifestFile& file : files.value()) {
+    auto files = CD_TRY(move_files());
+    for (const ManifestFile& file : files) {
         std::erase_if(manifest.files,
                       [&](const ManifestFile& old) { return old.name == file.name; });
         manifest.files.push_back(file);
@@ -319,9 +274,7 @@ Status RunFolder::add_files(std::span<const std::string> formats) {
             manifest.formats.push_back(format);
         }
     }
-    if (Status written = write_text(dir_ / manifest_name, manifest_json(manifest)); !written) {
-        return written;
-    }
+    CD_TRY(write_file(dir_ / manifest_name, manifest_json(manifest)));
     clean();
     return Done{};
 }

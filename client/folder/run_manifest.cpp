@@ -1,5 +1,8 @@
 #include "client/folder/run_manifest.hpp"
 
+#include "client/base/errors.hpp"
+#include "client/base/table.hpp"
+#include "client/spec/job_file.hpp"
 #include "common/core/limits/engine.hpp"
 
 #include <nlohmann/json.hpp>
@@ -119,15 +122,11 @@ Json files_json(const std::vector<ManifestFile>& files) {
 
 // ---- Reading: `parse_manifest` catches the exceptions of `at` -----------------------------------
 
-struct Wrong {
-    std::string what;
-};
-
 template <class T>
 T value_of(const Json& json, const char* key) {
     const auto found = json.find(key);
     if (found == json.end()) {
-        throw Wrong{"\"" + std::string(key) + "\" is missing"};
+        throw Refusal{bad_input("\"" + std::string(key) + "\" is missing")};
     }
     return found->get<T>();
 }
@@ -141,7 +140,7 @@ T value_or(const Json& json, const char* key, T other) {
 double number_of(const Json& json) {
     const auto value = json.get<double>();
     if (!std::isfinite(value)) {
-        throw Wrong{"a number is not finite"};
+        throw Refusal{bad_input("a number is not finite")};
     }
     return value;
 }
@@ -150,7 +149,7 @@ std::optional<Sha256> read_hash(const Json& json, const char* key) {
     const auto text = value_or<std::string>(json, key, "");
     const auto hash = sha256_from_hex(text);
     if (!text.empty() && !hash) {
-        throw Wrong{"\"" + std::string(key) + "\" is no SHA-256"};
+        throw Refusal{bad_input("\"" + std::string(key) + "\" is no SHA-256")};
     }
     return hash;
 }
@@ -167,14 +166,14 @@ std::vector<ManifestBody> read_bodies(const Json& json) {
         body.rounds_to_float = value_or<std::string>(each, "precision", "") == "float";
         const auto mesh = read_hash(each, "sha256");
         if (!mesh) {
-            throw Wrong{"body \"" + body.name + "\" has no SHA-256"};
+            throw Refusal{bad_input("body \"" + body.name + "\" has no SHA-256")};
         }
         body.mesh = *mesh;
         body.parts = value_or<std::vector<std::string>>(each, "parts", {});
         bodies.push_back(std::move(body));
     }
     if (bodies.size() != 2) {
-        throw Wrong{"a run of this version has two bodies"};
+        throw Refusal{bad_input("a run of this version has two bodies")};
     }
     return bodies;
 }
@@ -193,7 +192,7 @@ Grid read_grid(const Json& json) {
     }
     // `decode_grid` checks the numbers, which are untrusted.
     if (const auto checked = decode_grid(encode_grid(grid)); !checked) {
-        throw Wrong{checked.error().detail};
+        throw Refusal{bad_input(checked.error().detail)};
     }
     return grid;
 }
@@ -202,7 +201,7 @@ ManifestPoses read_poses(const Json& json) {
     ManifestPoses poses;
     const auto kind = std::ranges::find(kind_names, value_of<std::string>(json, "kind"));
     if (kind == kind_names.end()) {
-        throw Wrong{"the kind of poses is not known"};
+        throw Refusal{bad_input("the kind of poses is not known")};
     }
     poses.kind = static_cast<PosesKind>(kind - kind_names.begin());
     poses.count = value_of<std::uint64_t>(json, "count");
@@ -212,7 +211,7 @@ ManifestPoses read_poses(const Json& json) {
     if (poses.kind == PosesKind::Grid) {
         poses.grid = read_grid(json.at("grid"));
         if (poses.grid->count() != poses.count) {
-            throw Wrong{"the grid has another number of poses"};
+            throw Refusal{bad_input("the grid has another number of poses")};
         }
     }
     if (poses.kind == PosesKind::Random) {
@@ -221,10 +220,8 @@ ManifestPoses read_poses(const Json& json) {
                                    value_of<std::uint64_t>(json, "seed"),
                                    number_of(penetration.at(0)),
                                    number_of(penetration.at(1))};
-        if (!(0 <= poses.random->penetration_min &&
-              poses.random->penetration_min <= poses.random->penetration_max &&
-              poses.random->penetration_max <= 1)) {
-            throw Wrong{"the penetration is not within 0 to 1"};
+        if (!is_penetration(*poses.random)) {
+            throw Refusal{bad_input("the penetration is not within 0 to 1")};
         }
     }
     poses.file = value_or<std::string>(json, "file", "");
@@ -235,7 +232,7 @@ ManifestPoses read_poses(const Json& json) {
     }
     poses.unit = value_or<std::string>(json, "unit", "");
     if (poses.count == 0 || poses.count > limits::scenarios_max) {
-        throw Wrong{"the number of poses is out of range"};
+        throw Refusal{bad_input("the number of poses is out of range")};
     }
     return poses;
 }
@@ -252,14 +249,14 @@ Query read_query(const Json& json) {
     Query query;
     const auto level = level_from_text(value_of<std::string>(json, "level"));
     if (!level) {
-        throw Wrong{"the level is not known"};
+        throw Refusal{bad_input("the level is not known")};
     }
     query.level = *level;
     query.tolerance = number_of(json.at("tolerance"));
     query.limit_pairs = value_of<std::uint64_t>(json, "limit_pairs");
     query.maps = value_of<bool>(json, "maps");
     if (query.tolerance < 0) {
-        throw Wrong{"the tolerance is negative"};
+        throw Refusal{bad_input("the tolerance is negative")};
     }
     for (const Json& each : json.at("ignored")) {
         query.ignored.push_back(read_ignored(each));
@@ -270,11 +267,13 @@ Query read_query(const Json& json) {
 RunManifest read_manifest(const Json& json) {
     const auto version = value_of<std::uint64_t>(json, "format");
     if (version > format_version) {
-        throw Wrong{"its format is " + std::to_string(version) + ", and this program reads " +
-                    std::to_string(format_version) + "; use a later cdctl"};
+        throw Refusal{bad_input("its format is " + std::to_string(version) +
+                                ", and this program reads " + std::to_string(format_version) +
+                                "; use a later cdctl")};
     }
     if (value_of<std::uint64_t>(json, "record_version") != record_version) {
-        throw Wrong{"its records are of another version; use the cdctl that wrote them"};
+        throw Refusal{
+            bad_input("its records are of another version; use the cdctl that wrote them")};
     }
     RunManifest manifest;
     manifest.origin.program = value_or<std::string>(json, "program", "");
@@ -341,17 +340,16 @@ std::string manifest_json(const RunManifest& manifest) {
                     {"map_digest", hash_json(manifest.outcome.map_digest)},
                     {"formats", manifest.formats},
                     {"files", files_json(manifest.files)}};
-    // A name may contain bytes that are not UTF-8.
-    return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+    return json_text(json, 1);
 }
 
 Result<RunManifest> parse_manifest(std::string_view text) {
     try {
         return read_manifest(Json::parse(text));
-    } catch (const Wrong& wrong) {
-        return Error{ErrorCode::BadInput, wrong.what};
+    } catch (const Refusal& refusal) {
+        return refusal.error;
     } catch (const nlohmann::json::exception&) {
-        return Error{ErrorCode::BadInput, "it is damaged, or no run.json of cdctl"};
+        return bad_input("it is damaged, or no run.json of cdctl");
     }
 }
 

@@ -1,5 +1,6 @@
 #include "client/folder/run_recorder.hpp"
 
+#include "client/base/errors.hpp"
 #include "common/core/limits/engine.hpp"
 #include "common/job/result/packed_map.hpp"
 
@@ -23,26 +24,20 @@ Result<Writer> open_writer(const std::filesystem::path& path, Kind... kind) {
 Result<RunRecorder> RunRecorder::open(const std::filesystem::path& folder,
                                       bool with_maps,
                                       std::chrono::milliseconds period) {
-    auto records = open_writer<RecordWriter>(folder / "records");
-    if (!records) {
-        return records.error();
-    }
+    auto records = CD_TRY(open_writer<RecordWriter>(folder / "records"));
     if (!with_maps) {
-        return RunRecorder(std::move(records.value()), std::nullopt, period);
+        return RunRecorder(std::move(records), std::nullopt, period);
     }
-    auto maps = open_writer<BlockFileWriter>(folder / "maps", maps_kind);
-    if (!maps) {
-        return maps.error();
-    }
+    auto maps = CD_TRY(open_writer<BlockFileWriter>(folder / "maps", maps_kind));
     // A block of `maps` is written before the records of its scenarios, so a killed run may have
     // left a block of `maps` without records.
-    const std::uint64_t both = std::min(records.value().written(), maps.value().written().count());
-    for (const Status& cut : {records.value().cut_before(both), maps.value().cut_before(both)}) {
+    const std::uint64_t both = std::min(records.written(), maps.written().count());
+    for (const Status& cut : {records.cut_before(both), maps.cut_before(both)}) {
         if (!cut) {
             return cut.error();
         }
     }
-    return RunRecorder(std::move(records.value()), std::move(maps.value()), period);
+    return RunRecorder(std::move(records), std::move(maps), period);
 }
 
 Status RunRecorder::add(const DoneScenario& done) {
@@ -67,52 +62,35 @@ Status RunRecorder::flush() {
     }
     if (maps_) {
         const Bytes packed = pack_map(map_.take());
-        if (Status written = maps_->add(first_waiting_, waiting_, packed); !written) {
-            return written;
-        }
+        CD_TRY(maps_->add(first_waiting_, waiting_, packed));
     }
     waiting_ = 0;
     return records_.flush();
 }
 
 Status RunRecorder::finish() {
-    if (Status flushed = flush(); !flushed) {
-        return flushed;
-    }
+    CD_TRY(flush());
     if (maps_) {
-        if (Status finished = maps_->finish(); !finished) {
-            return finished;
-        }
+        CD_TRY(maps_->finish());
     }
     return records_.finish();
 }
 
 Status
 write_maps(const std::filesystem::path& path, const ContactMap& map, std::uint64_t scenarios) {
-    auto file = BlockFileWriter::create(path, maps_kind);
-    if (!file) {
-        return file.error();
-    }
-    if (Status added = file.value().add(0, scenarios, pack_map(map)); !added) {
-        return added;
-    }
-    return file.value().finish();
+    auto file = CD_TRY(BlockFileWriter::create(path, maps_kind));
+    CD_TRY(file.add(0, scenarios, pack_map(map)));
+    return file.finish();
 }
 
 Result<ContactMap> read_maps(const std::filesystem::path& path) {
-    const auto file = BlockFile::open(path, maps_kind);
-    if (!file) {
-        return file.error();
-    }
+    const auto file = CD_TRY(BlockFile::open(path, maps_kind));
     ContactMapTotal total;
-    for (std::size_t i = 0; i < file.value().blocks().size(); ++i) {
-        const Result<Bytes> packed = file.value().read(i);
-        if (!packed) {
-            return packed.error();
-        }
+    for (std::size_t i = 0; i < file.blocks().size(); ++i) {
+        const Bytes packed = CD_TRY(file.read(i));
         const ContactMapBounds bounds{
-            limits::mesh_triangles_max, limits::mesh_triangles_max, file.value().blocks()[i].count};
-        const auto map = unpack_map(packed.value(), bounds);
+            limits::mesh_triangles_max, limits::mesh_triangles_max, file.blocks()[i].count};
+        const auto map = unpack_map(packed, bounds);
         if (!map) {
             return Error{ErrorCode::Io, path.string() + " is damaged: " + map.error().detail};
         }

@@ -1,5 +1,6 @@
 #include "client/formats/csv_rows.hpp"
 
+#include "client/base/errors.hpp"
 #include "client/base/words.hpp"
 
 #include <utility>
@@ -18,14 +19,9 @@ std::string_view PartFields::of(std::uint32_t triangle) {
 }
 
 Result<RowFile> RowFile::create(const std::filesystem::path& path, std::string_view header) {
-    auto created = OutputFile::create(path);
-    if (!created) {
-        return created.error();
-    }
-    RowFile file(std::move(created.value()));
-    if (Status added = file.add(header); !added) {
-        return added.error();
-    }
+    auto created = CD_TRY(OutputFile::create(path));
+    RowFile file(std::move(created));
+    CD_TRY(file.add(header));
     return file;
 }
 

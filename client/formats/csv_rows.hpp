@@ -3,10 +3,11 @@
 
 #include "client/formats/output_file.hpp"
 #include "client/formats/part_finder.hpp"
-#include "client/formats/text_buffer.hpp"
 #include "common/core/result.hpp"
 #include "common/geometry/mesh.hpp"
 
+#include <charconv>
+#include <concepts>
 #include <cstdint>
 #include <filesystem>
 #include <memory>
@@ -15,6 +16,33 @@
 #include <vector>
 
 namespace cd {
+
+/// A text to which pieces are appended without making a string of each.
+class TextBuffer {
+  public:
+    /// Appends pieces: text, integers in decimal, doubles as the shortest decimal that reads back
+    /// as the same number.
+    template <class... Pieces>
+    void add(const Pieces&... pieces) {
+        (add_piece(pieces), ...);
+    }
+
+    [[nodiscard]] std::string_view text() const { return text_; }
+    /// Clears the text and keeps its memory.
+    void clear() { text_.clear(); }
+
+  private:
+    void add_piece(std::string_view text) { text_.append(text); }
+    template <class Number>
+    requires std::integral<Number> || std::floating_point<Number>
+    void add_piece(Number number) {
+        static_assert(!std::same_as<Number, char> && !std::same_as<Number, bool>);
+        char digits[32]; // NOLINT(modernize-avoid-c-arrays): not set first.
+        text_.append(digits, std::to_chars(digits, digits + sizeof digits, number).ptr);
+    }
+
+    std::string text_;
+};
 
 /// The names of triangles' parts as CSV fields; empty for a triangle without a part.
 class PartFields {

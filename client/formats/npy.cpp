@@ -1,10 +1,12 @@
 #include "client/formats/npy.hpp"
 
+#include "client/base/errors.hpp"
+
 #include <algorithm>
 #include <array>
 #include <charconv>
-#include <fstream>
-#include <optional>
+#include <functional>
+#include <numeric>
 
 namespace cd {
 
@@ -12,10 +14,6 @@ namespace {
 
 constexpr std::string_view magic = "\x93NUMPY";
 constexpr std::size_t header_text_max = npy_header_bytes_max - 16;
-
-Error bad(std::string detail) {
-    return {ErrorCode::BadInput, std::move(detail)};
-}
 
 struct TypeName {
     std::string_view text;
@@ -92,21 +90,21 @@ Result<NpyHeader> parse_dictionary(std::string_view dictionary) {
     const auto order = value_of(dictionary, "fortran_order");
     const auto shape_text = value_of(dictionary, "shape");
     if (!description || !order || !shape_text) {
-        return bad("a NumPy header without descr, fortran_order and shape");
+        return bad_input("a NumPy header without descr, fortran_order and shape");
     }
     NpyHeader header;
     const auto type = std::find_if(types.begin(), types.end(), [&](const TypeName& name) {
         return *description == "'" + std::string(name.text) + "'";
     });
     if (type == types.end()) {
-        return bad("a NumPy array of type " + std::string(description->substr(0, 40)) +
-                   "; convert it to float64 or int64");
+        return bad_input("a NumPy array of type " + std::string(description->substr(0, 40)) +
+                         "; convert it to float64 or int64");
     }
     header.type = type->type;
     header.is_fortran = *order == "True";
     const auto shape = parse_shape(*shape_text);
     if (!shape || (!header.is_fortran && *order != "False")) {
-        return bad("a NumPy header with a damaged shape");
+        return bad_input("a NumPy header with a damaged shape");
     }
     header.shape = *shape;
     return header;
@@ -205,17 +203,17 @@ Result<NpyHeader> parse_npy_header(std::span<const std::byte> file) {
     ByteReader in(file);
     const auto start = in.get_array<char>(magic.size());
     if (in.failed() || std::string_view(start.data(), start.size()) != magic) {
-        return bad("not a NumPy array file");
+        return bad_input("not a NumPy array file");
     }
     const auto major = in.get<std::uint8_t>();
     static_cast<void>(in.get<std::uint8_t>());
     const std::uint32_t size = major == 1 ? in.get<std::uint16_t>() : in.get<std::uint32_t>();
     if (in.failed() || major < 1 || major > 3 || size > header_text_max) {
-        return bad("a NumPy array file of an unknown version");
+        return bad_input("a NumPy array file of an unknown version");
     }
     const auto text = in.get_array<char>(size);
     if (in.failed()) {
-        return bad("a NumPy array file that is cut short in its header");
+        return bad_input("a NumPy array file that is cut short in its header");
     }
     auto header = parse_dictionary({text.data(), text.size()});
     if (header) {
@@ -250,12 +248,13 @@ std::vector<double> NpyArray::to_doubles() const {
 
 Result<std::vector<std::int64_t>> NpyArray::to_integers() const {
     if (type == NpyType::F8 || type == NpyType::F4) {
-        return bad("an array of " + std::string(to_text(type)) + " where integers are needed");
+        return bad_input("an array of " + std::string(to_text(type)) +
+                         " where integers are needed");
     }
     std::vector<std::int64_t> values = converted<std::int64_t>(type, data);
     if (type == NpyType::U8 &&
         std::any_of(values.begin(), values.end(), [](std::int64_t v) { return v < 0; })) {
-        return bad("an integer beyond 2^63");
+        return bad_input("an integer beyond 2^63");
     }
     return values;
 }
@@ -268,108 +267,72 @@ NpyArray make_npy_array(const NpyHeader& header, Bytes data) {
 }
 
 Result<NpyArray> parse_npy(std::span<const std::byte> file) {
-    const auto header = parse_npy_header(file);
-    if (!header) {
-        return header.error();
-    }
-    const NpyHeader& h = header.value();
+    const auto header = CD_TRY(parse_npy_header(file));
+    const NpyHeader& h = header;
     const auto data = file.subspan(h.data_offset);
     if (h.count() > data.size() || h.count() * size_of(h.type) != data.size()) {
-        return bad("a NumPy array whose data size contradicts its header");
+        return bad_input("a NumPy array whose data size contradicts its header");
     }
     return make_npy_array(h, Bytes(data.begin(), data.end()));
 }
 
-struct NpyRows::State {
-    std::vector<std::uint64_t> shape;
-    NpyType type = NpyType::F8;
-    std::ifstream file;
-    std::size_t data_offset = 0;
-    std::optional<Bytes> data; ///< The array, if it is in memory instead of `file`.
-    std::string name;
-};
-
-NpyRows::NpyRows(std::unique_ptr<State> state) : state_(std::move(state)) {}
-NpyRows::~NpyRows() = default;
-
 Result<std::unique_ptr<NpyRows>> NpyRows::open(const std::filesystem::path& path) {
-    auto state = std::make_unique<State>();
-    state->name = path.string();
-    state->file.open(path, std::ios::binary);
-    if (!state->file) {
-        return Error{ErrorCode::NotFound, state->name + ": cannot be opened"};
+    std::unique_ptr<NpyRows> rows(new NpyRows());
+    rows->name_ = path.string();
+    rows->file_.open(path, std::ios::binary);
+    if (!rows->file_) {
+        return Error{ErrorCode::NotFound, rows->name_ + ": cannot be opened"};
     }
-    state->file.seekg(0, std::ios::end);
-    const auto file_size = static_cast<std::uint64_t>(state->file.tellg());
-    Bytes start(std::min<std::uint64_t>(file_size, npy_header_bytes_max));
-    state->file.seekg(0);
-    state->file.read(reinterpret_cast<char*>(start.data()),
-                     static_cast<std::streamsize>(start.size()));
-    const auto header = parse_npy_header(start);
-    if (!header) {
-        return bad(state->name + ": " + header.error().detail);
-    }
-    const NpyHeader& h = header.value();
+    rows->file_.seekg(0, std::ios::end);
+    const auto file_size = static_cast<std::uint64_t>(rows->file_.tellg());
+    const Bytes start =
+        CD_TRY(rows->read_bytes(0, std::min<std::uint64_t>(file_size, npy_header_bytes_max)));
+    const NpyHeader h = CD_TRY(within(rows->name_ + ": ", parse_npy_header(start)));
     const std::uint64_t data_bytes = file_size - h.data_offset;
     if (h.shape.empty() || h.count() > data_bytes || h.count() * size_of(h.type) != data_bytes) {
-        return bad(state->name + ": the size of the array's data contradicts its header");
+        return bad_input(rows->name_ + ": the size of the array's data contradicts its header");
     }
-    state->shape = h.shape;
-    state->type = h.type;
-    state->data_offset = h.data_offset;
+    rows->shape_ = h.shape;
+    rows->type_ = h.type;
+    rows->data_offset_ = h.data_offset;
     if (h.is_fortran) {
-        Bytes data(data_bytes);
-        state->file.clear();
-        state->file.seekg(static_cast<std::streamoff>(h.data_offset));
-        state->file.read(reinterpret_cast<char*>(data.data()),
-                         static_cast<std::streamsize>(data.size()));
-        if (!state->file) {
-            return Error{ErrorCode::Io, state->name + ": cannot be read"};
-        }
-        state->data = to_c_order(data, h.shape, size_of(h.type));
+        const Bytes data = CD_TRY(rows->read_bytes(h.data_offset, data_bytes));
+        rows->data_ = to_c_order(data, h.shape, size_of(h.type));
     }
-    return std::unique_ptr<NpyRows>(new NpyRows(std::move(state)));
+    return rows;
 }
 
 std::unique_ptr<NpyRows> NpyRows::of(NpyArray array) {
-    auto state = std::make_unique<State>();
-    state->shape = array.shape.empty() ? std::vector<std::uint64_t>{1} : array.shape;
-    state->type = array.type;
-    state->data = std::move(array.data);
-    return std::unique_ptr<NpyRows>(new NpyRows(std::move(state)));
-}
-
-const std::vector<std::uint64_t>& NpyRows::shape() const {
-    return state_->shape;
-}
-
-std::uint64_t NpyRows::row_count() const {
-    return state_->shape.front();
+    std::unique_ptr<NpyRows> rows(new NpyRows());
+    rows->shape_ = array.shape.empty() ? std::vector<std::uint64_t>{1} : array.shape;
+    rows->type_ = array.type;
+    rows->data_ = std::move(array.data);
+    return rows;
 }
 
 std::uint64_t NpyRows::row_size() const {
-    std::uint64_t size = 1;
-    for (std::size_t i = 1; i < state_->shape.size(); ++i) {
-        size *= state_->shape[i];
+    return std::accumulate(shape_.begin() + 1, shape_.end(), std::uint64_t{1}, std::multiplies());
+}
+
+Result<Bytes> NpyRows::read_bytes(std::uint64_t offset, std::uint64_t count) {
+    Bytes bytes(count);
+    file_.clear();
+    file_.seekg(static_cast<std::streamoff>(offset));
+    file_.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(count));
+    if (!file_) {
+        return Error{ErrorCode::Io, name_ + ": cannot be read to its end"};
     }
-    return size;
+    return bytes;
 }
 
 Result<std::vector<double>> NpyRows::read(std::uint64_t first, std::uint64_t count) {
-    const std::uint64_t row_bytes = row_size() * size_of(state_->type);
-    if (state_->data) {
-        return converted<double>(
-            state_->type, std::span(*state_->data).subspan(first * row_bytes, count * row_bytes));
+    const std::uint64_t row_bytes = row_size() * size_of(type_);
+    if (data_) {
+        return converted<double>(type_,
+                                 std::span(*data_).subspan(first * row_bytes, count * row_bytes));
     }
-    Bytes data(count * row_bytes);
-    state_->file.clear();
-    state_->file.seekg(static_cast<std::streamoff>(state_->data_offset + first * row_bytes));
-    state_->file.read(reinterpret_cast<char*>(data.data()),
-                      static_cast<std::streamsize>(data.size()));
-    if (!state_->file) {
-        return Error{ErrorCode::Io, state_->name + ": cannot be read to its end"};
-    }
-    return converted<double>(state_->type, data);
+    const Bytes data = CD_TRY(read_bytes(data_offset_ + first * row_bytes, count * row_bytes));
+    return converted<double>(type_, data);
 }
 
 } // namespace cd

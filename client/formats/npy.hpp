@@ -6,7 +6,9 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <fstream>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -70,20 +72,23 @@ class NpyRows {
     [[nodiscard]] static Result<std::unique_ptr<NpyRows>> open(const std::filesystem::path& path);
     /// The rows of an array in memory.
     [[nodiscard]] static std::unique_ptr<NpyRows> of(NpyArray array);
-    NpyRows(const NpyRows&) = delete;
-    NpyRows& operator=(const NpyRows&) = delete;
-    ~NpyRows();
 
-    [[nodiscard]] const std::vector<std::uint64_t>& shape() const;
-    [[nodiscard]] std::uint64_t row_count() const;
+    [[nodiscard]] const std::vector<std::uint64_t>& shape() const { return shape_; }
+    [[nodiscard]] std::uint64_t row_count() const { return shape_.front(); }
     [[nodiscard]] std::uint64_t row_size() const; ///< Number of elements in a row.
     /// Reads rows [first, first + count), which must exist. Errors: Io.
     [[nodiscard]] Result<std::vector<double>> read(std::uint64_t first, std::uint64_t count);
 
   private:
-    struct State;
-    explicit NpyRows(std::unique_ptr<State> state);
-    std::unique_ptr<State> state_;
+    NpyRows() = default;
+    [[nodiscard]] Result<Bytes> read_bytes(std::uint64_t offset, std::uint64_t count);
+
+    std::vector<std::uint64_t> shape_;
+    NpyType type_ = NpyType::F8;
+    std::ifstream file_;
+    std::size_t data_offset_ = 0;
+    std::optional<Bytes> data_; ///< The array, if it is in memory instead of `file_`.
+    std::string name_;
 };
 
 } // namespace cd

@@ -5,7 +5,7 @@
 
 #include <zip.h>
 
-#include <fstream>
+#include <memory>
 #include <system_error>
 
 namespace cd {
@@ -15,84 +15,59 @@ namespace {
 struct CloseArchive {
     void operator()(zip_t* archive) const { zip_discard(archive); }
 };
+
 } // namespace
 
-struct NpzWriter::State {
-    struct Array {
-        std::string name;
-        NpyType type = NpyType::F8;
-        std::uint64_t columns = 0;
-        std::filesystem::path spool;
-        std::ofstream file;
-        std::uint64_t elements = 0;
-    };
-
-    std::filesystem::path path;
-    StopCheck stop;
-    std::vector<Array> arrays;
-
-    [[nodiscard]] bool is_stopped() const { return stop && stop(); }
-
-    void remove_spools() {
-        for (Array& array : arrays) {
-            array.file.close();
-            std::error_code ignored;
-            std::filesystem::remove(array.spool, ignored);
-        }
-    }
-};
-
-NpzWriter::NpzWriter(std::filesystem::path path, StopCheck stop)
-    : state_(std::make_unique<State>()) {
-    state_->path = std::move(path);
-    state_->stop = std::move(stop);
+NpzWriter::~NpzWriter() {
+    remove_spools();
 }
 
-NpzWriter::~NpzWriter() {
-    state_->remove_spools();
+void NpzWriter::remove_spools() {
+    for (Array& array : arrays_) {
+        array.file.close();
+        std::error_code ignored;
+        std::filesystem::remove(array.spool, ignored);
+    }
 }
 
 std::size_t NpzWriter::add_array(const std::string& name, NpyType type, std::uint64_t columns) {
-    State::Array array;
-    array.name = name;
-    array.type = type;
-    array.columns = columns;
-    array.spool = state_->path.string() + "." + std::to_string(state_->arrays.size()) + ".part";
+    Array array{name, type, columns};
+    array.spool = path_.string() + "." + std::to_string(arrays_.size()) + ".part";
     array.file.open(array.spool, std::ios::binary | std::ios::trunc);
     // The header is written at the end, when the length is known.
     const Bytes room(npy_header_bytes);
     array.file.write(reinterpret_cast<const char*>(room.data()), npy_header_bytes);
-    state_->arrays.push_back(std::move(array));
-    return state_->arrays.size() - 1;
+    arrays_.push_back(std::move(array));
+    return arrays_.size() - 1;
 }
 
 Status
 NpzWriter::append_bytes(std::size_t array, std::span<const std::byte> bytes, std::size_t item) {
-    State::Array& target = state_->arrays[array];
+    Array& target = arrays_[array];
     CD_CHECK(item == size_of(target.type));
     target.file.write(reinterpret_cast<const char*>(bytes.data()),
                       static_cast<std::streamsize>(bytes.size()));
     target.elements += bytes.size() / item;
     if (!target.file) {
         return Error{ErrorCode::Io,
-                     state_->path.string() + ": cannot be written: no room, or no right, for " +
+                     path_.string() + ": cannot be written: no room, or no right, for " +
                          target.spool.string()};
     }
     return Done{};
 }
 
 Status NpzWriter::finish() {
-    const std::filesystem::path temporary = state_->path.string() + ".part";
+    const std::filesystem::path temporary = path_.string() + ".part";
     int code = 0;
     std::unique_ptr<zip_t, CloseArchive> archive(
         zip_open(temporary.c_str(), ZIP_CREATE | ZIP_TRUNCATE, &code));
     const auto failed = [&](const std::string& what) {
-        return Error{ErrorCode::Io, state_->path.string() + ": cannot be written: " + what};
+        return Error{ErrorCode::Io, path_.string() + ": cannot be written: " + what};
     };
     if (!archive) {
         return failed("the folder is missing or may not be written to");
     }
-    for (State::Array& array : state_->arrays) {
+    for (Array& array : arrays_) {
         std::vector<std::uint64_t> shape{array.elements};
         if (array.columns != 0) {
             shape = {array.elements / array.columns, array.columns};
@@ -121,11 +96,11 @@ Status NpzWriter::finish() {
     }
     zip_register_cancel_callback_with_state(
         archive.get(),
-        [](zip_t*, void* state) { return static_cast<State*>(state)->is_stopped() ? 1 : 0; },
+        [](zip_t*, void* writer) { return static_cast<NpzWriter*>(writer)->is_stopped() ? 1 : 0; },
         nullptr,
-        state_.get());
+        this);
     if (zip_close(archive.get()) != 0) {
-        if (state_->is_stopped()) {
+        if (is_stopped()) {
             return interrupted();
         }
         return failed(zip_strerror(archive.get()));
@@ -137,11 +112,11 @@ Status NpzWriter::finish() {
         return failed(synced.error().detail);
     }
     std::error_code error;
-    std::filesystem::rename(temporary, state_->path, error);
+    std::filesystem::rename(temporary, path_, error);
     if (error) {
         return failed(error.message());
     }
-    state_->remove_spools();
+    remove_spools();
     return Done{};
 }
 

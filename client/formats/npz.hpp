@@ -7,10 +7,11 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <memory>
+#include <fstream>
 #include <span>
 #include <string>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace cd {
@@ -20,7 +21,8 @@ namespace cd {
 class NpzWriter {
   public:
     /// `stop` interrupts `finish`, which compresses all arrays.
-    explicit NpzWriter(std::filesystem::path path, StopCheck stop = {});
+    explicit NpzWriter(std::filesystem::path path, StopCheck stop = {})
+        : path_(std::move(path)), stop_(std::move(stop)) {}
     NpzWriter(const NpzWriter&) = delete;
     NpzWriter& operator=(const NpzWriter&) = delete;
     /// Removes spooled files.
@@ -41,11 +43,23 @@ class NpzWriter {
     [[nodiscard]] Status finish();
 
   private:
-    struct State;
+    struct Array {
+        std::string name;
+        NpyType type = NpyType::F8;
+        std::uint64_t columns = 0;
+        std::filesystem::path spool = {};
+        std::ofstream file = {};
+        std::uint64_t elements = 0;
+    };
+
     [[nodiscard]] Status
     append_bytes(std::size_t array, std::span<const std::byte> bytes, std::size_t item);
+    [[nodiscard]] bool is_stopped() const { return stop_ && stop_(); }
+    void remove_spools();
 
-    std::unique_ptr<State> state_;
+    std::filesystem::path path_;
+    StopCheck stop_;
+    std::vector<Array> arrays_;
 };
 
 } // namespace cd

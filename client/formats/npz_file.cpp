@@ -1,6 +1,6 @@
 #include "client/formats/npz_file.hpp"
 
-#include "common/core/limits/client.hpp"
+#include "client/base/errors.hpp"
 
 #include <algorithm>
 #include <span>
@@ -10,10 +10,6 @@ namespace cd {
 namespace {
 
 constexpr std::string_view ending = ".npy";
-
-Error bad(const std::string& detail) {
-    return {ErrorCode::BadInput, detail};
-}
 
 } // namespace
 
@@ -32,7 +28,7 @@ Result<NpyArray> NpzArray::next() {
     begun_.erase(begun_.begin(), begun_.begin() + static_cast<std::ptrdiff_t>(there));
     const auto got = entry_.read(std::span(piece.data).subspan(there));
     if (!got || got.value() + there != piece.data.size()) {
-        return bad(place_ + "is damaged");
+        return bad_input(place_ + "is damaged");
     }
     bytes_left_ -= piece.data.size();
     piece.shape = {piece.data.size() / size_of(header_.type)};
@@ -40,11 +36,8 @@ Result<NpyArray> NpzArray::next() {
 }
 
 Result<NpzFile> NpzFile::open(const std::filesystem::path& path) {
-    auto zip = ZipFile::open(path);
-    if (!zip) {
-        return Error{zip.error().code, path.string() + ": " + zip.error().detail};
-    }
-    return NpzFile(path, std::move(zip.value()));
+    auto zip = CD_TRY(within(path.string() + ": ", ZipFile::open(path)));
+    return NpzFile(path, std::move(zip));
 }
 
 std::vector<std::string> NpzFile::names() const {
@@ -61,45 +54,33 @@ Result<NpzArray> NpzFile::array(const std::string& name) const {
         std::ranges::find(zip_.names(), name + std::string(ending)) != zip_.names().end();
     auto entry = zip_.entry(has_ending ? name + std::string(ending) : name);
     if (!entry) {
-        return bad(place + entry.error().detail);
+        return bad_input(place + entry.error().detail);
     }
     const std::uint64_t size = entry.value().size();
     if (size > limits::npz_array_bytes_max) {
-        return bad(place + "is too large");
+        return bad_input(place + "is too large");
     }
     Bytes begun(std::min<std::uint64_t>(size, npy_header_bytes_max));
-    if (const auto read = entry.value().read(begun); !read) {
-        return bad(place + read.error().detail);
-    }
-    auto header = parse_npy_header(begun);
-    if (!header) {
-        return bad(place + "is " + header.error().detail);
-    }
-    const NpyHeader& h = header.value();
+    CD_TRY(within(place, entry.value().read(begun)));
+    const NpyHeader h = CD_TRY(within(place + "is ", parse_npy_header(begun)));
     const std::uint64_t data_bytes = size - h.data_offset;
     if (h.count() > data_bytes || h.count() * size_of(h.type) != data_bytes) {
-        return bad(place + "has data whose size contradicts its header");
+        return bad_input(place + "has data whose size contradicts its header");
     }
     begun.erase(begun.begin(), begun.begin() + static_cast<std::ptrdiff_t>(h.data_offset));
     return NpzArray(h, std::move(entry.value()), std::move(begun), place);
 }
 
 Result<NpyArray> NpzFile::read(const std::string& name) const {
-    auto found = array(name);
-    if (!found) {
-        return found.error();
-    }
+    auto found = CD_TRY(array(name));
     Bytes data;
-    data.reserve(found.value().header().count() * size_of(found.value().header().type));
+    data.reserve(found.header().count() * size_of(found.header().type));
     for (;;) {
-        auto piece = found.value().next();
-        if (!piece) {
-            return piece.error();
+        auto piece = CD_TRY(found.next());
+        if (piece.data.empty()) {
+            return make_npy_array(found.header(), std::move(data));
         }
-        if (piece.value().data.empty()) {
-            return make_npy_array(found.value().header(), std::move(data));
-        }
-        data.insert(data.end(), piece.value().data.begin(), piece.value().data.end());
+        data.insert(data.end(), piece.data.begin(), piece.data.end());
     }
 }
 

@@ -1,10 +1,13 @@
 #include "client/formats/output_file.hpp"
 
+#include "client/base/errors.hpp"
+
 #include <unistd.h>
 
 #include <cerrno>
 #include <cstring>
-#include <string>
+#include <fstream>
+#include <sstream>
 
 namespace cd {
 
@@ -50,32 +53,47 @@ OutputFile::~OutputFile() {
     std::filesystem::remove(partial_, ignored);
 }
 
-Error OutputFile::failure() const {
-    return io_error(path_);
-}
-
 Status OutputFile::write(std::string_view text) {
     if (std::fwrite(text.data(), 1, text.size(), file_.get()) != text.size()) {
-        return failure();
+        return io_error(path_);
     }
     return Done{};
 }
 
 Status OutputFile::commit() {
     if (std::fflush(file_.get()) != 0) {
-        return failure();
+        return io_error(path_);
     }
     if (path_.empty()) {
         return Done{};
     }
     if (fsync(fileno(file_.get())) != 0) {
-        return failure();
+        return io_error(path_);
     }
     file_.reset();
     if (std::rename(partial_.c_str(), path_.c_str()) != 0) {
-        return failure();
+        return io_error(path_);
     }
     return Done{};
+}
+
+Status write_file(const std::filesystem::path& path, std::string_view bytes) {
+    auto file = CD_TRY(OutputFile::create(path));
+    CD_TRY(file.write(bytes));
+    return file.commit();
+}
+
+Result<std::string> read_file(const std::filesystem::path& path) {
+    std::error_code error;
+    if (!std::filesystem::exists(path, error)) {
+        return Error{ErrorCode::NotFound, path.string() + ": no such file"};
+    }
+    std::ifstream file(path, std::ios::binary);
+    std::ostringstream text;
+    if (!file || !(text << file.rdbuf())) {
+        return Error{ErrorCode::Io, path.string() + ": cannot be read, or is empty"};
+    }
+    return std::move(text).str();
 }
 
 } // namespace cd

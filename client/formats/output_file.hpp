@@ -1,4 +1,4 @@
-// A file that appears under its name only when it is complete.
+// Files that appear under their names only when they are complete, and reading whole files.
 #pragma once
 
 #include "common/core/result.hpp"
@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
+#include <string>
 #include <string_view>
 
 namespace cd {
@@ -35,8 +36,6 @@ class OutputFile {
     OutputFile(std::filesystem::path path, std::filesystem::path partial, std::FILE* file)
         : path_(std::move(path)), partial_(std::move(partial)), file_(file) {}
 
-    [[nodiscard]] Error failure() const;
-
     std::filesystem::path path_;    ///< Empty for standard output.
     std::filesystem::path partial_; ///< Empty for standard output.
     std::unique_ptr<std::FILE, Close> file_;
@@ -44,5 +43,11 @@ class OutputFile {
 
 /// The path of the partial file for a target path.
 [[nodiscard]] std::filesystem::path partial_path(const std::filesystem::path& path);
+
+/// Writes a file, whole or not at all. Errors: those of `OutputFile`.
+[[nodiscard]] Status write_file(const std::filesystem::path& path, std::string_view bytes);
+
+/// The bytes of a file. Errors: NotFound; Io naming the file, also if it is empty.
+[[nodiscard]] Result<std::string> read_file(const std::filesystem::path& path);
 
 } // namespace cd

@@ -1,5 +1,7 @@
 #include "client/formats/zip_file.hpp"
 
+#include "client/base/errors.hpp"
+
 #include <zip.h>
 
 #include <algorithm>
@@ -9,7 +11,7 @@ namespace cd {
 namespace {
 
 Error damaged() {
-    return {ErrorCode::BadInput, "is damaged"};
+    return bad_input("is damaged");
 }
 
 } // namespace
@@ -47,13 +49,13 @@ Result<ZipFile> ZipFile::open(const std::filesystem::path& path) {
     file.archive_.reset(zip_open(path.c_str(), ZIP_RDONLY | ZIP_CHECKCONS, &code));
     if (!file.archive_) {
         return code == ZIP_ER_NOENT ? Error{ErrorCode::NotFound, "no such file"}
-                                    : Error{ErrorCode::BadInput, "is not a zip archive"};
+                                    : bad_input("is not a zip archive");
     }
     const zip_int64_t count = zip_get_num_entries(file.archive_.get(), 0);
     for (zip_int64_t i = 0; i < count; ++i) {
         const char* const name = zip_get_name(file.archive_.get(), static_cast<zip_uint64_t>(i), 0);
         if (name == nullptr) {
-            return Error{ErrorCode::BadInput, "has a damaged directory"};
+            return bad_input("has a damaged directory");
         }
         file.names_.emplace_back(name);
     }
@@ -70,8 +72,7 @@ Result<ZipEntry> ZipFile::entry(const std::string& name) const {
     const bool is_known =
         status.comp_method == ZIP_CM_STORE || status.comp_method == ZIP_CM_DEFLATE;
     if (!is_known || status.size / inflation_max > status.comp_size) {
-        return Error{ErrorCode::BadInput,
-                     is_known ? "is damaged" : "is packed by a method other than deflate"};
+        return bad_input(is_known ? "is damaged" : "is packed by a method other than deflate");
     }
     ZipEntry entry;
     entry.file_.reset(zip_fopen(archive_.get(), name.c_str(), 0));

@@ -1,9 +1,8 @@
 // The result of importing a mesh file.
 #pragma once
 
-#include "client/import/declared_frame.hpp"
+#include "client/base/errors.hpp"
 #include "common/core/host/stop_check.hpp"
-#include "common/core/result.hpp"
 #include "common/geometry/mesh.hpp"
 
 #include <cstdint>
@@ -14,6 +13,16 @@
 #include <vector>
 
 namespace cd {
+
+/// The unit and the up axis that a mesh file declares. Members are empty or 0 where neither the
+/// file nor its format declares them.
+struct DeclaredFrame {
+    std::string unit;  ///< The unit's name in the file: "inch".
+    double metres = 0; ///< Length of one unit in metres.
+    std::string up;    ///< "X", "Y" or "Z".
+
+    friend bool operator==(const DeclaredFrame&, const DeclaredFrame&) = default;
+};
 
 struct ImportOptions {
     double unit_factor = 1; ///< Factor of all coordinates, applied in double.
@@ -36,11 +45,11 @@ struct MeshSource {
 
     /// The error BadInput "PATH: DETAIL".
     [[nodiscard]] Error refusal(const std::string& detail) const {
-        return {ErrorCode::BadInput, path.string() + ": " + detail};
+        return bad_input(path.string() + ": " + detail);
     }
     /// The error BadInput "PATH:LINE: DETAIL". Lines count from 1.
     [[nodiscard]] Error refusal(std::uint64_t line, const std::string& detail) const {
-        return {ErrorCode::BadInput, path.string() + ":" + std::to_string(line) + ": " + detail};
+        return bad_input(path.string() + ":" + std::to_string(line) + ": " + detail);
     }
 };
 
@@ -65,5 +74,10 @@ struct ImportedMesh {
     std::uint64_t points_skipped = 0;  ///< Number of faces with one corner.
     std::uint64_t lines_skipped = 0;   ///< Number of faces with two corners.
 };
+
+/// Notes such as "unit inch, from the file", "up axis Y, from the file; not turned" and "read by
+/// assimp: ...". `unit` is the unit that the user gave instead of the file's, or empty.
+[[nodiscard]] std::vector<std::string>
+import_notes(const ImportedMesh& imported, const std::string& unit, bool is_y_up);
 
 } // namespace cd

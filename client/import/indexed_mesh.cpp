@@ -1,5 +1,7 @@
 #include "client/import/indexed_mesh.hpp"
 
+#include "client/base/errors.hpp"
+
 #include <limits>
 
 namespace cd {
@@ -7,10 +9,6 @@ namespace cd {
 namespace {
 
 constexpr std::uint32_t unused = std::numeric_limits<std::uint32_t>::max();
-
-Error bad(const std::string& detail) {
-    return {ErrorCode::BadInput, detail};
-}
 
 } // namespace
 
@@ -21,11 +19,9 @@ void IndexedMesh::add_vertex(const Vec3& vertex) {
 
 Status IndexedMesh::add_face(std::span<const std::int64_t> corners) {
     if (corners.empty()) {
-        return bad("the face has no corners");
+        return bad_input("the face has no corners");
     }
-    if (Status resolved = resolve(corners); !resolved) {
-        return resolved;
-    }
+    CD_TRY(resolve(corners));
     if (corners.size() < 3) {
         (corners.size() == 2 ? lines_ : points_) += 1;
         return Done{};
@@ -42,13 +38,13 @@ Status IndexedMesh::resolve(std::span<const std::int64_t> corners) {
     for (const std::int64_t corner : corners) {
         const auto vertex = static_cast<std::size_t>(corner);
         if (corner < 0 || vertex >= vertices_.size()) {
-            return bad("names vertex " + std::to_string(corner) + " of " +
-                       std::to_string(vertices_.size()));
+            return bad_input("names vertex " + std::to_string(corner) + " of " +
+                             std::to_string(vertices_.size()));
         }
         if (numbers_[vertex] == unused && corners.size() >= 3) {
             const Vec3 scaled = unit_factor_ * vertices_[vertex];
             if (!scaled.allFinite()) {
-                return bad("has a coordinate that is not finite in the job's unit");
+                return bad_input("has a coordinate that is not finite in the job's unit");
             }
             numbers_[vertex] = builder_.vertex(scaled);
         }
@@ -64,9 +60,10 @@ Status IndexedMesh::cut(std::span<const std::int64_t> corners) {
     }
     const std::span<const Triangle> triangles = cutter_.cut(polygon_);
     if (triangles.empty()) {
-        return bad("is a polygon of " + std::to_string(corners.size()) +
-                   " corners that cannot be cut into triangles, since its outline crosses itself; "
-                   "triangulate it before exporting");
+        return bad_input(
+            "is a polygon of " + std::to_string(corners.size()) +
+            " corners that cannot be cut into triangles, since its outline crosses itself; "
+            "triangulate it before exporting");
     }
     for (const Triangle& triangle : triangles) {
         builder_.add(Triangle{corners_[triangle[0]], corners_[triangle[1]], corners_[triangle[2]]});
@@ -75,7 +72,7 @@ Status IndexedMesh::cut(std::span<const std::int64_t> corners) {
 }
 
 Result<ImportedMesh> IndexedMesh::finish(const MeshSource& source) {
-    auto imported = finish_import(source, builder_);
+    auto imported = finish_import(source.path, builder_);
     if (imported) {
         imported.value().points_skipped = points_;
         imported.value().lines_skipped = lines_;

@@ -1,5 +1,6 @@
 #include "client/import/mesh_builder.hpp"
 
+#include "client/base/errors.hpp"
 #include "common/core/files/hash.hpp"
 
 #include <algorithm>
@@ -98,13 +99,12 @@ Result<Mesh> MeshBuilder::finish() {
     return finish(precision_of(arrays_.vertices));
 }
 
-Result<ImportedMesh> finish_import(const MeshSource& source, MeshBuilder& builder) {
-    auto mesh = builder.finish();
-    if (!mesh) {
-        return source.refusal(mesh.error().detail);
-    }
+Result<ImportedMesh> finish_import(const std::filesystem::path& path,
+                                   MeshBuilder& builder,
+                                   std::optional<Precision> precision) {
     ImportedMesh imported;
-    imported.mesh = std::make_shared<const Mesh>(std::move(mesh.value()));
+    imported.mesh = std::make_shared<const Mesh>(CD_TRY(
+        within(path.string() + ": ", precision ? builder.finish(*precision) : builder.finish())));
     return imported;
 }
 

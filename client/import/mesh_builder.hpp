@@ -44,8 +44,10 @@ class MeshBuilder {
         repetitions_; ///< For a name: the last number used after '#'.
 };
 
-/// Completes a reader's mesh in the precision that its coordinates need. Errors: BadInput naming
-/// the file.
-[[nodiscard]] Result<ImportedMesh> finish_import(const MeshSource& source, MeshBuilder& builder);
+/// Completes a reader's mesh, by default in the precision that its coordinates need. Errors:
+/// BadInput naming the file.
+[[nodiscard]] Result<ImportedMesh> finish_import(const std::filesystem::path& path,
+                                                 MeshBuilder& builder,
+                                                 std::optional<Precision> precision = {});
 
 } // namespace cd

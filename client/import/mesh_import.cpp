@@ -1,18 +1,13 @@
 #include "client/import/mesh_import.hpp"
 
+#include "client/base/errors.hpp"
 #include "client/base/words.hpp"
-#include "client/import/float_rounding.hpp"
 #include "client/import/foreign/ac3d_text.hpp"
 #include "client/import/foreign/assimp_checks.hpp"
 #include "client/import/foreign/assimp_import.hpp"
 #include "client/import/foreign/foreign_format.hpp"
-#include "client/import/gltf/gltf_import.hpp"
-#include "client/import/npz_mesh.hpp"
-#include "client/import/text/obj_mesh.hpp"
-#include "client/import/text/off_mesh.hpp"
-#include "client/import/text/ply_mesh.hpp"
-#include "client/import/text/stl_mesh.hpp"
-#include "client/import/up_axis.hpp"
+#include "client/import/mesh_builder.hpp"
+#include "client/import/mesh_readers.hpp"
 #include "common/core/files/disk_file.hpp"
 #include "common/geometry/aabb.hpp"
 
@@ -32,10 +27,6 @@ namespace cd {
 namespace {
 
 using Reader = Result<ImportedMesh> (*)(const MeshSource&);
-
-Error bad(const std::filesystem::path& path, const std::string& detail) {
-    return {ErrorCode::BadInput, path.string() + ": " + detail};
-}
 
 std::string lower_extension(const std::filesystem::path& path) {
     std::string extension = path.extension().string();
@@ -67,6 +58,51 @@ void warn_of_coarse_floats(const std::filesystem::path& path, ImportedMesh& impo
     }
 }
 
+/// The mesh with each coordinate rounded once to the nearest float. Triangles keep their numbers
+/// and parts; positions that become equal share one vertex, and vertices that no triangle uses are
+/// left out. Errors: BadInput naming a triangle with a coordinate that no float holds.
+Result<ImportedMesh> rounded_to_floats(const std::filesystem::path& path, ImportedMesh imported) {
+    const Mesh& mesh = *imported.mesh;
+    if (mesh.precision() == Precision::Float) {
+        return imported;
+    }
+    MeshBuilder builder;
+    for (const Part& part : mesh.parts()) {
+        builder.begin_part(part.name);
+        for (std::uint32_t i = part.triangles_begin; i < part.triangles_end; ++i) {
+            Corners corners = mesh.corners(i);
+            for (Vec3& corner : corners) {
+                corner = corner.cast<float>().cast<double>().eval();
+                if (!corner.allFinite()) {
+                    return bad_input(
+                        path,
+                        "triangle " + std::to_string(i) +
+                            " has a coordinate that no float holds; leave out precision = "
+                            "\"float\"");
+                }
+            }
+            builder.add(corners);
+        }
+    }
+    imported.mesh = CD_TRY(finish_import(path, builder, Precision::Float)).mesh;
+    imported.is_rounded = true;
+    return imported;
+}
+
+/// The mesh with y mapped to z and z to -y, exactly. Errors: those of `Mesh::create`.
+Result<ImportedMesh> turned_to_z_up(ImportedMesh imported) {
+    MeshArrays arrays{imported.mesh->vertices(),
+                      imported.mesh->triangles(),
+                      imported.mesh->parts(),
+                      imported.mesh->precision()};
+    for (Vec3& vertex : arrays.vertices) {
+        vertex = Vec3(vertex.x(), 0.0 - vertex.z(), vertex.y()); // Avoids -0.
+    }
+    auto mesh = CD_TRY(Mesh::create(std::move(arrays)));
+    imported.mesh = std::make_shared<const Mesh>(std::move(mesh));
+    return imported;
+}
+
 /// The native reader for an extension, or null.
 Reader reader_of(const std::string& extension) {
     constexpr std::array<std::pair<std::string_view, Reader>, 4> readers{
@@ -81,22 +117,17 @@ Reader reader_of(const std::string& extension) {
 Result<ImportedMesh> import_others(const std::filesystem::path& path,
                                    const ImportOptions& options) {
     const std::string extension = lower_extension(path);
-    if (const Status sound = check_for_assimp(path, extension); !sound) {
-        return sound.error();
-    }
+    CD_TRY(check_for_assimp(path, extension));
     if (!is_ac3d(path, extension)) {
         return import_with_assimp(path, options);
     }
-    const auto triangles = count_ac3d_triangles(path);
-    if (!triangles) {
-        return triangles.error();
-    }
+    const auto triangles = CD_TRY(count_ac3d_triangles(path));
     auto imported = import_with_assimp(path, options);
-    if (imported && imported.value().mesh->triangles().size() != triangles.value()) {
-        return bad(path,
-                   "the file's faces make " + std::to_string(triangles.value()) +
-                       " triangles, but the importer took " +
-                       std::to_string(imported.value().mesh->triangles().size()));
+    if (imported && imported.value().mesh->triangles().size() != triangles) {
+        return bad_input(path,
+                         "the file's faces make " + std::to_string(triangles) +
+                             " triangles, but the importer took " +
+                             std::to_string(imported.value().mesh->triangles().size()));
     }
     return imported;
 }
@@ -104,21 +135,21 @@ Result<ImportedMesh> import_others(const std::filesystem::path& path,
 /// Checks that the path names a file that is not empty.
 Status check_file(const std::filesystem::path& path) {
     if (path.empty()) {
-        return Error{ErrorCode::BadInput, "a mesh file without a name; name the file to be read"};
+        return bad_input("a mesh file without a name; name the file to be read");
     }
     std::error_code error;
     const auto status = std::filesystem::status(path, error);
     if (status.type() == std::filesystem::file_type::not_found) {
-        return bad(path, "no such file");
+        return bad_input(path, "no such file");
     }
     if (error) {
-        return bad(path, "cannot be opened: " + error.message());
+        return bad_input(path, "cannot be opened: " + error.message());
     }
     if (std::filesystem::is_directory(status)) {
-        return bad(path, "is a folder, not a mesh file; name a file in it");
+        return bad_input(path, "is a folder, not a mesh file; name a file in it");
     }
     if (std::filesystem::file_size(path, error) == 0 && !error) {
-        return bad(path, "is empty");
+        return bad_input(path, "is empty");
     }
     return Done{};
 }
@@ -131,20 +162,20 @@ Result<FileMapping> map_file(const std::filesystem::path& path) {
 Result<ImportedMesh> import_file(const std::filesystem::path& path, const ImportOptions& options) {
     const std::string extension = lower_extension(path);
     if (const auto foreign = foreign_format(extension, "")) {
-        return bad(path, *foreign);
+        return bad_input(path, *foreign);
     }
     if (extension == ".npz") {
         return import_npz(path, options);
     }
     const auto mapping = map_file(path);
     if (!mapping) {
-        return Error{ErrorCode::BadInput, mapping.error().detail};
+        return bad_input(mapping.error().detail);
     }
     const std::span<const std::byte> bytes = mapping.value().bytes();
     const MeshSource source{
         path, {reinterpret_cast<const char*>(bytes.data()), bytes.size()}, options};
     if (const auto foreign = foreign_format(extension, source.bytes.substr(0, 16))) {
-        return bad(path, *foreign);
+        return bad_input(path, *foreign);
     }
     if (const Reader read = reader_of(extension)) {
         return read(source);
@@ -154,21 +185,13 @@ Result<ImportedMesh> import_file(const std::filesystem::path& path, const Import
 
 Result<ImportedMesh> import_checked(const std::filesystem::path& path,
                                     const ImportOptions& options) {
-    if (const Status there = check_file(path); !there) {
-        return there.error();
-    }
-    auto imported = import_file(path, options);
-    if (!imported) {
-        return imported;
-    }
+    CD_TRY(check_file(path));
+    auto imported = CD_TRY(import_file(path, options));
     if (options.rounds_to_float) {
-        imported = rounded_to_floats(path, std::move(imported.value()));
-        if (!imported) {
-            return imported;
-        }
+        imported = CD_TRY(rounded_to_floats(path, std::move(imported)));
     }
-    warn_of_coarse_floats(path, imported.value());
-    return options.is_y_up ? turned_to_z_up(std::move(imported.value())) : std::move(imported);
+    warn_of_coarse_floats(path, imported);
+    return options.is_y_up ? turned_to_z_up(std::move(imported)) : std::move(imported);
 }
 
 } // namespace

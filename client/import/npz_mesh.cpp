@@ -1,6 +1,6 @@
-#include "client/import/npz_mesh.hpp"
-
+#include "client/base/errors.hpp"
 #include "client/formats/npz_file.hpp"
+#include "client/import/mesh_readers.hpp"
 #include "common/core/limits/engine.hpp"
 
 #include <algorithm>
@@ -10,17 +10,13 @@ namespace cd {
 
 namespace {
 
-Error bad(const std::filesystem::path& path, const std::string& detail) {
-    return {ErrorCode::BadInput, path.string() + ": " + detail};
-}
-
 bool has_array(const NpzFile& file, const std::string& name) {
     const std::vector<std::string> names = file.names();
     return std::ranges::find(names, name) != names.end();
 }
 
-bool is_triples(const NpyHeader& header) {
-    return header.shape.size() == 2 && header.shape[1] == 3;
+bool is_triples(const std::vector<std::uint64_t>& shape) {
+    return shape.size() == 2 && shape[1] == 3;
 }
 
 /// Calls `take` with the array's elements in C order: in pieces, or as a whole for an array in
@@ -32,16 +28,11 @@ Status each_piece(const NpzFile& file, const std::string& name, NpzArray& array,
         return whole ? take(whole.value()) : Status(whole.error());
     }
     for (;;) {
-        const auto piece = array.next();
-        if (!piece) {
-            return piece.error();
-        }
-        if (piece.value().data.empty()) {
+        const auto piece = CD_TRY(array.next());
+        if (piece.data.empty()) {
             return Done{};
         }
-        if (Status taken = take(piece.value()); !taken) {
-            return taken;
-        }
+        CD_TRY(take(piece));
     }
 }
 
@@ -51,35 +42,27 @@ class NpzMeshReader {
         : path_(path), file_(file), factor_(factor) {}
 
     Result<MeshArrays> read() {
-        auto vertices = file_.array("vertices");
-        auto faces = file_.array("faces");
-        if (!vertices || !faces) {
-            return vertices ? faces.error() : vertices.error();
+        auto vertices = CD_TRY(file_.array("vertices"));
+        auto faces = CD_TRY(file_.array("faces"));
+        const std::vector<std::uint64_t>& vertices_shape = vertices.header().shape;
+        const std::vector<std::uint64_t>& faces_shape = faces.header().shape;
+        if (!is_triples(vertices_shape) || !is_triples(faces_shape)) {
+            return bad_input(path_,
+                             "'vertices' must be of shape (N, 3) and 'faces' of shape (M, 3)");
         }
-        if (!is_triples(vertices.value().header()) || !is_triples(faces.value().header())) {
-            return bad(path_, "'vertices' must be of shape (N, 3) and 'faces' of shape (M, 3)");
+        if (vertices_shape[0] > limits::mesh_vertices_max ||
+            faces_shape[0] > limits::mesh_triangles_max) {
+            return bad_input(path_, "has more vertices or faces than a mesh may have");
         }
-        if (vertices.value().header().shape[0] > limits::mesh_vertices_max ||
-            faces.value().header().shape[0] > limits::mesh_triangles_max) {
-            return bad(path_, "has more vertices or faces than a mesh may have");
-        }
-        arrays_.vertices.reserve(vertices.value().header().shape[0]);
-        arrays_.triangles.reserve(faces.value().header().shape[0]);
-        Status read = each_piece(file_, "vertices", vertices.value(), [&](const NpyArray& piece) {
+        arrays_.vertices.reserve(vertices_shape[0]);
+        arrays_.triangles.reserve(faces_shape[0]);
+        CD_TRY(each_piece(file_, "vertices", vertices, [&](const NpyArray& piece) {
             return add_vertices(piece);
-        });
-        if (read) {
-            read = each_piece(file_, "faces", faces.value(), [&](const NpyArray& piece) {
-                return add_faces(piece);
-            });
-        }
-        if (!read) {
-            return read.error();
-        }
+        }));
+        CD_TRY(each_piece(
+            file_, "faces", faces, [&](const NpyArray& piece) { return add_faces(piece); }));
         arrays_.precision = Precision::Double;
-        if (Status added = add_parts(); !added) {
-            return added.error();
-        }
+        CD_TRY(add_parts());
         return std::move(arrays_);
     }
 
@@ -95,17 +78,17 @@ class NpzMeshReader {
     Status add_faces(const NpyArray& piece) {
         const auto indices = piece.to_integers();
         if (!indices) {
-            return bad(path_, "'faces': " + indices.error().detail);
+            return bad_input(path_, "'faces': " + indices.error().detail);
         }
         for (std::size_t i = 0; i < indices.value().size(); i += 3) {
             Triangle triangle{};
             for (std::size_t k = 0; k < 3; ++k) {
                 const std::int64_t index = indices.value()[i + k];
                 if (index < 0 || static_cast<std::uint64_t>(index) >= arrays_.vertices.size()) {
-                    return bad(path_,
-                               "face " + std::to_string(arrays_.triangles.size()) +
-                                   " names vertex " + std::to_string(index) + " of " +
-                                   std::to_string(arrays_.vertices.size()));
+                    return bad_input(path_,
+                                     "face " + std::to_string(arrays_.triangles.size()) +
+                                         " names vertex " + std::to_string(index) + " of " +
+                                         std::to_string(arrays_.vertices.size()));
                 }
                 triangle[k] = static_cast<std::uint32_t>(index);
             }
@@ -121,24 +104,20 @@ class NpzMeshReader {
                 {nameless_part, 0, static_cast<std::uint32_t>(arrays_.triangles.size())});
             return Done{};
         }
-        const auto table = file_.read("parts");
-        const auto names = file_.read("part_names");
-        if (!table || !names) {
-            return table ? names.error() : table.error();
+        const NpyArray table = CD_TRY(file_.read("parts"));
+        const NpyArray names = CD_TRY(file_.read("part_names"));
+        const std::vector<std::uint64_t>& shape = table.shape;
+        if (table.type != NpyType::U4 || shape.size() != 2 || shape[1] != 3 ||
+            names.type != NpyType::U1) {
+            return bad_input(path_, "'parts' must be <u4 of shape (P, 3), and 'part_names' |u1");
         }
-        const std::vector<std::uint64_t>& shape = table.value().shape;
-        if (table.value().type != NpyType::U4 || shape.size() != 2 || shape[1] != 3 ||
-            names.value().type != NpyType::U1) {
-            return bad(path_, "'parts' must be <u4 of shape (P, 3), and 'part_names' |u1");
-        }
-        const std::vector<std::int64_t> values = table.value().to_integers().value();
-        std::string_view rest(reinterpret_cast<const char*>(names.value().data.data()),
-                              names.value().data.size());
+        const std::vector<std::int64_t> values = table.to_integers().value();
+        std::string_view rest(reinterpret_cast<const char*>(names.data.data()), names.data.size());
         for (std::size_t i = 0; i < values.size(); i += 3) {
             const auto name_bytes = static_cast<std::size_t>(values[i + 2]);
             if (name_bytes > rest.size()) {
-                return bad(path_,
-                           "'part_names' ends within the name of part " + std::to_string(i / 3));
+                return bad_input(
+                    path_, "'part_names' ends within the name of part " + std::to_string(i / 3));
             }
             arrays_.parts.push_back({std::string(rest.substr(0, name_bytes)),
                                      static_cast<std::uint32_t>(values[i]),
@@ -159,21 +138,15 @@ class NpzMeshReader {
 Result<ImportedMesh> import_npz(const std::filesystem::path& path, const ImportOptions& options) {
     const auto file = NpzFile::open(path);
     if (!file) {
-        return Error{ErrorCode::BadInput, file.error().detail};
+        return bad_input(file.error().detail);
     }
     if (!has_array(file.value(), "vertices") || !has_array(file.value(), "faces")) {
-        return bad(path, "has no arrays 'vertices' and 'faces'");
+        return bad_input(path, "has no arrays 'vertices' and 'faces'");
     }
-    auto arrays = NpzMeshReader(path, file.value(), options.unit_factor).read();
-    if (!arrays) {
-        return arrays.error();
-    }
-    auto mesh = Mesh::create(std::move(arrays.value()));
-    if (!mesh) {
-        return bad(path, mesh.error().detail);
-    }
+    auto arrays = CD_TRY(NpzMeshReader(path, file.value(), options.unit_factor).read());
+    auto mesh = CD_TRY(within(path.string() + ": ", Mesh::create(std::move(arrays))));
     ImportedMesh imported;
-    imported.mesh = std::make_shared<const Mesh>(std::move(mesh.value()));
+    imported.mesh = std::make_shared<const Mesh>(std::move(mesh));
     return imported;
 }
 

@@ -6,8 +6,6 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
-#include <cmath>
-#include <numeric>
 #include <utility>
 
 namespace cd {

@@ -1,3 +1,4 @@
+#include "client/base/errors.hpp"
 #include "client/base/words.hpp"
 #include "client/job/prepared_job.hpp"
 
@@ -66,10 +67,9 @@ Error no_body(const IgnoreRule& rule,
               const std::string& pattern,
               const IgnoredBody& body,
               const std::filesystem::path& job_file) {
-    return {ErrorCode::BadInput,
-            place_of(rule, job_file) + "ignore: \"" + pattern + "\" is of another body than " +
-                body.letter + ", which is called \"" + body.name +
-                "\"; a / within the name of a part is written \\/"};
+    return bad_input(place_of(rule, job_file) + "ignore: \"" + pattern +
+                     "\" is of another body than " + body.letter + ", which is called \"" +
+                     body.name + "\"; a / within the name of a part is written \\/");
 }
 
 Error no_match(const IgnoreRule& rule,
@@ -83,10 +83,9 @@ Error no_match(const IgnoreRule& rule,
             names.push_back(part.name);
         }
     }
-    return {ErrorCode::BadInput,
-            place_of(rule, job_file) + "ignore: no part of " + body.letter + " matches \"" +
-                pattern + "\"" +
-                (names.empty() ? "; it has no named parts" : suggestion(pattern, names))};
+    return bad_input(place_of(rule, job_file) + "ignore: no part of " + body.letter +
+                     " matches \"" + pattern + "\"" +
+                     (names.empty() ? "; it has no named parts" : suggestion(pattern, names)));
 }
 
 /// The triangles that a pattern matches. Errors: BadInput for the name of another body, and for a

@@ -1,17 +1,16 @@
 #include "client/job/prepared_job.hpp"
 
+#include "client/base/errors.hpp"
 #include "client/base/interrupt.hpp"
 #include "client/base/slow_note.hpp"
 #include "client/base/units.hpp"
 #include "client/base/words.hpp"
-#include "client/import/import_notes.hpp"
 #include "client/import/mesh_import.hpp"
 #include "client/poses/pose_file.hpp"
 #include "client/trees/body_trees.hpp"
 #include "common/geometry/topology.hpp"
 #include "common/job/poses/made_poses.hpp"
 
-#include <algorithm>
 #include <utility>
 
 namespace cd {
@@ -47,20 +46,14 @@ Status import_bodies(PreparedJob& job, bool quiet) {
             job.spec.bodies[1].declared_unit = first.declared_unit;
             continue;
         }
-        const auto options = import_options(job.spec, i);
-        if (!options) {
-            return options.error();
-        }
+        const auto options = CD_TRY(import_options(job.spec, i));
         const SlowNote note("reading " + body.path.filename().string() + "...", quiet);
-        auto imported = import_mesh(body.path, options.value());
-        if (!imported) {
-            return imported.error();
-        }
-        job.meshes[i] = imported.value().mesh;
-        job.notes[i] = import_notes(imported.value(), body.unit, options.value().is_y_up);
+        auto imported = CD_TRY(import_mesh(body.path, options));
+        job.meshes[i] = imported.mesh;
+        job.notes[i] = import_notes(imported, body.unit, options.is_y_up);
         job.spec.bodies[i].declared_unit =
-            body.unit.empty() ? declared_unit(imported.value().declared) : "";
-        for (const std::string& warning : imported.value().warnings) {
+            body.unit.empty() ? declared_unit(imported.declared) : "";
+        for (const std::string& warning : imported.warnings) {
             job.warnings.push_back("warning: " + warning);
         }
     }
@@ -138,14 +131,11 @@ Status make_poses(PreparedJob& job, ThreadPool& pool, bool quiet) {
     const SlowNote note(spec.path == "-" ? std::string("reading poses from standard input...")
                                          : "reading " + spec.path.filename().string() + "...",
                         quiet);
-    auto file = open_pose_file(spec);
-    if (!file) {
-        return file.error();
-    }
-    job.poses = std::move(file.value().source);
-    job.zeros = std::move(file.value().zeros);
-    job.labels = std::move(file.value().labels);
-    for (const std::string& warning : file.value().warnings) {
+    auto file = CD_TRY(open_pose_file(spec));
+    job.poses = std::move(file.source);
+    job.zeros = std::move(file.zeros);
+    job.labels = std::move(file.labels);
+    for (const std::string& warning : file.warnings) {
         job.warnings.push_back("warning: " + warning);
     }
     return Done{};
@@ -177,18 +167,14 @@ Result<PreparedJob> prepare_job(
     PreparedJob job;
     job.spec = std::move(spec);
     job.meshes = std::move(given.meshes);
-    if (Status imported = import_bodies(job, quiet); !imported) {
-        return imported.error();
-    }
-    auto ignored = given.ignored ? Result(std::move(*given.ignored))
-                                 : resolve_ignored(job.spec, *job.meshes[0], *job.meshes[1]);
-    if (!ignored) {
-        return ignored.error();
-    }
+    CD_TRY(import_bodies(job, quiet));
+    auto ignored =
+        CD_TRY(given.ignored ? Result(std::move(*given.ignored))
+                             : resolve_ignored(job.spec, *job.meshes[0], *job.meshes[1]));
     job.query = {job.spec.level,
                  job.spec.tolerance,
                  job.spec.limit_pairs,
-                 std::move(ignored.value()),
+                 std::move(ignored),
                  job.spec.maps};
     const bool makes_poses = !given.poses && std::holds_alternative<RandomPoses>(job.spec.poses);
     if (trees == Trees::Always || makes_poses) {
@@ -212,7 +198,7 @@ Result<ImportOptions> import_options(const JobSpec& spec, std::size_t body) {
     const std::string& unit = given.unit.empty() ? spec.unit : given.unit;
     const auto factor = unit_factor(unit, spec.unit);
     if (!factor) {
-        return Error{ErrorCode::BadInput, "unit \"" + unit + "\" is not known"};
+        return bad_input("unit \"" + unit + "\" is not known");
     }
     ImportOptions options{*factor};
     options.declared_unit_to = given.unit.empty() ? spec.unit : "";

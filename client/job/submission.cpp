@@ -1,5 +1,6 @@
 #include "client/job/submission.hpp"
 
+#include "client/base/errors.hpp"
 #include "client/base/units.hpp"
 #include "common/core/printable.hpp"
 
@@ -106,11 +107,8 @@ Result<JobSpec> spec_of(const Submit& submit) {
     for (std::size_t i = 0; i < spec.bodies.size(); ++i) {
         spec.bodies[i] = spec_of(submit.bodies[i], i);
     }
-    auto poses = poses_of(submit);
-    if (!poses) {
-        return poses.error();
-    }
-    spec.poses = std::move(poses.value());
+    auto poses = CD_TRY(poses_of(submit));
+    spec.poses = std::move(poses);
     spec.level = submit.query.level;
     spec.tolerance = submit.query.tolerance;
     spec.limit_pairs = submit.query.limit_pairs;

@@ -6,6 +6,7 @@
 #include "common/job/result/result.hpp"
 #include "common/search/contact_pair.hpp"
 
+#include <utility>
 #include <vector>
 
 namespace cd {
@@ -18,5 +19,13 @@ struct DoneScenario {
     /// All pairs in contact if the query asks for maps; else empty.
     std::vector<ContactPair> found;
 };
+
+[[nodiscard]] inline DoneScenario done_scenario(ScenarioResult result,
+                                                std::vector<ContactPair> found) {
+    DoneScenario done{std::move(result), {}, {}, std::move(found)};
+    done.record = encode_result(done.result);
+    done.digest = sha256(done.record);
+    return done;
+}
 
 } // namespace cd

@@ -1,5 +1,6 @@
 #include "client/local/local_cluster.hpp"
 
+#include "client/base/errors.hpp"
 #include "common/core/files/state_folder.hpp"
 #include "common/core/timing/client.hpp"
 
@@ -49,9 +50,7 @@ Result<std::string> wait_for_port(ChildProcess& master,
 
 Result<LocalCluster> LocalCluster::start(const LocalClusterOptions& options,
                                          const std::function<bool()>& stopped) {
-    if (const Status made = make_private_folder(options.state); !made) {
-        return made.error();
-    }
+    CD_TRY(make_private_folder(options.state));
     std::error_code error;
     fs::create_directories(options.logs, error);
     const fs::path port_file = options.logs / "port";
@@ -59,40 +58,32 @@ Result<LocalCluster> LocalCluster::start(const LocalClusterOptions& options,
     const fs::path log = options.logs / "master.log";
 
     LocalCluster cluster;
-    auto master = ChildProcess::start(options.programs / "cdmaster",
-                                      {"--listen",
-                                       "127.0.0.1:0",
-                                       "--port-file",
-                                       port_file.string(),
-                                       "--state",
-                                       options.state.string(),
-                                       // On loopback a lost worker is dead, so 1 s is enough.
-                                       "--return-within",
-                                       "1"},
-                                      log);
-    if (!master) {
-        return master.error();
-    }
-    cluster.processes_.push_back(std::move(master.value()));
-    const auto port = wait_for_port(cluster.processes_.front(), port_file, log, stopped);
-    if (!port) {
-        return port.error();
-    }
-    cluster.address_ = "127.0.0.1:" + port.value();
+    auto master =
+        CD_TRY(ChildProcess::start(options.programs / "cdmaster",
+                                   {"--listen",
+                                    "127.0.0.1:0",
+                                    "--port-file",
+                                    port_file.string(),
+                                    "--state",
+                                    options.state.string(),
+                                    // On loopback a lost worker is dead, so 1 s is enough.
+                                    "--return-within",
+                                    "1"},
+                                   log));
+    cluster.processes_.push_back(std::move(master));
+    const auto port = CD_TRY(wait_for_port(cluster.processes_.front(), port_file, log, stopped));
+    cluster.address_ = "127.0.0.1:" + port;
     for (unsigned i = 1; i <= options.workers; ++i) {
         const std::string name = "worker-" + std::to_string(i);
-        auto worker = ChildProcess::start(options.programs / "cdworker",
-                                          {"--master",
-                                           cluster.address_,
-                                           "--threads",
-                                           std::to_string(options.threads),
-                                           "--name",
-                                           name},
-                                          options.logs / (name + ".log"));
-        if (!worker) {
-            return worker.error();
-        }
-        cluster.processes_.push_back(std::move(worker.value()));
+        auto worker = CD_TRY(ChildProcess::start(options.programs / "cdworker",
+                                                 {"--master",
+                                                  cluster.address_,
+                                                  "--threads",
+                                                  std::to_string(options.threads),
+                                                  "--name",
+                                                  name},
+                                                 options.logs / (name + ".log")));
+        cluster.processes_.push_back(std::move(worker));
     }
     return cluster;
 }

@@ -1,5 +1,6 @@
 #include "client/local/local_run.hpp"
 
+#include "client/base/errors.hpp"
 #include "client/local/ordered_run.hpp"
 #include "common/core/check.hpp"
 #include "common/core/limits/client.hpp"
@@ -32,12 +33,9 @@ Status feed(OrderedRun& run, PoseSource& poses, std::uint64_t& fed) {
         if (wanted == 0) {
             break;
         }
-        auto scenarios = poses.read(fed, std::min(wanted, poses.count() - fed));
-        if (!scenarios) {
-            return scenarios.error();
-        }
-        fed += scenarios.value().size();
-        run.add(std::move(scenarios.value()));
+        auto scenarios = CD_TRY(poses.read(fed, std::min(wanted, poses.count() - fed)));
+        fed += scenarios.size();
+        run.add(std::move(scenarios));
     }
     return Done{};
 }
@@ -49,9 +47,7 @@ deliver(std::vector<DoneScenario> results, const RunObserver& observer, ResultMe
         if (observer.stopped()) {
             return interrupted();
         }
-        if (Status added = observer.result(done); !added) {
-            return added;
-        }
+        CD_TRY(observer.result(done));
         const auto outcome = merger.add(done.result, done.digest);
         CD_CHECK(outcome == ResultMerger::Outcome::Added);
     }
@@ -100,17 +96,13 @@ Result<RunOutcome> run_locally(const ObbTree& a,
         if (observer.stopped()) {
             return interrupted();
         }
-        if (Status more = feed(run, poses, fed); !more) {
-            return more.error();
-        }
+        CD_TRY(feed(run, poses, fed));
         if (Clock::now() >= progress_due) {
             observer.progress(merger.summary(), seconds_since(start));
             progress_due = Clock::now() + timing::progress_period;
         }
         auto results = run.take(timing::progress_period, fed < poses.count());
-        if (Status delivered = deliver(std::move(results), observer, merger); !delivered) {
-            return delivered.error();
-        }
+        CD_TRY(deliver(std::move(results), observer, merger));
     }
     RunOutcome outcome{
         merger.summary(), merger.digest(), seconds_since(start), run.statistics(), {}};

@@ -166,12 +166,9 @@ void OrderedRun::run_some(ScenarioSession& session, Batch& batch) {
             continue; // The run has ended, so nobody waits for the result.
         }
         batch.statistics += {run.statistics, run.inside};
-        DoneScenario done{std::move(run.result), {}, {}, {}};
-        done.record = encode_result(done.result);
-        done.digest = sha256(done.record);
-        if (runner_.query().maps) {
-            done.found = std::move(run.found);
-        }
+        DoneScenario done =
+            done_scenario(std::move(run.result),
+                          runner_.query().maps ? std::move(run.found) : std::vector<ContactPair>());
         batch.bytes += bytes_of(done);
         batch.done.push_back(std::move(done));
     }

@@ -21,14 +21,7 @@ Status write_png(const Image& image, const std::filesystem::path& path) {
         return Error{ErrorCode::Io, path.string() + ": " + header.message};
     }
     bytes.resize(size);
-    auto file = OutputFile::create(path);
-    if (!file) {
-        return file.error();
-    }
-    if (Status written = file.value().write(bytes); !written) {
-        return written;
-    }
-    return file.value().commit();
+    return write_file(path, bytes);
 }
 
 } // namespace cd

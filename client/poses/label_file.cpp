@@ -1,14 +1,13 @@
 #include "client/poses/label_file.hpp"
 
+#include "client/base/errors.hpp"
 #include "client/base/words.hpp"
 #include "client/formats/csv_rows.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <fstream>
 #include <string>
-#include <system_error>
 #include <vector>
 
 namespace cd {
@@ -44,13 +43,6 @@ bool read_row(std::istream& in, CsvRow& row) {
     return is_any;
 }
 
-bool add_time(PoseLabels& labels, const std::string& text) {
-    double time = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), time);
-    labels.times.push_back(time);
-    return error == std::errc() && end == text.data() + text.size() && std::isfinite(time);
-}
-
 } // namespace
 
 std::uint64_t label_bytes(const PoseLabels& labels) {
@@ -65,10 +57,7 @@ std::uint64_t label_bytes(const PoseLabels& labels) {
 
 Status write_labels(const std::filesystem::path& path, const PoseLabels& labels) {
     const LabelColumns columns = labels.columns();
-    auto file = RowFile::create(path, header_of(columns) + "\n");
-    if (!file) {
-        return file.error();
-    }
+    auto file = CD_TRY(RowFile::create(path, header_of(columns) + "\n"));
     const std::size_t rows =
         std::max({labels.integers.size(), labels.texts.size(), labels.times.size()});
     for (std::size_t i = 0; i < rows; ++i) {
@@ -81,11 +70,9 @@ Status write_labels(const std::filesystem::path& path, const PoseLabels& labels)
             row += (row.empty() && columns.ids == IdKind::None ? "" : ",") +
                    exact_text(labels.times[i]);
         }
-        if (Status added = file.value().add(std::string_view(row), "\n"); !added) {
-            return added;
-        }
+        CD_TRY(file.add(std::string_view(row), "\n"));
     }
-    return file.value().commit();
+    return file.commit();
 }
 
 Result<PoseLabels> read_labels(const std::filesystem::path& path) {
@@ -106,7 +93,9 @@ Result<PoseLabels> read_labels(const std::filesystem::path& path) {
             add_pose_id(labels, row.front());
         }
         if (is_good && has_times) {
-            is_good = add_time(labels, row.back());
+            const auto time = number_in<double>(row.back());
+            is_good = time && std::isfinite(*time);
+            labels.times.push_back(time.value_or(0));
         }
     }
     return is_good ? Result(std::move(labels))

@@ -1,5 +1,6 @@
 #include "client/poses/pose_file.hpp"
 
+#include "client/base/errors.hpp"
 #include "client/formats/npz_file.hpp"
 #include "client/poses/pose_rows.hpp"
 #include "client/poses/text_poses.hpp"
@@ -11,15 +12,10 @@
 #include <fstream>
 #include <iostream>
 #include <new>
-#include <optional>
 
 namespace cd {
 
 namespace {
-
-Error bad(std::string detail) {
-    return {ErrorCode::BadInput, std::move(detail)};
-}
 
 /// The layout of a pose, which the axes of an array after the first one give.
 Result<PoseLayout> layout_of(std::vector<std::uint64_t> shape, const PoseFileSpec& spec) {
@@ -27,7 +23,7 @@ Result<PoseLayout> layout_of(std::vector<std::uint64_t> shape, const PoseFileSpe
     shape.erase(shape.begin());
     if (spec.of_both_bodies) {
         if (shape.empty() || shape.front() != 2) {
-            return bad("poses of both bodies need a second axis of 2");
+            return bad_input("poses of both bodies need a second axis of 2");
         }
         shape.erase(shape.begin());
     }
@@ -45,44 +41,34 @@ Result<PoseLayout> layout_of(std::vector<std::uint64_t> shape, const PoseFileSpe
         return PoseLayout::Wxyz;
     }
     if (shape == Shape{7}) {
-        return bad("a bare (N, 7) array does not say where qw stands; give quat_order \"xyzw\" or "
-                   "\"wxyz\"");
+        return bad_input(
+            "a bare (N, 7) array does not say where qw stands; give quat_order \"xyzw\" or "
+            "\"wxyz\"");
     }
-    return bad(fmt::format("an array of shape ({}); expected (N,4,4), (N,3,4), (N,12) or (N,7)",
-                           fmt::join(given, ", ")));
+    return bad_input(
+        fmt::format("an array of shape ({}); expected (N,4,4), (N,3,4), (N,12) or (N,7)",
+                    fmt::join(given, ", ")));
 }
 
 Result<PoseTable> table_of(std::unique_ptr<NpyRows> rows, const PoseFileSpec& spec) {
-    const auto layout = layout_of(rows->shape(), spec);
-    if (!layout) {
-        return layout.error();
-    }
-    return PoseTable{std::move(rows), layout.value(), spec.of_both_bodies};
+    const auto layout = CD_TRY(layout_of(rows->shape(), spec));
+    return PoseTable{std::move(rows), layout, spec.of_both_bodies};
 }
 
 Result<PoseTable> open_npz(const PoseFileSpec& spec) {
-    const auto file = NpzFile::open(spec.path);
-    if (!file) {
-        return file.error();
-    }
-    const std::vector<std::string> names = file.value().names();
+    const auto file = CD_TRY(NpzFile::open(spec.path));
+    const std::vector<std::string> names = file.names();
     const bool has_poses = std::ranges::find(names, "poses") != names.end();
     if (!has_poses && names.size() != 1) {
-        return bad("has several arrays, and none is called 'poses'");
+        return bad_input("has several arrays, and none is called 'poses'");
     }
-    auto poses = file.value().read(has_poses ? "poses" : names.front());
-    if (!poses) {
-        return poses.error();
-    }
-    return table_of(NpyRows::of(std::move(poses.value())), spec);
+    auto poses = CD_TRY(file.read(has_poses ? "poses" : names.front()));
+    return table_of(NpyRows::of(std::move(poses)), spec);
 }
 
 Result<PoseTable> open_npy(const PoseFileSpec& spec) {
-    auto rows = NpyRows::open(spec.path);
-    if (!rows) {
-        return rows.error();
-    }
-    return table_of(std::move(rows.value()), spec);
+    auto rows = CD_TRY(NpyRows::open(spec.path));
+    return table_of(std::move(rows), spec);
 }
 
 Result<PoseTable> open_table(const PoseFileSpec& spec) {
@@ -97,35 +83,35 @@ Result<PoseTable> open_table(const PoseFileSpec& spec) {
         return open_npz(spec);
     }
     if (std::filesystem::is_directory(spec.path)) {
-        return bad("is a folder; a file of poses is needed");
+        return bad_input("is a folder; a file of poses is needed");
     }
     std::ifstream in(spec.path, std::ios::binary);
     if (!in) {
-        return bad("cannot be opened");
+        return bad_input("cannot be opened");
     }
     if (ending == ".csv") {
         return read_csv_poses(in, spec.of_both_bodies);
     }
     if (ending == ".tum" || ending == ".txt") {
         if (spec.of_both_bodies) {
-            return bad("a TUM file has the poses of one body; use .csv or .npy for both");
+            return bad_input("a TUM file has the poses of one body; use .csv or .npy for both");
         }
         return read_tum_poses(in);
     }
-    return bad("the ending '" + ending + "' is not one of .csv, .npy, .npz, .tum, .txt");
+    return bad_input("the ending '" + ending + "' is not one of .csv, .npy, .npz, .tum, .txt");
 }
 
 Result<OpenedPoses> open_named(const PoseFileSpec& spec, const std::string& name) {
     const auto named = [&](const Error& error) {
         const bool has_name = error.detail.starts_with(name);
-        return Error{ErrorCode::BadInput, has_name ? error.detail : name + ": " + error.detail};
+        return bad_input(has_name ? error.detail : name + ": " + error.detail);
     };
     auto table = open_table(spec);
     if (!table) {
         return named(table.error());
     }
     if (table.value().rows->row_count() == 0) {
-        return named(bad("has no poses"));
+        return named(bad_input("has no poses"));
     }
     table.value().length_factor = spec.length_factor;
     const auto report = check_rows(table.value(), spec.rigid_tolerance);

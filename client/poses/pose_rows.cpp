@@ -1,5 +1,7 @@
 #include "client/poses/pose_rows.hpp"
 
+#include "client/base/errors.hpp"
+
 #include <Eigen/LU>
 #include <fmt/format.h>
 
@@ -47,9 +49,7 @@ bool is_quaternion(PoseLayout layout) {
 /// BadInput for faults that no tolerance allows.
 Result<double>
 distance_from_rigid(std::span<const double> v, PoseLayout layout, double length_factor) {
-    const auto bad = [](std::string detail) {
-        return Error{ErrorCode::BadInput, std::move(detail)};
-    };
+    const auto bad = [](std::string detail) { return bad_input(std::move(detail)); };
     for (const double value : v) {
         if (!std::isfinite(value)) {
             return bad(fmt::format("the number {} is not finite", value));
@@ -96,23 +96,17 @@ class TableSource final : public PoseSource {
     [[nodiscard]] Result<std::vector<Scenario>> read(std::uint64_t first,
                                                      std::uint64_t count) override {
         const std::lock_guard lock(mutex_);
-        const auto numbers = table_.rows->read(first, count);
-        if (!numbers) {
-            return numbers.error();
-        }
+        const auto numbers = CD_TRY(table_.rows->read(first, count));
         const std::size_t size = numbers_of(table_.layout);
-        std::span<const double> rest = numbers.value();
+        std::span<const double> rest = numbers;
         // The file may have changed since it was checked.
         for (std::size_t i = 0; i < rest.size(); i += size) {
             const auto off =
                 distance_from_rigid(rest.subspan(i, size), table_.layout, table_.length_factor);
             if (!off) {
                 const std::uint64_t pose = first * (table_.of_both_bodies ? 2 : 1) + i / size;
-                return Error{ErrorCode::BadInput,
-                             fmt::format("{}: {}: {}",
-                                         table_.name,
-                                         place_of_pose(table_, pose),
-                                         off.error().detail)};
+                return bad_input(fmt::format(
+                    "{}: {}: {}", table_.name, place_of_pose(table_, pose), off.error().detail));
             }
         }
         std::vector<Scenario> scenarios(count);
@@ -171,24 +165,19 @@ Result<RigidityReport> check_rows(const PoseTable& table, std::optional<double> 
     RigidityReport report;
     for (std::uint64_t first = 0; first < table.rows->row_count(); first += rows_at_once) {
         const std::uint64_t count = std::min(rows_at_once, table.rows->row_count() - first);
-        const auto numbers = table.rows->read(first, count);
-        if (!numbers) {
-            return numbers.error();
-        }
+        const auto numbers = CD_TRY(table.rows->read(first, count));
         for (std::uint64_t i = 0; i < count * poses; ++i) {
             const std::uint64_t pose = first * poses + i;
-            const auto off = distance_from_rigid(std::span(numbers.value()).subspan(i * size, size),
-                                                 table.layout,
-                                                 table.length_factor);
+            const auto off = distance_from_rigid(
+                std::span(numbers).subspan(i * size, size), table.layout, table.length_factor);
             if (off && table.from_angles) {
                 continue;
             }
             if (!off || !(off.value() <= allowed)) {
-                return Error{ErrorCode::BadInput,
-                             fmt::format("{}: {}",
-                                         place_of_pose(table, pose),
-                                         off ? describe(table.layout, off.value(), allowed)
-                                             : off.error().detail)};
+                return bad_input(fmt::format("{}: {}",
+                                             place_of_pose(table, pose),
+                                             off ? describe(table.layout, off.value(), allowed)
+                                                 : off.error().detail));
             }
             if (off.value() > warn_above) {
                 ++report.off;

@@ -1,6 +1,7 @@
 #include "client/poses/text_poses.hpp"
 
-#include "client/import/text/mesh_words.hpp"
+#include "client/base/errors.hpp"
+#include "client/import/text/text_reader.hpp"
 #include "common/core/limits/engine.hpp"
 
 #include <algorithm>
@@ -16,7 +17,7 @@ namespace cd {
 namespace {
 
 Error bad(std::uint64_t line, const std::string& detail) {
-    return {ErrorCode::BadInput, "line " + std::to_string(line) + ": " + detail};
+    return bad_input("line " + std::to_string(line) + ": " + detail);
 }
 
 Error cut_short(std::uint64_t lines) {
@@ -105,13 +106,11 @@ struct Columns {
     ColumnSet set = ColumnSet::Quaternion;
     std::vector<NumberColumn> numbers; ///< In layout order; factors convert radians to degrees.
     std::vector<std::string> zeros;    ///< Names of missing columns, which count as 0.
-    std::size_t scenario = 0;
-    std::size_t body = 0;
+    std::size_t scenario = no_column;
+    std::size_t body = no_column;
     std::size_t id = no_column;
     std::size_t time = no_column;
     std::size_t count = 0;
-
-    [[nodiscard]] bool has_labels() const { return id != no_column || time != no_column; }
 };
 
 constexpr std::string_view known_columns =
@@ -133,21 +132,20 @@ class HeaderNames {
   public:
     explicit HeaderNames(std::string_view line) {
         for (const std::string_view word : split(line, ",", false)) {
-            std::string name(word);
-            std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) {
-                return static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
-            });
-            names_.push_back(std::move(name));
+            names_.emplace_back(word);
+            for (char& c : names_.back()) {
+                c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+            }
         }
     }
 
     [[nodiscard]] const std::vector<std::string>& all() const { return names_; }
-    /// The position of a column; the number of columns if there is no such name.
+    /// The position of a column, or `no_column`.
     [[nodiscard]] std::size_t index_of(std::string_view name) const {
-        return static_cast<std::size_t>(std::find(names_.begin(), names_.end(), name) -
-                                        names_.begin());
+        const auto found = std::ranges::find(names_, name);
+        return found == names_.end() ? no_column : static_cast<std::size_t>(found - names_.begin());
     }
-    [[nodiscard]] bool has(std::string_view name) const { return index_of(name) < names_.size(); }
+    [[nodiscard]] bool has(std::string_view name) const { return index_of(name) != no_column; }
 
   private:
     std::vector<std::string> names_;
@@ -171,16 +169,12 @@ Status check_angles(const HeaderNames& names, std::uint64_t line) {
 
 /// The column of one number, under its name with or without a unit.
 NumberColumn find_column(const HeaderNames& names, const std::string& name, ColumnSet set) {
-    if (names.has(name)) {
+    if (names.has(name) || set != ColumnSet::Euler) {
         return {names.index_of(name)};
     }
-    if (set == ColumnSet::Euler && names.has(name + "_deg")) {
-        return {names.index_of(name + "_deg")};
-    }
-    if (set == ColumnSet::Euler && names.has(name + "_rad")) {
-        return {names.index_of(name + "_rad"), degrees_per_radian};
-    }
-    return {};
+    return names.has(name + "_rad")
+               ? NumberColumn{names.index_of(name + "_rad"), degrees_per_radian}
+               : NumberColumn{names.index_of(name + "_deg")};
 }
 
 /// Finds the columns of all numbers of a pose. Errors: BadInput for a missing column that is
@@ -245,19 +239,13 @@ Result<Columns> read_header(std::string_view line, std::uint64_t number, bool of
                                                      : ColumnSet::Euler;
     columns.scenario = names.index_of("scenario");
     columns.body = names.index_of("body");
-    columns.id = names.has("id") ? names.index_of("id") : no_column;
-    columns.time = names.has("t") ? names.index_of("t") : no_column;
-    Status is_good = check_angles(names, number);
-    if (is_good) {
-        is_good = find_numbers(names, number, columns);
-    }
-    if (is_good) {
-        is_good = check_others(names, number, columns);
-    }
-    if (is_good) {
-        is_good = check_bodies(names, number, of_both_bodies);
-    }
-    return is_good ? Result<Columns>(std::move(columns)) : is_good.error();
+    columns.id = names.index_of("id");
+    columns.time = names.index_of("t");
+    CD_TRY(check_angles(names, number));
+    CD_TRY(find_numbers(names, number, columns));
+    CD_TRY(check_others(names, number, columns));
+    CD_TRY(check_bodies(names, number, of_both_bodies));
+    return columns;
 }
 
 /// The numbers of one line, as a matrix or as x y z qx qy qz qw.
@@ -288,43 +276,33 @@ Result<std::vector<double>> read_numbers(const std::vector<std::string_view>& wo
     return numbers;
 }
 
-/// Collects labels row by row.
-class LabelRows {
-  public:
-    /// Errors: BadInput for an id that is too long.
-    Status add_id(std::string_view word, std::uint64_t line) {
-        const std::string id = with_single_quotes(word);
+/// Errors: BadInput for anything but a finite number.
+Status add_time(std::string_view word, std::uint64_t line, PoseLabels& labels) {
+    const auto time = to_number(word);
+    if (!time || !std::isfinite(*time)) {
+        return bad(line, "t is '" + std::string(word) + "', not a number");
+    }
+    labels.times.push_back(*time);
+    return Done{};
+}
+
+/// Adds the id and the time of a row, if it has them. Errors: BadInput for an id that is too long,
+/// and for a time that is no number.
+Status add_labels(const std::vector<std::string_view>& words,
+                  const Columns& columns,
+                  std::uint64_t line,
+                  PoseLabels& labels) {
+    if (columns.id != no_column) {
+        const std::string id = with_single_quotes(words[columns.id]);
         if (id.size() > limits::label_bytes_max) {
             return bad(line,
                        "the id is longer than " + std::to_string(limits::label_bytes_max) +
                            " bytes");
         }
-        add_pose_id(labels_, id);
-        return Done{};
+        add_pose_id(labels, id);
     }
-    /// Errors: BadInput for anything but a finite number.
-    Status add_time(std::string_view word, std::uint64_t line) {
-        const auto time = to_number(word);
-        if (!time || !std::isfinite(*time)) {
-            return bad(line, "t is '" + std::string(word) + "', not a number");
-        }
-        labels_.times.push_back(*time);
-        return Done{};
-    }
-    Status
-    add(const std::vector<std::string_view>& words, const Columns& columns, std::uint64_t line) {
-        if (columns.id != no_column) {
-            if (Status added = add_id(words[columns.id], line); !added) {
-                return added;
-            }
-        }
-        return columns.time == no_column ? Status(Done{}) : add_time(words[columns.time], line);
-    }
-    [[nodiscard]] PoseLabels take() { return std::move(labels_); }
-
-  private:
-    PoseLabels labels_;
-};
+    return columns.time == no_column ? Status(Done{}) : add_time(words[columns.time], line, labels);
+}
 
 bool is_body_a(std::string_view word) {
     return word == "a" || word == "A" || word == "0";
@@ -382,9 +360,8 @@ class BothBodies {
         const auto missing = std::find(seen_.begin(), seen_.end(), false);
         if (missing != seen_.end()) {
             const auto slot = static_cast<std::size_t>(missing - seen_.begin());
-            return Error{ErrorCode::BadInput,
-                         "scenario " + std::to_string(slot / 2) + " has no pose of body " +
-                             (slot % 2 == 0 ? "a" : "b")};
+            return bad_input("scenario " + std::to_string(slot / 2) + " has no pose of body " +
+                             (slot % 2 == 0 ? "a" : "b"));
         }
         return std::move(values_);
     }
@@ -414,7 +391,7 @@ Result<PoseTable> read_csv_poses(std::istream& in, bool of_both_bodies) {
     std::vector<double> values;
     std::vector<std::uint64_t> lines;
     std::optional<BothBodies> both;
-    LabelRows labels;
+    PoseLabels labels;
     while (std::getline(in, line)) {
         ++number;
         if (number == 1 && line.starts_with("\xEF\xBB\xBF")) {
@@ -424,11 +401,7 @@ Result<PoseTable> read_csv_poses(std::istream& in, bool of_both_bodies) {
             continue;
         }
         if (!columns) {
-            auto header = read_header(line, number, of_both_bodies);
-            if (!header) {
-                return header.error();
-            }
-            columns = std::move(header.value());
+            columns = CD_TRY(read_header(line, number, of_both_bodies));
             both.emplace(columns->set == ColumnSet::Matrix ? 12 : 7);
             continue;
         }
@@ -438,41 +411,30 @@ Result<PoseTable> read_csv_poses(std::istream& in, bool of_both_bodies) {
                        std::to_string(words.size()) + " values, but the first line names " +
                            std::to_string(columns->count));
         }
-        const auto numbers = read_numbers(words, *columns, number);
-        if (!numbers) {
-            return numbers.error();
-        }
+        const auto numbers = CD_TRY(read_numbers(words, *columns, number));
         if (!of_both_bodies) {
-            if (columns->body < words.size() && !is_body_b(words[columns->body])) {
+            if (columns->body != no_column && !is_body_b(words[columns->body])) {
                 return bad(number,
                            "a pose of another body than b; poses of both need of = \"both\" "
                            "(--both)");
             }
-            values.insert(values.end(), numbers.value().begin(), numbers.value().end());
+            values.insert(values.end(), numbers.begin(), numbers.end());
             lines.push_back(number);
-        } else if (const Status added = both->add(
-                       words[columns->scenario], words[columns->body], numbers.value(), number);
-                   !added) {
-            return added.error();
+        } else {
+            CD_TRY(both->add(words[columns->scenario], words[columns->body], numbers, number));
         }
-        if (columns->has_labels() && (!of_both_bodies || is_body_a(words[columns->body]))) {
-            if (const Status added = labels.add(words, *columns, number); !added) {
-                return added.error();
-            }
+        if (!of_both_bodies || is_body_a(words[columns->body])) {
+            CD_TRY(add_labels(words, *columns, number, labels));
         }
     }
     if (in.bad()) {
         return cut_short(number);
     }
     if (!columns) {
-        return Error{ErrorCode::BadInput, "there is no line that names the columns"};
+        return bad_input("there is no line that names the columns");
     }
     if (of_both_bodies) {
-        auto ordered = both->finish();
-        if (!ordered) {
-            return ordered.error();
-        }
-        values = std::move(ordered.value());
+        values = CD_TRY(both->finish());
         lines = both->take_lines();
     }
     PoseTable table =
@@ -482,10 +444,7 @@ Result<PoseTable> read_csv_poses(std::istream& in, bool of_both_bodies) {
     table.from_angles = columns->set == ColumnSet::Euler;
     table.zeros = std::move(columns->zeros);
     table.lines = std::move(lines);
-    table.labels = labels.take();
-    if (of_both_bodies) {
-        table.labels = table.labels.moved_to(both->order());
-    }
+    table.labels = of_both_bodies ? labels.moved_to(both->order()) : std::move(labels);
     return table;
 }
 
@@ -494,7 +453,7 @@ Result<PoseTable> read_tum_poses(std::istream& in) {
     std::uint64_t number = 0;
     std::vector<double> values;
     std::vector<std::uint64_t> lines;
-    LabelRows labels;
+    PoseLabels labels;
     while (std::getline(in, line)) {
         ++number;
         if (is_comment(line)) {
@@ -506,9 +465,7 @@ Result<PoseTable> read_tum_poses(std::istream& in) {
                        std::to_string(words.size()) +
                            " numbers where TUM has 8: time x y z qx qy qz qw");
         }
-        if (const Status added = labels.add_time(words[0], number); !added) {
-            return added.error();
-        }
+        CD_TRY(add_time(words[0], number, labels));
         for (std::size_t i = 1; i < words.size(); ++i) {
             const auto value = to_number(words[i]);
             if (!value) {
@@ -523,7 +480,7 @@ Result<PoseTable> read_tum_poses(std::istream& in) {
     }
     PoseTable table = make_table(std::move(values), PoseLayout::Xyzw, false);
     table.lines = std::move(lines);
-    table.labels = labels.take();
+    table.labels = std::move(labels);
     return table;
 }
 

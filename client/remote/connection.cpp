@@ -1,5 +1,6 @@
 #include "client/remote/connection.hpp"
 
+#include "client/base/errors.hpp"
 #include "client/base/table.hpp"
 #include "client/base/words.hpp"
 #include "client/remote/result_records.hpp"
@@ -73,19 +74,23 @@ Status take_poses(const JobPoses& part, std::uint64_t next, std::uint64_t left, 
     if (part.first != next || part.count == 0 || part.count > left) {
         return other_poses();
     }
-    const auto scenarios = unpack_scenarios(part.scenarios, part.count);
-    if (!scenarios) {
-        return scenarios.error();
-    }
+    const auto scenarios = CD_TRY(unpack_scenarios(part.scenarios, part.count));
     const auto fits = [&](std::size_t labels) { return labels == 0 || labels == part.count; };
     const PoseLabels& labels = part.labels;
-    if (scenarios.value().size() != part.count || scenarios.value().front().index != next ||
+    if (scenarios.size() != part.count || scenarios.front().index != next ||
         !fits(labels.integers.size()) || !fits(labels.texts.size()) || !fits(labels.times.size())) {
         return other_poses();
     }
-    all.scenarios.insert(all.scenarios.end(), scenarios.value().begin(), scenarios.value().end());
+    all.scenarios.insert(all.scenarios.end(), scenarios.begin(), scenarios.end());
     all.labels.append(labels);
     return Done{};
+}
+
+/// Stores the result of a coroutine. co_spawn could not pass it to its completion handler, since a
+/// Result has no default constructor.
+template <class T>
+asio::awaitable<void> keep(asio::awaitable<Result<T>> coroutine, std::optional<Result<T>>& result) {
+    result = co_await std::move(coroutine);
 }
 
 } // namespace
@@ -101,296 +106,267 @@ struct Connection::State {
     /// answers arrive.
     std::size_t cluster_statuses_due = 0;
 
-    template <class T>
-    Result<T> run(asio::awaitable<Result<T>> coroutine);
-    void run_until(const bool& done);
-
     [[nodiscard]] bool is_stopped() const { return heeds_stop && stopped(); }
 
-    asio::awaitable<Status> open(Target target);
-    asio::awaitable<Result<Message>> receive(Clock::duration timeout);
-    asio::awaitable<Status> make_room();
+    /// Runs the coroutine to completion on this thread.
     template <class T>
-    asio::awaitable<Result<T>> answer(Clock::duration timeout);
-    template <class T>
-    asio::awaitable<Result<T>> ask(Message question);
-    asio::awaitable<Status> upload(std::span<const NamedMesh> meshes,
-                                   const UploadProgress& progress);
-    asio::awaitable<Status> upload_one(const NamedMesh& mesh, const UploadProgress& progress);
-    asio::awaitable<Result<JobId>>
-    submit(Submit submit, PoseSource* poses, const PoseLabels& labels);
-    asio::awaitable<Result<JobStatus>>
-    watch(JobId job,
-          const std::function<void(const JobStatus&)>& changed,
-          const std::function<void(const ClusterStatus&)>& looked);
-    asio::awaitable<Result<JobStatus>> cancel(JobId job);
-};
+    Result<T> run(asio::awaitable<Result<T>> coroutine) {
+        std::optional<Result<T>> result;
+        bool done = false;
+        asio::co_spawn(
+            context,
+            keep(std::move(coroutine), result),
+            [this, &done](const std::exception_ptr& thrown) {
+                if (thrown) {
+                    std::rethrow_exception(thrown);
+                }
+                done = true;
+                context.stop(); // Otherwise `run_for` waits for the channel's pending read.
+            });
+        run_until(done);
+        return done ? std::move(*result) : Result<T>(interrupted());
+    }
 
-// ---- Waiting --------------------------------------------------------------------------------
-
-/// Stores the result of a coroutine. co_spawn could not pass it to its completion handler, since a
-/// Result has no default constructor.
-template <class T>
-asio::awaitable<void> keep(asio::awaitable<Result<T>> coroutine, std::optional<Result<T>>& result) {
-    result = co_await std::move(coroutine);
-}
-
-/// Runs the coroutine to completion on this thread.
-template <class T>
-Result<T> Connection::State::run(asio::awaitable<Result<T>> coroutine) {
-    std::optional<Result<T>> result;
-    bool done = false;
-    asio::co_spawn(context,
-                   keep(std::move(coroutine), result),
-                   [this, &done](const std::exception_ptr& thrown) {
-                       if (thrown) {
-                           std::rethrow_exception(thrown);
-                       }
-                       done = true;
-                       context.stop(); // Otherwise `run_for` waits for the channel's pending read.
-                   });
-    run_until(done);
-    return done ? std::move(*result) : Result<T>(interrupted());
-}
-
-/// Runs the context until `done`. After a stop, most coroutines end by themselves, since their
-/// waits poll `stopped`. Closing the channel ends those that wait for a peer that does not read.
-/// Before a channel exists, this returns at once, and the destructor abandons pending operations.
-void Connection::State::run_until(const bool& done) {
-    std::optional<Clock::time_point> stopped_at;
-    while (!done) {
-        context.restart();
-        context.run_for(timing::stop_check_period);
-        if (done || !is_stopped()) {
-            continue;
-        }
-        stopped_at = stopped_at.value_or(Clock::now());
-        if (channel == nullptr) {
-            return;
-        }
-        if (Clock::now() - *stopped_at > timing::stop_patience) {
-            channel->close();
+    /// Runs the context until `done`. After a stop, most coroutines end by themselves, since their
+    /// waits poll `stopped`. Closing the channel ends those that wait for a peer that does not
+    /// read. Before a channel exists, this returns at once, and the destructor abandons pending
+    /// operations.
+    void run_until(const bool& done) {
+        std::optional<Clock::time_point> stopped_at;
+        while (!done) {
+            context.restart();
+            context.run_for(timing::stop_check_period);
+            if (done || !is_stopped()) {
+                continue;
+            }
+            stopped_at = stopped_at.value_or(Clock::now());
+            if (channel == nullptr) {
+                return;
+            }
+            if (Clock::now() - *stopped_at > timing::stop_patience) {
+                channel->close();
+            }
         }
     }
-}
 
-asio::awaitable<Result<Message>> Connection::State::receive(Clock::duration timeout) {
-    const auto deadline = Clock::now() + timeout;
-    while (true) {
+    asio::awaitable<Result<Message>> receive(Clock::duration timeout) {
+        const auto deadline = Clock::now() + timeout;
+        while (true) {
+            if (is_stopped()) {
+                co_return interrupted();
+            }
+            const Clock::duration left = deadline - Clock::now();
+            Result<Message> message = co_await channel->receive(
+                std::clamp<Clock::duration>(left, Clock::duration(0), timing::stop_check_period));
+            if (message || message.error().code != ErrorCode::Timeout) {
+                co_return message;
+            }
+            if (left <= Clock::duration(0)) {
+                co_return Error{ErrorCode::Timeout,
+                                "the master at " + address + " does not answer"};
+            }
+        }
+    }
+
+    /// Waits for room in the send queue.
+    asio::awaitable<Status> make_room() {
         if (is_stopped()) {
             co_return interrupted();
         }
-        const Clock::duration left = deadline - Clock::now();
-        Result<Message> message = co_await channel->receive(
-            std::clamp<Clock::duration>(left, Clock::duration(0), timing::stop_check_period));
-        if (message || message.error().code != ErrorCode::Timeout) {
-            co_return message;
+        co_await channel->wait_until_queued_below(limits::client_write_queue_bytes_max);
+        if (is_stopped()) {
+            co_return interrupted();
         }
-        if (left <= Clock::duration(0)) {
-            co_return Error{ErrorCode::Timeout, "the master at " + address + " does not answer"};
-        }
+        co_return Done{};
     }
-}
 
-/// Waits for room in the send queue.
-asio::awaitable<Status> Connection::State::make_room() {
-    if (is_stopped()) {
-        co_return interrupted();
-    }
-    co_await channel->wait_until_queued_below(limits::client_write_queue_bytes_max);
-    if (is_stopped()) {
-        co_return interrupted();
-    }
-    co_return Done{};
-}
-
-template <class T>
-asio::awaitable<Result<T>> Connection::State::answer(Clock::duration timeout) {
-    Result<Message> message = co_await receive(timeout);
-    while (message && cluster_statuses_due != 0 &&
-           std::holds_alternative<ClusterStatus>(message.value())) {
-        --cluster_statuses_due;
-        message = co_await receive(timeout);
-    }
-    if (!message) {
-        co_return message.error();
-    }
-    if (auto* expected = std::get_if<T>(&message.value())) {
-        co_return std::move(*expected);
-    }
-    if (const auto* failure = std::get_if<Failure>(&message.value())) {
-        co_return Error{failure->code, failure->detail};
-    }
-    co_return Error{ErrorCode::BadFrame, "the master at " + address + " answers something else"};
-}
-
-template <class T>
-asio::awaitable<Result<T>> Connection::State::ask(Message question) {
-    channel->send(question);
-    co_return co_await answer<T>(timing::answer_timeout);
-}
-
-// ---- Conversations --------------------------------------------------------------------------
-
-asio::awaitable<Status> Connection::State::open(Target target) {
-    Result<std::shared_ptr<Channel>> connected = co_await connect(std::move(target));
-    if (!connected) {
-        co_return connected.error();
-    }
-    channel = std::move(connected.value());
-    const Result<Welcome> welcome = co_await greet(channel, make_hello());
-    if (!welcome) {
-        co_return welcome.error();
-    }
-    owner = welcome.value().owner;
-    co_return Done{};
-}
-
-asio::awaitable<Status> Connection::State::upload(std::span<const NamedMesh> meshes,
-                                                  const UploadProgress& progress) {
-    MeshesQuery query;
-    for (const NamedMesh& mesh : meshes) {
-        query.meshes.push_back(mesh.mesh->hash());
-    }
-    const auto missing = co_await ask<MeshesMissing>(query);
-    if (!missing) {
-        co_return missing.error();
-    }
-    std::set<Sha256> wanted(missing.value().meshes.begin(), missing.value().meshes.end());
-    for (const NamedMesh& mesh : meshes) {
-        if (wanted.erase(mesh.mesh->hash()) == 0) {
-            continue;
-        }
-        if (Status status = co_await upload_one(mesh, progress); !status) {
-            co_return status;
-        }
-    }
-    co_return Done{};
-}
-
-asio::awaitable<Status> Connection::State::upload_one(const NamedMesh& mesh,
-                                                      const UploadProgress& progress) {
-    const Bytes bytes = mesh.mesh->canonical_bytes();
-    progress(mesh, 0, bytes.size());
-    for (std::size_t offset = 0; offset < bytes.size(); offset += limits::mesh_piece_bytes) {
-        if (Status status = co_await make_room(); !status) {
-            co_return status;
-        }
-        const auto piece = std::span(bytes).subspan(
-            offset, std::min(limits::mesh_piece_bytes, bytes.size() - offset));
-        channel->send(MeshPart{mesh.mesh->hash(),
-                               escaped(mesh.name),
-                               bytes.size(),
-                               offset,
-                               Bytes(piece.begin(), piece.end())});
-        progress(mesh, offset + piece.size(), bytes.size());
-    }
-    const auto stored = co_await answer<MeshStored>(timing::mesh_stored_timeout);
-    if (!stored) {
-        const std::string what =
-            mesh.name + " (" + cell_text(static_cast<double>(bytes.size()), CellKind::Size) + ")";
-        co_return stored.error().code == ErrorCode::Io ? no_room(what, stored.error())
-                                                       : stored.error();
-    }
-    if (stored.value().mesh != mesh.mesh->hash()) {
-        co_return Error{ErrorCode::BadFrame, "the master confirms another mesh than it was sent"};
-    }
-    co_return Done{};
-}
-
-asio::awaitable<Result<JobId>>
-Connection::State::submit(Submit submit, PoseSource* poses, const PoseLabels& labels) {
-    channel->send(submit);
-    for (std::uint64_t sent = 0; poses != nullptr && sent < submit.scenarios;) {
-        const auto run = poses->read(sent, std::min(poses_together, submit.scenarios - sent));
-        if (!run) {
-            co_return run.error();
-        }
-        if (const Status status = co_await make_room(); !status) {
-            co_return status.error();
-        }
-        channel->send(
-            PosesPart{pack_scenarios(run.value()), labels.slice(sent, run.value().size())});
-        sent += run.value().size();
-    }
-    if (poses != nullptr) {
-        channel->send(PosesEnd{});
-    }
-    const auto accepted = co_await answer<Accepted>(timing::mesh_stored_timeout);
-    if (!accepted) {
-        const std::string what = "the poses of " + counted(submit.scenarios, "scenario");
-        co_return accepted.error().code == ErrorCode::Io ? no_room(what, accepted.error())
-                                                         : accepted.error();
-    }
-    co_return accepted.value().job;
-}
-
-/// The master may send no status of a job for a long time. The client therefore queries the
-/// cluster's status after each silence and periodically. An unanswered query reveals a dead master.
-asio::awaitable<Result<JobStatus>>
-Connection::State::watch(JobId job,
-                         const std::function<void(const JobStatus&)>& changed,
-                         const std::function<void(const ClusterStatus&)>& looked) {
-    channel->send(Watch{job});
-    auto heard = Clock::now();
-    auto asked = heard;
-    const auto look = [&] {
-        channel->send(StatusQuery{});
-        ++cluster_statuses_due;
-    };
-    if (looked) {
-        look();
-    }
-    while (true) {
-        const Result<Message> message =
-            co_await receive(looked ? timing::watch_look_period : timing::answer_timeout);
-        const auto now = Clock::now();
-        if (!message && (message.error().code != ErrorCode::Timeout ||
-                         now - heard > 2 * timing::answer_timeout)) {
-            co_return message.error();
-        }
-        if (!message || (looked && now - asked > timing::watch_look_period_going_on)) {
-            look();
-            asked = now;
+    template <class T>
+    asio::awaitable<Result<T>> answer(Clock::duration timeout) {
+        Result<Message> message = co_await receive(timeout);
+        while (message && cluster_statuses_due != 0 &&
+               std::holds_alternative<ClusterStatus>(message.value())) {
+            --cluster_statuses_due;
+            message = co_await receive(timeout);
         }
         if (!message) {
-            continue;
+            co_return message.error();
         }
-        heard = now;
-        if (const auto* cluster = std::get_if<ClusterStatus>(&message.value())) {
-            cluster_statuses_due -= cluster_statuses_due == 0 ? 0 : 1;
-            if (looked) {
-                looked(*cluster);
-            }
-            continue;
+        if (auto* expected = std::get_if<T>(&message.value())) {
+            co_return std::move(*expected);
         }
         if (const auto* failure = std::get_if<Failure>(&message.value())) {
             co_return Error{failure->code, failure->detail};
         }
-        const auto* status = std::get_if<JobStatus>(&message.value());
-        if (status == nullptr) {
-            continue;
+        co_return Error{ErrorCode::BadFrame,
+                        "the master at " + address + " answers something else"};
+    }
+
+    template <class T>
+    asio::awaitable<Result<T>> ask(Message question) {
+        channel->send(question);
+        co_return co_await answer<T>(timing::answer_timeout);
+    }
+
+    asio::awaitable<Status> open(Target target) {
+        Result<std::shared_ptr<Channel>> connected = co_await connect(std::move(target));
+        if (!connected) {
+            co_return connected.error();
         }
-        changed(*status);
-        if (status->state != JobState::Running) {
-            co_return *status;
+        channel = std::move(connected.value());
+        const Result<Welcome> welcome = co_await greet(channel, make_hello());
+        if (!welcome) {
+            co_return welcome.error();
+        }
+        owner = welcome.value().owner;
+        co_return Done{};
+    }
+
+    asio::awaitable<Status> upload(std::span<const NamedMesh> meshes,
+                                   const UploadProgress& progress) {
+        MeshesQuery query;
+        for (const NamedMesh& mesh : meshes) {
+            query.meshes.push_back(mesh.mesh->hash());
+        }
+        const auto missing = co_await ask<MeshesMissing>(query);
+        if (!missing) {
+            co_return missing.error();
+        }
+        std::set<Sha256> wanted(missing.value().meshes.begin(), missing.value().meshes.end());
+        for (const NamedMesh& mesh : meshes) {
+            if (wanted.erase(mesh.mesh->hash()) == 0) {
+                continue;
+            }
+            if (Status status = co_await upload_one(mesh, progress); !status) {
+                co_return status;
+            }
+        }
+        co_return Done{};
+    }
+
+    asio::awaitable<Status> upload_one(const NamedMesh& mesh, const UploadProgress& progress) {
+        const Bytes bytes = mesh.mesh->canonical_bytes();
+        progress(mesh, 0, bytes.size());
+        for (std::size_t offset = 0; offset < bytes.size(); offset += limits::mesh_piece_bytes) {
+            if (Status status = co_await make_room(); !status) {
+                co_return status;
+            }
+            const auto piece = std::span(bytes).subspan(
+                offset, std::min(limits::mesh_piece_bytes, bytes.size() - offset));
+            channel->send(MeshPart{mesh.mesh->hash(),
+                                   escaped(mesh.name),
+                                   bytes.size(),
+                                   offset,
+                                   Bytes(piece.begin(), piece.end())});
+            progress(mesh, offset + piece.size(), bytes.size());
+        }
+        const auto stored = co_await answer<MeshStored>(timing::mesh_stored_timeout);
+        if (!stored) {
+            const std::string what = mesh.name + " (" +
+                                     cell_text(static_cast<double>(bytes.size()), CellKind::Size) +
+                                     ")";
+            co_return stored.error().code == ErrorCode::Io ? no_room(what, stored.error())
+                                                           : stored.error();
+        }
+        if (stored.value().mesh != mesh.mesh->hash()) {
+            co_return Error{ErrorCode::BadFrame,
+                            "the master confirms another mesh than it was sent"};
+        }
+        co_return Done{};
+    }
+
+    asio::awaitable<Result<JobId>>
+    submit(Submit submit, PoseSource* poses, const PoseLabels& labels) {
+        channel->send(submit);
+        for (std::uint64_t sent = 0; poses != nullptr && sent < submit.scenarios;) {
+            const auto run = poses->read(sent, std::min(poses_together, submit.scenarios - sent));
+            if (!run) {
+                co_return run.error();
+            }
+            if (const Status status = co_await make_room(); !status) {
+                co_return status.error();
+            }
+            channel->send(
+                PosesPart{pack_scenarios(run.value()), labels.slice(sent, run.value().size())});
+            sent += run.value().size();
+        }
+        if (poses != nullptr) {
+            channel->send(PosesEnd{});
+        }
+        const auto accepted = co_await answer<Accepted>(timing::mesh_stored_timeout);
+        if (!accepted) {
+            const std::string what = "the poses of " + counted(submit.scenarios, "scenario");
+            co_return accepted.error().code == ErrorCode::Io ? no_room(what, accepted.error())
+                                                             : accepted.error();
+        }
+        co_return accepted.value().job;
+    }
+
+    /// The master may send no status of a job for a long time. The client therefore queries the
+    /// cluster's status after each silence and periodically. An unanswered query reveals a dead
+    /// master.
+    asio::awaitable<Result<JobStatus>>
+    watch(JobId job,
+          const std::function<void(const JobStatus&)>& changed,
+          const std::function<void(const ClusterStatus&)>& looked) {
+        channel->send(Watch{job});
+        auto heard = Clock::now();
+        auto asked = heard;
+        const auto look = [&] {
+            channel->send(StatusQuery{});
+            ++cluster_statuses_due;
+        };
+        if (looked) {
+            look();
+        }
+        while (true) {
+            const Result<Message> message =
+                co_await receive(looked ? timing::watch_look_period : timing::answer_timeout);
+            const auto now = Clock::now();
+            if (!message && (message.error().code != ErrorCode::Timeout ||
+                             now - heard > 2 * timing::answer_timeout)) {
+                co_return message.error();
+            }
+            if (!message || (looked && now - asked > timing::watch_look_period_going_on)) {
+                look();
+                asked = now;
+            }
+            if (!message) {
+                continue;
+            }
+            heard = now;
+            if (const auto* cluster = std::get_if<ClusterStatus>(&message.value())) {
+                cluster_statuses_due -= cluster_statuses_due == 0 ? 0 : 1;
+                if (looked) {
+                    looked(*cluster);
+                }
+                continue;
+            }
+            if (const auto* failure = std::get_if<Failure>(&message.value())) {
+                co_return Error{failure->code, failure->detail};
+            }
+            const auto* status = std::get_if<JobStatus>(&message.value());
+            if (status == nullptr) {
+                continue;
+            }
+            changed(*status);
+            if (status->state != JobState::Running) {
+                co_return *status;
+            }
         }
     }
-}
 
-/// Statuses for an interrupted `watch` may arrive before the answer to Cancel, so those of a
-/// running job are skipped.
-asio::awaitable<Result<JobStatus>> Connection::State::cancel(JobId job) {
-    channel->send(Cancel{job});
-    while (true) {
-        Result<JobStatus> status = co_await answer<JobStatus>(timing::answer_timeout);
-        if (!status || status.value().state != JobState::Running) {
-            co_return status;
+    /// Statuses for an interrupted `watch` may arrive before the answer to Cancel, so those of a
+    /// running job are skipped.
+    asio::awaitable<Result<JobStatus>> cancel(JobId job) {
+        channel->send(Cancel{job});
+        while (true) {
+            Result<JobStatus> status = co_await answer<JobStatus>(timing::answer_timeout);
+            if (!status || status.value().state != JobState::Running) {
+                co_return status;
+            }
         }
     }
-}
-
-// ---- The connection -------------------------------------------------------------------------
+};
 
 Connection::Connection(std::unique_ptr<State> state) : state_(std::move(state)) {}
 
@@ -408,21 +384,13 @@ Result<std::unique_ptr<Connection>> Connection::open(const std::string& address,
                                                      bool insecure,
                                                      std::function<bool()> stopped,
                                                      std::shared_ptr<const Tls> tls) {
-    const Result<Endpoint> endpoint = parse_endpoint(address);
-    if (!endpoint) {
-        return endpoint.error();
-    }
+    const Endpoint endpoint = CD_TRY(parse_endpoint(address));
     const Exposure exposure{tls != nullptr, insecure, false};
-    if (const Status exposed = check_exposure(endpoint.value(), exposure); !exposed) {
-        return exposed.error();
-    }
+    CD_TRY(check_exposure(endpoint, exposure));
     auto state = std::make_unique<State>();
     state->address = address;
     state->stopped = std::move(stopped);
-    if (const Status opened = state->run(state->open({endpoint.value(), std::move(tls)}));
-        !opened) {
-        return opened.error();
-    }
+    CD_TRY(state->run(state->open({endpoint, std::move(tls)})));
     return std::unique_ptr<Connection>(new Connection(std::move(state)));
 }
 
@@ -454,21 +422,13 @@ Status Connection::fetch(JobId job,
                          const std::function<Status(const ScenarioResult&)>& take) {
     std::uint64_t next = first;
     while (next - first < count) {
-        const auto part =
-            state_->run(state_->ask<ResultsPart>(ResultsQuery{job, next, count - (next - first)}));
-        if (!part) {
-            return part.error();
+        const auto part = CD_TRY(
+            state_->run(state_->ask<ResultsPart>(ResultsQuery{job, next, count - (next - first)})));
+        const auto results = CD_TRY(unpack_results(part, next, count - (next - first)));
+        for (const ScenarioResult& result : results) {
+            CD_TRY(take(result));
         }
-        const auto results = unpack_results(part.value(), next, count - (next - first));
-        if (!results) {
-            return results.error();
-        }
-        for (const ScenarioResult& result : results.value()) {
-            if (Status taken = take(result); !taken) {
-                return taken;
-            }
-        }
-        next = part.value().next;
+        next = part.next;
     }
     return Done{};
 }
@@ -485,11 +445,9 @@ Result<Mesh> Connection::fetch_mesh(const Sha256& mesh) {
     Bytes bytes;
     std::uint64_t total = 0;
     do {
-        const auto part = state_->run(state_->ask<MeshBytes>(MeshQuery{mesh, bytes.size()}));
-        if (!part) {
-            return part.error();
-        }
-        const MeshBytes& came = part.value();
+        const auto part =
+            CD_TRY(state_->run(state_->ask<MeshBytes>(MeshQuery{mesh, bytes.size()})));
+        const MeshBytes& came = part;
         total = came.bytes_total;
         if (came.mesh != mesh || came.offset != bytes.size() || came.bytes.empty()) {
             return Error{ErrorCode::BadFrame, "the master sent another mesh than was asked for"};
@@ -507,14 +465,8 @@ Result<FetchedPoses> Connection::fetch_poses(JobId job, std::uint64_t first, std
     while (all.scenarios.size() < count) {
         const std::uint64_t next = first + all.scenarios.size();
         const std::uint64_t left = count - all.scenarios.size();
-        const auto part = state_->run(state_->ask<JobPoses>(PosesQuery{job, next, left}));
-        if (!part) {
-            return part.error();
-        }
-        const Status taken = take_poses(part.value(), next, left, all);
-        if (!taken) {
-            return taken.error();
-        }
+        const auto part = CD_TRY(state_->run(state_->ask<JobPoses>(PosesQuery{job, next, left})));
+        CD_TRY(take_poses(part, next, left, all));
     }
     return all;
 }

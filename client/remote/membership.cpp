@@ -1,11 +1,11 @@
 #include "client/remote/membership.hpp"
 
+#include "client/base/errors.hpp"
 #include "common/core/files/state_folder.hpp"
 #include "proto/access/credential_file.hpp"
 #include "proto/access/join.hpp"
 
 #include <cstdio>
-#include <optional>
 #include <utility>
 
 namespace cd {
@@ -40,13 +40,8 @@ Result<Credential> renewed(const Endpoint& master,
                            std::shared_ptr<const Tls> tls,
                            const std::filesystem::path& path,
                            const std::stop_token& stop) {
-    Result<Credential> credential = run(renew_credential(master, std::move(tls)), stop);
-    if (!credential) {
-        return credential;
-    }
-    if (const Status written = write_credential(path, credential.value()); !written) {
-        return written.error();
-    }
+    Credential credential = CD_TRY(run(renew_credential(master, std::move(tls)), stop));
+    CD_TRY(write_credential(path, credential));
     return credential;
 }
 
@@ -109,17 +104,10 @@ Result<Identity> join_as_client(const Endpoint& master,
                                 const std::string& name,
                                 const std::filesystem::path& path) {
     // A join consumes a use of the token, so check first that the credential can be written.
-    if (const Status can_write = check_can_write(path); !can_write) {
-        return can_write.error();
-    }
-    const Result<Credential> credential = run(join_cluster(master, token, name));
-    if (!credential) {
-        return credential.error();
-    }
-    if (const Status written = write_credential(path, credential.value()); !written) {
-        return written.error();
-    }
-    return read_identity(credential.value().certificate);
+    CD_TRY(check_can_write(path));
+    const Credential credential = CD_TRY(run(join_cluster(master, token, name)));
+    CD_TRY(write_credential(path, credential));
+    return read_identity(credential.certificate);
 }
 
 } // namespace cd

@@ -1,5 +1,6 @@
 #include "client/remote/mesh_cache.hpp"
 
+#include "client/base/errors.hpp"
 #include "client/trees/tree_cache.hpp"
 
 #include <array>
@@ -20,28 +21,17 @@ std::filesystem::path mesh_file_path(const std::filesystem::path& folder, const 
 }
 
 Status write_mesh_file(const std::filesystem::path& path, const Mesh& mesh, Durability durability) {
-    auto file = DiskFile::create_for(path);
-    if (!file) {
-        return file.error();
-    }
-    if (Status written = file.value().write_at(0, mesh.canonical_bytes()); !written) {
-        return written;
-    }
-    return file.value().commit(durability);
+    auto file = CD_TRY(DiskFile::create_for(path));
+    CD_TRY(file.write_at(0, mesh.canonical_bytes()));
+    return file.commit(durability);
 }
 
 Result<std::shared_ptr<const Mesh>> read_mesh_file(const std::filesystem::path& path,
                                                    const Sha256& expected) {
-    const auto file = DiskFile::open(path);
-    if (!file) {
-        return file.error();
-    }
-    const auto size = file.value().size();
-    const auto bytes = size ? file.value().read_at(0, size.value()) : Result<Bytes>(size.error());
-    if (!bytes) {
-        return bytes.error();
-    }
-    auto mesh = Mesh::from_canonical_bytes(bytes.value());
+    const auto file = CD_TRY(DiskFile::open(path));
+    const auto size = file.size();
+    const auto bytes = CD_TRY(size ? file.read_at(0, size.value()) : Result<Bytes>(size.error()));
+    auto mesh = Mesh::from_canonical_bytes(bytes);
     if (!mesh || mesh.value().hash() != expected) {
         return Error{ErrorCode::Io, path.string() + " is damaged: it has another SHA-256"};
     }

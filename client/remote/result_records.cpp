@@ -1,5 +1,6 @@
 #include "client/remote/result_records.hpp"
 
+#include "client/base/errors.hpp"
 #include "common/core/limits/engine.hpp"
 #include "common/job/result/packed_records.hpp"
 
@@ -12,12 +13,9 @@ unpack_results(const ResultsPart& part, std::uint64_t first, std::uint64_t count
     if (part.first != first || part.next <= first || part.next - first > count) {
         return Error{ErrorCode::BadFrame, "the master sent other results than were asked for"};
     }
-    const Result<Bytes> records = unpack_records(part.records, limits::results_bytes_max);
-    if (!records) {
-        return records.error();
-    }
+    const Bytes records = CD_TRY(unpack_records(part.records, limits::results_bytes_max));
     std::vector<ScenarioResult> results;
-    ByteReader in(records.value());
+    ByteReader in(records);
     for (const ScenarioInterval& run : part.held) {
         // `run.count` is untrusted, but the loop ends when `records` has no more bytes.
         for (std::uint64_t i = 0; i < run.count; ++i) {
@@ -25,14 +23,11 @@ unpack_results(const ResultsPart& part, std::uint64_t first, std::uint64_t count
             if (in.failed()) {
                 break;
             }
-            Result<ScenarioResult> result = decode_result(record);
-            if (!result) {
-                return result.error();
-            }
-            if (result.value().index != run.first + i) {
+            ScenarioResult result = CD_TRY(decode_result(record));
+            if (result.index != run.first + i) {
                 return Error{ErrorCode::BadFrame, "the master sent results out of their order"};
             }
-            results.push_back(std::move(result.value()));
+            results.push_back(std::move(result));
         }
     }
     if (!in.complete()) {

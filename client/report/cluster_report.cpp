@@ -49,16 +49,12 @@ std::string utc_text(std::uint64_t unix_seconds) {
 
 std::size_t count_running(const ClusterStatus& status) {
     return static_cast<std::size_t>(
-        std::count_if(status.jobs.begin(), status.jobs.end(), [](const JobStatus& job) {
-            return job.state == JobState::Running;
-        }));
+        std::ranges::count(status.jobs, JobState::Running, &JobStatus::state));
 }
 
 std::size_t count_here(const ClusterStatus& status) {
-    return static_cast<std::size_t>(
-        std::count_if(status.workers.begin(), status.workers.end(), [](const WorkerStatus& worker) {
-            return worker.state != WorkerState::Lost;
-        }));
+    const auto lost = std::ranges::count(status.workers, WorkerState::Lost, &WorkerStatus::state);
+    return status.workers.size() - static_cast<std::size_t>(lost);
 }
 
 std::uint64_t contacts_of(const Summary& summary) {
@@ -66,7 +62,8 @@ std::uint64_t contacts_of(const Summary& summary) {
 }
 
 /// The number of triangle pairs that a stage after floats decided.
-std::uint64_t past_float(const PairStatistics& decisions) {
+std::uint64_t past_float(const JobStatus& job) {
+    const PairStatistics& decisions = job.statistics.search.decisions;
     return decisions.total() - decisions[PairStage::Float];
 }
 
@@ -98,139 +95,111 @@ double master_share(const ClusterStatus& before, const ClusterStatus& after) {
 } // namespace
 
 Table jobs_table(const ClusterStatus& status) {
-    Table table;
-    table.columns = {{"job", "JOB", CellKind::Text},
-                     {"name", "NAME", CellKind::Text},
-                     {"state", "STATE", CellKind::Text},
-                     {"owner", "OWNER", CellKind::Text},
-                     {"began", "BEGAN", CellKind::Text},
-                     {"scenarios", "SCENARIOS", CellKind::Count},
-                     {"done", "DONE", CellKind::Count},
-                     {"contact", "CONTACT", CellKind::Count},
-                     {"failed", "FAILED", CellKind::Count},
-                     {"pairs", "PAIRS", CellKind::Count},
-                     {"seconds", "TIME", CellKind::Seconds},
-                     {"scenarios_per_second", "RATE", CellKind::Rate},
-                     {"digest", "DIGEST", CellKind::Text},
-                     {"answered_by_master", "BY MASTER", CellKind::Count, true},
-                     {"box_tests", "BOX TESTS", CellKind::Count, true},
-                     {"triangle_tests", "TRIANGLE TESTS", CellKind::Count, true},
-                     {"past_float", "PAST FLOAT", CellKind::Count, true},
-                     {"compute_seconds", "COMPUTE", CellKind::Seconds, true},
-                     {"inside_scenarios", "INSIDE?", CellKind::Count, true},
-                     {"inside_seconds", "FOR INSIDE", CellKind::Seconds, true},
-                     {"withdrawn", "WITHDRAWN", CellKind::Count, true},
-                     {"recalled", "RECALLED", CellKind::Count, true},
-                     {"copies", "COPIES", CellKind::Count, true},
-                     {"copies_won", "COPIES WON", CellKind::Count, true},
-                     {"depths", "DEPTHS", CellKind::Text, true},
-                     {"master_bytes", "FROM MASTER", CellKind::Size, true},
-                     {"peer_bytes", "FROM PEERS", CellKind::Size, true},
-                     {"cache_hits", "FOUND", CellKind::Count, true},
-                     {"cache_misses", "ASKED FOR", CellKind::Count, true},
-                     {"hinted", "AHEAD", CellKind::Count, true},
-                     {"evictions", "EVICTED", CellKind::Count, true},
-                     {"result_bytes", "RESULTS", CellKind::Size, true},
-                     {"failure", "FAILURE", CellKind::Text, true}};
+    using enum CellKind;
+    using Job = JobStatus;
     const std::vector<JobId> ids = ids_of(status.jobs);
-    for (const JobStatus& job : status.jobs) {
-        table.rows.push_back({job_id_text(job.job, ids),
-                              job.name,
-                              std::string(job.paused.empty() ? to_text(job.state) : "paused"),
-                              job.owner,
-                              utc_text(job.began),
-                              job.summary.total,
-                              job.summary.merged(),
-                              contacts_of(job.summary),
-                              job.summary.failed,
-                              job.summary.pairs,
-                              job.seconds,
-                              job.scenarios_per_second,
-                              job.digest ? to_short_hex(*job.digest) : std::string(),
-                              job.answered_by_master,
-                              job.statistics.search.box_tests,
-                              job.statistics.search.triangle_tests,
-                              past_float(job.statistics.search.decisions),
-                              job.compute_seconds,
-                              job.statistics.inside.scenarios,
-                              job.statistics.inside.seconds,
-                              job.withdrawn,
-                              job.recalled,
-                              job.copies,
-                              job.copies_won,
-                              job.depths,
-                              job.traffic.blocks.master_bytes,
-                              job.traffic.blocks.peer_bytes,
-                              job.traffic.blocks.hits,
-                              job.traffic.blocks.misses,
-                              job.traffic.blocks.hinted,
-                              job.traffic.blocks.evictions,
-                              job.traffic.result_bytes,
-                              job.failure});
-    }
-    return table;
+    const auto state = [](const Job& job) {
+        return std::string(job.paused.empty() ? to_text(job.state) : "paused");
+    };
+    const auto digest = [](const Job& job) { return job.digest ? to_short_hex(*job.digest) : ""; };
+    const auto in_search = [](auto member) {
+        return [member](const Job& job) { return job.statistics.search.*member; };
+    };
+    const auto in_inside = [](auto member) {
+        return [member](const Job& job) { return job.statistics.inside.*member; };
+    };
+    const auto in_blocks = [](auto member) {
+        return [member](const Job& job) { return job.traffic.blocks.*member; };
+    };
+    TableOf<Job> table(status.jobs);
+    table.add("job", "JOB", Text, [&](const Job& job) { return job_id_text(job.job, ids); });
+    table.add("name", "NAME", Text, &Job::name);
+    table.add("state", "STATE", Text, state);
+    table.add("owner", "OWNER", Text, &Job::owner);
+    table.add("began", "BEGAN", Text, [](const Job& job) { return utc_text(job.began); });
+    table.add("scenarios", "SCENARIOS", Count, [](const Job& job) { return job.summary.total; });
+    table.add("done", "DONE", Count, [](const Job& job) { return job.summary.merged(); });
+    table.add("contact", "CONTACT", Count, [](const Job& job) { return contacts_of(job.summary); });
+    table.add("failed", "FAILED", Count, [](const Job& job) { return job.summary.failed; });
+    table.add("pairs", "PAIRS", Count, [](const Job& job) { return job.summary.pairs; });
+    table.add("seconds", "TIME", Seconds, &Job::seconds);
+    table.add("scenarios_per_second", "RATE", Rate, &Job::scenarios_per_second);
+    table.add("digest", "DIGEST", Text, digest);
+    table.add_wide("answered_by_master", "BY MASTER", Count, &Job::answered_by_master);
+    table.add_wide("box_tests", "BOX TESTS", Count, in_search(&QueryStatistics::box_tests));
+    table.add_wide(
+        "triangle_tests", "TRIANGLE TESTS", Count, in_search(&QueryStatistics::triangle_tests));
+    table.add_wide("past_float", "PAST FLOAT", Count, past_float);
+    table.add_wide("compute_seconds", "COMPUTE", Seconds, &Job::compute_seconds);
+    table.add_wide("inside_scenarios", "INSIDE?", Count, in_inside(&InsideStatistics::scenarios));
+    table.add_wide("inside_seconds", "FOR INSIDE", Seconds, in_inside(&InsideStatistics::seconds));
+    table.add_wide("withdrawn", "WITHDRAWN", Count, &Job::withdrawn);
+    table.add_wide("recalled", "RECALLED", Count, &Job::recalled);
+    table.add_wide("copies", "COPIES", Count, &Job::copies);
+    table.add_wide("copies_won", "COPIES WON", Count, &Job::copies_won);
+    table.add_wide("depths", "DEPTHS", Text, &Job::depths);
+    table.add_wide("master_bytes", "FROM MASTER", Size, in_blocks(&BlockTraffic::master_bytes));
+    table.add_wide("peer_bytes", "FROM PEERS", Size, in_blocks(&BlockTraffic::peer_bytes));
+    table.add_wide("cache_hits", "FOUND", Count, in_blocks(&BlockTraffic::hits));
+    table.add_wide("cache_misses", "ASKED FOR", Count, in_blocks(&BlockTraffic::misses));
+    table.add_wide("hinted", "AHEAD", Count, in_blocks(&BlockTraffic::hinted));
+    table.add_wide("evictions", "EVICTED", Count, in_blocks(&BlockTraffic::evictions));
+    table.add_wide(
+        "result_bytes", "RESULTS", Size, [](const Job& job) { return job.traffic.result_bytes; });
+    table.add_wide("failure", "FAILURE", Text, &Job::failure);
+    return table.take();
 }
 
 Table workers_table(const ClusterStatus& status) {
-    Table table;
-    table.columns = {{"worker", "WORKER", CellKind::Text},
-                     {"name", "NAME", CellKind::Text},
-                     {"state", "STATE", CellKind::Text},
-                     {"threads", "THREADS", CellKind::Count},
-                     {"buffered", "BUFFERED", CellKind::Count},
-                     {"working", "WORKING", CellKind::Count},
-                     {"scenarios", "DONE", CellKind::Count},
-                     {"scenarios_per_second", "RATE", CellKind::Rate},
-                     {"bytes_sent", "SENT", CellKind::Size},
-                     {"bytes_received", "RECEIVED", CellKind::Size},
-                     {"cached_bytes", "CACHED", CellKind::Size},
-                     {"subtree_bytes_sent", "FROM MASTER", CellKind::Size},
-                     {"peer_bytes", "FROM PEERS", CellKind::Size},
-                     {"cache_hit_share", "HITS", CellKind::Share},
-                     {"cache_bytes", "CACHE", CellKind::Size, true},
-                     {"tasks", "TASKS", CellKind::Count, true},
-                     {"subtrees_sent", "SUBTREES", CellKind::Count, true},
-                     {"uploaded_bytes", "TO PEERS", CellKind::Size, true},
-                     {"cache_hits", "FOUND", CellKind::Count, true},
-                     {"cache_misses", "ASKED FOR", CellKind::Count, true},
-                     {"hinted", "AHEAD", CellKind::Count, true},
-                     {"evictions", "EVICTED", CellKind::Count, true}};
-    for (const WorkerStatus& worker : status.workers) {
-        const BlockTraffic& blocks = worker.cache.blocks;
-        table.rows.push_back({worker_name(worker),  worker.name,
-                              worker_state(worker), std::uint64_t{worker.threads},
-                              worker.buffered,      worker.working,
-                              worker.scenarios,     worker.scenarios_per_second,
-                              worker.bytes_sent,    worker.bytes_received,
-                              worker.cached_bytes,  worker.subtree_bytes_sent,
-                              blocks.peer_bytes,    hit_share(blocks),
-                              worker.cache_bytes,   worker.tasks,
-                              worker.subtrees_sent, worker.cache.uploaded_bytes,
-                              blocks.hits,          blocks.misses,
-                              blocks.hinted,        blocks.evictions});
-    }
-    return table;
+    using enum CellKind;
+    using Worker = WorkerStatus;
+    const auto in_blocks = [](auto member) {
+        return [member](const Worker& worker) { return worker.cache.blocks.*member; };
+    };
+    TableOf<Worker> table(status.workers);
+    table.add("worker", "WORKER", Text, worker_name);
+    table.add("name", "NAME", Text, &Worker::name);
+    table.add("state", "STATE", Text, worker_state);
+    table.add("threads", "THREADS", Count, &Worker::threads);
+    table.add("buffered", "BUFFERED", Count, &Worker::buffered);
+    table.add("working", "WORKING", Count, &Worker::working);
+    table.add("scenarios", "DONE", Count, &Worker::scenarios);
+    table.add("scenarios_per_second", "RATE", Rate, &Worker::scenarios_per_second);
+    table.add("bytes_sent", "SENT", Size, &Worker::bytes_sent);
+    table.add("bytes_received", "RECEIVED", Size, &Worker::bytes_received);
+    table.add("cached_bytes", "CACHED", Size, &Worker::cached_bytes);
+    table.add("subtree_bytes_sent", "FROM MASTER", Size, &Worker::subtree_bytes_sent);
+    table.add("peer_bytes", "FROM PEERS", Size, in_blocks(&BlockTraffic::peer_bytes));
+    table.add("cache_hit_share", "HITS", Share, [](const Worker& worker) {
+        return hit_share(worker.cache.blocks);
+    });
+    table.add_wide("cache_bytes", "CACHE", Size, &Worker::cache_bytes);
+    table.add_wide("tasks", "TASKS", Count, &Worker::tasks);
+    table.add_wide("subtrees_sent", "SUBTREES", Count, &Worker::subtrees_sent);
+    table.add_wide("uploaded_bytes", "TO PEERS", Size, [](const Worker& worker) {
+        return worker.cache.uploaded_bytes;
+    });
+    table.add_wide("cache_hits", "FOUND", Count, in_blocks(&BlockTraffic::hits));
+    table.add_wide("cache_misses", "ASKED FOR", Count, in_blocks(&BlockTraffic::misses));
+    table.add_wide("hinted", "AHEAD", Count, in_blocks(&BlockTraffic::hinted));
+    table.add_wide("evictions", "EVICTED", Count, in_blocks(&BlockTraffic::evictions));
+    return table.take();
 }
 
 Table meshes_table(const ClusterStatus& status) {
-    Table table;
-    table.columns = {{"mesh", "MESH", CellKind::Text},
-                     {"name", "NAME", CellKind::Text},
-                     {"triangles", "TRIANGLES", CellKind::Count},
-                     {"bytes", "BYTES", CellKind::Size},
-                     {"build_seconds", "TREE BUILT IN", CellKind::Seconds},
-                     {"needed", "NEEDED", CellKind::Text},
-                     {"sha256", "SHA-256", CellKind::Text, true}};
-    for (const MeshStatus& mesh : status.meshes) {
-        table.rows.push_back({to_short_hex(mesh.mesh),
-                              mesh.name,
-                              mesh.triangles,
-                              mesh.bytes,
-                              mesh.build_seconds,
-                              std::string(mesh.is_needed ? "yes" : "no"),
-                              to_hex(mesh.mesh)});
-    }
-    return table;
+    using enum CellKind;
+    TableOf<MeshStatus> table(status.meshes);
+    table.add("mesh", "MESH", Text, [](const MeshStatus& mesh) { return to_short_hex(mesh.mesh); });
+    table.add("name", "NAME", Text, &MeshStatus::name);
+    table.add("triangles", "TRIANGLES", Count, &MeshStatus::triangles);
+    table.add("bytes", "BYTES", Size, &MeshStatus::bytes);
+    table.add("build_seconds", "TREE BUILT IN", Seconds, &MeshStatus::build_seconds);
+    table.add("needed", "NEEDED", Text, [](const MeshStatus& mesh) {
+        return mesh.is_needed ? "yes" : "no";
+    });
+    table.add_wide(
+        "sha256", "SHA-256", Text, [](const MeshStatus& mesh) { return to_hex(mesh.mesh); });
+    return table.take();
 }
 
 std::string bottleneck_text(const ClusterStatus& before, const ClusterStatus& after) {
@@ -383,13 +352,11 @@ nlohmann::ordered_json long_scenarios_json(const ClusterStatus& status) {
     nlohmann::ordered_json list = nlohmann::ordered_json::array();
     for (const JobStatus& job : status.jobs) {
         for (const LongScenario& one : job.long_scenarios) {
-            nlohmann::ordered_json entry;
-            entry["job"] = job_id_text(job.job, ids);
-            entry["scenario"] = one.scenario;
-            entry["worker"] = "w-" + std::to_string(one.worker.value);
-            entry["name"] = one.name;
-            entry["seconds"] = one.seconds;
-            list.push_back(std::move(entry));
+            list.push_back({{"job", job_id_text(job.job, ids)},
+                            {"scenario", one.scenario},
+                            {"worker", "w-" + std::to_string(one.worker.value)},
+                            {"name", one.name},
+                            {"seconds", one.seconds}});
         }
     }
     return list;
@@ -398,35 +365,33 @@ nlohmann::ordered_json long_scenarios_json(const ClusterStatus& status) {
 } // namespace
 
 std::string status_json(const ClusterStatus& before, const ClusterStatus& after) {
-    nlohmann::ordered_json document;
-    document["build"] = after.build;
-    document["uptime_seconds"] = after.uptime_seconds;
-    document["cpu_seconds"] = after.cpu_seconds;
-    document["jobs"] = nlohmann::ordered_json::parse(table_json(jobs_table(after)));
-    document["workers"] = nlohmann::ordered_json::parse(table_json(workers_table(after)));
-    document["meshes"] = nlohmann::ordered_json::parse(table_json(meshes_table(after)));
-    document["alarms"] = after.alarms;
-    document["alarm_count"] = after.alarm_count;
-    document["workers_lost"] = after.workers_lost;
-    document["sessions_resumed"] = after.sessions_resumed;
-    document["scenarios_given_back"] = after.scenarios_given_back;
-    document["state_bytes"] = {{"results", after.sizes.results},
-                               {"poses", after.sizes.poses},
-                               {"meshes", after.sizes.meshes},
-                               {"trees", after.sizes.trees},
-                               {"journal", after.sizes.journal},
-                               {"free", after.sizes.free}};
-    document["long_scenarios"] = long_scenarios_json(after);
-    document["paused"] = paused_text(after);
-    document["bottleneck"] = bottleneck_text(before, after);
-    return document.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+    return json_text({{"build", after.build},
+                      {"uptime_seconds", after.uptime_seconds},
+                      {"cpu_seconds", after.cpu_seconds},
+                      {"jobs", table_json(jobs_table(after))},
+                      {"workers", table_json(workers_table(after))},
+                      {"meshes", table_json(meshes_table(after))},
+                      {"alarms", after.alarms},
+                      {"alarm_count", after.alarm_count},
+                      {"workers_lost", after.workers_lost},
+                      {"sessions_resumed", after.sessions_resumed},
+                      {"scenarios_given_back", after.scenarios_given_back},
+                      {"state_bytes",
+                       {{"results", after.sizes.results},
+                        {"poses", after.sizes.poses},
+                        {"meshes", after.sizes.meshes},
+                        {"trees", after.sizes.trees},
+                        {"journal", after.sizes.journal},
+                        {"free", after.sizes.free}}},
+                      {"long_scenarios", long_scenarios_json(after)},
+                      {"paused", paused_text(after)},
+                      {"bottleneck", bottleneck_text(before, after)}});
 }
 
 std::string job_json(const JobStatus& job) {
     ClusterStatus alone;
     alone.jobs.push_back(job);
-    const auto list = nlohmann::ordered_json::parse(table_json(jobs_table(alone)));
-    return list.front().dump(2) + "\n";
+    return json_text(table_json(jobs_table(alone)).front());
 }
 
 } // namespace cd

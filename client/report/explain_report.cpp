@@ -1,85 +1,65 @@
 #include "client/report/explain_report.hpp"
 
 #include "client/base/table.hpp"
+#include "client/base/words.hpp"
 
 #include <nlohmann/json.hpp>
 
-#include <array>
-#include <cstdio>
+#include <functional>
 
 namespace cd {
 
 namespace {
-
-std::string milliseconds(double seconds) {
-    std::array<char, 64> text{};
-    std::snprintf(text.data(), text.size(), "%.3f", 1e3 * seconds);
-    return text.data();
-}
 
 double total(const WorkerScore& score) {
     return score.backlog + score.coming + score.transfer + score.blocks + score.eviction +
            score.work;
 }
 
-Table table_by_triangles(const Explained& explained) {
-    Table table;
-    table.columns = {{"worker", "WORKER", CellKind::Text},
-                     {"name", "NAME", CellKind::Text},
-                     {"held", "HELD", CellKind::Count},
-                     {"missing", "MISSING", CellKind::Count},
-                     {"load", "LOAD", CellKind::Share},
-                     {"scenarios", "SCENARIOS", CellKind::Count},
-                     {"chosen", "", CellKind::Text}};
-    for (const WorkerScore& score : explained.workers) {
-        table.rows.push_back({"w-" + std::to_string(score.worker.value),
-                              score.name,
-                              score.held_triangles,
-                              score.missing_triangles,
-                              score.load,
-                              score.scenarios,
-                              score.is_chosen ? "chosen" : (score.may_take ? "" : "takes none")});
-    }
-    return table;
+std::string worker_name(const WorkerScore& score) {
+    return "w-" + std::to_string(score.worker.value);
 }
 
-Table table_by_time(const Explained& explained) {
-    Table table;
-    table.columns = {{"worker", "WORKER", CellKind::Text},
-                     {"name", "NAME", CellKind::Text},
-                     {"backlog", "BACKLOG", CellKind::Text},
-                     {"coming", "COMING", CellKind::Text},
-                     {"transfer", "TRANSFER", CellKind::Text},
-                     {"blocks", "BLOCKS", CellKind::Text},
-                     {"eviction", "EVICTION", CellKind::Text},
-                     {"work", "WORK", CellKind::Text},
-                     {"total", "TOTAL MS", CellKind::Text},
-                     {"chosen", "", CellKind::Text}};
-    for (const WorkerScore& score : explained.workers) {
-        table.rows.push_back({"w-" + std::to_string(score.worker.value),
-                              score.name,
-                              milliseconds(score.backlog),
-                              milliseconds(score.coming),
-                              milliseconds(score.transfer),
-                              milliseconds(score.blocks),
-                              milliseconds(score.eviction),
-                              milliseconds(score.work),
-                              milliseconds(total(score)),
-                              score.is_chosen ? "chosen" : (score.may_take ? "" : "takes none")});
+Table score_table(const Explained& explained) {
+    using enum CellKind;
+    using Score = WorkerScore;
+    TableOf<Score> table(explained.workers);
+    table.add("worker", "WORKER", Text, worker_name);
+    table.add("name", "NAME", Text, &Score::name);
+    const auto add_milliseconds = [&](const char* key, const char* title, auto seconds) {
+        table.add(key, title, Text, [seconds](const Score& score) {
+            return fixed_text(1e3 * std::invoke(seconds, score), 3);
+        });
+    };
+    if (explained.is_by_time) {
+        add_milliseconds("backlog", "BACKLOG", &Score::backlog);
+        add_milliseconds("coming", "COMING", &Score::coming);
+        add_milliseconds("transfer", "TRANSFER", &Score::transfer);
+        add_milliseconds("blocks", "BLOCKS", &Score::blocks);
+        add_milliseconds("eviction", "EVICTION", &Score::eviction);
+        add_milliseconds("work", "WORK", &Score::work);
+        add_milliseconds("total", "TOTAL MS", total);
+    } else {
+        table.add("held", "HELD", Count, &Score::held_triangles);
+        table.add("missing", "MISSING", Count, &Score::missing_triangles);
+        table.add("load", "LOAD", Share, &Score::load);
+        table.add("scenarios", "SCENARIOS", Count, &Score::scenarios);
     }
-    return table;
+    table.add("chosen", "", Text, [](const Score& score) {
+        return score.is_chosen ? "chosen" : score.may_take ? "" : "takes none";
+    });
+    return table.take();
 }
 
 nlohmann::ordered_json score_json(const WorkerScore& score, bool by_time) {
-    nlohmann::ordered_json entry;
-    entry["worker"] = "w-" + std::to_string(score.worker.value);
-    entry["name"] = score.name;
-    entry["chosen"] = score.is_chosen;
-    entry["may_take"] = score.may_take;
-    entry["scenarios"] = score.scenarios;
-    entry["load"] = score.load;
-    entry["held_triangles"] = score.held_triangles;
-    entry["missing_triangles"] = score.missing_triangles;
+    nlohmann::ordered_json entry{{"worker", worker_name(score)},
+                                 {"name", score.name},
+                                 {"chosen", score.is_chosen},
+                                 {"may_take", score.may_take},
+                                 {"scenarios", score.scenarios},
+                                 {"load", score.load},
+                                 {"held_triangles", score.held_triangles},
+                                 {"missing_triangles", score.missing_triangles}};
     if (by_time) {
         entry["backlog_ms"] = 1e3 * score.backlog;
         entry["coming_ms"] = 1e3 * score.coming;
@@ -105,22 +85,18 @@ std::string explained_text(const Explained& explained, const std::string& job) {
     text += !is_scored ? "" : "  now chosen  " + explained.why + "\n";
     text += explained.note.empty() ? "" : "  note        " + explained.note + "\n";
     if (!explained.workers.empty()) {
-        text += table_text(explained.is_by_time ? table_by_time(explained)
-                                                : table_by_triangles(explained),
-                           false,
-                           "  ");
+        text += table_text(score_table(explained), false, "  ");
     }
     return text;
 }
 
 std::string explained_json(const Explained& explained, const std::string& job) {
-    nlohmann::ordered_json document;
-    document["job"] = job;
-    document["scenario"] = explained.scenario;
-    document["strategy"] = explained.strategy;
-    document["where"] = explained.where;
-    document["why"] = explained.why;
-    document["note"] = explained.note;
+    nlohmann::ordered_json document{{"job", job},
+                                    {"scenario", explained.scenario},
+                                    {"strategy", explained.strategy},
+                                    {"where", explained.where},
+                                    {"why", explained.why},
+                                    {"note", explained.note}};
     if (!explained.why.empty()) { // Empty once the job has ended.
         document["roots_a"] = explained.roots_a;
         document["roots_b"] = explained.roots_b;
@@ -129,7 +105,7 @@ std::string explained_json(const Explained& explained, const std::string& job) {
     for (const WorkerScore& score : explained.workers) {
         document["workers"].push_back(score_json(score, explained.is_by_time));
     }
-    return document.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+    return json_text(document);
 }
 
 } // namespace cd

@@ -1,5 +1,7 @@
 #include "client/report/inspect.hpp"
 
+#include "client/base/table.hpp"
+
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -133,8 +135,7 @@ std::string to_json(const MeshReport& r) {
         {"parts", parts},
         {"warnings", r.imported.warnings},
         {"hash", to_hex(r.mesh().hash())}};
-    // Names may contain invalid UTF-8.
-    return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+    return json_text(json);
 }
 
 } // namespace cd

@@ -4,7 +4,6 @@
 #include "client/report/waiting_note.hpp"
 #include "common/job/result/merge.hpp"
 
-#include <cstddef>
 #include <cstdint>
 #include <cstdio>
 #include <string>

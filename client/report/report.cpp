@@ -4,6 +4,7 @@
 #include "client/base/words.hpp"
 #include "common/geometry/aabb.hpp"
 
+#include <fmt/format.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -14,22 +15,10 @@ namespace cd {
 
 namespace {
 
-std::string padded(std::string text, std::size_t width) {
-    text.resize(std::max(text.size(), width), ' ');
-    return text;
-}
-
-std::string right_aligned(const std::string& text, std::size_t width) {
-    return std::string(width > text.size() ? width - text.size() : 0, ' ') + text;
-}
-
 /// A length as 0.0123, 1.23, 12.34 or 1234; with an exponent below 0.01 and from 1e7 on.
 std::string length_text(double value) {
     if (value != 0 && (std::abs(value) < 0.01 || std::abs(value) >= 1e7)) {
-        std::string text(32, '\0');
-        text.resize(
-            static_cast<std::size_t>(std::snprintf(text.data(), text.size(), "%.3g", value)));
-        return text;
+        return fmt::format("{:.3g}", value);
     }
     return fixed_text(value, std::abs(value) < 0.1 ? 4 : std::abs(value) < 100 ? 2 : 0);
 }
@@ -37,10 +26,6 @@ std::string length_text(double value) {
 std::string box_text(const BodyLine& body) {
     return length_text(body.size.x()) + " x " + length_text(body.size.y()) + " x " +
            length_text(body.size.z()) + " " + body.unit;
-}
-
-std::string closed_text(const BodyLine& body) {
-    return !body.closed ? "" : *body.closed ? "closed" : "open";
 }
 
 std::string percent(std::uint64_t part, std::uint64_t whole) {
@@ -72,21 +57,30 @@ std::string header_text(const BodyLine& a,
     const std::size_t box = std::max(box_text(a).size(), box_text(b).size());
     std::string text;
     const auto add = [&](char letter, const BodyLine& body) {
-        const std::string closed = closed_text(body);
-        text += std::string("  ") + letter + "  " + padded(body.name, name) + "  " +
-                right_aligned(grouped(body.triangles), count) + " triangles   " +
-                padded(box_text(body), box) + "   " +
-                (closed.empty() ? "" : padded(closed, 6) + "   ") + counted(body.parts, "part") +
-                "\n";
+        const std::string closed = !body.closed ? "" : *body.closed ? "closed   " : "open     ";
+        text += fmt::format("  {}  {:<{}}  {:>{}} triangles   {:<{}}   {}{}\n",
+                            letter,
+                            body.name,
+                            name,
+                            grouped(body.triangles),
+                            count,
+                            box_text(body),
+                            box,
+                            closed,
+                            counted(body.parts, "part"));
         for (const std::string& note : body.notes) {
             text += "     " + note + "\n";
         }
     };
     add('A', a);
     add('B', b);
-    text += "  " + padded("poses", name + 3) + "  " + right_aligned(grouped(scenarios), count) +
-            (poses.empty() ? "" : "  " + poses) + "\n";
-    return text;
+    return text + fmt::format("  {:<{}}  {:>{}}{}{}\n",
+                              "poses",
+                              name + 3,
+                              grouped(scenarios),
+                              count,
+                              poses.empty() ? "" : "  ",
+                              poses);
 }
 
 std::optional<std::string> unit_warning(const BodyLine& a, const BodyLine& b) {
@@ -287,22 +281,19 @@ std::string summary_text(const RunReport& report, const SummaryStyle& style) {
         " scenarios/s" + (report.execution.where.empty() ? "" : ", " + report.execution.where) +
         "\n";
     text += classes_text(summary, report.level, style.colours);
-    if (summary.surfaces_only != 0) {
-        text += "  surfaces only  in " + counted(summary.surfaces_only, "scenario") +
-                ": a body is open, so containment was not tested\n";
-    }
-    if (summary.insides_skipped != 0) {
-        text += "  containment not tested  in " + counted(summary.insides_skipped, "scenario") +
-                ": parts are ignored, and the rest of a body is not closed\n";
-    }
-    if (summary.cut != 0) {
-        text += "  cut lists  in " + counted(summary.cut, "scenario") +
-                ": limit_pairs was reached; the counts are true\n";
-    }
-    if (summary.undecided != 0) {
-        text += "  undecided     in " + counted(summary.undecided, "scenario") +
-                ": boxes as small as the tolerance were left; pairs are those proven, not all\n";
-    }
+    const auto note = [&](std::uint64_t count, const char* title, const char* meaning) {
+        if (count != 0) {
+            text += fmt::format("  {}  in {}: {}\n", title, counted(count, "scenario"), meaning);
+        }
+    };
+    note(summary.surfaces_only, "surfaces only", "a body is open, so containment was not tested");
+    note(summary.insides_skipped,
+         "containment not tested",
+         "parts are ignored, and the rest of a body is not closed");
+    note(summary.cut, "cut lists", "limit_pairs was reached; the counts are true");
+    note(summary.undecided,
+         "undecided   ",
+         "boxes as small as the tolerance were left; pairs are those proven, not all");
     if (!report.hint.empty()) {
         text += "  hint          " + report.hint + "\n";
     }

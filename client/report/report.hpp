@@ -11,7 +11,6 @@
 #include "common/search/search_cost.hpp"
 #include "proto/messages/traffic.hpp"
 
-#include <chrono>
 #include <cstdint>
 #include <cstdio>
 #include <optional>
@@ -50,6 +49,7 @@ struct RunExecution {
     double prepare_seconds = 0;   ///< Time to read and build; not in `seconds`.
     double seconds = 0;           ///< Time to run the scenarios.
     std::uint64_t resumed_at = 0; ///< Scenarios done by an earlier run.
+    std::uint64_t fetched = 0;    ///< Number of results fetched from a master.
     JobStatistics statistics;
     std::optional<SearchCost> cost;    ///< Measured on this machine; nothing on a cluster.
     std::optional<JobTraffic> traffic; ///< Nothing for a run on this machine.

@@ -1,19 +1,17 @@
 #include "client/spec/job_file.hpp"
 
+#include "client/base/errors.hpp"
 #include "client/base/units.hpp"
 #include "client/base/words.hpp"
+#include "client/formats/output_file.hpp"
 #include "client/spec/toml_fields.hpp"
 #include "common/core/limits/engine.hpp"
 #include "common/core/limits/master.hpp"
 #include "common/job/tolerance.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
-#include <fstream>
 #include <limits>
-#include <sstream>
-#include <utility>
 
 namespace cd {
 
@@ -35,19 +33,16 @@ std::filesystem::path beside(const std::filesystem::path& job, const std::string
 void read_body(const TomlFields& job,
                std::string_view key,
                const std::filesystem::path& file,
-               TomlProblem& problem,
                BodySpec& body) {
     const toml::table* table = job.table(key);
     if (table == nullptr) {
-        job.report(key, "the table [" + std::string(key) + "] with its mesh is missing");
-        return;
+        job.refuse(key, "the table [" + std::string(key) + "] with its mesh is missing");
     }
     const TomlFields fields(
-        *table, "[" + std::string(key) + "]", problem, {"mesh", "unit", "name", "up", "precision"});
+        table, job, "[" + std::string(key) + "]", {"mesh", "unit", "name", "up", "precision"});
     const auto mesh = fields.text("mesh");
     if (!mesh || mesh->empty()) {
-        fields.report("mesh", "the key \"mesh\" with the file's name is missing");
-        return;
+        fields.refuse("mesh", "the key \"mesh\" with the file's name is missing");
     }
     body.path = beside(file, *mesh);
     body.unit = fields.word("unit", unit_names()).value_or("");
@@ -57,16 +52,14 @@ void read_body(const TomlFields& job,
 }
 
 GridAxis read_axis(const TomlFields& grid, std::string_view key) {
-    GridAxis axis;
     const auto numbers = grid.numbers(key, 3, "[first, last, count]");
     if (!numbers) {
-        return axis;
+        return {};
     }
     const double count = (*numbers)[2];
     if (count < 1 || count != std::floor(count) ||
         count > static_cast<double>(limits::scenarios_max)) {
-        grid.report(key, std::string(key) + ": the count has to be a whole number of at least 1");
-        return axis;
+        grid.refuse(key, std::string(key) + ": the count has to be a whole number of at least 1");
     }
     return {(*numbers)[0], (*numbers)[1], static_cast<std::uint64_t>(count)};
 }
@@ -74,11 +67,11 @@ GridAxis read_axis(const TomlFields& grid, std::string_view key) {
 /// The angles of one axis become quaternions in memory, so their number is bounded.
 constexpr std::uint64_t grid_angles_max = 1u << 20;
 
-GridSpec read_grid(const toml::table& table, TomlProblem& problem, double length_factor) {
-    const TomlFields fields(
-        table, "[poses] grid", problem, {"x", "y", "z", "roll_deg", "pitch_deg", "yaw_deg"});
+GridSpec read_grid(const TomlFields& parent, const toml::table* table, double length_factor) {
     constexpr std::array<std::string_view, 3> positions{"x", "y", "z"};
     constexpr std::array<std::string_view, 3> angles{"roll_deg", "pitch_deg", "yaw_deg"};
+    const TomlFields fields(
+        table, parent, "[poses] grid", {"x", "y", "z", "roll_deg", "pitch_deg", "yaw_deg"});
     GridSpec spec;
     spec.axes.resize(positions.size() + angles.size());
     for (std::size_t i = 0; i < 3; ++i) {
@@ -91,24 +84,22 @@ GridSpec read_grid(const toml::table& table, TomlProblem& problem, double length
              {std::pair(positions[i], spec.grid.position[i]), std::pair(angles[i], degrees)}) {
             const double reach = (tested.last - tested.first) * static_cast<double>(tested.count);
             if (!std::isfinite(reach)) {
-                fields.report(key, std::string(key) + " is too long for numbers of 64 bits");
-                return {};
+                fields.refuse(key, std::string(key) + " is too long for numbers of 64 bits");
             }
         }
         if (degrees.count > grid_angles_max) {
-            fields.report(angles[i], "more than " + grouped(grid_angles_max) + " angles");
-            return {};
+            fields.refuse(angles[i], "more than " + grouped(grid_angles_max) + " angles");
         }
         spec.grid.rotation[i] = rotation_axis(degrees, static_cast<int>(i));
     }
     if (spec.grid.count() > limits::scenarios_max) {
-        fields.report("x", "the grid has more than " + grouped(limits::scenarios_max) + " poses");
+        fields.refuse("x", "the grid has more than " + grouped(limits::scenarios_max) + " poses");
     }
     return spec;
 }
 
-RandomPoses read_random(const toml::table& table, TomlProblem& problem) {
-    const TomlFields fields(table, "[poses] random", problem, {"n", "seed", "penetration"});
+RandomPoses read_random(const TomlFields& parent, const toml::table* table) {
+    const TomlFields fields(table, parent, "[poses] random", {"n", "seed", "penetration"});
     RandomPoses random;
     random.count = fields.integer("n", 1, limits::scenarios_max).value_or(random.count);
     random.seed =
@@ -116,9 +107,8 @@ RandomPoses read_random(const toml::table& table, TomlProblem& problem) {
     if (const auto range = fields.numbers("penetration", 2, "[least, most]")) {
         random.penetration_min = (*range)[0];
         random.penetration_max = (*range)[1];
-        if (!(0 <= random.penetration_min && random.penetration_min <= random.penetration_max &&
-              random.penetration_max <= 1)) {
-            fields.report("penetration",
+        if (!is_penetration(random)) {
+            fields.refuse("penetration",
                           "penetration has to be [least, most] with 0 <= least <= most <= 1");
         }
     }
@@ -127,42 +117,39 @@ RandomPoses read_random(const toml::table& table, TomlProblem& problem) {
 
 PoseFileSpec
 read_pose_file(const TomlFields& poses, const std::string& name, const std::filesystem::path& job) {
+    if (name.empty()) {
+        poses.refuse("file", "file is empty; give the name of a file with poses");
+    }
     PoseFileSpec file;
     file.path = beside(job, name);
     file.quat_order = poses.word("quat_order", quat_orders).value_or("");
     file.of_both_bodies = poses.word("of", pose_owners) == "both";
     file.rigid_tolerance = poses.number("rigid_tolerance");
     if (file.rigid_tolerance && *file.rigid_tolerance < 0) {
-        poses.report("rigid_tolerance", "rigid_tolerance is negative");
+        poses.refuse("rigid_tolerance", "rigid_tolerance is negative");
     }
     return file;
 }
 
-void read_poses(const TomlFields& job, TomlProblem& problem, JobSpec& spec) {
+void read_poses(const TomlFields& job, JobSpec& spec) {
     const toml::table* table = job.table("poses");
     if (table == nullptr) {
-        job.report("poses", "the table [poses] is missing; it has a file, a grid or random");
-        return;
+        job.refuse("poses", "the table [poses] is missing; it has a file, a grid or random");
     }
     const TomlFields fields(
-        *table,
+        table,
+        job,
         "[poses]",
-        problem,
         {"file", "grid", "random", "unit", "quat_order", "of", "rigid_tolerance"});
     const auto file = fields.text("file");
     const toml::table* grid = fields.table("grid");
     const toml::table* random = fields.table("random");
     const int sources = (file ? 1 : 0) + (grid != nullptr ? 1 : 0) + (random != nullptr ? 1 : 0);
     if (sources != 1) {
-        fields.report("", "exactly one of file, grid and random is needed");
-        return;
+        fields.refuse("", "exactly one of file, grid and random is needed");
     }
     const std::string unit = fields.word("unit", unit_names()).value_or("");
     const double factor = unit_factor(unit.empty() ? spec.unit : unit, spec.unit).value_or(1);
-    if (file && file->empty()) {
-        fields.report("file", "file is empty; give the name of a file with poses");
-        return;
-    }
     if (file) {
         PoseFileSpec poses = read_pose_file(fields, *file, spec.file);
         poses.length_factor = factor;
@@ -172,21 +159,21 @@ void read_poses(const TomlFields& job, TomlProblem& problem, JobSpec& spec) {
     }
     for (const std::string_view key : {"quat_order", "of", "rigid_tolerance"}) {
         if (fields.has(key)) {
-            fields.report(key, std::string(key) + " belongs to poses from a file");
+            fields.refuse(key, std::string(key) + " belongs to poses from a file");
         }
     }
     if (grid != nullptr) {
-        GridSpec poses = read_grid(*grid, problem, factor);
+        GridSpec poses = read_grid(fields, grid, factor);
         poses.unit = unit;
         spec.poses = std::move(poses);
     } else if (fields.has("unit")) {
-        fields.report("unit", "unit belongs to poses from a file or a grid");
+        fields.refuse("unit", "unit belongs to poses from a file or a grid");
     } else {
-        spec.poses = read_random(*random, problem);
+        spec.poses = read_random(fields, random);
     }
 }
 
-void read_ignore(const TomlFields& query, TomlProblem& problem, JobSpec& spec) {
+void read_ignore(const TomlFields& query, JobSpec& spec) {
     const toml::array* rules = query.array("ignore");
     if (rules == nullptr) {
         return;
@@ -195,10 +182,9 @@ void read_ignore(const TomlFields& query, TomlProblem& problem, JobSpec& spec) {
         const toml::array* rule = node.as_array();
         if (rule == nullptr || rule->size() != 2 || !rule->get(0)->is_string() ||
             !rule->get(1)->is_string()) {
-            problem.report(node.source(),
-                           "[query]: ignore is an array of pairs of part names, such as "
-                           "[[\"wheel_*\", \"ground\"]]");
-            return;
+            query.refuse(node,
+                         "ignore is an array of pairs of part names, such as "
+                         "[[\"wheel_*\", \"ground\"]]");
         }
         spec.ignore.push_back({rule->get(0)->value_or(std::string()),
                                rule->get(1)->value_or(std::string()),
@@ -206,32 +192,32 @@ void read_ignore(const TomlFields& query, TomlProblem& problem, JobSpec& spec) {
     }
 }
 
-void read_query(const TomlFields& job, TomlProblem& problem, JobSpec& spec) {
+void read_query(const TomlFields& job, JobSpec& spec) {
     const toml::table* table = job.table("query");
     if (table == nullptr) {
         return;
     }
     const TomlFields fields(
-        *table, "[query]", problem, {"level", "tolerance", "limit_pairs", "maps", "ignore"});
+        table, job, "[query]", {"level", "tolerance", "limit_pairs", "maps", "ignore"});
     if (const auto level = fields.word("level", level_names)) {
         spec.level = level_from_text(*level).value_or(spec.level);
     }
     spec.tolerance = fields.number("tolerance").value_or(spec.tolerance);
     if (const Status allowed = check_tolerance(spec.tolerance); !allowed) {
-        fields.report("tolerance", allowed.error().detail);
+        fields.refuse("tolerance", allowed.error().detail);
     }
     spec.limit_pairs = fields.integer("limit_pairs", 0, std::numeric_limits<std::uint32_t>::max())
                            .value_or(spec.limit_pairs);
     spec.maps = fields.boolean("maps").value_or(spec.maps);
-    read_ignore(fields, problem, spec);
+    read_ignore(fields, spec);
 }
 
-void read_output(const TomlFields& job, TomlProblem& problem, JobSpec& spec) {
+void read_output(const TomlFields& job, JobSpec& spec) {
     const toml::table* table = job.table("output");
     if (table == nullptr) {
         return;
     }
-    const TomlFields fields(*table, "[output]", problem, {"dir", "formats"});
+    const TomlFields fields(table, job, "[output]", {"dir", "formats"});
     spec.output.dir = beside(spec.file, fields.text("dir").value_or("out"));
     const toml::array* formats = fields.array("formats");
     if (formats == nullptr) {
@@ -240,24 +226,22 @@ void read_output(const TomlFields& job, TomlProblem& problem, JobSpec& spec) {
     spec.output.formats.clear();
     for (const toml::node& node : *formats) {
         const auto format = node.value_exact<std::string>();
-        const Status known = format
-                                 ? check_format(*format)
-                                 : Status(Error{ErrorCode::BadInput, "a format is text in quotes"});
+        const Status known =
+            format ? check_format(*format) : bad_input("a format is text in quotes");
         if (!known) {
-            problem.report(node.source(), "[output]: " + known.error().detail);
-            return;
+            fields.refuse(node, known.error().detail);
         }
         spec.output.formats.push_back(*format);
     }
     keep_each_once(spec.output.formats);
 }
 
-void read_depth(const TomlFields& cluster, TomlProblem& problem, JobSpec& spec) {
+void read_depth(const TomlFields& cluster, JobSpec& spec) {
     const toml::table* table = cluster.says("depth", depth_auto) ? nullptr : cluster.table("depth");
     if (table == nullptr) {
         return;
     }
-    const TomlFields fields(*table, "[cluster] depth", problem, {"a", "b"});
+    const TomlFields fields(table, cluster, "[cluster] depth", {"a", "b"});
     const auto depth = [&](std::string_view key) -> std::optional<std::uint32_t> {
         return fields.says(key, depth_auto)
                    ? std::nullopt
@@ -266,23 +250,23 @@ void read_depth(const TomlFields& cluster, TomlProblem& problem, JobSpec& spec) 
     spec.cluster.set_depth(0, depth("a"));
     spec.cluster.set_depth(1, depth("b"));
     if (const Status allowed = check_depths(spec); !allowed) {
-        cluster.report("depth", allowed.error().detail);
+        cluster.refuse("depth", allowed.error().detail);
     }
 }
 
-void read_cluster(const TomlFields& job, TomlProblem& problem, JobSpec& spec) {
+void read_cluster(const TomlFields& job, JobSpec& spec) {
     const toml::table* table = job.table("cluster");
     if (table == nullptr) {
         return;
     }
     const TomlFields fields(
-        *table,
+        table,
+        job,
         "[cluster]",
-        problem,
         {"strategy", "depth", "q", "v_kb", "claim", "seed", "analysis", "hints"});
     ClusterOptions& options = spec.cluster;
     options.strategy = fields.word("strategy", strategy_names()).value_or(options.strategy);
-    read_depth(fields, problem, spec);
+    read_depth(fields, spec);
     options.q =
         static_cast<std::uint32_t>(fields.integer("q", 1, limits::q_max).value_or(options.q));
     options.v_kb = static_cast<std::uint32_t>(
@@ -296,22 +280,22 @@ void read_cluster(const TomlFields& job, TomlProblem& problem, JobSpec& spec) {
         fields.integer("seed", 0, std::numeric_limits<std::int64_t>::max()).value_or(options.seed);
 }
 
-void read_job(const toml::table& table, TomlProblem& problem, JobSpec& spec) {
+void read_job(const toml::table& table, JobSpec& spec) {
     const TomlFields job(table,
+                         spec.file.string(),
                          "the job",
-                         problem,
                          {"name", "unit", "a", "b", "poses", "query", "output", "cluster"});
     spec.name = job.text("name").value_or(spec.file.stem().string());
     spec.unit = job.word("unit", unit_names()).value_or(spec.unit);
-    read_body(job, "a", spec.file, problem, spec.bodies[0]);
-    read_body(job, "b", spec.file, problem, spec.bodies[1]);
+    read_body(job, "a", spec.file, spec.bodies[0]);
+    read_body(job, "b", spec.file, spec.bodies[1]);
     if (const std::string name = export_name(spec, 0); name == export_name(spec, 1)) {
-        job.report("b", "both bodies have the name \"" + name + "\"; exports need two names");
+        job.refuse("b", "both bodies have the name \"" + name + "\"; exports need two names");
     }
-    read_poses(job, problem, spec);
-    read_query(job, problem, spec);
-    read_output(job, problem, spec);
-    read_cluster(job, problem, spec);
+    read_poses(job, spec);
+    read_query(job, spec);
+    read_output(job, spec);
+    read_cluster(job, spec);
 }
 
 } // namespace
@@ -323,10 +307,9 @@ std::string export_name(const JobSpec& spec, std::size_t body) {
 
 Status check_depths(const JobSpec& spec) {
     if (spec.tolerance > 0 && (spec.cluster.depth(0) || spec.cluster.depth(1))) {
-        return Error{ErrorCode::BadInput,
-                     "a tolerance above 0 excludes a distribution depth: what stays undecided "
-                     "depends on where trees are cut, so the meshes alone decide it; leave out "
-                     "depth"};
+        return bad_input("a tolerance above 0 excludes a distribution depth: what stays undecided "
+                         "depends on where trees are cut, so the meshes alone decide it; leave out "
+                         "depth");
     }
     return Done{};
 }
@@ -335,10 +318,9 @@ Status check_matching(const ClusterOptions& options) {
     const Strategy* strategy = find_strategy(options.strategy);
     if (strategy != nullptr && !strategy->uses_q &&
         (options.claim || options.q != ClusterOptions{}.q)) {
-        return Error{ErrorCode::BadInput,
-                     "q and claim belong to the paper's strategies; " + options.strategy +
+        return bad_input("q and claim belong to the paper's strategies; " + options.strategy +
                          " ignores both. Leave them out, or add --strategy best-match (or "
-                         "[cluster] strategy)"};
+                         "[cluster] strategy)");
     }
     return Done{};
 }
@@ -347,16 +329,13 @@ Result<std::optional<std::uint32_t>> parse_depth(std::string_view text) {
     if (text == depth_auto) {
         return std::optional<std::uint32_t>();
     }
-    std::uint32_t depth = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), depth);
-    if (error != std::errc() || end != text.data() + text.size() ||
-        depth > limits::distribution_depth_max) {
-        return Error{ErrorCode::BadInput,
-                     "a distribution depth is auto or 0 to " +
+    const auto depth = number_in<std::uint32_t>(text);
+    if (!depth || *depth > limits::distribution_depth_max) {
+        return bad_input("a distribution depth is auto or 0 to " +
                          std::to_string(limits::distribution_depth_max) + ", not \"" +
-                         std::string(text) + "\""};
+                         std::string(text) + "\"");
     }
-    return std::optional(depth);
+    return depth;
 }
 
 Status check_maps(const JobSpec& spec) {
@@ -367,6 +346,11 @@ Status check_maps(const JobSpec& spec) {
             "set another level, or leave out maps"};
     }
     return Done{};
+}
+
+bool is_penetration(const RandomPoses& random) {
+    return 0 <= random.penetration_min && random.penetration_min <= random.penetration_max &&
+           random.penetration_max <= 1;
 }
 
 void keep_each_once(std::vector<std::string>& formats) {
@@ -383,38 +367,26 @@ Status check_format(std::string_view format) {
     if (std::find(format_names.begin(), format_names.end(), format) != format_names.end()) {
         return Done{};
     }
-    return Error{ErrorCode::BadInput,
-                 "format \"" + std::string(format) +
-                     "\" is not known; this version has text, json, csv, csv-pairs and npz"};
+    return bad_input("format \"" + std::string(format) +
+                     "\" is not known; this version has text, json, csv, csv-pairs and npz");
 }
 
 Result<JobSpec> parse_job(std::string_view text, const std::filesystem::path& path) {
     JobSpec spec;
     spec.file = path;
-    TomlProblem problem(path.string());
     try {
-        const toml::table table = toml::parse(text, path.string());
-        read_job(table, problem, spec);
+        read_job(toml::parse(text, path.string()), spec);
     } catch (const toml::parse_error& error) {
-        problem.report(error.source(), std::string(error.description()));
-    }
-    if (problem.error()) {
-        return *problem.error();
+        return error_at(path.string(), error.source(), std::string(error.description()));
+    } catch (const Refusal& refusal) {
+        return refusal.error;
     }
     return spec;
 }
 
 Result<JobSpec> read_job_file(const std::filesystem::path& path) {
-    std::error_code error;
-    if (!std::filesystem::exists(path, error)) {
-        return Error{ErrorCode::NotFound, path.string() + ": no such file"};
-    }
-    std::ifstream file(path, std::ios::binary);
-    std::ostringstream text;
-    if (!file || !(text << file.rdbuf())) {
-        return Error{ErrorCode::Io, path.string() + ": cannot be read, or is empty"};
-    }
-    return parse_job(text.str(), path);
+    const std::string text = CD_TRY(read_file(path));
+    return parse_job(text, path);
 }
 
 } // namespace cd

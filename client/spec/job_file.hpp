@@ -12,7 +12,6 @@
 #include <optional>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <variant>
 #include <vector>
 
@@ -100,6 +99,9 @@ struct JobSpec {
 
 /// Refuses maps at `level any`. Errors: BadInput.
 [[nodiscard]] Status check_maps(const JobSpec& spec);
+
+/// True if the range of penetrations is within 0 to 1.
+[[nodiscard]] bool is_penetration(const RandomPoses& random);
 
 /// Removes repeated formats.
 void keep_each_once(std::vector<std::string>& formats);

@@ -1,9 +1,9 @@
 #include "client/spec/job_options.hpp"
 
+#include "client/base/errors.hpp"
 #include "client/base/units.hpp"
 #include "common/job/tolerance.hpp"
 
-#include <algorithm>
 #include <limits>
 #include <utility>
 
@@ -12,7 +12,7 @@ namespace cd {
 namespace {
 
 Error usage(const std::string& what) {
-    return {ErrorCode::BadInput, what};
+    return bad_input(what);
 }
 
 bool gives_inputs(const JobOptions& options) {
@@ -55,8 +55,7 @@ Result<PosesSpec> poses_of(const PoseOptions& poses, const std::string& job_unit
         random.penetration_min = poses.penetration.front();
         random.penetration_max = poses.penetration.back();
     }
-    if (!(0 <= random.penetration_min && random.penetration_min <= random.penetration_max &&
-          random.penetration_max <= 1)) {
+    if (!is_penetration(random)) {
         return usage("--penetration has to be LEAST MOST with 0 <= LEAST <= MOST <= 1");
     }
     return PosesSpec(random);
@@ -66,15 +65,12 @@ Result<JobSpec> spec_without_file(const JobOptions& options) {
     if (options.a.empty() || options.b.empty()) {
         return usage("give a job file, or the two meshes with --a and --b");
     }
-    auto poses = poses_of(options.poses, options.unit);
-    if (!poses) {
-        return poses.error();
-    }
+    auto poses = CD_TRY(poses_of(options.poses, options.unit));
     JobSpec spec;
     spec.bodies[0] = {options.a, options.unit_a, ""};
     spec.bodies[1] = {options.b, options.unit_b, ""};
     spec.unit = options.unit.empty() ? spec.unit : options.unit;
-    spec.poses = std::move(poses.value());
+    spec.poses = std::move(poses);
     spec.name = spec.bodies[0].path.stem().string() + "-" + spec.bodies[1].path.stem().string();
     return spec;
 }
@@ -94,9 +90,7 @@ Status apply(const QueryOptions& options, JobSpec& spec) {
         spec.level = *level;
     }
     replace(spec.tolerance, options.tolerance);
-    if (Status allowed = check_tolerance(spec.tolerance); !allowed) {
-        return allowed;
-    }
+    CD_TRY(check_tolerance(spec.tolerance));
     replace(spec.limit_pairs, options.limit_pairs);
     if (spec.limit_pairs > std::numeric_limits<std::uint32_t>::max()) {
         return usage("--limit-pairs is at most 4294967295, as in a job file");
@@ -113,9 +107,7 @@ Status apply(const OutputOptions& options, OutputSpec& output) {
     }
     output.exact_points = output.exact_points || options.exact_points;
     for (const std::string& format : output.formats) {
-        if (Status known = check_format(format); !known) {
-            return known;
-        }
+        CD_TRY(check_format(format));
     }
     return Done{};
 }
@@ -137,15 +129,10 @@ Status apply(const MatchingOptions& options, JobSpec& spec) {
         if (given->empty()) {
             continue;
         }
-        const auto parsed = parse_depth(*given);
-        if (!parsed) {
-            return parsed.error();
-        }
-        spec.cluster.set_depth(static_cast<std::size_t>(body), parsed.value());
+        const auto parsed = CD_TRY(parse_depth(*given));
+        spec.cluster.set_depth(static_cast<std::size_t>(body), parsed);
     }
-    if (Status allowed = check_depths(spec); !allowed) {
-        return allowed;
-    }
+    CD_TRY(check_depths(spec));
     replace(spec.cluster.q, options.q);
     replace(spec.cluster.v_kb, options.v_kb);
     spec.cluster.claim = spec.cluster.claim || options.claim;
@@ -160,12 +147,8 @@ Status apply(const JobOptions& options, JobSpec& spec) {
         body.rounds_to_float =
             options.precision.empty() ? body.rounds_to_float : options.precision == "float";
     }
-    if (Status applied = apply(options.query, spec); !applied) {
-        return applied;
-    }
-    if (Status applied = apply(options.output, spec.output); !applied) {
-        return applied;
-    }
+    CD_TRY(apply(options.query, spec));
+    CD_TRY(apply(options.output, spec.output));
     return apply(options.cluster, spec);
 }
 
@@ -179,13 +162,9 @@ Result<JobSpec> make_job_spec(const JobOptions& options) {
     if (Status none = check_no_inputs(options); !options.file.empty() && !none) {
         return none.error();
     }
-    auto spec = options.file.empty() ? spec_without_file(options) : read_job_file(options.file);
-    if (!spec) {
-        return spec;
-    }
-    if (Status applied = apply(options, spec.value()); !applied) {
-        return applied.error();
-    }
+    auto spec =
+        CD_TRY(options.file.empty() ? spec_without_file(options) : read_job_file(options.file));
+    CD_TRY(apply(options, spec));
     return spec;
 }
 

@@ -1,5 +1,7 @@
 #include "client/spec/toml_fields.hpp"
 
+#include "client/base/errors.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -21,24 +23,29 @@ std::optional<double> finite_number(const toml::node& node) {
 
 } // namespace
 
+Error error_at(const std::string& file, const toml::source_region& where, const std::string& what) {
+    return bad_input(file + ":" + std::to_string(where.begin.line) + ": " + what);
+}
+
 TomlFields::TomlFields(const toml::table& table,
+                       std::string file,
                        std::string name,
-                       TomlProblem& problem,
                        std::initializer_list<std::string_view> known)
-    : table_(table), name_(std::move(name)), problem_(problem) {
+    : table_(table), file_(std::move(file)), name_(std::move(name)) {
     const std::span<const std::string_view> words(known.begin(), known.size());
-    // Reports the unknown key on the earliest line; a table does not keep the order of the file.
+    // Refuses the unknown key on the earliest line; a table does not keep the order of the file.
     const toml::key* unknown = nullptr;
     for (const auto& [key, value] : table_) {
-        const bool is_known = std::find(words.begin(), words.end(), key.str()) != words.end();
+        const bool is_known = std::ranges::find(words, key.str()) != words.end();
         if (!is_known && (!unknown || key.source().begin < unknown->source().begin)) {
             unknown = &key;
         }
     }
     if (unknown != nullptr) {
-        problem_.report(unknown->source(),
-                        name_ + " has no key " + quoted_key(unknown->str()) +
-                            suggestion(unknown->str(), words));
+        throw Refusal{error_at(file_,
+                               unknown->source(),
+                               name_ + " has no key " + quoted_key(unknown->str()) +
+                                   suggestion(unknown->str(), words))};
     }
 }
 
@@ -56,11 +63,10 @@ std::optional<std::string> TomlFields::text(std::string_view key) const {
 std::optional<std::string> TomlFields::word(std::string_view key,
                                             std::span<const std::string_view> words) const {
     auto value = text(key);
-    if (value && std::find(words.begin(), words.end(), *value) == words.end()) {
-        report(key,
+    if (value && std::ranges::find(words, *value) == words.end()) {
+        refuse(key,
                std::string(key) + " " + quoted_key(*value) + " is not known" +
                    suggestion(*value, words));
-        return std::nullopt;
     }
     return value;
 }
@@ -70,11 +76,8 @@ bool TomlFields::says(std::string_view key, std::string_view text) const {
 }
 
 std::optional<double> TomlFields::number(std::string_view key) const {
-    if (!has(key)) {
-        return std::nullopt;
-    }
-    const auto value = finite_number(*table_.get(key));
-    if (!value) {
+    const auto value = has(key) ? finite_number(*table_.get(key)) : std::nullopt;
+    if (has(key) && !value) {
         wrong_type(key, "a finite number");
     }
     return value;
@@ -88,46 +91,35 @@ TomlFields::integer(std::string_view key, std::uint64_t min, std::uint64_t max) 
     const auto value = table_.get(key)->value_exact<std::int64_t>();
     if (!value) {
         wrong_type(key, "a whole number");
-        return std::nullopt;
     }
     if (*value < 0 || static_cast<std::uint64_t>(*value) < min ||
         static_cast<std::uint64_t>(*value) > max) {
-        report(key,
+        refuse(key,
                std::string(key) + " = " + std::to_string(*value) + " is not between " +
                    std::to_string(min) + " and " + std::to_string(max));
-        return std::nullopt;
     }
     return static_cast<std::uint64_t>(*value);
 }
 
 std::optional<bool> TomlFields::boolean(std::string_view key) const {
-    if (!has(key)) {
-        return std::nullopt;
-    }
-    const auto value = table_.get(key)->value_exact<bool>();
-    if (!value) {
+    const auto value = has(key) ? table_.get(key)->value_exact<bool>() : std::nullopt;
+    if (has(key) && !value) {
         wrong_type(key, "true or false");
     }
     return value;
 }
 
 const toml::table* TomlFields::table(std::string_view key) const {
-    if (!has(key)) {
-        return nullptr;
-    }
-    const toml::table* value = table_.get(key)->as_table();
-    if (value == nullptr) {
+    const toml::table* value = has(key) ? table_.get(key)->as_table() : nullptr;
+    if (has(key) && value == nullptr) {
         wrong_type(key, "a table");
     }
     return value;
 }
 
 const toml::array* TomlFields::array(std::string_view key) const {
-    if (!has(key)) {
-        return nullptr;
-    }
-    const toml::array* value = table_.get(key)->as_array();
-    if (value == nullptr) {
+    const toml::array* value = has(key) ? table_.get(key)->as_array() : nullptr;
+    if (has(key) && value == nullptr) {
         wrong_type(key, "an array");
     }
     return value;
@@ -147,21 +139,21 @@ TomlFields::numbers(std::string_view key, std::size_t count, std::string_view sh
     }
     if (numbers.size() != count || values->size() != count) {
         wrong_type(key, shape);
-        return std::nullopt;
     }
     return numbers;
 }
 
-const toml::source_region& TomlFields::place(std::string_view key) const {
-    return has(key) ? table_.get(key)->source() : table_.source();
+void TomlFields::refuse(std::string_view key, const std::string& what) const {
+    throw Refusal{error_at(
+        file_, has(key) ? table_.get(key)->source() : table_.source(), name_ + ": " + what)};
 }
 
-void TomlFields::report(std::string_view key, const std::string& what) const {
-    problem_.report(place(key), name_ + ": " + what);
+void TomlFields::refuse(const toml::node& node, const std::string& what) const {
+    throw Refusal{error_at(file_, node.source(), name_ + ": " + what)};
 }
 
 void TomlFields::wrong_type(std::string_view key, std::string_view wanted) const {
-    report(key, quoted_key(key) + " has to be " + std::string(wanted));
+    refuse(key, quoted_key(key) + " has to be " + std::string(wanted));
 }
 
 } // namespace cd

@@ -4,7 +4,6 @@
 #include "common/tree/wide/wide_tree.hpp"
 
 #include <algorithm>
-#include <span>
 #include <utility>
 #include <vector>
 

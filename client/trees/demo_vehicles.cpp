@@ -1,9 +1,12 @@
 #include "client/trees/demo_vehicles.hpp"
 
-#include "client/formats/gunzip.hpp"
+#include "client/base/errors.hpp"
+#include "client/formats/output_file.hpp"
+#include "common/core/files/disk_file.hpp"
+
+#include <zlib.h>
 
 #include <cstdlib>
-#include <string>
 
 namespace cd {
 
@@ -27,6 +30,33 @@ Error not_installed(const fs::path& path) {
                 "sumo-tools"};
 }
 
+struct Close {
+    void operator()(gzFile file) const { gzclose(file); }
+};
+
+/// Writes the unpacked bytes of a .gz file to `to`, which appears only when it is whole. Errors: Io
+/// naming the file; BadInput when `from` is damaged.
+Status gunzip(const fs::path& from, const fs::path& to) {
+    const std::unique_ptr<gzFile_s, Close> in(gzopen(from.c_str(), "rb"));
+    if (!in) {
+        return Error{ErrorCode::Io, from.string() + ": cannot be opened"};
+    }
+    auto out = CD_TRY(OutputFile::create(to));
+    std::vector<char> buffer(1u << 20);
+    int size = 0;
+    while ((size = gzread(in.get(), buffer.data(), static_cast<unsigned>(buffer.size()))) > 0) {
+        const std::string_view text(buffer.data(), static_cast<std::size_t>(size));
+        CD_TRY(out.write(text));
+    }
+    // A truncated file ends without an error; only the stream's state reveals it.
+    int state = Z_OK;
+    const char* message = gzerror(in.get(), &state);
+    if (size < 0 || state != Z_OK) {
+        return bad_input(from.string() + ": damaged (" + message + ")");
+    }
+    return out.commit();
+}
+
 /// The motorcycle in the cache, unpacked now if missing.
 Result<fs::path> unpacked_motorcycle(const fs::path& cache, const fs::path& root) {
     const fs::path unpacked = cache / "motorBike.obj";
@@ -38,9 +68,7 @@ Result<fs::path> unpacked_motorcycle(const fs::path& cache, const fs::path& root
         if (!is_file(packed)) {
             continue;
         }
-        if (Status done = gunzip(packed, unpacked); !done) {
-            return done.error();
-        }
+        CD_TRY(gunzip(packed, unpacked));
         return unpacked;
     }
     return not_installed(root / packed_motorcycle);
@@ -69,16 +97,9 @@ Result<std::array<fs::path, 2>> find_vehicles(const fs::path& cache, const fs::p
     if (!is_file(root / tram)) {
         return not_installed(root / tram);
     }
-    std::error_code error;
-    fs::create_directories(cache, error);
-    if (error) {
-        return Error{ErrorCode::Io, cache.string() + ": " + error.message()};
-    }
-    auto motorcycle = unpacked_motorcycle(cache, root);
-    if (!motorcycle) {
-        return motorcycle.error();
-    }
-    return std::array<fs::path, 2>{motorcycle.value(), root / tram};
+    CD_TRY(make_directories(cache));
+    const fs::path motorcycle = CD_TRY(unpacked_motorcycle(cache, root));
+    return std::array<fs::path, 2>{motorcycle, root / tram};
 }
 
 } // namespace cd

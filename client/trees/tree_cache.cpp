@@ -6,9 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <optional>
-#include <string_view>
 #include <system_error>
-#include <utility>
 
 namespace cd {
 

@@ -96,15 +96,64 @@ struct Job {
     return options;
 }
 
+[[nodiscard]] inline std::unique_ptr<Connection> connect_to(const std::string& address,
+                                                            std::shared_ptr<const Tls> tls) {
+    auto opened = Connection::open(
+        address, false, [] { return false; }, std::move(tls));
+    EXPECT_TRUE(opened) << opened.error().detail;
+    return opened ? std::move(opened.value()) : nullptr;
+}
+
+[[nodiscard]] inline std::vector<std::string>
+worker_command(const std::string& address,
+               const std::string& name,
+               unsigned threads,
+               const std::vector<std::string>& options) {
+    std::vector<std::string> command{program("cdworker").string(),
+                                     "--master",
+                                     address,
+                                     "--threads",
+                                     std::to_string(threads),
+                                     "--name",
+                                     name};
+    command.insert(command.end(), options.begin(), options.end());
+    return command;
+}
+
+inline JobId submit_job(Connection& connection,
+                        const Job& job,
+                        const Query& query,
+                        const ClusterOptions& options) {
+    const std::vector<NamedMesh> meshes{{"a", job.a->mesh_pointer()}, {"b", job.b->mesh_pointer()}};
+    const Status uploaded = connection.upload(meshes, [](auto&&...) {});
+    EXPECT_TRUE(uploaded) << uploaded.error().detail;
+    Submit message;
+    message.name = "test";
+    message.bodies = {{job.a->mesh().hash()}, {job.b->mesh().hash()}};
+    message.query = query;
+    message.cluster = options;
+    const auto poses = make_list_source(job.scenarios);
+    const auto accepted = connection.submit(message, *poses);
+    EXPECT_TRUE(accepted) << accepted.error().detail;
+    return accepted ? accepted.value() : JobId{};
+}
+
+/// Waits for the job's end and returns its last status. Calls `changed` with every status.
+inline JobStatus finish_job(
+    Connection& connection,
+    JobId job,
+    const std::function<void(const JobStatus&)>& changed = [](const JobStatus&) {}) {
+    const auto status = connection.watch(job, changed);
+    EXPECT_TRUE(status) << status.error().detail;
+    return status ? status.value() : JobStatus{};
+}
+
 class Cluster : public testing::Test {
   protected:
     void SetUp() override {
         prepare();
-        LocalClusterOptions options;
-        options.programs = program("cdmaster").parent_path();
-        options.state = folder_ / "state";
-        options.logs = folder_.path();
-        options.workers = 0;
+        const LocalClusterOptions options{
+            program("cdmaster").parent_path(), folder_ / "state", folder_.path(), 0};
         auto started = LocalCluster::start(options, [] { return false; });
         ASSERT_TRUE(started) << started.error().detail;
         master_.emplace(std::move(started.value()));
@@ -118,10 +167,7 @@ class Cluster : public testing::Test {
     }
 
     [[nodiscard]] std::unique_ptr<Connection> connect() const {
-        auto opened = Connection::open(
-            master_->address(), false, [] { return false; }, tls());
-        EXPECT_TRUE(opened) << opened.error().detail;
-        return std::move(opened.value());
+        return connect_to(master_->address(), tls());
     }
 
     virtual void prepare() {}
@@ -131,39 +177,17 @@ class Cluster : public testing::Test {
     /// Starts one more worker, which joins by itself.
     Process& start_worker(unsigned threads = 1, const std::vector<std::string>& options = {}) {
         const std::string name = "worker" + std::to_string(workers_.size());
-        std::vector<std::string> command{program("cdworker").string(),
-                                         "--master",
-                                         master_->address(),
-                                         "--threads",
-                                         std::to_string(threads),
-                                         "--name",
-                                         name};
-        command.insert(command.end(), options.begin(), options.end());
-        workers_.push_back(std::make_unique<Process>(std::move(command), folder_ / name));
+        workers_.push_back(std::make_unique<Process>(
+            worker_command(master_->address(), name, threads, options), folder_ / name));
         return *workers_.back();
     }
 
     JobId submit(const Job& job, const Query& query, const ClusterOptions& options) {
-        const std::vector<NamedMesh> meshes{{"a", job.a->mesh_pointer()},
-                                            {"b", job.b->mesh_pointer()}};
-        const Status uploaded = connection_->upload(meshes, [](auto&&...) {});
-        EXPECT_TRUE(uploaded) << uploaded.error().detail;
-        Submit message;
-        message.name = "test";
-        message.bodies = {{job.a->mesh().hash()}, {job.b->mesh().hash()}};
-        message.query = query;
-        message.cluster = options;
-        const auto poses = make_list_source(job.scenarios);
-        const auto accepted = connection_->submit(message, *poses);
-        EXPECT_TRUE(accepted) << accepted.error().detail;
-        return accepted ? accepted.value() : JobId{};
+        return submit_job(*connection_, job, query, options);
     }
 
-    /// Waits for the job's end and returns its last status. Calls `changed` with every status.
     JobStatus finish(JobId job, const std::function<void(const JobStatus&)>& changed) {
-        const auto status = connection_->watch(job, changed);
-        EXPECT_TRUE(status) << status.error().detail;
-        return status ? status.value() : JobStatus{};
+        return finish_job(*connection_, job, changed);
     }
 
     JobStatus

@@ -78,10 +78,14 @@ class MortalCluster : public testing::Test {
           master_(folder_, std::move(options)) {}
 
     [[nodiscard]] std::unique_ptr<Connection> connect() {
-        auto opened = Connection::open(
-            master_.address(), false, [] { return false; }, tls_);
-        EXPECT_TRUE(opened) << opened.error().detail;
-        return opened ? std::move(opened.value()) : nullptr;
+        return connect_to(master_.address(), tls_);
+    }
+    /// Kills the master, starts it again on its state, and connects again.
+    void restart_master(std::unique_ptr<Connection>& connection) {
+        connection.reset();
+        master_.kill();
+        master_.start();
+        connection = connect();
     }
 
     Process& start_worker(unsigned threads = 1, const std::vector<std::string>& options = {}) {
@@ -91,14 +95,7 @@ class MortalCluster : public testing::Test {
                              unsigned threads = 1,
                              const std::vector<std::string>& options = {}) {
         const std::string name = "worker" + std::to_string(workers_.size());
-        std::vector<std::string> command{program("cdworker").string(),
-                                         "--master",
-                                         address,
-                                         "--threads",
-                                         std::to_string(threads),
-                                         "--name",
-                                         name};
-        command.insert(command.end(), options.begin(), options.end());
+        std::vector<std::string> command = worker_command(address, name, threads, options);
         if (tls_ != nullptr) {
             command.insert(command.end(), {"--state", give_credential(name, address)});
         }
@@ -110,19 +107,7 @@ class MortalCluster : public testing::Test {
                         const Job& job,
                         const Query& query,
                         const ClusterOptions& options = many_blocks()) {
-        const std::vector<NamedMesh> meshes{{"a", job.a->mesh_pointer()},
-                                            {"b", job.b->mesh_pointer()}};
-        const Status uploaded = connection.upload(meshes, [](auto&&...) {});
-        EXPECT_TRUE(uploaded) << uploaded.error().detail;
-        Submit message;
-        message.name = "test";
-        message.bodies = {{job.a->mesh().hash()}, {job.b->mesh().hash()}};
-        message.query = query;
-        message.cluster = options;
-        const auto poses = make_list_source(job.scenarios);
-        const auto accepted = connection.submit(message, *poses);
-        EXPECT_TRUE(accepted) << accepted.error().detail;
-        return accepted ? accepted.value() : JobId{};
+        return submit_job(connection, job, query, options);
     }
 
     /// Watches until so many scenarios are merged or the job has ended.
@@ -151,9 +136,7 @@ class MortalCluster : public testing::Test {
     }
 
     static JobStatus finish(Connection& connection, JobId job) {
-        const auto status = connection.watch(job, [](const JobStatus&) {});
-        EXPECT_TRUE(status) << status.error().detail;
-        return status ? status.value() : JobStatus{};
+        return finish_job(connection, job);
     }
 
     static std::uint64_t fetched(Connection& connection, const JobStatus& job) {

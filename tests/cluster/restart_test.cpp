@@ -17,7 +17,35 @@
 namespace cd::tests {
 namespace {
 
-class Restart : public MortalCluster {};
+class Restart : public MortalCluster {
+  protected:
+    /// Starts `cdctl watch` and `cdctl wait`, and waits until each says that the job is paused,
+    /// with `text`.
+    std::vector<std::unique_ptr<Process>> follow_until_told(const std::string& text) {
+        std::vector<std::unique_ptr<Process>> followers;
+        for (const char* verb : {"watch", "wait"}) {
+            followers.push_back(std::make_unique<Process>(
+                std::vector<std::string>{cdctl(), verb, "last", "--master", master_.address()},
+                folder_ / verb));
+        }
+        for (const auto& follower : followers) {
+            EXPECT_TRUE(comes_true([&] {
+                const std::string told = follower->errors();
+                return told.find("  paused: ") != std::string::npos &&
+                       told.find(text) != std::string::npos;
+            })) << follower->errors();
+        }
+        return followers;
+    }
+
+    /// Submits a job to a new worker, and waits until so many scenarios are merged.
+    JobId begin(Connection& connection, const Job& job, std::uint64_t merged) {
+        start_worker();
+        const JobId id = submit(connection, job, Query{});
+        (void)watch_until(connection, id, merged);
+        return id;
+    }
+};
 
 TEST_F(Restart, AJobGoesOnHoweverOftenTheMasterIsKilled) {
     const Job job = make_job(6000);
@@ -34,11 +62,8 @@ TEST_F(Restart, AJobGoesOnHoweverOftenTheMasterIsKilled) {
             break;
         }
         EXPECT_GE(status.summary.merged(), before);
-        connection.reset();
-        master_.kill();
+        restart_master(connection);
         ++killed;
-        master_.start();
-        connection = connect();
         const auto now = connection->status();
         ASSERT_TRUE(now);
         ASSERT_EQ(now.value().jobs.size(), 1u);
@@ -74,10 +99,7 @@ TEST_F(Restart, FinishedScenariosDoNotRunAgainAndBlocksAreNotSentAgain) {
     ASSERT_EQ(before.state, JobState::Running);
     const auto at_death = connection->status();
     ASSERT_TRUE(at_death);
-    connection.reset();
-    master_.kill();
-    master_.start();
-    connection = connect();
+    restart_master(connection);
     const JobStatus status = finish(*connection, id);
     EXPECT_EQ(status.digest, job.digest_in_one_process(query));
     const auto cluster = connection->status();
@@ -139,10 +161,7 @@ TEST_P(RestartWithFullCaches, NotOneByteOfABlockIsSentAgain) {
                before.workers[1].scenarios > 0;
     }));
     ASSERT_EQ(before.jobs.at(0).state, JobState::Running);
-    connection.reset();
-    master_.kill();
-    master_.start();
-    connection = connect();
+    restart_master(connection);
     const JobStatus status = finish(*connection, id);
     EXPECT_EQ(status.state, JobState::Done) << status.failure;
     EXPECT_EQ(status.digest, job.digest_in_one_process(Query{}));
@@ -253,10 +272,7 @@ TEST_F(Restart, AJobWhoseEndAClientHeardOfStaysEnded) {
         const JobId id = submit(*connection, job, Query{});
         const JobStatus ended = finish(*connection, id);
         ASSERT_EQ(ended.state, JobState::Done);
-        connection.reset();
-        master_.kill();
-        master_.start();
-        connection = connect();
+        restart_master(connection);
         const JobStatus again = finish(*connection, id);
         EXPECT_EQ(again.state, JobState::Done);
         EXPECT_EQ(again.digest, ended.digest);
@@ -269,10 +285,7 @@ TEST_F(Restart, ACancelledJobStaysCancelled) {
     auto connection = connect();
     const JobId id = submit(*connection, make_job(100), Query{});
     ASSERT_EQ(connection->cancel(id).value().state, JobState::Cancelled);
-    connection.reset();
-    master_.kill();
-    master_.start();
-    connection = connect();
+    restart_master(connection);
     EXPECT_EQ(finish(*connection, id).state, JobState::Cancelled);
 }
 
@@ -338,10 +351,8 @@ TEST_F(Restart, ResultsOfWorkersThatReturnAreNotComputedAgain) {
 
 TEST_F(Restart, WithoutItsStateDirectoryAJobIsPausedUntilThatIsBack) {
     const Job job = make_job(4000);
-    start_worker();
     auto connection = connect();
-    const JobId id = submit(*connection, job, Query{});
-    (void)watch_until(*connection, id, 500);
+    const JobId id = begin(*connection, job, 500);
     std::filesystem::rename(folder_ / "state", folder_ / "elsewhere");
     EXPECT_TRUE(comes_true([&] {
         const auto now = connection->status();
@@ -365,10 +376,8 @@ void limit_files(const Process& process, rlim_t bytes) {
 
 TEST_F(Restart, WithAFullDiskJobsWaitVisiblyAndGoOnWhenThereIsRoom) {
     const Job job = make_job(4000);
-    start_worker();
     auto connection = connect();
-    const JobId id = submit(*connection, job, Query{});
-    (void)watch_until(*connection, id, 500);
+    const JobId id = begin(*connection, job, 500);
     limit_files(master_.process(), 64 << 10);
     JobStatus status;
     ASSERT_TRUE(comes_true([&] {
@@ -378,18 +387,7 @@ TEST_F(Restart, WithAFullDiskJobsWaitVisiblyAndGoOnWhenThereIsRoom) {
     EXPECT_EQ(status.state, JobState::Running);
     const Ran told = run({program("cdctl").string(), "status", "--master", master_.address()});
     EXPECT_NE(told.output.find("paused"), std::string::npos) << told.output;
-    std::vector<std::unique_ptr<Process>> followers;
-    for (const char* verb : {"watch", "wait"}) {
-        followers.push_back(std::make_unique<Process>(
-            std::vector<std::string>{
-                program("cdctl").string(), verb, "last", "--master", master_.address()},
-            folder_ / verb));
-    }
-    for (const auto& follower : followers) {
-        EXPECT_TRUE(comes_true([&] {
-            return follower->errors().find("  paused: ") != std::string::npos;
-        })) << follower->errors();
-    }
+    auto followers = follow_until_told("  paused: ");
     write_obj(folder_ / "big.obj", make_torus(2, 1, 200, 150));
     const std::string big = folder_ / "big.obj";
     const Ran upload = run({cdctl(),
@@ -423,10 +421,8 @@ TEST_F(Restart, WithAFullDiskJobsWaitVisiblyAndGoOnWhenThereIsRoom) {
 
 TEST_F(Restart, WithADamagedMeshAJobWaitsAndItsFollowersAreToldForWhichFile) {
     const Job job = make_job(2000);
-    start_worker();
     auto connection = connect();
-    const JobId id = submit(*connection, job, Query{});
-    (void)watch_until(*connection, id, 500);
+    const JobId id = begin(*connection, job, 500);
     connection.reset();
     master_.kill();
     // Without what was made of it, the mesh is read again.
@@ -439,19 +435,7 @@ TEST_F(Restart, WithADamagedMeshAJobWaitsAndItsFollowersAreToldForWhichFile) {
     bad[1000] = static_cast<char>(bad[1000] ^ 1);
     write_text(mesh, bad);
     master_.start();
-    std::vector<std::unique_ptr<Process>> followers;
-    for (const char* verb : {"watch", "wait"}) {
-        followers.push_back(std::make_unique<Process>(
-            std::vector<std::string>{cdctl(), verb, "last", "--master", master_.address()},
-            folder_ / verb));
-    }
-    for (const auto& follower : followers) {
-        EXPECT_TRUE(comes_true([&] {
-            const std::string told = follower->errors();
-            return told.find("  paused: ") != std::string::npos &&
-                   told.find(to_hex(job.a->mesh().hash()) + ".mesh") != std::string::npos;
-        })) << follower->errors();
-    }
+    auto followers = follow_until_told(to_hex(job.a->mesh().hash()) + ".mesh");
     write_text(mesh, good);
     for (const auto& follower : followers) {
         EXPECT_EQ(follower->wait(patience), 0) << follower->errors();
@@ -461,10 +445,8 @@ TEST_F(Restart, WithADamagedMeshAJobWaitsAndItsFollowersAreToldForWhichFile) {
 
 TEST_F(Restart, ADamagedStateIsNamedNotUsedAndNotChanged) {
     const Job job = make_job(2000);
-    start_worker();
     auto connection = connect();
-    const JobId id = submit(*connection, job, Query{});
-    (void)watch_until(*connection, id, 1000);
+    const JobId id = begin(*connection, job, 1000);
     connection.reset();
     master_.kill();
     const std::vector<std::string> check{

@@ -12,6 +12,7 @@ MEMBERS_MAX, METHODS_MAX, FILES_MAX, FOLDER_MAX = 12, 30, 1, 25
 PRODUCT = ("common", "proto", "master", "worker", "client")
 FOLDERS = (*PRODUCT, "bench")
 
+RAW = re.compile(r'R"\(.*?\)"', re.DOTALL)
 COMMENT = re.compile(r"//[^\n]*|/\*.*?\*/", re.DOTALL)
 TEXT = re.compile(r'"(?:\\.|[^"\\\n])*"' + r"|'(?:\\.|[^'\\\n])+'")
 HEAD = re.compile(r"\b(?:class|struct)\s+(?:alignas\([^)]*\)\s*)?([A-Za-z_][\w:]*)\s*(?:final\s*)?(?::[^;{]*)?$")
@@ -21,7 +22,7 @@ METHOD = re.compile(r"(~?\w+|operator\s*\S+?)\s*\(")
 
 def bare(text):
     """The text without comments and the contents of literals."""
-    return TEXT.sub('""', COMMENT.sub("", text))
+    return TEXT.sub('""', COMMENT.sub("", RAW.sub('""', text)))
 
 
 def statements(body):

@@ -1,10 +1,10 @@
 #include "client/import/foreign/ac3d_text.hpp"
 
-#include "client/import/text/mesh_words.hpp"
+#include "client/base/errors.hpp"
+#include "client/import/text/text_reader.hpp"
 #include "common/core/limits/client.hpp"
 
 #include <array>
-#include <charconv>
 #include <fstream>
 #include <optional>
 #include <string_view>
@@ -22,11 +22,7 @@ enum class SurfaceType : unsigned { Polygon = 0, ClosedLine = 1, OpenLine = 2, S
 std::optional<unsigned> to_flags(std::string_view word) {
     const bool is_hex = word.starts_with("0x");
     word.remove_prefix(is_hex ? 2 : 0);
-    unsigned flags = 0;
-    const auto [end, error] =
-        std::from_chars(word.data(), word.data() + word.size(), flags, is_hex ? 16 : 10);
-    const bool whole = end == word.data() + word.size() && error == std::errc{};
-    return whole ? std::optional(flags) : std::nullopt;
+    return number_in<unsigned>(word, is_hex ? 16 : 10);
 }
 
 class Ac3dCounter {
@@ -36,23 +32,20 @@ class Ac3dCounter {
 
     Result<std::uint64_t> count() {
         while (next_line()) {
-            Words words(line_);
-            const std::string_view keyword = words.next();
+            TextReader words(line_);
+            const std::string_view keyword = words.word();
             if (object_next_ && keyword != "OBJECT") {
                 return bad("'OBJECT' should follow the line of 'kids'");
             }
-            if (const Status status = read_line(keyword, words); !status) {
-                return status.error();
-            }
+            CD_TRY(read_line(keyword, words));
         }
-        const Status ended = end_surface();
-        return ended ? Result(triangles_) : ended.error();
+        CD_TRY(end_surface());
+        return triangles_;
     }
 
   private:
     [[nodiscard]] Error bad(const std::string& detail) const {
-        return {ErrorCode::BadInput,
-                path_.string() + ":" + std::to_string(number_) + ": " + detail};
+        return bad_input(path_.string() + ":" + std::to_string(number_) + ": " + detail);
     }
 
     /// Moves to the next line that is not empty. A line of blanks counts, since the importer stops
@@ -71,7 +64,7 @@ class Ac3dCounter {
         return false;
     }
 
-    Status read_line(std::string_view keyword, Words& words) {
+    Status read_line(std::string_view keyword, TextReader& words) {
         if (keyword == "OBJECT") {
             return begin_object();
         }
@@ -82,8 +75,8 @@ class Ac3dCounter {
             return read_vertices(words);
         }
         if (keyword == "numsurf") {
-            const auto count = read_count(words);
-            return count ? Status(Done{}) : count.error();
+            CD_TRY(read_count(words));
+            return Done{};
         }
         if (keyword == "SURF") {
             return begin_surface(words);
@@ -94,7 +87,7 @@ class Ac3dCounter {
         if (keyword == "loc" || keyword == "rot") {
             return read_numbers(words, keyword == "loc" ? 3 : 9);
         }
-        if (keyword == "subdiv" && words.next() != "0") {
+        if (keyword == "subdiv" && words.word() != "0") {
             return bad("a surface to be subdivided; subdivide it where the model was made");
         }
         return Done{};
@@ -114,13 +107,10 @@ class Ac3dCounter {
     }
 
     /// Reads `kids`: the object ends here, and its children follow.
-    Status end_object(Words& words) {
-        const auto kids = read_count(words);
-        if (!kids) {
-            return kids.error();
-        }
-        if (kids.value() > 0) {
-            kids_left_.push_back(kids.value());
+    Status end_object(TextReader& words) {
+        const auto kids = CD_TRY(read_count(words));
+        if (kids > 0) {
+            kids_left_.push_back(kids);
         }
         while (!kids_left_.empty() && kids_left_.back() == 0) {
             kids_left_.pop_back();
@@ -134,34 +124,27 @@ class Ac3dCounter {
         return end_surface();
     }
 
-    Status read_vertices(Words& words) {
-        const auto count = read_count(words);
-        if (!count) {
-            return count.error();
-        }
-        for (std::uint64_t i = 0; i < count.value(); ++i) {
+    Status read_vertices(TextReader& words) {
+        const auto count = CD_TRY(read_count(words));
+        for (std::uint64_t i = 0; i < count; ++i) {
             if (!next_line()) {
                 return bad("the file ends before its vertices do");
             }
-            Words numbers(line_);
-            const std::string_view first = Words(line_).next();
+            TextReader numbers(line_);
+            const std::string_view first = TextReader(line_).word();
             if (first.empty() || std::string_view("+-0123456789").find(first[0]) == first.npos) {
                 return bad("a vertex that begins with '" + std::string(first) +
                            "', which the importer takes for its end; write 0.25 for .25");
             }
-            if (Status status = read_numbers(numbers, 3); !status) {
-                return status;
-            }
+            CD_TRY(read_numbers(numbers, 3));
         }
-        vertices_ += count.value();
+        vertices_ += count;
         return Done{};
     }
 
-    Status begin_surface(Words& words) {
-        if (Status ended = end_surface(); !ended) {
-            return ended;
-        }
-        const std::string_view word = words.next();
+    Status begin_surface(TextReader& words) {
+        CD_TRY(end_surface());
+        const std::string_view word = words.word();
         const auto flags = to_flags(word);
         if (!flags) {
             return bad("a surface whose flags '" + std::string(word) + "' are not a number");
@@ -175,34 +158,31 @@ class Ac3dCounter {
         return surface_has_no_corners_ ? Status(bad("the surface before has no corners")) : Done{};
     }
 
-    Status read_corners(Words& words) {
-        const auto count = read_count(words);
-        if (!count) {
-            return count.error();
-        }
-        const SurfaceType type = type_;
-        const std::uint64_t least = type == SurfaceType::Strip ? 3 : 1;
-        if (count.value() < least) {
+    Status read_corners(TextReader& words) {
+        const auto count = CD_TRY(read_count(words));
+        const std::uint64_t least = type_ == SurfaceType::Strip ? 3 : 1;
+        if (count < least) {
             return bad("a surface of too few corners");
         }
-        for (std::uint64_t i = 0; i < count.value(); ++i) {
-            const std::string_view word = next_line() ? Words(line_).next() : std::string_view();
+        for (std::uint64_t i = 0; i < count; ++i) {
+            const std::string_view word =
+                next_line() ? TextReader(line_).word() : std::string_view();
             const auto vertex = to_whole(word);
             if (!vertex || *vertex >= vertices_) {
                 return bad("the surface names vertex '" + std::string(word) + "' of " +
                            std::to_string(vertices_));
             }
         }
-        const bool is_line = type == SurfaceType::ClosedLine || type == SurfaceType::OpenLine;
-        triangles_ += !is_line && count.value() > 2 ? count.value() - 2 : 0;
+        const bool is_line = type_ == SurfaceType::ClosedLine || type_ == SurfaceType::OpenLine;
+        triangles_ += !is_line && count > 2 ? count - 2 : 0;
         type_ = SurfaceType::Polygon; // Some programs omit the line 'SURF'.
         surface_has_no_corners_ = false;
         return Done{};
     }
 
-    Status read_numbers(Words& words, int count) {
+    Status read_numbers(TextReader& words, int count) {
         for (int i = 0; i < count; ++i) {
-            const std::string_view word = words.next();
+            const std::string_view word = words.word();
             if (!to_number(word)) {
                 return bad("a coordinate '" + std::string(word) + "' that is not a number");
             }
@@ -211,8 +191,8 @@ class Ac3dCounter {
     }
 
     /// Refuses a count above the file's size, since the importer allocates what a count says.
-    Result<std::uint64_t> read_count(Words& words) {
-        const std::string_view word = words.next();
+    Result<std::uint64_t> read_count(TextReader& words) {
+        const std::string_view word = words.word();
         const auto count = to_whole(word);
         if (!count || *count > text_.size()) {
             return bad("a count of '" + std::string(word) + "'");

@@ -1,7 +1,8 @@
 #include "client/import/foreign/assimp_checks.hpp"
 
+#include "client/base/errors.hpp"
 #include "client/import/foreign/collada_check.hpp"
-#include "client/import/text/mesh_words.hpp"
+#include "client/import/text/text_reader.hpp"
 
 #include <array>
 #include <cstdint>
@@ -14,7 +15,7 @@ namespace cd {
 namespace {
 
 Error bad(const std::filesystem::path& path, std::uint64_t line, const std::string& detail) {
-    return {ErrorCode::BadInput, path.string() + ":" + std::to_string(line) + ": " + detail};
+    return bad_input(path.string() + ":" + std::to_string(line) + ": " + detail);
 }
 
 /// The first NaN or infinity of a line as some programs print it: 1.#QNAN, -1.#IND00, 1.#INF.
@@ -60,12 +61,10 @@ Status check_for_assimp(const std::filesystem::path& path, const std::string& lo
     const std::string begin = first_bytes(path);
     // assimp opens any archive and reads whatever it finds in it.
     if (begin.starts_with("PK\x03\x04") && lower_extension != ".3mf") {
-        return Error{ErrorCode::BadInput, path.string() + ": is an archive; unpack it"};
+        return bad_input(path.string() + ": is an archive; unpack it");
     }
-    if (Status printed = check_printed_nan(path); !printed) {
-        return printed;
-    }
-    const bool is_markup = Words(without_utf8_mark(begin)).next().starts_with('<');
+    CD_TRY(check_printed_nan(path));
+    const bool is_markup = TextReader(without_utf8_mark(begin)).word().starts_with('<');
     return is_markup ? check_markup(path) : Status(Done{});
 }
 

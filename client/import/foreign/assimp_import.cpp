@@ -1,11 +1,14 @@
 #include "client/import/foreign/assimp_import.hpp"
 
+#include "client/base/errors.hpp"
 #include "client/import/foreign/assimp_scene.hpp"
 #include "client/import/foreign/child_call.hpp"
-#include "client/import/imported_bytes.hpp"
+#include "common/core/files/bytes.hpp"
 #include "common/core/limits/client.hpp"
 #include "common/core/timing/client.hpp"
 
+#include <optional>
+#include <span>
 #include <system_error>
 
 namespace cd {
@@ -20,6 +23,63 @@ ChildLimits limits_for(std::uint64_t file_bytes) {
                             std::chrono::seconds(file_bytes / limits::reader_file_bytes_per_second);
     limits.real_time = limits::reader_real_seconds_each * limits.processor_time;
     return limits;
+}
+
+/// The result of an import, to pass it from the child process to its parent.
+Bytes to_bytes(const Result<ImportedMesh>& imported) {
+    ByteWriter out;
+    out.put(static_cast<std::uint8_t>(imported.has_value() ? 1 : 0));
+    if (!imported) {
+        out.put(static_cast<std::uint32_t>(imported.error().code));
+        out.put_text(imported.error().detail);
+        return out.take();
+    }
+    const ImportedMesh& value = imported.value();
+    out.put(value.points_skipped);
+    out.put(value.lines_skipped);
+    out.put_text(value.declared.unit);
+    out.put(value.declared.metres);
+    out.put_text(value.declared.up);
+    out.put(static_cast<std::uint8_t>(value.is_by_assimp ? 1 : 0));
+    out.put(static_cast<std::uint32_t>(value.warnings.size()));
+    for (const std::string& warning : value.warnings) {
+        out.put_text(warning);
+    }
+    const Bytes mesh = value.mesh->canonical_bytes();
+    out.put_array(std::span<const std::uint8_t>(reinterpret_cast<const std::uint8_t*>(mesh.data()),
+                                                mesh.size()));
+    return out.take();
+}
+
+/// The inverse of `to_bytes`. Nothing for incomplete bytes.
+std::optional<Result<ImportedMesh>> imported_from_bytes(std::span<const std::byte> bytes) {
+    ByteReader in(bytes);
+    if (in.get<std::uint8_t>() == 0) {
+        const auto code = static_cast<ErrorCode>(in.get<std::uint32_t>());
+        const std::string detail = in.get_text();
+        return in.complete() ? std::optional(Result<ImportedMesh>(Error{code, detail}))
+                             : std::nullopt;
+    }
+    ImportedMesh value;
+    value.points_skipped = in.get<std::uint64_t>();
+    value.lines_skipped = in.get<std::uint64_t>();
+    value.declared.unit = in.get_text();
+    value.declared.metres = in.get<double>();
+    value.declared.up = in.get_text();
+    value.is_by_assimp = in.get<std::uint8_t>() != 0;
+    const auto warnings = in.get<std::uint32_t>();
+    for (std::uint32_t i = 0; i < warnings && !in.failed(); ++i) {
+        value.warnings.push_back(in.get_text());
+    }
+    if (in.failed()) {
+        return std::nullopt;
+    }
+    auto mesh = Mesh::from_canonical_bytes(in.get_bytes(in.remaining()));
+    if (!mesh) {
+        return std::nullopt;
+    }
+    value.mesh = std::make_shared<const Mesh>(std::move(mesh.value()));
+    return Result<ImportedMesh>(std::move(value));
 }
 
 std::string explain(ChildEnd end, const ChildLimits& limits) {
@@ -55,9 +115,8 @@ Result<ImportedMesh> import_with_assimp(const std::filesystem::path& path,
             return std::move(*imported);
         }
     }
-    return Error{ErrorCode::BadInput,
-                 path.string() + ": " + explain(answer.value().end, limits) + " (assimp " +
-                     assimp_version() + "); convert the file to glTF, OBJ, PLY or STL"};
+    return bad_input(path.string() + ": " + explain(answer.value().end, limits) + " (assimp " +
+                     assimp_version() + "); convert the file to glTF, OBJ, PLY or STL");
 }
 
 } // namespace cd

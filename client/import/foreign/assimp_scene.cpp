@@ -1,9 +1,10 @@
 #include "client/import/foreign/assimp_scene.hpp"
 
+#include "client/base/errors.hpp"
 #include "client/import/foreign/collada_check.hpp"
 #include "client/import/foreign/xml_frames.hpp"
 #include "client/import/mesh_builder.hpp"
-#include "client/import/text/mesh_words.hpp"
+#include "client/import/text/text_reader.hpp"
 
 #include <Eigen/Core>
 #include <assimp/Importer.hpp>
@@ -23,10 +24,6 @@
 namespace cd {
 
 namespace {
-
-Error bad(const std::filesystem::path& path, const std::string& detail) {
-    return {ErrorCode::BadInput, path.string() + ": " + detail};
-}
 
 Eigen::Matrix4d to_double(const aiMatrix4x4& m) {
     Eigen::Matrix4d out;
@@ -58,9 +55,7 @@ class SceneReader {
             waiting.pop_back();
             for (unsigned i = 0; i < visit.node->mNumMeshes; ++i) {
                 const aiMesh& mesh = *scene_.mMeshes[visit.node->mMeshes[i]];
-                if (const Status status = add(mesh, *visit.node, visit.to_world); !status) {
-                    return status.error();
-                }
+                CD_TRY(add(mesh, *visit.node, visit.to_world));
             }
             for (unsigned i = visit.node->mNumChildren; i-- > 0;) {
                 const aiNode* child = visit.node->mChildren[i];
@@ -83,9 +78,9 @@ class SceneReader {
             for (unsigned k = 0; k < 3; ++k) {
                 corners[k] = place(mesh.mVertices[face.mIndices[k]], to_world);
                 if (!corners[k].allFinite()) {
-                    return bad(path_,
-                               "face " + std::to_string(builder_.triangle_count()) +
-                                   " has a coordinate that is not finite");
+                    return bad_input(path_,
+                                     "face " + std::to_string(builder_.triangle_count()) +
+                                         " has a coordinate that is not finite");
                 }
             }
             builder_.add(corners);
@@ -115,14 +110,9 @@ class SceneReader {
     }
 
     Result<ImportedMesh> finish() {
-        ImportedMesh imported;
+        auto imported = CD_TRY(finish_import(path_, builder_, Precision::Float));
         imported.points_skipped = points_;
         imported.lines_skipped = lines_;
-        auto mesh = builder_.finish(Precision::Float);
-        if (!mesh) {
-            return bad(path_, mesh.error().detail);
-        }
-        imported.mesh = std::make_shared<const Mesh>(std::move(mesh.value()));
         return imported;
     }
 
@@ -192,11 +182,12 @@ Status check_rigid(const aiScene& scene, const std::filesystem::path& path) {
     for (unsigned m = 0; m < scene.mNumMeshes; ++m) {
         const aiMesh& mesh = *scene.mMeshes[m];
         if (mesh.mNumBones > 0 || mesh.mNumAnimMeshes > 0) {
-            return bad(path,
-                       "mesh '" + std::string(mesh.mName.C_Str()) + "' is deformed by " +
-                           (mesh.mNumBones > 0 ? "a skin" : "morph targets") +
-                           ", and only rigid meshes are read; apply them in the program that wrote "
-                           "the file");
+            return bad_input(
+                path,
+                "mesh '" + std::string(mesh.mName.C_Str()) + "' is deformed by " +
+                    (mesh.mNumBones > 0 ? "a skin" : "morph targets") +
+                    ", and only rigid meshes are read; apply them in the program that wrote "
+                    "the file");
         }
     }
     return Done{};
@@ -206,7 +197,7 @@ Status check_rigid(const aiScene& scene, const std::filesystem::path& path) {
 Error unreadable(const std::filesystem::path& path, std::string why) {
     std::replace_if(
         why.begin(), why.end(), [](unsigned char c) { return std::iscntrl(c) != 0; }, ' ');
-    return bad(path, "cannot be read as a mesh" + (why.empty() ? "" : ": " + why));
+    return bad_input(path, "cannot be read as a mesh" + (why.empty() ? "" : ": " + why));
 }
 
 /// Counts for each mesh the triangles that its polygons make.
@@ -223,13 +214,13 @@ Result<std::vector<std::uint64_t>> count_triangles(const aiScene& scene,
             const aiFace& face = mesh.mFaces[f];
             const auto name = [&] { return "face " + std::to_string(faces_before + f); };
             if (face.mNumIndices == 0) {
-                return bad(path, name() + " is missing: the file has fewer than it counts");
+                return bad_input(path, name() + " is missing: the file has fewer than it counts");
             }
             for (unsigned k = 0; k < face.mNumIndices; ++k) {
                 if (face.mIndices[k] >= mesh.mNumVertices) {
-                    return bad(path,
-                               name() + " names vertex " + std::to_string(face.mIndices[k]) +
-                                   " of " + std::to_string(mesh.mNumVertices));
+                    return bad_input(path,
+                                     name() + " names vertex " + std::to_string(face.mIndices[k]) +
+                                         " of " + std::to_string(mesh.mNumVertices));
                 }
             }
             triangles[m] += face.mNumIndices > 2 ? face.mNumIndices - 2 : 0;
@@ -250,10 +241,10 @@ Status check_triangles(const aiScene& scene,
             triangles += mesh.mFaces[f].mNumIndices == 3 ? 1 : 0;
         }
         if (triangles != expected[m]) {
-            return bad(path,
-                       "mesh '" + std::string(mesh.mName.C_Str()) +
-                           "' has polygons that cannot be cut into triangles; triangulate it "
-                           "before exporting");
+            return bad_input(path,
+                             "mesh '" + std::string(mesh.mName.C_Str()) +
+                                 "' has polygons that cannot be cut into triangles; triangulate it "
+                                 "before exporting");
         }
     }
     return Done{};
@@ -276,26 +267,20 @@ Result<ImportedMesh> read_with_assimp(const std::filesystem::path& path,
         if (scene == nullptr || scene->mRootNode == nullptr) {
             return unreadable(path, importer.GetErrorString());
         }
-        if (const Status rigid = check_rigid(*scene, path); !rigid) {
-            return rigid.error();
-        }
-        const auto triangles = count_triangles(*scene, path);
-        if (!triangles) {
-            return triangles.error();
-        }
+        CD_TRY(check_rigid(*scene, path));
+        const auto triangles = CD_TRY(count_triangles(*scene, path));
         scene = importer.ApplyPostProcessing(aiProcess_Triangulate);
         if (scene == nullptr || scene->mRootNode == nullptr) {
             return unreadable(path, importer.GetErrorString());
         }
-        if (const Status whole = check_triangles(*scene, triangles.value(), path); !whole) {
-            return whole.error();
-        }
+        CD_TRY(check_triangles(*scene, triangles, path));
         const auto known_frame = declared_frame(*scene, path);
         if (!known_frame && !options.declared_unit_to.empty()) {
-            return bad(path,
-                       "declares a unit that is not known here; name the unit of its coordinates "
-                       "(unit in the body's table of the job, --unit-a, --unit-b, or --unit of "
-                       "inspect)");
+            return bad_input(
+                path,
+                "declares a unit that is not known here; name the unit of its coordinates "
+                "(unit in the body's table of the job, --unit-a, --unit-b, or --unit of "
+                "inspect)");
         }
         const DeclaredFrame declared = known_frame.value_or(DeclaredFrame{});
         // assimp adds a root transform for the unit of a COLLADA file; the unit is applied here

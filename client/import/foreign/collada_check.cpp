@@ -1,15 +1,16 @@
 #include "client/import/foreign/collada_check.hpp"
 
-#include "client/import/foreign/collada_instances.hpp"
+#include "client/base/errors.hpp"
 #include "client/import/foreign/xml_text.hpp"
-#include "client/import/text/mesh_words.hpp"
+#include "client/import/text/text_reader.hpp"
 #include "common/core/limits/client.hpp"
 
 #include <algorithm>
 #include <array>
+#include <initializer_list>
 #include <limits>
 #include <map>
-#include <optional>
+#include <set>
 #include <string_view>
 #include <vector>
 
@@ -58,39 +59,48 @@ std::uint64_t numbers_read(const pugi::xml_node& accessor) {
                : number_of(accessor, "offset", 0) + (count - 1) * stride + std::max(stride, width);
 }
 
-class ColladaCheck {
+/// True for elements that the importer ignores, or does not use for meshes.
+bool is_passed_over(const pugi::xml_node& node) {
+    const std::string_view name = node.name();
+    return name == "extra" || name == "technique";
+}
+
+/// Calls `visit` for `top` and each node below it, in the order of the file, with its depth (1 for
+/// `top`), until `visit` returns an error. Leaves out what is below elements that are passed over.
+/// There is no recursion, since the file decides the depth.
+template <class Visit>
+Status for_each_node(const pugi::xml_node& top, const Visit& visit) {
+    pugi::xml_node node = top;
+    std::size_t depth = 1;
+    while (node) {
+        CD_TRY(visit(node, depth));
+        pugi::xml_node next = is_passed_over(node) ? pugi::xml_node() : node.first_child();
+        depth += next ? 1 : 0;
+        while (!next && node && node != top) {
+            next = node.next_sibling();
+            if (!next) {
+                node = node.parent();
+                --depth;
+            }
+        }
+        node = next;
+    }
+    return Done{};
+}
+
+/// Checks numbers: those in the text of elements, in attributes, and the bounds of arrays.
+class NumberCheck {
   public:
-    explicit ColladaCheck(const XmlText& xml) : xml_(xml) {}
+    explicit NumberCheck(const XmlText& xml) : xml_(xml) {}
 
     Status run() {
-        // No recursion, since the file decides the depth.
-        pugi::xml_node node = xml_.root();
-        std::size_t depth = 1;
-        while (node) {
-            if (Status status = check(node, depth); !status) {
-                return status;
-            }
-            pugi::xml_node next = is_passed_over(node) ? pugi::xml_node() : node.first_child();
-            depth += next ? 1 : 0;
-            while (!next && node && node != xml_.root()) {
-                next = node.next_sibling();
-                if (!next) {
-                    node = node.parent();
-                    --depth;
-                }
-            }
-            node = next;
-        }
+        CD_TRY(for_each_node(xml_.root(), [&](const pugi::xml_node& node, std::size_t depth) {
+            return check(node, depth);
+        }));
         return check_accessors();
     }
 
   private:
-    /// True for elements that the importer ignores, or does not use for meshes.
-    static bool is_passed_over(const pugi::xml_node& node) {
-        const std::string_view name = node.name();
-        return name == "extra" || name == "technique";
-    }
-
     Status check(const pugi::xml_node& node, std::size_t depth) {
         if (node.type() != pugi::node_element) {
             return Done{};
@@ -109,11 +119,8 @@ class ColladaCheck {
         } else if (name == "float_array") {
             arrays_[node.attribute("id").value()] = number_of(node, "count", 0);
         }
-        if (Status attributes = check_attributes(node); !attributes) {
-            return attributes;
-        }
-        const auto* const found =
-            std::ranges::find(number_elements, name, [](const auto& e) { return e.name; });
+        CD_TRY(check_attributes(node));
+        const auto* const found = std::ranges::find(number_elements, name, &NumberElement::name);
         return found == number_elements.end() ? Done{} : check_numbers_of(node, *found);
     }
 
@@ -147,9 +154,7 @@ class ColladaCheck {
                 return xml_.refusal(piece, place + "the importer reads its text up to here only");
             }
             has_text = true;
-            if (Status words = check_words(piece, element, place); !words) {
-                return words;
-            }
+            CD_TRY(check_words(piece, element, place));
         }
         return Done{};
     }
@@ -157,10 +162,10 @@ class ColladaCheck {
     [[nodiscard]] Status check_words(const pugi::xml_node& piece,
                                      const NumberElement& element,
                                      const std::string& place) const {
-        Words words(piece.value());
+        TextReader words(piece.value());
         std::uint64_t count = 0;
         std::string_view last = piece.value();
-        for (auto word = words.next(); !word.empty(); word = words.next()) {
+        for (auto word = words.word(); !word.empty(); word = words.word()) {
             if (element.is_whole ? !is_index(word) : !to_number(word)) {
                 return xml_.refusal(piece,
                                     word,
@@ -199,6 +204,84 @@ class ColladaCheck {
     std::vector<pugi::xml_node> accessors_;
 };
 
+/// Checks that every instance in the scene refers to a rigid mesh of the file.
+class InstanceCheck {
+  public:
+    explicit InstanceCheck(const XmlText& xml) : xml_(xml) {}
+
+    Status run() {
+        for (const pugi::xml_node& library : xml_.root().children("library_geometries")) {
+            for (const pugi::xml_node& geometry : library.children("geometry")) {
+                const char* const id = geometry.attribute("id").value();
+                (geometry.child("mesh") ? meshes_ : shapeless_).insert(id);
+            }
+        }
+        CD_TRY(for_each_in({"library_nodes", "library_visual_scenes"},
+                           [&](const pugi::xml_node& node) { return note_id(node); }));
+        return for_each_in({"library_nodes", "library_visual_scenes", "scene"},
+                           [&](const pugi::xml_node& node) { return check(node); });
+    }
+
+  private:
+    /// Calls `visit` for each node in the root's children with these names.
+    template <class Visit>
+    Status for_each_in(std::initializer_list<std::string_view> names, const Visit& visit) const {
+        for (const pugi::xml_node& library : xml_.root().children()) {
+            if (std::ranges::find(names, library.name()) != names.end()) {
+                CD_TRY(for_each_node(
+                    library, [&](const pugi::xml_node& node, std::size_t) { return visit(node); }));
+            }
+        }
+        return Done{};
+    }
+
+    Status note_id(const pugi::xml_node& node) {
+        const std::string_view name = node.name();
+        if (name == "node" || name == "visual_scene") {
+            (name == "node" ? nodes_ : scenes_).insert(node.attribute("id").value());
+        }
+        return Done{};
+    }
+
+    [[nodiscard]] Status check(const pugi::xml_node& node) const {
+        const std::string_view name = node.name();
+        const std::string url = node.attribute("url").value();
+        const std::string id = url.starts_with('#') ? url.substr(1) : std::string();
+        const auto missing = [&] {
+            return xml_.refusal(
+                node, std::string(name) + " names '" + url + "', which is not in this file");
+        };
+        if (name == "instance_geometry") {
+            if (shapeless_.contains(id)) {
+                return xml_.refusal(node,
+                                    "geometry '" + id +
+                                        "' is no mesh (convex_mesh, spline or brep); export it as "
+                                        "triangles");
+            }
+            return meshes_.contains(id) ? Status(Done{}) : missing();
+        }
+        if (name == "instance_controller") {
+            return xml_.refusal(node,
+                                "a mesh deformed by a skin or a morph ('" + url +
+                                    "'), and only rigid meshes are read; apply it in the program "
+                                    "that wrote the file");
+        }
+        if (name == "instance_node") {
+            return nodes_.contains(id) ? Status(Done{}) : missing();
+        }
+        if (name == "instance_visual_scene") {
+            return scenes_.contains(id) ? Status(Done{}) : missing();
+        }
+        return Done{};
+    }
+
+    const XmlText& xml_;
+    std::set<std::string, std::less<>> meshes_;
+    std::set<std::string, std::less<>> shapeless_; ///< Geometries without a mesh.
+    std::set<std::string, std::less<>> nodes_;
+    std::set<std::string, std::less<>> scenes_;
+};
+
 } // namespace
 
 bool is_collada(const std::string& text) {
@@ -206,12 +289,9 @@ bool is_collada(const std::string& text) {
 }
 
 Status check_collada(const std::filesystem::path& path, const std::string& text) {
-    const auto xml = XmlText::parse(path, text);
-    if (!xml) {
-        return xml.error();
-    }
-    Status numbers = ColladaCheck(xml.value()).run();
-    return numbers ? check_collada_instances(xml.value()) : numbers;
+    const auto xml = CD_TRY(XmlText::parse(path, text));
+    CD_TRY(NumberCheck(xml).run());
+    return InstanceCheck(xml).run();
 }
 
 } // namespace cd

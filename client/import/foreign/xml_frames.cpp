@@ -1,7 +1,7 @@
 #include "client/import/foreign/xml_frames.hpp"
 
 #include "client/formats/zip_file.hpp"
-#include "client/import/text/mesh_words.hpp"
+#include "client/import/text/text_reader.hpp"
 
 #include <pugixml.hpp>
 
@@ -61,7 +61,7 @@ DeclaredFrame collada_frame(std::string_view text) {
                      : frame.metres == 1 ? "metre"
                                          : std::string(unit.attribute("meter").value()) + " m";
     }
-    const std::string_view up = Words(asset.child_value("up_axis")).next();
+    const std::string_view up = TextReader(asset.child_value("up_axis")).word();
     if (up == "X_UP" || up == "Z_UP") {
         frame.up = up.substr(0, 1);
     }

@@ -1,7 +1,7 @@
 // Units and axes of the mesh formats that are XML: COLLADA, AMF and 3MF.
 #pragma once
 
-#include "client/import/declared_frame.hpp"
+#include "client/import/imported_mesh.hpp"
 
 #include <filesystem>
 #include <optional>

@@ -1,5 +1,7 @@
 #include "client/import/foreign/xml_text.hpp"
 
+#include "client/base/errors.hpp"
+
 #include <algorithm>
 
 namespace cd {
@@ -23,7 +25,7 @@ Error XmlText::refusal(std::ptrdiff_t offset, const std::string& detail) const {
     const auto end =
         std::min(static_cast<std::size_t>(std::max<std::ptrdiff_t>(offset, 0)), text_.size());
     const auto line = 1 + std::ranges::count(text_.substr(0, end), '\n');
-    return {ErrorCode::BadInput, path_->string() + ":" + std::to_string(line) + ": " + detail};
+    return bad_input(path_->string() + ":" + std::to_string(line) + ": " + detail);
 }
 
 Error XmlText::refusal(const pugi::xml_node& node, const std::string& detail) const {

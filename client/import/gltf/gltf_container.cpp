@@ -1,5 +1,6 @@
 #include "client/import/gltf/gltf_container.hpp"
 
+#include "client/base/errors.hpp"
 #include "common/core/files/bytes.hpp"
 
 #include <string>
@@ -16,10 +17,6 @@ std::string_view text_of(std::span<const std::byte> bytes) {
     return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
-Error bad(const std::string& what) {
-    return {ErrorCode::BadInput, what};
-}
-
 struct Chunk {
     std::uint32_t type = 0;
     std::span<const std::byte> bytes;
@@ -31,8 +28,8 @@ Result<Chunk> next_chunk(ByteReader& in) {
     const std::size_t there = in.remaining();
     const auto bytes = in.get_bytes(size);
     if (in.failed()) {
-        return bad("a chunk of this GLB counts " + std::to_string(size) + " bytes, and " +
-                   std::to_string(there) + " are left");
+        return bad_input("a chunk of this GLB counts " + std::to_string(size) + " bytes, and " +
+                         std::to_string(there) + " are left");
     }
     return Chunk{type, bytes};
 }
@@ -43,30 +40,24 @@ Result<GltfContainer> open_glb(std::span<const std::byte> file) {
     const auto version = in.get<std::uint32_t>();
     const auto size = in.get<std::uint32_t>();
     if (version != 2 || in.failed()) {
-        return bad("is a GLB of version " + std::to_string(version) + "; only 2 is read");
+        return bad_input("is a GLB of version " + std::to_string(version) + "; only 2 is read");
     }
     if (size != file.size()) {
-        return bad("the GLB counts " + std::to_string(size) + " bytes, and the file has " +
-                   std::to_string(file.size()));
+        return bad_input("the GLB counts " + std::to_string(size) + " bytes, and the file has " +
+                         std::to_string(file.size()));
     }
-    const auto json = next_chunk(in);
-    if (!json) {
-        return json.error();
-    }
-    if (json.value().type != json_chunk) {
-        return bad("the first chunk of this GLB is not JSON");
+    const auto json = CD_TRY(next_chunk(in));
+    if (json.type != json_chunk) {
+        return bad_input("the first chunk of this GLB is not JSON");
     }
     GltfContainer container;
-    container.json = text_of(json.value().bytes);
+    container.json = text_of(json.bytes);
     // Some programs pad the chunk with zeros instead of blanks.
     container.json = container.json.substr(0, container.json.find_last_not_of('\0') + 1);
     if (in.remaining() > 0) {
-        const auto binary = next_chunk(in);
-        if (!binary) {
-            return binary.error();
-        }
-        if (binary.value().type == binary_chunk) {
-            container.chunk = binary.value().bytes;
+        const auto binary = CD_TRY(next_chunk(in));
+        if (binary.type == binary_chunk) {
+            container.chunk = binary.bytes;
         }
     }
     return container;

@@ -1,8 +1,8 @@
 #include "client/import/gltf/gltf_document.hpp"
 
-#include "client/import/gltf/gltf_extensions.hpp"
+#include "client/base/errors.hpp"
 #include "client/import/gltf/gltf_fields.hpp"
-#include "client/import/gltf/gltf_trees.hpp"
+#include "common/core/limits/client.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -14,9 +14,127 @@ namespace {
 
 using Json = nlohmann::json;
 
+/// Extensions that do not change triangles, and those that are supported.
+constexpr std::array<std::string_view, 35> harmless_extensions{
+    "KHR_mesh_quantization",
+    "EXT_mesh_gpu_instancing",
+    "EXT_lights_ies",
+    "EXT_lights_image_based",
+    "EXT_texture_avif",
+    "EXT_texture_webp",
+    "KHR_animation_pointer",
+    "KHR_lights_punctual",
+    "KHR_materials_anisotropy",
+    "KHR_materials_clearcoat",
+    "KHR_materials_common",
+    "KHR_materials_diffuse_transmission",
+    "KHR_materials_dispersion",
+    "KHR_materials_emissive_strength",
+    "KHR_materials_ior",
+    "KHR_materials_iridescence",
+    "KHR_materials_pbrSpecularGlossiness",
+    "KHR_materials_sheen",
+    "KHR_materials_specular",
+    "KHR_materials_transmission",
+    "KHR_materials_unlit",
+    "KHR_materials_variants",
+    "KHR_materials_volume",
+    "KHR_materials_volume_scatter",
+    "KHR_techniques_webgl",
+    "KHR_texture_basisu",
+    "KHR_texture_transform",
+    "KHR_xmp",
+    "KHR_xmp_json_ld",
+    "EXT_materials_bump",
+    "MSFT_packing_normalRoughnessMetallic",
+    "MSFT_packing_occlusionRoughnessMetallic",
+    "MSFT_texture_dds",
+    "ADOBE_materials_clearcoat_specular",
+    "ADOBE_materials_clearcoat_tint",
+};
+
+constexpr std::array<const char*, 3> compressions{
+    "KHR_draco_mesh_compression", "EXT_meshopt_compression", "KHR_meshopt_compression"};
+
+std::string compressed_by(std::string_view extension) {
+    return "its geometry is compressed by " + std::string(extension) +
+           ", which is not read; write the file without compression (gltf-transform copy IN OUT "
+           "unpacks it)";
+}
+
+/// Reports the first unknown name in `extensionsRequired`: a reader that does not know a required
+/// extension must refuse the file (glTF 2.0, section 3.12). `file` is the whole document.
+void refuse_unknown_extensions(const GltfFields& file) {
+    for (const Json& entry : file.list("extensionsRequired")) {
+        const std::string name = entry.is_string() ? entry.get<std::string>() : "?";
+        if (std::ranges::find(compressions, name) != compressions.end()) {
+            file.refuse(compressed_by(name));
+        } else if (std::ranges::find(harmless_extensions, name) == harmless_extensions.end()) {
+            file.refuse("requires the extension " + name +
+                        ", which is not supported; export the file without it");
+        }
+    }
+}
+
+/// Reports an object whose geometry is compressed by an extension.
+void refuse_compression(const GltfFields& object) {
+    const auto extensions = object.object("extensions");
+    for (const char* name : compressions) {
+        if (extensions && extensions->has(name)) {
+            object.refuse(compressed_by(name));
+        }
+    }
+}
+
+Error bad(std::size_t node, const std::string& what) {
+    return bad_input("node " + std::to_string(node) + ": " + what);
+}
+
+/// Checks that each node has at most one parent (section 3.5.2). Otherwise a few nodes could expand
+/// to 2^1000.
+Status check_parents(const GltfDocument& document) {
+    std::vector<bool> is_child(document.nodes.size(), false);
+    for (const GltfNode& node : document.nodes) {
+        for (const std::size_t child : node.children) {
+            if (is_child[child]) {
+                return bad(child, "is the child of two nodes");
+            }
+            is_child[child] = true;
+        }
+    }
+    std::vector<bool> is_root(document.nodes.size(), false);
+    for (const std::size_t root : document.roots) {
+        if (is_child[root] || is_root[root]) {
+            return bad(root,
+                       is_child[root] ? "is a root of the scene and the child of a node"
+                                      : "is a root of the scene twice");
+        }
+        is_root[root] = true;
+    }
+    return Done{};
+}
+
+Status check_depth(const GltfDocument& document) {
+    std::vector<std::size_t> level = document.roots;
+    for (std::size_t depth = 1; !level.empty(); ++depth) {
+        if (depth > limits::mesh_file_depth_max) {
+            return bad(level.front(),
+                       "is nested more than " + std::to_string(limits::mesh_file_depth_max) +
+                           " deep");
+        }
+        std::vector<std::size_t> next;
+        for (const std::size_t node : level) {
+            const auto& children = document.nodes[node].children;
+            next.insert(next.end(), children.begin(), children.end());
+        }
+        level = std::move(next);
+    }
+    return Done{};
+}
+
 class DocumentReader {
   public:
-    explicit DocumentReader(const Json& json) : file_(json, "", problem_) {}
+    explicit DocumentReader(const Json& json) : file_(json, "") {}
 
     Result<GltfDocument> read() {
         check_version();
@@ -33,12 +151,8 @@ class DocumentReader {
         read_list("meshes", "mesh ", document_.meshes, &DocumentReader::mesh);
         read_list("nodes", "node ", document_.nodes, &DocumentReader::node);
         read_scene();
-        if (problem_.error()) {
-            return *problem_.error();
-        }
-        if (const Status trees = check_gltf_trees(document_); !trees) {
-            return trees.error();
-        }
+        CD_TRY(check_parents(document_));
+        CD_TRY(check_depth(document_));
         return std::move(document_);
     }
 
@@ -58,18 +172,17 @@ class DocumentReader {
                    std::vector<T>& out,
                    T (DocumentReader::*read_one)(const GltfFields&)) {
         const Json& list = file_.list(key);
-        for (std::size_t i = 0; i < list.size() && !problem_.error(); ++i) {
-            out.push_back(
-                (this->*read_one)(GltfFields(list[i], place + std::to_string(i), problem_)));
+        for (std::size_t i = 0; i < list.size(); ++i) {
+            out.push_back((this->*read_one)(GltfFields(list[i], place + std::to_string(i))));
         }
     }
 
     void check_version() {
         const auto asset = file_.object("asset");
         if (!asset) {
-            file_.report("is not glTF: it has no asset with a version");
+            file_.refuse("is not glTF: it has no asset with a version");
         } else if (const std::string version = asset->text("version"); !version.starts_with("2.")) {
-            file_.report("is of glTF version '" + version + "'; only 2.0 is read");
+            file_.refuse("is of glTF version '" + version + "'; only 2.0 is read");
         }
     }
 
@@ -93,8 +206,7 @@ class DocumentReader {
     GltfNumber number_type(const GltfFields& fields) {
         const std::uint64_t type = fields.needed_whole("componentType");
         if (type < 5120 || type > 5126 || type == 5124) {
-            fields.report("componentType " + std::to_string(type) + " is not known");
-            return GltfNumber::F32;
+            fields.refuse("componentType " + std::to_string(type) + " is not known");
         }
         return static_cast<GltfNumber>(type);
     }
@@ -117,10 +229,9 @@ class DocumentReader {
         const auto* const found = std::ranges::find(
             types, type, [](const auto& entry) { return std::string(entry.first); });
         if (found == types.end()) {
-            fields.report("type '" + type + "' is not known");
-        } else {
-            accessor.width = found->second;
+            fields.refuse("type '" + type + "' is not known");
         }
+        accessor.width = found->second;
         if (const auto sparse = fields.object("sparse")) {
             accessor.sparse = sparse_of(*sparse, accessor.type);
         }
@@ -133,8 +244,7 @@ class DocumentReader {
         const auto indices = fields.object("indices");
         const auto values = fields.object("values");
         if (!indices || !values) {
-            fields.report("its indices or values are missing");
-            return sparse;
+            fields.refuse("its indices or values are missing");
         }
         sparse.indices = {indices->needed_index("bufferView", count_.views),
                           indices->whole("byteOffset").value_or(0),
@@ -151,8 +261,8 @@ class DocumentReader {
         mesh.is_morphed = has_weights(fields).value_or(false);
         const Json& primitives = fields.list("primitives");
         for (std::size_t i = 0; i < primitives.size(); ++i) {
-            mesh.primitives.push_back(primitive(GltfFields(
-                primitives[i], fields.place() + ", primitive " + std::to_string(i), problem_)));
+            mesh.primitives.push_back(primitive(
+                GltfFields(primitives[i], fields.place() + ", primitive " + std::to_string(i))));
         }
         return mesh;
     }
@@ -162,16 +272,15 @@ class DocumentReader {
         GltfPrimitive primitive;
         const auto attributes = fields.object("attributes");
         if (!attributes || !attributes->has("POSITION")) {
-            fields.report("it has no POSITION");
-        } else {
-            primitive.positions = attributes->needed_index("POSITION", count_.accessors);
+            fields.refuse("it has no POSITION");
         }
+        primitive.positions = attributes->needed_index("POSITION", count_.accessors);
         primitive.indices = fields.index("indices", count_.accessors);
         const std::uint64_t mode = fields.whole("mode").value_or(4);
         if (mode > 6) {
-            fields.report("mode " + std::to_string(mode) + " is not known");
+            fields.refuse("mode " + std::to_string(mode) + " is not known");
         }
-        primitive.mode = static_cast<GltfMode>(std::min<std::uint64_t>(mode, 6));
+        primitive.mode = static_cast<GltfMode>(mode);
         return primitive;
     }
 
@@ -219,7 +328,7 @@ class DocumentReader {
         const double off =
             std::max({std::abs(m[3]), std::abs(m[7]), std::abs(m[11]), std::abs(m[15] - 1)});
         if (!(off <= rounding)) {
-            fields.report("its matrix has a last row other than 0 0 0 1");
+            fields.refuse("its matrix has a last row other than 0 0 0 1");
         }
     }
 
@@ -238,7 +347,7 @@ class DocumentReader {
                          attributes->index("SCALE", count_.accessors)};
         }
         if (!instances.translation && !instances.rotation && !instances.scale) {
-            instancing->report("it has no TRANSLATION, ROTATION or SCALE");
+            instancing->refuse("it has no TRANSLATION, ROTATION or SCALE");
         }
         return instances;
     }
@@ -247,15 +356,13 @@ class DocumentReader {
         const Json& scenes = file_.list("scenes");
         document_.scenes = scenes.size();
         if (scenes.empty()) {
-            file_.report("has no scene; export the scene with its nodes");
-            return;
+            file_.refuse("has no scene; export the scene with its nodes");
         }
         const std::size_t scene = file_.index("scene", scenes.size()).value_or(0);
-        document_.roots = GltfFields(scenes[scene], "scene " + std::to_string(scene), problem_)
+        document_.roots = GltfFields(scenes[scene], "scene " + std::to_string(scene))
                               .indices("nodes", count_.nodes);
     }
 
-    GltfProblem problem_;
     GltfFields file_;
     GltfDocument document_;
     Counts count_;
@@ -282,11 +389,12 @@ Result<GltfDocument> parse_gltf(std::string_view json) {
     try {
         const Json document = Json::parse(json);
         return DocumentReader(document).read();
+    } catch (const Refusal& refusal) {
+        return refusal.error;
     } catch (const Json::parse_error& error) {
-        return Error{ErrorCode::BadInput,
-                     "its JSON is damaged at byte " + std::to_string(error.byte)};
+        return bad_input("its JSON is damaged at byte " + std::to_string(error.byte));
     } catch (const Json::exception&) {
-        return Error{ErrorCode::BadInput, "its JSON has a number beyond all doubles"};
+        return bad_input("its JSON has a number beyond all doubles");
     }
 }
 

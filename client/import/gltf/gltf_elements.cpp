@@ -1,5 +1,7 @@
 #include "client/import/gltf/gltf_elements.hpp"
 
+#include "client/base/errors.hpp"
+
 #include <algorithm>
 #include <cstring>
 #include <limits>
@@ -7,10 +9,6 @@
 namespace cd {
 
 namespace {
-
-Error bad(const std::string& what) {
-    return {ErrorCode::BadInput, what};
-}
 
 template <class T>
 double load(const std::byte* from, bool is_normalized) {
@@ -57,12 +55,12 @@ Result<GltfElements::Run> GltfElements::open_run(const GltfDocument& document,
     const std::string name = "bufferView " + std::to_string(run.view);
     const auto buffer = buffers.bytes(view.buffer);
     if (!is_within(view.offset, view.bytes, buffer.size())) {
-        return bad(name + " goes beyond buffer " + std::to_string(view.buffer) + " of " +
-                   std::to_string(buffer.size()) + " bytes");
+        return bad_input(name + " goes beyond buffer " + std::to_string(view.buffer) + " of " +
+                         std::to_string(buffer.size()) + " bytes");
     }
     if (stride < element_bytes) {
-        return bad(name + " has a byteStride of " + std::to_string(stride) +
-                   ", less than an element of " + std::to_string(element_bytes) + " bytes");
+        return bad_input(name + " has a byteStride of " + std::to_string(stride) +
+                         ", less than an element of " + std::to_string(element_bytes) + " bytes");
     }
     if (count == 0) {
         return Run{nullptr, stride};
@@ -70,8 +68,8 @@ Result<GltfElements::Run> GltfElements::open_run(const GltfDocument& document,
     const bool is_there = is_within(run.offset, element_bytes, view.bytes) &&
                           count - 1 <= (view.bytes - run.offset - element_bytes) / stride;
     if (!is_there) {
-        return bad("its " + std::to_string(count) + " elements go beyond " + name + " of " +
-                   std::to_string(view.bytes) + " bytes");
+        return bad_input("its " + std::to_string(count) + " elements go beyond " + name + " of " +
+                         std::to_string(view.bytes) + " bytes");
     }
     return Run{buffer.data() + view.offset + run.offset, stride};
 }
@@ -82,25 +80,22 @@ Status GltfElements::open_sparse(const GltfDocument& document,
     const GltfSparse& sparse = *accessor.sparse;
     if (sparse.indices.type != GltfNumber::U8 && sparse.indices.type != GltfNumber::U16 &&
         sparse.indices.type != GltfNumber::U32) {
-        return bad("its sparse indices are not unsigned integers");
+        return bad_input("its sparse indices are not unsigned integers");
     }
     const std::uint64_t index_bytes = size_of(sparse.indices.type);
     const std::uint64_t element_bytes = size_of(accessor.type) * accessor.width;
-    const auto indices =
-        open_run(document, buffers, sparse.indices, sparse.count, index_bytes, index_bytes);
-    const auto values =
-        open_run(document, buffers, sparse.values, sparse.count, element_bytes, element_bytes);
-    if (!indices || !values) {
-        return indices ? values.error() : indices.error();
-    }
-    replacements_ = values.value();
+    const Run indices =
+        CD_TRY(open_run(document, buffers, sparse.indices, sparse.count, index_bytes, index_bytes));
+    replacements_ = CD_TRY(
+        open_run(document, buffers, sparse.values, sparse.count, element_bytes, element_bytes));
     for (std::uint64_t i = 0; i < sparse.count; ++i) {
-        const auto element = static_cast<std::uint64_t>(load_number(
-            sparse.indices.type, indices.value().first + i * indices.value().stride, false));
+        const auto element = static_cast<std::uint64_t>(
+            load_number(sparse.indices.type, indices.first + i * indices.stride, false));
         if (element >= accessor.count || !replaced_.emplace(element, i).second) {
-            return bad("its sparse index " + std::to_string(i) + " is " + std::to_string(element) +
-                       (element < accessor.count ? ", like an earlier one"
-                                                 : ", of " + std::to_string(accessor.count)));
+            return bad_input("its sparse index " + std::to_string(i) + " is " +
+                             std::to_string(element) +
+                             (element < accessor.count ? ", like an earlier one"
+                                                       : ", of " + std::to_string(accessor.count)));
         }
     }
     return Done{};
@@ -117,24 +112,19 @@ GltfElements::open(const GltfDocument& document, const GltfBuffers& buffers, std
     const std::uint64_t element_bytes = size_of(accessor.type) * accessor.width;
     if (accessor.view) {
         const std::uint64_t stride = document.views[*accessor.view].stride;
-        const auto base = open_run(document,
-                                   buffers,
-                                   {*accessor.view, accessor.offset, accessor.type},
-                                   accessor.count,
-                                   stride == 0 ? element_bytes : stride,
-                                   element_bytes);
-        if (!base) {
-            return bad(place + base.error().detail);
-        }
-        elements.base_ = base.value();
+        elements.base_ = CD_TRY(within(place,
+                                       open_run(document,
+                                                buffers,
+                                                {*accessor.view, accessor.offset, accessor.type},
+                                                accessor.count,
+                                                stride == 0 ? element_bytes : stride,
+                                                element_bytes)));
     } else if (accessor.count > buffers.size()) {
-        return bad(place + "it counts " + std::to_string(accessor.count) +
-                   " elements and has no bytes for them");
+        return bad_input(place + "it counts " + std::to_string(accessor.count) +
+                         " elements and has no bytes for them");
     }
     if (accessor.sparse) {
-        if (const Status sparse = elements.open_sparse(document, buffers, accessor); !sparse) {
-            return bad(place + sparse.error().detail);
-        }
+        CD_TRY(within(place, elements.open_sparse(document, buffers, accessor)));
     }
     return elements;
 }

@@ -5,7 +5,6 @@
 #include "client/import/gltf/gltf_document.hpp"
 
 #include <cstdint>
-#include <span>
 #include <unordered_map>
 
 namespace cd {

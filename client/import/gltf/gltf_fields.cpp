@@ -4,17 +4,14 @@
 
 namespace cd {
 
-GltfFields::GltfFields(const Json& json, std::string place, GltfProblem& problem)
-    : json_(&json), place_(std::move(place)), problem_(&problem) {
+GltfFields::GltfFields(const Json& json, std::string place)
+    : json_(&json), place_(std::move(place)) {
     if (!json.is_object()) {
-        report("is not an object");
+        refuse("is not an object");
     }
 }
 
 const GltfFields::Json* GltfFields::find(const char* key) const {
-    if (!json_->is_object()) {
-        return nullptr;
-    }
     const auto found = json_->find(key);
     return found == json_->end() ? nullptr : &*found;
 }
@@ -26,29 +23,27 @@ bool GltfFields::has(const char* key) const {
 std::optional<std::uint64_t> GltfFields::whole(const char* key) const {
     const Json* value = find(key);
     if (value != nullptr && !value->is_number_unsigned()) {
-        report(std::string(key) + " is not a whole number");
-        return std::nullopt;
+        refuse(std::string(key) + " is not a whole number");
     }
     return value == nullptr ? std::nullopt : std::optional(value->get<std::uint64_t>());
 }
 
 std::uint64_t GltfFields::needed_whole(const char* key) const {
-    if (!has(key)) {
-        report(std::string(key) + " is missing");
+    const auto value = whole(key);
+    if (!value) {
+        refuse(std::string(key) + " is missing");
     }
-    return whole(key).value_or(0);
+    return *value;
 }
 
 std::size_t GltfFields::checked_index(const Json& value, const char* key, std::size_t count) const {
     if (!value.is_number_unsigned()) {
-        report(std::string(key) + " is not an index");
-        return 0;
+        refuse(std::string(key) + " is not an index");
     }
     const auto index = value.get<std::uint64_t>();
     if (index >= count) {
-        report(std::string(key) + " is " + std::to_string(index) + ", and there are " +
+        refuse(std::string(key) + " is " + std::to_string(index) + ", and there are " +
                std::to_string(count));
-        return 0;
     }
     return static_cast<std::size_t>(index);
 }
@@ -59,17 +54,17 @@ std::optional<std::size_t> GltfFields::index(const char* key, std::size_t count)
 }
 
 std::size_t GltfFields::needed_index(const char* key, std::size_t count) const {
-    if (!has(key)) {
-        report(std::string(key) + " is missing");
+    const auto value = index(key, count);
+    if (!value) {
+        refuse(std::string(key) + " is missing");
     }
-    return index(key, count).value_or(0);
+    return *value;
 }
 
 bool GltfFields::flag(const char* key) const {
     const Json* value = find(key);
     if (value != nullptr && !value->is_boolean()) {
-        report(std::string(key) + " is neither true nor false");
-        return false;
+        refuse(std::string(key) + " is neither true nor false");
     }
     return value != nullptr && value->get<bool>();
 }
@@ -77,8 +72,7 @@ bool GltfFields::flag(const char* key) const {
 std::string GltfFields::text(const char* key) const {
     const Json* value = find(key);
     if (value != nullptr && !value->is_string()) {
-        report(std::string(key) + " is not text");
-        return {};
+        refuse(std::string(key) + " is not text");
     }
     return value == nullptr ? std::string() : value->get<std::string>();
 }
@@ -90,8 +84,7 @@ std::optional<std::vector<double>> GltfFields::numbers(const char* key) const {
     std::vector<double> numbers;
     for (const Json& value : list(key)) {
         if (!value.is_number()) {
-            report(std::string(key) + " holds something other than numbers");
-            return std::nullopt;
+            refuse(std::string(key) + " holds something other than numbers");
         }
         numbers.push_back(value.get<double>());
     }
@@ -101,19 +94,16 @@ std::optional<std::vector<double>> GltfFields::numbers(const char* key) const {
 std::optional<std::vector<double>> GltfFields::numbers(const char* key, std::size_t count) const {
     auto found = numbers(key);
     if (found && found->size() != count) {
-        report(std::string(key) + " has " + std::to_string(found->size()) +
+        refuse(std::string(key) + " has " + std::to_string(found->size()) +
                " numbers in place of " + std::to_string(count));
-        return std::nullopt;
     }
     return found;
 }
 
 std::vector<std::size_t> GltfFields::indices(const char* key, std::size_t count) const {
     std::vector<std::size_t> found;
-    if (count != 0 || has(key)) {
-        for (const Json& value : list(key)) {
-            found.push_back(checked_index(value, key, count));
-        }
+    for (const Json& value : list(key)) {
+        found.push_back(checked_index(value, key, count));
     }
     return found;
 }
@@ -122,8 +112,7 @@ const GltfFields::Json& GltfFields::list(const char* key) const {
     static const Json none = Json::array();
     const Json* value = find(key);
     if (value != nullptr && !value->is_array()) {
-        report(std::string(key) + " is not a list");
-        return none;
+        refuse(std::string(key) + " is not a list");
     }
     return value == nullptr ? none : *value;
 }
@@ -133,7 +122,7 @@ std::optional<GltfFields> GltfFields::object(const char* key) const {
     if (value == nullptr) {
         return std::nullopt;
     }
-    return GltfFields(*value, place_.empty() ? key : place_ + ", " + key, *problem_);
+    return GltfFields(*value, place_.empty() ? key : place_ + ", " + key);
 }
 
 } // namespace cd

@@ -1,9 +1,9 @@
-#include "client/import/gltf/gltf_import.hpp"
-
+#include "client/base/errors.hpp"
 #include "client/import/gltf/gltf_buffers.hpp"
 #include "client/import/gltf/gltf_container.hpp"
 #include "client/import/gltf/gltf_document.hpp"
 #include "client/import/gltf/gltf_scene.hpp"
+#include "client/import/mesh_readers.hpp"
 
 namespace cd {
 
@@ -20,26 +20,15 @@ bool is_gltf(std::string_view bytes, std::string_view lower_extension) {
 }
 
 Result<ImportedMesh> read_gltf(const MeshSource& source) {
-    const auto container = open_gltf(bytes_of(source.bytes));
-    if (!container) {
-        return source.refusal(container.error().detail);
-    }
-    const auto document = parse_gltf(container.value().json);
-    if (!document) {
-        return source.refusal(document.error().detail);
-    }
-    const auto buffers = GltfBuffers::load(
-        document.value().buffers, container.value().chunk, source.path.parent_path());
-    if (!buffers) {
-        return source.refusal(buffers.error().detail);
-    }
-    auto imported = GltfScene(document.value(), buffers.value(), source.options).read();
-    if (!imported) {
-        return source.refusal(imported.error().detail);
-    }
-    if (document.value().scenes > 1) {
-        imported.value().warnings.push_back(
-            source.path.string() + ": has " + std::to_string(document.value().scenes) +
+    const std::string place = source.path.string() + ": ";
+    const auto container = CD_TRY(within(place, open_gltf(bytes_of(source.bytes))));
+    const auto document = CD_TRY(within(place, parse_gltf(container.json)));
+    const auto buffers = CD_TRY(within(
+        place, GltfBuffers::load(document.buffers, container.chunk, source.path.parent_path())));
+    auto imported = CD_TRY(within(place, GltfScene(document, buffers, source.options).read()));
+    if (document.scenes > 1) {
+        imported.warnings.push_back(
+            place + "has " + std::to_string(document.scenes) +
             " scenes, of which the one that it names, or its first, is read");
     }
     return imported;

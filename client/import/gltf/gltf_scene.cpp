@@ -1,9 +1,10 @@
 #include "client/import/gltf/gltf_scene.hpp"
 
-#include "client/import/gltf/gltf_corners.hpp"
+#include "client/base/errors.hpp"
 #include "client/import/gltf/gltf_elements.hpp"
 #include "common/core/limits/engine.hpp"
 
+#include <array>
 #include <utility>
 
 namespace cd {
@@ -12,10 +13,6 @@ namespace {
 
 /// glTF fixes the unit and the up axis (section 3.4).
 const DeclaredFrame gltf_frame{"metre", 1, "Y"};
-
-Error bad(const std::string& what) {
-    return {ErrorCode::BadInput, what};
-}
 
 std::string numbered(const char* kind, std::size_t number) {
     return std::string(kind) + "[" + std::to_string(number) + "]";
@@ -37,14 +34,11 @@ class GltfIndices {
                                      accessor.type == GltfNumber::U16 ||
                                      accessor.type == GltfNumber::U32;
             if (!is_unsigned || accessor.is_normalized || accessor.width != 1) {
-                return bad("its indices are not unsigned integers");
+                return bad_input("its indices are not unsigned integers");
             }
-            auto elements = GltfElements::open(document, buffers, *primitive.indices);
-            if (!elements) {
-                return elements.error();
-            }
-            indices.count_ = elements.value().count();
-            indices.elements_ = std::move(elements.value());
+            auto elements = CD_TRY(GltfElements::open(document, buffers, *primitive.indices));
+            indices.count_ = elements.count();
+            indices.elements_ = std::move(elements);
             indices.restart_ = (std::uint64_t{1} << (8 * size_of(accessor.type))) - 1;
         }
         return indices;
@@ -59,12 +53,12 @@ class GltfIndices {
         }
         const auto vertex = static_cast<std::uint64_t>(elements_->at(place, 0));
         if (vertex == restart_) { // Section 3.7.2.1 forbids the restart value.
-            return bad("index " + std::to_string(place) + " is " + std::to_string(vertex) +
-                       ", which glTF does not allow: it stands for the begin of a new strip");
+            return bad_input("index " + std::to_string(place) + " is " + std::to_string(vertex) +
+                             ", which glTF does not allow: it stands for the begin of a new strip");
         }
         if (vertex >= vertices_) {
-            return bad("index " + std::to_string(place) + " names vertex " +
-                       std::to_string(vertex) + " of " + std::to_string(vertices_));
+            return bad_input("index " + std::to_string(place) + " names vertex " +
+                             std::to_string(vertex) + " of " + std::to_string(vertices_));
         }
         return vertex;
     }
@@ -82,9 +76,111 @@ open_positions(const GltfDocument& document, const GltfBuffers& buffers, std::si
     const bool is_wide_integer = positions.type == GltfNumber::U32;
     const bool is_float = positions.type == GltfNumber::F32;
     if (positions.width != 3 || is_wide_integer || (is_float && positions.is_normalized)) {
-        return bad("its POSITION is not three floats, or integers as of KHR_mesh_quantization");
+        return bad_input(
+            "its POSITION is not three floats, or integers as of KHR_mesh_quantization");
     }
     return GltfElements::open(document, buffers, accessor);
+}
+
+/// Numbers of triangles, lines and points in a primitive.
+struct GltfShapes {
+    std::uint64_t triangles = 0;
+    std::uint64_t lines = 0;
+    std::uint64_t points = 0;
+};
+
+Result<GltfShapes> whole(GltfShapes shapes, bool is_whole, std::uint64_t indices) {
+    if (!is_whole) {
+        return bad_input("its " + std::to_string(indices) +
+                         " indices do not make whole triangles or lines");
+    }
+    return shapes;
+}
+
+/// Counts a primitive's elements. Errors: BadInput if the number of indices leaves a triangle or a
+/// line incomplete.
+Result<GltfShapes> count_shapes(GltfMode mode, std::uint64_t indices) {
+    switch (mode) {
+    case GltfMode::Points:
+        return GltfShapes{0, 0, indices};
+    case GltfMode::Lines:
+        return whole({0, indices / 2, 0}, indices % 2 == 0, indices);
+    case GltfMode::LineLoop:
+        return whole({0, indices, 0}, indices != 1, indices);
+    case GltfMode::LineStrip:
+        return whole({0, indices - (indices > 0 ? 1 : 0), 0}, indices != 1, indices);
+    case GltfMode::Triangles:
+        return whole({indices / 3, 0, 0}, indices % 3 == 0, indices);
+    case GltfMode::TriangleStrip:
+    case GltfMode::TriangleFan:
+        break;
+    }
+    return whole({indices < 3 ? 0 : indices - 2, 0, 0}, indices == 0 || indices > 2, indices);
+}
+
+/// The positions of a triangle's corners in the list of indices, ordered so that all triangles of a
+/// strip or a fan face the same way (section 3.7.2.1).
+std::array<std::uint64_t, 3> corners_of(GltfMode mode, std::uint64_t triangle) {
+    switch (mode) {
+    case GltfMode::TriangleStrip:
+        return triangle % 2 == 0 ? std::array{triangle, triangle + 1, triangle + 2}
+                                 : std::array{triangle + 1,
+                                              triangle,
+                                              triangle + 2}; // Every other triangle is reversed.
+    case GltfMode::TriangleFan:
+        return {0, triangle + 1, triangle + 2};
+    default:
+        return {3 * triangle, 3 * triangle + 1, 3 * triangle + 2};
+    }
+}
+
+double nearest_float(double number) {
+    return static_cast<double>(static_cast<float>(number));
+}
+
+/// The rotation of a quaternion of any length. Divides by the squared length, so that a quarter
+/// turn given in floats is exact.
+Eigen::Matrix3d rotation_of(double x, double y, double z, double w) {
+    const double s = 2 / (x * x + y * y + z * z + w * w);
+    Eigen::Matrix3d r;
+    r << 1 - s * (y * y + z * z), s * (x * y - z * w), s * (x * z + y * w), //
+        s * (x * y + z * w), 1 - s * (x * x + z * z), s * (y * z - x * w),  //
+        s * (x * z - y * w), s * (y * z + x * w), 1 - s * (x * x + y * y);
+    return r;
+}
+
+Result<Eigen::Matrix4d> to_matrix(const GltfTransform& transform) {
+    const auto& q = transform.rotation;
+    const Eigen::Matrix3d rotation = rotation_of(
+        nearest_float(q[0]), nearest_float(q[1]), nearest_float(q[2]), nearest_float(q[3]));
+    if (!rotation.allFinite()) {
+        return bad_input("its rotation is no quaternion of a length above zero");
+    }
+    Eigen::Matrix4d matrix = Eigen::Matrix4d::Identity();
+    for (int axis = 0; axis < 3; ++axis) {
+        const auto i = static_cast<std::size_t>(axis);
+        matrix.block<3, 1>(0, axis) = nearest_float(transform.scale[i]) * rotation.col(axis);
+        matrix(axis, 3) = nearest_float(transform.translation[i]);
+    }
+    return matrix;
+}
+
+/// Maps a node's coordinates into its parent's (section 3.5.3). Exporters compute transforms in
+/// float but may write more digits: each number is rounded to the nearest float, and the rest is
+/// computed in double. Quaternions need not have length 1. Errors: BadInput for a quaternion of
+/// zeros.
+Result<Eigen::Matrix4d> to_parent(const GltfNode& node) {
+    if (!node.matrix) {
+        return to_matrix(node.transform);
+    }
+    Eigen::Matrix4d matrix = Eigen::Matrix4d::Identity();
+    for (int column = 0; column < 4; ++column) {
+        for (int row = 0; row < 3; ++row) { // The last row stays 0 0 0 1.
+            matrix(row, column) =
+                nearest_float((*node.matrix)[static_cast<std::size_t>(4 * column + row)]);
+        }
+    }
+    return matrix;
 }
 
 } // namespace
@@ -106,44 +202,34 @@ Result<ImportedMesh> GltfScene::read() {
     const auto push = [&](const std::vector<std::size_t>& nodes,
                           const Eigen::Matrix4d& parent) -> Status {
         for (std::size_t i = nodes.size(); i-- > 0;) {
-            const auto own = to_parent(document_.nodes[nodes[i]]);
-            if (!own) {
-                return bad(place_of(nodes[i]) + own.error().detail);
-            }
-            waiting.push_back({nodes[i], parent * own.value()});
+            const Eigen::Matrix4d own =
+                CD_TRY(within(place_of(nodes[i]), to_parent(document_.nodes[nodes[i]])));
+            waiting.push_back({nodes[i], parent * own});
         }
         return Done{};
     };
-    Status status = push(document_.roots, Eigen::Matrix4d::Identity());
-    while (status && !waiting.empty()) {
+    CD_TRY(push(document_.roots, Eigen::Matrix4d::Identity()));
+    while (!waiting.empty()) {
         const Visit visit = waiting.back();
         waiting.pop_back();
-        if (const Status added = add_node(visit.node, visit.to_world); !added) {
-            return bad(place_of(visit.node) + added.error().detail);
-        }
-        status = push(document_.nodes[visit.node].children, visit.to_world);
+        CD_TRY(within(place_of(visit.node), add_node(visit.node, visit.to_world)));
+        CD_TRY(push(document_.nodes[visit.node].children, visit.to_world));
     }
-    if (!status) {
-        return status.error();
-    }
-    auto mesh = builder_.finish(Precision::Float);
-    if (!mesh) {
-        return mesh.error();
-    }
-    imported_.mesh = std::make_shared<const Mesh>(std::move(mesh.value()));
+    auto mesh = CD_TRY(builder_.finish(Precision::Float));
+    imported_.mesh = std::make_shared<const Mesh>(std::move(mesh));
     return std::move(imported_);
 }
 
 Status GltfScene::check_rigid(std::size_t number) const {
     const GltfNode& node = document_.nodes[number];
     if (node.skin) {
-        return bad(
+        return bad_input(
             "its mesh is deformed by skin " + std::to_string(*node.skin) +
             ", and only rigid meshes are read; apply the skin in the program that wrote the file "
             "(in Blender, apply the armature modifier)");
     }
     if (node.is_morphed.value_or(document_.meshes[*node.mesh].is_morphed)) {
-        return bad(
+        return bad_input(
             "its mesh is deformed by morph targets, and only rigid meshes are read; apply them "
             "in the program that wrote the file, or set their weights to zero");
     }
@@ -155,22 +241,15 @@ Status GltfScene::add_node(std::size_t number, const Eigen::Matrix4d& to_world) 
     if (!node.mesh) {
         return Done{};
     }
-    if (Status rigid = check_rigid(number); !rigid) {
-        return rigid;
-    }
-    const auto placed = instances(node);
-    if (!placed) {
-        return placed.error();
-    }
+    CD_TRY(check_rigid(number));
+    const auto placed = CD_TRY(instances(node));
     const GltfMesh& mesh = document_.meshes[*node.mesh];
-    for (const Eigen::Matrix4d& instance : placed.value()) {
+    for (const Eigen::Matrix4d& instance : placed) {
         for (std::size_t i = 0; i < mesh.primitives.size(); ++i) {
             builder_.begin_part(part_name(number, i));
-            const Status added = add_primitive(mesh.primitives[i], to_world * instance);
-            if (!added) {
-                return bad("mesh " + std::to_string(*node.mesh) + ", primitive " +
-                           std::to_string(i) + ": " + added.error().detail);
-            }
+            const std::string place =
+                "mesh " + std::to_string(*node.mesh) + ", primitive " + std::to_string(i) + ": ";
+            CD_TRY(within(place, add_primitive(mesh.primitives[i], to_world * instance)));
         }
     }
     return Done{};
@@ -188,82 +267,57 @@ Result<std::vector<Eigen::Matrix4d>> GltfScene::instances(const GltfNode& node) 
         if (!accessor) {
             return Done{};
         }
-        const auto elements = GltfElements::open(document_, buffers_, *accessor);
-        if (!elements) {
-            return elements.error();
-        }
-        const std::uint64_t count = elements.value().count();
+        const auto elements = CD_TRY(GltfElements::open(document_, buffers_, *accessor));
+        const std::uint64_t count = elements.count();
         if (document_.accessors[*accessor].width != width ||
             (!is_first && count != transforms.size())) {
-            return bad("its EXT_mesh_gpu_instancing has an accessor of another count or type: " +
-                       std::to_string(*accessor));
+            return bad_input(
+                "its EXT_mesh_gpu_instancing has an accessor of another count or type: " +
+                std::to_string(*accessor));
         }
         transforms.resize(count);
         is_first = false;
         for (std::uint64_t i = 0; i < count; ++i) {
             for (std::size_t k = 0; k < width; ++k) {
-                numbers_of(transforms[i])[k] = elements.value().at(i, k);
+                numbers_of(transforms[i])[k] = elements.at(i, k);
             }
         }
         return Done{};
     };
-    for (const Status& status :
-         {read(node.instances->translation, 3, [](auto& t) { return t.translation.data(); }),
-          read(node.instances->rotation, 4, [](auto& t) { return t.rotation.data(); }),
-          read(node.instances->scale, 3, [](auto& t) { return t.scale.data(); })}) {
-        if (!status) {
-            return status.error();
-        }
-    }
+    CD_TRY(read(node.instances->translation, 3, [](auto& t) { return t.translation.data(); }));
+    CD_TRY(read(node.instances->rotation, 4, [](auto& t) { return t.rotation.data(); }));
+    CD_TRY(read(node.instances->scale, 3, [](auto& t) { return t.scale.data(); }));
     std::vector<Eigen::Matrix4d> matrices;
     for (const GltfTransform& transform : transforms) {
-        const auto matrix = to_matrix(transform);
-        if (!matrix) {
-            return bad("instance " + std::to_string(matrices.size()) + ": " +
-                       matrix.error().detail);
-        }
-        matrices.push_back(matrix.value());
+        const std::string place = "instance " + std::to_string(matrices.size()) + ": ";
+        matrices.push_back(CD_TRY(within(place, to_matrix(transform))));
     }
     return matrices;
 }
 
 Status GltfScene::add_primitive(const GltfPrimitive& primitive, const Eigen::Matrix4d& to_world) {
-    const auto positions = open_positions(document_, buffers_, primitive.positions);
-    if (!positions) {
-        return positions.error();
-    }
+    const auto positions = CD_TRY(open_positions(document_, buffers_, primitive.positions));
     const auto indices =
-        GltfIndices::open(document_, buffers_, primitive, positions.value().count());
-    if (!indices) {
-        return indices.error();
-    }
-    const auto shapes = count_shapes(primitive.mode, indices.value().count());
-    if (!shapes) {
-        return shapes.error();
-    }
-    imported_.points_skipped += shapes.value().points;
-    imported_.lines_skipped += shapes.value().lines;
-    if (builder_.triangle_count() + shapes.value().triangles > limits::mesh_triangles_max) {
+        CD_TRY(GltfIndices::open(document_, buffers_, primitive, positions.count()));
+    const auto shapes = CD_TRY(count_shapes(primitive.mode, indices.count()));
+    imported_.points_skipped += shapes.points;
+    imported_.lines_skipped += shapes.lines;
+    if (builder_.triangle_count() + shapes.triangles > limits::mesh_triangles_max) {
         return Error{ErrorCode::TooLarge, "the scene has more triangles than a mesh may have"};
     }
-    for (std::uint64_t t = 0; t < shapes.value().triangles; ++t) {
+    for (std::uint64_t t = 0; t < shapes.triangles; ++t) {
         Corners corners;
         const auto places = corners_of(primitive.mode, t);
         for (std::size_t k = 0; k < 3; ++k) {
-            const auto vertex = indices.value().at(places[k]);
-            if (!vertex) {
-                return vertex.error();
-            }
-            const Eigen::Vector4d position(positions.value().at(vertex.value(), 0),
-                                           positions.value().at(vertex.value(), 1),
-                                           positions.value().at(vertex.value(), 2),
-                                           1);
+            const auto vertex = CD_TRY(indices.at(places[k]));
+            const Eigen::Vector4d position(
+                positions.at(vertex, 0), positions.at(vertex, 1), positions.at(vertex, 2), 1);
             const Eigen::Vector4d world = to_world * position;
             const Vec3 scaled = factor_ * Vec3(world.x(), world.y(), world.z());
             corners[k] = scaled.cast<float>().cast<double>();
             if (!corners[k].allFinite()) {
-                return bad("vertex " + std::to_string(vertex.value()) +
-                           " has a coordinate that is not finite");
+                return bad_input("vertex " + std::to_string(vertex) +
+                                 " has a coordinate that is not finite");
             }
         }
         builder_.add(corners);

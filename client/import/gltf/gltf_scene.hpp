@@ -3,11 +3,13 @@
 
 #include "client/import/gltf/gltf_buffers.hpp"
 #include "client/import/gltf/gltf_document.hpp"
-#include "client/import/gltf/gltf_transforms.hpp"
 #include "client/import/imported_mesh.hpp"
 #include "client/import/mesh_builder.hpp"
 
+#include <Eigen/Core>
+
 #include <string>
+#include <vector>
 
 namespace cd {
 

@@ -1,7 +1,6 @@
-#include "client/import/text/obj_mesh.hpp"
-
+#include "client/base/errors.hpp"
 #include "client/import/indexed_mesh.hpp"
-#include "client/import/text/mesh_words.hpp"
+#include "client/import/mesh_readers.hpp"
 #include "client/import/text/text_reader.hpp"
 
 #include <algorithm>
@@ -44,9 +43,7 @@ class ObjReader {
 
     Result<ImportedMesh> read() {
         for (auto word = text_.word(); !word.empty(); word = text_.word()) {
-            if (Status statement = read_statement(word); !statement) {
-                return statement.error();
-            }
+            CD_TRY(read_statement(word));
             if (free_text_.ends_with('\\')) {
                 return refusal("a comment or name that ends with a backslash; remove it, since "
                                "programs differ in whether it joins the next line");

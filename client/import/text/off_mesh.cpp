@@ -1,11 +1,8 @@
-#include "client/import/text/off_mesh.hpp"
-
+#include "client/base/errors.hpp"
 #include "client/import/indexed_mesh.hpp"
-#include "client/import/text/mesh_words.hpp"
+#include "client/import/mesh_readers.hpp"
 #include "client/import/text/text_reader.hpp"
 
-#include <charconv>
-#include <optional>
 #include <vector>
 
 namespace cd {
@@ -20,19 +17,13 @@ class OffReader {
           mesh_(source.options.unit_factor) {}
 
     Result<ImportedMesh> read() {
-        if (Status header = read_header(); !header) {
-            return header.error();
-        }
+        CD_TRY(read_header());
         mesh_.begin_part(nameless_part);
         for (std::uint64_t i = 0; i < vertices_; ++i) {
-            if (Status vertex = read_vertex(i); !vertex) {
-                return vertex.error();
-            }
+            CD_TRY(read_vertex(i));
         }
         for (std::uint64_t i = 0; i < faces_; ++i) {
-            if (Status face = read_face(i); !face) {
-                return face.error();
-            }
+            CD_TRY(read_face(i));
         }
         if (!first_word().empty()) {
             return refusal("has data after the " + std::to_string(faces_) + " faces of its header");
@@ -119,7 +110,7 @@ class OffReader {
         const auto count = to_whole(first_word());
         corners_.clear();
         for (std::uint64_t k = 0; count && k < *count; ++k) {
-            const auto corner = to_integer(word_in_line());
+            const auto corner = number_in<std::int64_t>(word_in_line());
             if (!corner) {
                 break;
             }
@@ -131,14 +122,6 @@ class OffReader {
         text_.rest_of_line(); // A colour may follow.
         const Status added = mesh_.add_face(corners_);
         return added ? Done{} : Status(refusal(name() + " " + added.error().detail));
-    }
-
-    static std::optional<std::int64_t> to_integer(std::string_view word) {
-        std::int64_t value = 0;
-        const char* const end = word.data() + word.size();
-        const auto [behind, error] = std::from_chars(word.data(), end, value);
-        const bool whole = error == std::errc{} && behind == end && !word.empty();
-        return whole ? std::optional(value) : std::nullopt;
     }
 
     const MeshSource& source_;

@@ -1,6 +1,7 @@
 #include "client/import/text/ply_header.hpp"
 
-#include "client/import/text/mesh_words.hpp"
+#include "client/base/errors.hpp"
+#include "client/import/text/text_reader.hpp"
 
 #include <algorithm>
 #include <array>
@@ -61,16 +62,14 @@ class HeaderReader {
         }
         bool has_format = false;
         while (at_ < source_.bytes.size()) {
-            Words words(next_line());
-            const std::string_view keyword = words.next();
+            TextReader words(next_line());
+            const std::string_view keyword = words.word();
             if (keyword == "end_header") {
                 header_.data_begin = at_;
                 header_.data_line = line_ + 1;
                 return has_format ? Result(std::move(header_)) : refusal("no format was named");
             }
-            if (Status taken = take(keyword, words); !taken) {
-                return taken.error();
-            }
+            CD_TRY(take(keyword, words));
             has_format = has_format || keyword == "format";
         }
         return source_.refusal("is cut short: its header has no line 'end_header'");
@@ -88,7 +87,7 @@ class HeaderReader {
         return line;
     }
 
-    Status take(std::string_view keyword, Words& words) {
+    Status take(std::string_view keyword, TextReader& words) {
         if (keyword == "format") {
             return take_format(words);
         }
@@ -103,9 +102,9 @@ class HeaderReader {
                           : refusal(in_quotes(keyword) + " is no line of a PLY header");
     }
 
-    Status take_format(Words& words) {
-        const auto format = to_format(words.next());
-        if (!format || words.next() != "1.0") {
+    Status take_format(TextReader& words) {
+        const auto format = to_format(words.word());
+        if (!format || words.word() != "1.0") {
             return refusal("a format other than ascii, binary_little_endian and binary_big_endian, "
                            "each 1.0");
         }
@@ -113,9 +112,9 @@ class HeaderReader {
         return Done{};
     }
 
-    Status take_element(Words& words) {
-        const std::string_view name = words.next();
-        const auto count = to_whole(words.next());
+    Status take_element(TextReader& words) {
+        const std::string_view name = words.word();
+        const auto count = to_whole(words.word());
         if (!count) {
             return refusal("an element without a name and a count");
         }
@@ -123,21 +122,21 @@ class HeaderReader {
         return Done{};
     }
 
-    Status take_property(Words& words) {
+    Status take_property(TextReader& words) {
         if (header_.elements.empty()) {
             return refusal("a property before any element");
         }
         PlyProperty property;
-        std::string_view word = words.next();
+        std::string_view word = words.word();
         if (word == "list") {
-            property.count_type = to_type(words.next());
+            property.count_type = to_type(words.word());
             if (!property.count_type || !is_integer(*property.count_type)) {
                 return refusal("a list whose count has no whole type");
             }
-            word = words.next();
+            word = words.word();
         }
         const auto type = to_type(word);
-        property.name = words.next();
+        property.name = words.word();
         if (!type || property.name.empty()) {
             return refusal("a property without a known type and a name");
         }

@@ -1,13 +1,12 @@
-#include "client/import/text/ply_mesh.hpp"
-
+#include "client/base/errors.hpp"
 #include "client/import/indexed_mesh.hpp"
-#include "client/import/text/mesh_words.hpp"
+#include "client/import/mesh_readers.hpp"
 #include "client/import/text/ply_header.hpp"
 #include "client/import/text/ply_values.hpp"
+#include "client/import/text/text_reader.hpp"
 
 #include <algorithm>
 #include <array>
-#include <optional>
 #include <vector>
 
 namespace cd {
@@ -62,16 +61,12 @@ Status check_header(const PlyHeader& header, const MeshSource& source) {
     for (const PlyElement& element : elements) {
         if (element.name == "vertex") {
             has_vertices = true;
-            if (Status checked = check_vertices(element, source); !checked) {
-                return checked;
-            }
+            CD_TRY(check_vertices(element, source));
         } else if (has_faces(element)) {
             if (!has_vertices) {
                 return source.refusal("its header has '" + element.name + "' before 'vertex'");
             }
-            if (Status checked = check_faces(element, source); !checked) {
-                return checked;
-            }
+            CD_TRY(check_faces(element, source));
         }
     }
     return Done{};
@@ -89,9 +84,7 @@ class PlyReader {
     Result<ImportedMesh> read() {
         mesh_.begin_part(nameless_part);
         for (const PlyElement& element : header_.elements) {
-            if (Status status = read_elements(element); !status) {
-                return status.error();
-            }
+            CD_TRY(read_elements(element));
         }
         if (!values_.is_at_end()) {
             return values_.refusal("has data after the elements of its header");
@@ -114,9 +107,7 @@ class PlyReader {
                 return values_.refusal("is cut short: " + name_of(element) + " of " +
                                        std::to_string(element.count) + " is missing");
             }
-            if (Status status = read_element(element); !status) {
-                return status;
-            }
+            CD_TRY(read_element(element));
             if (!values_.end_element()) {
                 return values_.refusal(name_of(element) + " has more numbers than its properties");
             }
@@ -216,9 +207,7 @@ class PlyReader {
                 const std::array<std::int64_t, 3> triangle{corners_[i - (is_turned ? 1 : 2)],
                                                            corners_[i - (is_turned ? 2 : 1)],
                                                            corners_[i]};
-                if (Status added = mesh_.add_face(triangle); !added) {
-                    return added;
-                }
+                CD_TRY(mesh_.add_face(triangle));
             }
         }
         return Done{};
@@ -235,17 +224,12 @@ class PlyReader {
 } // namespace
 
 Result<ImportedMesh> import_ply(const MeshSource& source) {
-    const auto header = read_ply_header(source);
-    if (!header) {
-        return header.error();
+    const auto header = CD_TRY(read_ply_header(source));
+    CD_TRY(check_header(header, source));
+    if (header.format == PlyFormat::Text) {
+        return PlyReader<PlyText>(source, header).read();
     }
-    if (Status checked = check_header(header.value(), source); !checked) {
-        return checked.error();
-    }
-    if (header.value().format == PlyFormat::Text) {
-        return PlyReader<PlyText>(source, header.value()).read();
-    }
-    return PlyReader<PlyBinary>(source, header.value()).read();
+    return PlyReader<PlyBinary>(source, header).read();
 }
 
 } // namespace cd

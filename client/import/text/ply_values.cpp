@@ -1,11 +1,8 @@
 #include "client/import/text/ply_values.hpp"
 
-#include "client/import/text/mesh_words.hpp"
-
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <charconv>
 #include <cstring>
 
 static_assert(std::endian::native == std::endian::little);
@@ -36,13 +33,10 @@ std::optional<double> PlyText::number(PlyType) {
 }
 
 std::optional<std::int64_t> PlyText::integer(PlyType) {
-    std::int64_t value = 0;
-    const char* const end = word_.data() + word_.size();
-    const auto [behind, error] = std::from_chars(word_.data(), end, value);
-    if (word_.empty() || behind != end || error != std::errc{}) {
-        return std::nullopt;
+    const auto value = number_in<std::int64_t>(word_);
+    if (value) {
+        word_ = text_.word_in_line();
     }
-    word_ = text_.word_in_line();
     return value;
 }
 
@@ -82,70 +76,50 @@ bool PlyBinary::begin_element() {
     return at_ < source_.bytes.size();
 }
 
-template <class T>
-T PlyBinary::load() const {
-    std::array<char, sizeof(T)> bytes;
-    std::memcpy(bytes.data(), source_.bytes.data() + at_, sizeof(T));
-    if (is_big_endian_) {
-        std::reverse(bytes.begin(), bytes.end());
+/// The next number as bits, in the lowest bytes; nothing at the end of the data.
+std::optional<std::uint64_t> PlyBinary::take(PlyType type) {
+    const std::size_t size = size_of(type);
+    if (source_.bytes.size() - at_ < size) {
+        return std::nullopt;
     }
-    return std::bit_cast<T>(bytes);
+    std::array<char, sizeof(std::uint64_t)> bytes{};
+    std::memcpy(bytes.data(), source_.bytes.data() + at_, size);
+    if (is_big_endian_) {
+        std::reverse(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(size));
+    }
+    at_ += size;
+    return std::bit_cast<std::uint64_t>(bytes);
 }
 
 std::optional<double> PlyBinary::number(PlyType type) {
-    if (source_.bytes.size() - at_ < size_of(type)) {
+    if (is_integer(type)) {
+        const auto value = integer(type);
+        return value ? std::optional(static_cast<double>(*value)) : std::nullopt;
+    }
+    const auto bits = take(type);
+    if (!bits) {
         return std::nullopt;
     }
-    double value = 0;
-    if (type == PlyType::Float32) {
-        value = static_cast<double>(load<float>());
-    } else if (type == PlyType::Float64) {
-        value = load<double>();
-    } else {
-        return static_cast<double>(*integer(type));
-    }
-    at_ += size_of(type);
-    return value;
+    return type == PlyType::Float64
+               ? std::bit_cast<double>(*bits)
+               : static_cast<double>(std::bit_cast<float>(static_cast<std::uint32_t>(*bits)));
 }
 
 std::optional<std::int64_t> PlyBinary::integer(PlyType type) {
-    if (source_.bytes.size() - at_ < size_of(type)) {
+    const auto bits = is_integer(type) ? take(type) : std::nullopt;
+    if (!bits) {
         return std::nullopt;
     }
-    std::int64_t value = 0;
-    switch (type) {
-    case PlyType::Int8:
-        value = load<std::int8_t>();
-        break;
-    case PlyType::Uint8:
-        value = load<std::uint8_t>();
-        break;
-    case PlyType::Int16:
-        value = load<std::int16_t>();
-        break;
-    case PlyType::Uint16:
-        value = load<std::uint16_t>();
-        break;
-    case PlyType::Int32:
-        value = load<std::int32_t>();
-        break;
-    case PlyType::Uint32:
-        value = load<std::uint32_t>();
-        break;
-    case PlyType::Float32:
-    case PlyType::Float64:
-        return std::nullopt;
-    }
-    at_ += size_of(type);
-    return value;
+    // Copies the sign bit of a signed type to the bits above.
+    const bool is_signed =
+        type == PlyType::Int8 || type == PlyType::Int16 || type == PlyType::Int32;
+    const auto unused = 64 - 8 * size_of(type);
+    return is_signed ? static_cast<std::int64_t>(*bits << unused) >> unused
+                     : static_cast<std::int64_t>(*bits);
 }
 
 bool PlyBinary::skip(PlyType type) {
-    if (source_.bytes.size() - at_ < size_of(type)) {
-        return false;
-    }
-    at_ += size_of(type);
-    return true;
+    return take(type).has_value();
 }
 
 Error PlyBinary::no_number(const std::string& element) const {

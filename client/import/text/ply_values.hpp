@@ -63,8 +63,7 @@ class PlyBinary {
     [[nodiscard]] bool is_at_end() const;
 
   private:
-    template <class T>
-    [[nodiscard]] T load() const;
+    [[nodiscard]] std::optional<std::uint64_t> take(PlyType type);
 
     const MeshSource& source_;
     bool is_big_endian_;

@@ -1,13 +1,10 @@
-#include "client/import/text/stl_mesh.hpp"
-
+#include "client/base/errors.hpp"
 #include "client/import/mesh_builder.hpp"
-#include "client/import/text/mesh_words.hpp"
+#include "client/import/mesh_readers.hpp"
 #include "client/import/text/text_reader.hpp"
 
-#include <algorithm>
 #include <bit>
 #include <cstring>
-#include <optional>
 
 static_assert(std::endian::native == std::endian::little, "binary files are little-endian");
 
@@ -49,9 +46,7 @@ class BinaryStl {
         }
         builder_.begin_part(nameless_part);
         for (std::uint64_t i = 0; i < count; ++i) {
-            if (Status added = add_facet(i); !added) {
-                return added.error();
-            }
+            CD_TRY(add_facet(i));
         }
         return finish(count);
     }
@@ -84,7 +79,7 @@ class BinaryStl {
         if (after.size() >= facet_bytes && !is_padding) {
             return source_.refusal("has " + both + "; its count is damaged, or it holds more");
         }
-        auto imported = finish_import(source_, builder_);
+        auto imported = finish_import(source_.path, builder_);
         if (imported && !after.empty()) {
             imported.value().warnings.push_back(source_.path.string() + ": " + both +
                                                 " are not read");
@@ -104,15 +99,11 @@ class TextStl {
     Result<ImportedMesh> read() {
         for (auto word = text_.word(); !word.empty(); word = text_.word()) {
             if (equals_lower(word, "solid")) {
-                if (Status solid = read_solid(); !solid) {
-                    return solid.error();
-                }
+                CD_TRY(read_solid());
             }
-            if (Status skipped = skip_line(word); !skipped) {
-                return skipped.error();
-            }
+            CD_TRY(skip_line(word));
         }
-        return finish_import(source_, builder_);
+        return finish_import(source_.path, builder_);
     }
 
   private:
@@ -124,9 +115,7 @@ class TextStl {
         bool has_facet = read_name();
         while (true) {
             if (has_facet) {
-                if (Status facet = read_facet(); !facet) {
-                    return facet;
-                }
+                CD_TRY(read_facet());
             }
             const std::string_view word = text_.word();
             if (equals_lower(word, "endsolid")) {
@@ -188,9 +177,7 @@ class TextStl {
             if (!equals_lower(text_.word(), "vertex")) {
                 return refusal("a facet without three vertices");
             }
-            if (Status vertex = read_vertex(corner); !vertex) {
-                return vertex;
-            }
+            CD_TRY(read_vertex(corner));
         }
         word = text_.word();
         if (equals_lower(word, "vertex")) {

@@ -1,6 +1,11 @@
 #include "client/import/text/text_reader.hpp"
 
+#include "client/formats/output_file.hpp"
+
 #include <algorithm>
+#include <cctype>
+#include <charconv>
+#include <cstdlib>
 
 namespace cd {
 
@@ -74,13 +79,37 @@ std::string_view TextReader::rest_of_line() {
     return {begin, last};
 }
 
-bool TextReader::next_line() {
-    at_ = std::find_if(at_, end_, is_line_end);
-    if (at_ == end_) {
-        return false;
+std::string_view without_utf8_mark(std::string_view text) {
+    constexpr std::string_view mark = "\xef\xbb\xbf";
+    text.remove_prefix(text.starts_with(mark) ? mark.size() : 0);
+    return text;
+}
+
+std::string read_text(const std::filesystem::path& path) {
+    const auto text = read_file(path);
+    return text ? std::string(without_utf8_mark(text.value())) : "";
+}
+
+std::string in_quotes(std::string_view word) {
+    constexpr std::size_t shown_max = 40;
+    std::string shown(word.substr(0, shown_max));
+    std::ranges::replace_if(
+        shown, [](unsigned char c) { return std::iscntrl(c) != 0; }, '?');
+    return "'" + shown + (word.size() > shown_max ? "...'" : "'");
+}
+
+std::optional<double> to_number(std::string_view word) {
+    const bool has_plus = word.starts_with('+');
+    word.remove_prefix(has_plus ? 1 : 0);
+    double value = 0;
+    const char* const end = word.data() + word.size();
+    const auto [behind, error] = std::from_chars(word.data(), end, value);
+    const bool is_whole = behind == end && !word.empty();
+    if (!is_whole || error == std::errc::invalid_argument || (has_plus && word[0] == '-')) {
+        return std::nullopt;
     }
-    pass_line_end();
-    return at_ != end_;
+    // Unlike `from_chars`, `strtod` returns infinity or 0 for a number beyond the range of doubles.
+    return error == std::errc() ? value : std::strtod(std::string(word).c_str(), nullptr);
 }
 
 bool equals_lower(std::string_view word, std::string_view lower) {

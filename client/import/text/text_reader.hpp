@@ -1,7 +1,12 @@
-// Splits a text into words and counts lines.
+// Words, lines and numbers in the text of mesh files.
 #pragma once
 
+#include "client/base/words.hpp"
+
 #include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
 #include <string_view>
 
 namespace cd {
@@ -23,9 +28,6 @@ class TextReader {
     /// The rest of this line without surrounding blanks. A backslash does not continue it.
     std::string_view rest_of_line();
 
-    /// Moves to the start of the next line. False at the end of the text.
-    bool next_line();
-
     /// The number of the current line, from 1.
     [[nodiscard]] std::uint64_t line() const { return line_; }
     /// The text that has not been read yet.
@@ -41,6 +43,24 @@ class TextReader {
     std::uint64_t line_;
     Backslash backslash_;
 };
+
+/// The text without a UTF-8 byte order mark.
+[[nodiscard]] std::string_view without_utf8_mark(std::string_view text);
+
+/// The content of a file without a byte order mark; empty if unreadable.
+[[nodiscard]] std::string read_text(const std::filesystem::path& path);
+
+/// The word in single quotes for a message, shortened, and without control characters.
+[[nodiscard]] std::string in_quotes(std::string_view word);
+
+/// The double nearest to a decimal number with a '.'; nothing if the word is not a number. The
+/// result may be infinite or NaN.
+[[nodiscard]] std::optional<double> to_number(std::string_view word);
+
+/// An unsigned integer; nothing if the word holds anything but digits.
+[[nodiscard]] inline std::optional<std::uint64_t> to_whole(std::string_view word) {
+    return number_in<std::uint64_t>(word);
+}
 
 /// True when the words are equal but for upper and lower case of ASCII letters. `lower` is in
 /// lower case.

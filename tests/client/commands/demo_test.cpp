@@ -1,9 +1,9 @@
 // Proves that the demo finds and unpacks its vehicle, otherwise names the package to install, and
 // ends the programs it starts.
 #include "client/base/child_process.hpp"
-#include "client/formats/gunzip.hpp"
 #include "client/local/local_cluster.hpp"
 #include "client/trees/demo_vehicles.hpp"
+#include "tests/support/process.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -11,8 +11,6 @@
 #include <zlib.h>
 
 #include <csignal>
-#include <fstream>
-#include <sstream>
 
 namespace cd::tests {
 
@@ -23,17 +21,9 @@ namespace fs = std::filesystem;
 
 class Demo : public testing::Test {
   protected:
-    Demo() {
-        const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-        dir_ = fs::temp_directory_path() /
-               ("cd-demo-" + std::to_string(getpid()) + "-" + test->name());
-        fs::create_directories(dir_);
-    }
-    ~Demo() override { fs::remove_all(dir_); }
-
     static void write(const fs::path& path, const std::string& text) {
         fs::create_directories(path.parent_path());
-        std::ofstream(path, std::ios::binary) << text;
+        write_text(path, text);
     }
     static void write_gz(const fs::path& path, const std::string& text) {
         fs::create_directories(path.parent_path());
@@ -42,13 +32,15 @@ class Demo : public testing::Test {
         gzwrite(file, text.data(), static_cast<unsigned>(text.size()));
         gzclose(file);
     }
-    static std::string read(const fs::path& path) {
-        std::ostringstream text;
-        text << std::ifstream(path, std::ios::binary).rdbuf();
-        return text.str();
+    /// The error of a local cluster with the programs in `dir_`.
+    [[nodiscard]] std::string error_of_start() const {
+        const LocalClusterOptions options{dir_, dir_ / "state", dir_ / "logs"};
+        const auto cluster = LocalCluster::start(options, [] { return false; });
+        return cluster ? "started" : cluster.error().detail;
     }
 
-    fs::path dir_;
+    const TemporaryFolder folder_;
+    const fs::path dir_ = folder_.path();
 };
 
 constexpr const char* packed =
@@ -63,7 +55,7 @@ TEST_F(Demo, TheVehicleIsUnpackedOnce) {
     write(dir_ / "root" / tram, "v 0 0 0\n");
     const auto found = find_vehicles(dir_ / "cache", dir_ / "root");
     ASSERT_TRUE(found) << found.error().detail;
-    EXPECT_EQ(read(found.value()[0]), text);
+    EXPECT_EQ(read_text(found.value()[0]), text);
 
     fs::remove(dir_ / "root" / packed);
     EXPECT_TRUE(find_vehicles(dir_ / "cache", dir_ / "root"));
@@ -88,13 +80,13 @@ TEST_F(Demo, AnArchiveCutShortIsRefused) {
         text += std::to_string(i * 7919 % 10007) + "\n";
     }
     write_gz(dir_ / "whole.gz", text);
-    const std::string bytes = read(dir_ / "whole.gz");
-    write(dir_ / "cut.gz", bytes.substr(0, bytes.size() / 2));
-    const Status done = gunzip(dir_ / "cut.gz", dir_ / "out");
-    ASSERT_FALSE(done);
-    EXPECT_THAT(done.error().detail, HasSubstr("cut.gz: damaged"));
-    EXPECT_FALSE(fs::exists(dir_ / "out"));
-    EXPECT_FALSE(fs::exists(dir_ / "out.partial"));
+    const std::string bytes = read_text(dir_ / "whole.gz");
+    write(dir_ / "root" / packed, bytes.substr(0, bytes.size() / 2));
+    write(dir_ / "root" / tram, "v 0 0 0\n");
+    const auto found = find_vehicles(dir_ / "cache", dir_ / "root");
+    ASSERT_FALSE(found);
+    EXPECT_THAT(found.error().detail, HasSubstr("motorBike.obj.gz: damaged"));
+    EXPECT_TRUE(fs::is_empty(dir_ / "cache"));
 }
 
 TEST_F(Demo, AChildEndsWithItsOwner) {
@@ -109,25 +101,10 @@ TEST_F(Demo, AChildEndsWithItsOwner) {
     EXPECT_EQ(kill(id, 0), -1);
 }
 
-TEST_F(Demo, AMissingProgramIsNamed) {
-    LocalClusterOptions options;
-    options.programs = dir_;
-    options.state = dir_ / "state";
-    options.logs = dir_ / "logs";
-    const auto cluster = LocalCluster::start(options, [] { return false; });
-    ASSERT_FALSE(cluster);
-    EXPECT_THAT(cluster.error().detail, HasSubstr("cdmaster: no such program"));
-}
-
-TEST_F(Demo, AMasterThatEndsAtOnceIsReported) {
+TEST_F(Demo, AMissingProgramIsNamedAndAMasterThatEndsAtOnceIsReported) {
+    EXPECT_THAT(error_of_start(), HasSubstr("cdmaster: no such program"));
     fs::create_symlink("/bin/false", dir_ / "cdmaster");
-    LocalClusterOptions options;
-    options.programs = dir_;
-    options.state = dir_ / "state";
-    options.logs = dir_ / "logs";
-    const auto cluster = LocalCluster::start(options, [] { return false; });
-    ASSERT_FALSE(cluster);
-    EXPECT_THAT(cluster.error().detail, HasSubstr("cdmaster ended at once"));
+    EXPECT_THAT(error_of_start(), HasSubstr("cdmaster ended at once"));
 }
 
 } // namespace cd::tests

@@ -5,6 +5,7 @@
 #include "client/job/prepared_job.hpp"
 #include "common/geometry/simd_target.hpp"
 #include "tests/support/obj_file.hpp"
+#include "tests/support/process.hpp"
 #include "tests/support/shapes.hpp"
 
 #include <gmock/gmock.h>
@@ -44,10 +45,6 @@ std::string tetrahedron(const std::string& name, double x, int first) {
 class Run : public testing::Test {
   protected:
     Run() {
-        const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-        dir_ =
-            fs::temp_directory_path() / ("cd-run-" + std::to_string(getpid()) + "-" + test->name());
-        fs::create_directories(dir_);
         write("a.obj", tetrahedron("wheel_left", 0, 1) + tetrahedron("body", 5, 5));
         write("b.obj", tetrahedron("post", 0, 1));
         // B is away from A, across its wheel, across its body, and touches its body at a corner.
@@ -64,15 +61,25 @@ class Run : public testing::Test {
         command_.host.threads = 2;
         command_.quiet = true;
     }
-    ~Run() override { fs::remove_all(dir_); }
 
     void write(const std::string& name, const std::string& text) const {
-        std::ofstream(dir_ / name, std::ios::binary) << text;
+        write_text(dir_ / name, text);
     }
-    [[nodiscard]] std::string read(const std::string& name) const {
-        std::ostringstream text;
-        text << std::ifstream(dir_ / name, std::ios::binary).rdbuf();
-        return text.str();
+    [[nodiscard]] std::string read(const std::string& name) const { return read_text(dir_ / name); }
+    [[nodiscard]] nlohmann::json summary() const {
+        return nlohmann::json::parse(read("out/summary.json"));
+    }
+
+    /// Makes the job that of a file which ignores `pairs`. Body A is called `name`.
+    void ignore(const std::string& pairs, const std::string& name = "a") {
+        write("job.toml",
+              "[a]\nmesh = \"a.obj\"\nname = \"" + name +
+                  "\"\n[b]\nmesh = \"b.obj\"\n[poses]\nfile = \"poses.csv\"\n"
+                  "[query]\nignore = [[" +
+                  pairs + "]]\n");
+        command_.job = {};
+        command_.job.file = (dir_ / "job.toml").string();
+        command_.output = "csv";
     }
 
     /// Runs the command and keeps its output.
@@ -85,7 +92,8 @@ class Run : public testing::Test {
         return code;
     }
 
-    fs::path dir_;
+    const TemporaryFolder folder_;
+    const fs::path dir_ = folder_.path();
     RunCommand command_;
     std::string stdout_;
     std::string stderr_;
@@ -108,10 +116,10 @@ TEST_F(Run, GivesEachScenarioItsClass) {
 
 TEST_F(Run, TheDigestIsThatOfOneThread) {
     ASSERT_EQ(run(), exit_done);
-    const auto two = nlohmann::json::parse(read("out/summary.json"))["digest"];
+    const auto two = summary()["digest"];
     command_.host.threads = 1;
     ASSERT_EQ(run(), exit_done);
-    EXPECT_EQ(nlohmann::json::parse(read("out/summary.json"))["digest"], two);
+    EXPECT_EQ(summary()["digest"], two);
     EXPECT_TRUE(two.is_string());
 }
 
@@ -119,14 +127,12 @@ TEST_F(Run, TheMapOfCutListsSaysSo) {
     command_.job.query.limit_pairs = 1;
     ASSERT_EQ(run(), exit_done);
     EXPECT_THAT(stdout_, HasSubstr("were in contact, of the first 1 pair a scenario; digest"));
-    auto summary = nlohmann::json::parse(read("out/summary.json"));
-    EXPECT_EQ(summary["limit_pairs"], 1);
-    EXPECT_EQ(summary["map_of_listed_pairs"], true);
+    EXPECT_EQ(summary()["limit_pairs"], 1);
+    EXPECT_EQ(summary()["map_of_listed_pairs"], true);
     command_.job.query.maps = true;
     ASSERT_EQ(run(), exit_done);
     EXPECT_THAT(stdout_, HasSubstr("were in contact; digest"));
-    summary = nlohmann::json::parse(read("out/summary.json"));
-    EXPECT_EQ(summary["map_of_listed_pairs"], false);
+    EXPECT_EQ(summary()["map_of_listed_pairs"], false);
 }
 
 TEST_F(Run, FailOnDecidesBetweenZeroAndOne) {
@@ -159,7 +165,7 @@ TEST_F(Run, UnderAToleranceTheRestIsUndecided) {
     EXPECT_THAT(stdout_, HasSubstr("separate  1    touch 0    cross 0    inside 0    undecided 3"));
     EXPECT_THAT(stdout_, HasSubstr("boxes as small as the tolerance"));
     EXPECT_THAT(read("out/scenarios.csv"), HasSubstr("\n1,a,b,undecided,0,0,"));
-    EXPECT_EQ(nlohmann::json::parse(read("out/summary.json"))["tolerance"], 100);
+    EXPECT_EQ(summary()["tolerance"], 100);
     command_.fail_on = FailOn::Touch;
     EXPECT_EQ(run(), exit_incomplete) << "whether there is a contact is not known";
 }
@@ -213,10 +219,10 @@ TEST_F(Run, PosesInAnotherUnitAreSuspected) {
 TEST_F(Run, EveryFirstStageHasTheSameDigest) {
     command_.job.query.level = "contacts";
     ASSERT_EQ(run(), exit_done);
-    const auto usual = nlohmann::json::parse(read("out/summary.json"));
+    const auto usual = summary();
     command_.host.first_stage = PairStage::WideInteger;
     ASSERT_EQ(run(), exit_done);
-    const auto exact = nlohmann::json::parse(read("out/summary.json"));
+    const auto exact = summary();
     EXPECT_EQ(exact["digest"], usual["digest"]);
     EXPECT_GT(usual["statistics"]["settled"]["float"], 0);
     EXPECT_EQ(exact["statistics"]["settled"]["float"], 0);
@@ -227,12 +233,12 @@ TEST_F(Run, EveryFirstStageHasTheSameDigest) {
 TEST_F(Run, EverySimdTargetHasTheSameDigest) {
     command_.job.query.level = "contacts";
     ASSERT_EQ(run(), exit_done);
-    const auto usual = nlohmann::json::parse(read("out/summary.json"));
+    const auto usual = summary();
     for (const SimdTarget target : available_simd_targets()) {
         command_.host.simd = to_text(target);
         ASSERT_EQ(run(), exit_done) << stderr_;
         EXPECT_EQ(simd_target(), target);
-        const auto forced = nlohmann::json::parse(read("out/summary.json"));
+        const auto forced = summary();
         EXPECT_EQ(forced["digest"], usual["digest"]) << to_text(target);
     }
     ASSERT_TRUE(force_simd_target("auto"));
@@ -285,40 +291,27 @@ TEST_F(Run, AFirstStageIsForThisMachineAlone) {
 }
 
 TEST_F(Run, IgnoredPartsAreNotInTheAnswer) {
-    write("job.toml",
-          "[a]\nmesh = \"a.obj\"\n[b]\nmesh = \"b.obj\"\n[poses]\nfile = \"poses.csv\"\n"
-          "[query]\nignore = [[\"wheel_*\", \"post\"]]\n");
-    command_.job = {};
-    command_.job.file = (dir_ / "job.toml").string();
-    command_.output = "csv";
+    ignore("'wheel_*', 'post'");
     EXPECT_EQ(run(), exit_done) << stderr_;
     EXPECT_THAT(stdout_, HasSubstr("\n1,a,b,separate,0,"));
     EXPECT_THAT(stdout_, HasSubstr("\n2,a,b,cross,"));
 }
 
 TEST_F(Run, AnIgnoredNameThatMatchesNothingIsAnError) {
-    write("job.toml",
-          "[a]\nmesh = \"a.obj\"\n[b]\nmesh = \"b.obj\"\n[poses]\nfile = \"poses.csv\"\n"
-          "[query]\nignore = [[\"whel_left\", \"post\"]]\n");
-    command_.job = {};
-    command_.job.file = (dir_ / "job.toml").string();
+    ignore("'whel_left', 'post'");
     EXPECT_EQ(run(), exit_usage);
-    EXPECT_THAT(stderr_, HasSubstr("job.toml:8: ignore: no part of A matches \"whel_left\""));
+    EXPECT_THAT(stderr_, HasSubstr("job.toml:9: ignore: no part of A matches \"whel_left\""));
     EXPECT_THAT(stderr_, HasSubstr("did you mean \"wheel_left\"?"));
 }
 
 TEST_F(Run, AnIgnoredPartMayHaveItsBodyBeforeIt) {
-    const std::string job = "[a]\nmesh = \"a.obj\"\nname = \"car\"\n[b]\nmesh = \"b.obj\"\n"
-                            "[poses]\nfile = \"poses.csv\"\n[query]\nignore = [['";
-    command_.job = {};
-    command_.job.file = (dir_ / "job.toml").string();
-    command_.output = "csv";
-    for (const char* pair : {"car/wheel_*', 'b/post", "c*/wheel_*', 'post", "wheel_*', 'b/po*"}) {
-        write("job.toml", job + pair + "']]\n");
+    for (const char* pair :
+         {"'car/wheel_*', 'b/post'", "'c*/wheel_*', 'post'", "'wheel_*', 'b/po*'"}) {
+        ignore(pair, "car");
         EXPECT_EQ(run(), exit_done) << stderr_;
         EXPECT_THAT(stdout_, HasSubstr("\n1,car,b,separate,0,")) << pair;
     }
-    write("job.toml", job + "a/wheel_*', 'post']]\n");
+    ignore("'a/wheel_*', 'post'", "car");
     EXPECT_EQ(run(), exit_usage);
     EXPECT_THAT(stderr_,
                 HasSubstr("job.toml:9: ignore: \"a/wheel_*\" is of another body than A, which is "
@@ -327,19 +320,14 @@ TEST_F(Run, AnIgnoredPartMayHaveItsBodyBeforeIt) {
 
 TEST_F(Run, ABackslashTakesTheMeaningOfTheNextCharacter) {
     write("a.obj", tetrahedron("left/wheel*", 0, 1) + tetrahedron("body", 5, 5));
-    const std::string job = "[a]\nmesh = \"a.obj\"\n[b]\nmesh = \"b.obj\"\n"
-                            "[poses]\nfile = \"poses.csv\"\n[query]\nignore = [['";
-    command_.job = {};
-    command_.job.file = (dir_ / "job.toml").string();
-    command_.output = "csv";
     for (const char* pattern : {"left\\/wheel\\*", "a/left\\/wheel*", "a/left/wheel*"}) {
-        write("job.toml", job + pattern + "', 'post']]\n");
+        ignore("'" + std::string(pattern) + "', 'post'");
         EXPECT_EQ(run(), exit_done) << stderr_;
     }
-    write("job.toml", job + "left/wheel*', 'post']]\n");
+    ignore("'left/wheel*', 'post'");
     EXPECT_EQ(run(), exit_usage);
     EXPECT_THAT(stderr_, HasSubstr("a / within the name of a part is written \\/"));
-    write("job.toml", job + "left\\/wheel\\?', 'post']]\n");
+    ignore("'left\\/wheel\\?', 'post'");
     EXPECT_EQ(run(), exit_usage);
     EXPECT_THAT(stderr_, HasSubstr("no part of A matches"));
 }
@@ -403,7 +391,7 @@ TEST_F(Run, ADryRunTellsWhatTheRunTakesWithinAFactorOfTwo) {
         command_.dry_run = false;
         command_.output = "text";
         ASSERT_EQ(run(), exit_done) << stderr_;
-        const auto ran = nlohmann::json::parse(read("out/summary.json"))["statistics"];
+        const auto ran = summary()["statistics"];
         const auto expect_about = [&](double estimated, double real, const char* what) {
             EXPECT_GT(estimated, real / 2) << what << " at level " << level;
             EXPECT_LT(estimated, real * 2) << what << " at level " << level;
@@ -497,7 +485,7 @@ TEST_F(Run, KeptTreesGiveTheSameDigestAndNeverAnError) {
         command_.host.tree_cache = tree_cache;
         command_.job.query.level = level;
         EXPECT_EQ(run(), exit_done) << stderr_;
-        return nlohmann::json::parse(read("out/summary.json"))["digest"];
+        return summary()["digest"];
     };
     const fs::path folder = dir_ / "trees";
     for (const char* level : {"any", "contacts"}) {

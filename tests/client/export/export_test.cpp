@@ -4,12 +4,12 @@
 #include "client/formats/npz.hpp"
 #include "tests/support/file_size_limit.hpp"
 #include "tests/support/npz_arrays.hpp"
+#include "tests/support/process.hpp"
 #include "tests/support/shapes.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
-#include <unistd.h>
 
 #include <fstream>
 #include <sstream>
@@ -25,9 +25,6 @@ namespace fs = std::filesystem;
 class Export : public testing::Test {
   protected:
     Export() {
-        const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-        dir_ = fs::temp_directory_path() /
-               ("cd-export-" + std::to_string(getpid()) + "-" + test->name());
         const Mesh box = make_box({1, 1, 1});
         MeshArrays arrays{box.vertices(),
                           box.triangles(),
@@ -38,18 +35,14 @@ class Export : public testing::Test {
         context_.job = "test";
         context_.unit = "m";
     }
-    ~Export() override { fs::remove_all(dir_); }
 
     [[nodiscard]] std::string text_of(const std::string& name) const {
-        std::ifstream file(dir_ / name, std::ios::binary);
-        std::ostringstream text;
-        text << file.rdbuf();
-        return text.str();
+        return read_text(dir_ / name);
     }
 
     void write(const std::vector<std::string>& formats, Level level) {
         context_.level = level;
-        auto files = ResultFiles::open(dir_, formats, context_);
+        auto files = ResultSink::open({dir_, formats}, context_);
         ASSERT_TRUE(files) << files.error().detail;
         RunReport report;
         report.summary.total = 3;
@@ -92,7 +85,8 @@ class Export : public testing::Test {
         return {separate, contact, failed, undecided};
     }
 
-    fs::path dir_;
+    const TemporaryFolder folder_;
+    fs::path dir_ = folder_.path();
     ExportContext context_;
     std::optional<SearchCost> cost_;
 };
@@ -213,7 +207,7 @@ TEST_F(Export, AFullDiskIsNoticedAtOnce) {
     ScenarioResult result = results()[1];
     Status added = Done{};
     for (int i = 0; i < 200'000 && added; ++i) {
-        added = writer.value()->add(result);
+        added = writer->add(result);
     }
     ASSERT_FALSE(added) << "long before the end";
     EXPECT_THAT(added.error().detail, HasSubstr("results.npz"));
@@ -266,7 +260,8 @@ TEST_F(Export, AResultOfABodyThatTheJobDoesNotHaveIsRefused) {
 
 TEST_F(Export, NothingStaysOfARunThatDidNotFinish) {
     {
-        auto files = ResultFiles::open(dir_, {"csv", "csv-pairs", "json", "text", "npz"}, context_);
+        auto files =
+            ResultSink::open({dir_, {"csv", "csv-pairs", "json", "text", "npz"}}, context_);
         ASSERT_TRUE(files) << files.error().detail;
         ASSERT_TRUE(files.value().add(results()[1]));
         EXPECT_FALSE(fs::is_empty(dir_));
@@ -291,14 +286,14 @@ TEST_F(Export, ARunThatDidNotFinishLeavesEarlierResultsAlone) {
     write({"csv-pairs"}, Level::Pairs);
     const std::string before = text_of("pairs.csv");
     {
-        auto files = ResultFiles::open(dir_, {"csv-pairs"}, context_);
+        auto files = ResultSink::open({dir_, {"csv-pairs"}}, context_);
         ASSERT_TRUE(files);
     }
     EXPECT_EQ(text_of("pairs.csv"), before);
 }
 
 TEST_F(Export, AFolderThatCannotBeMadeIsNamed) {
-    const auto files = ResultFiles::open("/proc/no/such", {"csv"}, context_);
+    const auto files = ResultSink::open({"/proc/no/such", {"csv"}}, context_);
     ASSERT_FALSE(files);
     EXPECT_EQ(files.error().code, ErrorCode::Io);
     EXPECT_THAT(files.error().detail, HasSubstr("/proc/no/such"));

@@ -1,7 +1,6 @@
 // Proves that pieces are appended in order, and that numbers read back unchanged.
-#include "client/formats/text_buffer.hpp"
-
 #include "client/base/words.hpp"
+#include "client/formats/csv_rows.hpp"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,6 @@
 // applied once and axes never, and transforms that are not rigid are refused.
 #include "client/import/foreign/assimp_import.hpp"
 #include "client/import/foreign/xml_frames.hpp"
-#include "client/import/import_notes.hpp"
 #include "tests/client/import/import_text.hpp"
 
 #include <zip.h>

@@ -142,33 +142,25 @@ TEST(Connection, UploadsOnlyWhatIsMissingAndThatWhole) {
 
 TEST(Connection, AMeshThatIsRefusedFailsWithTheMastersWords) {
     const auto mesh = share(make_box({1, 2, 3}));
-    FakeMaster master(welcoming([&](const Message& message) -> Answers {
-        if (std::holds_alternative<MeshesQuery>(message)) {
-            return std::vector<Message>{MeshesMissing{{mesh->hash()}}};
-        }
-        return std::vector<Message>{Failure{ErrorCode::TooLarge, "the disk is full"}};
-    }));
-    const Status status =
-        open(master)->upload(std::vector{NamedMesh{"m", mesh}}, [](const auto&, auto, auto) {});
-    ASSERT_FALSE(status);
-    EXPECT_EQ(status.error().code, ErrorCode::TooLarge);
-    EXPECT_EQ(status.error().detail, "the disk is full");
-}
-
-TEST(Connection, AMeshThatTheMastersDiskRefusesIsNamed) {
-    const auto mesh = share(make_box({1, 2, 3}));
-    FakeMaster master(welcoming([&](const Message& message) -> Answers {
-        if (std::holds_alternative<MeshesQuery>(message)) {
-            return std::vector<Message>{MeshesMissing{{mesh->hash()}}};
-        }
-        return std::vector<Message>{Failure{ErrorCode::Io, "No space left on device"}};
-    }));
-    const Status status =
-        open(master)->upload(std::vector{NamedMesh{"A", mesh}}, [](const auto&, auto, auto) {});
-    ASSERT_FALSE(status);
-    EXPECT_EQ(status.error().code, ErrorCode::Incomplete) << "exit code 3";
+    const auto upload_refused_for = [&](ErrorCode code, const char* detail) {
+        FakeMaster master(welcoming([&](const Message& message) -> Answers {
+            if (std::holds_alternative<MeshesQuery>(message)) {
+                return std::vector<Message>{MeshesMissing{{mesh->hash()}}};
+            }
+            return std::vector<Message>{Failure{code, detail}};
+        }));
+        return open(master)->upload(std::vector{NamedMesh{"A", mesh}},
+                                    [](const auto&, auto, auto) {});
+    };
+    const Status refused = upload_refused_for(ErrorCode::TooLarge, "it has too many parts");
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().code, ErrorCode::TooLarge);
+    EXPECT_EQ(refused.error().detail, "it has too many parts");
+    const Status full = upload_refused_for(ErrorCode::Io, "No space left on device");
+    ASSERT_FALSE(full);
+    EXPECT_EQ(full.error().code, ErrorCode::Incomplete) << "exit code 3";
     EXPECT_THAT(
-        status.error().detail,
+        full.error().detail,
         testing::MatchesRegex("the master has no room for A .[0-9]+ B.: No space left on device"));
 }
 

@@ -56,13 +56,16 @@ Mesh two_parts() {
     return Mesh::create(std::move(arrays)).value();
 }
 
-/// Returns everything that `print` writes to a stream.
+/// Returns all that a printer of this style writes.
 template <class Print>
-std::string printed(const Print& print) {
+std::string printed(ProgressPrinter::Style style, const Print& print) {
     char* text = nullptr;
     std::size_t size = 0;
     std::FILE* stream = open_memstream(&text, &size);
-    print(stream);
+    {
+        ProgressPrinter printer(style, stream);
+        print(printer);
+    }
     std::fclose(stream);
     std::string copy(text, size);
     std::free(text);
@@ -304,8 +307,7 @@ TEST(Progress, AJobThatStandsStillShowsNoTimeLeft) {
 }
 
 TEST(Progress, NotesComeAloneWhereNoProgressIsWanted) {
-    const std::string text = printed([](std::FILE* stream) {
-        ProgressPrinter printer(ProgressPrinter::Style::Notes, stream);
+    const std::string text = printed(ProgressPrinter::Style::Notes, [](ProgressPrinter& printer) {
         printer.update(at(20));
         ProgressState state = at(40);
         state.note = {"no worker is connected", true};
@@ -317,8 +319,7 @@ TEST(Progress, NotesComeAloneWhereNoProgressIsWanted) {
 }
 
 TEST(Progress, WithoutATerminalALineComesEachTenSeconds) {
-    const std::string text = printed([](std::FILE* stream) {
-        ProgressPrinter printer(ProgressPrinter::Style::Lines, stream);
+    const std::string text = printed(ProgressPrinter::Style::Lines, [](ProgressPrinter& printer) {
         for (const double seconds : {0.0, 5.0, 9.9, 10.0, 15.0, 19.9, 20.5, 21.0}) {
             printer.update(at(seconds));
         }
@@ -330,8 +331,7 @@ TEST(Progress, WithoutATerminalALineComesEachTenSeconds) {
 }
 
 TEST(Progress, ABarIsRedrawnOnItsLine) {
-    const std::string text = printed([](std::FILE* stream) {
-        ProgressPrinter printer(ProgressPrinter::Style::Bar, stream);
+    const std::string text = printed(ProgressPrinter::Style::Bar, [](ProgressPrinter& printer) {
         printer.update(at(0));
         printer.update(at(0.05));
         printer.update(at(1));
@@ -341,8 +341,7 @@ TEST(Progress, ABarIsRedrawnOnItsLine) {
 }
 
 TEST(Progress, ANoteStandsUnderTheBar) {
-    const std::string text = printed([](std::FILE* stream) {
-        ProgressPrinter printer(ProgressPrinter::Style::Bar, stream);
+    const std::string text = printed(ProgressPrinter::Style::Bar, [](ProgressPrinter& printer) {
         ProgressState state = at(1);
         state.note = {"no worker is connected", true};
         printer.update(state);
@@ -355,8 +354,7 @@ TEST(Progress, ANoteStandsUnderTheBar) {
 }
 
 TEST(Progress, WithoutATerminalEachNoteIsPrintedOnce) {
-    const std::string text = printed([](std::FILE* stream) {
-        ProgressPrinter printer(ProgressPrinter::Style::Lines, stream);
+    const std::string text = printed(ProgressPrinter::Style::Lines, [](ProgressPrinter& printer) {
         ProgressState state = at(1);
         state.note = {"no worker is connected", true};
         printer.update(state);
@@ -399,11 +397,11 @@ TEST(Progress, OnANarrowTerminalALineIsCut) {
 }
 
 TEST(Progress, QuietIsSilent) {
-    EXPECT_EQ(printed([](std::FILE* stream) {
-                  ProgressPrinter printer(ProgressPrinter::Style::Silent, stream);
-                  printer.update(at(100));
-                  printer.finish(at(100));
-              }),
+    EXPECT_EQ(printed(ProgressPrinter::Style::Silent,
+                      [](ProgressPrinter& printer) {
+                          printer.update(at(100));
+                          printer.finish(at(100));
+                      }),
               "");
 }
 

@@ -1,7 +1,6 @@
 // Proves that a glTF file gives the triangles the specification prescribes, or is refused with the
 // name of the invalid object.
-#include "client/import/gltf/gltf_import.hpp"
-
+#include "client/import/mesh_readers.hpp"
 #include "tests/client/import/gltf_text.hpp"
 #include "tests/client/import/import_text.hpp"
 #include "tests/support/memory_bound.hpp"

@@ -1,6 +1,5 @@
 // Proves that the polygons of an OBJ file are read completely, or refused by line.
-#include "client/import/text/obj_mesh.hpp"
-
+#include "client/import/mesh_readers.hpp"
 #include "tests/client/import/import_text.hpp"
 #include "tests/support/memory_bound.hpp"
 

@@ -1,6 +1,5 @@
 // Proves that an OFF file is read completely, or refused by line, vertex or face.
-#include "client/import/text/off_mesh.hpp"
-
+#include "client/import/mesh_readers.hpp"
 #include "tests/client/import/import_text.hpp"
 
 #include <gmock/gmock.h>

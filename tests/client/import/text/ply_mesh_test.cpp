@@ -1,7 +1,6 @@
 // Proves that a PLY file, text or binary, is read completely or refused by line or byte, and that
 // no count in its header is trusted.
-#include "client/import/text/ply_mesh.hpp"
-
+#include "client/import/mesh_readers.hpp"
 #include "tests/client/import/import_text.hpp"
 #include "tests/support/memory_bound.hpp"
 

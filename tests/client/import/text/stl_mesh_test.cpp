@@ -1,7 +1,6 @@
 // Proves that an STL file, text or binary, is read completely, each coordinate as the double
 // nearest to its text, or refused by line or facet.
-#include "client/import/text/stl_mesh.hpp"
-
+#include "client/import/mesh_readers.hpp"
 #include "tests/client/import/import_text.hpp"
 
 #include <gmock/gmock.h>
