@@ -1,4 +1,4 @@
-// Bounds of the master: connections, clients, jobs, the journal, matching and a job's end.
+// Bounds of the master: connections, clients, jobs, the journal, matching and the end of a job.
 #pragma once
 
 #include "common/core/limits/engine.hpp"
@@ -11,11 +11,11 @@ namespace cd::limits {
 // Connections.
 inline constexpr std::size_t connections_max = 8192;
 inline constexpr std::size_t greetings_max = 512; ///< Connections that have not been admitted yet.
-/// Workers of one certificate holder or, without TLS, of one host.
+/// Worker connections of one certificate holder or, without TLS, of one host.
 inline constexpr std::size_t worker_connections_max = 2048;
 /// Connections of all workers; the rest of `connections_max` is for clients.
 inline constexpr std::size_t all_worker_connections_max = 7168;
-inline constexpr std::size_t http_connections_max = 64; ///< Simultaneous; each has one request.
+inline constexpr std::size_t http_connections_max = 64; ///< Connections of one request each.
 inline constexpr unsigned blocking_threads = 4;         ///< Threads that read and write files.
 
 // Identity.
@@ -25,121 +25,121 @@ inline constexpr std::size_t refused_bytes_max = 1u << 20; ///< Size of the list
 // A client's share.
 inline constexpr std::size_t client_connections_max = 64;
 inline constexpr std::size_t client_jobs_max = 64;
-/// Bytes of meshes, poses and grids that a client sends in one period.
+/// Bytes of meshes, poses and grids that a client sends in `timing::client_bytes_period`.
 inline constexpr std::uint64_t client_bytes_max = 256ull << 30;
-inline constexpr std::uint64_t client_queued_bytes_max = 64ull << 30; ///< Poses of its open jobs.
+inline constexpr std::uint64_t client_queued_bytes_max = 64ull << 30; ///< Poses of unfinished jobs.
 /// Unfinished scenarios in a client's jobs.
 inline constexpr std::uint64_t client_scenarios_max = 1ull << 27;
-inline constexpr std::size_t client_uploads_max = 8; ///< Uploads of meshes at once.
-inline constexpr std::size_t watches_max = 64;       ///< Jobs that a connection watches at once.
+inline constexpr std::size_t client_uploads_max = 8; ///< Simultaneous mesh uploads.
+inline constexpr std::size_t watches_max = 64;       ///< Jobs that one connection watches.
 
 // Messages of clients, and answers to them.
-inline constexpr std::uint64_t poses_part_scenarios_max = 1u << 16; ///< In one message.
-inline constexpr std::uint64_t mesh_answer_bytes = 1u << 20;        ///< In one message.
-/// Uncompressed records in one answer; a single larger record is sent alone.
+inline constexpr std::uint64_t poses_part_scenarios_max = 1u << 16; ///< Scenarios in one message.
+inline constexpr std::uint64_t mesh_answer_bytes = 1u << 20;        ///< Mesh bytes in an answer.
+/// Uncompressed size of the records in one answer. A single larger record is sent alone.
 inline constexpr std::uint64_t results_part_bytes_target = 4u << 20;
 inline constexpr std::uint64_t results_scan_max = 1u << 20; ///< Scenarios read for one answer.
 inline constexpr std::size_t path_bytes_max = 4096; ///< Length of a file's name, for display.
 
 // Meshes and trees.
 inline constexpr std::size_t meshes_max = 1u << 16; ///< Limited so that a status fits a message.
-/// Uploads of all clients at once; each is a temporary file.
+/// Simultaneous mesh uploads of all clients; each needs a temporary file.
 inline constexpr std::size_t mesh_uploads_max = 16;
-/// Recently used OBB trees that stay in memory without a running job.
+/// Number of recently used OBB trees that stay in memory without a running job.
 inline constexpr std::size_t trees_kept_max = 8;
-/// Distribution roots of a body at a depth that the master chooses.
+/// Number of distribution roots of a body at a depth that the master chooses.
 inline constexpr std::uint64_t roots_chosen_max = 1u << 11;
-/// If possible, the master chooses a depth at which a block takes at most this on the wire.
+/// If possible, the master chooses a depth at which blocks have at most this size on the wire.
 inline constexpr double block_bytes_wanted = 64u << 10;
 inline constexpr double wide_block_bytes_per_triangle = 10;   ///< On the wire; an estimate.
 inline constexpr double binary_block_bytes_per_triangle = 30; ///< On the wire; an estimate.
 
 // Jobs.
 inline constexpr std::size_t jobs_running_max = 256;
-/// Default number of ended jobs to keep; with more, the oldest is dropped.
+/// Default number of ended jobs to keep; with more, the master drops the oldest.
 inline constexpr std::size_t jobs_ended_kept_max = 1024;
-/// The most ended jobs that a setting may keep.
+/// Largest number of ended jobs to keep that a setting may give.
 inline constexpr std::size_t jobs_kept_max = 100'000;
-/// Scenarios in all running jobs. A scenario with a result takes 52 bytes: hash, position in a
-/// file, author.
+/// Scenarios in all running jobs. A scenario with a result takes 52 bytes: hash, offset in a file,
+/// author.
 inline constexpr std::uint64_t scenarios_running_max = 1ull << 28;
-/// Results of all ended jobs; each takes 16 bytes for its position in a file. With more, the oldest
-/// job is dropped, but never the latest.
+/// Results of all ended jobs; each takes 16 bytes for its offset in a file. With more, the master
+/// drops the oldest jobs, but never the latest.
 inline constexpr std::uint64_t results_ended_kept_max = 1ull << 27;
-/// Results of an ended job whose author, a worker process, is kept.
+/// For so many first scenarios of an ended job, the master keeps which worker process answered.
 inline constexpr std::size_t authors_kept_max = 1u << 18;
 /// Size of a job's grid, in memory and in the journal.
 inline constexpr std::size_t grid_bytes_max = 8u << 20;
 /// A larger grid is dropped from memory when its job ends.
 inline constexpr std::size_t ended_grid_bytes_max = 64u << 10;
-inline constexpr std::size_t ignored_ranges_max = 1u << 16; ///< Each batch carries them.
+inline constexpr std::size_t ignored_ranges_max = 1u << 16; ///< Ignored pairs of parts of a job.
 inline constexpr std::uint32_t q_max = 1u << 16;
 inline constexpr std::uint32_t v_kb_max = 16'384; ///< Limited so that a batch fits a message.
 /// Number of scenarios whose poses are stored and read together.
 inline constexpr std::uint64_t spool_run_scenarios = analysis_block_scenarios;
-/// Size of the results that are buffered before they are written to a file.
+/// Size of the results that are buffered before they are written to a segment.
 inline constexpr std::size_t result_buffer_bytes_max = 1u << 20;
-/// Cuts whose blocks a joining worker may report to hold.
+/// Number of cuts of which a joining worker may report blocks.
 inline constexpr std::size_t cuts_held_max = 1u << 15;
 
 // Losses.
 inline constexpr std::uint32_t scenario_losses_max = 3; ///< A scenario fails after so many losses.
-/// When a scenario is lost with one process repeatedly, only every so many-th repetition counts.
+/// If a scenario is lost repeatedly with one process, only one in so many repetitions counts.
 inline constexpr std::size_t losses_again_that_count = 8;
 inline constexpr std::size_t alarms_kept_max = 20;
-/// Worker processes in quarantine that are remembered; a restarted worker is another process.
+/// Worker processes in quarantine that the master remembers. A restarted worker is a new process.
 inline constexpr std::size_t quarantined_kept_max = 4096;
 
 // Results on their way to the journal.
-/// Messages of one worker that are being checked.
+/// Messages of results from one worker that the master has not finished checking.
 inline constexpr std::size_t results_in_hand_max = 8;
-/// Size of results that wait for the disk or for their job. With more, each process has at most
-/// `results_in_hand_max` messages.
+/// Size of results that wait for the disk or for their job. With more, each worker process may have
+/// at most `results_in_hand_max` messages of them.
 inline constexpr std::uint64_t results_aside_bytes_max = 256u << 20;
-/// With so many queued, a commit begins at once.
+/// With so many queued rows, a commit begins at once.
 inline constexpr std::size_t journal_group_rows = 256;
-inline constexpr std::size_t journal_commit_rows_max = 8192;         ///< In one commit.
+inline constexpr std::size_t journal_commit_rows_max = 8192;         ///< Rows in one commit.
 inline constexpr std::uint64_t journal_commit_bytes_max = 64u << 20; ///< Records in one commit.
-/// Size of the queued records. With more, the master reads no further results.
+/// Size of the records queued for the journal. With more, the master reads no further results.
 inline constexpr std::uint64_t journal_queue_bytes_max = 256u << 20;
 
 // Workers.
-/// With more lost workers, the one that joined first is forgotten.
+/// With more lost workers, the master forgets those that joined first.
 inline constexpr std::size_t lost_workers_kept_max = 1024;
-inline constexpr std::size_t long_scenarios_shown = 16; ///< Long-running ones, per job.
+inline constexpr std::size_t long_scenarios_shown = 16; ///< Long-running scenarios shown per job.
 
 // Delivery of blocks.
 inline constexpr std::size_t subtrees_queue_bytes_max = 16u << 20; ///< Bytes queued for one worker.
-/// A peer that so many others cannot reach is no source any more.
+/// A worker that so many others cannot reach is no longer a source of blocks.
 inline constexpr std::size_t peer_unreachable_by_max = 2;
 /// Number of workers considered as the source of one block.
 inline constexpr std::size_t sources_looked_at_max = 64;
 
 // Dispatch.
-/// Number of analysed scenarios beyond those that fill the workers' buffers.
+/// Number of analysed, unsent scenarios beyond those that fill the workers' buffers.
 inline constexpr std::uint64_t unsent_scenarios_max = 4096;
-/// Number of analysed scenarios of a job whose policy matches by time.
+/// Number of analysed, unsent scenarios of a job whose policy matches by time.
 inline constexpr std::uint64_t unsent_by_time_max = 1u << 18;
-/// Memory of the analyses of unanswered scenarios.
+/// Memory of the analyses of unanswered scenarios; with more, the master starts none.
 inline constexpr std::uint64_t open_analyses_bytes_max = 512u << 20;
-/// With more workers, all are checked less often, so that the cost of events stays bounded.
+/// With more workers, the master checks all of them less often, which bounds the cost of events.
 inline constexpr std::size_t workers_few = 64;
 
-// Matching by time: what is assumed until it is measured, and the size of batches.
+// Matching by time: values assumed until they are measured, and the size of batches.
 inline constexpr double link_bytes_per_second_start = 125e6;  ///< 1 Gb/s.
 inline constexpr std::uint64_t block_bytes_per_triangle = 16; ///< Size on the wire.
 inline constexpr std::uint64_t scenario_ns_unknown = 1'000'000;
-/// With a greater share of lost time, batches grow.
+/// Batches grow if a worker's threads idle for a greater share of the time.
 inline constexpr double batch_overhead_max = 0.02;
 inline constexpr std::size_t batches_at_worker = 2;
-/// Number of scenarios moved together to a worker that runs dry.
+/// Number of scenarios of a job that one move takes to a worker that runs dry.
 inline constexpr std::size_t moves_tried_max = 64;
 
 // The end of a job, when no work waits and some workers are idle.
 inline constexpr double copies_share_max = 0.05; ///< Share of a job's work that may be done twice.
-inline constexpr double copy_gain_min = 1.5;     ///< A copy must end so many times sooner.
+inline constexpr double copy_gain_min = 1.5;     ///< Least speed-up by a speculative copy.
 inline constexpr std::uint32_t scenario_recalls_max = 3;
-/// Each check examines up to this many stragglers, in large clusters more.
+/// Number of stragglers that each check examines at most, in large clusters more.
 inline constexpr std::size_t late_looked_at_min = 64;
 /// In large clusters, each check examines up to one straggler per this many workers.
 inline constexpr std::size_t late_looked_at_part = 16;

@@ -6,7 +6,7 @@
 namespace cd::timing {
 
 // Queries.
-/// A call that waits checks this often whether it has been stopped.
+/// A waiting call polls its StopCheck in this period.
 inline constexpr std::chrono::milliseconds stop_check_period{100};
 
 } // namespace cd::timing

@@ -7,7 +7,7 @@ namespace cd::timing {
 
 // Connections.
 inline constexpr std::chrono::hours client_idle_max{24};
-/// A stopping master waits so long for its sessions and threads to end.
+/// A stopping master waits this long for its sessions and threads to end.
 inline constexpr std::chrono::seconds stop_grace{5};
 
 // Identity.
@@ -16,12 +16,12 @@ inline constexpr std::chrono::hours master_certificate_life{24 * 30};
 inline constexpr std::chrono::hours certificate_life{24 * 7};
 inline constexpr std::chrono::seconds certificate_life_min{2};
 inline constexpr std::chrono::hours token_life_max{24 * 30};
-/// Period of the checks whether a connected certificate holder is refused meanwhile.
+/// Period in which a session checks whether its certificate's holder has been refused meanwhile.
 inline constexpr std::chrono::seconds holder_check_period{10};
 
 // A client's share.
 inline constexpr std::chrono::hours client_bytes_period{24};
-/// A client above its share is told to retry after this.
+/// The master tells a client above its share to retry after this time.
 inline constexpr std::chrono::seconds retry_after{30};
 
 // Messages of clients, and answers to them.
@@ -29,7 +29,7 @@ inline constexpr std::chrono::seconds retry_after{30};
 inline constexpr std::chrono::seconds submission_idle_max{60};
 /// Shortest time between two updates to a client that watches a job.
 inline constexpr std::chrono::milliseconds watch_period{200};
-/// A client waits so long until a cancellation is on the disk.
+/// Longest time that the master delays its answer until a cancellation is on the disk.
 inline constexpr std::chrono::seconds cancel_wait_max{10};
 
 // Jobs.
@@ -43,31 +43,31 @@ inline constexpr std::chrono::milliseconds journal_retry_period{500};
 // Workers.
 inline constexpr std::chrono::hours peer_lost_after_max{24};
 inline constexpr std::chrono::milliseconds peer_check_period{500};
-/// A worker is forgotten so long after its last message.
+/// Time from a lost worker's last message until the master forgets the worker.
 inline constexpr std::chrono::minutes worker_forgotten_after{10};
 inline constexpr double scenario_seconds_shown = 10; ///< Status names scenarios that take longer.
 
 // Delivery of blocks.
-/// A fetch from a peer that takes longer has failed.
+/// A worker's fetch of blocks from a peer counts as failed after this time.
 inline constexpr std::chrono::seconds peer_fetch_max{60};
-/// A worker waits so long for a block from peers; then the master sends it.
+/// The master sends a block itself if a worker has waited this long for it from peers.
 inline constexpr std::chrono::seconds peer_wait_max{10};
 
 // Dispatch.
-/// Each worker above `workers_few` adds this to the period of checks.
+/// Each worker above `limits::workers_few` adds this to the period of checks of all workers, s.
 inline constexpr double look_seconds_each = 2e-6;
 
-// Matching by time: what is assumed until it is measured, and the size of batches.
-inline constexpr double block_seconds = 20e-6; ///< Time to request a block and unpack it.
+// Matching by time: values assumed until they are measured, and the size of batches.
+inline constexpr double block_seconds = 20e-6; ///< Time to request and unpack a block.
 inline constexpr double batch_seconds_start = 0.1;
 inline constexpr double batch_seconds_min = 0.001;
 inline constexpr double batch_seconds_max = 1;
-/// For scenarios that take longer, round trips do not matter.
+/// Scenarios that take longer on average are long: a round trip per scenario does not matter.
 inline constexpr double scenario_seconds_long = 0.05;
 
 // The end of a job, when no work waits and some workers are idle.
-inline constexpr double end_gain_seconds_min = 0.02; ///< A smaller gain is not worth the messages.
-/// A recall that is not answered within this time counts as unanswered.
+inline constexpr double end_gain_seconds_min = 0.02; ///< Smallest gain that is worth the messages.
+/// After this time without an answer, a recall no longer counts as pending.
 inline constexpr double recall_answer_seconds = 0.5;
 inline constexpr std::chrono::milliseconds end_check_period{100}; ///< Period of straggler checks.
 

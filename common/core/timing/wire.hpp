@@ -6,16 +6,16 @@
 namespace cd::timing {
 
 // Contents that proto/ checks.
-/// Computing time that a message of results may state, so that sums stay finite.
+/// Longest computing time that a message of results may state, so that sums stay finite.
 inline constexpr double compute_seconds_max = 1e7;
 
 // TLS and certificates.
 /// Validity of the cluster's own CA certificate.
 inline constexpr std::chrono::hours authority_life{24 * 3650};
 inline constexpr std::chrono::minutes clock_difference_max{5}; ///< Tolerated between two hosts.
-/// Longest pause before a certificate is looked at.
+/// Longest time between two checks of whether a certificate needs renewal.
 inline constexpr std::chrono::minutes renewal_check_period{1};
-inline constexpr std::chrono::seconds renewal_retry_min{1}; ///< Shortest pause between attempts.
+inline constexpr std::chrono::seconds renewal_retry_min{1}; ///< Least pause between renewals.
 
 // Log lines about refused connections.
 inline constexpr std::chrono::seconds refusal_log_period{1};
@@ -23,18 +23,18 @@ inline constexpr std::chrono::seconds refusal_log_period{1};
 // Silence and stalls.
 inline constexpr std::chrono::seconds heartbeat_period{2};
 inline constexpr std::chrono::milliseconds heartbeat_period_min{10};
-/// After this much silence, a worker's work goes to others.
+/// After a worker's silence of this length, the master gives its work to other workers.
 inline constexpr std::chrono::seconds peer_lost_after{15};
 inline constexpr std::chrono::seconds connect_timeout{10};
 /// The connection closes if a frame cannot be sent within this time.
 inline constexpr std::chrono::seconds write_stall_max{30};
 /// The connection closes if the next frame of a begun message does not arrive within this time.
 inline constexpr std::chrono::seconds read_stall_max{30};
-/// A closing connection may spend this long on sending what is queued.
+/// A closing connection may spend this long on sending its queued messages.
 inline constexpr std::chrono::seconds close_flush_max{5};
 /// Pause after a failed accept, for example for lack of file descriptors.
 inline constexpr std::chrono::milliseconds accept_retry_period{100};
-/// An operation ends at most this long after its deadline.
+/// Once a deadline has passed, outstanding operations are cancelled again in this period.
 inline constexpr std::chrono::milliseconds overdue_check_period{50};
 
 // HTTP.

@@ -6,7 +6,7 @@
 namespace cd::timing {
 
 // Work.
-/// A thread takes scenarios of a range for about this much work at a time.
+/// A thread takes as many scenarios of a range at a time as make about this much work.
 inline constexpr double walk_seconds = 0.001;
 
 // Results.
@@ -16,7 +16,7 @@ inline constexpr std::chrono::milliseconds results_flush_period{50};
 inline constexpr std::chrono::seconds results_kept_wait_max{5};
 
 // Blocks.
-/// Trees of an ended session stay cached this long in the next session, which can use them again.
+/// Trees of an ended session stay cached this long into the next session, which may reuse them.
 inline constexpr std::chrono::minutes parked_trees_kept{10};
 
 // Peers.
@@ -25,16 +25,15 @@ inline constexpr std::chrono::seconds peer_answer_max{5};
 /// A peer's connection closes after this time without a request.
 inline constexpr std::chrono::seconds peer_idle_max{60};
 
-// Life of the process.
-/// Longest pause after the first attempt.
+// The process: connecting and draining.
+/// Longest pause after the first attempt to connect; the bound doubles with each attempt.
 inline constexpr std::chrono::milliseconds reconnect_after_min{100};
-/// Longest pause after any attempt.
+/// Longest pause after any attempt to connect.
 inline constexpr std::chrono::milliseconds reconnect_after_max{5000};
-/// Default time limit of a drain, shorter than service managers allow.
+/// Default time limit of a drain, shorter than the stop timeouts of service managers.
 inline constexpr std::chrono::seconds drain_timeout{25};
 inline constexpr std::chrono::hours drain_timeout_max{24 * 7};
-/// A worker that the master has accepted before retries for this long when TLS refuses the
-/// connection.
+/// A worker that a master has accepted before retries for this long after a TLS refusal.
 inline constexpr std::chrono::hours refusal_retry_max{1};
 
 } // namespace cd::timing
