@@ -20,7 +20,7 @@ struct Library {
     std::string_view version;
 };
 
-/// CMake fills this in as "name version|name version".
+/// Lists the linked libraries. CMake defines the text as "name version|name version".
 constexpr std::string_view library_list = CD_LIBRARIES;
 
 std::vector<Library> libraries() {
@@ -35,7 +35,7 @@ std::vector<Library> libraries() {
     return found;
 }
 
-/// Returns a member of a JSON object. Neither text may need escapes.
+/// Returns a member of a JSON object. `key` and `value` must not need escapes.
 std::string member(std::string_view key, std::string_view value) {
     return "\"" + std::string(key) + "\": \"" + std::string(value) + "\"";
 }

@@ -1,4 +1,4 @@
-// Answers --version: the program's name, version and build.
+// Makes the text that --version prints: the program's name, version and build.
 #pragma once
 
 #include <optional>
@@ -12,13 +12,13 @@ namespace cd {
 /// Returns the hash of the commit that was built; "unknown" outside a git checkout.
 [[nodiscard]] std::string_view build_commit();
 
-/// Returns "cdctl 0.1.0" and a line each for commit, compiler, SIMD target and libraries. With
-/// `as_json`, returns an object with the keys program, version, commit, compiler, simd and
-/// libraries.
+/// Returns a line such as "cdctl 0.1.0" and one line each for commit, compiler, SIMD target and
+/// libraries. With `as_json`, returns a JSON object with the keys program, version, commit,
+/// compiler, simd and libraries.
 [[nodiscard]] std::string
 version_text(std::string_view program, std::string_view simd_target, bool as_json);
 
-/// Answers the arguments `--version` and `--version -o json`; returns nothing for all others.
+/// Returns the text for the arguments `--version` or `--version -o json`, else nothing.
 [[nodiscard]] std::optional<std::string> version_answer(std::string_view program,
                                                         std::string_view simd_target,
                                                         std::span<const std::string> arguments);

@@ -1,4 +1,4 @@
-// Aborts the process when an internal invariant is broken. Other processes redo the work in flight.
+// Aborts the process if an internal invariant is broken. Other processes redo its unfinished work.
 #pragma once
 
 namespace cd {
@@ -8,7 +8,7 @@ namespace cd {
 
 } // namespace cd
 
-// NOLINTNEXTLINE(cppcoreguidelines-macro-usage): the text of the condition is needed.
+// NOLINTNEXTLINE(cppcoreguidelines-macro-usage): only a macro has the condition's text.
 #define CD_CHECK(condition)                                                                        \
     do {                                                                                           \
         if (!(condition)) [[unlikely]] {                                                           \

@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::uint64_t seconds_max = 100ull * 365 * 24 * 3600;
 
-/// Returns the seconds in a unit of time; 0 if the letter names no unit.
+/// Returns the number of seconds in the unit s, m, h or d; 0 for any other letter.
 std::uint64_t seconds_of(char unit) {
     switch (unit) {
     case 's':

@@ -1,4 +1,4 @@
-// Numeric identifiers; each kind has its own type.
+// Numeric identifiers, with a type for each kind of object.
 #pragma once
 
 #include <compare>
@@ -17,7 +17,7 @@ struct Id {
 
 using JobId = Id<struct JobTag>;
 using WorkerId = Id<struct WorkerTag>;
-using TaskId = Id<struct TaskTag>; ///< A batch or a range sent to one worker.
+using TaskId = Id<struct TaskTag>; ///< Identifies a batch or a range sent to one worker.
 
 } // namespace cd
 

@@ -15,7 +15,7 @@ struct Character {
 };
 
 /// Decodes the first character of a non-empty text. Each byte of invalid UTF-8 counts as one
-/// character. Overlong forms, surrogates and values beyond U+10FFFF are invalid, too (RFC 3629).
+/// character. Overlong forms, surrogates and values above U+10FFFF are invalid (RFC 3629).
 Character first_of(std::string_view text) {
     const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
     const unsigned first = byte(0);

@@ -13,8 +13,8 @@ enum class ErrorCode {
     TooLarge,     ///< A limit of `common/core/limits/` is exceeded.
     Timeout,      ///< The peer did not answer before the deadline.
     Disconnected, ///< The peer cannot be reached, or closed or reset the connection. Exit code 4.
-    Refused,      ///< The peer understood and said no (version, authorisation). Exit code 5.
-    NotFound,     ///< No job, mesh or file has that name.
+    Refused,      ///< The peer rejected the request (version, authorisation). Exit code 5.
+    NotFound,     ///< The named job, mesh or file does not exist.
     Io,           ///< The operating system failed a read or write.
     Incomplete,   ///< The job ended without an answer for some scenario. Exit code 3.
     Interrupted,  ///< The user or the operator ended the work.
@@ -43,7 +43,7 @@ class [[nodiscard]] Result {
     std::variant<T, Error> state_;
 };
 
-/// The value of a function that returns only success or an error.
+/// The value of a successful `Status`.
 struct Done {};
 using Status = Result<Done>;
 

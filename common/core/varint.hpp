@@ -1,4 +1,4 @@
-// Encodes unsigned integers in a variable number of bytes: seven bits a byte, lowest first.
+// Varints: unsigned integers in a variable number of bytes, seven bits per byte, lowest bits first.
 #pragma once
 
 #include "common/core/files/bytes.hpp"
@@ -16,7 +16,7 @@ inline void put_varint(ByteWriter& out, std::uint64_t value) {
     out.put(static_cast<std::uint8_t>(value));
 }
 
-/// Returns nothing if the bytes end early, the value overflows or its encoding is not the shortest.
+/// Reads a varint. Returns nothing if it is cut short, over 64 bits or not in its shortest form.
 [[nodiscard]] inline std::optional<std::uint64_t> get_varint(ByteReader& in) {
     std::uint64_t value = 0;
     for (unsigned shift = 0; shift < 64; shift += 7) {

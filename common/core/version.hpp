@@ -1,4 +1,4 @@
-// The version of the three programs equals that of the CMake project.
+// The version of the three programs. It equals the version of the CMake project.
 #pragma once
 
 #include <string_view>

@@ -1,4 +1,4 @@
-// Converts values to and from little-endian bytes, for all our hashed or stored formats.
+// Converts values to and from little-endian bytes, for every format that is hashed, sent or stored.
 #pragma once
 
 #include "common/core/result.hpp"
@@ -22,7 +22,7 @@ using Bytes = std::vector<std::byte>;
 template <class T>
 concept Scalar = std::integral<T> || std::floating_point<T>;
 
-/// Appends values to a buffer.
+/// Appends values to a buffer of bytes that it owns.
 class ByteWriter {
   public:
     template <Scalar T>
@@ -71,7 +71,7 @@ class ByteReader {
         return value;
     }
 
-    /// `count` is untrusted: memory is allocated only for bytes that are present.
+    /// Reads `count` values. `count` is untrusted: memory is allocated only for present bytes.
     template <Scalar T>
     [[nodiscard]] std::vector<T> get_array(std::uint64_t count) {
         if (count > rest_.size() / sizeof(T) || failed_) {
@@ -86,7 +86,7 @@ class ByteReader {
         return values;
     }
 
-    /// Returns a view of the next bytes, without a copy.
+    /// Returns a view of the next `count` bytes, without a copy.
     [[nodiscard]] std::span<const std::byte> get_bytes(std::uint64_t count) {
         if (!claim(count)) {
             return {};

@@ -1,4 +1,4 @@
-// Reads and writes files with a kind, a version and a checksum.
+// Implements `write_checked` and `read_checked`: small files with a kind, a version and a checksum.
 #include "common/core/files/disk_file.hpp"
 
 namespace cd {

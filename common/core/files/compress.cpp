@@ -20,11 +20,11 @@ Bytes compress(std::span<const std::byte> bytes, int level) {
 
 namespace {
 
-/// Up to this claimed compression ratio, `decompress` allocates the output at once. Above it, only
-/// pages that are written cost memory, and the output is copied once more.
+/// Claimed compression ratio up to which `decompress` allocates the whole output at once. Above
+/// this ratio only pages that are written cost memory, and the output is copied once more.
 constexpr std::size_t believed_ratio = 64;
 
-/// Returns false if the data is damaged or does not fill `out` exactly.
+/// Decompresses into `out`. Returns false if `bytes` are damaged or do not fill `out` exactly.
 bool decompress_into(std::span<std::byte> out, std::span<const std::byte> bytes) {
     return ZSTD_decompress(out.data(), out.size(), bytes.data(), bytes.size()) == out.size();
 }
@@ -50,7 +50,7 @@ Result<Bytes> decompress(std::span<const std::byte> bytes, std::size_t size_max)
         Bytes out(size);
         return decompress_into(out, bytes) ? Result<Bytes>(std::move(out)) : Result<Bytes>(damaged);
     }
-    // Untouched pages of uninitialised memory cost nothing, so only the actual output does.
+    // Pages of uninitialised memory take no RAM until they are written.
     const auto unwritten = std::make_unique_for_overwrite<std::byte[]>(size);
     const std::span<std::byte> out(unwritten.get(), size);
     return decompress_into(out, bytes) ? Result<Bytes>(Bytes(out.begin(), out.end()))

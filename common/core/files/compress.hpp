@@ -1,4 +1,4 @@
-// Compresses blocks and results. No other code uses zstd.
+// Compresses blocks and results with zstd, which no other code calls.
 #pragma once
 
 #include "common/core/files/bytes.hpp"
@@ -16,8 +16,8 @@ inline constexpr int compression_level_geometry =
 
 [[nodiscard]] Bytes compress(std::span<const std::byte> bytes, int level);
 
-/// Errors: BadFrame if the bytes are not one zstd frame, TooLarge if it holds more than `size_max`
-/// bytes. Memory use follows the actual output size, not the size that the frame claims.
+/// Decompresses one zstd frame. Errors: BadFrame for other or damaged bytes, TooLarge if the frame
+/// claims more than `size_max` bytes. Memory use follows the actual output, not the claimed size.
 [[nodiscard]] Result<Bytes> decompress(std::span<const std::byte> bytes, std::size_t size_max);
 
 } // namespace cd

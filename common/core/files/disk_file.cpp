@@ -32,7 +32,8 @@ Error damaged(const std::filesystem::path& path, const std::string& why) {
     return {ErrorCode::Io, path.string() + " is damaged: " + why};
 }
 
-/// Creates a file named `stem` plus a random suffix. Sets `stem` to its name.
+/// Creates a file named `stem`, `temporary_marker` and a random suffix, and sets `stem` to that
+/// name. Returns the descriptor, or -1 with errno set.
 int make_unique(std::string& stem) {
     stem += std::string(temporary_marker) + "XXXXXX";
     return ::mkostemp(stem.data(), O_CLOEXEC);
@@ -79,7 +80,7 @@ void DiskFile::close() {
 }
 
 Result<DiskFile> DiskFile::open(const std::filesystem::path& path) {
-    // Without O_NONBLOCK, opening a FIFO would block until it has a writer.
+    // Without O_NONBLOCK, opening a FIFO would block until another process opens it to write.
     const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
     if (descriptor < 0) {
         return system_failure("open", path);

@@ -1,4 +1,4 @@
-// Files with random access that appear complete or not at all.
+// Files with random access. A new file gets its final name only once it is complete.
 #pragma once
 
 #include "common/core/files/bytes.hpp"
@@ -14,11 +14,11 @@
 
 namespace cd {
 
-/// Whether a committed file also survives a power loss.
+/// States whether `DiskFile::commit` flushes the file, so that the file survives a power loss.
 enum class Durability : std::uint8_t { Synced, Unsynced };
 
 /// A read-only memory mapping of a file. `DiskFile::map` reads ahead all pages, which are shared
-/// with other processes. The file may be renamed and removed meanwhile, but not written to.
+/// with other processes. While mapped, the file may be renamed or removed, but not written to.
 class FileMapping {
   public:
     explicit FileMapping(std::span<const std::byte> bytes) : bytes_(bytes) {}
@@ -38,10 +38,10 @@ class DiskFile {
   public:
     /// Opens a regular file to read. Errors: NotFound when there is no such file; Io.
     [[nodiscard]] static Result<DiskFile> open(const std::filesystem::path& path);
-    /// Creates a temporary file beside `path` to write and read. The destructor removes it unless
-    /// it has been committed.
+    /// Creates a temporary file beside `path` to write and read. The destructor removes the file
+    /// unless `commit` has renamed it.
     [[nodiscard]] static Result<DiskFile> create_for(const std::filesystem::path& path);
-    /// Opens the file to write and read; creates it if missing.
+    /// Opens a file to write and read; creates a missing file.
     [[nodiscard]] static Result<DiskFile> open_to_write(const std::filesystem::path& path);
 
     /// Locks `path` (created if missing) against other processes for this object's lifetime.
@@ -55,10 +55,10 @@ class DiskFile {
     ~DiskFile();
 
     [[nodiscard]] Status write_at(std::uint64_t offset, std::span<const std::byte> bytes) const;
-    /// Reads exactly `size` bytes. Errors: Io. Allocates no more than the file really holds.
+    /// Reads exactly `size` bytes; allocates nothing if the file is shorter. Errors: Io.
     [[nodiscard]] Result<Bytes> read_at(std::uint64_t offset, std::uint64_t size) const;
     [[nodiscard]] Result<std::uint64_t> size() const;
-    /// Whether `path()` still names this file: it was neither removed nor replaced.
+    /// Returns true if `path()` still names this file, which was neither removed nor replaced.
     [[nodiscard]] bool has_its_name() const;
 
     /// Truncates the file, or extends it with zeros, to `size` bytes.
@@ -71,7 +71,7 @@ class DiskFile {
 
     /// Flushes the bytes if `durability` is Synced, then renames the file to `path()` atomically.
     [[nodiscard]] Status commit(Durability durability = Durability::Synced);
-    /// Commits under another name in the same folder.
+    /// Commits the file as `path`, another name in the same folder.
     [[nodiscard]] Status commit_as(const std::filesystem::path& path,
                                    Durability durability = Durability::Synced);
 
@@ -88,29 +88,30 @@ class DiskFile {
     std::filesystem::path temporary_; ///< Empty when there is no temporary file to remove.
 };
 
-/// Follows the final name in the names of temporary files.
+/// Separates the final name from the random suffix in the name of a temporary file.
 inline constexpr std::string_view temporary_marker = ".tmp-";
 
 /// Creates a directory and its missing parents; an existing one is no error. Errors: Io.
 [[nodiscard]] Status make_directories(const std::filesystem::path& directory);
 /// Creates an empty folder in TMPDIR, or in /tmp if TMPDIR is not set. The folder's name is `name`
-/// and a random suffix. Errors: Io naming the place and TMPDIR.
+/// and a random suffix. Errors: Io naming the parent folder and TMPDIR.
 [[nodiscard]] Result<std::filesystem::path> make_temporary_folder(const std::string& name);
 /// Flushes a folder's directory entries to the disk.
 [[nodiscard]] Status sync_directory(const std::filesystem::path& directory);
 
-/// Renames a damaged file to the first free name `PATH.damaged-N` and logs it.
+/// Renames a damaged file to the first free name `PATH.damaged-N` and logs `why`. Errors: Io.
 [[nodiscard]] Status set_aside(const std::filesystem::path& path, const std::string& why);
 
-/// Header of small files that carry a kind, a version and a checksum.
+/// The magic number and the format version at the start of a file.
 struct FileKind {
     std::uint64_t magic = 0;
     std::uint32_t version = 0;
 };
-/// Writes a file with header, content and checksum; it appears under its name only when complete.
+/// Writes a file of header, `content` and checksum, which gets its name when complete. Errors: Io.
 [[nodiscard]] Status
 write_checked(const std::filesystem::path& path, FileKind kind, std::span<const std::byte> content);
-/// Errors: NotFound; Io, also if the file is damaged or of another kind or version.
+/// Returns the content of a file that `write_checked` wrote. Errors: NotFound; Io, also if the file
+/// is damaged or of another kind or version.
 [[nodiscard]] Result<Bytes> read_checked(const std::filesystem::path& path, FileKind kind);
 
 void put_bytes(ByteWriter& out, std::span<const std::byte> bytes);

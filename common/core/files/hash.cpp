@@ -14,15 +14,15 @@ namespace cd {
 
 namespace {
 
-/// Fetches SHA-256 once: OpenSSL 3 otherwise looks it up for each hash, which takes longer than
-/// hashing a record.
+/// Fetches the SHA-256 algorithm once. OpenSSL 3 would look the algorithm up for each hash, which
+/// takes longer than hashing a record.
 const EVP_MD* sha256_method() {
     static const EVP_MD* const method = EVP_MD_fetch(nullptr, "SHA256", nullptr);
     CD_CHECK(method != nullptr);
     return method;
 }
 
-/// Computes one hash after the other.
+/// Computes SHA-256 hashes one after another with one OpenSSL context.
 class Hashing {
   public:
     Hashing() { CD_CHECK(context_ != nullptr); }

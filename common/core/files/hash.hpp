@@ -1,5 +1,5 @@
-// Content hashes (SHA-256) and fast checksums (XXH3). No other code uses OpenSSL's hashes and
-// xxHash.
+// Content hashes (SHA-256) and fast checksums (XXH3). No other code calls OpenSSL's hash functions
+// or xxHash.
 #pragma once
 
 #include <array>
@@ -44,18 +44,18 @@ class Sha256Stream {
 [[nodiscard]] Sha256 hmac_sha256(const Sha256& key, std::span<const std::byte> bytes);
 /// Returns 32 cryptographically random bytes.
 [[nodiscard]] Sha256 random_secret();
-/// Compares in constant time.
+/// Compares in a time that does not depend on the secrets.
 [[nodiscard]] bool is_equal_secret(const Sha256& a, const Sha256& b);
 
 /// Returns 64 lower-case hexadecimal digits.
 [[nodiscard]] std::string to_hex(const Sha256& hash);
 /// Returns the first 16 hexadecimal digits, for display.
 [[nodiscard]] std::string to_short_hex(const Sha256& hash);
-/// Returns nothing unless the text is exactly 64 hexadecimal digits.
+/// Parses exactly 64 lower-case hexadecimal digits; returns nothing for any other text.
 [[nodiscard]] std::optional<Sha256> sha256_from_hex(std::string_view hex);
 
-/// Returns the XXH3 of the bytes, which detects accidental damage in transit and on disk, not
-/// manipulation.
+/// Returns the 64-bit XXH3 of the bytes, which detects accidental damage in transit and on disk,
+/// but no manipulation.
 [[nodiscard]] std::uint64_t checksum(std::span<const std::byte> bytes);
 
 } // namespace cd

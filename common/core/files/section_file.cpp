@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::uint64_t alignment = 64;
 
-/// Returns the offset of a section of `size` bytes when the preceding ones end at `end`.
+/// Returns the offset of a section of `size` bytes if the preceding section ends at `end`.
 constexpr std::uint64_t begin_of_section(std::uint64_t end, std::uint64_t size) {
     return size == 0 ? end : (end + alignment - 1) / alignment * alignment;
 }
@@ -57,7 +57,7 @@ Status write_section_file(const std::filesystem::path& path,
     if (!file) {
         return file.error();
     }
-    // Skipped gaps between sections read as zeros.
+    // Gaps between sections are not written, so they read as zeros.
     if (Status written = file.value().write_at(0, header.bytes()); !written) {
         return written;
     }

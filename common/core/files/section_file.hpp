@@ -19,38 +19,38 @@ namespace cd {
 /// The bytes of one array.
 using Section = std::span<const std::byte>;
 
-/// Identifies a file's kind and the input that the file was made from. A file opens only if both
+/// A file's kind, and the hash of the input that the file was made from. A file opens only if both
 /// match.
 struct SectionFileName {
     FileKind kind;
     Sha256 key;
 };
 
-/// Writes a little-endian file:
+/// Writes a little-endian file of the sections, with XXH3 checksums:
 ///
 ///     u64 magic    u32 version    u32 sections    u64 bytes of the file    32 bytes key
 ///     per section: u64 offset    u64 bytes    u64 checksum
-///     u64 checksum of all the above
+///     u64 checksum of all bytes before
 ///     the sections, each aligned to 64 bytes, zeros between
 ///
-/// The file appears under its name only when it is complete.
+/// The file gets its name only once it is complete. Errors: Io.
 [[nodiscard]] Status write_section_file(const std::filesystem::path& path,
                                         const SectionFileName& name,
                                         std::span<const Section> sections,
                                         Durability durability);
 
-/// An open file of sections. Its pages are shared with other processes that map the file. The file
-/// may be renamed and removed meanwhile, but not written to.
+/// An open file of sections, mapped into memory that other processes share. While open, the file
+/// may be renamed or removed, but not written to.
 class SectionFile {
   public:
-    /// Reads and checks the whole file. Errors: NotFound when there is no such file; Io naming it
-    /// if it is damaged or its kind, version, key or number of sections differs.
+    /// Maps and checks the whole file. Errors: NotFound if there is no such file; Io naming a file
+    /// that is damaged or whose kind, version, key or number of sections differs.
     [[nodiscard]] static Result<std::shared_ptr<const SectionFile>>
     open(const std::filesystem::path& path, const SectionFileName& name, std::size_t sections);
 
     [[nodiscard]] Section section(std::size_t i) const { return sections_[i]; }
 
-    /// Views the section as an array of `T`. Errors: Io if its size is no multiple of `sizeof(T)`.
+    /// Views section `i` as an array of `T`. Errors: Io if its size is no multiple of `sizeof(T)`.
     template <class T>
     [[nodiscard]] Result<std::span<const T>> array(std::size_t i) const {
         static_assert(std::is_trivially_copyable_v<T> && alignof(T) <= 64);

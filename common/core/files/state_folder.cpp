@@ -15,7 +15,7 @@ std::filesystem::path state_folder() {
     if (const char* home = std::getenv("HOME"); home != nullptr && *home != 0) {
         return std::filesystem::path(home) / ".local" / "state" / "cdcluster";
     }
-    std::error_code unknown; // Without a current folder the name stays relative.
+    std::error_code unknown; // If the current folder is unknown, the path stays relative.
     const std::filesystem::path here = std::filesystem::current_path(unknown);
     return here / "cdcluster-state";
 }

@@ -51,7 +51,7 @@ class TomlConfig final : public CLI::Config {
             CLI::ConfigItem item;
             item.name = std::string(key.str());
             item.inputs = {text_of(item.name, value)};
-            // CLI11 by itself would prefer the file to the environment.
+            // Skips an option that the environment sets, because CLI11 would prefer the file.
             if (std::getenv(environment_name(prefix_, item.name).c_str()) == nullptr) {
                 found.push_back(std::move(item));
             }

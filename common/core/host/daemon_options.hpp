@@ -1,5 +1,5 @@
-// Shared option handling of both daemons: a TOML file, the environment, and help that opens with
-// examples.
+// Option handling that both daemons share: a TOML file, environment variables, and help that opens
+// with examples.
 #pragma once
 
 #include <memory>
@@ -12,14 +12,14 @@ class FormatterBase;
 
 namespace cd {
 
-/// Names an option's environment variable: "CDWORKER_" and "connect-for" give CDWORKER_CONNECT_FOR.
+/// Returns an option's environment variable: CDWORKER_CONNECT_FOR for "CDWORKER_", "connect-for".
 [[nodiscard]] std::string environment_name(const std::string& prefix, std::string option);
 
-/// Reads the flat TOML file of --config. Environment variables (with `prefix`) override the file.
-/// Throws CLI::ConfigError naming the line.
+/// Makes a reader of the flat TOML file given with --config. Environment variables whose names
+/// begin with `prefix` override the file. The reader throws CLI::ConfigError naming the line.
 [[nodiscard]] std::shared_ptr<CLI::Config> make_toml_config(std::string prefix);
 
-/// Formats help so that it opens with the description, which holds the examples.
+/// Makes a formatter of help that opens with the description, which holds the examples.
 [[nodiscard]] std::shared_ptr<CLI::FormatterBase> make_examples_first();
 
 } // namespace cd

@@ -1,5 +1,5 @@
-// Logs to stderr, one fact a line, with fields. Cheap to include: only log.cpp includes spdlog and
-// the formatting code.
+// Logs to stderr, one fact per line, with fields. The header is cheap to include: only log.cpp
+// includes spdlog and the formatting code.
 #pragma once
 
 #include <fmt/core.h>
@@ -16,16 +16,16 @@ namespace cd {
 
 enum class LogLevel : std::uint8_t { Trace, Debug, Info, Warning, Error, Critical, Off };
 
-/// Sends the log to stderr. `level` is one of trace, debug, info, warning, error, off.
+/// Starts logging to stderr. `level` is one of trace, debug, info, warning, error, off.
 void start_logging(const std::string& program, const std::string& level);
 
 /// Makes the formatter of log lines, which escapes control characters of the logged text.
 [[nodiscard]] std::unique_ptr<spdlog::formatter> log_formatter();
 
-/// Logs a warning at every log level.
+/// Logs a warning, also at log levels that hide warnings.
 void warn_always(const std::string& text);
 
-/// Writes a line unless its level is hidden. A critical line has reached stderr on return.
+/// Logs a line unless its level is hidden. On return, a critical line has reached stderr.
 void log_formatted(LogLevel level, fmt::string_view format, fmt::format_args arguments);
 
 template <typename... Arguments>

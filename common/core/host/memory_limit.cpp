@@ -12,15 +12,15 @@ namespace {
 
 constexpr std::uint64_t unlimited = std::numeric_limits<std::uint64_t>::max();
 
-/// Returns the first number in a file. Without a number, as in "max", there is no limit.
+/// Returns the number at the start of a file, or `unlimited` for other contents such as "max".
 std::uint64_t number_in(const std::filesystem::path& path) {
     std::ifstream file(path);
     std::uint64_t number = 0;
     return file >> number ? number : unlimited;
 }
 
-/// Returns the least limit that `file` gives in a control group's folder and in all parents up to
-/// `top`.
+/// Returns the smallest number that `file` contains in a control group's folder and in its parents
+/// up to `top`.
 std::uint64_t
 limit_up_to(const std::filesystem::path& top, const std::string& group, const char* file) {
     std::filesystem::path place = top / std::filesystem::path(group).relative_path();

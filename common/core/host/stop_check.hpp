@@ -11,7 +11,7 @@ namespace cd {
 /// which must be cheap. An empty function never stops the work.
 using StopCheck = std::function<bool()>;
 
-/// Returns the error that work ends with when a StopCheck has stopped the work.
+/// Returns the error of work that a StopCheck has stopped.
 [[nodiscard]] inline Error interrupted() {
     return {ErrorCode::Interrupted, "interrupted"};
 }

@@ -58,7 +58,7 @@ void parallel_for(ThreadPool& pool,
             function(i);
         }
     };
-    // The caller works too, so a pool of n threads contributes n - 1.
+    // The caller works too, so a pool of n threads contributes n - 1 helpers.
     const std::size_t helpers = std::min<std::size_t>(pool.size() - 1, count == 0 ? 0 : count - 1);
     std::latch finished(static_cast<std::ptrdiff_t>(helpers));
     for (std::size_t i = 0; i < helpers; ++i) {

@@ -1,4 +1,4 @@
-// A thread pool that its users share.
+// A thread pool, and loops that run on it in parallel.
 #pragma once
 
 #include <atomic>
@@ -12,17 +12,17 @@
 
 namespace cd {
 
-/// A fixed number of threads that run posted functions in the order of posting.
+/// A fixed number of threads that start posted functions in the order of posting.
 class ThreadPool {
   public:
-    /// With 0 threads, starts one for each core that this process may use.
+    /// Starts `threads` threads; if 0, one for each core that this process may use.
     explicit ThreadPool(unsigned threads = 0);
     ThreadPool(const ThreadPool&) = delete;
     ThreadPool& operator=(const ThreadPool&) = delete;
     /// Runs all posted functions, then joins the threads.
     ~ThreadPool();
 
-    /// Queues a function, which a thread of the pool runs. The function must not throw.
+    /// Queues a function for the pool's threads. The function must not throw.
     void post(std::function<void()> function);
 
     [[nodiscard]] unsigned size() const { return static_cast<unsigned>(threads_.size()); }
@@ -38,12 +38,12 @@ class ThreadPool {
 };
 
 /// Calls `function(i)` once for each i in [0, count), on the pool's threads and the caller's.
-/// Returns when all calls have. Must not be called from a function that runs on the same pool.
+/// Returns when all calls have returned. A function that runs on `pool` must not call this.
 void parallel_for(ThreadPool& pool,
                   std::size_t count,
                   const std::function<void(std::size_t)>& function);
 
-/// Calls `function(i)` for each i in [0, count); on the caller's thread alone if `pool` is null.
+/// Calls `parallel_for(*pool, ...)`, or if `pool` is null, runs the loop on the caller's thread.
 void parallel_for(ThreadPool* pool,
                   std::size_t count,
                   const std::function<void(std::size_t)>& function);

@@ -6,7 +6,7 @@
 
 namespace cd {
 
-/// Returns the seconds since 1970, UTC.
+/// Returns the number of seconds since 1970-01-01, UTC.
 [[nodiscard]] inline std::uint64_t unix_seconds() {
     const auto since = std::chrono::system_clock::now().time_since_epoch();
     return static_cast<std::uint64_t>(
