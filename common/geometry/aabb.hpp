@@ -1,4 +1,4 @@
-// Axis-aligned bounding boxes, for sizes and for the first step of the broad phase.
+// Axis-aligned bounding boxes (AABB), for sizes and for the first step of the broad phase.
 #pragma once
 
 #include "common/geometry/types.hpp"
@@ -8,7 +8,7 @@
 
 namespace cd {
 
-/// The closed box of all points added so far; empty at first.
+/// The smallest closed box around all points added so far; empty without points.
 struct Aabb {
     Vec3 min = Vec3::Constant(std::numeric_limits<double>::infinity());
     Vec3 max = Vec3::Constant(-std::numeric_limits<double>::infinity());
@@ -31,7 +31,7 @@ struct Aabb {
     return box;
 }
 
-/// Tests whether the closed boxes share no point; false if a NaN leaves that open.
+/// Returns true if two closed boxes share no point. A NaN never makes boxes apart.
 [[nodiscard]] inline bool are_apart(const Aabb& a, const Aabb& b) {
     return a.max.x() < b.min.x() || a.min.x() > b.max.x() || a.max.y() < b.min.y() ||
            a.min.y() > b.max.y() || a.max.z() < b.min.z() || a.min.z() > b.max.z();

@@ -103,7 +103,7 @@ Bytes encode(const MeshArrays& arrays) {
     return out.take();
 }
 
-/// Replaces -0 by 0: equal meshes then have equal hashes.
+/// Replaces -0 by 0, so that meshes with equal coordinates have equal hashes.
 void drop_negative_zeros(MeshArrays& arrays) {
     for (Vec3& vertex : arrays.vertices) {
         vertex.array() += 0.0;

@@ -13,10 +13,10 @@
 
 namespace cd {
 
-/// The coordinates' type: Float if the importer made floats, else Double.
+/// The type in which a mesh's coordinates are serialised. Float requires all to be floats.
 enum class Precision : std::uint8_t { Float = 0, Double = 1 };
 
-/// Returns Float if every coordinate is exactly a float.
+/// Returns Float if float represents every coordinate exactly, else Double.
 [[nodiscard]] Precision precision_of(std::span<const Vec3> vertices);
 
 /// A named range of consecutive triangles. Parts do not overlap and are in ascending order.
@@ -31,7 +31,7 @@ struct Part {
 /// The arrays of a mesh, not yet checked.
 struct MeshArrays {
     std::vector<Vec3> vertices;
-    std::vector<Triangle> triangles; ///< In canonical order; a triangle's index is its id.
+    std::vector<Triangle> triangles; ///< In canonical order; the index is the id.
     std::vector<Part> parts;
     Precision precision = Precision::Double;
 };
@@ -41,8 +41,8 @@ struct MeshArrays {
 /// and kept.
 class Mesh {
   public:
-    /// Errors: BadInput naming the first bad vertex, triangle (both counted from 0) or part;
-    /// TooLarge over the limits.
+    /// Checks the arrays and replaces -0 by 0. Errors: BadInput naming the first bad vertex,
+    /// triangle (both counted from 0) or part; TooLarge over the bounds of limits/engine.hpp.
     [[nodiscard]] static Result<Mesh> create(MeshArrays arrays);
 
     [[nodiscard]] const std::vector<Vec3>& vertices() const { return arrays_.vertices; }
@@ -52,11 +52,11 @@ class Mesh {
 
     [[nodiscard]] Corners corners(std::uint32_t triangle) const;
 
-    /// Serialises precision, vertices, triangles and parts, little-endian. The SHA-256 of the bytes
-    /// identifies the mesh.
+    /// Serialises precision, vertices, triangles and parts, little-endian. The SHA-256 of these
+    /// bytes identifies the mesh.
     [[nodiscard]] Bytes canonical_bytes() const;
-    /// Inverts `canonical_bytes`. The bytes are untrusted; all that `create` checks is checked.
-    /// Errors: as `create`; BadInput for bytes of another form.
+    /// Parses bytes that `canonical_bytes` made. The bytes are untrusted and checked as by
+    /// `create`. Errors: those of `create`; BadInput for bytes of another form.
     [[nodiscard]] static Result<Mesh> from_canonical_bytes(std::span<const std::byte> bytes);
 
     /// Returns the SHA-256 of `canonical_bytes`.

@@ -12,14 +12,14 @@ namespace cd {
 
 namespace {
 
-constexpr double u = 0x1p-53; // Unit roundoff.
+constexpr double u = 0x1p-53; // Unit roundoff of double.
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// Computes M(q) / q.q in doubles. Each entry errs by at most 10 u, and `quaternion_entry_error` by
-/// 16 u leaves room. An exact power of two scales q so that its largest component is in [0.5, 1).
-/// An entry of M sums at most four products, each at most n = q.q, so it is within 5 u n. n is
-/// within 4 u of itself; the division adds u, and entries are at most 1. Underflow in the scaling
-/// is below 2^-1000.
+/// Computes M(q) / q.q in doubles. Each entry errs by at most 10 u, so the bound of 16 u in
+/// `quaternion_entry_error` has room. An exact power of two scales q so that its largest component
+/// is in [0.5, 1). An entry of M sums at most four products, each at most n = q.q, so its error is
+/// at most 5 u n. The relative error of n is at most 4 u; the division adds u, and entries are at
+/// most 1. Underflow in the scaling is below 2^-1000.
 Mat3 rotation_of(const Quaternion& given) {
     const double largest =
         std::max({std::abs(given.w), std::abs(given.x), std::abs(given.y), std::abs(given.z)});
@@ -51,14 +51,14 @@ BoundedMatrix linear_part(const Pose& pose) {
     return {value, pose.rotation_error(), value.cwiseAbs().maxCoeff() + pose.rotation_error()};
 }
 
-/// Bounds every entry of L R - I, for entries of L and R of at most l and r: three products and
-/// three sums round it by less than 5 u (3 l r + 1).
+/// Bounds every |entry| of L R - I, where entries of L and R are at most l and r. Three products
+/// and three sums round an entry by less than 5 u (3 l r + 1).
 double residual(const Mat3& left, double l, const Mat3& right, double r) {
     const Mat3 computed = left * right - Mat3::Identity();
     return computed.cwiseAbs().maxCoeff() + 5 * u * (3 * l * r + 1);
 }
 
-/// Bounds each |entry| of R'R - I.
+/// Bounds each |entry| of R'R - I for the linear part R of a pose.
 double skew_of(const Pose& pose) {
     if (pose.kind() == Pose::Kind::Quaternion) {
         return 0;
@@ -67,16 +67,16 @@ double skew_of(const Pose& pose) {
     return residual(part.value.transpose(), part.largest, part.value, part.largest);
 }
 
-/// Bounds |(I + F)^-1 - I| in the spectral norm for a matrix F whose entries are at most `entry`:
-/// with |F| <= 3 entry = s, the series gives s / (1 - s). From s = 1/2 on it returns infinity.
+/// Bounds |(I + F)^-1 - I| in the spectral norm for a matrix F whose entries are at most `entry`.
+/// As |F| <= 3 entry = s, the Neumann series gives s / (1 - s). Returns infinity for s >= 1/2.
 double inverse_spread(double entry) {
     const double s = 3 * entry;
     return s < 0.5 ? s / (1 - s) : infinity;
 }
 
-/// Inverts the linear part R by cofactors and bounds the error. With X R = I + F for the result X,
-/// R^-1 = (I + F)^-1 X, which is within inverse_spread(F) |X| of X, and |X| <= 3 times its largest
-/// entry. The inverse of a quaternion's rotation is its transpose.
+/// Inverts the linear part R of a pose by cofactors and bounds the error. If the result X satisfies
+/// X R = I + F, then R^-1 = (I + F)^-1 X, which is within inverse_spread(F) |X| of X, and |X| is at
+/// most 3 times the largest entry. The inverse of a quaternion's rotation is its transpose.
 BoundedMatrix inverse_of(const Pose& pose) {
     const BoundedMatrix part = linear_part(pose);
     if (pose.kind() == Pose::Kind::Quaternion) {
@@ -99,7 +99,7 @@ BoundedMatrix inverse_of(const Pose& pose) {
     return inverse;
 }
 
-/// Returns a bound, or infinity if an overflow has made it NaN.
+/// Returns the given bound, or infinity if an overflow has made the bound NaN.
 double bound(double value) {
     return value >= 0 ? value : infinity;
 }
@@ -179,12 +179,12 @@ RelativePose relative_pose(const PosePair& poses) {
 
     RelativePose relative;
     relative.rotation = a.value * b.value;
-    // Sums three products of factors with errors, each rounded three times.
+    // An entry sums three products of factors with errors; each product is rounded three times.
     relative.rotation_error = bound(
         slack * 3 * (a.error * b.largest + a.largest * b.error + 4 * u * a.largest * b.largest) +
         underflow);
     relative.translation = a.value * offset;
-    // The difference is within u of itself; each product is rounded three times.
+    // `offset` has a relative error of u, and each product is rounded three times.
     relative.translation_error =
         bound(slack * 3 * reach * (a.error + 5 * u * a.largest) + underflow);
     // R = A^-1 B, so R'R - I = (B'B - I) + B' ((AA')^-1 - I) B, where AA' - I has the singular

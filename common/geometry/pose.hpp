@@ -1,4 +1,4 @@
-// Rigid poses, stored as exactly the numbers given (docs/exactness.md).
+// Rigid poses, which keep exactly the numbers they are made from (docs/exactness.md).
 #pragma once
 
 #include "common/geometry/types.hpp"
@@ -18,14 +18,14 @@ struct Quaternion {
     friend bool operator==(const Quaternion&, const Quaternion&) = default;
 };
 
-/// Multiplies: `left * right` rotates by `right` first. Uses only + - * in a fixed order, so that
-/// all hosts get the same bits.
+/// Multiplies two quaternions; the product rotates by `right` first. Uses only + - * in a fixed
+/// order, so that all hosts get the same bits.
 [[nodiscard]] Quaternion operator*(const Quaternion& left, const Quaternion& right);
 
 /// Maps a body's coordinates into the world: x' = R x + t, column vectors.
 ///
-/// A pose keeps exactly the numbers given, also on the wire and on disk: twelve doubles taken
-/// literally, or a quaternion with a translation.
+/// A pose keeps exactly the numbers given, also on the wire and on disk: a matrix R and t, twelve
+/// doubles taken literally, or a quaternion and t.
 class Pose {
   public:
     enum class Kind : std::uint8_t { Matrix = 0, Quaternion = 1 };
@@ -33,7 +33,7 @@ class Pose {
     /// Makes the identity, of kind Matrix.
     Pose() = default;
     [[nodiscard]] static Pose from_matrix(const Mat3& rotation, const Vec3& translation);
-    /// The quaternion must not be zero.
+    /// Makes a pose of kind Quaternion. The quaternion must not be zero.
     [[nodiscard]] static Pose from_quaternion(const Quaternion& quaternion,
                                               const Vec3& translation);
 
@@ -47,9 +47,9 @@ class Pose {
     /// Returns the rotation in doubles: exact for a matrix, within `rotation_error` for a
     /// quaternion.
     [[nodiscard]] Mat3 rotation() const;
-    /// Bounds the error of each entry of `rotation`: 0 for a matrix.
+    /// Bounds the absolute error of each entry of `rotation`: 0 for a matrix.
     [[nodiscard]] double rotation_error() const;
-    /// Computes R x + t, rounded: for filters, pictures and generators, never for a decision.
+    /// Computes R x + t with rounding, for filters, pictures and generators, never for a decision.
     [[nodiscard]] Vec3 apply(const Vec3& point) const;
 
     [[nodiscard]] bool is_finite() const;
@@ -63,7 +63,7 @@ class Pose {
     Vec3 translation_ = Vec3::Zero();
 };
 
-/// The poses of both bodies in the world.
+/// The poses of bodies A and B in the world.
 struct PosePair {
     Pose a;
     Pose b;
@@ -71,17 +71,17 @@ struct PosePair {
     friend bool operator==(const PosePair&, const PosePair&) = default;
 };
 
-/// The rounded map from B's coordinates to A's, with bounds on its rounding errors and on the
-/// matrices' deviation from rigid. For filters only: decisions use each body's own pose.
+/// The rounded map from B's coordinates to A's, with bounds on its rounding errors and on its
+/// deviation from a rigid map. For filters only: decisions use each body's own pose.
 ///
-/// The bounds are small wherever A's matrix is well-conditioned, rigid or not. They are infinite,
-/// never NaN, where numbers overflow or A's matrix is far from rigid.
+/// The error bounds are small if A's matrix is well-conditioned, rigid or not. Bounds are infinite,
+/// never NaN, if numbers overflow or A's matrix is far from rigid.
 struct RelativePose {
     Mat3 rotation;                ///< Approximates Ra^-1 Rb.
     Vec3 translation;             ///< Approximates Ra^-1 (tb - ta).
     double rotation_error = 0;    ///< Bounds the error of each entry of `rotation`.
     double translation_error = 0; ///< Bounds the error of each component of `translation`.
-    double skew = 0; ///< Bounds each |entry| of R'R - I for the true relative rotation R.
+    double skew = 0; ///< Bounds each |entry| of R'R - I for the exact relative rotation R.
 };
 
 [[nodiscard]] RelativePose relative_pose(const PosePair& poses);

@@ -16,7 +16,7 @@ namespace {
 struct Name {
     SimdTarget target;
     std::string_view text;
-    std::int64_t bits; ///< Highway's target bits.
+    std::int64_t bits; ///< Highway's bits of the target.
 };
 
 constexpr std::int64_t avx512_bits = HWY_AVX3 | HWY_AVX3_DL;
@@ -36,8 +36,8 @@ const Name& name_of(SimdTarget target) {
 
 std::vector<SimdTarget> find_available() {
     std::vector<SimdTarget> found;
-    // The static target always runs. Highway denies NEON on processors without AES instructions,
-    // which nothing here uses.
+    // The static target always runs, although Highway reports no NEON on processors without AES
+    // instructions, which this code does not use.
     const std::int64_t bits = (hwy::SupportedTargets() | HWY_STATIC_TARGET) & HWY_TARGETS;
     for (const Name& name : names) {
         if ((bits & name.bits) != 0) {
@@ -66,13 +66,13 @@ void use(SimdTarget target) {
     hwy::GetChosenTarget().Update(name_of(target).bits);
 }
 
-/// Returns CD_SIMD, or "auto" if it is unset.
+/// Returns the environment variable CD_SIMD, or "auto" if it is unset or empty.
 std::string_view setting() {
-    const char* text = std::getenv("CD_SIMD"); // NOLINT(concurrency-mt-unsafe): nobody sets it.
+    const char* text = std::getenv("CD_SIMD"); // NOLINT(concurrency-mt-unsafe): never set here.
     return text != nullptr && *text != 0 ? text : automatic;
 }
 
-/// Chooses before Highway does: its own default ignores CD_SIMD.
+/// Chooses the target on the first call, before Highway does, which would ignore CD_SIMD.
 void choose_once() {
     [[maybe_unused]] static const bool chosen = [] {
         const auto wanted = find_target(setting());

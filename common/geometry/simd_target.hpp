@@ -18,16 +18,16 @@ enum class SimdTarget : std::uint8_t { Avx512, Avx2, Sse4, Neon, Scalar };
 /// Lists the compiled targets that this processor supports, best first. Never empty.
 [[nodiscard]] std::span<const SimdTarget> available_simd_targets();
 
-/// Returns the target in use: the one named by environment variable CD_SIMD, or the best.
+/// Returns the target in use: at first the one that CD_SIMD (environment) names, or the best.
 [[nodiscard]] SimdTarget simd_target();
 
-/// Switches the whole process to the named target; "auto" is the best one. Errors: BadInput naming
-/// the available targets, and the target stays unchanged. Safe at any time, since every target
-/// gives the same answers.
+/// Switches the whole process to the named target; "auto" is the best one. An error leaves the
+/// target unchanged. A switch is safe at any time, since all targets give the same answers.
+/// Errors: BadInput naming the available targets.
 [[nodiscard]] Status force_simd_target(std::string_view name);
 
-/// Programs call this at startup. Errors: BadInput if CD_SIMD names no target of this host;
-/// `simd_target` ignores such a name.
+/// Checks the environment variable CD_SIMD, at a program's start. Errors: BadInput if it names no
+/// target of this host; `simd_target` ignores such a name.
 [[nodiscard]] Status check_simd_environment();
 
 } // namespace cd

@@ -30,13 +30,13 @@ struct Buckets {
 };
 
 /// Groups items into `count` buckets. `for_each` calls its argument with (bucket, item) for each
-/// item, identically in both passes. The items of a bucket end up in reverse order.
+/// item, in the same order in both passes. The items of a bucket end up in reverse order.
 template <class T, class ForEach>
 Buckets<T> make_buckets(std::size_t count, const ForEach& for_each) {
     Buckets<T> buckets;
     buckets.begins.assign(count + 1, 0);
     for_each([&](std::size_t bucket, const T&) { ++buckets.begins[bucket]; });
-    // Turns counts into bucket ends; each insertion moves an end towards the bucket's begin.
+    // Turns counts into bucket ends. Each insertion moves an end towards the begin of its bucket.
     std::partial_sum(buckets.begins.begin(), buckets.begins.end(), buckets.begins.begin());
     buckets.items.resize(buckets.begins.back());
     for_each(
@@ -44,7 +44,7 @@ Buckets<T> make_buckets(std::size_t count, const ForEach& for_each) {
     return buckets;
 }
 
-/// Sorts; insertion sort is faster for the few items of most buckets.
+/// Sorts a bucket. Insertion sort is faster for few items, which most buckets have.
 template <class T>
 void sort_bucket(std::span<T> items) {
     constexpr std::size_t few = 16;
@@ -62,7 +62,7 @@ void sort_bucket(std::span<T> items) {
     }
 }
 
-/// Hashes a vertex. No result depends on the values of hashes.
+/// Hashes a vertex. Equal coordinates have equal hashes; no result depends on their values.
 std::uint64_t hash_of(const Vec3& v) {
     std::uint64_t hash = 0;
     for (int k = 0; k < 3; ++k) {
@@ -137,7 +137,7 @@ std::uint64_t count_duplicates(const std::vector<Triangle>& triangles, std::size
 /// that vertex. Vertex indices are below 2^31 (limits::mesh_vertices_max).
 using EdgeUse = std::uint32_t;
 
-/// Counts defects among the uses of all edges that share a lower vertex.
+/// Counts the defective edges among all edges with one lower vertex, given the uses of these edges.
 void count_edges(std::span<EdgeUse> uses, Topology& topology) {
     sort_bucket(uses);
     for (std::size_t begin = 0; begin < uses.size();) {
@@ -171,7 +171,7 @@ void count_edges(const std::vector<Triangle>& triangles, std::size_t vertices, T
     }
 }
 
-/// Union-find: union by smaller index, with path halving.
+/// Union-find with path halving; the smallest index represents a set.
 class DisjointSets {
   public:
     explicit DisjointSets(std::size_t count) : parent_(count) {

@@ -13,14 +13,14 @@ namespace cd {
 struct Topology {
     std::uint64_t degenerate = 0; ///< Triangles without area: a repeated corner, or a zero cross
                                   ///< product computed in double.
-    std::uint64_t duplicate = 0;  ///< Triangles with the three corners of an earlier one.
+    std::uint64_t duplicate = 0;  ///< Triangles with the same corners as an earlier one.
     /// Edges used by one triangle. Triangles that repeat a corner are ignored; flat triangles of
-    /// three corners count, as they may close a seam.
+    /// three distinct corners count, because they may close a seam.
     std::uint64_t boundary_edges = 0;
     std::uint64_t non_manifold_edges = 0; ///< Edges used by more than two triangles.
-    std::uint64_t inconsistent_edges = 0; ///< Edges used twice in the same direction.
-    /// One triangle of each connected component, ascending. Components of only degenerate triangles
-    /// count too.
+    std::uint64_t inconsistent_edges = 0; ///< Edges used by two triangles in the same direction.
+    /// The first triangle of each connected component, ascending. Components of only degenerate
+    /// triangles count too.
     std::vector<std::uint32_t> component_triangles;
 
     /// True if the mesh bounds a solid: no boundary, non-manifold or inconsistent edge.
@@ -29,11 +29,11 @@ struct Topology {
     }
 };
 
-/// Takes near-linear time in vertices and triangles.
+/// Takes near-linear time in the number of vertices and triangles.
 [[nodiscard]] Topology analyse_topology(const Mesh& mesh);
 
-/// Returns for each triangle the first triangle of its connected component. Only triangles of one
-/// kind connect. `kinds` has one entry per triangle; if empty, all are of one kind. Takes
+/// Returns for each triangle the first triangle of its component. Triangles of one kind that share
+/// a vertex are connected. `kinds` has one entry per triangle; if empty, all are of one kind. Takes
 /// near-linear time.
 [[nodiscard]] std::vector<std::uint32_t>
 first_of_own_component(const Mesh& mesh, std::span<const std::uint32_t> kinds);
