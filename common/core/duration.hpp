@@ -9,8 +9,7 @@
 
 namespace cd {
 
-/// Parses a whole number and a unit: "45s", "30m", "24h" or "7d". Errors: BadInput if the text is
-/// malformed or the duration above 100 years.
+/// Parses "45s", "30m", "24h" or "7d". Errors: BadInput if malformed or above 100 years.
 [[nodiscard]] Result<std::chrono::seconds> parse_duration(std::string_view text);
 
 } // namespace cd

@@ -32,8 +32,7 @@ Error damaged(const std::filesystem::path& path, const std::string& why) {
     return {ErrorCode::Io, path.string() + " is damaged: " + why};
 }
 
-/// Creates a file named `stem`, `temporary_marker` and a random suffix, and sets `stem` to that
-/// name. Returns the descriptor, or -1 with errno set.
+/// Creates a file named `stem`, `temporary_marker` and a random suffix; sets `stem` to that name.
 int make_unique(std::string& stem) {
     stem += std::string(temporary_marker) + "XXXXXX";
     return ::mkostemp(stem.data(), O_CLOEXEC);

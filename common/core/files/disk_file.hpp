@@ -110,8 +110,7 @@ struct FileKind {
 /// Writes a file of header, `content` and checksum, which gets its name when complete. Errors: Io.
 [[nodiscard]] Status
 write_checked(const std::filesystem::path& path, FileKind kind, std::span<const std::byte> content);
-/// Returns the content of a file that `write_checked` wrote. Errors: NotFound; Io, also if the file
-/// is damaged or of another kind or version.
+/// Reads a file of `write_checked`. Errors: NotFound; Io, also for damage, other kind or version.
 [[nodiscard]] Result<Bytes> read_checked(const std::filesystem::path& path, FileKind kind);
 
 void put_bytes(ByteWriter& out, std::span<const std::byte> bytes);
