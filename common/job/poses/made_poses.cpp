@@ -15,7 +15,7 @@ namespace cd {
 
 namespace {
 
-/// Consecutive scenarios. One thread fills a window; others read it only when `is_whole`.
+/// A window of consecutive scenarios. One thread computes it; others read it once it `is_whole`.
 struct Window {
     std::vector<Scenario> scenarios;
     bool is_whole = false;
@@ -58,8 +58,8 @@ class ComputedSource final : public PoseSource {
   private:
     static constexpr std::uint64_t window_size = limits::computed_window_scenarios;
 
-    /// Drops all windows but those in [first, first + `computed_windows_max`), and schedules the
-    /// computation of those that are missing.
+    /// Drops all windows except numbers [first, first + `computed_windows_max`), and schedules the
+    /// computation of missing windows with these numbers.
     void order_windows(std::uint64_t first) {
         const std::uint64_t windows = (count_ + window_size - 1) / window_size;
         const std::uint64_t end = std::min(first + limits::computed_windows_max, windows);
@@ -109,7 +109,7 @@ class ComputedSource final : public PoseSource {
     std::mutex mutex_;
     std::condition_variable window_came_;
     std::map<std::uint64_t, std::shared_ptr<Window>> windows_; ///< By window number.
-    ThreadPool pool_; ///< Last, so that its threads end before the members that they use.
+    ThreadPool pool_; ///< Declared last, so that its threads end before the members they use.
 };
 
 } // namespace

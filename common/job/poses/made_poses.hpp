@@ -1,4 +1,4 @@
-// Computes random scenarios while earlier ones run: any number of poses in bounded memory.
+// Computes random scenarios while earlier scenarios run: any number of poses in bounded memory.
 #pragma once
 
 #include "common/core/host/stop_check.hpp"
@@ -10,19 +10,19 @@
 
 namespace cd {
 
-/// Computes the job's scenario with a given index: a function of the index alone, called on any
-/// thread.
+/// Computes the job's scenario with a given index. The scenario depends on the index alone. Any
+/// thread may call the function.
 using ScenarioMaker = std::function<Scenario(std::uint64_t)>;
 
-/// Returns a maker of single scenarios, equal to those of `make_random_poses`. The trees outlive
-/// the maker.
+/// Returns a maker of single random scenarios, equal to those of `make_random_poses`. The trees
+/// outlive the maker.
 [[nodiscard]] ScenarioMaker
 random_scenarios(const RandomPoses& options, const ObbTree& a, const ObbTree& b);
 
-/// Makes a source that computes windows of scenarios ahead, on threads of its own, and keeps a
-/// bounded number of them: reads in ascending order are fast. A read of one scenario computes it
-/// directly. One thread may read at a time. `stopped` is called several times a second while a read
-/// waits. Errors of reads: Interrupted.
+/// Makes a source that computes windows of scenarios ahead, on `threads` threads of its own, and
+/// keeps a bounded number of windows. Reads in ascending order are fast. A read of one scenario
+/// computes it directly. One thread may read at a time. A waiting read polls `stopped` several
+/// times a second. Errors of reads: Interrupted.
 [[nodiscard]] std::unique_ptr<PoseSource>
 make_computed_source(std::uint64_t count, ScenarioMaker maker, unsigned threads, StopCheck stopped);
 

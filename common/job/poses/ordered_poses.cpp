@@ -11,7 +11,7 @@ namespace cd {
 
 namespace {
 
-/// One window is handed out while results of the other one return.
+/// Scenarios of one window are handed out while results of the previous window return.
 constexpr std::size_t windows_kept = 2;
 
 } // namespace
@@ -62,7 +62,7 @@ Result<std::vector<Scenario>> OrderedPoses::read(std::uint64_t first, std::uint6
 Result<std::shared_ptr<const PoseWindow>> OrderedPoses::window_of(std::uint64_t place) {
     CD_CHECK(place < count());
     const std::uint64_t first = place - place % limits::order_window_scenarios;
-    // The lock is held while the source is read: other callers need this window or have no other
+    // Holds the lock while the source is read: other callers need this window or have no other
     // work.
     const std::lock_guard lock(mutex_);
     const auto found = std::find_if(

@@ -1,5 +1,5 @@
-// The order in which a job hands out its scenarios: neighbours touch nearly equal parts of the
-// bodies.
+// The order in which a job hands out its scenarios: consecutive scenarios touch nearly equal parts
+// of the bodies.
 #pragma once
 
 #include "common/core/limits/engine.hpp"
@@ -26,17 +26,17 @@ struct PlaceRange {
     friend bool operator==(const PlaceRange&, const PlaceRange&) = default;
 };
 
-/// The scenarios of one window, that is, of consecutive scenarios that are ordered together. They
-/// are accessible by position in the job's hand-out order and by index as submitted.
+/// A window of consecutive scenarios that are ordered together. They are accessible by position in
+/// the job's hand-out order and by index as submitted.
 class PoseWindow {
   public:
-    /// Orders `scenarios`, given as submitted; their indices are consecutive.
+    /// Orders `scenarios`, which are given in submitted order with consecutive indices.
     explicit PoseWindow(std::vector<Scenario> scenarios);
 
-    /// The smallest index in the window, which is also the window's first position.
+    /// Smallest index in the window, which is also the window's first position.
     [[nodiscard]] std::uint64_t first() const { return first_; }
     [[nodiscard]] std::span<const Scenario> at(const PlaceRange& places) const;
-    /// Returns the position of the scenario with this index, which is in the window.
+    /// Returns the position of the scenario with the given index, which is in the window.
     [[nodiscard]] std::uint64_t place_of(std::uint64_t index) const;
     [[nodiscard]] bool has(std::uint64_t index) const {
         return index >= first_ && index - first_ < ordered_.size();
@@ -45,13 +45,13 @@ class PoseWindow {
   private:
     std::uint64_t first_ = 0;
     std::vector<Scenario> ordered_;
-    std::vector<std::uint32_t> places_; ///< Positions less `first_`, by index less `first_`.
+    std::vector<std::uint32_t> places_; ///< Position - `first_`, by index - `first_`.
 };
 
 /// A job's scenarios by position in the hand-out order. Each window of
 /// `limits::order_window_scenarios` consecutive scenarios has the order of `coherent_order`, which
-/// depends on the window alone. A grid keeps its order, since its consecutive scenarios are
-/// neighbours. Any thread may call any member.
+/// depends on the window alone. A grid keeps its order, because consecutive poses of a grid are
+/// similar. Any thread may call any member.
 class OrderedPoses final : public PoseSource {
   public:
     explicit OrderedPoses(std::shared_ptr<PoseSource> source);
@@ -62,8 +62,8 @@ class OrderedPoses final : public PoseSource {
     [[nodiscard]] Result<std::vector<Scenario>> read(std::uint64_t first,
                                                      std::uint64_t count) override;
 
-    /// Returns the window with a position, which exists; the source is no grid. The windows used
-    /// last are cached. Errors: those of the source.
+    /// Returns the window that contains a position, which exists. The source must not be a grid.
+    /// The two windows used last are cached. Errors: those of the source.
     [[nodiscard]] Result<std::shared_ptr<const PoseWindow>> window_of(std::uint64_t place);
 
   private:

@@ -14,7 +14,7 @@ struct PoseLabels;
 /// The type of a pose file's ids.
 enum class IdKind : std::uint8_t { None = 0, Integer = 1, Text = 2 };
 
-/// The columns that labels may have.
+/// States which columns the labels of a pose file have.
 struct LabelColumns {
     IdKind ids = IdKind::None;
     bool has_times = false;
@@ -39,14 +39,14 @@ struct PoseLabels {
     [[nodiscard]] PoseLabels slice(std::size_t first, std::size_t count) const;
     /// Appends the labels of the next scenarios; the columns are equal.
     void append(const PoseLabels& next);
-    /// Moves label i to places[i]. `places` is a permutation of the labels' indices.
+    /// Returns the labels with label i at index places[i]. `places` is a permutation.
     [[nodiscard]] PoseLabels moved_to(const std::vector<std::size_t>& places) const;
 
     friend bool operator==(const PoseLabels&, const PoseLabels&) = default;
 };
 
-/// Adds an id of a text file. Ids are integers as long as each is spelled as `to_string` spells it;
-/// the first other id turns all of them into texts.
+/// Adds an id of a text file. Ids are integers as long as each is spelled as `std::to_string` would
+/// spell it. The first other id turns all ids into texts.
 void add_pose_id(PoseLabels& labels, std::string_view id);
 
 } // namespace cd

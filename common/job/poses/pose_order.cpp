@@ -21,13 +21,13 @@ Coordinates place_of(const PosePair& poses) {
     return {t.x(), t.y(), t.z(), r(2, 1) - r(1, 2), r(0, 2) - r(2, 0), r(1, 0) - r(0, 1)};
 }
 
-/// Returns the cell of a coordinate between two bounds; cell 0 where they are equal or not numbers.
+/// Returns the cell of a coordinate between two bounds; cell 0 if the bounds are equal or NaN.
 std::uint64_t cell_of(double value, double low, double high) {
     const double at = (value - low) / (high - low) * cells;
     return at >= 1 ? static_cast<std::uint64_t>(std::min(at, cells - 1)) : 0;
 }
 
-/// Returns the position on the curve: interleaves the bits of the six cells, highest first.
+/// Returns the position on the Morton curve: the interleaved bits of the six cells, highest first.
 std::uint64_t curve_of(const Coordinates& place, const Coordinates& low, const Coordinates& high) {
     std::array<std::uint64_t, coordinates> cell{};
     for (std::size_t k = 0; k < coordinates; ++k) {

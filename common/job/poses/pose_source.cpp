@@ -88,7 +88,7 @@ class GridSource : public PoseSource {
 
 bool is_valid(const Grid& grid) {
     for (const GridAxis& axis : grid.position) {
-        // This is the largest intermediate value of `at`.
+        // The largest intermediate value of `GridAxis::at`.
         const double reach = (axis.last - axis.first) * static_cast<double>(axis.count);
         if (!std::isfinite(axis.first) || !std::isfinite(axis.last) || !std::isfinite(reach)) {
             return false;
@@ -96,7 +96,7 @@ bool is_valid(const Grid& grid) {
     }
     for (const std::vector<Quaternion>& rotation : grid.rotation) {
         for (const Quaternion& q : rotation) {
-            // Products of three such quaternions are finite and nonzero. NaN fails, too.
+            // Products of three such quaternions are finite and nonzero. NaN fails the test.
             const double square = q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z;
             if (!(square > 0.25 && square < 4)) {
                 return false;
@@ -122,7 +122,7 @@ double GridAxis::at(std::uint64_t place) const {
 std::uint64_t Grid::count() const {
     std::uint64_t count = 1;
     for (int i = 0; i < 3; ++i) {
-        // A zero stays zero, even if an earlier product saturated.
+        // A count of 0 gives 0, even if an earlier product has saturated.
         if (position[static_cast<std::size_t>(i)].count == 0) {
             return 0;
         }

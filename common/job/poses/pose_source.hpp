@@ -19,8 +19,8 @@ namespace cd {
 
 struct Grid;
 
-/// The scenarios of a job by index. Implementations: files (client), generators, the master's
-/// spool.
+/// An interface to the scenarios of a job by index. Implementations: files (client), generators,
+/// the master's spool.
 class PoseSource {
   public:
     PoseSource() = default;
@@ -33,70 +33,70 @@ class PoseSource {
     /// alone. Errors: Io, BadInput naming the row.
     [[nodiscard]] virtual Result<std::vector<Scenario>> read(std::uint64_t first,
                                                              std::uint64_t count) = 0;
-    /// Returns the grid whose places the scenarios are; null if their poses are no grid.
+    /// Returns the grid that gives the scenarios' poses; null if the poses are no grid.
     [[nodiscard]] virtual const Grid* grid() const { return nullptr; }
 };
 
-/// Evenly spaced values from `first` to `last`, both included; a count of 1 gives `first`.
+/// `count` evenly spaced values from `first` to `last`, both included; a count of 1 gives `first`.
 struct GridAxis {
     double first = 0;
     double last = 0;
     std::uint64_t count = 1;
 
-    /// Returns the ends exactly, and between them first + (last - first) * place / (count - 1),
-    /// each operation rounded in the order of C++.
+    /// Returns value number `place`: the ends exactly, and between them
+    /// first + (last - first) * place / (count - 1), each operation rounded in the order of C++.
     [[nodiscard]] double at(std::uint64_t place) const;
 
     friend bool operator==(const GridAxis&, const GridAxis&) = default;
 };
 
-/// The grid over positions and Euler angles, x slowest and yaw fastest in the order x, y, z, roll,
-/// pitch, yaw. Jobs send grids as this description; angles are already quaternions, so that
-/// evaluating a grid only takes + - * /.
+/// A grid of poses over positions and Euler angles. In the order x, y, z, roll, pitch, yaw, the
+/// first varies slowest and the last fastest. Jobs send this description. Its angles are already
+/// quaternions, so that evaluating a grid only takes + - * /.
 struct Grid {
     std::array<GridAxis, 3> position; ///< x, y, z
     /// Rotations about x (roll), y (pitch), z (yaw); an empty list does not rotate.
     std::array<std::vector<Quaternion>, 3> rotation;
 
     [[nodiscard]] std::uint64_t
-    count() const; ///< Number of places; UINT64_MAX if it would overflow.
-    /// Returns B's pose at a place below `count()`, always in quaternion form.
+    count() const; ///< Number of poses; UINT64_MAX if it would overflow.
+    /// Returns B's pose number `place`, below `count()`, always in quaternion form.
     [[nodiscard]] Pose at(std::uint64_t place) const;
 
     friend bool operator==(const Grid&, const Grid&) = default;
 };
 
 /// Returns the quaternions of evenly spaced angles in degrees about axis 0, 1 or 2. Multiples of 90
-/// degrees are exact. The client calls this where it reads the job, so that hosts on which sin and
-/// cos differ still run the same poses.
+/// degrees are exact. The client calls this when it reads the job, so that hosts on which sin and
+/// cos differ run equal poses.
 [[nodiscard]] std::vector<Quaternion> rotation_axis(const GridAxis& degrees, int axis);
 
 /// Returns the rotation by three angles in degrees: first roll about x, then pitch about y, then
 /// yaw about z (R = Rz Ry Rx).
 [[nodiscard]] Quaternion quaternion_from_euler(double roll_deg, double pitch_deg, double yaw_deg);
 
-/// Returns the scenario at a place of the grid: B has the grid's pose, A the identity.
+/// Returns scenario number `place` of a grid: B has the grid's pose, A the identity.
 [[nodiscard]] Scenario scenario_on(const Grid& grid, std::uint64_t place);
 [[nodiscard]] std::unique_ptr<PoseSource> make_grid_source(Grid grid);
 
 [[nodiscard]] Bytes encode_grid(const Grid& grid);
-/// Decodes a grid. The bytes are untrusted. On success every place has a pose of finite numbers,
-/// quaternions are nearly of unit length, and the count lies in [1, `limits::scenarios_max`].
-/// Errors: BadFrame.
+/// Decodes a grid. The bytes are untrusted. On success every pose has finite numbers, quaternions
+/// have lengths between 1/2 and 2, and the count is in [1, `limits::scenarios_max`]. Errors:
+/// BadFrame.
 [[nodiscard]] Result<Grid> decode_grid(std::span<const std::byte> bytes);
 
-/// Makes random scenarios, equal on every host and for any number of threads. B's poses are
-/// quaternions, A's the identity. A scenario depends on its index, the seed and the shares alone,
-/// not on `count`.
+/// Makes random scenarios (random_poses.hpp), equal on every host and for any number of threads.
+/// B's poses are quaternions, A's the identity. A scenario depends on the bodies, its index, the
+/// seed and the penetration bounds alone, not on `count`.
 ///
-/// B approaches the centre of A's box along a straight line. "First collides" is the first of 32
-/// steps on the way that collides, refined to some 1/32,000 of the way. Where a line reaches A's
-/// centre without a collision, another direction and orientation are drawn; after 64 such lines B
-/// stays at the centre.
+/// B approaches the centre of A's box along a straight line. The first collision is at the first of
+/// 32 steps at which the bodies collide, refined to about 1/32,000 of the way. If a line reaches
+/// A's centre without a collision, another direction and orientation are drawn; after 64 such lines
+/// B stays at the centre.
 [[nodiscard]] std::vector<Scenario>
 make_random_poses(const RandomPoses& options, const ObbTree& a, const ObbTree& b, ThreadPool& pool);
 
-/// Makes a source of scenarios in memory.
+/// Makes a source of scenarios that are held in memory.
 [[nodiscard]] std::unique_ptr<PoseSource> make_list_source(std::vector<Scenario> scenarios);
 
 } // namespace cd

@@ -10,11 +10,11 @@ namespace cd {
 namespace {
 
 constexpr std::uint64_t scenarios_at_once = 4096;
-/// Offset of the forms in `pack_scenarios` of one scenario with index 0 and bodies 0 and 1.
+/// Offset of the forms in the packed bytes of one scenario with index 0 and bodies 0 and 1.
 constexpr std::size_t forms_offset = 2;
-constexpr std::size_t numbers_offset = 7; ///< Offset of that scenario's doubles.
+constexpr std::size_t numbers_offset = 7; ///< Offset of the doubles in those bytes.
 
-/// Adding zero turns -0 into 0 and leaves every other number unchanged.
+/// Replaces -0 by 0 in a pose. Adding 0 leaves every other number unchanged.
 Pose without_minus_zero(const Pose& pose) {
     const Vec3 translation = pose.translation() + Vec3::Zero();
     if (pose.kind() == Pose::Kind::Matrix) {
@@ -24,7 +24,7 @@ Pose without_minus_zero(const Pose& pose) {
     return Pose::from_quaternion({q.w + 0.0, q.x + 0.0, q.y + 0.0, q.z + 0.0}, translation);
 }
 
-/// Writes the form of A's pose and that of B's, then their doubles.
+/// Writes the form of A's pose, the form of B's pose, then the doubles of both.
 void put_numbers(ByteWriter& out, const PosePair& poses) {
     Scenario alone;
     alone.poses = {without_minus_zero(poses.a), without_minus_zero(poses.b)};

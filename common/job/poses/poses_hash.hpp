@@ -1,4 +1,4 @@
-// A hash that names a job's poses. It depends on their numbers, not on how they are packed.
+// A hash that identifies a job's poses by their numbers, however the poses are packed.
 #pragma once
 
 #include "common/core/files/hash.hpp"
@@ -10,8 +10,8 @@
 
 namespace cd {
 
-/// SHA-256 over each scenario in submitted order: the form of A and the form of B (u8 each, as in
-/// `pack_scenarios`), then their doubles, little-endian, -0 as 0.
+/// Computes SHA-256 over all scenarios in submitted order: for each the forms of A's and B's poses
+/// (u8 each, as in `pack_scenarios`), then the doubles of both, little-endian, -0 as 0.
 class PosesHash {
   public:
     void add(std::span<const Scenario> scenarios);
@@ -25,8 +25,8 @@ class PosesHash {
 /// Returns SHA-256 of a grid's description (`encode_grid`), which is the hash of its poses.
 [[nodiscard]] Sha256 hash_of(const Grid& grid);
 
-/// Returns the hash of all poses of a source; if they are a grid, the grid's. Errors: those of
-/// reading; Interrupted.
+/// Returns the hash of all poses of a source; for a grid, the hash of its description. Errors:
+/// those of `PoseSource::read`; Interrupted.
 [[nodiscard]] Result<Sha256> hash_of(PoseSource& poses, const StopCheck& stop = {});
 
 } // namespace cd

@@ -12,14 +12,14 @@ namespace cd {
 
 namespace {
 
-/// Steps along a line of approach that are tried for the first collision.
+/// Number of steps along a line of approach at which a first collision is looked for.
 constexpr int approach_steps = 32;
-/// Halvings of the step in which the first collision lies.
+/// Number of halvings of the step in which the first collision lies.
 constexpr int bisection_steps = 10;
-/// Lines of approach tried for one scenario. Bodies that collide on none of them hardly can.
+/// Number of lines tried for one scenario. Bodies that collide on none can hardly collide at all.
 constexpr int lines_max = 64;
 
-/// Implements Steele, Lea, Flood, Fast splittable pseudorandom number generators (2014).
+/// SplitMix64: Steele, Lea, Flood, Fast splittable pseudorandom number generators (2014).
 std::uint64_t split_mix(std::uint64_t& state) {
     state += 0x9e3779b97f4a7c15;
     std::uint64_t z = state;
@@ -28,7 +28,7 @@ std::uint64_t split_mix(std::uint64_t& state) {
     return z ^ (z >> 31);
 }
 
-/// Random numbers of one scenario: a function of the seed and the index alone.
+/// The random numbers of one scenario, which depend on the seed and the index alone.
 class Random {
   public:
     Random(std::uint64_t seed, std::uint64_t index) : state_(seed) {
@@ -50,7 +50,7 @@ struct BallPoint {
     double squared = 0; ///< Squared distance from the origin.
 };
 
-/// Returns a random point of the disk or ball of radius 1, not too near the centre.
+/// Returns a uniformly random point of the unit disk or ball, more than 0.001 from the centre.
 template <std::size_t Size>
 BallPoint<Size> random_in_ball(Random& random) {
     while (true) {
@@ -80,7 +80,7 @@ Quaternion random_rotation(Random& random) {
     return {first.at[0], first.at[1], second.at[0] * scale, second.at[1] * scale};
 }
 
-/// Values that all scenarios of a job share.
+/// The trees and boxes of both bodies, which all scenarios of a job share.
 struct Bodies {
     const ObbTree& a;
     const ObbTree& b;
@@ -95,7 +95,7 @@ Bodies measure(const ObbTree& a, const ObbTree& b) {
     return bodies;
 }
 
-/// An approach of B, in one orientation, with its centre on a ray from the centre of A.
+/// An approach of B in a random orientation, its box centred on a random ray from A's.
 class Approach {
   public:
     Approach(const Bodies& bodies, Random& random)

@@ -5,8 +5,8 @@
 
 namespace cd {
 
-/// Parameters of the paper's scenarios (section 7): B comes in a random orientation from a random
-/// direction and is moved in until it first collides, then further by a random share in
+/// Parameters of the paper's scenarios (section 7). B approaches in a random orientation from a
+/// random direction until it first collides with A, then moves further by a random share in
 /// [penetration_min, penetration_max] of the diagonal of B's box. Readers of a job check that 0 <=
 /// penetration_min <= penetration_max <= 1.
 struct RandomPoses {
