@@ -20,7 +20,7 @@ Error damaged(const std::filesystem::path& path, const std::string& why) {
     return {ErrorCode::Io, path.string() + " is damaged: " + why};
 }
 
-/// Returns the offset in the file just behind a block's header, content and checksum.
+/// Returns the file offset at which a block ends, after its header, content and checksum.
 std::uint64_t end_of(const BlockPlace& block) {
     return block.offset + block_header_bytes + block.bytes + word;
 }
@@ -50,8 +50,8 @@ Status check_kind(const DiskFile& file, FileKind kind) {
     return Done{};
 }
 
-/// Returns true if `block` may follow the blocks `before`: it begins at `end`, where the last of
-/// them ends in the file, and its scenarios come after theirs.
+/// Returns true if `block` may follow the blocks `before`, which end at file offset `end`: `block`
+/// begins there, and its scenarios come after theirs.
 bool follows(const BlockPlace& block, std::uint64_t end, const std::vector<BlockPlace>& before) {
     const std::uint64_t first_min = before.empty() ? 0 : before.back().first + before.back().count;
     return block.offset == end && block.count != 0 && block.first >= first_min &&

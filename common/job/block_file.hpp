@@ -22,35 +22,35 @@ struct BlockPlace {
     std::uint64_t bytes = 0;  ///< Size of the content, without the block's header and checksum.
 };
 
-/// Reads a block file. Little-endian:
+/// Reads a block file, which is little-endian:
 ///
 ///     u64 magic    u32 version    u32 0
 ///     blocks, each: u64 first    u64 count    u64 bytes    content    u64 XXH3 of these four
 ///     the table, one row per block: u64 offset    u64 first    u64 count    u64 bytes
 ///     u64 blocks    u64 scenarios    u64 XXH3 of the table and these two    u64 magic
 ///
-/// The scenarios of a block come after those of the block before. A file that is being written has
-/// no table yet.
+/// The scenarios of a block come after those of the previous block. A file that is being written
+/// has no table yet.
 class BlockFile {
   public:
     /// Opens a finished file. Errors: NotFound; Io naming a file that is damaged, unfinished or of
     /// another kind.
     [[nodiscard]] static Result<BlockFile> open(const std::filesystem::path& path, FileKind kind);
-    /// Opens a file that may lack its table, and scans the blocks up to the first that is cut short
-    /// or damaged. A file that ends within its header has no blocks. Errors: NotFound; Io, also if
-    /// the file is of another kind.
+    /// Opens a file that may lack its table, and scans its blocks up to the first block that is cut
+    /// short or damaged. A file that ends within its header has no blocks. Errors: NotFound; Io,
+    /// also if the file is of another kind.
     [[nodiscard]] static Result<BlockFile> open_unfinished(const std::filesystem::path& path,
                                                            FileKind kind);
 
     [[nodiscard]] const std::vector<BlockPlace>& blocks() const { return blocks_; }
     /// Number of scenarios in all blocks.
     [[nodiscard]] std::uint64_t count() const { return count_; }
-    /// Offset in the file, in bytes, at which the last block ends.
+    /// File offset, in bytes, at which the last block ends.
     [[nodiscard]] std::uint64_t end() const;
     /// Returns the index in `blocks()` of the block that may hold a scenario, or nothing if all
     /// blocks begin with later scenarios.
     [[nodiscard]] std::optional<std::size_t> block_of(std::uint64_t scenario) const;
-    /// Returns the content of a block, given by its index in `blocks()`. Errors: Io naming the file
+    /// Returns the content of the block with this index in `blocks()`. Errors: Io naming the file
     /// if the block is damaged.
     [[nodiscard]] Result<Bytes> read(std::size_t block) const;
     [[nodiscard]] const std::filesystem::path& path() const { return file_.path(); }
@@ -87,13 +87,12 @@ class BlockFileWriter {
     /// the file. Errors: Io.
     [[nodiscard]] Status
     add(std::uint64_t first, std::uint64_t count, std::span<const std::byte> content);
-    /// Removes the blocks that hold `scenario` or a later one. The file's scenarios have no gaps.
-    /// Errors: Io.
+    /// Removes the blocks that hold `scenario` or a later one. Requires that the file's scenarios
+    /// have no gaps. Errors: Io.
     [[nodiscard]] Status cut_before(std::uint64_t scenario);
-    /// Writes the table. Nothing may be added afterwards. Errors: Io.
+    /// Writes the table and flushes the file. No `add` may follow. Errors: Io.
     [[nodiscard]] Status finish();
 
-    /// The blocks written so far.
     [[nodiscard]] const BlockFile& written() const { return file_; }
 
   private:

@@ -10,7 +10,7 @@
 
 namespace cd {
 
-/// How much is computed and sent back, in ascending order.
+/// The detail of a job's results, in ascending order.
 enum class Level : std::uint8_t {
     Any = 0,      ///< Whether the bodies are in contact.
     Count = 1,    ///< The class and the number of pairs.
@@ -24,13 +24,13 @@ enum class Level : std::uint8_t {
 struct Query {
     Level level = Level::Pairs;
     /// A length in the job's units. If positive, the search leaves two overlapping boxes undecided
-    /// if the sum of their diameters is at most this. Separate scenarios are still proven separate.
+    /// when the sum of their diameters is at most this. Class separate still means a proof.
     double tolerance = 0;
     std::uint64_t limit_pairs =
         0; ///< A result lists at most this many pairs, the first in sorted order; 0: all.
     std::vector<IgnoredRange> ignored;
-    /// At `level count` and above, the job counts for each triangle the scenarios in which the
-    /// triangle is in contact.
+    /// At `level count` and above: whether the job counts, for each triangle, the scenarios in
+    /// which the triangle is in contact.
     bool maps = false;
 };
 

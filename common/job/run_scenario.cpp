@@ -22,7 +22,7 @@ ScenarioResult empty_result(const Scenario& scenario, const Query& query) {
     return result;
 }
 
-/// Sets the number of all pairs found, kept or not, and the class as far as pairs alone decide it.
+/// Sets the number of pairs found, including pairs not kept, and the class that they determine.
 void note_found(const FoundContacts& found, ScenarioResult& result) {
     result.pair_count = found.count();
     if (result.pair_count > 0) {
@@ -30,7 +30,7 @@ void note_found(const FoundContacts& found, ScenarioResult& result) {
     }
 }
 
-/// If the search left boxes undecided, sets the class to undecided; the proven pairs stay.
+/// Sets the class to undecided if the search left boxes undecided. The proven pairs stay.
 void note_undecided(const ContactSearch& search, ScenarioResult& result) {
     if (const std::optional<double> distance = search.report().undecided_distance) {
         result.kind = ScenarioClass::Undecided;
@@ -261,7 +261,7 @@ ScenarioRun ScenarioRunner::run_with_kept(const Scenario& scenario, KeptSearch& 
         const RelativePose* const b_to_a = cut_a_ ? nullptr : kept.search->report().b_to_a;
         run.inside = settler_.settle(scenario, run.result, {run.found, options_.stop, b_to_a});
     }
-    // If `stop` ended the settling, the class that it left is meaningless.
+    // If `stop` has ended `settle`, the class is meaningless.
     return is_stopped() ? stopped_run(scenario, query_) : run;
 }
 

@@ -20,15 +20,15 @@
 
 namespace cd {
 
-/// A result with its cost.
+/// The result of one run of a scenario, with its cost.
 struct ScenarioRun {
     ScenarioResult result;
     QueryStatistics statistics;
     InsideStatistics inside; ///< Cost of `Settler::settle`; zero from `run_on_subtrees`.
-    /// Sorted pairs. If the query has maps: all of them. Otherwise, at `level count` with
-    /// `keep_touches`: all of them if none is proper and the search could keep all. Else empty.
+    /// Sorted pairs. If the query has maps: all pairs found. Otherwise, at `level count` with
+    /// `keep_touches`: all pairs if none is proper and the search could keep all. Else empty.
     std::vector<ContactPair> found;
-    /// True if `stop` ended the run; `result` is then a failed one with the reason "stopped".
+    /// True if `stop` ended the run. Then `result` has the class Failed and the reason "stopped".
     bool is_stopped = false;
 };
 
@@ -41,40 +41,40 @@ struct SubtreePair {
 struct RunOptions {
     /// Skips the stages of the pair decision before this one, which changes no answer.
     PairStage first_stage = PairStage::Float;
-    StopCheck stop = {};       ///< Called throughout the run; true ends the run.
+    StopCheck stop = {};       ///< Polled throughout the run; true ends the run.
     bool keep_touches = false; ///< Keeps touching pairs at `level count`, for `Settler`.
     PairDecision decision = PairDecision::Exact;
 };
 
 /// Finds the contacts under the given pairs of subtrees (paper, 6.4.2, steps 1 to 3). Without pairs
 /// the scenario is separate. The caller keeps the subtrees alive. The result does not depend on the
-/// order of the pairs, nor, without a tolerance, on how the trees were cut.
+/// order of the pairs, nor, without a tolerance, on how the trees are cut.
 ///
 /// At `level any` the search ends at the first contact, also under a tolerance, and the class is
-/// contact; without one it is undecided if any boxes were left undecided, else separate. At other
-/// levels the class is undecided if any boxes were left, with the pairs proven so far. (Ignored
-/// pairs are known by their triangles, so boxes of such pairs may be left as well.) Otherwise the
-/// class is cross if any pair is proper, touch if there are pairs and none is proper, and separate
-/// without pairs; `Settler` refines the class with the whole bodies.
+/// contact. Without a contact, the class is undecided if any boxes stay undecided, else separate.
+/// At other levels the class is undecided if any boxes stay undecided, with the pairs proven so
+/// far. (Pairs are ignored by triangle, so boxes of ignored pairs may stay undecided as well.)
+/// Otherwise the class is cross if any pair is proper, touch if there are pairs and none is proper,
+/// and separate without pairs; `Settler` refines the class with the whole bodies.
 [[nodiscard]] ScenarioRun run_on_subtrees(std::span<const SubtreePair> pairs,
                                           const Scenario& scenario,
                                           const Query& query,
                                           const RunOptions& options = {});
 
-/// A search whose memory the next scenarios of the same query reuse.
+/// A contact search whose memory further scenarios of one query reuse.
 struct KeptSearch {
     std::unique_ptr<ContactSearch> search; ///< Created by the first scenario with a pair.
 };
 
-/// The overload for many scenarios: reuses the search in `kept`. All scenarios that run with one
-/// `kept` share the query, the options and the form of the trees (wide or binary).
+/// Runs a scenario as the overload without `kept` does, but reuses the search in `kept`. All calls
+/// with one `kept` share the query, the options and the form of the trees (wide or binary).
 [[nodiscard]] ScenarioRun run_on_subtrees(KeptSearch& kept,
                                           std::span<const SubtreePair> pairs,
                                           const Scenario& scenario,
                                           const Query& query,
                                           const RunOptions& options = {});
 
-/// Returns a failed result for a scenario. The `failure` names the scenario and has `why`'s detail.
+/// Returns a failed result, whose `failure` names the scenario and has the detail of `why`.
 [[nodiscard]] ScenarioResult
 failed_result(const Scenario& scenario, const Query& query, const Error& why);
 
@@ -100,7 +100,7 @@ class ScenarioRunner {
     friend class ScenarioSession;
     struct CutTree {
         TreeTop top;
-        std::vector<Subtree> subtrees; ///< One for each distribution root, in their order.
+        std::vector<Subtree> subtrees; ///< One subtree per distribution root, in order.
     };
     [[nodiscard]] static std::shared_ptr<const CutTree> cut(const ObbTree& tree);
     [[nodiscard]] ScenarioRun run_on_cuts(const Scenario& scenario, KeptSearch& kept) const;
@@ -112,7 +112,7 @@ class ScenarioRunner {
     const Query& query_;
     RunOptions options_;
     Settler settler_;
-    /// The cut trees of A and B; null if the query has no tolerance.
+    /// Cut trees of A (`cut_a_`) and B (`cut_b_`); null if the query has no tolerance.
     std::shared_ptr<const CutTree> cut_a_;
     std::shared_ptr<const CutTree> cut_b_;
 };
@@ -127,11 +127,11 @@ class ScenarioSession {
     /// Runs one scenario; the result is that of `ScenarioRunner::run`.
     [[nodiscard]] ScenarioRun run(const Scenario& scenario);
 
-    /// Receives the run of `scenarios[place]`; returns false to end `run_all`.
+    /// Receives the run of `scenarios[place]`. Returns false to end `run_all`.
     using OnRun = std::function<bool(std::size_t place, ScenarioRun run)>;
-    /// Runs each scenario once, in `coherent_order`: consecutive scenarios then read the same
-    /// memory, which the processor has cached. The results are those of `run`. Returns true if all
-    /// scenarios ran.
+    /// Runs each scenario once, in `coherent_order`, because consecutive scenarios then read memory
+    /// that the processor has cached. The results equal those of `run`. Returns true unless `done`
+    /// returned false.
     bool run_all(std::span<const Scenario> scenarios, const OnRun& done);
 
   private:

@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::uint8_t version = 1;
 
-/// Which numbers of a pose are packed. The values are those of the format.
+/// The form in which a pose is packed. The values are part of the format (scenario.hpp).
 enum class Form : std::uint8_t { Identity = 0, Translation = 1, Matrix = 2, Quaternion = 3 };
 
 Form form_of(const Pose& pose) {
@@ -47,10 +47,10 @@ RunKind kind_of(const Scenario& scenario) {
     return {form_of(scenario.poses.a), form_of(scenario.poses.b), scenario.body_a, scenario.body_b};
 }
 
-/// Returns the length of the run at the start of the given scenarios.
+/// Returns the number of scenarios in the run that begins with the first of `scenarios`.
 std::size_t run_length(std::span<const Scenario> scenarios) {
     const RunKind kind = kind_of(scenarios[0]);
-    // If scenarios of a run cost no bytes, a few bytes could claim any number of them.
+    // A run of scenarios without doubles is limited, or a few bytes could claim any number of them.
     const std::size_t length_max = kind.scenario_bytes() == 0 ? 1 : scenarios.size();
     std::size_t length = 1;
     while (length < length_max && scenarios[length].index == scenarios[length - 1].index + 1 &&
@@ -76,7 +76,7 @@ void put_pose(ByteWriter& out, const Pose& pose, Form form) {
     }
 }
 
-/// Returns nothing if a number is not finite or the quaternion is zero.
+/// Reads a pose. Returns nothing if a number is not finite or the quaternion is zero.
 std::optional<Pose> get_pose(ByteReader& in, Form form) {
     Mat3 matrix = Mat3::Identity();
     if (form == Form::Matrix) {
@@ -115,7 +115,7 @@ struct RunHeader {
     std::uint64_t index = 0; ///< Index of the run's first scenario.
 };
 
-/// Returns nothing unless the header is well formed and the bytes behind it hold the whole run.
+/// Reads a run's header. Returns nothing if the header is malformed or the run does not fit `in`.
 std::optional<RunHeader> get_run_header(ByteReader& in, std::uint64_t index_expected) {
     const auto forms = in.get<std::uint8_t>();
     const auto length = get_varint(in);

@@ -20,8 +20,8 @@ struct Scenario {
     friend bool operator==(const Scenario&, const Scenario&) = default;
 };
 
-/// Packs scenarios: the exact numbers of their poses and no more, little-endian. Minus zero may
-/// come back as zero.
+/// Packs scenarios: the exact numbers of their poses and no more, little-endian. Only -0 may be
+/// unpacked as 0.
 ///
 /// Version (u8, 1) and count, then runs: scenarios with consecutive indices, equal bodies and equal
 /// forms of poses. A run: forms (u8: A's in bits 0-1, B's in 2-3), length, first index minus the
@@ -31,8 +31,8 @@ struct Scenario {
 /// (varint.hpp) unless marked u8. A run in which a scenario has no doubles has length 1.
 [[nodiscard]] Bytes pack_scenarios(std::span<const Scenario> scenarios);
 
-/// Unpacks `pack_scenarios`. The bytes are untrusted; memory is bounded by `count_max` scenarios.
-/// Errors: BadFrame; TooLarge when there are more; BadInput naming the scenario whose pose is not
+/// Unpacks the bytes of `pack_scenarios`, which are untrusted; `count_max` scenarios bound memory.
+/// Errors: BadFrame; TooLarge if there are more; BadInput naming the scenario whose pose is not
 /// finite or whose quaternion is zero.
 [[nodiscard]] Result<std::vector<Scenario>> unpack_scenarios(std::span<const std::byte> bytes,
                                                              std::uint64_t count_max);

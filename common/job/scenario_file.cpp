@@ -12,7 +12,7 @@ namespace {
 constexpr FileKind kind{0x31'4e'43'53'44'43'00'00, 1}; // "\0\0CDSCN1"
 constexpr std::uint64_t block_scenarios_max = 4096;
 
-/// Caches the last block read, because most reads continue where the previous one ended.
+/// A file as a source. Caches the last block, because most reads continue the previous read.
 class ScenarioFileSource final : public PoseSource {
   public:
     explicit ScenarioFileSource(BlockFile file) : file_(std::move(file)) {}
@@ -67,8 +67,8 @@ class ScenarioFileSource final : public PoseSource {
     std::vector<Scenario> kept_;
 };
 
-/// Makes a source of a file's scenarios. Errors: those of opening; Io if their indices do not run
-/// from 0 without a gap.
+/// Makes a source of a file's scenarios. Errors: the error in `file`; Io if the scenarios' indices
+/// do not run from 0 without a gap.
 Result<std::unique_ptr<PoseSource>> source_of(Result<BlockFile> file) {
     if (!file) {
         return file.error();

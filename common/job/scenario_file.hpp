@@ -14,17 +14,18 @@
 
 namespace cd {
 
-/// Writes scenarios in submitted order to a block file (block_file.hpp), each block packed by
+/// Writes scenarios in submitted order to a block file (block_file.hpp). Each block is packed by
 /// `pack_scenarios`.
 class ScenarioWriter {
   public:
-    /// Errors: those of `BlockFileWriter`.
+    /// Creates a file. Errors: those of `BlockFileWriter::create`.
     [[nodiscard]] static Result<ScenarioWriter> create(const std::filesystem::path& path);
+    /// Opens a file to append to it. Errors: those of `BlockFileWriter::resume`.
     [[nodiscard]] static Result<ScenarioWriter> resume(const std::filesystem::path& path);
 
     /// Appends scenarios, whose indices continue those already written. Errors: Io.
     [[nodiscard]] Status add(std::span<const Scenario> scenarios);
-    /// Writes the table. Errors: Io.
+    /// Writes the table and flushes the file. Errors: Io.
     [[nodiscard]] Status finish();
 
     /// Number of scenarios written so far.
@@ -39,12 +40,12 @@ class ScenarioWriter {
 };
 
 /// Opens the scenarios of a finished file. Any thread may read. Errors: those of `BlockFile::open`;
-/// Io where scenarios are missing.
+/// Io if scenarios are missing.
 [[nodiscard]] Result<std::unique_ptr<PoseSource>>
 open_scenario_file(const std::filesystem::path& path);
 
 /// Opens the scenarios in the complete blocks of a file that is being written. Errors: those of
-/// `BlockFile::open_unfinished`; Io.
+/// `BlockFile::open_unfinished`; Io if scenarios are missing.
 [[nodiscard]] Result<std::unique_ptr<PoseSource>>
 open_unfinished_scenario_file(const std::filesystem::path& path);
 

@@ -24,7 +24,7 @@ std::vector<IgnoredRange> swapped(std::span<const IgnoredRange> ignored) {
     return result;
 }
 
-/// Returns a box around one point.
+/// Returns a box of the smallest size around one point.
 ObbNode point_box(const Vec3& point) {
     ObbNode box;
     box.center = {point.x(), point.y(), point.z()};
@@ -140,7 +140,7 @@ InsideStatistics Settler::settle(const Scenario& scenario,
     if (!is_work(result)) {
         return {};
     }
-    // A body inside the other lies in the other's box, and so do its probes.
+    // A body inside the other body lies, with its probes, in the other body's box.
     if (result.kind == ScenarioClass::Separate && !may_be_inside(scenario.poses, options.b_to_a)) {
         return {1, 0, {}};
     }

@@ -8,17 +8,17 @@
 
 namespace cd {
 
-/// The cost of deciding whether one body lies inside the other, or penetrates the other without a
+/// The cost of deciding whether one body lies inside the other body, or penetrates it without a
 /// proper pair. The cost of the contact search is not included.
 struct InsideStatistics {
-    std::uint64_t scenarios = 0; ///< Number of scenarios in which this was decided.
+    std::uint64_t scenarios = 0; ///< Number of scenarios that took such a decision.
     double seconds = 0;    ///< Wall-clock time of one thread, in seconds; see `Settler::settle`.
     SettleStatistics work; ///< Counts of tests; never sent to another machine.
 
     InsideStatistics& operator+=(const InsideStatistics& other);
 };
 
-/// Sums over a job's scenarios.
+/// Sums of the statistics of a job's scenarios.
 struct JobStatistics {
     QueryStatistics search;
     InsideStatistics inside;

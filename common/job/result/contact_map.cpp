@@ -12,11 +12,11 @@ namespace {
 
 using Entries = std::vector<TriangleContacts>;
 
-/// The list `touched` is merged into the sums once it has at least this many entries and at least
-/// as many as the sums.
+/// The list `Body::touched` is merged into `Body::sums` once it has at least this many entries and
+/// at least as many as `sums`.
 constexpr std::size_t touched_enough = 1u << 16;
 
-/// Merges two ascending lists; the counts of equal triangles add up.
+/// Merges two lists in ascending order of triangles; adds the counts of equal triangles.
 Entries merged(const Entries& one, const Entries& other) {
     Entries sum;
     sum.reserve(one.size() + other.size());
@@ -52,7 +52,7 @@ Entries counted(std::span<const std::uint32_t> ascending) {
 
 struct ContactMapSum::Body {
     Entries sums;
-    /// Contains a triangle once for each scenario that is not yet in the sums.
+    /// Contains a triangle once for each scenario in contact that `sums` does not count yet.
     std::vector<std::uint32_t> touched;
 };
 

@@ -1,5 +1,5 @@
-// Heat maps: the number of scenarios in which each triangle was in contact. Workers sum integers
-// where scenarios run, so that a job has maps without sending a pair.
+// Contact maps (heat maps): the number of scenarios in which each triangle is in contact. Workers
+// sum these numbers where scenarios run, so that a job has maps without sending pairs.
 #pragma once
 
 #include "common/core/files/hash.hpp"
@@ -13,7 +13,7 @@
 
 namespace cd {
 
-/// A triangle's index in its mesh, with the number of scenarios in which it was in contact.
+/// A triangle's index in its mesh, with the number of scenarios in which it is in contact.
 struct TriangleContacts {
     std::uint32_t triangle = 0;
     std::uint64_t scenarios = 0;
@@ -21,7 +21,7 @@ struct TriangleContacts {
     friend bool operator==(const TriangleContacts&, const TriangleContacts&) = default;
 };
 
-/// The triangles of A ([0]) and of B ([1]) that were in contact in any scenario, ascending.
+/// The triangles of A ([0]) and of B ([1]) that are in contact in any scenario, ascending.
 struct ContactMap {
     std::array<std::vector<TriangleContacts>, 2> bodies;
 
@@ -29,8 +29,8 @@ struct ContactMap {
     friend bool operator==(const ContactMap&, const ContactMap&) = default;
 };
 
-/// Sums the contacts of a thread's or a task's scenarios. Memory: one number for each touched
-/// triangle of each scenario or a few for each touched triangle, whichever is less.
+/// Sums the contacts of a thread's or a task's scenarios. Memory: one number per touched triangle
+/// of each scenario, or a few numbers per distinct touched triangle, whichever is less.
 class ContactMapSum {
   public:
     ContactMapSum();
@@ -38,14 +38,14 @@ class ContactMapSum {
     ContactMapSum& operator=(ContactMapSum&&) noexcept;
     ~ContactMapSum();
 
-    /// Adds all pairs of one scenario, in any order; each of their triangles counts once.
+    /// Adds all pairs of one scenario, in any order. Each triangle in them counts once.
     void add(std::span<const ContactPair> pairs);
     void add(const ContactMap& map);
 
     [[nodiscard]] bool empty() const;
     /// Bytes of memory in use.
     [[nodiscard]] std::uint64_t bytes() const;
-    /// Returns the sum so far and resets it.
+    /// Returns the sum so far and resets it to empty.
     [[nodiscard]] ContactMap take();
 
   private:

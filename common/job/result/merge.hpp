@@ -10,7 +10,7 @@
 
 namespace cd {
 
-/// How many scenarios of a job are merged so far, by class (docs/formats.md).
+/// Numbers of merged scenarios of a job, by class (docs/formats.md).
 struct Summary {
     std::uint64_t total = 0; ///< Scenarios of the job, merged or not.
     std::uint64_t separate = 0;
@@ -33,7 +33,7 @@ struct Summary {
     [[nodiscard]] bool is_complete() const { return merged() == total; }
 };
 
-/// The facts of a result that a summary counts.
+/// The properties of a result that a summary counts.
 struct ScenarioFacts {
     ScenarioClass kind = ScenarioClass::Separate;
     bool surfaces_only = false;
@@ -45,8 +45,8 @@ struct ScenarioFacts {
 };
 [[nodiscard]] ScenarioFacts facts_of(const ScenarioResult& result);
 
-/// Merges results, idempotent by scenario: the first result of a scenario counts, and later results
-/// are compared with the first. Memory: one hash for each scenario up to the last one merged.
+/// Merges results idempotently: the first result of a scenario counts, and later results are
+/// compared with the first. Memory: one hash for each scenario up to the highest one merged.
 class ResultMerger {
   public:
     explicit ResultMerger(std::uint64_t scenarios);
@@ -61,10 +61,10 @@ class ResultMerger {
     [[nodiscard]] Outcome add(const ScenarioResult& result);
     /// Adds a result whose record has the SHA-256 `digest`.
     [[nodiscard]] Outcome add(const ScenarioResult& result, const Sha256& digest);
-    /// Adds a result of which only the facts and the digest are known.
+    /// Adds a result of which only index, facts and digest are known.
     [[nodiscard]] Outcome
     add(std::uint64_t index, const ScenarioFacts& facts, const Sha256& digest);
-    /// Removes a merged result; `facts` are those with which it was added.
+    /// Removes a merged result. `facts` must equal those with which it was added.
     void remove(std::uint64_t index, const ScenarioFacts& facts);
     [[nodiscard]] bool has(std::uint64_t index) const;
     /// Returns the digest of a merged result.
@@ -85,7 +85,7 @@ class ResultMerger {
     [[nodiscard]] std::uint64_t& count_of(ScenarioClass kind);
     void count(const ScenarioFacts& facts);
 
-    // Both vectors grow with the merged scenarios, so that a job's claimed size costs nothing.
+    // The vectors grow to the highest merged index, so that a job's claimed size costs no memory.
     std::vector<Sha256> digests_;
     std::vector<bool> merged_;
     Summary summary_;

@@ -43,7 +43,7 @@ Error bad_map() {
 }
 
 /// Reads the entries of one body, whose mesh has `triangles` triangles. Returns nothing unless they
-/// fit that mesh and the number of scenarios.
+/// fit that mesh and no triangle has more than `scenarios` scenarios.
 std::optional<Entries>
 get_entries(ByteReader& in, std::uint64_t triangles, std::uint64_t scenarios) {
     const auto count = get_varint(in);
@@ -74,7 +74,7 @@ get_entries(ByteReader& in, std::uint64_t triangles, std::uint64_t scenarios) {
 } // namespace
 
 Result<ContactMap> unpack_map(std::span<const std::byte> packed, const ContactMapBounds& bounds) {
-    // A triangle's step takes at most 5 bytes, its scenarios at most 6; a body's header takes 10.
+    // A triangle's step takes at most 5 bytes, its count at most 6; a body's header at most 10.
     static_assert(limits::scenarios_max < std::uint64_t{1} << 42);
     const std::uint64_t bytes_max = 11 * (bounds.triangles_a + bounds.triangles_b) + 20;
     const Result<Bytes> bytes = decompress(packed, bytes_max);

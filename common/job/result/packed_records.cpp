@@ -28,11 +28,11 @@ enum Column : std::size_t {
     column_count
 };
 
-/// The level of zstd. Columns become a few percent smaller than at the fastest level; they are a
-/// quarter as long as the records, so this level is affordable.
+/// The level of zstd. Columns become a few percent smaller than at the fastest level. This level is
+/// affordable because columns are a quarter as long as the records.
 constexpr int compression_level = 3;
 
-/// Bytes of a pair in a record: triangles of A, of B, then classes (result.hpp).
+/// Bytes of a pair in a record: a triangle of A, a triangle of B and a class (result.hpp).
 constexpr std::size_t pair_bytes = 2 * sizeof(std::uint32_t) + 1;
 
 /// Returns the number of bytes before the pairs of a record, or nothing if it has no pairs.
@@ -88,7 +88,7 @@ void Packer::add_pairs(std::span<const std::uint32_t> a, std::span<const std::ui
     for (std::size_t i = 0; i < a.size();) {
         std::size_t end = i + 1;
         while (end < a.size() && a[end] == a[i]) {
-            put_varint(columns_[b_steps], b[end] - b[end - 1] - 1); // The step is modulo 2^32.
+            put_varint(columns_[b_steps], b[end] - b[end - 1] - 1); // Steps are modulo 2^32.
             ++end;
         }
         put_varint(columns_[a_steps], a[i] - a_before);
@@ -101,7 +101,7 @@ void Packer::add_pairs(std::span<const std::uint32_t> a, std::span<const std::ui
 }
 
 Bytes Packer::take() {
-    // Compressed together, columns would share codes and be a few percent larger.
+    // Compressed together, columns would share zstd's code tables and be a few percent larger.
     std::array<Bytes, column_count> compressed;
     ByteWriter out;
     for (std::size_t i = 0; i < column_count; ++i) {
@@ -136,7 +136,7 @@ class Unpacker {
     [[nodiscard]] Bytes take() { return out_.take(); }
 
   private:
-    /// Returns false when the columns end early or a number does not fit.
+    /// Reads a record's pairs. Returns false if columns end early or a run has too many pairs.
     [[nodiscard]] bool get_pairs(std::uint32_t count);
     [[nodiscard]] std::uint64_t number(Column column) {
         const std::optional<std::uint64_t> value = get_varint(columns_[column]);

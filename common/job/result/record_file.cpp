@@ -13,11 +13,11 @@ namespace {
 
 constexpr FileKind kind{0x31'43'45'52'44'43'00'00, 1}; // "\0\0CDREC1"
 constexpr std::uint64_t block_records_max = 4096;
-/// A block is full once its records have this many bytes uncompressed.
+/// A block is full once its uncompressed records have this many bytes.
 constexpr std::uint64_t block_bytes_enough = 4u << 20;
 
-/// Decodes records preceded by their lengths. Errors: Io unless there are `block.count` of them, in
-/// ascending order from scenario `block.first`.
+/// Decodes records, each preceded by its length. Errors: those of `decode_result`; Io unless there
+/// are `block.count` records, in ascending order from scenario `block.first`.
 Result<std::vector<KeptRecord>> records_in(std::span<const std::byte> bytes,
                                            const BlockPlace& block) {
     std::vector<KeptRecord> records;
@@ -71,7 +71,7 @@ Result<std::vector<KeptRecord>> RecordFile::read(std::size_t block) const {
     if (!records) {
         return damaged(records.error());
     }
-    // A block's scenarios may have gaps, so the table does not say which is the last.
+    // A block's scenarios may have gaps, so the table does not give the last one.
     if (block + 1 < blocks() &&
         records.value().back().result.index >= file_.blocks()[block + 1].first) {
         return damaged({ErrorCode::Io, "the scenarios of two blocks overlap"});

@@ -23,22 +23,22 @@ struct KeptRecord {
     ScenarioResult result;
 };
 
-/// Reads a block file (block_file.hpp) of records in ascending order of their scenarios, each block
-/// with at most 4,096 records packed by `pack_records`. Scenarios without a result are missing.
+/// Reads a block file (block_file.hpp) of records in ascending order of their scenarios. A block
+/// has at most 4,096 records, packed by `pack_records`. Scenarios without a result have no record.
 class RecordFile {
   public:
-    /// Errors: those of `BlockFile::open`.
+    /// Opens a finished file. Errors: those of `BlockFile::open`.
     [[nodiscard]] static Result<RecordFile> open(const std::filesystem::path& path);
-    /// Errors: those of `BlockFile::open_unfinished`.
+    /// Opens a file that may lack its table. Errors: those of `BlockFile::open_unfinished`.
     [[nodiscard]] static Result<RecordFile> open_unfinished(const std::filesystem::path& path);
 
     [[nodiscard]] std::uint64_t count() const { return file_.count(); }
     [[nodiscard]] std::size_t blocks() const { return file_.blocks().size(); }
     /// Reads the records of a block, decoded and checked. Errors: Io naming the file.
     [[nodiscard]] Result<std::vector<KeptRecord>> read(std::size_t block) const;
-    /// Finds a scenario's record; null where it has none. The pointer is valid until the next call.
-    /// The last block is cached, so that lookups in ascending order read each block once. One
-    /// thread at a time may call it. Errors: Io naming the file.
+    /// Finds a scenario's record; null if the file has none. The pointer is valid until the next
+    /// call. The last block is cached, so that lookups in ascending order read each block once. One
+    /// thread at a time may call this. Errors: Io naming the file.
     [[nodiscard]] Result<const KeptRecord*> find(std::uint64_t scenario);
     /// Calls `take` with each record in order; an error of `take` ends the loop. Errors: Io, those
     /// of `take`.
@@ -52,22 +52,23 @@ class RecordFile {
     std::vector<KeptRecord> kept_; ///< Records of block `kept_block_`.
 };
 
-/// Writes a record file block by block; each block is complete once written.
+/// Writes a record file block by block. Written blocks survive a crash of the process.
 class RecordWriter {
   public:
-    /// Errors: those of `BlockFileWriter`.
+    /// Creates a file. Errors: those of `BlockFileWriter::create`.
     [[nodiscard]] static Result<RecordWriter> create(const std::filesystem::path& path);
+    /// Opens a file to append to it. Errors: those of `BlockFileWriter::resume`.
     [[nodiscard]] static Result<RecordWriter> resume(const std::filesystem::path& path);
 
     /// Buffers the canonical record of a scenario, which comes after all scenarios added before,
     /// until `flush`.
     void add(std::uint64_t scenario, std::span<const std::byte> record);
-    /// True if a whole block is buffered; then `flush` must precede the next `add`.
+    /// Returns true if a whole block is buffered. Then `flush` must precede the next `add`.
     [[nodiscard]] bool is_full() const;
     /// Writes the buffered records as one block. Errors: Io.
     [[nodiscard]] Status flush();
-    /// Removes the blocks that hold `scenario` or a later one. The file's scenarios have no gaps.
-    /// Errors: Io.
+    /// Removes the blocks that hold `scenario` or a later one. Requires that the file's scenarios
+    /// have no gaps. Errors: Io.
     [[nodiscard]] Status cut_before(std::uint64_t scenario);
     /// Writes the buffered records and the table. Errors: Io.
     [[nodiscard]] Status finish();

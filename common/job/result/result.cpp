@@ -17,14 +17,14 @@ constexpr std::uint8_t version = 2;
 constexpr std::uint8_t flag_surfaces_only = 1;
 constexpr std::uint8_t flag_insides_skipped = 2;
 constexpr std::size_t head_bytes = 28;
-/// Two triangles share at most a hexagon.
+/// The intersection of two triangles is at most a hexagon.
 constexpr std::uint32_t points_of_pair_max = 6;
 
 constexpr std::array<std::string_view, 7> class_names{
     "separate", "touch", "cross", "inside", "contact", "undecided", "failed"};
 
-/// Returns one bit pattern for each number: zero has no sign, and NaN (a point that left the range
-/// of double) has no payload.
+/// Returns the number with a unique bit pattern: zero has no sign, and NaN (a point that left the
+/// range of double) has no payload.
 double canonical(double value) {
     return std::isnan(value) ? std::numeric_limits<double>::quiet_NaN() : value + 0.0;
 }
@@ -74,8 +74,8 @@ Error bad(const char* what) {
     return {ErrorCode::BadFrame, std::string("result record: ") + what};
 }
 
-/// Writes the head in one piece, for speed: at `level count` it is the whole record, and the master
-/// writes a million a second.
+/// Writes the head of a record in one piece, for speed: at `level count` the head is the whole
+/// record, and the master writes a million records per second.
 void put_head(ByteWriter& out, const ScenarioResult& result) {
     std::array<std::uint8_t, head_bytes> head;
     std::uint8_t* to = head.data();
@@ -185,7 +185,7 @@ Status get_shared_points(ByteReader& in, ScenarioResult& result) {
     return get_vectors(in, points, result.points);
 }
 
-/// Checks that level, class, pairs and distance are consistent.
+/// Checks that level, class, pairs and distance bound of a result are consistent.
 Status check_sense(const ScenarioResult& result) {
     const bool is_any = result.level == Level::Any;
     const bool in_contact =
@@ -269,7 +269,7 @@ Result<ScenarioResult> decode_result(std::span<const std::byte> bytes) {
 }
 
 ScenarioResult within_limit(ScenarioResult result, std::uint64_t bytes_max) {
-    // Upper bound on the size of a record without pairs and points.
+    // Upper bound on the size of a record's head and counts.
     constexpr std::uint64_t fixed_bytes = 64;
     constexpr std::uint64_t pair_bytes = 2 * sizeof(std::uint32_t) + 1;
     constexpr std::uint64_t point_bytes = 3 * sizeof(double);

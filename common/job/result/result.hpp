@@ -1,4 +1,4 @@
-// The result of one scenario, in one canonical form that is digested, sent and stored.
+// The result of one scenario, and its canonical record, which is digested, sent and stored.
 #pragma once
 
 #include "common/core/files/bytes.hpp"
@@ -17,7 +17,7 @@
 
 namespace cd {
 
-/// The classes of docs/formats.md. `level any` reports Contact for both Touch and Cross.
+/// The class of a scenario (docs/formats.md). `level any` reports Contact for Touch and Cross.
 enum class ScenarioClass : std::uint8_t {
     Separate = 0,
     Touch = 1,
@@ -36,29 +36,29 @@ struct ScenarioResult {
     std::uint32_t body_b = 1;
     Level level = Level::Pairs;
     ScenarioClass kind = ScenarioClass::Separate;
-    bool surfaces_only = false;   ///< A body is open: containment is not decided.
+    bool surfaces_only = false;   ///< A body is open, so containment is not decided.
     bool insides_skipped = false; ///< Ignored pairs leave parts whose containment is not decided.
-    /// Number of pairs in contact, even if `pairs` is cut off; 0 at `level any`. If the class is
-    /// undecided, the number of pairs proven so far, which need not be all.
+    /// Number of all pairs in contact, even if `pairs` is cut off; 0 at `level any`. If the class
+    /// is Undecided, the number of proven pairs, which need not be all.
     std::uint64_t pair_count = 0;
-    /// For Undecided only, else 0: an upper bound on the distance of the two bodies in the world,
-    /// in the job's units; 0 where a contact was proven although other boxes stayed undecided. May
-    /// be infinite.
+    /// For class Undecided, an upper bound on the distance of the two bodies in the world, in the
+    /// job's units: 0 if a contact is proven although other boxes stay undecided. May be infinite.
+    /// For other classes 0.
     double distance_bound = 0;
-    std::vector<ContactPair> pairs; ///< Sorted; the first `limit_pairs` where a limit was set.
+    std::vector<ContactPair> pairs; ///< Sorted; only the first `limit_pairs` if limited.
 
-    /// At `level contacts`, for each listed pair the origin of its shared points in the world.
+    /// At `level contacts`, for each pair in `pairs` the origin of its shared points, in the world.
     std::vector<Vec3> point_origins;
-    /// At `level contacts`, pairs + 1 entries: pair i has points [offset i, offset i + 1).
+    /// At `level contacts`, `pairs.size() + 1` offsets: pair i has points [offset i, offset i + 1).
     std::vector<std::uint32_t> point_offsets;
-    std::vector<Vec3> points; ///< Relative to the origin of their pair.
+    std::vector<Vec3> points; ///< Shared points, relative to the origin of their pair.
 
-    std::string failure; ///< The reason, for Failed, which has no pairs.
+    std::string failure; ///< Reason for class Failed, which has no pairs.
 
     [[nodiscard]] bool is_cut() const { return level >= Level::Pairs && pairs.size() < pair_count; }
 };
 
-/// The canonical record, little-endian. Statistics, times and hosts never enter.
+/// Encodes the canonical record, little-endian. Statistics, times and hosts are never part of it.
 ///
 ///     u8 version = 2    u64 index    u32 body_a    u32 body_b    u8 level    u8 class
 ///     u8 flags (bit 0: surfaces only, bit 1: insides skipped; never both)
@@ -69,17 +69,17 @@ struct ScenarioResult {
 ///     level contacts:   n x u8 points of the pair (at most 6); n x 3 f64 origins; points x 3 f64
 ///
 /// -0 is stored as 0, and a NaN (a point that left the range of double) as the one quiet NaN.
-/// The code that fills a result guarantees the rules that `decode_result` checks.
+/// The caller guarantees the rules that `decode_result` checks.
 [[nodiscard]] Bytes encode_result(const ScenarioResult& result);
 
-/// Decodes a record; `encode_result` gives equal bytes again. The bytes are untrusted: everything
-/// is checked (classes and levels in range and consistent, pairs strictly ascending, counts that
-/// fit, numbers in canonical form). Errors: BadFrame.
+/// Decodes a record. Encoding the result gives equal bytes again. The bytes are untrusted:
+/// everything is checked (classes and levels in range and consistent, pairs strictly ascending,
+/// counts that fit, numbers in canonical form). Errors: BadFrame.
 [[nodiscard]] Result<ScenarioResult> decode_result(std::span<const std::byte> bytes);
 
-/// Replaces a result whose record would exceed `bytes_max` bytes by a failed one that says so.
-/// All code that runs a scenario calls this, so that one process and a cluster give the same
-/// answer.
+/// Returns the result, or, if its record could exceed `bytes_max` bytes, a failed result with that
+/// reason. All code that runs a scenario calls this, so that one process and a cluster give equal
+/// answers.
 [[nodiscard]] ScenarioResult within_limit(ScenarioResult result, std::uint64_t bytes_max);
 
 /// Returns SHA-256 of the canonical record.
