@@ -31,7 +31,7 @@ struct Aabb {
     return box;
 }
 
-/// Returns true if two closed boxes share no point. A NaN never makes boxes apart.
+/// Returns true if two closed boxes share no point. A NaN bound separates no boxes.
 [[nodiscard]] inline bool are_apart(const Aabb& a, const Aabb& b) {
     return a.max.x() < b.min.x() || a.min.x() > b.max.x() || a.max.y() < b.min.y() ||
            a.min.y() > b.max.y() || a.max.z() < b.min.z() || a.min.z() > b.max.z();

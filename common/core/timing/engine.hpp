@@ -6,7 +6,7 @@
 namespace cd::timing {
 
 // Queries.
-/// A waiting call polls its StopCheck in this period.
+/// Period in which a waiting call polls its StopCheck.
 inline constexpr std::chrono::milliseconds stop_check_period{100};
 
 } // namespace cd::timing

@@ -12,7 +12,7 @@ namespace {
 constexpr std::uint64_t scenarios_at_once = 4096;
 /// Offset of the forms in the packed bytes of one scenario with index 0 and bodies 0 and 1.
 constexpr std::size_t forms_offset = 2;
-constexpr std::size_t numbers_offset = 7; ///< Offset of the doubles in those bytes.
+constexpr std::size_t numbers_offset = 7; ///< Offset of the doubles in the packed bytes.
 
 /// Replaces -0 by 0 in a pose. Adding 0 leaves every other number unchanged.
 Pose without_minus_zero(const Pose& pose) {

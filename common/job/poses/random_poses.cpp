@@ -12,7 +12,7 @@ namespace cd {
 
 namespace {
 
-/// Number of steps along a line of approach at which a first collision is looked for.
+/// Number of steps along a line of approach that are tested for a collision.
 constexpr int approach_steps = 32;
 /// Number of halvings of the step in which the first collision lies.
 constexpr int bisection_steps = 10;
@@ -95,7 +95,7 @@ Bodies measure(const ObbTree& a, const ObbTree& b) {
     return bodies;
 }
 
-/// An approach of B in a random orientation, its box centred on a random ray from A's.
+/// An approach of B in a random orientation, along a random ray to the centre of A's box.
 class Approach {
   public:
     Approach(const Bodies& bodies, Random& random)

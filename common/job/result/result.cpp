@@ -23,7 +23,7 @@ constexpr std::uint32_t points_of_pair_max = 6;
 constexpr std::array<std::string_view, 7> class_names{
     "separate", "touch", "cross", "inside", "contact", "undecided", "failed"};
 
-/// Returns the number with a unique bit pattern: zero has no sign, and NaN (a point that left the
+/// Returns the number in a canonical bit pattern: zero has no sign, and NaN (a point that left the
 /// range of double) has no payload.
 double canonical(double value) {
     return std::isnan(value) ? std::numeric_limits<double>::quiet_NaN() : value + 0.0;
