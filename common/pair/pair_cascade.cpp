@@ -8,8 +8,8 @@
 namespace cd {
 
 /// Proves the signs of one pair in the stages after doubles. Each stage converts the corners when
-/// first asked. If no stage proves a sign, `are_enough` is false from then on, and all answers are
-/// meaningless; they end the decision quickly.
+/// it is first asked for a sign. If no stage proves a sign, `are_enough` is false from then on, and
+/// all answers are meaningless; they end the decision quickly.
 class LaterSigns {
   public:
     LaterSigns(PairCascade& stages, const Corners& a, const Corners& b)
@@ -200,8 +200,8 @@ PairCascade::Decision PairCascade::classify(const Corners& a, const Corners& b) 
     return {exact_->classify(a, b), PairStage::Arbitrary};
 }
 
-/// Returns null if the stage is skipped, also because integers are cheap: without relative
-/// rotation, or if both rotations consist of short whole numbers.
+/// Returns null if the double-double stage is skipped: because of `first`, or because integers are
+/// cheaper (no relative rotation, or both rotations consist of short whole numbers).
 const DoubleDoublePoses* PairCascade::in_double_double() {
     if (!passes_over_double_double_) {
         passes_over_double_double_ = first_ > PairStage::DoubleDouble ||

@@ -12,9 +12,9 @@
 
 namespace cd {
 
-/// Decides pairs under one pair of poses. The decision runs once for a pair, and only the signs
-/// that doubles leave open cost more. A later stage prepares the poses when a pair first needs it.
-/// Not thread-safe.
+/// Decides pairs under one pair of poses. The decision procedure runs once per pair; the later
+/// stages prove only the signs that doubles leave open. Each of them prepares the poses when a pair
+/// first needs it. Not thread-safe.
 class PairCascade {
   public:
     /// `poses` must outlive this object. Stages before `first` are skipped.
@@ -37,7 +37,7 @@ class PairCascade {
     PairStage first_;
     IntegerTrianglePair in_integers_;
     std::optional<DoubleTrianglePair> in_double_;
-    std::optional<bool> passes_over_double_double_; ///< Empty until a pair asks for the stage.
+    std::optional<bool> passes_over_double_double_; ///< Empty until a pair needs the stage.
     std::optional<DoubleDoublePoses> in_double_double_;
     std::unique_ptr<const ExactTrianglePair> exact_;
 };

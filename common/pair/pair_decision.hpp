@@ -10,7 +10,7 @@
 
 namespace cd {
 
-/// The signs (-1, 0, 1) of a triangle's three corners against the other's plane.
+/// The signs (-1, 0, 1) of a triangle's three corners against the plane of the other triangle.
 using PlaneSides = std::array<int, 3>;
 
 /// Marks a sign that an inexact stage cannot prove.
@@ -44,7 +44,7 @@ constexpr std::size_t next(std::size_t corner) {
     return (corner + 1) % 3;
 }
 
-/// Returns the next corner of the triangle whose first corner is `first`.
+/// Returns the corner after `corner` in the triangle whose first corner is `first`.
 constexpr std::size_t next_of(std::size_t first, std::size_t corner) {
     return first + next(corner - first);
 }
@@ -65,9 +65,9 @@ constexpr int count(const PlaneSides& sides, int sign) {
     return (sides[0] == sign) + (sides[1] == sign) + (sides[2] == sign);
 }
 
-/// The corner that the other triangle's plane separates from the other two corners. The triangle is
-/// neither in the plane nor strictly on one side. Both edges at the corner reach the plane, and
-/// neither lies in it.
+/// The corner that the other triangle's plane separates from the other two corners. Exists if the
+/// triangle is neither in the plane nor strictly on one side. Both edges at the corner reach the
+/// plane, and neither lies in it.
 struct LoneCorner {
     std::size_t corner;
     bool is_above; ///< A corner in the plane counts as below if the other two are above.
@@ -86,8 +86,8 @@ constexpr LoneCorner find_lone_corner(const PlaneSides& sides) {
     return {find(0), count(sides, -1) == 2};
 }
 
-/// Holds `find_lone_corner` of all sides. The corners' signs are the index's base-3 digits; 2 means
-/// -1.
+/// Table of `find_lone_corner` for all sides. The base-3 digits of the index are the corners'
+/// signs; digit 2 means -1.
 inline constexpr auto lone_corners = [] {
     std::array<LoneCorner, 27> table{};
     for (std::size_t i = 0; i < table.size(); ++i) {
@@ -99,7 +99,7 @@ inline constexpr auto lone_corners = [] {
     return table;
 }();
 
-/// Looks up a table: branches on signs are too often mispredicted.
+/// Returns `find_lone_corner(sides)` from a table: branches on signs are too often mispredicted.
 inline LoneCorner lone_corner(const PlaneSides& sides) {
     const auto digit = [](int sign) {
         return static_cast<std::size_t>(sign + 3 * static_cast<int>(sign < 0));
@@ -108,7 +108,7 @@ inline LoneCorner lone_corner(const PlaneSides& sides) {
 }
 
 /// Decides two triangles with area in different planes, neither strictly on one side of the other's
-/// plane. Each meets the line of both planes in an interval, and the sides of two pairs of edges
+/// plane. Each meets the planes' common line in an interval, and the sides of two pairs of edges
 /// order the intervals' ends (Guigue and Devillers, Fast and robust triangle-triangle overlap test
 /// using orientation predicates, 2003, RR-4488, section 4). p1 and p2 are the lone corners.
 template <CornerSigns Signs>
@@ -117,8 +117,8 @@ PairClass decide_crossing(Signs& signs, const PlaneSides& of_a, const PlaneSides
     const LoneCorner b = lone_corner(of_b);
     const std::size_t p1 = a.corner;
     const std::size_t p2 = b.corner;
-    // Where a lone corner is below, swapping the other triangle's q and r reverses the normal that
-    // the corner is seen from. So both are above, as in the paper.
+    // Where a lone corner is below, swapping q and r of the other triangle reverses the normal from
+    // which the corner's side is seen. So both lone corners are above, as in the paper.
     const std::size_t q1 = b.is_above ? next(p1) : next(next(p1));
     const std::size_t r1 = 3 - p1 - q1;
     const std::size_t q2 = a.is_above ? next(p2) : next(next(p2));
@@ -158,11 +158,11 @@ PairClass decide_piercing(Signs& signs, std::size_t first, const PlaneSides& sid
     return above && below ? PairClass::Separate : PairClass::Touch;
 }
 
-/// Classifies the corners of the triangle from corner `other` on against edge i of the triangle
-/// from corner `first` on, whose turn is `own`: 1 if all are strictly outside, 0 if all are outside
-/// or on the edge's line, -1 otherwise. Some models have `turns(i, j, axis, enough)`, which returns
-/// the turns from i over j to the other triangle's corners; after one that is `enough` the rest may
-/// be anything.
+/// Classifies the corners of the triangle that starts at corner `other` against edge i of the
+/// triangle that starts at corner `first` and has the turn `own`: 1 if all are strictly outside, 0
+/// if all are outside or on the edge's line, -1 otherwise. If `Signs` has `turns(i, j, axis,
+/// enough)`, it returns the turns from i over j to the other triangle's corners; after a turn that
+/// equals `enough` the rest may be anything.
 template <CornerSigns Signs>
 [[gnu::always_inline]] inline int outside_of_edge(
     Signs& signs, std::size_t first, std::size_t i, int own, std::size_t other, std::size_t axis) {
@@ -218,9 +218,9 @@ bool is_apart_along(Signs& signs, std::size_t axis) {
     return below || above;
 }
 
-/// Tests whether, seen along `axis`, an edge of the triangle from corner `first` on has all corners
-/// of the other strictly on one side and no corner of its own triangle there. An edge seen as a
-/// point separates nothing.
+/// Tests whether, seen along `axis`, an edge of the triangle that starts at corner `first` has all
+/// corners of the other triangle strictly on one side and no corner of its own triangle there. An
+/// edge seen as a point separates nothing.
 template <CornerSigns Signs>
 bool is_apart_at_edge(Signs& signs, std::size_t first, std::size_t other, std::size_t axis) {
     for (std::size_t i = 0; i < 3; ++i) {
@@ -256,8 +256,8 @@ PairClass decide_degenerate(Signs& signs) {
     return PairClass::Touch;
 }
 
-/// An axis along which a triangle's projection has area, and the projection's turn: 1 or -1, but 0
-/// for a degenerate triangle, which no axis shows with area.
+/// An axis along which a triangle's projection has area, and the turn of the projection, 1 or -1.
+/// The turn is 0 for a degenerate triangle, whose projections have no area along any axis.
 struct View {
     std::size_t axis = 0;
     int turn = 0;
@@ -275,8 +275,8 @@ View open_view(Signs& signs, std::size_t first) {
     return view;
 }
 
-/// Tests whether no plane contains both of two degenerate triangles. One does if each edge of one
-/// triangle is coplanar with each edge of the other.
+/// Tests whether no plane contains both of two degenerate triangles. A plane contains both if each
+/// edge of one triangle is coplanar with each edge of the other.
 template <CornerSigns Signs>
 bool are_segments_skew(Signs& signs) {
     for (std::size_t i = 0; i < 3; ++i) {
@@ -308,8 +308,8 @@ PairClass decide_flat(Signs& signs) {
 
 } // namespace pair_decision
 
-/// Classifies the pair that has these signs. Asks only for signs that the decision needs, each at
-/// most once.
+/// Classifies the pair whose signs `signs` provides. Asks only for signs that the decision needs,
+/// each at most once.
 template <CornerSigns Signs>
 [[nodiscard]] PairClass decide_pair(Signs& signs) {
     using namespace pair_decision;
@@ -321,7 +321,7 @@ template <CornerSigns Signs>
     if (is_one_sided(of_b)) {
         return PairClass::Separate;
     }
-    // If all sides of A are 0, A lies in B's plane or B has no area. If then one side of B is not
+    // If all sides of A are 0, A lies in B's plane or B has no area. If one side of B is then not
     // 0, A has area and lies in another plane, so B has no area.
     const bool a_flat = all_are(of_a, 0);
     const bool b_flat = all_are(of_b, 0);

@@ -61,7 +61,7 @@ struct PairStatistics {
     friend bool operator==(const PairStatistics&, const PairStatistics&) = default;
 };
 
-/// A view of a body's triangles, or of some, in its own coordinates.
+/// A view of all or some triangles of a body, in the body's coordinates.
 struct TriangleSpan {
     std::span<const Vec3> vertices;
     std::span<const Triangle> triangles;

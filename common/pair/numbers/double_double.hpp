@@ -5,11 +5,11 @@
 
 namespace cd {
 
-/// high + low, where high is the rounded sum: |low| <= u |high|, u = 2^-53.
+/// The number high + low, where high is the rounded sum: |low| <= u |high|, u = 2^-53.
 ///
 /// The bounds below hold where nothing overflows. Underflow adds at most a few multiples of 2^-1074
 /// to the error of a product; callers use magnitudes where that is negligible. Infinity and NaN
-/// become NaN in `low` at the latest, which fails every proving comparison.
+/// make `low` NaN at the latest, so that no comparison proves a sign.
 struct DoubleDouble {
     double high = 0;
     double low = 0;
@@ -55,8 +55,8 @@ inline constexpr double double_double_error = 0x1p-102; // 16 u^2.
     return {-value.high, -value.low};
 }
 
-/// Rounds twice: the sum of both low parts, at most u (|l| + |r|), and the whole low part, at most
-/// 2 u (|l| + |r|). Each rounding errs by u of these.
+/// Adds with two roundings: of the sum of both low parts, at most u (|l| + |r|), and of the total
+/// low part, at most 2 u (|l| + |r|). Each rounding errs by at most u of these.
 [[nodiscard]] inline DoubleDouble operator+(const DoubleDouble& l, const DoubleDouble& r) {
     const DoubleDouble high = exact_sum(l.high, r.high);
     return exact_sum(high.high, high.low + (l.low + r.low));
@@ -66,8 +66,8 @@ inline constexpr double double_double_error = 0x1p-102; // 16 u^2.
     return l + -r;
 }
 
-/// Omits low times low, u^2. Rounds two products of at most u, their sum of at most 2 u, and its
-/// sum with the error of the high product, at most 3 u: each errs by u relatively, so 8 u^2 in all.
+/// Omits low times low, u^2. Rounds two products of at most u, their sum of at most 2 u, and the
+/// sum with the high product's error, at most 3 u. Each errs by u relatively: 8 u^2 in all.
 [[nodiscard]] inline DoubleDouble operator*(const DoubleDouble& l, const DoubleDouble& r) {
     const DoubleDouble high = exact_product(l.high, r.high);
     return exact_sum_ordered(high.high, high.low + (l.high * r.low + l.low * r.high));

@@ -39,8 +39,8 @@ Dyadic to_dyadic(double value) {
     int exponent = 0;
     const double fraction = std::frexp(value, &exponent); // In (-1, 1), 53 bits.
     const auto mantissa = static_cast<std::int64_t>(std::ldexp(fraction, 53));
-    // Moves trailing zeros to the exponent: the numbers of designed parts, which lie on grids, get
-    // short.
+    // Moves trailing zeros to the exponent, so that the numbers of designed parts, which lie on
+    // grids, get short.
     const int zeros = std::countr_zero(static_cast<std::uint64_t>(mantissa));
     return {ExactInt(mantissa / (std::int64_t{1} << zeros)), exponent - 53 + zeros};
 }
@@ -76,7 +76,7 @@ double nearest_double(const ExactInt& numerator, const ExactInt& denominator, in
     ExactInt n = abs(numerator);
     ExactInt d = abs(denominator);
     // The shift gives the quotient 55 or 56 bits: those of a double, and at least one more, which
-    // tells the half of a step that the remainder is in.
+    // tells in which half of a step the remainder lies.
     const int shift = 55 - (static_cast<int>(msb(n)) - static_cast<int>(msb(d)));
     shift >= 0 ? n <<= shift : d <<= -shift;
     ExactInt quotient;

@@ -46,7 +46,7 @@ constexpr int bits_max(std::size_t words) {
 
 __extension__ typedef __int128 Column;
 
-/// Computes the sum of all products of words of l and r that belong to 2^(60 place).
+/// Computes the sum of all products of words of l and r with the weight 2^(60 place).
 template <std::size_t n, std::size_t m>
 constexpr Column column(const WideInt<n>& l, const WideInt<m>& r, std::size_t place) {
     Column sum = 0;
@@ -59,8 +59,8 @@ constexpr Column column(const WideInt<n>& l, const WideInt<m>& r, std::size_t pl
     return sum;
 }
 
-/// Turns columns into a canonical number by one pass of carries. `column_of(place)` gives the
-/// columns of all words but the last; `last` is added to the carry into the last word.
+/// Turns columns into a canonical number by one pass of carries. `column_of(i)` returns column i,
+/// for all words but the last; `last` is added to the carry into the last word.
 template <std::size_t words, class ColumnOf>
 constexpr WideInt<words> carried(Column last, const ColumnOf& column_of) {
     WideInt<words> value;
@@ -75,7 +75,7 @@ constexpr WideInt<words> carried(Column last, const ColumnOf& column_of) {
     return value;
 }
 
-/// Returns -1, 0 or 1.
+/// Returns the sign of a canonical number: -1, 0 or 1.
 template <std::size_t words>
 constexpr int sign(const WideInt<words>& canonical) {
     std::int64_t any = 0;

@@ -8,7 +8,7 @@ namespace cd {
 
 namespace {
 
-constexpr double side_error_least = 0x1p-900; // Far above what underflow can change.
+constexpr double side_error_least = 0x1p-900; // Far above the effect of underflow.
 
 constexpr std::size_t next(std::size_t corner) {
     return (corner + 1) % 3;
@@ -17,8 +17,8 @@ constexpr std::size_t next(std::size_t corner) {
 /// The ends of an interval on the line in which the planes of both triangles meet.
 using Ends = std::array<LocalPlace, 2>;
 
-/// Returns where two edges of a triangle cross the other's plane, ordered by component k. Returns
-/// nothing unless it is proven that no corner is in the plane, and which end is first.
+/// Returns where two edges of a triangle cross the other triangle's plane, ordered by component k.
+/// Returns nothing unless it is proven that no corner is in the plane, and which end is first.
 std::optional<Ends> ends_of(const LocalHalf& half, std::size_t k, const LocalBounds& bounds) {
     if (is_any_unknown(half.proven)) {
         return std::nullopt;
@@ -43,8 +43,8 @@ std::optional<Ends> ends_of(const LocalHalf& half, std::size_t k, const LocalBou
     return ends;
 }
 
-/// Intersects two intervals of a line, ordered by component k; nothing if a comparison is unproven,
-/// two ends coincide, or the intervals are disjoint.
+/// Intersects two intervals of a line whose ends are ordered by component k. Returns nothing if a
+/// comparison is unproven, two ends coincide, or the intervals are disjoint.
 std::optional<Ends> common_part(const Ends& a, const Ends& b, std::size_t k) {
     const std::optional<int> low = compare(a[0], b[0], k);
     const std::optional<int> high = compare(a[1], b[1], k);
@@ -55,7 +55,7 @@ std::optional<Ends> common_part(const Ends& a, const Ends& b, std::size_t k) {
     return compare(common[0], common[1], k) == -1 ? std::optional(common) : std::nullopt;
 }
 
-/// Moves the lexicographically least place to the front; returns false if a comparison is unproven.
+/// Moves the lexicographically least point to the front; returns false if a comparison is unproven.
 bool put_least_first(std::span<LocalPlace> places) {
     for (std::size_t i = 1; i < places.size(); ++i) {
         const std::optional<int> order = compare(places[i], places[0]);
@@ -89,8 +89,8 @@ bool sort_around_first(std::span<LocalPlace> places,
     return true;
 }
 
-/// Rounds each component of a place. Uses `otherwise(k)` for components whose rounding is unproven;
-/// returns nothing if that is empty.
+/// Rounds each component of a point. Uses `otherwise(k)` for components whose rounding is unproven;
+/// returns nothing if `otherwise(k)` is empty.
 template <class Otherwise>
 std::optional<Vec3> rounded(const LocalPlace& place,
                             const Vec3& origin,

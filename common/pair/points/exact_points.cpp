@@ -40,7 +40,7 @@ bool operator==(const Place& l, const Place& r) {
            l.x[2] * r.w == r.x[2] * l.w;
 }
 
-/// Compares lexicographically.
+/// Compares two points lexicographically.
 bool operator<(const Place& l, const Place& r) {
     for (std::size_t k = 0; k < 3; ++k) {
         const int order = Int(l.x[k] * r.w - r.x[k] * l.w).sign();

@@ -39,8 +39,8 @@ struct Site {
 };
 
 /// Finds the shared corners of coplanar triangles, projected along `axis`, where both have area.
-/// They are exactly the corners of one triangle in the other, and the proper crossings of two
-/// edges.
+/// The shared corners are exactly the corners of one triangle in the other, and the proper
+/// crossings of two edges.
 template <CornerSigns Signs>
 SharedCorners find_in_plane(Signs& signs, std::size_t axis) {
     std::array<std::array<int, 3>, 3> of_a{}; // [i][j]: turn of A's corner i against B's edge j.
@@ -114,7 +114,7 @@ class LineSearch {
                 continue;
             }
             const Site site({side(i, 0), side(i, 1), side(i, 2)});
-            // A corner of B at this point is found as such.
+            // `add_corners` adds a corner of B at this point.
             if (site.is_within && site.zeros < 2) {
                 add(found_, Kind::Piercing, i);
             }

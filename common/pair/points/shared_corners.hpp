@@ -19,8 +19,8 @@ namespace cd {
 struct SharedCorner {
     enum class Kind : std::uint8_t {
         Corner,   ///< The corner `first`.
-        Piercing, ///< The edge `first` properly passes through the other triangle's plane.
-        Crossing, ///< In the common plane, A's edge `first` crosses B's edge `second`.
+        Piercing, ///< Where edge `first` properly passes through the other triangle's plane.
+        Crossing, ///< Where A's edge `first` crosses B's edge `second` in the common plane.
     };
     Kind kind = Kind::Corner;
     std::uint8_t first = 0;
@@ -39,8 +39,8 @@ class SharedCornerFinder {
   public:
     explicit SharedCornerFinder(const PosePair& poses);
 
-    /// Returns nothing for degenerate triangles, or if the numbers' range exceeds the words. Sides
-    /// of A's and B's corners against the other plane that are not `unknown_sign` count as proven.
+    /// Returns nothing for degenerate triangles, or if the numbers exceed the words. `of_a` and
+    /// `of_b` are sides of A's and B's corners against the other plane; known ones count as proven.
     [[nodiscard]] std::optional<SharedCorners> find(const Corners& a,
                                                     const Corners& b,
                                                     const PlaneSides& of_a = unknown_sides,

@@ -88,8 +88,8 @@ PosedCorners::PosedCorners(const RoundedPoses& poses, const Corners& a, const Co
     find_ones(poses, corners);
 }
 
-/// Stores the corners' coordinates along an axis that both poses keep. Between the triangles a
-/// difference errs by both corners' E and the difference of the first corners' low parts.
+/// Stores the corners' coordinates along an axis that both poses keep. A difference between the
+/// triangles errs by both corners' E and the difference of the first corners' low parts.
 void PosedCorners::place_exact(const RoundedPoses& poses,
                                std::size_t axis,
                                const std::array<const Corners*, 2>& corners) {

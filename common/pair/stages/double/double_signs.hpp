@@ -48,7 +48,7 @@ inline constexpr double underflow = 0x1p-1000;
 inline constexpr double volume_bound = 12 * u;
 inline constexpr double area_bound = 8 * u;
 inline constexpr double term_least = 0x1p-900;
-/// Added to the sizes of a cross product.
+/// Added to the sizes of a cross product against underflow.
 inline constexpr double size_raise = 0x1p-950;
 /// Factor from an error before the last rounding to the size that it adds.
 inline constexpr double size_of_error = 1.01 / (2 * u);
@@ -148,7 +148,7 @@ class ExactCorners {
 /// corners are stored relative to their triangle's first; for differences between the triangles,
 /// B's are relative to A's first.
 ///
-/// Errors E are stored as their contributions to sizes; the other lane is 0.
+/// An error E is stored in lane 1, as its contribution to a size; lane 0 is 0.
 class PosedCorners {
   public:
     PosedCorners(const RoundedPoses& poses, const Corners& a, const Corners& b);
@@ -181,7 +181,7 @@ class PosedCorners {
     void rotate(const RoundedPoses& poses, const Corners& a, const Corners& b);
     void find_ones(const RoundedPoses& poses, const std::array<const Corners*, 2>& corners);
 
-    // By corner and axis, for differences within a triangle and between the triangles.
+    // By corner and axis: `within_` for differences within a triangle, `across_` between the two.
     std::array<std::array<Component, 3>, 6> within_;
     std::array<std::array<Component, 3>, 6> across_;
     double_signs::CornerPairs ones_ = 0;
@@ -268,7 +268,7 @@ class DoubleSigns {
         return {frame_.across(from, to, 0), frame_.across(from, to, 1), frame_.across(from, to, 2)};
     }
 
-    /// `ones` is the set of coincident pairs of corners, each of which makes the area 0.
+    /// Proves the sign of an area, which is 0 if `ones`, pairs of coincident corners, is not empty.
     [[nodiscard]] int turn_sign(const double_signs::Sized& area,
                                 double_signs::CornerPairs ones) const {
         using namespace double_signs;

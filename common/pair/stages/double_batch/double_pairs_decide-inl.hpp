@@ -52,7 +52,7 @@ HWY_INLINE Lone lone_corner(const Sides& s) {
     return {is_lone(1), is_lone(2), hn::Or(one_above, hn::AndNot(one_below, any_below))};
 }
 
-/// A value per corner, from the lone corner on, in the triangle's order or the opposite one.
+/// A value per corner, from the lone corner on, in the triangle's order or in reverse.
 template <class T>
 struct Arranged {
     T lone;
@@ -124,7 +124,7 @@ class OnePoints {
     /// Tests for any coincident pair except those in `without`.
     HWY_INLINE M any_but(Bits without) const { return is_set(hn::AndNot(without, bits_)); }
 
-    /// Returns the set of pairs that each corner of a triangle is in, arranged.
+    /// Returns, for each corner of a triangle, the set of pairs with that corner, arranged.
     static HWY_INLINE Arranged<Bits>
     pairs_of(std::int64_t first, int step, const Lone& lone, M is_opposite) {
         const Ints d;

@@ -32,8 +32,8 @@ class DoubleTrianglePairs {
     void add(const Corners& a, const Corners& b);
     /// Decides and removes the pairs added since the last call.
     void decide();
-    /// Returns the class of the pair that was added as number `place` before the last `decide`;
-    /// nothing if doubles leave it open.
+    /// Returns the class of pair number `place`, from 0, among those of the last `decide`; nothing
+    /// if doubles leave the class open.
     [[nodiscard]] std::optional<PairClass> decided(std::size_t place) const {
         const std::uint8_t found = classes_[place];
         return found == undecided_pair ? std::nullopt

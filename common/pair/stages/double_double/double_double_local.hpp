@@ -11,8 +11,8 @@
 
 namespace cd {
 
-/// Within these magnitudes neither overflow nor underflow matters: products of four lengths stay
-/// far below 2^996, and underflow's effect, some 2^-1074, far below any bound in use.
+/// Bounds of lengths between which neither overflow nor underflow matters: products of four lengths
+/// stay far below 2^996, and underflow's effect, some 2^-1074, far below any error bound in use.
 inline constexpr double local_length_least = 0x1p-200;
 inline constexpr double local_length_most = 0x1p200;
 

@@ -10,7 +10,7 @@
 
 namespace cd {
 
-/// Bounds for a pair. Each holds for every component, and for computed and true values alike.
+/// Bounds for a pair of triangles, for every component, computed or true.
 struct LocalBounds {
     double corner_error = 0; ///< Bounds the error of each corner's component.
     double across = 0;       ///< Bounds the difference of any two of the six corners.
@@ -20,12 +20,12 @@ struct LocalBounds {
     LocalBounds(const LocalTriangle& a, const LocalTriangle& b, double scale);
 };
 
-/// One triangle of a pair, and the sides of its corners against the other's plane.
+/// One triangle of a pair, and the sides of its corners against the other triangle's plane.
 struct LocalHalf {
     const LocalTriangle* own = nullptr;
     const LocalTriangle* other = nullptr;
-    double length = 0;     ///< Bounds the components of its edges.
-    double side_error = 0; ///< Bounds the error of each side.
+    double length = 0;     ///< Bounds the components of the triangle's edges.
+    double side_error = 0; ///< Bounds the error of each of `sides`.
     DoubleDoubleVec sides;
     PlaneSides proven = unknown_sides; ///< The signs of the sides; `unknown_sign` where unproven.
 
@@ -74,8 +74,8 @@ piercing_place(const LocalHalf& of, std::size_t edge, const LocalBounds& bounds)
 /// Returns the axis of the vector's longest component, as far as doubles tell.
 [[nodiscard]] std::size_t main_axis(const Vec3& vector);
 
-/// Returns the nearest double of a number within `error` of `value`, if all such numbers have the
-/// same one. If `error` is positive, the answer is not 0.
+/// Returns the double nearest to every number within `error` of `value`; nothing if these numbers
+/// may round differently. If `error` is positive, the answer is not 0.
 [[nodiscard]] std::optional<double>
 rounded(const DoubleDouble& value, double error, const LocalBounds& bounds);
 /// Rounds component k of a position relative to the origin; nothing if that is unproven.

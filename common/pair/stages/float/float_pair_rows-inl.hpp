@@ -88,7 +88,7 @@ constexpr std::size_t candidate_step = 2;
 using Doubles = hn::ScalableTag<double>;
 using VD = hn::Vec<Doubles>;
 
-/// Corners of several triangles, four numbers for each.
+/// Corners of several triangles, four numbers (three used) per corner.
 template <class Vector>
 struct Corners4 {
     Vector x0;
@@ -232,7 +232,7 @@ HWY_INLINE void load_rows(
 
 #endif
 
-/// Loads the error bounds of B's posed corners; blocks have one for all.
+/// Loads the error bounds of B's posed corners. Does nothing for blocks: one bound serves all.
 template <class T>
 HWY_INLINE void
 load_errors(const FloatPairPose&, const BlockSource<T>&, const std::uint32_t*, Rows&) {}

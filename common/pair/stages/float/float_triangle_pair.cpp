@@ -41,7 +41,8 @@ FloatPairBody body_of(const TriangleBlocks& blocks) {
     return body;
 }
 
-/// Bounds the spectral norm, whose square is at most the largest row sum of |M'M|.
+/// Bounds the spectral norm of M, whose entries err by `entry_error`. The norm's square is at most
+/// the largest row sum of |M'M|.
 double norm_bound(const Mat3& matrix, double entry_error) {
     const Mat3 squared = matrix.transpose() * matrix;
     const double largest = squared.cwiseAbs().rowwise().sum().maxCoeff();
@@ -60,7 +61,7 @@ void set_rotation(const RelativePose& relative, FloatPairPose& pose) {
     }
 }
 
-/// Computes the constants of float_pair_kernel.cpp, raised slightly for roundings here.
+/// Computes the constants of float_pair_kernel.cpp, raised slightly to cover roundings here.
 FloatPairPose make_pose(const PosePair& poses, double bound_scale) {
     const RelativePose relative = relative_pose(poses);
     FloatPairPose pose;

@@ -9,7 +9,7 @@ namespace cd {
 
 namespace {
 
-/// Returns `use(signs)` with the IntegerSigns of the corners, which must be placed.
+/// Returns `use(signs)` with the IntegerSigns of the corners, which must be set.
 template <class Variant, class Use>
 auto with_signs(const Variant& corners, const Use& use) {
     using Result = decltype(use(std::declval<IntegerSigns<1>>()));
@@ -25,7 +25,7 @@ auto with_signs(const Variant& corners, const Use& use) {
         corners);
 }
 
-/// Places the corners in the smallest sufficient number of words; returns false if none suffices.
+/// Stores the corners in the smallest sufficient number of words; returns false if none suffices.
 template <std::size_t n, std::size_t... more, class Variant>
 bool place_with(const PoseLattice& lattice,
                 const PoseLattice::Extent& extent,

@@ -13,12 +13,12 @@
 
 namespace cd {
 
-/// The corners of one pair as integers, placed by IntegerTrianglePair::place. Models CornerSigns.
+/// The corners of one pair as integers, set by IntegerTrianglePair::place. Models CornerSigns.
 class IntegerCorners {
   public:
     [[nodiscard]] PlaneSides sides_of_a() const { return sides(unknown_sides, 3, 0); }
     [[nodiscard]] PlaneSides sides_of_b() const { return sides(unknown_sides, 0, 3); }
-    /// See IntegerSigns.
+    /// Returns `IntegerSigns::sides` of the corners.
     [[nodiscard]] PlaneSides sides(PlaneSides known, std::size_t plane, std::size_t corners) const;
     [[nodiscard]] int
     edge_side(std::size_t i, std::size_t i_to, std::size_t j, std::size_t j_to) const;
@@ -61,7 +61,7 @@ class IntegerTrianglePair {
     /// Allocates at most at its first call.
     [[nodiscard]] bool place(const Corners& a, const Corners& b, IntegerCorners& placed);
 
-    /// Returns nothing if the corners cannot be placed.
+    /// Classifies a pair; returns nothing if the range of its corners exceeds sixteen words.
     [[nodiscard]] std::optional<PairClass> classify(const Corners& a, const Corners& b);
 
   private:

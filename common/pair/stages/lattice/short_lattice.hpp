@@ -9,8 +9,8 @@
 
 namespace cd {
 
-/// Converts a number by one multiplication by a power of two. The lattice is the finest on which
-/// the pair's largest number fits the words.
+/// Converts each number to lattice units by one multiplication by a power of two. The lattice is
+/// the finest on which the pair's largest number fits the words.
 class ShortLattice {
   public:
     /// `poses` must be plain: A is not rotated, and B only has its axes permuted and mirrored.
