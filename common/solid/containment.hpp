@@ -10,9 +10,9 @@ namespace cd {
 
 /// Returns true if any probe, a point of `inner`, lies strictly inside the solid that `outer`
 /// bounds without the triangles left out for that probe. Counts the crossings of a ray (parity).
-/// Requires that `outer` is closed, and that no pair of triangles touches unless it is ignored. The
-/// answer is exact under the given poses. Adds the cost to `statistics`. A caller that knows that
-/// the bodies' boxes are apart can skip the call.
+/// Requires that `outer` is closed, and that only ignored pairs of triangles touch. The answer is
+/// exact under the given poses. Adds the cost to `statistics`. A caller that knows that the bodies'
+/// boxes are apart can skip the call.
 [[nodiscard]] bool contains_component(const ObbTree& outer,
                                       const Pose& outer_pose,
                                       const ObbTree& inner,

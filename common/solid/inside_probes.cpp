@@ -45,7 +45,7 @@ left_out_of(std::span<const IgnoredRange> ignored, std::uint32_t inner, std::uin
     return joined;
 }
 
-/// Sorts the inner triangles into kinds: those of one kind are ignored with the same outer
+/// Divides the inner triangles into kinds: all triangles of a kind are ignored with the same outer
 /// triangles.
 struct Kinds {
     std::vector<std::vector<IdRange>> left_out; ///< For each kind, the ignored outer triangles.

@@ -11,11 +11,11 @@
 
 namespace cd {
 
-/// Triangles of the inner body whose first corners are tested. They represent all triangles that
-/// are ignored with the same triangles of the outer body.
+/// Triangles of the inner body whose first corners are tested. The group represents all inner
+/// triangles that are ignored with the same outer triangles.
 struct ProbeGroup {
     std::vector<std::uint32_t> triangles;
-    std::vector<IdRange> left_out; ///< Their ignored outer triangles, ascending and disjoint.
+    std::vector<IdRange> left_out; ///< Ignored outer triangles, ascending and disjoint.
 };
 
 struct InsideProbes {

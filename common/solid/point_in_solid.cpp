@@ -14,9 +14,9 @@ namespace {
 
 constexpr double unit_roundoff = 0x1p-53;
 
-/// Returns the ray direction of an attempt: a point of the curve (1, t, t^2), of which a plane
-/// through the origin contains at most two. Exact in double; t runs over distinct multiples of
-/// 2^-16 in [0, 1), then in [1, 2), and so on.
+/// Returns the direction of ray number `attempt`: a point of the curve (1, t, t^2). A plane through
+/// the origin contains at most two of its points. Exact in double; t runs over distinct multiples
+/// of 2^-16 in [0, 1), then in [1, 2), and so on.
 Vec3 ray_direction(std::uint64_t attempt) {
     const std::uint64_t place =
         (attempt * 40503 + 26177) % 65536; // 40503 is odd, so this is a permutation.
@@ -372,8 +372,8 @@ int SolidTest::solid_side(std::uint32_t triangle) {
         }
     }
     statistics_.by_exact += point.needed_exact() ? 1u : 0u;
-    // The ray starts on the triangle, which is passed over. If it crosses the others an odd number
-    // of times, the solid is on the normal's side; if an even number, on the other side.
+    // The ray starts on the triangle, which is passed over. If the ray crosses the others an odd
+    // number of times, the solid is on the normal's side; if an even number, on the other side.
     return verdict == Verdict::OnSurface ? 0 : verdict == Verdict::Odd ? 1 : -1;
 }
 

@@ -46,19 +46,19 @@ class SolidTest {
     /// surface; the other triangles bound a solid.
     [[nodiscard]] Place place_of(SolidPoint& point, std::span<const IdRange> left_out = {});
 
-    /// Returns whether the solid lies right beside a point, on the given side of a plane through
-    /// it. `passed_over` are ascending ids of triangles of the solid: at least all that contain the
-    /// point, and none that extends to that side. `side_of` returns on which side of the plane, 1
-    /// or -1, a direction leads, or 0 in the plane.
+    /// Returns whether the solid lies right beside a point, on side `side` of a plane through the
+    /// point. `passed_over` are ascending ids of triangles of the solid: at least all that contain
+    /// the point, and none that extends to that side. `side_of` returns on which side of the plane,
+    /// 1 or -1, a direction leads, or 0 in the plane.
     [[nodiscard]] bool is_inside_beside(SolidPoint& point,
                                         const std::function<int(const Vec3& direction)>& side_of,
                                         int side,
                                         std::span<const std::uint32_t> passed_over);
 
     /// Returns on which side of a triangle with area the solid lies, next to the triangle's
-    /// centroid: 1 for the side to which the cross product of its edges points, -1 for the other; 0
-    /// where both sides are alike because the centroid lies on another of the body's triangles as
-    /// well.
+    /// centroid: 1 for the side to which the cross product of its edges points, -1 for the other
+    /// side. Returns 0 if the centroid lies on another triangle of the body as well, since both
+    /// sides are then alike.
     [[nodiscard]] int solid_side(std::uint32_t triangle);
 
     [[nodiscard]] const SettleStatistics& statistics() const { return statistics_; }

@@ -37,12 +37,12 @@ class PosedTriangle {
     /// Returns `edge_side` if doubles prove it, else nothing.
     [[nodiscard]] std::optional<int> proven_edge_side(std::size_t k, const Vec3& point) const;
 
-    /// Returns on which side of the line between two points of the outer body in this triangle's
-    /// plane corner k lies. The sign changes with the line's direction, and is 0 on the line.
+    /// Returns on which side of a line corner k lies. `from` and `to` are points of the outer body
+    /// in this triangle's plane. The sign changes with the line's direction, and is 0 on the line.
     [[nodiscard]] int line_side(const Vec3& from, const Vec3& to, std::size_t k);
 
-    /// Returns 1 if a triangle of the outer body in this plane is wound like this triangle, -1 if
-    /// the other way, and 0 if it has no area.
+    /// Returns 1 if a triangle of the outer body in this triangle's plane has the same winding, -1
+    /// if the opposite winding, and 0 if it has no area.
     [[nodiscard]] int winding(const Corners& coplanar) const;
 
     /// Returns the sign of the dot product of a direction in the outer body's coordinates with the

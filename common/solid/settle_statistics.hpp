@@ -7,7 +7,7 @@ namespace cd {
 
 /// The work of point-in-solid tests, counted apart from the search for contacts.
 struct SettleStatistics {
-    std::uint64_t points = 0;             ///< Points whose place in a solid was computed.
+    std::uint64_t points = 0;             ///< Points classified against a solid.
     std::uint64_t ray_box_tests = 0;      ///< Boxes tested against a ray.
     std::uint64_t ray_triangle_tests = 0; ///< Triangles tested against a ray.
     std::uint64_t by_exact = 0;           ///< Points that doubles could not decide.

@@ -41,8 +41,8 @@ std::array<double, 3> key(const Vec3& v) {
     return {v.x(), v.y(), v.z()};
 }
 
-/// Records which corners of an outer triangle lie beyond which edges of an inner one, as far as
-/// doubles prove it.
+/// Records which corners of an outer triangle lie beyond which edges of an inner triangle, as far
+/// as doubles prove it.
 class CornerSides {
   public:
     CornerSides(const PosedTriangle& inner, const Corners& outer) {
@@ -182,9 +182,8 @@ bool TriangleInSolid::reaches_inside(std::uint32_t triangle,
         return any_piece_inside(inner, contacts);
     }
     if (const auto side = open_side(inner, contacts)) {
-        // Moved a little to that side, the triangle is clear of the outer surface, and so is the
-        // way back to each of its points that is not on the surface: one point decides for all of
-        // these.
+        // Moved slightly to that side, the triangle is clear of the outer surface. So is the path
+        // back to each of its points off the surface: one point decides for all of these points.
         SolidPoint centroid = inner.centroid();
         const auto side_of = [&](const Vec3& direction) { return -inner.forward(direction); };
         if (!solid_.is_inside_beside(centroid, side_of, *side, ids_of(contacts))) {

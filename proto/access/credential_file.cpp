@@ -21,7 +21,7 @@ namespace {
 constexpr std::string_view block_begin = "-----BEGIN ";
 constexpr std::uint64_t file_bytes_max = 4 * limits::certificate_bytes_max;
 
-/// The first three blocks of a PEM file, each from its BEGIN line on.
+/// Returns the first three blocks of a PEM file, each from its BEGIN line on.
 std::array<std::string, 3> three_blocks(std::string_view text) {
     std::array<std::string, 3> blocks;
     std::size_t begin = text.find(block_begin);

@@ -21,8 +21,8 @@ namespace cd {
 [[nodiscard]] Status write_credential(const std::filesystem::path& path,
                                       const Credential& credential);
 
-/// Reads a file of `write_credential`. Errors: those of `read_private`; BadInput if the file holds
-/// no credential.
+/// Reads a file that `write_credential` wrote. Errors: those of `read_private`; BadInput if the
+/// file holds no credential.
 [[nodiscard]] Result<Credential> read_credential(const std::filesystem::path& path);
 
 /// Checks that the file can be written, before a step that cannot be repeated. Creates the file's

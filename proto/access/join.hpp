@@ -8,8 +8,8 @@
 
 namespace cd {
 
-/// Gets a certificate for a new key, by a proof that this end has the token. The master has to be
-/// of the token's authority. `name` is a display name. Errors: BadInput for an invalid name; those
+/// Gets a certificate for a new key by proving that this end has the token. The master must belong
+/// to the token's authority. `name` is a display name. Errors: BadInput for an invalid name; those
 /// of `connect` and `greet`; Refused with the master's reason.
 [[nodiscard]] asio::awaitable<Result<Credential>>
 join_cluster(Endpoint master, JoinToken token, std::string name);

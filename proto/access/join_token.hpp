@@ -17,18 +17,18 @@ struct JoinToken {
     Sha256 authority; ///< Fingerprint of the authority that the master must prove.
 };
 
-/// "cdt1." and the three members in hexadecimal, separated by dots.
+/// Returns "cdt1." and the three members in hexadecimal, separated by dots.
 [[nodiscard]] std::string to_text(const JoinToken& token);
-/// Parses `to_text`. Errors: BadInput that does not show the text.
+/// Parses the result of `to_text`. Errors: BadInput, whose detail does not show the text.
 [[nodiscard]] Result<JoinToken> parse_join_token(std::string_view text);
 
 /// Returns SHA-256 of the token's secret. The master stores this form, which serves to check a
 /// proof, but not to make one.
 [[nodiscard]] Sha256 stored_secret(const JoinToken& token);
 
-/// Proves possession of the token as in SCRAM (RFC 5802, section 3). The proof reveals nothing that
-/// lets an observer join, and is valid on one connection for one certificate request. `binding` is
-/// the channel binding of the connection.
+/// Proves possession of the token as in SCRAM (RFC 5802, section 3). The proof does not help an
+/// observer to join, and is valid on one connection for one certificate request. `binding` is the
+/// channel binding of the connection.
 [[nodiscard]] Sha256
 join_proof(const JoinToken& token, const Sha256& binding, std::string_view request);
 /// Checks a `join_proof`. `stored` is the `stored_secret` of the token.

@@ -11,14 +11,14 @@
 
 namespace cd {
 
-/// The master's proof of a ticket, which authorises one fetch of these roots from the worker that
-/// shares this key with the master.
+/// Returns the master's proof of a ticket, which authorises one fetch of these roots from the
+/// worker that shares this key with the master.
 [[nodiscard]] Sha256 ticket_proof(const PeerKey& key,
                                   std::uint64_t ticket,
                                   TreeId tree,
                                   std::span<const RootIndex> roots);
 
-/// Checks the tickets that one source receives. The master numbers them from 1.
+/// Checks the tickets that one serving worker receives. The master numbers them from 1.
 class TicketCheck {
   public:
     explicit TicketCheck(const PeerKey& key) : key_(key) {}

@@ -23,7 +23,7 @@ struct Endpoint {
     std::uint16_t port = 0;
 };
 
-/// Errors: BadInput naming the expected form.
+/// Parses HOST:PORT. Errors: BadInput naming the expected form.
 [[nodiscard]] Result<Endpoint> parse_endpoint(const std::string& text);
 /// True for 127.0.0.0/8, ::1 and "localhost".
 [[nodiscard]] bool is_loopback(const Endpoint& endpoint);
@@ -34,8 +34,8 @@ struct Exposure {
     bool insecure = false;  ///< --insecure was given.
     bool listening = false; ///< False: connecting.
 };
-/// Forbids plain TCP beyond loopback, unless `insecure` is set; then it logs a warning at any log
-/// level. Errors: Refused, naming how to get TLS, and --insecure.
+/// Forbids plain TCP beyond loopback, unless `insecure` is set, which logs a warning at any log
+/// level instead. Errors: Refused, naming how to get TLS, and --insecure.
 [[nodiscard]] Status check_exposure(const Endpoint& endpoint, const Exposure& exposure);
 
 /// Byte counts of one connection.
@@ -149,12 +149,12 @@ greet(std::shared_ptr<Channel> channel,
       Hello hello,
       std::chrono::steady_clock::duration timeout = timing::connect_timeout);
 
-/// Errors: Refused naming both versions, if they differ.
+/// Checks that the peer has this end's protocol version. Errors: Refused naming both versions.
 [[nodiscard]] Status check_version(const Hello& hello);
 
 /// Awaits the Hello of an accepted peer within `timing::connect_timeout`. The channel then expects
-/// the messages of its role, and the caller answers with a Welcome. A wrong version or message gets
-/// a Failure and a close. Errors: Refused, BadFrame, and those of `receive`.
+/// messages of the Hello's role, and the caller answers with a Welcome. After a wrong version or
+/// message, sends a Failure and closes. Errors: Refused, BadFrame, and those of `receive`.
 [[nodiscard]] asio::awaitable<Result<Hello>> accept_hello(std::shared_ptr<Channel> channel);
 
 /// Runs a detached coroutine. Logs an exception that escapes from it under `name`.

@@ -10,7 +10,7 @@ Error unexpected(const std::string& what) {
     return {ErrorCode::BadFrame, "the peer did not answer with a " + what};
 }
 
-/// Adds a likely reason: a side without a free connection slot closes without an answer.
+/// Adds a likely reason to a lost connection: a peer without a free slot closes without an answer.
 Error unanswered(const Error& error) {
     return error.code != ErrorCode::Disconnected
                ? error

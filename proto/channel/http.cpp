@@ -17,7 +17,7 @@ namespace {
 namespace http = boost::beast::http;
 using boost::system::error_code;
 
-/// Keeps itself alive while its stream is read or written.
+/// A request and its answer. Keeps itself alive while its stream is read or written.
 class Exchange : public std::enable_shared_from_this<Exchange> {
   public:
     using Answer = std::function<HttpAnswer(const HttpRequest&)>;

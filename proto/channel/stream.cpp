@@ -37,7 +37,7 @@ int reason_of(const error_code& error) {
     return ERR_GET_REASON(static_cast<unsigned long>(error.value()));
 }
 
-/// Whether the peer speaks another protocol; other reasons mean damaged bytes.
+/// Whether an OpenSSL reason says that the peer speaks another protocol.
 bool is_other_protocol(int reason) {
     return reason == SSL_R_WRONG_VERSION_NUMBER || reason == SSL_R_UNSUPPORTED_PROTOCOL;
 }

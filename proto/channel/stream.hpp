@@ -17,9 +17,9 @@ namespace cd {
 /// The part that a program has in a TLS handshake: client or server.
 enum class TlsEnd { Connecting, Accepting };
 
-/// One end of a connection; plain until `secure`. Readers and writers see no difference. A stream
-/// must outlive its operations. The end of the bytes is not authenticated and means only a lost
-/// connection; a message announces a regular end.
+/// One end of a connection; plain until `secure`. Reads and writes have the same interface in TLS.
+/// A stream must outlive its operations. The end of the bytes is not authenticated and means only a
+/// lost connection; a message announces a regular end.
 class Stream {
   public:
     using Handler = std::function<void(const boost::system::error_code&, std::size_t)>;

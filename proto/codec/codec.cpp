@@ -54,7 +54,7 @@ Problem problem_of(const Explained& explained) {
     return problem_of_strategy(explained.strategy);
 }
 
-/// The intervals in `held` must ascend within [first, next) and have `count` scenarios in total.
+/// Requires that the intervals in `held` ascend within [first, next) and have `count` scenarios.
 Problem problem_of(const ResultsPart& part) {
     std::uint64_t end = part.first;
     std::uint64_t count = 0;

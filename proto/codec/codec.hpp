@@ -13,7 +13,7 @@ namespace cd {
 
 /// A message's type number on the wire: its index in `Message`, from 1.
 [[nodiscard]] std::uint16_t message_type(const Message& message);
-/// Name for logs; "unknown" for an unknown number.
+/// Returns the name of a message type for logs; "unknown" for an unknown number.
 [[nodiscard]] std::string_view message_name(std::uint16_t type);
 
 /// The largest payload of a type, bytes (limits/wire.hpp): small for control messages, larger for
@@ -28,8 +28,8 @@ namespace cd {
 /// `decode_message` accepts.
 [[nodiscard]] Bytes encode_message(const Message& message);
 
-/// Decodes untrusted bytes: checks sizes against the remaining bytes, validates
-/// enumerations and cross-references, and allows no bytes after the message. Errors: BadFrame.
+/// Decodes untrusted bytes: checks sizes against the remaining bytes, validates enumerations and
+/// cross-references, and allows no bytes after the message. Errors: BadFrame.
 [[nodiscard]] Result<Message> decode_message(std::uint16_t type,
                                              std::span<const std::byte> payload);
 

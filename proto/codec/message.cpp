@@ -32,8 +32,8 @@ struct Kind {
     std::uint64_t bytes_max = limits::message_control_bytes_max;
 };
 
-// In the order of `Message`. Messages that must not overtake data, such as ends and removals, are
-// data too.
+// One row per message type, in the order of `Message`. Messages that must not overtake data, such
+// as ends and removals, are data too.
 constexpr std::array<Kind, std::variant_size_v<Message>> kinds{{
     {"hello", of_stranger, Lane::Control, limits::greeting_bytes_max},
     {"welcome", of_stranger},

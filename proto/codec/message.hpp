@@ -10,7 +10,7 @@
 
 namespace cd {
 
-/// In the order of their numbers on the wire, which start at 1 and never change.
+/// All messages in the order of their numbers on the wire, which start at 1 and never change.
 using Message = std::variant<Hello,
                              Welcome,
                              Failure,

@@ -79,8 +79,8 @@ class WireInput : public cereal::InputArchive<WireInput, cereal::AllowEmptyClass
     std::span<const std::byte> rest_;
 };
 
-/// Types whose memory layout is their wire form on little-endian hosts, the only supported ones.
-/// They have no padding, and every byte value is legal; receivers check the meaning.
+/// Marks types whose memory layout is their wire form on little-endian hosts, the only supported
+/// ones. Such types have no padding, and every byte value is legal; receivers check the meaning.
 template <class T>
 inline constexpr bool
     is_flat = (std::is_arithmetic_v<T> && !std::is_same_v<T, bool>) || std::is_same_v<T, std::byte>;

@@ -165,7 +165,7 @@ bool is_p256(const EVP_PKEY* key) {
 
 // ---- Reading a certificate ------------------------------------------------------------------
 
-/// Empty for an invalid time: OpenSSL parses certificates with any text in their time fields.
+/// Returns nothing for an invalid time: OpenSSL accepts certificates with any text as a time.
 std::optional<WallTime> to_wall_time(const ASN1_TIME* time) {
     std::tm fields{};
     return ASN1_TIME_to_tm(time, &fields) == 1 ? wall_time(timegm(&fields)) : std::nullopt;

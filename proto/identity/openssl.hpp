@@ -32,9 +32,9 @@ using Key = Owner<EVP_PKEY, EVP_PKEY_free>;
 using Certificate = Owner<X509, X509_free>;
 using Request = Owner<X509_REQ, X509_REQ_free>;
 
-/// Null if the text is no certificate, or longer than `limits::certificate_bytes_max`.
+/// Returns null if the text is no certificate, or longer than `limits::certificate_bytes_max`.
 [[nodiscard]] Certificate parse_certificate(const std::string& pem);
-/// Null if the text is no unencrypted key, or longer than `limits::certificate_bytes_max`.
+/// Returns null if the text is no unencrypted key, or longer than `limits::certificate_bytes_max`.
 [[nodiscard]] Key parse_key(const std::string& pem);
 
 /// Reads the holder and validity. Errors: BadInput unless role, name and times are in the form that

@@ -52,7 +52,7 @@ struct JobBody {
     std::string unit = {}; ///< Unit of the file's coordinates.
     /// True: the job file gives `unit`. False: `unit` is declared in the mesh file, or the job's.
     bool is_unit_given = false;
-    std::string up = {};          ///< "y": the client turned the mesh to z up; "z", empty: not.
+    std::string up = {};          ///< "y": the client turned the mesh to z up; "z", empty: no turn.
     bool rounds_to_float = false; ///< True: the client rounded the coordinates to floats.
 
     friend bool operator==(const JobBody&, const JobBody&) = default;
@@ -63,8 +63,8 @@ enum class PosesKind : std::uint8_t { Grid = 0, File = 1, Random = 2 };
 /// The origin of a job's poses, used when the job is opened again.
 struct PosesOrigin {
     PosesKind kind = PosesKind::File;
-    std::optional<RandomPoses> random = {}; ///< Kind Random.
-    std::string file = {};                  ///< Kind File; "-" is standard input.
+    std::optional<RandomPoses> random = {}; ///< For kind Random only.
+    std::string file = {};                  ///< Path for kind File; "-": standard input.
     std::string quat_order = {};            ///< "xyzw" or "wxyz"; empty: the file's own order.
     bool of_both_bodies = false;            ///< True: the file has poses of A and B, else of B.
     /// How far a matrix or quaternion of the file may be from a rotation; empty: the default.
@@ -79,7 +79,7 @@ struct PosesOrigin {
     friend bool operator==(const PosesOrigin&, const PosesOrigin&) = default;
 };
 
-/// Patterns of part names of A and of B in the words of the job; their pairs are ignored.
+/// Patterns of part names of A and B, as the job has them. Pairs of matching parts are ignored.
 struct IgnoreLine {
     std::string a;
     std::string b;
@@ -94,7 +94,7 @@ struct Submit {
     std::string unit;            ///< Unit of poses, tolerance and results.
     std::string owner;           ///< Set by the master.
     std::int32_t priority = 0;   ///< Must be 0 in this version.
-    std::vector<JobBody> bodies; ///< Two; their meshes must be stored.
+    std::vector<JobBody> bodies; ///< Two bodies; their meshes must be stored.
     Query query;
     ClusterOptions cluster;
     PosesOrigin poses;
@@ -234,7 +234,7 @@ struct WorkerStatus {
     std::uint64_t bytes_sent = 0;         ///< To the worker, over the current connection.
     std::uint64_t bytes_received = 0;     ///< From the worker, over the current connection.
     std::uint64_t subtrees_sent = 0;      ///< Blocks that the master sent to the worker.
-    std::uint64_t subtree_bytes_sent = 0; ///< Compressed size of these blocks.
+    std::uint64_t subtree_bytes_sent = 0; ///< Compressed size of the blocks sent.
     CacheTraffic cache;
     bool quarantined = false; ///< A result of the worker was wrong, so it gets no more work.
     WorkerState state = WorkerState::Alive;
@@ -370,8 +370,8 @@ struct WorkerScore {
     bool is_chosen = false;           ///< True: the strategy would choose this worker now.
     std::uint64_t scenarios = 0;      ///< Scenarios buffered for the worker, or unanswered there.
     double load = 0;                  ///< The job's scenarios buffered for the worker / q.
-    std::uint64_t held_triangles = 0; ///< Triangles under the scenario's roots that it has cached.
-    std::uint64_t missing_triangles = 0; ///< Triangles under the scenario's roots that it lacks.
+    std::uint64_t held_triangles = 0; ///< Cached triangles under the scenario's roots.
+    std::uint64_t missing_triangles = 0; ///< Uncached triangles under the scenario's roots.
     // The cost terms, in seconds; 0 if the strategy does not estimate when a scenario is done.
     double backlog = 0;  ///< The worker's other work, divided among its threads.
     double coming = 0;   ///< The remaining transfer of blocks in flight.

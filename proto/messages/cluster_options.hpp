@@ -28,11 +28,11 @@ enum class AnalysisMode : std::uint8_t {
 /// A matching strategy as users know it. `master/dispatch/policy/strategies.cpp` makes its policy.
 struct Strategy {
     std::string_view name;
-    std::string_view worker; ///< The worker that gets a scenario, in words.
-    bool uses_q = true;      ///< Its batches are of q scenarios, and it may claim.
+    std::string_view worker; ///< Predicate of the worker that gets a scenario, in words.
+    bool uses_q = true;      ///< Its batches have q scenarios; workers may be claimed.
 };
 
-/// One line a strategy.
+/// All strategies, one line each.
 inline constexpr std::array strategies{
     Strategy{"best-match", "holds most of what the scenario touches"},
     Strategy{"best-match-load", "holds most, times the free share of its buffer"},
@@ -42,7 +42,7 @@ inline constexpr std::array strategies{
     Strategy{"earliest-finish", "would be done first, transfers included", false},
 };
 
-/// Null if no strategy has the name.
+/// Returns null if no strategy has the name.
 [[nodiscard]] const Strategy* find_strategy(std::string_view name);
 [[nodiscard]] std::vector<std::string_view> strategy_names();
 /// Whether the text may name a strategy: 1 to `limits::strategy_name_bytes_max` of a-z, 0-9 and -.
@@ -58,7 +58,7 @@ struct ClusterOptions {
     std::uint32_t v_kb = 4096; ///< Buffer capacity, kB.
     bool claim = false;        ///< The paper's strict claiming: one task per worker at a time.
     std::uint64_t seed = 1;    ///< Seed of the random strategy.
-    /// Strict claiming implies Always.
+    /// Who finds the colliding roots; strict claiming implies Always.
     AnalysisMode analysis = AnalysisMode::Auto;
     /// Sends workers hints of subtrees that they will need. `earliest-finish` only.
     bool hints = true;

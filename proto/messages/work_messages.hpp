@@ -75,14 +75,14 @@ struct DropScenario {
     TaskId task = {}; ///< The only task to drop the scenario from; 0: all tasks.
 };
 
-/// A task: scenarios to search. Analysed by the master, it names their colliding distribution roots
-/// (paper, 6.4.3); otherwise the worker finds these itself.
+/// A task: scenarios to search. If the master has analysed them, the task lists their colliding
+/// distribution roots (paper, 6.4.3); otherwise the worker finds these itself.
 struct WorkUnit {
     TaskId task;
     JobId job;
     std::uint64_t first = 0; ///< First position on the job's grid; 0 with `scenarios`.
     std::uint64_t count = 0; ///< Number of scenarios.
-    Bytes scenarios;         ///< `pack_scenarios`; empty: those at the positions on the grid.
+    Bytes scenarios;         ///< `pack_scenarios`; empty: grid positions [first, first + count).
     /// Scenario i has `pairs` [offset i, offset i + 1): count + 1 entries. Empty: not analysed.
     std::vector<std::uint32_t> pair_offsets;
     std::vector<RootPair> pairs; ///< Colliding pairs of distribution roots.
@@ -94,8 +94,8 @@ struct WorkUnit {
 /// by Recalled.
 struct Recall {
     TaskId task;
-    std::vector<std::uint64_t> scenarios; ///< Of an analysed unit: those to return, ascending.
-    std::uint64_t places = 0;             ///< Otherwise: how many of the first scenarios to keep.
+    std::vector<std::uint64_t> scenarios; ///< Analysed unit: scenarios to return, ascending.
+    std::uint64_t places = 0;             ///< Other units: number of first scenarios to keep.
 };
 
 /// Names subtrees that the worker's future scenarios of the job are likely to need. An idle worker
@@ -124,9 +124,9 @@ struct PeerSource {
     Sha256 proof;             ///< `ticket_proof` of the ticket (peer_ticket.hpp).
 };
 
-/// An answer to WantSubtrees: the worker fetches these blocks from the sources, in order, and
-/// requests those that no source gives from the master once more. `roots` ascend; `hashes` are
-/// parallel to `roots`.
+/// An answer to WantSubtrees: the worker fetches these blocks from the sources, in order. It then
+/// requests from the master the blocks that no source gives. `roots` ascend; `hashes` are parallel
+/// to `roots`.
 struct FetchFromPeers {
     TreeId tree;
     std::vector<RootIndex> roots;
@@ -171,8 +171,8 @@ struct Holding {
 /// answers any more.
 struct Recalled {
     TaskId task;
-    std::vector<std::uint64_t> scenarios; ///< If analysed: the returned scenarios, ascending.
-    std::uint64_t places = 0;             ///< If not: how many first scenarios the worker keeps.
+    std::vector<std::uint64_t> scenarios; ///< Analysed unit: returned scenarios, ascending.
+    std::uint64_t places = 0;             ///< Other units: number of first scenarios kept.
 };
 
 /// A tree that the worker has.
@@ -228,8 +228,8 @@ struct FetchFailed {
 
 // ---- Worker to worker -----------------------------------------------------------------------
 
-/// Asks another worker for blocks. Answered by Subtrees with those that are cached, if the ticket
-/// is valid, then by PeerFetched.
+/// Asks another worker for blocks. Answered by Subtrees with the cached blocks, if the ticket is
+/// valid, then by PeerFetched.
 struct PeerFetch {
     TreeId tree;
     std::vector<RootIndex> roots;
