@@ -72,7 +72,7 @@ class SolidTest {
     cast_ray(SolidPoint& point, const Vec3& direction, std::span<const IdRange> passed_over);
 
     const ObbTree& solid_;
-    std::vector<std::uint32_t> waiting_; ///< Stack of nodes; empty between rays.
+    std::vector<std::uint32_t> waiting_; ///< Stack of nodes that `cast_ray` has yet to test.
     std::vector<IdRange> passed_over_;   ///< The triangles passed over by `is_inside_beside`.
     SettleStatistics statistics_;
 };

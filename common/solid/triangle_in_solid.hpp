@@ -62,8 +62,8 @@ class TriangleInSolid {
     ExactFrame frame_;
     RelativePose inner_to_outer_;
     SolidTest solid_;
-    /// The sides of outer vertices that doubles cannot decide: triangles in contact often share
-    /// vertices.
+    /// Plane sides of outer vertices, cached where doubles prove none, because triangles in contact
+    /// often share vertices.
     std::unordered_map<std::uint32_t, int> plane_sides_;
     std::vector<std::uint32_t> ids_; ///< Outer triangles of the current contacts.
     std::vector<Edge> edges_;        ///< Edges that may enter the current triangle.

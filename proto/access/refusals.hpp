@@ -13,8 +13,8 @@
 
 namespace cd {
 
-/// Limits the log lines about one host in each `timing::refusal_log_period`. The next line reports
-/// how many were suppressed. Hosts beyond the remembered ones share one limit. Not thread-safe.
+/// Limits the log lines about a host in each `timing::refusal_log_period`. The next line counts the
+/// suppressed ones. Hosts beyond `limits::refusal_hosts_max` share a limit. Not thread-safe.
 class Refusals {
   public:
     using Time = std::chrono::steady_clock::time_point;
@@ -30,7 +30,7 @@ class Refusals {
     struct Host {
         Time since; ///< Start of the period.
         std::size_t lines = 0;
-        std::uint64_t left_out = 0; ///< Suppressed since the last line that was logged.
+        std::uint64_t left_out = 0; ///< Lines suppressed since the last logged line.
     };
     std::map<std::string, Host> hosts_;
 };

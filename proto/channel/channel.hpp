@@ -44,7 +44,7 @@ struct Traffic {
     std::uint64_t bytes_received = 0;
 };
 
-/// Time limits for frames; a channel that exceeds one closes.
+/// Time limits for frames. A channel closes when one is exceeded.
 struct StallBounds {
     /// Longest wait for the next frame of a message that has begun to arrive.
     std::chrono::steady_clock::duration read = timing::read_stall_max;
@@ -53,8 +53,8 @@ struct StallBounds {
 };
 
 /// A connection to one peer. All members run on the socket's executor, on one thread. Control
-/// messages are sent before data messages. Data messages are sent in frames, so that a heartbeat
-/// waits for one frame at most.
+/// messages are sent before data messages. Messages are sent in frames, so that a heartbeat waits
+/// for one frame at most.
 class Channel : public std::enable_shared_from_this<Channel> {
   public:
     /// The stream must be connected, and secured if the channel uses TLS.
@@ -97,7 +97,7 @@ class Channel : public std::enable_shared_from_this<Channel> {
     [[nodiscard]] const std::string& peer_host() const;
     /// This end's address, without the port.
     [[nodiscard]] const std::string& own_host() const;
-    // The next three forward to `Stream`.
+    // `is_secured`, `peer_identity` and `binding` forward to `Stream`.
     [[nodiscard]] bool is_secured() const;
     [[nodiscard]] const std::optional<Identity>& peer_identity() const;
     [[nodiscard]] std::optional<Sha256> binding() const;

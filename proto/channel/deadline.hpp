@@ -11,7 +11,7 @@ namespace cd {
 
 /// While alive, cancels the pending operations of a socket or resolver at the timeout, and again
 /// periodically, because a composed operation may be between two steps. Target, deadline and
-/// coroutine share one thread.
+/// coroutine must run on one thread.
 template <class Cancellable>
 class Deadline {
   public:

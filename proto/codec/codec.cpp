@@ -220,7 +220,7 @@ Problem problem_of(const TokenCreated& created) {
                : nullptr;
 }
 
-/// Initial buffer size; avoids reallocations for large messages.
+/// Estimates the encoded size in bytes, which avoids reallocations for large messages.
 template <class T>
 std::size_t bytes_expected(const T& /*message*/) {
     return 256;

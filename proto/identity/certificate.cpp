@@ -132,7 +132,7 @@ void sign_with(X509* certificate, X509* issuer, EVP_PKEY* issuer_key) {
     CD_CHECK(X509_sign(certificate, issuer_key, EVP_sha256()) > 0);
 }
 
-/// Whether a role accepts TLS connections (serverAuth), makes them (clientAuth), or both.
+/// Returns serverAuth if a role accepts TLS connections, clientAuth if it makes them, or both.
 std::string key_usage_of(CertifiedRole role) {
     switch (role) {
     case CertifiedRole::Master:

@@ -153,7 +153,7 @@ struct PosesQuery {
 };
 
 /// Poses of scenarios [first, first + count) in submitted order: at least one, at most as many as
-/// requested. Also answers for a job with a grid.
+/// requested. Contains poses for a job with a grid, too.
 struct JobPoses {
     JobId job;
     std::uint64_t first = 0;
@@ -186,7 +186,7 @@ struct JobStatus {
     std::vector<Sha256> bodies;           ///< Meshes of the bodies.
     std::uint64_t answered_by_master = 0; ///< Scenarios without colliding distribution roots.
     JobStatistics statistics;             ///< Sum over all received results, including duplicates.
-    double compute_seconds = 0;           ///< Sum over the threads of all workers.
+    double compute_seconds = 0;           ///< Computing time of all workers' threads.
     std::string paused;                   ///< Why the job is paused; empty if it is not.
     std::vector<LongScenario> long_scenarios;
     std::uint64_t withdrawn = 0;  ///< Results of quarantined workers that were withdrawn.
@@ -370,8 +370,8 @@ struct WorkerScore {
     bool is_chosen = false;           ///< True: the strategy would choose this worker now.
     std::uint64_t scenarios = 0;      ///< Scenarios buffered for the worker, or unanswered there.
     double load = 0;                  ///< The job's scenarios buffered for the worker / q.
-    std::uint64_t held_triangles = 0; ///< Cached triangles under the scenario's roots.
-    std::uint64_t missing_triangles = 0; ///< Uncached triangles under the scenario's roots.
+    std::uint64_t held_triangles = 0; ///< Triangles under the scenario's roots, held or coming.
+    std::uint64_t missing_triangles = 0; ///< Triangles under the roots, neither held nor coming.
     // The cost terms, in seconds; 0 if the strategy does not estimate when a scenario is done.
     double backlog = 0;  ///< The worker's other work, divided among its threads.
     double coming = 0;   ///< The remaining transfer of blocks in flight.

@@ -9,7 +9,7 @@
 
 namespace cd {
 
-/// From a Joiner without a certificate. Answered by Certified.
+/// Requests a certificate for a Joiner that has none. Answered by Certified.
 struct Join {
     std::uint64_t token = 0; ///< The token's `id` (join_token.hpp).
     Sha256 proof;            ///< `join_proof` (join_token.hpp).
@@ -17,7 +17,7 @@ struct Join {
     std::string request;     ///< PEM from `make_certificate_request`.
 };
 
-/// From a Joiner with a certificate: requests a new one with the same role and name. Answered by
+/// Requests a new certificate with the role and name of the one that the Joiner shows. Answered by
 /// Certified.
 struct Renew {
     std::string request; ///< PEM.
@@ -28,7 +28,7 @@ struct Certified {
     std::string authority;   ///< PEM certificate of the authority that signed it.
 };
 
-/// From a client with the role of an admin. Answered by TokenCreated.
+/// Requests a new join token for an admin. Answered by TokenCreated.
 struct TokenCreate {
     CertifiedRole role = CertifiedRole::Worker;
     std::uint64_t seconds = 0; ///< Lifetime of the token.

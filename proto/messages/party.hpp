@@ -29,7 +29,7 @@ enum class Party : std::uint8_t {
 /// The largest payload, in bytes, that this party may send in this type of message; 0: none, the
 /// type is forbidden.
 [[nodiscard]] std::uint64_t payload_bytes_max_from(Party party, std::uint16_t type);
-/// The number of messages that a party may have begun and not completed.
+/// The largest number of messages that a party may have begun and not completed.
 [[nodiscard]] std::size_t streams_max_of(Party party);
 
 } // namespace cd

@@ -11,8 +11,8 @@ struct BlockTraffic {
     std::uint64_t misses = 0; ///< Blocks requested because a scenario needed them.
     std::uint64_t hinted = 0; ///< Blocks requested because of a hint.
     std::uint64_t evictions = 0;
-    std::uint64_t master_bytes = 0; ///< Received from the master, compressed.
-    std::uint64_t peer_bytes = 0;   ///< Received from other workers, compressed.
+    std::uint64_t master_bytes = 0; ///< Compressed bytes received from the master.
+    std::uint64_t peer_bytes = 0;   ///< Compressed bytes received from other workers.
 
     BlockTraffic& operator+=(const BlockTraffic& other);
     friend bool operator==(const BlockTraffic&, const BlockTraffic&) = default;
@@ -21,7 +21,7 @@ struct BlockTraffic {
 /// Traffic of one worker.
 struct CacheTraffic {
     BlockTraffic blocks; ///< Evictions since the process started; all else since the session began.
-    std::uint64_t uploaded_bytes = 0; ///< Sent to other workers since the process started.
+    std::uint64_t uploaded_bytes = 0; ///< Bytes sent to other workers since the process started.
 
     friend bool operator==(const CacheTraffic&, const CacheTraffic&) = default;
 };

@@ -30,7 +30,7 @@ using TreeId = Id<struct TreeTag>;
 struct AddTree {
     TreeId tree;
     SubtreeForm form = SubtreeForm::Wide; ///< Form of the tree's blocks.
-    Sha256 cut;                           ///< Identifies all of these blocks, in every session.
+    Sha256 cut;                           ///< Identifies the tree's blocks in every session.
     Sha256 top;                           ///< Hash of the upper tree's block (`encode_top`).
     std::uint32_t roots = 0;              ///< Number of distribution roots.
     std::uint32_t triangles = 0;          ///< Triangles of the whole tree.

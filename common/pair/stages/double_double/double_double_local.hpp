@@ -18,7 +18,7 @@ inline constexpr double local_length_most = 0x1p200;
 
 /// A body's pose in double-double, with bounds.
 struct LocalMap {
-    /// A row of the linear part that is known to be exact, with at most this one nonzero entry.
+    /// A row of the linear part that is known exactly and has at most one nonzero entry.
     struct PlainRow {
         Eigen::Index column = 0;
         double entry = 0;

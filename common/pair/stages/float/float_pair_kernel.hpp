@@ -19,10 +19,10 @@ struct FloatPairPose {
     double point_error = 0;
 
     // Weights of a triple product's rows in its error bound, relative to their sizes.
-    float weight_a = 0;     ///< For edges of A.
-    float weight_b = 0;     ///< For edges of B.
-    float weight_d = 0;     ///< For the difference of the first corners.
-    float weight_error = 0; ///< For the error of B's posed corner.
+    float weight_a = 0;     ///< Weight of an edge of A.
+    float weight_b = 0;     ///< Weight of an edge of B.
+    float weight_d = 0;     ///< Weight of the difference of the first corners.
+    float weight_error = 0; ///< Weight of the error of B's posed corner.
 
     bool is_usable = false; ///< If false, nothing can be proven.
 };

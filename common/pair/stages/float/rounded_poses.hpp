@@ -15,7 +15,7 @@ namespace cd {
 struct RoundedPoses {
     /// One row of a body's linear part.
     struct Row {
-        int source = 0;            ///< The body's coordinate that an exact row takes.
+        int source = 0;            ///< Index of the body's coordinate that an exact row takes.
         double sign = 0;           ///< 1 or -1 for an exact row, else 0.
         std::uint32_t columns = 0; ///< Bit k is set if entry k may be nonzero.
     };
