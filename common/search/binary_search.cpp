@@ -13,8 +13,8 @@ namespace cd {
 
 namespace {
 
-/// Returns an eighth of the box's surface area. The search descends into the box with the larger
-/// one.
+/// Returns an eighth of the surface area of the node's box. The descent opens the node with the
+/// larger area.
 float size_of(const ObbNode& node) {
     const auto& [x, y, z] = node.half;
     return x * y + y * z + z * x;
@@ -56,8 +56,8 @@ double stretch_of(const Pose& pose) {
     return stretch >= 0 ? stretch : std::numeric_limits<double>::infinity(); // NaN: overflow.
 }
 
-/// Steps of the descent between two polls of `stop`. They take a fraction of a second even if every
-/// pair needs exact arithmetic.
+/// Steps of the descent between two polls of `stop`. This number of steps takes a fraction of a
+/// second even if every pair needs exact arithmetic.
 constexpr std::uint32_t steps_between_stop_checks = 1024;
 
 } // namespace
@@ -91,9 +91,9 @@ bool BinarySearch::must_stop() {
     return progress_.is_stopped;
 }
 
-/// Calls `on_leaves` for each pair of leaves that the descent reaches: their boxes may overlap, and
-/// so may those of every node pair on the way. Returns true as soon as `on_leaves` does, and false
-/// at the end or on a stop.
+/// Descends both trees and calls `on_leaves` for each pair of leaves whose boxes may overlap,
+/// except below pairs of boxes that the tolerance leaves undecided. Returns true as soon as
+/// `on_leaves` returns true, and false at the end or on a stop.
 template <class OnLeaves>
 bool BinarySearch::descend(const TreeView& a, const TreeView& b, const OnLeaves& on_leaves) {
     CD_CHECK(!a.nodes.empty());
@@ -150,8 +150,8 @@ bool BinarySearch::descend(const TreeView& a, const TreeView& b, const OnLeaves&
     return false;
 }
 
-/// Returns true if two overlapping boxes are so small that the tolerance leaves them undecided. In
-/// that case lowers `undecided_distance` to a bound on the distance between their triangles.
+/// Returns true if two overlapping boxes are so small that the tolerance leaves them undecided. If
+/// true, lowers `undecided_distance` to an upper bound on the distance between their triangles.
 bool BinarySearch::leave_undecided(const ObbNode& a, const ObbNode& b) {
     if (!(2 * (radius_of(a) + radius_of(b)) <= tolerance_)) {
         return false;

@@ -31,15 +31,15 @@ class BinarySearch final : public ContactSearch {
         std::uint32_t a;
         std::uint32_t b;
     };
-    /// The relative pose of the current scenario, and what box tests derive from it.
+    /// The relative pose of the current scenario, and the data that box tests derive from it.
     struct Placement {
         RelativePose b_to_a;
         BoxTest boxes;
-        double stretch; ///< Bound on how much A's pose lengthens vectors; 1 without a tolerance.
+        double stretch; ///< Bound on the norm of A's linear part; 1 without a tolerance.
 
         Placement(const PosePair& poses, double tolerance);
     };
-    /// What the search has found since `restart()` was called.
+    /// Findings and counters of the search since the last `restart()`.
     struct Progress {
         std::optional<double> undecided_distance; ///< See SearchReport.
         std::uint64_t box_tests = 0;
@@ -63,7 +63,7 @@ class BinarySearch final : public ContactSearch {
     FoundContacts contacts_;
     std::vector<NodePair> stack_;
     std::vector<Aabb> bounds_;          ///< Boxes of one leaf's triangles of B, in A's coordinates.
-    std::vector<Candidate> candidates_; ///< Pairs still to be decided, as indices into the trees.
+    std::vector<Candidate> candidates_; ///< Triangle pairs to be decided, by index in the trees.
 };
 
 } // namespace cd

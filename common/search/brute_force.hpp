@@ -1,4 +1,4 @@
-// The slow twin of the contact search: tests every triangle against every other.
+// The slow twin of the contact search: tests every triangle of A against every triangle of B.
 #pragma once
 
 #include "common/geometry/mesh.hpp"
@@ -9,7 +9,7 @@
 
 namespace cd {
 
-/// Returns all pairs of triangles that share a point, sorted.
+/// Returns all pairs of a triangle of A and a triangle of B that share a point, ascending.
 [[nodiscard]] std::vector<ContactPair>
 contact_pairs_brute_force(const Mesh& a, const Mesh& b, const PosePair& poses);
 

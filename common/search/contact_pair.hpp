@@ -28,7 +28,7 @@ struct PairCorners {
 };
 
 /// Sorts pairs in ascending order. Keeps scratch memory between calls; one thread at a time may use
-/// it.
+/// a sorter.
 class PairSorter {
   public:
     PairSorter();

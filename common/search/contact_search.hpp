@@ -20,16 +20,15 @@ namespace cd {
 struct SearchReport {
     QueryStatistics statistics;
     /// Upper bound on the distance between the two bodies in the world, if the tolerance left boxes
-    /// undecided; else nothing. Infinite if the poses are far from rigid. The same bits on every
-    /// host.
+    /// undecided; else nothing. Infinite if the poses are far from rigid. Equal bits on every host.
     std::optional<double> undecided_distance;
-    bool is_stopped = false;              ///< True: the contacts found so far are not the answer.
-    const RelativePose* b_to_a = nullptr; ///< Valid until the next `restart`.
+    bool is_stopped = false;              ///< True: a stop ended the search early.
+    const RelativePose* b_to_a = nullptr; ///< The relative pose, valid until the next `restart`.
 };
 
-/// Searches one scenario after another. After a few scenarios it allocates no memory where both
-/// trees are wide and doubles decide all pairs. Callers pass subtrees of A and B pair by pair; any
-/// number of searches may share them. One thread at a time may use a search.
+/// Searches one scenario after another. After a few scenarios the search allocates no memory where
+/// both trees are wide and doubles decide all pairs. Callers pass subtrees of A and B pair by pair;
+/// any number of searches may share subtrees. One thread at a time may use a search.
 ///
 /// The decision of a pair is exact, and boxes never reject a touching pair. So the contacts depend
 /// neither on how the trees are cut into subtrees nor on the form of the trees.
@@ -37,16 +36,16 @@ class ContactSearch {
   public:
     virtual ~ContactSearch() = default;
 
-    /// Starts a search under other poses. Keeps scratch memory, and what `any` expects from its
-    /// last answer.
+    /// Starts a search under other poses. Keeps scratch memory, and the last answer of `any`, which
+    /// the next call of `any` expects again.
     virtual void restart(const PosePair& poses) = 0;
 
-    /// Returns whether any two triangles under the two roots touch. Adds nothing to the contacts. A
-    /// search may expect its last answer again and try the likely boxes first, so the statistics
+    /// Returns whether any triangle of `a` touches a triangle of `b`. Adds nothing to `contacts()`.
+    /// A search may expect its last answer again and try the likely boxes first, so the statistics
     /// depend on earlier calls, but the answer never does.
     [[nodiscard]] virtual bool any(const TreeView& a, const TreeView& b) = 0;
 
-    /// Adds every contact under the two roots to `contacts()`, except in boxes that stay undecided.
+    /// Adds every contact of `a` and `b` to `contacts()`, except in boxes that stay undecided.
     virtual void collect(const TreeView& a, const TreeView& b) = 0;
 
     /// Returns the contacts of all calls of `collect` since the last `restart`.

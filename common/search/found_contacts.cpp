@@ -56,8 +56,8 @@ void FoundContacts::add(const Triangles& a,
             corners_.push_back({a.corners_at(found.a), b.corners_at(found.b)});
         }
     }
-    // Sorting drops the surplus pairs. It is so rare that it costs little compared to finding the
-    // pairs.
+    // Sorting drops the surplus pairs. Sorts are so rare that they cost little compared to the
+    // search.
     if (pairs_.size() / 2 > options_.pairs_max && pairs_.size() > kept_at_least) {
         sort();
     }

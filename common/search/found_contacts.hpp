@@ -14,12 +14,12 @@
 namespace cd {
 
 /// Decides candidates, counts the contacts among them, and keeps the pairs that the options ask
-/// for. Keeps scratch memory between scenarios; one thread at a time may use it.
+/// for. Keeps scratch memory between scenarios; one thread at a time may use an instance.
 class FoundContacts {
   public:
     FoundContacts(const PosePair& poses, const SearchOptions& options);
 
-    /// Forgets all contacts, and decides under other poses from now on.
+    /// Forgets all contacts, and decides later candidates under `poses`.
     void restart(const PosePair& poses);
 
     /// Decides candidates of two bodies, each a TriangleSpan or TriangleBlocks, and adds the
@@ -31,7 +31,7 @@ class FoundContacts {
              std::span<const std::uint32_t> ids_b,
              std::span<const Candidate> candidates);
 
-    /// Returns whether any of the candidates touches; adds nothing.
+    /// Returns whether any candidate pair touches; adds no contact.
     template <class Triangles>
     [[nodiscard]] bool
     touches(const Triangles& a, const Triangles& b, std::span<const Candidate> candidates) {

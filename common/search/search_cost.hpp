@@ -29,7 +29,7 @@ struct SearchCost {
 struct SearchCostOptions {
     bool for_any = false; ///< Searches for a first contact, as `level any` does.
     PairStage first_stage = PairStage::Float;
-    /// No further pose is measured after this time; the first always is.
+    /// No further pose is measured after this time; the first pose is always measured.
     std::chrono::steady_clock::duration time_max = std::chrono::milliseconds(50);
 };
 
