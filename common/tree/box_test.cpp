@@ -25,9 +25,9 @@
 //                             cofactor of M: the singular values of the cofactors are products of
 //                             two of M, which stay within 1.53 tau + 3.05 eta of M's own, so
 //                             |L.m_k| is as close to |M_il|; n_k in place of m_k adds 1.01 eta.
-// So all |L.n_k| stay within 1.53 tau + 4.1 eta <= 22 e + 5 s + 13 r + 160 u of what the classical
-// test uses: `frame_error_` times the sum of hb covers it. Rounding the sums on the right costs
-// less than 8 u (sum ha + sum hb).
+// Thus all |L.n_k| stay within 1.53 tau + 4.1 eta <= 22 e + 5 s + 13 r + 160 u of the values in the
+// classical test: `frame_error_` times the sum of hb covers it. Rounding the sums on the right
+// costs less than 8 u (sum ha + sum hb).
 //
 // T: v = R d + t - c is computed with an error of at most r |d|_1 + (translation error) +
 // 6 u (1.01 |d|_1 + |t|_1 + |c|_1) in each component; F multiplies this by at most 1.74, rounds by
@@ -51,7 +51,7 @@ namespace {
 
 constexpr double unit_roundoff = 0x1p-53;
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double skew_max = 0x1p-10;    ///< The bounds at the head of this file hold up to this.
+constexpr double skew_max = 0x1p-10;    ///< Largest skew for which the bounds of this file hold.
 constexpr double underflow = 0x1p-1000; ///< Exceeds everything that can be lost to underflow.
 constexpr double center_max = 0x1p1000; ///< Beyond this, intermediate sums may overflow.
 
@@ -180,8 +180,8 @@ bool BoxTest::may_overlap(const ObbNode& a, const PosedBox& b) const {
 
 double BoxTest::distance_max(const ObbNode& a, const PosedBox& b) const {
     // |x - y| <= |c - Rd - t| + |x - c| + |R (y - d)|. The frames are orthonormal within e and R
-    // rigid within s, so the last two exceed the boxes' radii by less than frame_error_ times them;
-    // the error of the centres is in b.error and in the term of A's centre, for each component.
+    // rigid within s, so the last two terms exceed the boxes' radii by less than frame_error_ times
+    // the radii. b.error and the term of A's centre cover the error of the centres, per component.
     double between = 0;
     double radius_a = 0;
     double radius_b = 0;

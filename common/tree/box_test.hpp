@@ -20,8 +20,8 @@ struct PosedBox {
 /// The separating axis test (SAT) of two boxes under one relative pose.
 class BoxTest {
   public:
-    /// `error_scale` multiplies every error bound. An answer is a proof only if it is at least 1;
-    /// tests use less to show that the bounds are needed.
+    /// `error_scale` multiplies every error bound. Answers are proofs only if the scale is at least
+    /// 1; tests use less to show that the bounds are needed.
     explicit BoxTest(const RelativePose& b_to_a, double error_scale = 1);
 
     [[nodiscard]] PosedBox pose(const ObbNode& b) const;
@@ -48,7 +48,7 @@ class BoxTest {
     double translation_size_ = 0; ///< Sum of the absolute values of the translation's components.
     double rotation_error_ = 0;
     double translation_error_ = 0;
-    double frame_error_ = 0; ///< Error per half size of B, derived in box_test.cpp.
+    double frame_error_ = 0; ///< Error per unit of B's half sizes, derived in box_test.cpp.
     double rounding_;        ///< Bound on each rounding: the unit roundoff times `error_scale`.
 };
 

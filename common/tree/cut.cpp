@@ -45,8 +45,8 @@ double size_of(const ObbNode& node) {
            static_cast<double>(node.half[2]);
 }
 
-/// Returns whether the descent opens `a` instead of `b`: always the node with the larger box, so
-/// that both boxes stay alike in size.
+/// Returns whether the descent opens `a` instead of `b`. The descent opens the inner node with the
+/// larger box, so that both boxes stay alike in size.
 bool opens_a(const ObbNode& a, const ObbNode& b) {
     return !a.is_leaf() && (b.is_leaf() || size_of(a) >= size_of(b));
 }
@@ -58,7 +58,7 @@ class TopDescent {
     TopDescent(const TreeTop& a, const TreeTop& b, const PosePair& poses)
         : a_(a), b_(b), boxes_(relative_pose(poses)), posed_(boxes_.pose(b.nodes[0])) {}
 
-    /// Returns the pairs of leaves whose boxes overlap. Errors: TooLarge.
+    /// Returns the pairs of leaves of the upper trees whose boxes may overlap. Errors: TooLarge.
     [[nodiscard]] Result<std::vector<RootPair>> leaf_pairs() {
         std::vector<RootPair> found;
         push_if_overlapping({0, 0});

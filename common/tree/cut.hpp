@@ -21,7 +21,7 @@ using RootIndex = std::uint32_t;
 /// the roots' subtrees.
 inline constexpr RootIndex top_root = std::numeric_limits<RootIndex>::max();
 
-/// Drops `top_root` from ascending roots.
+/// Returns `roots`, which are ascending, without `top_root`.
 [[nodiscard]] inline std::span<const RootIndex> without_top(std::span<const RootIndex> roots) {
     return roots.empty() || roots.back() != top_root ? roots : roots.first(roots.size() - 1);
 }

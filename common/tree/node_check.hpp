@@ -17,8 +17,8 @@ namespace cd {
 /// Returns true when the children of each inner node are where preorder puts them.
 [[nodiscard]] bool is_preorder(std::span<const ObbNode> nodes);
 
-/// Returns true when the triangle range of each node joins its children's ranges and the first
-/// begins at 0. There is at least one node, and the nodes are in preorder.
+/// Returns true when the triangle range of each node is not empty and joins its children's ranges,
+/// and the first node's range begins at 0. Requires at least one node, and nodes in preorder.
 [[nodiscard]] bool has_consecutive_ranges(std::span<const ObbNode> nodes);
 
 /// Returns true when the nodes are a preorder over triangles 0 to `triangles` - 1, so that a

@@ -29,7 +29,7 @@ struct ObbNode {
         0; ///< Index of the right child; 0 for a leaf. The left child is the next node.
     std::uint32_t triangles_begin = 0; ///< The range of triangles under this node, in tree order.
     std::uint32_t triangles_end = 0;
-    std::uint32_t unused = 0; ///< Gives each byte of an array of nodes a value.
+    std::uint32_t unused = 0; ///< Padding; defines every byte of a node in a file.
 
     [[nodiscard]] bool is_leaf() const { return right == 0; }
     [[nodiscard]] std::uint32_t triangle_count() const { return triangles_end - triangles_begin; }

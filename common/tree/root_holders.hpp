@@ -25,14 +25,14 @@ class RootHolders {
 
     [[nodiscard]] std::uint32_t root_count() const { return root_count_; }
     [[nodiscard]] std::uint32_t holder_count() const { return holder_count_; }
-    /// Adds holders that hold nothing. `holder_count` is not less than the current count.
+    /// Adds holders that hold nothing, up to `holder_count`, which is at least the current count.
     void grow(std::uint32_t holder_count);
 
     // ---- The root and the holder must exist --------------------------------------------------
     [[nodiscard]] bool holds(std::uint32_t holder, RootIndex root) const;
-    /// Returns false if the holder held the root already.
+    /// Records that the holder holds the root. Returns false if that was recorded already.
     bool set(std::uint32_t holder, RootIndex root);
-    /// Returns false if the holder did not hold the root.
+    /// Records that the holder lacks the root. Returns false if that was recorded already.
     bool clear(std::uint32_t holder, RootIndex root);
     void clear_all(std::uint32_t holder);
     /// Returns the number of holders of `root`.

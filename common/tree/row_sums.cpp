@@ -42,9 +42,9 @@ using V = hn::Vec<Lanes>;
 constexpr std::size_t lanes = hn::MaxLanes(Lanes());
 constexpr std::size_t vectors = 64 / lanes;
 
-/// Returns for each slot the bit that it tests. A slot p is a lane, counted through all vectors.
-/// Every four lanes hold the same word as four quarters of sixteen bits, and slot p tests bit p / 4
-/// of quarter p % 4. So slot p belongs to column 16 (p % 4) + p / 4 of the word.
+/// Returns for each slot the bit that the slot tests. Slots are lanes, counted through all vectors.
+/// Every four lanes hold one word as four quarters of sixteen bits, and slot p tests bit p / 4 of
+/// quarter p % 4. Therefore slot p belongs to column 16 (p % 4) + p / 4 of the word.
 HWY_INLINE std::array<V, vectors> bits_of_places() {
     std::array<V, vectors> bits;
     for (std::size_t i = 0; i < vectors; ++i) {

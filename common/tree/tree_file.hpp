@@ -1,4 +1,4 @@
-// Tree files: one file for each form, mapped and used in place.
+// Tree files: one file for each form, mapped and used without a copy.
 #pragma once
 
 #include "common/core/files/disk_file.hpp"
@@ -12,8 +12,8 @@
 
 namespace cd {
 
-/// This number must increase whenever the builder makes another tree of an unchanged mesh and
-/// options.
+/// Version of the tree builder. Must increase whenever the builder makes another tree of an
+/// unchanged mesh with unchanged options.
 inline constexpr std::uint32_t tree_build_version = 2;
 
 /// Returns a hash of everything that decides the bytes of a mesh's tree; equal on all hosts.
@@ -32,10 +32,10 @@ inline constexpr std::uint32_t tree_build_version = 2;
                                           Durability durability);
 
 /// Reads the tree of `mesh` from a file of the binary form. Checks all bytes against checksums, and
-/// also everything that a traversal follows: no file makes a traversal read out of bounds, loop
-/// forever, or miss or repeat a triangle. Only the checksums and the key vouch that boxes contain
-/// their triangles and that these are the mesh's. Errors: NotFound; Io naming the file when it is
-/// damaged or was made for another key.
+/// all indices that a traversal follows: no file makes a traversal read out of bounds, loop
+/// forever, or miss or repeat a triangle. Only the checksums and the key guarantee that boxes
+/// contain their triangles and that the triangles are those of the mesh. Errors: NotFound; Io
+/// naming the file when it is damaged or was made for another key.
 [[nodiscard]] Result<std::shared_ptr<const ObbTree>> read_tree_file(
     const std::filesystem::path& path, std::shared_ptr<const Mesh> mesh, const Sha256& key);
 /// Reads the tree of `mesh` from a file of the wide form, checked like `read_tree_file`'s.

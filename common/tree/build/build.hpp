@@ -26,8 +26,8 @@ struct BuildOptions {
     /// A node with more triangles is split. Two is the fastest measured on vehicles; one takes half
     /// as much memory again for the same time.
     std::uint32_t leaf_triangles_max = 2;
-    /// Under the quarter rule, a node with more triangles is split between two of 16 bins on an
-    /// axis, by the same sum, instead of between any two triangles in a sorted order.
+    /// Under SplitRule::Quarter, a node with more triangles is split between two of 16 bins on an
+    /// axis; a smaller node is split between any two triangles in sorted order.
     std::uint32_t sweep_triangles_max = 32;
     /// Calls ObbTree::prepare_search. False suits a caller that only cuts and sends the tree.
     bool prepare_search = true;

@@ -11,7 +11,7 @@
 
 namespace cd {
 
-/// Divides the whole into equal bins and maps an interval to the bin that its high end falls in.
+/// Divides an interval into equal bins and maps a triangle's interval to the bin of its high end.
 /// The result is rounded, but reproducible, and a higher end never falls in a lower bin.
 class BinScale {
   public:
@@ -19,7 +19,7 @@ class BinScale {
 
     explicit BinScale(const Interval& whole);
 
-    /// Returns false where the whole is too short or too long for doubles to tell the bins apart.
+    /// Returns false if the interval is too short or too long for doubles to tell the bins apart.
     [[nodiscard]] bool is_valid() const { return factor_ > 0; }
 
     [[nodiscard]] std::uint32_t bin_of(const Interval& triangle) const {
@@ -37,7 +37,7 @@ class BinScale {
 /// axes.
 class Bins {
   public:
-    /// A split behind a bin, with its sum of relative segments.
+    /// A split behind bin `last_bin`, with its sum of relative segments (`SplitRule`).
     struct Candidate {
         double sum = 0;
         std::uint32_t last_bin = 0;
@@ -50,7 +50,7 @@ class Bins {
     /// Adds the bins of other triangles of the same node.
     Bins& operator+=(const Bins& other);
 
-    /// Returns the split with the least sum among those with at least `side` triangles on each
+    /// Returns the split with the least sum among the splits with at least `side` triangles on each
     /// side, or nothing if there is none.
     [[nodiscard]] std::optional<Candidate> best(std::size_t axis, std::uint32_t side) const;
 

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// Swaps two keys, if need be, so that the smaller one comes first.
+/// Swaps the keys at two indices, if need be, so that the smaller key is at `low`.
 struct Comparator {
     std::uint8_t low;
     std::uint8_t high;
@@ -93,7 +93,8 @@ std::uint32_t place_of(double key) {
     return static_cast<std::uint32_t>(std::bit_cast<std::uint64_t>(key) & place_max);
 }
 
-/// For each triangle and axis, the triangle's maximum relative to the whole, tagged with its index.
+/// The high end of each triangle on each axis, relative to the node, tagged with the triangle's
+/// index.
 using Keys = std::array<std::array<double, 3>, few_triangles_max>;
 
 void sort_keys(Keys& keys, std::size_t count) {

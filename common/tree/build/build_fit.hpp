@@ -31,7 +31,7 @@ using Projection = std::array<Interval, 3>;
 /// The body's own axes; they are exact.
 inline constexpr std::array<float, 9> body_axes = {1, 0, 0, 0, 1, 0, 0, 0, 1};
 
-/// Sums over the corners of triangles, relative to an origin: of coordinates and of their products.
+/// Sums of the coordinates of triangles' corners, relative to an origin, and of their products.
 /// A vertex counts once for each triangle that uses it, as in Eberly, 3D Game Engine Design (2001),
 /// fitting points with a Gaussian.
 struct Moments {
@@ -56,7 +56,7 @@ struct Moments {
 /// Bounds each |entry| of F F' - I for the frame F of every node.
 inline constexpr double axes_error_max = 0x1p-23;
 
-/// Coordinates of smaller absolute value can be measured without overflow.
+/// Bound on absolute coordinates below which projections and moments do not overflow.
 inline constexpr double coordinate_max = 0x1p1000;
 
 /// Sets the box of a node with coordinates beyond `coordinate_max` to all of space.

@@ -11,7 +11,7 @@ namespace cd {
 
 namespace {
 
-/// Returns the size of the left half, for triangles that no axis tells apart.
+/// Returns the size of the left child, for triangles that no axis tells apart.
 std::uint32_t half_of(std::size_t count) {
     return static_cast<std::uint32_t>(count / 2);
 }
@@ -21,7 +21,7 @@ bool is_binned(const BuildOptions& options, std::size_t count) {
 }
 
 Vec3 origin_of(std::span<const BuildTriangle> triangles, std::span<const Vec3> vertices) {
-    // Coordinates are measured from a corner, so that their squares do not swamp the differences.
+    // Coordinates are measured from a corner, so that the squares do not swamp the differences.
     return vertices[triangles.front().vertices[0]];
 }
 
@@ -290,8 +290,8 @@ void LargeNodeMaker::Wave::part() {
     }
 }
 
-/// Moves the triangles of each node's left side to the front. In each piece they come first
-/// already.
+/// Moves the triangles of each node's left child to the front. Requires that they come first in
+/// each piece.
 void LargeNodeMaker::Wave::gather_sides() {
     const auto place_of = [&](const Piece& piece) {
         return maker_.triangles_.begin() + nodes_[piece.node].node.triangles_begin;

@@ -13,8 +13,8 @@
 
 namespace cd {
 
-/// All threads together make a node with more triangles, in pieces of this size. The moments of the
-/// pieces are added up in order, so the fit does not depend on the number of threads.
+/// All threads together make a node with more triangles than this, in pieces of this size. The
+/// moments of the pieces are added up in order, so the number of threads does not change the fit.
 inline constexpr std::uint32_t piece_triangles_max = 4096;
 
 /// The input that all nodes of one build share.
@@ -31,7 +31,7 @@ struct NodeToMake {
     ObbNode node;                       ///< Its range of triangles is set.
     std::span<BuildTriangle> triangles; ///< The triangles of the range.
     std::uint32_t left_count =
-        0; ///< Triangles of the left child, once the node is made; 0 for a leaf.
+        0; ///< Number of triangles of the left child, once made; 0 for a leaf.
 };
 
 /// Makes a node of at most `piece_triangles_max` triangles with the whole subtree below it. Keeps
@@ -40,8 +40,8 @@ class SubtreeMaker {
   public:
     explicit SubtreeMaker(const BuildInput& input) : input_(input) {}
 
-    /// Returns the nodes in preorder, with indices from 0. `begin` is the index of the first
-    /// triangle in the tree. Reorders the triangles to the order of the leaves.
+    /// Returns the nodes in preorder, with indices from 0. `begin` is the tree index of the first
+    /// triangle. Reorders the triangles to the order of the leaves.
     [[nodiscard]] std::vector<ObbNode> make(std::span<BuildTriangle> triangles,
                                             std::uint32_t begin);
 
@@ -90,7 +90,7 @@ class LargeNodeMaker {
 
     const BuildInput& input_;
     ThreadPool& pool_;
-    std::vector<Projection> projections_;  ///< Of each triangle, in tree order.
+    std::vector<Projection> projections_;  ///< Projection of each triangle, in tree order.
     std::vector<BuildTriangle> triangles_; ///< Scratch memory, in tree order.
 };
 

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// A split with its sum of relative segments.
+/// A split with its sum of relative segments (`SplitRule`).
 struct Candidate {
     double sum = infinity;
     std::uint32_t left_count = 0;
@@ -37,7 +37,7 @@ std::uint32_t side_min(SplitRule rule, std::size_t count) {
 }
 
 /// Sorts only as far as the rule needs: afterwards order[side - 1 .. count - side) is as in the
-/// sorted order, with no greater rank before it and no smaller one behind.
+/// sorted order, with no greater rank before that range and no smaller rank behind it.
 void sort_ranks(std::vector<std::uint64_t>& order, std::size_t side) {
     const auto at = [&](std::size_t i) { return order.begin() + static_cast<std::ptrdiff_t>(i); };
     std::nth_element(at(0), at(side - 1), order.end());
@@ -63,7 +63,7 @@ Candidate sweep_axis(std::span<const Projection> triangles,
     }
     sort_ranks(order, side);
 
-    // Entry i is where the second submesh begins if the first one has `side` + i triangles.
+    // Entry i is the low end of the second side if the first side has `side` + i triangles.
     std::vector<double>& low_after = scratch.low_after;
     low_after.resize(count - 2 * side + 1);
     double low = infinity;

@@ -25,7 +25,7 @@ struct SweepScratch {
 struct Split {
     std::size_t axis = 0;
     std::uint32_t left_count = 0;
-    Interval whole;              ///< The node's projection on the axis.
+    Interval whole;              ///< The node's projection on `axis`.
     bool binned = false;         ///< True if the triangles were sorted into bins only.
     std::uint64_t last_rank = 0; ///< Greatest rank of the left child; if binned, the last bin.
 };

@@ -13,9 +13,9 @@ namespace cd {
 
 namespace {
 
-/// Predicts the third row of a frame as the cross product of the others: equal up to the sign and a
-/// few last places, with operations that round alike on every host. Storing the difference costs
-/// next to nothing.
+/// Predicts the third row of a frame as the cross product of the other rows: equal up to the sign
+/// and a few ulps, with operations that round alike on every host. The difference from the third
+/// row compresses to next to nothing.
 std::array<std::uint32_t, 3> predicted_row(const std::array<float, 9>& axes) {
     const auto at = [&](std::size_t i) { return static_cast<double>(axes[i]); };
     const std::array<double, 3> cross{at(1) * at(5) - at(2) * at(4),

@@ -1,4 +1,4 @@
-// Sorts many numbers.
+// Sorts 32-bit numbers with SIMD (Highway's VQSort).
 #pragma once
 
 #include <cstdint>

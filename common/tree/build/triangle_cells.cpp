@@ -19,7 +19,7 @@ Rational left_of(const PlanePoint& p, const PlanePoint& q, const PlanePoint& x) 
 /// Returns true when some point of the cut lies in the polygon's interior.
 bool enters(const PlaneCut& cut, const Polygon& polygon) {
     // [begin, end] is the parameter range of the cut, within 0 to 1, that is left of all edges. A
-    // bound that comes from an edge is excluded.
+    // bound that an edge sets is excluded.
     Rational begin = 0;
     Rational end = 1;
     for (std::size_t i = 0; i < polygon.size(); ++i) {

@@ -12,8 +12,8 @@ namespace {
 
 using Axes = WideBoxes::Axes;
 
-/// The smallest step. The largest coordinates, and sums of them, stay within the range of floats
-/// when counted in such steps (wide_kernel.cpp).
+/// The smallest step. The largest coordinates, and sums of coordinates, stay within the range of
+/// floats when counted in such steps (wide_kernel.cpp).
 constexpr double step_min = 0x1p-70;
 constexpr double u = 0x1p-53;
 
@@ -32,12 +32,12 @@ Spread united(const Spread& left, const Spread& right) {
 }
 
 /// Sets the node's steps, frame and origin for vertices with this spread. Returns the conversion
-/// from places (coordinates in `frame`) to steps.
+/// from coordinates in `frame` to steps.
 ///
-/// A vertex's place errs by at most 6 u times the sum of the vertex's distances from the centre
-/// (one subtraction, three products, two sums, entries of at most 1.001). The place of the node's
-/// origin errs by at most 6 u times the sum of the origin's distances, for the same reason.
-/// `StepAxis::error` covers both errors.
+/// A vertex's coordinates err by at most 6 u times the sum of the vertex's distances from the
+/// centre (one subtraction, three products, two sums, entries of at most 1.001). The coordinates of
+/// the node's origin err by at most 6 u times the sum of the origin's distances, for the same
+/// reason. `StepAxis::error` covers both errors.
 std::array<StepAxis, 3>
 set_frame(const Spread& whole, const SeenFrame& frame, bool float_origin, WideNode& node) {
     double largest = 0;

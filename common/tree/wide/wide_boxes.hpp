@@ -29,7 +29,7 @@ class WideBoxes {
     WideBoxes(const TriangleBlocks& blocks, std::span<const WideNode> nodes);
 
     /// Returns node number `node` with the frame `axes`, origin, steps and boxes. Any number of
-    /// threads may call it at once.
+    /// threads may call this function at once.
     [[nodiscard]] WideNode in_frame(std::size_t node, const Axes& axes) const;
 
   private:

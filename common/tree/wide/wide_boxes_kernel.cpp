@@ -66,7 +66,7 @@ HWY_INLINE V dot(const Vectors& a, const Vectors& b) {
     return a.x * b.x + a.y * b.y + a.z * b.z;
 }
 
-/// The least and greatest places, and the reach, of the vertices in each lane.
+/// The least and greatest coordinates in a frame, and the reach, of the vertices in each lane.
 struct Spreads {
     HWY_INLINE Spreads()
         : low{all(HUGE_VAL), all(HUGE_VAL), all(HUGE_VAL)},
@@ -92,8 +92,8 @@ struct Spreads {
     V reach;
 };
 
-/// Returns the spread of `count` vertices. Calls `keep(i, place)` with the places of vertex i and
-/// the vertices that share its vector. Lanes after the last vertex repeat the first vertex.
+/// Returns the spread of `count` vertices. Calls `keep(i, place)` with the coordinates of vertex i
+/// and of the vertices in its vector. Lanes after the last vertex repeat the first vertex.
 template <class T, class Keep>
 HWY_INLINE Spread walk(const T* from, std::size_t count, const SeenFrame& seen, const Keep& keep) {
     const Doubles d;
@@ -160,15 +160,15 @@ void place_doubles(const double* from,
 /// bytewise minimum over a triangle's vertices bounds the triangle.
 using VertexBounds = std::array<std::uint8_t, 8>;
 
-/// Rounds a place down to whole steps. Both the quotient and its factor are rounded, so the result
-/// is corrected by one step if it is above the place. Steps are floats and their numbers bytes, so
-/// that products are exact.
+/// Rounds a coordinate down to whole steps. Both the quotient and its factor are rounded, so the
+/// result is corrected by one step if it is above the coordinate. Steps are floats and their
+/// numbers bytes, so that products are exact.
 HWY_INLINE V steps_below(V place, V step, V per_step) {
     const V steps = hn::Floor(place * per_step);
     return steps - hn::IfThenElseZero(hn::Gt(steps * step, place), all(1));
 }
 
-/// Rounds a place up to whole steps, corrected as in `steps_below`.
+/// Rounds a coordinate up to whole steps, corrected as in `steps_below`.
 HWY_INLINE V steps_above(V place, V step, V per_step) {
     const V steps = hn::Ceil(place * per_step);
     return steps + hn::IfThenElseZero(hn::Lt(steps * step, place), all(1));

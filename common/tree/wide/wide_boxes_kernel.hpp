@@ -1,4 +1,4 @@
-// The SIMD code that makes boxes of vertices, compiled once for every target. The code takes and
+// The SIMD code that bounds vertices by boxes, compiled once for every target. The code takes and
 // returns plain values, and all targets give equal bits.
 #pragma once
 
@@ -11,8 +11,7 @@
 
 namespace cd {
 
-/// A frame with an origin. Coordinate k of x, rounded, is row_k . (x - center); these three
-/// coordinates are the place of x.
+/// A frame with an origin. Coordinate k of a point x is row_k . (x - center), rounded.
 struct SeenFrame {
     std::array<double, 9> rows{};
     std::array<double, 3> center{};
@@ -31,19 +30,19 @@ struct Spread {
                                std::uint32_t end,
                                const SeenFrame& frame);
 
-/// The places of a block's vertices in a SeenFrame, by axis, padded to whole vectors.
+/// Coordinates of a block's vertices in a SeenFrame, by axis, padded to whole vectors.
 struct BlockPlaces {
     alignas(64) std::array<std::array<double, block_vertices_max + 16>, 3> along;
 };
 
-/// Computes the spread of one block and stores the places of its vertices in `places`.
+/// Computes the spread of one block and stores the coordinates of its vertices in `places`.
 [[nodiscard]] Spread spread_of_block(const TriangleBlocks& blocks,
                                      std::uint32_t block,
                                      const SeenFrame& frame,
                                      BlockPlaces& places);
 
-/// Converts places on one axis to steps: (place - `origin` - `error`) / `step` for a low bound,
-/// with + `error` for a high one.
+/// Converts coordinates x on one axis to steps: (x - `origin` - `error`) / `step` for a low bound,
+/// with + `error` for a high bound.
 struct StepAxis {
     double origin = 0;
     double error = 0;
@@ -56,12 +55,12 @@ struct ChildPlaces {
     alignas(64) std::array<std::array<double, wide_children_max>, 3> high{};
 };
 
-/// Sets the boxes of `node.count` children, rounded outwards. All places are within 255 steps.
+/// Sets the boxes of `node.count` children, rounded outwards. All coordinates are within 255 steps.
 void set_child_boxes(const ChildPlaces& places,
                      const std::array<StepAxis, 3>& axes,
                      WideNode& node);
 
-/// Sets the boxes of a block's first `node.count` triangles, rounded outwards. All places are
+/// Sets the boxes of a block's first `node.count` triangles, rounded outwards. All coordinates are
 /// within 255 steps.
 void set_triangle_boxes(const BlockPlaces& places,
                         std::size_t vertices,

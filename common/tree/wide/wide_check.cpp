@@ -10,7 +10,7 @@ namespace cd {
 
 namespace {
 
-/// Reads the flag as a byte, because the byte of a bool from outside may have any value.
+/// Reads `is_leaf` as a byte, because the byte of a bool from outside may have any value.
 bool has_valid_flag(const WideNode& node) {
     std::uint8_t flag = 0;
     std::memcpy(&flag, &node.is_leaf, sizeof flag);

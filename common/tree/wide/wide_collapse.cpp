@@ -28,7 +28,7 @@ class Planner {
     std::vector<WidePlanNode> plan();
 
   private:
-    /// Triangles that become one child: a leaf, or an inner node.
+    /// One child of a planned node: a leaf, or an inner node.
     struct Child {
         std::uint32_t number = 0; ///< Number of the leaf or of the binary node.
         bool is_leaf = false;
@@ -49,12 +49,12 @@ class Planner {
     const WideLeaves& leaves_;
     /// Per binary node: index in `costs_`, if the node is a group or above one.
     std::vector<std::uint32_t> place_of_;
-    std::vector<Costs> costs_; ///< By `place_of_`.
-    /// By `place_of_`: 1 + the group's number; 0 above groups.
+    std::vector<Costs> costs_; ///< Indexed by `place_of_`.
+    /// Indexed by `place_of_`: 1 + the group's number; 0 for a node above groups.
     std::vector<std::uint32_t> group_of_;
 };
 
-/// Returns how many of `children` the left one of a node's two parts best becomes.
+/// Returns how many of `children` wide children a node's left part becomes, at least cost.
 std::uint32_t Planner::share_of_left(std::uint32_t node, std::uint32_t children) const {
     const Costs& left = costs_of(node + 1);
     const Costs& right = costs_of(tree_.nodes[node].right);
@@ -93,7 +93,7 @@ void Planner::add_inner_costs(std::uint32_t node, Costs& costs) const {
 }
 
 void Planner::find_costs() {
-    // All nodes above groups and the groups themselves, in preorder.
+    // All groups and the nodes above groups, in preorder.
     std::vector<std::uint32_t> upper;
     std::vector<std::uint32_t> stack = {0};
     std::uint32_t group = 0;

@@ -15,11 +15,11 @@ namespace cd {
 /// in exact terms. Keeps scratch memory between calls; one thread at a time may use it.
 class WideDescent {
   public:
-    /// `error_scale` multiplies both margins. Skipped pairs are proven to be apart only if it is at
-    /// least 1; tests use less to show that the margins are needed.
+    /// `error_scale` multiplies both margins. Skipped pairs are proven to be apart only if the
+    /// scale is at least 1; tests use less to show that the margins are needed.
     explicit WideDescent(const RelativePose& b_to_a, double error_scale = 1);
 
-    /// Starts afresh under another pose, but keeps scratch memory.
+    /// Forgets all pairs and counters, and takes another pose. Keeps scratch memory.
     void restart(const RelativePose& b_to_a);
 
     /// Selects the order of the descent.
@@ -31,11 +31,11 @@ class WideDescent {
                      ///< (`PairBuckets`) one by one, and goes on like First after `dive_visits`.
     };
 
-    /// Visits of most promising pairs in LikelyFirst. They find nearly all existing contacts; each
-    /// costs more than a later visit.
+    /// Number of visits of most promising pairs in LikelyFirst. These visits find nearly all
+    /// existing contacts; each costs more than a later visit.
     static constexpr std::uint32_t dive_visits = 16;
 
-    /// Begins at the roots. The trees have nodes and outlive the descent.
+    /// Begins a descent at the roots. The trees have nodes and outlive the descent.
     void start(const WideView& a, const WideView& b, Aim aim = Aim::All);
     [[nodiscard]] bool is_done() const {
         return walk_.waiting_count + walk_.leaf_count + walk_.ranked.size() == 0;

@@ -22,9 +22,9 @@
 // (5) An interval T + M (c +- h), divided by the steps: an entry takes three roundings with the
 //     quotient, T two; c and h are whole, sums of four take four, their difference one: within
 //     12 u (1.74 |w| + 2 E).
-// (6) Intervals of boxes. Of B's in A's frame, by (2), (3) and (5):
+// (6) Errors of boxes' intervals. B's boxes in A's frame, by (2), (3) and (5):
 //         26 u |w| + 52 u E_b + 3.01 r E_b + 1.8 abs.
-//     Of A's in B's, by (4) and (5):
+//     A's boxes in B's frame, by (4) and (5):
 //         30 u |w| + 65 u E_a + 3.1 (r + s) (|w| + E_a) + 1.8 abs.
 // (7) Intervals of triangles, from their corners y (of B; of A likewise): alpha = T + F R (y - p),
 //     beta = -G R^-1 w + G R^-1 (x - o). A leaf's origin and its vertices are both floats, so that
@@ -34,8 +34,8 @@
 //     times 1.01, and 1.75 r; R' for R^-1 another 3.01 s |x - o|. Products and sums four, the
 //     difference with the margin one: together 12.01 u 1.74 E + (1.75 r + 3.01 s) 1.74 E, and what
 //     T has by (2), (4) and (5).
-// (8) All are below 128 u (|w| + E_a + E_b) + 6 (r + s) (|w| + E_a + E_b) + 4 abs. `margin` is that
-//     with its own few roundings, and those of |w|, covered. Underflow costs less than 2^-148
+// (8) All errors are below 128 u (|w| + E_a + E_b) + 6 (r + s) (|w| + E_a + E_b) + 4 abs. `margin`
+//     is this bound and covers its own roundings and those of |w|. Underflow costs less than 2^-148
 //     of a length or an entry, in steps below 2^-20; the margin is at least 255 * 2^-17 steps.
 //
 // Overflow: coordinates of a wide tree are below 2^50, so that boxes share a point only where |w|
@@ -91,8 +91,8 @@ HWY_INLINE void prefetch_triangles(const WideBody& body, const WideNode& leaf) {
 // their loads overlap and no branch depends on a single pair. Pairs of leaves are collected until
 // there are enough of them.
 
-/// Tests the first `count` visits from both sides. Writes to `left` the indices of those where both
-/// nodes have children that may overlap the other node. Returns their number.
+/// Tests the first `count` visits from both sides. Writes to `left` the indices of the visits where
+/// both nodes have children that may overlap the other node. Returns the number of these visits.
 template <bool kBothLeaves>
 HWY_INLINE std::size_t see_both(
     const WidePose& pose, WideWalk& walk, Visit* visits, std::size_t count, std::size_t* left) {
@@ -121,7 +121,8 @@ HWY_INLINE std::size_t see_both(
     return both_count;
 }
 
-/// The two sides of a visit. The rows are the found children of `one`, the side with fewer of them.
+/// The two sides of a visit. Each row is a found child of `one`, the side with fewer found
+/// children.
 struct Rows {
     RowSide one;
     RowSide others;
@@ -159,8 +160,8 @@ HWY_INLINE void count_visits(WideWalk& walk, std::size_t count) {
     walk.visits_left -= std::min(walk.visits_left, static_cast<std::uint32_t>(count));
 }
 
-/// Prepares visits of pairs of nodes but sets pairs of leaves aside. Returns how many visits it
-/// prepared.
+/// Prepares visits of pairs of nodes but sets pairs of leaves aside. Returns the number of prepared
+/// visits.
 HWY_INLINE std::size_t meet_inner(
     const WidePose& pose, WideWalk& walk, const WidePair* now, std::size_t count, Visit* visits) {
     for (std::size_t i = 0; i < count; ++i) {

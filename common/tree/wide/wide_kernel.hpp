@@ -45,23 +45,23 @@ struct WideBody {
     const BlockCorners* corners = nullptr;
 };
 
-/// The state of a descent.
+/// The state of a descent of two wide trees.
 struct WideWalk {
     WideBody a;
     WideBody b;
     WidePair* waiting = nullptr; ///< Pairs whose boxes may overlap; the last one is next.
     std::size_t waiting_count = 0;
     std::size_t waiting_room = 0;
-    Candidate* candidates = nullptr; ///< With room for `wide_pairs_slack` beyond those wanted.
+    Candidate* candidates = nullptr; ///< Has room for `wide_pairs_slack` more than wanted.
     std::size_t candidate_count = 0;
     std::size_t candidates_wanted = 0;
     std::array<WidePair, wide_leaves_max> leaves; ///< Pairs of leaves that are set aside.
     std::size_t leaf_count = 0;
-    /// Number of pairs of leaves that are set aside before they are visited: at most
-    /// `wide_batch_max` less than there is room for.
+    /// Number of pairs of leaves that are set aside before they are visited; at most
+    /// `wide_leaves_max` - `wide_batch_max`.
     std::size_t leaves_at_once = 0;
     PairBuckets ranked;            ///< The waiting pairs of `walk_wide_ranked`.
-    std::uint32_t visits_left = 0; ///< Visits left before the walk pauses.
+    std::uint32_t visits_left = 0; ///< Visits left before the descent pauses.
     std::uint64_t visits = 0;      ///< Pairs of nodes visited so far.
     std::uint64_t box_tests = 0;
 };

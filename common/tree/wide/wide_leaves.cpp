@@ -188,7 +188,7 @@ void GroupSplitter::find_split(std::uint32_t begin,
     }
 }
 
-/// Makes the left part come first on the other axes, too; both parts keep their order.
+/// Moves the left part to the front on the other axes, too; both parts keep their order.
 void GroupSplitter::part(std::uint32_t begin, std::uint32_t end, const Split& split) {
     OfTriangles<bool> is_left{};
     for (std::uint32_t i = begin; i < begin + split.left; ++i) {
@@ -234,7 +234,7 @@ void GroupSplitter::split(std::uint32_t begin, std::uint32_t end, const OfTriang
         return;
     }
     Split best;
-    best.left = block_size; // Stays if all costs are infinite or NaN.
+    best.left = block_size; // Unchanged if all costs are infinite or NaN.
     for (std::size_t axis = 0; axis < 3; ++axis) {
         find_split(begin, end, axis, best);
     }

@@ -28,7 +28,7 @@ struct alignas(64) WideNode {
     std::uint32_t first = 0; ///< Index of the first child; for a leaf, the number of its block.
     std::uint8_t count = 0;  ///< Number of children; for a leaf, of triangles.
     bool is_leaf = false;
-    std::array<std::uint8_t, 2> unused{}; ///< Gives each byte of an array of nodes a value.
+    std::array<std::uint8_t, 2> unused{}; ///< Padding; defines every byte of a node in a file.
 };
 static_assert(sizeof(WideNode) == 192);
 

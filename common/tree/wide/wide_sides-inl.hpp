@@ -39,7 +39,7 @@ struct Side {
     std::uint32_t count;
 };
 
-/// The bounds of a node treated as its own only child.
+/// The bounds, in steps, of a node treated as its own only child.
 struct WholeBounds {
     std::array<WideNode::Bytes, 3> low{};
     std::array<WideNode::Bytes, 3> high{WideNode::Bytes{255}, {255}, {255}};
@@ -164,7 +164,7 @@ HWY_INLINE std::uint32_t see_whole(const Change<kByAxis>& change, Intervals& see
 
 #if HWY_TARGET == HWY_SCALAR || HWY_MAX_BYTES < 32
 
-/// No block: the vectors have too few lanes for look-ups of corners in registers.
+/// Zero, because the vectors have too few lanes for look-ups of corners in registers.
 constexpr std::uint32_t vertices_max = 0;
 
 template <bool kByAxis>
@@ -178,8 +178,8 @@ HWY_INLINE std::uint32_t see_triangles(const WideBody&,
 
 #else
 
-/// The most vertices of a block whose triangles are bounded corner by corner: two vectors of
-/// sixteen lanes hold so many values of one coordinate, two vectors of eight half as many.
+/// The most vertices of a block whose triangles are bounded corner by corner: two SIMD vectors hold
+/// this many values of one coordinate.
 constexpr std::uint32_t vertices_max = 2 * lanes;
 
 /// One number for each of up to `kHalves * lanes` vertices.

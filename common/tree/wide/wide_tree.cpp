@@ -57,7 +57,7 @@ class Maker {
           std::span<WideNode> nodes)
         : tree_(tree), plan_(plan), blocks_(blocks), nodes_(nodes), boxes_(blocks, nodes) {}
 
-    /// Completes `count` nodes from `begin` on. Any number of threads may call it at once.
+    /// Completes `count` nodes from `begin` on. Any number of threads may call this at once.
     void make(std::size_t begin, std::size_t count) const;
 
   private:

@@ -101,7 +101,7 @@ void put_corners(ByteWriter& out,
 
 /// The distinct vertices of all blocks, in the order of first use.
 struct SharedVertices {
-    std::vector<std::uint32_t> steps_back; ///< Per vertex of each block; 0 for a new one.
+    std::vector<std::uint32_t> steps_back; ///< Distance back, by vertex; 0: a new vertex.
     std::vector<std::uint32_t> first_uses; ///< Per distinct vertex: its first index in the blocks.
 };
 
@@ -123,7 +123,7 @@ SharedVertices share_vertices(const TriangleBlocks& blocks) {
     std::ranges::sort(by_place, [&](std::uint32_t left, std::uint32_t right) {
         return std::pair(key(left), left) < std::pair(key(right), right);
     });
-    std::vector<std::uint32_t> first_in_place(count); // By vertex: the first with equal bits.
+    std::vector<std::uint32_t> first_in_place(count); // For each vertex, the first equal one.
     for (std::size_t i = 0; i < count; ++i) {
         const bool is_new = i == 0 || key(by_place[i]) != key(by_place[i - 1]);
         first_in_place[by_place[i]] = is_new ? by_place[i] : first_in_place[by_place[i - 1]];
@@ -197,7 +197,7 @@ Bytes encode(const WideView& wide) {
 
 // ---- Decoding --------------------------------------------------------------------------------
 
-/// The tree without its boxes.
+/// A decoded tree without its boxes.
 struct Outline {
     std::vector<WideNode> nodes;
     std::vector<FrameCode> frames;
@@ -205,8 +205,8 @@ struct Outline {
     std::size_t triangles = 0;
 };
 
-/// Numbers children and blocks. Returns false when the nodes are no tree, or one so deep that
-/// making its boxes could take long.
+/// Sets the first child of each inner node. Returns false when the nodes are no tree, or a tree so
+/// deep that making its boxes could take long.
 bool number_children(std::vector<WideNode>& nodes) {
     struct Open {
         std::size_t node;
@@ -284,7 +284,7 @@ bool get_coordinates(ByteReader& in, std::size_t count, std::vector<Float>& colu
         return false;
     }
     column.resize(count);
-    // The bits of floats without sign sort as the absolute values do, and NaN comes last.
+    // Without the sign, the bits of floats sort as the absolute values do, and NaN comes last.
     constexpr BitsOf<Float> sign = BitsOf<Float>{1} << (8 * sizeof(Float) - 1);
     BitsOf<Float> largest = 0;
     for (std::size_t i = 0; i < count; ++i) {
@@ -318,7 +318,7 @@ class BlockFiller {
         }
     }
 
-    /// Returns false when corners name no vertex.
+    /// Fills the next block, number `block`. Returns false when corners name no vertex.
     bool fill(std::size_t block, std::size_t triangles);
     /// Returns true if the filled blocks use all vertices and all steps.
     [[nodiscard]] bool is_complete() const {

@@ -49,7 +49,7 @@ WideBlocks make_wide_blocks(const TreeView& tree,
         parts[task] = make_part(tree, leaves, leaf_of_block.subspan(begin, count), precision);
     });
 
-    std::vector<std::uint32_t> vertices_before; // Number of vertices before each part, then of all.
+    std::vector<std::uint32_t> vertices_before; // Number of vertices before each part.
     WideBlocks all;
     std::uint32_t vertices = 0;
     for (const TriangleBlockArrays& part : parts) {
