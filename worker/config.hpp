@@ -39,7 +39,7 @@ struct WorkerCommandLine {
     int exit_code = 0;
 };
 
-/// Precedence: command line, environment, file of --config.
+/// Parses all options. Precedence: command line, environment, file of --config.
 [[nodiscard]] WorkerCommandLine parse_worker_command_line(int count, const char* const* arguments);
 
 /// Parses a size in bytes: "4GiB", "512 MiB", "1.5TiB" or a plain number; kB, MB, GB and TB are

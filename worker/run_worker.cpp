@@ -125,11 +125,11 @@ class Daemon {
         co_return std::nullopt;
     }
 
-    /// Whether any bytes came from the master; then a refusal does not come from TLS.
+    /// Whether any bytes came from the master. If so, a refusal does not come from TLS.
     static bool had_answer(const Channel& channel) { return channel.traffic().bytes_received != 0; }
 
-    /// Empty if the worker retries. The worker ends if the master itself refused it, or if TLS has
-    /// refused the worker or the master for too long.
+    /// Returns nothing if the worker retries. The worker ends if the master itself refused the
+    /// worker, or if TLS has refused the worker or the master for too long.
     std::optional<int> exit_code_of_failed_greeting(const Error& error, bool is_by_master) {
         log_error("greeting failed: error=\"{}\"", error.detail);
         const bool tries_again = error.code != ErrorCode::Refused ||
@@ -193,7 +193,7 @@ class Daemon {
         membership_.end();
         keeper_->stop();
         signals_.cancel();
-        context_.stop(); // Does not wait for idle connections of peers.
+        context_.stop(); // Closes idle connections of peers without a wait.
     }
 
     const WorkerConfig& config_;
@@ -233,7 +233,7 @@ int exit_code_of(const Error& error) {
 } // namespace
 
 int join_as_worker(const WorkerConfig& config) {
-    // The file comes first: a join spends one use of the token, even if the file cannot be written.
+    // Checks the file first: a join spends a use of the token even if the file cannot be written.
     const std::filesystem::path path = credential_path(config.state, config.master);
     if (const Status can_write = check_can_write(path); !can_write) {
         log_error("not joined: {}", can_write.error().detail);

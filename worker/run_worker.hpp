@@ -8,7 +8,7 @@
 
 namespace cd {
 
-/// Pauses between connection attempts. They double up to a limit, with random jitter so that
+/// Pauses between connection attempts. The pauses double up to a limit, with random jitter so that
 /// workers do not reconnect all at once.
 class Backoff {
   public:
@@ -16,7 +16,7 @@ class Backoff {
 
     /// Returns the next pause: a random time between half the current limit and the whole limit.
     [[nodiscard]] std::chrono::milliseconds next();
-    /// Makes the next pause the shortest again.
+    /// Resets the limit, so that the next pause is the shortest.
     void reset();
 
   private:
@@ -24,10 +24,10 @@ class Backoff {
     unsigned attempts_ = 0;
 };
 
-/// Runs until the worker has drained or cannot work. Returns an exit code listed in --help.
+/// Runs the daemon until the worker has drained or cannot work. Returns a code that --help lists.
 [[nodiscard]] int run_worker(const WorkerConfig& config);
 
-/// `cdworker join`: gets a credential with the configured token. Returns the exit code.
+/// Runs `cdworker join`: gets a credential with the configured token. Returns the exit code.
 [[nodiscard]] int join_as_worker(const WorkerConfig& config);
 
 } // namespace cd

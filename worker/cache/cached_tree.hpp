@@ -20,7 +20,7 @@ struct SubtreeKey {
     friend auto operator<=>(const SubtreeKey&, const SubtreeKey&) = default;
 };
 
-/// Checks that blocks belong to the tree, and knows their sizes. Not thread-safe.
+/// The cached blocks of one tree. Checks that blocks belong to the tree. Not thread-safe.
 class CachedTree {
   public:
     /// State of one subtree in a `SubtreeCache`, cached or not.
@@ -29,7 +29,7 @@ class CachedTree {
         bool is_pinned = false;                    ///< True: must not be evicted.
         bool is_idle = false;                      ///< True: cached and not pinned.
         std::list<SubtreeKey>::iterator
-            place; ///< In the cache's list of idle subtrees, if `is_idle`.
+            place; ///< Position in the cache's list of idle subtrees, if `is_idle`.
     };
 
     explicit CachedTree(const AddTree& add) : named_(add), partial_(add.roots), slots_(add.roots) {}
@@ -40,23 +40,23 @@ class CachedTree {
     [[nodiscard]] Status fill(RootIndex root,
                               std::shared_ptr<const Subtree> subtree,
                               std::shared_ptr<const SubtreeBlock> block);
-    /// Sets the upper tree. Errors: BadFrame for a wrong number of roots or triangles, or if it
-    /// disagrees with a cached subtree.
+    /// Sets the upper tree. Errors: BadFrame for a wrong number of roots or triangles, or for an
+    /// upper tree that disagrees with a cached subtree.
     [[nodiscard]] Status set_top(std::shared_ptr<const TreeTop> top,
                                  std::shared_ptr<const SubtreeBlock> block);
-    /// Empties a filled slot.
+    /// Drops the subtree and the block of a filled slot.
     void empty(RootIndex root);
 
     [[nodiscard]] const AddTree& named() const { return named_; }
     [[nodiscard]] const PartialObbTree& partial() const { return partial_; }
-    /// Returns an immutable copy. All calls share it until a block is added or evicted.
+    /// Returns an immutable copy of `partial()`, shared until a block is added or evicted.
     [[nodiscard]] std::shared_ptr<const PartialObbTree> snapshot();
     [[nodiscard]] std::vector<Slot>& slots() { return slots_; }
     /// The encoded block of a subtree or of the upper tree; null if it is not cached or not kept.
     [[nodiscard]] std::shared_ptr<const SubtreeBlock> block_at(RootIndex root) const;
-    /// Memory of a filled slot, bytes.
+    /// Memory of a filled slot's subtree and encoded block, in bytes.
     [[nodiscard]] std::uint64_t bytes_of(RootIndex root) const;
-    /// Memory of the upper tree, bytes; 0 if it is not cached.
+    /// Memory of the upper tree and its encoded block, in bytes; 0 if not cached.
     [[nodiscard]] std::uint64_t bytes_of_top() const;
     /// Estimated memory of a subtree or of the upper tree, in bytes, before the block has arrived.
     [[nodiscard]] std::uint64_t bytes_expected(RootIndex root) const;

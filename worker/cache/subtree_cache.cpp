@@ -33,7 +33,7 @@ Result<OpenedBlock> open_block(const SubtreeBlock& block) {
 
 namespace {
 
-/// The first id of a parked tree; a master never counts this far.
+/// The first id of a parked tree; the ids that a master gives are lower.
 constexpr std::uint64_t parked_first = std::uint64_t{1} << 63;
 
 } // namespace
@@ -124,7 +124,7 @@ Status SubtreeCache::add_tree(const AddTree& add) {
     }
     for (auto& [id, parked] : trees_) {
         const AddTree& named = parked.named();
-        // Equal cuts promise equal blocks. The other fields are compared too, to verify that.
+        // Equal `cut` hashes imply equal blocks; comparing the other fields verifies this.
         if (is_parked(id) && named.cut == add.cut && named.form == add.form &&
             named.top == add.top && named.roots == add.roots && named.triangles == add.triangles) {
             rename(id, add.tree);

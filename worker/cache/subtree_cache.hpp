@@ -19,7 +19,7 @@ using OpenedBlock = std::variant<std::shared_ptr<const Subtree>, std::shared_ptr
 /// Errors: BadFrame, TooLarge.
 [[nodiscard]] Result<OpenedBlock> open_block(const SubtreeBlock& block);
 
-/// Holds the trees that the master has named. Evicts the least recently used subtrees above the
+/// Contains the trees that the master has named. Evicts the least recently used subtrees above the
 /// limit. Never evicts pinned subtrees, which may exceed the limit, nor upper trees. Not
 /// thread-safe.
 class SubtreeCache {
@@ -37,18 +37,18 @@ class SubtreeCache {
     void drop_parked();
     /// The trees that are not parked, ascending by id.
     [[nodiscard]] std::vector<TreeId> trees() const;
-    /// The cached blocks of the tree, ascending; includes `top_root`.
+    /// The roots of the tree's cached blocks, ascending; `top_root` means the upper tree.
     [[nodiscard]] std::vector<RootIndex> held(TreeId tree) const;
     /// Frees the tree with its blocks. Unknown trees are ignored.
     void remove_tree(TreeId tree);
-    /// Null for an unknown tree.
+    /// The tree with its cached blocks; null for an unknown tree.
     [[nodiscard]] const PartialObbTree* find(TreeId tree) const;
     /// The form of the tree's subtrees. The tree must be known.
     [[nodiscard]] SubtreeForm form_of(TreeId tree) const { return trees_.at(tree).named().form; }
 
-    /// Fills a slot or sets the upper tree. Ignores unknown trees and blocks that are cached
-    /// already. Keeps `block`, the encoded form, for other workers; null keeps nothing. Errors:
-    /// those of `CachedTree::fill` and `CachedTree::set_top`.
+    /// Adds a subtree or an upper tree. Ignores unknown trees and blocks that are cached already.
+    /// Keeps `block`, the encoded form, for other workers; null keeps nothing. Errors: those of
+    /// `CachedTree::fill` and `CachedTree::set_top`.
     [[nodiscard]] Status insert(const SubtreeKey& key,
                                 OpenedBlock opened,
                                 std::shared_ptr<const SubtreeBlock> block = nullptr);
@@ -57,18 +57,18 @@ class SubtreeCache {
     [[nodiscard]] std::shared_ptr<const PartialObbTree> snapshot(TreeId tree);
     /// Marks a cached subtree as just used.
     void touch(const SubtreeKey& key);
-    /// Null if the subtree is not cached.
+    /// The subtree; null if it is not cached.
     [[nodiscard]] std::shared_ptr<const Subtree> at(const SubtreeKey& key) const;
     /// Whether the subtree, or the upper tree, is cached.
     [[nodiscard]] bool has(const SubtreeKey& key) const;
     /// The encoded form of a cached subtree or upper tree; null if not cached or not kept.
     [[nodiscard]] std::shared_ptr<const SubtreeBlock> block_at(const SubtreeKey& key) const;
 
-    /// Protects a slot from eviction, even before its subtree arrives. Unpinning counts as a use.
+    /// Protects a subtree, even before it arrives, from eviction until `unpin`, which is a use.
     void pin(const SubtreeKey& key);
     void unpin(const SubtreeKey& key);
 
-    /// Evicts as if `bytes` were the limit. Returns the number of evicted subtrees.
+    /// Evicts idle subtrees until the cache takes at most `bytes`. Returns the number evicted.
     std::size_t let_go(std::uint64_t bytes);
     /// The subtrees evicted since the last call, in order, except those of removed trees.
     [[nodiscard]] std::vector<SubtreeKey> take_evicted();
@@ -86,7 +86,7 @@ class SubtreeCache {
 
     [[nodiscard]] static bool is_parked(TreeId tree);
     void rename(TreeId from, TreeId to);
-    CachedTree* find_tree(const SubtreeKey& key); ///< Null also for a root out of range.
+    CachedTree* find_tree(const SubtreeKey& key); ///< Null for an unknown tree or root.
     void set_idle(Slot& slot, const SubtreeKey& key);
     void evict_beyond_limit() { evict_beyond(bytes_max_); }
     void evict_beyond(std::uint64_t bytes_max);
@@ -94,8 +94,8 @@ class SubtreeCache {
     std::uint64_t bytes_max_;
     std::uint64_t bytes_ = 0;
     std::map<TreeId, CachedTree> trees_;
-    std::list<SubtreeKey> idle_;      ///< Cached and not pinned; least recently used first.
-    std::vector<SubtreeKey> evicted_; ///< Since the last `take_evicted`.
+    std::list<SubtreeKey> idle_;      ///< Cached, not pinned; least recently used first.
+    std::vector<SubtreeKey> evicted_; ///< Subtrees evicted since the last `take_evicted`.
     std::uint64_t evictions_ = 0;
     std::uint64_t parked_last_ = 0; ///< Counter for the ids of parked trees.
 };

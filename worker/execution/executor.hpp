@@ -19,10 +19,10 @@ class Executor {
   public:
     using Continuation = std::function<void()>;
 
-    /// 0 threads: one per core that this process may use. Continuations run on `home`.
+    /// 0 `threads`: one per core that this process may use. Continuations run on `home`.
     Executor(asio::any_io_executor home, unsigned threads);
 
-    /// Runs `job` on a pool thread, then the continuation that it returns on `home`. Neither may
+    /// Runs `job` on a pool thread, then the continuation that `job` returns on `home`. Neither may
     /// throw. Continuations of functions that end close together are posted to `home` as one.
     void submit(std::function<Continuation()> job);
 
@@ -35,7 +35,7 @@ class Executor {
     asio::any_io_executor home_;
     std::mutex mutex_;
     std::vector<Continuation> ended_;
-    ThreadPool pool_; ///< Last: its threads use the members above.
+    ThreadPool pool_; ///< Last member, because its threads use the members above.
 };
 
 /// A scenario with all the data that it needs to run, independent of later cache changes.
@@ -43,7 +43,7 @@ struct ReadyScenario {
     Scenario scenario;
     std::shared_ptr<const Query> query;
     std::vector<RootPair> pairs;
-    std::vector<RootIndex> roots_a; ///< Distinct, ascending.
+    std::vector<RootIndex> roots_a; ///< Distinct roots of `pairs`, ascending.
     std::vector<RootIndex> roots_b;
     std::vector<std::shared_ptr<const Subtree>> subtrees_a; ///< Parallel to `roots_a`.
     std::vector<std::shared_ptr<const Subtree>> subtrees_b;

@@ -12,7 +12,7 @@
 
 namespace cd {
 
-/// The clock of one function on a pool thread, which runs scenarios of one job one by one. That
+/// The clock of one function that runs scenarios of one job one by one on a pool thread. The pool
 /// thread writes; any thread may read.
 class ScenarioClock {
   public:
@@ -29,7 +29,7 @@ class ScenarioClock {
 
     [[nodiscard]] JobId job() const { return job_; }
     [[nodiscard]] std::uint64_t scenario() const { return scenario_.load(); }
-    /// Empty if no scenario runs.
+    /// Start of the running scenario; empty if no scenario runs.
     [[nodiscard]] std::optional<Time::time_point> since() const {
         const Time::rep since = since_.load();
         return since == none ? std::nullopt
@@ -48,7 +48,7 @@ class ScenarioClock {
 class RunningClocks {
   public:
     [[nodiscard]] std::shared_ptr<ScenarioClock> add(JobId job);
-    /// The scenario that has run for the longest time. Empty if none runs.
+    /// The scenario that has run for the longest time; empty if no scenario runs.
     [[nodiscard]] std::optional<RunningScenario> longest() const;
 
   private:

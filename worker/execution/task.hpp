@@ -1,4 +1,4 @@
-// One task of this worker: its scenarios, how many are unanswered, and the unsent results.
+// One task of this worker: scenarios, number of unanswered scenarios, and unsent results.
 #pragma once
 
 #include "common/core/timing/worker.hpp"
@@ -20,12 +20,12 @@
 
 namespace cd {
 
-/// An analysed unit lists the colliding roots of each scenario. Otherwise descents through the
-/// upper trees find them.
+/// A task in progress. If its work unit is analysed, the unit lists the colliding roots of each
+/// scenario; otherwise descents of the upper trees find the roots.
 class Task {
   public:
-    /// Errors: BadFrame for a root that its tree lacks, positions outside the grid, invalid poses,
-    /// or a wrong number of them.
+    /// Checks the unit. Errors: BadFrame for a root that its tree lacks, positions outside the
+    /// grid, invalid poses, or a wrong number of poses.
     [[nodiscard]] static Result<Task>
     make(WorkUnit unit, std::shared_ptr<const WorkerJob> job, const SubtreeCache& cache);
 
@@ -36,20 +36,20 @@ class Task {
     // ---- Scenarios whose roots are known ----------------------------------------------------
     /// The distinct subtrees that a scenario needs, ascending.
     [[nodiscard]] std::vector<SubtreeKey> roots_of(std::size_t scenario) const;
-    /// Requires that the cache holds all of `roots_of(scenario)`.
+    /// Collects the data of a scenario for a thread. Requires `roots_of(scenario)` to be cached.
     [[nodiscard]] ReadyScenario ready(std::size_t scenario, const SubtreeCache& cache) const;
 
     // ---- Scenarios whose roots are not known ------------------------------------------------
     /// Whether any scenario has not been given to a descent yet.
     [[nodiscard]] bool has_unwalked() const { return walked_ < unwalked_end_; }
-    /// Takes the next scenarios: as many as take about `timing::walk_seconds`, but few enough to
-    /// leave work for every thread. Requires `has_unwalked()`.
+    /// Takes the next scenarios for a descent: as many as take about `timing::walk_seconds`, but
+    /// few enough to leave work for every thread. Requires `has_unwalked()`.
     [[nodiscard]] Walk next_walk(SubtreeCache& cache, unsigned threads);
     /// Stores the colliding roots that a descent found for a scenario that lacks subtrees.
     void keep_roots(Walked::Waiting waiting) { pairs_.add(std::move(waiting)); }
     /// Ends, without a result, all scenarios that no descent has taken.
     void drop_unwalked() { keep_places(0); }
-    /// Like `drop_unwalked`, but keeps the first `count` scenarios of the range.
+    /// Ends, without a result, all scenarios from position `count` on that no descent has taken.
     void keep_places(std::size_t count);
 
     // ---- Returned scenarios -------------------------------------------------------------------
@@ -58,9 +58,9 @@ class Task {
     }
     /// Records that a recalled scenario ended without a result.
     void give_back(std::uint64_t index) { given_back_.insert(index); }
-    /// All scenarios returned to the master so far, and for a range the positions kept.
+    /// All scenarios returned so far, and the number of positions of a range that are kept.
     [[nodiscard]] Recalled given_back() const;
-    /// Scenarios that another worker has answered, so that this one need not.
+    /// Scenarios that this worker need not answer, because another worker has.
     [[nodiscard]] const std::shared_ptr<DroppedScenarios>& answered_elsewhere() const {
         return answered_elsewhere_;
     }
@@ -88,11 +88,11 @@ class Task {
     std::uint64_t unanswered_ = 0;
     std::shared_ptr<std::atomic<bool>> abandoned_ = std::make_shared<std::atomic<bool>>(false);
     std::shared_ptr<DroppedScenarios> answered_elsewhere_ = std::make_shared<DroppedScenarios>();
-    std::set<std::uint64_t> given_back_; ///< Scenario indices; batches only.
-    TaskResults results_;                ///< Not yet taken.
+    std::set<std::uint64_t> given_back_; ///< Indices of returned scenarios of an analysed unit.
+    TaskResults results_;                ///< Results not yet taken.
     TaskPairs pairs_;
-    std::size_t walked_ = 0;       ///< Scenarios given to descents so far; 0 for a batch.
-    std::size_t unwalked_end_ = 0; ///< One past the last scenario for descents; 0 for a batch.
+    std::size_t walked_ = 0;       ///< Scenarios given to descents so far; 0 if analysed.
+    std::size_t unwalked_end_ = 0; ///< One past the last scenario for descents; 0 if analysed.
 };
 
 } // namespace cd

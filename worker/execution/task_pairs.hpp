@@ -12,7 +12,7 @@
 
 namespace cd {
 
-/// An analysed unit lists the pairs of all its scenarios; otherwise descents find them one by one.
+/// The pairs of all scenarios, as an analysed unit lists them, or those that descents have found.
 class TaskPairs {
   public:
     TaskPairs() = default;
@@ -21,7 +21,7 @@ class TaskPairs {
         : offsets_(std::move(offsets)), pairs_(std::move(pairs)) {}
 
     void add(Walked::Waiting found) { found_.emplace(found.scenario, std::move(found.pairs)); }
-    /// The pairs of the scenario must be known.
+    /// The pairs of a scenario, which must be known.
     [[nodiscard]] std::span<const RootPair> of(std::size_t scenario) const {
         if (offsets_.empty()) {
             return found_.at(scenario);
@@ -31,9 +31,9 @@ class TaskPairs {
     }
 
   private:
-    std::vector<std::uint32_t> offsets_; ///< Empty for a range.
+    std::vector<std::uint32_t> offsets_; ///< Empty unless the unit is analysed.
     std::vector<RootPair> pairs_;
-    std::unordered_map<std::size_t, std::vector<RootPair>> found_; ///< Of a range.
+    std::unordered_map<std::size_t, std::vector<RootPair>> found_; ///< Pairs that descents found.
 };
 
 } // namespace cd

@@ -16,13 +16,13 @@ class TaskResults {
     void add(const FinishedScenarios& finished);
     /// Uncompressed bytes of the results not yet taken.
     [[nodiscard]] std::size_t bytes() const { return sum_.records.size() + map_.bytes(); }
-    /// Mean thread time per scenario in the last results; 0 before the first.
+    /// Mean thread time per scenario of the last `add`, in seconds; 0 before the first.
     [[nodiscard]] double seconds_per_scenario() const { return seconds_per_scenario_; }
     /// Packs and removes the results. Empty if there are none.
     [[nodiscard]] std::optional<Results> take(TaskId task, const WorkerJob& job);
 
   private:
-    FinishedScenarios sum_; ///< Sum of the results, without the contact map.
+    FinishedScenarios sum_; ///< Sum of the results not yet taken, without the contact map.
     ContactMapSum map_;     ///< Contact map of `sum_`.
     double seconds_per_scenario_ = 0;
 };

@@ -15,8 +15,8 @@ class UsedRoots {
   public:
     explicit UsedRoots(std::uint32_t root_count) : used_by_(root_count, 0) {}
 
-    /// Adds the roots scenario by scenario; scenarios are numbered from 1. True if the root is new
-    /// to `scenario`.
+    /// Records that a scenario uses `root`, scenario by scenario; numbers start at 1. Returns true
+    /// if the root is new to `scenario`.
     bool add(RootIndex root, std::uint32_t scenario) {
         return std::exchange(used_by_[root], scenario) != scenario;
     }
@@ -40,7 +40,7 @@ class Walker {
           used_b_of_its_own_(walk.b->root_count()),
           used_b_(walk.job->tree_a == walk.job->tree_b ? used_a_ : used_b_of_its_own_) {}
 
-    /// Runs a scenario, or notes that it waits for subtrees. False if the run was stopped.
+    /// Runs a scenario, or records that it waits for subtrees. Returns false if stopped.
     bool run(std::size_t place, const Scenario& scenario, const RunOptions& options) {
         Result<CollidingRoots> roots =
             colliding_roots(walk_.a->top(), walk_.b->top(), scenario.poses);
@@ -72,7 +72,7 @@ class Walker {
     }
 
   private:
-    /// Collects the subtrees of the pairs. False if one is missing.
+    /// Collects the subtrees of the pairs. Returns false if a subtree is missing.
     bool gather(std::span<const RootPair> pairs) {
         pairs_.clear();
         ++scenario_;

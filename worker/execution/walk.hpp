@@ -1,5 +1,5 @@
 // Runs part of a scenario range on one thread: finds the colliding roots of each scenario, and
-// tests at once those whose subtrees are all cached.
+// tests at once the scenarios whose subtrees are all cached.
 #pragma once
 
 #include "common/core/files/bytes.hpp"
@@ -20,7 +20,7 @@ namespace cd {
 /// The scenarios of a task, from a list or from the job's grid.
 class TaskScenarios {
   public:
-    /// Positions [first, first + count) of the job's grid, which must exist.
+    /// Takes positions [first, first + count) of the job's grid, which must exist.
     TaskScenarios(std::shared_ptr<const WorkerJob> job, std::uint64_t first, std::size_t count)
         : job_(std::move(job)), first_(first), size_(count) {}
     explicit TaskScenarios(std::vector<Scenario> list)
@@ -54,7 +54,7 @@ struct FinishedScenarios {
     Bytes records; ///< Output of `encode_result`, each record after its length as u32.
     std::uint32_t count = 0;
     QueryStatistics statistics;
-    double seconds = 0; ///< Time on one thread.
+    double seconds = 0; ///< Thread time.
     ContactMap map;     ///< Empty unless the query asks for maps.
 
     void add(const Bytes& record);
@@ -62,20 +62,20 @@ struct FinishedScenarios {
 
 /// Output of one descent.
 struct Walked {
-    /// A scenario that lacks subtrees.
+    /// A scenario with missing subtrees.
     struct Waiting {
         std::size_t scenario = 0; ///< Position in the task.
         std::vector<RootPair> pairs;
     };
 
     FinishedScenarios finished;
-    std::vector<Waiting> waiting; ///< Not answered: they lack subtrees.
+    std::vector<Waiting> waiting; ///< Not answered, because subtrees are missing.
     std::vector<SubtreeKey> used; ///< Cached subtrees that the scenarios need.
-    std::uint64_t found = 0;      ///< Subtrees of the scenarios that lack none, summed by scenario.
+    std::uint64_t found = 0;      ///< Number of subtrees used, summed over the scenarios run.
     std::size_t left = 0;         ///< Scenarios not answered because of a stop or a drop.
 };
 
-/// Runs the scenarios of `walk` in order and sets `clock` for each.
+/// Runs the scenarios of one descent in order and sets `clock` for each.
 [[nodiscard]] Walked walk(const Walk& walk, const StopCheck& stop, ScenarioClock& clock);
 
 } // namespace cd

@@ -15,7 +15,7 @@
 
 namespace cd {
 
-/// Scenarios that need no answer. One thread adds; any thread may call `contains`.
+/// A set of scenarios that need no answer. One thread adds; any thread may call `contains`.
 class DroppedScenarios {
   public:
     void add(std::uint64_t scenario);
@@ -40,8 +40,8 @@ struct WorkerJob {
     [[nodiscard]] bool uses(TreeId tree) const { return tree_a == tree || tree_b == tree; }
 };
 
-/// Makes a job of the master's message. Errors: BadFrame unless there are two trees; for an unknown
-/// tree, trees of different forms, wide trees with a tolerance, or an invalid grid.
+/// Makes a job of the master's message. Errors: BadFrame unless the job has two trees, and for an
+/// unknown tree, trees of different forms, wide trees with a tolerance, or an invalid grid.
 [[nodiscard]] Result<std::shared_ptr<const WorkerJob>> make_worker_job(AddJob add,
                                                                        const SubtreeCache& cache);
 

@@ -98,7 +98,7 @@ asio::awaitable<Status> CredentialKeeper::renew() {
     co_return loaded_again;
 }
 
-/// An eighth of the remaining validity, so that several attempts fit before the expiry.
+/// Returns an eighth of the remaining validity, so that several attempts fit before the expiry.
 Milliseconds CredentialKeeper::pause_after_failure() const {
     const Milliseconds left = time_until(tls_->now->identity()->until);
     return std::clamp<Milliseconds>(

@@ -12,7 +12,7 @@ namespace cd {
 /// Owns one credential file, which other workers on this host may share. Not thread-safe.
 class CredentialKeeper {
   public:
-    /// Reads the file; if there is none, the keeper has no certificate. Errors: those of
+    /// Reads the file at `path`; without a file, the keeper has no certificate. Errors: those of
     /// `read_credential` except NotFound; those of `Tls::make`.
     [[nodiscard]] static Result<std::unique_ptr<CredentialKeeper>>
     open(const asio::any_io_executor& executor, std::filesystem::path path, Endpoint master);
@@ -21,7 +21,7 @@ class CredentialKeeper {
     [[nodiscard]] bool is_secured() const { return tls_->now != nullptr; }
     [[nodiscard]] std::shared_ptr<const TlsSlot> tls() const { return tls_; }
 
-    /// Renews the certificate at the time `renew_at`, again and again until `stop`.
+    /// Renews each certificate at the time that `renew_at` gives, until `stop`.
     [[nodiscard]] asio::awaitable<void> keep();
     void stop();
 

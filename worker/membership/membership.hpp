@@ -11,7 +11,7 @@
 
 namespace cd {
 
-/// How a session, or its connection, ended.
+/// The way in which a session, or its connection, ended.
 struct Served {
     SessionEnd how = SessionEnd::Lost;
     std::string reason; ///< Why the session was lost; for logs.
@@ -30,7 +30,7 @@ class Membership {
     [[nodiscard]] asio::awaitable<Result<Served>>
     serve(std::shared_ptr<Channel> channel, Hello hello, PeerParts peers);
 
-    /// Drains the session, or the next one if none is connected; then `serve` returns Drained.
+    /// Drains the session, or the next session if none is connected; then `serve` returns Drained.
     /// Shortly before `timeout` the worker returns the running scenarios too, so that the master
     /// has time to acknowledge. At `timeout` the worker drops everything and calls `out_of_time`.
     /// Returns false if there is nothing to drain: no connection, no task and no unacknowledged
@@ -45,10 +45,10 @@ class Membership {
 
     /// Timeout of a greeting step; shorter while a session can resume. A master busy with
     /// reconnecting workers may be silent for longer than its heartbeats promise, and further
-    /// reconnects would add load. So each silence soon after a connect doubles the silence timeout;
-    /// a connection that lasts resets it.
+    /// reconnects would add load. Therefore each silence soon after a connect doubles the silence
+    /// timeout; a connection that lasts resets the timeout.
     [[nodiscard]] std::chrono::milliseconds patience() const;
-    /// The session that runs or may resume; null if there is none.
+    /// The session that runs or may resume; null if there is no session.
     [[nodiscard]] Session* session() const { return session_.get(); }
     /// Scenarios computed in all sessions.
     [[nodiscard]] std::uint64_t scenarios_computed() const { return keep_->computed->load(); }
@@ -66,7 +66,7 @@ class Membership {
     std::uint64_t session_id_ = 0;
     std::uint64_t epoch_ = 0;
     SessionTimes times_;
-    std::chrono::milliseconds silence_borne_{0}; ///< The current silence timeout.
+    std::chrono::milliseconds silence_borne_{0}; ///< The silence timeout.
     bool is_connected_ = false; ///< True from a Welcome to the end of its connection.
     bool is_draining_ = false;
     asio::steady_timer drain_timer_;

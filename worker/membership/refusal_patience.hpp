@@ -23,7 +23,7 @@ class RefusalPatience {
     }
     [[nodiscard]] bool was_accepted() const { return was_accepted_; }
 
-    /// Records a TLS refusal. Returns how long the worker keeps retrying; zero: it ends.
+    /// Records a TLS refusal. Returns how long the worker may still retry; zero: the worker ends.
     [[nodiscard]] std::chrono::steady_clock::duration refused(Time now) {
         since_ = since_.value_or(now);
         const std::chrono::steady_clock::duration left =
@@ -33,7 +33,7 @@ class RefusalPatience {
 
   private:
     bool was_accepted_ = false;
-    std::optional<Time> since_; ///< The first refusal after the last acceptance.
+    std::optional<Time> since_; ///< Time of the first refusal after the last acceptance.
 };
 
 } // namespace cd

@@ -14,10 +14,10 @@ namespace cd {
 
 /// Queues scenarios and reports which subtrees to request and which scenarios are ready.
 ///
-/// Admits scenarios in order of arrival, each as soon as its subtrees and those of all admitted
-/// scenarios fit into the cache. A scenario is always admitted if no other one is. Its subtrees
-/// stay pinned from admission to `finished`. Admitted scenarios do not wait for each other. A
-/// missing subtree is requested once, even if several scenarios wait for it.
+/// Admits scenarios in order of arrival, each as soon as its subtrees and the subtrees of all
+/// admitted scenarios fit into the cache. A single scenario is always admitted. Subtrees stay
+/// pinned from a scenario's admission to `finished`. Admitted scenarios do not wait for each other.
+/// A missing subtree is requested once, even if several scenarios wait for it.
 class Fetcher {
   public:
     using Token = std::uint64_t; ///< Identifies a scenario.
@@ -36,7 +36,7 @@ class Fetcher {
     struct Step {
         std::vector<SubtreeKey> want; ///< Blocks to request now, ascending.
         std::vector<Hinted> hinted;   ///< The part of `want` that only hints request.
-        std::vector<Token> ready;     ///< In the order in which they became ready.
+        std::vector<Token> ready;     ///< Scenarios in the order in which they became ready.
         std::vector<Admission> admitted;
     };
 
@@ -50,15 +50,15 @@ class Fetcher {
     /// dropped if the cache would have to evict for the subtree, or once `limits::hints_max` newer
     /// hints wait. The root must exist in the cache's trees.
     void hint(const Hinted& hinted);
-    /// Requests the upper tree, which ranges need and the cache never evicts. False if it is cached
-    /// or requested already.
+    /// Requests the upper tree, which ranges need and the cache never evicts. Returns false if the
+    /// upper tree is cached or requested already.
     bool want_top(TreeId tree);
-    /// Records that the cache has received this block, even if the cache did not keep it.
+    /// Records that this block has arrived, even if the cache has evicted the block at once.
     void arrived(const SubtreeKey& key);
     /// Releases a scenario's subtrees after it has run or was dropped, at any stage.
     void finished(Token token);
 
-    /// Blocks requested and not received, ascending.
+    /// Returns the blocks requested and not received, ascending.
     [[nodiscard]] std::vector<SubtreeKey> awaited() const;
 
     /// Returns the requests and ready scenarios since the last call.
@@ -80,28 +80,28 @@ class Fetcher {
     /// A block requested and not received.
     struct Request {
         std::set<Token> waiting; ///< Scenarios that wait for the block; none if only hints name it.
-        std::uint64_t bytes = 0; ///< Expected size.
+        std::uint64_t bytes = 0; ///< Expected size in memory.
     };
     /// A subtree that admitted scenarios need.
     struct Use {
         std::uint32_t scenarios = 0;
-        std::uint64_t bytes = 0; ///< Expected size at first use.
+        std::uint64_t bytes = 0; ///< Expected size in memory, at first use.
     };
 
     [[nodiscard]] bool fits(const Need& need) const;
     void admit(Token token, Need& need, Step& step);
     void ask_for_hinted(Step& step);
-    /// False if the block has been requested before.
+    /// Adds a request. Returns false if the block is requested already.
     [[nodiscard]] bool ask_once(const SubtreeKey& key);
     void drop_request(std::map<SubtreeKey, Request>::iterator request);
 
     SubtreeCache& cache_;
     std::map<Token, Need> needs_;
-    std::deque<Token> queue_; ///< Not admitted; may include finished scenarios.
+    std::deque<Token> queue_; ///< Scenarios not admitted; may include finished ones.
     std::map<SubtreeKey, Use> used_;
     std::map<SubtreeKey, Request> requested_;
     std::uint64_t requested_bytes_ = 0;
-    std::deque<Hinted> hinted_;      ///< Not requested yet.
+    std::deque<Hinted> hinted_;      ///< Hinted subtrees that are not requested yet.
     std::vector<SubtreeKey> wanted_; ///< Upper trees requested since the last step.
     std::uint64_t used_bytes_ = 0;
     std::size_t admitted_ = 0;

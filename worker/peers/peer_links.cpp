@@ -18,7 +18,7 @@ asio::awaitable<PeerOutcome> PeerLinks::fetch(const PeerSource& source,
     const std::shared_ptr<Channel> kept = take_kept(address);
     if (kept != nullptr) {
         const Answer answer = co_await ask(kept, source, directions, on_block);
-        // The peer may have closed the idle connection meanwhile: retries on a new connection.
+        // The peer may have closed the idle connection, so the fetch retries on a new connection.
         if (answer.outcome != PeerOutcome::Unreachable || answer.blocks != 0) {
             co_return answer.outcome;
         }

@@ -12,7 +12,7 @@
 
 namespace cd {
 
-/// Keeps at most `limits::peer_channels_kept_max` connections open for reuse. Not thread-safe.
+/// Keeps at most `limits::peer_channels_kept_max` connections to workers open. Not thread-safe.
 class PeerLinks {
   public:
     /// `name` is this worker's name, for the logs of other workers.
@@ -31,14 +31,14 @@ class PeerLinks {
     using Address = std::pair<std::string, std::uint16_t>;
     struct Answer {
         PeerOutcome outcome = PeerOutcome::Unreachable;
-        std::size_t blocks = 0; ///< Received so far.
+        std::size_t blocks = 0; ///< Number of blocks received so far.
     };
 
     [[nodiscard]] asio::awaitable<Answer> ask(std::shared_ptr<Channel> channel,
                                               const PeerSource& source,
                                               const FetchFromPeers& directions,
                                               const OnBlock& on_block);
-    /// An idle open connection to the address, or null.
+    /// Takes an idle open connection to the address from `idle_`; null if there is none.
     [[nodiscard]] std::shared_ptr<Channel> take_kept(const Address& address);
     [[nodiscard]] asio::awaitable<std::shared_ptr<Channel>> open(const Address& address);
     void keep(const Address& address, std::shared_ptr<Channel> channel);

@@ -16,14 +16,14 @@
 
 namespace cd {
 
-/// Serves at most `limits::peer_uploads_max` fetches at a time; answers others with Busy.
+/// Serves at most `limits::peer_uploads_max` fetches at a time; answers further fetches with Busy.
 /// All members run on the executor's thread.
 class PeerServer : public std::enable_shared_from_this<PeerServer> {
   public:
     /// Returns a cached block, or null if this worker does not have it.
     using Blocks = std::function<std::shared_ptr<const SubtreeBlock>(const SubtreeKey&)>;
 
-    /// Listens at once. Errors: those of `Listener::open`.
+    /// Opens the port and listens. Errors: those of `Listener::open`.
     [[nodiscard]] static Result<std::shared_ptr<PeerServer>>
     listen(const asio::any_io_executor& executor,
            const Endpoint& endpoint,
@@ -31,7 +31,7 @@ class PeerServer : public std::enable_shared_from_this<PeerServer> {
 
     [[nodiscard]] std::uint16_t port() const { return listener_->port(); }
 
-    /// Starts to serve these blocks for tickets of this key. Replaces an earlier key and blocks.
+    /// Serves `blocks` to holders of tickets for `key`. Replaces an earlier key and its blocks.
     void serve(const PeerKey& key, Blocks blocks);
     /// Refuses all tickets until the next `serve`.
     void stop_serving();

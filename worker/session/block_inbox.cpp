@@ -103,7 +103,7 @@ asio::awaitable<void> BlockInbox::fetch_from_peers([[maybe_unused]] std::shared_
                                                    FetchFromPeers directions) {
     std::set<RootIndex> left(directions.roots.begin(), directions.roots.end());
     for (const PeerSource& source : directions.sources) {
-        // GCC 12 would destroy a temporary in the call below twice.
+        // A named function, because GCC 12 would destroy a temporary in the call below twice.
         const PeerLinks::OnBlock on_block = [&](SubtreeBlock block) {
             left.erase(block.root);
             traffic_.came_from_peer({directions.tree, block.root}, block.compressed.size());
@@ -158,7 +158,7 @@ void BlockInbox::block_opened(const SubtreeKey& key,
     if (!inserted) {
         return master_.refuse(inserted.error());
     }
-    // A block that was evicted at once has arrived too; otherwise it could not be requested again.
+    // A block that was evicted at once counts as arrived, so that it can be requested again.
     fetcher_.arrived(key);
     if (cache_.has(key)) {
         held_[key.tree].push_back(key.root);
@@ -166,7 +166,7 @@ void BlockInbox::block_opened(const SubtreeKey& key,
     hub_.settle_soon();
 }
 
-// ---- What the tasks need --------------------------------------------------------------------
+// ---- Needs of the tasks ---------------------------------------------------------------------
 
 void BlockInbox::need(Token token, JobId job, std::vector<SubtreeKey> roots) {
     fetcher_.add(token, job, std::move(roots));
@@ -202,7 +202,7 @@ std::size_t BlockInbox::let_go(std::uint64_t bytes) {
 std::vector<BlockInbox::Token> BlockInbox::settle() {
     Fetcher::Step step = fetcher_.advance();
     count(step);
-    // Evicted goes first, so that the master does not apply it to the blocks requested next.
+    // Evicted comes first; otherwise the master would apply it to the blocks requested next.
     send_evicted();
     send_held();
     send_wants(step.want);
@@ -225,7 +225,7 @@ void BlockInbox::send_evicted() {
     RootsByTree evicted;
     for (const SubtreeKey& key : cache_.take_evicted()) {
         traffic_.evicted(key.tree);
-        // The subtree may be cached again.
+        // An evicted subtree may be cached again.
         if (cache_.at(key) == nullptr) {
             evicted[key.tree].push_back(key.root);
         }
@@ -239,7 +239,7 @@ void BlockInbox::send_evicted() {
 void BlockInbox::send_held() {
     for (auto& [tree, roots] : std::exchange(held_, {})) {
         sort_distinct(roots);
-        // The block may have been evicted again.
+        // An arrived block may have been evicted again.
         std::erase_if(roots, [&](RootIndex root) { return !cache_.has({tree, root}); });
         if (!roots.empty()) {
             master_.send(Held{tree, std::move(roots)});

@@ -21,7 +21,7 @@ namespace cd {
 /// The parts of a session that exchange blocks with other workers.
 struct PeerParts {
     std::shared_ptr<PeerServer> server; ///< Null: serves no blocks.
-    PeerKey key;                        ///< From the Welcome.
+    PeerKey key;                        ///< Key of other workers' tickets, from the Welcome.
     std::string name;                   ///< This worker's name, for the logs of peers.
     std::shared_ptr<const TlsSlot> tls = std::make_shared<TlsSlot>();
 };
@@ -32,7 +32,7 @@ class BlockInbox {
   public:
     using Token = Fetcher::Token;
 
-    /// Takes the cache out of `keep`; `leave` puts it back.
+    /// Takes the cache out of `keep`; `leave` returns the cache.
     BlockInbox(SessionHub& hub,
                MasterLink& master,
                std::shared_ptr<CarryOver> keep,
@@ -48,10 +48,10 @@ class BlockInbox {
     /// Errors: BadFrame for an unknown job, tree or subtree.
     [[nodiscard]] Status hint(const Hint& hint);
     void receive(Subtrees subtrees);
-    /// Tries the sources in order, then the master.
+    /// Requests blocks from the sources in order, then the missing ones from the master.
     void fetch(FetchFromPeers directions);
 
-    // ---- What the tasks need ------------------------------------------------------------------
+    // ---- Needs of the tasks -------------------------------------------------------------------
     /// Requests the blocks of a scenario; `settle` returns the token when all are cached. The
     /// blocks stay cached until `release`.
     void need(Token token, JobId job, std::vector<SubtreeKey> roots);
@@ -72,9 +72,9 @@ class BlockInbox {
     [[nodiscard]] std::vector<Token> settle();
     /// Lists the trees with their cached blocks.
     [[nodiscard]] std::vector<StandingTree> standing() const;
-    /// Repeats all pending requests when a session resumes; the inventory has reported all else.
+    /// Repeats all pending requests in a resumed session, whose inventory has reported all else.
     void ask_again();
-    /// Evicts subtrees until the cache takes at most `bytes`. Returns the number of evicted ones.
+    /// Evicts subtrees until the cache takes at most `bytes`. Returns the number of evictions.
     std::size_t let_go(std::uint64_t bytes);
     [[nodiscard]] CacheTraffic traffic() const;
     [[nodiscard]] SubtreeCache& cache() { return cache_; }
@@ -83,13 +83,13 @@ class BlockInbox {
     void leave();
 
   private:
-    /// Decodes a block on a thread. `source` is the sender; 0 is the master.
+    /// Decodes a block on a thread. `source` is the sending worker; 0 means the master.
     void open_soon(TreeId tree, SubtreeBlock block, WorkerId source);
     void block_opened(const SubtreeKey& key,
                       const Result<OpenedBlock>& opened,
                       const std::shared_ptr<const SubtreeBlock>& block,
                       WorkerId source);
-    // The coroutine holds the hub, because it may run after the session has ended.
+    // The coroutine keeps the hub alive, because it may run after the session has ended.
     asio::awaitable<void> fetch_from_peers(std::shared_ptr<SessionHub> hub,
                                            FetchFromPeers directions);
     void count(const Fetcher::Step& step);

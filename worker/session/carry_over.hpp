@@ -17,7 +17,7 @@
 
 namespace cd {
 
-/// Bounds of unacknowledged results. At either of them the worker begins no new scenario.
+/// Bounds of unacknowledged results. At either bound the worker begins no new scenario.
 struct UnkeptBounds {
     std::uint64_t bytes = limits::results_unkept_bytes_max;
     std::size_t messages = limits::results_unkept_messages_max;
@@ -46,11 +46,11 @@ class UnkeptResults {
   private:
     UnkeptBounds bounds_;
     std::map<std::uint64_t, Results> messages_;
-    std::uint64_t last_ = 0;  ///< The last sequence number given.
-    std::uint64_t bytes_ = 0; ///< Total size of records and maps.
+    std::uint64_t last_ = 0;  ///< Last sequence number used.
+    std::uint64_t bytes_ = 0; ///< Size of all records and maps.
 };
 
-/// Holds results and cache between sessions. During a session, the session owns the cache.
+/// Owns results and cache between sessions. During a session, the session owns the cache.
 struct CarryOver {
     explicit CarryOver(std::uint64_t cache_bytes, const UnkeptBounds& bounds = {})
         : results(bounds), cache(cache_bytes) {}

@@ -15,7 +15,7 @@
 
 namespace cd {
 
-/// A scenario waits for its subtrees, then for a thread, then runs.
+/// A queue in which a scenario waits for its subtrees, then for a thread, then runs.
 class ScenarioQueue {
   public:
     using Token = std::uint64_t; ///< Identifies a scenario; used once.
@@ -35,8 +35,8 @@ class ScenarioQueue {
     /// Takes the next scenario for a thread, in the order of `set_ready`, and sets its `has_begun`
     /// to a new flag. Empty if none is ready.
     [[nodiscard]] std::optional<Place> begin_next();
-    /// Removes a scenario that a thread has run, or skipped because it was dropped. Empty in the
-    /// second case.
+    /// Removes and returns a scenario that a thread has run. Returns nothing if `drop_unbegun` had
+    /// removed the scenario.
     [[nodiscard]] std::optional<Place> finish(Token token);
     /// Removes the scenarios that match `concerned` and have not begun, and returns them.
     std::vector<Place> drop_unbegun(const std::function<bool(const Place&)>& concerned);
@@ -45,7 +45,7 @@ class ScenarioQueue {
 
   private:
     std::map<Token, Place> places_;
-    std::deque<Token> ready_; ///< Ready, but not given to a thread yet.
+    std::deque<Token> ready_; ///< Ready scenarios that no thread has.
     Token last_ = 0;
 };
 

@@ -47,7 +47,7 @@ struct Session::Router {
         session.settle_soon(); // There may be room for more results, or the drain may be over.
         return Done{};
     }
-    /// The answer to this worker's own Drain, or the master's request to leave.
+    /// Handles the answer to this worker's own Drain, or the master's request to leave.
     Status operator()(Drain& /*drain*/) {
         log_debug("draining: the master sends no more tasks");
         session.draining_ = true;
@@ -65,7 +65,7 @@ struct Session::Router {
         return Done{};
     }
     Status operator()(Heartbeat& /*heartbeat*/) { return Done{}; }
-    /// Refuses all other types.
+    /// Refuses messages of all other types.
     template <class T>
     Status operator()(T& message) {
         const std::uint16_t type = message_type(Message(std::move(message)));
@@ -117,7 +117,7 @@ asio::awaitable<SessionEnd> Session::serve() {
     co_return end;
 }
 
-/// Continuations that the threads deliver after this change nothing.
+/// Continuations that threads deliver after `leave` change nothing.
 void Session::leave() {
     if (end_threads()) {
         tasks_.leave();
@@ -131,7 +131,7 @@ void Session::settle() {
     }
     const bool have_tasks_ended = tasks_.settle(blocks_.settle());
     if (have_tasks_ended) {
-        send_heartbeat(); // So the master has the final counts when a job ends.
+        send_heartbeat(); // The master needs the final counts when a job ends.
     }
     // The session ends once the master has written the last results to disk.
     if (draining_ && !has_tasks() && !link_.has_unkept_results() && is_connected()) {

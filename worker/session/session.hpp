@@ -29,7 +29,7 @@ class Session : public SessionHub {
     /// Serves the master until the connection ends. Call it once. After Lost, call `resume` or
     /// `leave`.
     [[nodiscard]] asio::awaitable<SessionEnd> run();
-    /// Resumes over another connection, after a Welcome with `is_resumed`.
+    /// Resumes the session over another connection, after a Welcome with `is_resumed`.
     [[nodiscard]] asio::awaitable<SessionEnd> resume(std::shared_ptr<Channel> channel);
     /// Ends a session that has no connection.
     void leave();
@@ -38,7 +38,7 @@ class Session : public SessionHub {
     /// still in transit. `run` returns Drained when the master has answered Drain and acknowledged
     /// all results. Without a connection, the drain starts on the next one.
     void stop() { tasks_.stop(); }
-    /// Stops and returns the running scenarios too. Requires a call of `stop` before.
+    /// Stops the running scenarios and returns them, too. Requires an earlier call of `stop`.
     void hand_back() { tasks_.hand_back(); }
     /// Evicts the least recently used unpinned subtrees until the cache takes at most `bytes`, when
     /// the host needs memory. Returns the number of evicted subtrees.
@@ -60,7 +60,7 @@ class Session : public SessionHub {
     BlockInbox blocks_;
     TaskRunner tasks_;
     bool draining_ = false;        ///< True: the master sends no more tasks.
-    std::uint64_t heartbeats_ = 0; ///< Sent so far.
+    std::uint64_t heartbeats_ = 0; ///< Number of heartbeats sent.
     std::chrono::steady_clock::time_point began_ = std::chrono::steady_clock::now();
 };
 

@@ -23,7 +23,7 @@ class MasterLink {
     /// Sends results, and keeps them until the master acknowledges them.
     virtual void send_results(Results results) = 0;
     /// Whether a scenario may begin: the unsent and the unacknowledged results are within their
-    /// bounds. If false, the session settles again once that may have changed.
+    /// bounds. If false, the session settles again once the answer may have changed.
     [[nodiscard]] virtual bool takes_results() = 0;
     /// Sends a Failure and ends the session, because master and worker disagree on the state.
     virtual void refuse(const Error& error) = 0;
@@ -41,7 +41,8 @@ class SessionHub : public std::enable_shared_from_this<SessionHub> {
 
     /// Posts one `settle` for all events that arrive together.
     void settle_soon();
-    /// Runs `job` on a thread and then its continuation, each unless the session is over by then.
+    /// Runs `job` on a thread, then its continuation on `home()`; skips both if the session is
+    /// over.
     void run_on_thread(std::function<Executor::Continuation()> job);
 
     [[nodiscard]] const asio::any_io_executor& home() const { return executor_.home(); }

@@ -44,15 +44,15 @@ void SessionLink::begin(std::vector<Sha256> cuts) {
     channel_->send(Standing{}); // Marks the end of the kept results.
 }
 
-// The inventory shows the master which of its messages were lost.
+// The inventory shows the master which of the master's messages were lost.
 void SessionLink::resume(std::shared_ptr<Channel> channel, const Standing& standing) {
     channel_ = std::move(channel);
     reason_.clear();
     met_silence_ = false;
     const Message inventory(standing);
     if (encode_message(inventory).size() > payload_bytes_max(message_type(inventory))) {
-        // Costs only the unfinished tasks: the next session keeps the cache and the results, and
-        // reports the cached blocks in one message per tree.
+        // The end costs only the unfinished tasks: the next session keeps the cache and the
+        // results, and reports the cached blocks in one message per tree.
         return end(SessionEnd::Disagreed, "its inventory exceeds the limit of a message");
     }
     for (const auto& [sequence, results] : keep_->results.messages()) {
@@ -114,7 +114,7 @@ void SessionLink::send_results(Results results) {
 
 bool SessionLink::takes_results() {
     if (!keep_->results.has_room()) {
-        return false; // An acknowledgement settles the session.
+        return false; // The next acknowledgement settles the session.
     }
     if (channel_->queued_bytes() < limits::write_queue_bytes_max) {
         return true;

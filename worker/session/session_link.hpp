@@ -17,7 +17,7 @@
 
 namespace cd {
 
-/// How a session, or its connection, ended.
+/// The way in which a session, or its connection, ended.
 enum class SessionEnd {
     Lost,       ///< The connection broke; another one may resume the session.
     Disagreed,  ///< Master and worker disagree on the state; a new session follows.
@@ -53,7 +53,7 @@ class SessionLink : public MasterLink {
                 const SessionTimes& times,
                 Calls calls);
 
-    /// Begins a session: sends the names of the cuts, and the results kept from earlier sessions.
+    /// Begins a session: sends `cuts`, whose blocks are cached, and results of earlier sessions.
     void begin(std::vector<Sha256> cuts);
     /// Continues the session over another connection: sends unacknowledged results again, then the
     /// inventory. Ends the session if the inventory exceeds the limit of a message.
@@ -82,7 +82,7 @@ class SessionLink : public MasterLink {
     [[nodiscard]] const std::string& reason() const { return reason_; }
 
   private:
-    // Coroutines hold the hub, because they may run after the session has ended.
+    // Coroutines keep the hub alive, because they may run after the session has ended.
     asio::awaitable<void> send_heartbeats(std::shared_ptr<SessionHub> hub);
     asio::awaitable<void> settle_when_sent(std::shared_ptr<SessionHub> hub);
 
@@ -91,7 +91,7 @@ class SessionLink : public MasterLink {
     std::shared_ptr<CarryOver> keep_;
     SessionTimes times_;
     Calls calls_;
-    SessionEnd end_ = SessionEnd::Lost; ///< Lost until another reason is known.
+    SessionEnd end_ = SessionEnd::Lost; ///< Lost until the session ends.
     std::string reason_;
     bool met_silence_ = false;
     bool waiting_for_queue_ = false; ///< True: `settle_when_sent` is running.

@@ -12,7 +12,7 @@ namespace cd {
 
 class TaskBook {
   public:
-    /// Errors: BadFrame for a job that exists already; those of `make_worker_job`.
+    /// Adds a job. Errors: BadFrame for a job that exists already; those of `make_worker_job`.
     [[nodiscard]] Result<std::shared_ptr<const WorkerJob>> add_job(AddJob add,
                                                                    const SubtreeCache& cache);
     void remove_job(JobId job) { jobs_.erase(job); }
@@ -20,16 +20,16 @@ class TaskBook {
     /// Null for an unknown job.
     [[nodiscard]] std::shared_ptr<const WorkerJob> job(JobId job) const;
 
-    /// Errors: BadFrame for an unknown job or a task that exists already; those of `Task::make`.
+    /// Adds a task. Errors: BadFrame for an unknown job or an existing task; those of `Task::make`.
     [[nodiscard]] Result<Task*> add(WorkUnit unit, const SubtreeCache& cache);
     [[nodiscard]] std::map<TaskId, Task>& tasks() { return tasks_; }
     /// Null for an unknown task.
     [[nodiscard]] Task* find(TaskId task);
-    /// The task must exist.
+    /// Returns the task, which must exist.
     [[nodiscard]] Task& at(TaskId task) { return tasks_.at(task); }
 
     [[nodiscard]] bool has_tasks() const { return !tasks_.empty(); }
-    /// Unanswered scenarios of all tasks.
+    /// Number of unanswered scenarios of all tasks.
     [[nodiscard]] std::uint64_t unanswered() const;
     /// Adds the jobs, and the tasks with their returned scenarios, to an inventory.
     void add_to(Standing& standing) const;

@@ -26,15 +26,15 @@ class TaskRunner {
                std::shared_ptr<std::atomic<std::uint64_t>> computed);
 
     // ---- Messages from the master -------------------------------------------------------------
-    /// Errors: those of `TaskBook`.
+    /// Errors: those of `TaskBook::add_job`.
     [[nodiscard]] Status add_job(AddJob add);
     void remove_job(JobId job);
     /// Removes the jobs that use the tree.
     void remove_jobs_of(TreeId tree);
-    /// Adds a task. After `stop`, all of its scenarios go back at once. Errors: those of
+    /// Adds a task. After `stop`, returns all of the task's scenarios at once. Errors: those of
     /// `TaskBook`.
     [[nodiscard]] Status add(WorkUnit unit);
-    /// Returns to the master those recalled scenarios that have not begun.
+    /// Returns to the master the recalled scenarios that have not begun.
     void recall(const Recall& recall);
     void drop(const DropScenario& drop);
 
@@ -42,15 +42,15 @@ class TaskRunner {
     /// Asks the master to send no more tasks, and returns the scenarios that have not begun.
     void stop();
     [[nodiscard]] bool is_stopping() const { return stopping_; }
-    /// Returns the running scenarios too.
+    /// Stops the running scenarios and returns them to the master, too.
     void hand_back();
-    /// Starts scenarios on free threads; those of `ready` wait for nothing else. Then ends the
-    /// finished tasks. Returns whether the last task has ended.
+    /// Starts scenarios on free threads; the scenarios of `ready` have all their subtrees. Then
+    /// ends the finished tasks. Returns whether the last task has ended.
     [[nodiscard]] bool settle(std::span<const ScenarioQueue::Token> ready);
-    /// Sends all results that have not been sent.
+    /// Sends all unsent results when the session ends.
     void leave();
     [[nodiscard]] const TaskBook& book() const { return book_; }
-    /// The scenario that has run for the longest time. Empty if none runs.
+    /// The scenario that has run for the longest time; empty if no scenario runs.
     [[nodiscard]] std::optional<RunningScenario> longest() const { return clocks_.longest(); }
 
   private:
@@ -60,11 +60,11 @@ class TaskRunner {
     [[nodiscard]] bool start_next();
     void start(const Place& place);
     void start_walk(Task& task);
-    /// The first task with scenarios for a descent, or null.
+    /// Returns the first task with scenarios for a descent and cached upper trees, or null.
     [[nodiscard]] Task* next_to_walk();
     void scenario_ran(ScenarioQueue::Token token, const std::optional<FinishedScenarios>& finished);
     void walked(TaskId task, Walked walked);
-    /// Drops the scenarios that match `concerned` and have not begun. Returns the dropped ones.
+    /// Drops and returns the scenarios that match `concerned` and have not begun.
     std::vector<Place> drop_unbegun(const std::function<bool(const Place&)>& concerned);
     void drop_unstarted(const std::function<bool(const Task&)>& concerned);
     void abandon(const std::function<bool(const Task&)>& concerned);

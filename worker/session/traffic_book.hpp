@@ -11,12 +11,12 @@
 
 namespace cd {
 
-/// Charges a block to the job that requested it last, once per arrival.
+/// Counts blocks per job. A block counts once per arrival, for the job that requested it last.
 class TrafficBook {
   public:
     void job_added(JobId job, const std::array<TreeId, 2>& trees);
     void job_removed(JobId job);
-    /// Removes the jobs that use the tree, too.
+    /// Removes the jobs that use the tree, and the requests for its blocks.
     void tree_removed(TreeId tree);
     [[nodiscard]] bool has(JobId job) const { return jobs_.contains(job); }
 
@@ -46,7 +46,7 @@ class TrafficBook {
 
     /// Adds to the total, and to the job if it is known.
     void add(JobId job, const BlockTraffic& traffic);
-    /// The job that requested the block last; 0 if none did.
+    /// Returns the job that requested the block last; 0 if no job did.
     [[nodiscard]] JobId who_asked(const SubtreeKey& key) const;
 
     BlockTraffic total_;
