@@ -13,7 +13,7 @@ struct SearchOptions {
     bool keep_pairs = true;    ///< False: pairs are only counted.
     bool only_touches = false; ///< Keeps no pairs once any pair is proper.
     /// Keeps about twice this number of pairs at a time, and the first `pairs_max` after sorting.
-    /// All pairs are counted.
+    /// Counts all pairs.
     std::uint64_t pairs_max = std::numeric_limits<std::uint64_t>::max();
     /// Keeps the corners of each pair for shared points, whose computation may outlive the
     /// subtrees.

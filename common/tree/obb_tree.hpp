@@ -50,12 +50,12 @@ struct TreeView {
 
 class WideTree;
 
-/// The arrays of the paper's binary tree; they do not change while `owner` lives. `nodes` is empty
-/// if the tree has only the wide form.
+/// The arrays of the paper's binary tree; the arrays do not change while `owner` lives. `nodes` is
+/// empty if the tree has only the wide form.
 struct BinaryTree {
     std::span<const ObbNode> nodes;
     std::span<const std::uint32_t> triangle_ids;
-    std::span<const Triangle> triangles; ///< In tree order.
+    std::span<const Triangle> triangles; ///< Copies of the mesh's triangles, in tree order.
     std::shared_ptr<const void> owner;
 };
 

@@ -34,7 +34,7 @@ class PartialObbTree {
     }
     void empty(RootIndex root) { slots_[root].reset(); }
 
-    /// Returns those of `roots` whose slots are empty.
+    /// Returns the elements of `roots` whose slots are empty.
     [[nodiscard]] std::vector<RootIndex> missing(std::span<const RootIndex> roots) const;
 
   private:

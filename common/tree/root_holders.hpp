@@ -45,9 +45,9 @@ class RootHolders {
     /// Returns the length of the sums of `add_held`. It depends only on the number of holders and
     /// is at least that number.
     [[nodiscard]] std::size_t sum_count() const { return 64 * row_words_; }
-    /// Adds to each holder's sum the weights of those of `roots` that it holds.
+    /// Adds to each holder's sum the weights of the elements of `roots` that the holder holds.
     void add_held(std::span<const WeightedRoot> roots, std::span<std::uint64_t> sums) const;
-    /// Returns the sum of the weights of those of `roots` that `holder` holds.
+    /// Returns the sum of the weights of the elements of `roots` that `holder` holds.
     [[nodiscard]] std::uint64_t held(std::uint32_t holder,
                                      std::span<const WeightedRoot> roots) const;
 

@@ -57,8 +57,8 @@ HWY_INLINE std::array<V, vectors> bits_of_places() {
     return bits;
 }
 
-/// Writes to each slot p of `out` the weights of those roots r whose word `words[r * stride]` has
-/// the bit of column 16 (p % 4) + p / 4. All weights together fit sixteen bits.
+/// Writes to each slot p of `out` the sum of weights of all roots r whose word `words[r * stride]`
+/// has the bit of column 16 (p % 4) + p / 4. All weights together fit sixteen bits.
 void sum_run(const WeightedRoot* HWY_RESTRICT roots,
              std::size_t count,
              const std::uint64_t* HWY_RESTRICT words,

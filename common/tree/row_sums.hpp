@@ -9,7 +9,7 @@
 
 namespace cd {
 
-/// Adds to each `sums[c]` the weights of those roots r whose row has bit c set: bit c % 64 of
+/// Adds to each `sums[c]` the weights of the roots r whose row has bit c set: bit c % 64 of
 /// `rows[r * row_words + c / 64]`. `sums` has 64 * `row_words` elements.
 void add_row_sums(std::span<const WeightedRoot> roots,
                   const std::uint64_t* rows,

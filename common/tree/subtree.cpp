@@ -57,7 +57,8 @@ VertexSelection select_vertices(std::span<const Triangle> triangles,
     std::sort(by_place.begin(), by_place.end(), [&](std::uint32_t left, std::uint32_t right) {
         return key(used[left]) < key(used[right]);
     });
-    std::vector<std::uint32_t> place_of_used(used.size()); // Equal numbers for equal coordinates.
+    std::vector<std::uint32_t> place_of_used(
+        used.size()); // Equal for vertices with equal coordinates.
     std::uint32_t places = 0;
     for (std::size_t i = 0; i < by_place.size(); ++i) {
         places += i > 0 && key(used[by_place[i]]) != key(used[by_place[i - 1]]) ? 1 : 0;

@@ -64,7 +64,7 @@ class CachedTree {
   private:
     AddTree named_;
     PartialObbTree partial_;
-    std::shared_ptr<const PartialObbTree> snapshot_; ///< Null after `partial_` changes.
+    std::shared_ptr<const PartialObbTree> snapshot_; ///< Last copy; null after `partial_` changes.
     std::vector<Slot> slots_;
     std::shared_ptr<const SubtreeBlock> top_block_;
 };

@@ -76,7 +76,7 @@ class Task {
     [[nodiscard]] std::uint64_t unanswered() const { return unanswered_; }
     /// Uncompressed bytes of the results not yet taken.
     [[nodiscard]] std::size_t result_bytes() const { return results_.bytes(); }
-    /// Empty if there are no new results.
+    /// Packs and removes the results not yet taken; empty if there are no results.
     [[nodiscard]] std::optional<Results> take_results() { return results_.take(id_, *job_); }
 
   private:

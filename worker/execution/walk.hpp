@@ -31,7 +31,7 @@ class TaskScenarios {
     [[nodiscard]] Scenario at(std::size_t place) const;
 
   private:
-    std::shared_ptr<const std::vector<Scenario>> list_; ///< Null: use the grid.
+    std::shared_ptr<const std::vector<Scenario>> list_; ///< Null: the grid gives the scenarios.
     std::shared_ptr<const WorkerJob> job_;
     std::uint64_t first_ = 0;
     std::size_t size_ = 0;

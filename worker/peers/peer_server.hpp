@@ -57,7 +57,7 @@ class PeerServer : public std::enable_shared_from_this<PeerServer> {
     asio::any_io_executor executor_;
     std::unique_ptr<Listener> listener_;
     std::shared_ptr<const TlsSlot> tls_;
-    std::optional<TicketCheck> tickets_; ///< Empty: refuses all tickets.
+    std::optional<TicketCheck> tickets_; ///< Checks tickets; empty: refuses all.
     Blocks blocks_;
     Seats greetings_{limits::peer_connections_max}; ///< Connections before their greeting.
     Refusals refusals_;

@@ -39,13 +39,13 @@ class BlockInbox {
                PeerParts peers);
 
     // ---- Messages from the master -------------------------------------------------------------
-    /// Errors: those of `SubtreeCache::add_tree`.
+    /// Adds a tree to the cache. Errors: those of `SubtreeCache::add_tree`.
     [[nodiscard]] Status add_tree(const AddTree& add);
-    /// Requires that no scenario needs the tree any more.
+    /// Removes the tree and its blocks. Requires that no scenario needs the tree.
     void remove_tree(TreeId tree);
     void add_job(const WorkerJob& job) { traffic_.job_added(job.id, {job.tree_a, job.tree_b}); }
     void remove_job(JobId job) { traffic_.job_removed(job); }
-    /// Errors: BadFrame for an unknown job, tree or subtree.
+    /// Queues the hinted subtrees. Errors: BadFrame for an unknown job, tree or subtree.
     [[nodiscard]] Status hint(const Hint& hint);
     void receive(Subtrees subtrees);
     /// Requests blocks from the sources in order, then the missing ones from the master.

@@ -24,7 +24,7 @@ class ScenarioQueue {
         TaskId task;
         std::size_t scenario = 0; ///< Position in the task.
         /// Set by the thread that begins the scenario or by `drop_unbegun`, whichever is first.
-        /// Null before the scenario is submitted to a thread.
+        /// The flag is null before the scenario is submitted to a thread.
         std::shared_ptr<std::atomic<bool>> has_begun;
     };
 

@@ -34,9 +34,9 @@ class Session : public SessionHub {
     /// Ends a session that has no connection.
     void leave();
 
-    /// Drains: finishes and sends the running scenarios, and returns all others, including those
-    /// still in transit. `run` returns Drained when the master has answered Drain and acknowledged
-    /// all results. Without a connection, the drain starts on the next one.
+    /// Drains: finishes and sends the running scenarios, and returns all others, including
+    /// scenarios still in transit. `run` returns Drained when the master has answered Drain and
+    /// acknowledged all results. Without a connection, the drain starts on the next one.
     void stop() { tasks_.stop(); }
     /// Stops the running scenarios and returns them, too. Requires an earlier call of `stop`.
     void hand_back() { tasks_.hand_back(); }

@@ -17,13 +17,13 @@ class TaskBook {
                                                                    const SubtreeCache& cache);
     void remove_job(JobId job) { jobs_.erase(job); }
     void remove_jobs_of(TreeId tree);
-    /// Null for an unknown job.
+    /// Returns the job; null for an unknown job.
     [[nodiscard]] std::shared_ptr<const WorkerJob> job(JobId job) const;
 
     /// Adds a task. Errors: BadFrame for an unknown job or an existing task; those of `Task::make`.
     [[nodiscard]] Result<Task*> add(WorkUnit unit, const SubtreeCache& cache);
     [[nodiscard]] std::map<TaskId, Task>& tasks() { return tasks_; }
-    /// Null for an unknown task.
+    /// Returns the task; null for an unknown task.
     [[nodiscard]] Task* find(TaskId task);
     /// Returns the task, which must exist.
     [[nodiscard]] Task& at(TaskId task) { return tasks_.at(task); }

@@ -26,7 +26,7 @@ class TaskRunner {
                std::shared_ptr<std::atomic<std::uint64_t>> computed);
 
     // ---- Messages from the master -------------------------------------------------------------
-    /// Errors: those of `TaskBook::add_job`.
+    /// Adds a job. Errors: those of `TaskBook::add_job`.
     [[nodiscard]] Status add_job(AddJob add);
     void remove_job(JobId job);
     /// Removes the jobs that use the tree.

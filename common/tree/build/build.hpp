@@ -33,8 +33,8 @@ struct BuildOptions {
     bool prepare_search = true;
 };
 
-/// Builds the tree of a mesh, the same one for any number of threads. Takes about n log n time with
-/// the quarter rule. The depth of the stack does not depend on the input.
+/// Builds the tree of a mesh. The number of threads does not change the tree. Takes about n log n
+/// time with the quarter rule. The depth of the stack does not depend on the input.
 [[nodiscard]] ObbTree
 build_tree(std::shared_ptr<const Mesh> mesh, const BuildOptions& options, ThreadPool& pool);
 

@@ -47,7 +47,7 @@ class Bins {
     explicit Bins(const Projection& whole);
 
     void add(std::span<const Projection> triangles);
-    /// Adds the bins of other triangles of the same node.
+    /// Adds the counts and extents of another Bins of this node.
     Bins& operator+=(const Bins& other);
 
     /// Returns the split with the least sum among the splits with at least `side` triangles on each

@@ -57,7 +57,7 @@ constexpr std::size_t comparators_before(std::size_t keys) {
     return count;
 }
 
-/// Sorting networks for 2 to `few_triangles_max` keys, stored one behind the other.
+/// Sorting networks for 2 to `few_triangles_max` keys, in one array.
 struct Networks {
     std::array<Comparator, comparators_before(few_triangles_max + 1)> comparators{};
     std::array<std::uint16_t, few_triangles_max + 2> begins{};
@@ -81,8 +81,8 @@ struct Networks {
 
 constexpr Networks networks;
 
-/// Replaces the lowest bits of `value`, those that `tag_max` sets, by `tag`. Positive tagged
-/// numbers compare by value first, then by tag.
+/// Replaces the lowest bits of `value`, as many as `tag_max` has, by `tag`. Positive tagged numbers
+/// compare by value first, then by tag.
 double tagged(double value, std::uint64_t tag, std::uint64_t tag_max) {
     return std::bit_cast<double>((std::bit_cast<std::uint64_t>(value) & ~tag_max) | tag);
 }

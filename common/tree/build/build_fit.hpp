@@ -28,7 +28,7 @@ struct Interval {
 /// relative to an origin. They are rounded.
 using Projection = std::array<Interval, 3>;
 
-/// The body's own axes; they are exact.
+/// The body's own axes, as an exact frame.
 inline constexpr std::array<float, 9> body_axes = {1, 0, 0, 0, 1, 0, 0, 0, 1};
 
 /// Sums of the coordinates of triangles' corners, relative to an origin, and of their products.

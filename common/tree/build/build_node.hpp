@@ -28,7 +28,7 @@ struct BuildInput {
 
 /// A node that is still to be made.
 struct NodeToMake {
-    ObbNode node;                       ///< Its range of triangles is set.
+    ObbNode node;                       ///< Has only its range of triangles at first.
     std::span<BuildTriangle> triangles; ///< The triangles of the range.
     std::uint32_t left_count =
         0; ///< Number of triangles of the left child, once made; 0 for a leaf.

@@ -21,7 +21,7 @@ struct SweepScratch {
 };
 
 /// A split of a node. The left child has the first `left_count` triangles in the order of their
-/// maximal projection on `axis`: those whose rank is at most `last_rank`.
+/// maximal projection on `axis`: the triangles whose rank is at most `last_rank`.
 struct Split {
     std::size_t axis = 0;
     std::uint32_t left_count = 0;
@@ -38,9 +38,9 @@ struct Split {
                                                SplitRule rule,
                                                SweepScratch& scratch);
 
-/// Finds the split with the least sum of relative segments among those between two bins that leave
-/// at least a quarter of the triangles on each side. An axis on which no such split exists is
-/// swept.
+/// Finds the split with the least sum of relative segments (`SplitRule`) among the splits between
+/// two bins that leave at least a quarter of the triangles on each side. On an axis without such a
+/// split, considers splits between any two triangles.
 [[nodiscard]] std::optional<Split> binned_split(std::span<const Projection> triangles,
                                                 const Projection& whole,
                                                 const Bins& bins,

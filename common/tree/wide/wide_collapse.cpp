@@ -47,7 +47,7 @@ class Planner {
 
     const TreeView& tree_;
     const WideLeaves& leaves_;
-    /// Per binary node: index in `costs_`, if the node is a group or above one.
+    /// For each binary node, its index in `costs_`, if the node is a group or above groups.
     std::vector<std::uint32_t> place_of_;
     std::vector<Costs> costs_; ///< Indexed by `place_of_`.
     /// Indexed by `place_of_`: 1 + the group's number; 0 for a node above groups.

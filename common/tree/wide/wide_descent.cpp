@@ -66,7 +66,7 @@ void WideDescent::start(const WideView& a, const WideView& b, Aim aim) {
     const double absolute =
         error_scale_ * 4.1 *
         (3 * b_to_a_.rotation_error * b.extent + b_to_a_.translation_error + 0x1p-49 * reach);
-    // With NaN and overflow no pair counts as apart.
+    // After NaN or overflow, no pair counts as apart.
     pose_.absolute_margin = absolute < 0x1p100 ? static_cast<float>(absolute) + 0x1p-120F
                                                : std::numeric_limits<float>::infinity();
     walk_.a = body_of(a);

@@ -40,8 +40,8 @@ class WideDescent {
     [[nodiscard]] bool is_done() const {
         return walk_.waiting_count + walk_.leaf_count + walk_.ranked.size() == 0;
     }
-    /// Returns more candidates as slots of the triangle blocks: about `wanted`, or fewer (even
-    /// none) after much work without finding so many. They are valid until the next call.
+    /// Returns more candidates, as slots of the triangle blocks: about `wanted`, or fewer (even
+    /// none) after much work. The candidates are valid until the next call.
     [[nodiscard]] std::span<Candidate> next(std::size_t wanted);
 
     /// Returns the number of box tests since `restart` was called.

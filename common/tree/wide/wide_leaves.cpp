@@ -88,7 +88,7 @@ void sort_by_rank(std::span<Key> keys, std::span<Key> scratch) {
     }
 }
 
-/// Makes the leaves of the groups, one group after the other.
+/// Makes the leaves of groups, one group per call of `add_group`.
 class GroupSplitter {
   public:
     explicit GroupSplitter(const TreeView& tree) : tree_(tree) {}

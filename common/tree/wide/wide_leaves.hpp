@@ -26,7 +26,7 @@ struct WideLeaf {
 struct WideLeaves {
     std::vector<std::uint32_t> order; ///< Triangles by index in the binary tree's order.
     std::vector<WideLeaf> leaves;
-    std::vector<WideGroup> groups; ///< From left to right.
+    std::vector<WideGroup> groups; ///< Ordered from left to right in the binary tree.
 };
 
 /// Makes the leaves of a wide tree. A group is a binary node with at most sixteen times sixteen

@@ -18,7 +18,7 @@ inline constexpr std::uint32_t wide_children_max = block_size;
 struct alignas(64) WideNode {
     using Bytes = std::array<std::uint8_t, wide_children_max>;
 
-    std::array<Bytes, 3> low{}; ///< By axis, then by child. Unused children have 0.
+    std::array<Bytes, 3> low{}; ///< Indexed by axis, then by child; 0 for unused children.
     std::array<Bytes, 3> high{};
     /// columns[c][k] is entry c of row k; the rows are orthonormal within `axes_error_max`. The
     /// fourth entry is 0.

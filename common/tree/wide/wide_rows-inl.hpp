@@ -101,8 +101,8 @@ find_rows(const RowSide& one, const RowSide& others, std::uint32_t* found, Ranks
     }
 }
 
-/// Writes to `to` the pairs of one child with those children of the other side, from `their_first`
-/// on, whose bits are set in `found`. Returns the number of pairs.
+/// Writes to `to` the pairs of child `own` with the other side's children whose bits are set in
+/// `found`; bit 0 is child `their_first`. Returns the number of pairs.
 HWY_INLINE std::size_t append(bool is_of_a,
                               std::uint32_t own,
                               std::uint32_t their_first,

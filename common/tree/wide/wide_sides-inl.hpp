@@ -32,7 +32,7 @@ constexpr float whole_steps = 255;
 /// The children of a node, or the node itself as its own only child (`is_whole`).
 struct Side {
     const WideNode* node;
-    const WideNode::Bytes* low; ///< By axis.
+    const WideNode::Bytes* low; ///< Bounds of the children, indexed by axis.
     const WideNode::Bytes* high;
     bool is_whole;
     std::uint32_t first;
@@ -79,7 +79,7 @@ struct Change {
     }
 };
 
-/// A linear map from lengths in a body's coordinates to steps in the other's frame, by columns.
+/// A linear map from a body's coordinates to steps in the other node's frame, by columns.
 struct Turn {
     alignas(16) float entries[3][4];
 };

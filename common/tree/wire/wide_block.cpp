@@ -296,7 +296,7 @@ bool get_coordinates(ByteReader& in, std::size_t count, std::vector<Float>& colu
     return size < wide_coordinate_max;
 }
 
-/// Fills blocks one after the other.
+/// Fills the blocks of a tree in order, from decoded columns.
 template <class Float>
 class BlockFiller {
   public:
