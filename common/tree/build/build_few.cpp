@@ -93,8 +93,7 @@ std::uint32_t place_of(double key) {
     return static_cast<std::uint32_t>(std::bit_cast<std::uint64_t>(key) & place_max);
 }
 
-/// The high end of each triangle on each axis, relative to the node, tagged with the triangle's
-/// index.
+/// For each triangle and axis, the high end relative to the node, tagged with the triangle's index.
 using Keys = std::array<std::array<double, 3>, few_triangles_max>;
 
 void sort_keys(Keys& keys, std::size_t count) {

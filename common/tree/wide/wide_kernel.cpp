@@ -121,8 +121,7 @@ HWY_INLINE std::size_t see_both(
     return both_count;
 }
 
-/// The two sides of a visit. Each row is a found child of `one`, the side with fewer found
-/// children.
+/// The two sides of a visit. Each row is a found child of `one`, the side with fewer found ones.
 struct Rows {
     RowSide one;
     RowSide others;
