@@ -7,7 +7,10 @@
 #include "proto/codec/wire_messages.hpp"
 
 #include <algorithm>
+#include <array>
+#include <concepts>
 #include <functional>
+#include <type_traits>
 #include <utility>
 
 namespace cd {
@@ -100,38 +103,32 @@ Problem problem_of(const WorkUnit& unit) {
     return problem_of_pairs(unit);
 }
 
-Problem problem_of_roots(const std::vector<RootIndex>& roots) {
-    const bool ascends =
-        std::adjacent_find(roots.begin(), roots.end(), std::greater_equal<>()) == roots.end();
-    return ascends ? nullptr : "roots that do not ascend";
+template <class T>
+bool ascends(const std::vector<T>& numbers) {
+    return std::ranges::adjacent_find(numbers, std::greater_equal<>()) == numbers.end();
 }
 
-Problem problem_of(const WantSubtrees& want) {
-    return problem_of_roots(want.roots);
+Problem problem_of_roots(const std::vector<RootIndex>& roots) {
+    return ascends(roots) ? nullptr : "roots that do not ascend";
 }
-Problem problem_of(const Evicted& evicted) {
-    return problem_of_roots(evicted.roots);
+
+template <class T>
+requires std::same_as<decltype(T::roots), std::vector<RootIndex>>
+    Problem problem_of(const T& message) {
+    return problem_of_roots(message.roots);
 }
-Problem problem_of(const Hint& hint) {
-    return problem_of_roots(hint.roots);
-}
-Problem problem_of(const Held& held) {
-    return problem_of_roots(held.roots);
+Problem problem_of(const PeerFetched& fetched) {
+    return problem_of_roots(fetched.missing);
 }
 Problem problem_of(const FetchFailed& failed) {
-    return problem_of_roots(failed.roots);
+    return failed.outcome == PeerOutcome::Given ? "a failed fetch that gave all blocks"
+                                                : problem_of_roots(failed.roots);
 }
-Problem problem_of_scenarios(const std::vector<std::uint64_t>& scenarios) {
-    const bool ascends =
-        std::adjacent_find(scenarios.begin(), scenarios.end(), std::greater_equal<>()) ==
-        scenarios.end();
-    return ascends ? nullptr : "scenarios that do not ascend";
-}
-Problem problem_of(const Recall& recall) {
-    return problem_of_scenarios(recall.scenarios);
-}
-Problem problem_of(const Recalled& recalled) {
-    return problem_of_scenarios(recalled.scenarios);
+
+template <class T>
+requires std::same_as<decltype(T::scenarios), std::vector<std::uint64_t>>
+    Problem problem_of(const T& message) {
+    return ascends(message.scenarios) ? nullptr : "scenarios that do not ascend";
 }
 Problem problem_of(const Standing& standing) {
     for (const Recalled& task : standing.tasks) {
@@ -145,12 +142,6 @@ Problem problem_of(const Standing& standing) {
         }
     }
     return nullptr;
-}
-Problem problem_of(const PeerFetch& fetch) {
-    return problem_of_roots(fetch.roots);
-}
-Problem problem_of(const PeerFetched& fetched) {
-    return problem_of_roots(fetched.missing);
 }
 
 Problem problem_of(const FetchFromPeers& fetch) {
@@ -168,25 +159,22 @@ Problem problem_of(const FetchFromPeers& fetch) {
     return problem_of_roots(fetch.roots);
 }
 
-template <class Part>
-Problem problem_of_part(const Part& part) {
-    if (part.bytes_total > limits::mesh_bytes_max || part.bytes.size() > part.bytes_total ||
-        part.offset > part.bytes_total - part.bytes.size()) {
-        return "a part outside its mesh";
-    }
-    return nullptr;
+/// Checks a part of a mesh.
+template <class T>
+requires requires(T part) {
+    part.bytes_total;
 }
+Problem problem_of(const T& part) {
+    const bool fits = part.bytes_total <= limits::mesh_bytes_max &&
+                      part.bytes.size() <= part.bytes_total &&
+                      part.offset <= part.bytes_total - part.bytes.size();
+    return fits ? nullptr : "a part outside its mesh";
+}
+
 /// Limits `count`, because receivers size their buffers by it.
 Problem problem_of(const JobPoses& poses) {
     return poses.count > limits::poses_answer_scenarios ? "more scenarios than are sent at once"
                                                         : nullptr;
-}
-
-Problem problem_of(const MeshPart& part) {
-    return problem_of_part(part);
-}
-Problem problem_of(const MeshBytes& part) {
-    return problem_of_part(part);
 }
 
 Problem problem_of(const Results& results) {
@@ -214,40 +202,39 @@ Problem problem_of(const Certified& certified) {
     const Problem problem = problem_of_pem(certified.certificate);
     return problem == nullptr ? problem_of_pem(certified.authority) : problem;
 }
+Problem problem_of(const TokenCreate& create) {
+    return create.role == CertifiedRole::Master ? "a token for a master" : nullptr;
+}
 Problem problem_of(const TokenCreated& created) {
     return created.token.size() > limits::hello_text_bytes_max || !is_printable(created.token)
                ? "a token that is too long or not printable"
                : nullptr;
 }
 
-/// Estimates the encoded size in bytes, which avoids reallocations for large messages.
 template <class T>
-std::size_t bytes_expected(const T& /*message*/) {
-    return 256;
+std::size_t bytes_in(const T& /*member*/) {
+    return 0;
 }
-
-std::size_t bytes_expected(const Subtrees& subtrees) {
-    std::size_t bytes = 256;
-    for (const SubtreeBlock& block : subtrees.blocks) {
+std::size_t bytes_in(const Bytes& bytes) {
+    return bytes.size();
+}
+std::size_t bytes_in(const std::vector<SubtreeBlock>& blocks) {
+    std::size_t bytes = 0;
+    for (const SubtreeBlock& block : blocks) {
         bytes += block.compressed.size() + 64;
     }
     return bytes;
 }
 
-std::size_t bytes_expected(const Results& results) {
-    return 256 + results.records.size() + results.map.size();
-}
-std::size_t bytes_expected(const ResultsPart& part) {
-    return 256 + part.records.size();
-}
-std::size_t bytes_expected(const ContactMapAnswer& part) {
-    return 256 + part.map.size();
-}
-std::size_t bytes_expected(const MeshPart& part) {
-    return 256 + part.bytes.size();
-}
-std::size_t bytes_expected(const MeshBytes& part) {
-    return 256 + part.bytes.size();
+/// Estimates the encoded size in bytes, which avoids reallocations for large messages.
+template <class T>
+std::size_t bytes_expected(const T& message) {
+    std::size_t bytes = 256;
+    if constexpr (MemberByMember<T>) {
+        visit_members(message,
+                      [&](const auto&... members) { ((bytes += bytes_in(members)), ...); });
+    }
+    return bytes;
 }
 
 template <class T>
@@ -266,7 +253,7 @@ Message decode_as(WireInput& in) {
 using Decoder = Message (*)(WireInput&);
 
 template <std::size_t... I>
-constexpr auto make_decoders(std::index_sequence<I...> /*places*/) {
+constexpr auto make_decoders(std::index_sequence<I...> /*indices*/) {
     return std::array<Decoder, sizeof...(I)>{decode_as<std::variant_alternative_t<I, Message>>...};
 }
 

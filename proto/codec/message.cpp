@@ -1,13 +1,9 @@
 #include "proto/codec/message.hpp"
 
 #include "common/core/limits/wire.hpp"
-#include "proto/codec/codec.hpp"
-#include "proto/messages/party.hpp"
 
 #include <algorithm>
 #include <array>
-#include <iterator>
-#include <span>
 
 namespace cd {
 namespace {
@@ -128,39 +124,7 @@ unsigned sender_bit(Party party) {
     return 0;
 }
 
-constexpr std::array<std::string_view, 9> party_names{"a stranger",
-                                                      "a peer",
-                                                      "a joiner",
-                                                      "an observer",
-                                                      "a client",
-                                                      "a worker",
-                                                      "a fetching worker",
-                                                      "a giving worker",
-                                                      "a master"};
-constexpr std::array<std::string_view, 3> names_of_modes{"auto", "always", "never"};
-constexpr std::array<std::string_view, 4> state_names{"running", "done", "cancelled", "failed"};
-constexpr std::array<std::string_view, 3> worker_state_names{"alive", "silent", "lost"};
-constexpr std::array<std::string_view, 6> outcome_names{
-    "given", "busy", "missing", "unreachable", "damaged", "refused"};
-
-template <class Enum>
-std::optional<Enum> from_text(std::string_view text, std::span<const std::string_view> names) {
-    const auto found = std::find(names.begin(), names.end(), text);
-    return found == names.end() ? std::nullopt
-                                : std::optional(static_cast<Enum>(found - names.begin()));
-}
-
 } // namespace
-
-BlockTraffic& BlockTraffic::operator+=(const BlockTraffic& other) {
-    hits += other.hits;
-    misses += other.misses;
-    hinted += other.hinted;
-    evictions += other.evictions;
-    master_bytes += other.master_bytes;
-    peer_bytes += other.peer_bytes;
-    return *this;
-}
 
 std::uint16_t message_type(const Message& message) {
     return static_cast<std::uint16_t>(message.index() + 1);
@@ -174,24 +138,6 @@ std::string_view message_name(std::uint16_t type) {
 std::uint64_t payload_bytes_max(std::uint16_t type) {
     const Kind* kind = kind_of(type);
     return kind == nullptr ? 0 : kind->bytes_max;
-}
-
-Party party_of(Role role) {
-    switch (role) {
-    case Role::Worker:
-        return Party::Worker;
-    case Role::Client:
-        return Party::Client;
-    case Role::Peer:
-        return Party::Peer;
-    case Role::Joiner:
-        break;
-    }
-    return Party::Joiner;
-}
-
-std::string_view to_text(Party party) {
-    return party_names[static_cast<std::size_t>(party)];
 }
 
 std::uint64_t payload_bytes_max_from(Party party, std::uint16_t type) {
@@ -209,58 +155,9 @@ std::uint64_t payload_bytes_max_from(Party party, std::uint16_t type) {
                                   : kind->bytes_max;
 }
 
-std::size_t streams_max_of(Party party) {
-    const bool is_small =
-        party == Party::Stranger || party == Party::Joiner || party == Party::Observer;
-    const bool is_known = party != Party::Anyone;
-    return is_small   ? limits::streams_small_max
-           : is_known ? limits::streams_of_lanes_max
-                      : limits::streams_max;
-}
-
 bool travels_as_data(std::uint16_t type) {
     const Kind* kind = kind_of(type);
     return kind != nullptr && kind->lane == Lane::Data;
-}
-
-const Strategy* find_strategy(std::string_view name) {
-    const auto found = std::ranges::find(strategies, name, &Strategy::name);
-    return found == strategies.end() ? nullptr : &*found;
-}
-
-std::vector<std::string_view> strategy_names() {
-    std::vector<std::string_view> names;
-    std::ranges::transform(strategies, std::back_inserter(names), &Strategy::name);
-    return names;
-}
-
-bool is_strategy_name(std::string_view text) {
-    return !text.empty() && text.size() <= limits::strategy_name_bytes_max &&
-           text.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789-") == text.npos;
-}
-
-std::string_view to_text(AnalysisMode mode) {
-    return names_of_modes[static_cast<std::size_t>(mode)];
-}
-
-std::optional<AnalysisMode> analysis_mode_from_text(std::string_view text) {
-    return from_text<AnalysisMode>(text, names_of_modes);
-}
-
-std::span<const std::string_view> analysis_mode_names() {
-    return names_of_modes;
-}
-
-std::string_view to_text(JobState state) {
-    return state_names[static_cast<std::size_t>(state)];
-}
-
-std::string_view to_text(WorkerState state) {
-    return worker_state_names[static_cast<std::size_t>(state)];
-}
-
-std::string_view to_text(PeerOutcome outcome) {
-    return outcome_names[static_cast<std::size_t>(outcome)];
 }
 
 } // namespace cd

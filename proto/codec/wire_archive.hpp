@@ -90,6 +90,10 @@ template <>
 inline constexpr bool is_flat<RootPair> = true;
 template <>
 inline constexpr bool is_flat<IgnoredRange> = true;
+template <class T>
+inline constexpr bool is_array = false;
+template <class T, std::size_t n>
+inline constexpr bool is_array<std::array<T, n>> = true;
 static_assert(sizeof(Sha256) == 32);
 static_assert(sizeof(RootPair) == 2 * 4);
 static_assert(sizeof(IgnoredRange) == 6 * 4);
@@ -139,23 +143,6 @@ inline void load(WireInput& in, bool& value) {
         throw WireError("a truth value that is neither 0 nor 1");
     }
     value = byte == 1;
-}
-
-/// Reads or writes an enumeration as one byte, which must lie within [first, last].
-template <class Archive, class E>
-void enumeration(Archive& archive, E& value, E first, E last) {
-    auto byte = static_cast<std::uint8_t>(value);
-    archive(byte);
-    const bool is_known =
-        byte >= static_cast<std::uint8_t>(first) && byte <= static_cast<std::uint8_t>(last);
-    if constexpr (Archive::is_input) {
-        if (!is_known) {
-            throw WireError("an enumeration's value out of range");
-        }
-        value = static_cast<E>(byte);
-    } else {
-        CD_CHECK(is_known);
-    }
 }
 
 // ---- Containers: a count as u64, then the elements ------------------------------------------

@@ -14,6 +14,8 @@
 #include "proto/messages/session_messages.hpp"
 #include "proto/messages/traffic.hpp"
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -164,7 +166,10 @@ struct JobPoses {
 
 enum class JobState : std::uint8_t { Running = 0, Done = 1, Cancelled = 2, Failed = 3 };
 
-[[nodiscard]] std::string_view to_text(JobState state);
+[[nodiscard]] constexpr std::string_view to_text(JobState state) {
+    constexpr std::array<std::string_view, 4> names{"running", "done", "cancelled", "failed"};
+    return names[static_cast<std::size_t>(state)];
+}
 
 /// A long-running scenario and its worker.
 struct LongScenario {
@@ -216,7 +221,10 @@ enum class WorkerState : std::uint8_t {
     Lost = 2,   ///< The worker's tasks were reassigned.
 };
 
-[[nodiscard]] std::string_view to_text(WorkerState state);
+[[nodiscard]] constexpr std::string_view to_text(WorkerState state) {
+    constexpr std::array<std::string_view, 3> names{"alive", "silent", "lost"};
+    return names[static_cast<std::size_t>(state)];
+}
 
 struct WorkerStatus {
     WorkerId worker;

@@ -1,4 +1,4 @@
-// The parties of a connection, and the messages that each may send.
+// The parties of a connection.
 #pragma once
 
 #include <cstddef>
@@ -26,9 +26,6 @@ enum class Party : std::uint8_t {
 [[nodiscard]] Party party_of(Role role);
 [[nodiscard]] std::string_view to_text(Party party);
 
-/// The largest payload, in bytes, that this party may send in this type of message; 0: none, the
-/// type is forbidden.
-[[nodiscard]] std::uint64_t payload_bytes_max_from(Party party, std::uint16_t type);
 /// The largest number of messages that a party may have begun and not completed.
 [[nodiscard]] std::size_t streams_max_of(Party party);
 

@@ -14,7 +14,15 @@ struct BlockTraffic {
     std::uint64_t master_bytes = 0; ///< Compressed bytes received from the master.
     std::uint64_t peer_bytes = 0;   ///< Compressed bytes received from other workers.
 
-    BlockTraffic& operator+=(const BlockTraffic& other);
+    BlockTraffic& operator+=(const BlockTraffic& other) {
+        hits += other.hits;
+        misses += other.misses;
+        hinted += other.hinted;
+        evictions += other.evictions;
+        master_bytes += other.master_bytes;
+        peer_bytes += other.peer_bytes;
+        return *this;
+    }
     friend bool operator==(const BlockTraffic&, const BlockTraffic&) = default;
 };
 

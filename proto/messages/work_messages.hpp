@@ -11,6 +11,8 @@
 #include "common/tree/subtree.hpp"
 #include "proto/messages/traffic.hpp"
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -216,7 +218,11 @@ enum class PeerOutcome : std::uint8_t {
     Refused = 5,     ///< The source rejects the ticket.
 };
 
-[[nodiscard]] std::string_view to_text(PeerOutcome outcome);
+[[nodiscard]] constexpr std::string_view to_text(PeerOutcome outcome) {
+    constexpr std::array<std::string_view, 6> names{
+        "given", "busy", "missing", "unreachable", "damaged", "refused"};
+    return names[static_cast<std::size_t>(outcome)];
+}
 
 /// Reports roots whose blocks a source did not give.
 struct FetchFailed {
