@@ -26,9 +26,9 @@ Vec3 TriangleBlocks::vertex(std::size_t number) const {
     return doubles.empty() ? vertex_at(floats, number) : vertex_at(doubles, number);
 }
 
-Corners TriangleBlocks::corners_at(std::uint32_t place) const {
-    const std::size_t first = vertex_begin[place / block_size];
-    const BlockCorners& c = corners[place];
+Corners TriangleBlocks::corners_at(std::uint32_t slot) const {
+    const std::size_t first = vertex_begin[slot / block_size];
+    const BlockCorners& c = corners[slot];
     return {vertex(first + c[0]), vertex(first + c[1]), vertex(first + c[2])};
 }
 
@@ -57,18 +57,18 @@ std::uint32_t TriangleBlockArrays::add(std::span<const Triangle> triangles,
     std::array<std::uint32_t, 3 * block_size> known;
     std::uint8_t known_count = 0;
     for (std::size_t i = 0; i < triangles.size(); ++i) {
-        BlockCorners places{};
+        BlockCorners indices{};
         for (std::size_t k = 0; k < 3; ++k) {
             const std::uint32_t vertex = triangles[i][k];
             auto* const end = known.begin() + known_count;
             auto* const found = std::find(known.begin(), end, vertex);
-            places[k] = static_cast<std::uint8_t>(found - known.begin());
+            indices[k] = static_cast<std::uint8_t>(found - known.begin());
             if (found == end) {
                 known[known_count++] = vertex;
                 add_vertex(vertices[vertex]);
             }
         }
-        corners_.push_back(places);
+        corners_.push_back(indices);
         ids_.push_back(ids[i]);
     }
     vertex_begin_.push_back(vertex_begin_.back() + known_count);

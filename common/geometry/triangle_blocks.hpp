@@ -38,7 +38,7 @@ struct TriangleBlocks {
     std::span<const std::uint32_t> ids;    ///< Triangle index in the mesh, per slot.
     double reach = 0;                      ///< Bounds the magnitude of every coordinate.
 
-    [[nodiscard]] Corners corners_at(std::uint32_t place) const;
+    [[nodiscard]] Corners corners_at(std::uint32_t slot) const;
     [[nodiscard]] Vec3 vertex(std::size_t number) const;
 };
 

@@ -21,7 +21,7 @@ Error damaged(const std::filesystem::path& path, const std::string& why) {
 }
 
 /// Returns the file offset at which a block ends, after its header, content and checksum.
-std::uint64_t end_of(const BlockPlace& block) {
+std::uint64_t end_of(const BlockEntry& block) {
     return block.offset + block_header_bytes + block.bytes + word;
 }
 
@@ -52,7 +52,7 @@ Status check_kind(const DiskFile& file, FileKind kind) {
 
 /// Returns true if `block` may follow the blocks `before`, which end at file offset `end`: `block`
 /// begins there, and its scenarios come after theirs.
-bool follows(const BlockPlace& block, std::uint64_t end, const std::vector<BlockPlace>& before) {
+bool follows(const BlockEntry& block, std::uint64_t end, const std::vector<BlockEntry>& before) {
     const std::uint64_t first_min = before.empty() ? 0 : before.back().first + before.back().count;
     return block.offset == end && block.count != 0 && block.first >= first_min &&
            block.count <= UINT64_MAX - block.first;
@@ -84,7 +84,7 @@ Result<BlockFile> BlockFile::open_unfinished(const std::filesystem::path& path, 
     return file;
 }
 
-void BlockFile::append(const BlockPlace& block) {
+void BlockFile::append(const BlockEntry& block) {
     blocks_.push_back(block);
     count_ += block.count;
 }
@@ -126,7 +126,7 @@ Status BlockFile::read_table() {
     }
     ByteReader in(table.value());
     for (std::uint64_t i = 0; i < blocks; ++i) {
-        BlockPlace block;
+        BlockEntry block;
         block.offset = in.get<std::uint64_t>();
         block.first = in.get<std::uint64_t>();
         block.count = in.get<std::uint64_t>();
@@ -140,7 +140,7 @@ Status BlockFile::read_table() {
                                                    : damaged(path(), "its table is wrong");
 }
 
-std::optional<BlockPlace> BlockFile::whole_block_at(std::uint64_t offset,
+std::optional<BlockEntry> BlockFile::whole_block_at(std::uint64_t offset,
                                                     std::uint64_t size) const {
     if (size - offset < block_header_bytes + word) {
         return std::nullopt;
@@ -150,7 +150,7 @@ std::optional<BlockPlace> BlockFile::whole_block_at(std::uint64_t offset,
         return std::nullopt;
     }
     ByteReader in(header.value());
-    BlockPlace block;
+    BlockEntry block;
     block.offset = offset;
     block.first = in.get<std::uint64_t>();
     block.count = in.get<std::uint64_t>();
@@ -186,27 +186,27 @@ Status BlockFile::scan() {
 }
 
 std::optional<std::size_t> BlockFile::block_of(std::uint64_t scenario) const {
-    const auto after = std::ranges::upper_bound(blocks_, scenario, {}, &BlockPlace::first);
+    const auto after = std::ranges::upper_bound(blocks_, scenario, {}, &BlockEntry::first);
     return after == blocks_.begin()
                ? std::nullopt
                : std::optional(static_cast<std::size_t>(after - blocks_.begin()) - 1);
 }
 
 Result<Bytes> BlockFile::read(std::size_t block) const {
-    const BlockPlace& place = blocks_[block];
-    Result<Bytes> whole = file_.read_at(place.offset, block_header_bytes + place.bytes + word);
+    const BlockEntry& entry = blocks_[block];
+    Result<Bytes> whole = file_.read_at(entry.offset, block_header_bytes + entry.bytes + word);
     if (!whole) {
         return whole.error();
     }
-    const auto content = std::span(whole.value()).first(block_header_bytes + place.bytes);
+    const auto content = std::span(whole.value()).first(block_header_bytes + entry.bytes);
     ByteReader sum(std::span(whole.value()).subspan(content.size()));
     ByteReader header(content);
-    const bool is_it = header.get<std::uint64_t>() == place.first &&
-                       header.get<std::uint64_t>() == place.count &&
-                       header.get<std::uint64_t>() == place.bytes;
+    const bool is_it = header.get<std::uint64_t>() == entry.first &&
+                       header.get<std::uint64_t>() == entry.count &&
+                       header.get<std::uint64_t>() == entry.bytes;
     if (!is_it || sum.get<std::uint64_t>() != checksum(content)) {
         return damaged(path(),
-                       "the block of scenario " + std::to_string(place.first) +
+                       "the block of scenario " + std::to_string(entry.first) +
                            " has a wrong checksum");
     }
     const auto payload = content.subspan(block_header_bytes);
@@ -249,7 +249,7 @@ Result<BlockFileWriter> BlockFileWriter::resume(const std::filesystem::path& pat
 
 Status
 BlockFileWriter::add(std::uint64_t first, std::uint64_t count, std::span<const std::byte> content) {
-    const BlockPlace block{file_.end(), first, count, content.size()};
+    const BlockEntry block{file_.end(), first, count, content.size()};
     CD_CHECK(follows(block, file_.end(), file_.blocks_));
     ByteWriter out;
     out.put(block.first);
@@ -275,7 +275,7 @@ Status BlockFileWriter::cut_before(std::uint64_t scenario) {
 
 Status BlockFileWriter::finish() {
     ByteWriter out;
-    for (const BlockPlace& block : file_.blocks_) {
+    for (const BlockEntry& block : file_.blocks_) {
         out.put(block.offset);
         out.put(block.first);
         out.put(block.count);

@@ -15,7 +15,7 @@
 namespace cd {
 
 /// The location of a block in its file and the job's scenarios that it holds.
-struct BlockPlace {
+struct BlockEntry {
     std::uint64_t offset = 0; ///< Offset of the block's first byte in the file.
     std::uint64_t first = 0;  ///< Index of the block's first scenario.
     std::uint64_t count = 0;  ///< Number of scenarios, at least 1; their indices may have gaps.
@@ -42,7 +42,7 @@ class BlockFile {
     [[nodiscard]] static Result<BlockFile> open_unfinished(const std::filesystem::path& path,
                                                            FileKind kind);
 
-    [[nodiscard]] const std::vector<BlockPlace>& blocks() const { return blocks_; }
+    [[nodiscard]] const std::vector<BlockEntry>& blocks() const { return blocks_; }
     /// Number of scenarios in all blocks.
     [[nodiscard]] std::uint64_t count() const { return count_; }
     /// File offset, in bytes, at which the last block ends.
@@ -61,13 +61,13 @@ class BlockFile {
 
     [[nodiscard]] Status read_table();
     [[nodiscard]] Status scan();
-    [[nodiscard]] std::optional<BlockPlace> whole_block_at(std::uint64_t offset,
+    [[nodiscard]] std::optional<BlockEntry> whole_block_at(std::uint64_t offset,
                                                            std::uint64_t size) const;
-    void append(const BlockPlace& block);
+    void append(const BlockEntry& block);
 
     DiskFile file_;
     FileKind kind_;
-    std::vector<BlockPlace> blocks_;
+    std::vector<BlockEntry> blocks_;
     std::uint64_t count_ = 0;
 };
 

@@ -127,8 +127,8 @@ class ScenarioSession {
     /// Runs one scenario; the result is that of `ScenarioRunner::run`.
     [[nodiscard]] ScenarioRun run(const Scenario& scenario);
 
-    /// Receives the run of `scenarios[place]`. Returns false to end `run_all`.
-    using OnRun = std::function<bool(std::size_t place, ScenarioRun run)>;
+    /// Receives the run of `scenarios[i]`. Returns false to end `run_all`.
+    using OnRun = std::function<bool(std::size_t i, ScenarioRun run)>;
     /// Runs each scenario once, in `coherent_order`, because consecutive scenarios then read memory
     /// that the processor has cached. The results equal those of `run`. Returns true unless `done`
     /// returned false.

@@ -41,8 +41,8 @@ class ScenarioFileSource final : public PoseSource {
 
   private:
     [[nodiscard]] Status load(std::size_t block) {
-        const BlockPlace& place = file_.blocks()[block];
-        if (!kept_.empty() && kept_.front().index == place.first) {
+        const BlockEntry& entry = file_.blocks()[block];
+        if (!kept_.empty() && kept_.front().index == entry.first) {
             return Done{};
         }
         kept_.clear();
@@ -50,10 +50,10 @@ class ScenarioFileSource final : public PoseSource {
         if (!packed) {
             return packed.error();
         }
-        auto scenarios = unpack_scenarios(packed.value(), place.count);
-        if (!scenarios || scenarios.value().size() != place.count ||
-            scenarios.value().front().index != place.first ||
-            scenarios.value().back().index != place.first + place.count - 1) {
+        auto scenarios = unpack_scenarios(packed.value(), entry.count);
+        if (!scenarios || scenarios.value().size() != entry.count ||
+            scenarios.value().front().index != entry.first ||
+            scenarios.value().back().index != entry.first + entry.count - 1) {
             return Error{ErrorCode::Io,
                          file_.path().string() + " is damaged: it holds other scenarios than its "
                                                  "table says"};
@@ -73,7 +73,7 @@ Result<std::unique_ptr<PoseSource>> source_of(Result<BlockFile> file) {
     if (!file) {
         return file.error();
     }
-    const std::vector<BlockPlace>& blocks = file.value().blocks();
+    const std::vector<BlockEntry>& blocks = file.value().blocks();
     if (!blocks.empty() && blocks.back().first + blocks.back().count != file.value().count()) {
         return Error{ErrorCode::Io,
                      file.value().path().string() + " is damaged: scenarios are missing in it"};

@@ -149,9 +149,9 @@ void TrianglePairTest::classify_ties(const Triangles& a,
         }
         s.in_doubles->decide();
     }
-    for (std::size_t place = 0; place < ties.size(); ++place) {
-        const std::size_t i = ties[place];
-        const auto decided = at_once ? s.in_doubles->decided(place) : std::nullopt;
+    for (std::size_t k = 0; k < ties.size(); ++k) {
+        const std::size_t i = ties[k];
+        const auto decided = at_once ? s.in_doubles->decided(k) : std::nullopt;
         if (decided) {
             s.kinds[i] = *decided;
             ++s.statistics[PairStage::Double];

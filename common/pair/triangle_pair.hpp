@@ -66,8 +66,8 @@ struct TriangleSpan {
     std::span<const Vec3> vertices;
     std::span<const Triangle> triangles;
 
-    [[nodiscard]] Corners corners_at(std::uint32_t place) const {
-        const Triangle& t = triangles[place];
+    [[nodiscard]] Corners corners_at(std::uint32_t index) const {
+        const Triangle& t = triangles[index];
         return {vertices[t[0]], vertices[t[1]], vertices[t[2]]};
     }
 };

@@ -15,7 +15,7 @@ namespace {
 
 /// Returns an eighth of the surface area of the node's box. The descent opens the node with the
 /// larger area.
-float size_of(const ObbNode& node) {
+float area_of(const ObbNode& node) {
     const auto& [x, y, z] = node.half;
     return x * y + y * z + z * x;
 }
@@ -100,7 +100,7 @@ bool BinarySearch::descend(const TreeView& a, const TreeView& b, const OnLeaves&
     CD_CHECK(!b.nodes.empty());
     const BoxTest& boxes = placement_.boxes;
     // Keeps the last posed box of B, because one box of B meets many boxes of A in a row.
-    std::uint32_t posed_place = 0;
+    std::uint32_t posed_node = 0;
     PosedBox posed = boxes.pose(b.nodes[0]);
     stack_.clear();
     ++progress_.box_tests;
@@ -122,7 +122,7 @@ bool BinarySearch::descend(const TreeView& a, const TreeView& b, const OnLeaves&
             continue;
         }
         const bool down_a =
-            node_b.is_leaf() || (!node_a.is_leaf() && size_of(node_a) >= size_of(node_b));
+            node_b.is_leaf() || (!node_a.is_leaf() && area_of(node_a) >= area_of(node_b));
         const std::array<NodePair, 2> next =
             down_a ? std::array<NodePair, 2>{{{now.a + 1, now.b}, {node_a.right, now.b}}}
                    : std::array<NodePair, 2>{{{now.a, now.b + 1}, {now.a, node_b.right}}};
@@ -130,9 +130,9 @@ bool BinarySearch::descend(const TreeView& a, const TreeView& b, const OnLeaves&
         double distance_before = 0;
         std::size_t pushed = 0;
         for (const NodePair& pair : next) {
-            if (pair.b != posed_place) {
+            if (pair.b != posed_node) {
                 posed = boxes.pose(b.nodes[pair.b]);
-                posed_place = pair.b;
+                posed_node = pair.b;
             }
             ++progress_.box_tests;
             const ObbNode& box_a = a.nodes[pair.a];

@@ -13,19 +13,19 @@ namespace cd {
 namespace {
 
 constexpr unsigned kind_bits = 2;
-constexpr unsigned place_bits = 31;
-static_assert(limits::mesh_triangles_max <= std::uint64_t{1} << place_bits);
+constexpr unsigned index_bits = 31;
+static_assert(limits::mesh_triangles_max <= std::uint64_t{1} << index_bits);
 
 /// Packs a pair into a key; keys compare like their pairs.
 std::uint64_t key_of(const ContactPair& pair) {
-    return (std::uint64_t{pair.a} << place_bits | pair.b) << kind_bits |
+    return (std::uint64_t{pair.a} << index_bits | pair.b) << kind_bits |
            static_cast<std::uint64_t>(pair.kind);
 }
 
 ContactPair pair_of(std::uint64_t key) {
-    const std::uint64_t places = key >> kind_bits;
-    return {static_cast<std::uint32_t>(places >> place_bits),
-            static_cast<std::uint32_t>(places & ((std::uint64_t{1} << place_bits) - 1)),
+    const std::uint64_t indices = key >> kind_bits;
+    return {static_cast<std::uint32_t>(indices >> index_bits),
+            static_cast<std::uint32_t>(indices & ((std::uint64_t{1} << index_bits) - 1)),
             static_cast<PairClass>(key & ((1u << kind_bits) - 1))};
 }
 
@@ -35,7 +35,7 @@ struct PairSorter::Scratch {
     hwy::Sorter sorter;
     std::vector<std::uint64_t> keys;
     std::vector<std::pair<std::uint64_t, std::size_t>>
-        places; ///< Each key with its index before the sort.
+        order; ///< Each key with its index before the sort.
     std::vector<PairCorners> corners;
 };
 
@@ -55,15 +55,15 @@ void PairSorter::sort(std::vector<ContactPair>& pairs) {
 void PairSorter::sort(std::vector<ContactPair>& pairs, std::vector<PairCorners>& corners) {
     CD_CHECK(pairs.size() == corners.size());
     Scratch& s = *scratch_;
-    s.places.clear();
+    s.order.clear();
     for (const ContactPair& pair : pairs) {
-        s.places.emplace_back(key_of(pair), s.places.size());
+        s.order.emplace_back(key_of(pair), s.order.size());
     }
-    std::sort(s.places.begin(), s.places.end());
+    std::sort(s.order.begin(), s.order.end());
     s.corners.clear();
     for (std::size_t i = 0; i < pairs.size(); ++i) {
-        pairs[i] = pair_of(s.places[i].first);
-        s.corners.push_back(corners[s.places[i].second]);
+        pairs[i] = pair_of(s.order[i].first);
+        s.corners.push_back(corners[s.order[i].second]);
     }
     corners.swap(s.corners);
 }

@@ -53,7 +53,7 @@ bool contains_component(const ObbTree& outer,
         SolidPoint point(rounded.value, rounded.error, [&] {
             return ExactPoint{frame.get().of_inner(corner), frame.get().scale()};
         });
-        return solid.place_of(point, left_out) == Place::Inside;
+        return solid.locate(point, left_out) == Location::Inside;
     };
     const bool contains = std::ranges::any_of(probes.groups, [&](const ProbeGroup& group) {
         return std::ranges::any_of(group.triangles, [&](std::uint32_t triangle) {

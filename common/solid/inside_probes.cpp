@@ -65,14 +65,14 @@ std::optional<Kinds> kinds_of(std::span<const IgnoredRange> ignored,
     for (std::size_t i = 0; i + 1 < bounds.size(); ++i) {
         std::vector<IdRange> left_out = left_out_of(ignored, bounds[i], outer_count);
         const auto next = static_cast<std::uint32_t>(numbers.size());
-        const auto [place, is_new] = numbers.emplace(std::move(left_out), next);
+        const auto [entry, is_new] = numbers.emplace(std::move(left_out), next);
         if (is_new) {
-            kinds.left_out.push_back(place->first);
+            kinds.left_out.push_back(entry->first);
         }
         if (numbers.size() > limits::inside_kinds_max) {
             return std::nullopt;
         }
-        kinds.of_triangle.resize(bounds[i + 1], place->second);
+        kinds.of_triangle.resize(bounds[i + 1], entry->second);
     }
     return kinds;
 }

@@ -32,11 +32,11 @@ class SolidSides {
     explicit SolidSides(const ObbTree& body) : solid_(body) {}
 
     [[nodiscard]] int of(std::uint32_t triangle) {
-        const auto [place, is_new] = sides_.try_emplace(triangle, 0);
+        const auto [entry, is_new] = sides_.try_emplace(triangle, 0);
         if (is_new) {
-            place->second = solid_.solid_side(triangle);
+            entry->second = solid_.solid_side(triangle);
         }
-        return place->second;
+        return entry->second;
     }
 
     [[nodiscard]] const SettleStatistics& statistics() const { return solid_.statistics(); }

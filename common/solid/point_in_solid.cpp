@@ -18,9 +18,9 @@ constexpr double unit_roundoff = 0x1p-53;
 /// the origin contains at most two of its points. Exact in double; t runs over distinct multiples
 /// of 2^-16 in [0, 1), then in [1, 2), and so on.
 Vec3 ray_direction(std::uint64_t attempt) {
-    const std::uint64_t place =
+    const std::uint64_t step =
         (attempt * 40503 + 26177) % 65536; // 40503 is odd, so this is a permutation.
-    const double t = static_cast<double>(attempt / 65536) + static_cast<double>(place) / 65536.0;
+    const double t = static_cast<double>(attempt / 65536) + static_cast<double>(step) / 65536.0;
     return {1, t, t * t};
 }
 
@@ -245,16 +245,16 @@ SolidTest::Verdict SolidTest::cast_ray(SolidPoint& point,
     bool is_odd = false;
     waiting_.assign(1, 0);
     while (!waiting_.empty()) {
-        const std::uint32_t place = waiting_.back();
+        const std::uint32_t index = waiting_.back();
         waiting_.pop_back();
-        const ObbNode& node = view.nodes[place];
+        const ObbNode& node = view.nodes[index];
         ++statistics_.ray_box_tests;
         if (!boxes.may_meet(node)) {
             continue;
         }
         if (!node.is_leaf()) {
             waiting_.push_back(node.right);
-            waiting_.push_back(place + 1);
+            waiting_.push_back(index + 1);
             continue;
         }
         for (std::uint32_t i = node.triangles_begin; i < node.triangles_end; ++i) {
@@ -317,11 +317,11 @@ std::optional<Vec3> SolidTest::shortest_way_out(const SolidPoint& point) const {
            0x1.8p-6 * axis_of(box, (nearest + 2) % 3);
 }
 
-Place SolidTest::place_of(SolidPoint& point, std::span<const IdRange> left_out) {
+Location SolidTest::locate(SolidPoint& point, std::span<const IdRange> left_out) {
     ++statistics_.points;
     const std::optional<Vec3> way_out = shortest_way_out(point);
     if (!way_out) {
-        return Place::Outside;
+        return Location::Outside;
     }
     Verdict verdict = cast_ray(point, *way_out, left_out);
     for (std::uint64_t i = 0; verdict == Verdict::Unclear; ++i) {
@@ -329,9 +329,9 @@ Place SolidTest::place_of(SolidPoint& point, std::span<const IdRange> left_out) 
         verdict = cast_ray(point, ray_direction(i), left_out);
     }
     statistics_.by_exact += point.needed_exact() ? 1u : 0u;
-    return verdict == Verdict::OnSurface ? Place::OnSurface
-           : verdict == Verdict::Odd     ? Place::Inside
-                                         : Place::Outside;
+    return verdict == Verdict::OnSurface ? Location::OnSurface
+           : verdict == Verdict::Odd     ? Location::Inside
+                                         : Location::Outside;
 }
 
 bool SolidTest::is_inside_beside(SolidPoint& point,

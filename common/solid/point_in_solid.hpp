@@ -33,7 +33,7 @@ class SolidPoint {
     std::optional<ExactPoint> exact_;
 };
 
-enum class Place : std::uint8_t { Outside, Inside, OnSurface };
+enum class Location : std::uint8_t { Outside, Inside, OnSurface };
 
 /// A closed body as a solid: a point is inside when a ray from it crosses the surface an odd number
 /// of times. The winding of the triangles does not matter. The tree outlives this object; one
@@ -44,7 +44,7 @@ class SolidTest {
 
     /// Classifies `point`. The ranges `left_out`, ascending and disjoint, are not part of the
     /// surface; the other triangles bound a solid.
-    [[nodiscard]] Place place_of(SolidPoint& point, std::span<const IdRange> left_out = {});
+    [[nodiscard]] Location locate(SolidPoint& point, std::span<const IdRange> left_out = {});
 
     /// Returns whether the solid lies right beside a point, on side `side` of a plane through the
     /// point. `passed_over` are ascending ids of triangles of the solid: at least all that contain

@@ -136,9 +136,9 @@ std::array<DyadicVec, 2> ends_of(const std::array<DyadicVec, 3>& corners) {
 
 /// Adds the parameter at which a linear function changes its sign, if it does. The function is
 /// `from` at parameter 0 and `to` at 1.
-void add_change(const Dyadic& from, const Dyadic& to, std::vector<Rational>& places) {
+void add_change(const Dyadic& from, const Dyadic& to, std::vector<Rational>& parameters) {
     if (sign_of(from) * sign_of(to) < 0) {
-        places.push_back(to_rational(from) / to_rational(from - to));
+        parameters.push_back(to_rational(from) / to_rational(from - to));
     }
 }
 
@@ -146,17 +146,18 @@ void add_change(const Dyadic& from, const Dyadic& to, std::vector<Rational>& pla
 /// segment lies in that plane, the lines of the triangle's edges.
 void add_crossings(const std::array<DyadicVec, 2>& ends,
                    const std::array<DyadicVec, 3>& triangle,
-                   std::vector<Rational>& places) {
+                   std::vector<Rational>& parameters) {
     const DyadicVec normal = cross(triangle[1] - triangle[0], triangle[2] - triangle[0]);
     const Dyadic from = dot(normal, ends[0] - triangle[0]);
     const Dyadic to = dot(normal, ends[1] - triangle[0]);
-    add_change(from, to, places);
+    add_change(from, to, parameters);
     if (sign_of(from) != 0 || sign_of(to) != 0) {
         return;
     }
     for (std::size_t k = 0; k < 3; ++k) {
         const DyadicVec across = cross(triangle[(k + 1) % 3] - triangle[k], normal);
-        add_change(dot(across, ends[0] - triangle[k]), dot(across, ends[1] - triangle[k]), places);
+        add_change(
+            dot(across, ends[0] - triangle[k]), dot(across, ends[1] - triangle[k]), parameters);
     }
 }
 
@@ -203,7 +204,7 @@ bool TriangleInSolid::reaches_inside(std::uint32_t triangle,
                       // theirs would cross its interior.
     }
     SolidPoint centroid = inner.centroid();
-    return solid_.place_of(centroid) == Place::Inside;
+    return solid_.locate(centroid) == Location::Inside;
 }
 
 std::span<const std::uint32_t> TriangleInSolid::ids_of(std::span<const OuterContact> contacts) {
@@ -219,11 +220,11 @@ int TriangleInSolid::plane_side(PosedTriangle& inner, std::uint32_t outer_vertex
     if (const auto sign = inner.proven_plane_side(vertex)) {
         return *sign;
     }
-    const auto [place, is_new] = plane_sides_.try_emplace(outer_vertex, 0);
+    const auto [entry, is_new] = plane_sides_.try_emplace(outer_vertex, 0);
     if (is_new) {
-        place->second = inner.plane_side(vertex);
+        entry->second = inner.plane_side(vertex);
     }
-    return place->second;
+    return entry->second;
 }
 
 /// Returns a side of the triangle's plane, as `plane_side` defines it, on which no contact has any
@@ -339,28 +340,29 @@ bool TriangleInSolid::any_cell_inside(PosedTriangle& inner) {
         projection.down(corners[0]), projection.down(corners[1]), projection.down(corners[2])};
     return any_cell_centre(triangle, cuts, [&](const PlanePoint& centre) {
         SolidPoint point = to_solid_point(projection.up(centre), frame_);
-        return solid_.place_of(point) == Place::Inside;
+        return solid_.locate(point) == Location::Inside;
     });
 }
 
 bool TriangleInSolid::any_piece_inside(PosedTriangle& inner,
                                        std::span<const OuterContact> contacts) {
     const std::array<DyadicVec, 2> ends = ends_of(inner.exact_corners());
-    std::vector<Rational> places;
+    std::vector<Rational> parameters;
     for (const OuterContact& contact : contacts) {
         const Corners corners = outer_.mesh().corners(contact.triangle);
         add_crossings(
             ends,
             {frame_.of_outer(corners[0]), frame_.of_outer(corners[1]), frame_.of_outer(corners[2])},
-            places);
+            parameters);
     }
     const std::array<Rational, 3> from = to_rational(ends[0]);
     const std::array<Rational, 3> along = to_rational(ends[1] - ends[0]);
-    return any_piece_centre(std::move(places), [&](const Rational& place) {
-        SolidPoint point = to_solid_point(
-            {from[0] + place * along[0], from[1] + place * along[1], from[2] + place * along[2]},
-            frame_);
-        return solid_.place_of(point) == Place::Inside;
+    return any_piece_centre(std::move(parameters), [&](const Rational& parameter) {
+        SolidPoint point = to_solid_point({from[0] + parameter * along[0],
+                                           from[1] + parameter * along[1],
+                                           from[2] + parameter * along[2]},
+                                          frame_);
+        return solid_.locate(point) == Location::Inside;
     });
 }
 

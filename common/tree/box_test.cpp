@@ -55,7 +55,7 @@ constexpr double skew_max = 0x1p-10;    ///< Largest skew for which the bounds o
 constexpr double underflow = 0x1p-1000; ///< Exceeds everything that can be lost to underflow.
 constexpr double center_max = 0x1p1000; ///< Beyond this, intermediate sums may overflow.
 
-double size_of(const std::array<double, 3>& v) {
+double absolute_sum(const std::array<double, 3>& v) {
     return std::abs(v[0]) + std::abs(v[1]) + std::abs(v[2]);
 }
 
@@ -69,7 +69,7 @@ BoxTest::BoxTest(const RelativePose& b_to_a, double error_scale)
         }
         translation_[i] = b_to_a.translation[static_cast<int>(i)];
     }
-    translation_size_ = size_of(translation_);
+    translation_size_ = absolute_sum(translation_);
     rotation_error_ = error_scale * b_to_a.rotation_error;
     translation_error_ = error_scale * b_to_a.translation_error;
     frame_error_ = error_scale * (22 * axes_error_max + 5 * b_to_a.skew +
@@ -93,7 +93,7 @@ PosedBox BoxTest::pose(const ObbNode& b) const {
             row[0] * b.center[0] + row[1] * b.center[1] + row[2] * b.center[2] + translation_[i];
         posed.half[i] = static_cast<double>(b.half[i]);
     }
-    const double center_size = size_of(b.center);
+    const double center_size = absolute_sum(b.center);
     posed.error = frame_error_ * (posed.half[0] + posed.half[1] + posed.half[2]) +
                   4 * (rotation_error_ * center_size + translation_error_) +
                   48 * rounding_ * (center_size + translation_size_);
@@ -112,7 +112,7 @@ Aabb BoxTest::bounds(const Corners& b) const {
             {rotation_[0] * c[0] + rotation_[1] * c[1] + rotation_[2] * c[2] + translation_[0],
              rotation_[3] * c[0] + rotation_[4] * c[1] + rotation_[5] * c[2] + translation_[1],
              rotation_[6] * c[0] + rotation_[7] * c[1] + rotation_[8] * c[2] + translation_[2]});
-        size = std::max(size, size_of(c));
+        size = std::max(size, absolute_sum(c));
     }
     // The error is that of T at the head of this file, without F; growing the box rounds once more.
     double error = rotation_error_ * size + translation_error_ +
@@ -132,7 +132,7 @@ bool BoxTest::may_overlap(const ObbNode& a, const PosedBox& b) const {
     }
     const std::array<double, 3>& hb = b.half;
     const double margin =
-        b.error + 48 * rounding_ * size_of(a.center) + 8 * rounding_ * (ha[0] + ha[1] + ha[2]);
+        b.error + 48 * rounding_ * absolute_sum(a.center) + 8 * rounding_ * (ha[0] + ha[1] + ha[2]);
 
     std::array<double, 3> t;
     std::array<std::array<double, 3>, 3> m;
@@ -193,7 +193,8 @@ double BoxTest::distance_max(const ObbNode& a, const PosedBox& b) const {
         radius_b += b.half[i] * b.half[i];
     }
     const double radii = std::sqrt(radius_a) + std::sqrt(radius_b);
-    const double error = frame_error_ * radii + 2 * (b.error + 48 * rounding_ * size_of(a.center));
+    const double error =
+        frame_error_ * radii + 2 * (b.error + 48 * rounding_ * absolute_sum(a.center));
     const double distance = (std::sqrt(between) + radii + error) * (1 + 16 * rounding_);
     return distance >= 0 ? distance : infinity; // NaN: a centre overflowed.
 }

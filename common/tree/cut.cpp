@@ -25,7 +25,7 @@ void for_each_top_node(const ObbTree& tree,
                        const std::function<void(const TopNode&)>& visit,
                        std::uint32_t depth) {
     // In preorder, the index of a node in the upper tree is the number of nodes visited before it.
-    std::uint32_t place = 0;
+    std::uint32_t index = 0;
     std::vector<TopNode> waiting{TopNode{}};
     while (!waiting.empty()) {
         const TopNode top = waiting.back();
@@ -33,14 +33,14 @@ void for_each_top_node(const ObbTree& tree,
         visit(top);
         const ObbNode& node = tree.nodes()[top.node];
         if (!node.is_leaf() && top.depth < depth) {
-            waiting.push_back({node.right, top.depth + 1, place, true});
+            waiting.push_back({node.right, top.depth + 1, index, true});
             waiting.push_back({top.node + 1, top.depth + 1, 0, false});
         }
-        ++place;
+        ++index;
     }
 }
 
-double size_of(const ObbNode& node) {
+double half_sum_of(const ObbNode& node) {
     return static_cast<double>(node.half[0]) + static_cast<double>(node.half[1]) +
            static_cast<double>(node.half[2]);
 }
@@ -48,7 +48,7 @@ double size_of(const ObbNode& node) {
 /// Returns whether the descent opens `a` instead of `b`. The descent opens the inner node with the
 /// larger box, so that both boxes stay alike in size.
 bool opens_a(const ObbNode& a, const ObbNode& b) {
-    return !a.is_leaf() && (b.is_leaf() || size_of(a) >= size_of(b));
+    return !a.is_leaf() && (b.is_leaf() || half_sum_of(a) >= half_sum_of(b));
 }
 
 /// One simultaneous descent of two upper trees. Its pairs hold indices in `nodes`, not root
@@ -90,9 +90,9 @@ class TopDescent {
 
   private:
     void push_if_overlapping(const RootPair& nodes) {
-        if (nodes.b != posed_place_) {
+        if (nodes.b != posed_node_) {
             posed_ = boxes_.pose(b_.nodes[nodes.b]);
-            posed_place_ = nodes.b;
+            posed_node_ = nodes.b;
         }
         ++box_tests_;
         if (boxes_.may_overlap(a_.nodes[nodes.a], posed_)) {
@@ -103,9 +103,9 @@ class TopDescent {
     const TreeTop& a_;
     const TreeTop& b_;
     BoxTest boxes_;
-    /// The box of B at `posed_place_`, cached because a descent of A tests one box of B many times.
+    /// The box of B at `posed_node_`, cached because a descent of A tests one box of B many times.
     PosedBox posed_;
-    std::uint32_t posed_place_ = 0;
+    std::uint32_t posed_node_ = 0;
     std::vector<RootPair> waiting_;
     std::uint64_t box_tests_ = 0;
 };
@@ -141,14 +141,14 @@ TreeTop cut_tree(const ObbTree& tree, std::uint32_t depth) {
 }
 
 std::vector<std::uint32_t> cut_nodes(const ObbTree& tree, std::uint32_t depth) {
-    std::vector<std::uint32_t> places;
+    std::vector<std::uint32_t> nodes;
     const auto add = [&](const TopNode& at) {
         if (at.depth == depth || tree.nodes()[at.node].is_leaf()) {
-            places.push_back(at.node);
+            nodes.push_back(at.node);
         }
     };
     for_each_top_node(tree, add, depth);
-    return places;
+    return nodes;
 }
 
 TreeTop make_tree_top(std::vector<ObbNode> nodes) {

@@ -24,9 +24,9 @@ void sum_run(const WeightedRoot* roots,
     std::fill_n(out, 64, std::uint16_t{0});
     for (std::size_t i = 0; i < count; ++i) {
         const std::uint64_t word = words[roots[i].root * stride];
-        for (std::size_t place = 0; place < 64; ++place) {
-            const std::uint64_t bit = word >> (16 * (place % 4) + place / 4) & 1;
-            out[place] = static_cast<std::uint16_t>(out[place] + bit * roots[i].weight);
+        for (std::size_t slot = 0; slot < 64; ++slot) {
+            const std::uint64_t bit = word >> (16 * (slot % 4) + slot / 4) & 1;
+            out[slot] = static_cast<std::uint16_t>(out[slot] + bit * roots[i].weight);
         }
     }
 }
@@ -45,7 +45,7 @@ constexpr std::size_t vectors = 64 / lanes;
 /// Returns for each slot the bit that the slot tests. Slots are lanes, counted through all vectors.
 /// Every four lanes hold one word as four quarters of sixteen bits, and slot p tests bit p / 4 of
 /// quarter p % 4. Therefore slot p belongs to column 16 (p % 4) + p / 4 of the word.
-HWY_INLINE std::array<V, vectors> bits_of_places() {
+HWY_INLINE std::array<V, vectors> bits_of_slots() {
     std::array<V, vectors> bits;
     for (std::size_t i = 0; i < vectors; ++i) {
         alignas(64) std::array<std::uint16_t, lanes> values;
@@ -65,7 +65,7 @@ void sum_run(const WeightedRoot* HWY_RESTRICT roots,
              std::size_t stride,
              std::uint16_t* HWY_RESTRICT out) {
     const Lanes d;
-    const std::array<V, vectors> bits = bits_of_places();
+    const std::array<V, vectors> bits = bits_of_slots();
     std::array<V, vectors> sums;
     sums.fill(hn::Zero(d));
     for (std::size_t i = 0; i < count; ++i) {

@@ -50,30 +50,30 @@ VertexSelection select_vertices(std::span<const Triangle> triangles,
         const Vec3& at = vertices[vertex];
         return std::tuple(at.x(), at.y(), at.z());
     };
-    std::vector<std::uint32_t> by_place(used.size());
+    std::vector<std::uint32_t> sorted(used.size());
     for (std::uint32_t i = 0; i < used.size(); ++i) {
-        by_place[i] = i;
+        sorted[i] = i;
     }
-    std::sort(by_place.begin(), by_place.end(), [&](std::uint32_t left, std::uint32_t right) {
+    std::sort(sorted.begin(), sorted.end(), [&](std::uint32_t left, std::uint32_t right) {
         return key(used[left]) < key(used[right]);
     });
-    std::vector<std::uint32_t> place_of_used(
+    std::vector<std::uint32_t> rank_of_used(
         used.size()); // Equal for vertices with equal coordinates.
-    std::uint32_t places = 0;
-    for (std::size_t i = 0; i < by_place.size(); ++i) {
-        places += i > 0 && key(used[by_place[i]]) != key(used[by_place[i - 1]]) ? 1 : 0;
-        place_of_used[by_place[i]] = places;
+    std::uint32_t ranks = 0;
+    for (std::size_t i = 0; i < sorted.size(); ++i) {
+        ranks += i > 0 && key(used[sorted[i]]) != key(used[sorted[i - 1]]) ? 1 : 0;
+        rank_of_used[sorted[i]] = ranks;
     }
 
     constexpr std::uint32_t not_met = UINT32_MAX;
-    std::vector<std::uint32_t> number_of_place(places + 1, not_met);
+    std::vector<std::uint32_t> number_of_rank(ranks + 1, not_met);
     VertexSelection selection;
     selection.triangles.reserve(triangles.size());
     for (const Triangle& triangle : triangles) {
         Triangle own{};
         for (std::size_t i = 0; i < 3; ++i) {
             const auto at = std::lower_bound(used.begin(), used.end(), triangle[i]) - used.begin();
-            std::uint32_t& number = number_of_place[place_of_used[static_cast<std::size_t>(at)]];
+            std::uint32_t& number = number_of_rank[rank_of_used[static_cast<std::size_t>(at)]];
             if (number == not_met) {
                 number = static_cast<std::uint32_t>(selection.vertices.size());
                 selection.vertices.push_back(vertices[triangle[i]]);

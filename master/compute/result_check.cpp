@@ -131,7 +131,7 @@ std::optional<Scenario> RangeContent::scenario(std::uint64_t index) const {
     if (!window->has(index)) {
         return std::nullopt;
     }
-    const std::uint64_t place = window->place_of(index);
+    const std::uint64_t place = window->position_of(index);
     return is_in(place) ? std::optional(window->at({place, 1}).front()) : std::nullopt;
 }
 

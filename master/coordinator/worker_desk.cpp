@@ -60,7 +60,7 @@ void WorkerDesk::worker_resumed(WorkerId worker) {
     state_.blocks.worker_returned(worker, state_.workers.find(worker)->channel);
 }
 
-void WorkerDesk::came(WorkerId id, const Standing& standing) {
+void WorkerDesk::came(WorkerId id, const Inventory& standing) {
     Worker* worker = state_.workers.find(id);
     if (worker == nullptr) {
         return;
@@ -91,8 +91,8 @@ void WorkerDesk::came(WorkerId id, const Standing& standing) {
     services_.work.feed();
 }
 
-Status WorkerDesk::check(const Standing& standing) const {
-    for (const StandingTree& tree : standing.trees) {
+Status WorkerDesk::check(const Inventory& standing) const {
+    for (const InventoryTree& tree : standing.trees) {
         const auto geometry = state_.trees.find(tree.tree);
         if (geometry != nullptr && !geometry->has_blocks(tree.held)) {
             return Error{ErrorCode::BadFrame, "it speaks of a root that does not exist"};
@@ -102,8 +102,8 @@ Status WorkerDesk::check(const Standing& standing) const {
 }
 
 /// Records that the worker holds exactly the blocks in its inventory.
-void WorkerDesk::compare_blocks(WorkerId id, const Standing& standing) {
-    for (const StandingTree& tree : standing.trees) {
+void WorkerDesk::compare_blocks(WorkerId id, const Inventory& standing) {
+    for (const InventoryTree& tree : standing.trees) {
         if (state_.workers.find(id)->supply.has_tree(tree.tree)) {
             came(id, Held{tree.tree, tree.held});
             const auto gone = others(state_.trees.find(tree.tree)->root_count(), tree.held);

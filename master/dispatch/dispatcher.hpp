@@ -67,7 +67,7 @@ class Dispatcher : public DispatchView {
     /// the queue, not counted as lost.
     Actions task_unbegun(WorkerId worker, TaskId task);
     /// The worker has returned this part of the task, in answer to AskBack or in its inventory
-    /// (Standing). The part waits again, not counted as lost. Ignores what is not in the task.
+    /// (Inventory). The part waits again, not counted as lost. Ignores what is not in the task.
     Actions task_recalled(WorkerId worker, const Recalled& recalled);
     /// The worker requests these blocks and counts as holding them from now on.
     void roots_wanted(WorkerId worker, TreeId tree, std::span<const RootIndex> roots);

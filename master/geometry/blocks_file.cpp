@@ -26,7 +26,7 @@ constexpr std::size_t roots_at_once_per_thread = 16;
 Bytes encode_index(const ObbTree& tree,
                    std::uint32_t depth,
                    SubtreeForm form,
-                   const std::vector<BlockPlace>& places) {
+                   const std::vector<BlockEntry>& places) {
     ByteWriter out;
     out.put(magic);
     out.put(format_version);
@@ -35,7 +35,7 @@ Bytes encode_index(const ObbTree& tree,
     out.put(depth);
     out.put(static_cast<std::uint8_t>(form));
     out.put(static_cast<std::uint32_t>(places.size()));
-    for (const BlockPlace& place : places) {
+    for (const BlockEntry& place : places) {
         out.put(place.offset);
         out.put(place.compressed_bytes);
         out.put(place.bytes);
@@ -50,8 +50,8 @@ std::size_t index_bytes(std::size_t roots) {
     return header_bytes + roots * place_bytes + sizeof(std::uint64_t);
 }
 
-BlockPlace get_place(ByteReader& in) {
-    BlockPlace place;
+BlockEntry get_place(ByteReader& in) {
+    BlockEntry place;
     place.offset = in.get<std::uint64_t>();
     place.compressed_bytes = in.get<std::uint64_t>();
     place.bytes = in.get<std::uint64_t>();
@@ -63,7 +63,7 @@ BlockPlace get_place(ByteReader& in) {
 /// One encoded block with its index entry, in which the offset is not set yet.
 struct EncodedBlock {
     Bytes compressed;
-    BlockPlace place;
+    BlockEntry place;
 };
 
 EncodedBlock encode_block(const ObbTree& tree, std::uint32_t node, SubtreeForm form) {
@@ -89,7 +89,7 @@ Status write_blocks_file(const std::filesystem::path& path,
         return file.error();
     }
     const std::vector<std::uint32_t> roots = cut_nodes(tree, depth);
-    std::vector<BlockPlace> places(roots.size());
+    std::vector<BlockEntry> places(roots.size());
     std::uint64_t offset = index_bytes(roots.size());
     const std::size_t step = roots_at_once_per_thread * (pool == nullptr ? 1 : pool->size());
     for (std::size_t begin = 0; begin < roots.size(); begin += step) {
@@ -98,7 +98,7 @@ Status write_blocks_file(const std::filesystem::path& path,
             blocks[i] = encode_block(tree, roots[begin + i], form);
         });
         for (std::size_t i = 0; i < blocks.size(); ++i) {
-            BlockPlace& place = places[begin + i] = blocks[i].place;
+            BlockEntry& place = places[begin + i] = blocks[i].place;
             if (place.bytes > limits::subtree_block_bytes_max) {
                 return Error{ErrorCode::TooLarge,
                              "a subtree of " + std::to_string(place.bytes) +
@@ -155,7 +155,7 @@ Result<WholeFile> read_whole(const std::filesystem::path& path) {
     WholeFile whole{{std::move(file.value()), {}}, std::move(index.value())};
     std::uint64_t end = whole.index.size();
     for (std::uint32_t root = 0; root < roots; ++root) {
-        const BlockPlace place = get_place(in);
+        const BlockEntry place = get_place(in);
         if (place.offset != end || place.compressed_bytes > limits::subtree_block_bytes_max) {
             return damaged;
         }
@@ -203,7 +203,7 @@ Bytes make_block(const ObbTree& tree, std::uint32_t depth, SubtreeForm form, Roo
 }
 
 Result<Bytes> read_block(const BlocksFile& blocks, RootIndex root) {
-    const BlockPlace& place = blocks.places[root];
+    const BlockEntry& place = blocks.places[root];
     Result<Bytes> bytes = blocks.file.read_at(place.offset, place.compressed_bytes);
     if (bytes && checksum(bytes.value()) != place.checksum) {
         return Error{ErrorCode::Io,

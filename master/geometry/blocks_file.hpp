@@ -20,7 +20,7 @@ namespace cd {
 inline constexpr std::string_view blocks_suffix = ".blocks";
 
 /// Index entry of one root's block.
-struct BlockPlace {
+struct BlockEntry {
     std::uint64_t offset = 0;
     std::uint64_t compressed_bytes = 0;
     std::uint64_t bytes = 0;    ///< Uncompressed size.
@@ -31,7 +31,7 @@ struct BlockPlace {
 /// An open, checked blocks file.
 struct BlocksFile {
     DiskFile file;
-    std::vector<BlockPlace> places; ///< Index entries, by root.
+    std::vector<BlockEntry> places; ///< Index entries, by root.
 };
 
 /// Encodes every subtree of the cut in this form, on the pool, and writes the file. With a null

@@ -64,7 +64,7 @@ Result<std::shared_ptr<const CutGeometry>> CutGeometry::open(const std::filesyst
                                            std::move(top_block.value()),
                                            std::move(blocks.value()),
                                            pool});
-    for (const BlockPlace& place : state->blocks.places) {
+    for (const BlockEntry& place : state->blocks.places) {
         state->bytes += place.bytes;
     }
     return std::shared_ptr<const CutGeometry>(new CutGeometry(std::move(state)));

@@ -68,9 +68,9 @@ WorkerSupply::Messages WorkerSupply::add_kept(std::span<const AddTree> in_use) {
     return out;
 }
 
-WorkerSupply::Messages WorkerSupply::stands(const Standing& standing) {
+WorkerSupply::Messages WorkerSupply::stands(const Inventory& standing) {
     std::set<TreeId> trees;
-    for (const StandingTree& tree : standing.trees) {
+    for (const InventoryTree& tree : standing.trees) {
         trees.insert(tree.tree);
     }
     Messages out;

@@ -247,7 +247,8 @@ void Channel::State::watch_read() {
             return;
         }
         if (*self->rest_due <= Clock::now()) {
-            self->fail({ErrorCode::Disconnected, "a message that stands still midway"});
+            self->fail(
+                {ErrorCode::Disconnected, "a message whose next frame did not arrive in time"});
         } else {
             self->watch_read();
         }

@@ -15,8 +15,8 @@ Error unanswered(const Error& error) {
     return error.code != ErrorCode::Disconnected
                ? error
                : Error{error.code,
-                       error.detail + ", before it answered: it may have no place for another "
-                                      "connection; try again"};
+                       error.detail + ", before it answered: all its connection slots may be "
+                                      "taken; try again"};
 }
 
 } // namespace

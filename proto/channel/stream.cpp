@@ -98,7 +98,7 @@ Error handshake_error(const error_code& error, SSL* ssl) {
     }
     other.detail += ", during the TLS handshake";
     if (other.code == ErrorCode::Disconnected) {
-        other.detail += "; the other end may have no place for another connection";
+        other.detail += "; all connection slots of the other end may be taken";
     }
     return other;
 }

@@ -130,13 +130,13 @@ requires std::same_as<decltype(T::scenarios), std::vector<std::uint64_t>>
     Problem problem_of(const T& message) {
     return ascends(message.scenarios) ? nullptr : "scenarios that do not ascend";
 }
-Problem problem_of(const Standing& standing) {
-    for (const Recalled& task : standing.tasks) {
+Problem problem_of(const Inventory& inventory) {
+    for (const Recalled& task : inventory.tasks) {
         if (const Problem problem = problem_of(task)) {
             return problem;
         }
     }
-    for (const StandingTree& tree : standing.trees) {
+    for (const InventoryTree& tree : inventory.trees) {
         if (const Problem problem = problem_of_roots(tree.held)) {
             return problem;
         }

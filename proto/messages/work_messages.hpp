@@ -178,15 +178,15 @@ struct Recalled {
 };
 
 /// A tree that the worker has.
-struct StandingTree {
+struct InventoryTree {
     TreeId tree;
     std::vector<RootIndex> held; ///< Roots whose blocks are in the worker's cache, ascending.
 };
 
 /// The worker's inventory when a session resumes, sent after its unacknowledged results. Anything
 /// not listed was lost in transit or has ended.
-struct Standing {
-    std::vector<StandingTree> trees;
+struct Inventory {
+    std::vector<InventoryTree> trees;
     std::vector<JobId> jobs;
     std::vector<Recalled> tasks; ///< Each task with its returned scenarios.
 };

@@ -29,7 +29,7 @@ class CachedTree {
         bool is_pinned = false;                    ///< True: must not be evicted.
         bool is_idle = false;                      ///< True: cached and not pinned.
         std::list<SubtreeKey>::iterator
-            place; ///< Position in the cache's list of idle subtrees, if `is_idle`.
+            idle_entry; ///< Position in the cache's list of idle subtrees, if `is_idle`.
     };
 
     explicit CachedTree(const AddTree& add) : named_(add), partial_(add.roots), slots_(add.roots) {}

@@ -47,7 +47,7 @@ void SubtreeCache::rename(TreeId from, TreeId to) {
     node.key() = to;
     for (Slot& slot : node.mapped().slots()) {
         if (slot.is_idle) {
-            slot.place->tree = to;
+            slot.idle_entry->tree = to;
         }
     }
     const bool is_new = trees_.insert(std::move(node)).inserted;
@@ -146,7 +146,7 @@ void SubtreeCache::remove_tree(TreeId tree) {
             bytes_ -= removed.bytes_of(root);
         }
         if (removed.slots()[root].is_idle) {
-            idle_.erase(removed.slots()[root].place);
+            idle_.erase(removed.slots()[root].idle_entry);
         }
     }
     bytes_ -= removed.bytes_of_top();
@@ -167,7 +167,7 @@ std::shared_ptr<const PartialObbTree> SubtreeCache::snapshot(TreeId tree) {
 void SubtreeCache::touch(const SubtreeKey& key) {
     CachedTree* const tree = find_tree(key);
     if (tree != nullptr && tree->slots()[key.root].is_idle) {
-        idle_.splice(idle_.end(), idle_, tree->slots()[key.root].place);
+        idle_.splice(idle_.end(), idle_, tree->slots()[key.root].idle_entry);
     }
 }
 
@@ -228,7 +228,7 @@ void SubtreeCache::pin(const SubtreeKey& key) {
     Slot& slot = tree->slots()[key.root];
     slot.is_pinned = true;
     if (slot.is_idle) {
-        idle_.erase(slot.place);
+        idle_.erase(slot.idle_entry);
         slot.is_idle = false;
     }
 }
@@ -249,7 +249,7 @@ void SubtreeCache::unpin(const SubtreeKey& key) {
 void SubtreeCache::set_idle(Slot& slot, const SubtreeKey& key) {
     CD_CHECK(!slot.is_idle);
     slot.is_idle = true;
-    slot.place = idle_.insert(idle_.end(), key);
+    slot.idle_entry = idle_.insert(idle_.end(), key);
 }
 
 std::size_t SubtreeCache::let_go(std::uint64_t bytes) {

@@ -12,8 +12,8 @@ namespace {
 TreeView view_of(const std::vector<RootIndex>& roots,
                  const std::vector<std::shared_ptr<const Subtree>>& subtrees,
                  RootIndex root) {
-    const auto place = std::lower_bound(roots.begin(), roots.end(), root) - roots.begin();
-    return subtrees[static_cast<std::size_t>(place)]->view();
+    const auto index = std::lower_bound(roots.begin(), roots.end(), root) - roots.begin();
+    return subtrees[static_cast<std::size_t>(index)]->view();
 }
 
 } // namespace

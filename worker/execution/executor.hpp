@@ -3,7 +3,7 @@
 
 #include "common/core/host/thread_pool.hpp"
 #include "proto/channel/asio.hpp"
-#include "worker/execution/walk.hpp"
+#include "worker/execution/descent.hpp"
 
 #include <functional>
 #include <memory>

@@ -64,7 +64,7 @@ Task::make(WorkUnit unit, std::shared_ptr<const WorkerJob> job, const SubtreeCac
     if (unit.is_analysed()) {
         task.pairs_ = TaskPairs(std::move(unit.pair_offsets), std::move(unit.pairs));
     } else {
-        task.unwalked_end_ = unit.count;
+        task.descent_end_ = unit.count;
     }
     return task;
 }
@@ -102,32 +102,32 @@ ReadyScenario Task::ready(std::size_t scenario, const SubtreeCache& cache) const
     return ready;
 }
 
-Walk Task::next_walk(SubtreeCache& cache, unsigned threads) {
-    const std::size_t unwalked = unwalked_end_ - walked_;
-    const std::size_t share = unwalked / (2 * std::size_t{threads}) + 1;
+Descent Task::next_descent(SubtreeCache& cache, unsigned threads) {
+    const std::size_t left = descent_end_ - descended_;
+    const std::size_t share = left / (2 * std::size_t{threads}) + 1;
     const double each = results_.seconds_per_scenario();
-    const double fits = each > 0 ? timing::walk_seconds / each : 1;
+    const double fits = each > 0 ? timing::descent_seconds / each : 1;
     const auto most = static_cast<std::size_t>(
-        std::clamp(fits, 1.0, static_cast<double>(limits::walk_scenarios_max)));
-    const std::size_t begin = walked_;
-    walked_ += std::min({unwalked, share, most});
+        std::clamp(fits, 1.0, static_cast<double>(limits::descent_scenarios_max)));
+    const std::size_t begin = descended_;
+    descended_ += std::min({left, share, most});
     return {job_,
             scenarios_,
             begin,
-            walked_,
+            descended_,
             cache.snapshot(job_->tree_a),
             cache.snapshot(job_->tree_b),
             answered_elsewhere_};
 }
 
-void Task::keep_places(std::size_t count) {
-    const std::size_t end = std::clamp(count, walked_, unwalked_end_);
-    drop(unwalked_end_ - end);
-    unwalked_end_ = end;
+void Task::keep_first(std::size_t count) {
+    const std::size_t end = std::clamp(count, descended_, descent_end_);
+    drop(descent_end_ - end);
+    descent_end_ = end;
 }
 
-Recalled Task::given_back() const {
-    return {id_, {given_back_.begin(), given_back_.end()}, unwalked_end_};
+Recalled Task::returned() const {
+    return {id_, {returned_.begin(), returned_.end()}, descent_end_};
 }
 
 void Task::add(const FinishedScenarios& finished) {

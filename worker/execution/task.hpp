@@ -4,10 +4,10 @@
 #include "common/core/timing/worker.hpp"
 #include "proto/messages/work_messages.hpp"
 #include "worker/cache/subtree_cache.hpp"
+#include "worker/execution/descent.hpp"
 #include "worker/execution/executor.hpp"
 #include "worker/execution/task_pairs.hpp"
 #include "worker/execution/task_results.hpp"
-#include "worker/execution/walk.hpp"
 #include "worker/execution/worker_job.hpp"
 
 #include <atomic>
@@ -41,25 +41,25 @@ class Task {
 
     // ---- Scenarios whose roots are not known ------------------------------------------------
     /// Whether any scenario has not been given to a descent yet.
-    [[nodiscard]] bool has_unwalked() const { return walked_ < unwalked_end_; }
-    /// Takes the next scenarios for a descent: as many as take about `timing::walk_seconds`, but
-    /// few enough to leave work for every thread. Requires `has_unwalked()`.
-    [[nodiscard]] Walk next_walk(SubtreeCache& cache, unsigned threads);
+    [[nodiscard]] bool awaits_descent() const { return descended_ < descent_end_; }
+    /// Takes the next scenarios for a descent: as many as take about `timing::descent_seconds`, but
+    /// few enough to leave work for every thread. Requires `awaits_descent()`.
+    [[nodiscard]] Descent next_descent(SubtreeCache& cache, unsigned threads);
     /// Stores the colliding roots that a descent found for a scenario that lacks subtrees.
-    void keep_roots(Walked::Waiting waiting) { pairs_.add(std::move(waiting)); }
+    void keep_roots(DescentResult::Waiting waiting) { pairs_.add(std::move(waiting)); }
     /// Ends, without a result, all scenarios that no descent has taken.
-    void drop_unwalked() { keep_places(0); }
+    void drop_undescended() { keep_first(0); }
     /// Ends, without a result, all scenarios from position `count` on that no descent has taken.
-    void keep_places(std::size_t count);
+    void keep_first(std::size_t count);
 
     // ---- Returned scenarios -------------------------------------------------------------------
     [[nodiscard]] std::uint64_t index_of(std::size_t scenario) const {
         return scenarios_.at(scenario).index;
     }
     /// Records that a recalled scenario ended without a result.
-    void give_back(std::uint64_t index) { given_back_.insert(index); }
+    void add_returned(std::uint64_t index) { returned_.insert(index); }
     /// All scenarios returned so far, and the number of positions of a range that are kept.
-    [[nodiscard]] Recalled given_back() const;
+    [[nodiscard]] Recalled returned() const;
     /// Scenarios that this worker need not answer, because another worker has.
     [[nodiscard]] const std::shared_ptr<DroppedScenarios>& answered_elsewhere() const {
         return answered_elsewhere_;
@@ -88,11 +88,11 @@ class Task {
     std::uint64_t unanswered_ = 0;
     std::shared_ptr<std::atomic<bool>> abandoned_ = std::make_shared<std::atomic<bool>>(false);
     std::shared_ptr<DroppedScenarios> answered_elsewhere_ = std::make_shared<DroppedScenarios>();
-    std::set<std::uint64_t> given_back_; ///< Indices of returned scenarios of an analysed unit.
-    TaskResults results_;                ///< Results not yet taken.
+    std::set<std::uint64_t> returned_; ///< Indices of returned scenarios of an analysed unit.
+    TaskResults results_;              ///< Results not yet taken.
     TaskPairs pairs_;
-    std::size_t walked_ = 0;       ///< Scenarios given to descents so far; 0 if analysed.
-    std::size_t unwalked_end_ = 0; ///< One past the last scenario for descents; 0 if analysed.
+    std::size_t descended_ = 0;   ///< Scenarios given to descents so far; 0 if analysed.
+    std::size_t descent_end_ = 0; ///< One past the last scenario for descents; 0 if analysed.
 };
 
 } // namespace cd

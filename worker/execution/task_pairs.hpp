@@ -1,7 +1,7 @@
 // The colliding pairs of roots of each scenario of a task.
 #pragma once
 
-#include "worker/execution/walk.hpp"
+#include "worker/execution/descent.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -20,7 +20,9 @@ class TaskPairs {
     TaskPairs(std::vector<std::uint32_t> offsets, std::vector<RootPair> pairs)
         : offsets_(std::move(offsets)), pairs_(std::move(pairs)) {}
 
-    void add(Walked::Waiting found) { found_.emplace(found.scenario, std::move(found.pairs)); }
+    void add(DescentResult::Waiting found) {
+        found_.emplace(found.scenario, std::move(found.pairs));
+    }
     /// The pairs of a scenario, which must be known.
     [[nodiscard]] std::span<const RootPair> of(std::size_t scenario) const {
         if (offsets_.empty()) {

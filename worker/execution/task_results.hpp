@@ -3,7 +3,7 @@
 
 #include "common/job/result/contact_map.hpp"
 #include "proto/messages/work_messages.hpp"
-#include "worker/execution/walk.hpp"
+#include "worker/execution/descent.hpp"
 #include "worker/execution/worker_job.hpp"
 
 #include <cstddef>

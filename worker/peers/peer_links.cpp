@@ -57,8 +57,8 @@ asio::awaitable<PeerLinks::Answer> PeerLinks::ask(std::shared_ptr<Channel> chann
         bool is_good = some != nullptr && some->tree == directions.tree;
         for (std::size_t i = 0; is_good && i < some->blocks.size(); ++i) {
             SubtreeBlock& block = some->blocks[i];
-            const auto place = std::ranges::lower_bound(directions.roots, block.root);
-            const auto which = static_cast<std::size_t>(place - directions.roots.begin());
+            const auto found = std::ranges::lower_bound(directions.roots, block.root);
+            const auto which = static_cast<std::size_t>(found - directions.roots.begin());
             is_good = left.erase(block.root) != 0 && directions.hashes[which] == block.hash;
             if (is_good) {
                 ++answer.blocks;

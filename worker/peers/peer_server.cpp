@@ -53,7 +53,7 @@ void PeerServer::stop_serving() {
 
 void PeerServer::accept(asio::ip::tcp::socket socket) {
     Seats::Seat seat = greetings_.take(socket);
-    if (seat == nullptr || places_.taken() >= limits::peer_connections_max) {
+    if (seat == nullptr || greeted_.taken() >= limits::peer_connections_max) {
         return; // The socket closes, and the peer tries its next source.
     }
     spawn(executor_, "a peer", serve(shared_from_this(), std::move(socket), std::move(seat)));
@@ -82,8 +82,8 @@ asio::awaitable<void> PeerServer::converse(std::shared_ptr<Channel> channel, Sea
     const Result<Hello> hello = co_await accept_hello(channel);
     // If the address cannot be parsed, only the total number of connections is limited.
     boost::system::error_code ignored;
-    const Seats::Seat place = places_.take(asio::ip::make_address(channel->peer_host(), ignored));
-    if (hello && hello.value().role == Role::Peer && place != nullptr) {
+    const Seats::Seat slot = greeted_.take(asio::ip::make_address(channel->peer_host(), ignored));
+    if (hello && hello.value().role == Role::Peer && slot != nullptr) {
         seat.reset();
         Welcome welcome;
         welcome.build = version;

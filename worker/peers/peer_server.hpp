@@ -61,8 +61,8 @@ class PeerServer : public std::enable_shared_from_this<PeerServer> {
     Blocks blocks_;
     Seats greetings_{limits::peer_connections_max}; ///< Connections before their greeting.
     Refusals refusals_;
-    Seats places_{limits::peer_connections_max}; ///< Connections after their greeting.
-    std::size_t uploads_ = 0;                    ///< Fetches that are being served.
+    Seats greeted_{limits::peer_connections_max}; ///< Connections after their greeting.
+    std::size_t uploads_ = 0;                     ///< Fetches that are being served.
     std::uint64_t uploaded_bytes_ = 0;
 };
 

@@ -184,11 +184,11 @@ bool BlockInbox::has_tops(const WorkerJob& job) const {
     return cache_.find(job.tree_a)->has_top() && cache_.find(job.tree_b)->has_top();
 }
 
-void BlockInbox::found(JobId job, const Walked& walked) {
-    for (const SubtreeKey& key : walked.used) {
+void BlockInbox::found(JobId job, const DescentResult& result) {
+    for (const SubtreeKey& key : result.used) {
         cache_.touch(key);
     }
-    traffic_.found(job, walked.found);
+    traffic_.found(job, result.found);
 }
 
 std::size_t BlockInbox::let_go(std::uint64_t bytes) {
@@ -258,8 +258,8 @@ void BlockInbox::send_wants(const std::vector<SubtreeKey>& want) {
     }
 }
 
-std::vector<StandingTree> BlockInbox::standing() const {
-    std::vector<StandingTree> trees;
+std::vector<InventoryTree> BlockInbox::inventory() const {
+    std::vector<InventoryTree> trees;
     for (const TreeId tree : cache_.trees()) {
         trees.push_back({tree, cache_.held(tree)});
     }

@@ -60,7 +60,7 @@ class BlockInbox {
     void need_tops(const WorkerJob& job);
     [[nodiscard]] bool has_tops(const WorkerJob& job) const;
     /// Marks cached blocks that a descent needed as just used, and counts them as hits of the job.
-    void found(JobId job, const Walked& walked);
+    void found(JobId job, const DescentResult& result);
     /// Returns the job's traffic since the last call for this job.
     [[nodiscard]] BlockTraffic take_traffic(JobId job) { return traffic_.take(job); }
 
@@ -71,7 +71,7 @@ class BlockInbox {
     /// blocks are all cached now, each once.
     [[nodiscard]] std::vector<Token> settle();
     /// Lists the trees with their cached blocks.
-    [[nodiscard]] std::vector<StandingTree> standing() const;
+    [[nodiscard]] std::vector<InventoryTree> inventory() const;
     /// Repeats all pending requests in a resumed session, whose inventory has reported all else.
     void ask_again();
     /// Evicts subtrees until the cache takes at most `bytes`. Returns the number of evictions.

@@ -34,11 +34,11 @@ Result<Task*> TaskBook::add(WorkUnit unit, const SubtreeCache& cache) {
     if (!made) {
         return made.error();
     }
-    const auto [place, is_new] = tasks_.emplace(id, std::move(made.value()));
+    const auto [entry, is_new] = tasks_.emplace(id, std::move(made.value()));
     if (!is_new) {
         return Error{ErrorCode::BadFrame, "task " + std::to_string(id.value) + " came twice"};
     }
-    return &place->second;
+    return &entry->second;
 }
 
 Task* TaskBook::find(TaskId task) {
@@ -54,12 +54,12 @@ std::uint64_t TaskBook::unanswered() const {
     return unanswered;
 }
 
-void TaskBook::add_to(Standing& standing) const {
+void TaskBook::add_to(Inventory& inventory) const {
     for (const auto& [id, job] : jobs_) {
-        standing.jobs.push_back(id);
+        inventory.jobs.push_back(id);
     }
     for (const auto& [id, task] : tasks_) {
-        standing.tasks.push_back(task.given_back());
+        inventory.tasks.push_back(task.returned());
     }
 }
 

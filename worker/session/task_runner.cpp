@@ -81,7 +81,7 @@ Status TaskRunner::add(WorkUnit unit) {
     if (stopping_ && is_analysed) {
         task.drop(task.scenario_count());
     } else if (stopping_) {
-        task.drop_unwalked();
+        task.drop_undescended();
     } else if (is_analysed) {
         for (std::size_t scenario = 0; scenario < task.scenario_count(); ++scenario) {
             wait_for_subtrees(task, scenario);
@@ -98,15 +98,15 @@ void TaskRunner::recall(const Recall& recall) {
     if (task == nullptr) {
         return; // The task has ended, and its EndOfTask is in transit.
     }
-    const std::vector<Place> dropped = drop_unbegun([&](const Place& place) {
-        return place.task == recall.task && names(recall.scenarios, task->index_of(place.scenario));
+    const std::vector<Entry> dropped = drop_unbegun([&](const Entry& entry) {
+        return entry.task == recall.task && names(recall.scenarios, task->index_of(entry.scenario));
     });
-    for (const Place& place : dropped) {
-        task->give_back(task->index_of(place.scenario));
+    for (const Entry& entry : dropped) {
+        task->add_returned(task->index_of(entry.scenario));
     }
-    task->keep_places(recall.places);
-    const Recalled recalled = task->given_back();
-    log_debug("recalled: task={} scenarios={} places_kept={}",
+    task->keep_first(recall.places);
+    const Recalled recalled = task->returned();
+    log_debug("recalled: task={} scenarios={} positions_kept={}",
               recall.task.value,
               recalled.scenarios.size(),
               recalled.places);
@@ -126,29 +126,29 @@ void TaskRunner::drop(const DropScenario& drop) {
         return;
     }
     task->answered_elsewhere()->add(drop.scenario);
-    drop_unbegun([&](const Place& place) {
-        return place.task == drop.task && task->index_of(place.scenario) == drop.scenario;
+    drop_unbegun([&](const Entry& entry) {
+        return entry.task == drop.task && task->index_of(entry.scenario) == drop.scenario;
     });
     hub_.settle_soon();
 }
 
 // ---- Dropping scenarios ---------------------------------------------------------------------
 
-std::vector<ScenarioQueue::Place>
-TaskRunner::drop_unbegun(const std::function<bool(const Place&)>& concerned) {
-    std::vector<Place> dropped = queue_.drop_unbegun(concerned);
-    for (const Place& place : dropped) {
-        book_.at(place.task).drop();
-        blocks_.release(place.token);
+std::vector<ScenarioQueue::Entry>
+TaskRunner::drop_unbegun(const std::function<bool(const Entry&)>& concerned) {
+    std::vector<Entry> dropped = queue_.drop_unbegun(concerned);
+    for (const Entry& entry : dropped) {
+        book_.at(entry.task).drop();
+        blocks_.release(entry.token);
     }
     return dropped;
 }
 
 void TaskRunner::drop_unstarted(const std::function<bool(const Task&)>& concerned) {
-    drop_unbegun([&](const Place& place) { return concerned(book_.at(place.task)); });
+    drop_unbegun([&](const Entry& entry) { return concerned(book_.at(entry.task)); });
     for (auto& [id, task] : book_.tasks()) {
         if (concerned(task)) {
-            task.drop_unwalked();
+            task.drop_undescended();
         }
     }
 }
@@ -179,40 +179,40 @@ bool TaskRunner::settle(std::span<const ScenarioQueue::Token> ready) {
 }
 
 bool TaskRunner::start_next() {
-    if (const std::optional<Place> place = queue_.begin_next()) {
-        start(*place);
+    if (const std::optional<Entry> entry = queue_.begin_next()) {
+        start(*entry);
         return true;
     }
-    Task* const task = queue_.size() < limits::walked_waiting_max ? next_to_walk() : nullptr;
+    Task* const task = queue_.size() < limits::descended_waiting_max ? next_to_descend() : nullptr;
     if (task != nullptr) {
-        start_walk(*task);
+        start_descent(*task);
     }
     return task != nullptr;
 }
 
-Task* TaskRunner::next_to_walk() {
+Task* TaskRunner::next_to_descend() {
     for (auto& [id, task] : book_.tasks()) {
-        if (task.has_unwalked() && blocks_.has_tops(task.job())) {
+        if (task.awaits_descent() && blocks_.has_tops(task.job())) {
             return &task;
         }
     }
     return nullptr;
 }
 
-void TaskRunner::start(const Place& place) {
-    const Task& task = book_.at(place.task);
+void TaskRunner::start(const Entry& entry) {
+    const Task& task = book_.at(entry.task);
     ++running_;
     hub_.run_on_thread([this,
                         over = hub_.over(),
                         abandoned = task.abandoned(),
-                        has_begun = place.has_begun,
+                        has_begun = entry.has_begun,
                         clock = clocks_.add(task.job().id),
                         dropped = task.job().dropped,
                         answered = task.answered_elsewhere(),
-                        token = place.token,
+                        token = entry.token,
                         computed = computed_,
                         ready = std::make_shared<const ReadyScenario>(
-                            task.ready(place.scenario, blocks_.cache()))] {
+                            task.ready(entry.scenario, blocks_.cache()))] {
         const std::uint64_t index = ready->scenario.index;
         const auto stop = [&] {
             return over->load() || abandoned->load() || dropped->contains(index) ||
@@ -228,9 +228,10 @@ void TaskRunner::start(const Place& place) {
     });
 }
 
-void TaskRunner::start_walk(Task& task) {
+void TaskRunner::start_descent(Task& task) {
     ++running_;
-    const auto part = std::make_shared<const Walk>(task.next_walk(blocks_.cache(), hub_.threads()));
+    const auto part =
+        std::make_shared<const Descent>(task.next_descent(blocks_.cache(), hub_.threads()));
     hub_.run_on_thread([this,
                         over = hub_.over(),
                         abandoned = task.abandoned(),
@@ -239,9 +240,9 @@ void TaskRunner::start_walk(Task& task) {
                         computed = computed_,
                         part] {
         const auto stop = [&] { return over->load() || abandoned->load(); };
-        auto found = std::make_shared<Walked>(walk(*part, stop, *clock));
+        auto found = std::make_shared<DescentResult>(descend(*part, stop, *clock));
         *computed += found->finished.count;
-        return [this, id, found] { walked(id, std::move(*found)); };
+        return [this, id, found] { descended(id, std::move(*found)); };
     });
 }
 
@@ -251,11 +252,11 @@ void TaskRunner::scenario_ran(ScenarioQueue::Token token,
                               const std::optional<FinishedScenarios>& finished) {
     --running_;
     hub_.settle_soon();
-    const std::optional<Place> place = queue_.finish(token);
-    if (!place) {
+    const std::optional<Entry> entry = queue_.finish(token);
+    if (!entry) {
         return; // The scenario was dropped before it began.
     }
-    Task& task = book_.at(place->task);
+    Task& task = book_.at(entry->task);
     blocks_.release(token);
     if (finished) {
         add_results(task, *finished);
@@ -264,22 +265,22 @@ void TaskRunner::scenario_ran(ScenarioQueue::Token token,
     }
 }
 
-void TaskRunner::walked(TaskId id, Walked walked) {
+void TaskRunner::descended(TaskId id, DescentResult result) {
     --running_;
     hub_.settle_soon();
     Task& task = book_.at(id);
-    blocks_.found(task.job().id, walked);
-    task.drop(walked.left);
+    blocks_.found(task.job().id, result);
+    task.drop(result.left);
     if (stopping_ || task.abandoned()->load()) {
-        task.drop(walked.waiting.size());
+        task.drop(result.waiting.size());
     } else {
-        for (Walked::Waiting& waiting : walked.waiting) {
+        for (DescentResult::Waiting& waiting : result.waiting) {
             const std::size_t scenario = waiting.scenario;
             task.keep_roots(std::move(waiting));
             wait_for_subtrees(task, scenario);
         }
     }
-    add_results(task, walked.finished);
+    add_results(task, result.finished);
 }
 
 void TaskRunner::add_results(Task& task, const FinishedScenarios& finished) {

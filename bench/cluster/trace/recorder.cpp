@@ -113,7 +113,7 @@ cut_body(const ObbTree& tree, std::uint32_t depth, const std::filesystem::path& 
     body.trace.depth = depth;
     body.trace.top_bytes = compress(encode_top(body.top), compression_level_geometry).size();
     for (RootIndex root = 0; root < body.top.root_count(); ++root) {
-        const BlockPlace& place = blocks.value().places[root];
+        const BlockEntry& place = blocks.value().places[root];
         auto compressed = read_block(blocks.value(), root);
         if (!compressed) {
             return compressed.error();

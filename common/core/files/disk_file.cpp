@@ -256,11 +256,11 @@ Status make_directories(const std::filesystem::path& directory) {
 
 Result<std::filesystem::path> make_temporary_folder(const std::string& name) {
     const char* const given = std::getenv("TMPDIR");
-    const std::filesystem::path place = given != nullptr && *given != '\0' ? given : "/tmp";
-    std::string folder = (place / (name + "-XXXXXX")).string();
+    const std::filesystem::path parent = given != nullptr && *given != '\0' ? given : "/tmp";
+    std::string folder = (parent / (name + "-XXXXXX")).string();
     if (::mkdtemp(folder.data()) == nullptr) {
         return Error{ErrorCode::Io,
-                     "cannot create a folder in " + place.string() + ": " + std::strerror(errno) +
+                     "cannot create a folder in " + parent.string() + ": " + std::strerror(errno) +
                          "; set TMPDIR to another folder"};
     }
     return std::filesystem::path(folder);

@@ -23,11 +23,11 @@ std::uint64_t number_in(const std::filesystem::path& path) {
 /// up to `top`.
 std::uint64_t
 limit_up_to(const std::filesystem::path& top, const std::string& group, const char* file) {
-    std::filesystem::path place = top / std::filesystem::path(group).relative_path();
+    std::filesystem::path folder = top / std::filesystem::path(group).relative_path();
     std::uint64_t limit = number_in(top / file);
-    while (place != top && place.has_relative_path()) {
-        limit = std::min(limit, number_in(place / file));
-        place = place.parent_path();
+    while (folder != top && folder.has_relative_path()) {
+        limit = std::min(limit, number_in(folder / file));
+        folder = folder.parent_path();
     }
     return limit;
 }

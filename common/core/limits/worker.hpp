@@ -7,11 +7,11 @@
 namespace cd::limits {
 
 // Work.
-inline constexpr std::size_t jobs_per_thread_max = 4;  ///< Begun or queued scenarios and descents.
-inline constexpr std::size_t walk_scenarios_max = 256; ///< Scenarios that one descent takes.
+inline constexpr std::size_t jobs_per_thread_max = 4; ///< Begun or queued scenarios and descents.
+inline constexpr std::size_t descent_scenarios_max = 256; ///< Scenarios that one descent takes.
 /// Number of scenarios that wait for subtrees or threads. With more, the worker begins no further
 /// descent of the upper trees.
-inline constexpr std::size_t walked_waiting_max = 4096;
+inline constexpr std::size_t descended_waiting_max = 4096;
 /// Estimated memory of a binary subtree per triangle.
 inline constexpr std::uint64_t binary_bytes_per_triangle = 128;
 

@@ -7,7 +7,7 @@ namespace cd::timing {
 
 // Work.
 /// A thread takes as many scenarios of a range at a time as make about this much work.
-inline constexpr double walk_seconds = 0.001;
+inline constexpr double descent_seconds = 0.001;
 
 // Results.
 /// Results wait at most this long before they are sent.

@@ -20,9 +20,9 @@ PoseWindow::PoseWindow(std::vector<Scenario> scenarios) {
     CD_CHECK(!scenarios.empty());
     first_ = scenarios.front().index;
     ordered_.reserve(scenarios.size());
-    places_.resize(scenarios.size());
+    positions_.resize(scenarios.size());
     for (const std::uint32_t submitted : coherent_order(scenarios)) {
-        places_[submitted] = static_cast<std::uint32_t>(ordered_.size());
+        positions_[submitted] = static_cast<std::uint32_t>(ordered_.size());
         ordered_.push_back(scenarios[submitted]);
     }
 }
@@ -32,8 +32,8 @@ std::span<const Scenario> PoseWindow::at(const PlaceRange& places) const {
     return std::span(ordered_).subspan(places.first - first_, places.count);
 }
 
-std::uint64_t PoseWindow::place_of(std::uint64_t index) const {
-    return first_ + places_[index - first_];
+std::uint64_t PoseWindow::position_of(std::uint64_t index) const {
+    return first_ + positions_[index - first_];
 }
 
 OrderedPoses::OrderedPoses(std::shared_ptr<PoseSource> source) : source_(std::move(source)) {}
@@ -59,9 +59,9 @@ Result<std::vector<Scenario>> OrderedPoses::read(std::uint64_t first, std::uint6
     return scenarios;
 }
 
-Result<std::shared_ptr<const PoseWindow>> OrderedPoses::window_of(std::uint64_t place) {
-    CD_CHECK(place < count());
-    const std::uint64_t first = place - place % limits::order_window_scenarios;
+Result<std::shared_ptr<const PoseWindow>> OrderedPoses::window_of(std::uint64_t position) {
+    CD_CHECK(position < count());
+    const std::uint64_t first = position - position % limits::order_window_scenarios;
     // Holds the lock while the source is read: other callers need this window or have no other
     // work.
     const std::lock_guard lock(mutex_);

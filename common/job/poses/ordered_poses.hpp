@@ -37,7 +37,7 @@ class PoseWindow {
     [[nodiscard]] std::uint64_t first() const { return first_; }
     [[nodiscard]] std::span<const Scenario> at(const PlaceRange& places) const;
     /// Returns the position of the scenario with the given index, which is in the window.
-    [[nodiscard]] std::uint64_t place_of(std::uint64_t index) const;
+    [[nodiscard]] std::uint64_t position_of(std::uint64_t index) const;
     [[nodiscard]] bool has(std::uint64_t index) const {
         return index >= first_ && index - first_ < ordered_.size();
     }
@@ -45,7 +45,7 @@ class PoseWindow {
   private:
     std::uint64_t first_ = 0;
     std::vector<Scenario> ordered_;
-    std::vector<std::uint32_t> places_; ///< Position - `first_`, by index - `first_`.
+    std::vector<std::uint32_t> positions_; ///< Position - `first_`, by index - `first_`.
 };
 
 /// A job's scenarios by position in the hand-out order. Each window of
@@ -64,7 +64,7 @@ class OrderedPoses final : public PoseSource {
 
     /// Returns the window that contains a position, which exists. The source must not be a grid.
     /// The two windows used last are cached. Errors: those of the source.
-    [[nodiscard]] Result<std::shared_ptr<const PoseWindow>> window_of(std::uint64_t place);
+    [[nodiscard]] Result<std::shared_ptr<const PoseWindow>> window_of(std::uint64_t position);
 
   private:
     std::shared_ptr<PoseSource> source_;

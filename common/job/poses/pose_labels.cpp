@@ -23,10 +23,10 @@ void append_to(std::vector<T>& all, const std::vector<T>& more) {
 }
 
 template <class T>
-std::vector<T> moved(const std::vector<T>& values, const std::vector<std::size_t>& places) {
+std::vector<T> moved(const std::vector<T>& values, const std::vector<std::size_t>& targets) {
     std::vector<T> result(values.size());
     for (std::size_t i = 0; i < values.size(); ++i) {
-        result[places[i]] = values[i];
+        result[targets[i]] = values[i];
     }
     return result;
 }
@@ -65,8 +65,8 @@ void PoseLabels::append(const PoseLabels& next) {
     append_to(times, next.times);
 }
 
-PoseLabels PoseLabels::moved_to(const std::vector<std::size_t>& places) const {
-    return {moved(integers, places), moved(texts, places), moved(times, places)};
+PoseLabels PoseLabels::moved_to(const std::vector<std::size_t>& targets) const {
+    return {moved(integers, targets), moved(texts, targets), moved(times, targets)};
 }
 
 void add_pose_id(PoseLabels& labels, std::string_view id) {

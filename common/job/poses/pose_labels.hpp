@@ -39,8 +39,8 @@ struct PoseLabels {
     [[nodiscard]] PoseLabels slice(std::size_t first, std::size_t count) const;
     /// Appends the labels of the next scenarios; the columns are equal.
     void append(const PoseLabels& next);
-    /// Returns the labels with label i at index places[i]. `places` is a permutation.
-    [[nodiscard]] PoseLabels moved_to(const std::vector<std::size_t>& places) const;
+    /// Returns the labels with label i at index targets[i]. `targets` is a permutation.
+    [[nodiscard]] PoseLabels moved_to(const std::vector<std::size_t>& targets) const;
 
     friend bool operator==(const PoseLabels&, const PoseLabels&) = default;
 };

@@ -19,7 +19,7 @@ constexpr std::uint64_t block_bytes_enough = 4u << 20;
 /// Decodes records, each preceded by its length. Errors: those of `decode_result`; Io unless there
 /// are `block.count` records, in ascending order from scenario `block.first`.
 Result<std::vector<KeptRecord>> records_in(std::span<const std::byte> bytes,
-                                           const BlockPlace& block) {
+                                           const BlockEntry& block) {
     std::vector<KeptRecord> records;
     ByteReader in(bytes);
     while (in.remaining() != 0) {

@@ -46,15 +46,15 @@ constexpr int bits_max(std::size_t words) {
 
 __extension__ typedef __int128 Column;
 
-/// Computes the sum of all products of words of l and r with the weight 2^(60 place).
+/// Computes the sum of all products of words of l and r with the weight 2^(60 index).
 template <std::size_t n, std::size_t m>
-constexpr Column column(const WideInt<n>& l, const WideInt<m>& r, std::size_t place) {
+constexpr Column column(const WideInt<n>& l, const WideInt<m>& r, std::size_t index) {
     Column sum = 0;
-    const std::size_t first = place < m ? 0 : place - m + 1;
-    const std::size_t last = place < n ? place : n - 1;
+    const std::size_t first = index < m ? 0 : index - m + 1;
+    const std::size_t last = index < n ? index : n - 1;
 #pragma GCC unroll 16
     for (std::size_t i = first; i <= last; ++i) {
-        sum += Column{l.word[i]} * r.word[place - i];
+        sum += Column{l.word[i]} * r.word[index - i];
     }
     return sum;
 }
@@ -104,7 +104,7 @@ template <std::size_t n>
 constexpr WideInt<2 * n>
 determinant(const WideInt<n>& a, const WideInt<n>& b, const WideInt<n>& c, const WideInt<n>& d) {
     return carried<2 * n>(
-        0, [&](std::size_t place) { return column(a, d, place) - column(b, c, place); });
+        0, [&](std::size_t index) { return column(a, d, index) - column(b, c, index); });
 }
 
 template <std::size_t n>
@@ -116,8 +116,8 @@ constexpr WideVec<2 * n> cross(const WideVec<n>& l, const WideVec<n>& r) {
 
 template <std::size_t n, std::size_t m>
 constexpr WideInt<n + m> dot(const WideVec<n>& l, const WideVec<m>& r) {
-    return carried<n + m>(0, [&](std::size_t place) {
-        return column(l[0], r[0], place) + column(l[1], r[1], place) + column(l[2], r[2], place);
+    return carried<n + m>(0, [&](std::size_t index) {
+        return column(l[0], r[0], index) + column(l[1], r[1], index) + column(l[2], r[2], index);
     });
 }
 

@@ -15,7 +15,7 @@ constexpr std::size_t next(std::size_t corner) {
 }
 
 /// The ends of an interval on the line in which the planes of both triangles meet.
-using Ends = std::array<LocalPlace, 2>;
+using Ends = std::array<LocalPosition, 2>;
 
 /// Returns where two edges of a triangle cross the other triangle's plane, ordered by component k.
 /// Returns nothing unless it is proven that no corner is in the plane, and which end is first.
@@ -32,7 +32,8 @@ std::optional<Ends> ends_of(const LocalHalf& half, std::size_t k, const LocalBou
     while (half.proven[lone] == sum) {
         ++lone;
     }
-    Ends ends{piercing_place(half, lone, bounds), piercing_place(half, next(next(lone)), bounds)};
+    Ends ends{piercing_position(half, lone, bounds),
+              piercing_position(half, next(next(lone)), bounds)};
     const std::optional<int> order = compare(ends[0], ends[1], k);
     if (!order || *order == 0) {
         return std::nullopt;
@@ -56,14 +57,14 @@ std::optional<Ends> common_part(const Ends& a, const Ends& b, std::size_t k) {
 }
 
 /// Moves the lexicographically least point to the front; returns false if a comparison is unproven.
-bool put_least_first(std::span<LocalPlace> places) {
-    for (std::size_t i = 1; i < places.size(); ++i) {
-        const std::optional<int> order = compare(places[i], places[0]);
+bool put_least_first(std::span<LocalPosition> positions) {
+    for (std::size_t i = 1; i < positions.size(); ++i) {
+        const std::optional<int> order = compare(positions[i], positions[0]);
         if (!order) {
             return false;
         }
         if (*order < 0) {
-            std::swap(places[i], places[0]);
+            std::swap(positions[i], positions[0]);
         }
     }
     return true;
@@ -71,19 +72,19 @@ bool put_least_first(std::span<LocalPlace> places) {
 
 /// Sorts a convex polygon's corners from the second on around the first, from which the others are
 /// seen within less than a half turn. Returns false if the order is unproven.
-bool sort_around_first(std::span<LocalPlace> places,
+bool sort_around_first(std::span<LocalPosition> positions,
                        const LocalHalf& a,
                        const LocalBounds& bounds) {
-    for (std::size_t end = 2; end < places.size(); ++end) {
+    for (std::size_t end = 2; end < positions.size(); ++end) {
         for (std::size_t i = end; i > 1; --i) {
-            const auto found = turn(places[0], places[i - 1], places[i], a, bounds);
+            const auto found = turn(positions[0], positions[i - 1], positions[i], a, bounds);
             if (!found) {
                 return false;
             }
             if (*found > 0) {
                 break;
             }
-            std::swap(places[i - 1], places[i]);
+            std::swap(positions[i - 1], positions[i]);
         }
     }
     return true;
@@ -92,13 +93,13 @@ bool sort_around_first(std::span<LocalPlace> places,
 /// Rounds each component of a point. Uses `otherwise(k)` for components whose rounding is unproven;
 /// returns nothing if `otherwise(k)` is empty.
 template <class Otherwise>
-std::optional<Vec3> rounded(const LocalPlace& place,
+std::optional<Vec3> rounded(const LocalPosition& position,
                             const Vec3& origin,
                             const LocalBounds& bounds,
                             const Otherwise& otherwise) {
     Vec3 point;
     for (std::size_t k = 0; k < 3; ++k) {
-        std::optional<double> value = rounded(place, k, origin, bounds);
+        std::optional<double> value = rounded(position, k, origin, bounds);
         if (!value) {
             value = otherwise(k);
         }
@@ -196,37 +197,37 @@ std::optional<double> DoubleDoublePoints::nearest_of_corner(
 
 std::optional<std::span<const Vec3>> DoubleDoublePoints::at(const SharedCorners& corners,
                                                             const std::function<Vec3()>& offset) {
-    std::array<LocalPlace, 6> all;
-    const std::span<LocalPlace> places(all.data(), corners.count);
+    std::array<LocalPosition, 6> all;
+    const std::span<LocalPosition> positions(all.data(), corners.count);
     for (std::size_t i = 0; i < corners.count; ++i) {
         const SharedCorner& c = corners.corner[i];
         const LocalHalf& half = c.first < 3 ? half_a_ : half_b_;
         switch (c.kind) {
         case SharedCorner::Kind::Corner:
-            places[i] = corner_place(*half.own, c.first % 3, bounds_);
+            positions[i] = corner_position(*half.own, c.first % 3, bounds_);
             break;
         case SharedCorner::Kind::Piercing:
-            places[i] = piercing_place(half, c.first % 3, bounds_);
+            positions[i] = piercing_position(half, c.first % 3, bounds_);
             break;
         case SharedCorner::Kind::Crossing:
-            places[i] = crossing_place(half_a_, c.first, half_b_, c.second % 3, bounds_);
+            positions[i] = crossing_position(half_a_, c.first, half_b_, c.second % 3, bounds_);
             break;
         }
     }
-    if (!put_least_first(places) || !sort_around_first(places, half_a_, bounds_)) {
+    if (!put_least_first(positions) || !sort_around_first(positions, half_a_, bounds_)) {
         return std::nullopt;
     }
-    for (std::size_t i = 0; i < places.size(); ++i) {
-        const auto point = rounded(places[i], origin_, bounds_, [&](std::size_t k) {
-            return places[i].to != nullptr ? std::nullopt
-                                           : nearest_of_corner(places[i].from, k, offset);
+    for (std::size_t i = 0; i < positions.size(); ++i) {
+        const auto point = rounded(positions[i], origin_, bounds_, [&](std::size_t k) {
+            return positions[i].to != nullptr ? std::nullopt
+                                              : nearest_of_corner(positions[i].from, k, offset);
         });
         if (!point) {
             return std::nullopt;
         }
         points_[i] = *point;
     }
-    return std::span<const Vec3>(points_).first(places.size());
+    return std::span<const Vec3>(points_).first(positions.size());
 }
 
 } // namespace cd

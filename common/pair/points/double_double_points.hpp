@@ -5,7 +5,7 @@
 #include "common/geometry/types.hpp"
 #include "common/pair/pair_decision.hpp"
 #include "common/pair/points/shared_corners.hpp"
-#include "common/pair/stages/double_double/double_double_places.hpp"
+#include "common/pair/stages/double_double/double_double_positions.hpp"
 
 #include <array>
 #include <functional>

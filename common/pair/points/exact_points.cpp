@@ -30,18 +30,18 @@ bool is_zero(const Vec& v) {
 }
 
 /// The point x / w in units of the pair's lattice; w > 0.
-struct Place {
+struct RationalPoint {
     Vec x;
     Int w = 1;
 };
 
-bool operator==(const Place& l, const Place& r) {
+bool operator==(const RationalPoint& l, const RationalPoint& r) {
     return l.x[0] * r.w == r.x[0] * l.w && l.x[1] * r.w == r.x[1] * l.w &&
            l.x[2] * r.w == r.x[2] * l.w;
 }
 
 /// Compares two points lexicographically.
-bool operator<(const Place& l, const Place& r) {
+bool operator<(const RationalPoint& l, const RationalPoint& r) {
     for (std::size_t k = 0; k < 3; ++k) {
         const int order = Int(l.x[k] * r.w - r.x[k] * l.w).sign();
         if (order != 0) {
@@ -52,26 +52,26 @@ bool operator<(const Place& l, const Place& r) {
 }
 
 /// Returns the vector from `from` to `to`, times to.w.
-Vec toward(const Vec& from, const Place& to) {
+Vec toward(const Vec& from, const RationalPoint& to) {
     return {to.x[0] - to.w * from[0], to.x[1] - to.w * from[1], to.x[2] - to.w * from[2]};
 }
 
 /// Returns the point of the segment from p to q where a linear function is 0 whose values at p and
 /// q are the weights, which have different signs.
-Place crossing(const Vec& p, const Vec& q, const Int& weight_p, const Int& weight_q) {
+RationalPoint crossing(const Vec& p, const Vec& q, const Int& weight_p, const Int& weight_q) {
     // (w_p q - w_q p) / (w_p - w_q), whose divisor has the sign of w_p.
-    Place place;
+    RationalPoint point;
     const bool flip = weight_p < 0;
     for (std::size_t k = 0; k < 3; ++k) {
         Int x = weight_p * q[k] - weight_q * p[k];
-        place.x[k] = flip ? Int(-x) : x;
+        point.x[k] = flip ? Int(-x) : x;
     }
-    place.w = abs(Int(weight_p - weight_q));
-    return place;
+    point.w = abs(Int(weight_p - weight_q));
+    return point;
 }
 
 /// Returns twice the signed area of a, b, p as projected along axis `dropped`, times p.w.
-Int area(const Vec& a, const Vec& b, const Place& p, std::size_t dropped) {
+Int area(const Vec& a, const Vec& b, const RationalPoint& p, std::size_t dropped) {
     const std::size_t x = (dropped + 1) % 3;
     const std::size_t y = (dropped + 2) % 3;
     return (b[x] - a[x]) * (p.x[y] - p.w * a[y]) - (b[y] - a[y]) * (p.x[x] - p.w * a[x]);
@@ -79,7 +79,10 @@ Int area(const Vec& a, const Vec& b, const Place& p, std::size_t dropped) {
 
 /// Returns the turn of a, b, c as projected along axis `dropped`: 1 if left, -1 if right, 0 if
 /// collinear.
-int turn(const Place& a, const Place& b, const Place& c, std::size_t dropped) {
+int turn(const RationalPoint& a,
+         const RationalPoint& b,
+         const RationalPoint& c,
+         std::size_t dropped) {
     const std::size_t x = (dropped + 1) % 3;
     const std::size_t y = (dropped + 2) % 3;
     const Int determinant = a.x[x] * (b.x[y] * c.w - c.x[y] * b.w) +
@@ -124,7 +127,7 @@ struct Shape {
 };
 
 /// Tests whether a point in the plane of a triangle with area is in the triangle.
-bool is_within_edges(const Shape& triangle, const Place& point) {
+bool is_within_edges(const Shape& triangle, const RationalPoint& point) {
     const int inside = triangle.normal[triangle.drop].sign();
     for (std::size_t i = 0; i < 3; ++i) {
         const Int turned = area(triangle.from(i), triangle.to(i), point, triangle.drop);
@@ -135,7 +138,7 @@ bool is_within_edges(const Shape& triangle, const Place& point) {
     return true;
 }
 
-bool contains(const Shape& shape, const Place& point) {
+bool contains(const Shape& shape, const RationalPoint& point) {
     const Vec offset = toward(shape.corners[0], point);
     if (shape.has_area()) {
         return dot(shape.normal, offset) == 0 && is_within_edges(shape, point);
@@ -144,8 +147,9 @@ bool contains(const Shape& shape, const Place& point) {
         return is_zero(offset);
     }
     const Vec along = shape.corners[1] - shape.corners[0];
-    const Int place = dot(along, offset);
-    return is_zero(cross(along, offset)) && place >= 0 && place <= point.w * dot(along, along);
+    const Int along_it = dot(along, offset);
+    return is_zero(cross(along, offset)) && along_it >= 0 &&
+           along_it <= point.w * dot(along, along);
 }
 
 /// Finds the corners of the intersection of two shapes. A corner is a corner of one shape that lies
@@ -156,7 +160,7 @@ class Search {
   public:
     Search(const Shape& a, const Shape& b) : a_(a), b_(b) {}
 
-    [[nodiscard]] std::vector<Place> places() {
+    [[nodiscard]] std::vector<RationalPoint> points() {
         add_corners(a_, b_);
         add_corners(b_, a_);
         add_crossings(a_, b_);
@@ -165,17 +169,17 @@ class Search {
     }
 
   private:
-    void add(Place place) {
-        if (std::find(found_.begin(), found_.end(), place) == found_.end()) {
-            found_.push_back(std::move(place));
+    void add(RationalPoint point) {
+        if (std::find(found_.begin(), found_.end(), point) == found_.end()) {
+            found_.push_back(std::move(point));
         }
     }
 
     void add_corners(const Shape& of, const Shape& in) {
         for (const Vec& corner : of.corners) {
-            Place place{corner, 1};
-            if (contains(in, place)) {
-                add(std::move(place));
+            RationalPoint point{corner, 1};
+            if (contains(in, point)) {
+                add(std::move(point));
             }
         }
     }
@@ -194,9 +198,9 @@ class Search {
             const Int side_p = with.side(p);
             const Int side_q = with.side(q);
             if (side_p.sign() * side_q.sign() < 0) {
-                Place place = crossing(p, q, side_p, side_q);
-                if (is_within_edges(with, place)) {
-                    add(std::move(place));
+                RationalPoint point = crossing(p, q, side_p, side_q);
+                if (is_within_edges(with, point)) {
+                    add(std::move(point));
                 }
             } else if (side_p == 0 && side_q == 0) {
                 for (std::size_t j = 0; j < 3; ++j) {
@@ -226,24 +230,24 @@ class Search {
 
     const Shape& a_;
     const Shape& b_;
-    std::vector<Place> found_;
+    std::vector<RationalPoint> found_;
 };
 
 /// Orders the points from the lexicographically least on; a polygon turns left around A's normal.
 /// Seen from one corner of a convex polygon, the others span less than a half turn.
-void put_in_order(std::vector<Place>& places, const Shape& a) {
-    if (places.empty()) {
+void put_in_order(std::vector<RationalPoint>& found, const Shape& a) {
+    if (found.empty()) {
         return;
     }
-    std::iter_swap(places.begin(), std::min_element(places.begin(), places.end()));
-    if (places.size() < 3) {
+    std::iter_swap(found.begin(), std::min_element(found.begin(), found.end()));
+    if (found.size() < 3) {
         return;
     }
     const int left = a.normal[a.drop].sign();
-    const auto before = [&](const Place& l, const Place& r) {
-        return turn(places.front(), l, r, a.drop) * left > 0;
+    const auto before = [&](const RationalPoint& l, const RationalPoint& r) {
+        return turn(found.front(), l, r, a.drop) * left > 0;
     };
-    std::sort(places.begin() + 1, places.end(), before);
+    std::sort(found.begin() + 1, found.end(), before);
 }
 
 /// The corners of two triangles as multiples of 2^exponent.
@@ -321,15 +325,15 @@ ExactPoints::points(const Corners& a, const Corners& b, const Vec3& origin) cons
     const std::span<const Vec> corners(lattice.corners);
     const Shape shape_a(corners.first(3));
     const Shape shape_b(corners.last(3));
-    std::vector<Place> places = Search(shape_a, shape_b).places();
-    put_in_order(places, shape_a);
+    std::vector<RationalPoint> found = Search(shape_a, shape_b).points();
+    put_in_order(found, shape_a);
 
-    std::vector<Vec3> rounded(places.size());
-    for (std::size_t i = 0; i < places.size(); ++i) {
-        const Int denominator = places[i].w * norm_.mantissa;
+    std::vector<Vec3> rounded(found.size());
+    for (std::size_t i = 0; i < found.size(); ++i) {
+        const Int denominator = found[i].w * norm_.mantissa;
         for (std::size_t k = 0; k < 3; ++k) {
             rounded[i][static_cast<Eigen::Index>(k)] =
-                nearest_double(places[i].x[k], denominator, lattice.exponent - norm_.exponent);
+                nearest_double(found[i].x[k], denominator, lattice.exponent - norm_.exponent);
         }
     }
     return rounded;

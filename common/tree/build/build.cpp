@@ -79,20 +79,20 @@ class Builder {
 };
 
 void Builder::build_top() {
-    std::vector<std::uint32_t> places; ///< Indices in `top_` of the next wave's nodes.
+    std::vector<std::uint32_t> indices; ///< Indices in `top_` of the next wave's nodes.
     std::vector<NodeToMake> wave;
     const auto add_node = [&](std::uint32_t begin, std::uint32_t end) {
-        const auto place = static_cast<std::uint32_t>(top_.size());
+        const auto index = static_cast<std::uint32_t>(top_.size());
         ObbNode& node = top_.emplace_back().box;
         node.triangles_begin = begin;
         node.triangles_end = end;
         if (end - begin > piece_triangles_max && end - begin > input_.options.leaf_triangles_max) {
-            places.push_back(place);
+            indices.push_back(index);
             wave.push_back({node, triangles_of(node)});
         } else {
-            tasks_.push_back(place);
+            tasks_.push_back(index);
         }
-        return place;
+        return index;
     };
     add_node(0, static_cast<std::uint32_t>(triangles_.size()));
     if (wave.empty()) {
@@ -101,15 +101,15 @@ void Builder::build_top() {
     LargeNodeMaker maker(input_, triangles_.size(), pool_);
     while (!wave.empty()) {
         std::vector<NodeToMake> made = std::exchange(wave, {});
-        const std::vector<std::uint32_t> made_places = std::exchange(places, {});
+        const std::vector<std::uint32_t> made_indices = std::exchange(indices, {});
         maker.make(made);
         for (std::size_t i = 0; i < made.size(); ++i) {
             const ObbNode& box = made[i].node;
             const std::uint32_t middle = box.triangles_begin + made[i].left_count;
             const std::uint32_t left = add_node(box.triangles_begin, middle);
             const std::uint32_t right = add_node(middle, box.triangles_end);
-            top_[made_places[i]].box = box;
-            top_[made_places[i]].children = {left, right};
+            top_[made_indices[i]].box = box;
+            top_[made_indices[i]].children = {left, right};
         }
     }
 }
@@ -130,19 +130,19 @@ std::vector<ObbNode> Builder::assemble() const {
         const Waiting now = waiting.back();
         waiting.pop_back();
         const TopNode& top = top_[now.top];
-        const auto place = static_cast<std::uint32_t>(nodes.size());
+        const auto index = static_cast<std::uint32_t>(nodes.size());
         if (now.parent != none) {
-            nodes[now.parent].right = place;
+            nodes[now.parent].right = index;
         }
         if (top.subtree.empty()) {
             nodes.push_back(top.box);
         }
         for (const ObbNode& node : top.subtree) {
             nodes.push_back(node);
-            nodes.back().right += node.is_leaf() ? 0 : place;
+            nodes.back().right += node.is_leaf() ? 0 : index;
         }
         if (top.children[1] != none) {
-            waiting.push_back({top.children[1], place});
+            waiting.push_back({top.children[1], index});
             waiting.push_back({top.children[0], none});
         }
     }

@@ -87,10 +87,10 @@ double tagged(double value, std::uint64_t tag, std::uint64_t tag_max) {
     return std::bit_cast<double>((std::bit_cast<std::uint64_t>(value) & ~tag_max) | tag);
 }
 
-constexpr std::uint64_t place_max = few_triangles_max - 1;
+constexpr std::uint64_t index_max = few_triangles_max - 1;
 
-std::uint32_t place_of(double key) {
-    return static_cast<std::uint32_t>(std::bit_cast<std::uint64_t>(key) & place_max);
+std::uint32_t index_of(double key) {
+    return static_cast<std::uint32_t>(std::bit_cast<std::uint64_t>(key) & index_max);
 }
 
 /// For each triangle and axis, the high end relative to the node, tagged with the triangle's index.
@@ -121,14 +121,14 @@ double least_sum(std::span<const Projection> triangles,
     std::array<double, few_triangles_max> low_from;
     double low = infinity;
     for (std::size_t i = count; i-- > side;) {
-        low = std::min(low, triangles[place_of(keys[i][axis])][axis].low);
+        low = std::min(low, triangles[index_of(keys[i][axis])][axis].low);
         low_from[i] = low;
     }
     const double factor = 1 / (whole.high - whole.low);
     Interval first{infinity, -infinity};
     double least = infinity;
     for (std::size_t i = 0; i < count - side; ++i) {
-        const Interval& triangle = triangles[place_of(keys[i][axis])][axis];
+        const Interval& triangle = triangles[index_of(keys[i][axis])][axis];
         first.low = std::min(first.low, triangle.low);
         first.high = std::max(first.high, triangle.high);
         if (i + 1 >= side) {
@@ -155,7 +155,7 @@ sweep_few(std::span<const Projection> triangles, const Projection& whole, SplitR
     for (std::size_t i = 0; i < count; ++i) {
         for (std::size_t k = 0; k < 3; ++k) {
             keys[i][k] =
-                tagged(1 + (triangles[i][k].high - whole[k].low) * factors[k], i, place_max);
+                tagged(1 + (triangles[i][k].high - whole[k].low) * factors[k], i, index_max);
         }
     }
     sort_keys(keys, count);
@@ -174,7 +174,7 @@ sweep_few(std::span<const Projection> triangles, const Projection& whole, SplitR
     FewSplit split;
     split.left_count = static_cast<std::uint32_t>(choice % few_triangles_max) + 1;
     for (std::size_t i = 0; i < split.left_count; ++i) {
-        split.left |= 1u << place_of(keys[i][axis]);
+        split.left |= 1u << index_of(keys[i][axis]);
     }
     return split;
 }

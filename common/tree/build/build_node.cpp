@@ -100,16 +100,16 @@ std::vector<ObbNode> SubtreeMaker::in_preorder() {
             sizes_[i] += sizes_[nodes_[i].left] + sizes_[nodes_[i].left + 1];
         }
     }
-    places_.assign(nodes_.size(), 0);
+    preorder_.assign(nodes_.size(), 0);
     std::vector<ObbNode> ordered(nodes_.size());
     for (std::size_t i = 0; i < nodes_.size(); ++i) {
         const auto& [node, left] = nodes_[i];
-        ObbNode& to = ordered[places_[i]];
+        ObbNode& to = ordered[preorder_[i]];
         to = node;
         if (left != 0) {
-            places_[left] = places_[i] + 1;
-            places_[left + 1] = places_[left] + sizes_[left];
-            to.right = places_[left + 1];
+            preorder_[left] = preorder_[i] + 1;
+            preorder_[left + 1] = preorder_[left] + sizes_[left];
+            to.right = preorder_[left + 1];
         }
     }
     return ordered;
@@ -293,16 +293,16 @@ void LargeNodeMaker::Wave::part() {
 /// Moves the triangles of each node's left child to the front. Requires that they come first in
 /// each piece.
 void LargeNodeMaker::Wave::gather_sides() {
-    const auto place_of = [&](const Piece& piece) {
+    const auto scratch_of = [&](const Piece& piece) {
         return maker_.triangles_.begin() + nodes_[piece.node].node.triangles_begin;
     };
     for_pieces([&](std::size_t i) {
         const Piece& piece = pieces_[i];
         if (splits_[piece.node]) {
             const auto from = triangles_of(piece);
-            const auto left = place_of(piece) + piece.left_before;
+            const auto left = scratch_of(piece) + piece.left_before;
             const auto right =
-                place_of(piece) + nodes_[piece.node].left_count + piece.begin - piece.left_before;
+                scratch_of(piece) + nodes_[piece.node].left_count + piece.begin - piece.left_before;
             std::copy_n(from.begin(), piece.left_count, left);
             std::copy(from.begin() + piece.left_count, from.end(), right);
         }
@@ -311,7 +311,7 @@ void LargeNodeMaker::Wave::gather_sides() {
         const Piece& piece = pieces_[i];
         if (splits_[piece.node]) {
             const auto to = triangles_of(piece);
-            std::copy_n(place_of(piece) + piece.begin, to.size(), to.begin());
+            std::copy_n(scratch_of(piece) + piece.begin, to.size(), to.begin());
         }
     });
 }

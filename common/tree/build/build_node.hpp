@@ -68,7 +68,7 @@ class SubtreeMaker {
     std::vector<LevelNode> nodes_; ///< All nodes, level by level.
     std::vector<Moments> moments_;
     std::vector<std::uint32_t> sizes_;
-    std::vector<std::uint32_t> places_;
+    std::vector<std::uint32_t> preorder_;
     SweepScratch sweep_;
     std::vector<Projection> projections_;
     std::vector<BuildTriangle> scratch_;

@@ -20,14 +20,14 @@ struct Candidate {
 
 /// Returns the sort key of a triangle along an axis: the maximum of its interval relative to the
 /// whole, then its index. Keys of different indices are different.
-std::uint64_t rank_of(const Interval& triangle, const Interval& whole, std::uint32_t place) {
+std::uint64_t rank_of(const Interval& triangle, const Interval& whole, std::uint32_t index) {
     // The quotient is in [0, 1], where the bit patterns of floats sort as their values do.
     // Differences below 2^-24 of the whole do not matter to the choice.
     const auto key = static_cast<float>((triangle.high - whole.low) / (whole.high - whole.low));
-    return std::uint64_t{std::bit_cast<std::uint32_t>(key)} << 32 | place;
+    return std::uint64_t{std::bit_cast<std::uint32_t>(key)} << 32 | index;
 }
 
-std::uint32_t place_of(std::uint64_t rank) {
+std::uint32_t index_of(std::uint64_t rank) {
     return static_cast<std::uint32_t>(rank);
 }
 
@@ -68,14 +68,14 @@ Candidate sweep_axis(std::span<const Projection> triangles,
     low_after.resize(count - 2 * side + 1);
     double low = infinity;
     for (std::size_t i = count; i-- > side;) {
-        low = std::min(low, triangles[place_of(order[i])][axis].low);
+        low = std::min(low, triangles[index_of(order[i])][axis].low);
         if (i <= count - side) {
             low_after[i - side] = low;
         }
     }
     Interval first{infinity, -infinity};
     for (std::size_t i = 0; i < count - side; ++i) {
-        const Interval& triangle = triangles[place_of(order[i])][axis];
+        const Interval& triangle = triangles[index_of(order[i])][axis];
         first.low = std::min(first.low, triangle.low);
         first.high = std::max(first.high, triangle.high);
         if (i + 1 < side) {
@@ -135,7 +135,7 @@ std::optional<Split> binned_split(std::span<const Projection> triangles,
 
 std::uint32_t part_triangles(std::span<BuildTriangle> triangles,
                              std::span<const Projection> projections,
-                             std::uint32_t first_place,
+                             std::uint32_t first_index,
                              const Split& split,
                              std::span<BuildTriangle> scratch) {
     if (split.binned) {
@@ -145,7 +145,7 @@ std::uint32_t part_triangles(std::span<BuildTriangle> triangles,
         });
     }
     return part_by(triangles, scratch, [&](std::uint32_t i) {
-        return rank_of(projections[i][split.axis], split.whole, first_place + i) <= split.last_rank;
+        return rank_of(projections[i][split.axis], split.whole, first_index + i) <= split.last_rank;
     });
 }
 

@@ -68,11 +68,11 @@ std::uint32_t part_by(std::span<BuildTriangle> triangles,
 }
 
 /// Moves the triangles of the left child to the front; both sides keep their order. `triangles`
-/// begins at `first_place` in the node that was split. Returns the number of triangles that go
+/// begins at `first_index` in the node that was split. Returns the number of triangles that go
 /// left. `scratch` is as long as `triangles`.
 std::uint32_t part_triangles(std::span<BuildTriangle> triangles,
                              std::span<const Projection> projections,
-                             std::uint32_t first_place,
+                             std::uint32_t first_index,
                              const Split& split,
                              std::span<BuildTriangle> scratch);
 

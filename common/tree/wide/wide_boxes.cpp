@@ -116,34 +116,35 @@ WideBoxes::WideBoxes(const TriangleBlocks& blocks, std::span<const WideNode> nod
     }
 }
 
-WideNode WideBoxes::in_frame(std::size_t place, const Axes& axes) const {
+WideNode WideBoxes::in_frame(std::size_t index, const Axes& axes) const {
     WideNode node;
-    node.first = nodes_[place].first;
-    node.count = nodes_[place].count;
-    node.is_leaf = nodes_[place].is_leaf;
-    const SeenFrame frame = seen_from(blocks_, vertices_[place].begin, axes);
+    node.first = nodes_[index].first;
+    node.count = nodes_[index].count;
+    node.is_leaf = nodes_[index].is_leaf;
+    const Run& own = vertices_[index];
+    const SeenFrame frame = seen_from(blocks_, own.begin, axes);
     if (node.is_leaf) {
-        BlockPlaces places;
-        const Spread whole = spread_of_block(blocks_, node.first, frame, places);
-        set_triangle_boxes(places,
-                           vertices_[place].end - vertices_[place].begin,
+        BlockCoordinates coordinates;
+        const Spread whole = spread_of(blocks_, own.begin, own.end, frame, &coordinates);
+        set_triangle_boxes(coordinates,
+                           own.end - own.begin,
                            &blocks_.corners[std::size_t{block_size} * node.first],
                            set_frame(whole, frame, blocks_.doubles.empty(), node),
                            node);
         return node;
     }
-    ChildPlaces places;
+    ChildSpreads spreads;
     Spread whole;
     for (std::size_t i = 0; i < node.count; ++i) {
         const Run& run = vertices_[node.first + i];
         const Spread child = spread_of(blocks_, run.begin, run.end, frame);
         whole = i == 0 ? child : united(whole, child);
         for (std::size_t k = 0; k < 3; ++k) {
-            places.low[k][i] = child.low[k];
-            places.high[k][i] = child.high[k];
+            spreads.low[k][i] = child.low[k];
+            spreads.high[k][i] = child.high[k];
         }
     }
-    set_child_boxes(places, set_frame(whole, frame, false, node), node);
+    set_child_boxes(spreads, set_frame(whole, frame, false, node), node);
     return node;
 }
 

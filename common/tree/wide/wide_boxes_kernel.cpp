@@ -73,9 +73,9 @@ struct Spreads {
           high{all(-HUGE_VAL), all(-HUGE_VAL), all(-HUGE_VAL)},
           reach(hn::Zero(Doubles())) {}
 
-    HWY_INLINE void add(const Vectors& place, V distance) {
-        low = {hn::Min(low.x, place.x), hn::Min(low.y, place.y), hn::Min(low.z, place.z)};
-        high = {hn::Max(high.x, place.x), hn::Max(high.y, place.y), hn::Max(high.z, place.z)};
+    HWY_INLINE void add(const Vectors& at, V distance) {
+        low = {hn::Min(low.x, at.x), hn::Min(low.y, at.y), hn::Min(low.z, at.z)};
+        high = {hn::Max(high.x, at.x), hn::Max(high.y, at.y), hn::Max(high.z, at.z)};
         reach = hn::Max(reach, distance);
     }
     HWY_INLINE Spread over_lanes() const {
@@ -92,10 +92,14 @@ struct Spreads {
     V reach;
 };
 
-/// Returns the spread of `count` vertices. Calls `keep(i, place)` with the coordinates of vertex i
-/// and of the vertices in its vector. Lanes after the last vertex repeat the first vertex.
-template <class T, class Keep>
-HWY_INLINE Spread walk(const T* from, std::size_t count, const SeenFrame& seen, const Keep& keep) {
+/// Writes the spread of `count` vertices to `spread`, and their coordinates to `coordinates` unless
+/// that is null. Lanes after the last vertex repeat the first vertex.
+template <class T>
+HWY_INLINE void measure(const T* from,
+                        std::size_t count,
+                        const SeenFrame& seen,
+                        BlockCoordinates* coordinates,
+                        Spread* spread) {
     const Doubles d;
     const Frame frame(seen);
     const Vectors first{all(static_cast<double>(from[0])),
@@ -111,49 +115,33 @@ HWY_INLINE Spread walk(const T* from, std::size_t count, const SeenFrame& seen, 
                  hn::IfThenElse(mask, v.z, first.z)};
         }
         const Vectors from_center{v.x - frame.center.x, v.y - frame.center.y, v.z - frame.center.z};
-        const Vectors place{dot(frame.row_x, from_center),
-                            dot(frame.row_y, from_center),
-                            dot(frame.row_z, from_center)};
-        spreads.add(place,
-                    hn::Abs(from_center.x) + hn::Abs(from_center.y) + hn::Abs(from_center.z));
-        keep(i, place);
+        const Vectors at{dot(frame.row_x, from_center),
+                         dot(frame.row_y, from_center),
+                         dot(frame.row_z, from_center)};
+        spreads.add(at, hn::Abs(from_center.x) + hn::Abs(from_center.y) + hn::Abs(from_center.z));
+        if (coordinates != nullptr) {
+            hn::Store(at.x, d, &coordinates->along[0][i]);
+            hn::Store(at.y, d, &coordinates->along[1][i]);
+            hn::Store(at.z, d, &coordinates->along[2][i]);
+        }
     }
-    return spreads.over_lanes();
+    *spread = spreads.over_lanes();
 }
 
-void spread_floats(const float* from, std::size_t count, const SeenFrame& frame, Spread* spread) {
-    *spread = walk(from, count, frame, [](std::size_t, const Vectors&) {});
+void measure_floats(const float* from,
+                    std::size_t count,
+                    const SeenFrame& frame,
+                    BlockCoordinates* coordinates,
+                    Spread* spread) {
+    measure(from, count, frame, coordinates, spread);
 }
 
-void spread_doubles(const double* from, std::size_t count, const SeenFrame& frame, Spread* spread) {
-    *spread = walk(from, count, frame, [](std::size_t, const Vectors&) {});
-}
-
-template <class T>
-HWY_INLINE Spread
-walk_block(const T* from, std::size_t count, const SeenFrame& frame, BlockPlaces& places) {
-    return walk(from, count, frame, [&](std::size_t i, const Vectors& place) {
-        const Doubles d;
-        hn::Store(place.x, d, &places.along[0][i]);
-        hn::Store(place.y, d, &places.along[1][i]);
-        hn::Store(place.z, d, &places.along[2][i]);
-    });
-}
-
-void place_floats(const float* from,
-                  std::size_t count,
-                  const SeenFrame& frame,
-                  BlockPlaces* places,
-                  Spread* spread) {
-    *spread = walk_block(from, count, frame, *places);
-}
-
-void place_doubles(const double* from,
-                   std::size_t count,
-                   const SeenFrame& frame,
-                   BlockPlaces* places,
-                   Spread* spread) {
-    *spread = walk_block(from, count, frame, *places);
+void measure_doubles(const double* from,
+                     std::size_t count,
+                     const SeenFrame& frame,
+                     BlockCoordinates* coordinates,
+                     Spread* spread) {
+    measure(from, count, frame, coordinates, spread);
 }
 
 /// The bounds of a vertex on all axes as bytes: its low steps, and 255 less its high steps. The
@@ -163,15 +151,15 @@ using VertexBounds = std::array<std::uint8_t, 8>;
 /// Rounds a coordinate down to whole steps. Both the quotient and its factor are rounded, so the
 /// result is corrected by one step if it is above the coordinate. Steps are floats and their
 /// numbers bytes, so that products are exact.
-HWY_INLINE V steps_below(V place, V step, V per_step) {
-    const V steps = hn::Floor(place * per_step);
-    return steps - hn::IfThenElseZero(hn::Gt(steps * step, place), all(1));
+HWY_INLINE V steps_below(V coordinate, V step, V per_step) {
+    const V steps = hn::Floor(coordinate * per_step);
+    return steps - hn::IfThenElseZero(hn::Gt(steps * step, coordinate), all(1));
 }
 
 /// Rounds a coordinate up to whole steps, corrected as in `steps_below`.
-HWY_INLINE V steps_above(V place, V step, V per_step) {
-    const V steps = hn::Ceil(place * per_step);
-    return steps + hn::IfThenElseZero(hn::Lt(steps * step, place), all(1));
+HWY_INLINE V steps_above(V coordinate, V step, V per_step) {
+    const V steps = hn::Ceil(coordinate * per_step);
+    return steps + hn::IfThenElseZero(hn::Lt(steps * step, coordinate), all(1));
 }
 
 /// The numbers of a StepAxis, broadcast to all lanes.
@@ -182,11 +170,11 @@ struct StepVectors {
           step(all(axis.step)),
           per_step(all(1 / axis.step)) {}
 
-    HWY_INLINE hn::Vec<Steps> below(V place) const {
-        return hn::DemoteTo(Steps(), steps_below(place - origin - error, step, per_step));
+    HWY_INLINE hn::Vec<Steps> below(V coordinate) const {
+        return hn::DemoteTo(Steps(), steps_below(coordinate - origin - error, step, per_step));
     }
-    HWY_INLINE hn::Vec<Steps> above(V place) const {
-        return hn::DemoteTo(Steps(), steps_above(place - origin + error, step, per_step));
+    HWY_INLINE hn::Vec<Steps> above(V coordinate) const {
+        return hn::DemoteTo(Steps(), steps_above(coordinate - origin + error, step, per_step));
     }
 
     V origin;
@@ -195,15 +183,15 @@ struct StepVectors {
     V per_step;
 };
 
-void child_boxes(const ChildPlaces* places, const StepAxis* axes, WideNode* node) {
+void child_boxes(const ChildSpreads* spreads, const StepAxis* axes, WideNode* node) {
     const Doubles d;
     for (std::size_t k = 0; k < 3; ++k) {
         const StepVectors steps(axes[k]);
         alignas(64) std::array<std::int32_t, wide_children_max> low;
         alignas(64) std::array<std::int32_t, wide_children_max> high;
         for (std::size_t i = 0; i < wide_children_max; i += lanes) {
-            hn::Store(steps.below(hn::Load(d, &places->low[k][i])), Steps(), &low[i]);
-            hn::Store(steps.above(hn::Load(d, &places->high[k][i])), Steps(), &high[i]);
+            hn::Store(steps.below(hn::Load(d, &spreads->low[k][i])), Steps(), &low[i]);
+            hn::Store(steps.above(hn::Load(d, &spreads->high[k][i])), Steps(), &high[i]);
         }
         for (std::size_t i = 0; i < node->count; ++i) {
             node->low[k][i] = static_cast<std::uint8_t>(low[i]);
@@ -212,7 +200,7 @@ void child_boxes(const ChildPlaces* places, const StepAxis* axes, WideNode* node
     }
 }
 
-void triangle_boxes(const BlockPlaces* places,
+void triangle_boxes(const BlockCoordinates* coordinates,
                     std::size_t vertices,
                     const BlockCorners* corners,
                     const StepAxis* axes,
@@ -225,9 +213,9 @@ void triangle_boxes(const BlockPlaces* places,
         hn::Vec<Steps> low[3];
         hn::Vec<Steps> high[3];
         for (std::size_t k = 0; k < 3; ++k) {
-            const V place = hn::Load(d, &places->along[k][i]);
-            low[k] = steps[k].below(place);
-            high[k] = steps[k].above(place);
+            const V coordinate = hn::Load(d, &coordinates->along[k][i]);
+            low[k] = steps[k].below(coordinate);
+            high[k] = steps[k].above(coordinate);
         }
         const auto most = hn::Set(whole, 255);
         const auto first =
@@ -262,55 +250,41 @@ HWY_AFTER_NAMESPACE();
 
 namespace cd {
 
-HWY_EXPORT(spread_floats);
-HWY_EXPORT(spread_doubles);
-HWY_EXPORT(place_floats);
-HWY_EXPORT(place_doubles);
+HWY_EXPORT(measure_floats);
+HWY_EXPORT(measure_doubles);
 HWY_EXPORT(child_boxes);
 HWY_EXPORT(triangle_boxes);
 
 Spread spread_of(const TriangleBlocks& blocks,
                  std::uint32_t begin,
                  std::uint32_t end,
-                 const SeenFrame& frame) {
+                 const SeenFrame& frame,
+                 BlockCoordinates* coordinates) {
     const std::size_t first = 3 * std::size_t{begin};
     const std::size_t count = end - begin;
     Spread spread;
     if (blocks.doubles.empty()) {
-        HWY_DYNAMIC_DISPATCH(spread_floats)(&blocks.floats[first], count, frame, &spread);
+        HWY_DYNAMIC_DISPATCH(measure_floats)
+        (&blocks.floats[first], count, frame, coordinates, &spread);
     } else {
-        HWY_DYNAMIC_DISPATCH(spread_doubles)(&blocks.doubles[first], count, frame, &spread);
+        HWY_DYNAMIC_DISPATCH(measure_doubles)
+        (&blocks.doubles[first], count, frame, coordinates, &spread);
     }
     return spread;
 }
 
-Spread spread_of_block(const TriangleBlocks& blocks,
-                       std::uint32_t block,
-                       const SeenFrame& frame,
-                       BlockPlaces& places) {
-    const std::size_t first = 3 * std::size_t{blocks.vertex_begin[block]};
-    const std::size_t count = blocks.vertex_begin[block + 1] - blocks.vertex_begin[block];
-    Spread spread;
-    if (blocks.doubles.empty()) {
-        HWY_DYNAMIC_DISPATCH(place_floats)(&blocks.floats[first], count, frame, &places, &spread);
-    } else {
-        HWY_DYNAMIC_DISPATCH(place_doubles)(&blocks.doubles[first], count, frame, &places, &spread);
-    }
-    return spread;
-}
-
-void set_child_boxes(const ChildPlaces& places,
+void set_child_boxes(const ChildSpreads& spreads,
                      const std::array<StepAxis, 3>& axes,
                      WideNode& node) {
-    HWY_DYNAMIC_DISPATCH(child_boxes)(&places, axes.data(), &node);
+    HWY_DYNAMIC_DISPATCH(child_boxes)(&spreads, axes.data(), &node);
 }
 
-void set_triangle_boxes(const BlockPlaces& places,
+void set_triangle_boxes(const BlockCoordinates& coordinates,
                         std::size_t vertices,
                         const BlockCorners* corners,
                         const std::array<StepAxis, 3>& axes,
                         WideNode& node) {
-    HWY_DYNAMIC_DISPATCH(triangle_boxes)(&places, vertices, corners, axes.data(), &node);
+    HWY_DYNAMIC_DISPATCH(triangle_boxes)(&coordinates, vertices, corners, axes.data(), &node);
 }
 
 } // namespace cd

@@ -24,22 +24,18 @@ struct Spread {
     double reach = 0; ///< Largest sum of |x_k - center_k| of a vertex x, in the body's axes.
 };
 
-/// Computes the spread of vertices [begin, end) of these blocks; there is at least one.
-[[nodiscard]] Spread spread_of(const TriangleBlocks& blocks,
-                               std::uint32_t begin,
-                               std::uint32_t end,
-                               const SeenFrame& frame);
-
 /// Coordinates of a block's vertices in a SeenFrame, by axis, padded to whole vectors.
-struct BlockPlaces {
+struct BlockCoordinates {
     alignas(64) std::array<std::array<double, block_vertices_max + 16>, 3> along;
 };
 
-/// Computes the spread of one block and stores the coordinates of its vertices in `places`.
-[[nodiscard]] Spread spread_of_block(const TriangleBlocks& blocks,
-                                     std::uint32_t block,
-                                     const SeenFrame& frame,
-                                     BlockPlaces& places);
+/// Computes the spread of vertices [begin, end) of these blocks; there is at least one. Stores the
+/// vertices' coordinates unless `coordinates` is null; then the vertices are those of one block.
+[[nodiscard]] Spread spread_of(const TriangleBlocks& blocks,
+                               std::uint32_t begin,
+                               std::uint32_t end,
+                               const SeenFrame& frame,
+                               BlockCoordinates* coordinates = nullptr);
 
 /// Converts coordinates x on one axis to steps: (x - `origin` - `error`) / `step` for a low bound,
 /// with + `error` for a high bound.
@@ -50,19 +46,19 @@ struct StepAxis {
 };
 
 /// The spreads of a node's children, by axis, then by child, padded to whole vectors.
-struct ChildPlaces {
+struct ChildSpreads {
     alignas(64) std::array<std::array<double, wide_children_max>, 3> low{};
     alignas(64) std::array<std::array<double, wide_children_max>, 3> high{};
 };
 
 /// Sets the boxes of `node.count` children, rounded outwards. All coordinates are within 255 steps.
-void set_child_boxes(const ChildPlaces& places,
+void set_child_boxes(const ChildSpreads& spreads,
                      const std::array<StepAxis, 3>& axes,
                      WideNode& node);
 
 /// Sets the boxes of a block's first `node.count` triangles, rounded outwards. All coordinates are
 /// within 255 steps.
-void set_triangle_boxes(const BlockPlaces& places,
+void set_triangle_boxes(const BlockCoordinates& coordinates,
                         std::size_t vertices,
                         const BlockCorners* corners,
                         const std::array<StepAxis, 3>& axes,

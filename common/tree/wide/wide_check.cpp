@@ -90,10 +90,10 @@ bool have_blocks_their_sizes(const TriangleBlocks& blocks) {
             return false;
         }
     }
-    const std::size_t places = block_size * (blocks.vertex_begin.size() - 1);
+    const std::size_t slots = block_size * (blocks.vertex_begin.size() - 1);
     const std::size_t numbers =
         blocks.floats.empty() ? blocks.doubles.size() : blocks.floats.size();
-    return blocks.corners.size() == places && blocks.ids.size() == places &&
+    return blocks.corners.size() == slots && blocks.ids.size() == slots &&
            (blocks.floats.empty() || blocks.doubles.empty()) &&
            numbers == 3 * std::size_t{blocks.vertex_begin.back()} + spare_numbers;
 }
@@ -106,9 +106,9 @@ bool holds_triangles(const TriangleBlocks& blocks,
                      std::vector<bool>& seen) {
     const std::uint32_t vertices = blocks.vertex_begin[block + 1] - blocks.vertex_begin[block];
     for (std::uint32_t i = 0; i < block_size; ++i) {
-        const std::uint32_t place = block_size * block + i;
-        const BlockCorners& corners = blocks.corners[place];
-        const std::uint32_t id = blocks.ids[place];
+        const std::uint32_t slot = block_size * block + i;
+        const BlockCorners& corners = blocks.corners[slot];
+        const std::uint32_t id = blocks.ids[slot];
         if (i >= count) {
             if (corners != BlockCorners{} || id != 0) {
                 return false;

@@ -23,7 +23,7 @@ using Costs = std::array<float, children_max>;
 class Planner {
   public:
     Planner(const TreeView& tree, const WideLeaves& leaves)
-        : tree_(tree), leaves_(leaves), place_of_(tree.nodes.size(), 0) {}
+        : tree_(tree), leaves_(leaves), upper_index_(tree.nodes.size(), 0) {}
 
     std::vector<WidePlanNode> plan();
 
@@ -37,9 +37,9 @@ class Planner {
     void find_costs();
     void add_group_costs(const WideGroup& group, Costs& costs) const;
     void add_inner_costs(std::uint32_t node, Costs& costs) const;
-    [[nodiscard]] bool is_group(std::uint32_t node) const { return group_of_[place_of_[node]]; }
+    [[nodiscard]] bool is_group(std::uint32_t node) const { return group_of_[upper_index_[node]]; }
     [[nodiscard]] const Costs& costs_of(std::uint32_t node) const {
-        return costs_[place_of_[node]];
+        return costs_[upper_index_[node]];
     }
     [[nodiscard]] std::uint32_t share_of_left(std::uint32_t node, std::uint32_t children) const;
     void children_of(std::uint32_t node, std::vector<Child>& to) const;
@@ -48,9 +48,9 @@ class Planner {
     const TreeView& tree_;
     const WideLeaves& leaves_;
     /// For each binary node, its index in `costs_`, if the node is a group or above groups.
-    std::vector<std::uint32_t> place_of_;
-    std::vector<Costs> costs_; ///< Indexed by `place_of_`.
-    /// Indexed by `place_of_`: 1 + the group's number; 0 for a node above groups.
+    std::vector<std::uint32_t> upper_index_;
+    std::vector<Costs> costs_; ///< Indexed by `upper_index_`.
+    /// Indexed by `upper_index_`: 1 + the group's number; 0 for a node above groups.
     std::vector<std::uint32_t> group_of_;
 };
 
@@ -100,7 +100,7 @@ void Planner::find_costs() {
     while (!stack.empty()) {
         const std::uint32_t node = stack.back();
         stack.pop_back();
-        place_of_[node] = static_cast<std::uint32_t>(upper.size());
+        upper_index_[node] = static_cast<std::uint32_t>(upper.size());
         upper.push_back(node);
         if (group < leaves_.groups.size() && leaves_.groups[group].node == node) {
             group_of_.push_back(++group);
@@ -126,7 +126,7 @@ void Planner::children_of(std::uint32_t node, std::vector<Child>& to) const {
         std::uint32_t children; ///< Most children that the node may become.
     };
     const auto add_leaves = [&](std::uint32_t of) {
-        const WideGroup& group = leaves_.groups[group_of_[place_of_[of]] - 1];
+        const WideGroup& group = leaves_.groups[group_of_[upper_index_[of]] - 1];
         for (std::uint32_t i = group.leaves_begin; i < group.leaves_end; ++i) {
             to.push_back({i, true});
         }
@@ -147,7 +147,7 @@ void Planner::children_of(std::uint32_t node, std::vector<Child>& to) const {
         stack.pop_back();
         const Costs& costs = costs_of(part.node);
         const WideGroup* group =
-            is_group(part.node) ? &leaves_.groups[group_of_[place_of_[part.node]] - 1] : nullptr;
+            is_group(part.node) ? &leaves_.groups[group_of_[upper_index_[part.node]] - 1] : nullptr;
         if (group != nullptr && group->leaves_end - group->leaves_begin <= part.children) {
             add_leaves(part.node);
         } else if (group != nullptr || part.children == 1 ||
@@ -187,20 +187,20 @@ std::vector<WidePlanNode> Planner::plan() {
     std::vector<std::uint32_t> stack = {0};
     std::vector<Child> children;
     while (!stack.empty()) {
-        const std::uint32_t place = stack.back();
+        const std::uint32_t index = stack.back();
         stack.pop_back();
-        if (nodes[place].is_leaf()) {
+        if (nodes[index].is_leaf()) {
             continue;
         }
         children.clear();
-        children_of(nodes[place].binary, children);
+        children_of(nodes[index].binary, children);
         const auto first = static_cast<std::uint32_t>(nodes.size());
-        nodes[place].first = first;
-        nodes[place].count = static_cast<std::uint32_t>(children.size());
+        nodes[index].first = first;
+        nodes[index].count = static_cast<std::uint32_t>(children.size());
         for (const Child& child : children) {
             nodes.push_back(node_of(child));
         }
-        for (auto i = nodes[place].count; i-- > 0;) {
+        for (auto i = nodes[index].count; i-- > 0;) {
             stack.push_back(first + i);
         }
     }

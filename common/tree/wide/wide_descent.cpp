@@ -34,8 +34,8 @@ WideDescent::WideDescent(const RelativePose& b_to_a, double error_scale)
     : error_scale_(error_scale) {
     // This call precedes the kernel's first one, so that a setting of the target takes effect.
     static_cast<void>(simd_target());
-    walk_.waiting_room = 2 * wide_pairs_slack;
-    waiting_ = std::make_unique_for_overwrite<WidePair[]>(walk_.waiting_room);
+    state_.waiting_room = 2 * wide_pairs_slack;
+    waiting_ = std::make_unique_for_overwrite<WidePair[]>(state_.waiting_room);
     restart(b_to_a);
 }
 
@@ -54,11 +54,11 @@ void WideDescent::restart(const RelativePose& b_to_a) {
     pose_.relative_margin = b_to_a.rotation_error <= pose_error_max && b_to_a.skew <= pose_error_max
                                 ? static_cast<float>(error_scale_ * 1.01 * (0x1p-17 + 6 * error))
                                 : std::numeric_limits<float>::infinity();
-    walk_.waiting_count = 0;
-    walk_.ranked.clear();
-    walk_.leaf_count = 0;
-    walk_.box_tests = 0;
-    walk_.visits = 0;
+    state_.waiting_count = 0;
+    state_.ranked.clear();
+    state_.leaf_count = 0;
+    state_.box_tests = 0;
+    state_.visits = 0;
 }
 
 void WideDescent::start(const WideView& a, const WideView& b, Aim aim) {
@@ -69,17 +69,17 @@ void WideDescent::start(const WideView& a, const WideView& b, Aim aim) {
     // After NaN or overflow, no pair counts as apart.
     pose_.absolute_margin = absolute < 0x1p100 ? static_cast<float>(absolute) + 0x1p-120F
                                                : std::numeric_limits<float>::infinity();
-    walk_.a = body_of(a);
-    walk_.b = body_of(b);
-    walk_.waiting_count = 0;
-    walk_.ranked.clear();
-    walk_.leaf_count = 0;
-    walk_.leaves_at_once = aim == Aim::All ? wide_leaves_max - wide_batch_max : leaves_for_first;
+    state_.a = body_of(a);
+    state_.b = body_of(b);
+    state_.waiting_count = 0;
+    state_.ranked.clear();
+    state_.leaf_count = 0;
+    state_.leaves_at_once = aim == Aim::All ? wide_leaves_max - wide_batch_max : leaves_for_first;
     dive_visits_left_ = aim == Aim::LikelyFirst ? dive_visits : 0;
     if (dive_visits_left_ > 0) {
-        walk_.ranked.push({0, 0}, 0);
+        state_.ranked.push({0, 0}, 0);
     } else {
-        waiting_[walk_.waiting_count++] = {0, 0};
+        waiting_[state_.waiting_count++] = {0, 0};
     }
 }
 
@@ -88,49 +88,49 @@ std::span<Candidate> WideDescent::next(std::size_t wanted) {
         candidates_room_ = wanted + wide_pairs_slack;
         candidates_ = std::make_unique_for_overwrite<Candidate[]>(candidates_room_);
     }
-    walk_.candidates = candidates_.get();
-    walk_.candidate_count = 0;
-    walk_.candidates_wanted = wanted;
-    walk_.visits_left = visits_at_once;
-    while (!is_done() && walk_.visits_left > 0 && walk_.candidate_count < wanted) {
+    state_.candidates = candidates_.get();
+    state_.candidate_count = 0;
+    state_.candidates_wanted = wanted;
+    state_.visits_left = visits_at_once;
+    while (!is_done() && state_.visits_left > 0 && state_.candidate_count < wanted) {
         if (dive_visits_left_ > 0) {
             dive();
             continue;
         }
-        if (walk_.waiting_count + wide_pairs_slack > walk_.waiting_room) {
+        if (state_.waiting_count + wide_pairs_slack > state_.waiting_room) {
             grow();
         }
-        walk_.waiting = waiting_.get();
-        walk_wide(pose_, walk_);
+        state_.waiting = waiting_.get();
+        descend_wide(pose_, state_);
     }
-    return {candidates_.get(), walk_.candidate_count};
+    return {candidates_.get(), state_.candidate_count};
 }
 
 /// Visits the most promising pairs, then moves the remaining ones to `waiting_`, the most promising
 /// last.
 void WideDescent::dive() {
-    walk_.visits_left = dive_visits_left_;
-    walk_wide_ranked(pose_, walk_);
-    dive_visits_left_ = walk_.visits_left;
-    walk_.visits_left = visits_at_once;
+    state_.visits_left = dive_visits_left_;
+    descend_wide_ranked(pose_, state_);
+    dive_visits_left_ = state_.visits_left;
+    state_.visits_left = visits_at_once;
     if (dive_visits_left_ > 0) {
         return;
     }
-    const std::size_t count = walk_.ranked.size();
-    while (count > walk_.waiting_room) {
+    const std::size_t count = state_.ranked.size();
+    while (count > state_.waiting_room) {
         grow();
     }
     for (std::size_t i = count; i > 0; --i) {
-        waiting_[i - 1] = walk_.ranked.pop();
+        waiting_[i - 1] = state_.ranked.pop();
     }
-    walk_.waiting_count = count;
+    state_.waiting_count = count;
 }
 
 void WideDescent::grow() {
-    auto larger = std::make_unique_for_overwrite<WidePair[]>(2 * walk_.waiting_room);
-    std::copy_n(waiting_.get(), walk_.waiting_count, larger.get());
+    auto larger = std::make_unique_for_overwrite<WidePair[]>(2 * state_.waiting_room);
+    std::copy_n(waiting_.get(), state_.waiting_count, larger.get());
     waiting_ = std::move(larger);
-    walk_.waiting_room *= 2;
+    state_.waiting_room *= 2;
 }
 
 } // namespace cd

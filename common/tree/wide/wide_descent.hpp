@@ -38,16 +38,16 @@ class WideDescent {
     /// Begins a descent at the roots. The trees have nodes and outlive the descent.
     void start(const WideView& a, const WideView& b, Aim aim = Aim::All);
     [[nodiscard]] bool is_done() const {
-        return walk_.waiting_count + walk_.leaf_count + walk_.ranked.size() == 0;
+        return state_.waiting_count + state_.leaf_count + state_.ranked.size() == 0;
     }
     /// Returns more candidates, as slots of the triangle blocks: about `wanted`, or fewer (even
     /// none) after much work. The candidates are valid until the next call.
     [[nodiscard]] std::span<Candidate> next(std::size_t wanted);
 
     /// Returns the number of box tests since `restart` was called.
-    [[nodiscard]] std::uint64_t box_tests() const { return walk_.box_tests; }
+    [[nodiscard]] std::uint64_t box_tests() const { return state_.box_tests; }
     /// Returns the number of pairs of nodes visited since `restart` was called.
-    [[nodiscard]] std::uint64_t visits() const { return walk_.visits; }
+    [[nodiscard]] std::uint64_t visits() const { return state_.visits; }
 
   private:
     void dive();
@@ -57,7 +57,7 @@ class WideDescent {
     RelativePose b_to_a_;
     double error_scale_;
     WidePose pose_;
-    WideWalk walk_;
+    DescentState state_;
     // Arrays, because a vector would initialise elements that are written before they are read.
     std::unique_ptr<WidePair[]> waiting_;
     std::unique_ptr<Candidate[]> candidates_;

@@ -94,27 +94,30 @@ HWY_INLINE void prefetch_triangles(const WideBody& body, const WideNode& leaf) {
 /// Tests the first `count` visits from both sides. Writes to `left` the indices of the visits where
 /// both nodes have children that may overlap the other node. Returns the number of these visits.
 template <bool kBothLeaves>
-HWY_INLINE std::size_t see_both(
-    const WidePose& pose, WideWalk& walk, Visit* visits, std::size_t count, std::size_t* left) {
+HWY_INLINE std::size_t see_both(const WidePose& pose,
+                                DescentState& state,
+                                Visit* visits,
+                                std::size_t count,
+                                std::size_t* left) {
     std::size_t left_count = 0;
     for (std::size_t i = 0; i < count; ++i) {
         Visit& now = visits[i];
-        const WideNode& a = walk.a.nodes[now.meeting.nodes.a];
-        const WideNode& b = walk.b.nodes[now.meeting.nodes.b];
+        const WideNode& a = state.a.nodes[now.meeting.nodes.a];
+        const WideNode& b = state.b.nodes[now.meeting.nodes.b];
         // While only one node is a leaf, the search descends the other one alone.
         now.side_a = side_of(a, now.meeting.nodes.a, !kBothLeaves && a.is_leaf);
         now.side_b = side_of(b, now.meeting.nodes.b, !kBothLeaves && b.is_leaf);
-        walk.box_tests += now.side_b.count;
-        now.found_b = see_b<kBothLeaves>(pose, walk.b, a, now.side_b, now.meeting, now.seen_b);
+        state.box_tests += now.side_b.count;
+        now.found_b = see_b<kBothLeaves>(pose, state.b, a, now.side_b, now.meeting, now.seen_b);
         left[left_count] = i;
         left_count += now.found_b != 0 ? 1 : 0;
     }
     std::size_t both_count = 0;
     for (std::size_t i = 0; i < left_count; ++i) {
         Visit& now = visits[left[i]];
-        const WideNode& b = walk.b.nodes[now.meeting.nodes.b];
-        walk.box_tests += now.side_a.count;
-        now.found_a = see_a<kBothLeaves>(pose, walk.a, b, now.side_a, now.meeting, now.seen_a);
+        const WideNode& b = state.b.nodes[now.meeting.nodes.b];
+        state.box_tests += now.side_a.count;
+        now.found_a = see_a<kBothLeaves>(pose, state.a, b, now.side_a, now.meeting, now.seen_a);
         left[both_count] = left[i];
         both_count += now.found_a != 0 ? 1 : 0;
     }
@@ -142,39 +145,45 @@ HWY_INLINE Rows rows_of(const Visit& visit, std::uint64_t& box_tests) {
 /// Processes the first `count` visits and writes the pairs of children that may overlap to `to`.
 /// Returns the number of these pairs.
 template <bool kBothLeaves>
-HWY_INLINE std::size_t
-look_at(const WidePose& pose, WideWalk& walk, Visit* visits, std::size_t count, std::uint32_t* to) {
+HWY_INLINE std::size_t look_at(const WidePose& pose,
+                               DescentState& state,
+                               Visit* visits,
+                               std::size_t count,
+                               std::uint32_t* to) {
     std::size_t left[wide_batch_max];
-    const std::size_t left_count = see_both<kBothLeaves>(pose, walk, visits, count, left);
+    const std::size_t left_count = see_both<kBothLeaves>(pose, state, visits, count, left);
     std::size_t written = 0;
     for (std::size_t i = 0; i < left_count; ++i) {
-        const Rows rows = rows_of(visits[left[i]], walk.box_tests);
+        const Rows rows = rows_of(visits[left[i]], state.box_tests);
         written += pair_up(rows.one, rows.others, rows.one_is_a, to + 2 * written);
     }
     return written;
 }
 
-HWY_INLINE void count_visits(WideWalk& walk, std::size_t count) {
-    walk.visits += count;
-    walk.visits_left -= std::min(walk.visits_left, static_cast<std::uint32_t>(count));
+HWY_INLINE void count_visits(DescentState& state, std::size_t count) {
+    state.visits += count;
+    state.visits_left -= std::min(state.visits_left, static_cast<std::uint32_t>(count));
 }
 
 /// Prepares visits of pairs of nodes but sets pairs of leaves aside. Returns the number of prepared
 /// visits.
-HWY_INLINE std::size_t meet_inner(
-    const WidePose& pose, WideWalk& walk, const WidePair* now, std::size_t count, Visit* visits) {
+HWY_INLINE std::size_t meet_inner(const WidePose& pose,
+                                  DescentState& state,
+                                  const WidePair* now,
+                                  std::size_t count,
+                                  Visit* visits) {
     for (std::size_t i = 0; i < count; ++i) {
-        prefetch(walk.a.nodes + now[i].a, sizeof(WideNode));
-        prefetch(walk.b.nodes + now[i].b, sizeof(WideNode));
+        prefetch(state.a.nodes + now[i].a, sizeof(WideNode));
+        prefetch(state.b.nodes + now[i].b, sizeof(WideNode));
     }
     std::size_t inner = 0;
     for (std::size_t i = 0; i < count; ++i) {
-        const WideNode& a = walk.a.nodes[now[i].a];
-        const WideNode& b = walk.b.nodes[now[i].b];
+        const WideNode& a = state.a.nodes[now[i].a];
+        const WideNode& b = state.b.nodes[now[i].b];
         if (a.is_leaf && b.is_leaf) {
-            prefetch_triangles(walk.a, a);
-            prefetch_triangles(walk.b, b);
-            walk.leaves[walk.leaf_count++] = now[i];
+            prefetch_triangles(state.a, a);
+            prefetch_triangles(state.b, b);
+            state.leaves[state.leaf_count++] = now[i];
         } else {
             meet(pose, a, b, now[i], visits[inner++].meeting);
         }
@@ -183,61 +192,61 @@ HWY_INLINE std::size_t meet_inner(
 }
 
 /// Visits one batch of the waiting pairs.
-HWY_INLINE void visit_inner(const WidePose& pose, WideWalk& walk, Visit* visits) {
-    const std::size_t count = std::min(walk.waiting_count, wide_batch_max);
-    walk.waiting_count -= count;
-    const WidePair* now = walk.waiting + walk.waiting_count;
-    const std::size_t inner = meet_inner(pose, walk, now, count, visits);
-    auto* to = reinterpret_cast<std::uint32_t*>(walk.waiting + walk.waiting_count);
-    walk.waiting_count += look_at<false>(pose, walk, visits, inner, to);
-    count_visits(walk, inner);
+HWY_INLINE void visit_inner(const WidePose& pose, DescentState& state, Visit* visits) {
+    const std::size_t count = std::min(state.waiting_count, wide_batch_max);
+    state.waiting_count -= count;
+    const WidePair* now = state.waiting + state.waiting_count;
+    const std::size_t inner = meet_inner(pose, state, now, count, visits);
+    auto* to = reinterpret_cast<std::uint32_t*>(state.waiting + state.waiting_count);
+    state.waiting_count += look_at<false>(pose, state, visits, inner, to);
+    count_visits(state, inner);
 }
 
 /// Visits one batch of the pairs of leaves.
-HWY_INLINE void visit_leaves(const WidePose& pose, WideWalk& walk, Visit* visits) {
-    const std::size_t count = std::min(walk.leaf_count, wide_batch_max);
-    walk.leaf_count -= count;
+HWY_INLINE void visit_leaves(const WidePose& pose, DescentState& state, Visit* visits) {
+    const std::size_t count = std::min(state.leaf_count, wide_batch_max);
+    state.leaf_count -= count;
     for (std::size_t i = 0; i < count; ++i) {
-        const WidePair now = walk.leaves[walk.leaf_count + i];
-        meet(pose, walk.a.nodes[now.a], walk.b.nodes[now.b], now, visits[i].meeting);
+        const WidePair now = state.leaves[state.leaf_count + i];
+        meet(pose, state.a.nodes[now.a], state.b.nodes[now.b], now, visits[i].meeting);
     }
-    auto* to = reinterpret_cast<std::uint32_t*>(walk.candidates + walk.candidate_count);
-    walk.candidate_count += look_at<true>(pose, walk, visits, count, to);
-    count_visits(walk, count);
+    auto* to = reinterpret_cast<std::uint32_t*>(state.candidates + state.candidate_count);
+    state.candidate_count += look_at<true>(pose, state, visits, count, to);
+    count_visits(state, count);
 }
 
 /// Visits the most promising pair.
-HWY_INLINE void visit_ranked(const WidePose& pose, WideWalk& walk, Visit& visit) {
-    const WidePair now = walk.ranked.pop();
-    const std::size_t inner = meet_inner(pose, walk, &now, 1, &visit);
+HWY_INLINE void visit_ranked(const WidePose& pose, DescentState& state, Visit& visit) {
+    const WidePair now = state.ranked.pop();
+    const std::size_t inner = meet_inner(pose, state, &now, 1, &visit);
     std::size_t left = 0;
-    if (see_both<false>(pose, walk, &visit, inner, &left) > 0) {
-        const Rows rows = rows_of(visit, walk.box_tests);
-        rank_pairs(rows.one, rows.others, rows.one_is_a, walk.ranked);
+    if (see_both<false>(pose, state, &visit, inner, &left) > 0) {
+        const Rows rows = rows_of(visit, state.box_tests);
+        rank_pairs(rows.one, rows.others, rows.one_is_a, state.ranked);
     }
-    count_visits(walk, inner);
-    if (walk.leaf_count > 0) {
-        visit_leaves(pose, walk, &visit);
+    count_visits(state, inner);
+    if (state.leaf_count > 0) {
+        visit_leaves(pose, state, &visit);
     }
 }
 
-void walk_ranked(const WidePose& pose, WideWalk& walk) {
+void descend_ranked(const WidePose& pose, DescentState& state) {
     Visit visit;
-    while (walk.visits_left > 0 && walk.candidate_count < walk.candidates_wanted &&
-           walk.ranked.size() > 0) {
-        visit_ranked(pose, walk, visit);
+    while (state.visits_left > 0 && state.candidate_count < state.candidates_wanted &&
+           state.ranked.size() > 0) {
+        visit_ranked(pose, state, visit);
     }
 }
 
-void walk_all(const WidePose& pose, WideWalk& walk) {
+void descend_all(const WidePose& pose, DescentState& state) {
     Visit visits[wide_batch_max];
-    while (walk.visits_left > 0 && walk.candidate_count < walk.candidates_wanted &&
-           walk.waiting_count + wide_pairs_slack <= walk.waiting_room) {
-        if (walk.leaf_count >= walk.leaves_at_once ||
-            (walk.waiting_count == 0 && walk.leaf_count > 0)) {
-            visit_leaves(pose, walk, visits);
-        } else if (walk.waiting_count > 0) {
-            visit_inner(pose, walk, visits);
+    while (state.visits_left > 0 && state.candidate_count < state.candidates_wanted &&
+           state.waiting_count + wide_pairs_slack <= state.waiting_room) {
+        if (state.leaf_count >= state.leaves_at_once ||
+            (state.waiting_count == 0 && state.leaf_count > 0)) {
+            visit_leaves(pose, state, visits);
+        } else if (state.waiting_count > 0) {
+            visit_inner(pose, state, visits);
         } else {
             return;
         }
@@ -252,15 +261,15 @@ HWY_AFTER_NAMESPACE();
 
 namespace cd {
 
-HWY_EXPORT(walk_all);
-HWY_EXPORT(walk_ranked);
+HWY_EXPORT(descend_all);
+HWY_EXPORT(descend_ranked);
 
-void walk_wide(const WidePose& pose, WideWalk& walk) {
-    HWY_DYNAMIC_DISPATCH(walk_all)(pose, walk);
+void descend_wide(const WidePose& pose, DescentState& state) {
+    HWY_DYNAMIC_DISPATCH(descend_all)(pose, state);
 }
 
-void walk_wide_ranked(const WidePose& pose, WideWalk& walk) {
-    HWY_DYNAMIC_DISPATCH(walk_ranked)(pose, walk);
+void descend_wide_ranked(const WidePose& pose, DescentState& state) {
+    HWY_DYNAMIC_DISPATCH(descend_ranked)(pose, state);
 }
 
 } // namespace cd

@@ -46,7 +46,7 @@ struct WideBody {
 };
 
 /// The state of a descent of two wide trees.
-struct WideWalk {
+struct DescentState {
     WideBody a;
     WideBody b;
     WidePair* waiting = nullptr; ///< Pairs whose boxes may overlap; the last one is next.
@@ -60,7 +60,7 @@ struct WideWalk {
     /// Number of pairs of leaves that are set aside before they are visited; at most
     /// `wide_leaves_max` - `wide_batch_max`.
     std::size_t leaves_at_once = 0;
-    PairBuckets ranked;            ///< The waiting pairs of `walk_wide_ranked`.
+    PairBuckets ranked;            ///< The waiting pairs of `descend_wide_ranked`.
     std::uint32_t visits_left = 0; ///< Visits left before the descent pauses.
     std::uint64_t visits = 0;      ///< Pairs of nodes visited so far.
     std::uint64_t box_tests = 0;
@@ -68,10 +68,10 @@ struct WideWalk {
 
 /// Continues the descent until no pair waits, enough candidates are found, no visits are left, or
 /// the waiting pairs lack room for `wide_pairs_slack` more.
-void walk_wide(const WidePose& pose, WideWalk& walk);
+void descend_wide(const WidePose& pose, DescentState& state);
 
 /// Visits the pairs in `ranked` singly, the most promising first, until one of the conditions of
-/// `walk_wide` holds. Sets no leaves aside.
-void walk_wide_ranked(const WidePose& pose, WideWalk& walk);
+/// `descend_wide` holds. Sets no leaves aside.
+void descend_wide_ranked(const WidePose& pose, DescentState& state);
 
 } // namespace cd

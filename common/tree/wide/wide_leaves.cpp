@@ -46,8 +46,8 @@ constexpr std::uint32_t leaves_for(std::uint32_t triangles) {
     return (triangles + block_size - 1) / block_size;
 }
 
-using Place = std::uint8_t; ///< The index of a triangle in its group.
-static_assert(group_triangles_max - 1 <= std::numeric_limits<Place>::max());
+using GroupIndex = std::uint8_t; ///< The index of a triangle in its group.
+static_assert(group_triangles_max - 1 <= std::numeric_limits<GroupIndex>::max());
 
 /// Maps floats to integers in the same order; 0 and -0 give one integer.
 std::uint32_t rank_of(float value) {
@@ -111,8 +111,8 @@ class GroupSplitter {
     void sort();
     void find_split(std::uint32_t begin, std::uint32_t end, std::size_t axis, Split& best);
     void part(std::uint32_t begin, std::uint32_t end, const Split& split);
-    void split(std::uint32_t begin, std::uint32_t end, const OfTriangles<Place>& order);
-    void add_leaf(std::uint32_t begin, std::uint32_t end, const OfTriangles<Place>& order);
+    void split(std::uint32_t begin, std::uint32_t end, const OfTriangles<GroupIndex>& order);
+    void add_leaf(std::uint32_t begin, std::uint32_t end, const OfTriangles<GroupIndex>& order);
 
     const TreeView& tree_;
     std::uint32_t first_ = 0; ///< Index of the group's first triangle.
@@ -122,7 +122,7 @@ class GroupSplitter {
     OfTriangles<RoughBox> boxes_{}; ///< Boxes of the group's triangles, in the tree's order.
     /// The group's triangles sorted by the middle of their boxes on each axis, ties in the tree's
     /// order. Every part that is still to be split is the same range on all axes.
-    std::array<OfTriangles<Place>, 3> sorted_{};
+    std::array<OfTriangles<GroupIndex>, 3> sorted_{};
     OfTriangles<float> left_costs_{};
 };
 
@@ -158,7 +158,7 @@ void GroupSplitter::sort() {
         }
         sort_by_rank(std::span(keys).first(count_), std::span(scratch).first(count_));
         for (std::uint32_t i = 0; i < count_; ++i) {
-            sorted_[axis][i] = static_cast<Place>(keys[i]);
+            sorted_[axis][i] = static_cast<GroupIndex>(keys[i]);
         }
     }
 }
@@ -168,7 +168,7 @@ void GroupSplitter::find_split(std::uint32_t begin,
                                std::size_t axis,
                                Split& best) {
     const std::uint32_t count = end - begin;
-    const Place* const order = &sorted_[axis][begin];
+    const GroupIndex* const order = &sorted_[axis][begin];
     RoughBox box = empty_box;
     for (std::uint32_t left = 1; left < count; ++left) {
         box.add(boxes_[order[left - 1]]);
@@ -194,20 +194,20 @@ void GroupSplitter::part(std::uint32_t begin, std::uint32_t end, const Split& sp
     for (std::uint32_t i = begin; i < begin + split.left; ++i) {
         is_left[sorted_[split.axis][i]] = true;
     }
-    OfTriangles<Place> right;
+    OfTriangles<GroupIndex> right;
     for (std::size_t axis = 0; axis < 3; ++axis) {
         if (axis == split.axis) {
             continue;
         }
-        OfTriangles<Place>& order = sorted_[axis];
+        OfTriangles<GroupIndex>& order = sorted_[axis];
         std::uint32_t left_end = begin;
         std::uint32_t right_count = 0;
         for (std::uint32_t i = begin; i < end; ++i) {
-            const Place place = order[i];
-            order[left_end] = place;
-            right[right_count] = place;
-            left_end += is_left[place] ? 1 : 0;
-            right_count += is_left[place] ? 0 : 1;
+            const GroupIndex index = order[i];
+            order[left_end] = index;
+            right[right_count] = index;
+            left_end += is_left[index] ? 1 : 0;
+            right_count += is_left[index] ? 0 : 1;
         }
         std::copy_n(right.begin(), right_count, order.begin() + left_end);
     }
@@ -215,20 +215,22 @@ void GroupSplitter::part(std::uint32_t begin, std::uint32_t end, const Split& sp
 
 void GroupSplitter::add_leaf(std::uint32_t begin,
                              std::uint32_t end,
-                             const OfTriangles<Place>& order) {
+                             const OfTriangles<GroupIndex>& order) {
     RoughBox box = empty_box;
     for (std::uint32_t i = begin; i < end; ++i) {
         box.add(boxes_[order[i]]);
         order_[i] = first_ + order[i];
     }
-    std::ranges::sort(order_.subspan(begin, end - begin), {}, [&](std::uint32_t place) {
-        return tree_.triangle_ids[place];
+    std::ranges::sort(order_.subspan(begin, end - begin), {}, [&](std::uint32_t index) {
+        return tree_.triangle_ids[index];
     });
     leaves_->push_back({first_ + begin, first_ + end, box.surface()});
 }
 
 /// Splits a part recursively. The depth is at most the number of the group's leaves.
-void GroupSplitter::split(std::uint32_t begin, std::uint32_t end, const OfTriangles<Place>& order) {
+void GroupSplitter::split(std::uint32_t begin,
+                          std::uint32_t end,
+                          const OfTriangles<GroupIndex>& order) {
     if (leaves_for(end - begin) == 1) {
         add_leaf(begin, end, order);
         return;
@@ -251,8 +253,8 @@ void GroupSplitter::add_group(const ObbNode& node,
     order_ = order;
     leaves_ = &leaves;
     measure(node);
-    OfTriangles<Place> as_in_tree;
-    std::iota(as_in_tree.begin(), as_in_tree.end(), Place{0});
+    OfTriangles<GroupIndex> as_in_tree;
+    std::iota(as_in_tree.begin(), as_in_tree.end(), GroupIndex{0});
     if (count_ > block_size) {
         sort();
     }

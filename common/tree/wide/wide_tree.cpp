@@ -38,13 +38,13 @@ Moments moments_of(const TriangleBlocks& blocks, std::uint32_t block, std::uint3
 
 /// Makes a node in the encodable frame that is closest to `own`, or in the body's frame if the
 /// children's boxes are smaller there.
-WideNode make_node(const WideBoxes& boxes, std::size_t place, const Axes& own) {
-    const WideNode in_body = boxes.in_frame(place, body_axes);
+WideNode make_node(const WideBoxes& boxes, std::size_t index, const Axes& own) {
+    const WideNode in_body = boxes.in_frame(index, body_axes);
     const FrameCode code = code_of(own);
     if (code.kind == 0) {
         return in_body;
     }
-    const WideNode in_own = boxes.in_frame(place, frame_of(code).value());
+    const WideNode in_own = boxes.in_frame(index, frame_of(code).value());
     return cost_of(in_body) < 1.001 * cost_of(in_own) ? in_body : in_own;
 }
 

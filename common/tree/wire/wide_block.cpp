@@ -116,27 +116,27 @@ SharedVertices share_vertices(const TriangleBlocks& blocks) {
         }
         return bits;
     };
-    std::vector<std::uint32_t> by_place(count);
+    std::vector<std::uint32_t> sorted(count);
     for (std::uint32_t i = 0; i < count; ++i) {
-        by_place[i] = i;
+        sorted[i] = i;
     }
-    std::ranges::sort(by_place, [&](std::uint32_t left, std::uint32_t right) {
+    std::ranges::sort(sorted, [&](std::uint32_t left, std::uint32_t right) {
         return std::pair(key(left), left) < std::pair(key(right), right);
     });
-    std::vector<std::uint32_t> first_in_place(count); // For each vertex, the first equal one.
+    std::vector<std::uint32_t> first_equal(count); // For each vertex, the first equal one.
     for (std::size_t i = 0; i < count; ++i) {
-        const bool is_new = i == 0 || key(by_place[i]) != key(by_place[i - 1]);
-        first_in_place[by_place[i]] = is_new ? by_place[i] : first_in_place[by_place[i - 1]];
+        const bool is_new = i == 0 || key(sorted[i]) != key(sorted[i - 1]);
+        first_equal[sorted[i]] = is_new ? sorted[i] : first_equal[sorted[i - 1]];
     }
     SharedVertices shared;
     std::vector<std::uint32_t> number(count);
     for (std::uint32_t i = 0; i < count; ++i) {
         const auto next = static_cast<std::uint32_t>(shared.first_uses.size());
-        if (first_in_place[i] == i) {
+        if (first_equal[i] == i) {
             number[i] = next;
             shared.first_uses.push_back(i);
         }
-        shared.steps_back.push_back(first_in_place[i] == i ? 0 : next - number[first_in_place[i]]);
+        shared.steps_back.push_back(first_equal[i] == i ? 0 : next - number[first_equal[i]]);
     }
     return shared;
 }

@@ -29,8 +29,8 @@ TriangleBlockArrays make_part(const TreeView& tree,
 }
 
 template <class T>
-void copy_to(std::vector<T>& all, std::size_t place, std::span<const T> part) {
-    std::copy(part.begin(), part.end(), all.begin() + static_cast<std::ptrdiff_t>(place));
+void copy_to(std::vector<T>& all, std::size_t offset, std::span<const T> part) {
+    std::copy(part.begin(), part.end(), all.begin() + static_cast<std::ptrdiff_t>(offset));
 }
 
 } // namespace
@@ -72,9 +72,9 @@ WideBlocks make_wide_blocks(const TreeView& tree,
         const TriangleBlocks part = parts[task].view();
         const std::size_t first = task * blocks_at_once;
         const std::size_t own = 3 * std::size_t{part.vertex_begin.back()};
-        const std::size_t place = 3 * std::size_t{vertices_before[task]};
-        copy_to(all.floats, place, part.floats.first(std::min(own, part.floats.size())));
-        copy_to(all.doubles, place, part.doubles.first(std::min(own, part.doubles.size())));
+        const std::size_t offset = 3 * std::size_t{vertices_before[task]};
+        copy_to(all.floats, offset, part.floats.first(std::min(own, part.floats.size())));
+        copy_to(all.doubles, offset, part.doubles.first(std::min(own, part.doubles.size())));
         copy_to(all.corners, block_size * first, part.corners);
         copy_to(all.ids, block_size * first, part.ids);
         for (std::size_t i = 0; i + 1 < part.vertex_begin.size(); ++i) {

@@ -191,7 +191,7 @@ void RangeFeed::give_again(MasterJob& job,
                            std::vector<std::uint64_t> scenarios) {
     if (window != nullptr) { // On a grid the position equals the index.
         std::ranges::transform(scenarios, scenarios.begin(), [&](std::uint64_t index) {
-            return window->place_of(index);
+            return window->position_of(index);
         });
     }
     std::ranges::sort(scenarios);

@@ -57,7 +57,7 @@ TEST(PointInSolid, BesideASurfacePointEqualsASmallStepAway) {
             };
             const std::vector<std::uint32_t> passed_over = holders(tree.mesh(), at);
             SolidPoint point = exact_point(at);
-            EXPECT_EQ(solid.place_of(point), Place::OnSurface);
+            EXPECT_EQ(solid.locate(point), Location::OnSurface);
             EXPECT_FALSE(solid.is_inside_beside(point, side_of, 1, passed_over));
             ++outside;
             if (normal.cwiseAbs().sum() == 1) {

@@ -64,7 +64,7 @@ TEST_F(WorkerDeskTest, AWorkerThatReturnsWithoutItsTasksGetsThemAgain) {
     const std::uint64_t unanswered = state.dispatch.view().unanswered(job.id);
     resume(worker);
     EXPECT_FALSE(state.workers.find(worker)->is_settled);
-    desk.came(worker, Standing{});
+    desk.came(worker, Inventory{});
     EXPECT_TRUE(state.workers.find(worker)->is_settled);
     EXPECT_EQ(state.dispatch.view().unanswered(job.id), unanswered);
     EXPECT_THAT(performed<ScenariosLost>(), IsEmpty());
@@ -78,7 +78,7 @@ TEST_F(WorkerDeskTest, AWorkerThatReturnsKeepsTheTasksThatItHas) {
     const MasterJob& job = open_and_send(worker);
     const auto tasks = state.dispatch.view().tasks_of(worker);
     resume(worker);
-    Standing standing;
+    Inventory standing;
     standing.jobs = {job.id};
     for (const TreeId tree : job.work()->trees) {
         standing.trees.push_back({tree, {}});
@@ -100,7 +100,7 @@ TEST_F(WorkerDeskTest, ADrainingWorkerIsToldAgainWhenItReturns) {
     EXPECT_EQ(received<Drain>(worker).size(), 1u);
     resume(worker);
     EXPECT_THAT(received<Drain>(worker), IsEmpty());
-    desk.came(worker, Standing{});
+    desk.came(worker, Inventory{});
     EXPECT_EQ(received<Drain>(worker).size(), 1u);
 }
 
@@ -108,7 +108,7 @@ TEST_F(WorkerDeskTest, AnInventoryWithAnUnknownRootCutsTheWorkerOff) {
     const WorkerId worker = join(70);
     const MasterJob& job = open_and_send(worker);
     resume(worker);
-    Standing standing;
+    Inventory standing;
     standing.trees = {{job.work()->trees[0], {no_root}}};
     desk.came(worker, standing);
     EXPECT_TRUE(is_cut_off(worker));

@@ -95,7 +95,7 @@ TEST(WorkerSupply, AnInventoryIsMadeToAgreeWithTheRecord) {
     WorkerSupply supply;
     (void)supply.add_job(job(1, 1, 2), std::array{tree(1), tree(2)});
     (void)supply.add_job(job(2, 1, 3), std::array{tree(1), tree(3)});
-    Standing standing;
+    Inventory standing;
     standing.trees = {{TreeId{2}, {}}, {TreeId{8}, {}}, {TreeId{1}, {}}};
     standing.jobs = {JobId{7}, JobId{1}};
     EXPECT_EQ(text_of(supply.stands(standing)), "-t8 -j7") << "their removal was lost";

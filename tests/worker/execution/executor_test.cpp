@@ -144,9 +144,9 @@ TEST_F(TaskTest, ARangeDescendsOnceInOrderPerThread) {
     ASSERT_TRUE(made) << made.error().detail;
     Task& task = made.value();
     std::size_t next = 0;
-    while (task.has_unwalked()) {
+    while (task.awaits_descent()) {
         const std::size_t left = 900 - next;
-        const Walk part = task.next_walk(cache_, 4);
+        const Descent part = task.next_descent(cache_, 4);
         EXPECT_EQ(part.begin, next);
         ASSERT_GT(part.end, part.begin);
         EXPECT_LE(part.end - part.begin, left / 8 + 1);

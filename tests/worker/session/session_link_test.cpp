@@ -74,12 +74,12 @@ TEST(SessionLink, SendsUnacknowledgedResultsAgainThenTheInventory) {
         linked.link.results_kept(acknowledged);
         Ends ends = co_await connect_greeted_ends();
         linked.master = std::move(ends.right);
-        Standing standing;
+        Inventory standing;
         standing.jobs.push_back(JobId{5});
         linked.link.resume(std::move(ends.left), standing);
         EXPECT_EQ((co_await next<Results>(linked)).count, 1u);
         EXPECT_EQ((co_await next<Results>(linked)).count, 3u);
-        EXPECT_EQ((co_await next<Standing>(linked)).jobs, standing.jobs);
+        EXPECT_EQ((co_await next<Inventory>(linked)).jobs, standing.jobs);
         EXPECT_TRUE(linked.link.has_unkept_results());
         EXPECT_FALSE(linked.link.has_ended());
     });
@@ -87,7 +87,7 @@ TEST(SessionLink, SendsUnacknowledgedResultsAgainThenTheInventory) {
 
 TEST(SessionLink, AnInventoryTooLargeForOneMessageEndsTheSession) {
     with_link([](Linked& linked) -> asio::awaitable<void> {
-        Standing standing;
+        Inventory standing;
         standing.trees.resize(1);
         std::vector<RootIndex>& held = standing.trees[0].held;
         held.resize(limits::message_roots_bytes_max / sizeof(RootIndex));

@@ -111,8 +111,8 @@ lose_the_connection_again_and_again(asio::io_context& context, Executor& executo
             for (const TaskId task : master.ended) {
                 standing.erase(task);
             }
-            // The first message of a session is an empty Standing.
-            const auto* now = std::get_if<Standing>(&message.value());
+            // The first message of a session is an empty Inventory.
+            const auto* now = std::get_if<Inventory>(&message.value());
             if (now != nullptr && connection > 0) {
                 EXPECT_EQ(now->trees.size(), 2u);
                 EXPECT_EQ(now->jobs, std::vector<JobId>{JobId{1}});

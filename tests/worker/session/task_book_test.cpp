@@ -40,9 +40,9 @@ TEST_F(Tasks, AreCountedAndNamedInAnInventory) {
     EXPECT_TRUE(book.add(make_range(TaskId{2}, make_scenarios(3, 4)), cache));
     EXPECT_EQ(book.unanswered(), 7u);
     book.at(TaskId{1}).drop();
-    book.at(TaskId{1}).give_back(2);
+    book.at(TaskId{1}).add_returned(2);
     EXPECT_EQ(book.unanswered(), 6u);
-    Standing standing;
+    Inventory standing;
     book.add_to(standing);
     EXPECT_EQ(standing.jobs, std::vector{JobId{1}});
     ASSERT_EQ(standing.tasks.size(), 2u);

@@ -278,19 +278,20 @@ HWY_INLINE M are_pairs_tame(const RoundedPoses& poses, const Given& given) {
 HWY_INLINE bool fill(const RoundedPoses& poses, const Given& given, ExactFrame& to) {
     const Doubles d;
     M are_exact = hn::Eq(hn::Zero(d), hn::Zero(d));
-    const auto place = [&](const RoundedPoses::Body& body, const V(&corner)[3], std::size_t axis) {
-        if (body.is_none) {
-            return corner[axis];
-        }
-        const Sums sums = placed(body, corner, axis);
-        are_exact = hn::And(are_exact, hn::Eq(sums.low, hn::Zero(d)));
-        return sums.high;
-    };
+    const auto coordinate =
+        [&](const RoundedPoses::Body& body, const V(&corner)[3], std::size_t axis) {
+            if (body.is_none) {
+                return corner[axis];
+            }
+            const Sums sums = placed(body, corner, axis);
+            are_exact = hn::And(are_exact, hn::Eq(sums.low, hn::Zero(d)));
+            return sums.high;
+        };
     for (std::size_t i = 0; i < 3; ++i) {
         for (std::size_t axis = 0; axis < 3; ++axis) {
-            to.a[i][axis] = ExactComponent(place(poses.bodies[0], given.a[i], axis));
+            to.a[i][axis] = ExactComponent(coordinate(poses.bodies[0], given.a[i], axis));
             to.b[i][axis] = to.b_across[i][axis] =
-                ExactComponent(place(poses.bodies[1], given.b[i], axis));
+                ExactComponent(coordinate(poses.bodies[1], given.b[i], axis));
         }
     }
     for (std::size_t i = 0; i < 3; ++i) {

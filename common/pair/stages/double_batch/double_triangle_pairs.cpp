@@ -7,10 +7,10 @@ namespace cd {
 
 namespace {
 
-void put(CornersOfMany::Triangles& to, std::size_t place, const Corners& corners) {
+void put(CornersOfMany::Triangles& to, std::size_t number, const Corners& corners) {
     for (std::size_t i = 0; i < 3; ++i) {
         for (std::size_t k = 0; k < 3; ++k) {
-            to[i][k][place] = corners[i][static_cast<int>(k)];
+            to[i][k][number] = corners[i][static_cast<int>(k)];
         }
     }
 }

@@ -32,10 +32,10 @@ class DoubleTrianglePairs {
     void add(const Corners& a, const Corners& b);
     /// Decides and removes the pairs added since the last call.
     void decide();
-    /// Returns the class of pair number `place`, from 0, among those of the last `decide`; nothing
+    /// Returns the class of pair number `number`, from 0, among those of the last `decide`; nothing
     /// if doubles leave the class open.
-    [[nodiscard]] std::optional<PairClass> decided(std::size_t place) const {
-        const std::uint8_t found = classes_[place];
+    [[nodiscard]] std::optional<PairClass> decided(std::size_t number) const {
+        const std::uint8_t found = classes_[number];
         return found == undecided_pair ? std::nullopt
                                        : std::optional(static_cast<PairClass>(found));
     }

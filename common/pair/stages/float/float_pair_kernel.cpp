@@ -65,14 +65,14 @@ class PaddedCandidates {
         }
         for (std::size_t i = 0; i < lanes; ++i) {
             const std::size_t from = i < count ? i : count - 1;
-            places_[candidate_step * i] = candidates[candidate_step * from];
-            places_[candidate_step * i + 1] = candidates[candidate_step * from + 1];
+            padded_[candidate_step * i] = candidates[candidate_step * from];
+            padded_[candidate_step * i + 1] = candidates[candidate_step * from + 1];
         }
-        return places_;
+        return padded_;
     }
 
   private:
-    std::uint32_t places_[candidate_step * lanes];
+    std::uint32_t padded_[candidate_step * lanes];
 };
 
 struct Batch {

@@ -55,9 +55,9 @@ struct BlockSource {
     const std::uint32_t* vertex_begin;
     const std::uint8_t* corners;
 
-    HWY_INLINE CornerRows<T> at(std::uint32_t place) const {
-        const T* first = vertices + 3 * std::size_t{vertex_begin[place / 16]};
-        const std::uint8_t* c = corners + 4 * std::size_t{place};
+    HWY_INLINE CornerRows<T> at(std::uint32_t slot) const {
+        const T* first = vertices + 3 * std::size_t{vertex_begin[slot / 16]};
+        const std::uint8_t* c = corners + 4 * std::size_t{slot};
         return {first + 3 * std::size_t{c[0]},
                 first + 3 * std::size_t{c[1]},
                 first + 3 * std::size_t{c[2]}};
@@ -72,8 +72,8 @@ struct MeshSource {
     const double* vertices;
     const std::uint32_t* triangles;
 
-    HWY_INLINE CornerRows<double> at(std::uint32_t place) const {
-        const std::uint32_t* t = triangles + 3 * std::size_t{place};
+    HWY_INLINE CornerRows<double> at(std::uint32_t slot) const {
+        const std::uint32_t* t = triangles + 3 * std::size_t{slot};
         return {vertices + 3 * std::size_t{t[0]},
                 vertices + 3 * std::size_t{t[1]},
                 vertices + 3 * std::size_t{t[2]}};
@@ -163,9 +163,9 @@ HWY_INLINE Sides load_sides(const Source& source, const std::uint32_t* candidate
 /// Broadcasts one number of each row within its row.
 template <int number>
 HWY_INLINE VD spread(VD rows) {
-    alignas(64) constexpr std::int64_t places[8] = {
+    alignas(64) constexpr std::int64_t sources[8] = {
         number, number, number, number, number + 4, number + 4, number + 4, number + 4};
-    return hn::TableLookupLanes(rows, hn::SetTableIndices(Doubles(), places));
+    return hn::TableLookupLanes(rows, hn::SetTableIndices(Doubles(), sources));
 }
 
 HWY_INLINE VD posed(const FloatPairPose& pose, VD rows) {
@@ -258,10 +258,10 @@ constexpr std::size_t prefetch_distance = 32;
 constexpr std::size_t prefetch_step = 8;
 
 template <class T>
-HWY_INLINE void prefetch(const BlockSource<T>& source, std::uint32_t place) {
+HWY_INLINE void prefetch(const BlockSource<T>& source, std::uint32_t slot) {
     constexpr std::size_t line = 64;
     constexpr std::size_t usual_vertices = 20;
-    const std::size_t block = place / 16;
+    const std::size_t block = slot / 16;
     hwy::Prefetch(source.corners + 4 * 16 * block);
     const T* vertices = source.vertices + 3 * std::size_t{source.vertex_begin[block]};
     for (std::size_t i = 0; i < 3 * usual_vertices; i += line / sizeof(T)) {

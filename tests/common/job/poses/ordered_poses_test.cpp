@@ -62,7 +62,7 @@ TEST(OrderedPoses, PlacesAndIndicesAreInverse) {
     const auto window = ordered.window_of(17).value();
     for (std::uint64_t index = 0; index < 500; ++index) {
         ASSERT_TRUE(window->has(index));
-        EXPECT_EQ(window->at({window->place_of(index), 1})[0].index, index);
+        EXPECT_EQ(window->at({window->position_of(index), 1})[0].index, index);
     }
     EXPECT_FALSE(window->has(500));
 }

@@ -89,7 +89,7 @@ TEST_F(AnalysisFeedTest, AScenarioLostTooOftenIsGivenUp) {
     const auto window = job.work()->order->window_of(0).value();
     std::vector<LostPlaces> losses;
     for (InstanceId process = 1; process <= limits::scenario_losses_max; ++process) {
-        losses.push_back({{window->place_of(touching_), 1}, process});
+        losses.push_back({{window->position_of(touching_), 1}, process});
     }
     job.work()->todo = PlaceQueue(90, losses);
     while (job.work()->todo.front().losses.none()) {

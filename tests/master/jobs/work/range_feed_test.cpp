@@ -170,7 +170,7 @@ TEST_F(RangeFeedTest, WithdrawnScenariosOfAListAreQueuedByTheirPositions) {
     EXPECT_EQ(job.work()->places_loading, 1u);
     run_until([&] { return job.work()->places_loading == 0; });
     const auto window = job.work()->order->window_of(0).value();
-    EXPECT_THAT(queued(job), ElementsAre(PlaceRange{window->place_of(11), 1}));
+    EXPECT_THAT(queued(job), ElementsAre(PlaceRange{window->position_of(11), 1}));
 }
 
 } // namespace

@@ -34,7 +34,7 @@ struct LocalHalf {
 };
 
 /// A corner, or a point on an edge at `share` of the way between two corners.
-struct LocalPlace {
+struct LocalPosition {
     const DoubleDoubleVec* from = nullptr;
     const DoubleDoubleVec* to = nullptr;  ///< Null for a corner.
     DoubleDouble share;                   ///< 0 at `from`, 1 at `to`; unused for a corner.
@@ -46,28 +46,29 @@ struct LocalPlace {
     }
 };
 
-[[nodiscard]] LocalPlace
-corner_place(const LocalTriangle& of, std::size_t corner, const LocalBounds& bounds);
+[[nodiscard]] LocalPosition
+corner_position(const LocalTriangle& of, std::size_t corner, const LocalBounds& bounds);
 /// Returns the point where an edge properly passes through the other triangle's plane.
-[[nodiscard]] LocalPlace
-piercing_place(const LocalHalf& of, std::size_t edge, const LocalBounds& bounds);
+[[nodiscard]] LocalPosition
+piercing_position(const LocalHalf& of, std::size_t edge, const LocalBounds& bounds);
 /// Returns the point where an edge of A properly crosses one of B in their common plane.
-[[nodiscard]] LocalPlace crossing_place(const LocalHalf& a,
-                                        std::size_t edge,
-                                        const LocalHalf& b,
-                                        std::size_t other,
-                                        const LocalBounds& bounds);
+[[nodiscard]] LocalPosition crossing_position(const LocalHalf& a,
+                                              std::size_t edge,
+                                              const LocalHalf& b,
+                                              std::size_t other,
+                                              const LocalBounds& bounds);
 
 /// Compares component k: returns -1 if x < y, 1 if x > y, 0 if equal; nothing if that is unproven.
-[[nodiscard]] std::optional<int> compare(const LocalPlace& x, const LocalPlace& y, std::size_t k);
+[[nodiscard]] std::optional<int>
+compare(const LocalPosition& x, const LocalPosition& y, std::size_t k);
 /// Compares lexicographically; nothing if the order is unproven or the positions are equal.
-[[nodiscard]] std::optional<int> compare(const LocalPlace& x, const LocalPlace& y);
+[[nodiscard]] std::optional<int> compare(const LocalPosition& x, const LocalPosition& y);
 
 /// Returns 1 if a, b, c turn left around a triangle's normal in its plane, -1 if right; nothing if
 /// unproven.
-[[nodiscard]] std::optional<int> turn(const LocalPlace& a,
-                                      const LocalPlace& b,
-                                      const LocalPlace& c,
+[[nodiscard]] std::optional<int> turn(const LocalPosition& a,
+                                      const LocalPosition& b,
+                                      const LocalPosition& c,
                                       const LocalHalf& around,
                                       const LocalBounds& bounds);
 
@@ -79,7 +80,9 @@ piercing_place(const LocalHalf& of, std::size_t edge, const LocalBounds& bounds)
 [[nodiscard]] std::optional<double>
 rounded(const DoubleDouble& value, double error, const LocalBounds& bounds);
 /// Rounds component k of a position relative to the origin; nothing if that is unproven.
-[[nodiscard]] std::optional<double>
-rounded(const LocalPlace& place, std::size_t k, const Vec3& origin, const LocalBounds& bounds);
+[[nodiscard]] std::optional<double> rounded(const LocalPosition& position,
+                                            std::size_t k,
+                                            const Vec3& origin,
+                                            const LocalBounds& bounds);
 
 } // namespace cd

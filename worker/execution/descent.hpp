@@ -28,7 +28,7 @@ class TaskScenarios {
           size_(list_->size()) {}
 
     [[nodiscard]] std::size_t size() const { return size_; }
-    [[nodiscard]] Scenario at(std::size_t place) const;
+    [[nodiscard]] Scenario at(std::size_t index) const;
 
   private:
     std::shared_ptr<const std::vector<Scenario>> list_; ///< Null: the grid gives the scenarios.
@@ -39,7 +39,7 @@ class TaskScenarios {
 
 /// Input of one descent: some of a range's scenarios, and snapshots of the trees that stay valid
 /// while the cache changes.
-struct Walk {
+struct Descent {
     std::shared_ptr<const WorkerJob> job;
     TaskScenarios scenarios;
     std::size_t begin = 0; ///< First position in the task.
@@ -61,7 +61,7 @@ struct FinishedScenarios {
 };
 
 /// Output of one descent.
-struct Walked {
+struct DescentResult {
     /// A scenario with missing subtrees.
     struct Waiting {
         std::size_t scenario = 0; ///< Position in the task.
@@ -76,6 +76,7 @@ struct Walked {
 };
 
 /// Runs the scenarios of one descent in order and sets `clock` for each.
-[[nodiscard]] Walked walk(const Walk& walk, const StopCheck& stop, ScenarioClock& clock);
+[[nodiscard]] DescentResult
+descend(const Descent& descent, const StopCheck& stop, ScenarioClock& clock);
 
 } // namespace cd

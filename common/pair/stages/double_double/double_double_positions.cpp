@@ -1,4 +1,4 @@
-#include "common/pair/stages/double_double/double_double_places.hpp"
+#include "common/pair/stages/double_double/double_double_positions.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -27,10 +27,10 @@ bool is_same(const std::optional<DoubleDouble>& l, const std::optional<DoubleDou
 
 /// Sets the exactly known components that both ends of an edge, and so all its points, have in
 /// common.
-void add_common(LocalPlace& place, const ExactComponents& from, const ExactComponents& to) {
+void add_common(LocalPosition& position, const ExactComponents& from, const ExactComponents& to) {
     for (std::size_t k = 0; k < 3; ++k) {
         if (is_same(from[k], to[k])) {
-            place.world[k] = from[k];
+            position.world[k] = from[k];
         }
     }
 }
@@ -76,19 +76,20 @@ struct Weights {
 /// the divisor and 2 e for the quotient. The position errs by the sum of: d of its corner, d1 of
 /// the difference, its length times the error of the share, e times it for the product and the sum,
 /// and e times a coordinate, which is less than d / 10.
-LocalPlace place_on_edge(const LocalHalf& of,
-                         std::size_t edge,
-                         const Weights& weights,
-                         const LocalBounds& bounds) {
+LocalPosition position_on_edge(const LocalHalf& of,
+                               std::size_t edge,
+                               const Weights& weights,
+                               const LocalBounds& bounds) {
     const DoubleDouble divisor = weights.from - weights.to;
-    LocalPlace place;
-    place.from = &of.own->corners[edge];
-    place.to = &of.own->corners[next(edge)];
-    place.share = weights.from / divisor;
-    place.error = 4 * bounds.corner_error +
-                  of.length * (1.2 * weights.error / std::abs(divisor.high) + 8 * e * bounds.scale);
-    add_common(place, of.own->world[edge], of.own->world[next(edge)]);
-    return place;
+    LocalPosition position;
+    position.from = &of.own->corners[edge];
+    position.to = &of.own->corners[next(edge)];
+    position.share = weights.from / divisor;
+    position.error =
+        4 * bounds.corner_error +
+        of.length * (1.2 * weights.error / std::abs(divisor.high) + 8 * e * bounds.scale);
+    add_common(position, of.own->world[edge], of.own->world[next(edge)]);
+    return position;
 }
 
 } // namespace
@@ -123,46 +124,48 @@ LocalHalf::LocalHalf(const LocalTriangle& own_triangle,
     }
 }
 
-LocalPlace corner_place(const LocalTriangle& of, std::size_t corner, const LocalBounds& bounds) {
-    LocalPlace place;
-    place.from = &of.corners[corner];
-    place.error = bounds.corner_error;
-    place.world = of.world[corner];
-    return place;
+LocalPosition
+corner_position(const LocalTriangle& of, std::size_t corner, const LocalBounds& bounds) {
+    LocalPosition position;
+    position.from = &of.corners[corner];
+    position.error = bounds.corner_error;
+    position.world = of.world[corner];
+    return position;
 }
 
-LocalPlace piercing_place(const LocalHalf& of, std::size_t edge, const LocalBounds& bounds) {
-    LocalPlace place =
-        place_on_edge(of, edge, {of.sides[edge], of.sides[next(edge)], of.side_error}, bounds);
+LocalPosition piercing_position(const LocalHalf& of, std::size_t edge, const LocalBounds& bounds) {
+    LocalPosition position =
+        position_on_edge(of, edge, {of.sides[edge], of.sides[next(edge)], of.side_error}, bounds);
     // All points of a triangle perpendicular to an axis have the same coordinate on that axis.
     const auto& world = of.other->world;
     for (std::size_t k = 0; k < 3; ++k) {
         if (is_same(world[0][k], world[1][k]) && is_same(world[0][k], world[2][k])) {
-            place.world[k] = world[0][k];
+            position.world[k] = world[0][k];
         }
     }
-    return place;
+    return position;
 }
 
-LocalPlace crossing_place(const LocalHalf& a,
-                          std::size_t edge,
-                          const LocalHalf& b,
-                          std::size_t other,
-                          const LocalBounds& bounds) {
+LocalPosition crossing_position(const LocalHalf& a,
+                                std::size_t edge,
+                                const LocalHalf& b,
+                                std::size_t other,
+                                const LocalBounds& bounds) {
     const std::size_t axis = main_axis(high_of(b.own->normal));
     const Vector& from = b.own->corners[other];
     const Vector& to = b.own->corners[next(other)];
-    LocalPlace place = place_on_edge(a,
-                                     edge,
-                                     {area(from, to, a.own->corners[edge], axis),
-                                      area(from, to, a.own->corners[next(edge)], axis),
-                                      area_error(bounds.across, bounds.corner_error, bounds)},
-                                     bounds);
-    add_common(place, b.own->world[other], b.own->world[next(other)]);
-    return place;
+    LocalPosition position =
+        position_on_edge(a,
+                         edge,
+                         {area(from, to, a.own->corners[edge], axis),
+                          area(from, to, a.own->corners[next(edge)], axis),
+                          area_error(bounds.across, bounds.corner_error, bounds)},
+                         bounds);
+    add_common(position, b.own->world[other], b.own->world[next(other)]);
+    return position;
 }
 
-std::optional<int> compare(const LocalPlace& x, const LocalPlace& y, std::size_t k) {
+std::optional<int> compare(const LocalPosition& x, const LocalPosition& y, std::size_t k) {
     if (x.world[k] && y.world[k]) {
         const DoubleDouble& l = *x.world[k];
         const DoubleDouble& r = *y.world[k];
@@ -176,7 +179,7 @@ std::optional<int> compare(const LocalPlace& x, const LocalPlace& y, std::size_t
                                  : std::nullopt;
 }
 
-std::optional<int> compare(const LocalPlace& x, const LocalPlace& y) {
+std::optional<int> compare(const LocalPosition& x, const LocalPosition& y) {
     for (std::size_t k = 0; k < 3; ++k) {
         const std::optional<int> order = compare(x, y, k);
         if (order != 0) {
@@ -186,15 +189,15 @@ std::optional<int> compare(const LocalPlace& x, const LocalPlace& y) {
     return std::nullopt;
 }
 
-std::optional<int> turn(const LocalPlace& a,
-                        const LocalPlace& b,
-                        const LocalPlace& c,
+std::optional<int> turn(const LocalPosition& a,
+                        const LocalPosition& b,
+                        const LocalPosition& c,
                         const LocalHalf& around,
                         const LocalBounds& bounds) {
     const Vec3 normal = high_of(around.own->normal);
     const std::size_t axis = main_axis(normal);
-    const auto vector = [](const LocalPlace& place) {
-        return Vector{place.component(0), place.component(1), place.component(2)};
+    const auto vector = [](const LocalPosition& position) {
+        return Vector{position.component(0), position.component(1), position.component(2)};
     };
     const double up = normal[static_cast<Eigen::Index>(axis)];
     const double value = area(vector(a), vector(b), vector(c), axis).high;
@@ -221,16 +224,18 @@ std::optional<double> rounded(const DoubleDouble& value, double error, const Loc
     return least == greatest ? std::optional(least) : std::nullopt;
 }
 
-std::optional<double>
-rounded(const LocalPlace& place, std::size_t k, const Vec3& origin, const LocalBounds& bounds) {
-    if (place.world[k]) {
-        const DoubleDouble& world = *place.world[k];
+std::optional<double> rounded(const LocalPosition& position,
+                              std::size_t k,
+                              const Vec3& origin,
+                              const LocalBounds& bounds) {
+    if (position.world[k]) {
+        const DoubleDouble& world = *position.world[k];
         const double from = origin[static_cast<Eigen::Index>(k)];
         if (const auto difference = nearest_sum<3>({world.high, -from, world.low})) {
             return difference;
         }
     }
-    return rounded(place.component(k), place.error, bounds);
+    return rounded(position.component(k), position.error, bounds);
 }
 
 } // namespace cd

@@ -1,4 +1,4 @@
-#include "worker/execution/walk.hpp"
+#include "worker/execution/descent.hpp"
 
 #include "common/job/run_scenario.hpp"
 
@@ -32,29 +32,31 @@ class UsedRoots {
     std::vector<std::uint32_t> used_by_; ///< Last scenario to use each root; 0: none.
 };
 
-class Walker {
+class Descender {
   public:
-    explicit Walker(const Walk& walk)
-        : walk_(walk),
-          used_a_(walk.a->root_count()),
-          used_b_of_its_own_(walk.b->root_count()),
-          used_b_(walk.job->tree_a == walk.job->tree_b ? used_a_ : used_b_of_its_own_) {}
+    explicit Descender(const Descent& descent)
+        : descent_(descent),
+          used_a_(descent.a->root_count()),
+          used_b_of_its_own_(descent.b->root_count()),
+          used_b_(descent.job->tree_a == descent.job->tree_b ? used_a_ : used_b_of_its_own_) {}
 
     /// Runs a scenario, or records that it waits for subtrees. Returns false if stopped.
-    bool run(std::size_t place, const Scenario& scenario, const RunOptions& options) {
+    bool run(std::size_t index, const Scenario& scenario, const RunOptions& options) {
         Result<CollidingRoots> roots =
-            colliding_roots(walk_.a->top(), walk_.b->top(), scenario.poses);
-        FinishedScenarios& finished = walked_.finished;
+            colliding_roots(descent_.a->top(), descent_.b->top(), scenario.poses);
+        FinishedScenarios& finished = result_.finished;
         if (!roots) {
-            finished.add(encode_result(failed_result(scenario, walk_.job->query, roots.error())));
+            finished.add(
+                encode_result(failed_result(scenario, descent_.job->query, roots.error())));
             return true;
         }
         finished.statistics.box_tests += roots.value().box_tests;
         if (!gather(roots.value().pairs)) {
-            walked_.waiting.push_back({place, std::move(roots.value().pairs)});
+            result_.waiting.push_back({index, std::move(roots.value().pairs)});
             return true;
         }
-        const ScenarioRun run = run_on_subtrees(kept_, pairs_, scenario, walk_.job->query, options);
+        const ScenarioRun run =
+            run_on_subtrees(kept_, pairs_, scenario, descent_.job->query, options);
         if (run.is_stopped) {
             return false;
         }
@@ -64,11 +66,11 @@ class Walker {
         return true;
     }
 
-    [[nodiscard]] Walked take() {
-        walked_.finished.map = map_.take();
-        used_a_.append_keys(walk_.job->tree_a, walked_.used);
-        used_b_of_its_own_.append_keys(walk_.job->tree_b, walked_.used);
-        return std::move(walked_);
+    [[nodiscard]] DescentResult take() {
+        result_.finished.map = map_.take();
+        used_a_.append_keys(descent_.job->tree_a, result_.used);
+        used_b_of_its_own_.append_keys(descent_.job->tree_b, result_.used);
+        return std::move(result_);
     }
 
   private:
@@ -78,8 +80,8 @@ class Walker {
         ++scenario_;
         std::uint64_t found = 0;
         for (const RootPair& pair : pairs) {
-            const Subtree* const a = walk_.a->at(pair.a).get();
-            const Subtree* const b = walk_.b->at(pair.b).get();
+            const Subtree* const a = descent_.a->at(pair.a).get();
+            const Subtree* const b = descent_.b->at(pair.b).get();
             if (a == nullptr || b == nullptr) {
                 return false;
             }
@@ -87,11 +89,11 @@ class Walker {
             found += used_b_.add(pair.b, scenario_) ? 1 : 0;
             pairs_.push_back({a->view(), b->view()});
         }
-        walked_.found += found;
+        result_.found += found;
         return true;
     }
 
-    const Walk& walk_;
+    const Descent& descent_;
     UsedRoots used_a_;
     UsedRoots used_b_of_its_own_;
     UsedRoots& used_b_; ///< `used_a_` if both bodies use one tree.
@@ -99,16 +101,16 @@ class Walker {
     std::vector<SubtreePair> pairs_;
     KeptSearch kept_;
     ContactMapSum map_;
-    Walked walked_;
+    DescentResult result_;
 };
 
 } // namespace
 
-Scenario TaskScenarios::at(std::size_t place) const {
+Scenario TaskScenarios::at(std::size_t index) const {
     if (list_ != nullptr) {
-        return (*list_)[place];
+        return (*list_)[index];
     }
-    return scenario_on(*job_->grid, first_ + place);
+    return scenario_on(*job_->grid, first_ + index);
 }
 
 void FinishedScenarios::add(const Bytes& record) {
@@ -119,27 +121,29 @@ void FinishedScenarios::add(const Bytes& record) {
     ++count;
 }
 
-Walked walk(const Walk& walk, const StopCheck& stop, ScenarioClock& clock) {
+DescentResult descend(const Descent& descent, const StopCheck& stop, ScenarioClock& clock) {
     const auto begin = std::chrono::steady_clock::now();
     const auto is_dropped = [&](std::uint64_t scenario) {
-        return walk.job->dropped->contains(scenario) || walk.answered_elsewhere->contains(scenario);
+        return descent.job->dropped->contains(scenario) ||
+               descent.answered_elsewhere->contains(scenario);
     };
     RunOptions options;
     options.stop = [&] { return (stop && stop()) || is_dropped(clock.scenario()); };
-    Walker walker(walk);
-    std::size_t place = walk.begin;
+    Descender descender(descent);
+    std::size_t index = descent.begin;
     std::size_t unanswered = 0;
-    for (; place < walk.end && !(stop && stop()); ++place) {
-        const Scenario scenario = walk.scenarios.at(place);
+    for (; index < descent.end && !(stop && stop()); ++index) {
+        const Scenario scenario = descent.scenarios.at(index);
         clock.begin(scenario.index);
-        unanswered += !is_dropped(scenario.index) && walker.run(place, scenario, options) ? 0 : 1;
+        unanswered +=
+            !is_dropped(scenario.index) && descender.run(index, scenario, options) ? 0 : 1;
     }
     clock.end();
-    Walked walked = walker.take();
-    walked.left = walk.end - place + unanswered;
-    walked.finished.seconds =
+    DescentResult result = descender.take();
+    result.left = descent.end - index + unanswered;
+    result.finished.seconds =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-    return walked;
+    return result;
 }
 
 } // namespace cd
