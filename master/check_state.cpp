@@ -1,6 +1,7 @@
 #include "master/check_state.hpp"
 
 #include "common/core/files/disk_file.hpp"
+#include "common/core/files/hash.hpp"
 #include "master/geometry/blocks_file.hpp"
 #include "master/geometry/mesh_file.hpp"
 #include "master/identity/identity.hpp"

@@ -8,6 +8,7 @@
 #include "client/folder/folder_run.hpp"
 #include "client/folder/run_recorder.hpp"
 #include "client/local/done_scenario.hpp"
+#include "common/core/files/checked_file.hpp"
 #include "common/core/limits/client.hpp"
 #include "common/job/run_scenario.hpp"
 #include "common/job/scenario_file.hpp"

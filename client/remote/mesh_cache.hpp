@@ -2,6 +2,7 @@
 #pragma once
 
 #include "common/core/files/disk_file.hpp"
+#include "common/core/files/hash.hpp"
 #include "common/core/limits/client.hpp"
 #include "common/core/result.hpp"
 #include "common/geometry/mesh.hpp"

@@ -16,10 +16,6 @@ constexpr std::uint64_t block_header_bytes = 3 * word;
 constexpr std::uint64_t row_bytes = 4 * word;
 constexpr std::uint64_t footer_bytes = 4 * word;
 
-Error damaged(const std::filesystem::path& path, const std::string& why) {
-    return {ErrorCode::Io, path.string() + " is damaged: " + why};
-}
-
 /// Returns the file offset at which a block ends, after its header, content and checksum.
 std::uint64_t end_of(const BlockEntry& block) {
     return block.offset + block_header_bytes + block.bytes + word;
@@ -40,7 +36,7 @@ Status check_kind(const DiskFile& file, FileKind kind) {
     }
     ByteReader in(header.value());
     if (in.get<std::uint64_t>() != kind.magic) {
-        return damaged(file.path(), "it is a file of another kind");
+        return damaged_file(file.path(), "it is a file of another kind");
     }
     if (const auto version = in.get<std::uint32_t>(); version != kind.version) {
         return Error{ErrorCode::Io,
@@ -99,7 +95,7 @@ Status BlockFile::read_table() {
         return size.error();
     }
     if (size.value() < header_bytes + footer_bytes) {
-        return damaged(path(), "it is cut short");
+        return damaged_file(path(), "it is cut short");
     }
     if (Status kind = check_kind(file_, kind_); !kind) {
         return kind;
@@ -114,7 +110,7 @@ Status BlockFile::read_table() {
     const auto sum = footer.get<std::uint64_t>();
     const std::uint64_t room = size.value() - header_bytes - footer_bytes;
     if (footer.get<std::uint64_t>() != kind_.magic || blocks > room / row_bytes) {
-        return damaged(path(), "its table is missing; was it being written?");
+        return damaged_file(path(), "its table is missing; was it being written?");
     }
     const std::uint64_t table_begin = size.value() - footer_bytes - blocks * row_bytes;
     const Result<Bytes> table = file_.read_at(table_begin, blocks * row_bytes + 2 * word);
@@ -122,7 +118,7 @@ Status BlockFile::read_table() {
         return table.error();
     }
     if (checksum(table.value()) != sum) {
-        return damaged(path(), "its table has a wrong checksum");
+        return damaged_file(path(), "its table has a wrong checksum");
     }
     ByteReader in(table.value());
     for (std::uint64_t i = 0; i < blocks; ++i) {
@@ -132,12 +128,12 @@ Status BlockFile::read_table() {
         block.count = in.get<std::uint64_t>();
         block.bytes = in.get<std::uint64_t>();
         if (!follows(block, end(), blocks_) || block.bytes > table_begin) {
-            return damaged(path(), "its table is wrong");
+            return damaged_file(path(), "its table is wrong");
         }
         append(block);
     }
     return end() == table_begin && count_ == count ? Status(Done{})
-                                                   : damaged(path(), "its table is wrong");
+                                                   : damaged_file(path(), "its table is wrong");
 }
 
 std::optional<BlockEntry> BlockFile::whole_block_at(std::uint64_t offset,
@@ -205,9 +201,9 @@ Result<Bytes> BlockFile::read(std::size_t block) const {
                        header.get<std::uint64_t>() == entry.count &&
                        header.get<std::uint64_t>() == entry.bytes;
     if (!is_it || sum.get<std::uint64_t>() != checksum(content)) {
-        return damaged(path(),
-                       "the block of scenario " + std::to_string(entry.first) +
-                           " has a wrong checksum");
+        return damaged_file(path(),
+                            "the block of scenario " + std::to_string(entry.first) +
+                                " has a wrong checksum");
     }
     const auto payload = content.subspan(block_header_bytes);
     return Bytes(payload.begin(), payload.end());

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "common/core/files/bytes.hpp"
+#include "common/core/files/checked_file.hpp"
 #include "common/core/files/disk_file.hpp"
 #include "common/core/result.hpp"
 

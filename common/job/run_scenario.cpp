@@ -100,9 +100,9 @@ std::uint64_t pairs_worth_keeping(const Query& query) {
     if (query.limit_pairs != 0 && !query.maps) {
         return query.limit_pairs;
     }
-    constexpr std::uint64_t pair_bytes = 2 * sizeof(std::uint32_t) + 1;
     constexpr std::uint64_t points_bytes = 2 * 3 * sizeof(double); // An origin and one point.
-    const std::uint64_t bytes = pair_bytes + (query.level == Level::Contacts ? points_bytes : 0);
+    const std::uint64_t bytes =
+        result_pair_bytes + (query.level == Level::Contacts ? points_bytes : 0);
     return limits::result_record_bytes_max / bytes + 1;
 }
 

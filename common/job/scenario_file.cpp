@@ -54,9 +54,7 @@ class ScenarioFileSource final : public PoseSource {
         if (!scenarios || scenarios.value().size() != entry.count ||
             scenarios.value().front().index != entry.first ||
             scenarios.value().back().index != entry.first + entry.count - 1) {
-            return Error{ErrorCode::Io,
-                         file_.path().string() + " is damaged: it holds other scenarios than its "
-                                                 "table says"};
+            return damaged_file(file_.path(), "it holds other scenarios than its table says");
         }
         kept_ = std::move(scenarios.value());
         return Done{};
@@ -75,8 +73,7 @@ Result<std::unique_ptr<PoseSource>> source_of(Result<BlockFile> file) {
     }
     const std::vector<BlockEntry>& blocks = file.value().blocks();
     if (!blocks.empty() && blocks.back().first + blocks.back().count != file.value().count()) {
-        return Error{ErrorCode::Io,
-                     file.value().path().string() + " is damaged: scenarios are missing in it"};
+        return damaged_file(file.value().path(), "scenarios are missing in it");
     }
     return std::unique_ptr<PoseSource>(
         std::make_unique<ScenarioFileSource>(std::move(file.value())));

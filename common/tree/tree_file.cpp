@@ -42,10 +42,6 @@ std::array<std::uint64_t, 5> counts_of(const Topology& topology) {
             topology.inconsistent_edges};
 }
 
-Error damaged(const std::filesystem::path& path, const std::string& why) {
-    return {ErrorCode::Io, path.string() + " is damaged: " + why};
-}
-
 Result<Topology> read_topology(const SectionFile& file, std::size_t triangles) {
     const auto numbers = file.array<std::uint64_t>(counts);
     const auto components = file.array<std::uint32_t>(component_triangles);
@@ -170,11 +166,11 @@ Result<std::shared_ptr<const ObbTree>> read_tree_file(const std::filesystem::pat
     }
     Result<Topology> topology = read_topology(*file.value(), mesh->triangles().size());
     if (!topology) {
-        return damaged(path, topology.error().detail);
+        return damaged_file(path, topology.error().detail);
     }
     Result<BinaryTree> binary = binary_tree_of(file.value(), *mesh);
     if (!binary) {
-        return damaged(path, binary.error().detail);
+        return damaged_file(path, binary.error().detail);
     }
     return std::make_shared<const ObbTree>(
         std::move(mesh), std::move(binary.value()), nullptr, std::move(topology.value()));
@@ -189,12 +185,12 @@ Result<std::shared_ptr<const ObbTree>> read_wide_tree_file(const std::filesystem
     }
     Result<Topology> topology = read_topology(*file.value(), mesh->triangles().size());
     if (!topology) {
-        return damaged(path, topology.error().detail);
+        return damaged_file(path, topology.error().detail);
     }
     Result<std::shared_ptr<const WideTree>> wide =
         wide_tree_of(file.value(), mesh->triangles().size());
     if (!wide) {
-        return damaged(path, wide.error().detail);
+        return damaged_file(path, wide.error().detail);
     }
     return std::make_shared<const ObbTree>(
         std::move(mesh), BinaryTree{}, std::move(wide.value()), std::move(topology.value()));

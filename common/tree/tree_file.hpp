@@ -2,6 +2,7 @@
 #pragma once
 
 #include "common/core/files/disk_file.hpp"
+#include "common/core/files/hash.hpp"
 #include "common/core/result.hpp"
 #include "common/tree/build/build.hpp"
 #include "common/tree/obb_tree.hpp"

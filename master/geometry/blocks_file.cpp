@@ -1,6 +1,7 @@
 #include "master/geometry/blocks_file.hpp"
 
 #include "common/core/check.hpp"
+#include "common/core/files/checked_file.hpp"
 #include "common/core/files/compress.hpp"
 #include "common/core/limits/engine.hpp"
 #include "common/tree/tree_file.hpp"

@@ -1,6 +1,7 @@
 #include "master/geometry/geometry_store.hpp"
 
 #include "common/core/files/disk_file.hpp"
+#include "common/core/files/hash.hpp"
 #include "common/core/host/log.hpp"
 #include "common/core/limits/engine.hpp"
 #include "common/core/limits/master.hpp"

@@ -1,5 +1,6 @@
 #include "master/geometry/mesh_file.hpp"
 
+#include "common/core/files/checked_file.hpp"
 #include "common/core/files/disk_file.hpp"
 #include "common/core/host/log.hpp"
 

@@ -1,7 +1,7 @@
 #include "master/geometry/tree_registry.hpp"
 
 #include "common/core/check.hpp"
-#include "common/core/files/disk_file.hpp"
+#include "common/core/files/checked_file.hpp"
 
 namespace cd {
 

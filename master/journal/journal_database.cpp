@@ -1,6 +1,7 @@
 #include "master/journal/journal_database.hpp"
 
 #include "common/core/check.hpp"
+#include "common/core/files/checked_file.hpp"
 #include "common/core/files/disk_file.hpp"
 #include "master/base/remedy.hpp"
 #include "master/journal/database_copy.hpp"

@@ -1,6 +1,6 @@
 #include "master/journal/journal_records.hpp"
 
-#include "common/core/files/disk_file.hpp"
+#include "common/core/files/checked_file.hpp"
 #include "master/journal/row_bytes.hpp"
 
 namespace cd {

@@ -1,7 +1,7 @@
 #include "master/journal/result_group.hpp"
 
 #include "common/core/check.hpp"
-#include "common/core/files/disk_file.hpp"
+#include "common/core/files/checked_file.hpp"
 #include "master/journal/row_bytes.hpp"
 
 #include <algorithm>

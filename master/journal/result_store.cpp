@@ -1,6 +1,7 @@
 #include "master/journal/result_store.hpp"
 
 #include "common/core/check.hpp"
+#include "common/core/files/checked_file.hpp"
 #include "common/core/files/disk_file.hpp"
 #include "common/core/files/hash.hpp"
 #include "common/core/limits/engine.hpp"
@@ -38,10 +39,6 @@ Bytes file_header(JobId job) {
     out.put(job.value);
     out.put(checksum(out.bytes()));
     return out.take();
-}
-
-Error damaged(const std::filesystem::path& path, const std::string& why) {
-    return {ErrorCode::Io, path.string() + " is damaged: " + why};
 }
 
 } // namespace
@@ -108,7 +105,7 @@ Result<DiskFile> ResultStore::State::open() const {
         return size.error();
     }
     if (size.value() < end) {
-        return damaged(
+        return damaged_file(
             path, "it has " + std::to_string(size.value()) + " bytes of " + std::to_string(end));
     }
     const Result<Bytes> header = opened.value().read_at(0, file_header_bytes);
@@ -116,7 +113,7 @@ Result<DiskFile> ResultStore::State::open() const {
         return header.error();
     }
     if (header.value() != file_header(job)) {
-        return damaged(path, "its header is not that of the results of this job");
+        return damaged_file(path, "its header is not that of the results of this job");
     }
     return opened;
 }
@@ -137,7 +134,7 @@ Result<Bytes> ResultStore::State::read(const DiskFile& from,
     const auto sum = in.get<std::uint64_t>();
     if (length != place.length || index != scenario ||
         sum != checksum(whole.first(whole.size() - record_footer_bytes))) {
-        return damaged(
+        return damaged_file(
             path, "the result of scenario " + std::to_string(scenario) + " has a wrong checksum");
     }
     return Bytes(record.begin(), record.end());
@@ -291,8 +288,8 @@ Status ResultStore::restore(std::uint64_t scenario, const RecordPlace& place) {
                            place.offset >= file_header_bytes + record_header_bytes &&
                            place.offset <= state_->end && end_of(place) <= state_->end;
     if (!is_inside) {
-        return damaged(state_->path,
-                       "the result of scenario " + std::to_string(scenario) + " is not in it");
+        return damaged_file(state_->path,
+                            "the result of scenario " + std::to_string(scenario) + " is not in it");
     }
     state_->set(scenario, place);
     return Done{};

@@ -1,5 +1,6 @@
 #include "master/submission/spool_file.hpp"
 
+#include "common/core/files/checked_file.hpp"
 #include "common/core/files/hash.hpp"
 #include "common/core/limits/master.hpp"
 
@@ -124,7 +125,7 @@ Result<Bytes> SpoolFile::read(const Run& run) const {
 }
 
 Error SpoolFile::damaged(const std::string& why) const {
-    return {ErrorCode::Io, file_.path().string() + " is damaged: " + why};
+    return damaged_file(file_.path(), why);
 }
 
 } // namespace cd

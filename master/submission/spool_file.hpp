@@ -3,6 +3,7 @@
 
 #include "common/core/files/bytes.hpp"
 #include "common/core/files/disk_file.hpp"
+#include "common/core/files/hash.hpp"
 #include "common/core/result.hpp"
 
 #include <cstddef>

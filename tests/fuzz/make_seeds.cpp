@@ -5,6 +5,7 @@
 #include "client/formats/npy.hpp"
 #include "client/formats/npz.hpp"
 #include "client/poses/label_file.hpp"
+#include "common/core/files/checked_file.hpp"
 #include "common/core/files/compress.hpp"
 #include "common/core/files/disk_file.hpp"
 #include "common/core/host/thread_pool.hpp"

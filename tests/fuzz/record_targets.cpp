@@ -1,6 +1,6 @@
 #include "client/remote/result_records.hpp"
+#include "common/core/files/checked_file.hpp"
 #include "common/core/files/compress.hpp"
-#include "common/core/files/disk_file.hpp"
 #include "common/core/files/hash.hpp"
 #include "common/core/varint.hpp"
 #include "common/job/poses/pose_source.hpp"

@@ -1,10 +1,14 @@
 // A client that submits, watches and fetches, and the right result of its job.
 #pragma once
 
+#include "common/core/files/checked_file.hpp"
 #include "common/job/poses/pose_source.hpp"
 #include "common/job/result/packed_records.hpp"
 #include "common/job/run_scenario.hpp"
 #include "common/tree/build/build.hpp"
+#include "proto/channel/connection.hpp"
+#include "proto/channel/greeting.hpp"
+#include "proto/channel/spawn.hpp"
 #include "tests/master/master_stage.hpp"
 #include "tests/support/shapes.hpp"
 

@@ -4,6 +4,7 @@
 #include "bench/cluster/trace/recorder.hpp"
 #include "client/import/mesh_import.hpp"
 #include "common/job/poses/pose_source.hpp"
+#include "common/job/poses/random_poses.hpp"
 #include "common/tree/build/build.hpp"
 
 #include <CLI/CLI.hpp>

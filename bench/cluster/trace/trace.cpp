@@ -1,7 +1,7 @@
 #include "bench/cluster/trace/trace.hpp"
 
+#include "common/core/files/checked_file.hpp"
 #include "common/core/files/compress.hpp"
-#include "common/core/files/disk_file.hpp"
 #include "common/core/varint.hpp"
 
 #include <algorithm>

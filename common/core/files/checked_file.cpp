@@ -1,15 +1,15 @@
-// Implements `write_checked` and `read_checked`: small files with a kind, a version and a checksum.
+#include "common/core/files/checked_file.hpp"
+
 #include "common/core/files/disk_file.hpp"
+
+#include <string>
+#include <utility>
 
 namespace cd {
 
 namespace {
 
 constexpr std::size_t checked_header_bytes = sizeof(std::uint64_t) + sizeof(std::uint32_t);
-
-Error damaged(const std::filesystem::path& path, const std::string& why) {
-    return {ErrorCode::Io, path.string() + " is damaged: " + why};
-}
 
 } // namespace
 
@@ -47,7 +47,7 @@ Result<Bytes> read_checked(const std::filesystem::path& path, FileKind kind) {
         return size.error();
     }
     if (size.value() < checked_header_bytes + sizeof(std::uint64_t)) {
-        return damaged(path, "it is cut short");
+        return damaged_file(path, "it is cut short");
     }
     const std::uint64_t content_bytes = size.value() - checked_header_bytes - sizeof(std::uint64_t);
     const Result<Bytes> header = file.value().read_at(0, checked_header_bytes);
@@ -61,15 +61,15 @@ Result<Bytes> read_checked(const std::filesystem::path& path, FileKind kind) {
     }
     ByteReader head(header.value());
     if (head.get<std::uint64_t>() != kind.magic) {
-        return damaged(path, "it is a file of another kind");
+        return damaged_file(path, "it is a file of another kind");
     }
     if (const auto version = head.get<std::uint32_t>(); version != kind.version) {
-        return damaged(path,
-                       "its version is " + std::to_string(version) + ", expected " +
-                           std::to_string(kind.version));
+        return damaged_file(path,
+                            "its version is " + std::to_string(version) + ", expected " +
+                                std::to_string(kind.version));
     }
     if (ByteReader(footer.value()).get<std::uint64_t>() != checksum(content.value())) {
-        return damaged(path, "its checksum is wrong");
+        return damaged_file(path, "its checksum is wrong");
     }
     return content;
 }

@@ -9,10 +9,12 @@
 
 namespace cd {
 
-inline constexpr int compression_level_fast =
-    1; ///< Level for results, which are written once and read once.
-inline constexpr int compression_level_geometry =
-    9; ///< Level for blocks, which are written once and sent often.
+/// The levels of zstd: for what is written once and read once, for results, and for blocks of
+/// geometry, which are written once and sent often. Results become a few percent smaller than at
+/// the fastest level, which is affordable because their columns are a quarter as long as records.
+inline constexpr int compression_level_fast = 1;
+inline constexpr int compression_level_results = 3;
+inline constexpr int compression_level_geometry = 9;
 
 [[nodiscard]] Bytes compress(std::span<const std::byte> bytes, int level);
 

@@ -28,10 +28,6 @@ Error io_failure(const std::string& what, const std::filesystem::path& path) {
     return {ErrorCode::Io, system_failure(what, path).detail};
 }
 
-Error damaged(const std::filesystem::path& path, const std::string& why) {
-    return {ErrorCode::Io, path.string() + " is damaged: " + why};
-}
-
 /// Creates a file named `stem`, `temporary_marker` and a random suffix; sets `stem` to that name.
 int make_unique(std::string& stem) {
     stem += std::string(temporary_marker) + "XXXXXX";
@@ -159,7 +155,7 @@ Result<Bytes> DiskFile::read_at(std::uint64_t offset, std::uint64_t size) const 
         return there.error();
     }
     if (offset > there.value() || size > there.value() - offset) {
-        return damaged(path_, "it is cut short");
+        return damaged_file(path_, "it is cut short");
     }
     Bytes bytes(size);
     std::size_t done = 0;
@@ -175,7 +171,7 @@ Result<Bytes> DiskFile::read_at(std::uint64_t offset, std::uint64_t size) const 
             return io_failure("read", path_);
         }
         if (count == 0) {
-            return damaged(path_, "it is cut short");
+            return damaged_file(path_, "it is cut short");
         }
         done += static_cast<std::size_t>(count);
     }
@@ -275,6 +271,10 @@ Status sync_directory(const std::filesystem::path& directory) {
     const Error error = io_failure("sync", directory);
     ::close(descriptor);
     return failed ? Status(error) : Status(Done{});
+}
+
+Error damaged_file(const std::filesystem::path& path, const std::string& why) {
+    return {ErrorCode::Io, path.string() + " is damaged: " + why};
 }
 
 Status set_aside(const std::filesystem::path& path, const std::string& why) {

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "common/core/files/bytes.hpp"
-#include "common/core/files/hash.hpp"
 #include "common/core/result.hpp"
 
 #include <cstdint>
@@ -99,22 +98,9 @@ inline constexpr std::string_view temporary_marker = ".tmp-";
 /// Flushes a folder's directory entries to the disk.
 [[nodiscard]] Status sync_directory(const std::filesystem::path& directory);
 
+/// An error Io which tells that a file is damaged, and why.
+[[nodiscard]] Error damaged_file(const std::filesystem::path& path, const std::string& why);
 /// Renames a damaged file to the first free name `PATH.damaged-N` and logs `why`. Errors: Io.
 [[nodiscard]] Status set_aside(const std::filesystem::path& path, const std::string& why);
-
-/// The magic number and the format version at the start of a file.
-struct FileKind {
-    std::uint64_t magic = 0;
-    std::uint32_t version = 0;
-};
-/// Writes a file of header, `content` and checksum, which gets its name when complete. Errors: Io.
-[[nodiscard]] Status
-write_checked(const std::filesystem::path& path, FileKind kind, std::span<const std::byte> content);
-/// Reads a file of `write_checked`. Errors: NotFound; Io, also for damage, other kind or version.
-[[nodiscard]] Result<Bytes> read_checked(const std::filesystem::path& path, FileKind kind);
-
-void put_bytes(ByteWriter& out, std::span<const std::byte> bytes);
-void put_hash(ByteWriter& out, const Sha256& hash);
-[[nodiscard]] Sha256 get_hash(ByteReader& in);
 
 } // namespace cd

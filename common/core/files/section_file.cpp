@@ -82,7 +82,7 @@ Result<std::shared_ptr<const SectionFile>> SectionFile::open(const std::filesyst
     }
     const std::shared_ptr<SectionFile> opened(new SectionFile(std::move(mapping.value())));
     if (const Status checked = opened->check(name, sections); !checked) {
-        return Error{ErrorCode::Io, path.string() + " is damaged: " + checked.error().detail};
+        return damaged_file(path, checked.error().detail);
     }
     return std::shared_ptr<const SectionFile>(opened);
 }

@@ -1,6 +1,7 @@
 // A memory-mapped file of arrays that is checked as a whole before use.
 #pragma once
 
+#include "common/core/files/checked_file.hpp"
 #include "common/core/files/disk_file.hpp"
 #include "common/core/files/hash.hpp"
 #include "common/core/result.hpp"

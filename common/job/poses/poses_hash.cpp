@@ -1,7 +1,7 @@
 #include "common/job/poses/poses_hash.hpp"
 
 #include "common/core/check.hpp"
-#include "common/core/files/disk_file.hpp"
+#include "common/core/files/checked_file.hpp"
 
 #include <algorithm>
 

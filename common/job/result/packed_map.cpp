@@ -14,8 +14,6 @@ namespace {
 
 using Entries = std::vector<TriangleContacts>;
 
-constexpr int compression_level = 3;
-
 } // namespace
 
 Bytes pack_map(const ContactMap& map) {
@@ -31,7 +29,7 @@ Bytes pack_map(const ContactMap& map) {
             put_varint(out, entry.scenarios - 1);
         }
     }
-    return compress(out.bytes(), compression_level);
+    return compress(out.bytes(), compression_level_results);
 }
 
 namespace {

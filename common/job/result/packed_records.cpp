@@ -1,8 +1,8 @@
 #include "common/job/result/packed_records.hpp"
 
 #include "common/core/check.hpp"
+#include "common/core/files/checked_file.hpp"
 #include "common/core/files/compress.hpp"
-#include "common/core/files/disk_file.hpp"
 #include "common/core/varint.hpp"
 #include "common/job/result/result.hpp"
 
@@ -28,13 +28,6 @@ enum Column : std::size_t {
     column_count
 };
 
-/// The level of zstd. Columns become a few percent smaller than at the fastest level. This level is
-/// affordable because columns are a quarter as long as the records.
-constexpr int compression_level = 3;
-
-/// Bytes of a pair in a record: a triangle of A, a triangle of B and a class (result.hpp).
-constexpr std::size_t pair_bytes = 2 * sizeof(std::uint32_t) + 1;
-
 /// Returns the number of bytes before the pairs of a record, or nothing if it has no pairs.
 std::optional<std::size_t> head_with_pairs(std::span<const std::byte> record) {
     ByteReader in(record);
@@ -47,7 +40,7 @@ std::optional<std::size_t> head_with_pairs(std::span<const std::byte> record) {
     }
     const auto pairs = in.get<std::uint32_t>();
     if (in.failed() || level < static_cast<std::uint8_t>(Level::Pairs) ||
-        kind == ScenarioClass::Failed || pairs == 0 || pairs > in.remaining() / pair_bytes) {
+        kind == ScenarioClass::Failed || pairs == 0 || pairs > in.remaining() / result_pair_bytes) {
         return std::nullopt;
     }
     return record.size() - in.remaining();
@@ -106,7 +99,7 @@ Bytes Packer::take() {
     ByteWriter out;
     for (std::size_t i = 0; i < column_count; ++i) {
         if (columns_[i].size() > 0) {
-            compressed[i] = compress(columns_[i].bytes(), compression_level);
+            compressed[i] = compress(columns_[i].bytes(), compression_level_results);
         }
         put_varint(out, compressed[i].size());
     }
@@ -191,7 +184,8 @@ Status Unpacker::add_record() {
     if (columns_[classes].failed()) {
         return bad();
     }
-    const std::uint64_t bytes = head.size() + pair_bytes * std::uint64_t{count} + tail.size();
+    const std::uint64_t bytes =
+        head.size() + result_pair_bytes * std::uint64_t{count} + tail.size();
     if (out_.size() + sizeof(std::uint32_t) + bytes > bytes_max_ || bytes > UINT32_MAX) {
         return Error{ErrorCode::TooLarge,
                      "packed records of more than " + std::to_string(bytes_max_) + " bytes"};

@@ -5,7 +5,6 @@
 #include "common/job/result/packed_records.hpp"
 
 #include <algorithm>
-#include <string>
 
 namespace cd {
 
@@ -60,21 +59,18 @@ Result<std::vector<KeptRecord>> RecordFile::read(std::size_t block) const {
     if (!packed) {
         return packed.error();
     }
-    const auto damaged = [&](const Error& error) {
-        return Error{ErrorCode::Io, file_.path().string() + " is damaged: " + error.detail};
-    };
     const Result<Bytes> bytes = unpack_records(packed.value(), limits::results_bytes_max);
     if (!bytes) {
-        return damaged(bytes.error());
+        return damaged_file(file_.path(), bytes.error().detail);
     }
     auto records = records_in(bytes.value(), file_.blocks()[block]);
     if (!records) {
-        return damaged(records.error());
+        return damaged_file(file_.path(), records.error().detail);
     }
     // A block's scenarios may have gaps, so the table does not give the last one.
     if (block + 1 < blocks() &&
         records.value().back().result.index >= file_.blocks()[block + 1].first) {
-        return damaged({ErrorCode::Io, "the scenarios of two blocks overlap"});
+        return damaged_file(file_.path(), "the scenarios of two blocks overlap");
     }
     return records;
 }

@@ -271,9 +271,8 @@ Result<ScenarioResult> decode_result(std::span<const std::byte> bytes) {
 ScenarioResult within_limit(ScenarioResult result, std::uint64_t bytes_max) {
     // Upper bound on the size of a record's head and counts.
     constexpr std::uint64_t fixed_bytes = 64;
-    constexpr std::uint64_t pair_bytes = 2 * sizeof(std::uint32_t) + 1;
     constexpr std::uint64_t point_bytes = 3 * sizeof(double);
-    const std::uint64_t bytes = fixed_bytes + pair_bytes * result.pairs.size() +
+    const std::uint64_t bytes = fixed_bytes + result_pair_bytes * result.pairs.size() +
                                 point_bytes * (result.point_origins.size() + result.points.size()) +
                                 sizeof(std::uint32_t) * result.point_offsets.size();
     if (bytes <= bytes_max) {

@@ -72,6 +72,9 @@ struct ScenarioResult {
 /// The caller guarantees the rules that `decode_result` checks.
 [[nodiscard]] Bytes encode_result(const ScenarioResult& result);
 
+/// Bytes of a pair in a record: a triangle of A, a triangle of B and a class.
+inline constexpr std::uint64_t result_pair_bytes = 2 * sizeof(std::uint32_t) + 1;
+
 /// Decodes a record. Encoding the result gives equal bytes again. The bytes are untrusted:
 /// everything is checked (classes and levels in range and consistent, pairs strictly ascending,
 /// counts that fit, numbers in canonical form). Errors: BadFrame.
