@@ -4,6 +4,8 @@
 //
 //   proto_tls_bench [MEGABYTES] [ROUNDS]
 #include "proto/channel/channel.hpp"
+#include "proto/channel/connection.hpp"
+#include "proto/channel/greeting.hpp"
 
 #include <chrono>
 #include <cstdio>

@@ -4,7 +4,7 @@
 #include "common/core/timing/master.hpp"
 #include "master/jobs/job_retention.hpp"
 #include "master/workers/worker_watch.hpp"
-#include "proto/channel/channel.hpp"
+#include "proto/channel/endpoint.hpp"
 
 #include <chrono>
 #include <filesystem>

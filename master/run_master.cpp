@@ -13,6 +13,7 @@
 #include "master/identity/identity.hpp"
 #include "master/net/http_front.hpp"
 #include "master/net/server.hpp"
+#include "proto/channel/endpoint.hpp"
 #include "proto/channel/signals.hpp"
 
 #include <sys/resource.h>

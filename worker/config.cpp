@@ -9,6 +9,7 @@
 #include "common/core/printable.hpp"
 #include "common/core/timing/worker.hpp"
 #include "common/geometry/simd_target.hpp"
+#include "proto/channel/asio.hpp"
 
 #include <CLI/CLI.hpp>
 #include <unistd.h>
@@ -16,9 +17,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
-#include <cstdlib>
 #include <fstream>
-#include <memory>
 #include <sstream>
 #include <utility>
 

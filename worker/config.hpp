@@ -4,7 +4,7 @@
 #include "common/core/result.hpp"
 #include "common/core/timing/worker.hpp"
 #include "proto/access/join_token.hpp"
-#include "proto/channel/channel.hpp"
+#include "proto/channel/endpoint.hpp"
 
 #include <chrono>
 #include <cstdint>

@@ -8,6 +8,8 @@
 #include "common/geometry/simd_target.hpp"
 #include "proto/access/credential_file.hpp"
 #include "proto/access/join.hpp"
+#include "proto/channel/connection.hpp"
+#include "proto/channel/endpoint.hpp"
 #include "proto/channel/signals.hpp"
 #include "worker/membership/credential_keeper.hpp"
 #include "worker/membership/membership.hpp"

@@ -16,6 +16,9 @@
 #include "common/job/run_scenario.hpp"
 #include "common/job/settle.hpp"
 #include "proto/channel/channel.hpp"
+#include "proto/channel/connection.hpp"
+#include "proto/channel/endpoint.hpp"
+#include "proto/channel/greeting.hpp"
 
 #include <CLI/CLI.hpp>
 

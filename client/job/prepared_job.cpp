@@ -10,6 +10,7 @@
 #include "client/trees/body_trees.hpp"
 #include "common/geometry/topology.hpp"
 #include "common/job/poses/made_poses.hpp"
+#include "common/job/poses/random_poses.hpp"
 
 #include <utility>
 

@@ -13,6 +13,9 @@
 #include "common/core/timing/engine.hpp"
 #include "common/core/version.hpp"
 #include "proto/channel/channel.hpp"
+#include "proto/channel/connection.hpp"
+#include "proto/channel/endpoint.hpp"
+#include "proto/channel/greeting.hpp"
 
 #include <pwd.h>
 #include <unistd.h>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "client/cli/cli.hpp"
-#include "proto/channel/channel.hpp"
+#include "proto/channel/endpoint.hpp"
 
 #include <atomic>
 #include <condition_variable>

@@ -3,7 +3,8 @@
 
 #include "client/cli/cli.hpp"
 #include "proto/access/join_token.hpp"
-#include "proto/channel/channel.hpp"
+#include "proto/channel/endpoint.hpp"
+#include "proto/channel/tls.hpp"
 
 #include <chrono>
 #include <filesystem>

@@ -3,6 +3,7 @@
 
 #include "common/core/result.hpp"
 #include "common/job/poses/pose_source.hpp"
+#include "common/job/poses/random_poses.hpp"
 #include "common/job/query.hpp"
 #include "proto/messages/cluster_options.hpp"
 

@@ -9,6 +9,7 @@
 #include "master/base/mutation.hpp"
 #include "master/base/run_on.hpp"
 #include "proto/access/peer_ticket.hpp"
+#include "proto/channel/connection.hpp"
 
 #include <algorithm>
 #include <iterator>

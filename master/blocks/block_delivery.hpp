@@ -5,6 +5,7 @@
 #include "master/geometry/tree_registry.hpp"
 #include "proto/channel/asio.hpp"
 #include "proto/channel/channel.hpp"
+#include "proto/channel/endpoint.hpp"
 
 #include <cstdint>
 #include <deque>

@@ -5,10 +5,10 @@
 #include "common/core/result.hpp"
 #include "proto/access/refusals.hpp"
 #include "proto/channel/asio.hpp"
-#include "proto/channel/channel.hpp"
+#include "proto/channel/endpoint.hpp"
 #include "proto/channel/http.hpp"
 #include "proto/channel/listener.hpp"
-#include "proto/channel/seats.hpp"
+#include "proto/access/seats.hpp"
 
 #include <cstdint>
 #include <memory>

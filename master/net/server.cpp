@@ -7,6 +7,8 @@
 #include "master/identity/certificate_watch.hpp"
 #include "master/net/client_session.hpp"
 #include "master/net/worker_session.hpp"
+#include "proto/channel/connection.hpp"
+#include "proto/channel/greeting.hpp"
 
 #include <fstream>
 #include <iterator>

@@ -11,8 +11,9 @@
 #include "proto/access/refusals.hpp"
 #include "proto/channel/asio.hpp"
 #include "proto/channel/channel.hpp"
+#include "proto/channel/endpoint.hpp"
 #include "proto/channel/listener.hpp"
-#include "proto/channel/seats.hpp"
+#include "proto/access/seats.hpp"
 
 #include <chrono>
 #include <cstddef>

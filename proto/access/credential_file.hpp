@@ -3,7 +3,7 @@
 
 #include "common/core/result.hpp"
 #include "common/core/timing/wire.hpp"
-#include "proto/channel/channel.hpp"
+#include "proto/channel/endpoint.hpp"
 #include "proto/identity/certificate.hpp"
 
 #include <filesystem>

@@ -4,6 +4,8 @@
 #include "common/core/printable.hpp"
 #include "common/core/timing/wire.hpp"
 #include "common/core/version.hpp"
+#include "proto/channel/connection.hpp"
+#include "proto/channel/greeting.hpp"
 
 #include <utility>
 

@@ -55,8 +55,10 @@ std::string own_address(const asio::ip::tcp::socket& socket) {
 void keep_alive(asio::ip::tcp::socket& socket) {
     error_code ignored;
     socket.set_option(asio::socket_base::keep_alive(true), ignored);
-    for (const auto& [option, value] : {std::pair(TCP_KEEPIDLE, limits::keepalive_idle_seconds),
-                                        std::pair(TCP_KEEPINTVL, limits::keepalive_period_seconds),
+    constexpr auto idle = static_cast<int>(timing::keepalive_idle.count());
+    constexpr auto period = static_cast<int>(timing::keepalive_period.count());
+    for (const auto& [option, value] : {std::pair(TCP_KEEPIDLE, idle),
+                                        std::pair(TCP_KEEPINTVL, period),
                                         std::pair(TCP_KEEPCNT, limits::keepalive_probes)}) {
         (void)setsockopt(socket.native_handle(), IPPROTO_TCP, option, &value, sizeof(value));
     }

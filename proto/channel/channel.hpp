@@ -12,31 +12,10 @@
 #include <chrono>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
-#include <utility>
 
 namespace cd {
-
-/// Host and port as written by a user: "127.0.0.1:7600", "[::1]:7600", "host:7600".
-struct Endpoint {
-    std::string host;
-    std::uint16_t port = 0;
-};
-
-/// Parses HOST:PORT. Errors: BadInput naming the expected form.
-[[nodiscard]] Result<Endpoint> parse_endpoint(const std::string& text);
-/// True for 127.0.0.0/8, ::1 and "localhost".
-[[nodiscard]] bool is_loopback(const Endpoint& endpoint);
-
-/// How a program is about to use an endpoint.
-struct Exposure {
-    bool secured = false;   ///< Uses TLS.
-    bool insecure = false;  ///< --insecure was given.
-    bool listening = false; ///< False: connecting.
-};
-/// Forbids plain TCP beyond loopback, unless `insecure` is set, which logs a warning at any log
-/// level instead. Errors: Refused, naming how to get TLS, and --insecure.
-[[nodiscard]] Status check_exposure(const Endpoint& endpoint, const Exposure& exposure);
 
 /// Byte counts of one connection.
 struct Traffic {
@@ -55,7 +34,7 @@ struct StallBounds {
 /// A connection to one peer. All members run on the socket's executor, on one thread. Control
 /// messages are sent before data messages. Messages are sent in frames, so that a heartbeat waits
 /// for one frame at most.
-class Channel : public std::enable_shared_from_this<Channel> {
+class Channel {
   public:
     /// The stream must be connected, and secured if the channel uses TLS.
     [[nodiscard]] static std::shared_ptr<Channel> make(std::unique_ptr<Stream> stream,
@@ -112,52 +91,5 @@ class Channel : public std::enable_shared_from_this<Channel> {
     Channel& operator=(const Channel&) = delete;
     ~Channel();
 };
-
-/// The endpoint, security and role of a peer to connect to.
-struct Target {
-    Target(Endpoint there, // Enough by itself for plain TCP.
-           std::shared_ptr<const Tls> secured_by = nullptr,
-           CertifiedRole expected = CertifiedRole::Master)
-        : endpoint(std::move(there)), tls(std::move(secured_by)), role(expected) {}
-
-    Endpoint endpoint;
-    std::shared_ptr<const Tls> tls; ///< Null: plain TCP.
-    CertifiedRole role;             ///< The role that the peer's certificate must name.
-};
-
-/// Connects; each step must finish within the timeout. Errors: Disconnected naming host and port;
-/// Refused if one end rejects the other's certificate, or the peer has another role.
-[[nodiscard]] asio::awaitable<Result<std::shared_ptr<Channel>>>
-connect(Target target, std::chrono::seconds timeout = timing::connect_timeout);
-
-/// Checks that the endpoint accepts TCP connections, with any protocol. Errors: Disconnected naming
-/// host and port.
-[[nodiscard]] asio::awaitable<Status> reach(Endpoint endpoint, std::chrono::seconds timeout);
-
-/// Wraps an accepted socket in a channel, after a TLS handshake unless `tls` is null, within the
-/// timeout. A peer that uses TLS when `tls` is null, or plain TCP otherwise, gets an error in its
-/// own protocol. Errors: those of `Stream::secure`.
-[[nodiscard]] asio::awaitable<Result<std::shared_ptr<Channel>>>
-accept_channel(asio::ip::tcp::socket socket,
-               std::shared_ptr<const Tls> tls,
-               std::chrono::steady_clock::duration timeout = timing::connect_timeout);
-
-/// Sends a Hello and awaits the answer within the timeout. The channel then expects the messages of
-/// the requested role. Errors: Refused with the peer's reason, and those of `receive`.
-[[nodiscard]] asio::awaitable<Result<Welcome>>
-greet(std::shared_ptr<Channel> channel,
-      Hello hello,
-      std::chrono::steady_clock::duration timeout = timing::connect_timeout);
-
-/// Checks that the peer has this end's protocol version. Errors: Refused naming both versions.
-[[nodiscard]] Status check_version(const Hello& hello);
-
-/// Awaits the Hello of an accepted peer within `timing::connect_timeout`. The channel then expects
-/// messages of the Hello's role, and the caller answers with a Welcome. After a wrong version or
-/// message, sends a Failure and closes. Errors: Refused, BadFrame, and those of `receive`.
-[[nodiscard]] asio::awaitable<Result<Hello>> accept_hello(std::shared_ptr<Channel> channel);
-
-/// Runs a detached coroutine. Logs an exception that escapes from it under `name`.
-void spawn(asio::any_io_executor executor, std::string name, asio::awaitable<void> coroutine);
 
 } // namespace cd

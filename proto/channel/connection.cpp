@@ -1,12 +1,10 @@
-// Opening connections: connecting and accepting.
+#include "proto/channel/connection.hpp"
+
 #include "common/core/host/log.hpp"
 #include "common/core/limits/wire.hpp"
-#include "common/core/timing/wire.hpp"
-#include "proto/channel/channel.hpp"
 #include "proto/channel/deadline.hpp"
 #include "proto/channel/frame.hpp"
 
-#include <algorithm>
 #include <array>
 
 namespace cd {

@@ -1,5 +1,7 @@
+#include "proto/channel/endpoint.hpp"
+
 #include "common/core/host/log.hpp"
-#include "proto/channel/channel.hpp"
+#include "proto/channel/asio.hpp"
 
 #include <charconv>
 

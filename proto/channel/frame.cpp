@@ -81,10 +81,10 @@ Result<FrameHeader> decode_header(std::span<const std::byte, frame_header_bytes>
     return header;
 }
 
-const MessageAssembler::Open* MessageAssembler::find(std::uint32_t stream) const {
+std::size_t MessageAssembler::index_of(std::uint32_t stream) const {
     const auto open = std::find_if(
         open_.begin(), open_.end(), [&](const Open& each) { return each.stream == stream; });
-    return open == open_.end() ? nullptr : &*open;
+    return static_cast<std::size_t>(open - open_.begin());
 }
 
 Status MessageAssembler::check(const FrameHeader& header) const {
@@ -100,7 +100,8 @@ Status MessageAssembler::check(const FrameHeader& header) const {
     if (header.has_more && header.payload_bytes == 0) {
         return Error{ErrorCode::BadFrame, "an empty frame that promises more"};
     }
-    const Open* const open = find(header.stream);
+    const std::size_t index = index_of(header.stream);
+    const Open* const open = index < open_.size() ? &open_[index] : nullptr;
     if (open == nullptr && open_.size() >= streams_max_of(sender_)) {
         return Error{ErrorCode::TooLarge, "too many messages begun at once"};
     }
@@ -124,9 +125,7 @@ MessageAssembler::add(const FrameHeader& header, std::span<const std::byte> payl
     if (const Status good = check(header); !good) {
         return good.error();
     }
-    auto open = std::find_if(open_.begin(), open_.end(), [&](const Open& candidate) {
-        return candidate.stream == header.stream;
-    });
+    auto open = open_.begin() + static_cast<std::ptrdiff_t>(index_of(header.stream));
     if (open == open_.end()) {
         open = open_.insert(open, Open{header.stream, header.type, {}});
     }

@@ -73,7 +73,8 @@ class MessageAssembler {
         std::uint16_t type = 0;
         Bytes payload;
     };
-    [[nodiscard]] const Open* find(std::uint32_t stream) const;
+    /// Returns the index in `open_` of a stream's message, or the number of all if there is none.
+    [[nodiscard]] std::size_t index_of(std::uint32_t stream) const;
 
     std::vector<Open> open_;
     Party sender_ = Party::Anyone;

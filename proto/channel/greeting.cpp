@@ -1,7 +1,7 @@
-// The greeting on both sides of a new channel, and the start of coroutines.
-#include "common/core/host/log.hpp"
-#include "common/core/timing/wire.hpp"
-#include "proto/channel/channel.hpp"
+#include "proto/channel/greeting.hpp"
+
+#include <string>
+#include <variant>
 
 namespace cd {
 namespace {
@@ -74,20 +74,6 @@ asio::awaitable<Result<Hello>> accept_hello(std::shared_ptr<Channel> channel) {
     channel->send(failure);
     channel->close(true);
     co_return problem;
-}
-
-void spawn(asio::any_io_executor executor, std::string name, asio::awaitable<void> coroutine) {
-    asio::co_spawn(
-        executor, std::move(coroutine), [name = std::move(name)](const std::exception_ptr& thrown) {
-            if (!thrown) {
-                return;
-            }
-            try {
-                std::rethrow_exception(thrown);
-            } catch (const std::exception& error) {
-                log_error("coroutine failed: name={} error={}", name, error.what());
-            }
-        });
 }
 
 } // namespace cd

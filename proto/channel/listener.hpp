@@ -3,7 +3,7 @@
 
 #include "common/core/result.hpp"
 #include "proto/channel/asio.hpp"
-#include "proto/channel/channel.hpp"
+#include "proto/channel/endpoint.hpp"
 
 #include <functional>
 #include <memory>

@@ -3,7 +3,6 @@
 #include "common/core/limits/engine.hpp"
 #include "common/core/limits/wire.hpp"
 #include "common/core/printable.hpp"
-#include "common/core/timing/wire.hpp"
 #include "proto/codec/wire_messages.hpp"
 
 #include <algorithm>
@@ -181,7 +180,7 @@ Problem problem_of(const Results& results) {
     if (!(results.compute_seconds >= 0)) {
         return "a negative time";
     }
-    return results.compute_seconds > timing::compute_seconds_max ? "an impossibly long time"
+    return results.compute_seconds > limits::compute_seconds_max ? "an impossibly long time"
                                                                  : nullptr;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "proto/access/credential_file.hpp"
+#include "proto/channel/endpoint.hpp"
 #include "tests/cluster/cluster_fixture.hpp"
 
 #include <chrono>

@@ -2,6 +2,7 @@
 // connect and then stay silent, while it serves others.
 #include "common/core/limits/master.hpp"
 #include "proto/channel/channel.hpp"
+#include "proto/channel/endpoint.hpp"
 #include "tests/cluster/cluster_fixture.hpp"
 #include "tests/support/comes_true.hpp"
 

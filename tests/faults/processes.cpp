@@ -2,6 +2,9 @@
 
 #include "common/core/limits/master.hpp"
 #include "common/core/limits/worker.hpp"
+#include "proto/channel/connection.hpp"
+#include "proto/channel/endpoint.hpp"
+#include "proto/channel/greeting.hpp"
 #include "proto/codec/codec.hpp"
 
 namespace cd::tests {

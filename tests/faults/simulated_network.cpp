@@ -2,6 +2,8 @@
 #include "common/core/check.hpp"
 #include "master/base/mutation.hpp"
 #include "proto/channel/channel.hpp"
+#include "proto/channel/connection.hpp"
+#include "proto/channel/endpoint.hpp"
 #include "proto/channel/listener.hpp"
 #include "tests/faults/link_end.hpp"
 #include "tests/faults/world.hpp"

@@ -8,7 +8,6 @@
 #include "common/tree/build/build.hpp"
 #include "proto/channel/connection.hpp"
 #include "proto/channel/greeting.hpp"
-#include "proto/channel/spawn.hpp"
 #include "tests/master/master_stage.hpp"
 #include "tests/support/shapes.hpp"
 

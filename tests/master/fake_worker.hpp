@@ -8,6 +8,8 @@
 #include "common/job/run_scenario.hpp"
 #include "common/tree/partial_tree.hpp"
 #include "common/tree/wire/top_block.hpp"
+#include "proto/channel/connection.hpp"
+#include "proto/channel/greeting.hpp"
 #include "tests/master/master_stage.hpp"
 
 #include <gtest/gtest.h>

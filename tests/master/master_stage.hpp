@@ -6,6 +6,8 @@
 #include "master/coordinator/coordinator.hpp"
 #include "master/identity/identity.hpp"
 #include "master/net/server.hpp"
+#include "proto/channel/connection.hpp"
+#include "proto/channel/endpoint.hpp"
 #include "tests/support/process.hpp"
 
 #include <gtest/gtest.h>

@@ -2,6 +2,8 @@
 #pragma once
 
 #include "proto/channel/channel.hpp"
+#include "proto/channel/connection.hpp"
+#include "proto/channel/endpoint.hpp"
 
 #include <gtest/gtest.h>
 

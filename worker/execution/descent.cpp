@@ -2,7 +2,6 @@
 
 #include "common/job/run_scenario.hpp"
 
-#include <algorithm>
 #include <chrono>
 #include <utility>
 

@@ -2,7 +2,9 @@
 #pragma once
 
 #include "proto/access/credential_file.hpp"
-#include "proto/channel/channel.hpp"
+#include "proto/channel/asio.hpp"
+#include "proto/channel/endpoint.hpp"
+#include "proto/channel/tls.hpp"
 
 #include <filesystem>
 #include <memory>

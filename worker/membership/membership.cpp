@@ -5,6 +5,7 @@
 #include "common/core/limits/worker.hpp"
 #include "common/core/timing/wire.hpp"
 #include "common/core/timing/worker.hpp"
+#include "proto/channel/greeting.hpp"
 
 #include <algorithm>
 #include <utility>

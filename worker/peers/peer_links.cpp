@@ -5,6 +5,8 @@
 #include "common/core/timing/wire.hpp"
 #include "common/core/timing/worker.hpp"
 #include "common/core/version.hpp"
+#include "proto/channel/connection.hpp"
+#include "proto/channel/greeting.hpp"
 
 #include <algorithm>
 #include <set>

@@ -6,6 +6,8 @@
 #include "common/core/limits/worker.hpp"
 #include "common/core/timing/worker.hpp"
 #include "common/core/version.hpp"
+#include "proto/channel/connection.hpp"
+#include "proto/channel/greeting.hpp"
 
 #include <utility>
 

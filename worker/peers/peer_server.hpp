@@ -5,8 +5,10 @@
 #include "common/core/limits/worker.hpp"
 #include "proto/access/peer_ticket.hpp"
 #include "proto/access/refusals.hpp"
+#include "proto/channel/channel.hpp"
+#include "proto/channel/endpoint.hpp"
 #include "proto/channel/listener.hpp"
-#include "proto/channel/seats.hpp"
+#include "proto/access/seats.hpp"
 #include "worker/cache/subtree_cache.hpp"
 
 #include <cstdint>

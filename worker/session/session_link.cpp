@@ -4,6 +4,7 @@
 #include "common/core/timing/wire.hpp"
 #include "proto/codec/codec.hpp"
 
+#include <algorithm>
 #include <utility>
 
 namespace cd {

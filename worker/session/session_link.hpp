@@ -7,7 +7,6 @@
 #include "worker/session/carry_over.hpp"
 #include "worker/session/session_hub.hpp"
 
-#include <algorithm>
 #include <chrono>
 #include <functional>
 #include <memory>

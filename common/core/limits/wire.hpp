@@ -46,6 +46,8 @@ inline constexpr std::size_t strategy_name_bytes_max = 32;
 /// Workers that the master names as sources of one fetch of blocks.
 inline constexpr std::size_t peer_sources_max = 3;
 inline constexpr std::uint32_t worker_threads_max = 4096;
+/// Longest computing time that a message of results may state, so that sums stay finite.
+inline constexpr double compute_seconds_max = 1e7;
 inline constexpr double worker_weight_max = 1000; ///< Speed factor that a worker states.
 
 // TLS and certificates.
@@ -67,11 +69,7 @@ inline constexpr std::size_t refusal_hosts_max = 1024;
 
 // Silence and stalls.
 inline constexpr unsigned heartbeats_missed_max = 3; ///< After so many, a peer counts as silent.
-// TCP keepalive: a connection ends within half a minute after its peer's host is gone, even if
-// neither end sends data, for example while the master stores a large mesh for a client.
-inline constexpr int keepalive_idle_seconds = 15;
-inline constexpr int keepalive_period_seconds = 5;
-inline constexpr int keepalive_probes = 3;
+inline constexpr int keepalive_probes = 3;           ///< Unanswered probes that end a connection.
 
 // HTTP.
 inline constexpr std::uint32_t http_request_bytes_max = 16u << 10;

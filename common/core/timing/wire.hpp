@@ -5,10 +5,6 @@
 
 namespace cd::timing {
 
-// Contents that proto/ checks.
-/// Longest computing time that a message of results may state, so that sums stay finite.
-inline constexpr double compute_seconds_max = 1e7;
-
 // TLS and certificates.
 /// Validity of the cluster's own CA certificate.
 inline constexpr std::chrono::hours authority_life{24 * 3650};
@@ -36,6 +32,11 @@ inline constexpr std::chrono::seconds close_flush_max{5};
 inline constexpr std::chrono::milliseconds accept_retry_period{100};
 /// Once a deadline has passed, outstanding operations are cancelled again in this period.
 inline constexpr std::chrono::milliseconds overdue_check_period{50};
+
+// TCP keepalive: a connection ends within half a minute after its peer's host is gone, even if
+// neither end sends data, for example while the master stores a large mesh for a client.
+inline constexpr std::chrono::seconds keepalive_idle{15};
+inline constexpr std::chrono::seconds keepalive_period{5};
 
 // HTTP.
 inline constexpr std::chrono::seconds http_exchange_max{10}; ///< Time for a request and its answer.

@@ -3,6 +3,8 @@
 #include "common/core/limits/engine.hpp"
 #include "common/core/limits/master.hpp"
 #include "master/compute/record_size.hpp"
+#include "proto/channel/connection.hpp"
+#include "proto/channel/greeting.hpp"
 #include "tests/master/fake_client.hpp"
 #include "tests/master/fake_worker.hpp"
 #include "tests/master/master_stage.hpp"

@@ -1,6 +1,8 @@
 // Proves that a malicious worker with a good certificate neither crashes the master nor fails
 // scenarios, takes only bounded memory, and keeps no other worker from serving or joining.
 #include "common/core/limits/master.hpp"
+#include "proto/channel/connection.hpp"
+#include "proto/channel/greeting.hpp"
 #include "tests/master/fake_client.hpp"
 #include "tests/master/fake_worker.hpp"
 #include "tests/master/master_stage.hpp"

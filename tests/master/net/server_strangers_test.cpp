@@ -2,6 +2,7 @@
 // even by announcing a join.
 #include "common/core/limits/master.hpp"
 #include "master/identity/identity.hpp"
+#include "proto/channel/greeting.hpp"
 #include "tests/master/fake_client.hpp"
 #include "tests/master/master_stage.hpp"
 #include "tests/support/logged.hpp"

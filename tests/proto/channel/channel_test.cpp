@@ -4,7 +4,11 @@
 #include "proto/channel/channel.hpp"
 
 #include "common/core/limits/wire.hpp"
+#include "common/core/timing/wire.hpp"
+#include "proto/channel/connection.hpp"
+#include "proto/channel/endpoint.hpp"
 #include "proto/channel/frame.hpp"
+#include "proto/channel/greeting.hpp"
 #include "proto/channel/signals.hpp"
 #include "proto/codec/codec.hpp"
 #include "tests/proto/loopback.hpp"
@@ -344,8 +348,8 @@ TEST(Channel, AHostThatIsGoneIsNoticedInASilence) {
         const int socket = ends.left.native_handle();
         const auto channel = Channel::make(std::make_unique<Stream>(std::move(ends.left)));
         EXPECT_EQ(option_of(socket, SOL_SOCKET, SO_KEEPALIVE), 1);
-        EXPECT_EQ(option_of(socket, IPPROTO_TCP, TCP_KEEPIDLE), limits::keepalive_idle_seconds);
-        EXPECT_EQ(option_of(socket, IPPROTO_TCP, TCP_KEEPINTVL), limits::keepalive_period_seconds);
+        EXPECT_EQ(option_of(socket, IPPROTO_TCP, TCP_KEEPIDLE), timing::keepalive_idle.count());
+        EXPECT_EQ(option_of(socket, IPPROTO_TCP, TCP_KEEPINTVL), timing::keepalive_period.count());
         EXPECT_EQ(option_of(socket, IPPROTO_TCP, TCP_KEEPCNT), limits::keepalive_probes);
     });
 }

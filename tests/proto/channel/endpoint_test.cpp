@@ -1,6 +1,7 @@
 // Proves that endpoints are parsed as people write them, and that by default nothing leaves
 // loopback.
-#include "proto/channel/channel.hpp"
+#include "proto/channel/endpoint.hpp"
+
 #include "tests/support/logged.hpp"
 
 #include <gmock/gmock.h>

@@ -1,5 +1,7 @@
 // Proves that no damaged bit of a TLS handshake is accepted, and that hardly one looks like a
 // refusal, after which a worker does not return.
+#include "proto/channel/connection.hpp"
+#include "proto/channel/greeting.hpp"
 #include "proto/channel/tls.hpp"
 #include "tests/proto/loopback.hpp"
 

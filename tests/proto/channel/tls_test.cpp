@@ -3,6 +3,7 @@
 #include "proto/channel/tls.hpp"
 
 #include "proto/channel/asio_tls.hpp"
+#include "proto/channel/connection.hpp"
 #include "proto/codec/codec.hpp"
 #include "tests/proto/loopback.hpp"
 #include "tests/proto/sample_messages.hpp"

@@ -2,6 +2,7 @@
 // at that moment, and ends within its time limit in any case.
 #include "worker/membership/membership.hpp"
 
+#include "proto/channel/greeting.hpp"
 #include "tests/worker/session_stage.hpp"
 
 #include <array>

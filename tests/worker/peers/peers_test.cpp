@@ -3,6 +3,9 @@
 // other than the one the master named.
 #include "common/core/limits/wire.hpp"
 #include "common/core/limits/worker.hpp"
+#include "proto/channel/connection.hpp"
+#include "proto/channel/endpoint.hpp"
+#include "proto/channel/greeting.hpp"
 #include "tests/proto/loopback.hpp"
 #include "tests/worker/block_source.hpp"
 #include "worker/peers/peer_links.hpp"

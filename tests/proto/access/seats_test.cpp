@@ -1,5 +1,5 @@
 // Proves that no host takes all connection slots of unidentified peers.
-#include "proto/channel/seats.hpp"
+#include "proto/access/seats.hpp"
 
 #include <gtest/gtest.h>
 

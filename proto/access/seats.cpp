@@ -1,4 +1,4 @@
-#include "proto/channel/seats.hpp"
+#include "proto/access/seats.hpp"
 
 #include <algorithm>
 
