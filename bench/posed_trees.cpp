@@ -3,6 +3,7 @@
 #include "client/import/mesh_import.hpp"
 #include "common/geometry/aabb.hpp"
 #include "common/job/poses/pose_source.hpp"
+#include "common/job/poses/random_poses.hpp"
 #include "common/tree/box_test.hpp"
 #include "common/tree/build/build.hpp"
 

@@ -3,7 +3,6 @@
 #include "common/core/check.hpp"
 
 #include <array>
-#include <string>
 
 namespace cd {
 

@@ -15,7 +15,12 @@ struct InsideStatistics {
     double seconds = 0;    ///< Wall-clock time of one thread, in seconds; see `Settler::settle`.
     SettleStatistics work; ///< Counts of tests; never sent to another machine.
 
-    InsideStatistics& operator+=(const InsideStatistics& other);
+    InsideStatistics& operator+=(const InsideStatistics& other) {
+        scenarios += other.scenarios;
+        seconds += other.seconds;
+        work += other.work;
+        return *this;
+    }
 };
 
 /// Sums of the statistics of a job's scenarios.
@@ -23,7 +28,11 @@ struct JobStatistics {
     QueryStatistics search;
     InsideStatistics inside;
 
-    JobStatistics& operator+=(const JobStatistics& other);
+    JobStatistics& operator+=(const JobStatistics& other) {
+        search += other.search;
+        inside += other.inside;
+        return *this;
+    }
 };
 
 } // namespace cd

@@ -1,6 +1,7 @@
 #include "common/job/poses/made_poses.hpp"
 
 #include "common/core/check.hpp"
+#include "common/core/host/thread_pool.hpp"
 #include "common/core/limits/engine.hpp"
 #include "common/core/timing/engine.hpp"
 

@@ -3,21 +3,12 @@
 
 #include "common/core/host/stop_check.hpp"
 #include "common/job/poses/pose_source.hpp"
+#include "common/job/poses/random_poses.hpp"
 
 #include <cstdint>
-#include <functional>
 #include <memory>
 
 namespace cd {
-
-/// Computes the job's scenario with a given index. The scenario depends on the index alone. Any
-/// thread may call the function.
-using ScenarioMaker = std::function<Scenario(std::uint64_t)>;
-
-/// Returns a maker of single random scenarios, equal to those of `make_random_poses`. The trees
-/// outlive the maker.
-[[nodiscard]] ScenarioMaker
-random_scenarios(const RandomPoses& options, const ObbTree& a, const ObbTree& b);
 
 /// Makes a source that computes windows of scenarios ahead, on `threads` threads of its own, and
 /// keeps a bounded number of windows. Reads in ascending order are fast. A read of one scenario

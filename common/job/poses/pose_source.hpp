@@ -2,17 +2,14 @@
 #pragma once
 
 #include "common/core/files/bytes.hpp"
-#include "common/core/host/thread_pool.hpp"
 #include "common/core/limits/engine.hpp"
 #include "common/core/result.hpp"
-#include "common/job/poses/random_poses.hpp"
 #include "common/job/scenario.hpp"
-#include "common/tree/obb_tree.hpp"
 
 #include <array>
 #include <cstdint>
 #include <memory>
-#include <optional>
+#include <span>
 #include <vector>
 
 namespace cd {
@@ -84,17 +81,6 @@ struct Grid {
 /// have lengths between 1/2 and 2, and the count is in [1, `limits::scenarios_max`]. Errors:
 /// BadFrame.
 [[nodiscard]] Result<Grid> decode_grid(std::span<const std::byte> bytes);
-
-/// Makes random scenarios (random_poses.hpp), equal on every host and for any number of threads.
-/// B's poses are quaternions, A's the identity. A scenario depends on the bodies, its index, the
-/// seed and the penetration bounds alone, not on `count`.
-///
-/// B approaches the centre of A's box along a straight line. The first collision is at the first of
-/// 32 steps at which the bodies collide, refined to about 1/32,000 of the way. If a line reaches
-/// A's centre without a collision, another direction and orientation are drawn; after 64 such lines
-/// B stays at the centre.
-[[nodiscard]] std::vector<Scenario>
-make_random_poses(const RandomPoses& options, const ObbTree& a, const ObbTree& b, ThreadPool& pool);
 
 /// Makes a source of scenarios that are held in memory.
 [[nodiscard]] std::unique_ptr<PoseSource> make_list_source(std::vector<Scenario> scenarios);

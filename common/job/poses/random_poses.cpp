@@ -1,7 +1,11 @@
+#include "common/job/poses/random_poses.hpp"
+
 #include "common/core/check.hpp"
+#include "common/core/host/thread_pool.hpp"
 #include "common/geometry/aabb.hpp"
-#include "common/job/poses/made_poses.hpp"
+#include "common/job/scenario.hpp"
 #include "common/search/contact_search.hpp"
+#include "common/tree/obb_tree.hpp"
 
 #include <array>
 #include <cmath>

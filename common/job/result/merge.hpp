@@ -3,7 +3,6 @@
 
 #include "common/job/result/result.hpp"
 
-#include <array>
 #include <cstdint>
 #include <optional>
 #include <vector>

@@ -2,6 +2,8 @@
 // of the paper's kind (small to medium penetration), and that bodies that cannot meet end the
 // search.
 
+#include "common/job/poses/random_poses.hpp"
+
 #include "common/core/limits/engine.hpp"
 #include "common/geometry/aabb.hpp"
 #include "common/job/poses/made_poses.hpp"
