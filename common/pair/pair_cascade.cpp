@@ -1,7 +1,7 @@
 #include "common/pair/pair_cascade.hpp"
 
 #include "common/pair/pair_decision.hpp"
-#include "common/pair/stages/float/plain_poses.hpp"
+#include "common/pair/poses/plain_poses.hpp"
 
 #include <algorithm>
 

@@ -3,9 +3,9 @@
 #include "common/geometry/triangle_blocks.hpp"
 #include "common/pair/pair_cascade.hpp"
 #include "common/pair/points/shared_points.hpp"
+#include "common/pair/poses/plain_poses.hpp"
 #include "common/pair/stages/double_batch/double_triangle_pairs.hpp"
 #include "common/pair/stages/float/float_triangle_pair.hpp"
-#include "common/pair/stages/float/plain_poses.hpp"
 
 #include <algorithm>
 #include <numeric>

@@ -1,6 +1,6 @@
 #include "common/solid/triangle_in_solid.hpp"
 
-#include "common/tree/build/triangle_cells.hpp"
+#include "common/solid/triangle_cells.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,7 @@
 // Pairs of triangles that a search ignores.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <span>
 
@@ -19,7 +20,11 @@ struct IgnoredRange {
     friend bool operator==(const IgnoredRange&, const IgnoredRange&) = default;
 };
 
-[[nodiscard]] bool
-is_ignored(std::span<const IgnoredRange> ignored, std::uint32_t a, std::uint32_t b);
+[[nodiscard]] inline bool
+is_ignored(std::span<const IgnoredRange> ignored, std::uint32_t a, std::uint32_t b) {
+    return std::any_of(ignored.begin(), ignored.end(), [&](const IgnoredRange& range) {
+        return a >= range.a_begin && a < range.a_end && b >= range.b_begin && b < range.b_end;
+    });
+}
 
 } // namespace cd

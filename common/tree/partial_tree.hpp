@@ -34,9 +34,6 @@ class PartialObbTree {
     }
     void empty(RootIndex root) { slots_[root].reset(); }
 
-    /// Returns the elements of `roots` whose slots are empty.
-    [[nodiscard]] std::vector<RootIndex> missing(std::span<const RootIndex> roots) const;
-
   private:
     std::shared_ptr<const TreeTop> top_;
     std::vector<std::shared_ptr<const Subtree>> slots_;

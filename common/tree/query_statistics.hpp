@@ -14,7 +14,12 @@ struct QueryStatistics {
     std::uint64_t triangle_tests = 0;
     PairStatistics decisions;
 
-    QueryStatistics& operator+=(const QueryStatistics& other);
+    QueryStatistics& operator+=(const QueryStatistics& other) {
+        box_tests += other.box_tests;
+        triangle_tests += other.triangle_tests;
+        decisions += other.decisions;
+        return *this;
+    }
 };
 
 } // namespace cd

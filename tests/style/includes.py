@@ -98,7 +98,7 @@ DOORS = {
     r"spdlog/": ["common/core/host/log.cpp"],
     r"fmt/": ["common/core/host/log.hpp", "client"],
     r"boost/asio": ["proto/channel/asio.hpp", "proto/channel/asio_tls.hpp"],
-    r"boost/multiprecision": ["common/pair/numbers", "common/tree/build/triangle_cells"],
+    r"boost/multiprecision": ["common/pair/numbers", "common/solid/triangle_cells"],
     r"boost/": ["proto", "common/pair/numbers"],
     r"cereal/": ["proto"],
     r"assimp/": ["client/import/foreign/assimp"],

@@ -1,8 +1,6 @@
 // Numbers of twice double precision, as unevaluated sums of two doubles.
 #pragma once
 
-#include <cmath>
-
 namespace cd {
 
 /// The number high + low, where high is the rounded sum: |low| <= u |high|, u = 2^-53.
@@ -18,6 +16,11 @@ struct DoubleDouble {
 /// Bounds the relative error of a product, and the error of a sum relative to |left| + |right|. A
 /// quotient errs by at most twice this, relatively.
 inline constexpr double double_double_error = 0x1p-102; // 16 u^2.
+
+/// Bounds of lengths between which neither overflow nor underflow matters: products of four lengths
+/// stay far below 2^996, and underflow's effect, some 2^-1074, far below any error bound in use.
+inline constexpr double double_double_length_least = 0x1p-200;
+inline constexpr double double_double_length_most = 0x1p200;
 
 /// Returns left + right without any error (Knuth's TwoSum).
 [[nodiscard]] inline DoubleDouble exact_sum(double left, double right) {

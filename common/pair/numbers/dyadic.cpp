@@ -118,4 +118,32 @@ ExactPose to_exact(const Pose& pose) {
     return exact;
 }
 
+std::array<Dyadic, 3> scaled_world(const ExactPose& pose, const Vec3& point) {
+    const std::array<Dyadic, 3> x{to_dyadic(point.x()), to_dyadic(point.y()), to_dyadic(point.z())};
+    std::array<Dyadic, 3> result;
+    for (std::size_t row = 0; row < 3; ++row) {
+        const auto& r = pose.linear[row];
+        result[row] = r[0] * x[0] + r[1] * x[1] + r[2] * x[2] + pose.translation[row];
+    }
+    return result;
+}
+
+ExactLattice to_lattice(const std::array<Dyadic, 18>& coordinates) {
+    ExactLattice lattice;
+    bool any = false;
+    for (const Dyadic& value : coordinates) {
+        if (value.mantissa != 0) {
+            lattice.exponent = any ? std::min(lattice.exponent, value.exponent) : value.exponent;
+            any = true;
+        }
+    }
+    for (std::size_t i = 0; i < coordinates.size(); ++i) {
+        const Dyadic& value = coordinates[i];
+        if (value.mantissa != 0) {
+            lattice.corners[i / 3][i % 3] = value.mantissa << (value.exponent - lattice.exponent);
+        }
+    }
+    return lattice;
+}
+
 } // namespace cd

@@ -40,5 +40,15 @@ struct ExactPose {
 };
 
 [[nodiscard]] ExactPose to_exact(const Pose& pose);
+/// Returns where a pose puts a point, times the pose's norm.
+[[nodiscard]] std::array<Dyadic, 3> scaled_world(const ExactPose& pose, const Vec3& point);
+
+/// The corners of two triangles, each a multiple of 2^exponent.
+struct ExactLattice {
+    std::array<std::array<ExactInt, 3>, 6> corners;
+    int exponent = 0;
+};
+/// Returns the corners of these coordinates, with the largest exponent if one is not 0.
+[[nodiscard]] ExactLattice to_lattice(const std::array<Dyadic, 18>& coordinates);
 
 } // namespace cd

@@ -1,6 +1,7 @@
 // Fixed-size multiword integers on the stack, and the products that determinants consist of.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -116,6 +117,7 @@ constexpr WideVec<2 * n> cross(const WideVec<n>& l, const WideVec<n>& r) {
 
 template <std::size_t n, std::size_t m>
 constexpr WideInt<n + m> dot(const WideVec<n>& l, const WideVec<m>& r) {
+    static_assert(std::min(n, m) <= 42, "see `bits_max`");
     return carried<n + m>(0, [&](std::size_t index) {
         return column(l[0], r[0], index) + column(l[1], r[1], index) + column(l[2], r[2], index);
     });

@@ -1,5 +1,7 @@
 #include "common/pair/points/double_double_points.hpp"
 
+#include "common/pair/pair_decision.hpp"
+
 #include <algorithm>
 #include <cstddef>
 #include <utility>
@@ -10,9 +12,7 @@ namespace {
 
 constexpr double side_error_least = 0x1p-900; // Far above the effect of underflow.
 
-constexpr std::size_t next(std::size_t corner) {
-    return (corner + 1) % 3;
-}
+using pair_decision::next;
 
 /// The ends of an interval on the line in which the planes of both triangles meet.
 using Ends = std::array<LocalPosition, 2>;
@@ -118,7 +118,7 @@ DoubleDoublePoints::DoubleDoublePoints(const PosePair& poses, double bound_scale
 
 std::optional<Vec3> DoubleDoublePoints::origin(const Corners& a) const {
     const double magnitude = a_.magnitude_of(a[0], a_.translation);
-    if (!(magnitude >= local_length_least && magnitude <= local_length_most)) {
+    if (!(magnitude >= double_double_length_least && magnitude <= double_double_length_most)) {
         return std::nullopt;
     }
     const DoubleDoubleVec nearby = a_.place(a[0], Vec3::Zero());
@@ -149,7 +149,7 @@ bool DoubleDoublePoints::take(const Corners& a, const Corners& b, const Vec3& or
     half_a_ = LocalHalf(*local_a_, *local_b_, bounds_);
     half_b_ = LocalHalf(*local_b_, *local_a_, bounds_);
     const double magnitude = std::max(local_a_->magnitude, local_b_->magnitude);
-    return magnitude >= local_length_least && magnitude <= local_length_most &&
+    return magnitude >= double_double_length_least && magnitude <= double_double_length_most &&
            half_a_.side_error >= side_error_least * scale_ &&
            half_b_.side_error >= side_error_least * scale_;
 }

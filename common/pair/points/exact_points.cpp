@@ -250,42 +250,6 @@ void put_in_order(std::vector<RationalPoint>& found, const Shape& a) {
     std::sort(found.begin() + 1, found.end(), before);
 }
 
-/// The corners of two triangles as multiples of 2^exponent.
-struct Lattice {
-    std::array<Vec, 6> corners;
-    int exponent = 0;
-};
-
-Lattice lattice_of(const std::array<Dyadic, 18>& coordinates) {
-    Lattice lattice;
-    bool any = false;
-    for (const Dyadic& value : coordinates) {
-        if (value.mantissa != 0) {
-            lattice.exponent = any ? std::min(lattice.exponent, value.exponent) : value.exponent;
-            any = true;
-        }
-    }
-    for (std::size_t i = 0; i < coordinates.size(); ++i) {
-        const Dyadic& value = coordinates[i];
-        if (value.mantissa != 0) {
-            lattice.corners[i / 3][i % 3] = value.mantissa << (value.exponent - lattice.exponent);
-        }
-    }
-    return lattice;
-}
-
-/// Returns the corner in the world, times the pose's norm.
-std::array<Dyadic, 3> world(const ExactPose& pose, const Vec3& corner) {
-    const std::array<Dyadic, 3> x{
-        to_dyadic(corner.x()), to_dyadic(corner.y()), to_dyadic(corner.z())};
-    std::array<Dyadic, 3> result;
-    for (std::size_t row = 0; row < 3; ++row) {
-        const auto& r = pose.linear[row];
-        result[row] = r[0] * x[0] + r[1] * x[1] + r[2] * x[2] + pose.translation[row];
-    }
-    return result;
-}
-
 } // namespace
 
 ExactPoints::ExactPoints(const PosePair& poses)
@@ -296,7 +260,7 @@ Vec3 ExactPoints::origin(const Corners& a) const {
 }
 
 Vec3 ExactPoints::offset(const Corners& a, const Vec3& origin) const {
-    const std::array<Dyadic, 3> exact = world(a_, a[0]);
+    const std::array<Dyadic, 3> exact = scaled_world(a_, a[0]);
     Vec3 rounded;
     for (std::size_t k = 0; k < 3; ++k) {
         const auto axis = static_cast<Eigen::Index>(k);
@@ -316,12 +280,13 @@ ExactPoints::points(const Corners& a, const Corners& b, const Vec3& origin) cons
     std::array<Dyadic, 18> coordinates;
     for (std::size_t i = 0; i < 6; ++i) {
         const bool of_a = i < 3;
-        const std::array<Dyadic, 3> corner = of_a ? world(a_, a[i]) : world(b_, b[i - 3]);
+        const std::array<Dyadic, 3> corner =
+            of_a ? scaled_world(a_, a[i]) : scaled_world(b_, b[i - 3]);
         for (std::size_t k = 0; k < 3; ++k) {
             coordinates[3 * i + k] = corner[k] * (of_a ? b_.norm : a_.norm) - shift[k];
         }
     }
-    const Lattice lattice = lattice_of(coordinates);
+    const ExactLattice lattice = to_lattice(coordinates);
     const std::span<const Vec> corners(lattice.corners);
     const Shape shape_a(corners.first(3));
     const Shape shape_b(corners.last(3));

@@ -1,7 +1,7 @@
 #include "common/pair/points/shared_corners.hpp"
 
 #include "common/core/check.hpp"
-#include "common/pair/stages/float/plain_poses.hpp"
+#include "common/pair/poses/plain_poses.hpp"
 
 namespace cd {
 

@@ -3,7 +3,6 @@
 #include "common/geometry/simd_target.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <utility>
 

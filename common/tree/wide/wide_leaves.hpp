@@ -5,7 +5,6 @@
 #include "common/tree/obb_tree.hpp"
 
 #include <cstdint>
-#include <span>
 #include <vector>
 
 namespace cd {

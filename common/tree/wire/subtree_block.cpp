@@ -2,14 +2,11 @@
 
 #include "common/core/check.hpp"
 #include "common/core/varint.hpp"
-#include "common/tree/build/node_columns.hpp"
 #include "common/tree/wire/byte_planes.hpp"
+#include "common/tree/wire/node_columns.hpp"
 #include "common/tree/wire/wide_block.hpp"
 
 #include <algorithm>
-#include <array>
-#include <bit>
-#include <cmath>
 #include <concepts>
 #include <utility>
 

@@ -7,7 +7,6 @@
 #include "common/tree/cut.hpp"
 #include "common/tree/subtree.hpp"
 
-#include <cstdint>
 #include <span>
 
 namespace cd {

@@ -1,6 +1,6 @@
 #include "common/tree/wire/top_block.hpp"
 
-#include "common/tree/build/node_columns.hpp"
+#include "common/tree/wire/node_columns.hpp"
 
 #include <utility>
 #include <vector>

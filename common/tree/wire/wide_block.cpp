@@ -11,10 +11,8 @@
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <cmath>
 #include <memory>
 #include <string>
-#include <type_traits>
 #include <utility>
 
 namespace cd {
@@ -29,9 +27,6 @@ constexpr std::uint8_t planes_mask = 7;
 constexpr std::uint8_t count_mask = 15;
 constexpr std::uint8_t leaf_bit = 16;
 constexpr unsigned kind_shift = 5;
-
-template <class Float>
-using BitsOf = std::conditional_t<sizeof(Float) == 4, std::uint32_t, std::uint64_t>;
 
 template <class Float>
 std::span<const Float> coordinates_of(const TriangleBlocks& blocks) {

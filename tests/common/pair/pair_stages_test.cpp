@@ -1,9 +1,9 @@
 // Proves that each stage of the decision returns only true answers: on every kind of hard pair and
 // from any stage on, the answer is the oracle's; that the bounds of the double and double-double
 // stages are needed; and that pairs settle in the expected stages.
+#include "common/pair/poses/plain_poses.hpp"
 #include "common/pair/stages/double/double_triangle_pair.hpp"
 #include "common/pair/stages/double_double/double_double_triangle_pair.hpp"
-#include "common/pair/stages/float/plain_poses.hpp"
 #include "common/pair/stages/integer/integer_triangle_pair.hpp"
 #include "tests/common/pair/pair_batch.hpp"
 #include "tests/support/oracle.hpp"

@@ -3,7 +3,6 @@
 #include "common/pair/numbers/dyadic.hpp"
 #include "common/pair/pair_decision.hpp"
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 
@@ -66,37 +65,15 @@ class ExactSigns {
 std::array<Vec, 6>
 on_lattice(const Corners& a, const Corners& b, const ExactPose& pose_a, const ExactPose& pose_b) {
     std::array<Dyadic, 18> coordinates;
-    std::size_t place = 0;
-    const auto map = [&](const Corners& corners, const ExactPose& pose, const Dyadic& other_norm) {
-        for (const Vec3& corner : corners) {
-            const std::array<Dyadic, 3> x{
-                to_dyadic(corner.x()), to_dyadic(corner.y()), to_dyadic(corner.z())};
-            for (std::size_t row = 0; row < 3; ++row) {
-                const auto& r = pose.linear[row];
-                coordinates[place++] =
-                    (r[0] * x[0] + r[1] * x[1] + r[2] * x[2] + pose.translation[row]) * other_norm;
-            }
-        }
-    };
-    map(a, pose_a, pose_b.norm);
-    map(b, pose_b, pose_a.norm);
-
-    int lowest = 0;
-    bool any = false;
-    for (const Dyadic& value : coordinates) {
-        if (value.mantissa != 0) {
-            lowest = any ? std::min(lowest, value.exponent) : value.exponent;
-            any = true;
+    for (std::size_t i = 0; i < 6; ++i) {
+        const bool of_a = i < 3;
+        const std::array<Dyadic, 3> corner =
+            of_a ? scaled_world(pose_a, a[i]) : scaled_world(pose_b, b[i - 3]);
+        for (std::size_t k = 0; k < 3; ++k) {
+            coordinates[3 * i + k] = corner[k] * (of_a ? pose_b.norm : pose_a.norm);
         }
     }
-    std::array<Vec, 6> corners;
-    for (std::size_t i = 0; i < coordinates.size(); ++i) {
-        const Dyadic& value = coordinates[i];
-        if (value.mantissa != 0) {
-            corners[i / 3][i % 3] = value.mantissa << (value.exponent - lowest);
-        }
-    }
-    return corners;
+    return to_lattice(coordinates).corners;
 }
 
 } // namespace

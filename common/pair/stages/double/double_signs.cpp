@@ -7,8 +7,6 @@ namespace cd {
 namespace {
 
 using double_signs::CornerPairs;
-using double_signs::tame_least;
-using double_signs::tame_most;
 using two_doubles::exact_sums;
 using two_doubles::magnitudes;
 using two_doubles::Sums;

@@ -32,10 +32,9 @@
 
 #include "common/pair/numbers/two_doubles.hpp"
 #include "common/pair/pair_decision.hpp"
-#include "common/pair/stages/float/rounded_poses.hpp"
+#include "common/pair/poses/rounded_poses.hpp"
 
 #include <array>
-#include <bit>
 #include <cstddef>
 #include <cstdint>
 
@@ -52,11 +51,6 @@ inline constexpr double term_least = 0x1p-900;
 inline constexpr double size_raise = 0x1p-950;
 /// Factor from an error before the last rounding to the size that it adds.
 inline constexpr double size_of_error = 1.01 / (2 * u);
-/// Tame coordinates are 0 or within these magnitudes. Then sums with tame translations, and
-/// differences, are multiples of 2^-203. In rotated bodies nonzero sizes are at least 2^-150 (the
-/// least weight) times 2^-150, and at most 2^40.
-inline constexpr double tame_least = 0x1p-150;
-inline constexpr double tame_most = 0x1p33;
 
 /// A component of a vector in lane 0 and its size in lane 1; the same operations compute both.
 struct Sized {

@@ -1,6 +1,6 @@
 #include "common/pair/stages/double/double_triangle_pair.hpp"
 
-#include "common/pair/stages/float/plain_poses.hpp"
+#include "common/pair/poses/plain_poses.hpp"
 
 namespace cd {
 

@@ -3,8 +3,8 @@
 #pragma once
 
 #include "common/pair/pair_decision.hpp"
+#include "common/pair/poses/rounded_poses.hpp"
 #include "common/pair/stages/double/double_signs.hpp"
-#include "common/pair/stages/float/rounded_poses.hpp"
 #include "common/pair/triangle_pair.hpp"
 
 #include <optional>

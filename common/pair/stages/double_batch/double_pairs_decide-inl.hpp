@@ -9,6 +9,7 @@
 #define CD_DOUBLE_PAIRS_DECIDE_INL_HPP
 #endif
 
+#include "common/pair/pair_decision.hpp"
 #include "common/pair/stages/double_batch/double_pairs_frame-inl.hpp"
 #include "common/pair/stages/double_batch/double_pairs_signs-inl.hpp"
 #include "common/pair/triangle_pair.hpp"
@@ -22,9 +23,7 @@ namespace cd {
 namespace HWY_NAMESPACE {
 namespace double_pairs {
 
-constexpr std::size_t next(std::size_t corner) {
-    return (corner + 1) % 3;
-}
+using pair_decision::next;
 
 /// The lone corner of a triangle in each lane (LoneCorner of pair_decision.hpp): the first corner
 /// where neither `is_second` nor `is_third` is set.

@@ -106,10 +106,9 @@ HWY_INLINE M are_tame(const V (&x)[3][3], M so_far) {
     for (std::size_t i = 0; i < 3; ++i) {
         for (std::size_t k = 0; k < 3; ++k) {
             const V size = hn::Abs(x[i][k]);
-            const M is_fit = hn::Or(hn::Ge(size, hn::Set(d, double_signs::tame_least)),
-                                    hn::Eq(size, hn::Zero(d)));
-            so_far =
-                hn::And(so_far, hn::And(is_fit, hn::Le(size, hn::Set(d, double_signs::tame_most))));
+            const M is_fit =
+                hn::Or(hn::Ge(size, hn::Set(d, tame_least)), hn::Eq(size, hn::Zero(d)));
+            so_far = hn::And(so_far, hn::And(is_fit, hn::Le(size, hn::Set(d, tame_most))));
         }
     }
     return so_far;

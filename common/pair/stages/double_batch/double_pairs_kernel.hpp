@@ -1,7 +1,7 @@
 // SIMD kernel of DoubleTrianglePairs, compiled for every target; plain values in and out.
 #pragma once
 
-#include "common/pair/stages/float/rounded_poses.hpp"
+#include "common/pair/poses/rounded_poses.hpp"
 
 #include <array>
 #include <cstddef>

@@ -1,8 +1,8 @@
 // The double stage for many pairs at once, for scenes where ties are common.
 #pragma once
 
+#include "common/pair/poses/rounded_poses.hpp"
 #include "common/pair/stages/double_batch/double_pairs_kernel.hpp"
-#include "common/pair/stages/float/rounded_poses.hpp"
 #include "common/pair/triangle_pair.hpp"
 
 #include <array>

@@ -1,6 +1,6 @@
 #include "common/pair/stages/double_double/double_double_local.hpp"
 
-#include "common/pair/stages/float/plain_poses.hpp"
+#include "common/pair/poses/plain_poses.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -35,7 +35,7 @@ std::optional<PlainRow> plain_row(const Mat3& matrix, Eigen::Index k) {
             ++entries;
         }
     }
-    const bool is_exact = entries == 0 || std::abs(row.entry) >= local_length_least;
+    const bool is_exact = entries == 0 || std::abs(row.entry) >= double_double_length_least;
     return entries <= 1 && is_exact ? std::optional(row) : std::nullopt;
 }
 
@@ -87,7 +87,7 @@ std::optional<DoubleDouble> LocalMap::exact_component(const Vec3& x, std::size_t
     DoubleDouble product;
     if (plain[k]->entry != 0 && factor != 0) {
         product = exact_product(plain[k]->entry, factor);
-        if (product.low != 0 || std::abs(factor) < local_length_least) {
+        if (product.low != 0 || std::abs(factor) < double_double_length_least) {
             return std::nullopt; // The product is not one double, or it may underflow.
         }
     }
@@ -107,7 +107,8 @@ LocalMap::nearest_component(const Vec3& x, const Vec3& origin, std::size_t k) co
         if (entry == 0 || factor == 0) {
             continue;
         }
-        if (std::abs(entry) < local_length_least || std::abs(factor) < local_length_least) {
+        if (std::abs(entry) < double_double_length_least ||
+            std::abs(factor) < double_double_length_least) {
             return std::nullopt; // The product's error may underflow.
         }
         const DoubleDouble product = exact_product(entry, factor);

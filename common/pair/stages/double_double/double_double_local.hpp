@@ -11,11 +11,6 @@
 
 namespace cd {
 
-/// Bounds of lengths between which neither overflow nor underflow matters: products of four lengths
-/// stay far below 2^996, and underflow's effect, some 2^-1074, far below any error bound in use.
-inline constexpr double local_length_least = 0x1p-200;
-inline constexpr double local_length_most = 0x1p200;
-
 /// A body's pose in double-double, with bounds.
 struct LocalMap {
     /// A row of the linear part that is known exactly and has at most one nonzero entry.

@@ -1,5 +1,7 @@
 #include "common/pair/stages/double_double/double_double_positions.hpp"
 
+#include "common/pair/pair_decision.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -13,9 +15,7 @@ using ExactComponents = LocalTriangle::ExactComponents;
 constexpr double u = 0x1p-53; // Unit roundoff of double.
 constexpr double e = double_double_error;
 
-constexpr std::size_t next(std::size_t corner) {
-    return (corner + 1) % 3;
-}
+using pair_decision::next;
 
 Vec3 high_of(const Vector& v) {
     return {v[0].high, v[1].high, v[2].high};

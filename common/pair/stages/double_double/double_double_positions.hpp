@@ -4,7 +4,6 @@
 #include "common/pair/pair_decision.hpp"
 #include "common/pair/stages/double_double/double_double_local.hpp"
 
-#include <array>
 #include <cstddef>
 #include <optional>
 

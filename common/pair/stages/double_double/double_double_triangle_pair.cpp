@@ -30,8 +30,8 @@
 // it proves anything.
 #include "common/pair/stages/double_double/double_double_triangle_pair.hpp"
 
+#include "common/pair/poses/plain_poses.hpp"
 #include "common/pair/stages/double/double_triangle_pair.hpp"
-#include "common/pair/stages/float/plain_poses.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -40,9 +40,6 @@
 namespace cd {
 
 namespace {
-
-constexpr double magnitude_least = 0x1p-200;
-constexpr double magnitude_most = 0x1p200;
 
 /// Returns the high half of the digits (Veltkamp's splitting).
 BothBodies head_of(BothBodies x) {
@@ -132,7 +129,8 @@ DoubleDoubleSigns::DoubleDoubleSigns(const DoubleDoublePoses& poses,
     // 1.01 covers the roundings of the bounds.
     const double magnitude = 1.01 * std::max(poses.largest_a * reach_a + poses.offset_largest,
                                              poses.largest_b * reach_b);
-    const bool is_in_range = magnitude > magnitude_least && magnitude < magnitude_most;
+    const bool is_in_range =
+        magnitude > double_double_length_least && magnitude < double_double_length_most;
     error_ = is_in_range ? 30 * double_double_error * magnitude
                          : std::numeric_limits<double>::infinity();
 }

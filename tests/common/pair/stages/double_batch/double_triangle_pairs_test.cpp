@@ -3,8 +3,8 @@
 // answers are equal on every SIMD target, in any batch and order.
 #include "common/pair/stages/double_batch/double_triangle_pairs.hpp"
 
+#include "common/pair/poses/plain_poses.hpp"
 #include "common/pair/stages/double/double_triangle_pair.hpp"
-#include "common/pair/stages/float/plain_poses.hpp"
 #include "tests/common/pair/pair_batch.hpp"
 #include "tests/support/oracle.hpp"
 

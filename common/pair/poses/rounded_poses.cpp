@@ -1,4 +1,4 @@
-#include "common/pair/stages/float/rounded_poses.hpp"
+#include "common/pair/poses/rounded_poses.hpp"
 
 #include "common/pair/numbers/double_double.hpp"
 
@@ -94,8 +94,8 @@ RoundedPoses::RoundedPoses(const PosePair& poses) {
         }
     }
     for (int k = 0; k < 3; ++k) {
-        are_tame = are_tame && is_between(bodies[0].translation[k], 0x1p-150, 0x1p33) &&
-                   is_between(bodies[1].translation[k], 0x1p-150, 0x1p33);
+        are_tame = are_tame && is_between(bodies[0].translation[k], tame_least, tame_most) &&
+                   is_between(bodies[1].translation[k], tame_least, tame_most);
     }
     if (permutes_axes(bodies[0]) && permutes_axes(bodies[1])) {
         return;
@@ -114,7 +114,7 @@ RoundedPoses::RoundedPoses(const PosePair& poses) {
             weights[r][c] = BothBodies{weight(0, row, k), weight(1, row, k)};
             for (std::size_t body = 0; body < 2; ++body) {
                 are_tame = are_tame && std::abs(matrices[body](row, k)) <= 2 &&
-                           is_between(weights[r][c][body], 0x1p-150, 2);
+                           is_between(weights[r][c][body], tame_least, 2);
             }
         }
         const DoubleDouble apart =

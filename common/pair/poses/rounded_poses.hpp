@@ -10,6 +10,12 @@
 
 namespace cd {
 
+/// Tame coordinates are 0 or within these magnitudes. Then sums with tame translations, and
+/// differences, are multiples of 2^-203. In rotated bodies nonzero sizes are at least 2^-150 (the
+/// least weight) times 2^-150, and at most 2^40.
+inline constexpr double tame_least = 0x1p-150;
+inline constexpr double tame_most = 0x1p33;
+
 /// The poses of both bodies as doubles with error bounds, made from plain poses (see
 /// `plain_poses`).
 struct RoundedPoses {
@@ -26,7 +32,7 @@ struct RoundedPoses {
         bool is_none = false;              ///< True if the body is neither rotated nor moved.
     };
 
-    /// True if all |translations| are 0 or from 2^-150 to 2^33, all |entries| at most 2, and all
+    /// True if all |translations| are 0 or tame, all |entries| at most 2, and all
     /// weights 0 or at least 2^-150.
     bool are_tame = true;
     bool are_rotated = false; ///< If false, all rows of both bodies are exact.

@@ -1,7 +1,7 @@
 // Proves that a triangle is cut into as many cells as needed and no more: a centre in each face
 // between the lines, none on a cut, and no split by a line that does not enter.
 
-#include "common/tree/build/triangle_cells.hpp"
+#include "common/solid/triangle_cells.hpp"
 
 #include "tests/support/rounds.hpp"
 

@@ -1,4 +1,4 @@
-#include "common/pair/stages/float/plain_poses.hpp"
+#include "common/pair/poses/plain_poses.hpp"
 
 #include "common/pair/numbers/double_double.hpp"
 

@@ -1,4 +1,4 @@
-#include "common/tree/build/node_columns.hpp"
+#include "common/tree/wire/node_columns.hpp"
 
 #include "common/core/varint.hpp"
 #include "common/tree/node_check.hpp"

@@ -1,4 +1,4 @@
-#include "common/tree/build/triangle_cells.hpp"
+#include "common/solid/triangle_cells.hpp"
 
 #include <algorithm>
 #include <utility>
