@@ -4,7 +4,6 @@
 #include "common/core/result.hpp"
 
 #include <chrono>
-#include <string>
 #include <string_view>
 
 namespace cd {

@@ -3,7 +3,6 @@
 #include "common/core/limits/engine.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace cd {
 

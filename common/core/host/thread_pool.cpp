@@ -1,6 +1,7 @@
 #include "common/core/host/thread_pool.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <latch>
 
 namespace cd {

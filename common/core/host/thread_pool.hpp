@@ -1,7 +1,6 @@
 // A thread pool, and loops that run on it in parallel.
 #pragma once
 
-#include <atomic>
 #include <condition_variable>
 #include <cstddef>
 #include <deque>
