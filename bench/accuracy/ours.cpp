@@ -5,9 +5,11 @@
 #include "common/core/host/thread_pool.hpp"
 #include "common/geometry/simd_target.hpp"
 #include "common/job/run_scenario.hpp"
+#include "common/pair/poses/plain_poses.hpp"
 #include "common/pair/stages/double/double_triangle_pair.hpp"
 #include "common/pair/stages/float/float_triangle_pair.hpp"
 #include "common/tree/build/build.hpp"
+#include "tests/support/proven_class.hpp"
 
 #include <algorithm>
 #include <optional>
@@ -31,7 +33,7 @@ class Filters final : public PairEngine {
         std::size_t largest = 0;
         for (const PairGroup& group : groups) {
             floats_.emplace_back(group.poses, bound_scale_);
-            doubles_.emplace_back(group.poses);
+            doubles_.emplace_back(plain_poses(group.poses));
             largest = std::max(largest, group.candidates.size());
         }
         verdicts_.resize(largest);
@@ -47,8 +49,9 @@ class Filters final : public PairEngine {
                 bool touches = verdicts[i] != FloatVerdict::Separate;
                 if (doubles_next_ && verdicts[i] == FloatVerdict::Unknown) {
                     const Candidate& c = group.candidates[i];
-                    touches = doubles_[g].classify(group.a.corners_at(c.a),
-                                                   group.b.corners_at(c.b)) != PairClass::Separate;
+                    touches = tests::proven_class(doubles_[g],
+                                                  group.a.corners_at(c.a),
+                                                  group.b.corners_at(c.b)) != PairClass::Separate;
                 }
                 answers[next++] = touches ? 1 : 0;
             }

@@ -187,7 +187,7 @@ PairCascade::Decision PairCascade::classify(const Corners& a, const Corners& b) 
         kind = decide(NoSigns(), later);
     } else {
         if (!in_double_) {
-            in_double_.emplace(DoubleTrianglePair::Plain(), plain_);
+            in_double_.emplace(plain_);
         }
         kind = in_double_->with_signs(a, b, [&](const auto& s) { return decide(s, later); });
     }

@@ -3,7 +3,7 @@
 
 #include "common/pair/stages/arbitrary/exact_triangle_pair.hpp"
 #include "common/pair/stages/double/double_triangle_pair.hpp"
-#include "common/pair/stages/double_double/double_double_triangle_pair.hpp"
+#include "common/pair/stages/double_double/double_double_signs.hpp"
 #include "common/pair/stages/integer/integer_triangle_pair.hpp"
 #include "common/pair/triangle_pair.hpp"
 

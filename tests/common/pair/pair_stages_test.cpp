@@ -2,11 +2,9 @@
 // from any stage on, the answer is the oracle's; that the bounds of the double and double-double
 // stages are needed; and that pairs settle in the expected stages.
 #include "common/pair/poses/plain_poses.hpp"
-#include "common/pair/stages/double/double_triangle_pair.hpp"
-#include "common/pair/stages/double_double/double_double_triangle_pair.hpp"
-#include "common/pair/stages/integer/integer_triangle_pair.hpp"
 #include "tests/common/pair/pair_batch.hpp"
 #include "tests/support/oracle.hpp"
+#include "tests/support/proven_class.hpp"
 
 #include <gtest/gtest.h>
 
@@ -28,10 +26,11 @@ PairClass from_stage(PairStage first, const PosedPair& c) {
     return TrianglePairTest(c.poses, first).classify(c.a, c.b);
 }
 
-template <class Stage, class Maker>
-Proofs proofs_of(const Maker& make, double bound_scale) {
+/// Counts what doubles prove.
+template <class Maker>
+Proofs double_proofs(const Maker& make, double bound_scale) {
     return proofs_of(
-        make, [&](const PosedPair& c) { return Stage(c.poses, bound_scale).classify(c.a, c.b); });
+        make, [&](const PosedPair& c) { return proven_in_double(c.poses, c.a, c.b, bound_scale); });
 }
 
 /// Writes one rotation in two ways that double-double rounds differently, for triangles that share
@@ -69,28 +68,28 @@ TEST(PairStages, AllGiveTheOraclesAnswerOnEveryKindOfPair) {
             for (const PairStage first : later_stages) {
                 ASSERT_EQ(from_stage(first, c), expected) << to_text(first);
             }
-            const auto in_double = DoubleTrianglePair(c.poses).classify(c.a, c.b);
+            const auto in_double = proven_in_double(c.poses, c.a, c.b);
             ASSERT_EQ(in_double.value_or(expected), expected);
-            const auto in_double_double = DoubleDoubleTrianglePair(c.poses).classify(c.a, c.b);
+            const auto in_double_double = proven_in_double_double(c.poses, c.a, c.b);
             ASSERT_EQ(in_double_double.value_or(expected), expected);
         }
     }
 }
 
 TEST(PairStages, TheBoundsOfDoubleAreNeeded) {
-    const Proofs proofs = proofs_of<DoubleTrianglePair>(nearly_touching, 1);
+    const Proofs proofs = double_proofs(nearly_touching, 1);
     EXPECT_EQ(proofs.wrong, 0);
     // Most pairs are near the limit of what can be proven.
     EXPECT_GT(proofs.right, 20'000 / 5);
     EXPECT_LT(proofs.right, 20'000 * 4 / 5);
-    EXPECT_GT(proofs_of<DoubleTrianglePair>(nearly_touching, 0.03).wrong, 10);
+    EXPECT_GT(double_proofs(nearly_touching, 0.03).wrong, 10);
 }
 
 TEST(PairStages, DoublesProveTiesAlongTheAxisOfATurnAndOnlyThose) {
-    const Proofs proofs = proofs_of<DoubleTrianglePair>(turned_about_an_axis, 1);
+    const Proofs proofs = double_proofs(turned_about_an_axis, 1);
     EXPECT_EQ(proofs.wrong, 0);
     EXPECT_GT(proofs.right, 10'000);
-    EXPECT_GT(proofs_of<DoubleTrianglePair>(turned_about_an_axis, 0.03).wrong, 10);
+    EXPECT_GT(double_proofs(turned_about_an_axis, 0.03).wrong, 10);
 }
 
 TEST(PairStages, TurnsAboutAnAxisGetTheOraclesAnswer) {
@@ -105,7 +104,7 @@ TEST(PairStages, TurnsAboutAnAxisGetTheOraclesAnswer) {
 
 TEST(PairStages, TinyAndHugeValuesAreNotTakenForZero) {
     expect_zero_is_not_assumed(turned_about_an_axis, [](const PosedPair& c) {
-        return DoubleTrianglePair(c.poses).classify(c.a, c.b);
+        return proven_in_double(c.poses, c.a, c.b);
     });
     expect_zero_is_not_assumed(turned_about_an_axis, [](const PosedPair& c) {
         return std::optional(from_stage(PairStage::Double, c));
@@ -114,7 +113,9 @@ TEST(PairStages, TinyAndHugeValuesAreNotTakenForZero) {
 
 TEST(PairStages, TheBoundsOfDoubleDoubleAreNeeded) {
     const auto proofs_with = [](double bound_scale) {
-        return proofs_of<DoubleDoubleTrianglePair>(tie_that_is_moved_a_little, bound_scale);
+        return proofs_of(tie_that_is_moved_a_little, [&](const PosedPair& c) {
+            return proven_in_double_double(c.poses, c.a, c.b, bound_scale);
+        });
     };
     const Proofs proofs = proofs_with(1);
     EXPECT_EQ(proofs.wrong, 0);
@@ -142,7 +143,7 @@ TEST(PairStages, IntegersDecideAsUnlimitedOnesWhereverTheyReach) {
         if (spread % 2 == 0) {
             c.poses = {make_matrix_pose(random, 1), make_pose(random, 1)};
         }
-        const auto decided = IntegerTrianglePair(plain_poses(c.poses)).classify(c.a, c.b);
+        const auto decided = decided_in_integers(c.poses, c.a, c.b);
         const PairClass expected = ExactTrianglePair(c.poses).classify(c.a, c.b);
         ASSERT_EQ(decided.value_or(expected), expected);
         ASSERT_EQ(expected, oracle_class(c.a, c.b, c.poses));
@@ -202,10 +203,9 @@ TEST(PairStages, DoublesProveTiesOfFacesAlongTheAxes) {
     const Corners lid{Vec3(0.1, 0.1, 0.3), Vec3(0.7, 0.1, 0.3), Vec3(0.7, 0.7, 0.3)};
     const Corners floor{Vec3(0.3, 0.2, 0.3), Vec3(0.9, 0.2, 0.3), Vec3(0.9, 0.8, 0.3)};
     const Corners wall{Vec3(0.6, 0.2, 0.3), Vec3(0.6, 0.5, 0.3), Vec3(0.6, 0.5, 0.9)};
-    const DoubleTrianglePair test(PosePair{});
 
-    EXPECT_EQ(test.classify(lid, floor), PairClass::Coplanar);
-    EXPECT_EQ(test.classify(lid, wall), PairClass::Touch);
+    EXPECT_EQ(proven_in_double({}, lid, floor), PairClass::Coplanar);
+    EXPECT_EQ(proven_in_double({}, lid, wall), PairClass::Touch);
 }
 
 TEST(PairStages, EachPairCountsForTheHighestStageThatItNeeded) {

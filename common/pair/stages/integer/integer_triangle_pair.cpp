@@ -96,12 +96,4 @@ bool IntegerTrianglePair::place(const Corners& a, const Corners& b, IntegerCorne
            place_with<1, 2, 3, 4, 5, 6, 8, 16>(*lattice_, lattice_->extent_of(a, b), a, b, corners);
 }
 
-std::optional<PairClass> IntegerTrianglePair::classify(const Corners& a, const Corners& b) {
-    if (const auto decided = classify_short(a, b)) {
-        return decided;
-    }
-    IntegerCorners corners;
-    return place(a, b, corners) ? std::optional(decide_pair(corners)) : std::nullopt;
-}
-
 } // namespace cd

@@ -61,9 +61,6 @@ class IntegerTrianglePair {
     /// Allocates at most at its first call.
     [[nodiscard]] bool place(const Corners& a, const Corners& b, IntegerCorners& placed);
 
-    /// Classifies a pair; returns nothing if the range of its corners exceeds sixteen words.
-    [[nodiscard]] std::optional<PairClass> classify(const Corners& a, const Corners& b);
-
   private:
     PosePair poses_;
     std::optional<ShortLattice> short_lattice_;

@@ -4,9 +4,9 @@
 #include "common/pair/stages/double_batch/double_triangle_pairs.hpp"
 
 #include "common/pair/poses/plain_poses.hpp"
-#include "common/pair/stages/double/double_triangle_pair.hpp"
 #include "tests/common/pair/pair_batch.hpp"
 #include "tests/support/oracle.hpp"
+#include "tests/support/proven_class.hpp"
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
@@ -105,7 +105,7 @@ TEST(ManyInDoubles, OnlyProveWhatIsTrueOfHardPairsInAnyOrder) {
                 ASSERT_EQ(found.value_or(expected), expected);
             }
             proven += decided(c) ? 1 : 0;
-            proven_one_by_one += DoubleTrianglePair(c.poses).classify(c.a, c.b) ? 1 : 0;
+            proven_one_by_one += proven_in_double(c.poses, c.a, c.b) ? 1 : 0;
         }
     }
     EXPECT_GT(proven, proven_one_by_one * 3 / 4);

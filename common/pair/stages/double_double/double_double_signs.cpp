@@ -28,10 +28,7 @@
 // max(X, Y, Z). Products lose some multiples of 2^-1074, times one more factor at most: far less.
 // If entries or corners are so large that splitting overflows, NaN results, and no comparison with
 // it proves anything.
-#include "common/pair/stages/double_double/double_double_triangle_pair.hpp"
-
-#include "common/pair/poses/plain_poses.hpp"
-#include "common/pair/stages/double/double_triangle_pair.hpp"
+#include "common/pair/stages/double_double/double_double_signs.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -229,17 +226,6 @@ int DoubleDoubleSigns::turn(std::size_t i, std::size_t j, std::size_t k, std::si
 
 int DoubleDoubleSigns::difference(std::size_t i, std::size_t j, std::size_t axis) const {
     return proven_sign(between(j, i).value[axis].high, scale_ * 1.01 * error_);
-}
-
-DoubleDoubleTrianglePair::DoubleDoubleTrianglePair(const PosePair& poses, double bound_scale)
-    : poses_(plain_poses(poses)), bound_scale_(bound_scale) {}
-
-std::optional<PairClass> DoubleDoubleTrianglePair::classify(const Corners& a,
-                                                            const Corners& b) const {
-    const DoubleDoubleSigns signs(poses_, a, b, bound_scale_);
-    ProvenSigns proven(signs);
-    const PairClass kind = decide_pair(proven);
-    return proven.are_enough() ? std::optional(kind) : std::nullopt;
 }
 
 } // namespace cd

@@ -1,5 +1,5 @@
 // The double-double stage of the decision, with error bounds some 2^50 times smaller than those of
-// doubles. The stage proves an answer or gives none.
+// doubles. The stage proves a sign or gives none.
 #pragma once
 
 #include "common/pair/numbers/two_doubles.hpp"
@@ -8,7 +8,6 @@
 
 #include <array>
 #include <cstddef>
-#include <optional>
 
 namespace cd {
 
@@ -65,21 +64,6 @@ class DoubleDoubleSigns {
     std::array<DoubleDoubleVec, 6> corners_; ///< World coordinates; low parts are not normalised.
     double error_ = 0; ///< Bounds the error of each component of a difference.
     double scale_ = 1;
-};
-
-class DoubleDoubleTrianglePair {
-  public:
-    /// Multiplies all error bounds by `bound_scale`. Answers are right only from 1 on; tests use
-    /// less to show that the bounds are needed.
-    explicit DoubleDoubleTrianglePair(const PosePair& poses, double bound_scale = 1);
-
-    /// Returns the class that is proven under the exact poses; nothing if rounding leaves it open,
-    /// as at every tie. Never allocates.
-    [[nodiscard]] std::optional<PairClass> classify(const Corners& a, const Corners& b) const;
-
-  private:
-    DoubleDoublePoses poses_;
-    double bound_scale_;
 };
 
 } // namespace cd
