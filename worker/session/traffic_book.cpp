@@ -31,22 +31,16 @@ JobId TrafficBook::who_asked(const SubtreeKey& key) const {
 }
 
 void TrafficBook::found(JobId job, std::uint64_t subtrees) {
-    BlockTraffic traffic;
-    traffic.hits = subtrees;
-    add(job, traffic);
+    add(job, {.hits = subtrees});
 }
 
 void TrafficBook::missed(JobId job, const SubtreeKey& key) {
-    BlockTraffic traffic;
-    traffic.misses = 1;
-    add(job, traffic);
+    add(job, {.misses = 1});
     asked_by_[key] = job;
 }
 
 void TrafficBook::hinted(JobId job, const SubtreeKey& key) {
-    BlockTraffic traffic;
-    traffic.hinted = 1;
-    add(job, traffic);
+    add(job, {.hinted = 1});
     asked_by_[key] = job;
 }
 
@@ -58,15 +52,11 @@ void TrafficBook::evicted(TreeId tree) {
 }
 
 void TrafficBook::came_from_master(const SubtreeKey& key, std::uint64_t bytes) {
-    BlockTraffic traffic;
-    traffic.master_bytes = bytes;
-    add(who_asked(key), traffic);
+    add(who_asked(key), {.master_bytes = bytes});
 }
 
 void TrafficBook::came_from_peer(const SubtreeKey& key, std::uint64_t bytes) {
-    BlockTraffic traffic;
-    traffic.peer_bytes = bytes;
-    add(who_asked(key), traffic);
+    add(who_asked(key), {.peer_bytes = bytes});
 }
 
 BlockTraffic TrafficBook::take(JobId job) {
