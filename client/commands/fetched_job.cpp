@@ -88,7 +88,7 @@ Status fetch_map(Connection& connection, JobId job, RunReport& report) {
     const ContactMapAnswer answer = CD_TRY(connection.contact_map(job));
     report.map_withdrawn = answer.withdrawn;
     if (answer.is_asked && report.map_withdrawn.empty()) {
-        // Uses bounds that hold for any mesh, since the meshes need not be loaded here.
+        // The meshes may not be loaded, so the map is checked against the largest allowed mesh.
         const ContactMapBounds bounds{
             limits::mesh_triangles_max, limits::mesh_triangles_max, report.summary.total};
         report.map = CD_TRY(unpack_map(answer.map, bounds));

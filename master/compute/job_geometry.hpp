@@ -19,7 +19,7 @@
 
 namespace cd {
 
-/// What a job needs of its bodies.
+/// Cuts of a job's two bodies, and the inputs of its analysis and of its result checks.
 struct JobGeometry {
     std::shared_ptr<const Cut> cut_a;
     std::shared_ptr<const Cut> cut_b;

@@ -58,7 +58,7 @@ struct ClusterOptions {
     std::uint32_t v_kb = 4096; ///< Buffer capacity, kB.
     bool claim = false;        ///< The paper's strict claiming: one task per worker at a time.
     std::uint64_t seed = 1;    ///< Seed of the random strategy.
-    /// Who finds the colliding roots; strict claiming implies Always.
+    /// Whether the master or the workers find the colliding roots. `claim` implies Always.
     AnalysisMode analysis = AnalysisMode::Auto;
     /// Sends workers hints of subtrees that they will need. `earliest-finish` only.
     bool hints = true;

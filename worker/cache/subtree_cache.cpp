@@ -124,7 +124,7 @@ Status SubtreeCache::add_tree(const AddTree& add) {
     }
     for (auto& [id, parked] : trees_) {
         const AddTree& named = parked.named();
-        // Equal `cut` hashes imply equal blocks; comparing the other fields verifies this.
+        // Equal `cut` hashes mean equal blocks. The other fields are compared as a check.
         if (is_parked(id) && named.cut == add.cut && named.form == add.form &&
             named.top == add.top && named.roots == add.roots && named.triangles == add.triangles) {
             rename(id, add.tree);

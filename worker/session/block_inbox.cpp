@@ -103,7 +103,7 @@ asio::awaitable<void> BlockInbox::fetch_from_peers([[maybe_unused]] std::shared_
                                                    FetchFromPeers directions) {
     std::set<RootIndex> left(directions.roots.begin(), directions.roots.end());
     for (const PeerSource& source : directions.sources) {
-        // A named function, because GCC 12 would destroy a temporary in the call below twice.
+        // A variable, because GCC 12 destroys a temporary argument of a co_await expression twice.
         const PeerLinks::OnBlock on_block = [&](SubtreeBlock block) {
             left.erase(block.root);
             traffic_.came_from_peer({directions.tree, block.root}, block.compressed.size());

@@ -48,7 +48,7 @@ struct MasterOptions {
 class SimulatedMaster {
   public:
     using Letters = std::vector<Letter>;
-    /// What a pool thread has done: hand it to `take` after the seconds.
+    /// Work of a pool thread. The simulation passes it to `take` when `seconds` have passed.
     struct PoolRun {
         double seconds = 0;
         std::uint64_t analysed = 0; ///< Number of analysed scenarios.

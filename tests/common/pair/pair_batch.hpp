@@ -32,7 +32,7 @@ struct Batch {
     [[nodiscard]] TriangleSpan b() const { return {vertices_b, triangles}; }
 };
 
-/// What a stage claimed of many pairs.
+/// Number of pairs that a stage classified rightly, wrongly, and as contact.
 struct Proofs {
     int right = 0;
     int wrong = 0;
