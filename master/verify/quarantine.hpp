@@ -3,9 +3,9 @@
 
 #include "master/blocks/block_delivery.hpp"
 #include "master/dispatch/dispatch_driver.hpp"
+#include "master/jobs/feed/range_feed.hpp"
+#include "master/jobs/feed/task_exchange.hpp"
 #include "master/jobs/job_table.hpp"
-#include "master/jobs/work/range_feed.hpp"
-#include "master/jobs/work/task_exchange.hpp"
 #include "master/journal/journal_writer.hpp"
 #include "master/verify/alarms.hpp"
 #include "master/workers/worker_directory.hpp"

@@ -4,7 +4,7 @@
 
 #include "bench/cluster/model/messages.hpp"
 #include "bench/cluster/model/workload.hpp"
-#include "master/jobs/work/analysis_feed.hpp"
+#include "master/jobs/feed/analysis_feed.hpp"
 #include "proto/messages/cluster_options.hpp"
 
 #include <cstddef>

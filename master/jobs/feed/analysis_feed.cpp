@@ -1,4 +1,4 @@
-#include "master/jobs/work/analysis_feed.hpp"
+#include "master/jobs/feed/analysis_feed.hpp"
 
 #include <algorithm>
 #include <chrono>

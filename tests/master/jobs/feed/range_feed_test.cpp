@@ -1,6 +1,6 @@
 // Proves that each position of a job without a result is queued or at the dispatcher: when ranges
 // are given, returned or lost, and when results are withdrawn.
-#include "master/jobs/work/range_feed.hpp"
+#include "master/jobs/feed/range_feed.hpp"
 
 #include "tests/master/parts_stage.hpp"
 

@@ -1,4 +1,4 @@
-#include "master/jobs/work/task_exchange.hpp"
+#include "master/jobs/feed/task_exchange.hpp"
 
 #include "common/core/check.hpp"
 #include "common/core/host/log.hpp"

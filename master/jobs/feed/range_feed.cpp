@@ -1,4 +1,4 @@
-#include "master/jobs/work/range_feed.hpp"
+#include "master/jobs/feed/range_feed.hpp"
 
 #include "common/core/limits/engine.hpp"
 #include "common/core/limits/master.hpp"

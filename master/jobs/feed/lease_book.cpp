@@ -1,4 +1,4 @@
-#include "master/jobs/work/lease_book.hpp"
+#include "master/jobs/feed/lease_book.hpp"
 
 #include "common/core/check.hpp"
 

@@ -3,8 +3,8 @@
 
 #include "master/dispatch/dispatch_driver.hpp"
 #include "master/geometry/tree_registry.hpp"
+#include "master/jobs/feed/lease_book.hpp"
 #include "master/jobs/job_table.hpp"
-#include "master/jobs/work/lease_book.hpp"
 #include "master/workers/worker_directory.hpp"
 
 #include <cstdint>

@@ -1,5 +1,5 @@
 // Proves which jobs are fed, by analysis or in ranges, and in which turn.
-#include "master/jobs/work/work_feed.hpp"
+#include "master/jobs/feed/work_feed.hpp"
 
 #include "tests/master/parts_stage.hpp"
 

@@ -1,6 +1,6 @@
 // Proves that an analysed scenario is answered by the master or given to the dispatcher, unless it
 // has a result, and that positions that cannot be analysed are queued again.
-#include "master/jobs/work/analysis_feed.hpp"
+#include "master/jobs/feed/analysis_feed.hpp"
 
 #include "tests/master/parts_stage.hpp"
 

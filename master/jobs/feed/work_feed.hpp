@@ -2,9 +2,9 @@
 #pragma once
 
 #include "master/base/background.hpp"
+#include "master/jobs/feed/analysis_feed.hpp"
+#include "master/jobs/feed/range_feed.hpp"
 #include "master/jobs/job_table.hpp"
-#include "master/jobs/work/analysis_feed.hpp"
-#include "master/jobs/work/range_feed.hpp"
 #include "master/workers/awaited_workers.hpp"
 #include "master/workers/worker_directory.hpp"
 

@@ -1,5 +1,5 @@
 // Proves that leases are found by worker and task, and forgotten with their worker.
-#include "master/jobs/work/lease_book.hpp"
+#include "master/jobs/feed/lease_book.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // Proves what a worker gets with a task, when a task ends, and what happens to its unanswered work.
-#include "master/jobs/work/task_exchange.hpp"
+#include "master/jobs/feed/task_exchange.hpp"
 
 #include "tests/master/parts_stage.hpp"
 
