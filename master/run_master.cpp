@@ -189,12 +189,6 @@ Status run_master(const MasterConfig& config) {
         }
         signals.cancel();
     });
-    // After the signal handler is set: a script that waits for the file may send a signal at once.
-    if (!config.port_file.empty()) {
-        if (Status written = write_port(config.port_file, port); !written) {
-            return written;
-        }
-    }
     server.value()->start();
     if (http.value() != nullptr) {
         http.value()->start();
@@ -205,6 +199,13 @@ Status run_master(const MasterConfig& config) {
              port,
              std::filesystem::absolute(config.state).string(),
              secured);
+    // After the signal handler is set and the ports are logged: a script that waits for the file may
+    // send a signal, or look for the HTTP port in the log, at once.
+    if (!config.port_file.empty()) {
+        if (Status written = write_port(config.port_file, port); !written) {
+            return written;
+        }
+    }
     std::printf("%s\n", join_line({config.listen.host, port}, secured).c_str());
     std::fflush(stdout);
 
