@@ -199,8 +199,8 @@ Status run_master(const MasterConfig& config) {
              port,
              std::filesystem::absolute(config.state).string(),
              secured);
-    // After the signal handler is set and the ports are logged: a script that waits for the file may
-    // send a signal, or look for the HTTP port in the log, at once.
+    // After the signal handler is set and the ports are logged: a script that waits for the file
+    // may send a signal, or look for the HTTP port in the log, at once.
     if (!config.port_file.empty()) {
         if (Status written = write_port(config.port_file, port); !written) {
             return written;

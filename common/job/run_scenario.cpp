@@ -275,8 +275,8 @@ ScenarioRun ScenarioSession::run(const Scenario& scenario) {
 
 bool ScenarioSession::run_all(std::span<const Scenario> scenarios, const OnRun& done) {
     const std::vector<std::uint32_t> order = coherent_order(scenarios);
-    return std::all_of(order.begin(), order.end(), [&](std::uint32_t place) {
-        return done(place, run(scenarios[place]));
+    return std::all_of(order.begin(), order.end(), [&](std::uint32_t which) {
+        return done(which, run(scenarios[which]));
     });
 }
 

@@ -67,7 +67,7 @@ class Losses {
 
 /// Consecutive positions in a job's hand-out order that were lost together with a process.
 struct LostPositions {
-    PlaceRange positions;
+    PositionRange positions;
     InstanceId process = 0; ///< Argument for `Losses::add`.
 
     friend bool operator==(const LostPositions&, const LostPositions&) = default;

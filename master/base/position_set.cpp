@@ -19,7 +19,7 @@ PositionSet PositionSet::of(std::vector<std::uint64_t> positions) {
 }
 
 PositionSet::Runs::const_iterator PositionSet::run_after(std::uint64_t position) const {
-    return std::ranges::upper_bound(runs_, position, {}, &PlaceRange::end);
+    return std::ranges::upper_bound(runs_, position, {}, &PositionRange::end);
 }
 
 bool PositionSet::contains(std::uint64_t position) const {
@@ -30,7 +30,7 @@ bool PositionSet::contains(std::uint64_t position) const {
 std::vector<std::uint64_t> PositionSet::list() const {
     std::vector<std::uint64_t> positions;
     positions.reserve(count_);
-    for (const PlaceRange& run : runs_) {
+    for (const PositionRange& run : runs_) {
         for (std::uint64_t position = run.first; position < run.end(); ++position) {
             positions.push_back(position);
         }
@@ -41,7 +41,7 @@ std::vector<std::uint64_t> PositionSet::list() const {
 PositionSet PositionSet::last(std::uint64_t most) const {
     PositionSet rest = *this;
     while (rest.count_ > most) {
-        const PlaceRange& first = rest.runs_.front();
+        const PositionRange& first = rest.runs_.front();
         rest.remove({first.first, std::min(first.count, rest.count_ - most)});
     }
     return rest;
@@ -49,7 +49,7 @@ PositionSet PositionSet::last(std::uint64_t most) const {
 
 PositionSet PositionSet::common_with(const PositionSet& other) const {
     PositionSet common;
-    for (const PlaceRange& wanted : other.runs_) {
+    for (const PositionRange& wanted : other.runs_) {
         for (auto run = run_after(wanted.first); run != runs_.end() && run->first < wanted.end();
              ++run) {
             const std::uint64_t first = std::max(run->first, wanted.first);
@@ -59,14 +59,14 @@ PositionSet PositionSet::common_with(const PositionSet& other) const {
     return common;
 }
 
-void PositionSet::add(const PlaceRange& range) {
+void PositionSet::add(const PositionRange& range) {
     if (range.count == 0) {
         return;
     }
     // Replaces all runs that overlap or touch the range by one.
     auto begin = runs_.end();
     if (!runs_.empty() && runs_.back().end() >= range.first) {
-        begin = std::ranges::lower_bound(runs_, range.first, {}, &PlaceRange::end);
+        begin = std::ranges::lower_bound(runs_, range.first, {}, &PositionRange::end);
     }
     auto end = begin;
     std::uint64_t first = range.first;
@@ -76,7 +76,7 @@ void PositionSet::add(const PlaceRange& range) {
         last = std::max(last, end->end());
         count_ -= end->count;
     }
-    const PlaceRange joined{first, last - first};
+    const PositionRange joined{first, last - first};
     count_ += joined.count;
     if (begin == end) {
         runs_.insert(begin, joined);
@@ -87,17 +87,17 @@ void PositionSet::add(const PlaceRange& range) {
 }
 
 void PositionSet::add(const PositionSet& other) {
-    for (const PlaceRange& run : other.runs_) {
+    for (const PositionRange& run : other.runs_) {
         add(run);
     }
 }
 
-void PositionSet::remove(const PlaceRange& hole) {
+void PositionSet::remove(const PositionRange& hole) {
     auto run = runs_.begin() + (run_after(hole.first) - runs_.cbegin());
     while (hole.count != 0 && run != runs_.end() && run->first < hole.end()) {
         const std::uint64_t first = std::max(run->first, hole.first);
         const std::uint64_t end = std::min(run->end(), hole.end());
-        const PlaceRange after{end, run->end() - end};
+        const PositionRange after{end, run->end() - end};
         count_ -= mutated(Mutation::SplitRunLosesEnd) ? run->end() - first : end - first;
         run->count = first - run->first;
         run = run->count == 0 ? runs_.erase(run) : run + 1;
@@ -109,7 +109,7 @@ void PositionSet::remove(const PlaceRange& hole) {
 }
 
 void PositionSet::remove(const PositionSet& other) {
-    for (const PlaceRange& run : other.runs_) {
+    for (const PositionRange& run : other.runs_) {
         remove(run);
     }
 }

@@ -15,7 +15,7 @@ class PositionSet {
   public:
     PositionSet() = default;
     /// Implicit, because a range is a set of positions.
-    PositionSet(const PlaceRange& range) { add(range); }
+    PositionSet(const PositionRange& range) { add(range); }
     /// Takes positions in any order, each at most once.
     [[nodiscard]] static PositionSet of(std::vector<std::uint64_t> positions);
 
@@ -24,23 +24,23 @@ class PositionSet {
     [[nodiscard]] std::uint64_t count() const { return count_; }
     [[nodiscard]] bool contains(std::uint64_t position) const;
     /// Maximal runs of consecutive positions, ascending.
-    [[nodiscard]] std::span<const PlaceRange> runs() const { return runs_; }
+    [[nodiscard]] std::span<const PositionRange> runs() const { return runs_; }
     /// All positions, ascending.
     [[nodiscard]] std::vector<std::uint64_t> list() const;
     /// The last `most` positions, or all if there are fewer.
     [[nodiscard]] PositionSet last(std::uint64_t most) const;
     [[nodiscard]] PositionSet common_with(const PositionSet& other) const;
 
-    void add(const PlaceRange& range);
+    void add(const PositionRange& range);
     void add(const PositionSet& other);
     /// Removes the positions in the hole.
-    void remove(const PlaceRange& hole);
+    void remove(const PositionRange& hole);
     void remove(const PositionSet& other);
 
     friend bool operator==(const PositionSet&, const PositionSet&) = default;
 
   private:
-    using Runs = std::vector<PlaceRange>;
+    using Runs = std::vector<PositionRange>;
 
     /// The first run that ends after `position`.
     [[nodiscard]] Runs::const_iterator run_after(std::uint64_t position) const;

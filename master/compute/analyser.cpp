@@ -50,7 +50,7 @@ void analyse_block(const AnalysisInput& input,
                    const std::vector<bool>* done,
                    AnalysedBlock& block) {
     const auto begin = std::chrono::steady_clock::now();
-    const PlaceRange& range = block.positions;
+    const PositionRange& range = block.positions;
     const Result<std::vector<Scenario>> scenarios = input.poses->read(range.first, range.count);
     if (!scenarios) {
         block.error = scenarios.error();
@@ -147,7 +147,7 @@ Analyser::~Analyser() {
     state_->changed.wait(lock, [this] { return !state_->delivering; });
 }
 
-void Analyser::start(const PlaceRange& positions,
+void Analyser::start(const PositionRange& positions,
                      const Losses& losses,
                      std::shared_ptr<const std::vector<bool>> done) {
     CD_CHECK(positions.count != 0 && positions.count <= limits::analysis_block_scenarios);

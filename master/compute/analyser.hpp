@@ -58,7 +58,7 @@ struct AnalysisInput {
 
 /// A block of the analysis: scenarios at consecutive positions, analysed together.
 struct AnalysedBlock {
-    PlaceRange positions;
+    PositionRange positions;
     Losses losses = {}; ///< The losses passed to `Analyser::start`.
     std::vector<Analysis> scenarios;
     double seconds = 0;         ///< Duration of the analysis on a pool thread.
@@ -79,7 +79,7 @@ class Analyser {
 
     /// Starts a block of at most `limits::analysis_block_scenarios` positions. Skips scenarios
     /// whose index `done` marks; null marks none.
-    void start(const PlaceRange& positions,
+    void start(const PositionRange& positions,
                const Losses& losses = {},
                std::shared_ptr<const std::vector<bool>> done = nullptr);
     /// Call for each delivered block, on the thread that calls `start`.

@@ -66,8 +66,8 @@ Recall TaskContent::recall(TaskId task, const PositionSet& positions) const {
 PositionSet TaskContent::returned(const Recalled& recalled) const {
     PositionSet positions;
     if (range) {
-        const std::uint64_t kept = std::min(recalled.places, range->positions.count);
-        return PlaceRange{range->positions.first + kept, range->positions.count - kept};
+        const std::uint64_t kept = std::min(recalled.kept, range->positions.count);
+        return PositionRange{range->positions.first + kept, range->positions.count - kept};
     }
     for (const auto& analysis : analyses) {
         if (std::ranges::binary_search(recalled.scenarios, analysis->scenario.index)) {

@@ -29,7 +29,7 @@ struct JobMaterial {
 
 /// Scenarios that were sent without analysis.
 struct RangeContent {
-    PlaceRange positions;
+    PositionRange positions;
     std::shared_ptr<const PoseWindow> window; ///< Null for a grid.
     std::shared_ptr<OrderedPoses> order;
 

@@ -26,7 +26,7 @@ void check_leases(const MasterState& state, const LeaseBook& book) {
 
 /// Marks, by index, the scenarios at these positions.
 void mark(const MasterJob& job, const PositionSet& positions, std::vector<bool>& marks) {
-    for (const PlaceRange& run : positions.runs()) {
+    for (const PositionRange& run : positions.runs()) {
         const auto scenarios = job.run->poses->read(run.first, run.count);
         CD_CHECK(scenarios.has_value());
         for (const Scenario& scenario : scenarios.value()) {

@@ -93,7 +93,7 @@ Status JobDesk::cancel_scenario(JobId id, const PlacedScenario& placed) {
         still->work()->cancelled.push_back(index);
         services_.tasks.drop(id, index);
         state_.dispatch.act(
-            state_.dispatch->answered({{}, {}, id, PlaceRange{placed.position, 1}}));
+            state_.dispatch->answered({{}, {}, id, PositionRange{placed.position, 1}}));
     }
     services_.work.feed();
     return Done{};

@@ -60,7 +60,7 @@ void WorkerDesk::worker_resumed(WorkerId worker) {
     state_.blocks.worker_returned(worker, state_.workers.find(worker)->channel);
 }
 
-void WorkerDesk::came(WorkerId id, const Standing& standing) {
+void WorkerDesk::came(WorkerId id, const Inventory& inventory) {
     Worker* worker = state_.workers.find(id);
     if (worker == nullptr) {
         return;
@@ -69,13 +69,13 @@ void WorkerDesk::came(WorkerId id, const Standing& standing) {
         state_.awaited.has_told_all(worker->author->process);
         return services_.work.feed();
     }
-    if (const Status sound = check(standing); !sound) {
+    if (const Status sound = check(inventory); !sound) {
         return state_.workers.cut_off(id, sound.error());
     }
     state_.workers.settle(id);
-    worker->send(worker->supply.stands(standing));
-    compare_blocks(id, standing);
-    for (const JobId job : standing.jobs) {
+    worker->send(worker->supply.compare(inventory));
+    compare_blocks(id, inventory);
+    for (const JobId job : inventory.jobs) {
         if (worker->supply.has_job(job)) {
             TaskExchange::drop_cancelled(*worker, state_.jobs.at(job));
         }
@@ -83,7 +83,7 @@ void WorkerDesk::came(WorkerId id, const Standing& standing) {
     if (!worker->is_quarantined) {
         worker->send(worker->supply.add_kept(state_.trees.messages()));
     }
-    services_.tasks.compare(id, standing.tasks);
+    services_.tasks.compare(id, inventory.tasks);
     state_.dispatch.act(state_.dispatch->worker_heard(id));
     if (state_.dispatch.view().worker_status(id).draining) {
         worker->channel->send(Drain{}); // An earlier one may have been lost with its connection.
@@ -91,8 +91,8 @@ void WorkerDesk::came(WorkerId id, const Standing& standing) {
     services_.work.feed();
 }
 
-Status WorkerDesk::check(const Standing& standing) const {
-    for (const StandingTree& tree : standing.trees) {
+Status WorkerDesk::check(const Inventory& inventory) const {
+    for (const InventoryTree& tree : inventory.trees) {
         const auto geometry = state_.trees.find(tree.tree);
         if (geometry != nullptr && !geometry->has_blocks(tree.held)) {
             return Error{ErrorCode::BadFrame, "it speaks of a root that does not exist"};
@@ -102,8 +102,8 @@ Status WorkerDesk::check(const Standing& standing) const {
 }
 
 /// Records that the worker holds exactly the blocks in its inventory.
-void WorkerDesk::compare_blocks(WorkerId id, const Standing& standing) {
-    for (const StandingTree& tree : standing.trees) {
+void WorkerDesk::compare_blocks(WorkerId id, const Inventory& inventory) {
+    for (const InventoryTree& tree : inventory.trees) {
         if (state_.workers.find(id)->supply.has_tree(tree.tree)) {
             came(id, Held{tree.tree, tree.held});
             const auto gone = others(state_.trees.find(tree.tree)->root_count(), tree.held);

@@ -22,7 +22,7 @@ class WorkerDesk : public WorkerEvents {
     // ---- Messages of a worker -----------------------------------------------------------------
     /// Resynchronises a worker with its inventory: sends or queues again what was lost with its
     /// last connection.
-    void came(WorkerId worker, const Standing& standing);
+    void came(WorkerId worker, const Inventory& inventory);
     void came(WorkerId worker, const Evicted& evicted);
     void came(WorkerId worker, const Holding& holding);
     void came(WorkerId worker, const WantSubtrees& want);
@@ -60,8 +60,8 @@ class WorkerDesk : public WorkerEvents {
 
   private:
     void watch();
-    [[nodiscard]] Status check(const Standing& standing) const;
-    void compare_blocks(WorkerId worker, const Standing& standing);
+    [[nodiscard]] Status check(const Inventory& inventory) const;
+    void compare_blocks(WorkerId worker, const Inventory& inventory);
 
     MasterState& state_;
     MasterServices& services_;

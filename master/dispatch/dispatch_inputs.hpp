@@ -33,7 +33,7 @@ struct AnalysedScenario {
 
 /// Positions in a job's hand-out order that may go out without analysis.
 struct GivenRange {
-    PlaceRange positions;
+    PositionRange positions;
     std::shared_ptr<const PoseWindow> window = {}; ///< Their poses; null on a grid.
 
     friend bool operator==(const GivenRange&, const GivenRange&) = default;

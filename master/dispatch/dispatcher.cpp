@@ -141,7 +141,7 @@ Actions Dispatcher::positions_given(JobId job_id, GivenRange given, std::uint64_
     return actions;
 }
 
-std::vector<PlaceRange> Dispatcher::take_positions(JobId job_id) {
+std::vector<PositionRange> Dispatcher::take_positions(JobId job_id) {
     DispatchJob* job = parts().queue.find(job_id);
     CD_CHECK(job != nullptr);
     return job->unsent.take_all();

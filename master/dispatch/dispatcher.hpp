@@ -53,7 +53,7 @@ class Dispatcher : public DispatchView {
     /// number of the job's scenarios that follow them.
     Actions positions_given(JobId job, GivenRange given, std::uint64_t after);
     /// Takes back the positions that came with `positions_given` and are in no task.
-    [[nodiscard]] std::vector<PlaceRange> take_positions(JobId job);
+    [[nodiscard]] std::vector<PositionRange> take_positions(JobId job);
     /// Forgets the job and all its positions. Late results of it are ignored.
     Actions job_closed(JobId job);
 
@@ -66,7 +66,7 @@ class Dispatcher : public DispatchView {
     /// the queue, not counted as lost.
     Actions task_unbegun(WorkerId worker, TaskId task);
     /// The worker has returned these positions of the task, in answer to AskBack or in its
-    /// inventory (Standing). They wait again, not counted as lost. Ignores positions that the task
+    /// inventory (Inventory). They wait again, not counted as lost. Ignores positions that the task
     /// lacks.
     Actions task_recalled(WorkerId worker, TaskId task, const PositionSet& returned);
     /// The worker requests these blocks and counts as holding them from now on.

@@ -153,7 +153,7 @@ void TaskTable::answer_elsewhere(DispatchJob& job,
         }
         const DispatchScenario& scenario = found->second;
         if (scenario.where == Whereabouts::Sent) {
-            const PlaceRange alone{position, 1};
+            const PositionRange alone{position, 1};
             answer_in(job, scenario.at, by, alone, relieved);
             for (const Assignment& copy : find(scenario.at)->shared.copies) {
                 answer_in(job, copy, by, alone, relieved);

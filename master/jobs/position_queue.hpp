@@ -17,7 +17,7 @@ class PositionQueue {
     explicit PositionQueue(std::uint64_t scenarios = 0, std::span<const LostPositions> lost = {});
 
     struct Piece {
-        PlaceRange positions;
+        PositionRange positions;
         Losses losses = {}; ///< Worker processes that were lost with these positions.
     };
 

@@ -182,11 +182,11 @@ bool get_losses(ByteReader& in, std::vector<LostPositions>& losses) {
     }
     for (std::uint64_t i = 0; i < *count; ++i) {
         const auto first = get_varint(in);
-        const auto places = get_varint(in);
-        if (!first || !places || *places == 0 || *first + *places < *first) {
+        const auto length = get_varint(in);
+        if (!first || !length || *length == 0 || *first + *length < *first) {
             return false;
         }
-        losses.push_back({{*first, *places}, in.get<InstanceId>()});
+        losses.push_back({{*first, *length}, in.get<InstanceId>()});
     }
     return !in.failed();
 }

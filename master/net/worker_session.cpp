@@ -115,7 +115,7 @@ void WorkerSession::on(const Holding& message) {
     coordinator_.worker_desk().came(worker_, message);
 }
 
-void WorkerSession::on(const Standing& message) {
+void WorkerSession::on(const Inventory& message) {
     coordinator_.worker_desk().came(worker_, message);
 }
 

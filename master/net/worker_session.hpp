@@ -29,7 +29,7 @@ class WorkerSession : public std::enable_shared_from_this<WorkerSession> {
     void on(const Evicted& message);
     void on(const Held& message);
     void on(const Holding& message);
-    void on(const Standing& message);
+    void on(const Inventory& message);
     void on(const FetchFailed& message);
     void on(const Drain& message);
     void on(const Failure& message);

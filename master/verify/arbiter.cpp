@@ -59,7 +59,7 @@ void Arbiter::close(MasterJob& job, const Dispute& dispute, ReferenceResult righ
     if (!job.merged.has(index) && fits) {
         (void)JobMerger::merge_one(job, right.taken, nullptr, entry);
         parts_.dispatch.act(
-            parts_.dispatch->answered({{}, {}, job.id, PlaceRange{right.taken.position, 1}}));
+            parts_.dispatch->answered({{}, {}, job.id, PositionRange{right.taken.position, 1}}));
     }
     entry.alarms = parts_.alarms.take_changed();
     entry.progress = job.progress(parts_.jobs.now());

@@ -68,16 +68,16 @@ WorkerSupply::Messages WorkerSupply::add_kept(std::span<const AddTree> in_use) {
     return out;
 }
 
-WorkerSupply::Messages WorkerSupply::stands(const Standing& standing) {
+WorkerSupply::Messages WorkerSupply::compare(const Inventory& inventory) {
     std::set<TreeId> trees;
-    for (const StandingTree& tree : standing.trees) {
+    for (const InventoryTree& tree : inventory.trees) {
         trees.insert(tree.tree);
     }
     Messages out;
     for (const TreeId tree : keep_those(trees, trees_)) {
         out.emplace_back(RemoveTree{tree});
     }
-    for (const JobId job : keep_those({standing.jobs.begin(), standing.jobs.end()}, jobs_)) {
+    for (const JobId job : keep_those({inventory.jobs.begin(), inventory.jobs.end()}, jobs_)) {
         out.emplace_back(RemoveJob{job});
     }
     return out;

@@ -35,7 +35,7 @@ class WorkerSupply {
     /// Resynchronises with the worker's inventory, after messages may have been lost. Removes the
     /// jobs and trees that the worker should not have. Forgets that the worker got the jobs and
     /// trees it lacks, so that they are sent again when needed.
-    [[nodiscard]] Messages stands(const Standing& standing);
+    [[nodiscard]] Messages compare(const Inventory& inventory);
 
   private:
     void add_tree(const AddTree& tree, Messages& out);

@@ -133,13 +133,13 @@ Problem problem_of(const Recall& recall) {
 Problem problem_of(const Recalled& recalled) {
     return problem_of_scenarios(recalled.scenarios);
 }
-Problem problem_of(const Standing& standing) {
-    for (const Recalled& task : standing.tasks) {
+Problem problem_of(const Inventory& inventory) {
+    for (const Recalled& task : inventory.tasks) {
         if (const Problem problem = problem_of(task)) {
             return problem;
         }
     }
-    for (const StandingTree& tree : standing.trees) {
+    for (const InventoryTree& tree : inventory.trees) {
         if (const Problem problem = problem_of_roots(tree.held)) {
             return problem;
         }

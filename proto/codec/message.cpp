@@ -80,7 +80,7 @@ constexpr std::array<Kind, std::variant_size_v<Message>> kinds{{
     {"certified", of_master},
     {"token create", of_client},
     {"token created", of_master},
-    {"standing", of_worker, Lane::Data, limits::message_roots_bytes_max},
+    {"inventory", of_worker, Lane::Data, limits::message_roots_bytes_max},
     {"drop scenario", of_master, Lane::Data},
     {"recall", of_master, Lane::Data, limits::message_roots_bytes_max},
     {"recalled", of_worker, Lane::Data, limits::message_roots_bytes_max},

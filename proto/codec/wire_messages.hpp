@@ -128,12 +128,12 @@ void serialize(Archive& archive, DropScenario& m) {
 
 template <class Archive>
 void serialize(Archive& archive, Recall& m) {
-    archive(m.task, m.scenarios, m.places);
+    archive(m.task, m.scenarios, m.kept);
 }
 
 template <class Archive>
 void serialize(Archive& archive, Recalled& m) {
-    archive(m.task, m.scenarios, m.places);
+    archive(m.task, m.scenarios, m.kept);
 }
 
 template <class Archive>
@@ -168,12 +168,12 @@ void serialize(Archive& archive, Holding& m) {
 }
 
 template <class Archive>
-void serialize(Archive& archive, StandingTree& t) {
+void serialize(Archive& archive, InventoryTree& t) {
     archive(t.tree, t.held);
 }
 
 template <class Archive>
-void serialize(Archive& archive, Standing& m) {
+void serialize(Archive& archive, Inventory& m) {
     archive(m.trees, m.jobs, m.tasks);
 }
 

@@ -95,7 +95,7 @@ struct WorkUnit {
 struct Recall {
     TaskId task;
     std::vector<std::uint64_t> scenarios; ///< Analysed unit: scenarios to return, ascending.
-    std::uint64_t places = 0;             ///< Other units: number of first scenarios to keep.
+    std::uint64_t kept = 0;               ///< Other units: number of first scenarios to keep.
 };
 
 /// Names subtrees that the worker's future scenarios of the job are likely to need. An idle worker
@@ -172,19 +172,19 @@ struct Holding {
 struct Recalled {
     TaskId task;
     std::vector<std::uint64_t> scenarios; ///< Analysed unit: returned scenarios, ascending.
-    std::uint64_t places = 0;             ///< Other units: number of first scenarios kept.
+    std::uint64_t kept = 0;               ///< Other units: number of first scenarios kept.
 };
 
 /// A tree that the worker has.
-struct StandingTree {
+struct InventoryTree {
     TreeId tree;
     std::vector<RootIndex> held; ///< Roots whose blocks are in the worker's cache, ascending.
 };
 
 /// The worker's inventory when a session resumes, sent after its unacknowledged results. Anything
 /// not listed was lost in transit or has ended.
-struct Standing {
-    std::vector<StandingTree> trees;
+struct Inventory {
+    std::vector<InventoryTree> trees;
     std::vector<JobId> jobs;
     std::vector<Recalled> tasks; ///< Each task with its returned scenarios.
 };

@@ -284,8 +284,8 @@ void Watcher::given_back(std::uint64_t worker, const Recalled& recalled) {
     const std::size_t before = back.size();
     back.insert(recalled.scenarios.begin(), recalled.scenarios.end());
     const std::vector<std::uint64_t>& range = ranges_[{worker, recalled.task}];
-    for (std::uint64_t place = recalled.places; place < range.size(); ++place) {
-        back.insert(range[place]);
+    for (std::uint64_t position = recalled.kept; position < range.size(); ++position) {
+        back.insert(range[position]);
     }
     recalled_ += back.size() - before;
 }
@@ -306,8 +306,8 @@ std::string Watcher::worker_says(const Route& route, const Message& message) {
         corrections_[route.from] = {route.connection, {}, 0};
     } else if (const auto* recalled = std::get_if<Recalled>(&message)) {
         given_back(route.from, *recalled);
-    } else if (const auto* standing = std::get_if<Standing>(&message)) {
-        for (const Recalled& task : standing->tasks) {
+    } else if (const auto* inventory = std::get_if<Inventory>(&message)) {
+        for (const Recalled& task : inventory->tasks) {
             given_back(route.from, task);
         }
     }
@@ -351,7 +351,7 @@ std::string Watcher::master_hears(const Route& route, const Message& message) {
     }
     note_held(id->second, message);
     note_correction(route, message, true);
-    if (std::holds_alternative<Standing>(message)) {
+    if (std::holds_alternative<Inventory>(message)) {
         for (auto& [job, workers] : awaited_) {
             workers.erase(route.from);
         }
@@ -385,10 +385,10 @@ void Watcher::note_correction(const Route& route, const Message& message, bool i
     }
     const auto note = [&](TreeId tree, std::span<const RootIndex> roots) {
         for (const RootIndex root : roots) {
-            const auto place = corrections.blocks.try_emplace({tree, root}).first;
-            place->second += is_heard ? -1 : 1;
-            if (place->second == 0) {
-                corrections.blocks.erase(place);
+            const auto position = corrections.blocks.try_emplace({tree, root}).first;
+            position->second += is_heard ? -1 : 1;
+            if (position->second == 0) {
+                corrections.blocks.erase(position);
             }
         }
     };
@@ -396,7 +396,7 @@ void Watcher::note_correction(const Route& route, const Message& message, bool i
         note(evicted->tree, evicted->roots);
     } else if (const auto* want = std::get_if<WantSubtrees>(&message)) {
         note(want->tree, want->roots);
-    } else if (std::holds_alternative<Standing>(message)) {
+    } else if (std::holds_alternative<Inventory>(message)) {
         corrections.standings += is_heard ? -1 : 1;
     }
 }
@@ -417,9 +417,9 @@ void Watcher::note_held(WorkerId worker, const Message& message) {
         set(evicted->tree, evicted->roots, false);
     } else if (const auto* want = std::get_if<WantSubtrees>(&message)) {
         set(want->tree, want->roots, false);
-    } else if (const auto* standing = std::get_if<Standing>(&message)) {
+    } else if (const auto* inventory = std::get_if<Inventory>(&message)) {
         std::erase_if(held_, [&](const auto& one) { return std::get<0>(one) == worker; });
-        for (const StandingTree& tree : standing->trees) {
+        for (const InventoryTree& tree : inventory->trees) {
             set(tree.tree, tree.held, true);
         }
     }

@@ -92,7 +92,7 @@ class FakeWorker {
             results.sequence = results.sequence == 0 ? ++numbered_ : results.sequence;
             channel_->send(results);
         }
-        channel_->send(Standing{}); // All results of the earlier session are sent.
+        channel_->send(Inventory{}); // All results of the earlier session are sent.
         channel_->send(busy());
         for (;;) {
             Result<Message> message = co_await channel_->receive(patience);

@@ -217,7 +217,7 @@ inline std::vector<Message> sample_messages() {
         Certified{"a certificate", "and its authority's"},
         TokenCreate{CertifiedRole::Submitter, 3600, 50},
         TokenCreated{"cdt1"},
-        Standing{{{TreeId{1}, {2, 3}}}, {JobId{4}}, {{TaskId{5}, {7, 9}, 0}, {TaskId{6}, {}, 40}}},
+        Inventory{{{TreeId{1}, {2, 3}}}, {JobId{4}}, {{TaskId{5}, {7, 9}, 0}, {TaskId{6}, {}, 40}}},
         DropScenario{JobId{8}, 9, TaskId{10}},
         Recall{TaskId{5}, {7, 9}, 3},
         Recalled{TaskId{6}, {7}, 40},

@@ -156,7 +156,7 @@ class FakeMaster {
     }
     void on(const EndOfTask& end_of_task) { EXPECT_TRUE(ended.insert(end_of_task.task).second); }
     void on(const Holding& holding) { cuts_held = holding.cuts; }
-    void on(const Standing& now) { standing = now; }
+    void on(const Inventory& now) { inventory = now; }
     void on(const Recalled& back) { recalled.push_back(back); }
     void on(const Heartbeat& heartbeat) {
         ++heartbeats;
@@ -181,7 +181,7 @@ class FakeMaster {
     std::set<TaskId> ended;
     std::set<TaskId> tasks_of_results;
     std::vector<Sha256> cuts_held; ///< Cuts the worker named at its start.
-    std::optional<Standing> standing;
+    std::optional<Inventory> inventory;
     std::vector<Recalled> recalled;
     bool acknowledges = true;
     const CutBody* other_body = nullptr; ///< For trees other than tree_a and tree_b.

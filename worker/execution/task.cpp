@@ -120,7 +120,7 @@ Walk Task::next_walk(SubtreeCache& cache, unsigned threads) {
             answered_elsewhere_};
 }
 
-void Task::keep_places(std::size_t count) {
+void Task::keep_first(std::size_t count) {
     const std::size_t end = std::clamp(count, walked_, unwalked_end_);
     drop(unwalked_end_ - end);
     unwalked_end_ = end;

@@ -48,9 +48,9 @@ class Task {
     /// Stores the colliding roots that a descent found for a scenario that lacks subtrees.
     void keep_roots(Walked::Waiting waiting) { pairs_.add(std::move(waiting)); }
     /// Ends, without a result, all scenarios that no descent has taken.
-    void drop_unwalked() { keep_places(0); }
+    void drop_unwalked() { keep_first(0); }
     /// Ends, without a result, all scenarios from position `count` on that no descent has taken.
-    void keep_places(std::size_t count);
+    void keep_first(std::size_t count);
 
     // ---- Returned scenarios -------------------------------------------------------------------
     [[nodiscard]] std::uint64_t index_of(std::size_t scenario) const {

@@ -41,7 +41,7 @@ class Walker {
           used_b_(walk.job->tree_a == walk.job->tree_b ? used_a_ : used_b_of_its_own_) {}
 
     /// Runs a scenario, or records that it waits for subtrees. Returns false if stopped.
-    bool run(std::size_t place, const Scenario& scenario, const RunOptions& options) {
+    bool run(std::size_t which, const Scenario& scenario, const RunOptions& options) {
         Result<CollidingRoots> roots =
             colliding_roots(walk_.a->top(), walk_.b->top(), scenario.poses);
         FinishedScenarios& finished = walked_.finished;
@@ -51,7 +51,7 @@ class Walker {
         }
         finished.statistics.box_tests += roots.value().box_tests;
         if (!gather(roots.value().pairs)) {
-            walked_.waiting.push_back({place, std::move(roots.value().pairs)});
+            walked_.waiting.push_back({which, std::move(roots.value().pairs)});
             return true;
         }
         const ScenarioRun run = run_on_subtrees(kept_, pairs_, scenario, walk_.job->query, options);
@@ -104,11 +104,11 @@ class Walker {
 
 } // namespace
 
-Scenario TaskScenarios::at(std::size_t place) const {
+Scenario TaskScenarios::at(std::size_t which) const {
     if (list_ != nullptr) {
-        return (*list_)[place];
+        return (*list_)[which];
     }
-    return scenario_on(*job_->grid, first_ + place);
+    return scenario_on(*job_->grid, first_ + which);
 }
 
 void FinishedScenarios::add(const Bytes& record) {
@@ -127,16 +127,16 @@ Walked walk(const Walk& walk, const StopCheck& stop, ScenarioClock& clock) {
     RunOptions options;
     options.stop = [&] { return (stop && stop()) || is_dropped(clock.scenario()); };
     Walker walker(walk);
-    std::size_t place = walk.begin;
+    std::size_t which = walk.begin;
     std::size_t unanswered = 0;
-    for (; place < walk.end && !(stop && stop()); ++place) {
-        const Scenario scenario = walk.scenarios.at(place);
+    for (; which < walk.end && !(stop && stop()); ++which) {
+        const Scenario scenario = walk.scenarios.at(which);
         clock.begin(scenario.index);
-        unanswered += !is_dropped(scenario.index) && walker.run(place, scenario, options) ? 0 : 1;
+        unanswered += !is_dropped(scenario.index) && walker.run(which, scenario, options) ? 0 : 1;
     }
     clock.end();
     Walked walked = walker.take();
-    walked.left = walk.end - place + unanswered;
+    walked.left = walk.end - which + unanswered;
     walked.finished.seconds =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     return walked;

@@ -28,7 +28,7 @@ class TaskScenarios {
           size_(list_->size()) {}
 
     [[nodiscard]] std::size_t size() const { return size_; }
-    [[nodiscard]] Scenario at(std::size_t place) const;
+    [[nodiscard]] Scenario at(std::size_t which) const;
 
   private:
     std::shared_ptr<const std::vector<Scenario>> list_; ///< Null: the grid gives the scenarios.

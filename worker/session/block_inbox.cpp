@@ -258,8 +258,8 @@ void BlockInbox::send_wants(const std::vector<SubtreeKey>& want) {
     }
 }
 
-std::vector<StandingTree> BlockInbox::standing() const {
-    std::vector<StandingTree> trees;
+std::vector<InventoryTree> BlockInbox::inventory() const {
+    std::vector<InventoryTree> trees;
     for (const TreeId tree : cache_.trees()) {
         trees.push_back({tree, cache_.held(tree)});
     }

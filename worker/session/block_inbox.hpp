@@ -72,7 +72,7 @@ class BlockInbox {
     /// blocks are all cached now, each once.
     [[nodiscard]] std::vector<Token> settle();
     /// Lists the trees with their cached blocks.
-    [[nodiscard]] std::vector<StandingTree> standing() const;
+    [[nodiscard]] std::vector<InventoryTree> inventory() const;
     /// Repeats all pending requests in a resumed session, whose inventory has reported all else.
     void ask_again();
     /// Evicts subtrees until the cache takes at most `bytes`. Returns the number of evictions.

@@ -7,7 +7,7 @@ namespace cd {
 
 ScenarioQueue::Token ScenarioQueue::add(TaskId task, std::size_t scenario) {
     const Token token = ++last_;
-    places_.emplace(token, Place{token, task, scenario, nullptr});
+    entries_.emplace(token, Entry{token, task, scenario, nullptr});
     return token;
 }
 
@@ -15,34 +15,34 @@ void ScenarioQueue::set_ready(std::span<const Token> tokens) {
     ready_.insert(ready_.end(), tokens.begin(), tokens.end());
 }
 
-std::optional<ScenarioQueue::Place> ScenarioQueue::begin_next() {
+std::optional<ScenarioQueue::Entry> ScenarioQueue::begin_next() {
     if (ready_.empty()) {
         return std::nullopt;
     }
-    Place& place = places_.at(ready_.front());
+    Entry& entry = entries_.at(ready_.front());
     ready_.pop_front();
-    place.has_begun = std::make_shared<std::atomic<bool>>(false);
-    return place;
+    entry.has_begun = std::make_shared<std::atomic<bool>>(false);
+    return entry;
 }
 
-std::optional<ScenarioQueue::Place> ScenarioQueue::finish(Token token) {
-    const auto node = places_.extract(token);
+std::optional<ScenarioQueue::Entry> ScenarioQueue::finish(Token token) {
+    const auto node = entries_.extract(token);
     return node ? std::optional(node.mapped()) : std::nullopt;
 }
 
-std::vector<ScenarioQueue::Place>
-ScenarioQueue::drop_unbegun(const std::function<bool(const Place&)>& concerned) {
-    std::vector<Place> dropped;
-    for (auto place = places_.begin(); place != places_.end();) {
-        const auto next = std::next(place);
-        const std::shared_ptr<std::atomic<bool>>& has_begun = place->second.has_begun;
-        if (concerned(place->second) && (has_begun == nullptr || !has_begun->exchange(true))) {
-            dropped.push_back(place->second);
-            places_.erase(place);
+std::vector<ScenarioQueue::Entry>
+ScenarioQueue::drop_unbegun(const std::function<bool(const Entry&)>& concerned) {
+    std::vector<Entry> dropped;
+    for (auto entry = entries_.begin(); entry != entries_.end();) {
+        const auto next = std::next(entry);
+        const std::shared_ptr<std::atomic<bool>>& has_begun = entry->second.has_begun;
+        if (concerned(entry->second) && (has_begun == nullptr || !has_begun->exchange(true))) {
+            dropped.push_back(entry->second);
+            entries_.erase(entry);
         }
-        place = next;
+        entry = next;
     }
-    std::erase_if(ready_, [&](Token token) { return !places_.contains(token); });
+    std::erase_if(ready_, [&](Token token) { return !entries_.contains(token); });
     return dropped;
 }
 

@@ -19,7 +19,7 @@ namespace cd {
 class ScenarioQueue {
   public:
     using Token = std::uint64_t; ///< Identifies a scenario; used once.
-    struct Place {
+    struct Entry {
         Token token = 0;
         TaskId task;
         std::size_t scenario = 0; ///< Position in the task.
@@ -34,17 +34,17 @@ class ScenarioQueue {
     void set_ready(std::span<const Token> tokens);
     /// Takes the next scenario for a thread, in the order of `set_ready`, and sets its `has_begun`
     /// to a new flag. Empty if none is ready.
-    [[nodiscard]] std::optional<Place> begin_next();
+    [[nodiscard]] std::optional<Entry> begin_next();
     /// Removes and returns a scenario that a thread has run. Returns nothing if `drop_unbegun` had
     /// removed the scenario.
-    [[nodiscard]] std::optional<Place> finish(Token token);
+    [[nodiscard]] std::optional<Entry> finish(Token token);
     /// Removes the scenarios that match `concerned` and have not begun, and returns them.
-    std::vector<Place> drop_unbegun(const std::function<bool(const Place&)>& concerned);
+    std::vector<Entry> drop_unbegun(const std::function<bool(const Entry&)>& concerned);
 
-    [[nodiscard]] std::size_t size() const { return places_.size(); }
+    [[nodiscard]] std::size_t size() const { return entries_.size(); }
 
   private:
-    std::map<Token, Place> places_;
+    std::map<Token, Entry> entries_;
     std::deque<Token> ready_; ///< Ready scenarios that no thread has.
     Token last_ = 0;
 };

@@ -96,10 +96,10 @@ asio::awaitable<SessionEnd> Session::run() {
 }
 
 asio::awaitable<SessionEnd> Session::resume(std::shared_ptr<Channel> channel) {
-    Standing standing;
-    standing.trees = blocks_.standing();
-    tasks_.book().add_to(standing);
-    link_.resume(std::move(channel), standing);
+    Inventory inventory;
+    inventory.trees = blocks_.inventory();
+    tasks_.book().add_to(inventory);
+    link_.resume(std::move(channel), inventory);
     blocks_.ask_again();
     if (tasks_.is_stopping()) {
         link_.send(Drain{});

@@ -41,16 +41,16 @@ void SessionLink::begin(std::vector<Sha256> cuts) {
     for (const Results& results : again) {
         channel_->send(results);
     }
-    channel_->send(Standing{}); // Marks the end of the kept results.
+    channel_->send(Inventory{}); // Marks the end of the kept results.
 }
 
 // The inventory shows the master which of the master's messages were lost.
-void SessionLink::resume(std::shared_ptr<Channel> channel, const Standing& standing) {
+void SessionLink::resume(std::shared_ptr<Channel> channel, const Inventory& inventory) {
     channel_ = std::move(channel);
     reason_.clear();
     met_silence_ = false;
-    const Message inventory(standing);
-    if (encode_message(inventory).size() > payload_bytes_max(message_type(inventory))) {
+    const Message message(inventory);
+    if (encode_message(message).size() > payload_bytes_max(message_type(message))) {
         // The end costs only the unfinished tasks: the next session keeps the cache and the
         // results, and reports the cached blocks in one message per tree.
         return end(SessionEnd::Disagreed, "its inventory exceeds the limit of a message");
@@ -59,9 +59,9 @@ void SessionLink::resume(std::shared_ptr<Channel> channel, const Standing& stand
         channel_->send(results);
     }
     log_info("session resumed: tasks={} results_again={}",
-             standing.tasks.size(),
+             inventory.tasks.size(),
              keep_->results.messages().size());
-    channel_->send(inventory);
+    channel_->send(message);
 }
 
 asio::awaitable<SessionEnd> SessionLink::serve() {

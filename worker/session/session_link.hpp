@@ -57,7 +57,7 @@ class SessionLink : public MasterLink {
     void begin(std::vector<Sha256> cuts);
     /// Continues the session over another connection: sends unacknowledged results again, then the
     /// inventory. Ends the session if the inventory exceeds the limit of a message.
-    void resume(std::shared_ptr<Channel> channel, const Standing& standing);
+    void resume(std::shared_ptr<Channel> channel, const Inventory& inventory);
     /// Handles messages until the connection ends. Returns why the session ended; Lost if another
     /// connection may resume it.
     [[nodiscard]] asio::awaitable<SessionEnd> serve();

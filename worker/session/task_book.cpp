@@ -54,12 +54,12 @@ std::uint64_t TaskBook::unanswered() const {
     return unanswered;
 }
 
-void TaskBook::add_to(Standing& standing) const {
+void TaskBook::add_to(Inventory& inventory) const {
     for (const auto& [id, job] : jobs_) {
-        standing.jobs.push_back(id);
+        inventory.jobs.push_back(id);
     }
     for (const auto& [id, task] : tasks_) {
-        standing.tasks.push_back(task.given_back());
+        inventory.tasks.push_back(task.given_back());
     }
 }
 

@@ -32,7 +32,7 @@ class TaskBook {
     /// Number of unanswered scenarios of all tasks.
     [[nodiscard]] std::uint64_t unanswered() const;
     /// Adds the jobs, and the tasks with their returned scenarios, to an inventory.
-    void add_to(Standing& standing) const;
+    void add_to(Inventory& inventory) const;
 
   private:
     std::map<JobId, std::shared_ptr<const WorkerJob>> jobs_;

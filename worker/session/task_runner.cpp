@@ -98,18 +98,18 @@ void TaskRunner::recall(const Recall& recall) {
     if (task == nullptr) {
         return; // The task has ended, and its EndOfTask is in transit.
     }
-    const std::vector<Place> dropped = drop_unbegun([&](const Place& place) {
-        return place.task == recall.task && names(recall.scenarios, task->index_of(place.scenario));
+    const std::vector<Entry> dropped = drop_unbegun([&](const Entry& entry) {
+        return entry.task == recall.task && names(recall.scenarios, task->index_of(entry.scenario));
     });
-    for (const Place& place : dropped) {
-        task->give_back(task->index_of(place.scenario));
+    for (const Entry& entry : dropped) {
+        task->give_back(task->index_of(entry.scenario));
     }
-    task->keep_places(recall.places);
+    task->keep_first(recall.kept);
     const Recalled recalled = task->given_back();
     log_debug("recalled: task={} scenarios={} places_kept={}",
               recall.task.value,
               recalled.scenarios.size(),
-              recalled.places);
+              recalled.kept);
     master_.send(recalled);
     hub_.settle_soon();
 }
@@ -126,26 +126,26 @@ void TaskRunner::drop(const DropScenario& drop) {
         return;
     }
     task->answered_elsewhere()->add(drop.scenario);
-    drop_unbegun([&](const Place& place) {
-        return place.task == drop.task && task->index_of(place.scenario) == drop.scenario;
+    drop_unbegun([&](const Entry& entry) {
+        return entry.task == drop.task && task->index_of(entry.scenario) == drop.scenario;
     });
     hub_.settle_soon();
 }
 
 // ---- Dropping scenarios ---------------------------------------------------------------------
 
-std::vector<ScenarioQueue::Place>
-TaskRunner::drop_unbegun(const std::function<bool(const Place&)>& concerned) {
-    std::vector<Place> dropped = queue_.drop_unbegun(concerned);
-    for (const Place& place : dropped) {
-        book_.at(place.task).drop();
-        blocks_.release(place.token);
+std::vector<ScenarioQueue::Entry>
+TaskRunner::drop_unbegun(const std::function<bool(const Entry&)>& concerned) {
+    std::vector<Entry> dropped = queue_.drop_unbegun(concerned);
+    for (const Entry& entry : dropped) {
+        book_.at(entry.task).drop();
+        blocks_.release(entry.token);
     }
     return dropped;
 }
 
 void TaskRunner::drop_unstarted(const std::function<bool(const Task&)>& concerned) {
-    drop_unbegun([&](const Place& place) { return concerned(book_.at(place.task)); });
+    drop_unbegun([&](const Entry& entry) { return concerned(book_.at(entry.task)); });
     for (auto& [id, task] : book_.tasks()) {
         if (concerned(task)) {
             task.drop_unwalked();
@@ -179,8 +179,8 @@ bool TaskRunner::settle(std::span<const ScenarioQueue::Token> ready) {
 }
 
 bool TaskRunner::start_next() {
-    if (const std::optional<Place> place = queue_.begin_next()) {
-        start(*place);
+    if (const std::optional<Entry> entry = queue_.begin_next()) {
+        start(*entry);
         return true;
     }
     Task* const task = queue_.size() < limits::walked_waiting_max ? next_to_walk() : nullptr;
@@ -199,20 +199,20 @@ Task* TaskRunner::next_to_walk() {
     return nullptr;
 }
 
-void TaskRunner::start(const Place& place) {
-    const Task& task = book_.at(place.task);
+void TaskRunner::start(const Entry& entry) {
+    const Task& task = book_.at(entry.task);
     ++running_;
     hub_.run_on_thread([this,
                         over = hub_.over(),
                         abandoned = task.abandoned(),
-                        has_begun = place.has_begun,
+                        has_begun = entry.has_begun,
                         clock = clocks_.add(task.job().id),
                         dropped = task.job().dropped,
                         answered = task.answered_elsewhere(),
-                        token = place.token,
+                        token = entry.token,
                         computed = computed_,
                         ready = std::make_shared<const ReadyScenario>(
-                            task.ready(place.scenario, blocks_.cache()))] {
+                            task.ready(entry.scenario, blocks_.cache()))] {
         const std::uint64_t index = ready->scenario.index;
         const auto stop = [&] {
             return over->load() || abandoned->load() || dropped->contains(index) ||
@@ -251,11 +251,11 @@ void TaskRunner::scenario_ran(ScenarioQueue::Token token,
                               const std::optional<FinishedScenarios>& finished) {
     --running_;
     hub_.settle_soon();
-    const std::optional<Place> place = queue_.finish(token);
-    if (!place) {
+    const std::optional<Entry> entry = queue_.finish(token);
+    if (!entry) {
         return; // The scenario was dropped before it began.
     }
-    Task& task = book_.at(place->task);
+    Task& task = book_.at(entry->task);
     blocks_.release(token);
     if (finished) {
         add_results(task, *finished);

@@ -54,18 +54,18 @@ class TaskRunner {
     [[nodiscard]] std::optional<RunningScenario> longest() const { return clocks_.longest(); }
 
   private:
-    using Place = ScenarioQueue::Place;
+    using Entry = ScenarioQueue::Entry;
 
     void wait_for_subtrees(const Task& task, std::size_t scenario);
     [[nodiscard]] bool start_next();
-    void start(const Place& place);
+    void start(const Entry& entry);
     void start_walk(Task& task);
     /// Returns the first task with scenarios for a descent and cached upper trees, or null.
     [[nodiscard]] Task* next_to_walk();
     void scenario_ran(ScenarioQueue::Token token, const std::optional<FinishedScenarios>& finished);
     void walked(TaskId task, Walked walked);
     /// Drops and returns the scenarios that match `concerned` and have not begun.
-    std::vector<Place> drop_unbegun(const std::function<bool(const Place&)>& concerned);
+    std::vector<Entry> drop_unbegun(const std::function<bool(const Entry&)>& concerned);
     void drop_unstarted(const std::function<bool(const Task&)>& concerned);
     void abandon(const std::function<bool(const Task&)>& concerned);
     void add_results(Task& task, const FinishedScenarios& finished);

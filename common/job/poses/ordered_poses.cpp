@@ -27,7 +27,7 @@ PoseWindow::PoseWindow(std::vector<Scenario> scenarios) {
     }
 }
 
-std::span<const Scenario> PoseWindow::at(const PlaceRange& places) const {
+std::span<const Scenario> PoseWindow::at(const PositionRange& places) const {
     CD_CHECK(places.first >= first_ && places.end() - first_ <= ordered_.size());
     return std::span(ordered_).subspan(places.first - first_, places.count);
 }

@@ -17,13 +17,13 @@
 namespace cd {
 
 /// A range of consecutive positions in the job's hand-out order.
-struct PlaceRange {
+struct PositionRange {
     std::uint64_t first = 0;
     std::uint64_t count = 0;
 
     [[nodiscard]] std::uint64_t end() const { return first + count; }
 
-    friend bool operator==(const PlaceRange&, const PlaceRange&) = default;
+    friend bool operator==(const PositionRange&, const PositionRange&) = default;
 };
 
 /// A window of consecutive scenarios that are ordered together. They are accessible by position in
@@ -35,7 +35,7 @@ class PoseWindow {
 
     /// Smallest index in the window, which is also the window's first position.
     [[nodiscard]] std::uint64_t first() const { return first_; }
-    [[nodiscard]] std::span<const Scenario> at(const PlaceRange& places) const;
+    [[nodiscard]] std::span<const Scenario> at(const PositionRange& places) const;
     /// Returns the position of the scenario with the given index, which is in the window.
     [[nodiscard]] std::uint64_t place_of(std::uint64_t index) const;
     [[nodiscard]] bool has(std::uint64_t index) const {

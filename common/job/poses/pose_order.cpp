@@ -14,7 +14,7 @@ constexpr double cells = 1u << coordinate_bits;
 
 using Coordinates = std::array<double, coordinates>;
 
-Coordinates place_of(const PosePair& poses) {
+Coordinates coordinates_of(const PosePair& poses) {
     const RelativePose relative = relative_pose(poses);
     const Mat3& r = relative.rotation;
     const Vec3& t = relative.translation;
@@ -28,10 +28,10 @@ std::uint64_t cell_of(double value, double low, double high) {
 }
 
 /// Returns the position on the Morton curve: the interleaved bits of the six cells, highest first.
-std::uint64_t curve_of(const Coordinates& place, const Coordinates& low, const Coordinates& high) {
+std::uint64_t curve_of(const Coordinates& each, const Coordinates& low, const Coordinates& high) {
     std::array<std::uint64_t, coordinates> cell{};
     for (std::size_t k = 0; k < coordinates; ++k) {
-        cell[k] = cell_of(place[k], low[k], high[k]);
+        cell[k] = cell_of(each[k], low[k], high[k]);
     }
     std::uint64_t curve = 0;
     for (unsigned bit = coordinate_bits; bit-- > 0;) {
@@ -45,24 +45,24 @@ std::uint64_t curve_of(const Coordinates& place, const Coordinates& low, const C
 } // namespace
 
 std::vector<std::uint32_t> coherent_order(std::span<const Scenario> scenarios) {
-    std::vector<Coordinates> places(scenarios.size());
+    std::vector<Coordinates> points(scenarios.size());
     std::transform(scenarios.begin(),
                    scenarios.end(),
-                   places.begin(),
-                   [](const Scenario& scenario) { return place_of(scenario.poses); });
-    Coordinates low = places.empty() ? Coordinates{} : places.front();
+                   points.begin(),
+                   [](const Scenario& scenario) { return coordinates_of(scenario.poses); });
+    Coordinates low = points.empty() ? Coordinates{} : points.front();
     Coordinates high = low;
-    for (const Coordinates& place : places) {
+    for (const Coordinates& each : points) {
         for (std::size_t k = 0; k < coordinates; ++k) {
-            low[k] = std::min(low[k], place[k]);
-            high[k] = std::max(high[k], place[k]);
+            low[k] = std::min(low[k], each[k]);
+            high[k] = std::max(high[k], each[k]);
         }
     }
-    std::vector<std::uint64_t> curve(places.size());
-    std::transform(places.begin(), places.end(), curve.begin(), [&](const Coordinates& place) {
-        return curve_of(place, low, high);
+    std::vector<std::uint64_t> curve(points.size());
+    std::transform(points.begin(), points.end(), curve.begin(), [&](const Coordinates& each) {
+        return curve_of(each, low, high);
     });
-    std::vector<std::uint32_t> order(places.size());
+    std::vector<std::uint32_t> order(points.size());
     std::iota(order.begin(), order.end(), 0u);
     std::stable_sort(order.begin(), order.end(), [&](std::uint32_t i, std::uint32_t j) {
         return curve[i] < curve[j];

@@ -108,15 +108,15 @@ bool is_valid(const Grid& grid) {
 
 } // namespace
 
-double GridAxis::at(std::uint64_t place) const {
-    CD_CHECK(place < count);
-    if (place == 0) {
+double GridAxis::at(std::uint64_t number) const {
+    CD_CHECK(number < count);
+    if (number == 0) {
         return first;
     }
-    if (place == count - 1) {
+    if (number == count - 1) {
         return last;
     }
-    return first + (last - first) * static_cast<double>(place) / static_cast<double>(count - 1);
+    return first + (last - first) * static_cast<double>(number) / static_cast<double>(count - 1);
 }
 
 std::uint64_t Grid::count() const {
@@ -132,9 +132,9 @@ std::uint64_t Grid::count() const {
     return count;
 }
 
-Pose Grid::at(std::uint64_t place) const {
-    CD_CHECK(place < count());
-    std::uint64_t rest = place;
+Pose Grid::at(std::uint64_t number) const {
+    CD_CHECK(number < count());
+    std::uint64_t rest = number;
     // Yaw is applied last and varies fastest.
     Quaternion turned;
     for (std::size_t i = 3; i-- > 0;) {
@@ -152,10 +152,10 @@ Pose Grid::at(std::uint64_t place) const {
     return Pose::from_quaternion(turned, translation);
 }
 
-Scenario scenario_on(const Grid& grid, std::uint64_t place) {
+Scenario scenario_on(const Grid& grid, std::uint64_t number) {
     Scenario scenario;
-    scenario.index = place;
-    scenario.poses.b = grid.at(place);
+    scenario.index = number;
+    scenario.poses.b = grid.at(number);
     return scenario;
 }
 

@@ -43,9 +43,9 @@ struct GridAxis {
     double last = 0;
     std::uint64_t count = 1;
 
-    /// Returns value number `place`: the ends exactly, and between them
-    /// first + (last - first) * place / (count - 1), each operation rounded in the order of C++.
-    [[nodiscard]] double at(std::uint64_t place) const;
+    /// Returns value number `number`: the ends exactly, and between them
+    /// first + (last - first) * number / (count - 1), each operation rounded in the order of C++.
+    [[nodiscard]] double at(std::uint64_t number) const;
 
     friend bool operator==(const GridAxis&, const GridAxis&) = default;
 };
@@ -60,8 +60,8 @@ struct Grid {
 
     [[nodiscard]] std::uint64_t
     count() const; ///< Number of poses; UINT64_MAX if it would overflow.
-    /// Returns B's pose number `place`, below `count()`, always in quaternion form.
-    [[nodiscard]] Pose at(std::uint64_t place) const;
+    /// Returns B's pose number `number`, below `count()`, always in quaternion form.
+    [[nodiscard]] Pose at(std::uint64_t number) const;
 
     friend bool operator==(const Grid&, const Grid&) = default;
 };
@@ -75,8 +75,8 @@ struct Grid {
 /// yaw about z (R = Rz Ry Rx).
 [[nodiscard]] Quaternion quaternion_from_euler(double roll_deg, double pitch_deg, double yaw_deg);
 
-/// Returns scenario number `place` of a grid: B has the grid's pose, A the identity.
-[[nodiscard]] Scenario scenario_on(const Grid& grid, std::uint64_t place);
+/// Returns scenario number `number` of a grid: B has the grid's pose, A the identity.
+[[nodiscard]] Scenario scenario_on(const Grid& grid, std::uint64_t number);
 [[nodiscard]] std::unique_ptr<PoseSource> make_grid_source(Grid grid);
 
 [[nodiscard]] Bytes encode_grid(const Grid& grid);

@@ -153,7 +153,7 @@ PositionSet Endgame::scenario_to_copy(const WorkerProxy& from,
         const double finish =
             job.policy->finish_on(helper, job, scenario).total() + timing::end_gain_seconds_min;
         const bool pays = limits::copy_gain_min * finish <= seconds_here;
-        return pays && cost_ns <= job.copies.left_ns() ? PositionSet(PlaceRange{position, 1})
+        return pays && cost_ns <= job.copies.left_ns() ? PositionSet(PositionRange{position, 1})
                                                        : PositionSet();
     }
     return {};

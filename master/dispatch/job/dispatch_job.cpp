@@ -48,8 +48,8 @@ bool DispatchScenario::is_suspect() const {
     return losses.count() + 1 == limits::scenario_losses_max;
 }
 
-std::vector<PlaceRange> UnsentPositions::all() const {
-    std::vector<PlaceRange> all;
+std::vector<PositionRange> UnsentPositions::all() const {
+    std::vector<PositionRange> all;
     for (const GivenRange& range : ranges_) {
         all.push_back(range.positions);
     }
@@ -65,7 +65,7 @@ void UnsentPositions::add(GivenRange given, std::uint64_t after) {
 
 void UnsentPositions::put_back(const PositionSet& positions,
                                const std::shared_ptr<const PoseWindow>& window) {
-    for (const PlaceRange& run : std::views::reverse(positions.runs())) {
+    for (const PositionRange& run : std::views::reverse(positions.runs())) {
         ranges_.push_front({run, window});
     }
     count_ += positions.count();
@@ -91,7 +91,7 @@ bool UnsentPositions::remove(const PositionSet& positions) {
         count_ -= range.positions.count;
         PositionSet rest = range.positions;
         rest.remove(positions);
-        for (const PlaceRange& run : rest.runs()) {
+        for (const PositionRange& run : rest.runs()) {
             ranges_.push_back({run, range.window});
         }
         count_ += rest.count();
@@ -99,8 +99,8 @@ bool UnsentPositions::remove(const PositionSet& positions) {
     return count_ != before;
 }
 
-std::vector<PlaceRange> UnsentPositions::take_all() {
-    std::vector<PlaceRange> taken = all();
+std::vector<PositionRange> UnsentPositions::take_all() {
+    std::vector<PositionRange> taken = all();
     ranges_.clear();
     count_ = 0;
     return taken;

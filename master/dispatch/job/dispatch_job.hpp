@@ -60,7 +60,7 @@ class UnsentPositions {
     /// Number of positions and of the job's scenarios that follow them.
     [[nodiscard]] std::uint64_t rest() const { return count_ + after_; }
     /// The positions in the order in which they go out.
-    [[nodiscard]] std::vector<PlaceRange> all() const;
+    [[nodiscard]] std::vector<PositionRange> all() const;
 
     /// `after`: number of the job's scenarios that follow these positions.
     void add(GivenRange given, std::uint64_t after);
@@ -70,7 +70,7 @@ class UnsentPositions {
     void nothing_follows() { after_ = 0; }
     /// Removes and returns at most `most` of the first positions; there must be some.
     GivenRange take_first(std::uint64_t most);
-    std::vector<PlaceRange> take_all();
+    std::vector<PositionRange> take_all();
     /// Removes the positions that are unsent, and returns whether there were any.
     bool remove(const PositionSet& positions);
 

@@ -42,7 +42,7 @@ void check_positions(const DispatchParts& parts, const DispatchJob& job) {
     std::uint64_t placed = job.waiting.size();
     PositionSet unanalysed;
     std::uint64_t in_ranges = job.unsent.count();
-    for (const PlaceRange& range : job.unsent.all()) {
+    for (const PositionRange& range : job.unsent.all()) {
         CD_CHECK(range.count != 0);
         unanalysed.add(range);
     }

@@ -74,7 +74,7 @@ std::uint64_t DispatchView::unanswered(JobId job) const {
 
 PositionSet DispatchView::unanalysed(JobId job) const {
     PositionSet positions;
-    for (const PlaceRange& range : parts_->queue.at(job).unsent.all()) {
+    for (const PositionRange& range : parts_->queue.at(job).unsent.all()) {
         positions.add(range);
     }
     for (const WorkerProxy* proxy : parts_->pool.in_order()) {

@@ -16,7 +16,7 @@ PositionSet open_positions(const MasterJob& job, const GivenRange& range) {
     const OpenAnalyses& analyses = job.work()->open;
     PositionSet open;
     for (std::uint64_t i = 0; i < range.positions.count; ++i) {
-        const PlaceRange one{range.positions.first + i, 1};
+        const PositionRange one{range.positions.first + i, 1};
         const std::uint64_t index =
             range.window == nullptr ? one.first : range.window->at(one).front().index;
         if (!job.merged.has(index) && !analyses.has(one.first)) {
@@ -33,7 +33,7 @@ void RangeFeed::give(MasterJob& job) {
     while (parts_.writer.has_room() && !work.todo.empty() && work.todo.front().losses.none() &&
            parts_.dispatch.view().positions_unsent(job.id) + work.positions_loading <
                parts_.dispatch.view().positions_enough(job.id)) {
-        const PlaceRange positions = work.todo.take(limits::range_scenarios_max).positions;
+        const PositionRange positions = work.todo.take(limits::range_scenarios_max).positions;
         if (job.run->poses->grid() != nullptr) {
             give(job, {positions, nullptr});
             continue;
@@ -47,7 +47,7 @@ void RangeFeed::give(MasterJob& job) {
     }
 }
 
-void RangeFeed::came(JobId id, const PlaceRange& positions, const Result<Window>& window) {
+void RangeFeed::came(JobId id, const PositionRange& positions, const Result<Window>& window) {
     MasterJob* job = parts_.jobs.find_running(id);
     if (job == nullptr) {
         return;
@@ -65,7 +65,7 @@ void RangeFeed::came(JobId id, const PlaceRange& positions, const Result<Window>
 void RangeFeed::give(MasterJob& job, const GivenRange& range) {
     const JobWork& work = *job.work();
     const PositionSet open = open_positions(job, range);
-    for (const PlaceRange& run : open.runs()) {
+    for (const PositionRange& run : open.runs()) {
         const std::uint64_t after = work.todo.left() + work.positions_loading;
         parts_.dispatch.act(parts_.dispatch->positions_given(job.id, {run, range.window}, after));
     }
@@ -75,7 +75,7 @@ void RangeFeed::take_back(MasterJob& job) {
     if (parts_.dispatch.view().positions_unsent(job.id) == 0) {
         return;
     }
-    for (const PlaceRange& positions : parts_.dispatch->take_positions(job.id)) {
+    for (const PositionRange& positions : parts_.dispatch->take_positions(job.id)) {
         job.work()->todo.put_back({positions});
     }
 }
@@ -89,7 +89,7 @@ void RangeFeed::lost(const PositionsLost& lost) {
     add.progress = job->progress(parts_.jobs.now());
     Losses losses;
     losses.add(lost.process);
-    for (const PlaceRange& run : lost.positions.runs()) {
+    for (const PositionRange& run : lost.positions.runs()) {
         add.losses.push_back({run, lost.process});
         if (!lost.is_analysed) {
             job->work()->todo.put_back({run, losses});
@@ -148,7 +148,7 @@ void RangeFeed::give_again(MasterJob& job,
         withdrawn.remove(piece.positions);
     }
     withdrawn.remove(parts_.dispatch.view().unanalysed(job.id));
-    for (const PlaceRange& run : withdrawn.runs()) {
+    for (const PositionRange& run : withdrawn.runs()) {
         job.work()->todo.put_back({run});
     }
 }

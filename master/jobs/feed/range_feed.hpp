@@ -41,7 +41,7 @@ class RangeFeed {
   private:
     using Window = std::shared_ptr<const PoseWindow>;
 
-    void came(JobId job, const PlaceRange& positions, const Result<Window>& window);
+    void came(JobId job, const PositionRange& positions, const Result<Window>& window);
     /// Gives the dispatcher the positions that have no result and are not analysed.
     void give(MasterJob& job, const GivenRange& range);
     void give_again(MasterJob& job, const Window& window, std::vector<std::uint64_t> scenarios);

@@ -10,7 +10,7 @@ namespace cd::tests {
 namespace {
 
 using List = std::vector<std::uint64_t>;
-using Runs = std::vector<PlaceRange>;
+using Runs = std::vector<PositionRange>;
 
 Runs runs_of(const PositionSet& set) {
     return {set.runs().begin(), set.runs().end()};
@@ -29,14 +29,14 @@ TEST(PositionSet, RunsThatTouchAreJoined) {
 }
 
 TEST(PositionSet, AHoleSplitsARun) {
-    PositionSet set(PlaceRange{0, 10});
+    PositionSet set(PositionRange{0, 10});
     set.remove({4, 2});
     set.remove({20, 5});
     EXPECT_EQ(runs_of(set), (Runs{{0, 4}, {6, 4}}));
     EXPECT_TRUE(set.contains(3) && !set.contains(4) && !set.contains(5) && set.contains(6));
-    set.remove(PlaceRange{2, 6});
+    set.remove(PositionRange{2, 6});
     EXPECT_EQ(set.list(), (List{0, 1, 8, 9}));
-    set.remove(PositionSet(PlaceRange{0, 10}));
+    set.remove(PositionSet(PositionRange{0, 10}));
     EXPECT_TRUE(set.is_empty());
 }
 
@@ -49,9 +49,9 @@ TEST(PositionSet, TheLastPositionsMaySpanRuns) {
 
 TEST(PositionSet, AgreesWithAPlainSet) {
     std::mt19937_64 random(3);
-    const auto range = [&] { return PlaceRange{random() % 60, random() % 12}; };
+    const auto range = [&] { return PositionRange{random() % 60, random() % 12}; };
     const auto apply = [&](PositionSet& set, std::set<std::uint64_t>& plain) {
-        const PlaceRange some = range();
+        const PositionRange some = range();
         const bool adds = random() % 2 == 0;
         adds ? set.add(some) : set.remove(some);
         for (std::uint64_t position = some.first; position < some.end(); ++position) {

@@ -79,7 +79,7 @@ class ResultIntake : public testing::Test {
 TEST_F(ResultIntake, SettlesAndCountsWhatAWorkerFound) {
     const auto taken = take_results(task_, message_of({result_of(0), result_of(1)}));
     ASSERT_TRUE(taken) << taken.error().detail;
-    EXPECT_EQ(taken.value().positions, (PlaceRange{10, 2}));
+    EXPECT_EQ(taken.value().positions, (PositionRange{10, 2}));
     EXPECT_EQ(taken.value().results[1].position, 11u);
     ASSERT_EQ(taken.value().results.size(), 2u);
     EXPECT_TRUE(taken.value().map.empty());

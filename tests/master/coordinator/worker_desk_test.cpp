@@ -64,7 +64,7 @@ TEST_F(WorkerDeskTest, AWorkerThatReturnsWithoutItsTasksGetsThemAgain) {
     const std::uint64_t unanswered = state.dispatch.view().unanswered(job.id);
     resume(worker);
     EXPECT_FALSE(state.workers.find(worker)->is_settled);
-    desk.came(worker, Standing{});
+    desk.came(worker, Inventory{});
     EXPECT_TRUE(state.workers.find(worker)->is_settled);
     EXPECT_EQ(state.dispatch.view().unanswered(job.id), unanswered);
     EXPECT_THAT(performed<PositionsLost>(), IsEmpty());
@@ -78,15 +78,15 @@ TEST_F(WorkerDeskTest, AWorkerThatReturnsKeepsTheTasksThatItHas) {
     const MasterJob& job = open_and_send(worker);
     const auto tasks = state.dispatch.view().tasks_of(worker);
     resume(worker);
-    Standing standing;
-    standing.jobs = {job.id};
+    Inventory inventory;
+    inventory.jobs = {job.id};
     for (const TreeId tree : job.work()->trees) {
-        standing.trees.push_back({tree, {}});
+        inventory.trees.push_back({tree, {}});
     }
     for (const TaskId task : tasks) {
-        standing.tasks.push_back({task, {}, 0});
+        inventory.tasks.push_back({task, {}, 0});
     }
-    desk.came(worker, standing);
+    desk.came(worker, inventory);
     const auto now = state.dispatch.view().tasks_of(worker);
     for (const TaskId task : tasks) {
         EXPECT_THAT(now, testing::Contains(task));
@@ -100,7 +100,7 @@ TEST_F(WorkerDeskTest, ADrainingWorkerIsToldAgainWhenItReturns) {
     EXPECT_EQ(received<Drain>(worker).size(), 1u);
     resume(worker);
     EXPECT_THAT(received<Drain>(worker), IsEmpty());
-    desk.came(worker, Standing{});
+    desk.came(worker, Inventory{});
     EXPECT_EQ(received<Drain>(worker).size(), 1u);
 }
 
@@ -108,9 +108,9 @@ TEST_F(WorkerDeskTest, AnInventoryWithAnUnknownRootCutsTheWorkerOff) {
     const WorkerId worker = join(70);
     const MasterJob& job = open_and_send(worker);
     resume(worker);
-    Standing standing;
-    standing.trees = {{job.work()->trees[0], {no_root}}};
-    desk.came(worker, standing);
+    Inventory inventory;
+    inventory.trees = {{job.work()->trees[0], {no_root}}};
+    desk.came(worker, inventory);
     EXPECT_TRUE(is_cut_off(worker));
     EXPECT_FALSE(state.workers.find(worker)->is_settled);
 }

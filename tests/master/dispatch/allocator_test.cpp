@@ -31,7 +31,7 @@ TEST_F(Allocating, AFullBufferGoesAtOnceAndTheRestOnceTheInputRests) {
     EXPECT_EQ(one.buffers.count(), 1u);
     queue.set_paused(true);
     EXPECT_FALSE(allocator.is_ripe(one, job)); // The worker has q scenarios.
-    one.tasks.remove(last<SendUnit>().task, PlaceRange{0, 1}, 1'000'000);
+    one.tasks.remove(last<SendUnit>().task, PositionRange{0, 1}, 1'000'000);
     EXPECT_TRUE(allocator.is_ripe(one, job));
     allocator.refill(one, actions);
     EXPECT_EQ(sent(), (Lists{{0, 1}, {2}}));

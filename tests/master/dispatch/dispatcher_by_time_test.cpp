@@ -231,9 +231,9 @@ TEST_F(ByTime, AtTheEndLongScenariosGoOneByOneTheLongestFirst) {
         EXPECT_LE(batches_.size(), std::max<std::size_t>(2, i + 2));
     }
     ASSERT_EQ(batches_.size(), 5u);
-    EXPECT_EQ(batches_[2].positions, (PlaceRange{2, 1})); // Takes 5 s.
-    EXPECT_EQ(batches_[3].positions, (PlaceRange{4, 1})); // Takes 4 s.
-    EXPECT_EQ(batches_[4].positions, (PlaceRange{3, 1})); // Takes 2 s.
+    EXPECT_EQ(batches_[2].positions, (PositionRange{2, 1})); // Takes 5 s.
+    EXPECT_EQ(batches_[3].positions, (PositionRange{4, 1})); // Takes 4 s.
+    EXPECT_EQ(batches_[4].positions, (PositionRange{3, 1})); // Takes 2 s.
 }
 
 TEST_F(ByTime, EachThreadHasALongScenario) {

@@ -115,7 +115,7 @@ class EndRun {
         const WorkerId id{host + 1};
         answered_ += ++answers_[item.scenario] == 1 ? 1 : 0;
         const double took = seconds_[item.scenario] / hosts_[host].speed;
-        act(dispatcher_.answered({id, item.task, job, PlaceRange{item.scenario, 1}, took}));
+        act(dispatcher_.answered({id, item.task, job, PositionRange{item.scenario, 1}, took}));
         end_if_done(host, item.task);
         act(dispatcher_.input_paused());
     }

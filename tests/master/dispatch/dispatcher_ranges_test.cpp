@@ -44,7 +44,7 @@ class DispatcherRanges : public testing::Test {
     void TearDown() override { dispatcher_.check_invariants(); }
     /// The worker answers positions of a task.
     std::vector<SendUnit>
-    answer(const SendUnit& sent, const PlaceRange& positions, double seconds) {
+    answer(const SendUnit& sent, const PositionRange& positions, double seconds) {
         return ranges_in(
             dispatcher_.answered({sent.worker, sent.task, sent.job, positions, seconds}));
     }
@@ -58,12 +58,12 @@ TEST_F(DispatcherRanges, EachWorkerGetsTwoRangesAndAnotherWhenItAnswers) {
     const auto first = ranges_in(dispatcher_.positions_given(job_1, {{0, 10'000}}, 0));
     // Unmeasured defaults: a scenario takes 1 ms, a batch lasts 0.1 s.
     ASSERT_EQ(first.size(), 1u);
-    EXPECT_EQ(first[0].positions, (PlaceRange{0, 100}));
+    EXPECT_EQ(first[0].positions, (PositionRange{0, 100}));
     EXPECT_EQ(dispatcher_.positions_unsent(job_1), 9900u);
     // The worker is twice as fast as the default.
     const auto second = answer(first[0], {0, 50}, 0.025);
     ASSERT_EQ(second.size(), 1u);
-    EXPECT_EQ(second[0].positions, (PlaceRange{100, 200}));
+    EXPECT_EQ(second[0].positions, (PositionRange{100, 200}));
     // The worker already has two ranges.
     EXPECT_TRUE(answer(first[0], {50, 50}, 0.025).empty());
     EXPECT_EQ(dispatcher_.worker_status(slow).working, 200u);
@@ -95,7 +95,7 @@ TEST_F(DispatcherRanges, TowardsTheEndRangesShrink) {
     std::uint64_t next = 0;
     std::uint64_t last = 300;
     for (std::size_t i = 0; i < sent.size(); ++i) {
-        const PlaceRange range = sent[i].positions.runs().front();
+        const PositionRange range = sent[i].positions.runs().front();
         EXPECT_EQ(range.first, next);
         EXPECT_LE(range.count, last);
         last = range.count;
@@ -127,7 +127,7 @@ TEST_F(DispatcherRanges, RangesOfALostWorkerCountAsLostAndThoseOfADrainingWorker
     const auto lost = dispatcher_.worker_lost(fast);
     ASSERT_EQ(lost.size(), 1u);
     EXPECT_FALSE(std::get<PositionsLost>(lost[0]).is_analysed);
-    EXPECT_EQ(std::get<PositionsLost>(lost[0]).positions, (PlaceRange{100, 100}));
+    EXPECT_EQ(std::get<PositionsLost>(lost[0]).positions, (PositionRange{100, 100}));
 }
 
 TEST_F(DispatcherRanges, UnsentPositionsCanBeTakenBack) {
@@ -135,7 +135,7 @@ TEST_F(DispatcherRanges, UnsentPositionsCanBeTakenBack) {
     (void)dispatcher_.positions_given(job_1, {{0, 700}}, 300);
     (void)dispatcher_.positions_given(job_1, {{700, 300}}, 0);
     EXPECT_EQ(dispatcher_.positions_unsent(job_1), 1000u);
-    const std::vector<PlaceRange> expected{{0, 700}, {700, 300}};
+    const std::vector<PositionRange> expected{{0, 700}, {700, 300}};
     EXPECT_EQ(dispatcher_.take_positions(job_1), expected);
     EXPECT_EQ(dispatcher_.positions_unsent(job_1), 0u);
     EXPECT_TRUE(dispatcher_.worker_joined(slow, {"slow", 1}).empty());
@@ -204,7 +204,7 @@ class RangeRun {
         for (int step = 0; step < 20'000 && answered_.count() != total; ++step) {
             dispatcher_.time_is(now_ += 0.01);
             random_event();
-            for (const PlaceRange& range : std::exchange(lost_, {})) {
+            for (const PositionRange& range : std::exchange(lost_, {})) {
                 act(dispatcher_.positions_given(job_1, {range}, 0));
             }
             dispatcher_.check_invariants();
@@ -257,7 +257,7 @@ class RangeRun {
     }
     void answer(TaskId id, Task& task) {
         PositionSet some;
-        for (const PlaceRange& run : task.open.runs()) {
+        for (const PositionRange& run : task.open.runs()) {
             const std::uint64_t first = random_() % run.count;
             some.add({run.first + first, 1 + random_() % (run.count - first)});
         }
@@ -301,7 +301,7 @@ class RangeRun {
         PositionSet& open = task->second.open;
         const std::uint64_t kept =
             std::min(ask.positions.runs().front().first + random_() % 3, total);
-        const PlaceRange tail{kept, total - kept};
+        const PositionRange tail{kept, total - kept};
         open.remove(tail);
         act(dispatcher_.task_recalled(ask.worker, ask.task, tail));
     }
@@ -318,7 +318,7 @@ class RangeRun {
     Dispatcher dispatcher_;
     std::map<TaskId, Task> tasks_;
     std::map<WorkerId, bool> workers_; ///< True: draining.
-    std::vector<PlaceRange> lost_;
+    std::vector<PositionRange> lost_;
     PositionSet answered_;
     std::uint64_t repeated_ = 0;
     std::uint64_t copied_ = 0;

@@ -187,14 +187,14 @@ class Simulation {
             ++content.answers[scenario];
         }
         const double seconds = 0.001 * static_cast<double>(below(90));
-        do_actions(dispatcher_.answered({worker, id, job, PlaceRange{scenario, 1}, seconds}));
+        do_actions(dispatcher_.answered({worker, id, job, PositionRange{scenario, 1}, seconds}));
     }
 
     void repeat_an_old_answer() {
         if (!old_answers_.empty()) {
             const SimulatedTask old = old_answers_[below(old_answers_.size())];
-            do_actions(
-                dispatcher_.answered({old.worker, {}, old.job, PlaceRange{old.open.front(), 1}}));
+            do_actions(dispatcher_.answered(
+                {old.worker, {}, old.job, PositionRange{old.open.front(), 1}}));
         }
     }
 

@@ -37,7 +37,7 @@ class Driver {
     }
     /// The worker answers one position, of whatever task.
     void answer(WorkerId worker, std::uint64_t position) {
-        keep(dispatcher.answered({worker, {}, job_1, PlaceRange{position, 1}}));
+        keep(dispatcher.answered({worker, {}, job_1, PositionRange{position, 1}}));
     }
     void finish(const SendUnit& batch) {
         answer_all(batch);

@@ -17,11 +17,11 @@ TEST_F(RangeSending, EachWorkerGetsABatchesWorthAndTheNextBeforeItRunsDry) {
     WorkerProxy& one = join(1);
     job_.unsent.add({{0, 10'000}}, 0);
     ranges.give(actions);
-    EXPECT_EQ(last<SendUnit>().positions, (PlaceRange{0, 100})); // 0.1 s.
+    EXPECT_EQ(last<SendUnit>().positions, (PositionRange{0, 100})); // 0.1 s.
     EXPECT_EQ(actions.size(), 1u);
-    one.tasks.remove(last<SendUnit>().task, PlaceRange{0, 1}, 0);
+    one.tasks.remove(last<SendUnit>().task, PositionRange{0, 1}, 0);
     ranges.give_to(one, actions);
-    EXPECT_EQ(last<SendUnit>().positions, (PlaceRange{100, 100}));
+    EXPECT_EQ(last<SendUnit>().positions, (PositionRange{100, 100}));
     EXPECT_FALSE(ranges.would_take(one, job_));
 }
 

@@ -15,7 +15,7 @@ class TaskTables : public testing::Test, protected DispatchStage {
         return tasks.answer(job_, {by, task, job_.id, positions}, actions);
     }
     /// Sends a range to the first worker.
-    TaskId send_range(const PlaceRange& positions) {
+    TaskId send_range(const PositionRange& positions) {
         tasks.send_range(one_, job_, {positions}, 100, actions);
         return last<SendUnit>().task;
     }
@@ -29,10 +29,10 @@ TEST_F(TaskTables, ATaskOwesWhatIsNotAnswered) {
     add(job_, 3);
     send(one_, job_, 2);
     const TaskId task = last<SendUnit>().task;
-    EXPECT_EQ(last<SendUnit>().positions, (PlaceRange{0, 2}));
+    EXPECT_EQ(last<SendUnit>().positions, (PositionRange{0, 2}));
     EXPECT_EQ(queue.unsent(), 1u);
     EXPECT_EQ(tasks.owed({one_.id(), task}), 2u);
-    EXPECT_EQ(answer(one_.id(), task, PlaceRange{0, 1}).workers, std::set{one_.id()});
+    EXPECT_EQ(answer(one_.id(), task, PositionRange{0, 1}).workers, std::set{one_.id()});
     EXPECT_EQ(tasks.owed({one_.id(), task}), 1u);
     EXPECT_EQ(tasks.owed({two_.id(), task}), 0u);
     one_.set_draining();
@@ -53,7 +53,7 @@ TEST_F(TaskTables, EachLossIsToldAndTheLastGivesUp) {
     for (std::uint32_t lost = 1; lost < limits::scenario_losses_max; ++lost) {
         send(one_, job_, 1);
         tasks.end(one_, last<SendUnit>().task, InstanceId{lost}, actions);
-        EXPECT_EQ(last<PositionsLost>(), (PositionsLost{job_.id, PlaceRange{0, 1}, true, lost}));
+        EXPECT_EQ(last<PositionsLost>(), (PositionsLost{job_.id, PositionRange{0, 1}, true, lost}));
     }
     ASSERT_EQ(queue.take_suspect().position, 0u);
     tasks.send(one_, job_, {0}, true, actions);
@@ -76,10 +76,10 @@ TEST_F(TaskTables, AnAnswerCallsTheOtherTaskOff) {
     add(job_, 1);
     send(one_, job_, 1);
     const TaskId first = last<SendUnit>().task;
-    tasks.send_copy({one_.id(), first}, two_, PlaceRange{0, 1}, false, actions);
+    tasks.send_copy({one_.id(), first}, two_, PositionRange{0, 1}, false, actions);
     EXPECT_EQ(last<SendUnit>().copy_of, first);
-    answer(two_.id(), last<SendUnit>().task, PlaceRange{0, 1});
-    EXPECT_EQ(last<CallOff>(), (CallOff{one_.id(), first, PlaceRange{0, 1}}));
+    answer(two_.id(), last<SendUnit>().task, PositionRange{0, 1});
+    EXPECT_EQ(last<CallOff>(), (CallOff{one_.id(), first, PositionRange{0, 1}}));
     EXPECT_EQ(one_.tasks.left() + two_.tasks.left(), 0u);
     EXPECT_EQ(one_.tasks.answered(), 0u);
     EXPECT_EQ(two_.tasks.answered(), 1u);
@@ -88,21 +88,21 @@ TEST_F(TaskTables, AnAnswerCallsTheOtherTaskOff) {
 
 TEST_F(TaskTables, AnAnswerOfARangeCallsItsCopiesOff) {
     const TaskId first = send_range({10, 10});
-    tasks.send_copy({one_.id(), first}, two_, PlaceRange{16, 4}, false, actions);
+    tasks.send_copy({one_.id(), first}, two_, PositionRange{16, 4}, false, actions);
     const TaskId copy = last<SendUnit>().task;
     EXPECT_FALSE(last<SendUnit>().is_analysed);
     answer(one_.id(), first, PositionSet::of({10, 16, 17}));
-    EXPECT_EQ(last<CallOff>(), (CallOff{two_.id(), copy, PlaceRange{16, 2}}));
+    EXPECT_EQ(last<CallOff>(), (CallOff{two_.id(), copy, PositionRange{16, 2}}));
     EXPECT_EQ(tasks.owed({two_.id(), copy}), 2u);
-    answer(two_.id(), copy, PlaceRange{18, 2});
-    EXPECT_EQ(last<CallOff>(), (CallOff{one_.id(), first, PlaceRange{18, 2}}));
-    EXPECT_EQ(one_.tasks.at(first).positions, (PlaceRange{11, 5}));
+    answer(two_.id(), copy, PositionRange{18, 2});
+    EXPECT_EQ(last<CallOff>(), (CallOff{one_.id(), first, PositionRange{18, 2}}));
+    EXPECT_EQ(one_.tasks.at(first).positions, (PositionRange{11, 5}));
 }
 
 TEST_F(TaskTables, LosingACopyLosesNothing) {
     add(job_, 1);
     send(one_, job_, 1);
-    tasks.send_copy({one_.id(), last<SendUnit>().task}, two_, PlaceRange{0, 1}, false, actions);
+    tasks.send_copy({one_.id(), last<SendUnit>().task}, two_, PositionRange{0, 1}, false, actions);
     tasks.lose_all(two_, actions);
     EXPECT_TRUE(job_.at(0).losses.none());
     EXPECT_EQ(queue.unsent(), 0u);
@@ -112,7 +112,7 @@ TEST_F(TaskTables, LosingACopyLosesNothing) {
 TEST_F(TaskTables, ACopyOutlivesItsOriginal) {
     add(job_, 2);
     send(one_, job_, 2);
-    tasks.send_copy({one_.id(), last<SendUnit>().task}, two_, PlaceRange{1, 1}, false, actions);
+    tasks.send_copy({one_.id(), last<SendUnit>().task}, two_, PositionRange{1, 1}, false, actions);
     tasks.lose_all(one_, actions);
     EXPECT_EQ(job_.waiting, std::deque<std::uint64_t>{0});
     EXPECT_EQ(job_.at(1).at.worker, two_.id());
@@ -126,7 +126,7 @@ TEST_F(TaskTables, AnUnsentScenarioLeavesQueueOrBuffer) {
     job_.at(0).where = Whereabouts::Buffered;
     job_.at(0).at.worker = one_.id();
     one_.buffers.add(job_.id, 0, job_.at(0).weight);
-    EXPECT_TRUE(answer(two_.id(), {}, PlaceRange{0, 2}).any_unsent);
+    EXPECT_TRUE(answer(two_.id(), {}, PositionRange{0, 2}).any_unsent);
     EXPECT_EQ(queue.unsent(), 0u);
     EXPECT_TRUE(one_.is_idle());
 }
@@ -135,8 +135,8 @@ TEST_F(TaskTables, AnAnswerFromElsewhereFindsPositionsOfRanges) {
     send_range({10, 10});
     job_.unsent.add({{20, 10}}, 0);
     const std::size_t actions_before = actions.size();
-    EXPECT_TRUE(answer(two_.id(), {}, PlaceRange{18, 4}).any_unsent);
-    EXPECT_EQ(job_.unsent.all(), (std::vector<PlaceRange>{{22, 8}}));
+    EXPECT_TRUE(answer(two_.id(), {}, PositionRange{18, 4}).any_unsent);
+    EXPECT_EQ(job_.unsent.all(), (std::vector<PositionRange>{{22, 8}}));
     EXPECT_EQ(one_.tasks.left(), 8u);
     EXPECT_EQ(actions.size(), actions_before) << "a second answer is compared with the first";
 }
@@ -145,7 +145,7 @@ TEST_F(TaskTables, ReturnedPositionsWaitAndAShortReturnMeansTheRestHasBegun) {
     add(job_, 3);
     send(one_, job_, 3);
     const TaskId task = last<SendUnit>().task;
-    tasks.ask_back({one_.id(), task, PlaceRange{1, 2}}, two_.id(), actions);
+    tasks.ask_back({one_.id(), task, PositionRange{1, 2}}, two_.id(), actions);
     EXPECT_EQ(tasks.recalls().at(one_.id()).helper, two_.id());
     tasks.take_recalled(one_, task, PositionSet::of({2, 99}), actions);
     EXPECT_EQ(last<UnitsReturned>(), (UnitsReturned{job_.id, 1}));
@@ -158,13 +158,13 @@ TEST_F(TaskTables, ReturnedPositionsWaitAndAShortReturnMeansTheRestHasBegun) {
 TEST_F(TaskTables, UnansweredPositionsOfARangeGoOutAgainUnlessTheyAreLost) {
     const TaskId task = send_range({10, 10});
     EXPECT_EQ(one_.tasks.cost_ns(), 1000u);
-    answer(one_.id(), task, PlaceRange{10, 1});
-    tasks.take_recalled(one_, task, PlaceRange{16, 9}, actions);
+    answer(one_.id(), task, PositionRange{10, 1});
+    tasks.take_recalled(one_, task, PositionRange{16, 9}, actions);
     EXPECT_EQ(last<UnitsReturned>(), (UnitsReturned{job_.id, 4}));
-    EXPECT_EQ(job_.unsent.all(), (std::vector<PlaceRange>{{16, 4}}));
+    EXPECT_EQ(job_.unsent.all(), (std::vector<PositionRange>{{16, 4}}));
     EXPECT_EQ(one_.tasks.cost_ns(), 500u);
     tasks.end(one_, task, InstanceId{5}, actions);
-    EXPECT_EQ(last<PositionsLost>(), (PositionsLost{job_.id, PlaceRange{11, 5}, false, 5}));
+    EXPECT_EQ(last<PositionsLost>(), (PositionsLost{job_.id, PositionRange{11, 5}, false, 5}));
     EXPECT_EQ(job_.unsent.count(), 4u);
 }
 

@@ -70,7 +70,7 @@ TEST_F(JobStartTest, AResumedJobKeepsItsLosses) {
     services.start.resume(job);
     run_until([&] { return job.work() != nullptr; });
     ASSERT_EQ(job.work()->todo.pieces().size(), 3u);
-    EXPECT_EQ(job.work()->todo.pieces()[1].positions, (PlaceRange{10, 5}));
+    EXPECT_EQ(job.work()->todo.pieces()[1].positions, (PositionRange{10, 5}));
     EXPECT_EQ(job.work()->todo.pieces()[1].losses.count(), 1u);
     EXPECT_THAT(job.run->losses_before, IsEmpty());
 }

@@ -35,7 +35,7 @@ TEST(PositionQueue, ReturnedPositionsGoFirst) {
     EXPECT_EQ(queue.left(), 94u);
     EXPECT_EQ(queue.front().losses, one);
     const auto again = queue.take(100);
-    EXPECT_EQ(again.positions, (PlaceRange{3, 4}));
+    EXPECT_EQ(again.positions, (PositionRange{3, 4}));
     EXPECT_EQ(again.losses, one);
     EXPECT_EQ(queue.take(1).positions.first, first.positions.end());
 }
@@ -48,7 +48,7 @@ TEST(PositionQueue, WhatWasLostBeforeKeepsItsLosses) {
     std::uint64_t next = 0;
     while (!queue.empty()) {
         const auto piece = queue.take(1);
-        EXPECT_EQ(piece.positions, (PlaceRange{next, 1}));
+        EXPECT_EQ(piece.positions, (PositionRange{next, 1}));
         Losses losses;
         for (const LostPositions& one : lost) {
             if (next >= one.positions.first && next < one.positions.end()) {
@@ -65,7 +65,7 @@ TEST(PositionQueue, AFullyLostQueueIsOnePiece) {
     const std::vector<LostPositions> lost = {{{0, 100}, 70}};
     PositionQueue queue(100, lost);
     ASSERT_EQ(queue.pieces().size(), 1u);
-    EXPECT_EQ(queue.front().positions, (PlaceRange{0, 100}));
+    EXPECT_EQ(queue.front().positions, (PositionRange{0, 100}));
     EXPECT_EQ(queue.front().losses.count(), 1u);
 }
 

@@ -69,9 +69,10 @@ TEST(ResultGroup, RowsThatDoNotAddUpAndUnknownProcessesAreErrors) {
 }
 
 TEST(ResultGroup, LossesOfNoPlacesOrOfTooManyToCountAreAnError) {
-    for (const PlaceRange& places : {PlaceRange{5, 0}, PlaceRange{2, ~std::uint64_t{0} - 1}}) {
+    for (const PositionRange& positions :
+         {PositionRange{5, 0}, PositionRange{2, ~std::uint64_t{0} - 1}}) {
         ResultGroup group;
-        group.losses = {{places, 7}};
+        group.losses = {{positions, 7}};
         EXPECT_FALSE(decode_group(encode_group(group)));
     }
 }

@@ -95,11 +95,11 @@ TEST(WorkerSupply, AnInventoryIsMadeToAgreeWithTheRecord) {
     WorkerSupply supply;
     (void)supply.add_job(job(1, 1, 2), std::array{tree(1), tree(2)});
     (void)supply.add_job(job(2, 1, 3), std::array{tree(1), tree(3)});
-    Standing standing;
-    standing.trees = {{TreeId{2}, {}}, {TreeId{8}, {}}, {TreeId{1}, {}}};
-    standing.jobs = {JobId{7}, JobId{1}};
-    EXPECT_EQ(text_of(supply.stands(standing)), "-t8 -j7") << "their removal was lost";
-    EXPECT_EQ(text_of(supply.stands({{{TreeId{1}, {}}, {TreeId{2}, {}}}, {JobId{1}}, {}})), "");
+    Inventory inventory;
+    inventory.trees = {{TreeId{2}, {}}, {TreeId{8}, {}}, {TreeId{1}, {}}};
+    inventory.jobs = {JobId{7}, JobId{1}};
+    EXPECT_EQ(text_of(supply.compare(inventory)), "-t8 -j7") << "their removal was lost";
+    EXPECT_EQ(text_of(supply.compare({{{TreeId{1}, {}}, {TreeId{2}, {}}}, {JobId{1}}, {}})), "");
     EXPECT_TRUE(supply.has_job(JobId{1}));
     EXPECT_EQ(text_of(supply.add_job(job(2, 1, 3), std::array{tree(1), tree(3)})), "+t3 +j2")
         << "they were lost on their way";

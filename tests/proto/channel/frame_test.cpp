@@ -199,7 +199,7 @@ TEST(Party, EachSendsWhatTheProtocolSays) {
                         Held,
                         FetchFailed,
                         Holding,
-                        Standing,
+                        Inventory,
                         Recalled>()));
     EXPECT_EQ(types_from(Party::Client),
               (types_of<Failure,

@@ -77,7 +77,7 @@ constexpr std::array<Golden, std::variant_size_v<Message>> golden{{
     {"certified", 48, "d7f558c7fad6ff0a"},
     {"token create", 13, "10083b346e6438bc"},
     {"token created", 12, "58ed39fec02eb736"},
-    {"standing", 120, "002e149f06099adc"},
+    {"inventory", 120, "002e149f06099adc"},
     {"drop scenario", 24, "f5f38eb8784416cd"},
     {"recall", 40, "c4be813caf236978"},
     {"recalled", 32, "c779e5841532473c"},

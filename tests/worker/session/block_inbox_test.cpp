@@ -101,10 +101,10 @@ TEST_F(Inbox, PendingRequestsAreRepeatedOverTheNextConnection) {
     blocks.need(1, job, {{tree_a, 0}, {tree_a, 2}});
     EXPECT_THAT(blocks.settle(), IsEmpty());
     deliver(2);
-    const auto standing = blocks.standing();
-    ASSERT_EQ(standing.size(), 2u);
-    EXPECT_THAT(standing[0].held, ElementsAre(2));
-    EXPECT_THAT(standing[1].held, IsEmpty());
+    const auto inventory = blocks.inventory();
+    ASSERT_EQ(inventory.size(), 2u);
+    EXPECT_THAT(inventory[0].held, ElementsAre(2));
+    EXPECT_THAT(inventory[1].held, IsEmpty());
     master.sent.clear();
     blocks.ask_again();
     EXPECT_THAT(blocks.settle(), IsEmpty());

@@ -6,12 +6,12 @@
 namespace cd::tests {
 namespace {
 
-using Place = ScenarioQueue::Place;
+using Entry = ScenarioQueue::Entry;
 using Token = ScenarioQueue::Token;
 
 constexpr TaskId task{1};
 
-bool any(const Place&) {
+bool any(const Entry&) {
     return true;
 }
 
@@ -37,12 +37,12 @@ TEST(ScenarioQueue, DropsWhatNoThreadHasBegun) {
         tokens.push_back(queue.add(task, scenario));
     }
     queue.set_ready(std::span(tokens).first(3));
-    const Place begun = *queue.begin_next();
-    const Place submitted = *queue.begin_next();
+    const Entry begun = *queue.begin_next();
+    const Entry submitted = *queue.begin_next();
     begun.has_begun->store(true);
     std::vector<Token> dropped;
-    for (const Place& place : queue.drop_unbegun(any)) {
-        dropped.push_back(place.token);
+    for (const Entry& entry : queue.drop_unbegun(any)) {
+        dropped.push_back(entry.token);
     }
     EXPECT_EQ(dropped, (std::vector{tokens[1], tokens[2], tokens[3]}));
     EXPECT_TRUE(submitted.has_begun->load()) << "its thread is told";
@@ -55,7 +55,7 @@ TEST(ScenarioQueue, DropsOnlyWhatMatches) {
     ScenarioQueue queue;
     const Token kept = queue.add(task, 0);
     (void)queue.add(TaskId{2}, 0);
-    const auto dropped = queue.drop_unbegun([](const Place& place) { return place.task != task; });
+    const auto dropped = queue.drop_unbegun([](const Entry& entry) { return entry.task != task; });
     EXPECT_EQ(dropped.size(), 1u);
     queue.set_ready(std::vector{kept});
     EXPECT_EQ(queue.begin_next()->token, kept);

@@ -74,12 +74,12 @@ TEST(SessionLink, SendsUnacknowledgedResultsAgainThenTheInventory) {
         linked.link.results_kept(acknowledged);
         Ends ends = co_await connect_greeted_ends();
         linked.master = std::move(ends.right);
-        Standing standing;
-        standing.jobs.push_back(JobId{5});
-        linked.link.resume(std::move(ends.left), standing);
+        Inventory inventory;
+        inventory.jobs.push_back(JobId{5});
+        linked.link.resume(std::move(ends.left), inventory);
         EXPECT_EQ((co_await next<Results>(linked)).count, 1u);
         EXPECT_EQ((co_await next<Results>(linked)).count, 3u);
-        EXPECT_EQ((co_await next<Standing>(linked)).jobs, standing.jobs);
+        EXPECT_EQ((co_await next<Inventory>(linked)).jobs, inventory.jobs);
         EXPECT_TRUE(linked.link.has_unkept_results());
         EXPECT_FALSE(linked.link.has_ended());
     });
@@ -87,13 +87,13 @@ TEST(SessionLink, SendsUnacknowledgedResultsAgainThenTheInventory) {
 
 TEST(SessionLink, AnInventoryTooLargeForOneMessageEndsTheSession) {
     with_link([](Linked& linked) -> asio::awaitable<void> {
-        Standing standing;
-        standing.trees.resize(1);
-        std::vector<RootIndex>& held = standing.trees[0].held;
+        Inventory inventory;
+        inventory.trees.resize(1);
+        std::vector<RootIndex>& held = inventory.trees[0].held;
         held.resize(limits::message_roots_bytes_max / sizeof(RootIndex));
         std::iota(held.begin(), held.end(), 0);
         Ends ends = co_await connect_greeted_ends();
-        linked.link.resume(std::move(ends.left), standing);
+        linked.link.resume(std::move(ends.left), inventory);
         const SessionEnd end = co_await linked.link.serve();
         EXPECT_EQ(end, SessionEnd::Disagreed) << "it is to begin another session";
         EXPECT_EQ(linked.link.reason(), "its inventory exceeds the limit of a message");

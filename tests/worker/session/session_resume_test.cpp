@@ -71,7 +71,7 @@ lose_the_connection_again_and_again(asio::io_context& context, Executor& executo
                       : master.channel->send(make_range(TaskId{task}, part));
     }
     std::map<std::uint64_t, Bytes> records;
-    std::set<TaskId> standing{TaskId{1}, TaskId{2}, TaskId{3}, TaskId{4}};
+    std::set<TaskId> unended{TaskId{1}, TaskId{2}, TaskId{3}, TaskId{4}};
     for (int connection = 0; connection <= losses; ++connection) {
         std::optional<SessionEnd> how;
         const auto serve = [](std::shared_ptr<Session> of,
@@ -91,28 +91,28 @@ lose_the_connection_again_and_again(asio::io_context& context, Executor& executo
             master.records.clear();
             master.ended.clear();
             master.held.clear(); // The session repeats its pending requests.
-            master.standing.reset();
+            master.inventory.reset();
         }
         spawn(context.get_executor(), "session", serve(session, std::move(over), how));
         // After some messages each connection breaks, except the last.
         const bool is_last = connection == losses;
-        for (int heard = 0; is_last ? !standing.empty() : heard < 12 + 5 * connection; ++heard) {
+        for (int heard = 0; is_last ? !unended.empty() : heard < 12 + 5 * connection; ++heard) {
             const std::optional<Message> message = co_await master.serve_one();
             EXPECT_TRUE(message);
             if (!message) {
                 co_return;
             }
             for (const TaskId task : master.ended) {
-                standing.erase(task);
+                unended.erase(task);
             }
-            // The first message of a session is an empty Standing.
-            const auto* now = std::get_if<Standing>(&*message);
+            // The first message of a session is an empty Inventory.
+            const auto* now = std::get_if<Inventory>(&*message);
             if (now != nullptr && connection > 0) {
                 EXPECT_EQ(now->trees.size(), 2u);
                 EXPECT_EQ(now->jobs, std::vector<JobId>{JobId{1}});
-                standing.clear(); // Unnamed tasks have ended; their results came before.
+                unended.clear(); // Unnamed tasks have ended; their results came before.
                 for (const Recalled& task : now->tasks) {
-                    standing.insert(task.task);
+                    unended.insert(task.task);
                 }
             }
         }

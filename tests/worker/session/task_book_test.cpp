@@ -42,12 +42,12 @@ TEST_F(Tasks, AreCountedAndNamedInAnInventory) {
     book.at(TaskId{1}).drop();
     book.at(TaskId{1}).give_back(2);
     EXPECT_EQ(book.unanswered(), 6u);
-    Standing standing;
-    book.add_to(standing);
-    EXPECT_EQ(standing.jobs, std::vector{JobId{1}});
-    ASSERT_EQ(standing.tasks.size(), 2u);
-    EXPECT_EQ(standing.tasks[0].scenarios, std::vector<std::uint64_t>{2});
-    EXPECT_EQ(standing.tasks[1].places, 4u);
+    Inventory inventory;
+    book.add_to(inventory);
+    EXPECT_EQ(inventory.jobs, std::vector{JobId{1}});
+    ASSERT_EQ(inventory.tasks.size(), 2u);
+    EXPECT_EQ(inventory.tasks[0].scenarios, std::vector<std::uint64_t>{2});
+    EXPECT_EQ(inventory.tasks[1].kept, 4u);
     book.remove_jobs_of(tree_b);
     EXPECT_EQ(book.job(JobId{1}), nullptr);
     EXPECT_TRUE(book.has_tasks()) << "they end by themselves";

@@ -103,7 +103,7 @@ TEST_F(Runner, ReturnsRecalledScenariosThatHaveNotBegun) {
         const auto recalled = master.all<Recalled>();
         ASSERT_EQ(recalled.size(), 1u);
         EXPECT_EQ(recalled[0].scenarios, is_range ? std::vector<std::uint64_t>{} : wanted);
-        EXPECT_EQ(recalled[0].places, is_range ? 10u : 0u);
+        EXPECT_EQ(recalled[0].kept, is_range ? 10u : 0u);
         go_on();
         const std::set<std::uint64_t> indices = answered();
         EXPECT_EQ(indices.size(), is_range ? 10u : 20u);

@@ -32,7 +32,7 @@ TEST_F(Endgames, TheEndBeginsWhenNothingWaitsAndAWorkerIsFree) {
 TEST_F(Endgames, AsksBackTheLastScenariosThatTheOtherWouldEndEarlier) {
     const TaskId task = give(4);
     endgame.help(0, actions);
-    EXPECT_EQ(last<AskBack>(), (AskBack{one_.id(), task, PlaceRange{2, 2}}));
+    EXPECT_EQ(last<AskBack>(), (AskBack{one_.id(), task, PositionRange{2, 2}}));
     EXPECT_EQ(tasks.recalls().at(one_.id()).asked, 2u);
 }
 
@@ -51,7 +51,7 @@ TEST_F(Endgames, AsksForAsManyPositionsAsLetBothEndTogether) {
     tasks.send_range(one_, job_, {{0, 100}}, 1, actions);
     endgame.help(0, actions);
     EXPECT_EQ(last<AskBack>().positions,
-              (PlaceRange{51, 49})); // 0.49 s of the other, which begins 0.02 s later.
+              (PositionRange{51, 49})); // 0.49 s of the other, which begins 0.02 s later.
 }
 
 TEST_F(Endgames, BegunScenariosAreCopiedWithinTheBudget) {
@@ -63,7 +63,7 @@ TEST_F(Endgames, BegunScenariosAreCopiedWithinTheBudget) {
     job_.copies.add_work(20'000'000'000);
     endgame.help(0, actions);
     EXPECT_EQ(last<SendUnit>(),
-              (SendUnit{two_.id(), TaskId{2}, job_.id, PlaceRange{0, 1}, true, task}));
+              (SendUnit{two_.id(), TaskId{2}, job_.id, PositionRange{0, 1}, true, task}));
     endgame.help(0, actions);
     EXPECT_EQ(actions.size(), 2u); // One copy of each.
 }
@@ -75,7 +75,7 @@ TEST_F(Endgames, CopiesTheLastPositionsOfARangeThatHasBegun) {
     one_.tasks.set_begun(last<SendUnit>().task);
     job_.copies.add_work(50'000'000'000); // Three of 60 may be copied.
     endgame.help(0, actions);
-    EXPECT_EQ(last<SendUnit>().positions, (PlaceRange{7, 3}));
+    EXPECT_EQ(last<SendUnit>().positions, (PositionRange{7, 3}));
     EXPECT_EQ(last<SendUnit>().copy_of, TaskId{1});
 }
 
@@ -84,14 +84,14 @@ TEST_F(Endgames, PositionsAreCopiedOnceAndInOneRun) {
     job_.range_pace.add(two_.id(), 1000, 1);
     tasks.send_range(one_, job_, {{0, 10}}, 1'000'000'000, actions);
     const TaskId task = last<SendUnit>().task;
-    one_.tasks.remove(task, PlaceRange{8, 1}, 1'000'000'000);
+    one_.tasks.remove(task, PositionRange{8, 1}, 1'000'000'000);
     one_.tasks.set_begun(task);
     job_.copies.add_work(50'000'000'000);
     endgame.help(0, actions);
-    EXPECT_EQ(last<SendUnit>().positions, (PlaceRange{9, 1}));
+    EXPECT_EQ(last<SendUnit>().positions, (PositionRange{9, 1}));
     tasks.lose_all(two_, actions);
     endgame.help(0, actions);
-    EXPECT_EQ(last<SendUnit>().positions, (PlaceRange{6, 2})) << "the lost copy is not repeated";
+    EXPECT_EQ(last<SendUnit>().positions, (PositionRange{6, 2})) << "the lost copy is not repeated";
 }
 
 TEST_F(Endgames, ThePapersStrategiesAreLeftAlone) {

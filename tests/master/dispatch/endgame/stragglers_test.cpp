@@ -57,7 +57,7 @@ TEST_F(Late, TheLatestIsHelpedFirst) {
 TEST_F(Late, AWorkerThatIsAskedIsLeftAloneUntilItShouldHaveAnswered) {
     give(one_, 3);
     const TaskId task = last<SendUnit>().task;
-    tasks.ask_back({one_.id(), task, PlaceRange{2, 1}}, two_.id(), actions);
+    tasks.ask_back({one_.id(), task, PositionRange{2, 1}}, two_.id(), actions);
     EXPECT_FALSE(stragglers_.may_be_asked(one_));
     EXPECT_TRUE(stragglers_.may_answer_recall(one_));
     EXPECT_FALSE(stragglers_.can_help(two_)); // It will get what is asked back.

@@ -24,11 +24,11 @@ TEST(UnsentPositions, GoOutInOrderAndRangeByRange) {
     unsent.add({{30, 2}}, 4);
     EXPECT_EQ(unsent.count(), 7u);
     EXPECT_EQ(unsent.rest(), 11u);
-    EXPECT_EQ(unsent.take_first(3).positions, (PlaceRange{10, 3}));
-    EXPECT_EQ(unsent.take_first(9).positions, (PlaceRange{13, 2}));
+    EXPECT_EQ(unsent.take_first(3).positions, (PositionRange{10, 3}));
+    EXPECT_EQ(unsent.take_first(9).positions, (PositionRange{13, 2}));
     unsent.nothing_follows();
     EXPECT_EQ(unsent.rest(), 2u);
-    EXPECT_EQ(unsent.take_all(), (std::vector<PlaceRange>{{30, 2}}));
+    EXPECT_EQ(unsent.take_all(), (std::vector<PositionRange>{{30, 2}}));
     EXPECT_TRUE(unsent.is_empty());
     EXPECT_EQ(unsent.count(), 0u);
 }
@@ -38,10 +38,10 @@ TEST(UnsentPositions, ReturnedOnesComeFirstWithTheirPosesAndAnsweredOnesLeave) {
     UnsentPositions unsent;
     unsent.add({{20, 5}}, 0);
     unsent.put_back(PositionSet::of({3, 7, 8}), window);
-    EXPECT_EQ(unsent.all(), (std::vector<PlaceRange>{{3, 1}, {7, 2}, {20, 5}}));
+    EXPECT_EQ(unsent.all(), (std::vector<PositionRange>{{3, 1}, {7, 2}, {20, 5}}));
     EXPECT_TRUE(unsent.remove(PositionSet::of({3, 8, 22, 99})));
     EXPECT_FALSE(unsent.remove(PositionSet::of({3, 99})));
-    EXPECT_EQ(unsent.all(), (std::vector<PlaceRange>{{7, 1}, {20, 2}, {23, 2}}));
+    EXPECT_EQ(unsent.all(), (std::vector<PositionRange>{{7, 1}, {20, 2}, {23, 2}}));
     EXPECT_EQ(unsent.count(), 5u);
     EXPECT_EQ(unsent.take_first(2), (GivenRange{{7, 1}, window}));
     EXPECT_EQ(unsent.take_first(2).window, nullptr);

@@ -65,7 +65,7 @@ TEST_F(EarliestFinishes, TheLastLongScenariosGoLongestFirstToFreeThreads) {
     buffer(one_, {10, 30, 20});
     EXPECT_TRUE(policy_.has_room_for_task(one_, job_));
     tasks.send(one_, job_, policy_.take_batch(one_, job_), false, actions);
-    EXPECT_EQ(last<SendUnit>().positions, (PlaceRange{1, 1}));
+    EXPECT_EQ(last<SendUnit>().positions, (PositionRange{1, 1}));
     EXPECT_FALSE(policy_.has_room_for_task(one_, job_));
     queue.set_paused(false); // More may come.
     EXPECT_TRUE(policy_.has_room_for_task(one_, job_));

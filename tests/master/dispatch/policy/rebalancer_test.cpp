@@ -31,7 +31,7 @@ TEST_F(Rebalancing, AnIdleWorkerTakesTheLastOfTheFullestBufferUpToTwoBatches) {
     fill(one_, 10);
     rebalancer.rebalance(actions);
     EXPECT_EQ(last<SendUnit>().worker, two_.id());
-    EXPECT_EQ(last<SendUnit>().positions, (PlaceRange{8, 2}));
+    EXPECT_EQ(last<SendUnit>().positions, (PositionRange{8, 2}));
     EXPECT_EQ(two_.buffers.of(job_.id).scenarios, std::vector<std::uint64_t>{7});
     EXPECT_EQ(one_.buffers.count(), 7u);
 }

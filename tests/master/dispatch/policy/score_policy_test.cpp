@@ -117,7 +117,7 @@ TEST(ScorePolicy, LowestTakesTheLowestScore) {
 TEST(ScorePolicy, EqualsGoToTheFewestScenariosThenToTheSmallestId) {
     for (const std::string_view strategy : {"best-match", "best-match-load", "lowest"}) {
         Cluster cluster(strategy, {{}, {}, {}});
-        cluster.pool.at(WorkerId{1}).tasks.start(TaskId{1}, {JobId{1}, PlaceRange{0, 1}});
+        cluster.pool.at(WorkerId{1}).tasks.start(TaskId{1}, {JobId{1}, PositionRange{0, 1}});
         EXPECT_EQ(cluster.pick(1), 2u);
     }
 }
@@ -127,7 +127,7 @@ TEST(ScorePolicy, AFullClaimedOrSilentWorkerGetsNothing) {
         Cluster cluster(strategy, {{}, {}, {}, {}});
         cluster.load(1, 100);
         cluster.pool.at(WorkerId{2})
-            .tasks.start(TaskId{1}, {JobId{1}, PlaceRange{0, 1}, true, true});
+            .tasks.start(TaskId{1}, {JobId{1}, PositionRange{0, 1}, true, true});
         cluster.pool.at(WorkerId{3}).set_silent(true);
         EXPECT_EQ(cluster.pick(1), 4u);
         EXPECT_FALSE(cluster.job().policy->may_take(cluster.pool.at(WorkerId{1}), cluster.job()));

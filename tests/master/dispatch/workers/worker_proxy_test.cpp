@@ -22,23 +22,23 @@ TEST(WorkerProxy, HasATaskThatWaitsAndAsManyAsItsThreadsNeed) {
     EXPECT_EQ(proxy_of(8).tasks_max(options_of(20)), 2u);
     EXPECT_EQ(proxy_of(8).tasks_max(options_of(3)), 4u);
     WorkerProxy proxy = proxy_of(1);
-    proxy.tasks.start(TaskId{1}, {job, PlaceRange{1, 1}});
+    proxy.tasks.start(TaskId{1}, {job, PositionRange{1, 1}});
     EXPECT_TRUE(proxy.has_room_for_task(job, options_of(20)));
-    proxy.tasks.start(TaskId{2}, {job, PlaceRange{2, 1}});
+    proxy.tasks.start(TaskId{2}, {job, PositionRange{2, 1}});
     EXPECT_FALSE(proxy.has_room_for_task(job, options_of(20)));
     EXPECT_TRUE(proxy.has_room_for_task(JobId{2}, options_of(20)));
-    proxy.tasks.start(TaskId{3}, {JobId{2}, PlaceRange{2, 1}, true, true});
+    proxy.tasks.start(TaskId{3}, {JobId{2}, PositionRange{2, 1}, true, true});
     EXPECT_FALSE(proxy.has_room_for_task(JobId{3}, options_of(20))); // It is claimed.
 }
 
 TEST(WorkerProxy, RunsDryBelowQScenariosTwiceItsThreadsOrABatch) {
     WorkerProxy proxy = proxy_of(2);
-    proxy.tasks.start(TaskId{1}, {job, PlaceRange{1, 3}, true, false, 50});
+    proxy.tasks.start(TaskId{1}, {job, PositionRange{1, 3}, true, false, 50});
     EXPECT_TRUE(proxy.would_run_dry(options_of(1)));
     EXPECT_FALSE(proxy.would_run_dry_by_time());
     proxy.batch.set(51, false);
     EXPECT_TRUE(proxy.would_run_dry_by_time());
-    proxy.tasks.start(TaskId{2}, {job, PlaceRange{4, 1}});
+    proxy.tasks.start(TaskId{2}, {job, PositionRange{4, 1}});
     EXPECT_FALSE(proxy.would_run_dry(options_of(4)));
     EXPECT_TRUE(proxy.would_run_dry(options_of(5)));
 }
@@ -47,7 +47,7 @@ TEST(WorkerProxy, CountsWhatIsBufferedAndWhatIsSent) {
     WorkerProxy proxy = proxy_of(2);
     EXPECT_TRUE(proxy.is_idle());
     proxy.buffers.add(job, 7, {100, 20});
-    proxy.tasks.start(TaskId{1}, {job, PlaceRange{1, 3}, true, false, 50});
+    proxy.tasks.start(TaskId{1}, {job, PositionRange{1, 3}, true, false, 50});
     EXPECT_EQ(proxy.scenarios(), 4u);
     EXPECT_EQ(proxy.backlog_ns(), 70u);
     const WorkerStatus status = proxy.status();

@@ -12,8 +12,8 @@ constexpr TaskId range{2};
 
 WorkerTasks two_tasks() {
     WorkerTasks tasks;
-    tasks.start(batch, {job, PlaceRange{4, 3}, true, true, 30, 1.5});
-    tasks.start(range, {JobId{2}, PlaceRange{10, 10}, false, false, 100, 2});
+    tasks.start(batch, {job, PositionRange{4, 3}, true, true, 30, 1.5});
+    tasks.start(range, {JobId{2}, PositionRange{10, 10}, false, false, 100, 2});
     return tasks;
 }
 
@@ -22,9 +22,9 @@ TEST(WorkerTasks, RemovedPositionsLeaveTheTaskAndTheCounts) {
     EXPECT_EQ(tasks.left(), 13u);
     EXPECT_EQ(tasks.cost_ns(), 130u);
     tasks.remove(batch, PositionSet::of({4, 5}), 20);
-    EXPECT_EQ(tasks.at(batch).positions, (PlaceRange{6, 1}));
+    EXPECT_EQ(tasks.at(batch).positions, (PositionRange{6, 1}));
     EXPECT_EQ(tasks.left(), 11u);
-    tasks.remove(range, PlaceRange{12, 4}, 40);
+    tasks.remove(range, PositionRange{12, 4}, 40);
     EXPECT_EQ(tasks.at(range).left(), 6u);
     EXPECT_EQ(tasks.at(range).each_ns(), 10u);
     EXPECT_EQ(tasks.cost_ns(), 10u + 60u);
@@ -45,9 +45,9 @@ TEST(WorkerTasks, AClaimLastsAsLongAsItsTask) {
 
 TEST(WorkerTasks, CopiedPositionsRemainCopiedAfterOthersAreAnswered) {
     WorkerTasks tasks = two_tasks();
-    tasks.add_copy(range, {WorkerId{5}, TaskId{9}}, PlaceRange{17, 3});
-    tasks.remove(range, PlaceRange{10, 2}, 20);
-    EXPECT_EQ(tasks.at(range).uncopied(), (PlaceRange{12, 5}));
+    tasks.add_copy(range, {WorkerId{5}, TaskId{9}}, PositionRange{17, 3});
+    tasks.remove(range, PositionRange{10, 2}, 20);
+    EXPECT_EQ(tasks.at(range).uncopied(), (PositionRange{12, 5}));
     EXPECT_EQ(tasks.at(range).shared.copies.at(0).worker, WorkerId{5});
     EXPECT_FALSE(tasks.at(range).is_copy());
 }

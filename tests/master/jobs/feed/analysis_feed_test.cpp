@@ -81,7 +81,7 @@ TEST_F(AnalysisFeedTest, PosesThatCannotBeReadAreQueuedAgainWithTheirLosses) {
     run_until_analysed();
     EXPECT_EQ(job.run->paused, "the disk is gone");
     EXPECT_TRUE(services.life.is_waiting(job.id));
-    EXPECT_EQ(job.work()->todo.front().positions, (PlaceRange{0, 90}));
+    EXPECT_EQ(job.work()->todo.front().positions, (PositionRange{0, 90}));
     EXPECT_EQ(job.work()->todo.front().losses.count(), 1u);
     start(job);
     run_until_analysed();

@@ -14,7 +14,7 @@ using testing::IsEmpty;
 
 class RangeFeedTest : public PartsStage {
   protected:
-    /// Opens a job of 90 places on a grid, where positions equal indices.
+    /// Opens a job of 90 positions on a grid, where positions equal indices.
     MasterJob& open_grid() {
         Grid grid;
         grid.position = {GridAxis{0, 3, 90}, GridAxis{0, 0, 1}, GridAxis{0, 0, 1}};
@@ -29,7 +29,7 @@ class RangeFeedTest : public PartsStage {
         ScenarioResult result = right_result(0);
         result.index = index;
         merge(job, std::move(result), process);
-        state.dispatch.act(state.dispatch->answered({{}, {}, job.id, PlaceRange{index, 1}}));
+        state.dispatch.act(state.dispatch->answered({{}, {}, job.id, PositionRange{index, 1}}));
     }
     /// The worker is lost, and nothing is handed out again.
     void lose(WorkerId worker) {
@@ -37,12 +37,12 @@ class RangeFeedTest : public PartsStage {
         state.dispatch.act(state.dispatch->worker_lost(worker));
     }
     [[nodiscard]] SendUnit last_range() const { return performed<SendUnit>().back(); }
-    [[nodiscard]] static std::vector<PlaceRange> queued(const MasterJob& job) {
-        std::vector<PlaceRange> places;
+    [[nodiscard]] static std::vector<PositionRange> queued(const MasterJob& job) {
+        std::vector<PositionRange> positions;
         for (const PositionQueue::Piece& piece : job.work()->todo.pieces()) {
-            places.push_back(piece.positions);
+            positions.push_back(piece.positions);
         }
-        return places;
+        return positions;
     }
 
     RangeFeed& ranges_ = services.ranges;
@@ -91,7 +91,7 @@ TEST_F(RangeFeedTest, AnsweredPositionsAreNotGiven) {
     answer(job, 2);
     join(70);
     ranges_.give(job);
-    EXPECT_EQ(performed<SendUnit>().at(0).positions, (PlaceRange{1, 1}));
+    EXPECT_EQ(performed<SendUnit>().at(0).positions, (PositionRange{1, 1}));
     EXPECT_EQ(performed<SendUnit>().at(1).positions.runs().front().first, 3u);
 }
 
@@ -112,7 +112,7 @@ TEST_F(RangeFeedTest, UnansweredPositionsOfALostWorkerAreQueuedWithTheirLoss) {
     MasterJob& job = open_grid();
     const WorkerId worker = join(70, 90); // Gets all positions at once.
     ranges_.give(job);
-    ASSERT_EQ(last_range().positions, (PlaceRange{0, 90}));
+    ASSERT_EQ(last_range().positions, (PositionRange{0, 90}));
     answer(job, 0);
     answer(job, 40);
     lose(worker);
@@ -130,7 +130,7 @@ TEST_F(RangeFeedTest, ReturnedPositionsGoOutAgainWithoutALoss) {
     services.tasks.recalled(worker, Recalled{last_range().task, {}, 60});
     EXPECT_EQ(job.tally.help.recalled, 30u);
     EXPECT_EQ(job.work()->todo.left(), 0u);
-    EXPECT_EQ(last_range().positions, (PlaceRange{60, 30}));
+    EXPECT_EQ(last_range().positions, (PositionRange{60, 30}));
     EXPECT_THAT(performed<PositionsLost>(), IsEmpty());
 }
 
@@ -144,7 +144,8 @@ TEST_F(RangeFeedTest, WithdrawnScenariosAreQueuedOnce) {
         job.merged.withdraw_one(index);
     }
     ranges_.give_again(job, {7, 4, 5, 80, 81}); // The last are in the queue.
-    EXPECT_THAT(queued(job), ElementsAre(PlaceRange{7, 1}, PlaceRange{4, 2}, PlaceRange{80, 10}));
+    EXPECT_THAT(queued(job),
+                ElementsAre(PositionRange{7, 1}, PositionRange{4, 2}, PositionRange{80, 10}));
     ranges_.give_again(job, {4, 5});
     EXPECT_EQ(job.work()->todo.left(), 13u);
 }
@@ -159,7 +160,7 @@ TEST_F(RangeFeedTest, WithdrawnScenariosOfAListAreQueuedByTheirPositions) {
     ranges_.give_again(job, {11});
     EXPECT_EQ(job.work()->positions_loading, 1u);
     run_until([&] { return job.work()->positions_loading == 0; });
-    EXPECT_THAT(queued(job), ElementsAre(PlaceRange{position_of(job, 11), 1}));
+    EXPECT_THAT(queued(job), ElementsAre(PositionRange{position_of(job, 11), 1}));
 }
 
 } // namespace

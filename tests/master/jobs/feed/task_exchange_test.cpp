@@ -123,8 +123,8 @@ TEST_F(TaskExchangeTest, AWorkerWhoseWorkIsTakenBackGetsNoMore) {
 TEST_F(TaskExchangeTest, ACancelledPositionIsDroppedByItsIndexFromItsTaskAlone) {
     const MasterJob& job = open_and_send();
     const std::uint64_t position = first().positions.list().back();
-    tasks_.send(CallOff{worker_, first().task, PlaceRange{position, 1}});
-    tasks_.send(CallOff{worker_, TaskId{1000}, PlaceRange{position, 1}}); // It has ended.
+    tasks_.send(CallOff{worker_, first().task, PositionRange{position, 1}});
+    tasks_.send(CallOff{worker_, TaskId{1000}, PositionRange{position, 1}}); // It has ended.
     const std::vector<DropScenario> drops = received<DropScenario>(worker_);
     ASSERT_EQ(drops.size(), 1u);
     EXPECT_EQ(position_of(job, drops[0].scenario), position);

@@ -110,7 +110,7 @@ TEST_F(WorkFeedTest, BufferedScenariosAreSentWhenNoMoreFollow) {
     EXPECT_THAT(performed<SendUnit>(), IsEmpty()) << "the buffer has room for more";
     work_.feed();
     ASSERT_EQ(performed<SendUnit>().size(), 1u);
-    EXPECT_EQ(performed<SendUnit>()[0].positions, (PlaceRange{0, 1}));
+    EXPECT_EQ(performed<SendUnit>()[0].positions, (PositionRange{0, 1}));
 }
 
 } // namespace
