@@ -9,14 +9,15 @@
 #include "proto/access/credential_file.hpp"
 #include "proto/access/join.hpp"
 #include "proto/channel/signals.hpp"
+#include "worker/membership/backoff.hpp"
 #include "worker/membership/credential_keeper.hpp"
 #include "worker/membership/membership.hpp"
 #include "worker/membership/refusal_patience.hpp"
 
-#include <algorithm>
 #include <cstdlib>
 #include <memory>
 #include <optional>
+#include <random>
 #include <utility>
 
 namespace cd {
@@ -255,18 +256,6 @@ int join_as_worker(const WorkerConfig& config) {
     }
     log_info("joined: master={} credential={}", config.master.host, path.string());
     return exit_done;
-}
-
-std::chrono::milliseconds Backoff::next() {
-    const std::uint64_t min = timing::reconnect_after_min.count();
-    const std::uint64_t max = timing::reconnect_after_max.count();
-    const std::uint64_t pause = std::min(max, min << std::min(attempts_, 16u));
-    ++attempts_;
-    return std::chrono::milliseconds(pause / 2 + random_() % (pause / 2 + 1));
-}
-
-void Backoff::reset() {
-    attempts_ = 0;
 }
 
 int run_worker(const WorkerConfig& config) {

@@ -11,6 +11,7 @@
 #include "common/core/check.hpp"
 #include "common/core/host/thread_pool.hpp"
 #include "common/core/limits/engine.hpp"
+#include "common/job/packed_scenarios.hpp"
 #include "common/job/run_scenario.hpp"
 #include "common/tree/build/build.hpp"
 

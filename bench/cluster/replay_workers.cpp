@@ -11,6 +11,7 @@
 #include "common/core/limits/wire.hpp"
 #include "common/core/limits/worker.hpp"
 #include "common/core/timing/wire.hpp"
+#include "common/job/packed_scenarios.hpp"
 #include "common/job/result/merge.hpp"
 #include "common/job/result/packed_records.hpp"
 #include "common/job/run_scenario.hpp"

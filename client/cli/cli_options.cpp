@@ -73,7 +73,7 @@ void add_query(CLI::App& verb, JobOptions& job) {
     QueryOptions& query = job.query;
     add("--name", job.name, "NAME", "The job's name");
     add("--level", query.level, "LEVEL", "any, count, pairs (default) or contacts")
-        ->check(one_of({"any", "count", "pairs", "contacts"}));
+        ->check(one_of({level_names.begin(), level_names.end()}));
     add("--tolerance",
         query.tolerance,
         "LENGTH",

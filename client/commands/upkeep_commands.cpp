@@ -46,8 +46,8 @@ find_removable(const ClusterStatus& status, const std::string& text, const std::
     return job.error();
 }
 
-/// Finds a worker that is not lost by its id ("w-3") or name. Errors: NotFound; BadInput for an
-/// ambiguous name.
+/// Finds a worker by its id ("w-3") or name; lost workers are ignored. Errors: NotFound; BadInput
+/// for an ambiguous name.
 Result<WorkerId> find_worker(const ClusterStatus& status, const std::string& text) {
     std::vector<WorkerId> named;
     for (const WorkerStatus& worker : status.workers) {

@@ -12,6 +12,8 @@
 #include "common/core/timing/client.hpp"
 #include "common/core/timing/engine.hpp"
 #include "common/core/version.hpp"
+#include "common/job/packed_scenarios.hpp"
+#include "common/job/poses/pose_order.hpp"
 #include "proto/channel/channel.hpp"
 
 #include <pwd.h>
@@ -27,8 +29,6 @@ namespace cd {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-
-constexpr std::uint64_t poses_together = 4096;
 
 /// The error when the master cannot write `what` to its disk.
 Error no_room(const std::string& what, const Error& error) {
@@ -274,20 +274,40 @@ struct Connection::State {
         co_return Done{};
     }
 
+    /// Reads the window that begins at `first`, of which `left` scenarios exist at most, in pieces
+    /// between which a stop is noticed.
+    Result<std::vector<Scenario>>
+    read_window(PoseSource& poses, std::uint64_t first, std::uint64_t left) const {
+        std::vector<Scenario> window;
+        const std::uint64_t size = std::min(left, limits::order_window_scenarios);
+        while (window.size() < size) {
+            if (is_stopped()) {
+                return interrupted();
+            }
+            const auto piece = CD_TRY(poses.read(
+                first + window.size(), std::min(limits::pose_run_scenarios, size - window.size())));
+            window.insert(window.end(), piece.begin(), piece.end());
+        }
+        return window;
+    }
+
     asio::awaitable<Result<JobId>>
     submit(Submit submit, PoseSource* poses, const PoseLabels& labels) {
         channel->send(submit);
         for (std::uint64_t sent = 0; poses != nullptr && sent < submit.scenarios;) {
-            const auto run = poses->read(sent, std::min(poses_together, submit.scenarios - sent));
-            if (!run) {
-                co_return run.error();
+            const auto window = read_window(*poses, sent, submit.scenarios - sent);
+            if (!window) {
+                co_return window.error();
             }
-            if (const Status status = co_await make_room(); !status) {
-                co_return status.error();
+            for (Bytes& run : pack_in_order(window.value())) {
+                if (const Status status = co_await make_room(); !status) {
+                    co_return status.error();
+                }
+                const std::uint64_t count =
+                    std::min(limits::pose_run_scenarios, submit.scenarios - sent);
+                channel->send(PosesPart{std::move(run), labels.slice(sent, count)});
+                sent += count;
             }
-            channel->send(
-                PosesPart{pack_scenarios(run.value()), labels.slice(sent, run.value().size())});
-            sent += run.value().size();
         }
         if (poses != nullptr) {
             channel->send(PosesEnd{});

@@ -17,7 +17,6 @@ namespace cd {
 
 namespace {
 
-constexpr std::array<std::string_view, 4> level_names{"any", "count", "pairs", "contacts"};
 constexpr std::array<std::string_view, 5> format_names{"text", "json", "csv", "csv-pairs", "npz"};
 constexpr std::string_view depth_auto = "auto";
 constexpr std::array<std::string_view, 2> up_axes{"y", "z"};

@@ -4,6 +4,8 @@
 #include "client/base/units.hpp"
 #include "common/job/tolerance.hpp"
 
+#include <fmt/format.h>
+
 #include <limits>
 #include <utility>
 
@@ -84,8 +86,8 @@ Status apply(const QueryOptions& options, JobSpec& spec) {
     if (!options.level.empty()) {
         const auto level = level_from_text(options.level);
         if (!level) {
-            return usage("--level \"" + options.level +
-                         "\" is not one of any, count, pairs, contacts");
+            return usage(fmt::format(
+                "--level \"{}\" is not one of {}", options.level, fmt::join(level_names, ", ")));
         }
         spec.level = *level;
     }

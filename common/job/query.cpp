@@ -2,16 +2,9 @@
 
 #include "common/core/check.hpp"
 
-#include <array>
-#include <string>
+#include <cstddef>
 
 namespace cd {
-
-namespace {
-
-constexpr std::array<std::string_view, 4> level_names{"any", "count", "pairs", "contacts"};
-
-} // namespace
 
 std::string_view to_text(Level level) {
     const auto number = static_cast<std::size_t>(level);

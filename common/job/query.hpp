@@ -3,6 +3,7 @@
 
 #include "common/tree/ignored_range.hpp"
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string_view>
@@ -10,7 +11,8 @@
 
 namespace cd {
 
-/// The detail of a job's results, in ascending order.
+/// The detail of a job's results, in ascending order. The numbers are part of the wire format and
+/// of stored results.
 enum class Level : std::uint8_t {
     Any = 0,      ///< Whether the bodies are in contact.
     Count = 1,    ///< The class and the number of pairs.
@@ -18,6 +20,8 @@ enum class Level : std::uint8_t {
     Contacts = 3, ///< Each pair with its class and its shared points.
 };
 
+/// The names of all levels, in their order.
+inline constexpr std::array<std::string_view, 4> level_names{"any", "count", "pairs", "contacts"};
 [[nodiscard]] std::string_view to_text(Level level);
 [[nodiscard]] std::optional<Level> level_from_text(std::string_view text);
 

@@ -1,6 +1,7 @@
 #include "common/job/scenario_file.hpp"
 
 #include "common/core/check.hpp"
+#include "common/job/packed_scenarios.hpp"
 
 #include <algorithm>
 #include <mutex>

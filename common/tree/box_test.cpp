@@ -179,9 +179,9 @@ bool BoxTest::may_overlap(const ObbNode& a, const PosedBox& b) const {
 }
 
 double BoxTest::distance_max(const ObbNode& a, const PosedBox& b) const {
-    // |x - y| <= |c - Rd - t| + |x - c| + |R (y - d)|. The frames are orthonormal within e and R
-    // rigid within s, so the last two terms exceed the boxes' radii by less than frame_error_ times
-    // the radii. b.error and the term of A's centre cover the error of the centres, per component.
+    // In the notation of the file's head, |x - y| <= |c - Rd - t| + |x - c| + |R (y - d)|. The last
+    // two terms exceed the boxes' radii by less than frame_error_ times the radii. b.error and the
+    // term with A's centre cover the rounding of each component of the first term.
     double between = 0;
     double radius_a = 0;
     double radius_b = 0;

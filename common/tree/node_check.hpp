@@ -1,4 +1,4 @@
-// Checks boxes and nodes that come from outside.
+// Checks boxes, nodes and triangle orders decoded from untrusted bytes: tree files and blocks.
 #pragma once
 
 #include "common/tree/obb_tree.hpp"

@@ -2,6 +2,7 @@
 
 #include "common/core/check.hpp"
 #include "common/core/limits/engine.hpp"
+#include "common/job/packed_scenarios.hpp"
 #include "common/job/run_scenario.hpp"
 #include "common/job/settle.hpp"
 #include "master/dispatch/cost_model.hpp"
@@ -42,8 +43,9 @@ Analysis analyse_uncounted(const AnalysisInput& input, const Scenario& scenario)
     return analysis;
 }
 
-std::uint64_t bytes_in_batch(const Analysis& analysis, std::uint64_t pose_bytes) {
-    return pose_bytes + sizeof(std::uint32_t) + analysis.pairs.size() * sizeof(RootPair);
+std::uint64_t bytes_in_batch(const Analysis& analysis) {
+    return packed_bytes(analysis.scenario) + sizeof(std::uint32_t) +
+           analysis.pairs.size() * sizeof(RootPair);
 }
 
 void analyse_block(const AnalysisInput& input,
@@ -56,7 +58,6 @@ void analyse_block(const AnalysisInput& input,
         block.error = scenarios.error();
         return;
     }
-    const std::uint64_t pose_bytes = pack_scenarios(scenarios.value()).size() / range.count;
     block.scenarios.reserve(range.count);
     std::uint64_t next = range.first;
     for (const Scenario& scenario : scenarios.value()) {
@@ -67,7 +68,7 @@ void analyse_block(const AnalysisInput& input,
         Analysis& analysis = block.scenarios.emplace_back(analyse_uncounted(input, scenario));
         analysis.position = position;
         if (!input.sketch) {
-            analysis.bytes = bytes_in_batch(analysis, pose_bytes);
+            analysis.bytes = bytes_in_batch(analysis);
         }
     }
     block.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
@@ -77,8 +78,7 @@ void analyse_block(const AnalysisInput& input,
 
 Analysis analyse(const AnalysisInput& input, const Scenario& scenario) {
     Analysis analysis = analyse_uncounted(input, scenario);
-    analysis.bytes =
-        bytes_in_batch(analysis, pack_scenarios(std::span<const Scenario>(&scenario, 1)).size());
+    analysis.bytes = bytes_in_batch(analysis);
     return analysis;
 }
 

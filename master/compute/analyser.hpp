@@ -6,7 +6,6 @@
 #include "common/core/limits/engine.hpp"
 #include "common/core/result.hpp"
 #include "common/job/poses/ordered_poses.hpp"
-#include "common/job/poses/pose_source.hpp"
 #include "common/job/query.hpp"
 #include "common/job/result/result.hpp"
 #include "common/job/statistics.hpp"
@@ -48,7 +47,7 @@ struct AnalysisInput {
     std::shared_ptr<const TreeTop> top_b;
     Query query;
     std::shared_ptr<const Settler> settler; ///< Settles scenarios; made for trees `a` and `b`.
-    std::shared_ptr<PoseSource> poses;      ///< Several threads may call `read` at once.
+    std::shared_ptr<OrderedPoses> poses;    ///< Several threads may call `read` at once.
     /// In a simulation without trees, this replaces the descent and also sets `bytes`. Any thread.
     std::function<Analysis(const Scenario&)> sketch = nullptr;
 };

@@ -62,14 +62,14 @@ DispatchTree dispatch_tree(TreeId id, const Cut& cut) {
     return tree;
 }
 
-Result<std::shared_ptr<PoseSource>>
+Result<std::shared_ptr<OrderedPoses>>
 open_poses(const Submit& submit, const std::filesystem::path& path, PoseCheck check) {
     if (submit.grid) {
         Result<Grid> grid = decode_grid(*submit.grid);
         if (!grid) {
             return grid.error();
         }
-        return std::shared_ptr<PoseSource>(make_grid_source(std::move(grid.value())));
+        return std::make_shared<OrderedPoses>(grid.value());
     }
     Result<std::unique_ptr<PoseSpool>> spool = PoseSpool::open(path, submit.scenarios);
     if (!spool) {
@@ -79,7 +79,8 @@ open_poses(const Submit& submit, const std::filesystem::path& path, PoseCheck ch
     if (!checked) {
         return checked.error();
     }
-    return std::shared_ptr<PoseSource>(std::move(spool.value()));
+    return std::make_shared<OrderedPoses>(
+        std::shared_ptr<const PoseRuns>(std::move(spool.value())));
 }
 
 } // namespace cd

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "common/core/result.hpp"
-#include "common/job/poses/pose_source.hpp"
+#include "common/job/poses/ordered_poses.hpp"
 #include "master/compute/analyser.hpp"
 #include "master/compute/result_check.hpp"
 #include "master/dispatch/dispatch_tree.hpp"
@@ -68,8 +68,8 @@ enum class PoseCheck : std::uint8_t { Whole, AsRead };
 
 /// Opens the poses of a job in the journal; `path` is their file, unused if the job has a grid.
 /// Errors: Io naming a file that is missing or damaged; those of a damaged grid.
-[[nodiscard]] Result<std::shared_ptr<PoseSource>> open_poses(const Submit& submit,
-                                                             const std::filesystem::path& path,
-                                                             PoseCheck check = PoseCheck::Whole);
+[[nodiscard]] Result<std::shared_ptr<OrderedPoses>> open_poses(const Submit& submit,
+                                                               const std::filesystem::path& path,
+                                                               PoseCheck check = PoseCheck::Whole);
 
 } // namespace cd

@@ -1,4 +1,5 @@
-// Checks the results of workers, and settles the questions that need whole bodies.
+// Checks the results that workers send, and settles the parts of their classes that depend on whole
+// bodies (settle.hpp).
 #pragma once
 
 #include "common/core/files/hash.hpp"

@@ -1,6 +1,7 @@
 #include "master/compute/task_content.hpp"
 
 #include "common/core/check.hpp"
+#include "common/job/packed_scenarios.hpp"
 
 #include <algorithm>
 
@@ -10,13 +11,17 @@ std::optional<PlacedScenario> RangeContent::find(std::uint64_t index) const {
     if (window != nullptr && !window->has(index)) {
         return std::nullopt;
     }
-    const std::uint64_t position = window == nullptr ? index : window->place_of(index);
+    const std::uint64_t position = window == nullptr ? index : window->position_of(index);
     if (position < positions.first || position >= positions.end()) {
         return std::nullopt;
     }
-    return PlacedScenario{window == nullptr ? scenario_on(*order->grid(), index)
-                                            : window->at({position, 1}).front(),
-                          position};
+    if (window == nullptr) {
+        return PlacedScenario{scenario_on(*order->grid(), index), position};
+    }
+    // The poses were checked when the client sent them, and their checksum when they were read.
+    const Result<Scenario> scenario = window->at(position);
+    CD_CHECK(scenario);
+    return PlacedScenario{scenario.value(), position};
 }
 
 WorkUnit TaskContent::unit(TaskId task) const {
@@ -26,7 +31,7 @@ WorkUnit TaskContent::unit(TaskId task) const {
         return unit;
     }
     if (range) {
-        unit.scenarios = pack_scenarios(range->window->at(range->positions));
+        unit.scenarios = range->window->packed(range->positions);
         return unit;
     }
     std::vector<Scenario> scenarios;
@@ -42,7 +47,7 @@ WorkUnit TaskContent::unit(TaskId task) const {
 
 std::uint64_t TaskContent::index_of(std::uint64_t position) const {
     if (range) {
-        return range->window == nullptr ? position : range->window->at({position, 1}).front().index;
+        return range->window == nullptr ? position : range->window->index_at(position);
     }
     const auto found = std::ranges::lower_bound(
         analyses, position, {}, [](const auto& analysis) { return analysis->position; });

@@ -60,7 +60,7 @@ Status Coordinator::restore_run(MasterJob& job, RecoveredJob& found, Authors& kn
     if (!poses) {
         return with_remedy(poses.error());
     }
-    job.run->poses = std::make_shared<OrderedPoses>(poses.value());
+    job.run->poses = poses.value();
     state_.writer.restore(job.id, found.done);
     const auto author_of = [&](InstanceId process) {
         std::shared_ptr<const Author>& author = known[process];

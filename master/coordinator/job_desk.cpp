@@ -16,7 +16,7 @@ Result<JobId> JobDesk::allot(std::uint64_t scenarios) {
 
 void JobDesk::begin(const JobRecord& record,
                     std::shared_ptr<ResultStore> results,
-                    std::shared_ptr<PoseSource> poses) {
+                    std::shared_ptr<OrderedPoses> poses) {
     services_.start.begin(record, std::move(results), std::move(poses));
 }
 

@@ -30,7 +30,7 @@ class JobDesk {
     /// Starts a new job, which the journal has committed.
     void begin(const JobRecord& record,
                std::shared_ptr<ResultStore> results,
-               std::shared_ptr<PoseSource> poses);
+               std::shared_ptr<OrderedPoses> poses);
     /// Coroutines that wait for the acceptance, the end or the removal of a job.
     [[nodiscard]] JobWaits& waits() { return state_.waits; }
 

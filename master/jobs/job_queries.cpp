@@ -2,6 +2,7 @@
 
 #include "common/core/limits/master.hpp"
 #include "common/core/limits/wire.hpp"
+#include "common/job/packed_scenarios.hpp"
 #include "master/compute/job_geometry.hpp"
 #include "master/submission/label_spool.hpp"
 
@@ -43,7 +44,7 @@ Result<JobPoses> JobQueries::poses(const PosesQuery& query) const {
     if (!source) {
         return source.error();
     }
-    const auto scenarios = source.value()->read(answer.first, answer.count);
+    const auto scenarios = source.value()->read_submitted(answer.first, answer.count);
     if (!scenarios) {
         return scenarios.error();
     }

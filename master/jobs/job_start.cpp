@@ -11,13 +11,13 @@ namespace cd {
 
 void JobStart::begin(const JobRecord& record,
                      std::shared_ptr<ResultStore> results,
-                     std::shared_ptr<PoseSource> poses) {
+                     std::shared_ptr<OrderedPoses> poses) {
     const Submit& submit = record.submit;
     MasterJob& job =
         parts_.jobs.add(MasterJob(record.id, submit, std::move(results), parts_.jobs.now()));
     job.times.began = record.began;
     job.meshes = parts_.geometry.hold(meshes_of(submit));
-    job.run->poses = std::make_shared<OrderedPoses>(std::move(poses));
+    job.run->poses = std::move(poses);
     log_info("job accepted: job={} name=\"{}\" scenarios={} strategy={}",
              job.id.value,
              submit.name,

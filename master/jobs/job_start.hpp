@@ -33,7 +33,7 @@ class JobStart {
     /// Starts a new job, which the journal has committed.
     void begin(const JobRecord& record,
                std::shared_ptr<ResultStore> results,
-               std::shared_ptr<PoseSource> poses);
+               std::shared_ptr<OrderedPoses> poses);
     /// Continues a job after a restart of the master. Its results must be merged already.
     void resume(MasterJob& job) { prepare(job); }
 

@@ -135,7 +135,7 @@ std::vector<JournalEntry> DiskJournal::next_group(SteadyClock::time_point not_be
 void DiskJournal::run() {
     for (auto not_before = SteadyClock::now();;) {
         const std::vector<JournalEntry> group = next_group(not_before);
-        not_before = SteadyClock::now() + timing::journal_group_period;
+        not_before = SteadyClock::now() + timing::journal_commit_period;
         if (group.empty() || !write_until_done(group)) {
             return; // The journal is being destroyed.
         }

@@ -44,12 +44,12 @@ class JournalDatabase {
         std::filesystem::path owned = {};
     };
 
-    /// Opens `journal.db` in the directory: an SQLite database with its write-ahead log, and
-    /// `journal.mark` with the number of the last commit. SQLite takes damage in the log for the
-    /// log's end; the mark reveals the missing commits. The mark is created before the first
-    /// commit. Every row has its own checksum. Changes an existing database only in `write`.
-    /// Errors: NotFound if there is none and `create` is false; Io naming a file that is damaged or
-    /// unusable, with a remedy.
+    /// Opens the journal in the directory: `journal.db`, an SQLite database with a write-ahead log,
+    /// and `journal.mark`, which has the number of the last commit. SQLite treats damage in the log
+    /// as the log's end; the mark reveals the missing commits. It is created before the first
+    /// commit. Every row has its own checksum. A database with tables is changed only by `write`.
+    /// Errors: NotFound if there is no journal and `create` is false; Io naming a file that is
+    /// damaged or unusable.
     [[nodiscard]] static Result<std::unique_ptr<JournalDatabase>>
     open(const std::filesystem::path& directory, const Options& options);
     JournalDatabase() = default;

@@ -31,7 +31,7 @@ asio::awaitable<Result<JobId>> JobRequests::open(Submit submit, std::shared_ptr<
         co_return next.error();
     }
     const JobId id = next.value();
-    std::shared_ptr<PoseSource> poses;
+    std::shared_ptr<OrderedPoses> poses;
     if (spool != nullptr) {
         auto seal = [&coordinator = coordinator_, id, spool] {
             return spool->seal(
@@ -41,9 +41,9 @@ asio::awaitable<Result<JobId>> JobRequests::open(Submit submit, std::shared_ptr<
             coordinator_.jobs().give_up(id);
             co_return sealed.error();
         }
-        poses = spool->poses();
+        poses = std::make_shared<OrderedPoses>(spool->poses());
     } else {
-        poses = make_grid_source(decode_grid(*submit.grid).value());
+        poses = std::make_shared<OrderedPoses>(decode_grid(*submit.grid).value());
     }
     auto results =
         ResultStore::create(coordinator_.parts().journal.results_path(id), id, submit.scenarios);

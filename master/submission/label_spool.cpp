@@ -3,7 +3,6 @@
 #include "common/core/check.hpp"
 #include "common/core/files/bytes.hpp"
 #include "common/core/limits/engine.hpp"
-#include "common/core/limits/master.hpp"
 
 #include <algorithm>
 #include <span>
@@ -62,8 +61,8 @@ Result<PoseLabels> LabelSpool::read_run(std::uint64_t run) const {
     if (!bytes) {
         return bytes.error();
     }
-    const std::uint64_t scenarios = std::min(limits::spool_run_scenarios,
-                                             file_.scenarios() - run * limits::spool_run_scenarios);
+    const std::uint64_t scenarios =
+        std::min(limits::pose_run_scenarios, file_.scenarios() - run * limits::pose_run_scenarios);
     PoseLabels labels;
     return decode(bytes.value(), columns_, scenarios, labels)
                ? Result(std::move(labels))
@@ -109,7 +108,7 @@ Status LabelSpool::append(const PoseLabels& labels, std::size_t scenarios) {
         last_.append(labels.slice(taken, slice.count));
         last_count_ += slice.count;
         taken += slice.count;
-        if (last_count_ == limits::spool_run_scenarios) {
+        if (last_count_ == limits::pose_run_scenarios) {
             if (Status status = write_last(); !status) {
                 return status;
             }

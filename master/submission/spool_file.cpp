@@ -1,7 +1,7 @@
 #include "master/submission/spool_file.hpp"
 
 #include "common/core/files/hash.hpp"
-#include "common/core/limits/master.hpp"
+#include "common/core/limits/engine.hpp"
 
 #include <algorithm>
 
@@ -10,7 +10,7 @@ namespace cd {
 namespace {
 
 std::uint64_t runs_of(std::uint64_t scenarios) {
-    return (scenarios + limits::spool_run_scenarios - 1) / limits::spool_run_scenarios;
+    return (scenarios + limits::pose_run_scenarios - 1) / limits::pose_run_scenarios;
 }
 
 } // namespace
@@ -39,9 +39,9 @@ std::vector<SpoolFile::Slice> SpoolFile::slices(std::uint64_t first, std::uint64
     std::vector<Slice> slices;
     const std::uint64_t end = first + count;
     while (first < end) {
-        const std::uint64_t skipped = first % limits::spool_run_scenarios;
-        const std::uint64_t taken = std::min(limits::spool_run_scenarios - skipped, end - first);
-        slices.push_back({first / limits::spool_run_scenarios, skipped, taken});
+        const std::uint64_t skipped = first % limits::pose_run_scenarios;
+        const std::uint64_t taken = std::min(limits::pose_run_scenarios - skipped, end - first);
+        slices.push_back({first / limits::pose_run_scenarios, skipped, taken});
         first += taken;
     }
     return slices;

@@ -15,7 +15,7 @@
 
 namespace cd {
 
-/// Each run has the bytes of `limits::spool_run_scenarios` scenarios; the last may have fewer. An
+/// Each run has the bytes of `limits::pose_run_scenarios` scenarios; the last may have fewer. An
 /// index at the end holds each run's end and checksum, and the file's `Content`. The destructor
 /// deletes an unsealed file. Takes 16 bytes of memory per run.
 class SpoolFile {

@@ -29,7 +29,8 @@ class WorkerSupply {
     /// Records cuts whose blocks the worker kept from an earlier session. Errors: TooLarge for more
     /// than `limits::cuts_held_max`.
     [[nodiscard]] Status cuts_kept(const Holding& holding);
-    /// Adds those of the trees `in_use` whose blocks the worker has kept.
+    /// Adds to the worker the trees of `in_use` that it lacks, if it kept their blocks from an
+    /// earlier session.
     [[nodiscard]] Messages add_kept(std::span<const AddTree> in_use);
 
     /// Resynchronises with the worker's inventory, after messages may have been lost. Removes the

@@ -106,10 +106,10 @@ struct Submit {
     std::vector<IgnoreLine> ignore = {}; ///< The source of `query.ignored`, for display.
 };
 
-/// The next scenarios of a submission, in order.
+/// The next run of a submission's poses, in the order of `pack_in_order`.
 struct PosesPart {
     Bytes scenarios;        ///< `pack_scenarios`.
-    PoseLabels labels = {}; ///< Labels of these scenarios, in the announced columns.
+    PoseLabels labels = {}; ///< The next labels in submitted order, as many, by announced column.
 };
 struct PosesEnd {};
 

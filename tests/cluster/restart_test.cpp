@@ -220,7 +220,7 @@ class InterruptedPoses final : public PoseSource {
 };
 
 TEST_F(Restart, KilledWhileAJobIsSubmittedItKnowsTheJobOrNothing) {
-    constexpr std::uint64_t scenarios = 9000; // Three messages of poses.
+    constexpr std::uint64_t scenarios = 9000; // Three runs of poses.
     const Job job = make_job(scenarios);
     const std::vector<NamedMesh> meshes{{"a", job.a->mesh_pointer()}, {"b", job.b->mesh_pointer()}};
     Submit message;

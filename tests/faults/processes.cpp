@@ -2,6 +2,7 @@
 
 #include "common/core/limits/master.hpp"
 #include "common/core/limits/worker.hpp"
+#include "common/job/packed_scenarios.hpp"
 #include "proto/codec/codec.hpp"
 #include "tests/faults/simulated_journal.hpp"
 #include "tests/faults/simulated_network.hpp"

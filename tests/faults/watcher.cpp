@@ -3,6 +3,7 @@
 #include "common/core/limits/engine.hpp"
 #include "common/core/limits/master.hpp"
 #include "common/core/limits/wire.hpp"
+#include "common/job/packed_scenarios.hpp"
 #include "common/job/poses/pose_source.hpp"
 #include "common/job/result/packed_map.hpp"
 #include "common/job/result/packed_records.hpp"

@@ -10,6 +10,8 @@
 #include "common/core/host/thread_pool.hpp"
 #include "common/core/varint.hpp"
 #include "common/geometry/mesh.hpp"
+#include "common/job/packed_scenarios.hpp"
+#include "common/job/poses/pose_order.hpp"
 #include "common/job/poses/pose_source.hpp"
 #include "common/job/result/packed_map.hpp"
 #include "common/job/result/packed_records.hpp"
@@ -447,21 +449,25 @@ void add_state(Seeds& seeds) {
 
     const tests::TemporaryFolder folder;
     std::vector<Scenario> scenarios;
-    for (std::uint64_t i = 0; i < 300; ++i) { // Few of them move, so the file stays small.
+    constexpr std::uint64_t second_run = 150;
+    // Few of them move, so the file stays small.
+    for (std::uint64_t i = 0; i < limits::pose_run_scenarios + second_run; ++i) {
         const Pose b = i < 3 ? Pose::from_matrix(Mat3::Identity(), {1, 2, 3}) : Pose();
         scenarios.push_back({i, 0, 1, {Pose(), b}});
     }
     const auto spool = PoseSpool::create(folder / "spool", scenarios.size());
-    need(spool.value()->append(pack_scenarios(scenarios)) &&
-         spool.value()->seal(folder / "spool" / "poses", Durability::Unsynced));
+    for (const Bytes& run : pack_in_order(scenarios)) {
+        need(bool(spool.value()->append(run)));
+    }
+    need(bool(spool.value()->seal(folder / "spool" / "poses", Durability::Unsynced)));
     ThreadPool pool(1);
     const ObbTree tree = build_tree(sample_mesh(), {}, pool);
     need(write_tree_file(folder / "binary", tree, {}, Durability::Unsynced) &&
          write_wide_tree_file(folder / "wide", tree, {}, Durability::Unsynced));
     Bytes poses = bytes_of(read_file(folder / "spool" / "poses"));
-    poses.insert(poses.begin(), static_cast<std::byte>(scenarios.size() / 2));
+    poses.insert(poses.begin(), static_cast<std::byte>(second_run));
     add_both(seeds, "pose_spool", "two_runs", 0, poses);
-    poses.front() = std::byte{149};
+    poses.front() = std::byte{second_run - 1};
     seeds.add("pose_spool", "fewer_than_its_last_run", marked(1, poses));
     add_both(seeds, "tree_file", "binary", 0, bytes_of(read_file(folder / "binary")));
     add_both(seeds, "tree_file", "wide", 2, bytes_of(read_file(folder / "wide")));

@@ -3,6 +3,7 @@
 #include "common/core/files/disk_file.hpp"
 #include "common/core/files/hash.hpp"
 #include "common/core/varint.hpp"
+#include "common/job/packed_scenarios.hpp"
 #include "common/job/poses/pose_source.hpp"
 #include "common/job/result/packed_map.hpp"
 #include "common/job/result/packed_records.hpp"

@@ -1,5 +1,6 @@
 #include "common/core/files/hash.hpp"
 #include "common/core/limits/master.hpp"
+#include "common/job/poses/ordered_poses.hpp"
 #include "common/search/contact_search.hpp"
 #include "common/tree/tree_file.hpp"
 #include "master/identity/token_book.hpp"
@@ -22,7 +23,7 @@ namespace {
 /// counts and its index's checksum.
 void sum_up_spool(Bytes& file, std::uint64_t scenarios) {
     const std::uint64_t runs =
-        (scenarios + limits::spool_run_scenarios - 1) / limits::spool_run_scenarios;
+        (scenarios + limits::pose_run_scenarios - 1) / limits::pose_run_scenarios;
     const std::size_t index = (2 * runs + 4) * word;
     if (file.size() < index) {
         return;
@@ -81,20 +82,22 @@ void pose_spool(Input input) {
     if (input.size() < 2) {
         return;
     }
-    const auto scenarios = 2 * std::to_integer<std::uint64_t>(input[1]); // Makes two runs.
+    // Makes two runs.
+    const auto scenarios = limits::pose_run_scenarios + std::to_integer<std::uint64_t>(input[1]);
     Bytes bytes(input.begin() + 2, input.end());
     if (is_odd(input)) {
         sum_up_spool(bytes, scenarios);
     }
     const MemoryFile file(bytes);
-    const auto opened = PoseSpool::open(file.path(), scenarios);
+    auto opened = PoseSpool::open(file.path(), scenarios);
     if (!opened) {
         return;
     }
     PoseSpool& spool = *opened.value();
     require(spool.count() == scenarios && spool.is_complete(), "a sealed spool is complete");
     const bool is_verified = spool.verify().has_value();
-    const auto read = spool.read(0, scenarios);
+    OrderedPoses poses((std::shared_ptr<const PoseRuns>(std::move(opened.value()))));
+    const auto read = poses.read(0, scenarios);
     require(is_verified || !read, "what is read was verified");
     require(!read || read.value().size() == scenarios, "all scenarios are read");
 }

@@ -2,6 +2,7 @@
 // reports a sound directory as sound.
 #include "master/check_state.hpp"
 
+#include "common/job/packed_scenarios.hpp"
 #include "master/geometry/geometry_store.hpp"
 #include "master/identity/identity.hpp"
 #include "master/journal/journal.hpp"

@@ -1,6 +1,7 @@
 // A client that submits, watches and fetches, and the right result of its job.
 #pragma once
 
+#include "common/job/packed_scenarios.hpp"
 #include "common/job/poses/pose_source.hpp"
 #include "common/job/result/packed_records.hpp"
 #include "common/job/run_scenario.hpp"
@@ -216,9 +217,7 @@ class Client {
             co_await upload(hash);
         }
         channel_->send(submit);
-        const std::span<const Scenario> all(reference().scenarios);
-        channel_->send(PosesPart{pack_scenarios(all.first(40))});
-        channel_->send(PosesPart{pack_scenarios(all.subspan(40))});
+        channel_->send(PosesPart{pack_scenarios(reference().scenarios)});
         channel_->send(PosesEnd{});
         job = std::get<Accepted>((co_await channel_->receive(patience)).value()).job;
     }

@@ -3,6 +3,7 @@
 
 #include "common/core/files/compress.hpp"
 #include "common/core/limits/engine.hpp"
+#include "common/job/packed_scenarios.hpp"
 #include "common/job/poses/pose_source.hpp"
 #include "common/job/result/packed_records.hpp"
 #include "common/job/run_scenario.hpp"

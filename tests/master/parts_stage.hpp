@@ -7,6 +7,7 @@
 #include "master/coordinator/master_services.hpp"
 #include "master/coordinator/worker_desk.hpp"
 #include "tests/master/fake_client.hpp"
+#include "tests/support/packed_poses.hpp"
 #include "tests/support/process.hpp"
 
 #include <gtest/gtest.h>
@@ -23,23 +24,12 @@
 
 namespace cd::tests {
 
-/// The poses of `reference()` on a disk that fails at the first reads.
-class FailingPoses : public PoseSource {
-  public:
-    explicit FailingPoses(int failures) : failures_(failures) {}
-    [[nodiscard]] std::uint64_t count() const override { return reference().scenarios.size(); }
-    [[nodiscard]] Result<std::vector<Scenario>> read(std::uint64_t first,
-                                                     std::uint64_t count) override {
-        if (failures_-- > 0) {
-            return Error{ErrorCode::Io, "the disk is gone"};
-        }
-        const auto begin = reference().scenarios.begin() + static_cast<std::ptrdiff_t>(first);
-        return std::vector(begin, begin + static_cast<std::ptrdiff_t>(count));
-    }
-
-  private:
-    std::atomic<int> failures_;
-};
+/// The poses of `reference()` on a disk on which the first read fails.
+inline std::shared_ptr<OrderedPoses> failing_poses() {
+    const auto poses = std::make_shared<PackedPoses>(reference().scenarios);
+    poses->failures = 1;
+    return std::make_shared<OrderedPoses>(poses);
+}
 
 /// The meshes of `reference()` are stored. Nothing is handed out unless the test or a service under
 /// test calls `services.work.feed()`.
@@ -94,11 +84,11 @@ class PartsStage : public testing::Test {
         ASSERT_TRUE(upload && upload.value()->append(0, bytes));
         ASSERT_TRUE(geometry->finish_upload(std::move(upload.value())));
     }
-    [[nodiscard]] static std::shared_ptr<PoseSource> poses() {
-        return make_list_source(reference().scenarios);
+    [[nodiscard]] static std::shared_ptr<OrderedPoses> poses() {
+        return ordered(reference().scenarios);
     }
     /// Accepts a job, whose geometry is loaded next.
-    MasterJob& begin(const Submit& submit, std::shared_ptr<PoseSource> scenarios = poses()) {
+    MasterJob& begin(const Submit& submit, std::shared_ptr<OrderedPoses> scenarios = poses()) {
         const JobId id = state.jobs.next(submit.scenarios).value();
         const JobRecord record{id, submit};
         state.writer.write(AcceptJob{record});
@@ -108,7 +98,7 @@ class PartsStage : public testing::Test {
         return state.jobs.at(id);
     }
     /// Begins a job and loads its geometry.
-    MasterJob& open(const Submit& submit, std::shared_ptr<PoseSource> scenarios = poses()) {
+    MasterJob& open(const Submit& submit, std::shared_ptr<OrderedPoses> scenarios = poses()) {
         MasterJob& job = begin(submit, std::move(scenarios));
         run_until([&] { return job.work() != nullptr; });
         return job;

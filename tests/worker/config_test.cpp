@@ -156,20 +156,6 @@ TEST(WorkerConfig, SizesHaveUnits) {
     }
 }
 
-TEST(Backoff, GrowsToItsLimitAndVaries) {
-    Backoff backoff(1);
-    for (int i = 0; i < 40; ++i) {
-        const auto pause = backoff.next();
-        EXPECT_GE(pause.count(), 50);
-        EXPECT_LE(pause.count(), 5000);
-        if (i > 8) {
-            EXPECT_GE(pause.count(), 2500);
-        }
-    }
-    backoff.reset();
-    EXPECT_LE(backoff.next().count(), 100);
-}
-
 TEST(RunWorker, RefusesToLeaveLoopbackUnasked) {
     WorkerConfig config;
     config.master = {"192.0.2.1", 7600};

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "common/core/limits/engine.hpp"
+#include "common/job/packed_scenarios.hpp"
 #include "common/job/result/packed_records.hpp"
 #include "common/job/run_scenario.hpp"
 #include "tests/proto/loopback.hpp"

@@ -2,6 +2,7 @@
 
 #include "common/core/limits/worker.hpp"
 #include "common/core/timing/worker.hpp"
+#include "common/job/packed_scenarios.hpp"
 #include "common/job/result/packed_records.hpp"
 
 #include <algorithm>

@@ -42,7 +42,7 @@ asio::awaitable<PeerLinks::Answer> PeerLinks::ask(std::shared_ptr<Channel> chann
     std::set<RootIndex> left(directions.roots.begin(), directions.roots.end());
     Answer answer;
     for (;;) {
-        Result<Message> message = co_await channel->receive(timing::peer_answer_max);
+        Result<Message> message = co_await channel->receive(timing::peer_stall_max);
         if (!message) {
             channel->close();
             co_return answer;
@@ -93,7 +93,7 @@ asio::awaitable<std::shared_ptr<Channel>> PeerLinks::open(const Address& address
     hello.role = Role::Peer;
     hello.name = name_;
     hello.build = version;
-    const Result<Welcome> welcome = co_await greet(made.value(), hello, timing::peer_answer_max);
+    const Result<Welcome> welcome = co_await greet(made.value(), hello, timing::peer_stall_max);
     co_return welcome ? made.value() : nullptr;
 }
 

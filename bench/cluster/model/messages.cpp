@@ -1,6 +1,7 @@
 #include "bench/cluster/model/messages.hpp"
 
 #include "common/core/check.hpp"
+#include "common/job/packed_scenarios.hpp"
 #include "common/job/scenario.hpp"
 #include "proto/channel/frame.hpp"
 #include "proto/codec/codec.hpp"

@@ -4,7 +4,7 @@
 #include "bench/cluster/model/sketches.hpp"
 #include "common/core/check.hpp"
 #include "common/core/host/log.hpp"
-#include "common/job/poses/pose_source.hpp"
+#include "common/job/poses/ordered_poses.hpp"
 #include "master/coordinator/coordinator.hpp"
 
 #include <string>
@@ -157,7 +157,7 @@ SimulatedMaster::Letters SimulatedMaster::start(std::span<const std::uint32_t> w
         state.coordinator.jobs().begin(
             record,
             ResultStore::create(state.journal.results_path(state.job), state.job, count),
-            make_grid_source(make_line(count)));
+            std::make_shared<OrderedPoses>(make_line(count)));
         state.loop.run_ready();
         for (const std::uint32_t threads : worker_threads) {
             state.join(threads);

@@ -120,12 +120,12 @@ struct GltfDocument {
     std::size_t scenes = 0;         ///< Number of scenes in the file.
 };
 
-/// Reads the file's default scene, or else its first.
+/// Reads the file's default scene, or its first if it names none.
 ///
-/// Errors: BadInput naming the object of the file, for a version other than 2, an extension that is
-/// required and unknown (section 3.12) or compresses geometry, an index that is out of range, a
-/// member that is missing or of another type, a node that has two parents or is nested deeper than
-/// `limits::mesh_file_depth_max`.
+/// Errors: BadInput naming the JSON object at fault, for damaged JSON, a version other than 2, an
+/// unknown required extension (glTF 2.0, section 3.12) or one that compresses geometry, an index
+/// out of range, a missing member or one of the wrong type or value, no scene, and a node that has
+/// two parents or is nested deeper than `limits::mesh_file_depth_max`.
 [[nodiscard]] Result<GltfDocument> parse_gltf(std::string_view json);
 
 } // namespace cd

@@ -33,6 +33,9 @@ inline constexpr std::size_t inside_kinds_max = 256;
 // Poses.
 /// Poses are reordered within windows of so many, so that neighbours touch the same subtrees.
 inline constexpr std::uint64_t order_window_scenarios = 1u << 16;
+/// Number of scenarios whose poses are sent to the master together, stored and read. Divides the
+/// size of a window.
+inline constexpr std::uint64_t pose_run_scenarios = 4096;
 /// Number of scenarios that the master analyses together.
 inline constexpr std::uint64_t analysis_block_scenarios = 256;
 /// Random poses are computed ahead of the run, in windows of so many scenarios per thread.

@@ -34,8 +34,7 @@ inline constexpr std::size_t client_uploads_max = 8; ///< Simultaneous mesh uplo
 inline constexpr std::size_t watches_max = 64;       ///< Jobs that one connection watches.
 
 // Messages of clients, and answers to them.
-inline constexpr std::uint64_t poses_part_scenarios_max = 1u << 16; ///< Scenarios in one message.
-inline constexpr std::uint64_t mesh_answer_bytes = 1u << 20;        ///< Mesh bytes in an answer.
+inline constexpr std::uint64_t mesh_answer_bytes = 1u << 20; ///< Mesh bytes in an answer.
 /// Uncompressed size of the records in one answer. A single larger record is sent alone.
 inline constexpr std::uint64_t results_part_bytes_target = 4u << 20;
 inline constexpr std::uint64_t results_scan_max = 1u << 20; ///< Scenarios read for one answer.
@@ -75,8 +74,6 @@ inline constexpr std::size_t ended_grid_bytes_max = 64u << 10;
 inline constexpr std::size_t ignored_ranges_max = 1u << 16; ///< Ignored pairs of parts of a job.
 inline constexpr std::uint32_t q_max = 1u << 16;
 inline constexpr std::uint32_t v_kb_max = 16'384; ///< Limited so that a batch fits a message.
-/// Number of scenarios whose poses are stored and read together.
-inline constexpr std::uint64_t spool_run_scenarios = analysis_block_scenarios;
 /// Size of the results that are buffered before they are written to a segment.
 inline constexpr std::size_t result_buffer_bytes_max = 1u << 20;
 /// Number of cuts of which a joining worker may report blocks.

@@ -36,7 +36,8 @@ inline constexpr std::chrono::seconds cancel_wait_max{10};
 inline constexpr std::chrono::seconds retention_check_period{30};
 
 // Results on their way to the journal.
-inline constexpr std::chrono::milliseconds journal_group_period{5}; ///< Least time between commits.
+inline constexpr std::chrono::milliseconds journal_commit_period{
+    5}; ///< Least time between commits.
 /// Pause between two attempts while writes to the disk fail.
 inline constexpr std::chrono::milliseconds journal_retry_period{500};
 

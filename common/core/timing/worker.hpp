@@ -21,15 +21,15 @@ inline constexpr std::chrono::minutes parked_trees_kept{10};
 
 // Peers.
 /// A peer that serves blocks must send each message within this time.
-inline constexpr std::chrono::seconds peer_answer_max{5};
+inline constexpr std::chrono::seconds peer_stall_max{5};
 /// A peer's connection closes after this time without a request.
 inline constexpr std::chrono::seconds peer_idle_max{60};
 
 // The process: connecting and draining.
 /// Longest pause after the first attempt to connect; the bound doubles with each attempt.
-inline constexpr std::chrono::milliseconds reconnect_after_min{100};
+inline constexpr std::chrono::milliseconds reconnect_pause_first{100};
 /// Longest pause after any attempt to connect.
-inline constexpr std::chrono::milliseconds reconnect_after_max{5000};
+inline constexpr std::chrono::milliseconds reconnect_pause_max{5000};
 /// Default time limit of a drain, shorter than the stop timeouts of service managers.
 inline constexpr std::chrono::seconds drain_timeout{25};
 inline constexpr std::chrono::hours drain_timeout_max{24 * 7};

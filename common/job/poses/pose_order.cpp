@@ -1,5 +1,8 @@
 #include "common/job/poses/pose_order.hpp"
 
+#include "common/core/limits/engine.hpp"
+#include "common/job/packed_scenarios.hpp"
+
 #include <algorithm>
 #include <array>
 #include <numeric>
@@ -68,6 +71,21 @@ std::vector<std::uint32_t> coherent_order(std::span<const Scenario> scenarios) {
         return curve[i] < curve[j];
     });
     return order;
+}
+
+std::vector<Bytes> pack_in_order(std::span<const Scenario> window) {
+    std::vector<Scenario> ordered;
+    ordered.reserve(window.size());
+    for (const std::uint32_t submitted : coherent_order(window)) {
+        ordered.push_back(window[submitted]);
+    }
+    std::vector<Bytes> runs;
+    for (std::span<const Scenario> rest = ordered; !rest.empty();) {
+        const auto run = rest.first(std::min<std::size_t>(rest.size(), limits::pose_run_scenarios));
+        runs.push_back(pack_scenarios(run));
+        rest = rest.subspan(run.size());
+    }
+    return runs;
 }
 
 } // namespace cd

@@ -2,6 +2,7 @@
 
 #include "common/core/check.hpp"
 #include "common/core/files/disk_file.hpp"
+#include "common/job/packed_scenarios.hpp"
 
 #include <algorithm>
 
@@ -12,7 +13,7 @@ namespace {
 constexpr std::uint64_t scenarios_at_once = 4096;
 /// Offset of the forms in the packed bytes of one scenario with index 0 and bodies 0 and 1.
 constexpr std::size_t forms_offset = 2;
-constexpr std::size_t numbers_offset = 7; ///< Offset of the doubles in the packed bytes.
+constexpr std::size_t numbers_offset = 11; ///< Offset of the doubles in the packed bytes.
 
 /// Replaces -0 by 0 in a pose. Adding 0 leaves every other number unchanged.
 Pose without_minus_zero(const Pose& pose) {

@@ -22,7 +22,7 @@ class PosesHash {
     Sha256Stream stream_;
 };
 
-/// Returns SHA-256 of a grid's description (`encode_grid`), which is the hash of its poses.
+/// Returns SHA-256 of a grid's description (`encode_grid`), which stands for its poses.
 [[nodiscard]] Sha256 hash_of(const Grid& grid);
 
 /// Returns the hash of all poses of a source; for a grid, the hash of its description. Errors:

@@ -144,7 +144,7 @@ HWY_INLINE std::uint32_t see(const Side& side, const Change<kByAxis>& change, In
     return found & ((1u << side.count) - 1);
 }
 
-/// Computes what `see` does for a node treated as its own only child.
+/// Like `see`, for a node that counts as its own only child.
 template <bool kByAxis>
 HWY_INLINE std::uint32_t see_whole(const Change<kByAxis>& change, Intervals& seen) {
     bool is_apart = false;

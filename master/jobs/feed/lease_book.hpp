@@ -16,7 +16,7 @@ namespace cd {
 
 struct Lease {
     std::shared_ptr<const TaskContent> content;
-    std::size_t checks = 0; ///< Number of the task's result messages in check.
+    std::size_t checks = 0; ///< Number of result messages that are being checked.
     bool ended = false;     ///< The worker has sent all results of the task.
     bool unbegun = false;   ///< The task never reached the worker.
 };

@@ -18,7 +18,7 @@ PositionSet open_positions(const MasterJob& job, const GivenRange& range) {
     for (std::uint64_t i = 0; i < range.positions.count; ++i) {
         const PositionRange one{range.positions.first + i, 1};
         const std::uint64_t index =
-            range.window == nullptr ? one.first : range.window->at(one).front().index;
+            range.window == nullptr ? one.first : range.window->index_at(one.first);
         if (!job.merged.has(index) && !analyses.has(one.first)) {
             open.add(one);
         }
@@ -139,7 +139,7 @@ void RangeFeed::give_again(MasterJob& job,
                            std::vector<std::uint64_t> scenarios) {
     if (window != nullptr) { // On a grid the position equals the index.
         std::ranges::transform(scenarios, scenarios.begin(), [&](std::uint64_t index) {
-            return window->place_of(index);
+            return window->position_of(index);
         });
     }
     // Leaves out the positions that are queued or handed out already.

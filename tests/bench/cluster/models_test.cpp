@@ -1,6 +1,7 @@
 // Proves the bookkeeping of simulated workers, and the bounds of the simulated master's messages.
 #include "bench/cluster/model/simulated_master.hpp"
 #include "bench/cluster/model/worker_model.hpp"
+#include "common/job/packed_scenarios.hpp"
 #include "common/job/scenario.hpp"
 #include "tests/bench/cluster/synthetic.hpp"
 

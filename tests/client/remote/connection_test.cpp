@@ -8,6 +8,7 @@
 #include "common/job/result/packed_records.hpp"
 #include "tests/client/fake_master.hpp"
 #include "tests/support/memory_bound.hpp"
+#include "tests/support/packed_poses.hpp"
 #include "tests/support/shapes.hpp"
 
 #include <gmock/gmock.h>
@@ -181,13 +182,13 @@ TEST(Connection, AGridTravelsAsItsDescription) {
     EXPECT_TRUE(master.received_of<PosesEnd>().empty());
 }
 
-TEST(Connection, OtherPosesFollowInOrderAndToTheEnd) {
+TEST(Connection, OtherPosesFollowInCoherentOrderAndToTheEnd) {
     FakeMaster master(welcoming([](const Message& message) -> Answers {
         return std::holds_alternative<PosesEnd>(message) ? std::vector<Message>{Accepted{JobId{43}}}
                                                          : std::vector<Message>{};
     }));
     std::mt19937_64 random(3);
-    std::vector<Scenario> scenarios(10'000);
+    std::vector<Scenario> scenarios(limits::order_window_scenarios + 10'000);
     for (std::size_t i = 0; i < scenarios.size(); ++i) {
         scenarios[i].index = i;
         scenarios[i].poses.b = make_pose(random, 1);
@@ -198,12 +199,11 @@ TEST(Connection, OtherPosesFollowInOrderAndToTheEnd) {
 
     ASSERT_TRUE(job) << job.error().detail;
     EXPECT_EQ(master.received_of<Submit>()[0].scenarios, scenarios.size());
-    std::vector<Scenario> received;
+    std::vector<Bytes> received;
     for (const PosesPart& part : master.received_of<PosesPart>()) {
-        const auto run = unpack_scenarios(part.scenarios, limits::scenarios_max).value();
-        received.insert(received.end(), run.begin(), run.end());
+        received.push_back(part.scenarios);
     }
-    EXPECT_EQ(received, scenarios);
+    EXPECT_EQ(received, packed_runs(scenarios));
 }
 
 TEST(Connection, WatchesUntilTheJobHasEnded) {

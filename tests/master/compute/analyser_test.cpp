@@ -8,12 +8,14 @@
 #include "common/job/run_scenario.hpp"
 #include "common/job/settle.hpp"
 #include "common/tree/build/build.hpp"
+#include "tests/support/packed_poses.hpp"
 #include "tests/support/shapes.hpp"
 
 #include <gtest/gtest.h>
 
 #include <condition_variable>
 #include <mutex>
+#include <set>
 
 namespace cd::tests {
 namespace {
@@ -38,23 +40,6 @@ class Collected {
     std::mutex mutex_;
     std::condition_variable changed_;
     std::vector<AnalysedBlock> blocks_;
-};
-
-/// Fails for every run that reaches the given scenario.
-class BrokenSource final : public PoseSource {
-  public:
-    [[nodiscard]] std::uint64_t count() const override { return 1000; }
-    [[nodiscard]] Result<std::vector<Scenario>> read(std::uint64_t first,
-                                                     std::uint64_t count) override {
-        if (first + count > 600) {
-            return Error{ErrorCode::Io, "the disk is gone"};
-        }
-        std::vector<Scenario> scenarios(count);
-        for (std::uint64_t i = 0; i < count; ++i) {
-            scenarios[i].index = first + i;
-        }
-        return scenarios;
-    }
 };
 
 class AnalyserTest : public testing::Test {
@@ -139,8 +124,8 @@ TEST_F(AnalyserTest, AnalysisAndSubtreesTogetherAreTheWholeAnswer) {
 TEST_F(AnalyserTest, BlocksComeInOrderAndOnlyThoseAskedFor) {
     AnalysisInput input = make_input(make_sphere(2), make_sphere(2), 2);
     const std::uint64_t count = 10 * limits::analysis_block_scenarios + 17;
-    const auto scenarios = make_scenarios(count, 3.0);
-    input.poses = make_list_source(scenarios);
+    input.poses = ordered(make_scenarios(count, 3.0));
+    const auto scenarios = input.poses->read(0, count).value();
     Collected collected;
     Analyser analyser(pool_, input, collected.taker());
 
@@ -168,11 +153,19 @@ TEST_F(AnalyserTest, BlocksComeInOrderAndOnlyThoseAskedFor) {
 
 TEST_F(AnalyserTest, PosesThatCannotBeReadAreToldInOrder) {
     AnalysisInput input = make_input(make_sphere(1), make_sphere(1), 2);
-    input.poses = std::make_shared<BrokenSource>();
+    constexpr std::uint64_t blocks_of = limits::analysis_block_scenarios;
+    const std::uint64_t window = limits::order_window_scenarios;
+    std::vector<Scenario> scenarios(window + 2 * blocks_of);
+    for (std::uint64_t i = 0; i < scenarios.size(); ++i) {
+        scenarios[i].index = i;
+    }
+    const auto poses = std::make_shared<PackedPoses>(scenarios);
+    poses->broken_from = window / limits::pose_run_scenarios;
+    input.poses = std::make_shared<OrderedPoses>(poses);
     constexpr std::size_t before = 4; ///< Blocks. Reading fails from the third on.
     Collected collected;
     Analyser analyser(pool_, input, collected.taker());
-    start_blocks(analyser, 0, before * limits::analysis_block_scenarios);
+    start_blocks(analyser, window - 2 * blocks_of, window + 2 * blocks_of);
     analyser.start({0, 1});
     const auto blocks = collected.wait_for(before + 1);
     EXPECT_FALSE(blocks[1].error);
@@ -187,7 +180,7 @@ TEST_F(AnalyserTest, PosesThatCannotBeReadAreToldInOrder) {
 
 TEST_F(AnalyserTest, NothingIsDeliveredAfterTheEnd) {
     AnalysisInput input = make_input(make_sphere(2), make_sphere(2), 2);
-    input.poses = make_list_source(make_scenarios(20 * limits::analysis_block_scenarios, 2.0));
+    input.poses = ordered(make_scenarios(20 * limits::analysis_block_scenarios, 2.0));
     for (int round = 0; round < 20; ++round) {
         auto alive = std::make_unique<bool>(true);
         auto analyser = std::make_unique<Analyser>(
@@ -200,7 +193,7 @@ TEST_F(AnalyserTest, NothingIsDeliveredAfterTheEnd) {
 
 TEST_F(AnalyserTest, SkipsScenariosThatHaveAResultWhenABlockStarts) {
     AnalysisInput input = make_input(make_sphere(1), make_sphere(1), 2);
-    input.poses = make_list_source(make_scenarios(6, 0.1));
+    input.poses = ordered(make_scenarios(6, 0.1));
     const auto done =
         std::make_shared<const std::vector<bool>>(std::vector<bool>{true, false, true});
     Collected collected;
@@ -209,10 +202,14 @@ TEST_F(AnalyserTest, SkipsScenariosThatHaveAResultWhenABlockStarts) {
     analyser.start({0, 6}, two_losses(), done);
     analyser.start({0, 6});
     const auto blocks = collected.wait_for(3);
+    const auto in_order = input.poses->read(0, 6).value();
     for (std::size_t block = 0; block < 2; ++block) {
-        EXPECT_EQ(blocks[block].scenarios.size(), 4u);
-        EXPECT_EQ(blocks[block].scenarios.at(0).scenario.index, 1u);
-        EXPECT_EQ(blocks[block].scenarios.at(0).position, 1u);
+        std::set<std::uint64_t> indices;
+        for (const Analysis& analysis : blocks[block].scenarios) {
+            indices.insert(analysis.scenario.index);
+            EXPECT_EQ(analysis.scenario, in_order.at(analysis.position));
+        }
+        EXPECT_EQ(indices, (std::set<std::uint64_t>{1, 3, 4, 5}));
     }
     EXPECT_EQ(blocks[2].scenarios.size(), 6u);
 }

@@ -3,6 +3,7 @@
 
 #include "tests/master/fake_client.hpp"
 #include "tests/master/fake_worker.hpp"
+#include "tests/support/packed_poses.hpp"
 
 #include <gtest/gtest.h>
 
@@ -19,7 +20,7 @@ class ReferenceRun : public testing::Test {
         };
         material_ = std::make_shared<const JobMaterial>(
             JobMaterial{tree(reference().a), tree(reference().b), {}, nullptr});
-        poses_ = std::make_shared<OrderedPoses>(make_list_source(reference().scenarios));
+        poses_ = ordered(reference().scenarios);
     }
 
     asio::io_context context_;

@@ -34,7 +34,7 @@ TEST_F(JobStartTest, TheMeshesOfAJobAreHeld) {
 TEST_F(JobStartTest, AJobWithoutScenariosIsDoneAtOnce) {
     Submit submit = submission(AnalysisMode::Always);
     submit.scenarios = 0;
-    MasterJob& job = begin(submit, make_list_source({}));
+    MasterJob& job = begin(submit, ordered({}));
     run_until([&] { return !job.is_running(); });
     EXPECT_EQ(job.end->state, JobState::Done);
 }
@@ -66,7 +66,7 @@ TEST_F(JobStartTest, AResumedJobKeepsItsLosses) {
     before.results = ResultStore::create(
         journal->results_path(JobId{5}), JobId{5}, before.record.submit.scenarios);
     MasterJob& job = state.jobs.add(MasterJob(std::move(before), Clock::now()));
-    job.run->poses = std::make_shared<OrderedPoses>(poses());
+    job.run->poses = poses();
     services.start.resume(job);
     run_until([&] { return job.work() != nullptr; });
     ASSERT_EQ(job.work()->todo.pieces().size(), 3u);

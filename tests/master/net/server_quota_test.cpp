@@ -1,6 +1,7 @@
 // Proves that the master applies its quotas wherever a client may exceed its share, names the
 // exceeded quota, and serves others; and that abandoned operations end.
 #include "common/core/limits/master.hpp"
+#include "common/job/packed_scenarios.hpp"
 #include "master/submission/submission.hpp"
 #include "tests/master/fake_client.hpp"
 #include "tests/master/master_stage.hpp"
@@ -116,7 +117,8 @@ TEST(ServerQuota, QueuedBytesAreFreedWhenTheJobOrTheConnectionEnds) {
     ASSERT_TRUE(std::holds_alternative<ClusterStatus>(answer_to(master, left)));
     left = submission_of(90);
     std::get<Submit>(left.front()).scenarios = 91;
-    EXPECT_THAT(std::get<Failure>(answer_in_the_end(master, left)).detail, HasSubstr("announced"));
+    EXPECT_THAT(std::get<Failure>(answer_in_the_end(master, left)).detail,
+                HasSubstr("come together"));
     EXPECT_TRUE(std::holds_alternative<Accepted>(answer_in_the_end(master, submission_of(90))));
 }
 

@@ -1,6 +1,7 @@
 // Proves that a master returns a job's description, meshes and poses with labels to any client;
 // removes them for the owner and admins only; and at its next start removes files whose job or mesh
 // is gone.
+#include "common/job/packed_scenarios.hpp"
 #include "tests/master/fake_client.hpp"
 #include "tests/master/fake_worker.hpp"
 #include "tests/master/master_stage.hpp"
@@ -30,10 +31,7 @@ PoseLabels labels_of(std::uint64_t first, std::uint64_t count) {
 
 std::vector<Message> parts_with_labels(const Submit& submit) {
     const std::span<const Scenario> all(reference().scenarios);
-    return {submit,
-            PosesPart{pack_scenarios(all.first(40)), labels_of(0, 40)},
-            PosesPart{pack_scenarios(all.subspan(40)), labels_of(40, all.size() - 40)},
-            PosesEnd{}};
+    return {submit, PosesPart{pack_scenarios(all), labels_of(0, all.size())}, PosesEnd{}};
 }
 
 /// Runs a job, so that its meshes are stored.

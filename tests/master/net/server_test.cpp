@@ -1,6 +1,7 @@
 // Proves that a master in this process completes jobs over loopback with the digest of the same
 // scenarios without a cluster, and refuses invalid client messages.
 #include "common/core/timing/master.hpp"
+#include "common/job/packed_scenarios.hpp"
 #include "tests/master/fake_client.hpp"
 #include "tests/master/fake_worker.hpp"
 #include "tests/master/master_stage.hpp"
@@ -168,7 +169,8 @@ TEST(Server, InvalidSubmissionsAreRefusedWithAReason) {
                    "");
     // Fewer poses than announced; then more.
     const std::span<const Scenario> all(reference().scenarios);
-    expect_failure({good, PosesPart{pack_scenarios(all.first(10))}, PosesEnd{}}, "announced");
+    expect_failure({good, PosesEnd{}}, "announced");
+    expect_failure({good, PosesPart{pack_scenarios(all.first(10))}, PosesEnd{}}, "come together");
     Submit one = good;
     one.scenarios = 1;
     expect_failure({one, PosesPart{pack_scenarios(all.first(2))}, PosesEnd{}}, "");

@@ -1,6 +1,7 @@
 // Proves which results are merged, which wait, and when a worker may forget them.
 #include "master/results/result_ingest.hpp"
 
+#include "common/job/packed_scenarios.hpp"
 #include "common/job/result/packed_map.hpp"
 #include "tests/master/parts_stage.hpp"
 

@@ -26,7 +26,7 @@ PoseLabels labels_of(std::uint64_t first, std::uint64_t count) {
 
 class Labels : public testing::Test {
   protected:
-    static constexpr std::uint64_t scenarios = 2 * limits::spool_run_scenarios + 7;
+    static constexpr std::uint64_t scenarios = 2 * limits::pose_run_scenarios + 7;
 
     void write() {
         auto spool = LabelSpool::create(folder_.path(), texts_and_times, scenarios);
@@ -47,7 +47,7 @@ TEST_F(Labels, ComeBackAsTheyWere) {
     const auto spool = LabelSpool::open(path_, texts_and_times, scenarios);
     ASSERT_TRUE(spool) << spool.error().detail;
     for (const auto& [first, count] : {std::pair<std::uint64_t, std::uint64_t>{0, scenarios},
-                                       {limits::spool_run_scenarios - 1, 2},
+                                       {limits::pose_run_scenarios - 1, 2},
                                        {scenarios - 1, 1},
                                        {scenarios, 0}}) {
         const auto labels = spool.value()->read(first, count);

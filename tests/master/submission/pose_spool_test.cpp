@@ -1,14 +1,16 @@
-// Proves that poses return from the spool exactly as sent, in any runs, and that poses that do not
-// continue the job are refused whole.
+// Proves that runs of poses are stored exactly as sent, and that runs that do not continue the job
+// are refused whole.
 
 #include "master/submission/pose_spool.hpp"
 
 #include "common/core/limits/engine.hpp"
-#include "common/core/limits/master.hpp"
+#include "tests/support/packed_poses.hpp"
 #include "tests/support/process.hpp"
 #include "tests/support/shapes.hpp"
 
 #include <gtest/gtest.h>
+
+#include <cmath>
 
 namespace cd::tests {
 namespace {
@@ -27,88 +29,81 @@ std::vector<Scenario> make_scenarios(std::uint64_t count) {
 
 class PoseSpoolTest : public testing::Test {
   protected:
-    std::unique_ptr<PoseSpool> make_spool(std::uint64_t scenarios) {
+    std::shared_ptr<PoseSpool> make_spool(std::uint64_t scenarios) {
         return std::move(PoseSpool::create(folder_ / "spool", scenarios).value());
     }
     TemporaryFolder folder_;
 };
 
-TEST_F(PoseSpoolTest, GivesBackWhatItGotInAnyRuns) {
-    const auto scenarios = make_scenarios(3 * limits::spool_run_scenarios + 100);
-    const auto spool = make_spool(scenarios.size());
-    std::mt19937_64 random(1);
-    for (std::size_t i = 0; i < scenarios.size();) {
+TEST_F(PoseSpoolTest, StoresRunsAsTheyCome) {
+    const auto runs = packed_runs(make_scenarios(3 * limits::pose_run_scenarios + 100));
+    const auto spool = make_spool(3 * limits::pose_run_scenarios + 100);
+    for (const Bytes& run : runs) {
         EXPECT_FALSE(spool->is_complete());
-        const std::size_t piece = std::min<std::size_t>(1 + random() % 300, scenarios.size() - i);
-        ASSERT_TRUE(spool->append(pack_scenarios(std::span(scenarios).subspan(i, piece))));
-        i += piece;
-        ASSERT_EQ(spool->count(), i);
+        ASSERT_TRUE(spool->append(run));
     }
     EXPECT_TRUE(spool->is_complete());
-
-    for (int round = 0; round < 50; ++round) {
-        const std::size_t first = random() % scenarios.size();
-        const std::size_t count = random() % (scenarios.size() - first + 1);
-        const auto read = spool->read(first, count);
-        ASSERT_TRUE(read) << read.error().detail;
-        ASSERT_TRUE(std::ranges::equal(read.value(), std::span(scenarios).subspan(first, count)));
+    for (std::size_t i = 0; i < runs.size(); ++i) {
+        EXPECT_EQ(spool->run(i).value().bytes(), runs[i]);
     }
 }
 
-TEST_F(PoseSpoolTest, OneLargePieceIsManyRuns) {
-    const auto scenarios = make_scenarios(2 * limits::spool_run_scenarios);
-    const auto spool = make_spool(scenarios.size());
-    ASSERT_TRUE(spool->append(pack_scenarios(scenarios)));
-    EXPECT_EQ(spool->read(0, scenarios.size()).value(), scenarios);
+TEST_F(PoseSpoolTest, RefusesRunsThatDoNotContinueAndKeepsNothingOfThem) {
+    const std::uint64_t run = limits::pose_run_scenarios;
+    const auto scenarios = make_scenarios(2 * run);
+    const auto packed = [&](std::uint64_t first, std::uint64_t count) {
+        return pack_scenarios(std::span(scenarios).subspan(first, count));
+    };
+    const auto spool = make_spool(2 * run);
+    EXPECT_FALSE(spool->append(packed(0, run - 1))) << "too few";
+    EXPECT_FALSE(spool->append(packed(0, run + 1))) << "too many";
+    ASSERT_TRUE(spool->append(packed(run, run))) << "a window may come in any order";
+    EXPECT_FALSE(spool->append(packed(run, run))) << "twice";
+    auto others = std::vector(scenarios.begin(), scenarios.begin() + run);
+    others[7].index = 2 * run;
+    EXPECT_FALSE(spool->append(pack_scenarios(others))) << "outside of the window";
+    others[7].index = 8;
+    EXPECT_FALSE(spool->append(pack_scenarios(others))) << "twice in the run";
+    others[7] = scenarios[7];
+    others[7].body_b = 2;
+    EXPECT_FALSE(spool->append(pack_scenarios(others))) << "an unknown body";
+    EXPECT_EQ(spool->count(), run);
+    ASSERT_TRUE(spool->append(packed(0, run)));
+
+    OrderedPoses poses((std::shared_ptr<const PoseRuns>(spool)));
+    EXPECT_EQ(poses.read_submitted(0, 2 * run).value(), scenarios);
 }
 
-TEST_F(PoseSpoolTest, RefusesWhatDoesNotContinueAndKeepsNothingOfIt) {
-    const auto scenarios = make_scenarios(20);
-    const auto spool = make_spool(20);
-    const auto run = [&](std::size_t begin, std::size_t count) {
-        return std::vector<Scenario>(scenarios.begin() + static_cast<std::ptrdiff_t>(begin),
-                                     scenarios.begin() +
-                                         static_cast<std::ptrdiff_t>(begin + count));
-    };
-    EXPECT_FALSE(spool->append(pack_scenarios(run(1, 5))));
-    ASSERT_TRUE(spool->append(pack_scenarios(run(0, 10))));
-    EXPECT_FALSE(spool->append(pack_scenarios(run(0, 10))));
-    EXPECT_FALSE(spool->append(pack_scenarios(run(11, 2))));
-    auto skipping = run(10, 4);
-    skipping.erase(skipping.begin() + 2);
-    EXPECT_FALSE(spool->append(pack_scenarios(skipping)));
-    auto foreign = run(10, 2);
-    foreign[1].body_b = 2;
-    EXPECT_FALSE(spool->append(pack_scenarios(foreign)));
-    EXPECT_EQ(spool->count(), 10u);
-
-    ASSERT_TRUE(spool->append(pack_scenarios(run(10, 10))));
-    EXPECT_EQ(spool->read(0, 20).value(), scenarios);
+TEST_F(PoseSpoolTest, AWindowBeginsAnew) {
+    const std::uint64_t window = limits::order_window_scenarios;
+    std::vector<Scenario> scenarios(window + 1);
+    for (std::uint64_t i = 0; i < scenarios.size(); ++i) {
+        scenarios[i].index = i;
+    }
+    const auto spool = make_spool(window + 1);
+    const auto runs = packed_runs(scenarios);
+    for (std::size_t i = 0; i + 1 < runs.size(); ++i) {
+        ASSERT_TRUE(spool->append(runs[i]));
+    }
+    EXPECT_FALSE(spool->append(pack_scenarios(std::span(scenarios).first(1))));
+    EXPECT_TRUE(spool->append(runs.back()));
 }
 
 TEST_F(PoseSpoolTest, RefusesMoreThanWasAnnounced) {
-    const auto scenarios = make_scenarios(11);
     const auto spool = make_spool(10);
-    const Status status = spool->append(pack_scenarios(scenarios));
+    const Status status = spool->append(pack_scenarios(make_scenarios(11)));
     ASSERT_FALSE(status);
     EXPECT_EQ(status.error().code, ErrorCode::BadInput);
     EXPECT_EQ(PoseSpool::create(folder_.path(), limits::scenarios_max + 1).error().code,
               ErrorCode::TooLarge);
 }
 
-TEST_F(PoseSpoolTest, RefusesMoreAtOnceThanTheirMemoryIsWorth) {
-    // Empty poses: a few bytes each on the wire would be hundreds in memory.
-    std::vector<Scenario> scenarios(limits::poses_part_scenarios_max + 1);
-    for (std::uint64_t i = 0; i < scenarios.size(); ++i) {
-        scenarios[i].index = i;
-    }
-    const auto spool = make_spool(limits::scenarios_max);
-    const Status status = spool->append(pack_scenarios(scenarios));
+TEST_F(PoseSpoolTest, NamesAScenarioWithoutAPose) {
+    auto scenarios = make_scenarios(5);
+    scenarios[3].poses.b = Pose::from_quaternion({1, 0, 0, 0}, {1, 2, std::nan("")});
+    const Status status = make_spool(5)->append(pack_scenarios(scenarios));
     ASSERT_FALSE(status);
-    EXPECT_EQ(status.error().code, ErrorCode::TooLarge);
-    scenarios.pop_back();
-    EXPECT_TRUE(spool->append(pack_scenarios(scenarios)));
-    EXPECT_EQ(spool->count(), limits::poses_part_scenarios_max);
+    EXPECT_NE(status.error().detail.find("scenario 3"), std::string::npos);
 }
 
 TEST_F(PoseSpoolTest, RefusesBytesThatAreNoScenarios) {
@@ -131,21 +126,23 @@ TEST_F(PoseSpoolTest, LeavesNoFileUnlessItWasSealed) {
 TEST_F(PoseSpoolTest, ASealedOneComesBack) {
     for (const std::uint64_t count : {std::uint64_t{0},
                                       std::uint64_t{1},
-                                      limits::spool_run_scenarios,
-                                      3 * limits::spool_run_scenarios + 100}) {
+                                      limits::pose_run_scenarios,
+                                      3 * limits::pose_run_scenarios + 100}) {
         const auto scenarios = make_scenarios(count);
         {
             const auto spool = make_spool(count);
-            ASSERT_TRUE(spool->append(pack_scenarios(scenarios)));
+            for (const Bytes& run : packed_runs(scenarios)) {
+                ASSERT_TRUE(spool->append(run));
+            }
             ASSERT_TRUE(spool->seal(folder_ / "spool/1.poses", Durability::Synced));
             EXPECT_EQ(spool->count(), count);
-            EXPECT_EQ(spool->read(0, count).value(), scenarios);
         }
-        const auto spool = PoseSpool::open(folder_ / "spool/1.poses", count);
+        auto spool = PoseSpool::open(folder_ / "spool/1.poses", count);
         ASSERT_TRUE(spool) << spool.error().detail;
         EXPECT_TRUE(spool.value()->verify());
         EXPECT_EQ(spool.value()->count(), count);
-        EXPECT_EQ(spool.value()->read(0, count).value(), scenarios);
+        OrderedPoses poses((std::shared_ptr<const PoseRuns>(std::move(spool.value()))));
+        EXPECT_EQ(poses.read_submitted(0, count).value(), scenarios);
         EXPECT_FALSE(PoseSpool::open(folder_ / "spool/1.poses", count + 1));
     }
     EXPECT_FALSE(PoseSpool::open(folder_ / "spool/2.poses", 1));

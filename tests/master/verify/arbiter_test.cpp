@@ -80,7 +80,7 @@ TEST_F(ArbiterTest, AWrongFirstResultIsCorrectedAndItsWorkerQuarantined) {
 
 TEST_F(ArbiterTest, ADisputeWaitsForPosesThatCannotBeRead) {
     const Dispute one = dispute(wrong_result(index_), right_result(index_));
-    job_.run->poses = std::make_shared<OrderedPoses>(std::make_shared<FailingPoses>(1));
+    job_.run->poses = failing_poses();
     services.arbiter.settle(one);
     run_until([this] { return !job_.run->paused.empty(); });
     EXPECT_THAT(job_.run->paused, HasSubstr("the disk is gone"));

@@ -32,8 +32,8 @@ struct Golden {
     std::string_view hash;
 };
 constexpr std::array<Golden, std::variant_size_v<Message>> golden{{
-    {"hello", 95, "e53b9f257cd98c6c"},
-    {"welcome", 116, "82054a8c8c60c8b3"},
+    {"hello", 95, "b1ccec9df032d3ce"},
+    {"welcome", 116, "e5638d7c3b4fcde3"},
     {"failure", 17, "b9807aeea9fe9795"},
     {"heartbeat", 105, "83c163ab958245e5"},
     {"add tree", 81, "396e36e8490fc0d5"},

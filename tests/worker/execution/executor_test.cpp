@@ -2,6 +2,7 @@
 // is cancelled.
 #include "worker/execution/executor.hpp"
 
+#include "common/job/packed_scenarios.hpp"
 #include "tests/worker/cut_body.hpp"
 #include "worker/execution/task.hpp"
 

@@ -1,6 +1,7 @@
 // Proves that a worker's session, over a real connection to a master played by the test, answers
 // its scenarios exactly as one process does on whole trees, and that every way of ending it neither
 // loses nor invents a result.
+#include "common/job/packed_scenarios.hpp"
 #include "tests/worker/session_stage.hpp"
 
 #include <gmock/gmock.h>

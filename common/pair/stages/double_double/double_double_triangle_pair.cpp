@@ -129,7 +129,7 @@ DoubleDoubleSigns::DoubleDoubleSigns(const DoubleDoublePoses& poses,
         reach_a = std::max(reach_a, sum_of_sizes(a[i]));
         reach_b = std::max(reach_b, sum_of_sizes(b[i]));
     }
-    // 1.01 covers the roundings of the bounds.
+    // The factor 1.01 covers the rounding of the bounds.
     const double magnitude = 1.01 * std::max(poses.largest_a * reach_a + poses.offset_largest,
                                              poses.largest_b * reach_b);
     const bool is_in_range = magnitude > magnitude_least && magnitude < magnitude_most;

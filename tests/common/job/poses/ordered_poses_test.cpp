@@ -1,9 +1,10 @@
-// Proves that the order of scenarios is a permutation within each window and depends on the window
-// alone; and that a grid keeps its order.
+// Proves that a window has each of its scenarios once, by position and by index, that a range is
+// packed as its scenarios are, and that a grid keeps its order.
 #include "common/job/poses/ordered_poses.hpp"
 
-#include "common/core/limits/engine.hpp"
+#include "common/job/packed_scenarios.hpp"
 #include "common/job/poses/pose_order.hpp"
+#include "tests/support/packed_poses.hpp"
 #include "tests/support/scenarios.hpp"
 
 #include <gtest/gtest.h>
@@ -14,38 +15,21 @@
 namespace cd::tests {
 namespace {
 
-/// Counts reads, and fails on demand.
-class CountingSource final : public PoseSource {
-  public:
-    explicit CountingSource(std::vector<Scenario> scenarios) : scenarios_(std::move(scenarios)) {}
-    [[nodiscard]] std::uint64_t count() const override { return scenarios_.size(); }
-    [[nodiscard]] Result<std::vector<Scenario>> read(std::uint64_t first,
-                                                     std::uint64_t count) override {
-        ++reads;
-        if (fails) {
-            return Error{ErrorCode::Io, "the disk is gone"};
-        }
-        const auto begin = scenarios_.begin() + static_cast<std::ptrdiff_t>(first);
-        return std::vector<Scenario>(begin, begin + static_cast<std::ptrdiff_t>(count));
-    }
-    int reads = 0;
-    bool fails = false;
-
-  private:
-    std::vector<Scenario> scenarios_;
-};
+PackedScenarios opened(const std::vector<Scenario>& scenarios) {
+    return PackedScenarios::open(pack_scenarios(scenarios), scenarios.size()).value();
+}
 
 TEST(OrderedPoses, EachWindowHasItsScenariosOnceInCoherentOrder) {
     const std::uint64_t window = limits::order_window_scenarios;
     const auto submitted = numbered_scenarios(window + 1000);
-    OrderedPoses ordered(std::make_shared<CountingSource>(submitted));
-    const auto handed_out = ordered.read(0, submitted.size()).value();
+    const auto poses = ordered(submitted);
+    const auto handed_out = poses->read(0, submitted.size()).value();
     ASSERT_EQ(handed_out.size(), submitted.size());
     std::set<std::uint64_t> seen;
-    for (std::size_t place = 0; place < handed_out.size(); ++place) {
-        const Scenario& scenario = handed_out[place];
+    for (std::size_t position = 0; position < handed_out.size(); ++position) {
+        const Scenario& scenario = handed_out[position];
         ASSERT_EQ(scenario, submitted[scenario.index]);
-        ASSERT_EQ(scenario.index / window, place / window);
+        ASSERT_EQ(scenario.index / window, position / window);
         seen.insert(scenario.index);
     }
     EXPECT_EQ(seen.size(), submitted.size());
@@ -54,45 +38,69 @@ TEST(OrderedPoses, EachWindowHasItsScenariosOnceInCoherentOrder) {
     for (std::size_t i = 0; i < order.size(); ++i) {
         ASSERT_EQ(handed_out[window + i].index, window + order[i]);
     }
+    const auto across = poses->read_submitted(window - 10, 20).value();
+    EXPECT_TRUE(std::ranges::equal(across, std::span(submitted).subspan(window - 10, 20)));
 }
 
-TEST(OrderedPoses, PlacesAndIndicesAreInverse) {
-    const auto submitted = numbered_scenarios(500);
-    OrderedPoses ordered(std::make_shared<CountingSource>(submitted));
-    const auto window = ordered.window_of(17).value();
-    for (std::uint64_t index = 0; index < 500; ++index) {
+TEST(OrderedPoses, PositionsAndIndicesAreInverse) {
+    const auto submitted = numbered_scenarios(5000);
+    const auto window = ordered(submitted)->window_of(17).value();
+    ASSERT_EQ(window->count(), 5000u);
+    for (std::uint64_t index = 0; index < 5000; ++index) {
         ASSERT_TRUE(window->has(index));
-        EXPECT_EQ(window->at({window->place_of(index), 1})[0].index, index);
+        const std::uint64_t position = window->position_of(index);
+        ASSERT_EQ(window->index_at(position), index);
+        ASSERT_EQ(window->at(position).value(), submitted[index]);
     }
-    EXPECT_FALSE(window->has(500));
+    EXPECT_FALSE(window->has(5000));
+}
+
+TEST(OrderedPoses, ARangeIsPackedAsItsScenariosAre) {
+    const auto poses = ordered(numbered_scenarios(3 * limits::pose_run_scenarios));
+    const auto window = poses->window_of(0).value();
+    std::mt19937_64 random(4);
+    for (int round = 0; round < 100; ++round) {
+        const std::uint64_t first = random() % poses->count();
+        const std::uint64_t count = 1 + random() % (poses->count() - first);
+        ASSERT_EQ(unpack_scenarios(window->packed({first, count}), count).value(),
+                  poses->read(first, count).value());
+    }
+}
+
+TEST(OrderedPoses, AWindowWithoutEachIndexOnceIsRefused) {
+    auto scenarios = numbered_scenarios(3);
+    EXPECT_TRUE(PoseWindow::open(0, {opened(scenarios)}));
+    EXPECT_FALSE(PoseWindow::open(1, {opened(scenarios)}));
+    EXPECT_FALSE(PoseWindow::open(0, {opened(scenarios), opened(scenarios)})) << "a short run";
+    scenarios[1].index = 2;
+    EXPECT_FALSE(PoseWindow::open(0, {opened(scenarios)}));
 }
 
 TEST(OrderedPoses, AWindowIsReadOnceWhileItIsInUse) {
-    auto source = std::make_shared<CountingSource>(numbered_scenarios(2000));
-    OrderedPoses ordered(source);
+    const auto runs = std::make_shared<PackedPoses>(numbered_scenarios(2000));
+    OrderedPoses poses(runs);
     for (std::uint64_t first = 0; first < 2000; first += 250) {
-        ASSERT_TRUE(ordered.read(first, 250));
+        ASSERT_TRUE(poses.read(first, 250));
     }
-    EXPECT_EQ(source->reads, 1);
+    EXPECT_EQ(runs->reads, 1);
 }
 
 TEST(OrderedPoses, AReadErrorIsReturnedAndNotCached) {
-    auto source = std::make_shared<CountingSource>(numbered_scenarios(10));
-    source->fails = true;
-    OrderedPoses ordered(source);
-    EXPECT_EQ(ordered.read(2, 3).error().detail, "the disk is gone");
-    source->fails = false;
-    EXPECT_TRUE(ordered.read(2, 3));
+    const auto runs = std::make_shared<PackedPoses>(numbered_scenarios(10));
+    runs->failures = 1;
+    OrderedPoses poses(runs);
+    EXPECT_EQ(poses.read(2, 3).error().detail, "the disk is gone");
+    EXPECT_TRUE(poses.read(2, 3));
 }
 
 TEST(OrderedPoses, AGridStaysAsItIs) {
     Grid grid;
     grid.position[0] = {0, 1, 7};
     grid.position[2] = {-1, 1, 5};
-    OrderedPoses ordered(make_grid_source(grid));
-    ASSERT_NE(ordered.grid(), nullptr);
-    EXPECT_EQ(*ordered.grid(), grid);
-    const auto scenarios = ordered.read(3, 20).value();
+    OrderedPoses poses(grid);
+    ASSERT_NE(poses.grid(), nullptr);
+    EXPECT_EQ(*poses.grid(), grid);
+    const auto scenarios = poses.read(3, 20).value();
     for (std::uint64_t i = 0; i < 20; ++i) {
         EXPECT_EQ(scenarios[i], scenario_on(grid, 3 + i));
     }

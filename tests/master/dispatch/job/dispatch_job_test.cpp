@@ -34,7 +34,7 @@ TEST(UnsentPositions, GoOutInOrderAndRangeByRange) {
 }
 
 TEST(UnsentPositions, ReturnedOnesComeFirstWithTheirPosesAndAnsweredOnesLeave) {
-    const auto window = std::make_shared<const PoseWindow>(std::vector<Scenario>(1));
+    const auto window = std::make_shared<const PoseWindow>(PoseWindow::open(0, {}).value());
     UnsentPositions unsent;
     unsent.add({{20, 5}}, 0);
     unsent.put_back(PositionSet::of({3, 7, 8}), window);

@@ -66,7 +66,7 @@ TEST_F(AnalysisFeedTest, AJobThatTheMasterAnswersAloneEnds) {
     }
     Submit submit = submission(AnalysisMode::Always);
     submit.scenarios = apart.size();
-    MasterJob& job = open(submit, make_list_source(apart));
+    MasterJob& job = open(submit, ordered(apart));
     start(job);
     run_until_analysed();
     ASSERT_FALSE(job.is_running());
@@ -75,7 +75,7 @@ TEST_F(AnalysisFeedTest, AJobThatTheMasterAnswersAloneEnds) {
 }
 
 TEST_F(AnalysisFeedTest, PosesThatCannotBeReadAreQueuedAgainWithTheirLosses) {
-    MasterJob& job = open(submission(AnalysisMode::Always), std::make_shared<FailingPoses>(1));
+    MasterJob& job = open(submission(AnalysisMode::Always), failing_poses());
     job.work()->todo = PositionQueue(90, std::vector<LostPositions>{{{0, 90}, 70}});
     start(job);
     run_until_analysed();

@@ -2,6 +2,7 @@
 // are given, returned or lost, and when results are withdrawn.
 #include "master/jobs/feed/range_feed.hpp"
 
+#include "common/job/packed_scenarios.hpp"
 #include "tests/master/parts_stage.hpp"
 
 #include <gmock/gmock.h>
@@ -22,7 +23,7 @@ class RangeFeedTest : public PartsStage {
         submit.grid = encode_grid(grid);
         submit.scenarios = grid.count();
         submit.poses.kind = PosesKind::Grid;
-        return open(submit, make_grid_source(grid));
+        return open(submit, std::make_shared<OrderedPoses>(grid));
     }
     /// The master's state after an answer to a scenario on a grid.
     void answer(MasterJob& job, std::uint64_t index, InstanceId process = 70) {
@@ -68,13 +69,13 @@ TEST_F(RangeFeedTest, PosesOfAListAreLoadedFirst) {
     run_until([&] { return job.work()->positions_loading == 0; });
     const SendUnit sent = performed<SendUnit>().at(0);
     ASSERT_NE(sent.window, nullptr);
-    const std::span<const Scenario> scenarios = sent.window->at(sent.positions.runs().front());
+    const PositionRange positions = sent.positions.runs().front();
     EXPECT_EQ(unpack_scenarios(next<WorkUnit>(sent.worker).scenarios, 90).value(),
-              std::vector(scenarios.begin(), scenarios.end()));
+              job.run->poses->read(positions.first, positions.count).value());
 }
 
 TEST_F(RangeFeedTest, PosesThatCannotBeReadAreQueuedAgainAndTheJobWaits) {
-    MasterJob& job = open(submission(AnalysisMode::Never), std::make_shared<FailingPoses>(1));
+    MasterJob& job = open(submission(AnalysisMode::Never), failing_poses());
     join(70);
     ranges_.give(job);
     run_until([&] { return services.life.is_waiting(job.id); });

@@ -1,6 +1,7 @@
 // Proves what a worker gets with a task, when a task ends, and what happens to its unanswered work.
 #include "master/jobs/feed/task_exchange.hpp"
 
+#include "common/job/packed_scenarios.hpp"
 #include "tests/master/parts_stage.hpp"
 
 #include <gmock/gmock.h>

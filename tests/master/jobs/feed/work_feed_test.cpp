@@ -20,7 +20,7 @@ class WorkFeedTest : public PartsStage {
         submit.grid = encode_grid(grid);
         submit.scenarios = grid.count();
         submit.poses.kind = PosesKind::Grid;
-        return open(submit, make_grid_source(grid));
+        return open(submit, std::make_shared<OrderedPoses>(grid));
     }
     [[nodiscard]] static bool is_fed(const MasterJob& job) {
         return job.work()->todo.left() != job.submit.scenarios;
@@ -104,7 +104,7 @@ TEST_F(WorkFeedTest, BufferedScenariosAreSentWhenNoMoreFollow) {
     Submit submit = submission(AnalysisMode::Always);
     submit.scenarios = 1;
     join(70);
-    open(submit, make_list_source({only}));
+    open(submit, ordered(std::vector{only}));
     work_.feed();
     run_until([this, before = outcomes] { return outcomes == before + 1; });
     EXPECT_THAT(performed<SendUnit>(), IsEmpty()) << "the buffer has room for more";
