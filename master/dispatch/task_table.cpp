@@ -133,8 +133,8 @@ PositionSet TaskTable::answer_in(DispatchJob& job,
     if (task->is_analysed) {
         for (const std::uint64_t position : found.list()) {
             const ScenarioRoots& roots = job.at(position).roots;
-            pool_.arrived(proxy, job.a.tree, roots.a);
-            pool_.arrived(proxy, job.b.tree, roots.b);
+            plan_.arrived(proxy.slot(), job.a.tree, roots.a);
+            plan_.arrived(proxy.slot(), job.b.tree, roots.b);
         }
     }
     return found;

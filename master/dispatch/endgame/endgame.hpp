@@ -5,7 +5,7 @@
 // Applies to matching by time and to ranges; the paper's strategies do without it.
 #pragma once
 
-#include "master/dispatch/block_needs.hpp"
+#include "master/dispatch/blocks/block_needs.hpp"
 #include "master/dispatch/endgame/stragglers.hpp"
 
 #include <cstdint>

@@ -2,6 +2,7 @@
 // a task.
 #pragma once
 
+#include "master/dispatch/blocks/block_plan.hpp"
 #include "master/dispatch/policy/finish_estimate.hpp"
 #include "master/dispatch/work_queue.hpp"
 #include "master/dispatch/workers/cluster_pace.hpp"
@@ -17,6 +18,7 @@ namespace cd {
 /// Parts of the dispatcher that policies read.
 struct MatchingContext {
     WorkerPool& pool;
+    const BlockPlan& plan;
     const WorkQueue& queue;
     const ClusterPace& pace;
 

@@ -206,6 +206,7 @@ void check_progress(const DispatchParts& parts) {
 void check_invariants_of(const DispatchParts& parts) {
     check_unsent(parts);
     parts.pool.check();
+    parts.plan.check(parts.pool.slots_taken());
     for (const auto& [id, job] : parts.queue.jobs()) {
         check_job(parts, job);
     }

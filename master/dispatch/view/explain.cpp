@@ -55,8 +55,8 @@ WorkerScore score_of(const MatchingContext& context,
     score.may_take = job.policy->may_take(proxy, job);
     score.scenarios = proxy.scenarios();
     score.load = static_cast<double>(proxy.buffers.of(job.id).scenarios.size()) / job.options.q;
-    score.held_triangles = context.pool.tree(job.a.tree).held.held(proxy.slot(), roots.a) +
-                           context.pool.tree(job.b.tree).held.held(proxy.slot(), roots.b);
+    score.held_triangles = context.plan.tree(job.a.tree).held.held(proxy.slot(), roots.a) +
+                           context.plan.tree(job.b.tree).held.held(proxy.slot(), roots.b);
     score.missing_triangles = sum_of(roots.a) + sum_of(roots.b) - score.held_triangles;
     const FinishTerms terms = job.policy->finish_on(proxy, job, scenario);
     score.backlog = terms.backlog;
