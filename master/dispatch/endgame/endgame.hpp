@@ -2,7 +2,7 @@
 // straggler has not begun is recalled for a worker that finishes it earlier. Work that is begun or
 // not returned gets a speculative copy if that finishes much earlier; the copied share is bounded.
 //
-// Applies to matching by time and to ranges; the paper's strategies do without it.
+// Applies to ranges, and to strategies that move work; the paper's strategies do without it.
 #pragma once
 
 #include "master/dispatch/blocks/block_needs.hpp"

@@ -94,7 +94,7 @@ bool Stragglers::may_be_helped(const WorkerProxy& from) const {
 
 bool Stragglers::is_movable(const TaskInFlight& task) const {
     return task.left() != 0 && !task.is_copy() &&
-           (!task.is_analysed || context_.queue.at(task.job).policy->is_by_time());
+           (!task.is_analysed || context_.queue.at(task.job).policy->moves_work());
 }
 
 bool Stragglers::can_be_recalled(const TaskInFlight& task) const {

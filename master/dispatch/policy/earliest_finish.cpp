@@ -109,7 +109,7 @@ bool EarliestFinish::has_room_for_task(const WorkerProxy& proxy, const DispatchJ
     if (proxy.tasks.left() < proxy.facts().threads) {
         return true;
     }
-    return proxy.tasks.count_of(job.id) < limits::batches_at_worker &&
+    return proxy.tasks.count_of(job.id) < bounds(proxy, job).tasks &&
            !ends_with_long_ones(context().queue, proxy, job);
 }
 
@@ -126,7 +126,7 @@ std::vector<std::uint64_t> EarliestFinish::take_batch(WorkerProxy& proxy,
         // At least one scenario, whatever the estimates are.
         const bool is_enough = sum.cost_ns >= proxy.batch.cost_ns() ||
                                sum.bytes > std::uint64_t{job.options.v_kb} * 1000 ||
-                               batch.size() == limits::q_max;
+                               batch.size() == bounds(proxy, job).batch;
         if (is_enough && !batch.empty()) {
             break;
         }
