@@ -25,7 +25,7 @@ struct DispatchParts {
     RangeSender ranges{context, queue, tasks};
     Allocator allocator{context, queue, tasks, blocks};
     Rebalancer rebalancer{context, queue, blocks, allocator};
-    Endgame endgame{context, queue, tasks, blocks};
+    Endgame endgame{context, tasks, blocks};
 };
 
 } // namespace cd

@@ -320,7 +320,8 @@ void TaskTable::take_recalled(WorkerProxy& proxy,
                               TaskId id,
                               const PositionSet& returned,
                               Actions& actions) {
-    const TaskInFlight task = proxy.tasks.at(id); // As it was before it shrinks.
+    // A copy, because `remove` below shrinks the task.
+    const TaskInFlight task = proxy.tasks.at(id);
     const PositionSet back = task.positions.common_with(returned);
     DispatchJob* job = queue_.find(task.job);
     if (!back.is_empty() && job != nullptr) {
