@@ -1,4 +1,6 @@
-// Records for each worker the blocks of geometry that it holds, waits for, or is being sent.
+// Records for each worker the blocks of geometry that it reports to hold or wait for, and those
+// that it is being sent. Matching decides on a plan instead
+// (master/dispatch/blocks/block_plan.hpp).
 #pragma once
 
 #include "common/core/id.hpp"

@@ -29,7 +29,7 @@ void Allocator::take_up(DispatchJob& job, bool is_suspect, bool resumes, Actions
     }
     // If scenarios waited before this one, no worker could take them, and none can now. With a pull
     // policy, however, this scenario may complete a task.
-    if (job.waiting.size() == 1 || job.policy->is_pulled()) {
+    if (job.waiting.size() == 1 || job.policy->workers_pull()) {
         allocate_one(job, actions);
     }
     if (resumes || is_suspect) {
@@ -67,7 +67,7 @@ bool Allocator::allocate_one(DispatchJob& job, Actions& actions) {
     if (job.waiting.empty()) {
         return false;
     }
-    if (job.policy->is_pulled()) {
+    if (job.policy->workers_pull()) {
         return pull_one(job, actions);
     }
     const std::uint64_t position = job.waiting.front();

@@ -1,7 +1,7 @@
 // Moves scenarios from the queue through the workers' buffers into tasks.
 #pragma once
 
-#include "master/dispatch/block_needs.hpp"
+#include "master/dispatch/blocks/block_needs.hpp"
 #include "master/dispatch/policy/matching_policy.hpp"
 #include "master/dispatch/task_table.hpp"
 

@@ -2,7 +2,8 @@
 #pragma once
 
 #include "master/dispatch/allocator.hpp"
-#include "master/dispatch/block_needs.hpp"
+#include "master/dispatch/blocks/block_needs.hpp"
+#include "master/dispatch/blocks/block_plan.hpp"
 #include "master/dispatch/endgame/endgame.hpp"
 #include "master/dispatch/policy/rebalancer.hpp"
 #include "master/dispatch/range_sender.hpp"
@@ -16,14 +17,15 @@ namespace cd {
 struct DispatchParts {
     ClusterPace pace;
     WorkerPool pool;
+    BlockPlan plan;
     WorkQueue queue;
-    MatchingContext context{pool, queue, pace};
-    TaskTable tasks{pool, queue, pace};
-    BlockNeeds blocks{pool, pace};
+    MatchingContext context{pool, plan, queue, pace};
+    TaskTable tasks{pool, plan, queue, pace};
+    BlockNeeds blocks{plan, pool, pace};
     RangeSender ranges{context, queue, tasks};
     Allocator allocator{context, queue, tasks, blocks};
     Rebalancer rebalancer{context, queue, blocks, allocator};
-    Endgame endgame{context, queue, tasks, blocks};
+    Endgame endgame{context, tasks, blocks};
 };
 
 } // namespace cd

@@ -43,7 +43,7 @@ bool Dispatcher::is_due() const {
 Actions Dispatcher::worker_joined(WorkerId worker, const WorkerFacts& facts) {
     CD_CHECK(facts.threads > 0);
     CD_CHECK(facts.weight > 0);
-    parts().pool.add(worker, facts);
+    parts().plan.join(parts().pool.add(worker, facts).slot());
     return settled({});
 }
 
@@ -58,6 +58,7 @@ Actions Dispatcher::worker_lost(WorkerId worker) {
     for (auto& [id, job] : parts().queue.jobs()) {
         job.range_pace.forget(worker);
     }
+    parts().plan.leave(proxy->slot());
     parts().pool.remove(worker);
     return settled(std::move(actions));
 }
@@ -97,8 +98,8 @@ Actions Dispatcher::worker_heard(WorkerId worker) {
 Actions
 Dispatcher::job_opened(JobId job, const ClusterOptions& options, DispatchTree a, DispatchTree b) {
     CD_CHECK(options.q > 0);
-    parts().pool.add_tree(a);
-    parts().pool.add_tree(b);
+    parts().plan.add_tree(a);
+    parts().plan.add_tree(b);
     parts().queue.open(job,
                        options,
                        std::move(a),
@@ -162,7 +163,7 @@ Actions Dispatcher::job_closed(JobId job_id) {
     queue.close(job_id);
     for (const TreeId tree : {tree_a, tree_b}) {
         if (!queue.is_tree_used(tree)) {
-            parts().pool.remove_tree(tree);
+            parts().plan.remove_tree(tree);
         }
     }
     return settled({});
@@ -231,15 +232,15 @@ void Dispatcher::roots_wanted(WorkerId worker, TreeId tree, std::span<const Root
 }
 
 Actions Dispatcher::roots_evicted(WorkerId worker, TreeId tree, std::span<const RootIndex> roots) {
-    if (WorkerProxy* proxy = parts().pool.find(worker)) {
-        parts().pool.release(*proxy, tree, roots);
+    if (const WorkerProxy* proxy = parts().pool.find(worker)) {
+        parts().plan.release(proxy->slot(), tree, roots);
     }
     return {};
 }
 
 void Dispatcher::roots_arrived(WorkerId worker, TreeId tree, std::span<const RootIndex> roots) {
     if (const WorkerProxy* proxy = parts().pool.find(worker)) {
-        parts().pool.arrived(*proxy, tree, roots);
+        parts().plan.arrived(proxy->slot(), tree, roots);
     }
 }
 

@@ -95,7 +95,7 @@ bool RangeSender::would_be_late(const WorkerProxy& proxy, const DispatchJob& job
     const double others = std::max(of_all.unclaimed - rate, quickest);
     const auto left = static_cast<double>(of_all.left - proxy.tasks.left());
     return proxy.facts().threads / rate >
-           limits::copy_gain_min * std::max(left / others, 1 / quickest);
+           limits::range_lateness_max * std::max(left / others, 1 / quickest);
 }
 
 std::uint64_t RangeSender::positions_at_once(const WorkerProxy& proxy,

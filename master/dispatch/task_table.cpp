@@ -133,8 +133,8 @@ PositionSet TaskTable::answer_in(DispatchJob& job,
     if (task->is_analysed) {
         for (const std::uint64_t position : found.list()) {
             const ScenarioRoots& roots = job.at(position).roots;
-            pool_.arrived(proxy, job.a.tree, roots.a);
-            pool_.arrived(proxy, job.b.tree, roots.b);
+            plan_.arrived(proxy.slot(), job.a.tree, roots.a);
+            plan_.arrived(proxy.slot(), job.b.tree, roots.b);
         }
     }
     return found;
@@ -320,7 +320,8 @@ void TaskTable::take_recalled(WorkerProxy& proxy,
                               TaskId id,
                               const PositionSet& returned,
                               Actions& actions) {
-    const TaskInFlight task = proxy.tasks.at(id); // As it was before it shrinks.
+    // A copy, because `remove` below shrinks the task.
+    const TaskInFlight task = proxy.tasks.at(id);
     const PositionSet back = task.positions.common_with(returned);
     DispatchJob* job = queue_.find(task.job);
     if (!back.is_empty() && job != nullptr) {

@@ -1,6 +1,7 @@
 // The tasks in flight: sends them, ends them, and tracks their copies and recalls.
 #pragma once
 
+#include "master/dispatch/blocks/block_plan.hpp"
 #include "master/dispatch/dispatch_actions.hpp"
 #include "master/dispatch/work_queue.hpp"
 #include "master/dispatch/workers/cluster_pace.hpp"
@@ -25,8 +26,8 @@ struct PendingRecall {
 /// tasks unanswered return to the queue.
 class TaskTable {
   public:
-    TaskTable(WorkerPool& pool, WorkQueue& queue, ClusterPace& pace)
-        : pool_(pool), queue_(queue), pace_(pace) {}
+    TaskTable(WorkerPool& pool, BlockPlan& plan, WorkQueue& queue, ClusterPace& pace)
+        : pool_(pool), plan_(plan), queue_(queue), pace_(pace) {}
 
     // ---- Sending ------------------------------------------------------------------------------
     /// Sends scenarios from the queue or from the worker's buffer, which are in no task. `claims`:
@@ -119,6 +120,7 @@ class TaskTable {
     cost_of(const DispatchJob& job, const TaskInFlight& task, const PositionSet& positions);
 
     WorkerPool& pool_;
+    BlockPlan& plan_;
     WorkQueue& queue_;
     ClusterPace& pace_;
     std::map<WorkerId, PendingRecall> recalls_;

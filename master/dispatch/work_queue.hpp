@@ -45,7 +45,8 @@ class WorkQueue {
     void note_served(JobId job) { served_last_ = job; }
 
     // ---- Scenarios ----------------------------------------------------------------------------
-    /// Number of unsent scenarios of all jobs.
+    /// Number of unsent analysed scenarios of all jobs. Positions that go out without analysis are
+    /// counted by `DispatchView::positions_unsent`.
     [[nodiscard]] std::uint64_t unsent() const { return unsent_; }
     /// Queues a new scenario at the end. Returns whether it is a suspect.
     bool add(DispatchJob& job, std::uint64_t position, DispatchScenario scenario);

@@ -129,6 +129,9 @@ inline constexpr std::uint64_t scenario_ns_unknown = 1'000'000;
 /// Batches grow if a worker's threads idle for a greater share of the time.
 inline constexpr double batch_overhead_max = 0.02;
 inline constexpr std::size_t batches_at_worker = 2;
+/// A worker gets no range if one scenario takes it longer than this multiple of the time in which
+/// the other workers finish all that is left.
+inline constexpr double range_lateness_max = 1.5;
 /// Number of scenarios of a job that one move takes to a worker that runs dry.
 inline constexpr std::size_t moves_tried_max = 64;
 

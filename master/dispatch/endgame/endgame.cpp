@@ -10,14 +10,14 @@
 namespace cd {
 
 bool Endgame::has_begun() const {
-    return queue_.is_exhausted() && !stragglers_.helpers().empty() &&
+    return context_.queue.is_exhausted() && !stragglers_.helpers().empty() &&
            std::ranges::any_of(context_.pool.in_order(),
                                [](const WorkerProxy* proxy) { return proxy->tasks.left() != 0; });
 }
 
 void Endgame::help(double period, Actions& actions) {
     const double now = context_.pace.now();
-    if (!queue_.is_exhausted() || now < helped_ + period) {
+    if (!context_.queue.is_exhausted() || now < helped_ + period) {
         return;
     }
     helped_ = now;
@@ -41,10 +41,8 @@ bool Endgame::helps(WorkerProxy& from, WorkerProxy& helper, Actions& actions) {
     if (stragglers_.may_be_asked(from) && ask_back(from, helper, actions)) {
         return true;
     }
-    return !stragglers_.may_answer_recall(from) && copy(from, helper, actions);
+    return !stragglers_.may_answer_recall(from) && copies_.copy(from, helper, actions);
 }
-
-// ---- Recalls ------------------------------------------------------------------------------------
 
 bool Endgame::ask_back(const WorkerProxy& from, const WorkerProxy& helper, Actions& actions) {
     // Newest task first: the worker begins it last.
@@ -65,7 +63,7 @@ bool Endgame::ask_back(const WorkerProxy& from, const WorkerProxy& helper, Actio
 PositionSet Endgame::scenarios_to_ask(const WorkerProxy& from,
                                       const TaskInFlight& task,
                                       const WorkerProxy& helper) const {
-    const DispatchJob& job = queue_.at(task.job);
+    const DispatchJob& job = context_.queue.at(task.job);
     std::vector<std::uint64_t> wanted;
     double seconds_here = stragglers_.ends_in(from);
     double seconds_there = 0;
@@ -92,91 +90,8 @@ PositionSet Endgame::positions_to_ask(const WorkerProxy& from,
     if (!task.shared.copied.is_empty()) {
         return {}; // The worker can return the last positions alone, and these have a copy.
     }
-    return task.positions.last(
-        positions_to_move(from, queue_.at(task.job), helper, stragglers_.ends_in(from), 1));
-}
-
-std::uint64_t Endgame::positions_to_move(const WorkerProxy& from,
-                                         const DispatchJob& job,
-                                         const WorkerProxy& helper,
-                                         double seconds_here,
-                                         double gain) const {
-    const double rate_here = context_.pace.positions_per_second(from, job);
-    const double rate_there = context_.pace.positions_per_second(helper, job);
-    const double begins = stragglers_.ends_in(helper) + timing::end_gain_seconds_min;
-    const double one = helper.facts().threads / rate_there + job.missing.any_or(0);
-    if (gain * (begins + one) > seconds_here) {
-        return 0;
-    }
-    // Solves for the count with which both workers finish together.
-    const double count = (seconds_here - begins) / (1 / rate_here + 1 / rate_there);
-    return std::max<std::uint64_t>(1, static_cast<std::uint64_t>(count));
-}
-
-// ---- Speculative copies -------------------------------------------------------------------------
-
-bool Endgame::copy(const WorkerProxy& from, WorkerProxy& helper, Actions& actions) {
-    for (const auto& [id, task] : std::views::reverse(from.tasks.all())) {
-        const PositionSet candidates = stragglers_.copyable(task);
-        if (candidates.is_empty()) {
-            continue;
-        }
-        const PositionSet copied = task.is_analysed
-                                       ? scenario_to_copy(from, task, candidates, helper)
-                                       : positions_to_copy(from, task, candidates, helper);
-        if (!copied.is_empty()) {
-            const DispatchJob& job = queue_.at(task.job);
-            // A copy of an analysed task has one scenario.
-            const std::uint64_t first = copied.runs().front().first;
-            const bool fetches = task.is_analysed &&
-                                 !blocks_.hold_roots(job, job.at(first).roots, helper).is_nothing();
-            tasks_.send_copy({from.id(), id}, helper, copied, fetches, actions);
-            return true;
-        }
-    }
-    return false;
-}
-
-PositionSet Endgame::scenario_to_copy(const WorkerProxy& from,
-                                      const TaskInFlight& task,
-                                      const PositionSet& candidates,
-                                      const WorkerProxy& helper) const {
-    const DispatchJob& job = queue_.at(task.job);
-    double seconds_here = stragglers_.ends_in(from);
-    for (const std::uint64_t position : std::views::reverse(task.positions.list())) {
-        const DispatchScenario& scenario = job.at(position);
-        const std::uint64_t cost_ns = scenario.weight.cost_ns;
-        if (!candidates.contains(position)) {
-            seconds_here -= 1e-9 * static_cast<double>(cost_ns) / context_.pace.power_of(from);
-            continue;
-        }
-        const double finish =
-            job.policy->finish_on(helper, job, scenario).total() + timing::end_gain_seconds_min;
-        const bool pays = limits::copy_gain_min * finish <= seconds_here;
-        return pays && cost_ns <= job.copies.left_ns() ? PositionSet(PositionRange{position, 1})
-                                                       : PositionSet();
-    }
-    return {};
-}
-
-PositionSet Endgame::positions_to_copy(const WorkerProxy& from,
-                                       const TaskInFlight& task,
-                                       const PositionSet& candidates,
-                                       const WorkerProxy& helper) const {
-    const DispatchJob& job = queue_.at(task.job);
-    const double copied_seconds = static_cast<double>(task.left() - candidates.count()) /
-                                  context_.pace.positions_per_second(from, job);
-    const auto batch = static_cast<std::uint64_t>(timing::batch_seconds_start *
-                                                  context_.pace.positions_per_second(helper, job));
-    // A task without analysis is one run of positions.
-    return PositionSet(candidates.runs().back())
-        .last(std::min({job.copies.left_ns() / task.each_ns(),
-                        std::max<std::uint64_t>(batch, helper.facts().threads),
-                        positions_to_move(from,
-                                          job,
-                                          helper,
-                                          stragglers_.ends_in(from) - copied_seconds,
-                                          limits::copy_gain_min)}));
+    return task.positions.last(stragglers_.positions_to_move(
+        from, context_.queue.at(task.job), helper, stragglers_.ends_in(from), 1));
 }
 
 } // namespace cd

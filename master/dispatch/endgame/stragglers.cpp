@@ -52,6 +52,23 @@ double Stragglers::ends_in(const WorkerProxy& proxy) const {
                     context_.pace.now());
 }
 
+std::uint64_t Stragglers::positions_to_move(const WorkerProxy& from,
+                                            const DispatchJob& job,
+                                            const WorkerProxy& helper,
+                                            double seconds_here,
+                                            double gain) const {
+    const double rate_here = context_.pace.positions_per_second(from, job);
+    const double rate_there = context_.pace.positions_per_second(helper, job);
+    const double begins = ends_in(helper) + timing::end_gain_seconds_min;
+    const double one = helper.facts().threads / rate_there + job.missing.any_or(0);
+    if (gain * (begins + one) > seconds_here) {
+        return 0;
+    }
+    // Solves for the count with which both workers finish together.
+    const double count = (seconds_here - begins) / (1 / rate_here + 1 / rate_there);
+    return std::max<std::uint64_t>(1, static_cast<std::uint64_t>(count));
+}
+
 std::vector<WorkerProxy*> Stragglers::late() const {
     std::vector<std::pair<double, WorkerProxy*>> late;
     for (WorkerProxy* proxy : context_.pool.in_order()) {
@@ -94,7 +111,7 @@ bool Stragglers::may_be_helped(const WorkerProxy& from) const {
 
 bool Stragglers::is_movable(const TaskInFlight& task) const {
     return task.left() != 0 && !task.is_copy() &&
-           (!task.is_analysed || context_.queue.at(task.job).policy->is_by_time());
+           (!task.is_analysed || context_.queue.at(task.job).policy->moves_work());
 }
 
 bool Stragglers::can_be_recalled(const TaskInFlight& task) const {

@@ -4,6 +4,7 @@
 #include "master/dispatch/policy/matching_policy.hpp"
 #include "master/dispatch/task_table.hpp"
 
+#include <cstdint>
 #include <vector>
 
 namespace cd {
@@ -21,6 +22,13 @@ class Stragglers {
     [[nodiscard]] std::vector<WorkerProxy*> helpers() const;
     /// Seconds until the worker finishes all tasks sent to it.
     [[nodiscard]] double ends_in(const WorkerProxy& proxy) const;
+    /// Number of positions to move so that both workers finish together. 0 unless the helper would
+    /// finish one position `gain` times sooner than the straggler, which needs `seconds_here`.
+    [[nodiscard]] std::uint64_t positions_to_move(const WorkerProxy& from,
+                                                  const DispatchJob& job,
+                                                  const WorkerProxy& helper,
+                                                  double seconds_here,
+                                                  double gain) const;
     /// Stragglers that others may help, latest finish first. If there are many, only those whose
     /// last check is longest ago.
     [[nodiscard]] std::vector<WorkerProxy*> late() const;

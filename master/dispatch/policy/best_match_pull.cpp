@@ -21,8 +21,8 @@ bool BestMatchPull::can_pull(const WorkerProxy& proxy, const DispatchJob& job) c
 
 std::vector<std::size_t> BestMatchPull::pulled(const WorkerProxy& proxy,
                                                const DispatchJob& job) const {
-    const RootHolders& held_a = context().pool.tree(job.a.tree).held;
-    const RootHolders& held_b = context().pool.tree(job.b.tree).held;
+    const RootHolders& held_a = context().plan.tree(job.a.tree).held;
+    const RootHolders& held_b = context().plan.tree(job.b.tree).held;
     std::vector<std::uint64_t> scores;
     scores.reserve(job.waiting.size());
     for (const std::uint64_t position : job.waiting) {

@@ -19,10 +19,16 @@ class BestMatchPull final : public MatchingPolicy {
         return nullptr;
     }
     [[nodiscard]] bool may_take(const WorkerProxy& proxy, const DispatchJob& job) const override;
-    [[nodiscard]] std::string_view why() const override {
+    [[nodiscard]] std::string_view why() const override { return why_none(); }
+    [[nodiscard]] std::string_view why_none() const override {
         return "no worker is chosen: a free one takes the q scenarios of which it holds most";
     }
-    [[nodiscard]] bool is_pulled() const override { return true; }
+    [[nodiscard]] bool workers_pull() const override { return true; }
+    /// Nothing is buffered.
+    [[nodiscard]] WorkBounds bounds(const WorkerProxy& proxy,
+                                    const DispatchJob& job) const override {
+        return {0, job.options.q, proxy.tasks_max(job.options)};
+    }
     /// Takes less than a task's worth only if nothing more comes and the worker needs it.
     [[nodiscard]] bool can_pull(const WorkerProxy& proxy, const DispatchJob& job) const override;
     [[nodiscard]] std::vector<std::size_t> pulled(const WorkerProxy& proxy,

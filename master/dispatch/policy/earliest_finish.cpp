@@ -17,7 +17,7 @@ class HeldSums {
     explicit HeldSums(std::size_t count)
         : bytes_64_(count, 0), blocks_(count, 0), coming_64_(count, 0) {}
 
-    void add(const PooledTree& tree, std::span<const WeightedRoot> roots, std::size_t workers) {
+    void add(const PlannedTree& tree, std::span<const WeightedRoot> roots, std::size_t workers) {
         std::vector<WeightedRoot> bytes_64;
         std::vector<WeightedRoot> ones;
         std::vector<WeightedRoot> coming_64;
@@ -41,9 +41,9 @@ class HeldSums {
     }
 
     void tell(std::uint32_t slot, ScenarioNeeds& needs) const {
-        needs.missing_bytes = PooledTree::bytes_unit * (bytes_64_touched_ - bytes_64_[slot]);
+        needs.missing_bytes = PlannedTree::bytes_unit * (bytes_64_touched_ - bytes_64_[slot]);
         needs.missing_blocks = blocks_touched_ - blocks_[slot];
-        needs.coming_bytes = PooledTree::bytes_unit * coming_64_[slot];
+        needs.coming_bytes = PlannedTree::bytes_unit * coming_64_[slot];
     }
 
   private:
@@ -54,7 +54,7 @@ class HeldSums {
     std::uint64_t blocks_touched_ = 0;
 };
 
-double bytes_of_memory(const PooledTree& a, const PooledTree& b) {
+double bytes_of_memory(const PlannedTree& a, const PlannedTree& b) {
     const auto memory = static_cast<double>((a.triangles_total + b.triangles_total) *
                                             limits::wide_bytes_per_triangle);
     return memory > 0 ? static_cast<double>(a.bytes_total + b.bytes_total) / memory : 0;
@@ -65,8 +65,9 @@ double bytes_of_memory(const PooledTree& a, const PooledTree& b) {
 WorkerProxy* EarliestFinish::would_choose(const DispatchJob& job,
                                           const DispatchScenario& scenario) const {
     const WorkerPool& pool = context().pool;
-    const PooledTree& a = pool.tree(job.a.tree);
-    const PooledTree& b = pool.tree(job.b.tree);
+    const BlockPlan& plan = context().plan;
+    const PlannedTree& a = plan.tree(job.a.tree);
+    const PlannedTree& b = plan.tree(job.b.tree);
     const std::size_t workers = pool.in_order().size();
     HeldSums sums(a.held.sum_count());
     sums.add(a, scenario.roots.a, workers);
@@ -83,7 +84,8 @@ WorkerProxy* EarliestFinish::would_choose(const DispatchJob& job,
             continue;
         }
         sums.tell(proxy->slot(), needs);
-        const double seconds = estimate_finish(context().pace.powers_of(*proxy), needs).total();
+        const double seconds =
+            estimate_finish(context().pace.powers_of(*proxy, plan), needs).total();
         // Ties go to the worker with the fewest scenarios, then to the smallest id.
         const std::uint64_t scenarios = proxy->scenarios();
         if (best == nullptr ||
@@ -107,7 +109,7 @@ bool EarliestFinish::has_room_for_task(const WorkerProxy& proxy, const DispatchJ
     if (proxy.tasks.left() < proxy.facts().threads) {
         return true;
     }
-    return proxy.tasks.count_of(job.id) < limits::batches_at_worker &&
+    return proxy.tasks.count_of(job.id) < bounds(proxy, job).tasks &&
            !ends_with_long_ones(context().queue, proxy, job);
 }
 
@@ -124,7 +126,7 @@ std::vector<std::uint64_t> EarliestFinish::take_batch(WorkerProxy& proxy,
         // At least one scenario, whatever the estimates are.
         const bool is_enough = sum.cost_ns >= proxy.batch.cost_ns() ||
                                sum.bytes > std::uint64_t{job.options.v_kb} * 1000 ||
-                               batch.size() == limits::q_max;
+                               batch.size() == bounds(proxy, job).batch;
         if (is_enough && !batch.empty()) {
             break;
         }
@@ -149,12 +151,12 @@ std::uint64_t EarliestFinish::enough(const DispatchJob& /*job*/) const {
 FinishTerms EarliestFinish::finish_on(const WorkerProxy& proxy,
                                       const DispatchJob& job,
                                       const DispatchScenario& scenario) const {
-    const PooledTree& a = context().pool.tree(job.a.tree);
-    const PooledTree& b = context().pool.tree(job.b.tree);
+    const PlannedTree& a = context().plan.tree(job.a.tree);
+    const PlannedTree& b = context().plan.tree(job.b.tree);
     ScenarioNeeds needs;
     needs.cost_ns = scenario.weight.cost_ns;
     needs.bytes_of_memory = bytes_of_memory(a, b);
-    const auto add = [&](const PooledTree& tree, std::span<const WeightedRoot> roots) {
+    const auto add = [&](const PlannedTree& tree, std::span<const WeightedRoot> roots) {
         for (const WeightedRoot& root : roots) {
             const std::uint64_t bytes = tree.bytes_of(root.root);
             if (!tree.held.holds(proxy.slot(), root.root)) {
@@ -167,7 +169,7 @@ FinishTerms EarliestFinish::finish_on(const WorkerProxy& proxy,
     };
     add(a, scenario.roots.a);
     add(b, scenario.roots.b);
-    return estimate_finish(context().pace.powers_of(proxy), needs);
+    return estimate_finish(context().pace.powers_of(proxy, context().plan), needs);
 }
 
 bool ends_with_long_ones(const WorkQueue& queue, const WorkerProxy& proxy, const DispatchJob& job) {

@@ -5,6 +5,7 @@
 // earlier.
 #pragma once
 
+#include "common/core/limits/master.hpp"
 #include "master/dispatch/policy/matching_policy.hpp"
 
 #include <cstdint>
@@ -26,6 +27,11 @@ class EarliestFinish final : public MatchingPolicy {
         return "the scenario would be done there first";
     }
 
+    /// A buffer may have all scenarios; a batch takes only a part of it.
+    [[nodiscard]] WorkBounds bounds(const WorkerProxy& /*proxy*/,
+                                    const DispatchJob& /*job*/) const override {
+        return {~std::uint64_t{0}, limits::q_max, limits::batches_at_worker};
+    }
     [[nodiscard]] bool is_full(const WorkerProxy& proxy, const DispatchJob& job) const override;
     /// At the end no scenario waits behind a long one at a busy worker: an idle worker could take
     /// it.
@@ -43,7 +49,7 @@ class EarliestFinish final : public MatchingPolicy {
     /// Fills two batches per worker, and as many again to choose from.
     [[nodiscard]] std::uint64_t enough(const DispatchJob& job) const override;
 
-    [[nodiscard]] bool is_by_time() const override { return true; }
+    [[nodiscard]] bool moves_work() const override { return true; }
     [[nodiscard]] FinishTerms finish_on(const WorkerProxy& proxy,
                                         const DispatchJob& job,
                                         const DispatchScenario& scenario) const override;

@@ -9,6 +9,10 @@ bool MatchingPolicy::may_take(const WorkerProxy& proxy, const DispatchJob& job) 
            !proxy.buffers.of(job.id).is_full(job.options);
 }
 
+WorkBounds MatchingPolicy::bounds(const WorkerProxy& proxy, const DispatchJob& job) const {
+    return {job.options.q, job.options.q, proxy.tasks_max(job.options)};
+}
+
 bool MatchingPolicy::is_full(const WorkerProxy& proxy, const DispatchJob& job) const {
     return proxy.buffers.of(job.id).is_full(job.options);
 }

@@ -2,6 +2,7 @@
 // a task.
 #pragma once
 
+#include "master/dispatch/blocks/block_plan.hpp"
 #include "master/dispatch/policy/finish_estimate.hpp"
 #include "master/dispatch/work_queue.hpp"
 #include "master/dispatch/workers/cluster_pace.hpp"
@@ -17,6 +18,7 @@ namespace cd {
 /// Parts of the dispatcher that policies read.
 struct MatchingContext {
     WorkerPool& pool;
+    const BlockPlan& plan;
     const WorkQueue& queue;
     const ClusterPace& pace;
 
@@ -24,6 +26,13 @@ struct MatchingContext {
     [[nodiscard]] const WorkerProxy* reserved() const {
         return queue.suspects().empty() ? nullptr : pool.first_that_takes_work();
     }
+};
+
+/// The most work of a job that one worker has.
+struct WorkBounds {
+    std::uint64_t buffered = 0; ///< Scenarios in its buffer.
+    std::uint64_t batch = 0;    ///< Scenarios in a task.
+    std::size_t tasks = 0;      ///< Tasks; more only while it has fewer scenarios than threads.
 };
 
 /// A job's policy. By default buffers make tasks as the paper has it (6.4.3): q scenarios or more
@@ -49,10 +58,14 @@ class MatchingPolicy {
     [[nodiscard]] virtual bool may_take(const WorkerProxy& proxy, const DispatchJob& job) const;
     /// Tells the user why the chosen worker is chosen.
     [[nodiscard]] virtual std::string_view why() const = 0;
+    /// Tells the user why no worker is chosen.
+    [[nodiscard]] virtual std::string_view why_none() const {
+        return "no worker may take a scenario now";
+    }
 
     // ---- Scenarios for a free worker ------------------------------------------------------------
-    /// True: a free worker takes from the waiting scenarios, and nothing is buffered.
-    [[nodiscard]] virtual bool is_pulled() const { return false; }
+    /// True: free workers take from the waiting scenarios (`can_pull`), and `choose` names none.
+    [[nodiscard]] virtual bool workers_pull() const { return false; }
     /// The worker may pull a task now.
     [[nodiscard]] virtual bool can_pull(const WorkerProxy& /*proxy*/,
                                         const DispatchJob& /*job*/) const {
@@ -65,6 +78,8 @@ class MatchingPolicy {
     }
 
     // ---- Buffers and tasks ----------------------------------------------------------------------
+    /// Bounds of the job's work at the worker.
+    [[nodiscard]] virtual WorkBounds bounds(const WorkerProxy& proxy, const DispatchJob& job) const;
     /// The worker's buffer makes a task.
     [[nodiscard]] virtual bool is_full(const WorkerProxy& proxy, const DispatchJob& job) const;
     [[nodiscard]] virtual bool has_room_for_task(const WorkerProxy& proxy,
@@ -80,10 +95,10 @@ class MatchingPolicy {
     [[nodiscard]] virtual std::uint64_t enough(const DispatchJob& job) const;
 
     // ---- Time -----------------------------------------------------------------------------------
-    /// The policy estimates when a scenario is done (`finish_on`): its scenarios move between
-    /// buffers, and are recalled and copied at the end of the job.
-    [[nodiscard]] virtual bool is_by_time() const { return false; }
-    /// When the worker would finish the scenario, from now; zeros unless `is_by_time`.
+    /// True: work that another worker would finish earlier, by `finish_on`, moves there. Buffered
+    /// scenarios move at any time; sent ones are recalled and copied at the end of the job.
+    [[nodiscard]] virtual bool moves_work() const { return false; }
+    /// When the worker would finish the scenario, from now; zeros unless `moves_work`.
     [[nodiscard]] virtual FinishTerms finish_on(const WorkerProxy& /*proxy*/,
                                                 const DispatchJob& /*job*/,
                                                 const DispatchScenario& /*scenario*/) const {

@@ -9,7 +9,7 @@ namespace cd {
 
 void Rebalancer::rebalance(Actions& actions) {
     if (std::ranges::none_of(queue_.jobs(),
-                             [](const auto& job) { return job.second.policy->is_by_time(); })) {
+                             [](const auto& job) { return job.second.policy->moves_work(); })) {
         return;
     }
     std::vector<Backlog> full; // Heap; latest finish on top.
@@ -45,7 +45,7 @@ void Rebalancer::add_backlog(std::vector<Backlog>& full, WorkerProxy& proxy) con
 void Rebalancer::move(WorkerProxy& from, WorkerProxy& to) {
     for (auto& [id, job] : queue_.jobs()) {
         std::size_t tries = limits::moves_tried_max;
-        while (job.policy->is_by_time() && tries-- > 0 &&
+        while (job.policy->moves_work() && tries-- > 0 &&
                to.backlog_ns() < 2 * to.batch.cost_ns() && move_one(from, to, job)) {
         }
     }

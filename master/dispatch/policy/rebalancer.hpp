@@ -1,4 +1,4 @@
-// Moves buffered scenarios to workers that run dry, in matching by time.
+// Moves buffered scenarios to workers that run dry, for strategies that move work.
 #pragma once
 
 #include "master/dispatch/allocator.hpp"

@@ -25,8 +25,8 @@ WorkerProxy* ScorePolicy::would_choose(const DispatchJob& job,
     if (candidates_.empty()) {
         return nullptr;
     }
-    const RootHolders& holders_a = context().pool.tree(job.a.tree).held;
-    const RootHolders& holders_b = context().pool.tree(job.b.tree).held;
+    const RootHolders& holders_a = context().plan.tree(job.a.tree).held;
+    const RootHolders& holders_b = context().plan.tree(job.b.tree).held;
     held_triangles_.assign(holders_a.sum_count(), 0);
     holders_a.add_held(scenario.roots.a, held_triangles_);
     holders_b.add_held(scenario.roots.b, held_triangles_);

@@ -127,8 +127,7 @@ void check_worker(const DispatchParts& parts, const WorkerProxy& proxy) {
         CD_CHECK(parts.queue.find(id) != nullptr);
         CD_CHECK(!buffer.scenarios.empty());
         const DispatchJob& job = parts.queue.at(id);
-        CD_CHECK(job.policy->is_by_time() || buffer.scenarios.size() <= job.options.q);
-        CD_CHECK(!job.policy->is_pulled());
+        CD_CHECK(buffer.scenarios.size() <= job.policy->bounds(proxy, job).buffered);
         CD_CHECK(buffer.cost_ns == cost_of(job, buffer.scenarios));
         cost_ns += buffer.cost_ns;
         // The allocator has sent all ripe buffers.
@@ -166,14 +165,13 @@ void check_flight(const DispatchParts& parts, const WorkerProxy& proxy) {
             continue; // Fully answered; the worker's end message is under way.
         }
         const DispatchJob& job = parts.queue.at(task.job);
-        const std::uint64_t batch_max = job.policy->is_by_time() ? limits::q_max : job.options.q;
+        const std::uint64_t batch_max = job.policy->bounds(proxy, job).batch;
         CD_CHECK(task.left() <= (task.is_analysed ? batch_max : limits::range_scenarios_max));
         ++unanswered[task.job];
     }
     for (const auto& [id, tasks] : unanswered) {
         const DispatchJob& job = parts.queue.at(id);
-        const std::size_t tasks_max =
-            job.policy->is_by_time() ? limits::batches_at_worker : proxy.tasks_max(job.options);
+        const std::size_t tasks_max = job.policy->bounds(proxy, job).tasks;
         CD_CHECK(tasks <= std::max<std::size_t>(tasks_max, proxy.facts().threads));
     }
 }
@@ -192,12 +190,12 @@ void check_progress(const DispatchParts& parts) {
                      std::ranges::any_of(parts.pool.all(), [](const auto& one) {
                          return !one.second.tasks.all().empty();
                      }));
-            if (job.policy->is_pulled()) {
-                CD_CHECK(!job.policy->can_pull(proxy, job));
-                continue;
-            }
-            CD_CHECK(job.waiting.empty() || !job.policy->may_take(proxy, job));
+            CD_CHECK(!job.policy->can_pull(proxy, job));
         }
+    }
+    for (const auto& [id, job] : parts.queue.jobs()) {
+        CD_CHECK(job.waiting.empty() ||
+                 job.policy->would_choose(job, job.at(job.waiting.front())) == nullptr);
     }
 }
 
@@ -206,6 +204,7 @@ void check_progress(const DispatchParts& parts) {
 void check_invariants_of(const DispatchParts& parts) {
     check_unsent(parts);
     parts.pool.check();
+    parts.plan.check(parts.pool.slots_taken());
     for (const auto& [id, job] : parts.queue.jobs()) {
         check_job(parts, job);
     }

@@ -18,7 +18,8 @@ struct DispatchParts;
 /// Owns the dispatcher's parts. Only the events of `Dispatcher` change them.
 class DispatchView {
   public:
-    /// Scenarios that wait or are buffered; this number throttles the analyser.
+    /// Analysed scenarios that wait or are buffered; this number throttles the analyser. Positions
+    /// that go out without analysis are counted by `positions_unsent`.
     [[nodiscard]] std::uint64_t unsent() const;
     /// True if nothing waits and some workers are idle while others work. Call `input_paused` from
     /// time to time then, to find stragglers.

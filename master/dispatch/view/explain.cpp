@@ -55,8 +55,8 @@ WorkerScore score_of(const MatchingContext& context,
     score.may_take = job.policy->may_take(proxy, job);
     score.scenarios = proxy.scenarios();
     score.load = static_cast<double>(proxy.buffers.of(job.id).scenarios.size()) / job.options.q;
-    score.held_triangles = context.pool.tree(job.a.tree).held.held(proxy.slot(), roots.a) +
-                           context.pool.tree(job.b.tree).held.held(proxy.slot(), roots.b);
+    score.held_triangles = context.plan.tree(job.a.tree).held.held(proxy.slot(), roots.a) +
+                           context.plan.tree(job.b.tree).held.held(proxy.slot(), roots.b);
     score.missing_triangles = sum_of(roots.a) + sum_of(roots.b) - score.held_triangles;
     const FinishTerms terms = job.policy->finish_on(proxy, job, scenario);
     score.backlog = terms.backlog;
@@ -76,7 +76,8 @@ Explained explain_choice(const MatchingContext& context,
     Explained explained;
     explained.job = job.id;
     explained.strategy = job.options.strategy;
-    explained.is_by_time = job.policy->is_by_time();
+    // Strategies that move work are those that compare the terms of `finish_on`.
+    explained.is_by_time = job.policy->moves_work();
     explained.roots_a = static_cast<std::uint32_t>(analysed.roots_a.size());
     explained.roots_b = static_cast<std::uint32_t>(analysed.roots_b.size());
     if (analysed.roots_a.empty()) {
@@ -87,9 +88,7 @@ Explained explain_choice(const MatchingContext& context,
     const DispatchScenario scenario = job.scenario_of(analysed);
     const WorkerProxy* chosen = job.policy->would_choose(job, scenario);
     explained.where = whereabouts(context.pool, job, analysed.position);
-    explained.why = chosen == nullptr && !job.policy->is_pulled()
-                        ? "no worker may take a scenario now"
-                        : job.policy->why();
+    explained.why = chosen == nullptr ? job.policy->why_none() : job.policy->why();
     for (const WorkerProxy* proxy : context.pool.in_order()) {
         explained.workers.push_back(score_of(context, *proxy, job, scenario));
         explained.workers.back().is_chosen = proxy == chosen;

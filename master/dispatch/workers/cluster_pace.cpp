@@ -42,7 +42,7 @@ double ClusterPace::thread_seconds_of(const TaskInFlight& task,
                                   positions_per_second(proxy, job);
 }
 
-double ClusterPace::seconds_of(const WorkerPool::Missing& missing, const WorkerProxy& proxy) const {
+double ClusterPace::seconds_of(const BlockPlan::Missing& missing, const WorkerProxy& proxy) const {
     return static_cast<double>(missing.bytes) / link_of(proxy) +
            static_cast<double>(missing.roots.size()) * timing::block_seconds;
 }

@@ -3,10 +3,11 @@
 
 #include "common/core/limits/engine.hpp"
 #include "common/core/limits/master.hpp"
+#include "master/dispatch/blocks/block_plan.hpp"
 #include "master/dispatch/dispatch_inputs.hpp"
 #include "master/dispatch/job/dispatch_job.hpp"
 #include "master/dispatch/policy/finish_estimate.hpp"
-#include "master/dispatch/workers/worker_pool.hpp"
+#include "master/dispatch/workers/worker_proxy.hpp"
 
 #include <algorithm>
 #include <cstdint>
@@ -34,7 +35,7 @@ class ClusterPace {
     [[nodiscard]] double power_of(const WorkerProxy& proxy) const;
     /// Bytes of blocks that reach the worker per second.
     [[nodiscard]] double link_of(const WorkerProxy& proxy) const;
-    [[nodiscard]] WorkerPowers powers_of(const WorkerProxy& proxy) const;
+    [[nodiscard]] WorkerPowers powers_of(const WorkerProxy& proxy, const BlockPlan& plan) const;
     /// Scenarios of the job's ranges that all threads of the worker finish per second.
     [[nodiscard]] double positions_per_second(const WorkerProxy& proxy,
                                               const DispatchJob& job) const;
@@ -43,7 +44,7 @@ class ClusterPace {
                                            const WorkerProxy& proxy,
                                            const DispatchJob& job) const;
     /// Estimated seconds until the blocks arrive and are open.
-    [[nodiscard]] double seconds_of(const WorkerPool::Missing& missing,
+    [[nodiscard]] double seconds_of(const BlockPlan::Missing& missing,
                                     const WorkerProxy& proxy) const;
 
   private:
@@ -66,7 +67,7 @@ inline double ClusterPace::link_of(const WorkerProxy& proxy) const {
     return proxy.pace.bytes.value_or(general_.bytes.value_or(limits::link_bytes_per_second_start));
 }
 
-inline WorkerPowers ClusterPace::powers_of(const WorkerProxy& proxy) const {
+inline WorkerPowers ClusterPace::powers_of(const WorkerProxy& proxy, const BlockPlan& plan) const {
     WorkerPowers powers;
     powers.speed = speed_of(proxy);
     powers.bytes_per_second = link_of(proxy);
@@ -74,7 +75,8 @@ inline WorkerPowers ClusterPace::powers_of(const WorkerProxy& proxy) const {
     powers.backlog_ns = static_cast<double>(proxy.backlog_ns());
     powers.transfers_seconds = std::max(0.0, proxy.transfers_end() - now_);
     if (proxy.facts().cache_bytes != 0) {
-        const std::uint64_t used = proxy.held_triangles() * limits::wide_bytes_per_triangle;
+        const std::uint64_t used =
+            plan.held_triangles(proxy.slot()) * limits::wide_bytes_per_triangle;
         powers.room_bytes = proxy.facts().cache_bytes - std::min(used, proxy.facts().cache_bytes);
     }
     return powers;

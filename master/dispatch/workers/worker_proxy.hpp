@@ -23,7 +23,7 @@ struct WorkerFacts {
     InstanceId process = 0;        ///< The worker's process; 0: unknown.
 };
 
-/// Tracks whether a worker takes work, and which work and blocks it has. Makes no decisions.
+/// Tracks whether a worker takes work, and which work it has. Makes no decisions.
 class WorkerProxy {
   public:
     WorkerProxy(WorkerId id, std::uint32_t slot, WorkerFacts facts)
@@ -61,10 +61,6 @@ class WorkerProxy {
         return tasks.cost_ns() < batch.cost_ns() || tasks.left() < facts_.threads;
     }
 
-    /// Triangles of all blocks that the worker holds.
-    [[nodiscard]] std::uint64_t held_triangles() const { return held_triangles_; }
-    void add_held(std::uint64_t triangles) { held_triangles_ += triangles; }
-    void remove_held(std::uint64_t triangles) { held_triangles_ -= triangles; }
     /// Time at which the last block under way arrives, s.
     [[nodiscard]] double transfers_end() const { return transfers_end_; }
     /// Queues a transfer that takes `seconds` after those under way. `now` in s.
@@ -87,7 +83,6 @@ class WorkerProxy {
     WorkerFacts facts_;
     bool draining_ = false;
     bool silent_ = false;
-    std::uint64_t held_triangles_ = 0;
     double transfers_end_ = 0;
     double looked_at_ = 0;
 };

@@ -14,13 +14,18 @@ struct DispatchStage : DispatchParts {
     WorkerProxy& join(std::uint64_t worker, std::uint32_t threads = 1) {
         WorkerFacts facts{"w" + std::to_string(worker), threads};
         facts.process = worker;
-        return pool.add(WorkerId{worker}, facts);
+        return join(worker, facts);
+    }
+    WorkerProxy& join(std::uint64_t worker, const WorkerFacts& facts) {
+        WorkerProxy& proxy = pool.add(WorkerId{worker}, facts);
+        plan.join(proxy.slot());
+        return proxy;
     }
     DispatchJob& open(std::uint64_t id, const ClusterOptions& options) {
         const DispatchTree a{TreeId{1}, {100, 100, 100, 100}, {6400, 6400, 6400, 6400}};
         const DispatchTree b{TreeId{2}, {1}, {64}};
-        pool.add_tree(a);
-        pool.add_tree(b);
+        plan.add_tree(a);
+        plan.add_tree(b);
         queue.open(JobId{id}, options, a, b, make_policy(options, context));
         return queue.at(JobId{id});
     }

@@ -1,4 +1,4 @@
-// Proves what is asked back and copied at the end of a job.
+// Proves when the end of a job begins, what is asked back then, and when work is copied instead.
 #include "tests/master/dispatch/dispatch_stage.hpp"
 
 #include <gtest/gtest.h>
@@ -54,44 +54,24 @@ TEST_F(Endgames, AsksForAsManyPositionsAsLetBothEndTogether) {
               (PositionRange{51, 49})); // 0.49 s of the other, which begins 0.02 s later.
 }
 
-TEST_F(Endgames, BegunScenariosAreCopiedWithinTheBudget) {
+TEST_F(Endgames, CopiesWhatCannotBeAskedBack) {
     const TaskId task = give(1, 1'000'000'000);
     one_.tasks.set_begun(task);
+    job_.copies.add_work(20'000'000'000);
     pace.time_is(3); // Overdue by two seconds.
     endgame.help(0, actions);
-    EXPECT_EQ(actions.size(), 1u); // A copy would double all work.
-    job_.copies.add_work(20'000'000'000);
-    endgame.help(0, actions);
-    EXPECT_EQ(last<SendUnit>(),
-              (SendUnit{two_.id(), TaskId{2}, job_.id, PositionRange{0, 1}, true, task}));
-    endgame.help(0, actions);
-    EXPECT_EQ(actions.size(), 2u); // One copy of each.
+    EXPECT_EQ(last<SendUnit>().copy_of, task);
+    EXPECT_TRUE(tasks.recalls().empty());
 }
 
-TEST_F(Endgames, CopiesTheLastPositionsOfARangeThatHasBegun) {
-    job_.range_pace.add(one_.id(), 1, 1);
-    job_.range_pace.add(two_.id(), 1000, 1);
-    tasks.send_range(one_, job_, {{0, 10}}, 1'000'000'000, actions);
-    one_.tasks.set_begun(last<SendUnit>().task);
-    job_.copies.add_work(50'000'000'000); // Three of 60 may be copied.
+TEST_F(Endgames, CopiesNothingWhileARecallMayBeAnswered) {
+    join(3);
+    const TaskId task = give(2, 1'000'000'000);
+    job_.copies.add_work(100'000'000'000);
     endgame.help(0, actions);
-    EXPECT_EQ(last<SendUnit>().positions, (PositionRange{7, 3}));
-    EXPECT_EQ(last<SendUnit>().copy_of, TaskId{1});
-}
-
-TEST_F(Endgames, PositionsAreCopiedOnceAndInOneRun) {
-    job_.range_pace.add(one_.id(), 1, 1);
-    job_.range_pace.add(two_.id(), 1000, 1);
-    tasks.send_range(one_, job_, {{0, 10}}, 1'000'000'000, actions);
-    const TaskId task = last<SendUnit>().task;
-    one_.tasks.remove(task, PositionRange{8, 1}, 1'000'000'000);
-    one_.tasks.set_begun(task);
-    job_.copies.add_work(50'000'000'000);
+    EXPECT_EQ(last<AskBack>().task, task);
     endgame.help(0, actions);
-    EXPECT_EQ(last<SendUnit>().positions, (PositionRange{9, 1}));
-    tasks.lose_all(two_, actions);
-    endgame.help(0, actions);
-    EXPECT_EQ(last<SendUnit>().positions, (PositionRange{6, 2})) << "the lost copy is not repeated";
+    EXPECT_EQ(actions.size(), 2u);
 }
 
 TEST_F(Endgames, ThePapersStrategiesAreLeftAlone) {

@@ -38,6 +38,15 @@ TEST_F(Late, ARangeEndsAtItsMeasuredRate) {
     EXPECT_DOUBLE_EQ(stragglers_.ends_in(two_), 2); // 20 scenarios at 10/s.
 }
 
+TEST_F(Late, PositionsMoveSoThatBothEndTogetherIfTheGainIsLargeEnough) {
+    job_.range_pace.add(one_.id(), 100, 1);
+    job_.range_pace.add(two_.id(), 100, 1);
+    // The helper begins after 0.02 s, and does 200 positions/s beside the 100 of the straggler.
+    EXPECT_EQ(stragglers_.positions_to_move(one_, job_, two_, 0.63, 1), 40u);
+    EXPECT_EQ(stragglers_.positions_to_move(one_, job_, two_, 0.63, 20), 40u);
+    EXPECT_EQ(stragglers_.positions_to_move(one_, job_, two_, 0.63, 22), 0u) << "0.03 s for one";
+}
+
 TEST_F(Late, HelpersHaveFreeThreadsTheFastestFirst) {
     EXPECT_EQ(stragglers_.helpers(), (Workers{&two_, &one_}));
     give(two_, 1);

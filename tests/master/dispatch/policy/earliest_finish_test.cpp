@@ -30,8 +30,8 @@ TEST_F(EarliestFinishes, AHolderIsAwaitedAsLongAsTheTransferWouldTake) {
     const DispatchScenario wanted = scenario(job_);
     blocks.hold_roots(job_, wanted.roots, two_);
     two_.tasks.note_answers(0, 0);
-    pool.arrived(two_, job_.a.tree, wanted.roots.a);
-    pool.arrived(two_, job_.b.tree, wanted.roots.b);
+    plan.arrived(two_.slot(), job_.a.tree, wanted.roots.a);
+    plan.arrived(two_.slot(), job_.b.tree, wanted.roots.b);
     EXPECT_EQ(policy_.would_choose(job_, wanted), &two_);
     two_.buffers.add(job_.id, 77, {0, 90'000'000});
     EXPECT_EQ(policy_.would_choose(job_, wanted), &two_);

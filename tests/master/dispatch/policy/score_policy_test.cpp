@@ -39,11 +39,12 @@ class Cluster : public DispatchParts {
         options.strategy = strategy;
         options.q = 100;
         options.seed = seed;
-        pool.add_tree(a_);
-        pool.add_tree(b_);
+        plan.add_tree(a_);
+        plan.add_tree(b_);
         queue.open(job_id, options, a_, b_, make_policy(options, context));
         for (std::uint64_t i = 0; i < allocated.size(); ++i) {
             WorkerProxy& proxy = pool.add(WorkerId{i + 1}, {"w", 1});
+            plan.join(proxy.slot());
             for (const int scenario : allocated[i]) {
                 blocks.hold_roots(job(), table_1(scenario), proxy);
             }
@@ -60,8 +61,8 @@ class Cluster : public DispatchParts {
     [[nodiscard]] std::uint64_t score(std::uint64_t worker, int scenario) const {
         const std::uint32_t slot = pool.find(WorkerId{worker})->slot();
         const ScenarioRoots roots = table_1(scenario);
-        return pool.tree(a_.tree).held.held(slot, roots.a) +
-               pool.tree(b_.tree).held.held(slot, roots.b);
+        return plan.tree(a_.tree).held.held(slot, roots.a) +
+               plan.tree(b_.tree).held.held(slot, roots.b);
     }
     /// The worker that gets a scenario of the table; 0: none.
     [[nodiscard]] std::uint64_t pick(int scenario) {

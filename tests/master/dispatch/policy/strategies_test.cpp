@@ -34,10 +34,25 @@ TEST(Strategies, EachHasItsOwnPolicyAndClaimsIfUsersMayAskForIt) {
         const DispatchJob& job = stage.open(reasons.size() + 1, options);
         reasons.insert(job.policy->why());
         EXPECT_EQ(job.policy->claims(job), strategy.uses_q) << strategy.name;
-        EXPECT_EQ(job.policy->is_by_time(), strategy.name == "earliest-finish");
-        EXPECT_EQ(job.policy->is_pulled(), strategy.name == "best-match-pull");
+        EXPECT_EQ(job.policy->moves_work(), strategy.name == "earliest-finish");
+        EXPECT_EQ(job.policy->workers_pull(), strategy.name == "best-match-pull");
     }
     EXPECT_EQ(reasons.size(), strategies.size());
+}
+
+TEST(Strategies, EachSaysWhyNoWorkerIsChosen) {
+    DispatchStage stage;
+    const WorkerProxy& one = stage.join(1, 8);
+    std::set<std::string_view> reasons;
+    for (const Strategy& strategy : strategies) {
+        const DispatchJob& job = stage.open(strategy.name, 2, stage.queue.jobs().size() + 1);
+        reasons.insert(job.policy->why_none());
+        // The worker takes scenarios into its buffer unless it pulls them.
+        EXPECT_EQ(job.policy->bounds(one, job).buffered == 0, job.policy->workers_pull());
+        EXPECT_NE(job.policy->bounds(one, job).batch, 0u);
+        EXPECT_NE(job.policy->bounds(one, job).tasks, 0u);
+    }
+    EXPECT_EQ(reasons.size(), 2u) << "one text for strategies that choose, one for pulling";
 }
 
 TEST(Strategies, AnUnknownNameIsRefusedWithTheKnownOnes) {

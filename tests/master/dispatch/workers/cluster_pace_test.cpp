@@ -31,15 +31,16 @@ TEST(ClusterPace, ARangeGoesAsFastAsMeasuredOrAsScenariosArePredicted) {
 
 TEST(ClusterPace, PowersHaveWhatIsLeftOfTransfersAndCache) {
     DispatchStage stage;
-    WorkerProxy& one =
-        stage.pool.add(WorkerId{1}, {"w", 1, 1, 1000 * limits::wide_bytes_per_triangle});
-    one.add_held(400);
+    const DispatchJob& job = stage.open("earliest-finish");
+    WorkerProxy& one = stage.join(1, {"w", 1, 1, 1000 * limits::wide_bytes_per_triangle});
+    stage.plan.hold(one.slot(), job.a.tree, std::vector<RootIndex>{0, 1, 2, 3});
     one.add_transfer(0, 3);
     stage.pace.time_is(1);
-    EXPECT_EQ(stage.pace.powers_of(one).room_bytes, 600 * limits::wide_bytes_per_triangle);
-    EXPECT_EQ(stage.pace.powers_of(one).transfers_seconds, 2);
+    EXPECT_EQ(stage.pace.powers_of(one, stage.plan).room_bytes,
+              600 * limits::wide_bytes_per_triangle);
+    EXPECT_EQ(stage.pace.powers_of(one, stage.plan).transfers_seconds, 2);
     stage.pace.time_is(4);
-    EXPECT_EQ(stage.pace.powers_of(one).transfers_seconds, 0);
+    EXPECT_EQ(stage.pace.powers_of(one, stage.plan).transfers_seconds, 0);
 }
 
 } // namespace

@@ -1,6 +1,7 @@
 // Finds the blocks that workers miss for scenarios and ranges, and the time to fetch them.
 #pragma once
 
+#include "master/dispatch/blocks/block_plan.hpp"
 #include "master/dispatch/dispatch_actions.hpp"
 #include "master/dispatch/work_queue.hpp"
 #include "master/dispatch/workers/cluster_pace.hpp"
@@ -14,8 +15,8 @@ namespace cd {
 
 /// Missing blocks of both trees of a job.
 struct MissingOfJob {
-    WorkerPool::Missing a;
-    WorkerPool::Missing b;
+    BlockPlan::Missing a;
+    BlockPlan::Missing b;
 
     [[nodiscard]] bool is_nothing() const { return a.roots.empty() && b.roots.empty(); }
     /// Adds actions that announce the blocks to the worker. Empties both lists of roots.
@@ -25,7 +26,8 @@ struct MissingOfJob {
 /// Marks blocks as held by the workers that get them, and measures the time to fetch missing ones.
 class BlockNeeds {
   public:
-    BlockNeeds(WorkerPool& pool, const ClusterPace& pace) : pool_(pool), pace_(pace) {}
+    BlockNeeds(BlockPlan& plan, const WorkerPool& pool, const ClusterPace& pace)
+        : plan_(plan), pool_(pool), pace_(pace) {}
 
     /// Marks the scenario's blocks as held by the worker, and measures the time to fetch the
     /// missing ones. Returns the missing blocks, which now count as under way.
@@ -47,7 +49,8 @@ class BlockNeeds {
     [[nodiscard]] double missing_share(const WorkerProxy& proxy, const DispatchJob& job) const;
     [[nodiscard]] double seconds_of(const MissingOfJob& missing, const WorkerProxy& proxy) const;
 
-    WorkerPool& pool_;
+    BlockPlan& plan_;
+    const WorkerPool& pool_;
     const ClusterPace& pace_;
     std::vector<std::uint64_t> held_triangles_; ///< Scratch buffer, indexed by worker slot.
 };

@@ -1,4 +1,4 @@
-#include "master/dispatch/block_needs.hpp"
+#include "master/dispatch/blocks/block_needs.hpp"
 
 #include "common/core/limits/engine.hpp"
 #include "common/core/limits/master.hpp"
@@ -10,7 +10,7 @@
 namespace cd {
 
 void MissingOfJob::hint(const WorkerProxy& proxy, const DispatchJob& job, Actions& actions) {
-    const auto say = [&](TreeId tree, WorkerPool::Missing& of_tree) {
+    const auto say = [&](TreeId tree, BlockPlan::Missing& of_tree) {
         if (!of_tree.roots.empty()) {
             actions.push_back(SendHint{proxy.id(), job.id, tree, std::move(of_tree.roots)});
         }
@@ -32,8 +32,8 @@ MissingOfJob BlockNeeds::hold(DispatchJob& job, DispatchScenario& scenario, Work
 
 MissingOfJob
 BlockNeeds::hold_roots(const DispatchJob& job, const ScenarioRoots& roots, WorkerProxy& proxy) {
-    MissingOfJob missing{pool_.hold(proxy, job.a.tree, roots.a),
-                         pool_.hold(proxy, job.b.tree, roots.b)};
+    MissingOfJob missing{plan_.hold(proxy.slot(), job.a.tree, roots.a),
+                         plan_.hold(proxy.slot(), job.b.tree, roots.b)};
     if (!missing.is_nothing()) {
         proxy.add_transfer(pace_.now(), seconds_of(missing, proxy));
     }
@@ -44,7 +44,7 @@ void BlockNeeds::hold_wanted(WorkQueue& queue,
                              WorkerProxy& proxy,
                              TreeId tree,
                              std::span<const RootIndex> roots) {
-    const WorkerPool::Missing missing = pool_.hold(proxy, tree, roots);
+    const BlockPlan::Missing missing = plan_.hold(proxy.slot(), tree, roots);
     for (auto& [id, job] : queue.jobs()) {
         if (job.uses(tree) && proxy.tasks.count_of(id) != 0) {
             job.missing.add_in_ranges(pace_.seconds_of(missing, proxy));
@@ -57,15 +57,15 @@ double BlockNeeds::seconds_of(const MissingOfJob& missing, const WorkerProxy& pr
 }
 
 double BlockNeeds::missing_share(const WorkerProxy& proxy, const DispatchJob& job) const {
-    const PooledTree& a = pool_.tree(job.a.tree);
-    const PooledTree& b = pool_.tree(job.b.tree);
+    const PlannedTree& a = plan_.tree(job.a.tree);
+    const PlannedTree& b = plan_.tree(job.b.tree);
     const double held = a.held.roots_of(proxy.slot()) + b.held.roots_of(proxy.slot());
     return 1 - held / static_cast<double>(a.held.root_count() + b.held.root_count());
 }
 
 double BlockNeeds::seconds_with_any(const DispatchJob& job, const DispatchScenario& scenario) {
-    const PooledTree& a = pool_.tree(job.a.tree);
-    const PooledTree& b = pool_.tree(job.b.tree);
+    const PlannedTree& a = plan_.tree(job.a.tree);
+    const PlannedTree& b = plan_.tree(job.b.tree);
     held_triangles_.assign(a.held.sum_count(), 0);
     a.held.add_held(scenario.roots.a, held_triangles_);
     b.held.add_held(scenario.roots.b, held_triangles_);
@@ -93,8 +93,8 @@ MissingCosts BlockNeeds::costs_of(const DispatchJob& job) const {
     MissingCosts costs;
     costs.all_fits = true;
     job.missing.tell(costs);
-    const PooledTree& a = pool_.tree(job.a.tree);
-    const PooledTree& b = pool_.tree(job.b.tree);
+    const PlannedTree& a = plan_.tree(job.a.tree);
+    const PlannedTree& b = plan_.tree(job.b.tree);
     const bool is_one = job.a.tree == job.b.tree;
     const std::uint64_t triangles = a.triangles_total + (is_one ? 0 : b.triangles_total);
     const std::uint64_t bytes = a.bytes_total + (is_one ? 0 : b.bytes_total);

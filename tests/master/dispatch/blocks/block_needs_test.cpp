@@ -36,7 +36,7 @@ TEST(BlockNeeds, FillingACacheCostsTheBlocksThatItLacks) {
     stage.blocks.hold_roots(job, DispatchStage::scenario(job, {0, 1}).roots, one);
     EXPECT_DOUBLE_EQ(stage.blocks.costs_of(job).all, all * 2 / 5);
     EXPECT_TRUE(stage.blocks.costs_of(job).all_fits);
-    stage.pool.add(WorkerId{2}, {"w", 1, 1, 400 * limits::wide_bytes_per_triangle});
+    stage.join(2, {"w", 1, 1, 400 * limits::wide_bytes_per_triangle});
     EXPECT_FALSE(stage.blocks.costs_of(job).all_fits);
 }
 
