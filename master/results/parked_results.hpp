@@ -20,6 +20,8 @@ struct IncomingResults {
     std::shared_ptr<const Results> message;
     /// Call to let the worker send further messages.
     std::function<void()> done;
+    /// True if the message came before, so that its times and traffic are measured already.
+    bool is_repeated = false;
 };
 
 /// Lets workers of waiting messages send more while these need at most `bytes_max` bytes of memory

@@ -20,8 +20,7 @@ std::vector<std::uint64_t> new_scenarios(const MasterJob& job,
     return scenarios;
 }
 
-/// Records a message's sequence number. True if the number came before: then the message was resent
-/// and its times must not be measured again.
+/// Records a message's sequence number. Returns whether the message was sent before.
 bool is_repeated(Worker& worker, std::uint64_t sequence) {
     std::uint64_t& last = worker.results_last;
     return sequence != 0 && std::exchange(last, std::max(last, sequence)) >= sequence;
@@ -38,8 +37,10 @@ void ResultIngest::came(WorkerId worker, Results results, std::function<void()> 
     }
     const bool was_seen = is_repeated(*known, results.sequence);
     Lease* task = parts_.tasks.book().find(worker, results.task);
-    IncomingResults incoming{
-        known->author, std::make_shared<const Results>(std::move(results)), std::move(done)};
+    IncomingResults incoming{known->author,
+                             std::make_shared<const Results>(std::move(results)),
+                             std::move(done),
+                             was_seen};
     if (was_seen || task == nullptr || task->content->job != incoming.message->job) {
         return late_came(std::move(incoming));
     }
@@ -200,7 +201,9 @@ void ResultIngest::merge_into(MasterJob& job, Checked& hand) {
     for (const TakenResult& one : hand.taken.value().results) {
         scenarios.push_back(one.result.index);
     }
-    measure(job, hand);
+    if (!hand.incoming.is_repeated) {
+        measure(job, hand);
+    }
     const bool is_copy = parts_.dispatch.view().is_copy(worker, results.task);
     // Late results belong to no task, and their times were measured before.
     const bool is_late = hand.task == nullptr;
@@ -230,7 +233,7 @@ void ResultIngest::measure(MasterJob& job, const Checked& hand) {
     job.tally.statistics.search += results.statistics;
     job.tally.compute_seconds += results.compute_seconds;
     job.tally.traffic.result_bytes += results.records.size() + results.map.size();
-    // Leaves out the traffic of a resent message, which was counted before.
+    // Leaves out traffic that was counted before a restart of the master.
     if (hand.task != nullptr || !new_scenarios(job, taken).empty()) {
         job.tally.traffic.blocks += results.traffic;
     }
