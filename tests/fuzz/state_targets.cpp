@@ -82,8 +82,7 @@ void pose_spool(Input input) {
     if (input.size() < 2) {
         return;
     }
-    // Makes two runs.
-    const auto scenarios = limits::pose_run_scenarios + std::to_integer<std::uint64_t>(input[1]);
+    const auto scenarios = std::to_integer<std::uint64_t>(input[1]);
     Bytes bytes(input.begin() + 2, input.end());
     if (is_odd(input)) {
         sum_up_spool(bytes, scenarios);
