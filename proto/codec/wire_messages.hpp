@@ -205,7 +205,7 @@ void serialize(Archive& archive, Held& m) {
 template <class Archive>
 void serialize(Archive& archive, FetchFailed& m) {
     archive(m.tree, m.roots, m.source);
-    enumeration(archive, m.outcome, PeerOutcome::Given, PeerOutcome::Refused);
+    enumeration(archive, m.outcome, PeerOutcome::Busy, PeerOutcome::Refused);
 }
 
 template <class Archive>
@@ -467,7 +467,7 @@ void serialize(Archive& archive, Certified& m) {
 
 template <class Archive>
 void serialize(Archive& archive, TokenCreate& m) {
-    enumeration(archive, m.role, CertifiedRole::Master, CertifiedRole::Metrics);
+    enumeration(archive, m.role, CertifiedRole::Worker, CertifiedRole::Metrics);
     archive(m.seconds, m.uses);
 }
 

@@ -326,6 +326,18 @@ TEST(Codec, RootsThatDoNotAscendAreRefused) {
     EXPECT_FALSE(decode_message(message_type(WantSubtrees{}), bytes));
 }
 
+TEST(Codec, AFetchThatGaveAllBlocksHasNotFailed) {
+    Bytes bytes = encode_message(FetchFailed{TreeId{2}, {1, 5}, WorkerId{3}, PeerOutcome::Busy});
+    bytes.back() = static_cast<std::byte>(PeerOutcome::Given);
+    EXPECT_FALSE(decode_message(message_type(FetchFailed{}), bytes));
+}
+
+TEST(Codec, NoTokenMakesAMaster) {
+    Bytes bytes = encode_message(TokenCreate{CertifiedRole::Worker, 3600, 1});
+    bytes.front() = static_cast<std::byte>(CertifiedRole::Master);
+    EXPECT_FALSE(decode_message(message_type(TokenCreate{}), bytes));
+}
+
 TEST(Codec, AMeshPartLiesWithinItsMesh) {
     Bytes bytes = encode_message(MeshPart{some_hash(1), "", 100, 40, some_bytes(60)});
     EXPECT_TRUE(decode_message(message_type(MeshPart{}), bytes));
