@@ -21,7 +21,7 @@ class OpenAnalyses {
         return *all_.emplace(position, std::make_shared<const Analysis>(std::move(analysis)))
                     .first->second;
     }
-    /// Frees the analysis of a scenario that has a result. Ignored if none is open.
+    /// Frees the analysis of a scenario that has a result, if its analysis is open.
     void close(std::uint64_t position) {
         if (const auto found = all_.find(position); found != all_.end()) {
             bytes_ -= found->second->bytes;
