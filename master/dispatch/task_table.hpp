@@ -106,7 +106,7 @@ class TaskTable {
     /// Of positions that have just left the task `left`, returns the ones that are in no task now.
     [[nodiscard]] PositionSet
     unshared(DispatchJob& job, const TaskInFlight& left, PositionSet positions);
-    /// Queues positions again that are in no task any more, or gives up those lost too often.
+    /// Queues positions again that are in no task any more, or gives up the ones lost too often.
     void requeue(DispatchJob& job,
                  const TaskInFlight& left,
                  const PositionSet& positions,

@@ -54,7 +54,7 @@ class WorkQueue {
     void put_back(DispatchJob& job, std::span<const std::uint64_t> positions);
     /// Returns scenarios from a task to the head of the job's queue.
     void put_back_sent(DispatchJob& job, std::span<const std::uint64_t> positions);
-    /// If the scenario is a suspect, queues it as one and returns true. It must be in no task.
+    /// Queues the scenario as a suspect and returns true, if it is one. It must be in no task.
     bool suspect(const DispatchJob& job, std::uint64_t position, DispatchScenario& scenario);
     /// Removes an unsent scenario from the queue or the suspects, but not from the job. A buffered
     /// scenario must have left its buffer.

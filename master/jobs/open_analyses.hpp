@@ -11,7 +11,7 @@
 
 namespace cd {
 
-/// The analyses by position in the job's hand-out order, and the memory that they take.
+/// Holds the analyses by position in the job's hand-out order, and their approximate memory.
 class OpenAnalyses {
   public:
     /// The scenario must not have an open analysis.
@@ -34,7 +34,7 @@ class OpenAnalyses {
         return found == all_.end() ? nullptr : found->second;
     }
     [[nodiscard]] bool has(std::uint64_t position) const { return all_.contains(position); }
-    /// Memory of all open analyses.
+    /// Approximate memory of all open analyses: the sum of their `Analysis::bytes`.
     [[nodiscard]] std::uint64_t bytes() const { return bytes_; }
     [[nodiscard]] std::size_t size() const { return all_.size(); }
     [[nodiscard]] const auto& all() const { return all_; }

@@ -1,5 +1,5 @@
-// The paper's strategies that compare workers by what they hold (section 6.5 and the strategies of
-// section 7).
+// The paper's strategies that compare workers by the triangles that they hold (section 6.5 and the
+// strategies of section 7).
 #pragma once
 
 #include "master/dispatch/policy/matching_policy.hpp"
