@@ -48,7 +48,7 @@ struct AnalysisInput {
     Query query;
     std::shared_ptr<const Settler> settler; ///< Settles scenarios; made for trees `a` and `b`.
     std::shared_ptr<OrderedPoses> poses;    ///< Several threads may call `read` at once.
-    /// In a simulation without trees, this replaces the descent and also sets `bytes`. Any thread.
+    /// In a simulation without trees, replaces the descent and sets `bytes`. Thread-safe.
     std::function<Analysis(const Scenario&)> sketch = nullptr;
 };
 

@@ -27,7 +27,7 @@ struct JobGeometry {
     std::shared_ptr<const JobMaterial> material;
 };
 
-/// The geometry of jobs.
+/// Loads the geometry of jobs, and protects stored meshes from removal.
 class Geometry {
   public:
     Geometry() = default;
@@ -35,8 +35,8 @@ class Geometry {
     Geometry& operator=(const Geometry&) = delete;
     virtual ~Geometry() = default;
 
-    /// Loads the bodies and cuts them at the depths that the job asks for, or at good ones. May
-    /// take seconds, and blocks. Any thread. Errors: those of `GeometryStore`.
+    /// Loads the bodies and cuts them at the depths that the job asks for, or at depths that suit
+    /// the bodies. May take seconds, and blocks. Any thread. Errors: those of `GeometryStore`.
     [[nodiscard]] virtual StoreResult<JobGeometry> prepare(const Submit& submit) = 0;
     /// Returns an object that prevents the removal of these meshes while it exists.
     [[nodiscard]] virtual std::shared_ptr<const MeshHold> hold(std::vector<Sha256> meshes) = 0;
@@ -44,7 +44,7 @@ class Geometry {
     [[nodiscard]] virtual std::vector<MeshStatus> meshes() const = 0;
 };
 
-/// The geometry in a store, which outlives this object.
+/// Geometry from a `GeometryStore`, which outlives this object.
 class StoredGeometry final : public Geometry {
   public:
     explicit StoredGeometry(GeometryStore& store) : store_(store) {}

@@ -9,7 +9,7 @@
 
 namespace cd {
 
-/// Errors: TooLarge over `limits::result_record_bytes_max`, with a remedy.
+/// Checks a record's size. Errors: TooLarge over `limits::result_record_bytes_max`, with a remedy.
 [[nodiscard]] inline Status check_record_size(std::uint64_t scenario, std::uint64_t bytes) {
     if (bytes > limits::result_record_bytes_max) {
         return Error{ErrorCode::TooLarge,

@@ -42,7 +42,7 @@ class ReferenceRuns {
 
     explicit ReferenceRuns(Background& background) : background_(background) {}
 
-    /// Calls `done` unless `close` is called before. Does nothing after `close`.
+    /// Starts a run; calls `done` at its end unless `close` was called. Does nothing after `close`.
     void start(JobId job,
                std::uint64_t scenario,
                std::shared_ptr<const JobMaterial> material,

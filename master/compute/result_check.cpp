@@ -177,7 +177,7 @@ Result<TakenResults> take_late_results(JobId job,
         return records.error();
     }
     TaskContent content{job, std::move(material), {}, {}};
-    std::unordered_set<std::uint64_t> seen; // So that each scenario's pose is read only once.
+    std::unordered_set<std::uint64_t> seen; // Ensures that each scenario's pose is read only once.
     ByteReader reader(records.value());
     for (std::uint32_t i = 0; i < results.count && !reader.failed(); ++i) {
         const Result<ScenarioResult> result =

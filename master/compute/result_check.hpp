@@ -35,7 +35,7 @@ take_result(ScenarioResult result, std::uint64_t position, const JobStatistics& 
 struct TakenResults {
     std::vector<TakenResult> results;
     ContactMap map;             ///< Joint map of all results; empty unless the query asks for maps.
-    PositionSet positions = {}; ///< Of all results, if they came in one message.
+    PositionSet positions = {}; ///< Positions of all results, if these came in one message.
 };
 
 /// Decodes, checks and settles the results of a message, which may be forged. Errors: BadFrame or
@@ -43,7 +43,7 @@ struct TakenResults {
 /// not in the task, or a map that cannot belong to the results.
 [[nodiscard]] Result<TakenResults> take_results(const TaskContent& task, const Results& results);
 
-/// `take_results`, or its sketch in a simulation. Any thread.
+/// `take_results`, or its replacement in a simulation. Any thread may call it.
 using ResultCheck = std::function<Result<TakenResults>(const TaskContent&, const Results&)>;
 
 /// Like `take_results`, but for an unknown task, so that any scenario of the job may occur, once.

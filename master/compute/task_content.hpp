@@ -41,18 +41,18 @@ struct RangeContent {
 struct TaskContent {
     JobId job;
     std::shared_ptr<const JobMaterial> material;
-    /// If analysed, ascending by position.
+    /// The scenarios if they are analysed, ascending by position.
     std::vector<std::shared_ptr<const Analysis>> analyses;
-    std::optional<RangeContent> range; ///< If not analysed; `analyses` is empty then.
+    std::optional<RangeContent> range; ///< The scenarios if not analysed; `analyses` is empty then.
 
     [[nodiscard]] std::uint64_t count() const {
         return range ? range->positions.count : analyses.size();
     }
     /// The message that sends the task.
     [[nodiscard]] WorkUnit unit(TaskId task) const;
-    /// The index of a scenario of the task as submitted.
+    /// The index, as submitted, of the task's scenario at a position.
     [[nodiscard]] std::uint64_t index_of(std::uint64_t position) const;
-    /// The message that asks for positions of the task, of which there are some.
+    /// The message that recalls the positions of the task. There must be at least one.
     [[nodiscard]] Recall recall(TaskId task, const PositionSet& positions) const;
     /// The positions that the worker says it has returned.
     [[nodiscard]] PositionSet returned(const Recalled& recalled) const;

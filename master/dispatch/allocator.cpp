@@ -17,7 +17,7 @@ void Allocator::settle(Actions& actions) {
     const auto is_served = [&](auto& job) { return allocate_one(job.second, actions); };
     while (next_in_turn(queue_.jobs(), queue_.served_last(), is_served) != nullptr) {
     }
-    // All waiting scenarios are assigned now, so a buffer that nothing more fills becomes ripe.
+    // If a job has run out of waiting scenarios, its partly filled buffers may be ripe now.
     for (WorkerProxy* proxy : context_.pool.in_order()) {
         flush_ripe(*proxy, actions);
     }
@@ -27,14 +27,14 @@ void Allocator::take_up(DispatchJob& job, bool is_suspect, bool resumes, Actions
     if (is_suspect) {
         give_suspects(actions);
     }
-    // If scenarios waited before this one, no worker could take them, and none can now. With a pull
-    // policy, however, this scenario may complete a task.
+    // If scenarios waited before the added one, no worker could take them, and none can now. With a
+    // pull policy, however, the added scenario may complete a task.
     if (job.waiting.size() == 1 || job.policy->workers_pull()) {
         allocate_one(job, actions);
     }
     if (resumes || is_suspect) {
-        // A pause may have held buffers back. A suspect reserves a worker, which sends all its
-        // buffers to become idle.
+        // A pause may have held back buffers of long scenarios (`ends_with_long_ones`). A suspect
+        // reserves a worker, whose buffers are sent so that it becomes idle.
         for (WorkerProxy* proxy : context_.pool.in_order()) {
             flush_ripe(*proxy, actions);
         }
@@ -49,8 +49,8 @@ void Allocator::set_batches() {
         unsent_ns += proxy->buffers.cost_ns();
         power += proxy->takes_work() ? pace.power_of(*proxy) : 0;
     }
-    // A batch is at most half of a worker's share of the buffered work. Nothing buffered: the share
-    // is unknown, and batches keep their full length.
+    // A batch is at most half of a worker's share of the buffered work. If nothing is buffered, the
+    // share is unknown and does not shorten batches.
     const double share = power > 0 && unsent_ns > 0
                              ? 1e-9 * static_cast<double>(unsent_ns) / (2 * power)
                              : timing::batch_seconds_max;

@@ -1,5 +1,5 @@
-// Actions that the dispatcher asks its owner to perform. Positions are those in the job's hand-out
-// order.
+// Actions that the dispatcher asks its owner to perform. A position is a scenario's place in the
+// job's hand-out order.
 #pragma once
 
 #include "common/core/id.hpp"
@@ -17,8 +17,8 @@
 
 namespace cd {
 
-/// Asks to send these positions to this worker as one task. Positions that are not analysed are
-/// consecutive; the worker finds their colliding roots.
+/// Asks the owner to send the positions to the worker as one task. Positions that are not analysed
+/// are consecutive; the worker finds their colliding roots.
 struct SendUnit {
     WorkerId worker;
     TaskId task;
@@ -26,13 +26,13 @@ struct SendUnit {
     PositionSet positions;
     bool is_analysed = true;
     TaskId copy_of = {}; ///< Another worker's task that has these positions; 0 if not a copy.
-    std::shared_ptr<const PoseWindow> window = {}; ///< From `positions_given`; null if analysed.
+    std::shared_ptr<const PoseWindow> window = {}; ///< Poses of a range that is not on a grid.
 
     friend bool operator==(const SendUnit&, const SendUnit&) = default;
 };
 
-/// Recall: asks the worker to return these positions of the task if it has not begun them. If they
-/// are not analysed, asks for all positions from the first of these on.
+/// Recalls positions of a task: asks the worker to return the ones that it has not begun. Of a task
+/// without analysis, recalls all positions from the first one in `positions` on.
 struct AskBack {
     WorkerId worker;
     TaskId task;
@@ -41,7 +41,7 @@ struct AskBack {
     friend bool operator==(const AskBack&, const AskBack&) = default;
 };
 
-/// Reports that a worker has returned so many positions of a task, which are queued again.
+/// Reports how many positions of a task a worker has returned without answering them.
 struct UnitsReturned {
     JobId job;
     std::uint64_t positions = 0;
@@ -49,7 +49,7 @@ struct UnitsReturned {
     friend bool operator==(const UnitsReturned&, const UnitsReturned&) = default;
 };
 
-/// Cancels the positions in this worker's task: its original or copy has answered them.
+/// Cancels positions of a task that its original or its copy at another worker has answered.
 struct CallOff {
     WorkerId worker;
     TaskId task;
@@ -61,8 +61,8 @@ struct CallOff {
 /// Worker process whose loss ended a task; empty if no loss ended it.
 using LostWith = std::optional<InstanceId>;
 
-/// Reports positions that were lost with a worker. Analysed ones are queued again, and are in later
-/// actions. The others have left the dispatcher: the owner must have them analysed.
+/// Reports positions that were lost with a worker. The dispatcher queues analysed positions again.
+/// Positions of a range leave the dispatcher, and the owner must have them analysed.
 struct PositionsLost {
     JobId job;
     PositionSet positions;

@@ -8,7 +8,7 @@ namespace cd {
 void DispatchDriver::act(Actions actions) {
     std::move(actions.begin(), actions.end(), std::back_inserter(actions_));
     if (is_acting_) {
-        return; // The outer call performs them.
+        return; // The outer call of `act` performs the new actions.
     }
     is_acting_ = true;
     while (!actions_.empty()) {

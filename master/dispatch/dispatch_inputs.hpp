@@ -27,14 +27,14 @@ struct AnalysedScenario {
     std::uint64_t bytes = 0; ///< Size that the scenario adds to a batch on the wire.
     /// Predicted time on one thread, 0 if unknown; only ratios between scenarios matter.
     std::uint64_t predicted_ns = 0;
-    /// Losses before this analysis: in ranges, or before a restart of the master.
+    /// Losses of the scenario before its analysis: in ranges, or before a restart of the master.
     Losses losses = {};
 };
 
 /// Positions in a job's hand-out order that may go out without analysis.
 struct GivenRange {
     PositionRange positions;
-    std::shared_ptr<const PoseWindow> window = {}; ///< Their poses; null on a grid.
+    std::shared_ptr<const PoseWindow> window = {}; ///< Poses of the positions; null on a grid.
 
     friend bool operator==(const GivenRange&, const GivenRange&) = default;
 };
@@ -45,7 +45,7 @@ struct Answers {
     TaskId task;     ///< Task of the worker that had the positions; 0 if unknown.
     JobId job;
     PositionSet positions;
-    double busy_seconds = 0; ///< Time of the worker's threads for these; 0: not measured.
+    double busy_seconds = 0; ///< Thread time of the worker for the answers, s; 0: not measured.
 };
 
 struct DispatcherOptions {
@@ -56,7 +56,7 @@ struct DispatcherOptions {
     double look_seconds_each = timing::look_seconds_each;
     std::span<const RegisteredStrategy> strategies = registered_strategies();
 
-    /// Minimum time between two checks of so many workers, s.
+    /// Minimum time between two checks of all workers, if there are `workers` of them, s.
     [[nodiscard]] double look_seconds(std::size_t workers) const {
         const std::size_t beyond = workers - std::min(workers, workers_few);
         return look_seconds_each * static_cast<double>(beyond);

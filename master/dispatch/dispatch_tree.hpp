@@ -11,7 +11,7 @@ namespace cd {
 struct DispatchTree {
     TreeId tree;
     std::vector<std::uint32_t> root_triangles; ///< Triangles below each distribution root.
-    /// Wire size of each root's block, bytes. Empty: the plan estimates them from the triangles.
+    /// Wire size of each root's block, bytes. If empty, `BlockPlan` estimates the sizes.
     std::vector<std::uint64_t> root_bytes = {};
 };
 

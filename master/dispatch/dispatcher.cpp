@@ -79,7 +79,7 @@ Actions Dispatcher::worker_silent(WorkerId worker) {
         return {};
     }
     proxy->set_silent(true);
-    parts().tasks.forget_recall(worker); // The recall or its answer may be lost.
+    parts().tasks.forget_recall(worker); // An open recall or its answer may be lost.
     parts().allocator.take_back_buffers(*proxy);
     return settled({});
 }
@@ -114,7 +114,7 @@ Actions Dispatcher::scenario_analysed(JobId job_id, AnalysedScenario analysed) {
     CD_CHECK(job != nullptr);
     DispatchScenario scenario = job->scenario_of(analysed);
     if (scenario.is_lost_for_good()) {
-        // The master's last incarnation ended before it gave this up.
+        // The master's last incarnation ended before it gave the scenario up.
         return {GiveUp{job_id, analysed.position}};
     }
     job->copies.add_work(scenario.weight.cost_ns);
@@ -181,7 +181,7 @@ Actions Dispatcher::answered(const Answers& answers) {
     if (relieved.any_unsent) {
         return settled(std::move(actions));
     }
-    // Only these workers can take more now, since their load has decreased.
+    // Only the relieved workers can take more now, since their load has decreased.
     for (const WorkerId worker : relieved.workers) {
         actions = refilled(parts().pool.at(worker), std::move(actions));
     }

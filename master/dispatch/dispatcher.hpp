@@ -35,9 +35,9 @@ class Dispatcher : public DispatchView {
     Dispatcher& operator=(const Dispatcher&) = delete;
 
     Actions worker_joined(WorkerId worker, const WorkerFacts& facts);
-    /// Returns the worker's buffer and tasks to the head of the queue.
+    /// Queues the lost worker's analysed scenarios again, and drops its ranges (PositionsLost).
     Actions worker_lost(WorkerId worker);
-    /// Gives the worker nothing more; it finishes its current work.
+    /// Gives the worker no more work; the worker finishes the tasks sent to it.
     Actions worker_draining(WorkerId worker);
     /// The worker may be lost: its buffer returns to the queue. Until `worker_heard`, the worker
     /// gets no new work, but keeps the work sent to it.
@@ -49,25 +49,25 @@ class Dispatcher : public DispatchView {
     /// No more scenarios arrive for now: workers about to run dry get the scenarios in their
     /// buffers.
     Actions input_paused();
-    /// These positions may go out without analysis, to the first workers that run dry. `after`:
-    /// number of the job's scenarios that follow them.
+    /// The given positions may go out without analysis, to the first workers that run dry. `after`:
+    /// number of the job's scenarios that follow the given ones.
     Actions positions_given(JobId job, GivenRange given, std::uint64_t after);
-    /// Takes back the positions that came with `positions_given` and are in no task.
+    /// Removes and returns the positions that came with `positions_given` and are in no task.
     [[nodiscard]] std::vector<PositionRange> take_positions(JobId job);
-    /// Forgets the job and all its positions. Late results of it are ignored.
+    /// Forgets the job and all its positions. Later answers for the job are ignored.
     Actions job_closed(JobId job);
 
     /// Records answers. Ignores positions that were answered before.
     Actions answered(const Answers& answers);
-    /// The worker has sent all results of the task. Unanswered positions return to the queue, not
-    /// counted as lost.
+    /// The worker has sent all results of the task. Unanswered positions return to the queue, and
+    /// do not count as lost.
     Actions task_ended(WorkerId worker, TaskId task);
     /// The task was lost on its way to the worker, which is alive. Unanswered positions return to
-    /// the queue, not counted as lost.
+    /// the queue, and do not count as lost.
     Actions task_unbegun(WorkerId worker, TaskId task);
     /// The worker has returned these positions of the task, in answer to AskBack or in its
-    /// inventory (Inventory). They wait again, not counted as lost. Ignores positions that the task
-    /// lacks.
+    /// inventory (Inventory). The positions wait again, and do not count as lost. Ignores positions
+    /// that the task lacks.
     Actions task_recalled(WorkerId worker, TaskId task, const PositionSet& returned);
     /// The worker requests these blocks and counts as holding them from now on.
     void roots_wanted(WorkerId worker, TreeId tree, std::span<const RootIndex> roots);

@@ -18,17 +18,17 @@ struct MissingCosts {
 struct RangeCosts {
     std::uint64_t scenarios_left = 0;
     double analysis = 0; ///< Time per scenario on a pool thread: the descent of the upper trees.
-    double matching = 0; ///< Time per scenario on the state thread: everything else.
+    double matching = 0; ///< Time per scenario on the state thread: matching and sending.
     double work = 0;     ///< Time per scenario on a worker's thread.
     double threads_master = 1;
     double threads_workers = 1;
     MissingCosts missing;
 };
 
-/// True if ranges cost less than analysis on the master. The descent costs the same on both sides.
-/// Analysis adds the time for matching, and idle workers if the master cannot feed them all. Ranges
-/// add the blocks that workers miss without matching, in total at most the filling of every cache,
-/// if both trees fit. False while these costs are unknown.
+/// True if ranges cost less than analysis on the master. The descent of the upper trees costs
+/// equally much in both cases. Analysis adds the time for matching, and idle workers if the master
+/// cannot feed them all. Ranges add the blocks that workers miss without matching, in total at most
+/// the filling of every cache, if both trees fit. False while `missing` is unknown.
 [[nodiscard]] bool prefers_ranges(const RangeCosts& costs);
 
 } // namespace cd

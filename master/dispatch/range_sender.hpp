@@ -1,6 +1,6 @@
-// Sends ranges: consecutive positions of a job, without analysis or matching. The
-// first worker to run dry gets the next range, as long as a batch lasts at the worker's measured
-// rate, and shorter towards the end of a job.
+// Sends ranges: consecutive positions of a job, without analysis or matching. The first worker to
+// run dry gets the next range. At the worker's measured rate, a range lasts as long as a batch, and
+// less towards the end of a job.
 #pragma once
 
 #include "master/dispatch/policy/matching_policy.hpp"
@@ -34,7 +34,7 @@ class RangeSender {
     void send(WorkerProxy& proxy, DispatchJob& job, Actions& actions);
     /// True if the worker would finish one scenario long after the others have finished the rest.
     [[nodiscard]] bool would_be_late(const WorkerProxy& proxy, const DispatchJob& job) const;
-    /// Length of the worker's next range.
+    /// Number of positions in the worker's next range of the job.
     [[nodiscard]] std::uint64_t positions_at_once(const WorkerProxy& proxy,
                                                   const DispatchJob& job) const;
 

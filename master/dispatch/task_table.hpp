@@ -14,7 +14,7 @@
 
 namespace cd {
 
-/// An unanswered recall.
+/// A recall that the worker has not answered.
 struct PendingRecall {
     TaskId task;
     std::uint64_t asked = 0; ///< Number of recalled positions.
@@ -43,8 +43,8 @@ class TaskTable {
                     const GivenRange& range,
                     std::uint64_t each_ns,
                     Actions& actions);
-    /// Sends a speculative copy of positions that are unanswered in the task. `fetches`: the helper
-    /// lacks blocks of it.
+    /// Sends the helper a speculative copy of unanswered positions of the task `original`.
+    /// `fetches`: the helper lacks blocks for the copy.
     void send_copy(const Assignment& original,
                    WorkerProxy& helper,
                    const PositionSet& positions,
@@ -72,11 +72,11 @@ class TaskTable {
     [[nodiscard]] std::uint64_t owed(const Assignment& task) const;
 
     // ---- Recalls ------------------------------------------------------------------------------
-    /// Recalls positions for the helper. The worker must have no open recall.
+    /// Recalls positions from a straggler for the helper. The straggler must have no open recall.
     void ask_back(AskBack ask, WorkerId helper, Actions& actions);
     /// The unanswered recalls, at most one per worker.
     [[nodiscard]] const std::map<WorkerId, PendingRecall>& recalls() const { return recalls_; }
-    /// Ignored if the worker has no open recall.
+    /// Forgets the worker's open recall, if there is one.
     void forget_recall(WorkerId worker) { recalls_.erase(worker); }
     /// Queues the positions again that the worker has returned of one of its tasks.
     void
@@ -88,25 +88,25 @@ class TaskTable {
   private:
     /// Numbers the task, and sends it.
     void start(WorkerProxy& proxy, TaskInFlight task, Actions& actions);
-    /// Removes answered positions from one task, if it exists, and returns those that it had. `by`:
-    /// the worker that answered.
+    /// Removes answered positions from one task, if it exists, and returns the ones that the task
+    /// had. `by`: the worker that answered.
     PositionSet answer_in(DispatchJob& job,
                           const Assignment& at,
                           WorkerId by,
                           const PositionSet& positions,
                           Relieved& relieved);
-    /// Removes answered positions that are unsent, or in a task that the worker did not name. Their
-    /// workers are not told: a second answer exposes a wrong worker.
+    /// Removes answered positions that are unsent, or in a task that the worker did not name. Does
+    /// not cancel them at other workers: a second answer exposes a wrong worker.
     void answer_elsewhere(DispatchJob& job,
                           WorkerId by,
                           const PositionSet& positions,
                           Relieved& relieved);
-    /// Learns the worker's speed from answers of an existing task. `cost_ns`: their predicted time.
+    /// Learns the worker's speed from answers of an existing task, predicted to take `cost_ns`.
     void learn(DispatchJob& job, const Answers& answers, std::uint64_t cost_ns);
-    /// Returns the positions that no task shares with `left`, which they have just left.
+    /// Of positions that have just left the task `left`, returns the ones that are in no task now.
     [[nodiscard]] PositionSet
     unshared(DispatchJob& job, const TaskInFlight& left, PositionSet positions);
-    /// Queues positions again that are in no task any more, or gives up those lost too often.
+    /// Queues positions again that are in no task any more, or gives up the ones lost too often.
     void requeue(DispatchJob& job,
                  const TaskInFlight& left,
                  const PositionSet& positions,

@@ -22,7 +22,7 @@ struct Suspect {
 class WorkQueue {
   public:
     // ---- Jobs ---------------------------------------------------------------------------------
-    /// The id must be new.
+    /// Adds a job, whose id must be new.
     void open(JobId job,
               const ClusterOptions& options,
               DispatchTree a,
@@ -40,7 +40,7 @@ class WorkQueue {
     [[nodiscard]] DispatchJob& at(JobId job) { return jobs_.at(job); }
     [[nodiscard]] const DispatchJob& at(JobId job) const { return jobs_.at(job); }
     [[nodiscard]] bool is_tree_used(TreeId tree) const;
-    /// The job that last got a worker; the next job by id has its turn before it.
+    /// The job of the scenarios that were last assigned to a worker; all other jobs come first now.
     [[nodiscard]] JobId served_last() const { return served_last_; }
     void note_served(JobId job) { served_last_ = job; }
 
@@ -54,21 +54,21 @@ class WorkQueue {
     void put_back(DispatchJob& job, std::span<const std::uint64_t> positions);
     /// Returns scenarios from a task to the head of the job's queue.
     void put_back_sent(DispatchJob& job, std::span<const std::uint64_t> positions);
-    /// If the scenario is a suspect, queues it as one and returns true. It must be in no task.
+    /// Queues the scenario as a suspect and returns true, if it is one. It must be in no task.
     bool suspect(const DispatchJob& job, std::uint64_t position, DispatchScenario& scenario);
-    /// Removes an unsent scenario from the waiting ones or the suspects, but not from the job. One
-    /// that is buffered must have left its buffer.
+    /// Removes an unsent scenario from the queue or the suspects, but not from the job. A buffered
+    /// scenario must have left its buffer.
     void remove(DispatchJob& job, std::uint64_t position, const DispatchScenario& scenario);
     /// Counts scenarios as no longer unsent: sent in a task, or dropped with their job.
     void leave(std::uint64_t scenarios) { unsent_ -= scenarios; }
-    /// Each suspect travels alone, to an idle worker, so that one deadly scenario does not take
-    /// others with it.
+    /// All suspects. Each goes alone to an idle worker, so that a scenario that kills the worker
+    /// does not make others count as lost.
     [[nodiscard]] const std::deque<Suspect>& suspects() const { return suspects_; }
     /// Removes the first suspect, which still counts as unsent. There must be one.
     Suspect take_suspect();
 
     // ---- Input --------------------------------------------------------------------------------
-    /// Paused: no more scenarios arrive for now. Returns the previous value.
+    /// Sets whether the input is paused, so that no scenarios come for now. Returns the old value.
     bool set_paused(bool is_paused);
     /// True if the job has no waiting scenario, and gets none for now.
     [[nodiscard]] bool nothing_comes(const DispatchJob& job) const {

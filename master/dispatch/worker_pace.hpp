@@ -23,7 +23,7 @@ class LearnedRate {
 
 struct WorkerPace {
     LearnedRate work;  ///< Predicted seconds of work that one thread does per second.
-    LearnedRate bytes; ///< Bytes of blocks per second.
+    LearnedRate bytes; ///< Bytes of blocks that the worker receives per second.
 };
 
 } // namespace cd

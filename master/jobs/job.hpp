@@ -41,7 +41,7 @@ struct JobWork {
     AnalysisInput analysis_input;
     std::vector<TreeId> trees;           ///< One for each body, in the order of the bodies.
     PositionQueue todo;                  ///< Positions to hand out.
-    std::uint64_t positions_loading = 0; ///< Number taken from `todo` whose poses are loading.
+    std::uint64_t positions_loading = 0; ///< Positions from `todo` whose poses are loading.
     std::unique_ptr<Analyser> analyser;  ///< Made when the first analysis begins.
     OpenAnalyses open;
     JobRates rates;
@@ -50,13 +50,13 @@ struct JobWork {
     std::shared_ptr<const std::vector<bool>> done;
     std::vector<std::uint64_t> cancelled; ///< Scenarios cancelled one by one.
 
-    /// Number of groups of scenarios whose analysis has started and has not been taken.
+    /// Number of blocks (`AnalysedBlock`) whose analysis has started and that were not taken yet.
     [[nodiscard]] std::uint64_t analyses_under_way() const {
         return analyser == nullptr ? 0 : analyser->under_way();
     }
 };
 
-/// State that only a job that has not ended needs.
+/// State of a job that has not ended.
 struct JobRun {
     std::shared_ptr<OrderedPoses> poses;
     std::string paused;            ///< Disk error that pauses the job; empty if none.
@@ -88,7 +88,7 @@ struct JobTimes {
 /// A job goes through three phases: it runs but has no work yet (`run`), it hands out work
 /// (`run->work`), and it has ended (`end`).
 struct MasterJob {
-    /// A new job, which runs.
+    /// Makes a new job, which runs.
     MasterJob(JobId job,
               Submit submission,
               std::shared_ptr<ResultStore> store,

@@ -9,7 +9,7 @@ namespace cd {
 
 namespace {
 
-/// Sets the job's pause reason; an empty one resumes it.
+/// Pauses the job for the reason `why`, or resumes it if `why` is empty.
 void pause(MasterJob& job, const std::string& why) {
     std::string& paused = job.run->paused;
     if (why == paused) {

@@ -38,8 +38,8 @@ class JobLife {
     JobLife(const Parts& parts, Events events) : parts_(parts), events_(std::move(events)) {}
 
     [[nodiscard]] Clock::time_point now() const { return parts_.jobs.now(); }
-    /// Ends a running job: here, at the dispatcher and on the workers. Writes its end to the
-    /// journal.
+    /// Ends a running job in the job table, at the dispatcher and on the workers. Writes the end to
+    /// the journal.
     void end(MasterJob& job, JobState state, const std::string& failure);
     /// Ends a running job that has all its results and no dispute.
     void end_if_complete(MasterJob& job);

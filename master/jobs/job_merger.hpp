@@ -18,8 +18,8 @@ class JobMerger {
     JobMerger(JobLife& life, JournalWriter& writer) : life_(life), writer_(writer) {}
 
     /// Merges results of a running job; `author` is null for the master. A second, different result
-    /// of a scenario opens a dispute, which the journal announces once durable. Fails a job with a
-    /// result above the maximum record size.
+    /// of a scenario opens a dispute, which the journal announces once durable. Fails the job if a
+    /// result exceeds the maximum record size.
     void merge(MasterJob& job, TakenResults taken, const std::shared_ptr<const Author>& author);
     /// Merges one result, and appends its record, moved from `taken`, to `add`, which the caller
     /// writes. Returns the dispute if the scenario has a different result already.

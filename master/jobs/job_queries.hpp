@@ -9,7 +9,7 @@
 namespace cd {
 
 /// Answers queries from the disk, for running and ended jobs. Keeps no file open between queries: a
-/// removed job would occupy the disk until its files are closed. All members block for the disk.
+/// removed job would occupy the disk until its files are closed. All members may block on the disk.
 /// Any thread.
 class JobQueries {
   public:

@@ -38,7 +38,7 @@ void JobStart::prepared(JobId id, const StoreResult<JobGeometry>& made) {
         return; // The job was cancelled meanwhile.
     }
     if (const Status known = check_strategy(job->submit.cluster.strategy); !known) {
-        // Another build of cdmaster accepted the job.
+        // Another build of cdmaster, which knows the strategy, accepted the job.
         return parts_.life.end(*job, JobState::Failed, known.error().detail);
     }
     if (made) {

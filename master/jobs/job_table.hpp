@@ -19,8 +19,8 @@ namespace cd {
 
 [[nodiscard]] Error no_job();
 
-/// Jobs by id, and the clock of their times. Keeps ended jobs as long as `retention` allows, but
-/// drops the oldest when ended jobs have more than `results_kept` results together.
+/// Holds the jobs by id, and the clock for their times. Keeps ended jobs as long as `retention`
+/// allows, but drops the oldest when ended jobs have more than `results_kept` results together.
 class JobTable {
   public:
     explicit JobTable(std::uint64_t results_kept = limits::results_ended_kept_max,
@@ -30,12 +30,12 @@ class JobTable {
 
     [[nodiscard]] Clock::time_point now() const { return now_(); }
 
-    /// Allocates a job id. Until `add` or `give_up` is called, the id counts as a running job with
-    /// so many scenarios. Errors: Refused when too many jobs or scenarios are running.
+    /// Allocates a job id. Until `add` or `give_up` is called, the id counts as a running job of
+    /// `scenarios` scenarios. Errors: Refused when too many jobs or scenarios are running.
     [[nodiscard]] Result<JobId> next(std::uint64_t scenarios);
     /// Frees an id from `next`, because its job does not start.
     void give_up(JobId job) { begun_.erase(job); }
-    /// The job's id must be new.
+    /// Adds a job, whose id must be new.
     MasterJob& add(MasterJob job);
     /// Prevents new jobs from getting ids up to `last`.
     void reserve(JobId last) { last_ = std::max(last_, last.value); }
@@ -51,7 +51,7 @@ class JobTable {
 
     /// Records the job's end (`MasterJob::finish`).
     void end(MasterJob& job, JobState state, const std::string& failure, Clock::time_point now);
-    /// Makes the end visible to clients. Returns the jobs dropped to make room, oldest end first.
+    /// Shows the job's end to clients. Drops jobs to make room, and returns them, oldest end first.
     [[nodiscard]] std::vector<JobId> announce(MasterJob& job);
 
     /// Forgets jobs whose retention has expired and returns their ids. `now` is in seconds since

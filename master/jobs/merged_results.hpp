@@ -23,7 +23,7 @@ class MergedResults {
 
     explicit MergedResults(std::uint64_t scenarios) : merger_(scenarios) {}
     /// Continues with the results in `merged` after a restart. For a running job, call `restore`
-    /// for each result. For an ended one, pass the processes whose results count as `contributors`.
+    /// for each result. For an ended job, `contributors` are the processes whose results count.
     explicit MergedResults(ResultMerger merged, std::set<InstanceId> contributors = {})
         : merger_(std::move(merged)), contributors_(std::move(contributors)) {}
 
@@ -83,8 +83,8 @@ class MergedResults {
     std::vector<PackedFacts> facts_;
     std::vector<std::uint32_t> author_numbers_; ///< Per scenario, index in `authors_`; 0: none.
     std::vector<std::shared_ptr<const Author>> authors_{nullptr};
-    std::unordered_map<const Author*, std::uint32_t> numbers_; ///< Index in `authors_`.
-    std::uint32_t number_last_ = 0; ///< Last author's index; the next author is mostly the same.
+    std::unordered_map<const Author*, std::uint32_t> numbers_; ///< Author's index in `authors_`.
+    std::uint32_t number_last_ = 0;     ///< Last author's index, mostly right for the next result.
     std::set<InstanceId> contributors_; ///< Processes whose results count, once the job has ended.
 };
 

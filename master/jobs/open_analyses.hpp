@@ -11,7 +11,7 @@
 
 namespace cd {
 
-/// The analyses by position in the job's hand-out order, and the memory that they take.
+/// Holds the analyses by position in the job's hand-out order, and their approximate memory.
 class OpenAnalyses {
   public:
     /// The scenario must not have an open analysis.
@@ -21,7 +21,7 @@ class OpenAnalyses {
         return *all_.emplace(position, std::make_shared<const Analysis>(std::move(analysis)))
                     .first->second;
     }
-    /// Frees the analysis of a scenario that has a result. Ignored if none is open.
+    /// Frees the analysis of a scenario that has a result, if its analysis is open.
     void close(std::uint64_t position) {
         if (const auto found = all_.find(position); found != all_.end()) {
             bytes_ -= found->second->bytes;
@@ -34,7 +34,7 @@ class OpenAnalyses {
         return found == all_.end() ? nullptr : found->second;
     }
     [[nodiscard]] bool has(std::uint64_t position) const { return all_.contains(position); }
-    /// Memory of all open analyses.
+    /// Approximate memory of all open analyses: the sum of their `Analysis::bytes`.
     [[nodiscard]] std::uint64_t bytes() const { return bytes_; }
     [[nodiscard]] std::size_t size() const { return all_.size(); }
     [[nodiscard]] const auto& all() const { return all_; }

@@ -13,7 +13,7 @@ namespace cd {
 /// Holds each position at most once. Positions that were put back come first.
 class PositionQueue {
   public:
-    /// Contains all positions of the job. `lost`: the losses of some of them before a restart.
+    /// Queues all positions of a job. `lost`: positions lost with workers before a master restart.
     explicit PositionQueue(std::uint64_t scenarios = 0, std::span<const LostPositions> lost = {});
 
     struct Piece {

@@ -24,13 +24,13 @@ struct IncomingResults {
     bool is_repeated = false;
 };
 
-/// Lets workers of waiting messages send more while these need at most `bytes_max` bytes of memory
-/// together. Beyond that, a message's worker has to wait as well.
+/// Keeps waiting messages. Their workers may send more while the messages take at most `bytes_max`
+/// bytes together; the worker of a message beyond that waits with it.
 class ParkedResults {
   public:
     explicit ParkedResults(std::uint64_t bytes_max) : bytes_max_(bytes_max) {}
 
-    /// Keeps a late message until its job can compare it. Drops a message that is parked already.
+    /// Keeps a late message until `take` removes it. Drops a message that is parked already.
     void park(IncomingResults late);
     [[nodiscard]] bool has_any(JobId job) const;
     /// Removes and returns all parked messages of the job.
@@ -38,13 +38,13 @@ class ParkedResults {
     /// Removes all messages of a worker that has left.
     void forget(WorkerId worker);
 
-    /// Counts the memory of a message that the caller keeps, and calls `done` if it suffices.
+    /// Counts the memory of a message that the caller keeps, and calls `done` if memory is left.
     void count(IncomingResults& kept);
-    /// Call when the caller no longer keeps a message passed to `count`.
+    /// Subtracts the memory of a message that was passed to `count`.
     void uncount(const IncomingResults& kept);
 
   private:
-    using Key = std::tuple<JobId, WorkerId, std::uint64_t>; ///< With the sequence number.
+    using Key = std::tuple<JobId, WorkerId, std::uint64_t>; ///< Last: `Results::sequence`.
 
     std::uint64_t bytes_max_;
     std::uint64_t bytes_ = 0;

@@ -8,7 +8,7 @@ namespace cd {
 
 namespace {
 
-/// The scenarios of `results` that are not merged yet.
+/// The scenarios of `results` that have no merged result yet.
 std::vector<std::uint64_t> new_scenarios(const MasterJob& job,
                                          std::span<const TakenResult> results) {
     std::vector<std::uint64_t> scenarios;
@@ -112,7 +112,7 @@ void ResultIngest::late_checked(Hand hand) {
     parked_.park(std::move(hand->incoming));
     if (!others_wait) {
         parts_.life.wait_for_disk(*job, hand->taken.error(), [this, id](MasterJob* running) {
-            if (running != nullptr && !parked_.has_any(id)) { // The workers have left.
+            if (running != nullptr && !parked_.has_any(id)) { // All senders have left.
                 return parts_.life.disk_gives(*running);
             }
             take_up(id);
@@ -121,8 +121,8 @@ void ResultIngest::late_checked(Hand hand) {
 }
 
 // ---- Contact maps ------------------------------------------------------------------------------
-// A message has one map for all its scenarios, which counts only if all of them are new. If other
-// workers' results of some scenarios are merged, the master makes the map of the others.
+// A message has one contact map for all its scenarios, which is usable only if no scenario has a
+// merged result yet. If some have one, the master makes the map of the other scenarios.
 
 void ResultIngest::take_in(const Hand& hand) {
     const MasterJob* job = parts_.jobs.find_running(hand->job());

@@ -62,7 +62,7 @@ class ResultIngest {
         IncomingResults incoming;
         std::shared_ptr<const TaskContent> task; ///< Null for late results.
         Result<TakenResults> taken;
-        std::vector<std::uint64_t> mapped; ///< Scenarios of a map made here; empty without one.
+        std::vector<std::uint64_t> mapped; ///< Scenarios of the map that the master makes, if any.
 
         [[nodiscard]] JobId job() const { return incoming.message->job; }
     };
@@ -73,8 +73,8 @@ class ResultIngest {
     void late_came(IncomingResults late);
     void check_late(const MasterJob& job, IncomingResults late);
     void late_checked(Hand hand);
-    /// Merges checked results. If the message has a map and some of its scenarios are merged
-    /// already, first makes the map of the others.
+    /// Merges checked results. If the job has maps and some scenarios of the message are merged
+    /// already, first makes the map of the other scenarios.
     void take_in(const Hand& hand);
     void make_map(const MasterJob& job, const Hand& hand);
     void map_made(const Hand& hand, Result<ContactMap> map);

@@ -1,9 +1,9 @@
 // Settles disputes: two results of one scenario differ, and the master's own run decides. Each
 // duplicate result is thus a free test of memory and code.
 //
-// The journal has the dispute before the result is acknowledged. The first journal entry after a
-// verdict contains the alarm and the quarantine. A restarted master therefore finds either the open
-// dispute, or the quarantine, and then withdraws the process's remaining results.
+// The journal has the dispute before the second result is acknowledged. The first journal entry
+// after a verdict contains the alarm and the quarantine. A restarted master therefore finds either
+// the open dispute, or the quarantine, and then withdraws the process's remaining results.
 #pragma once
 
 #include "master/compute/reference_run.hpp"

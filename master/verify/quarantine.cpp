@@ -25,7 +25,7 @@ void Quarantine::impose(const Author& wrong) {
     for (const JobId job : std::set(parts_.jobs.running())) {
         withdraw_results(wrong, parts_.jobs.at(job));
     }
-    // The process may have left and rejoined under another id.
+    // The process may have several sessions, because it may have left and rejoined.
     for (const WorkerId id : parts_.workers.quarantine(wrong.process)) {
         parts_.blocks.worker_left(id);
         parts_.tasks.take_all_back(id); // The process is alive, so the work is not lost with it.
@@ -61,7 +61,7 @@ void Quarantine::withdraw_results(const Author& wrong, MasterJob& job) {
     job.tally.withdrawn += scenarios.size();
     ++job.changes;
     withdraw_map(job, "a worker that has contributed to it was wrong elsewhere");
-    if (JobWork* work = job.work()) { // A job without work queues all missing results later.
+    if (JobWork* work = job.work()) { // A job without work queues all missing scenarios later.
         work->done.reset();
         parts_.ranges.give_again(job, scenarios);
     }
@@ -69,7 +69,7 @@ void Quarantine::withdraw_results(const Author& wrong, MasterJob& job) {
     withdrawal.remarks.push_back({Remark::Kind::Withdrawn, 0, {}, wrong.process});
     withdrawal.withdrawn = std::move(scenarios);
     withdrawal.progress = job.progress(parts_.jobs.now());
-    // In the same entry, so that no withdrawal is durable without its quarantine.
+    // The entry includes the quarantine, so that no withdrawal is durable without it.
     withdrawal.alarms = parts_.alarms.take_changed();
     parts_.writer.write(std::move(withdrawal));
 }

@@ -45,7 +45,7 @@ class AwaitedWorkers {
     std::set<JobId> jobs_;
     std::set<InstanceId> processes_;
     Time until_{};
-    std::map<JobId, std::size_t> checks_; ///< Number of messages being checked.
+    std::map<JobId, std::size_t> checks_; ///< Number of late result messages being checked.
 };
 
 } // namespace cd

@@ -68,19 +68,19 @@ class WorkerEvents {
 
     /// A worker has joined, and has no work yet.
     virtual void worker_joined(WorkerId worker, const Hello& hello) = 0;
-    /// The worker's process begins another session, so this one is lost next. The process lives,
-    /// so the tasks of this session do not count as lost with it.
+    /// The worker's process begins another session, so this session is lost next. The process
+    /// lives, so the tasks of this session do not count as lost with it.
     virtual void worker_replaced(WorkerId worker) = 0;
     /// The worker has a new connection and will send its inventory.
     virtual void worker_resumed(WorkerId worker) = 0;
     virtual void worker_detached(WorkerId worker) = 0;
     virtual void worker_silent(WorkerId worker) = 0;
-    /// A silent worker whose inventory is known is heard again.
+    /// A silent worker has given a sign of life again. Its inventory is known.
     virtual void worker_heard_again(WorkerId worker) = 0;
     /// The worker has left or is lost, and its record is gone.
     virtual void worker_left(WorkerId worker) = 0;
 
-    /// Fills in the worker's scenarios and blocks; zeros for a worker that gets no work.
+    /// A status with only the worker's scenarios and blocks; zeros for a worker that gets no work.
     [[nodiscard]] virtual WorkerStatus work_of(WorkerId worker) const = 0;
 };
 
@@ -107,8 +107,9 @@ class WorkerDirectory {
     /// Resumes the session that the worker names if this master process created it for the same
     /// worker process and holder, and the worker was not lost since.
     [[nodiscard]] Reception receive(const Hello& hello, const std::string& holder);
-    /// Call after the Welcome has been sent. Ends earlier sessions of the process. Closes the
-    /// channel of a worker that was lost since its Hello.
+    /// Begins or resumes a session, after the Welcome has been sent. A new session ends the
+    /// process's earlier ones. Closes the channel if the session to resume was lost since the
+    /// Hello.
     void join(const Reception& reception, const Hello& hello, std::shared_ptr<Channel> channel);
     /// The intake counter that all sessions of the worker's process share.
     [[nodiscard]] std::shared_ptr<WorkerIntake> intake_of(WorkerId worker);
@@ -118,9 +119,9 @@ class WorkerDirectory {
     /// Suspends the detection of silence: the master reads nothing from the worker for now.
     void unheard(WorkerId worker, const Channel& channel);
     void heartbeat_came(WorkerId worker, const Heartbeat& heartbeat);
-    /// Call when the worker's inventory has come and passed the checks.
+    /// Marks the worker as settled: its inventory has come and passed the checks.
     void settle(WorkerId worker);
-    /// Finds workers that have become silent, lost or forgotten.
+    /// Reports workers that have become silent or lost, and forgets the ones lost long ago.
     void check();
 
     /// Handles the end of a connection. The session survives, unless the worker had drained or was
@@ -142,7 +143,7 @@ class WorkerDirectory {
     [[nodiscard]] const Workers& all() const { return workers_; }
     /// True while there are workers, or lost ones to forget.
     [[nodiscard]] bool is_watching() const { return watch_.size() != 0; }
-    /// All workers, followed by those lost recently.
+    /// All workers, followed by the recently lost workers.
     [[nodiscard]] std::vector<WorkerStatus> statuses() const;
     [[nodiscard]] const Counts& counts() const { return counts_; }
     /// Aborts if an invariant is broken. For tests; call it between two events.

@@ -20,7 +20,7 @@ class WorkerMeter {
     explicit WorkerMeter(std::uint64_t cache_bytes = 0) : cache_bytes_(cache_bytes) {}
 
     void heartbeat_came(const Heartbeat& heartbeat) { heartbeat_ = heartbeat; }
-    /// Takes the bytes received on the worker's connection. True if they differ from the last call.
+    /// Takes the number of bytes received on the worker's connection. True if it has changed.
     [[nodiscard]] bool bytes_came(std::uint64_t received);
     /// Records whether the worker has any work from `now` on.
     void work_is(bool any, Time now);

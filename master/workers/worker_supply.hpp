@@ -12,7 +12,7 @@
 
 namespace cd {
 
-/// Each member returns the messages that the worker must get, in order. No sockets.
+/// Changes return the messages that the caller must send to the worker, in order. No sockets.
 class WorkerSupply {
   public:
     using Messages = std::vector<Message>;

@@ -34,8 +34,8 @@ struct FailureTimes {
 };
 
 /// Without messages, a worker changes from alive to silent, then to lost, and is then forgotten. A
-/// long pause between two checks may skip silent. A message makes a silent worker alive again; a
-/// lost worker must join again.
+/// long pause between two checks may skip the state silent. A message makes a silent worker alive
+/// again; a lost worker must join again.
 class WorkerWatch {
   public:
     using Time = std::chrono::steady_clock::time_point;
@@ -83,7 +83,7 @@ class WorkerWatch {
     };
 
     [[nodiscard]] bool is_due_to_be_lost(const Entry& entry, Time now) const;
-    /// If more than `limits::lost_workers_kept_max` workers are lost, forgets those that joined
+    /// If more than `limits::lost_workers_kept_max` workers are lost, forgets the ones that joined
     /// first.
     void forget_some(std::vector<Change>& changes);
 

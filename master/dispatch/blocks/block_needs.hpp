@@ -13,7 +13,7 @@
 
 namespace cd {
 
-/// Missing blocks of both trees of a job.
+/// Blocks of a job's two trees that a worker lacks.
 struct MissingOfJob {
     BlockPlan::Missing a;
     BlockPlan::Missing b;
@@ -34,12 +34,12 @@ class BlockNeeds {
     MissingOfJob hold(DispatchJob& job, DispatchScenario& scenario, WorkerProxy& proxy);
     /// Like `hold`, but measures nothing.
     MissingOfJob hold_roots(const DispatchJob& job, const ScenarioRoots& roots, WorkerProxy& proxy);
-    /// Marks blocks as held by a worker that requests them for its ranges, and measures them.
+    /// Marks blocks as held by a worker that requests them for ranges, and measures their transfer.
     void hold_wanted(WorkQueue& queue,
                      WorkerProxy& proxy,
                      TreeId tree,
                      std::span<const RootIndex> roots);
-    /// See `DispatchView::missing_costs`.
+    /// Time to fetch missing blocks, for the choice of ranges (`DispatchView::missing_costs`).
     [[nodiscard]] MissingCosts costs_of(const DispatchJob& job) const;
 
   private:

@@ -1,4 +1,4 @@
-// The plan of the geometry: the blocks that each worker has once its scenarios are sent.
+// Planned blocks of each worker: the blocks that it has once its scenarios are sent.
 #pragma once
 
 #include "common/tree/root_holders.hpp"
@@ -13,8 +13,8 @@ namespace cd {
 
 /// A tree, and for each distribution root the workers that hold it, by their slots.
 struct PlannedTree {
-    /// Roots that a worker holds, or soon will because it got a scenario with them (paper, 5.1 and
-    /// 6.4.5).
+    /// For each root, the workers that hold it, or soon will because they got a scenario that needs
+    /// it (paper, 5.1 and 6.4.5).
     RootHolders held;
     /// The part of `held` whose blocks may still be under way.
     RootHolders coming;
@@ -39,9 +39,9 @@ struct PlannedTree {
 class BlockPlan {
   public:
     // ---- Workers ------------------------------------------------------------------------------
-    /// A worker takes the slot, which is free. It holds nothing yet.
+    /// Gives a free slot to a new worker, which holds nothing yet.
     void join(std::uint32_t slot);
-    /// The worker frees its slot, and holds nothing any more.
+    /// Frees the slot of a worker that has left, and forgets the blocks that the worker held.
     void leave(std::uint32_t slot);
     /// Triangles of all blocks that the worker holds.
     [[nodiscard]] std::uint64_t held_triangles(std::uint32_t slot) const {
@@ -49,20 +49,20 @@ class BlockPlan {
     }
 
     // ---- Trees --------------------------------------------------------------------------------
-    /// Ignored if the tree exists.
+    /// Does nothing if the plan has the tree already.
     void add_tree(const DispatchTree& tree);
     void remove_tree(TreeId tree);
     /// The tree must have been added.
     [[nodiscard]] const PlannedTree& tree(TreeId tree) const;
 
     // ---- Blocks -------------------------------------------------------------------------------
-    /// Blocks that must be transferred.
+    /// Blocks that a worker lacks and must receive.
     struct Missing {
-        std::vector<RootIndex> roots; ///< In the order requested.
+        std::vector<RootIndex> roots; ///< In the order passed to `hold`.
         std::uint64_t bytes = 0;
     };
-    /// Marks the roots as held by the worker. Returns those that it did not hold; they are marked
-    /// as coming.
+    /// Marks the roots as held by the worker. Returns the roots that it did not hold before, and
+    /// marks these as coming.
     Missing hold(std::uint32_t slot, TreeId tree, std::span<const WeightedRoot> roots);
     Missing hold(std::uint32_t slot, TreeId tree, std::span<const RootIndex> roots);
     /// Marks blocks as arrived. Does not add blocks that the plan lacks. Ignores unknown trees and
@@ -70,16 +70,16 @@ class BlockPlan {
     void arrived(std::uint32_t slot, TreeId tree, std::span<const RootIndex> roots);
     /// Marks the blocks of an answered scenario as arrived. Ignores unknown trees.
     void arrived(std::uint32_t slot, TreeId tree, std::span<const WeightedRoot> roots);
-    /// The worker no longer holds these roots. Ignores unknown trees and roots out of range.
+    /// Marks roots as no longer held by the worker. Ignores unknown trees and roots out of range.
     void release(std::uint32_t slot, TreeId tree, std::span<const RootIndex> roots);
 
-    /// Aborts unless free slots hold nothing, expected roots count as held, and all sums are right.
+    /// Aborts unless free slots hold nothing, coming roots count as held, and all sums are right.
     /// `taken`: for each slot, whether a worker has it.
     void check(const std::vector<bool>& taken) const;
 
   private:
     void hold_root(std::uint32_t slot, PlannedTree& tree, RootIndex root, Missing& missing);
-    /// Adds the tree's held triangles to each slot's entry in `sums`.
+    /// Checks the tree, and adds the triangles that each slot holds of it to `sums`.
     static void check_tree(const PlannedTree& tree,
                            const std::vector<bool>& taken,
                            std::vector<std::uint64_t>& sums);

@@ -24,8 +24,8 @@ void Endgame::help(double period, Actions& actions) {
     std::vector<WorkerProxy*> free = stragglers_.helpers();
     for (WorkerProxy* from : free.empty() ? std::vector<WorkerProxy*>{} : stragglers_.late()) {
         from->note_looked_at(now);
-        // Tries the fastest helpers first. If the fastest would gain nothing, one of the next may,
-        // for example because it holds the blocks.
+        // Tries the fastest helpers first. If the fastest helper would gain nothing, a slower one
+        // may, for example because it holds the blocks.
         for (std::size_t i = 0; i < std::min(free.size(), limits::helpers_tried_max);) {
             WorkerProxy& helper = *free[i];
             if (&helper == from || !helps(*from, helper, actions)) {
@@ -88,7 +88,7 @@ PositionSet Endgame::positions_to_ask(const WorkerProxy& from,
                                       const TaskInFlight& task,
                                       const WorkerProxy& helper) const {
     if (!task.shared.copied.is_empty()) {
-        return {}; // The worker can return the last positions alone, and these have a copy.
+        return {}; // Of a range only the end can be recalled, and the end got a copy.
     }
     return task.positions.last(stragglers_.positions_to_move(
         from, context_.queue.at(task.job), helper, stragglers_.ends_in(from), 1));

@@ -17,7 +17,7 @@ class SpeculativeCopies {
                       const Stragglers& stragglers)
         : context_(context), tasks_(tasks), blocks_(blocks), stragglers_(stragglers) {}
 
-    /// Copies the last work of `from` that pays to the helper. False if nothing pays.
+    /// Copies to the helper the last work of `from` for which a copy pays. False if no copy pays.
     [[nodiscard]] bool copy(const WorkerProxy& from, WorkerProxy& helper, Actions& actions);
 
   private:
@@ -26,7 +26,7 @@ class SpeculativeCopies {
                                                const TaskInFlight& task,
                                                const PositionSet& candidates,
                                                const WorkerProxy& helper) const;
-    /// The last candidates of a task without analysis, as many as pay.
+    /// The last candidates of a task without analysis, at most as many as pay.
     [[nodiscard]] PositionSet positions_to_copy(const WorkerProxy& from,
                                                 const TaskInFlight& task,
                                                 const PositionSet& candidates,

@@ -40,14 +40,14 @@ double Stragglers::ends_in(const WorkerProxy& proxy) const {
     if (left == 0) {
         return 0;
     }
-    double seconds = 0; // Time of one thread for all tasks.
+    double seconds = 0; // Time that one thread would need for all tasks of the worker.
     for (const auto& [id, task] : proxy.tasks.all()) {
         if (const DispatchJob* job = context_.queue.find(task.job)) {
             seconds += context_.pace.thread_seconds_of(task, proxy, *job);
         }
     }
     seconds /= static_cast<double>(std::min<std::uint64_t>(left, proxy.facts().threads));
-    // Negative: the worker is overdue, and is assumed to need as long again as it is overdue.
+    // A negative value means that the worker is overdue. It is assumed to need as long again.
     return std::abs(std::max(proxy.tasks.progressed(), proxy.transfers_end()) + seconds -
                     context_.pace.now());
 }
@@ -64,7 +64,7 @@ std::uint64_t Stragglers::positions_to_move(const WorkerProxy& from,
     if (gain * (begins + one) > seconds_here) {
         return 0;
     }
-    // Solves for the count with which both workers finish together.
+    // Solves for the number of moved positions with which both workers finish together.
     const double count = (seconds_here - begins) / (1 / rate_here + 1 / rate_there);
     return std::max<std::uint64_t>(1, static_cast<std::uint64_t>(count));
 }

@@ -16,30 +16,30 @@ class Stragglers {
     Stragglers(const MatchingContext& context, const TaskTable& tasks)
         : context_(context), tasks_(tasks) {}
 
-    /// True if the worker has fewer scenarios than threads, and awaits no recalled work.
+    /// True if the worker may get work, has idle threads, and awaits no recalled work.
     [[nodiscard]] bool can_help(const WorkerProxy& proxy) const;
     /// Workers that can help, the fastest first.
     [[nodiscard]] std::vector<WorkerProxy*> helpers() const;
     /// Seconds until the worker finishes all tasks sent to it.
     [[nodiscard]] double ends_in(const WorkerProxy& proxy) const;
-    /// Number of positions to move so that both workers finish together. 0 unless the helper would
-    /// finish one position `gain` times sooner than the straggler, which needs `seconds_here`.
+    /// Number of positions to move so that `from` and the helper finish together. 0 unless the
+    /// helper finishes one position `gain` times sooner than `from` in `seconds_here`.
     [[nodiscard]] std::uint64_t positions_to_move(const WorkerProxy& from,
                                                   const DispatchJob& job,
                                                   const WorkerProxy& helper,
                                                   double seconds_here,
                                                   double gain) const;
-    /// Stragglers that others may help, latest finish first. If there are many, only those whose
-    /// last check is longest ago.
+    /// Stragglers that others may help, latest finish first. If there are many, returns only the
+    /// ones whose last check is longest ago.
     [[nodiscard]] std::vector<WorkerProxy*> late() const;
     /// True if a recall may be sent to the worker: none is open, and the worker takes work.
     [[nodiscard]] bool may_be_asked(const WorkerProxy& from) const;
     /// True if a recall of the worker is open and may still be answered.
     [[nodiscard]] bool may_answer_recall(const WorkerProxy& from) const;
-    /// True if unanswered positions of the task may be moved to another worker.
+    /// True if a recall may move unanswered positions of the task to another worker.
     [[nodiscard]] bool can_be_recalled(const TaskInFlight& task) const;
-    /// Positions of the task that may get a speculative copy. Each has one at most. A scenario that
-    /// was lost may kill a worker, so it is not copied.
+    /// Positions of the task that may get a speculative copy: unanswered, never copied, and never
+    /// lost, because a scenario that was lost may kill a worker.
     [[nodiscard]] PositionSet copyable(const TaskInFlight& task) const;
 
   private:

@@ -64,14 +64,14 @@ class UnsentPositions {
 
     /// `after`: number of the job's scenarios that follow these positions.
     void add(GivenRange given, std::uint64_t after);
-    /// Puts positions of a task at the head.
+    /// Puts positions that were in a task back at the head.
     void put_back(const PositionSet& positions, const std::shared_ptr<const PoseWindow>& window);
-    /// Sets `after` to 0: the scenarios that follow are analysed, or come with the next `add`.
+    /// Sets the number of scenarios that follow to 0 until the next `add`: they are analysed.
     void nothing_follows() { after_ = 0; }
     /// Removes and returns at most `most` of the first positions; there must be some.
     GivenRange take_first(std::uint64_t most);
     std::vector<PositionRange> take_all();
-    /// Removes the positions that are unsent, and returns whether there were any.
+    /// Removes the given positions where they are unsent, and returns whether any was.
     bool remove(const PositionSet& positions);
 
   private:
@@ -87,7 +87,7 @@ struct RangeTotals {
     double quickest = 0;     ///< Best rate per thread, unclaimed workers.
     double quickest_but = 0; ///< Second-best rate per thread, unclaimed workers.
     WorkerId quickest_worker;
-    std::uint64_t left = 0; ///< Unanswered: unsent, or at an unclaimed worker.
+    std::uint64_t left = 0; ///< Scenarios that are unsent, or unanswered at an unclaimed worker.
 };
 
 struct DispatchJob {
@@ -100,7 +100,7 @@ struct DispatchJob {
     DispatchJob(const DispatchJob&) = delete;
     DispatchJob& operator=(const DispatchJob&) = delete;
 
-    /// Requires an unanswered analysed scenario, as those in buffers, tasks and queues are.
+    /// Returns the scenario at a position, which must be analysed and unanswered.
     [[nodiscard]] DispatchScenario& at(std::uint64_t position);
     [[nodiscard]] const DispatchScenario& at(std::uint64_t position) const;
     [[nodiscard]] bool uses(TreeId tree) const { return a.tree == tree || b.tree == tree; }
@@ -117,7 +117,7 @@ struct DispatchJob {
     std::deque<std::uint64_t> waiting;
     UnsentPositions unsent;
     RangePace range_pace;
-    mutable std::optional<RangeTotals> range_totals; ///< Computed once per event.
+    mutable std::optional<RangeTotals> range_totals; ///< Cache of `RangeSender::totals`.
     MissingMeter missing;
     CopyBudget copies;
 };

@@ -29,7 +29,7 @@ class RangePace {
 /// at an average worker.
 class MissingMeter {
   public:
-    /// True for the first of every 16 scenarios that get a worker: call `add_sample` then.
+    /// Counts a scenario that gets a worker. True for one in 16: call `add_sample` then.
     [[nodiscard]] bool is_sampled() { return held_++ % period == 0; }
     /// `seconds_any`: time to fetch the blocks that an average worker misses for the scenario.
     void add_sample(double seconds_any);
@@ -57,9 +57,9 @@ class MissingMeter {
 /// Bounds the share of a job's work that gets speculative copies, in predicted time.
 class CopyBudget {
   public:
-    /// Call for each analysed scenario and each sent range.
+    /// Adds the predicted time of an analysed scenario or of a sent range.
     void add_work(std::uint64_t cost_ns) { work_ns_ += cost_ns; }
-    /// Call for positions of a range that will be sent again.
+    /// Subtracts the predicted time of positions of a range that will be sent again.
     void remove_work(std::uint64_t cost_ns);
     void add_copy(std::uint64_t cost_ns) { copied_ns_ += cost_ns; }
     /// Predicted time of the work that may still be copied.

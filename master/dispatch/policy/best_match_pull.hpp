@@ -24,12 +24,12 @@ class BestMatchPull final : public MatchingPolicy {
         return "no worker is chosen: a free one takes the q scenarios of which it holds most";
     }
     [[nodiscard]] bool workers_pull() const override { return true; }
-    /// Nothing is buffered.
+    /// Bounds without buffers, because workers pull their tasks from the queue.
     [[nodiscard]] WorkBounds bounds(const WorkerProxy& proxy,
                                     const DispatchJob& job) const override {
         return {0, job.options.q, proxy.tasks_max(job.options)};
     }
-    /// Takes less than a task's worth only if nothing more comes and the worker needs it.
+    /// Fewer than q scenarios may be pulled only if the input is paused and the worker runs dry.
     [[nodiscard]] bool can_pull(const WorkerProxy& proxy, const DispatchJob& job) const override;
     [[nodiscard]] std::vector<std::size_t> pulled(const WorkerProxy& proxy,
                                                   const DispatchJob& job) const override;

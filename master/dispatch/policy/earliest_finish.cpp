@@ -10,8 +10,8 @@ namespace cd {
 
 namespace {
 
-/// Sums, by slot, of the scenario's blocks that each worker holds, over both trees. Roots held by
-/// all workers are left out, since they cancel.
+/// Sums, by slot, of the scenario's blocks that each worker holds, over both trees. Leaves out
+/// roots that all workers hold, since these do not affect the comparison.
 class HeldSums {
   public:
     explicit HeldSums(std::size_t count)
@@ -123,7 +123,7 @@ std::vector<std::uint64_t> EarliestFinish::take_batch(WorkerProxy& proxy,
     std::vector<std::uint64_t> batch;
     ScenarioWeight sum;
     for (const std::uint64_t position : proxy.buffers.of(job.id).scenarios) {
-        // At least one scenario, whatever the estimates are.
+        // The batch gets at least one scenario, whatever the estimates are.
         const bool is_enough = sum.cost_ns >= proxy.batch.cost_ns() ||
                                sum.bytes > std::uint64_t{job.options.v_kb} * 1000 ||
                                batch.size() == bounds(proxy, job).batch;

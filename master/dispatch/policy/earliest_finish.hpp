@@ -33,8 +33,8 @@ class EarliestFinish final : public MatchingPolicy {
         return {~std::uint64_t{0}, limits::q_max, limits::batches_at_worker};
     }
     [[nodiscard]] bool is_full(const WorkerProxy& proxy, const DispatchJob& job) const override;
-    /// At the end no scenario waits behind a long one at a busy worker: an idle worker could take
-    /// it.
+    /// If the job's last scenarios are long, a busy worker has no room: a scenario would wait there
+    /// that an idle worker could take.
     [[nodiscard]] bool has_room_for_task(const WorkerProxy& proxy,
                                          const DispatchJob& job) const override;
     [[nodiscard]] bool would_run_dry(const WorkerProxy& proxy,
@@ -46,7 +46,7 @@ class EarliestFinish final : public MatchingPolicy {
     [[nodiscard]] std::vector<std::uint64_t> take_batch(WorkerProxy& proxy,
                                                         const DispatchJob& job) const override;
     [[nodiscard]] bool claims(const DispatchJob& /*job*/) const override { return false; }
-    /// Fills two batches per worker, and as many again to choose from.
+    /// Number that fills two batches per worker, and leaves as many again to choose from.
     [[nodiscard]] std::uint64_t enough(const DispatchJob& job) const override;
 
     [[nodiscard]] bool moves_work() const override { return true; }
@@ -56,7 +56,7 @@ class EarliestFinish final : public MatchingPolicy {
     [[nodiscard]] bool hints(const DispatchJob& job) const override { return job.options.hints; }
 };
 
-/// True if the job's scenarios are so long that each is a batch, and no more will arrive.
+/// True if the job gets no more scenarios for now, and scenarios are long (`BatchSize::are_long`).
 [[nodiscard]] bool
 ends_with_long_ones(const WorkQueue& queue, const WorkerProxy& proxy, const DispatchJob& job);
 

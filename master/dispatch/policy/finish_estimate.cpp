@@ -9,7 +9,7 @@ namespace cd {
 FinishTerms estimate_finish(const WorkerPowers& worker, const ScenarioNeeds& needs) {
     FinishTerms terms;
     terms.backlog = 1e-9 * worker.backlog_ns / (worker.speed * worker.threads);
-    // Blocks arrive one after the other, and the needed ones are among those under way.
+    // All blocks under way arrive one after the other, and the scenario's blocks are among them.
     terms.coming = std::min(static_cast<double>(needs.coming_bytes) / worker.bytes_per_second,
                             worker.transfers_seconds);
     terms.transfer = static_cast<double>(needs.missing_bytes) / worker.bytes_per_second;

@@ -6,17 +6,17 @@
 
 namespace cd {
 
-/// State of the worker.
+/// Speeds and load of a worker, as inputs of the estimate.
 struct WorkerPowers {
     double speed = 1;            ///< Predicted seconds of work that one thread does per second.
     double bytes_per_second = 1; ///< Transfer rate of blocks to the worker.
     double threads = 1;
-    double backlog_ns = 0;                        ///< Predicted time of its unanswered work.
+    double backlog_ns = 0;                        ///< Predicted time of its buffered and sent work.
     double transfers_seconds = 0;                 ///< Time until all blocks under way arrive.
     std::uint64_t room_bytes = ~std::uint64_t{0}; ///< Free space in its cache.
 };
 
-/// Needs of the scenario at that worker.
+/// Needs of a scenario at a worker: thread time and blocks.
 struct ScenarioNeeds {
     std::uint64_t cost_ns = 0; ///< Predicted time on one thread of speed 1.
     std::uint64_t missing_bytes = 0;

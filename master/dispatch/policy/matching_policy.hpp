@@ -28,15 +28,15 @@ struct MatchingContext {
     }
 };
 
-/// The most work of a job that one worker has.
+/// Upper bounds on the work of one job at one worker.
 struct WorkBounds {
     std::uint64_t buffered = 0; ///< Scenarios in its buffer.
     std::uint64_t batch = 0;    ///< Scenarios in a task.
     std::size_t tasks = 0;      ///< Tasks; more only while it has fewer scenarios than threads.
 };
 
-/// A job's policy. By default buffers make tasks as the paper has it (6.4.3): q scenarios or more
-/// than V kB, as soon as the worker has room or would run dry.
+/// A job's policy. By default a buffer becomes a task as in the paper (6.4.3): with q scenarios or
+/// more than V kB once the worker has room, or if no more come and the worker would run dry.
 class MatchingPolicy {
   public:
     MatchingPolicy(const MatchingContext& context, const ClusterOptions& /*options*/)
@@ -54,7 +54,7 @@ class MatchingPolicy {
     /// Returns the worker that `choose` would return. Changes nothing.
     [[nodiscard]] virtual WorkerProxy* would_choose(const DispatchJob& job,
                                                     const DispatchScenario& scenario) const = 0;
-    /// The worker may take a scenario of the job now.
+    /// True if the worker may take a scenario of the job now.
     [[nodiscard]] virtual bool may_take(const WorkerProxy& proxy, const DispatchJob& job) const;
     /// Tells the user why the chosen worker is chosen.
     [[nodiscard]] virtual std::string_view why() const = 0;
@@ -64,14 +64,14 @@ class MatchingPolicy {
     }
 
     // ---- Scenarios for a free worker ------------------------------------------------------------
-    /// True: free workers take from the waiting scenarios (`can_pull`), and `choose` names none.
+    /// True if free workers take from the waiting scenarios (`can_pull`) and `choose` gives null.
     [[nodiscard]] virtual bool workers_pull() const { return false; }
-    /// The worker may pull a task now.
+    /// True if the worker may pull a task of the job now.
     [[nodiscard]] virtual bool can_pull(const WorkerProxy& /*proxy*/,
                                         const DispatchJob& /*job*/) const {
         return false;
     }
-    /// The waiting scenarios that it pulls, as indices into `DispatchJob::waiting`, ascending.
+    /// The waiting scenarios that the worker pulls: ascending indices into `DispatchJob::waiting`.
     [[nodiscard]] virtual std::vector<std::size_t> pulled(const WorkerProxy& /*proxy*/,
                                                           const DispatchJob& /*job*/) const {
         return {};
@@ -80,16 +80,16 @@ class MatchingPolicy {
     // ---- Buffers and tasks ----------------------------------------------------------------------
     /// Bounds of the job's work at the worker.
     [[nodiscard]] virtual WorkBounds bounds(const WorkerProxy& proxy, const DispatchJob& job) const;
-    /// The worker's buffer makes a task.
+    /// True if the worker's buffer has enough scenarios of the job for a task.
     [[nodiscard]] virtual bool is_full(const WorkerProxy& proxy, const DispatchJob& job) const;
     [[nodiscard]] virtual bool has_room_for_task(const WorkerProxy& proxy,
                                                  const DispatchJob& job) const;
     [[nodiscard]] virtual bool would_run_dry(const WorkerProxy& proxy,
                                              const DispatchJob& job) const;
-    /// Takes the next task from a buffer that is not empty.
+    /// Removes and returns the next task's positions from the job's buffer, which is not empty.
     [[nodiscard]] virtual std::vector<std::uint64_t> take_batch(WorkerProxy& proxy,
                                                                 const DispatchJob& job) const;
-    /// While a task runs, its worker gets nothing else.
+    /// True if a worker gets nothing else while it has a task of the job.
     [[nodiscard]] virtual bool claims(const DispatchJob& job) const { return job.options.claim; }
     /// Number of unsent scenarios that gives all workers enough choice.
     [[nodiscard]] virtual std::uint64_t enough(const DispatchJob& job) const;
@@ -98,13 +98,13 @@ class MatchingPolicy {
     /// True: work that another worker would finish earlier, by `finish_on`, moves there. Buffered
     /// scenarios move at any time; sent ones are recalled and copied at the end of the job.
     [[nodiscard]] virtual bool moves_work() const { return false; }
-    /// When the worker would finish the scenario, from now; zeros unless `moves_work`.
+    /// Estimated seconds until the worker finishes the scenario; zeros unless `moves_work`.
     [[nodiscard]] virtual FinishTerms finish_on(const WorkerProxy& /*proxy*/,
                                                 const DispatchJob& /*job*/,
                                                 const DispatchScenario& /*scenario*/) const {
         return {};
     }
-    /// Announces missing blocks before it sends a task. The paper's strategies do not.
+    /// True if missing blocks are announced before the task is sent. The paper has no such hints.
     [[nodiscard]] virtual bool hints(const DispatchJob& /*job*/) const { return false; }
 
   protected:

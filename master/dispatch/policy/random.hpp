@@ -18,7 +18,7 @@ class RandomWorker final : public MatchingPolicy {
     }
     [[nodiscard]] WorkerProxy* would_choose(const DispatchJob& job,
                                             const DispatchScenario& /*scenario*/) const override {
-        std::mt19937_64 copy = random_; // A draw would change later choices.
+        std::mt19937_64 copy = random_; // A draw from `random_` would change later choices.
         return draw(job, copy);
     }
     [[nodiscard]] std::string_view why() const override { return "it is drawn next"; }

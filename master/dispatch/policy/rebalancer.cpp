@@ -63,7 +63,7 @@ bool Rebalancer::move_one(WorkerProxy& from, WorkerProxy& to, DispatchJob& job) 
             return true;
         }
     }
-    // The last scenario would finish only after everything else `from` has.
+    // The last buffered scenario would finish only after all other work of `from`.
     return move_if_earlier(from, to, job, buffer.scenarios.back());
 }
 

@@ -27,7 +27,7 @@ class Rebalancer {
         double seconds = 0;
         WorkerProxy* worker = nullptr;
 
-        /// Ties are ordered by id, the smallest last.
+        /// Of two backlogs with equal times, the one with the smaller worker id is the greater.
         friend bool operator<(const Backlog& one, const Backlog& other) {
             return std::pair(one.seconds, other.worker->id()) <
                    std::pair(other.seconds, one.worker->id());
@@ -35,7 +35,7 @@ class Rebalancer {
     };
 
     void add_backlog(std::vector<Backlog>& full, WorkerProxy& proxy) const;
-    /// Moves scenarios that `to` would finish earlier, until it has enough.
+    /// Moves scenarios that `to` would finish earlier, until `to` has work for two batches.
     void move(WorkerProxy& from, WorkerProxy& to);
     [[nodiscard]] bool move_one(WorkerProxy& from, WorkerProxy& to, DispatchJob& job);
     [[nodiscard]] bool

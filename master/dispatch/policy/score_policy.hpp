@@ -1,5 +1,5 @@
-// The paper's strategies that compare workers by what they hold (section 6.5 and the strategies of
-// section 7).
+// The paper's strategies that compare workers by the triangles that they hold (section 6.5 and the
+// strategies of section 7).
 #pragma once
 
 #include "master/dispatch/policy/matching_policy.hpp"
@@ -18,13 +18,13 @@ struct WorkerCandidate {
     double load = 0; ///< Buffered scenarios / q, below 1.
 };
 
-/// The workers that may get a scenario of the job now, ascending by id, without scores.
+/// Collects the workers that may get a scenario of the job now, by ascending id, unscored.
 void gather_candidates(const MatchingContext& context,
                        const DispatchJob& job,
                        std::vector<WorkerCandidate>& candidates);
 
-/// Takes the worker that is worth most. Deterministic: ties go to the worker with the fewest
-/// scenarios, then to the smallest id.
+/// Chooses the worker with the greatest `worth`. Deterministic: ties go to the worker with the
+/// fewest scenarios, then to the smallest id.
 class ScorePolicy : public MatchingPolicy {
   public:
     using MatchingPolicy::MatchingPolicy;

@@ -16,7 +16,7 @@ namespace cd {
 
 namespace {
 
-// One line a strategy; `strategies` (proto/messages/cluster_options.hpp) names it to users.
+// One line per strategy. `strategies` (proto/messages/cluster_options.hpp) names it to users.
 constexpr std::array registry{
     RegisteredStrategy{"best-match", make_as<BestMatch>},
     RegisteredStrategy{"best-match-load", make_as<BestMatchLoad>},

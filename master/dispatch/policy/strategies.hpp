@@ -13,7 +13,7 @@ namespace cd {
 class MatchingPolicy;
 struct MatchingContext;
 
-/// A strategy as the dispatcher uses it.
+/// The name of a strategy, and the function that makes its policies.
 struct RegisteredStrategy {
     std::string_view name;
     std::unique_ptr<MatchingPolicy> (*make)(const MatchingContext&, const ClusterOptions&);
@@ -27,10 +27,10 @@ std::unique_ptr<MatchingPolicy> make_as(const MatchingContext& context,
 
 [[nodiscard]] std::span<const RegisteredStrategy> registered_strategies();
 
-/// Errors: BadInput, with the registered names.
+/// Checks that a strategy has this name. Errors: BadInput, with the registered names.
 [[nodiscard]] Status check_strategy(std::string_view name);
 
-/// The policy of the strategy that the options name, which must be one of `registered`.
+/// Makes a policy of the strategy that the options name, which must be among `registered`.
 [[nodiscard]] std::unique_ptr<MatchingPolicy>
 make_policy(const ClusterOptions& options,
             const MatchingContext& context,

@@ -26,7 +26,7 @@ std::uint64_t
 check_copy(const DispatchParts& parts, const WorkerProxy& at, const TaskInFlight& copy) {
     const TaskInFlight* original = parts.tasks.find(copy.shared.original);
     if (original == nullptr) {
-        return 0; // No copy, or its original has ended.
+        return 0; // The task is no copy, or its original has ended.
     }
     const PositionSet both = copy.positions.common_with(original->positions);
     CD_CHECK(copy.shared.original.worker != at.id());

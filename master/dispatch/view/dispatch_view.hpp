@@ -29,7 +29,7 @@ class DispatchView {
     /// Number of positions that came with `positions_given` and are in no task. The job must be
     /// open.
     [[nodiscard]] std::uint64_t positions_unsent(JobId job) const;
-    /// Number of such positions that suffices for all workers. The job must be open.
+    /// Number of unsent positions that suffices for all workers. The job must be open.
     [[nodiscard]] std::uint64_t positions_enough(JobId job) const;
     /// Cost of the blocks that analysed scenarios lack at their chosen worker and at an average
     /// one, in seconds per scenario, and of filling every cache. The job must be open.

@@ -76,7 +76,7 @@ Explained explain_choice(const MatchingContext& context,
     Explained explained;
     explained.job = job.id;
     explained.strategy = job.options.strategy;
-    // Strategies that move work are those that compare the terms of `finish_on`.
+    // The strategies that move work compare workers by the terms of `finish_on`.
     explained.is_by_time = job.policy->moves_work();
     explained.roots_a = static_cast<std::uint32_t>(analysed.roots_a.size());
     explained.roots_b = static_cast<std::uint32_t>(analysed.roots_b.size());

@@ -21,8 +21,8 @@ class BatchSize {
         cost_ns_ = cost_ns;
         are_long_ = are_long;
     }
-    /// Lengthens batches if the worker's threads were idle for too much of this ended one. Ignores
-    /// tasks that waited for blocks, or after which the worker had no other. `now` in s.
+    /// Lengthens batches if the worker's threads idled too long during the ended task. Ignores a
+    /// task that waited for blocks, or that was the worker's last one. `now` in s.
     void judge(const TaskInFlight& ended, bool has_successor, double threads, double now);
 
   private:

@@ -43,7 +43,7 @@ class ClusterPace {
     [[nodiscard]] double thread_seconds_of(const TaskInFlight& task,
                                            const WorkerProxy& proxy,
                                            const DispatchJob& job) const;
-    /// Estimated seconds until the blocks arrive and are open.
+    /// Estimated seconds until the worker has received and decoded the missing blocks.
     [[nodiscard]] double seconds_of(const BlockPlan::Missing& missing,
                                     const WorkerProxy& proxy) const;
 

@@ -18,7 +18,7 @@ struct ScenarioBuffer {
     std::uint64_t bytes = 0;
     std::uint64_t cost_ns = 0; ///< Predicted time.
 
-    /// True with q scenarios or more than V kB of 1000 bytes (paper, 6.4.3).
+    /// True if the buffer has q scenarios or more than V kB of 1000 bytes (paper, 6.4.3).
     [[nodiscard]] bool is_full(const ClusterOptions& options) const {
         return scenarios.size() >= options.q || bytes > std::uint64_t{options.v_kb} * 1000;
     }
@@ -37,7 +37,7 @@ class WorkerBuffers {
     [[nodiscard]] std::uint64_t count() const { return count_; }
     /// Predicted time of all buffers.
     [[nodiscard]] std::uint64_t cost_ns() const { return cost_ns_; }
-    /// Empty if nothing is buffered.
+    /// The job's buffer; empty if nothing is buffered.
     [[nodiscard]] const ScenarioBuffer& of(JobId job) const;
     [[nodiscard]] const std::map<JobId, ScenarioBuffer>& all() const { return buffers_; }
 

@@ -13,7 +13,7 @@ namespace cd {
 /// The workers' proxies in ascending order of id. Gives each worker a slot.
 class WorkerPool {
   public:
-    /// The id must be new.
+    /// Adds a worker, whose id must be new.
     WorkerProxy& add(WorkerId worker, const WorkerFacts& facts);
     /// The worker must exist.
     void remove(WorkerId worker);

@@ -43,7 +43,7 @@ class WorkerProxy {
     [[nodiscard]] bool takes_work() const { return !draining_ && !silent_; }
     [[nodiscard]] bool is_claimed() const { return tasks.have_claimed(); }
     [[nodiscard]] bool is_idle() const { return buffers.count() == 0 && tasks.all().empty(); }
-    /// Scenarios buffered or unanswered.
+    /// Number of scenarios that are in the worker's buffers, or unanswered in its tasks.
     [[nodiscard]] std::uint64_t scenarios() const { return buffers.count() + tasks.left(); }
     /// Predicted time of buffered and sent work.
     [[nodiscard]] std::uint64_t backlog_ns() const { return buffers.cost_ns() + tasks.cost_ns(); }
@@ -63,7 +63,7 @@ class WorkerProxy {
 
     /// Time at which the last block under way arrives, s.
     [[nodiscard]] double transfers_end() const { return transfers_end_; }
-    /// Queues a transfer that takes `seconds` after those under way. `now` in s.
+    /// Queues a transfer that takes `seconds` behind all transfers under way. `now` in s.
     void add_transfer(double now, double seconds);
     /// Time of the last check whether others can help the worker, s.
     [[nodiscard]] double looked_at() const { return looked_at_; }

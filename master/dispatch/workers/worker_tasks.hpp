@@ -30,26 +30,26 @@ struct SharedWork {
 /// A task at the worker, from sending until the worker reports its end.
 struct TaskInFlight {
     JobId job;
-    PositionSet positions;     ///< Unanswered and not returned.
+    PositionSet positions;     ///< Positions that are neither answered nor returned.
     bool is_analysed = true;   ///< False: the worker finds the colliding roots.
     bool claims = false;       ///< The worker gets nothing else until the task ends.
     std::uint64_t cost_ns = 0; ///< Predicted time of the unanswered part, ns.
     double sent = 0;           ///< Send time, s.
     bool fetches = false;      ///< The worker lacked some of the task's blocks.
-    double busy_seconds = 0;   ///< Measured so far, summed over the worker's threads.
+    double busy_seconds = 0;   ///< Thread time measured so far, over all threads.
     bool has_begun = false;    ///< The unanswered part has begun: no more recalls.
     SharedWork shared = {};
-    std::shared_ptr<const PoseWindow> window = {}; ///< As in `GivenRange`.
+    std::shared_ptr<const PoseWindow> window = {}; ///< Poses of a range that is not on a grid.
 
     [[nodiscard]] std::uint64_t left() const { return positions.count(); }
     [[nodiscard]] bool is_copy() const { return shared.original.task != TaskId{}; }
-    /// The unanswered positions that had no copy.
+    /// The unanswered positions that never got a copy.
     [[nodiscard]] PositionSet uncopied() const {
         PositionSet rest = positions;
         rest.remove(shared.copied);
         return rest;
     }
-    /// Mean predicted time of an unanswered position, at least 1 ns. There must be some.
+    /// Mean predicted time of the unanswered positions, which must exist; at least 1 ns.
     [[nodiscard]] std::uint64_t each_ns() const {
         return std::max<std::uint64_t>(1, cost_ns / left());
     }
@@ -71,13 +71,13 @@ class WorkerTasks {
     [[nodiscard]] std::uint64_t cost_ns() const { return cost_ns_; }
     /// True if a task that claims the worker is still running (the paper's label "claimed").
     [[nodiscard]] bool have_claimed() const { return claiming_ != 0; }
-    /// The job of the task sent last; the other jobs have their turn first.
+    /// The job of the task sent last to the worker; all other jobs come first now.
     [[nodiscard]] JobId last_job() const { return last_job_; }
     /// Number of tasks sent to the worker so far.
     [[nodiscard]] std::uint64_t sent() const { return sent_; }
     /// Number of positions that the worker has answered so far.
     [[nodiscard]] std::uint64_t answered() const { return answered_; }
-    /// Time of the last answer or, if later, at which the idle worker got work, s.
+    /// Time of the worker's last answer or, if later, of its first task after it was idle, s.
     [[nodiscard]] double progressed() const { return progressed_; }
 
     /// The task must be new.

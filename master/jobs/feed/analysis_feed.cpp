@@ -20,7 +20,7 @@ void AnalysisFeed::start(MasterJob& job) {
 }
 
 std::unique_ptr<Analyser> AnalysisFeed::make_analyser(const MasterJob& job) {
-    // Runs on a pool thread, so that the records are made there.
+    // `deliver` runs on a pool thread, so that the results are encoded there.
     auto deliver = [this, &background = parts_.background, id = job.id](AnalysedBlock block) {
         std::vector<TakenResult> finished;
         for (Analysis& analysis : block.scenarios) {

@@ -1,5 +1,5 @@
-// Analyses the next scenarios of jobs: merges those that the analysis answers, and gives the others
-// to the dispatcher.
+// Analyses the next scenarios of jobs: merges the results that the analysis finds, and gives the
+// other scenarios to the dispatcher.
 #pragma once
 
 #include "common/core/limits/engine.hpp"
@@ -17,9 +17,9 @@ namespace cd {
 /// Bounds on the analyses that are ahead of the workers. A simulation of the paper's master lowers
 /// them.
 struct FeedLimits {
-    /// Scenarios of one analysis on the pool; at most `limits::analysis_block_scenarios`.
+    /// Scenarios that a pool thread analyses together; at most `limits::analysis_block_scenarios`.
     std::uint64_t block_scenarios = limits::analysis_block_scenarios;
-    /// Analysed scenarios that may wait outside the workers' buffers; 0: the dispatcher's number.
+    /// Analysed scenarios that may wait outside the workers' buffers; 0: the dispatcher decides.
     std::uint64_t waiting_max = 0;
 };
 
@@ -42,10 +42,10 @@ class AnalysisFeed {
 
   private:
     [[nodiscard]] std::unique_ptr<Analyser> make_analyser(const MasterJob& job);
-    /// Takes analysed scenarios. `finished`: the results of those that need no worker.
+    /// Takes an analysed block. `finished`: results of its scenarios that need no worker.
     void came(JobId job, AnalysedBlock block, std::vector<TakenResult> finished);
-    /// Gives the dispatcher the scenarios that need a worker, and returns their number. Skips those
-    /// with a result, for example one that a worker delivered again after a restart.
+    /// Gives the dispatcher the scenarios that need a worker, and returns their number. Skips
+    /// scenarios with a result, for example one that a worker delivered after a restart.
     std::uint64_t hand_out(MasterJob& job, AnalysedBlock& block);
 
     Parts parts_;

@@ -1,4 +1,4 @@
-// The leases: for each task in flight at the dispatcher, the data that only its owner needs.
+// The leases: for each task in flight, the data that the dispatcher itself does not need.
 #pragma once
 
 #include "common/core/id.hpp"

@@ -98,7 +98,7 @@ void RangeFeed::lost(const PositionsLost& lost) {
     parts_.writer.write(std::move(add));
 }
 
-// ---- What was withdrawn ------------------------------------------------------------------------
+// ---- Withdrawn results -------------------------------------------------------------------------
 
 void RangeFeed::give_again(MasterJob& job, std::vector<std::uint64_t> scenarios) {
     JobWork& work = *job.work();

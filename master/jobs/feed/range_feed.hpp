@@ -1,5 +1,5 @@
-// Gives positions of a job to the dispatcher without analysis, and queues those again that were
-// lost or withdrawn.
+// Gives positions of a job to the dispatcher without analysis, and queues positions again that were
+// lost or whose results were withdrawn.
 #pragma once
 
 #include "master/base/background.hpp"

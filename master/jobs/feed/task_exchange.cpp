@@ -125,8 +125,8 @@ void TaskExchange::checked(WorkerId worker, TaskId id) {
     }
 }
 
-// Returned work of a present task may not have arrived, so the inventory's entry counts as a
-// return. A missing task either never reached the worker, or has ended after sending all results.
+// A message that returned work may be lost, so a task's inventory entry counts as a return. A task
+// that the inventory lacks never reached the worker, or has ended with all its results sent.
 void TaskExchange::compare(WorkerId worker, std::span<const Recalled> present) {
     for (const Recalled& task : present) {
         recalled(worker, task);
@@ -169,7 +169,7 @@ void TaskExchange::take_all_back(WorkerId worker) {
     book_.forget(worker);
 }
 
-// ---- Scenarios that are not to be run ----------------------------------------------------------
+// ---- Cancelled scenarios -----------------------------------------------------------------------
 
 void TaskExchange::drop(JobId job, std::uint64_t scenario) {
     for (const auto& [id, worker] : workers_.all()) {

@@ -42,24 +42,24 @@ class TaskExchange {
     void checked(WorkerId worker, TaskId task);
     /// Resynchronises the worker's tasks with its inventory `present`, after a reconnection.
     void compare(WorkerId worker, std::span<const Recalled> present);
-    /// Returns the unanswered work of the worker's tasks to the queue, not counted as lost, and
-    /// gives the worker no more work.
+    /// Returns the unanswered work of the worker's tasks to the queue, without counting it as lost,
+    /// and gives the worker no more work.
     void take_all_back(WorkerId worker);
 
-    // ---- Scenarios that are not to be run -----------------------------------------------------
+    // ---- Cancelled scenarios ------------------------------------------------------------------
     /// Cancels the scenario on all workers that know the job.
     void drop(JobId job, std::uint64_t scenario);
-    /// Sends the job's cancelled scenarios to a worker that knows the job.
+    /// Tells a worker that knows the job which of its scenarios are cancelled.
     static void drop_cancelled(const Worker& worker, const MasterJob& job);
 
-    /// Updates the worker's busy time: call when it may have got its first or lost its last work.
+    /// Updates the worker's busy time. Call when the worker may have become busy or idle.
     void note_work(WorkerId worker);
 
   private:
     [[nodiscard]] static TaskContent content_of(const MasterJob& job, const SendUnit& unit);
     /// Sends the job and its trees, unless the worker has them.
     void add_job_to(Worker& worker, const MasterJob& job);
-    /// Ends the task once the worker has sent all results and these are checked. Cuts a worker off
+    /// Ends the task once the worker has sent all results and these are checked. Cuts off a worker
     /// that has left out answers.
     void end_if_complete(WorkerId worker, TaskId task, const Lease& lease);
 

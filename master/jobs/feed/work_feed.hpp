@@ -38,7 +38,7 @@ class WorkFeed {
   private:
     /// Load of the thread pool and of the memory by analyses.
     struct Load {
-        std::uint64_t under_way = 0;  ///< Groups of scenarios in analysis, of all jobs.
+        std::uint64_t under_way = 0;  ///< Blocks (`AnalysedBlock`) in analysis, of all jobs.
         std::uint64_t open_bytes = 0; ///< Memory of the open analyses of all jobs.
     };
     /// Jobs that may get work, in the order of their turns. Adds the load of all jobs to `load`.
