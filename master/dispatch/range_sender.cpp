@@ -93,7 +93,8 @@ bool RangeSender::would_be_late(const WorkerProxy& proxy, const DispatchJob& job
     // Compares the time of one scenario on this worker with the time that the others need for all.
     const double rate = context_.pace.positions_per_second(proxy, job);
     const double others = std::max(of_all.unclaimed - rate, quickest);
-    const auto left = static_cast<double>(of_all.left - proxy.tasks.left());
+    // The totals are from the begin of the event, and the worker may have got tasks since.
+    const auto left = static_cast<double>(of_all.left - std::min(of_all.left, proxy.tasks.left()));
     return proxy.facts().threads / rate >
            limits::range_lateness_max * std::max(left / others, 1 / quickest);
 }
