@@ -28,7 +28,7 @@ struct SendBlock {
     friend bool operator==(const SendBlock&, const SendBlock&) = default;
 };
 
-/// Action: tell the worker to fetch the blocks from the first of the sources that has them.
+/// Action: the master tells the worker to fetch the blocks from the first source that has them.
 struct SendToPeers {
     WorkerId to;
     TreeId tree;
@@ -59,16 +59,16 @@ class BlockDirector {
     BlockActions wanted(WorkerId worker, TreeId tree, std::span<const RootIndex> roots, Time now);
     BlockActions held(WorkerId worker, TreeId tree, std::span<const RootIndex> roots, Time now);
     BlockActions evicted(WorkerId worker, TreeId tree, std::span<const RootIndex> roots, Time now);
-    /// The source gave the worker none of these blocks; the worker tries its next source or wants
-    /// them again. Ignored if this source was not named to the worker, which could otherwise
-    /// exclude any worker from serving.
+    /// Handles a report that the source gave the worker none of these blocks. The worker tries its
+    /// next source or requests them again. Ignored if the master did not name this source to the
+    /// worker; otherwise a worker could exclude any other worker from serving.
     BlockActions peer_failed(WorkerId worker,
                              WorkerId source,
                              TreeId tree,
                              std::span<const RootIndex> roots,
                              PeerOutcome how,
                              Time now);
-    /// A probe did not reach the source's port.
+    /// Never names the source again, because a probe did not reach its port.
     BlockActions not_reached(WorkerId source, Time now);
     BlockActions tree_removed(TreeId tree, Time now);
 
@@ -94,7 +94,7 @@ class BlockDirector {
     /// Blocks that a worker fetches from peers because of one SendToPeers.
     struct Fetch {
         WorkerId to;
-        WorkerId source; ///< First source, while one of its upload slots is taken; else 0.
+        WorkerId source; ///< First source, while the fetch takes one of its upload slots; else 0.
         std::vector<WorkerId> named; ///< All sources named to the worker.
         std::size_t left = 0;        ///< Number of the blocks that are still under way.
         Time deadline;
@@ -103,12 +103,12 @@ class BlockDirector {
     struct Event {
         Time now;
         std::set<WorkerId> have_places; ///< Sources that have a free upload slot again.
-        std::set<BlockKey> less_hope;   ///< Blocks that fewer workers hold or will hold.
+        std::set<BlockKey> less_hope;   ///< Blocks that fewer workers can give than before.
         BlockActions actions;
     };
 
     /// Returns the best source of the block for the worker; 0 if none has a free upload slot.
-    /// `given`: the roots that this event takes from each source.
+    /// `given`: the roots that the current event already takes from each source.
     [[nodiscard]] WorkerId
     first_source(const BlockIndex::Block& block,
                  WorkerId worker,
@@ -124,13 +124,13 @@ class BlockDirector {
         WorkerId worker, TreeId tree, std::vector<RootIndex> roots, WorkerId source, Event& event);
     /// Ends both the block's delivery to the worker and the worker's wait for it.
     void forget_delivery(WorkerId worker, const BlockKey& block, Event& event);
-    /// Counts one block of the fetch that has arrived, or will not.
+    /// Counts down the blocks of the fetch: one more has arrived, or will not arrive.
     void end_part(FetchId fetch, Event& event);
     /// Frees the upload slot that the fetch takes.
     void free_place(Fetch& fetch, Event& event);
     void lose_hold(WorkerId worker, const BlockKey& block, Event& event);
-    /// Records that workers can no longer fetch from this source. For each of its blocks, `settle`
-    /// then checks whether the workers that wait for the block still have a source.
+    /// Call when some or all workers can no longer fetch from this source. For each of its blocks,
+    /// `settle` then checks whether the workers that wait for the block still have a source.
     void serves_fewer(WorkerId source, Event& event);
 
     /// Ends an event: assigns freed upload slots to waiting workers, and lets the master send the
