@@ -44,15 +44,15 @@ class JobDesk {
     [[nodiscard]] Status forget(JobId job);
     /// Forgets jobs whose retention has expired. `now` is in seconds since 1970.
     void forget_expired(std::uint64_t now);
-    /// Stops the master's run of a scenario in dispute, which then counts as failed. False if there
-    /// is no such run.
+    /// Stops the master's run of a disputed scenario, which then counts as failed. False if the
+    /// master does not run it.
     [[nodiscard]] bool cancel_disputed(JobId job, std::uint64_t scenario);
     /// The poses of a running job. Errors: NotFound; Refused if the job has ended or the scenario
     /// has a result.
     [[nodiscard]] Result<std::shared_ptr<OrderedPoses>> poses_of_unanswered(JobId job,
                                                                             std::uint64_t scenario);
-    /// Fails the scenario and stops it on all workers; the job continues. Errors: NotFound; Refused
-    /// if the job has ended or the scenario has a result.
+    /// Marks the scenario as failed, and stops it on all workers; the job continues. Errors:
+    /// NotFound; Refused if the job has ended or the scenario has a result.
     [[nodiscard]] Status cancel_scenario(JobId job, const PlacedScenario& placed);
 
     // ---- Questions ------------------------------------------------------------------------------

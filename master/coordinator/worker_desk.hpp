@@ -20,8 +20,8 @@ class WorkerDesk : public WorkerEvents {
         : state_(state), services_(services), heartbeat_(heartbeat) {}
 
     // ---- Messages of a worker -----------------------------------------------------------------
-    /// Resynchronises a worker with its inventory: sends or queues again what was lost with its
-    /// last connection.
+    /// Resynchronises a worker after a reconnection: sends or queues again what the worker's
+    /// inventory shows to be lost with its last connection.
     void came(WorkerId worker, const Inventory& inventory);
     void came(WorkerId worker, const Evicted& evicted);
     void came(WorkerId worker, const Holding& holding);
