@@ -21,7 +21,7 @@ struct CutGeometry::State {
     std::uint64_t bytes = 0;
     mutable std::mutex writing{}; ///< Held while the file is written again.
     mutable bool is_lost = false; ///< The file could not be written again; guarded by `writing`.
-    mutable std::mutex mutex{};   ///< Guards the next member.
+    mutable std::mutex mutex{};   ///< Guards `anew`.
     /// The file that replaces `blocks` after damage; null if there was none.
     mutable std::shared_ptr<const BlocksFile> anew{};
 
