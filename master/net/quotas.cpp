@@ -28,8 +28,8 @@ std::string of(std::uint64_t count, std::uint64_t limit, const std::string& what
 // ---- Connections, and what comes over them ------------------------------------------------------
 
 Status Quotas::connect(const std::string& client) {
-    // Bounds the number of remembered names, because a peer without a certificate can use many.
-    // Names with connections or jobs stay.
+    // Bounds the number of entries, because a peer without a certificate can use many names. Names
+    // with connections or jobs stay.
     if (clients_.size() >= limits::connections_max && !clients_.contains(client)) {
         for (auto& [name, entry] : clients_) {
             forget_ended(entry);
