@@ -20,7 +20,7 @@ namespace cd {
 /// deletes an unsealed file. Takes 16 bytes of memory per run.
 class SpoolFile {
   public:
-    /// Kind of data and number of scenarios, which `open` compares with those in the file.
+    /// Kind of data and number of scenarios, which `open` compares with the file's content.
     struct Content {
         std::vector<std::uint64_t> kind; ///< A magic number, then the format's parameters.
         std::uint64_t scenarios = 0;
