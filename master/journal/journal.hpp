@@ -127,8 +127,7 @@ class Journal {
     /// Bytes of the records and maps that are queued, that is, not committed yet. Any thread.
     [[nodiscard]] virtual std::uint64_t queued_bytes() const = 0;
 
-    /// Returns the record of an accepted job. Blocks for the disk. Any thread. Errors: NotFound;
-    /// Io.
+    /// Returns an accepted job's record. Blocks for the disk. Any thread. Errors: NotFound; Io.
     [[nodiscard]] virtual Result<JobRecord> job(JobId job) const = 0;
 
     [[nodiscard]] const std::filesystem::path& jobs_folder() const { return jobs_folder_; }
