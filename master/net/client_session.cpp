@@ -328,7 +328,7 @@ asio::awaitable<void> ClientSession::open_job(Submit submit, std::shared_ptr<Job
     }
 }
 
-// ---- Asking -------------------------------------------------------------------------------------
+// ---- Queries ------------------------------------------------------------------------------------
 
 asio::awaitable<void> ClientSession::on(StatusQuery /*message*/) {
     auto measure = [state = coordinator_.parts().directory.parent_path()] {

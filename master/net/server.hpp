@@ -45,7 +45,7 @@ class Server {
            const ClientLimits& clients = {});
 
     [[nodiscard]] std::uint16_t port() const { return listener_->port(); }
-    /// Number of open connections, greeted or not.
+    /// Number of open connections, with or without a Welcome.
     [[nodiscard]] std::size_t connections() const { return connections_.size(); }
     /// Starts accepting connections.
     void start();
