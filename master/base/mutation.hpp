@@ -15,7 +15,7 @@ enum class Mutation : std::uint8_t {
     RoomNotGivenBack,       ///< A scenario that leaves the work queue still counts as unsent.
     PoisonToleratedTooLong, ///< A scenario that kills workers is never given up.
     PoisonGivenUpTooEarly,  ///< A scenario is given up one worker too early.
-    SecondAnswerMerged,     ///< A scenario's second answer is merged as well.
+    SecondAnswerMerged,     ///< The second result of a scenario is merged, too.
     AnswerKeptTooEarly,     ///< The master acknowledges results that are not durable.
     JobAcceptedTooEarly,    ///< A client learns of the acceptance of a job that is not durable.
     EndToldTooEarly,        ///< A client learns of an end that is not durable.

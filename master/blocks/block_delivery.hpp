@@ -67,7 +67,7 @@ class BlockDelivery {
         std::uint64_t bytes = 0; ///< Compressed bytes.
     };
     [[nodiscard]] Sent sent_to(WorkerId worker) const;
-    /// Blocks that the worker reported to hold. Empty if it serves no peers. It must be connected.
+    /// Blocks that a connected worker has reported as held. Empty if it serves no peers.
     [[nodiscard]] const std::set<BlockKey>& held_by(WorkerId worker) const {
         return director_.held_by(worker);
     }

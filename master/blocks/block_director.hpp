@@ -41,13 +41,13 @@ struct SendToPeers {
 using BlockAction = std::variant<SendBlock, SendToPeers>;
 using BlockActions = std::vector<BlockAction>;
 
-/// The master sends a block once. Workers that hold the block then pass it on, each to at most
-/// `limits::peer_uploads_max` others at a time: a block that all want spreads like a tree and costs
-/// the master a bounded number of uploads. A worker waits for a block that no source can send now
-/// but some worker soon can; after `timing::peer_wait_max` the master sends the block. A worker
-/// counts as a holder only once it has reported the block. A source that the master or two workers
-/// cannot reach, or that sends a damaged block, is not named again. If peers fail to deliver a
-/// block, so that the worker wants it again, the master sends it.
+/// The master sends a block to one worker. Workers that hold it then pass it on, each to at most
+/// `limits::peer_uploads_max` others at a time: a block that all workers want spreads like a tree
+/// and costs the master a bounded number of uploads. A worker waits for a block that no source can
+/// send now but some worker soon can; after `timing::peer_wait_max` the master sends the block. A
+/// worker counts as a holder only once it has reported the block. A source that the master or two
+/// workers cannot reach, or that sends a damaged block, is not named again. If peers fail to
+/// deliver a block, so that the worker wants it again, the master sends it.
 class BlockDirector {
   public:
     using Time = BlockIndex::Time;
@@ -77,7 +77,7 @@ class BlockDirector {
 
     /// Returns the number of wanted blocks that have not arrived, over all workers.
     [[nodiscard]] std::size_t open() const;
-    /// Blocks that a worker reported to hold. The worker must have joined. Empty if it does not
+    /// Blocks that a worker has reported as held. The worker must have joined. Empty if it does not
     /// serve peers.
     [[nodiscard]] const std::set<BlockKey>& held_by(WorkerId worker) const {
         return index_.at(worker).holds;
@@ -114,7 +114,7 @@ class BlockDirector {
                  WorkerId worker,
                  const std::map<WorkerId, std::vector<RootIndex>>& given) const;
 
-    /// Decides where a wanted block comes from, or lets the worker wait.
+    /// Chooses the source of a wanted block, and adds a peer to `given`, or lets the worker wait.
     void want(WorkerId worker,
               const BlockKey& block,
               std::map<WorkerId, std::vector<RootIndex>>& given,

@@ -70,7 +70,7 @@ class BlockIndex {
     /// Records that worker `by` cannot reach the source. Avoids a source once
     /// `limits::peer_unreachable_by_max` workers cannot reach it.
     void set_unreachable(WorkerId source, WorkerId by);
-    /// Never offers this worker as a source of any block again. Transfers under way go on.
+    /// Never offers this worker as a source of any block again. Transfers under way continue.
     void avoid(WorkerId source);
 
     // ---- Blocks -------------------------------------------------------------------------------

@@ -42,7 +42,7 @@ class Coordinator {
     using Authors = std::map<InstanceId, std::shared_ptr<const Author>>;
 
     /// Restores the poses, results and disputes of a running job. `known`: all authors found so
-    /// far, to which this adds.
+    /// far; this adds the job's.
     [[nodiscard]] Status restore_run(MasterJob& job, RecoveredJob& found, Authors& known);
     /// Holds resumed jobs back for a time, until the workers from before the restart return.
     void await_workers();

@@ -19,7 +19,7 @@ class JobDesk {
     JobDesk(MasterState& state, MasterServices& services, const Geometry& geometry)
         : state_(state), services_(services), geometry_(geometry) {}
 
-    // ---- Beginning ------------------------------------------------------------------------------
+    // ---- Starting jobs --------------------------------------------------------------------------
     /// Allocates the id of a new job. The caller must then call `begin` or `give_up`. Errors:
     /// Refused when too many jobs or scenarios run; Io while the journal cannot write.
     [[nodiscard]] Result<JobId> allot(std::uint64_t scenarios);
@@ -34,7 +34,7 @@ class JobDesk {
     /// Coroutines that wait for the acceptance, the end or the removal of a job.
     [[nodiscard]] JobWaits& waits() { return state_.waits; }
 
-    // ---- Ending ---------------------------------------------------------------------------------
+    // ---- Ending jobs ----------------------------------------------------------------------------
     /// Ends a running job. Once that is durable, wakes the coroutines that wait for the job. Does
     /// nothing if the job has ended. Errors: NotFound.
     [[nodiscard]] Result<JobStatus> cancel(JobId job);

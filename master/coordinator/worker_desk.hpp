@@ -42,7 +42,7 @@ class WorkerDesk : public WorkerEvents {
     /// Orders the worker to exit at once. Its work returns to the queue and is not counted as lost.
     void terminate(WorkerId worker);
 
-    // ---- Events of the directory ----------------------------------------------------------------
+    // ---- Events of the worker directory ---------------------------------------------------------
     void worker_joined(WorkerId worker, const Hello& hello) override;
     void worker_replaced(WorkerId worker) override;
     void worker_resumed(WorkerId worker) override;

@@ -128,8 +128,8 @@ SubtreeBlock CutGeometry::block(RootIndex root) const {
                                make_block(*state_->tree, state_->depth, state_->form, root)};
 }
 
-/// Renames the damaged file, and writes a new one. Sets `is_lost` if that fails. The new file has
-/// the same index entries, since the tree determines them.
+/// Renames the damaged file, and writes a new one. Sets `is_lost` if that fails. The index entries
+/// do not change, since the tree determines them.
 void CutGeometry::write_anew(const std::string& why) const {
     const std::filesystem::path path = state_->blocks.file.path();
     Status status = set_aside(path, why);

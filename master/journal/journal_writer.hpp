@@ -53,7 +53,7 @@ class JournalWriter {
     void promise(const Delivery& delivery, JobId job, std::span<const std::uint64_t> scenarios) {
         ledger_.promise(delivery, job, scenarios);
     }
-    /// Announces now all events that are durable already. Each commit does so as well.
+    /// Announces all events that are durable already. Each commit announces events, too.
     void announce();
     /// Drops all pending acknowledgements to the worker.
     void forget(WorkerId worker) { ledger_.forget(worker); }

@@ -34,7 +34,7 @@ class PoseSpool final : public PoseRuns {
     /// scenarios, an index that is used or outside the window, or unknown bodies; Io.
     [[nodiscard]] Status append(const Bytes& packed);
 
-    /// Finishes the file after the last scenarios and renames it to `path`, in the same folder.
+    /// Finishes the file after the last scenarios and renames it to `path`, which is in its folder.
     /// Errors: Io.
     [[nodiscard]] Status seal(const std::filesystem::path& path, Durability durability);
     /// Reads all runs and checks their checksums. Errors: Io, naming the file.
