@@ -26,8 +26,8 @@ class Check {
             problem(directory_.string() + " is no directory");
             return std::move(report_);
         }
-        // Held until the end, so that no master starts meanwhile. A folder without a lock file was
-        // never used.
+        // The lock is held until the end, so that no master starts meanwhile. A folder without a
+        // lock file was never used.
         const Result<DiskFile> lock = DiskFile::lock_existing(directory_ / "lock");
         if (!lock && lock.error().code != ErrorCode::NotFound) {
             problem(lock.error().detail);

@@ -65,7 +65,7 @@ struct Texts {
     double return_within_seconds = seconds(FailureTimes().return_within);
 };
 
-/// Converts the times. Errors: BadInput for times that are too short.
+/// Converts the times of the options. Errors: BadInput for times that are too short.
 Result<FailureTimes> failure_times(const Texts& texts) {
     const auto milliseconds = [](double value) {
         return FailureTimes::Duration(std::llround(1000 * value));

@@ -37,7 +37,7 @@ struct MasterCommandLine {
     int exit_code = 0;
 };
 
-/// Reads all options. The command line precedes the environment, which precedes the file of
+/// Reads all options. The command line overrides the environment, which overrides the file of
 /// --config.
 [[nodiscard]] MasterCommandLine parse_master_command_line(int count, const char* const* arguments);
 

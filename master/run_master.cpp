@@ -51,7 +51,7 @@ void allow_many_files() {
     }
 }
 
-/// Forgets jobs whose retention is over, every `timing::retention_check_period`.
+/// Forgets jobs whose retention has expired, every `timing::retention_check_period`.
 asio::awaitable<void>
 keep_jobs(Coordinator& coordinator, asio::steady_timer& pause, const bool& stopping) {
     while (!stopping) {
@@ -75,7 +75,7 @@ keep_valid(MasterIdentity& identity, asio::steady_timer& pause, const bool& stop
     }
 }
 
-/// Returns null if the configuration has no HTTP endpoint.
+/// Opens the HTTP port. Returns null if the configuration has no HTTP endpoint.
 Result<std::unique_ptr<HttpFront>>
 listen_http(const MasterConfig& config, Coordinator& coordinator, MasterIdentity* identity) {
     if (!config.http) {
@@ -132,7 +132,7 @@ Status run_master(const MasterConfig& config) {
     // kills the master.
     std::signal(SIGXFSZ, SIG_IGN);
     allow_many_files();
-    // Declared first and so destroyed last: functions on the pools may post to the context.
+    // The context is destroyed last, because functions on the pools may post to it.
     asio::io_context context(1);
     AsioLoop loop(context.get_executor());
     ThreadPool compute(config.threads);
@@ -199,8 +199,8 @@ Status run_master(const MasterConfig& config) {
              port,
              std::filesystem::absolute(config.state).string(),
              secured);
-    // After the signal handler is set and the ports are logged: a script that waits for the file
-    // may send a signal, or look for the HTTP port in the log, at once.
+    // Written after the signal handler is set and the ports are logged: a script that waits for the
+    // file may at once send a signal, or look for the HTTP port in the log.
     if (!config.port_file.empty()) {
         if (Status written = write_port(config.port_file, port); !written) {
             return written;

@@ -11,7 +11,7 @@ namespace cd {
 [[nodiscard]] Status run_master(const MasterConfig& config);
 
 /// `cdmaster init`: creates an identity in the state folder if there is none, writes a new admin
-/// credential, and prints its path. Errors: those of `MasterIdentity::init`.
+/// credential, and prints its path. Errors: as `MasterIdentity::init`.
 [[nodiscard]] Status init_master(const MasterConfig& config);
 
 } // namespace cd

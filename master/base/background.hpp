@@ -12,7 +12,7 @@
 namespace cd {
 
 /// The parts of the coordinator use other threads only through this class. All members but `post`
-/// run on the owner's thread, which is the loop's.
+/// run on the owner's thread, which runs the event loop.
 class Background {
   public:
     /// `after_each` is called on the owner's thread after each `done` or posted function. The loop
@@ -29,7 +29,7 @@ class Background {
     void compute(Work work, Done done) {
         run(compute_, std::move(work), std::move(done));
     }
-    /// Like `compute`, for work that waits for the disk or for the compute pool, or takes long.
+    /// Like `compute`, but on the blocking pool: for work that waits for the disk, or takes long.
     template <class Work, class Done>
     void block(Work work, Done done) {
         run(blocking_, std::move(work), std::move(done));

@@ -1,4 +1,4 @@
-// Retries steps of jobs that failed because of the disk.
+// Retries steps of jobs that failed because of a disk error.
 #pragma once
 
 #include "common/core/id.hpp"
@@ -11,8 +11,8 @@
 
 namespace cd {
 
-/// Somebody may repair a full or damaged disk, so a step is tried again after
-/// `timing::journal_retry_period`. All members run on the loop's thread.
+/// Runs a failed step again after `timing::journal_retry_period`, because somebody may repair a
+/// full or damaged disk. All members run on the loop's thread.
 class DiskRetries {
   public:
     /// The loop outlives this object, and is closed before this object is destroyed.
@@ -24,7 +24,7 @@ class DiskRetries {
     void start(JobId job, std::function<void()> again);
     /// True if a step of the job waits for its retry.
     [[nodiscard]] bool any(JobId job) const { return waiting_.contains(job); }
-    /// Ends all waits of a job that has ended: the steps run soon, and find no running job.
+    /// Call when the job has ended: its steps run soon instead of later, and find no running job.
     void stop(JobId job);
     /// Drops all waiting steps. Later calls of `start` do nothing.
     void close() {

@@ -1,4 +1,4 @@
-// The thread that owns the coordinator, as its parts see it: the time, and functions to call later.
+// The event loop on the coordinator's thread: tells the time, and calls functions soon or later.
 #pragma once
 
 #include "proto/channel/asio.hpp"
@@ -10,7 +10,7 @@
 
 namespace cd {
 
-/// Calls functions on one thread, the owner's. Unless stated otherwise, members run on this thread.
+/// Calls functions on one thread, the loop's thread. Unless stated otherwise, members run on it.
 class EventLoop {
   public:
     using Time = std::chrono::steady_clock::time_point;
@@ -30,7 +30,7 @@ class EventLoop {
     virtual void close() = 0;
 };
 
-/// The loop of an Asio executor with one thread, in real time.
+/// An event loop on an Asio executor with one thread, in real time.
 class AsioLoop final : public EventLoop {
   public:
     explicit AsioLoop(asio::any_io_executor executor) : executor_(std::move(executor)) {}

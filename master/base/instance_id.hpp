@@ -41,7 +41,7 @@ struct Author {
 /// `limits::losses_again_that_count`-th repeated loss counts as well.
 class Losses {
   public:
-    /// Adds a loss. Process 0, unknown or still connected, counts each time.
+    /// Adds a loss with the process. Process 0 (unknown, or still connected) counts each time.
     void add(InstanceId process) {
         const bool is_known =
             process != 0 && std::ranges::find(processes_, process) != processes_.end();
@@ -54,7 +54,7 @@ class Losses {
         ++count_;
     }
     [[nodiscard]] std::size_t count() const { return count_; }
-    /// True if the scenario was never lost, so that it may go out in a range.
+    /// True if the scenario was never lost, so that a task with a range may contain it.
     [[nodiscard]] bool none() const { return count_ == 0; }
 
     friend bool operator==(const Losses&, const Losses&) = default;

@@ -9,8 +9,8 @@
 
 namespace cd {
 
-/// Work in flight mostly is a few runs of consecutive positions, so operations cost time in the
-/// number of runs, not of positions.
+/// Operations take time proportional to the number of runs of consecutive positions, not of
+/// positions. Work in flight mostly consists of a few runs.
 class PositionSet {
   public:
     PositionSet() = default;
@@ -45,7 +45,7 @@ class PositionSet {
     /// The first run that ends after `position`.
     [[nodiscard]] Runs::const_iterator run_after(std::uint64_t position) const;
 
-    Runs runs_; ///< Not empty and not adjacent to each other.
+    Runs runs_; ///< Ascending; no run is empty, and no two runs overlap or touch.
     std::uint64_t count_ = 0;
 };
 

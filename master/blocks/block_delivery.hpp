@@ -18,15 +18,15 @@
 
 namespace cd {
 
-/// Carries out the director's decisions on the workers' channels. Runs on the loop's thread.
-/// Ignores events of unknown workers and of trees that are no longer used.
+/// Carries out the decisions of `BlockDirector` on the workers' channels. Runs on the loop's
+/// thread. Ignores events of unknown workers and of trees that are no longer used.
 class BlockDelivery {
   public:
     struct Parts {
         asio::any_io_executor executor; ///< Runs coroutines on the loop's thread.
         EventLoop& loop;
         Network& network; ///< Reaches the workers' ports.
-        Pool& pool;       ///< Makes damaged blocks again.
+        Pool& pool;       ///< Encodes blocks again if their file is damaged.
         const TreeRegistry& trees;
     };
 
@@ -37,8 +37,8 @@ class BlockDelivery {
     /// Stops all transfers when the master ends.
     void close();
 
-    /// `port` is the worker's port for peers, or 0 if it serves none. A worker that a probe does
-    /// not reach is never a source.
+    /// `port`: the worker's port for peers, 0 if it serves none. Probes the port; a worker that
+    /// cannot be reached there never becomes a source of blocks.
     void worker_joined(WorkerId worker,
                        std::shared_ptr<Channel> channel,
                        const PeerKey& key,
@@ -52,22 +52,22 @@ class BlockDelivery {
 
     /// Returns whether blocks of the tree may be sent to the worker.
     [[nodiscard]] bool knows(WorkerId worker, TreeId tree) const;
-    /// The worker wants blocks. Errors: BadFrame for a root that the tree lacks.
+    /// Handles a request for blocks. Errors: BadFrame for a root that the tree lacks.
     [[nodiscard]] Status wanted(WorkerId worker, const WantSubtrees& want);
-    /// The worker holds blocks. Errors: BadFrame for a root that the tree lacks.
+    /// Handles a report of held blocks. Errors: BadFrame for a root that the tree lacks.
     [[nodiscard]] Status held(WorkerId worker, const Held& held);
     void evicted(WorkerId worker, const Evicted& evicted);
-    /// The worker could not fetch blocks from a peer.
+    /// Handles a worker's report that it could not fetch blocks from a peer.
     void failed(WorkerId worker, const FetchFailed& failed);
     void tree_removed(TreeId tree);
 
-    /// Blocks that the master, and no peer, has sent to a worker.
+    /// Counts the blocks that the master itself, not a peer, has sent to a worker.
     struct Sent {
         std::uint64_t blocks = 0;
         std::uint64_t bytes = 0; ///< Compressed bytes.
     };
     [[nodiscard]] Sent sent_to(WorkerId worker) const;
-    /// Blocks that the worker reported to hold. Empty if it serves no peers. It must be connected.
+    /// Blocks that a connected worker has reported as held. Empty if it serves no peers.
     [[nodiscard]] const std::set<BlockKey>& held_by(WorkerId worker) const {
         return director_.held_by(worker);
     }
@@ -86,7 +86,7 @@ class BlockDelivery {
         Sent sent;
     };
 
-    /// The tree must be known.
+    /// Checks that the tree, which must be in use, has all these roots. Errors: BadFrame.
     [[nodiscard]] Status check_roots(TreeId tree, const std::vector<RootIndex>& roots) const;
     void probe(WorkerId worker);
     [[nodiscard]] asio::awaitable<void>

@@ -227,7 +227,7 @@ BlockDirector::first_source(const BlockIndex::Block& block,
     return best;
 }
 
-// ---- What an event does to one block ----------------------------------------------------------
+// ---- Effects of an event on one block ---------------------------------------------------------
 
 void BlockDirector::want(WorkerId worker,
                          const BlockKey& block,
@@ -335,7 +335,7 @@ void BlockDirector::lose_hold(WorkerId worker, const BlockKey& block, Event& eve
     }
 }
 
-// ---- What becomes possible at the end of an event -----------------------------------------------
+// ---- The end of an event ------------------------------------------------------------------------
 
 BlockActions BlockDirector::settle(Event event) {
     while (!event.have_places.empty()) {

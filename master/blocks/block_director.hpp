@@ -28,7 +28,7 @@ struct SendBlock {
     friend bool operator==(const SendBlock&, const SendBlock&) = default;
 };
 
-/// Action: tell the worker to fetch the blocks from the first of the sources that has them.
+/// Action: the master tells the worker to fetch the blocks from the first source that has them.
 struct SendToPeers {
     WorkerId to;
     TreeId tree;
@@ -41,13 +41,13 @@ struct SendToPeers {
 using BlockAction = std::variant<SendBlock, SendToPeers>;
 using BlockActions = std::vector<BlockAction>;
 
-/// The master sends a block once. Workers that hold the block then pass it on, each to at most
-/// `limits::peer_uploads_max` others at a time: a block that all want spreads like a tree and costs
-/// the master a bounded number of uploads. A worker waits for a block that no source can send now
-/// but some worker soon can; after `timing::peer_wait_max` the master sends the block. A worker
-/// counts as a holder only once it has reported the block. A source that the master or two workers
-/// cannot reach, or that sends a damaged block, is not named again. If peers fail to deliver a
-/// block, so that the worker wants it again, the master sends it.
+/// The master sends a block to one worker. Workers that hold it then pass it on, each to at most
+/// `limits::peer_uploads_max` others at a time: a block that all workers want spreads like a tree
+/// and costs the master a bounded number of uploads. A worker waits for a block that no source can
+/// send now but some worker soon can; after `timing::peer_wait_max` the master sends the block. A
+/// worker counts as a holder only once it has reported the block. A source that the master or two
+/// workers cannot reach, or that sends a damaged block, is not named again. If peers fail to
+/// deliver a block, so that the worker wants it again, the master sends it.
 class BlockDirector {
   public:
     using Time = BlockIndex::Time;
@@ -59,16 +59,16 @@ class BlockDirector {
     BlockActions wanted(WorkerId worker, TreeId tree, std::span<const RootIndex> roots, Time now);
     BlockActions held(WorkerId worker, TreeId tree, std::span<const RootIndex> roots, Time now);
     BlockActions evicted(WorkerId worker, TreeId tree, std::span<const RootIndex> roots, Time now);
-    /// The source gave the worker none of these blocks; the worker tries its next source or wants
-    /// them again. Ignored if this source was not named to the worker, which could otherwise
-    /// exclude any worker from serving.
+    /// Handles a report that the source gave the worker none of these blocks. The worker tries its
+    /// next source or requests them again. Ignored if the master did not name this source to the
+    /// worker; otherwise a worker could exclude any other worker from serving.
     BlockActions peer_failed(WorkerId worker,
                              WorkerId source,
                              TreeId tree,
                              std::span<const RootIndex> roots,
                              PeerOutcome how,
                              Time now);
-    /// A probe did not reach the source's port.
+    /// Never names the source again, because a probe did not reach its port.
     BlockActions not_reached(WorkerId source, Time now);
     BlockActions tree_removed(TreeId tree, Time now);
 
@@ -77,7 +77,7 @@ class BlockDirector {
 
     /// Returns the number of wanted blocks that have not arrived, over all workers.
     [[nodiscard]] std::size_t open() const;
-    /// Blocks that a worker reported to hold. The worker must have joined. Empty if it does not
+    /// Blocks that a worker has reported as held. The worker must have joined. Empty if it does not
     /// serve peers.
     [[nodiscard]] const std::set<BlockKey>& held_by(WorkerId worker) const {
         return index_.at(worker).holds;
@@ -94,7 +94,7 @@ class BlockDirector {
     /// Blocks that a worker fetches from peers because of one SendToPeers.
     struct Fetch {
         WorkerId to;
-        WorkerId source; ///< First source, while one of its upload slots is taken; else 0.
+        WorkerId source; ///< First source, while the fetch takes one of its upload slots; else 0.
         std::vector<WorkerId> named; ///< All sources named to the worker.
         std::size_t left = 0;        ///< Number of the blocks that are still under way.
         Time deadline;
@@ -103,18 +103,18 @@ class BlockDirector {
     struct Event {
         Time now;
         std::set<WorkerId> have_places; ///< Sources that have a free upload slot again.
-        std::set<BlockKey> less_hope;   ///< Blocks that fewer workers hold or will hold.
+        std::set<BlockKey> less_hope;   ///< Blocks that fewer workers can give than before.
         BlockActions actions;
     };
 
     /// Returns the best source of the block for the worker; 0 if none has a free upload slot.
-    /// `given`: the roots that this event takes from each source.
+    /// `given`: the roots that the current event already takes from each source.
     [[nodiscard]] WorkerId
     first_source(const BlockIndex::Block& block,
                  WorkerId worker,
                  const std::map<WorkerId, std::vector<RootIndex>>& given) const;
 
-    /// Decides where a wanted block comes from, or lets the worker wait.
+    /// Chooses the source of a wanted block, and adds a peer to `given`, or lets the worker wait.
     void want(WorkerId worker,
               const BlockKey& block,
               std::map<WorkerId, std::vector<RootIndex>>& given,
@@ -124,13 +124,13 @@ class BlockDirector {
         WorkerId worker, TreeId tree, std::vector<RootIndex> roots, WorkerId source, Event& event);
     /// Ends both the block's delivery to the worker and the worker's wait for it.
     void forget_delivery(WorkerId worker, const BlockKey& block, Event& event);
-    /// Counts one block of the fetch that has arrived, or will not.
+    /// Counts down the blocks of the fetch: one more has arrived, or will not arrive.
     void end_part(FetchId fetch, Event& event);
     /// Frees the upload slot that the fetch takes.
     void free_place(Fetch& fetch, Event& event);
     void lose_hold(WorkerId worker, const BlockKey& block, Event& event);
-    /// Records that workers can no longer fetch from this source. For each of its blocks, `settle`
-    /// then checks whether the workers that wait for the block still have a source.
+    /// Call when some or all workers can no longer fetch from this source. For each of its blocks,
+    /// `settle` then checks whether the workers that wait for the block still have a source.
     void serves_fewer(WorkerId source, Event& event);
 
     /// Ends an event: assigns freed upload slots to waiting workers, and lets the master send the

@@ -1,5 +1,5 @@
-// Records for each worker the blocks of geometry that it reports to hold or wait for, and those
-// that it is being sent. Matching decides on a plan instead
+// Records for each worker the blocks of geometry that it reports to hold, waits for, and is being
+// sent. To assign work, the dispatcher uses a plan of future blocks instead
 // (master/dispatch/blocks/block_plan.hpp).
 #pragma once
 
@@ -70,7 +70,7 @@ class BlockIndex {
     /// Records that worker `by` cannot reach the source. Avoids a source once
     /// `limits::peer_unreachable_by_max` workers cannot reach it.
     void set_unreachable(WorkerId source, WorkerId by);
-    /// Never offers this worker as a source of any block again. Transfers under way go on.
+    /// Never offers this worker as a source of any block again. Transfers under way continue.
     void avoid(WorkerId source);
 
     // ---- Blocks -------------------------------------------------------------------------------
@@ -80,17 +80,17 @@ class BlockIndex {
     [[nodiscard]] const Block& known(const BlockKey& block) { return blocks_[block]; }
     void forget_if_unused(const BlockKey& block);
 
-    /// Ignored for a worker that does not serve peers.
+    /// Records that the worker holds the block. Does nothing if the worker serves no peers.
     void add_hold(WorkerId worker, const BlockKey& block);
-    /// False if the worker did not hold the block, or has not joined.
+    /// Undoes `add_hold`. False if the worker did not hold the block, or has not joined.
     bool lose_hold(WorkerId worker, const BlockKey& block);
-    /// The worker starts to wait for a known block, for which it must not wait yet.
+    /// Starts the worker's wait for a block that `blocks` has and that it does not await yet.
     void wait(WorkerId worker, const BlockKey& block, Time now);
     /// Ends the worker's wait for the block, if any.
     void stop_waiting(WorkerId worker, const BlockKey& block);
-    /// The block is under way to the worker.
+    /// Records that the block is under way to the worker.
     void send(WorkerId worker, const BlockKey& block, FetchId fetch);
-    /// The block is no longer under way to the worker. Returns its fetch; empty if it was not.
+    /// Undoes `send`. Returns the block's fetch; empty if the block was not under way.
     std::optional<FetchId> stop_sending(WorkerId worker, const BlockKey& block);
 
     /// Workers that wait for blocks, in the order in which they began to wait.

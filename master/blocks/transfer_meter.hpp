@@ -23,13 +23,13 @@ class TransferMeter {
         double seconds = 0;
     };
 
-    /// The worker requests a block of so many bytes. A repeated request does not restart its time.
+    /// Handles a request for a block of `bytes` bytes. A repetition does not restart the time.
     void wanted(TreeId tree, RootIndex root, std::uint64_t bytes, double now);
-    /// The worker holds these blocks. Returns the bytes of the requested ones, and the seconds
-    /// since the first request or since the last measurement ended, if that is later. Empty if none
-    /// was requested.
+    /// Handles a report that the worker holds these blocks. Returns the bytes of the requested
+    /// blocks, and the seconds since their first request or since the last measurement ended,
+    /// whichever is later. Empty if none was requested.
     std::optional<Measured> held(TreeId tree, std::span<const RootIndex> roots, double now);
-    /// Drops the measurements of a removed tree's blocks.
+    /// Forgets the requests for blocks of a removed tree.
     void tree_removed(TreeId tree);
 
   private:

@@ -113,7 +113,7 @@ void Coordinator::close() {
     services_.references.close();
 }
 
-// ---- What the journal has committed ------------------------------------------------------------
+// ---- Events of the journal ---------------------------------------------------------------------
 
 JournalWriter::Events Coordinator::journal_events() {
     return {[this](WorkerId worker, const ResultsKept& kept) {

@@ -42,12 +42,12 @@ class Coordinator {
     using Authors = std::map<InstanceId, std::shared_ptr<const Author>>;
 
     /// Restores the poses, results and disputes of a running job. `known`: all authors found so
-    /// far, to which this adds.
+    /// far; this adds the job's.
     [[nodiscard]] Status restore_run(MasterJob& job, RecoveredJob& found, Authors& known);
-    /// Holds back resumed jobs until the workers from before the restart have returned.
+    /// Holds resumed jobs back for a time, until the workers from before the restart return.
     void await_workers();
 
-    // Events of the journal: what it has committed.
+    // Callbacks for what the journal has committed.
     [[nodiscard]] JournalWriter::Events journal_events();
     void job_ended(JobId job);
     void job_dropped(JobId job);

@@ -25,10 +25,10 @@ class Explainer {
               std::function<bool(WorkerId)> is_here)
         : jobs_(jobs), dispatcher_(dispatcher), is_here_(std::move(is_here)) {}
 
-    /// The input to analyse scenarios of a running job. Errors: NotFound; Refused unless the job
-    /// runs and its geometry is loaded.
+    /// Returns the data needed to analyse the scenarios of a running job. Errors: NotFound; Refused
+    /// unless the job runs and its geometry is loaded.
     [[nodiscard]] Result<AnalysisInput> input(JobId job) const;
-    /// The input to analyse the scenario, which `explain` needs; empty for an ended job. Errors:
+    /// Returns the data for the analysis that `explain` needs; empty for an ended job. Errors:
     /// NotFound; Refused while the job is being prepared.
     [[nodiscard]] Result<std::optional<AnalysisInput>> needed(JobId job,
                                                               std::uint64_t scenario) const;

@@ -8,8 +8,8 @@ namespace cd {
 
 namespace {
 
-/// Checks that dispatcher and lease book have the same tasks, and that each belongs to a known
-/// worker, so that the task ends with the worker at the latest.
+/// Checks that the dispatcher and the lease book agree about the tasks, and that each task belongs
+/// to a known worker, so that it ends with the worker at the latest.
 void check_leases(const MasterState& state, const LeaseBook& book) {
     std::size_t tasks = 0;
     const DispatchView& dispatch = state.dispatch.view();
@@ -24,7 +24,7 @@ void check_leases(const MasterState& state, const LeaseBook& book) {
     CD_CHECK(tasks == book.size());
 }
 
-/// Marks, by index, the scenarios at these positions.
+/// Sets the marks, by scenario index, of the scenarios at these positions.
 void mark(const MasterJob& job, const PositionSet& positions, std::vector<bool>& marks) {
     for (const PositionRange& run : positions.runs()) {
         const auto scenarios = job.run->poses->read(run.first, run.count);
@@ -62,7 +62,7 @@ void check_job(const MasterState& state, const MasterJob& job) {
     for (const PositionQueue::Piece& piece : work->todo.pieces()) {
         mark(job, piece.positions, is_known);
     }
-    // No scenario is lost: each is merged, at the dispatcher, or still to be handed out.
+    // No scenario is lost: each has a merged result, is at the dispatcher, or is not handed out.
     for (std::uint64_t index = 0; index < job.submit.scenarios; ++index) {
         CD_CHECK(job.merged.has(index) || in_ranges[index] || is_known[index]);
     }

@@ -6,8 +6,8 @@
 
 namespace cd {
 
-/// Aborts if an invariant is broken: every task has a worker that is watched, and no scenario is
-/// lost. For tests.
+/// Aborts if an invariant is broken, for example: every task belongs to a known worker, and no
+/// scenario is lost. For tests.
 void check_invariants(const MasterState& state, const MasterServices& services);
 
 } // namespace cd

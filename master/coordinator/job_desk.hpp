@@ -19,7 +19,7 @@ class JobDesk {
     JobDesk(MasterState& state, MasterServices& services, const Geometry& geometry)
         : state_(state), services_(services), geometry_(geometry) {}
 
-    // ---- Beginning ------------------------------------------------------------------------------
+    // ---- Starting jobs --------------------------------------------------------------------------
     /// Allocates the id of a new job. The caller must then call `begin` or `give_up`. Errors:
     /// Refused when too many jobs or scenarios run; Io while the journal cannot write.
     [[nodiscard]] Result<JobId> allot(std::uint64_t scenarios);
@@ -34,7 +34,7 @@ class JobDesk {
     /// Coroutines that wait for the acceptance, the end or the removal of a job.
     [[nodiscard]] JobWaits& waits() { return state_.waits; }
 
-    // ---- Ending ---------------------------------------------------------------------------------
+    // ---- Ending jobs ----------------------------------------------------------------------------
     /// Ends a running job. Once that is durable, wakes the coroutines that wait for the job. Does
     /// nothing if the job has ended. Errors: NotFound.
     [[nodiscard]] Result<JobStatus> cancel(JobId job);
@@ -44,15 +44,15 @@ class JobDesk {
     [[nodiscard]] Status forget(JobId job);
     /// Forgets jobs whose retention has expired. `now` is in seconds since 1970.
     void forget_expired(std::uint64_t now);
-    /// Stops the master's run of a scenario in dispute, which then counts as failed. False if there
-    /// is no such run.
+    /// Stops the master's run of a disputed scenario, which then counts as failed. False if the
+    /// master does not run it.
     [[nodiscard]] bool cancel_disputed(JobId job, std::uint64_t scenario);
     /// The poses of a running job. Errors: NotFound; Refused if the job has ended or the scenario
     /// has a result.
     [[nodiscard]] Result<std::shared_ptr<OrderedPoses>> poses_of_unanswered(JobId job,
                                                                             std::uint64_t scenario);
-    /// Fails the scenario and stops it on all workers; the job continues. Errors: NotFound; Refused
-    /// if the job has ended or the scenario has a result.
+    /// Marks the scenario as failed, and stops it on all workers; the job continues. Errors:
+    /// NotFound; Refused if the job has ended or the scenario has a result.
     [[nodiscard]] Status cancel_scenario(JobId job, const PlacedScenario& placed);
 
     // ---- Questions ------------------------------------------------------------------------------

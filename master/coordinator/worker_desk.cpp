@@ -86,7 +86,7 @@ void WorkerDesk::came(WorkerId id, const Inventory& inventory) {
     services_.tasks.compare(id, inventory.tasks);
     state_.dispatch.act(state_.dispatch->worker_heard(id));
     if (state_.dispatch.view().worker_status(id).draining) {
-        worker->channel->send(Drain{}); // An earlier one may have been lost with its connection.
+        worker->channel->send(Drain{}); // An earlier Drain may have been lost.
     }
     services_.work.feed();
 }
@@ -157,7 +157,7 @@ void WorkerDesk::draining(WorkerId worker) {
 void WorkerDesk::drain(WorkerId worker) {
     const auto channel = state_.workers.find(worker)->channel;
     draining(worker);
-    channel->send(Drain{}); // Comes after all messages queued for the worker.
+    channel->send(Drain{}); // Arrives after all messages queued for the worker.
 }
 
 void WorkerDesk::terminate(WorkerId worker) {

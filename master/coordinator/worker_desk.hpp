@@ -20,8 +20,8 @@ class WorkerDesk : public WorkerEvents {
         : state_(state), services_(services), heartbeat_(heartbeat) {}
 
     // ---- Messages of a worker -----------------------------------------------------------------
-    /// Resynchronises a worker with its inventory: sends or queues again what was lost with its
-    /// last connection.
+    /// Resynchronises a worker after a reconnection: sends or queues again what the worker's
+    /// inventory shows to be lost with its last connection.
     void came(WorkerId worker, const Inventory& inventory);
     void came(WorkerId worker, const Evicted& evicted);
     void came(WorkerId worker, const Holding& holding);
@@ -42,7 +42,7 @@ class WorkerDesk : public WorkerEvents {
     /// Orders the worker to exit at once. Its work returns to the queue and is not counted as lost.
     void terminate(WorkerId worker);
 
-    // ---- Events of the directory ----------------------------------------------------------------
+    // ---- Events of the worker directory ---------------------------------------------------------
     void worker_joined(WorkerId worker, const Hello& hello) override;
     void worker_replaced(WorkerId worker) override;
     void worker_resumed(WorkerId worker) override;

@@ -34,7 +34,7 @@ struct BlocksFile {
     std::vector<BlockPlace> places; ///< Index entries, by root.
 };
 
-/// Encodes every subtree of the cut in this form, on the pool, and writes the file. With a null
+/// Encodes the blocks of the tree cut at `depth`, on the pool, and writes the file. With a null
 /// `pool`, encodes on the caller's thread. Errors: TooLarge for a block over
 /// `limits::subtree_block_bytes_max`; Io.
 [[nodiscard]] Status write_blocks_file(const std::filesystem::path& path,

@@ -1,5 +1,5 @@
-// A cut of a tree, as the coordinator sees it: the sizes and hashes of the blocks, and their bytes
-// only when they are sent.
+// The interface of a cut of a tree: it keeps the sizes and hashes of the blocks at hand, and reads
+// a block's bytes on request.
 #pragma once
 
 #include "common/core/files/hash.hpp"
@@ -36,12 +36,12 @@ class Cut {
     [[nodiscard]] virtual const Sha256& hash(RootIndex root) const = 0;
     [[nodiscard]] virtual std::uint64_t compressed_bytes(RootIndex root) const = 0;
 
-    /// Reads one block in wire form. The system mostly has the file in its cache, so a read takes
-    /// microseconds, and the network thread may call this. Errors: Io if the file is damaged or
-    /// unreadable.
+    /// Reads one block in wire form. The operating system mostly has the file cached, so a read
+    /// takes microseconds, and the network thread may call this. Errors: Io if the file is damaged
+    /// or unreadable.
     [[nodiscard]] virtual Result<SubtreeBlock> read(RootIndex root) const = 0;
-    /// Returns one block in wire form. If it cannot be read, makes it again, which may take
-    /// seconds. Any thread may call this; the network thread leaves it to a pool.
+    /// Returns one block in wire form. If it cannot be read, encodes it again, which may take
+    /// seconds: the network thread must leave this to a pool.
     [[nodiscard]] virtual SubtreeBlock block(RootIndex root) const = 0;
 };
 

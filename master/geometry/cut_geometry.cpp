@@ -21,7 +21,7 @@ struct CutGeometry::State {
     std::uint64_t bytes = 0;
     mutable std::mutex writing{}; ///< Held while the file is written again.
     mutable bool is_lost = false; ///< The file could not be written again; guarded by `writing`.
-    mutable std::mutex mutex{};   ///< Guards the next member.
+    mutable std::mutex mutex{};   ///< Guards `anew`.
     /// The file that replaces `blocks` after damage; null if there was none.
     mutable std::shared_ptr<const BlocksFile> anew{};
 
@@ -128,8 +128,8 @@ SubtreeBlock CutGeometry::block(RootIndex root) const {
                                make_block(*state_->tree, state_->depth, state_->form, root)};
 }
 
-/// Renames the damaged file, and writes a new one. Sets `is_lost` if that fails. The new file has
-/// the same index entries, since the tree determines them.
+/// Renames the damaged file, and writes a new one. Sets `is_lost` if that fails. The index entries
+/// do not change, since the tree determines them.
 void CutGeometry::write_anew(const std::string& why) const {
     const std::filesystem::path path = state_->blocks.file.path();
     Status status = set_aside(path, why);

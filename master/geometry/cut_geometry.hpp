@@ -20,8 +20,8 @@ namespace cd {
 /// Keeps the file of the blocks open and the tree in memory, but none of the blocks.
 class CutGeometry final : public Cut {
   public:
-    /// Opens a file that `write_blocks_file` made. Errors: those of `open_blocks_file`; TooLarge
-    /// for an upper tree over `limits::subtree_block_bytes_max`.
+    /// Opens a file that `write_blocks_file` made. Errors: as `open_blocks_file`; TooLarge for an
+    /// upper tree over `limits::subtree_block_bytes_max`.
     [[nodiscard]] static Result<std::shared_ptr<const CutGeometry>>
     open(const std::filesystem::path& path,
          std::shared_ptr<const ObbTree> tree,

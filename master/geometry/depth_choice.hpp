@@ -14,7 +14,7 @@ namespace cd {
 /// Size of the cut at one depth.
 struct CutSize {
     std::uint64_t roots = 0;
-    double triangles = 0; ///< Triangles below the root of a triangle, averaged over all triangles.
+    double triangles = 0; ///< Triangles in the subtree of a triangle, averaged over the triangles.
 };
 
 /// Returns the sizes of the cuts at depths 0, 1 and so on. Ends with the cut in which all roots are
@@ -22,12 +22,12 @@ struct CutSize {
 [[nodiscard]] std::vector<CutSize> cut_sizes(const ObbTree& tree);
 
 /// Returns the least depth at which a block takes about `limits::block_bytes_wanted`, or a lower
-/// one if that gives too many roots. Smaller blocks cost more requests, more root pairs per
+/// depth if that one has too many roots. Smaller blocks cost more requests, more root pairs per
 /// scenario, and more bytes per triangle; larger blocks contain bytes that no scenario needs.
 /// `cuts`: the result of `cut_sizes`.
 [[nodiscard]] std::uint32_t choose_depth(std::span<const CutSize> cuts, double bytes_per_triangle);
 
-/// Returns the depth for blocks of this form. Depends only on the tree, so that jobs share blocks.
+/// Chooses the depth for blocks of this form. It depends only on tree and form: jobs share blocks.
 [[nodiscard]] std::uint32_t choose_depth(const ObbTree& tree, SubtreeForm form);
 
 } // namespace cd

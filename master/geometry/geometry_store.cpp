@@ -33,7 +33,7 @@ constexpr std::size_t hash_digits = 2 * sizeof(Sha256);
 
 /// One mesh, stored or being stored.
 struct Entry {
-    std::mutex making; ///< Held while the tree or a cut is made; guards the next three members.
+    std::mutex making; ///< Held while the tree or a cut is made; guards all members below.
     bool stored = false;
     std::weak_ptr<const ObbTree> tree;
     std::map<std::pair<std::uint32_t, SubtreeForm>, std::weak_ptr<const CutGeometry>> cuts;
@@ -119,7 +119,7 @@ void GeometryStore::State::find_meshes() {
     }
 }
 
-/// Adds the mesh to the stored ones, unless its file is gone.
+/// Records the mesh as stored, unless its file is missing.
 void GeometryStore::State::add_stored(const Sha256& mesh) {
     const std::shared_ptr<Entry> entry = find_or_add(mesh);
     const std::lock_guard making(entry->making); // Waits for a removal in progress.
@@ -240,7 +240,7 @@ Error no_mesh(const Sha256& mesh) {
     return {ErrorCode::NotFound, "no mesh " + to_short_hex(mesh) + " is stored here"};
 }
 
-/// Options of the master's trees: without preparation for searches, which workers do.
+/// Returns the options of the master's trees: not prepared for contact searches, which workers run.
 BuildOptions build_options() {
     BuildOptions options;
     options.prepare_search = false;

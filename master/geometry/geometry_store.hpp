@@ -22,13 +22,13 @@
 
 namespace cd {
 
-/// A value of the store, or an error.
+/// A value from the geometry store, or an error.
 template <class T>
 class [[nodiscard]] StoreResult : public Result<T> {
   public:
     using Result<T>::Result;
     StoreResult(Result<T> result) : Result<T>(std::move(result)) {}
-    /// Makes the result of a failed write to the disk.
+    /// Makes a result without a value, because the disk failed.
     [[nodiscard]] static StoreResult unwritten(Error why) {
         StoreResult result(std::move(why));
         result.is_unwritten_ = true;
@@ -80,7 +80,7 @@ class GeometryStore {
     [[nodiscard]] Result<std::shared_ptr<const ObbTree>> tree(const Sha256& mesh);
 
     /// Returns the tree cut at `depth`, and encodes its blocks unless they are on disk. Form Wide
-    /// requires `suits_wide_tree`. Errors: those of `tree`; TooLarge for a depth over
+    /// requires `suits_wide_tree`. Errors: as `tree`; TooLarge for a depth over
     /// `limits::distribution_depth_max`; Io if the blocks cannot be written.
     [[nodiscard]] StoreResult<std::shared_ptr<const CutGeometry>>
     cut(const Sha256& mesh, std::uint32_t depth, SubtreeForm form = SubtreeForm::Wide);

@@ -18,7 +18,7 @@ namespace cd {
 /// it. One thread at a time.
 class MeshUpload {
   public:
-    /// For GeometryStore. `open_uploads` counts the existing uploads.
+    /// Only GeometryStore calls this. `open_uploads` counts the existing uploads.
     MeshUpload(DiskFile file,
                const Sha256& mesh,
                std::string name,

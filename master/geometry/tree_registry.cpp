@@ -7,7 +7,7 @@ namespace cd {
 
 namespace {
 
-/// Returns a hash over the blocks of all distribution roots, which identifies the cut.
+/// Returns a hash over the form and the blocks of all distribution roots, which identifies the cut.
 Sha256 name_of(const Cut& geometry) {
     ByteWriter out;
     out.put(static_cast<std::uint8_t>(geometry.form()));

@@ -1,4 +1,4 @@
-// The cut trees of running jobs, by the ids that workers know them by.
+// Gives the cut trees of running jobs the ids by which messages to workers name them.
 #pragma once
 
 #include "common/core/files/hash.hpp"
@@ -13,8 +13,8 @@
 
 namespace cd {
 
-/// Jobs that use the same mesh at the same depth in the same form share an id. Ids are not reused
-/// while the master runs.
+/// Jobs that use one mesh at one depth in one form share an id. Ids are not reused while the master
+/// runs.
 class TreeRegistry {
   public:
     /// Adds a user of the tree, and returns the tree's id.
@@ -23,8 +23,8 @@ class TreeRegistry {
     /// dropped.
     bool release(TreeId tree);
 
-    /// The message that makes a tree known to a worker. Its cut hash stays the same across restarts
-    /// of the master.
+    /// The message that makes a tree known to a worker. Its hash of the cut does not change when
+    /// the master restarts.
     [[nodiscard]] AddTree message(TreeId tree) const;
     /// The messages of all used trees.
     [[nodiscard]] std::vector<AddTree> messages() const;

@@ -9,7 +9,7 @@ namespace cd {
 
 namespace {
 
-/// Ranks of clients; each includes the rights of the lower ones.
+/// Ranks of clients; each has all rights of the ranks before it.
 enum class Rank { None, Metrics, Submitter, Admin };
 
 Rank rank_of(CertifiedRole role) {

@@ -26,11 +26,11 @@ class Access {
     /// Empty if the peer showed no certificate.
     [[nodiscard]] const std::optional<Identity>& holder() const { return holder_; }
 
-    /// Owner of the jobs submitted here: the certificate's holder or, without TLS, the user named
-    /// by the client.
+    /// Owner of the jobs submitted over this connection: the certificate's holder or, without TLS,
+    /// the user named by the client.
     [[nodiscard]] const std::string& owner() const { return holder_ ? holder_->name : user_; }
     void set_user(std::string user) { user_ = std::move(user); }
-    /// Checks that this connection may end or remove a job that belongs to `of_job`. The owner, an
+    /// Checks that this connection may end or remove a job whose owner is `of_job`. The owner, an
     /// admin, and everybody without TLS may. Errors: Refused naming the owner.
     [[nodiscard]] Status check_owner(const std::string& of_job) const;
 

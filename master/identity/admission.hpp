@@ -8,7 +8,7 @@
 
 namespace cd {
 
-/// Serves a connection after the welcome: reads one Join or Renew, answers it, and closes.
+/// Serves a connection after its Welcome: reads one Join or Renew, answers it, and closes.
 [[nodiscard]] asio::awaitable<void> admit(std::shared_ptr<Channel> channel, Access access);
 
 } // namespace cd

@@ -10,7 +10,7 @@
 namespace cd {
 
 /// Closes the channel when the peer's certificate expires or its holder is refused. The peer may
-/// reconnect with another certificate. To end this, close the channel and cancel `pause`.
+/// reconnect with another certificate. To stop watching, close the channel and cancel `pause`.
 [[nodiscard]] asio::awaitable<void> watch_certificate(std::shared_ptr<Channel> channel,
                                                       Access access,
                                                       std::shared_ptr<asio::steady_timer> pause);

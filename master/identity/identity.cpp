@@ -96,7 +96,7 @@ bool is_reserved(std::string name) {
     return std::find(reserved_names.begin(), reserved_names.end(), name) != reserved_names.end();
 }
 
-/// Writes both files. The certificate comes last, so that the key exists if the certificate does.
+/// Writes the key, then the certificate, so that the key exists if the certificate does.
 Status write_authority(const std::filesystem::path& folder, const CertificateAuthority& authority) {
     if (Status key = write_private(key_path(folder), authority.key()); !key) {
         return key;

@@ -35,8 +35,7 @@ class MasterIdentity {
     [[nodiscard]] static Result<std::unique_ptr<MasterIdentity>>
     open(const std::filesystem::path& state, const Options& options);
 
-    /// Checks that the identity's files, if any, can be read; changes nothing. Errors: those of
-    /// `open`.
+    /// Checks that the identity's files, if any, can be read; changes nothing. Errors: as `open`.
     [[nodiscard]] static Status check(const std::filesystem::path& state);
 
     /// The master's current TLS context, which a renewal replaces.
@@ -59,7 +58,7 @@ class MasterIdentity {
     [[nodiscard]] Result<Certified> join(const Join& message, const Sha256& binding);
     /// Issues a new certificate to `holder`, who showed a valid one. Errors: Refused; BadInput.
     [[nodiscard]] Result<Certified> renew(const Renew& message, const Identity& holder) const;
-    /// Creates a join token, and writes it to the disk. Errors: those of `TokenBook::create`; Io.
+    /// Creates a join token, and writes it to the disk. Errors: as `TokenBook::create`; Io.
     [[nodiscard]] Result<TokenCreated> create_token(const TokenCreate& message);
 
   private:

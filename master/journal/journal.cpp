@@ -30,7 +30,7 @@ bool is_urgent(const JournalEntry& entry) {
     return !std::holds_alternative<AddResults>(entry);
 }
 
-/// Writes on a thread of its own.
+/// The journal on disk, which writes on its own thread.
 class DiskJournal final : public Journal {
   public:
     DiskJournal(const JournalOptions& options,

@@ -68,14 +68,14 @@ struct RecoveredJob {
     std::vector<ResultRow> done;       ///< Valid results; only for a job that continues.
     std::vector<InstanceId> authors;   ///< Author of each result in `done`; 0: the master.
     std::vector<Remark> disputes;      ///< Open disputes.
-    std::vector<LostPositions> losses; ///< In the order of the losses; only if the job continues.
+    std::vector<LostPositions> losses; ///< In time order; only for a job that continues.
     /// All processes with results that were not withdrawn.
     std::set<InstanceId> contributors;
     std::shared_ptr<ResultStore> results;
 };
 
 struct Recovered {
-    Sha256 cluster;                 ///< Random id of this state, made when it was created.
+    Sha256 cluster;                 ///< Random id of the state directory, made with its journal.
     JobId last_job;                 ///< Greatest job id ever used; 0: none.
     std::vector<RecoveredJob> jobs; ///< Sorted by id.
     AlarmRecord alarms = {};
@@ -94,10 +94,10 @@ struct JournalOptions {
 
 /// Callbacks on the journal's thread.
 struct JournalEvents {
-    /// All entries up to this position are committed.
+    /// Called when all entries up to this position are committed.
     std::function<void(std::uint64_t position)> committed;
-    /// The journal cannot write, because of the error `why`, and keeps retrying. Empty: the journal
-    /// can write again.
+    /// Called when the journal cannot write, because of the error `why`, and keeps retrying. An
+    /// empty `why`: it can write again.
     std::function<void(const std::string& why)> paused;
 };
 
@@ -124,10 +124,10 @@ class Journal {
     /// Queues the entry. Returns its position; the first is 1. Never blocks for the disk. Any
     /// thread.
     virtual std::uint64_t add(JournalEntry entry) = 0;
-    /// Bytes of all queued records, that is, not committed yet. Any thread.
+    /// Bytes of the records and maps that are queued, that is, not committed yet. Any thread.
     [[nodiscard]] virtual std::uint64_t queued_bytes() const = 0;
 
-    /// Returns a job as accepted. Blocks for the disk. Any thread. Errors: NotFound; Io.
+    /// Returns an accepted job's record. Blocks for the disk. Any thread. Errors: NotFound; Io.
     [[nodiscard]] virtual Result<JobRecord> job(JobId job) const = 0;
 
     [[nodiscard]] const std::filesystem::path& jobs_folder() const { return jobs_folder_; }

@@ -29,7 +29,7 @@ constexpr const char* schema =
     "CREATE TABLE results(number INTEGER PRIMARY KEY, job INTEGER NOT NULL, content BLOB NOT NULL);"
     "CREATE INDEX results_of_job ON results(job);";
 
-/// Kind of a row. The row's checksum covers the kind, so that no row can pass for another kind.
+/// Kind of a row. The row's checksum covers the kind, so that a row is never read as another kind.
 enum class RowKind : std::uint64_t {
     Meta = 1,
     Record = 2,
@@ -112,7 +112,7 @@ class Statement {
         sqlite3_bind_text(statement_.get(), place, text, -1, SQLITE_STATIC);
         return *this;
     }
-    /// True with a row; false at the end or after an error (see `failed`).
+    /// Fetches the next row. False if there is none, or after an error (see `failed`).
     [[nodiscard]] bool step() {
         code_ = statement_ == nullptr ? SQLITE_ERROR : sqlite3_step(statement_.get());
         return code_ == SQLITE_ROW;
@@ -149,7 +149,7 @@ class SqliteDatabase final : public JournalDatabase {
     explicit SqliteDatabase(const std::filesystem::path& directory)
         : path_(directory / "journal.db") {}
     ~SqliteDatabase() override;
-    /// Errors: those of `JournalDatabase::open`.
+    /// Errors: as `JournalDatabase::open`.
     [[nodiscard]] Status open(const Options& options);
 
     [[nodiscard]] const Sha256& cluster() const override { return cluster_; }
@@ -199,7 +199,7 @@ class SqliteDatabase final : public JournalDatabase {
     std::optional<DiskFile> mark_;
     std::optional<DatabaseCopy> copy_; ///< Read instead of `path_`, if set.
     Database database_;
-    bool writing_ = false; ///< True after the first write: the database is intact.
+    bool writing_ = false; ///< True after the first write. Closing then checkpoints the log.
     Sha256 cluster_;
     std::uint64_t last_job_ = 0;
     std::uint64_t commits_ = 0;
@@ -212,7 +212,7 @@ class SqliteDatabase final : public JournalDatabase {
 Status SqliteDatabase::connect(const Options& options, bool create) {
     sqlite3* opened = nullptr;
     // `cdmaster check` may run in a read-only folder, where SQLite opens a database without a log
-    // only as immutable, and one with a log not at all: then a copy is read.
+    // only as immutable, and cannot open a database with a log: then a copy is read.
     std::error_code none;
     const std::uintmax_t log_bytes = std::filesystem::file_size(path_.string() + "-wal", none);
     const bool is_at_rest = !options.create && (none || log_bytes == 0);
@@ -273,7 +273,7 @@ Status SqliteDatabase::make_mark() {
     return mark_->commit();
 }
 
-/// Accepts a missing mark only if the creation of the journal was interrupted.
+/// Accepts that `journal.mark` is missing only if the creation of the journal was interrupted.
 Status SqliteDatabase::check_unmarked(const Options& options) {
     if (commits_ != 0 || !options.owned.empty()) {
         return missing_mark(path_);

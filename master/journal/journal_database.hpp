@@ -31,7 +31,7 @@ struct DatabaseJob {
     Bytes end;      ///< Empty while the job runs.
 };
 
-/// The rows of the jobs. One thread at a time.
+/// The journal's rows: jobs, groups of results, and alarms. One thread at a time may use them.
 class JournalDatabase {
   public:
     struct Options {
@@ -39,8 +39,8 @@ class JournalDatabase {
         /// of the master nothing.
         bool synced = true;
         bool create = true; ///< True: create a missing database. False: only read.
-        /// A file of a job, which exists only if the journal has commits; empty: none. If the
-        /// database beside such a file looks new, it has lost its data.
+        /// Path of some job's file; empty: there is none. Such a file exists only if the journal
+        /// has commits, so that a database that looks new beside it has lost its data.
         std::filesystem::path owned = {};
     };
 
@@ -57,15 +57,15 @@ class JournalDatabase {
     JournalDatabase& operator=(const JournalDatabase&) = delete;
     virtual ~JournalDatabase() = default;
 
-    /// Random id of this state, made when it was created.
+    /// Random id of the state directory, made with its journal.
     [[nodiscard]] virtual const Sha256& cluster() const = 0;
     /// Greatest job id ever used; 0: none.
     [[nodiscard]] virtual JobId last_job() const = 0;
     /// Returns all jobs in the order of their ids. Errors: Io.
     [[nodiscard]] virtual Result<std::vector<DatabaseJob>> jobs() const = 0;
-    /// The record of one job. Errors: NotFound; Io.
+    /// Returns the record of one job. Errors: NotFound; Io.
     [[nodiscard]] virtual Result<Bytes> record(JobId job) const = 0;
-    /// Returns the alarms; empty before the first. Errors: Io.
+    /// Returns the encoded alarms; empty before the first alarm. Errors: Io.
     [[nodiscard]] virtual Result<Bytes> alarms() const = 0;
     /// Passes all groups of a job's results to `take`, in commit order. Stops at an error of
     /// `take`. Errors: Io.

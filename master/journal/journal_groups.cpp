@@ -132,7 +132,7 @@ Status write_group(const JournalDisk& disk, std::span<const JournalEntry> group)
         if (Status status = changes.store->write(changes.records); !status) {
             return status;
         }
-        // True as well for a file that an earlier, failed attempt created.
+        // Also true for a file that an earlier, failed attempt created.
         has_new_segments = has_new_segments || changes.store->has_new_name();
         if (Status status = disk.synced && !mutated(Mutation::SegmentNotSynced)
                                 ? changes.store->sync()
@@ -236,7 +236,7 @@ void take_rows(FoundJob& job, const ResultGroup& group) {
     job.withdrawn.resize(job.rows.size());
 }
 
-/// Withdraws the author's rows in this group and in earlier ones. Withdrawn authors write no more.
+/// Marks the author's rows read so far as withdrawn. The author has no rows in later groups.
 void withdraw_rows(FoundJob& job, InstanceId author) {
     for (std::size_t i = 0; i < job.rows.size(); ++i) {
         if (job.authors[i] == author && !job.withdrawn[i]) {
@@ -292,7 +292,7 @@ Result<FoundJob> find_job(const JournalDatabase& database, const DatabaseJob& ro
     return read ? std::move(found) : Result<FoundJob>(read.error());
 }
 
-/// Reads the jobs and passes each to `take`. One at a time, because a job's rows take much more
+/// Reads the jobs and passes them to `take` one at a time, because a job's rows take much more
 /// memory than the part that is kept. Stops at an error of `take`.
 Status for_each_job(const JournalDatabase& database,
                     const std::function<Status(Result<FoundJob>)>& take) {

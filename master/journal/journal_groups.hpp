@@ -1,5 +1,5 @@
 // Writes groups of journal entries to the jobs' segments and to the index, and reads them again.
-// The journal's work without its thread.
+// Has no thread; `Journal` writes on a thread of its own.
 #pragma once
 
 #include "common/core/result.hpp"
@@ -26,10 +26,10 @@ struct JournalDisk {
 };
 
 /// Writes the group in one commit, which is on disk when this returns. After an error no entry of
-/// the group counts, and the call may be repeated. Errors: Io.
+/// the group is committed, and the call may be repeated. Errors: Io.
 [[nodiscard]] Status write_group(const JournalDisk& disk, std::span<const JournalEntry> group);
 
-// Both functions change nothing on disk. Errors: Io naming a damaged file.
+// The next two functions change nothing on disk. Errors: Io naming a damaged file.
 [[nodiscard]] Result<AlarmRecord> recover_alarms(const JournalDatabase& database);
 /// Returns all jobs with their committed results, and the alarms.
 [[nodiscard]] Result<Recovered> recover(const JournalDatabase& database,
@@ -45,8 +45,8 @@ struct ExaminedJobs {
 [[nodiscard]] ExaminedJobs examine_jobs(const JournalDatabase& database,
                                         const std::filesystem::path& jobs_folder);
 
-/// Returns some job's file in the folder, for `JournalDatabase::Options::owned`; empty if the
-/// folder has none.
+/// Returns the path of some job's file in the folder, for `JournalDatabase::Options::owned`; empty
+/// if the folder has none.
 [[nodiscard]] std::filesystem::path file_of_a_job(const std::filesystem::path& jobs_folder);
 /// Returns whether this is the name of a job's file.
 [[nodiscard]] bool is_of_a_job(const std::string& name);

@@ -1,4 +1,4 @@
-// Encodes and decodes a job's rows in the journal: as accepted, its progress, and its end.
+// Encodes and decodes a job's rows in the journal: the accepted job, its progress, and its end.
 #pragma once
 
 #include "common/core/files/bytes.hpp"
@@ -15,7 +15,7 @@
 
 namespace cd {
 
-/// A job as accepted.
+/// An accepted job: its id, the client's submission, and the time.
 struct JobRecord {
     JobId id;
     Submit submit;
@@ -33,7 +33,7 @@ struct HelpAtEnd {
 
 /// Measurements that a job's status shows in addition to its results.
 struct JobProgress {
-    double seconds = 0; ///< Run time in all incarnations of the master.
+    double seconds = 0; ///< Run time, summed over all runs of the master.
     std::uint64_t answered_by_master = 0;
     JobStatistics statistics;
     double compute_seconds = 0;
@@ -52,7 +52,7 @@ struct JobEnd {
     std::uint64_t ended = 0;         ///< Time of the end, in seconds since 1970.
 };
 
-// Not the encoding of the protocol, so that the protocol can change without the journal.
+// The journal does not use the protocol's encodings, so that the protocol can change without it.
 [[nodiscard]] Bytes encode_job(const JobRecord& job);
 [[nodiscard]] Bytes encode_progress(const JobProgress& progress);
 [[nodiscard]] Bytes encode_end(const JobEnd& end);

@@ -17,9 +17,9 @@ namespace cd {
 /// members run on one thread.
 class JournalWriter {
   public:
-    /// Callbacks. Those with an argument follow the commit of the event that they announce.
+    /// Callbacks. Each one with an argument is called after the commit of the event that it names.
     struct Events {
-        /// The worker may forget result messages; `kept` has their sequence numbers.
+        /// The worker may forget the result messages whose sequence numbers are in `kept`.
         std::function<void(WorkerId worker, const ResultsKept& kept)> results_kept;
         std::function<void(JobId)> job_accepted;
         std::function<void(JobId)> job_ended;
@@ -53,7 +53,7 @@ class JournalWriter {
     void promise(const Delivery& delivery, JobId job, std::span<const std::uint64_t> scenarios) {
         ledger_.promise(delivery, job, scenarios);
     }
-    /// Announces now all events that are durable already. Each commit does so as well.
+    /// Announces all events that are durable already. Each commit announces events, too.
     void announce();
     /// Drops all pending acknowledgements to the worker.
     void forget(WorkerId worker) { ledger_.forget(worker); }

@@ -81,7 +81,7 @@ void Ledger::promise(const Delivery& delivery,
         std::any_of(scenarios.begin(), scenarios.end(), [&](std::uint64_t scenario) {
             return state(job, scenario) == State::Written && !mutated(Mutation::AnswerKeptTooEarly);
         });
-    // Waits for the last uncommitted entry, which follows those of all these scenarios.
+    // Waits for the last uncommitted entry: no entry of these scenarios comes after it.
     promise(delivery, is_pending ? entries_.back().position : committed_);
 }
 

@@ -26,25 +26,25 @@ struct Delivery {
 
     friend auto operator<=>(const Delivery&, const Delivery&) = default;
 };
-/// The job is in the journal, so its client may learn of its acceptance.
+/// Event: the journal has the job, so that its client may learn that it is accepted.
 struct JobAccepted {
     JobId job;
 
     friend bool operator==(const JobAccepted&, const JobAccepted&) = default;
 };
-/// The job's end is in the journal, and before it all its results.
+/// Event: the journal has all results of the job, and then its end.
 struct JobEnded {
     JobId job;
 
     friend bool operator==(const JobEnded&, const JobEnded&) = default;
 };
-/// The journal has deleted the job, so its files may be deleted.
+/// Event: the journal has deleted the job, so that its files may be deleted.
 struct JobDropped {
     JobId job;
 
     friend bool operator==(const JobDropped&, const JobDropped&) = default;
 };
-/// Two results of a scenario differ. Once this is in the journal, the dispute may be decided.
+/// Event: two results of a scenario differ. Once the journal has it, the dispute may be decided.
 struct Dispute {
     JobId job;
     std::uint64_t scenario = 0;
@@ -77,10 +77,10 @@ class Ledger {
     /// each scenario written or durable.
     void withdraw(JobId job, std::span<const std::uint64_t> scenarios);
 
-    /// Returns the promise from `take_kept` once all entries up to this position are committed.
+    /// Makes `take_kept` return the promise once all entries up to this position are committed.
     void promise(const Promise& promise, std::uint64_t position);
-    /// Returns the promise from `take_kept` once these scenarios are durable. Ignores unknown
-    /// scenarios and those of jobs that are not open.
+    /// Makes `take_kept` return the delivery once these scenarios are durable. Ignores unknown
+    /// scenarios, and all scenarios if the job is not open.
     void promise(const Delivery& delivery, JobId job, std::span<const std::uint64_t> scenarios);
     /// Drops all promises to the worker.
     void forget(WorkerId worker);
@@ -123,7 +123,7 @@ class Ledger {
 
     std::unordered_map<JobId, Job> jobs_;
     std::deque<Entry> entries_; ///< Written and uncommitted scenarios, by position.
-    /// Promises by the position up to which entries must be committed first.
+    /// Pending promises, by the position up to which entries must be committed first.
     std::multimap<std::uint64_t, Promise> promises_;
     std::vector<Promise> kept_;
     std::uint64_t committed_ = 0;

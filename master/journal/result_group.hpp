@@ -32,17 +32,17 @@ struct AuthorRun {
     friend bool operator==(const AuthorRun&, const AuthorRun&) = default;
 };
 
-/// A finding about results after they were written.
+/// A finding about results that were written earlier.
 struct Remark {
     enum class Kind : std::uint8_t {
         Disputed,  ///< A later result of `scenario` differs; the master must run the scenario.
         Settled,   ///< The master has run `scenario`, so the dispute is decided.
-        Withdrawn, ///< All results of `author` up to here are dropped.
+        Withdrawn, ///< All results of `author` in this and earlier groups are dropped.
     };
     Kind kind = Kind::Withdrawn;
     std::uint64_t scenario = 0;
     Sha256 digest;         ///< Digest of the later result in a dispute.
-    InstanceId author = 0; ///< Author of the later result, or of the withdrawn ones.
+    InstanceId author = 0; ///< Author of the later result, or of the withdrawn results.
 
     friend bool operator==(const Remark&, const Remark&) = default;
 };
@@ -52,7 +52,7 @@ struct ResultGroup {
     std::uint64_t begin = 0; ///< End of the segment before this group.
     std::vector<ResultRow> rows;
     std::vector<Bytes> maps;        ///< Packed contact maps, whose sum is the map of these results.
-    std::vector<AuthorRun> authors; ///< Cover all rows.
+    std::vector<AuthorRun> authors; ///< The authors of all rows.
     std::vector<Remark> remarks;    ///< About rows of this group or earlier groups, in time order.
     std::vector<LostPositions> losses; ///< In time order. Some of the scenarios may have a result.
 };

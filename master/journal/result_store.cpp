@@ -349,7 +349,7 @@ ResultStore::read(std::uint64_t first, std::uint64_t count, std::uint64_t bytes_
     ResultsPart part;
     part.first = first;
     part.next = std::max(first, end);
-    std::optional<DiskFile> file; // A job without results has no file yet.
+    std::optional<DiskFile> file; // Opened at the first record: a job without results has no file.
     for (std::uint64_t scenario = begin; scenario < end; ++scenario) {
         const RecordPlace place = state_->find(scenario);
         if (place.length == 0) {

@@ -72,7 +72,7 @@ class ResultStore {
     [[nodiscard]] Status write(std::span<const StoredRecord> records);
     /// Syncs the written records to disk. Errors: Io.
     [[nodiscard]] Status sync() const;
-    /// Closes the file. The next `write` opens it again, as each read does anyway.
+    /// Closes the file. The next `write` opens it again; each read opens it anyway.
     void close();
     /// Makes the records of the last `write` readable. A new record of a scenario replaces the
     /// earlier one.

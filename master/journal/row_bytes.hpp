@@ -15,8 +15,8 @@ namespace cd {
     return {ErrorCode::BadFrame, std::string(what) + " that is none"};
 }
 
-/// Returns false if the bytes end before `count` items could fit, so that a damaged count allocates
-/// nothing.
+/// Returns whether the rest of the bytes has room for `count` items of `bytes_each` bytes. Checked
+/// first, so that a damaged count allocates nothing.
 [[nodiscard]] inline bool
 may_hold(const ByteReader& in, std::uint64_t count, std::uint64_t bytes_each) {
     return count <= in.remaining() / bytes_each;

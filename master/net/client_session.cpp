@@ -80,7 +80,7 @@ asio::awaitable<Result<Message>> ClientSession::receive() {
     if (!is_submitting()) {
         co_return co_await channel_->receive(timing::client_idle_max);
     }
-    // Waits since the last part of the upload: other messages do not extend the time.
+    // The time limit counts from the last part of the upload: other messages do not extend it.
     const auto left = progressed_ + quota_.submission_idle_max - std::chrono::steady_clock::now();
     Result<Message> message = Error{ErrorCode::Timeout, "nothing was received in time"};
     if (left > std::chrono::steady_clock::duration::zero()) {
@@ -137,7 +137,7 @@ asio::awaitable<void> ClientSession::on(MeshPart message) {
     const bool is_last = message.offset + message.bytes.size() == message.bytes_total;
     const bool is_begun = upload_ != nullptr && upload_->mesh() == mesh;
     if (message.offset != 0 && !is_begun) {
-        // Part of an upload that has failed. The client has got the error already.
+        // The upload has failed, and the client has got the error already.
         co_return;
     }
     const std::string name = message.name;
@@ -328,7 +328,7 @@ asio::awaitable<void> ClientSession::open_job(Submit submit, std::shared_ptr<Job
     }
 }
 
-// ---- Asking -------------------------------------------------------------------------------------
+// ---- Queries ------------------------------------------------------------------------------------
 
 asio::awaitable<void> ClientSession::on(StatusQuery /*message*/) {
     auto measure = [state = coordinator_.parts().directory.parent_path()] {

@@ -38,13 +38,13 @@ class ClientSession : public std::enable_shared_from_this<ClientSession> {
                   Access access,
                   ClientQuota quota);
 
-    /// Serves the client after the welcome. Returns when the connection ends.
+    /// Serves the client, which has got its Welcome. Returns when the connection ends.
     [[nodiscard]] asio::awaitable<void> run();
 
   private:
     [[nodiscard]] asio::awaitable<void> converse();
-    /// Receives the next message. Errors: those of the channel; Timeout if an upload stalls, which
-    /// the client is told.
+    /// Receives the next message. Errors: as `Channel::receive`. If an upload stalls, also sends
+    /// the client a Timeout failure.
     [[nodiscard]] asio::awaitable<Result<Message>> receive();
     [[nodiscard]] bool is_submitting() const { return upload_ != nullptr || spool_ != nullptr; }
 
@@ -73,7 +73,7 @@ class ClientSession : public std::enable_shared_from_this<ClientSession> {
 
     [[nodiscard]] asio::awaitable<Status> take_mesh_part(MeshPart message);
     [[nodiscard]] asio::awaitable<Status> begin_poses(Submit message);
-    /// Opens a checked job, and answers the client. `poses` is null for a grid.
+    /// Opens a job with a checked submission, and answers the client. `poses` is null for a grid.
     [[nodiscard]] asio::awaitable<void> open_job(Submit submit, std::shared_ptr<JobSpool> poses);
     /// Sends the job's status at each change. Static with a shared pointer, because the session may
     /// end before the spawned watch starts.

@@ -25,7 +25,7 @@ class MasterIdentity;
 /// are public. All members run on the coordinator's thread.
 class HttpFront {
   public:
-    /// Opens the port at once; with port 0 the system chooses one. Errors: those of Listener::open.
+    /// Opens the port at once; with port 0 the system chooses one. Errors: as `Listener::open`.
     [[nodiscard]] static Result<std::unique_ptr<HttpFront>>
     listen(const asio::any_io_executor& executor,
            const Endpoint& endpoint,

@@ -61,7 +61,7 @@ asio::awaitable<Result<Removed>> JobRemoval::remove(Remove wish) {
         co_return Error{ErrorCode::Io, "the removal was not written to the disk in time"};
     }
     for (const Sha256& mesh : status.value().bodies) {
-        // An error is ignored: another job needs the mesh, or both bodies have the same one.
+        // An error is ignored: another job needs the mesh, or both bodies have one mesh.
         auto free = [store = coordinator_.parts().store, mesh] { return store->remove(mesh); };
         const Result<std::uint64_t> freed = co_await run_on(coordinator_.parts().blocking, free);
         removed.bytes += freed ? freed.value() : 0;

@@ -13,7 +13,7 @@ class Coordinator;
 /// without a job, which the next start removes. Runs on the coordinator's thread.
 class JobRemoval {
   public:
-    /// The coordinator must outlive this and every pending removal.
+    /// The coordinator must outlive this object and every pending removal.
     explicit JobRemoval(Coordinator& coordinator) : coordinator_(coordinator) {}
 
     /// Removes the job with its results and poses, and the meshes that no other job uses, with

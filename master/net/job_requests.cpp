@@ -59,7 +59,7 @@ asio::awaitable<Result<JobStatus>> JobRequests::cancel(JobId job) {
     if (!status || status.value().state != JobState::Running) {
         co_return status;
     }
-    // The end becomes visible when it is durable.
+    // The job counts as running until its end is durable.
     const auto until = JobWaits::Time::clock::now() + timing::cancel_wait_max;
     (void)co_await coordinator_.jobs().waits().wait(job, until);
     co_return coordinator_.jobs().status(job);

@@ -1,4 +1,4 @@
-// Carries out those of the clients' requests about jobs that have to wait for the disk.
+// Carries out clients' requests that wait for the disk: to open, cancel and explain jobs.
 #pragma once
 
 #include "common/core/result.hpp"
@@ -18,7 +18,7 @@ class Coordinator;
 /// thread.
 class JobRequests {
   public:
-    /// The coordinator must outlive this and every pending request.
+    /// The coordinator must outlive this object and every pending request.
     explicit JobRequests(Coordinator& coordinator) : coordinator_(coordinator) {}
 
     /// Opens a job whose submission has been checked. `poses` must be complete; null for a grid.
@@ -29,9 +29,9 @@ class JobRequests {
     /// the disk, which may be full; after that, returns a status that still says Running. Errors:
     /// NotFound.
     [[nodiscard]] asio::awaitable<Result<JobStatus>> cancel(JobId job);
-    /// Fails the scenario and stops it on all workers; the job continues. Of a scenario in dispute,
-    /// stops the master's run. Errors: NotFound; Refused if the job has ended or the scenario has
-    /// an undisputed result; Io if the poses cannot be read.
+    /// Marks the scenario as failed, and stops it on all workers; the job continues. If the master
+    /// runs the scenario to decide a dispute, stops only that run. Errors: NotFound; Refused if the
+    /// job has ended or the scenario has an undisputed result; Io if the poses cannot be read.
     [[nodiscard]] asio::awaitable<Result<JobStatus>> cancel_scenario(JobId job,
                                                                      std::uint64_t scenario);
     /// Scores the workers for a scenario as of now. For an ended job, reports only who answered the

@@ -11,9 +11,9 @@ namespace cd {
 /// Content type of `metrics_text`.
 inline constexpr std::string_view metrics_content_type = "text/plain; version=0.0.4; charset=utf-8";
 
-/// Returns the metrics in Prometheus text format 0.0.4. Units are seconds, bytes and counts.
-/// Counters start at 0 with the master. Workers are labelled by id and name. Only running jobs are
-/// listed.
+/// Returns the metrics in Prometheus text format 0.0.4. Units are seconds, bytes and counts. All
+/// counters but that of alarms start at 0 when the master starts. Workers are labelled by id and
+/// name. Only running jobs are listed.
 [[nodiscard]] std::string metrics_text(const ClusterStatus& status);
 
 } // namespace cd

@@ -25,11 +25,11 @@ std::string of(std::uint64_t count, std::uint64_t limit, const std::string& what
 
 } // namespace
 
-// ---- Connections, and what comes over them ------------------------------------------------------
+// ---- Connections, uploads and received bytes ----------------------------------------------------
 
 Status Quotas::connect(const std::string& client) {
-    // Bounds the number of remembered names, because a peer without a certificate can use many.
-    // Names with connections or jobs stay.
+    // Bounds the number of entries, because a peer without a certificate can use many names. Names
+    // with connections or jobs stay.
     if (clients_.size() >= limits::connections_max && !clients_.contains(client)) {
         for (auto& [name, entry] : clients_) {
             forget_ended(entry);
@@ -96,7 +96,7 @@ void Quotas::end_upload(const std::string& client) {
     --clients_[client].uploads;
 }
 
-// ---- Jobs, and what waits of them ---------------------------------------------------------------
+// ---- Jobs, and the bytes of their poses ---------------------------------------------------------
 
 Status Quotas::queue(const std::string& client, std::uint64_t bytes) {
     Client& entry = clients_[client];
@@ -156,7 +156,7 @@ void Quotas::forget_ended(Client& client) const {
     });
 }
 
-// ---- Over a restart -----------------------------------------------------------------------------
+// ---- Restart of the master ----------------------------------------------------------------------
 
 std::string Quotas::jobs_text() {
     std::ostringstream out;

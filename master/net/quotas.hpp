@@ -71,10 +71,10 @@ class Quotas {
 
     /// Returns the running jobs and their clients as text.
     [[nodiscard]] std::string jobs_text();
-    /// Inverse of `jobs_text`, after a restart. Ignores malformed lines and jobs that do not run.
+    /// Adds the jobs of `jobs_text` after a restart. Ignores malformed lines and jobs not running.
     void restore_jobs(std::string_view text);
 
-    /// Number of remembered clients.
+    /// Number of clients that have an entry.
     [[nodiscard]] std::size_t clients() const { return clients_.size(); }
 
   private:
@@ -85,7 +85,7 @@ class Quotas {
         std::map<JobId, JobSize> jobs;
         std::uint64_t scenarios = 0; ///< Scenarios of running and begun jobs.
         std::uint64_t queued = 0;    ///< Bytes of running jobs and of submissions.
-        double bytes = 0;            ///< Leaky bucket: bytes counted at `since`, less with time.
+        double bytes = 0;            ///< Content of the leaky bucket at time `since`.
         Time since;
     };
 

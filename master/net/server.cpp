@@ -101,7 +101,7 @@ asio::awaitable<void> Server::serve(std::uint64_t connection, Incoming incoming,
     if (channel) {
         connections_[connection] = channel.value();
         co_await converse(channel.value(), seat);
-        // A refused peer's channel is closing already, once the peer has read the reason.
+        // A refused peer's channel closes by itself, after it has sent the reason.
         if (channel.value()->is_open()) {
             channel.value()->close();
         }

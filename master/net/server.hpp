@@ -29,7 +29,7 @@ struct ClientLimits {
     Quotas::Limits workers = {.connections = limits::worker_connections_max,
                               .all_connections = limits::all_worker_connections_max};
     std::chrono::milliseconds submission_idle_max = timing::submission_idle_max;
-    std::size_t greetings = limits::greetings_max; ///< Connections that are not welcomed yet.
+    std::size_t greetings = limits::greetings_max; ///< Connections without a Welcome so far.
 };
 
 class Server {
@@ -45,7 +45,7 @@ class Server {
            const ClientLimits& clients = {});
 
     [[nodiscard]] std::uint16_t port() const { return listener_->port(); }
-    /// Number of open connections, greeted or not.
+    /// Number of open connections, with or without a Welcome.
     [[nodiscard]] std::size_t connections() const { return connections_.size(); }
     /// Starts accepting connections.
     void start();
@@ -61,7 +61,7 @@ class Server {
     void accept(Incoming incoming);
     [[nodiscard]] asio::awaitable<void>
     serve(std::uint64_t connection, Incoming incoming, Seats::Seat seat);
-    // These members release the slot `seat` when the peer is welcomed.
+    // These members release the slot `seat` when the peer gets its Welcome.
     [[nodiscard]] asio::awaitable<void> converse(std::shared_ptr<Channel> channel,
                                                  Seats::Seat& seat);
     [[nodiscard]] asio::awaitable<void>
@@ -82,7 +82,7 @@ class Server {
     /// All open connections by number. A channel is null until its TLS handshake has finished.
     std::map<std::uint64_t, std::shared_ptr<Channel>> connections_;
     std::uint64_t connection_last_ = 0;
-    /// Slots of connections that are not welcomed as a worker or client: they are being greeted,
+    /// Slots of connections without a session as a worker or client: their peers are being greeted,
     /// join, or are being refused.
     Seats greetings_;
     Refusals refusals_;

@@ -60,7 +60,7 @@ asio::awaitable<void> WorkerSession::run(Hello hello) {
         Result<Message> message =
             co_await channel_->receive(coordinator_.parts().options.times.lost_after);
         if (!message && message.error().code == ErrorCode::Timeout && channel_->is_open()) {
-            continue; // A large message may arrive slowly; the directory judges silence.
+            continue; // A large message may arrive slowly; `WorkerDirectory` detects silence.
         }
         if (!message) {
             why = message.error().detail;
@@ -121,7 +121,7 @@ void WorkerSession::on(const Inventory& message) {
 
 void WorkerSession::on(const Drain& /*message*/) {
     coordinator_.worker_desk().draining(worker_);
-    channel_->send(Drain{}); // Comes after all messages queued for the worker.
+    channel_->send(Drain{}); // Arrives after all messages queued for the worker.
 }
 
 void WorkerSession::on(const Failure& message) {

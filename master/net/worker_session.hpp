@@ -11,15 +11,15 @@
 
 namespace cd {
 
-/// Reads a worker's messages on one connection. The session in the directory may outlive this
-/// connection.
+/// Reads a worker's messages on one connection. The worker's session in `WorkerDirectory` may
+/// outlive the connection.
 class WorkerSession : public std::enable_shared_from_this<WorkerSession> {
   public:
     WorkerSession(Coordinator& coordinator,
                   std::shared_ptr<Channel> channel,
                   const Reception& reception);
 
-    /// Serves the worker after the welcome. Returns when the connection ends.
+    /// Serves the worker, which has got its Welcome. Returns when the connection ends.
     [[nodiscard]] asio::awaitable<void> run(Hello hello);
 
   private:

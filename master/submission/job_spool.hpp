@@ -17,11 +17,11 @@ namespace cd {
 class JobSpool {
   public:
     /// Creates files in `directory` for the scenarios and columns that `submit` announces. Errors:
-    /// those of the two spools.
+    /// as `PoseSpool::create` and `LabelSpool::create`.
     [[nodiscard]] static Result<std::shared_ptr<JobSpool>>
     create(const std::filesystem::path& directory, const Submit& submit);
 
-    /// Appends the next scenarios. Errors: those of the two spools.
+    /// Appends the next scenarios. Errors: as `PoseSpool::append` and `LabelSpool::append`.
     [[nodiscard]] Status append(const PosesPart& part);
     /// Finishes the files after the last part and renames them as the journal expects. Errors: Io.
     [[nodiscard]] Status seal(const Journal& journal, JobId job, Durability durability);

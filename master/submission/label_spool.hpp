@@ -28,7 +28,7 @@ class LabelSpool {
     /// Adds the labels of the next `scenarios` scenarios. Errors: BadInput for other columns or
     /// more scenarios than `create` was called with, or for an id that is too long; Io.
     [[nodiscard]] Status append(const PoseLabels& labels, std::size_t scenarios);
-    /// Finishes the file after the last labels and renames it to `path`, in the same folder.
+    /// Finishes the file after the last labels and renames it to `path`, which is in its folder.
     /// Errors: Io.
     [[nodiscard]] Status seal(const std::filesystem::path& path, Durability durability);
 

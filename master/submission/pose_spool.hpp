@@ -29,12 +29,12 @@ class PoseSpool final : public PoseRuns {
                                                                  std::uint64_t scenarios);
 
     /// Appends the next run, packed by `pack_scenarios`: `limits::pose_run_scenarios` scenarios, or
-    /// those that are left. Each has an index of the run's window that no earlier run had. An error
-    /// leaves the file unchanged. Errors: those of `unpack_scenarios`; BadInput for another number
-    /// of scenarios, an index that may not come, or unknown bodies; Io.
+    /// all that are left. Each has an index in the run's window that is not used yet. An error
+    /// leaves the file unchanged. Errors: as `unpack_scenarios`; BadInput for another number of
+    /// scenarios, an index that is used or outside the window, or unknown bodies; Io.
     [[nodiscard]] Status append(const Bytes& packed);
 
-    /// Finishes the file after the last scenarios and renames it to `path`, in the same folder.
+    /// Finishes the file after the last scenarios and renames it to `path`, which is in its folder.
     /// Errors: Io.
     [[nodiscard]] Status seal(const std::filesystem::path& path, Durability durability);
     /// Reads all runs and checks their checksums. Errors: Io, naming the file.
@@ -51,7 +51,7 @@ class PoseSpool final : public PoseRuns {
 
     mutable std::mutex mutex_;
     SpoolFile file_;
-    /// Indices of the window that is being appended, counted from its first, that have come.
+    /// For each index of the current window: true if its scenario has been appended.
     std::vector<bool> came_;
 };
 

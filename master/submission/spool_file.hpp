@@ -20,7 +20,7 @@ namespace cd {
 /// deletes an unsealed file. Takes 16 bytes of memory per run.
 class SpoolFile {
   public:
-    /// Kind of data and number of scenarios, which `open` compares with those in the file.
+    /// Kind of data and number of scenarios, which `open` compares with the file's content.
     struct Content {
         std::vector<std::uint64_t> kind; ///< A magic number, then the format's parameters.
         std::uint64_t scenarios = 0;
@@ -55,7 +55,7 @@ class SpoolFile {
     [[nodiscard]] Status append(std::span<const std::byte> run);
     /// Forgets all runs but the first `runs`.
     void keep(std::size_t runs);
-    /// Writes the index after the last run and renames the file to `path`, in the same folder.
+    /// Writes the index after the last run and renames the file to `path`, which is in its folder.
     /// Errors: Io.
     [[nodiscard]] Status seal(const std::filesystem::path& path, Durability durability);
 

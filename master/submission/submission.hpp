@@ -16,7 +16,7 @@ namespace cd {
 
 [[nodiscard]] std::vector<Sha256> meshes_of(const Submit& submit);
 
-/// Returns the bytes of the potentially large fields: the grid and the ignored parts.
+/// Returns the bytes of a submission's potentially large fields: the grid and the ignored parts.
 [[nodiscard]] std::uint64_t bulk_bytes(const Submit& submit);
 
 /// Returns the bytes of an uploaded part of a job's poses and labels.
