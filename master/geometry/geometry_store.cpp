@@ -314,7 +314,7 @@ Result<std::shared_ptr<const ObbTree>> GeometryStore::State::load_tree(Entry& en
         return opens.error();
     }
     Result<std::shared_ptr<const ObbTree>> tree =
-        read_tree_file(path, mesh.value(), tree_key(mesh_hash, BuildOptions{}));
+        read_tree_file(path, mesh.value(), tree_key(mesh_hash, build_options()));
     double seconds = 0;
     if (!tree) {
         Status status = tree.error().code == ErrorCode::NotFound

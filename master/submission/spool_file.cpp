@@ -62,11 +62,6 @@ Status SpoolFile::append(std::span<const std::byte> run) {
     return Done{};
 }
 
-void SpoolFile::keep(std::size_t runs) {
-    ends_.resize(runs);
-    sums_.resize(runs);
-}
-
 Bytes SpoolFile::footer() const {
     ByteWriter out;
     out.put_array(std::span<const std::uint64_t>(content_.kind));

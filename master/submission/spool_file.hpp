@@ -53,8 +53,6 @@ class SpoolFile {
 
     /// Appends the next run. Errors: Io.
     [[nodiscard]] Status append(std::span<const std::byte> run);
-    /// Forgets all runs but the first `runs`.
-    void keep(std::size_t runs);
     /// Writes the index after the last run and renames the file to `path`, which is in its folder.
     /// Errors: Io.
     [[nodiscard]] Status seal(const std::filesystem::path& path, Durability durability);
