@@ -72,16 +72,16 @@ class TableOf {
 
 [[nodiscard]] std::string cell_text(const Cell& cell, CellKind kind);
 
-/// Prints the table as aligned columns under their titles, each line after `indent`.
+/// Returns the table as aligned columns under their titles, each line after `indent`.
 [[nodiscard]] std::string table_text(const Table& table, bool wide, const std::string& indent = "");
 /// Converts the table to a JSON array of objects.
 [[nodiscard]] nlohmann::ordered_json table_json(const Table& table);
 
-/// Prints a JSON document with a newline at its end, on one line if `indent` is -1. Invalid UTF-8,
+/// Returns a JSON document as text with a newline, on one line if `indent` is -1. Invalid UTF-8,
 /// which names from foreign files may contain, is replaced.
 [[nodiscard]] std::string json_text(const nlohmann::ordered_json& json, int indent = 2);
 
-/// Prints the table in the form `form`: text; wide; csv, with a line of keys and fields quoted as
+/// Returns the table in the form `form`: text; wide; csv, with a line of keys and fields quoted as
 /// in RFC 4180; json; or name, the cells of the first column, one per line.
 [[nodiscard]] std::string format_table(const Table& table, const std::string& form);
 
