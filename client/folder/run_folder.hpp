@@ -14,8 +14,8 @@ namespace cd {
 
 struct FolderOptions {
     bool overwrite = false; ///< Replace another run in the folder.
-    bool fresh = false;     ///< Ignore earlier results of the same job.
-    bool resume = true;     ///< Resume an unfinished run of the same job.
+    bool fresh = false;     ///< Ignore earlier results of this job.
+    bool resume = true;     ///< Resume an unfinished run of this job.
 };
 
 /// A folder that one run at a time may write. Files are written below `.part` and moved into place

@@ -78,7 +78,7 @@ class OrderedRun {
     [[nodiscard]] JobStatistics statistics();
 
   private:
-    /// Scenarios that a thread has taken, and those of its results that it has not handed over.
+    /// Scenarios that a thread has taken, and results that it has not handed over yet.
     struct Batch {
         std::vector<Scenario> waiting;
         std::size_t ran = 0; ///< Number of `waiting` scenarios that were run.
