@@ -12,16 +12,16 @@
 
 namespace {
 
-/// Makes the allocator map arrays above 4 MiB separately, and trim more than 8 MiB of free memory
-/// at a heap's end: importing and building need several times the memory that stays in use.
+/// Makes malloc map arrays above 4 MiB separately and return free memory above 8 MiB at the heap's
+/// end: importing and building need several times the memory that stays in use.
 void keep_heap_small() {
-    // Fixes both thresholds: by default they grow with the largest array freed so far.
+    // Once set, the thresholds no longer grow with the largest array that was freed.
     ::mallopt(M_MMAP_THRESHOLD, 4 << 20);
     ::mallopt(M_TRIM_THRESHOLD, 8 << 20);
 }
 
-/// Flushes stdout and returns `code`. If a verb succeeded but not all of its output could be
-/// written, prints a line on stderr and returns `exit_incomplete`.
+/// Flushes stdout and returns `code`. If `code` says that a verb succeeded but not all of its
+/// output could be written, prints a line on stderr and returns `exit_incomplete`.
 int finish_standard_output(int code) {
     const bool is_written = std::fflush(stdout) == 0 && std::ferror(stdout) == 0;
     if (is_written || (code != cd::exit_done && code != cd::exit_contacts)) {
@@ -38,7 +38,7 @@ int finish_standard_output(int code) {
 int main(int argc, char** argv) {
     try {
         keep_heap_small();
-        cd::start_logging("cdctl", "warning"); // Programs read stdout, so it gets no log.
+        cd::start_logging("cdctl", "warning"); // No log goes to stdout, which programs read.
         const cd::CommandLine line = cd::parse_command_line({argv + 1, argv + argc});
         if (!line.command) {
             std::fputs(line.text.c_str(), line.exit_code == 0 ? stdout : stderr);

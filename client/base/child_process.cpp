@@ -17,7 +17,7 @@ namespace cd {
 
 namespace {
 
-/// Turns a forked child into the program. Until exec only async-signal-safe calls are allowed.
+/// Turns a forked child into the program. Before exec, only async-signal-safe calls are allowed.
 [[noreturn]] void become(const char* program, char* const* arguments, int log, pid_t parent) {
     setpgid(0, 0);
     prctl(PR_SET_PDEATHSIG, SIGTERM);

@@ -15,7 +15,7 @@ namespace cd {
 class ChildProcess {
   public:
     /// Starts the program and appends its output to `log`. The program gets no signals from the
-    /// terminal, but SIGTERM if this process dies; otherwise the owner of this object ends it.
+    /// terminal. It gets SIGTERM if this process dies; otherwise the owner of this object ends it.
     /// Errors: NotFound for a missing program; Io.
     [[nodiscard]] static Result<ChildProcess> start(const std::filesystem::path& program,
                                                     const std::vector<std::string>& arguments,
@@ -28,7 +28,7 @@ class ChildProcess {
 
     [[nodiscard]] bool is_running();
 
-    /// Ends the child: sends SIGTERM, and SIGKILL if the child outlives the grace period.
+    /// Ends the child: sends SIGTERM, and after the grace period SIGKILL if it still runs.
     void stop(std::chrono::milliseconds grace = std::chrono::seconds(10));
 
     [[nodiscard]] pid_t id() const { return id_; }

@@ -8,9 +8,9 @@
 #include <utility>
 
 /// Moves the value out of a `Result`: `auto mesh = CD_TRY(read_mesh(path));`. If the result holds
-/// an error, the enclosing function returns this error. For a `Status`, it is a statement. It is
-/// not for constructors and coroutines, nor for a part of a larger expression. It uses the
-/// statement expressions of GCC and Clang.
+/// an error, the enclosing function returns that error. For a `Status`, the macro is a statement.
+/// It cannot be used in constructors or coroutines, nor as a part of a larger expression. It uses
+/// the statement expressions of GCC and Clang.
 #define CD_TRY(...) CD_TRY_EXPANDED(__COUNTER__, __VA_ARGS__)
 #define CD_TRY_EXPANDED(number, ...) CD_TRY_NAMED(tried_##number, __VA_ARGS__)
 #define CD_TRY_NAMED(tried, ...)                                                                   \
@@ -27,18 +27,18 @@ namespace cd {
 [[nodiscard]] inline Error bad_input(std::string detail) {
     return {ErrorCode::BadInput, std::move(detail)};
 }
-/// The error BadInput "PATH: DETAIL".
+/// Returns the error BadInput "PATH: DETAIL".
 [[nodiscard]] inline Error bad_input(const std::filesystem::path& path, const std::string& detail) {
     return bad_input(path.string() + ": " + detail);
 }
 
-/// Ends the reading of a document. It is thrown by the readers of its parts, and caught where the
-/// reading began.
+/// An exception that ends the reading of a document. The readers of the document's parts throw it;
+/// the function that began the reading catches it.
 struct Refusal {
     Error error;
 };
 
-/// The result. If it holds an error, `place` is put before its detail.
+/// Returns `result`; if it holds an error, puts `place` before the error's detail.
 template <class T>
 [[nodiscard]] Result<T> within(const std::string& place, Result<T> result) {
     return result ? std::move(result) : Error{result.error().code, place + result.error().detail};

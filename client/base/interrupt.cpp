@@ -16,7 +16,7 @@ void remember(int signal) {
     received = signal;
 }
 
-/// Calls async-signal-safe functions only.
+/// Ends the process with a message. Calls only async-signal-safe functions.
 void end_process(int signal) {
     constexpr std::string_view line = "\ncdctl: interrupted\n";
     [[maybe_unused]] const auto written = ::write(STDERR_FILENO, line.data(), line.size());

@@ -9,9 +9,9 @@ namespace cd {
 /// the process at once. Only one guard may exist at a time.
 class InterruptGuard {
   public:
-    /// The effect of the first signal. `EndsProcess`: until `begin_to_flag` it ends the process at
-    /// once, with a line on stderr and exit code 128 + signal. This suits work that may block and
-    /// that may be lost: reading inputs, building trees.
+    /// The effect of the first signal. With `EndsProcess` and before `begin_to_flag`, it ends the
+    /// process at once, with a line on stderr and exit code 128 + signal. This suits work that may
+    /// block and whose loss does no harm: reading inputs, building trees.
     enum class First { SetsFlag, EndsProcess };
 
     explicit InterruptGuard(First first = First::SetsFlag);
@@ -19,12 +19,12 @@ class InterruptGuard {
     InterruptGuard& operator=(const InterruptGuard&) = delete;
     ~InterruptGuard();
 
-    /// Makes the first signal only set the flag.
+    /// From now on, the first signal only sets the flag.
     static void begin_to_flag();
-    /// Makes the first signal end the process, as with `EndsProcess`. If a signal has already come,
-    /// ends the process immediately.
+    /// From now on, the first signal ends the process, as with `EndsProcess`. If a signal has
+    /// already come, ends the process immediately.
     static void begin_to_end();
-    /// The signal received since the guard was made, or 0.
+    /// Returns the signal received since the guard was made, or 0.
     [[nodiscard]] static int signal();
     /// True after a signal; usable as a `StopCheck`.
     [[nodiscard]] static bool has_come() { return signal() != 0; }

@@ -15,8 +15,8 @@ namespace {
 constexpr std::size_t digits_min = 4;
 constexpr std::string_view prefix = "j-";
 
-/// All sixteen hexadecimal digits of an id: the job's number, mixed by the finalizer of SplitMix64
-/// (Steele, Lea, Flood, 2014), which is bijective.
+/// Returns all sixteen hexadecimal digits of an id: the job's number, mixed by the finalizer of
+/// SplitMix64 (Steele, Lea, Flood, 2014), which is bijective.
 std::string digits_of(JobId job) {
     std::uint64_t mixed = job.value;
     mixed = (mixed ^ (mixed >> 30)) * 0xbf58476d1ce4e5b9;

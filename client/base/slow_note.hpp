@@ -11,7 +11,7 @@ namespace cd {
 /// Prints `text` as a line on stderr if the object lives longer than half a second.
 class SlowNote {
   public:
-    /// `quiet` disables the note.
+    /// `text` is the note's line. `quiet` disables the note.
     SlowNote(std::string text, bool quiet);
     SlowNote(const SlowNote&) = delete;
     SlowNote& operator=(const SlowNote&) = delete;
@@ -24,7 +24,7 @@ class SlowNote {
     std::mutex mutex_;
     std::condition_variable ended_;
     bool is_over_ = false;
-    std::thread thread_; ///< Not started with `quiet`.
+    std::thread thread_; ///< Not started if the note is disabled.
 };
 
 } // namespace cd

@@ -30,7 +30,7 @@ double number_of(const Cell& cell) {
     return value == nullptr ? 0 : *value;
 }
 
-/// The cell's value for programs, without units or digit groups.
+/// Returns a cell's value for programs, without units or digit groups.
 std::string raw_text(const Cell& cell) {
     if (const auto* list = std::get_if<std::vector<std::uint32_t>>(&cell)) {
         return fmt::format("{}", fmt::join(*list, " "));
@@ -42,14 +42,14 @@ std::string raw_text(const Cell& cell) {
     return count != nullptr ? std::to_string(*count) : std::get<std::string>(cell);
 }
 
-/// The number of terminal columns of a UTF-8 text: one for each code point.
+/// Returns how many terminal columns a UTF-8 text takes: one for each code point.
 std::size_t width_of(const std::string& text) {
     return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) {
         return (static_cast<unsigned char>(c) & 0xc0) != 0x80;
     }));
 }
 
-/// Replaces control characters, which could control the terminal.
+/// Replaces control characters, which could take control of the terminal.
 std::string printable(std::string text) {
     std::replace_if(
         text.begin(),

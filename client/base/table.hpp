@@ -14,7 +14,7 @@
 
 namespace cd {
 
-/// The format of a column's numbers for people. Programs get raw values.
+/// How a column's numbers are printed for people. Programs get raw values.
 enum class CellKind : std::uint8_t {
     Text,
     Count,
@@ -31,7 +31,7 @@ struct Column {
     bool only_wide = false; ///< Printed only with -o wide, csv or json.
 };
 
-/// A list is printed with blanks between its numbers; in JSON it is an array.
+/// A cell's value. A list is printed with blanks between its numbers; in JSON it is an array.
 using Cell = std::variant<std::string, std::uint64_t, double, std::vector<std::uint32_t>>;
 
 /// Each row has a cell for each column; the first column has the row's name.
@@ -72,17 +72,17 @@ class TableOf {
 
 [[nodiscard]] std::string cell_text(const Cell& cell, CellKind kind);
 
-/// The table as aligned columns under their titles, each line after `indent`.
+/// Returns the table as aligned columns under their titles, each line after `indent`.
 [[nodiscard]] std::string table_text(const Table& table, bool wide, const std::string& indent = "");
-/// The table as a JSON array of objects.
+/// Converts the table to a JSON array of objects.
 [[nodiscard]] nlohmann::ordered_json table_json(const Table& table);
 
-/// A JSON document with a newline, or one line if `indent` is -1. Invalid UTF-8, which names from
-/// foreign files may contain, is replaced.
+/// Returns a JSON document as text with a newline, on one line if `indent` is -1. Invalid UTF-8,
+/// which names from foreign files may contain, is replaced.
 [[nodiscard]] std::string json_text(const nlohmann::ordered_json& json, int indent = 2);
 
-/// The table in the named form: text; wide; csv, with a line of keys and fields quoted as in RFC
-/// 4180; json; or name, the cells of the first column, one per line.
+/// Returns the table in the form `form`: text; wide; csv, with a line of keys and fields quoted as
+/// in RFC 4180; json; or name, the cells of the first column, one per line.
 [[nodiscard]] std::string format_table(const Table& table, const std::string& form);
 
 } // namespace cd

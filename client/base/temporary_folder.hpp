@@ -1,4 +1,4 @@
-// A folder for files that nobody keeps.
+// A folder for files that are needed only for a while.
 #pragma once
 
 #include "client/base/errors.hpp"
@@ -11,10 +11,10 @@
 
 namespace cd {
 
-/// A folder that is removed with all its files when the object dies.
+/// Owns a folder: the destructor removes it with all its files.
 class TemporaryFolder {
   public:
-    /// Creates an empty folder, as `make_temporary_folder`. Errors: Io.
+    /// Creates an empty folder with `make_temporary_folder`. Errors: Io.
     [[nodiscard]] static Result<TemporaryFolder> make(const std::string& name) {
         TemporaryFolder folder;
         folder.path_.reset(new std::filesystem::path(CD_TRY(make_temporary_folder(name))));

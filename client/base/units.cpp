@@ -8,7 +8,7 @@ namespace cd {
 namespace {
 
 constexpr std::array<std::string_view, 6> names{"m", "cm", "mm", "km", "in", "ft"};
-/// Tenths of a millimetre make all lengths integers, so each ratio is rounded once.
+/// Sizes in tenths of a millimetre are integers, so a ratio of two is rounded only once.
 constexpr std::array<double, 6> tenths_of_mm{10'000, 100, 10, 10'000'000, 254, 3'048};
 
 std::optional<double> size_of(std::string_view name) {

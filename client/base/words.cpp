@@ -13,8 +13,8 @@ namespace cd {
 
 namespace {
 
-/// The optimal string alignment distance, computed row by row: Levenshtein's distance in which
-/// swapping two neighbours is one edit.
+/// Returns the optimal string alignment distance: Levenshtein's distance in which swapping two
+/// neighbouring characters is one edit. It is computed row by row.
 std::size_t edits_between(std::string_view from, std::string_view to) {
     std::vector<std::size_t> row(to.size() + 1);
     for (std::size_t j = 0; j < row.size(); ++j) {
@@ -35,7 +35,7 @@ std::size_t edits_between(std::string_view from, std::string_view to) {
     return row.back();
 }
 
-/// A longer word, which may come from a file, gets no suggestion, since comparing would take long.
+/// Longer words, which may come from a file, get no suggestion: comparing them takes too long.
 constexpr std::size_t word_length_max = 64;
 
 } // namespace

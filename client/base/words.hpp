@@ -11,17 +11,17 @@
 
 namespace cd {
 
-/// The known word with the smallest edit distance; nothing if the distance is more than half the
-/// length of `word`, and more than 1.
+/// Returns the known word with the smallest edit distance from `word`; nothing if that distance is
+/// more than 1 and more than half the length of `word`.
 [[nodiscard]] std::optional<std::string_view> nearest_word(std::string_view word,
                                                            std::span<const std::string_view> known);
 
-/// "; did you mean "x"?" if a known word is near, otherwise the list of known words.
+/// Returns "; did you mean "x"?" for the nearest known word, or a list of all known words.
 [[nodiscard]] std::string suggestion(std::string_view word,
                                      std::span<const std::string_view> known);
 
-/// The number that makes up the whole text; nothing if the text is anything else, or if `Number`
-/// cannot hold it.
+/// Returns the number that makes up the whole text; nothing if the text is anything else, or if
+/// `Number` cannot hold the number.
 template <class Number, class... Base>
 [[nodiscard]] std::optional<Number> number_in(std::string_view text, Base... base) {
     Number number{};
@@ -30,19 +30,19 @@ template <class Number, class... Base>
     return error == std::errc() && behind == end ? std::optional(number) : std::nullopt;
 }
 
-/// The number with digit groups: 48 212.
+/// Returns the number with digit groups: 48 212.
 [[nodiscard]] std::string grouped(std::uint64_t number);
 
-/// The shortest decimal that reads back as the same double.
+/// Returns the shortest decimal that reads back as this double.
 [[nodiscard]] std::string exact_text(double value);
 
-/// The value with `digits` digits after the point.
+/// Returns the value with `digits` digits after the point.
 [[nodiscard]] std::string fixed_text(double value, int digits);
 
-/// 950 /s as "950", 58 400 as "58.4 k", 1 200 000 as "1.2 M".
+/// Returns 950 as "950", 58 400 as "58.4 k", 1 200 000 as "1.2 M".
 [[nodiscard]] std::string rate_text(double per_second);
 
-/// "1 part", "12 parts".
+/// Returns the number with a noun: "1 part", "12 parts".
 [[nodiscard]] std::string counted(std::uint64_t number, std::string_view noun);
 
 /// Quotes a CSV field as in RFC 4180 and replaces invalid UTF-8.

@@ -19,8 +19,8 @@ namespace cd {
 
 namespace {
 
-/// Formats help with the examples first. A description's first line says what the verb does; the
-/// rest are its examples.
+/// Formats help with the examples first. In an app's description, the first line says what the verb
+/// does, and the others are its examples.
 class ExamplesFirst final : public CLI::Formatter {
   public:
     std::string make_description(const CLI::App* app) const override {
@@ -215,7 +215,7 @@ class Verbs {
         add_master_options(*create, create->master);
     }
 
-    /// The command of the verb that was parsed.
+    /// Returns the command of the verb that was parsed.
     [[nodiscard]] std::optional<Command> take() { return std::move(chosen_); }
 
   private:
@@ -263,8 +263,8 @@ class Verbs {
     std::optional<Command> chosen_;
 };
 
-/// Turns an error of CLI11, which has an exit code for each error, into cdctl's one code for wrong
-/// usage. A request for help is not an error here.
+/// Turns an error of CLI11, whose exit codes differ by error, into cdctl's one code for wrong
+/// usage. CLI11 reports a request for help as an error too; its exit code is 0.
 CommandLine refused(const CLI::App& app,
                     const CLI::ParseError& error,
                     const std::vector<std::string>& arguments) {

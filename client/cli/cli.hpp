@@ -17,10 +17,10 @@ namespace cd {
 struct MasterOptions {
     std::string address; ///< HOST:PORT
     bool insecure = false;
-    std::string credential; ///< A file, or "none"; empty: the file that `join` wrote, if any.
+    std::string credential; ///< A file, or "none"; empty: the file that `cdctl join` wrote, if any.
 };
 
-/// Contacts that give exit code 1: none; `touch` or worse; `cross` or `inside`.
+/// The contacts that give exit code 1: none; touch and worse; cross and inside.
 enum class FailOn : std::uint8_t { Never, Touch, Cross };
 
 /// Options for results folders.
@@ -30,10 +30,10 @@ struct FolderFlags {
     bool no_inputs = false;
 };
 
-/// How scenarios run on this machine.
+/// How scenarios are run on this machine.
 struct HostOptions {
     unsigned threads = 0; ///< 0: one per core.
-    std::string simd;     ///< Name of a SIMD target; empty: CD_SIMD, or else the best.
+    std::string simd;     ///< A SIMD target's name; empty: CD_SIMD, or else the best.
     std::optional<PairStage> first_stage; ///< First stage that decides pairs; nothing: the default.
     std::string tree_cache = "off";       ///< A folder, or off.
 };
@@ -41,20 +41,20 @@ struct HostOptions {
 struct RunCommand {
     JobOptions job; ///< `job.file` may be a results folder.
     FolderFlags folder;
-    MasterOptions master; ///< No address: run on this machine.
+    MasterOptions master; ///< Without an address, the job runs on this machine.
     HostOptions host;
     FailOn fail_on = FailOn::Never;
     bool dry_run = false;
-    bool yes = false; ///< Write results even if they exceed `results_bytes_max`.
+    bool yes = false; ///< Write results even if larger than `results_bytes_max`.
     std::uint64_t results_bytes_max = limits::folder_bytes_unasked_max;
     bool quiet = false;
     bool statistics = false;
-    std::string output = "text"; ///< text, json or csv, on stdout.
+    std::string output = "text"; ///< Format for stdout: text, json or csv.
 };
 
 struct DemoCommand {
     std::uint64_t scenarios = 1000;
-    std::string a; ///< Mesh of A; empty: the demo's two vehicles, and `b` is empty.
+    std::string a; ///< Mesh of A; empty: the demo draws on its two vehicles.
     std::string b;
     std::string out;
     bool quiet = false;
@@ -73,7 +73,7 @@ struct WatchCommand {
     std::string job;
     MasterOptions master;
     bool quiet = false;
-    bool only_wait = false; ///< The verb `wait`: notes, but no progress.
+    bool only_wait = false; ///< The verb `wait`: prints notes, but no progress.
     bool statistics = false;
     FailOn fail_on = FailOn::Never;
     std::string output = "text"; ///< text, json
@@ -84,12 +84,12 @@ struct ResultsCommand {
     MasterOptions master;
     std::string out;
     FolderFlags folder;
-    std::vector<std::string> formats; ///< Empty: not given.
+    std::vector<std::string> formats; ///< Empty if the option is missing.
     bool exact_points = false;
     std::string tree_cache = "off"; ///< A folder, or off.
     bool quiet = false;
     bool statistics = false;
-    std::string output = "text"; ///< text, json or csv, on stdout if `out` is empty.
+    std::string output = "text"; ///< Format for stdout if `out` is empty: text, json or csv.
 };
 
 struct VerifyCommand {
@@ -126,7 +126,7 @@ struct StatusCommand {
 
 struct CancelCommand {
     std::string job;
-    std::optional<std::uint64_t> scenario; ///< Empty: the whole job.
+    std::optional<std::uint64_t> scenario; ///< Nothing: cancel the whole job.
     MasterOptions master;
 };
 
@@ -173,7 +173,7 @@ struct InspectCommand {
     std::string unit;
     std::string job_unit;
     std::string output = "text"; ///< text, json
-    std::string png;             ///< File for a picture of the only mesh; empty: none.
+    std::string png;             ///< File for a picture of a single mesh; empty: none.
 };
 
 struct VersionCommand {
@@ -198,15 +198,15 @@ using Command = std::variant<RunCommand,
                              InspectCommand,
                              VersionCommand>;
 
-/// A command to run; or none, and instead a text to print (help on stdout, a usage error on stderr)
-/// and the exit code.
+/// What to do: run `command`. Without a command, print `text` (help on stdout, a usage error on
+/// stderr) and exit with `exit_code`.
 struct CommandLine {
     std::optional<Command> command;
     std::string text;
     int exit_code = 0;
 };
 
-/// Parses `arguments`, which lack the program's name.
+/// Parses the arguments that follow the program's name.
 [[nodiscard]] CommandLine parse_command_line(std::vector<std::string> arguments);
 
 } // namespace cd

@@ -12,7 +12,7 @@ namespace cd {
 
 namespace {
 
-/// "; did you mean 'run'?", or the command that lists the known words.
+/// Returns "; did you mean 'run'?", or a hint at the command that lists the known words.
 std::string
 remedy(std::string_view word, const std::vector<std::string>& known, const std::string& command) {
     const std::vector<std::string_view> views(known.begin(), known.end());

@@ -11,11 +11,11 @@ class App;
 
 namespace cd {
 
-/// The output of `cdctl` without arguments: ten lines of examples.
+/// Returns what `cdctl` prints without arguments: ten lines of examples.
 [[nodiscard]] std::string first_steps();
 
-/// A line without newline about the first unknown verb or option in `arguments` (without the
-/// program), with the most similar known one; nothing if all are known.
+/// Returns a line without newline about the first unknown verb or option in `arguments` (without
+/// the program's name), with the most similar known one; nothing if all are known.
 [[nodiscard]] std::optional<std::string> unknown_word(const CLI::App& app,
                                                       const std::vector<std::string>& arguments);
 

@@ -12,16 +12,16 @@
 
 namespace cd {
 
-/// A function that adds an option to a verb; the help calls its value `type`.
+/// Returns a function that adds an option to a verb; the help calls its value `type`.
 [[nodiscard]] inline auto option_adder(CLI::App& verb) {
     return [&verb](const char* names, auto& value, const char* type, const std::string& help) {
         return verb.add_option(names, value, help)->type_name(type);
     };
 }
 
-/// The check that a value is one of `words`.
+/// Returns the check that a value is one of `words`.
 [[nodiscard]] CLI::Validator one_of(const std::vector<std::string>& words);
-/// The check that a value is the name of a unit of length.
+/// Returns the check that a value is the name of a unit of length.
 [[nodiscard]] CLI::Validator is_unit();
 
 void add_job_options(CLI::App& verb, JobOptions& job);
@@ -29,8 +29,8 @@ void add_job_options(CLI::App& verb, JobOptions& job);
 void add_job(CLI::App& verb, std::string& job);
 /// Adds the required argument `name` that names a results folder or a job on the master.
 void add_run(CLI::App& verb, const char* name, std::string& run, const char* type);
-/// Adds `--master`, `--insecure` and `--credential`. If `required_here`, the verb needs a master,
-/// so the address has a default.
+/// Adds `--master`, `--insecure` and `--credential`. `required_here` says that the verb needs a
+/// master; then the address has a default.
 void add_master_options(CLI::App& verb, MasterOptions& master, bool required_here = true);
 /// Adds `--threads`.
 CLI::Option* add_threads(CLI::App& verb, unsigned& threads, const char* help);
@@ -44,7 +44,7 @@ void add_formats(CLI::App& verb, std::vector<std::string>& formats, bool& exact_
 /// Adds `--overwrite`, `--fresh` and `--no-inputs`.
 void add_folder_options(CLI::App& verb, FolderFlags& flags);
 void add_statistics(CLI::App& verb, bool& statistics);
-/// Adds `--first-stage`, with the stages' names as in the statistics.
+/// Adds `--first-stage`, whose values are the names of the stages in the statistics.
 void add_first_stage(CLI::App& verb, std::optional<PairStage>& first_stage);
 
 } // namespace cd

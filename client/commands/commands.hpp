@@ -7,7 +7,7 @@
 
 namespace cd {
 
-/// Runs a verb and returns its exit code. An error ends the verb with the code of its kind.
+/// Runs a verb and returns its exit code. An error ends the verb; `execute` turns it into a code.
 [[nodiscard]] Result<int> perform(const RunCommand& command);
 [[nodiscard]] Result<int> perform(const DemoCommand& command);
 [[nodiscard]] Result<int> perform(const SubmitCommand& command);
@@ -36,9 +36,9 @@ template <class Command>
     return code ? code.value() : fail(code.error());
 }
 
-/// The exit code of a finished run: 3 if a scenario has no result or failed; else 1 if the run has
-/// contacts that `fail_on` names (`inside` counts like `cross`, since the solids share space); else
-/// 3 if undecided scenarios leave this open; else 0.
+/// Returns the exit code of a finished run: 3 if a scenario has no result or failed; else 1 if the
+/// run has contacts that `fail_on` names (`inside` counts like `cross`, since the solids share
+/// space); else 3 if undecided scenarios leave open whether it has such contacts; else 0.
 [[nodiscard]] int exit_code_of(const Summary& summary, FailOn fail_on);
 
 /// Refuses `FailOn::Cross` at `level any`, which does not tell touch from cross. Errors: BadInput.

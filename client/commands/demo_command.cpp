@@ -19,8 +19,8 @@ namespace {
 
 constexpr unsigned demo_workers = 2;
 
-/// A job as in the paper (section 7): random directions and orientations, with a small or medium
-/// penetration.
+/// Returns a job as in the paper (section 7): random directions and orientations, with a small or
+/// medium penetration.
 RunCommand demo_run(const DemoCommand& command, const std::filesystem::path& cache) {
     RunCommand run;
     run.job.a = command.a;
@@ -31,14 +31,14 @@ RunCommand demo_run(const DemoCommand& command, const std::filesystem::path& cac
     run.job.poses.penetration = {0.005, 0.05};
     run.job.output.dir = command.out.empty() ? (cache / "demo-results").string() : command.out;
     run.folder.fresh = true;
-    run.folder.overwrite = command.out.empty(); // The default folder belongs to the demo.
+    run.folder.overwrite = command.out.empty(); // The demo may overwrite its default folder.
     run.master.credential = "none";
     run.quiet = command.quiet;
     return run;
 }
 
-/// Waits until all workers have joined, so that the first line that the run prints counts them.
-/// Errors: Incomplete and Timeout naming the logs; those of `Connection`.
+/// Waits until all workers have joined, so that the first line of the run counts all of them.
+/// Errors: Incomplete and Timeout naming the logs; as `Connection`.
 Status wait_for_workers(LocalCluster& cluster,
                         const LocalClusterOptions& options,
                         const MasterOptions& master) {

@@ -30,10 +30,10 @@ namespace {
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
-/// Samples are repeated until they have taken this much thread time, to measure warm caches.
+/// Samples are run again until they have taken this much thread time, to measure warm caches.
 constexpr double warm_seconds = 0.02;
 constexpr int passes_max = 8;
-/// Results of samples stay in memory until they are written, so their pairs are bounded.
+/// Bounds the pairs of samples, whose results stay in memory until they are written.
 constexpr std::uint64_t sampled_pairs_max = 4'000'000;
 
 double seconds_since(Clock::time_point start) {
@@ -41,7 +41,7 @@ double seconds_since(Clock::time_point start) {
 }
 
 /// Divides [0, count) into `samples` equal parts and draws a random index from each. Equal steps
-/// would meet the same values of a grid's axes again and again.
+/// would meet a few values of a grid's axes again and again.
 std::vector<std::uint64_t> spread(std::uint64_t count, std::uint64_t samples) {
     const std::uint64_t size = std::min(count, samples);
     std::mt19937_64 random; // The default seed makes estimates repeatable.
@@ -62,7 +62,7 @@ struct Sample {
     double seconds = 0; ///< Time on one thread.
 };
 
-/// Orders samples with a stride, so that those run before the time limit cover the whole job.
+/// Orders samples with a stride, so that the ones run before the time limit cover the whole job.
 std::vector<std::size_t> visiting_order(std::size_t size) {
     constexpr std::size_t stride = 16;
     std::vector<std::size_t> order;
@@ -75,7 +75,7 @@ std::vector<std::size_t> visiting_order(std::size_t size) {
 }
 
 /// Runs each sample once on the pool's threads, until `end` or until the samples have
-/// `sampled_pairs_max` pairs; at least one sample.
+/// `sampled_pairs_max` pairs, but at least one sample.
 void run_samples(const ScenarioRunner& runner,
                  ThreadPool& pool,
                  Clock::time_point end,
@@ -116,7 +116,7 @@ struct FolderBytes {
     std::uint64_t maps = 0;      ///< Size of files that grow with the triangles in contact.
 };
 
-/// Writes the results as a run does: records and exports.
+/// Writes the samples' results as a run does: records and exports.
 Status
 write_results(const PreparedJob& job, const std::vector<Sample>& samples, const fs::path& folder) {
     auto sink =
@@ -142,7 +142,7 @@ Status write_poses(const std::vector<Sample>& samples, const fs::path& folder) {
     return writer.finish();
 }
 
-/// The sizes of the files of a run with these results: records, exports and, if kept, poses.
+/// Returns the file sizes of a run with only these samples: records, exports and kept poses.
 Result<FolderBytes>
 bytes_of(const PreparedJob& job, bool keeps_inputs, const std::vector<Sample>& samples) {
     const auto folder = CD_TRY(TemporaryFolder::make("cdctl-estimate"));
@@ -158,7 +158,7 @@ bytes_of(const PreparedJob& job, bool keeps_inputs, const std::vector<Sample>& s
     return bytes;
 }
 
-/// The number of triangles, of both bodies, that are in contact in any of every `step`-th sample.
+/// Counts the triangles of both bodies that are in contact in every `step`-th sample.
 double triangles_touched(const std::vector<Sample>& samples, std::size_t step) {
     ContactMapSum sum;
     for (std::size_t i = 0; i < samples.size(); i += step) {
@@ -169,9 +169,9 @@ double triangles_touched(const std::vector<Sample>& samples, std::size_t step) {
     return static_cast<double>(map.bodies[0].size() + map.bodies[1].size());
 }
 
-/// How many times more triangles are in contact in the whole job than in the samples. Assumes that
-/// their number grows as a power of the number of scenarios, with the exponent that half of the
-/// samples and all samples show, up to the number of triangles of both meshes.
+/// Returns how many times more triangles are in contact in the whole job than in the samples.
+/// Assumes that their number grows as a power of the number of scenarios, with the exponent between
+/// half of the samples and all samples, up to the number of triangles of both meshes.
 double triangles_factor(const PreparedJob& job, const std::vector<Sample>& samples) {
     const double all = triangles_touched(samples, 1);
     const double some = triangles_touched(samples, 2);
@@ -185,8 +185,8 @@ double triangles_factor(const PreparedJob& job, const std::vector<Sample>& sampl
     return std::min(std::pow(times, std::log2(std::max(1.0, all / some))), most / all);
 }
 
-/// Reads samples, ascending by index: as many as possible before `end`, at least one. Errors: those
-/// of `poses`.
+/// Reads samples, ascending by index: as many as possible before `end`, but at least one. Errors:
+/// from reading `poses`.
 Result<std::vector<Sample>>
 read_samples(PoseSource& poses, std::uint64_t samples_max, Clock::time_point end) {
     const std::vector<std::uint64_t> indices = spread(poses.count(), samples_max);
@@ -202,7 +202,7 @@ read_samples(PoseSource& poses, std::uint64_t samples_max, Clock::time_point end
     return samples;
 }
 
-/// Extrapolates the samples' times to the job, with a range of two standard errors. All threads
+/// Extrapolates the samples' times to the job, with a range of two standard errors. The threads
 /// share the samples' time, but not `more_per_scenario`, the seconds to read and write a scenario.
 void put_times(const std::vector<Sample>& samples,
                double more_per_scenario,
@@ -233,7 +233,7 @@ void put_work(const std::vector<Sample>& samples, RunEstimate& estimate) {
     }
 }
 
-/// Extrapolates the size of the results folder. Returns the seconds to write one scenario.
+/// Extrapolates the size of the results folder. Returns the seconds that writing a scenario takes.
 Result<double> put_bytes(const PreparedJob& job,
                          const EstimateOptions& options,
                          const std::vector<Sample>& samples,
@@ -255,8 +255,8 @@ Result<double> put_bytes(const PreparedJob& job,
                          triangles_factor(job, samples) * more(bytes.maps, base.maps);
     estimate.bytes = base.scenarios + base.maps + (keeps_inputs ? bytes_beside_poses(job) : 0) +
                      static_cast<std::uint64_t>(grown);
-    // Returns seconds per scenario. `base_seconds` does not grow with the number of scenarios: it
-    // is the time of an empty run, which syncs each file once.
+    // Returns seconds per scenario, without `base_seconds`, the time of an empty run, which syncs
+    // each file once and does not grow with the number of scenarios.
     return std::max(0.0, seconds - base_seconds) / size;
 }
 
@@ -268,7 +268,7 @@ std::string size_text(std::uint64_t bytes) {
     return fixed_text(size / 1e9, size < 10e9 ? 1 : 0) + " GB";
 }
 
-/// Seconds without a unit, with at most two decimals.
+/// Formats seconds without a unit, with at most two decimals.
 std::string seconds_text(double seconds) {
     return fixed_text(seconds, seconds < 1 ? 2 : seconds < 10 ? 1 : 0);
 }

@@ -19,14 +19,14 @@ namespace cd {
 
 namespace {
 
-constexpr std::uint64_t scenarios_max = 100'000; ///< Per case, since results are in memory.
+constexpr std::uint64_t scenarios_max = 100'000; ///< In a case, since results are in memory.
 
 struct Range {
     std::uint64_t first = 0;
     std::uint64_t last = 0;
 };
 
-/// Parses "N" or "N-M".
+/// Parses a range of scenarios, "N" or "N-M". Errors: BadInput.
 Result<Range> parse_range(const std::string& text, std::uint64_t count) {
     const std::size_t dash = text.find('-');
     const auto first = number_in<std::uint64_t>(std::string_view(text).substr(0, dash));
@@ -59,7 +59,7 @@ Result<CaseScenarios> read_case(OpenedRun& run, PreparedJob& job, const Range& r
     return found;
 }
 
-/// The bodies of a scenario in their poses, with the triangles of the result's pairs as contacts.
+/// Returns a scenario's bodies in their poses, with the triangles of the result's pairs marked.
 std::vector<PicturedBody>
 pictured(const PreparedJob& job, const Scenario& scenario, const ScenarioResult& result) {
     constexpr std::array<Colour, 2> colours{{{150, 170, 200}, {225, 190, 120}}};
@@ -103,7 +103,7 @@ Result<int> perform(const ExtractCommand& command) {
         command.run, command.master, command.tree_cache, Trees::ForPosesOnly, pool));
     const Range range = CD_TRY(parse_range(command.scenarios, job.poses->count()));
     const CaseScenarios found = CD_TRY(read_case(run, job, range));
-    InterruptGuard::begin_to_flag(); // A signal must not leave partial files.
+    InterruptGuard::begin_to_flag(); // From here on, a signal must not leave partial files.
     const std::string dir = command.out.empty() ? "scenario-" + command.scenarios : command.out;
     const std::size_t count = found.results.size();
     if (command.as == "png") {

@@ -39,7 +39,7 @@ class RemotePoses final : public PoseSource {
     std::uint64_t count_;
 };
 
-/// The mesh from the cache, or else from the master. Errors: those of the connection.
+/// Takes a mesh from the cache, or else from the master. Errors: the connection's.
 Result<std::shared_ptr<const Mesh>>
 get_mesh(Connection& connection, const Sha256& mesh, const MeshCache& cache) {
     if (auto kept = cache.find(mesh)) {
@@ -50,7 +50,7 @@ get_mesh(Connection& connection, const Sha256& mesh, const MeshCache& cache) {
     return std::make_shared<const Mesh>(std::move(fetched));
 }
 
-/// The error for an argument that was taken for a job's id, since no folder has this name.
+/// Returns the error for an argument taken for a job's id, since no folder has this name.
 Error no_folder(const std::string& text, const Error& error) {
     const std::string detail = "there is no folder '" + text + "', ";
     switch (error.code) {
@@ -65,12 +65,12 @@ Error no_folder(const std::string& text, const Error& error) {
     }
 }
 
-/// Fetches all existing results of a job into `take`, and returns their number. Errors: those of
-/// `take`; BadFrame when the results do not match the digest that the master states.
+/// Passes all existing results of a job to `take`, and returns their number. Errors: from `take`;
+/// BadFrame if the results do not match the digest that the master states.
 Result<std::uint64_t> fetch_each(Connection& connection,
                                  const JobStatus& job,
                                  const std::function<Status(const ScenarioResult&)>& take) {
-    // The master uses this merger too, so a result lost or changed in transit changes the digest.
+    // The master merges likewise, so a result lost or changed in transit changes the digest.
     ResultMerger merger(job.summary.total);
     CD_TRY(connection.fetch(job.job, 0, job.summary.total, [&](const ScenarioResult& result) {
         static_cast<void>(merger.add(result));
@@ -82,13 +82,13 @@ Result<std::uint64_t> fetch_each(Connection& connection,
     return merger.summary().merged();
 }
 
-/// Adds the job's contact map, if the job asks for maps, to its report. Errors: BadFrame for an
-/// invalid map.
+/// Adds a job's contact map, if the job asks for maps, to its report. Errors: BadFrame for an
+/// invalid map; the connection's.
 Status fetch_map(Connection& connection, JobId job, RunReport& report) {
     const ContactMapAnswer answer = CD_TRY(connection.contact_map(job));
     report.map_withdrawn = answer.withdrawn;
     if (answer.is_asked && report.map_withdrawn.empty()) {
-        // The meshes may not be loaded, so the map is checked against the largest allowed mesh.
+        // Checks the map against the largest allowed mesh, since the meshes may not be loaded.
         const ContactMapBounds bounds{
             limits::mesh_triangles_max, limits::mesh_triangles_max, report.summary.total};
         report.map = CD_TRY(unpack_map(answer.map, bounds));
@@ -96,7 +96,7 @@ Status fetch_map(Connection& connection, JobId job, RunReport& report) {
     return Done{};
 }
 
-/// The report of a job whose results were fetched, with the contact map if the master summed one.
+/// Makes the report of a job whose results were fetched, with the map if the master summed one.
 Result<RunReport> fetched_report(Connection& connection,
                                  const Query& query,
                                  const JobStatus& status,

@@ -16,12 +16,12 @@
 
 namespace cd {
 
-/// A job on a master, prepared like the job that `run --master` has, to fetch its results.
+/// A job on a master, prepared as for `run --master`, in order to fetch its results.
 class FetchedJob {
   public:
-    /// Fetches the description and the meshes that are not cached; poses are fetched on demand.
-    /// `text` is a job id as users write it, `tree_cache` as for `MeshCache`. Errors: those of the
-    /// connection; NotFound.
+    /// Fetches the job's description and the meshes that are not cached; poses are fetched on
+    /// demand. `text` is a job id as users write it, `tree_cache` as for `MeshCache`. Errors: the
+    /// connection's; NotFound.
     [[nodiscard]] static Result<FetchedJob> open(const MasterOptions& master,
                                                  const std::string& text,
                                                  const std::filesystem::path& tree_cache);
@@ -29,11 +29,11 @@ class FetchedJob {
     [[nodiscard]] PreparedJob& prepared() { return *prepared_; }
     [[nodiscard]] const JobStatus& status() const { return job_.status; }
 
-    /// Writes the results to stdout in the format `output`. Errors: those of the connection and of
+    /// Writes the results to stdout in the format `output`. Errors: the connection's; from
     /// writing.
     [[nodiscard]] Result<RunReport> print(const std::string& output);
-    /// Writes the results into the output folder of the prepared job. Errors: those of `FolderRun`
-    /// and of the connection.
+    /// Writes the results into the output folder of the prepared job. Errors: as `FolderRun`; the
+    /// connection's.
     [[nodiscard]] Result<RunReport> write(FolderRunOptions options, const std::string& output);
 
   private:
@@ -44,20 +44,20 @@ class FetchedJob {
 
     ConnectedJob job_;
     std::unique_ptr<PreparedJob> prepared_;
-    LabelColumns labels_; ///< The job's label columns.
+    LabelColumns labels_; ///< Which labels the job's scenarios have.
 };
 
-/// The report of an ended job. `level` is the level of the job.
+/// Makes a report of a job that has ended. `level` is the level of the job.
 [[nodiscard]] RunReport report_of(const JobStatus& job, Level level);
 
-/// Fetches all existing results of a job into `sink`. Returns a report, with the contact map if the
-/// master summed one. Errors: those of `connection` and `sink`; BadFrame when the results do not
-/// match the digest that the master states for a completed job.
+/// Passes all existing results of a job to `sink`. Returns a report, with the contact map if the
+/// master summed one. Errors: the connection's; from `sink`; BadFrame if the results do not match
+/// the digest that the master states for a completed job.
 [[nodiscard]] Result<RunReport>
 fetch_results(Connection& connection, const Query& query, const JobStatus& job, ResultSink& sink);
 
-/// Like the other `fetch_results`, into a folder. The report's `hint` is set if `with_hint`. Also
-/// completes the folder, and writes the results to stdout in the format `output`.
+/// Fetches all existing results of a job into a folder, completes the folder, and writes the
+/// results to stdout in the format `output`. Sets the report's `hint` if `with_hint`.
 [[nodiscard]] Result<RunReport> fetch_results(Connection& connection,
                                               const PreparedJob& prepared,
                                               const JobStatus& job,

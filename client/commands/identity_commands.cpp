@@ -19,7 +19,7 @@ namespace cd {
 
 namespace {
 
-/// The default name of a client: USER@HOST.
+/// Returns the default name of a client: USER@HOST.
 std::string default_name() {
     std::array<char, 256> host{};
     if (::gethostname(host.data(), host.size() - 1) != 0) {

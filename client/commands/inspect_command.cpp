@@ -15,8 +15,8 @@ namespace cd {
 
 namespace {
 
-/// The factor by which the file's coordinates are multiplied. Without --unit, coordinates are shown
-/// as in the file, or in metres if the file declares a unit.
+/// Returns the factor of the file's coordinates. Without --unit, coordinates are shown as in the
+/// file, or in metres if the file declares a unit.
 Result<double> factor_of(const InspectCommand& command) {
     if (command.unit.empty() && !command.job_unit.empty()) {
         return bad_input("--job-unit needs --unit, the unit of the file");

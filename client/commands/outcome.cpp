@@ -20,7 +20,7 @@ int exit_code_of(const Summary& summary, FailOn fail_on) {
     if (asked != 0) {
         return exit_contacts;
     }
-    // The user asked whether there are contacts, and undecided scenarios leave this open.
+    // With --fail-on the user asks whether there are contacts; undecided scenarios leave this open.
     return fail_on != FailOn::Never && summary.undecided != 0 ? exit_incomplete : exit_done;
 }
 

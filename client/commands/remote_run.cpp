@@ -1,4 +1,4 @@
-// run --master and submit: sends a prepared job to a master and fetches its results.
+// Runs a job on a master (`run --master`, `submit`): sends it, and fetches its results.
 #include "client/base/errors.hpp"
 #include "client/base/exit_code.hpp"
 #include "client/base/interrupt.hpp"
@@ -60,7 +60,7 @@ std::string submitted_text(const SubmitCommand& command, const PreparedJob& job,
            "; `cdctl watch " + text + "` shows how it goes\n";
 }
 
-/// Runs the job on a master. `folder` is null without an output folder.
+/// Runs the job on a master. `folder` is null if the job has no output folder.
 Result<int> run_there(const RunCommand& command,
                       PreparedJob& job,
                       std::unique_ptr<Connection> connection,

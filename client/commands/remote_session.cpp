@@ -27,7 +27,7 @@ namespace {
 
 constexpr double bytes_per_megabyte = 1e6;
 
-/// True if a new connection may help: the old one broke, was silent, or brought damaged bytes.
+/// True if a new connection may help: the old one broke, was silent, or carried damaged bytes.
 bool is_of_the_network(const Error& error) {
     return error.code == ErrorCode::Disconnected || error.code == ErrorCode::Timeout ||
            error.code == ErrorCode::BadFrame;
@@ -123,7 +123,7 @@ Result<JobStatus> watch_job(const MasterOptions& master,
                             const std::string& id,
                             ProgressPrinter::Style progress) {
     ProgressPrinter printer(progress);
-    int damaged = 0; // Number of connections in a row that brought damaged bytes.
+    int damaged = 0; // Number of consecutive connections with damaged bytes.
     JobStatus last;
     std::optional<ClusterStatus> cluster;
     const auto print = [&] {
@@ -151,7 +151,7 @@ Result<JobStatus> watch_job(const MasterOptions& master,
     for (;;) {
         Result<JobStatus> status = connection->watch(
             job, show, tells ? look : std::function<void(const ClusterStatus&)>());
-        const bool is_renewed = renewal.count() != renewals; // An expired certificate was renewed.
+        const bool is_renewed = renewal.count() != renewals; // Since the last connection.
         if (!status && status.error().code == ErrorCode::Refused && is_renewed) {
             renewals = renewal.count();
             connection = CD_TRY(open_again(master));
@@ -160,7 +160,7 @@ Result<JobStatus> watch_job(const MasterOptions& master,
         if (status || !is_of_the_network(status.error())) {
             return status;
         }
-        // Gives up on a master that sends only damaged bytes.
+        // Gives up on a master that sends nothing but damaged bytes.
         if (status.error().code == ErrorCode::BadFrame &&
             ++damaged >= limits::damaged_connections_max) {
             return status;

@@ -13,18 +13,18 @@
 
 namespace cd {
 
-/// Connects to a master; a signal (`InterruptGuard`) interrupts the connection's calls.
+/// Connects to a master. A signal (`InterruptGuard`) interrupts the connection's calls.
 [[nodiscard]] Result<std::unique_ptr<Connection>> open_master(const MasterOptions& options);
-/// Connects for a job that could also run on this machine, as the text of a network error then
-/// says. Called before the inputs are read, which may take long.
+/// Connects to a master for a job that could also run on this machine; the text of a network error
+/// says so. Callers connect before they read the inputs, which may take long.
 [[nodiscard]] Result<std::unique_ptr<Connection>> open_master_for_job(const MasterOptions& options);
 
-/// A connection, and the cluster's status when it was opened.
+/// A connection, and the status that the cluster had when it was opened.
 struct ConnectedCluster {
     std::unique_ptr<Connection> connection;
     ClusterStatus status;
 };
-/// Connects to a master and asks for the status. Errors: those of `open_master`.
+/// Connects to a master and asks for the cluster's status. Errors: as `open_master`.
 [[nodiscard]] Result<ConnectedCluster> open_cluster(const MasterOptions& options);
 
 /// A connection, and a job on the master.
@@ -33,18 +33,18 @@ struct ConnectedJob {
     JobStatus status; ///< The job's status when the connection was opened.
     std::string id;   ///< Short unique id: "j-4f2a".
 };
-/// Connects to a master and finds the job that `text` names. Errors: those of `open_master` and
+/// Connects to a master and finds the job that `text` names. Errors: as `open_master` and
 /// `find_job`.
 [[nodiscard]] Result<ConnectedJob> open_job(const MasterOptions& options, const std::string& text);
 
-/// The number of workers that are not lost.
+/// Returns the number of workers that are not lost.
 [[nodiscard]] std::uint64_t worker_count(const ClusterStatus& cluster);
-/// The number of workers that are not lost; 0 if the master does not answer.
+/// Asks for the number of workers that are not lost; 0 if the master does not answer.
 [[nodiscard]] std::uint64_t worker_count(Connection& connection);
-/// `worker_count` as text: "12 workers". Empty if the master does not answer.
+/// Asks for `worker_count` as text: "12 workers"; empty if the master does not answer.
 [[nodiscard]] std::string workers_text(Connection& connection);
 
-/// Uploads missing meshes, each with a line on stderr unless quiet, and submits the job.
+/// Uploads meshes that the master lacks, with a line on stderr unless quiet, and submits the job.
 [[nodiscard]] Result<JobId> send_job(Connection& connection, PreparedJob& job, bool quiet);
 
 /// Watches the job to its end, with progress on stderr. After a network error it reconnects, and

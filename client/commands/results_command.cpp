@@ -22,8 +22,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Prints the summary, unless `prints`: then the results themselves are printed as text. Returns
-/// the exit code; contacts are no failure here, missing results are.
+/// Prints the summary, unless `prints` says that the results themselves were printed as text.
+/// Returns the exit code: missing results are a failure here, contacts are not.
 Result<int> tell(const ResultsCommand& command, const RunReport& report, bool prints) {
     if (!prints) {
         CD_TRY(print_summary(report, command.output != "text", command.quiet, command.statistics));
@@ -58,8 +58,8 @@ Result<int> results_of_job(const ResultsCommand& command) {
     return exit_incomplete;
 }
 
-/// Prints the summary.json of a folder that an earlier version wrote without records. Fails with
-/// `no_run` if the command needs records.
+/// Prints the summary.json of a folder that an earlier version wrote, without records. Returns the
+/// error `no_run` if the command needs records.
 Result<int> results_of_summary(const ResultsCommand& command, const Error& no_run) {
     if (!command.formats.empty() || command.output == "csv") {
         return no_run;
@@ -74,8 +74,8 @@ Result<int> results_of_summary(const ResultsCommand& command, const Error& no_ru
     return exit_code_of(report.summary, FailOn::Never);
 }
 
-/// Writes the results of a folder into it in the given formats. Without formats, the results go to
-/// stdout, and no file is written.
+/// Writes the results in a folder to further formats in that folder. Without formats, the results
+/// go to stdout, and no file is written.
 Result<int> results_of_folder(const ResultsCommand& command) {
     if (!command.out.empty()) {
         return bad_input("formats of a folder are written into it; leave out --out, or copy the "
@@ -88,7 +88,7 @@ Result<int> results_of_folder(const ResultsCommand& command) {
     const OpenedRun run = CD_TRY(std::move(opened));
     auto context = CD_TRY(export_context(run));
     context.exact_points = command.exact_points;
-    InterruptGuard::begin_to_flag(); // A signal must not leave partial files.
+    InterruptGuard::begin_to_flag(); // From here on, a signal must not leave partial files.
     std::optional<RunFolder> folder;
     if (!command.formats.empty()) {
         folder.emplace(CD_TRY(RunFolder::open_finished(run.dir(), run.manifest())));

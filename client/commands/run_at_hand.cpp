@@ -33,7 +33,7 @@ fetch(const std::string& id, const MasterOptions& master, const std::string& tre
     job.prepared().spec.output.dir = folder.path();
     job.prepared().spec.output.formats.clear();
     FolderRunOptions options = folder_options({}, master);
-    options.inputs_bytes_max = UINT64_MAX; // The inputs have no other local copy.
+    options.inputs_bytes_max = UINT64_MAX; // No limit, since there is no other local copy.
     CD_TRY(job.write(std::move(options), "text"));
     return open_folder(folder.path());
 }

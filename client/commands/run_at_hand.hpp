@@ -10,8 +10,8 @@
 
 namespace cd {
 
-/// A run, and its job prepared as it was submitted. The run of a job on a master was fetched into a
-/// temporary folder, which is already removed.
+/// A run, and its job prepared as it was submitted. A job on a master was fetched into a temporary
+/// folder, which has already been removed.
 struct RunAtHand {
     OpenedRun run;
     PreparedJob job;
@@ -19,7 +19,7 @@ struct RunAtHand {
 
 /// Opens a folder, or fetches a job into a temporary folder, which is removed even after a signal.
 /// Needs an `InterruptGuard`; after the fetch, a signal ends the process. `tree_cache` is the value
-/// of --tree-cache. Errors: those of `OpenedRun`, `read_inputs`, `FetchedJob` and `prepare_again`.
+/// of --tree-cache. Errors: as `OpenedRun`, `read_inputs`, `FetchedJob` and `prepare_again`.
 [[nodiscard]] Result<RunAtHand> open_run_at_hand(const std::string& argument,
                                                  const MasterOptions& master,
                                                  const std::string& tree_cache,

@@ -28,7 +28,7 @@ namespace cd {
 
 namespace {
 
-/// A prepared job and the resources to run it in this process.
+/// A prepared job and what is needed to run it in this process.
 struct LocalJob {
     const RunCommand& command;
     PreparedJob& job;
@@ -109,7 +109,7 @@ Result<int> run_without_folder(const LocalJob& local) {
     return end_run(command, report, sink.uses_stdout());
 }
 
-/// Saves the results of an interrupted run. Returns the error, with the number of these results.
+/// Saves the results of an interrupted run. Returns `error`, with the number of results kept.
 Error keep_results(const LocalJob& local, FolderRun& run, const Error& error) {
     if (const Status kept = run.keep(); !kept) {
         return kept.error();
@@ -158,13 +158,13 @@ Result<int> run_into_folder(const LocalJob& local) {
     return end_run(command, report, command.output != "text");
 }
 
-/// The job of the command line: from a job file, options, or a results folder.
+/// The job that a command line names: by a job file, by options, or by a results folder.
 struct AskedJob {
     JobSpec spec;
     std::optional<OpenedRun> run; ///< Set for a results folder.
 };
 
-/// Reads the job, but none of its inputs. Errors: those of `make_job_spec` and `OpenedRun::open`.
+/// Reads a job, but none of its inputs. Errors: as `make_job_spec` and `OpenedRun::open`.
 Result<AskedJob> asked_job(const JobOptions& options) {
     if (!is_folder(options.file)) {
         auto spec = CD_TRY(make_job_spec(options));
@@ -192,7 +192,7 @@ prepare(AskedJob asked, Trees trees, TreeCache& cache, ThreadPool& pool, bool qu
         asked.run->manifest(), std::move(inputs), std::move(asked.spec), trees, cache, pool, quiet);
 }
 
-/// The first line that a run prints: where it runs. `connection` is null for this machine.
+/// Returns the first line of a run: where it runs. `connection` is null for this machine.
 std::string where_text(const RunCommand& command, Connection* connection, const ThreadPool& pool) {
     if (connection == nullptr) {
         const char* master = std::getenv("CDCTL_MASTER");
@@ -213,7 +213,7 @@ EstimateOptions estimate_options(const RunCommand& command) {
     return options;
 }
 
-/// Prints the answer to --dry-run.
+/// Estimates time and size, and prints them as the answer to --dry-run.
 Result<int> tell_estimate(const RunCommand& command, const PreparedJob& job, ThreadPool& pool) {
     const auto estimate = CD_TRY(estimate_run(job, pool, estimate_options(command)));
     const Status room = command.yes
@@ -234,7 +234,7 @@ bool checks_size(const RunCommand& command, const JobSpec& spec) {
 }
 
 /// Refuses results that are too large. Samples at most 5 % of the scenarios, so the check is cheap.
-/// Errors: those of `check_room`.
+/// Errors: as `check_room`.
 Status check_size(const RunCommand& command, const PreparedJob& job, ThreadPool& pool) {
     EstimateOptions options = estimate_options(command);
     options.samples_max = std::min(options.samples_max, job.poses->count() / 20);
@@ -243,7 +243,7 @@ Status check_size(const RunCommand& command, const PreparedJob& job, ThreadPool&
         return Done{};
     }
     const auto estimate = estimate_run(job, pool, options);
-    // A failed estimate is no reason to refuse the run.
+    // If the estimate fails, the run goes on without the check.
     return estimate ? check_room(estimate.value(), job.spec.output, command.results_bytes_max)
                     : Status(Done{});
 }
@@ -336,7 +336,7 @@ Result<int> run_job(const RunCommand& command) {
                               pool,
                               command.quiet));
     CD_TRY(check_fail_on(command.fail_on, job.spec.level));
-    ::malloc_trim(0); // Importing and building have freed much memory.
+    ::malloc_trim(0); // Returns the memory that importing and building have freed.
     print_header(job, command.quiet);
     if (command.dry_run) {
         return tell_estimate(command, job, pool);

@@ -11,11 +11,11 @@
 
 namespace cd {
 
-/// The verb `run` without signal handling; the caller holds an `InterruptGuard`.
+/// Performs the verb `run` without signal handling; the caller holds an `InterruptGuard`.
 [[nodiscard]] Result<int> run_job(const RunCommand& command);
 
-/// `run --master`: submits, watches, fetches, reports. The caller has printed the job's header and
-/// holds an InterruptGuard; an interrupt cancels the job.
+/// Performs `run --master`: submits, watches, fetches, reports. The caller has printed the job's
+/// header and holds an `InterruptGuard`; an interrupt cancels the job.
 [[nodiscard]] Result<int>
 run_on_master(const RunCommand& command, PreparedJob& job, std::unique_ptr<Connection> connection);
 
@@ -23,16 +23,16 @@ run_on_master(const RunCommand& command, PreparedJob& job, std::unique_ptr<Conne
 [[nodiscard]] Result<int>
 end_run(const RunCommand& command, const RunReport& report, bool stdout_is_used);
 
-/// Prints header and warnings on stderr; if quiet, only the warnings.
+/// Prints a job's header and warnings on stderr; if quiet, only the warnings.
 void print_header(const PreparedJob& job, bool quiet);
 
-/// Sets `report.hint` if every scenario is separate; then reads all poses again. Errors:
-/// Interrupted.
+/// Sets `report.hint` if every scenario is separate, which takes a further read of all poses.
+/// Errors: Interrupted.
 [[nodiscard]] Status add_hint(const PreparedJob& job, RunReport& report);
 
-/// The folder options of a local run.
+/// Returns the folder options of a local run.
 [[nodiscard]] FolderRunOptions folder_options(const FolderFlags& flags);
-/// The folder options for the results of a job on a master.
+/// Returns the folder options for the results of a job on a master.
 [[nodiscard]] FolderRunOptions folder_options(const FolderFlags& flags,
                                               const MasterOptions& master);
 

@@ -22,8 +22,8 @@ struct Removable {
     std::string name;
 };
 
-/// Finds a job by its id, or a mesh by the first four or more digits of its hash. Errors: NotFound;
-/// BadInput for an ambiguous prefix.
+/// Finds a job by its id, or a mesh by four or more first digits of its hash. Errors: NotFound;
+/// BadInput if several jobs or meshes begin with these digits.
 Result<Removable>
 find_removable(const ClusterStatus& status, const std::string& text, const std::string& owner) {
     const Result<JobId> job = find_job(text, status.jobs, owner);
@@ -47,7 +47,7 @@ find_removable(const ClusterStatus& status, const std::string& text, const std::
 }
 
 /// Finds a worker by its id ("w-3") or name; lost workers are ignored. Errors: NotFound; BadInput
-/// for an ambiguous name.
+/// if several workers have the name.
 Result<WorkerId> find_worker(const ClusterStatus& status, const std::string& text) {
     std::vector<WorkerId> named;
     for (const WorkerStatus& worker : status.workers) {

@@ -18,7 +18,7 @@ namespace cd {
 
 namespace {
 
-/// `count` distinct numbers below `total`, ascending, drawn from the seed (Floyd).
+/// Draws `count` distinct numbers below `total` from the seed (Floyd); returns them ascending.
 std::vector<std::uint64_t> sample(std::uint64_t total, std::uint64_t count, std::uint64_t seed) {
     std::mt19937_64 random(seed);
     count = std::min(count, total);
@@ -40,7 +40,7 @@ struct Counts {
 
 enum class Outcome : std::uint8_t { Same, Different, NotRun };
 
-/// Runs a scenario again and compares its record with the one in the folder.
+/// Runs a scenario again and compares its record with the run's record.
 Result<Outcome>
 compare(OpenedRun& run, PreparedJob& job, const ScenarioRunner& runner, std::uint64_t index) {
     const auto kept = CD_TRY(run.records().find(index));

@@ -115,7 +115,7 @@ class PairsCsvWriter final : public ResultWriter {
         return status;
     }
 
-    std::vector<PartFields> parts_; ///< Part names of each body.
+    std::vector<PartFields> parts_; ///< The names of each body's parts.
     std::optional<RowFile> pairs_;
     std::optional<RowFile> points_;
     TextBuffer key_;

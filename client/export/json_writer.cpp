@@ -34,7 +34,7 @@ class JsonWriter final : public ResultWriter {
         line["surfaces_only"] = result.surfaces_only;
         line["insides_skipped"] = result.insides_skipped;
         if (result.kind == ScenarioClass::Undecided) {
-            // JSON has no infinity; null means an unknown distance.
+            // An unknown distance is infinite, which JSON writes as null.
             line["distance_bound"] = result.distance_bound;
         }
         if (!result.failure.empty()) {
@@ -68,8 +68,8 @@ class JsonWriter final : public ResultWriter {
     OutputFile file_;
 };
 
-/// Statistics of the searches: the paper's numbers N_b of box tests and N_p of triangle tests and,
-/// if the times C_b and C_p of one test are known, its cost N_b C_b + N_p C_p.
+/// Returns statistics of the searches: the paper's numbers N_b of box tests and N_p of triangle
+/// tests, and the cost N_b C_b + N_p C_p if the times C_b and C_p of one test are known.
 Json statistics_json(const RunReport& report) {
     const JobStatistics& statistics = report.execution.statistics;
     Json settled;

@@ -13,10 +13,10 @@ namespace {
 struct NpzColumn {
     const char* name;
     NpyType type;
-    std::uint64_t columns = 0; ///< Columns of an array of rows; 0: one dimension.
+    std::uint64_t columns = 0; ///< Columns of an array of rows; 0: the array has one dimension.
 };
 
-/// The arrays in the order of the archive. Lower levels have only the first ones.
+/// The arrays in the order of the archive. Each higher level adds arrays at the end.
 constexpr std::array<NpzColumn, 15> columns{{{"index", NpyType::U8},
                                              {"body_a", NpyType::U4},
                                              {"body_b", NpyType::U4},
@@ -83,7 +83,7 @@ class NpzResults final : public ResultWriter {
     Status finish() override { return status_ ? file_.finish() : status_; }
 
   private:
-    /// Scenario i has the pairs [offsets[i], offsets[i + 1]).
+    /// Adds a scenario's pairs; scenario i has the pairs [offsets[i], offsets[i + 1]).
     void add_pairs(const ScenarioResult& result) {
         std::vector<std::uint32_t> triangles;
         std::vector<std::uint8_t> classes;
@@ -97,14 +97,14 @@ class NpzResults final : public ResultWriter {
         put(offsets, pairs_end_);
     }
 
-    /// Pair j has the points [point_offsets[j], point_offsets[j + 1]).
+    /// Adds a scenario's points; pair j has the points [point_offsets[j], point_offsets[j + 1]).
     void add_points(const ScenarioResult& result) {
         std::vector<Vec3> world;
         for (std::size_t pair = 0; pair < result.pairs.size(); ++pair) {
             for_each_point(result, pair, [&](const Vec3& point) { world.push_back(point); });
         }
         append(points_world, numbers_of(world));
-        // The offsets in a result start at 0 and count only the result's own points.
+        // The result's own offsets start at 0; those in the file count the points of all results.
         for (std::size_t i = 1; i < result.point_offsets.size(); ++i) {
             put(point_offsets, points_end_ + result.point_offsets[i]);
         }
@@ -129,7 +129,7 @@ class NpzResults final : public ResultWriter {
     }
 
     NpzWriter file_;
-    std::size_t count_; ///< Number of arrays.
+    std::size_t count_; ///< How many of `columns` are written.
     std::uint64_t pairs_end_ = 0;
     std::uint64_t points_end_ = 0;
     Status status_ = Done{};

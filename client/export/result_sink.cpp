@@ -12,10 +12,10 @@ namespace cd {
 
 namespace {
 
-/// The size in bytes at which the partial sum `waiting_` is added to the total `map_`.
+/// Once the partial sum `waiting_` has this many bytes, it is added to the total `map_`.
 constexpr std::uint64_t waiting_bytes_max = 1u << 20;
 
-/// The file name of a format with a single file.
+/// Returns the file name of a format that has a single file.
 std::string file_of(std::string_view format) {
     return format == "csv" ? "scenarios.csv" : format == "text" ? "results.txt" : "results.jsonl";
 }

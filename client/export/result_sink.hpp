@@ -15,7 +15,7 @@
 
 namespace cd {
 
-/// The outputs of a `ResultSink`.
+/// Where a `ResultSink` writes, and in which formats.
 struct SinkOptions {
     std::filesystem::path dir; ///< Folder of the files; empty: no files.
     std::vector<std::string> formats;
@@ -24,21 +24,21 @@ struct SinkOptions {
 
 class ResultSink {
   public:
-    /// Creates the folder. The context's bodies must have meshes. Errors: Io; BadInput for an
-    /// unknown format.
+    /// Opens the outputs, and creates the folder if missing. The context's bodies must have meshes.
+    /// Errors: Io; BadInput for an unknown format.
     [[nodiscard]] static Result<ResultSink> open(SinkOptions options, const ExportContext& context);
 
-    /// Adds the next result in submitted order. `found` has all pairs of the scenario for a job
-    /// with maps. If `found` is empty, the map counts the pairs that the result lists. Errors: Io;
+    /// Adds the next result in submitted order. For a job with maps, `found` has all pairs of the
+    /// scenario; if it is empty, the map counts the pairs that the result lists. Errors: Io;
     /// Interrupted; BadInput for a body that the job does not have.
     [[nodiscard]] Status add(const ScenarioResult& result, std::span<const ContactPair> found = {});
-    /// Completes all files, and writes the files of `map` if it is set. Without
-    /// this call no file is left in the folder.
+    /// Completes all files, and writes the files of `map` if it is set. If `finish` is not called,
+    /// no file is left in the folder.
     [[nodiscard]] Status finish(const std::optional<ContactMap>& map);
 
-    /// The contact map of all results so far; empty below `level pairs` unless `found` was given.
+    /// Returns the contact map of all results added; below `level pairs` empty without `found`.
     [[nodiscard]] ContactMap map();
-    /// The counts for `RunReport::most_touched`.
+    /// Returns the counts from which `RunReport::most_touched` is made.
     [[nodiscard]] const PartTally& tally() const { return tally_; }
     [[nodiscard]] bool uses_stdout() const { return options_.output != "text"; }
 
@@ -49,12 +49,12 @@ class ResultSink {
     ExportContext context_;
     std::vector<std::unique_ptr<ResultWriter>> writers_;
     PartTally tally_;
-    ContactMapSum waiting_; ///< Partial sum, not yet added to `map_`.
+    ContactMapSum waiting_; ///< Sum over the latest results, not yet in `map_`.
     ContactMapTotal map_;
 };
 
-/// Prints the summary to stdout, or to stderr if stdout carries results; with `quiet` only its
-/// warnings go to stderr. Errors: those of `OutputFile`.
+/// Prints the summary to stdout, or to stderr if stdout carries results; in the latter case,
+/// `quiet` prints only the warnings. Errors: as `OutputFile`.
 [[nodiscard]] Status
 print_summary(const RunReport& report, bool stdout_is_used, bool quiet, bool statistics);
 

@@ -21,29 +21,29 @@ namespace cd {
 
 /// A body in exports.
 struct ExportBody {
-    std::string name; ///< Name of the body in the job, or else "a" or "b".
+    std::string name; ///< Name in the job, or else "a" or "b".
     std::string file; ///< Name of the mesh file, for display.
     std::shared_ptr<const Mesh> mesh;
     bool is_rounded = false; ///< Coordinates were rounded to floats on request.
 };
 
-/// Facts about the job that exports contain besides its results.
+/// What exports say about the job besides its results.
 struct ExportContext {
     std::string job;
     std::string unit;
     Level level = Level::Pairs;
-    std::vector<ExportBody> bodies;  ///< Results refer to bodies by this index.
+    std::vector<ExportBody> bodies;  ///< A result names a body by its index here.
     std::optional<double> tolerance; ///< In the job's unit; nothing if unknown.
-    /// The contact map counts only this many first pairs of each scenario; 0: all pairs.
+    /// The contact map counts only the first `map_pairs` pairs of each scenario; 0: all pairs.
     std::uint64_t map_pairs = 0;
     bool exact_points = false; ///< NPZ: also points at full precision, relative to origins.
-    StopCheck stop;            ///< Once it is true, writing fails with Interrupted.
+    StopCheck stop;            ///< Once it returns true, writing fails with Interrupted.
 
     /// Sets level, tolerance and `map_pairs` from the query.
     void describe(const Query& query);
 };
 
-/// The interface of each format's writer. A writer buffers a bounded number of results.
+/// The interface of the writers, one for each format. A writer buffers a bounded number of results.
 class ResultWriter {
   public:
     ResultWriter() = default;
@@ -52,32 +52,32 @@ class ResultWriter {
     /// Removes files that `finish` has not completed.
     virtual ~ResultWriter() = default;
 
-    /// Adds the next result, in the submitted order. Errors: Io naming the file.
+    /// Adds the next result, in submitted order. Errors: Io naming the file.
     [[nodiscard]] virtual Status add(const ScenarioResult& result) = 0;
-    /// Completes the files, which appear under their names only now.
+    /// Completes the files, which only then appear under their names.
     [[nodiscard]] virtual Status finish() = 0;
 };
 
-/// results.txt, human-readable: a line for each scenario, followed by a line for each pair.
+/// Writes results.txt for people: a line for each scenario, and after it one for each of its pairs.
 [[nodiscard]] std::unique_ptr<ResultWriter> make_text_writer(const ExportContext& context,
                                                              OutputFile file);
-/// results.jsonl: a line with a JSON object for each scenario.
+/// Writes results.jsonl: a line with a JSON object for each scenario.
 [[nodiscard]] std::unique_ptr<ResultWriter> make_json_writer(const ExportContext& context,
                                                              OutputFile file);
-/// scenarios.csv. distance_bound is empty unless the class is undecided.
+/// Writes scenarios.csv. distance_bound is empty unless the class is undecided.
 [[nodiscard]] std::unique_ptr<ResultWriter> make_scenarios_csv_writer(const ExportContext& context,
                                                                       OutputFile file);
-/// pairs.csv from `level pairs` on, and points.csv at `level contacts`; nothing below.
+/// Writes pairs.csv from `level pairs` on, and points.csv at `level contacts`; else no file.
 [[nodiscard]] Result<std::unique_ptr<ResultWriter>>
 make_pairs_csv_writer(const ExportContext& context, const std::filesystem::path& dir);
-/// results.npz; docs/formats.md describes its arrays.
+/// Writes results.npz; docs/formats.md describes its arrays.
 [[nodiscard]] std::unique_ptr<ResultWriter> make_npz_writer(const ExportContext& context,
                                                             const std::filesystem::path& dir);
 
 /// Writes a job's contact map. Format csv gives map.csv with a row per triangle: the body's name,
 /// triangle, scenarios, part. Format npz gives map.npz with an array (K,2) named after each body:
-/// triangle, scenarios. If `formats` has neither, map.csv is written. Triangles ascend; those
-/// without contact have no row. If the map counts only the first N pairs of each scenario, both
+/// triangle, scenarios. If `formats` has neither, map.csv is written. Triangles ascend; a triangle
+/// without contact has no row. If the map counts only the first N pairs of each scenario, both
 /// files say so: the CSV's column is named scenarios_of_first_N_pairs, and the NPZ has an array
 /// first_pairs that holds N. Errors: Io naming the file.
 [[nodiscard]] Status write_map_files(const ContactMap& map,
@@ -90,7 +90,7 @@ make_pairs_csv_writer(const ExportContext& context, const std::filesystem::path&
                                    const ExportContext& context,
                                    const RunReport& report);
 
-/// The name of a pair's class in exports: touch, coplanar or proper.
+/// Returns the name of a pair's class in exports: touch, coplanar or proper.
 [[nodiscard]] std::string_view pair_class_name(PairClass kind);
 
 /// Calls `function(point)` for each shared point of a result's pair, in world coordinates.

@@ -60,7 +60,7 @@ class TextWriter final : public ResultWriter {
         return text + "\n";
     }
 
-    std::vector<PartFinder> parts_; ///< Parts of each body.
+    std::vector<PartFinder> parts_; ///< Finds the parts of each body.
     OutputFile file_;
 };
 

@@ -28,8 +28,8 @@ namespace fs = std::filesystem;
 constexpr std::array<const char*, 2> body_names{"a", "b"};
 constexpr const char* ids_name = "ids.csv";
 
-/// A body of the case. `ids[i]` is the number in the run of triangle i of `mesh`; empty if the case
-/// has the run's whole mesh.
+/// A body of the case. `ids[i]` is the number that triangle i of `mesh` has in the run; `ids` is
+/// empty if the case has the run's whole mesh.
 struct CaseBody {
     std::shared_ptr<const Mesh> mesh;
     std::vector<std::uint32_t> ids;
@@ -116,13 +116,13 @@ std::string poses_text(const std::vector<Scenario>& scenarios, const PoseColumns
 
 // ---- The smallest meshes ------------------------------------------------------------------------
 
-/// A box in world coordinates that surely contains the points posed by `pose`.
+/// Returns a box in world coordinates that surely contains the points after `pose`.
 Aabb posed_box(std::span<const Vec3> points, const Pose& pose) {
     Aabb box;
     for (const Vec3& point : points) {
         box.add(pose.apply(point));
     }
-    // The margin is far above the rounding error of `apply`. A box that is too large does no harm:
+    // The margin is far above the rounding error of `apply`. A box that is too large is harmless:
     // the case then keeps triangles that it does not need.
     const double margin = 1e-9 * (box.min.cwiseAbs().maxCoeff() + box.max.cwiseAbs().maxCoeff());
     box.min.array() -= margin;
@@ -130,8 +130,8 @@ Aabb posed_box(std::span<const Vec3> points, const Pose& pose) {
     return box;
 }
 
-/// The parts of the mesh that remains if only the triangles `kept` (ascending) are kept. A part
-/// without such a triangle is left out.
+/// Returns the parts of the mesh that remains if only the triangles `kept` (ascending) are kept.
+/// Parts without a kept triangle are left out.
 std::vector<Part> remaining_parts(const Mesh& mesh, const std::vector<std::uint32_t>& kept) {
     const auto place = [&](std::uint32_t id) {
         return static_cast<std::uint32_t>(std::ranges::lower_bound(kept, id) - kept.begin());
@@ -146,11 +146,11 @@ std::vector<Part> remaining_parts(const Mesh& mesh, const std::vector<std::uint3
     return parts;
 }
 
-/// The mesh of the triangles of `mesh` whose boxes overlap the box of `other` at one or more of the
-/// poses. `name` is "a" or "b", for errors.
+/// Makes a mesh of the triangles of `mesh` whose boxes overlap the box of `other` at one or more of
+/// the poses. `name` is "a" or "b", for errors.
 Result<CaseBody> part_that_meets(const Mesh& mesh,
                                  const Mesh& other,
-                                 const std::vector<PosePair>& poses, // Pose a belongs to `mesh`.
+                                 const std::vector<PosePair>& poses, // `a` is the pose of `mesh`.
                                  const char* name,
                                  const StopCheck& stop) {
     CaseBody body;
@@ -207,8 +207,8 @@ Result<std::array<CaseBody, 2>> smallest_bodies(const PreparedJob& job,
     return std::array<CaseBody, 2>{std::move(a), std::move(b)};
 }
 
-/// Checks that the smallest meshes give the run's result. `pairs` are the pairs of `smallest`, with
-/// triangles numbered as in the run. Errors: BadInput if a result differs.
+/// Checks that the smallest meshes give the run's result. `pairs` are the pairs in `smallest`, with
+/// the run's numbers of triangles. Errors: BadInput if a result differs.
 Status check_smallest(const ScenarioResult& smallest,
                       const std::vector<ContactPair>& pairs,
                       const ScenarioResult& of_run) {
@@ -235,7 +235,7 @@ Status check_smallest(const ScenarioResult& smallest,
 }
 
 /// Runs the scenarios with the smallest meshes. Errors: BadInput if a result differs from the
-/// run's.
+/// run's; Interrupted.
 Result<std::vector<ScenarioResult>> run_smallest(const PreparedJob& job,
                                                  const CaseScenarios& given,
                                                  const std::array<CaseBody, 2>& bodies,
@@ -278,13 +278,13 @@ Status write_ids(const fs::path& path, const std::array<CaseBody, 2>& bodies) {
 
 // ---- The job and its expected results -----------------------------------------------------------
 
-/// Ignore rules for the case's meshes, and the triangle ranges that these rules exclude.
+/// The ignore rules for a case's meshes, and the triangle ranges that they exclude.
 struct CaseRules {
     std::vector<IgnoreRule> rules;
     std::vector<IgnoredRange> ignored;
 };
 
-/// Keeps the rules of the job for which the case's meshes still have a part on both sides.
+/// Keeps the job's ignore rules that match a part of each of the case's meshes.
 CaseRules rules_for(const PreparedJob& job, const std::array<CaseBody, 2>& bodies) {
     CaseRules found;
     JobSpec spec = job.spec;
@@ -314,7 +314,7 @@ std::string case_job_text(const PreparedJob& job,
         spec.bodies[i].path = std::string(body_names[i]) + ".npz";
         spec.bodies[i].name = job.spec.bodies[i].name;
     }
-    constexpr double rigid_tolerance = 1e300; // Any: the run accepted these poses.
+    constexpr double rigid_tolerance = 1e300; // No pose exceeds it: the run accepted these poses.
     spec.poses = PoseFileSpec{"poses.csv", "", columns.of_both_bodies, rigid_tolerance};
     spec.level = job.query.level;
     spec.tolerance = job.query.tolerance;
@@ -345,8 +345,8 @@ std::string expected_text(std::vector<ScenarioResult> results) {
 Status check_expressible(const PreparedJob& job, const CaseScenarios& given, bool minimal) {
     for (const ScenarioResult& result : given.results) {
         if (result.kind == ScenarioClass::Failed) {
-            // The text of a failure contains the scenario's number, and a case numbers scenarios
-            // anew.
+            // A failure's text contains the number of its scenario, which a case would
+            // change.
             return bad_input(result.failure +
                              ": a scenario that failed has no answer for a case to "
                              "give again");
@@ -387,9 +387,9 @@ Status write_files(const PreparedJob& job,
     const auto columns = CD_TRY(columns_for(given.scenarios));
     CD_TRY(make_directories(dir));
     std::error_code error;
-    // Removes the files of an earlier case, so that none is left if writing fails. A job.toml
-    // beside expected.json belongs to a case: it is removed before expected.json and written after
-    // it.
+    // Removes the files of an earlier case, so that none is left if writing fails. `check_target`
+    // takes a job.toml beside expected.json for a case's, so job.toml is removed first and written
+    // last.
     for (const char* name : {"job.toml", "expected.json", ids_name}) {
         fs::remove(dir / name, error);
     }

@@ -12,23 +12,23 @@
 
 namespace cd {
 
-/// Scenarios of a run, with the results that the run found.
+/// Scenarios of a run, with the results that the run found for them.
 struct CaseScenarios {
     std::vector<Scenario> scenarios;
-    std::vector<ScenarioResult> results; ///< One for each scenario.
+    std::vector<ScenarioResult> results; ///< One result for each scenario.
 };
 
 struct CaseOptions {
     bool minimal = false; ///< Keep only triangles that can be in contact.
-    StopCheck stop;       ///< Once it is true, `write_case` fails with Interrupted.
+    StopCheck stop;       ///< Once it returns true, `write_case` fails with Interrupted.
 };
 
 /// Writes a.npz, b.npz, poses.csv, job.toml and expected.json into a folder, which is created if
-/// missing. `cdctl run` of job.toml gives the digest in expected.json and the given results, with
-/// indices counted from 0. An earlier case in the folder is replaced.
+/// missing. `cdctl run` of this job.toml gives the digest in expected.json and the given results,
+/// with scenarios numbered from 0. An earlier case in the folder is replaced.
 ///
-/// `minimal` keeps the triangles whose boxes overlap the other body's box at one of the poses. It
-/// runs the scenarios here for the expected results, and writes ids.csv, which maps triangles to
+/// `minimal` keeps only the triangles whose boxes overlap the other body's box at one of the poses.
+/// It runs the scenarios here for the expected results, and writes ids.csv, which maps triangles to
 /// their numbers in the run.
 ///
 /// Errors: Io; Interrupted; BadInput for a job that such files cannot express (ignored triangles

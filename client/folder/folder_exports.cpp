@@ -58,8 +58,8 @@ RunReport report_of(const Json& json) {
     return report;
 }
 
-/// The contact map to export: of a job with maps, the stored one; of another job, the sum over the
-/// pairs in the records, or nothing below `level pairs`.
+/// Returns the contact map to export: the stored map of a job with maps; for other jobs the sum
+/// over the pairs in the records, or nothing below `level pairs`.
 Result<std::optional<ContactMap>> map_of(const OpenedRun& run, ResultSink& sink) {
     const Query& query = run.manifest().query;
     if (query.maps || query.level < Level::Pairs) {
@@ -68,7 +68,7 @@ Result<std::optional<ContactMap>> map_of(const OpenedRun& run, ResultSink& sink)
     return std::optional(sink.map());
 }
 
-/// The report in summary.json; empty if the file is missing or damaged, since the records suffice.
+/// Reads the report in summary.json; empty if the file is missing or damaged, which does no harm.
 RunReport kept_report(const OpenedRun& run) {
     auto report = read_summary(run.dir() / "summary.json");
     return report ? std::move(report.value()) : RunReport();

@@ -1,4 +1,4 @@
-// Adds exports to the folder of a finished run without running anything, and reads its summary.
+// Adds exports to a finished run's folder without running anything, and reads its summary.
 #pragma once
 
 #include "client/export/result_sink.hpp"
@@ -16,20 +16,20 @@ namespace cd {
 struct ExportOptions {
     std::vector<std::string> formats; ///< Formats to write into the folder.
     std::string output = "text";      ///< Format for stdout, as in `SinkOptions`.
-    bool again = false;               ///< Also rewrite formats that the folder already has.
+    bool again = false;               ///< Also rewrite the formats that the folder has.
 };
 
 /// Reads all records once, writes the missing formats into the folder, lists them in run.json, and
-/// writes `output` to stdout. `folder` may be null if no format is to be added. Returns a report of
-/// the records, with `execution` from summary.json. Errors: Io; BadInput for an unknown format;
-/// Interrupted.
+/// writes `output` to stdout. `folder` may be null if no format is to be added. Returns a report
+/// made from the records, with `execution` from summary.json. Errors: Io; BadInput for an unknown
+/// format; Interrupted.
 [[nodiscard]] Result<RunReport> add_exports(const OpenedRun& run,
                                             RunFolder* folder,
                                             const ExportContext& context,
                                             ExportOptions options);
 
-/// Reads the counts of classes, time, place, most touched parts and digest from summary.json.
-/// Missing keys count as 0 or none. Errors: Io, BadInput naming the file.
+/// Reads a report from summary.json: the counts of classes, time, place, most touched parts and
+/// digest. Missing keys count as 0 or none. Errors: NotFound, Io, BadInput naming the file.
 [[nodiscard]] Result<RunReport> read_summary(const std::filesystem::path& path);
 
 } // namespace cd

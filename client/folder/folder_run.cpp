@@ -24,7 +24,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The fewest bytes that a scenario takes in a file: one pose as a quaternion with a translation.
+/// The fewest bytes of a scenario in a file: one pose as a quaternion with a translation.
 constexpr std::uint64_t scenario_bytes = 64;
 
 std::string absolute_path(const fs::path& path) {
@@ -72,7 +72,7 @@ Result<RunManifest> manifest_of(const PreparedJob& job) {
     manifest.unit = job.spec.unit;
     JobSpec spec = job.spec;
     make_paths_absolute(spec);
-    spec.output.dir = "."; // The folder of run.json.
+    spec.output.dir = "."; // The folder that holds run.json.
     manifest.job = job_text(spec);
     for (std::size_t i = 0; i < job.meshes.size(); ++i) {
         ManifestBody body{body_of(spec, i, job.meshes[i]->hash())};
@@ -166,7 +166,7 @@ Result<ResultMerger> FolderRun::done() const {
             return interrupted();
         }
         const auto added = merger.add(record.result, sha256(record.bytes));
-        // Only a local run, which writes its results in the order of their indices, can be resumed.
+        // Only a local run can be resumed: it writes its results in the order of their indices.
         if (added != ResultMerger::Outcome::Added ||
             merger.summary().merged() != record.result.index + 1) {
             return Error{ErrorCode::Io,

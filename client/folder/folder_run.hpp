@@ -1,4 +1,4 @@
-// Writes a run into a results folder, from its start or resumption to its final files.
+// Writes a run into a results folder, from its begin or resumption to its final files.
 #pragma once
 
 #include "client/export/result_sink.hpp"
@@ -24,31 +24,31 @@ struct FolderRunOptions {
     FolderOptions folder;
     bool keep_inputs = true; ///< Copy meshes and poses into the folder, if they fit.
     std::uint64_t inputs_bytes_max = limits::run_inputs_bytes_max;
-    bool maps_from_master = false; ///< The master sums contact maps, not this process.
+    bool maps_from_master = false; ///< The master, not this process, sums contact maps.
     ManifestPlace where;
     std::string command; ///< Command line of the run.
-    std::string started; ///< Start as `iso_time`; empty: now, or as in the resumed run.
-    std::string ended;   ///< End as `iso_time`; empty: when `finish` is called.
+    std::string started; ///< The run's start as `iso_time`; empty: now.
+    std::string ended;   ///< The run's end as `iso_time`; empty: when `finish` is called.
 };
 
-/// Writes each result to the folder as it arrives, and all exports at the end.
+/// Writes each result of a run to the folder as it arrives, and all exports at the end.
 class FolderRun {
   public:
     /// Opens the job's output folder, and wraps `job.poses` so that poses are recorded as they are
-    /// read. Errors: those of `RunFolder::open` and of reading poses; Interrupted.
+    /// read. Errors: as `RunFolder::open`; from reading poses; Interrupted.
     [[nodiscard]] static Result<FolderRun> begin(PreparedJob& job, FolderRunOptions options);
 
     /// True if the folder already has all results of the job; then only `folder` may be called.
     [[nodiscard]] bool is_complete() const { return folder_.state() == RunFolder::State::All; }
     [[nodiscard]] RunFolder& folder() { return folder_; }
 
-    /// Sets the master's id of the job and its number of workers.
+    /// Sets the master's id of the job and its number of workers in the manifest.
     void set_job(const std::string& id, std::uint64_t workers) {
         manifest_.where.job = id;
         manifest_.where.workers = workers;
     }
 
-    /// Reads the results that an interrupted run left: those of scenarios 0 to n - 1. Errors: Io;
+    /// Reads the results of scenarios 0 to n - 1, which an interrupted run has left. Errors: Io;
     /// Interrupted.
     [[nodiscard]] Result<ResultMerger> done() const;
 
@@ -58,16 +58,16 @@ class FolderRun {
     [[nodiscard]] Status keep_if_due() { return recorder_->flush_if_due(); }
     /// Writes buffered results to the disk. Errors: Io.
     [[nodiscard]] Status keep() { return recorder_->flush(); }
-    /// The number of scenarios whose results are on the disk.
+    /// Returns the number of scenarios whose results are on the disk.
     [[nodiscard]] std::uint64_t kept() const { return recorder_->kept(); }
 
     /// Writes exports, the summary and run.json, and the results in the format `output` to stdout.
-    /// Completes the report from the records. `fetched_map` is the map that a master summed.
-    /// Errors: Io; those of reading poses; Interrupted.
+    /// Completes the report from the records. `fetched_map` is a map that the master summed.
+    /// Errors: Io; from reading poses; Interrupted.
     [[nodiscard]] Status finish(RunReport& report,
                                 const std::string& output,
                                 const std::optional<ContactMap>& fetched_map);
-    /// Removes the unfinished files of a run that cannot be resumed, unless `finish` succeeded.
+    /// Removes unfinished files, unless `finish` succeeded: for a run that cannot be resumed.
     void drop_unfinished();
 
   private:
@@ -84,27 +84,27 @@ class FolderRun {
     RunManifest manifest_;
     const PreparedJob* job_;
     bool wants_inputs_ = true;
-    bool keeps_inputs_ = true; ///< Becomes false when inputs exceed `inputs_bytes_max_`.
+    bool keeps_inputs_ = true; ///< Becomes false when inputs are larger than allowed.
     std::uint64_t inputs_bytes_max_ = 0;
     bool maps_from_master_ = false;
     bool is_finished_ = false;
-    PoseRecorder* poses_ = nullptr; ///< Owned by the job; null for a grid.
+    PoseRecorder* poses_ = nullptr; ///< Owned by `job_`; null for a grid.
     std::optional<RunRecorder> recorder_;
 };
 
-/// The manifest of a prepared job, without results. The hash of random poses is missing, since they
-/// are generated during the run. Errors: those of reading poses; Interrupted.
+/// Returns the manifest of a prepared job, without results. It lacks the hash of random poses,
+/// which are generated during the run. Errors: from reading poses; Interrupted.
 [[nodiscard]] Result<RunManifest> manifest_of(const PreparedJob& job);
 
-/// The approximate bytes that the job's meshes and scenario labels take in its results folder.
+/// Returns about how many bytes a job's meshes and labels take in its results folder.
 [[nodiscard]] std::uint64_t bytes_beside_poses(const PreparedJob& job);
-/// A lower bound in bytes of a folder's inputs: `bytes_beside_poses` and the poses.
+/// Returns a lower bound in bytes for a folder's inputs: `bytes_beside_poses` and the poses.
 [[nodiscard]] std::uint64_t input_bytes(const PreparedJob& job);
 
 /// Makes the paths of a job absolute, so that it can be opened from another folder.
 void make_paths_absolute(JobSpec& spec);
 
-/// The command line of this process.
+/// Returns the command line of this process.
 [[nodiscard]] std::string own_command_line();
 
 } // namespace cd

@@ -13,7 +13,7 @@ std::string line(std::string_view key, const std::string& value) {
     return std::string(key) + " = " + value + "\n";
 }
 
-/// A number in TOML, written as a float if it is too large for an integer of TOML.
+/// Writes a number in TOML, as a float if it is too large for an integer of TOML.
 std::string number(double value) {
     constexpr std::size_t integer_digits = 15;
     const std::string text = exact_text(value);

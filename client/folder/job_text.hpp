@@ -8,12 +8,12 @@
 
 namespace cd {
 
-/// The text of a job file that `parse_job` reads back to the same job, without values that have
-/// their default. A grid whose axes are unknown becomes a comment, so the text is then no valid
-/// job.
+/// Writes a job as a job file that `parse_job` reads back to an equal job, without values that have
+/// their default. A grid whose axes are unknown becomes a comment; the text is then not a valid job
+/// file.
 [[nodiscard]] std::string job_text(const JobSpec& spec);
 
-/// A TOML string with this content.
+/// Quotes a text as a TOML string.
 [[nodiscard]] std::string toml_quoted(std::string_view text);
 
 } // namespace cd

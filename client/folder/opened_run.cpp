@@ -41,7 +41,7 @@ Error damaged(const fs::path& file, const std::string& what) {
             file.string() + " is damaged: " + what + "; run the job again with --fresh"};
 }
 
-/// Imports the mesh of a body. Errors: those of `import_mesh`; BadInput if the mesh has changed.
+/// Imports a body's mesh file. Errors: as `import_mesh`; BadInput if the mesh has changed.
 Result<std::shared_ptr<const Mesh>>
 import_again(const JobSpec& spec, std::size_t body, const Sha256& expected) {
     const auto options = CD_TRY(import_options(spec, body));

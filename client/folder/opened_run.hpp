@@ -19,8 +19,8 @@ namespace cd {
 /// A finished run in a results folder: its manifest and its records.
 class OpenedRun {
   public:
-    /// Errors: NotFound for a folder without a run; BadInput and Io naming the file, also for a
-    /// folder of an earlier version and for an unfinished run.
+    /// Opens a folder. Errors: NotFound for a folder without a run; BadInput and Io naming the
+    /// file, also for a folder of an earlier version and for an unfinished run.
     [[nodiscard]] static Result<OpenedRun> open(const std::filesystem::path& dir);
 
     [[nodiscard]] const std::filesystem::path& dir() const { return dir_; }
@@ -28,17 +28,17 @@ class OpenedRun {
     [[nodiscard]] const RecordFile& records() const { return records_; }
     [[nodiscard]] RecordFile& records() { return records_; }
 
-    /// The job as if read from its job file, without an output folder. Errors: BadInput if run.json
-    /// has a job that no job file can express.
+    /// Returns the job as if read from its job file, without an output folder. Errors: BadInput if
+    /// run.json holds a job that no job file can express.
     [[nodiscard]] Result<JobSpec> spec() const;
-    /// The mesh of a body as it was tested: the copy in the folder, or else the file that run.json
-    /// names. Errors: NotFound, Io; BadInput if that file has changed since the run.
+    /// Returns the mesh of a body as it was tested: the copy in the folder, or else the file that
+    /// run.json names. Errors: NotFound, Io; BadInput if that file has changed since the run.
     [[nodiscard]] Result<std::shared_ptr<const Mesh>> mesh(std::size_t body) const;
-    /// The poses in the folder; null if there are none. Errors: Io.
+    /// Opens the poses that the folder keeps; null if it keeps none. Errors: Io.
     [[nodiscard]] Result<std::unique_ptr<PoseSource>> kept_poses() const;
-    /// The scenario labels in the folder; empty if there are none. Errors: Io.
+    /// Reads the scenario labels that the folder keeps; empty if it keeps none. Errors: Io.
     [[nodiscard]] Result<PoseLabels> kept_labels() const;
-    /// The contact map in the folder; nothing for a job without maps. Errors: Io.
+    /// Reads the contact map in the folder; nothing if it has none. Errors: Io.
     [[nodiscard]] Result<std::optional<ContactMap>> kept_map() const;
 
   private:
@@ -50,17 +50,17 @@ class OpenedRun {
     RecordFile records_;
 };
 
-/// True for a folder of an earlier version, which has no run.json and no records.
+/// True for a folder that an earlier version wrote, with summary.json but without run.json.
 [[nodiscard]] bool holds_only_a_summary(const std::filesystem::path& dir);
 
-/// True if an argument is a folder; otherwise it is the id of a job.
+/// True if an argument is a folder; otherwise it is taken for the id of a job.
 [[nodiscard]] bool is_folder(const std::string& argument);
 
-/// The inputs of a run: meshes, poses if the folder has them, and ignored triangles. The result
-/// stays valid when the folder is overwritten. Errors: those of `OpenedRun`.
+/// Reads the inputs of a run: meshes, poses if the folder has them, and ignored triangles. They
+/// stay valid when the folder is overwritten. Errors: as the getters of `OpenedRun`.
 [[nodiscard]] Result<JobInputs> read_inputs(const OpenedRun& run);
 
-/// Prepares a job to be run again. `spec` is that of the run, possibly modified. Errors: those of
+/// Prepares the job of a run to be run again. `spec` is the run's, possibly modified. Errors: as
 /// `prepare_job`; BadInput naming a pose file that has changed; Interrupted.
 [[nodiscard]] Result<PreparedJob> prepare_again(const RunManifest& manifest,
                                                 JobInputs inputs,
@@ -70,7 +70,7 @@ class OpenedRun {
                                                 ThreadPool& pool,
                                                 bool quiet = true);
 
-/// The names, meshes and query that exports of the run need. Errors: those of `OpenedRun::mesh`.
+/// Returns the names, meshes and query for exports of a run. Errors: as `OpenedRun::mesh`.
 [[nodiscard]] Result<ExportContext> export_context(const OpenedRun& run);
 
 } // namespace cd

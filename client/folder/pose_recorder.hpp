@@ -24,7 +24,7 @@ struct PoseRecorderOptions {
 };
 
 /// Passes on the scenarios of another source, and appends each one to a file when it is first read.
-/// A read that skips scenarios appends nothing.
+/// A read that leaves a gap after the last appended scenario appends nothing.
 class PoseRecorder final : public PoseSource {
   public:
     /// Appends to `file`, or creates it. Errors: Io.
@@ -35,14 +35,14 @@ class PoseRecorder final : public PoseSource {
 
     [[nodiscard]] std::uint64_t count() const override { return source_->count(); }
     [[nodiscard]] const Grid* grid() const override { return source_->grid(); }
-    /// Errors: those of the source; Io of the file.
+    /// Reads scenarios from the source. Errors: the source's; Io of the file.
     [[nodiscard]] Result<std::vector<Scenario>> read(std::uint64_t first,
                                                      std::uint64_t count) override;
 
-    /// Reads the scenarios that have not been read yet, and completes the file. Returns the hash if
-    /// it was requested. Errors: those of `read`; Interrupted.
+    /// Reads the scenarios that have not been read yet, and completes the file. Returns the hash of
+    /// all poses if `hashes` is set. Errors: as `read`; Interrupted.
     [[nodiscard]] Result<std::optional<Sha256>> finish(const StopCheck& stop = {});
-    /// True while the file exists. It is removed when it becomes larger than `bytes_max`.
+    /// True while the file exists, which is removed when it becomes larger than `bytes_max`.
     [[nodiscard]] bool keeps() const { return writer_.has_value(); }
 
   private:

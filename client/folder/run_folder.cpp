@@ -17,7 +17,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* manifest_name = "run.json";
-/// Files that a run may write beside run.json and inputs/meshes.
+/// Names of files that a run may write, besides run.json and inputs/meshes.
 constexpr std::array<const char*, 13> result_names{"summary.json",
                                                    "scenarios.csv",
                                                    "pairs.csv",
@@ -37,7 +37,7 @@ Error refused(const fs::path& dir, const std::string& what) {
                      "; give another folder with --out, or --overwrite");
 }
 
-/// Reads a run.json; nothing if the file is missing, or unreadable while `overwrite` is set.
+/// Reads a run.json; nothing for a missing file, or with `overwrite` for an unreadable one.
 Result<std::optional<RunManifest>> read_if_there(const fs::path& path, bool overwrite) {
     auto manifest = read_run_json(path);
     if (manifest) {
@@ -61,7 +61,7 @@ std::string named(const RunManifest& manifest) {
     return "another run (" + manifest.name + ", of " + manifest.origin.started + ")";
 }
 
-/// Refuses a folder with results that are not of the job of `manifest`.
+/// Refuses a folder with results of a job other than the manifest's.
 Status check_no_other(const fs::path& dir,
                       const RunManifest& manifest,
                       const std::optional<RunManifest>& finished,
@@ -69,7 +69,7 @@ Status check_no_other(const fs::path& dir,
     if (finished && !is_same_job(*finished, manifest)) {
         return refused(dir, named(*finished));
     }
-    // An unfinished fetch of a master's job can be repeated, so it does not block.
+    // An unfinished fetch does not block, since the master's job can be fetched again.
     const bool is_fetched = unfinished && !unfinished->where.master.empty();
     if (unfinished && !is_fetched && !is_same_job(*unfinished, manifest)) {
         return refused(dir, "the unfinished part of " + named(*unfinished));
@@ -84,7 +84,7 @@ Error failure(const fs::path& path, const std::error_code& error) {
     return {ErrorCode::Io, path.string() + ": " + error.message()};
 }
 
-/// Removes a file and the folders that become empty.
+/// Removes a file, and the folders of its path that become empty.
 void remove_listed(const fs::path& dir, const std::string& name) {
     std::error_code error;
     fs::remove(dir / name, error);
@@ -173,8 +173,8 @@ Result<RunFolder> RunFolder::take(const fs::path& dir) {
     for (int attempt = 0; attempt < attempts_max; ++attempt) {
         CD_TRY(make_directories(dir / ".part"));
         auto lock = CD_TRY(DiskFile::lock(dir / ".part" / "lock"));
-        // The process that held the lock before may have removed the locked file: then lock a new
-        // one.
+        // The process that held the lock before may have removed the locked file; then a new file
+        // is locked.
         if (lock.has_its_name()) {
             return RunFolder(dir, std::move(lock));
         }
@@ -200,7 +200,7 @@ Status RunFolder::begin(const RunManifest& manifest) {
     return write_file(part_ / manifest_name, manifest_json(manifest));
 }
 
-/// Moves files back into `.part` that a run killed during `commit` had already moved.
+/// Moves back into `.part` the files that a run had moved when it was killed in `commit`.
 void RunFolder::recover_files() {
     constexpr std::array<std::array<const char*, 2>, 3> moved{
         {{"records", "records"}, {"maps", "maps"}, {"scenarios", "inputs/scenarios"}}};

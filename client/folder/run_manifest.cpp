@@ -19,7 +19,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::uint64_t format_version = 1;
-/// The version of the canonical record (result.hpp).
+/// The version of the canonical record (common/job/result/result.hpp).
 constexpr std::uint64_t record_version = 2;
 constexpr std::array<std::string_view, 3> kind_names{"grid", "file", "random"};
 
@@ -190,7 +190,7 @@ Grid read_grid(const Json& json) {
                 {number_of(q.at(0)), number_of(q.at(1)), number_of(q.at(2)), number_of(q.at(3))});
         }
     }
-    // `decode_grid` checks the numbers, which are untrusted.
+    // The numbers are untrusted, and `decode_grid` checks them.
     if (const auto checked = decode_grid(encode_grid(grid)); !checked) {
         throw Refusal{bad_input(checked.error().detail)};
     }

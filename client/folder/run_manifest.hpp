@@ -15,7 +15,7 @@
 
 namespace cd {
 
-/// A body of the run, with its parts' names. `file` is absolute if this machine imported the mesh.
+/// A body of a run and its parts' names. `file` is absolute if this machine imported the mesh.
 struct ManifestBody : JobBody {
     std::vector<std::string> parts = {};
 };
@@ -23,7 +23,7 @@ struct ManifestBody : JobBody {
 struct ManifestPoses {
     PosesKind kind = PosesKind::File;
     std::uint64_t count = 0;
-    /// Hash of all poses (`hash_of`, poses_hash.hpp); nothing until random poses are all generated.
+    /// The hash of all poses (`hash_of`); nothing until random poses have all been generated.
     std::optional<Sha256> hash;
     std::optional<Grid> grid;              ///< Set for kind Grid.
     std::optional<RandomPoses> random;     ///< Set for kind Random.
@@ -36,7 +36,7 @@ struct ManifestPoses {
     bool has_times = false;
 };
 
-/// Where a run computes: on this machine or with a master.
+/// Where a run is computed: on this machine or by a master's workers.
 struct ManifestPlace {
     std::uint64_t threads = 0; ///< Number of threads, for a run on this machine.
     std::string simd;
@@ -55,11 +55,11 @@ struct ManifestOrigin {
     std::string program; ///< "cdctl 0.1.0"
     std::string commit;  ///< `build_commit` of the program.
     std::string command; ///< The command line.
-    std::string started; ///< UTC, ISO 8601; for a master's job the time it was accepted.
+    std::string started; ///< UTC, ISO 8601; for a master's job when it was accepted.
     std::string ended;
 };
 
-/// The results in the folder.
+/// What results the folder has.
 struct ManifestOutcome {
     std::uint64_t answered = 0;       ///< Number of scenarios with a record.
     std::optional<Sha256> digest;     ///< Result digest; nothing while scenarios are missing.
@@ -72,7 +72,7 @@ struct RunManifest {
     ManifestPlace where;
     std::string name;
     std::string unit = "m"; ///< Unit of poses and results.
-    std::string job;        ///< `job_text`, from which the job can be run again.
+    std::string job;        ///< Text of `job_text`, to run the job again.
     std::vector<ManifestBody> bodies;
     ManifestPoses poses;
     Query query;
@@ -83,18 +83,18 @@ struct RunManifest {
     [[nodiscard]] bool is_complete() const { return outcome.digest.has_value(); }
 };
 
-/// The manifest as a JSON document.
+/// Returns the manifest as a JSON document.
 [[nodiscard]] std::string manifest_json(const RunManifest& manifest);
 
-/// The inverse of `manifest_json`. The text is untrusted; unknown keys are ignored. Errors:
+/// Parses what `manifest_json` wrote. The text is untrusted; unknown keys are ignored. Errors:
 /// BadInput with the reason, also for the format of a later version.
 [[nodiscard]] Result<RunManifest> parse_manifest(std::string_view text);
 
-/// True if two runs must give the same records: equal meshes, poses and query. Names, files and
-/// threads do not matter.
+/// True if two runs must give equal records, since their meshes, poses and query are equal. Names,
+/// files and threads do not matter.
 [[nodiscard]] bool is_same_job(const RunManifest& left, const RunManifest& right);
 
-/// A time in UTC: "2026-03-01T12:00:00Z".
+/// Returns a time in UTC: "2026-03-01T12:00:00Z".
 [[nodiscard]] std::string iso_time(std::uint64_t unix_seconds);
 
 } // namespace cd

@@ -29,8 +29,8 @@ Result<RunRecorder> RunRecorder::open(const std::filesystem::path& folder,
         return RunRecorder(std::move(records), std::nullopt, period);
     }
     auto maps = CD_TRY(open_writer<BlockFileWriter>(folder / "maps", maps_kind));
-    // A block of `maps` is written before the records of its scenarios, so a killed run may have
-    // left a block of `maps` without records.
+    // A block of `maps` is written before the block with its scenarios' records, so a killed run
+    // may have left a block of `maps` without records.
     const std::uint64_t both = std::min(records.written(), maps.written().count());
     for (const Status& cut : {records.cut_before(both), maps.cut_before(both)}) {
         if (!cut) {

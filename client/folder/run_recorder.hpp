@@ -16,9 +16,9 @@
 
 namespace cd {
 
-/// Writes the files `records` and, for a job with maps, `maps`. Both get a block when the buffer is
-/// full, and at least once a period. A block of `maps` has the contact map of the scenarios in the
-/// same block of `records`.
+/// Writes the files `records` and, for a job with maps, `maps`. Each gets a block when the buffer
+/// is full, and at least once a period. A block of `maps` holds the contact map of the scenarios
+/// whose records are in the matching block of `records`.
 class RunRecorder {
   public:
     /// Appends to the files in the folder, or creates them. Errors: Io.
@@ -36,7 +36,7 @@ class RunRecorder {
     /// Completes the files. Errors: Io.
     [[nodiscard]] Status finish();
 
-    /// The number of scenarios on the disk.
+    /// Returns the number of scenarios whose results are on the disk.
     [[nodiscard]] std::uint64_t kept() const { return records_.written(); }
 
   private:
@@ -54,11 +54,11 @@ class RunRecorder {
     std::chrono::steady_clock::time_point flushed_ = std::chrono::steady_clock::now();
 };
 
-/// Writes a complete map. Errors: Io.
+/// Writes a complete contact map to a file of maps. Errors: Io.
 [[nodiscard]] Status
 write_maps(const std::filesystem::path& path, const ContactMap& map, std::uint64_t scenarios);
 
-/// The sum of all blocks in a finished or unfinished file of maps. Errors: Io naming the file.
+/// Sums all blocks of a finished or unfinished file of maps. Errors: Io naming the file.
 [[nodiscard]] Result<ContactMap> read_maps(const std::filesystem::path& path);
 
 } // namespace cd

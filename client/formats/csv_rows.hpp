@@ -1,4 +1,4 @@
-// Functions and classes shared by the writers of CSV files.
+// Classes that the writers of CSV files share.
 #pragma once
 
 #include "client/formats/output_file.hpp"
@@ -17,11 +17,11 @@
 
 namespace cd {
 
-/// A text to which pieces are appended without making a string of each.
+/// A text to which pieces are appended without making a string of each piece.
 class TextBuffer {
   public:
     /// Appends pieces: text, integers in decimal, doubles as the shortest decimal that reads back
-    /// as the same number.
+    /// as that double.
     template <class... Pieces>
     void add(const Pieces&... pieces) {
         (add_piece(pieces), ...);
@@ -37,14 +37,14 @@ class TextBuffer {
     requires std::integral<Number> || std::floating_point<Number>
     void add_piece(Number number) {
         static_assert(!std::same_as<Number, char> && !std::same_as<Number, bool>);
-        char digits[32]; // NOLINT(modernize-avoid-c-arrays): not set first.
+        char digits[32]; // NOLINT(modernize-avoid-c-arrays): not initialised.
         text_.append(digits, std::to_chars(digits, digits + sizeof digits, number).ptr);
     }
 
     std::string text_;
 };
 
-/// The names of triangles' parts as CSV fields; empty for a triangle without a part.
+/// Names the part of a triangle as a CSV field; empty for a triangle without a part.
 class PartFields {
   public:
     explicit PartFields(const std::shared_ptr<const Mesh>& mesh);

@@ -37,7 +37,7 @@ const TypeName& name_of(NpyType type) {
         types.begin(), types.end(), [&](const TypeName& name) { return name.type == type; });
 }
 
-/// The value of 'key' in the header's dictionary, up to the next comma outside parentheses.
+/// Returns the value of 'key' in the header's dictionary, up to the next comma outside parentheses.
 std::optional<std::string_view> value_of(std::string_view dictionary, std::string_view key) {
     const std::string quoted = "'" + std::string(key) + "':";
     const std::size_t found = dictionary.find(quoted);
@@ -61,7 +61,7 @@ std::optional<std::string_view> value_of(std::string_view dictionary, std::strin
                                            : rest.substr(first, last - first + 1);
 }
 
-/// Parses "(3,)", "()" or "(2, 4, 4)".
+/// Parses a shape such as "(3,)", "()" or "(2, 4, 4)".
 std::optional<std::vector<std::uint64_t>> parse_shape(std::string_view text) {
     if (text.size() < 2 || text.front() != '(' || text.back() != ')') {
         return std::nullopt;
@@ -158,7 +158,7 @@ std::vector<To> converted(NpyType type, std::span<const std::byte> data) {
     return out;
 }
 
-/// Converts elements of `item` bytes from Fortran order to C order.
+/// Reorders an array in Fortran order to C order; `item` is the size of an element in bytes.
 Bytes to_c_order(std::span<const std::byte> data,
                  std::span<const std::uint64_t> shape,
                  std::size_t item) {

@@ -34,7 +34,7 @@ std::size_t NpzWriter::add_array(const std::string& name, NpyType type, std::uin
     Array array{name, type, columns};
     array.spool = path_.string() + "." + std::to_string(arrays_.size()) + ".part";
     array.file.open(array.spool, std::ios::binary | std::ios::trunc);
-    // The header is written at the end, when the length is known.
+    // Leaves room for the header, which `finish` writes once the length is known.
     const Bytes room(npy_header_bytes);
     array.file.write(reinterpret_cast<const char*>(room.data()), npy_header_bytes);
     arrays_.push_back(std::move(array));
@@ -91,7 +91,7 @@ Status NpzWriter::finish() {
         }
         zip_set_file_compression(
             archive.get(), static_cast<zip_uint64_t>(index), ZIP_CM_DEFLATE, 1);
-        // A fixed time, 1 January 1980, makes files of equal arrays equal.
+        // A fixed time, 1 January 1980, makes the files of equal arrays equal.
         zip_file_set_dostime(archive.get(), static_cast<zip_uint64_t>(index), 0, 0x21, 0);
     }
     zip_register_cancel_callback_with_state(
@@ -105,7 +105,7 @@ Status NpzWriter::finish() {
         }
         return failed(zip_strerror(archive.get()));
     }
-    static_cast<void>(archive.release()); // Freed by zip_close.
+    static_cast<void>(archive.release()); // zip_close has freed it.
     const auto written = DiskFile::open(temporary);
     const Status synced = written ? written.value().sync() : written.error();
     if (!synced) {

@@ -17,22 +17,22 @@
 namespace cd {
 
 /// Writes an archive whose arrays grow in pieces, without holding them in memory: each array is
-/// spooled to a file beside the target. The target appears whole at `finish` or not at all.
+/// spooled to a file beside the target. `finish` makes the target appear as a whole.
 class NpzWriter {
   public:
-    /// `stop` interrupts `finish`, which compresses all arrays.
+    /// `stop` interrupts `finish`, which takes long since it compresses all arrays.
     explicit NpzWriter(std::filesystem::path path, StopCheck stop = {})
         : path_(std::move(path)), stop_(std::move(stop)) {}
     NpzWriter(const NpzWriter&) = delete;
     NpzWriter& operator=(const NpzWriter&) = delete;
-    /// Removes spooled files.
+    /// Removes the spool files.
     ~NpzWriter();
 
-    /// Adds an array of rows of `columns` elements; 0: of one dimension. Returns the array's
-    /// number. The first `append` reports errors of the file system.
+    /// Adds an array of rows of `columns` elements, or of one dimension if `columns` is 0. Returns
+    /// the array's number. An error of the file system is reported by the first `append`.
     std::size_t add_array(const std::string& name, NpyType type, std::uint64_t columns = 0);
 
-    /// Appends elements. Errors: Io naming the file, as soon as a write fails.
+    /// Appends elements to an array. Errors: Io naming the file, as soon as a write fails.
     template <class T>
     [[nodiscard]] Status append(std::size_t array, std::span<const T> values) {
         static_assert(std::is_arithmetic_v<T>);

@@ -20,8 +20,8 @@ class NpzArray {
     NpzArray(NpyHeader header, ZipEntry entry, Bytes begun, std::string place);
 
     [[nodiscard]] const NpyHeader& header() const { return header_; }
-    /// The next elements in the file's order; an empty array at the end. Arrays with rows of three
-    /// elements come in whole rows. Errors: BadInput naming file and array.
+    /// Reads the next elements in the file's order; an empty array at the end. Rows of three
+    /// elements are not split. Errors: BadInput naming file and array.
     [[nodiscard]] Result<NpyArray> next();
 
   private:
@@ -32,19 +32,19 @@ class NpzArray {
     std::string place_; ///< File and array, for messages.
 };
 
-/// The arrays of an archive. The file is untrusted: an array is unpacked on request, up to the
-/// size in its header and at most `limits::npz_array_bytes_max`.
+/// The arrays of an untrusted archive. An array is unpacked on request, up to the size in its
+/// header and at most `limits::npz_array_bytes_max`.
 class NpzFile {
   public:
-    /// Opens an archive. Errors: NotFound; BadInput, naming the file.
+    /// Opens an archive. Errors: NotFound and BadInput, both naming the file.
     [[nodiscard]] static Result<NpzFile> open(const std::filesystem::path& path);
 
-    /// The names of all arrays, without ".npy".
+    /// Returns the names of all arrays, without ".npy".
     [[nodiscard]] std::vector<std::string> names() const;
-    /// Opens an array, which must not outlive the file. Errors: BadInput naming the file and the
+    /// Opens an array, which must not outlive this object. Errors: BadInput naming the file and the
     /// array, if it is missing, damaged, or of an unknown type.
     [[nodiscard]] Result<NpzArray> array(const std::string& name) const;
-    /// A whole array in memory, in C order. Errors: those of `array`.
+    /// Reads a whole array into memory, in C order. Errors: as `array`.
     [[nodiscard]] Result<NpyArray> read(const std::string& name) const;
 
   private:

@@ -13,7 +13,7 @@ namespace cd {
 
 namespace {
 
-/// A failed write to standard output is Incomplete, since the output is not whole.
+/// Returns the error of a failed write: Incomplete for standard output, Io for a file.
 Error io_error(const std::filesystem::path& path) {
     return {path.empty() ? ErrorCode::Incomplete : ErrorCode::Io,
             (path.empty() ? "standard output" : path.string()) + ": " + std::strerror(errno)};

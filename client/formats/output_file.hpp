@@ -1,4 +1,4 @@
-// Files that appear under their names only when they are complete, and reading whole files.
+// Writes files that appear under their names only when complete, and reads whole files.
 #pragma once
 
 #include "common/core/result.hpp"
@@ -11,13 +11,13 @@
 
 namespace cd {
 
-/// Writes to "NAME.partial" in the target's folder; `commit` syncs and renames the file. The
-/// destructor removes an uncommitted file.
+/// Writes a file as "NAME.partial" in the target's folder; `commit` syncs it and gives it its name.
+/// The destructor removes a file that was not committed.
 class OutputFile {
   public:
     /// Creates the partial file. Errors: Io naming the file.
     [[nodiscard]] static Result<OutputFile> create(const std::filesystem::path& path);
-    /// Standard output, which has no partial file.
+    /// Writes to standard output, without a partial file.
     [[nodiscard]] static OutputFile standard_output();
 
     OutputFile(OutputFile&&) noexcept = default;
@@ -41,13 +41,13 @@ class OutputFile {
     std::unique_ptr<std::FILE, Close> file_;
 };
 
-/// The path of the partial file for a target path.
+/// Returns the path of the partial file for a target path.
 [[nodiscard]] std::filesystem::path partial_path(const std::filesystem::path& path);
 
-/// Writes a file, whole or not at all. Errors: those of `OutputFile`.
+/// Writes a file, whole or not at all. Errors: Io naming the file.
 [[nodiscard]] Status write_file(const std::filesystem::path& path, std::string_view bytes);
 
-/// The bytes of a file. Errors: NotFound; Io naming the file, also if it is empty.
+/// Reads all bytes of a file. Errors: NotFound; Io naming the file, also for an empty file.
 [[nodiscard]] Result<std::string> read_file(const std::filesystem::path& path);
 
 } // namespace cd

@@ -12,8 +12,8 @@
 
 namespace cd {
 
-/// Finds parts by binary search, after trying the part found last: consecutive triangles mostly
-/// share a part.
+/// Finds a triangle's part by binary search, but first tries the part found last, since consecutive
+/// triangles mostly share a part.
 class PartFinder {
   public:
     explicit PartFinder(std::shared_ptr<const Mesh> mesh)
@@ -21,7 +21,7 @@ class PartFinder {
 
     [[nodiscard]] std::span<const Part> parts() const { return parts_; }
 
-    /// The index in `parts` of the triangle's part; nothing if there is none.
+    /// Returns the index in `parts` of the triangle's part; nothing if it has none.
     [[nodiscard]] std::optional<std::size_t> find(std::uint32_t triangle) {
         if (last_ < parts_.size() && holds(parts_[last_], triangle)) {
             return last_;

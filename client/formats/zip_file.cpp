@@ -35,7 +35,7 @@ Result<std::size_t> ZipEntry::read(std::span<std::byte> into) {
         count += static_cast<std::uint64_t>(got);
     }
     done_ += count;
-    // libzip verifies the checksum when a read reaches the end.
+    // Reading beyond the end makes libzip verify the checksum.
     std::byte beyond{};
     if (done_ == size_ && zip_fread(file_.get(), &beyond, 1) != 0) {
         return damaged();
@@ -67,7 +67,7 @@ Result<ZipEntry> ZipFile::entry(const std::string& name) const {
     if (zip_stat(archive_.get(), name.c_str(), 0, &status) != 0) {
         return Error{ErrorCode::NotFound, "is not in the archive"};
     }
-    // Deflate expands at most 1,032 times, so a larger size is false and must not be allocated.
+    // Refuses a false size before it is allocated: Deflate expands at most 1,032 times.
     constexpr std::uint64_t inflation_max = 1032;
     const bool is_known =
         status.comp_method == ZIP_CM_STORE || status.comp_method == ZIP_CM_DEFLATE;

@@ -1,4 +1,4 @@
-// Reads zip archives. Only this file reads with libzip.
+// Reads zip archives. No other file reads with libzip.
 #pragma once
 
 #include "common/core/files/bytes.hpp"
@@ -16,14 +16,14 @@ struct zip_file;
 
 namespace cd {
 
-/// Reads one file of an archive sequentially, unpacked.
+/// Reads one file of an archive sequentially, and unpacks it.
 class ZipEntry {
   public:
-    /// The unpacked size in the archive's directory. `ZipFile::entry` has checked that the packed
-    /// bytes can expand to it.
+    /// Returns the unpacked size that the archive's directory gives. The packed bytes can expand to
+    /// it, as `ZipFile::entry` has checked.
     [[nodiscard]] std::uint64_t size() const { return size_; }
     /// Fills `into` with the next bytes and returns their number. Errors: BadInput if the entry is
-    /// damaged or has another size, reported at its end at the latest.
+    /// damaged or its size differs from `size`, at the end of the entry at the latest.
     [[nodiscard]] Result<std::size_t> read(std::span<std::byte> into);
 
   private:
@@ -39,14 +39,14 @@ class ZipEntry {
 
 class ZipFile {
   public:
-    /// Opens an archive. Errors: NotFound; BadInput for another kind of file. Neither names the
+    /// Opens an archive. Errors, which do not name the file: NotFound; BadInput for another kind of
     /// file.
     [[nodiscard]] static Result<ZipFile> open(const std::filesystem::path& path);
 
-    /// The names of all files, in the order of the archive.
+    /// Returns the names of all files, in the order of the archive.
     [[nodiscard]] const std::vector<std::string>& names() const { return names_; }
-    /// Opens a file, which must not outlive the archive. Errors: NotFound; BadInput if it is
-    /// damaged.
+    /// Opens a file, which must not outlive the archive. Errors: NotFound; BadInput for a damaged
+    /// file or an unknown packing.
     [[nodiscard]] Result<ZipEntry> entry(const std::string& name) const;
 
   private:

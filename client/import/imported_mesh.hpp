@@ -25,16 +25,16 @@ struct DeclaredFrame {
 };
 
 struct ImportOptions {
-    double unit_factor = 1; ///< Factor of all coordinates, applied in double.
-    /// The job's unit. If the file declares a unit, its coordinates are converted to this one and
-    /// `unit_factor` is not used. Empty: the declared unit is ignored.
+    double unit_factor = 1; ///< Multiplies all coordinates, in double.
+    /// The job's unit. If the file declares a unit, coordinates are converted from that to the
+    /// job's unit, and `unit_factor` is not used. Empty: the file's unit is ignored.
     std::string declared_unit_to = {};
     bool is_y_up = false;         ///< The file's y becomes z, and its z becomes -y.
     bool rounds_to_float = false; ///< Each coordinate becomes the nearest float.
-    StopCheck is_stopped = {};    ///< Once it is true, an import in a child process ends.
+    StopCheck is_stopped = {};    ///< Once it returns true, an import in a child process ends.
 };
 
-/// The factor that a reader applies to all coordinates: from the declared unit or `unit_factor`.
+/// Returns the factor of all coordinates: from the declared unit, or else `unit_factor`.
 [[nodiscard]] double factor_of(const ImportOptions& options, const DeclaredFrame& declared);
 
 /// The input of a format's reader, which names the path in its errors.
@@ -43,11 +43,11 @@ struct MeshSource {
     std::string_view bytes; ///< All of the file.
     const ImportOptions& options;
 
-    /// The error BadInput "PATH: DETAIL".
+    /// Returns the error BadInput "PATH: DETAIL".
     [[nodiscard]] Error refusal(const std::string& detail) const {
         return bad_input(path.string() + ": " + detail);
     }
-    /// The error BadInput "PATH:LINE: DETAIL". Lines count from 1.
+    /// Returns the error BadInput "PATH:LINE: DETAIL". Lines count from 1.
     [[nodiscard]] Error refusal(std::uint64_t line, const std::string& detail) const {
         return bad_input(path.string() + ":" + std::to_string(line) + ": " + detail);
     }
@@ -57,7 +57,7 @@ struct MeshSource {
 /// names are hashed with the mesh, and the same geometry under two file names is one mesh.
 inline constexpr const char* nameless_part = "mesh";
 
-/// A mesh as in its file, except for the changes listed here.
+/// A mesh with the geometry of its file, except for the changes listed here.
 ///
 /// Triangles are in the order of the file's faces, or for formats with nodes in the order of the
 /// nodes, depth first. A format without groups gives one part. Formats with nodes apply transforms
@@ -67,7 +67,7 @@ inline constexpr const char* nameless_part = "mesh";
 /// dropped (except in `.npz`). Degenerate and duplicate triangles are kept.
 struct ImportedMesh {
     std::shared_ptr<const Mesh> mesh;
-    DeclaredFrame declared;            ///< The unit has been applied, the up axis has not.
+    DeclaredFrame declared;            ///< As in the file; its up axis does not turn the mesh.
     bool is_by_assimp = false;         ///< Coordinates are within one float step of the file's.
     bool is_rounded = false;           ///< Rounded to floats on request; the file has more digits.
     std::vector<std::string> warnings; ///< A sentence each, naming the file.
@@ -75,8 +75,8 @@ struct ImportedMesh {
     std::uint64_t lines_skipped = 0;   ///< Number of faces with two corners.
 };
 
-/// Notes such as "unit inch, from the file", "up axis Y, from the file; not turned" and "read by
-/// assimp: ...". `unit` is the unit that the user gave instead of the file's, or empty.
+/// Returns notes such as "unit inch, from the file" or "up axis Y, from the file; not turned".
+/// `unit` is the unit that the user gave instead of the file's, or empty.
 [[nodiscard]] std::vector<std::string>
 import_notes(const ImportedMesh& imported, const std::string& unit, bool is_y_up);
 

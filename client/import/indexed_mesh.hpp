@@ -22,8 +22,8 @@ class IndexedMesh {
 
     void begin_part(const std::string& name) { builder_.begin_part(name); }
 
-    /// Adds a triangle, or a polygon that is cut into triangles. A face of one corner is counted as
-    /// a point, one of two as a line. Corners are indices of vertices, from 0.
+    /// Adds a triangle, or cuts a polygon into triangles and adds them. A face of one corner is
+    /// counted as a point, a face of two as a line. Corners are indices of vertices, from 0.
     ///
     /// Errors: BadInput (the caller adds file and line) for a face without corners, an index out of
     /// range, a coordinate that the unit's factor makes infinite, or a polygon that cannot be cut.
@@ -32,8 +32,8 @@ class IndexedMesh {
     void skip_lines(std::uint64_t count) { lines_ += count; }
     void skip_points(std::uint64_t count) { points_ += count; }
 
-    /// Completes the mesh. Errors: BadInput naming the file: no triangles, or more than a mesh may
-    /// have.
+    /// Completes the mesh. Errors: BadInput naming the file, for a mesh without triangles or with
+    /// more than a mesh may have.
     [[nodiscard]] Result<ImportedMesh> finish(const MeshSource& source);
 
   private:
@@ -43,7 +43,7 @@ class IndexedMesh {
     double unit_factor_;
     std::vector<Vec3> vertices_;         ///< In the order of the file, not scaled.
     std::vector<std::uint32_t> numbers_; ///< Index in the mesh of each vertex that a face uses.
-    std::vector<std::uint32_t> corners_; ///< Mesh indices of the face being added.
+    std::vector<std::uint32_t> corners_; ///< Mesh indices of the current face's corners.
     std::vector<Vec3> polygon_;
     PolygonCutter cutter_;
     MeshBuilder builder_;

@@ -12,7 +12,7 @@ namespace cd {
 namespace {
 
 constexpr std::uint32_t empty = std::numeric_limits<std::uint32_t>::max();
-constexpr std::size_t slots_min = 1024; // A power of two, like every larger table.
+constexpr std::size_t slots_min = 1024; // A power of two, so that a mask gives the slot.
 
 std::size_t hash_of(const Vec3& position) {
     return static_cast<std::size_t>(checksum(std::as_bytes(std::span(position.data(), 3))));

@@ -58,9 +58,9 @@ void warn_of_coarse_floats(const std::filesystem::path& path, ImportedMesh& impo
     }
 }
 
-/// The mesh with each coordinate rounded once to the nearest float. Triangles keep their numbers
-/// and parts; positions that become equal share one vertex, and vertices that no triangle uses are
-/// left out. Errors: BadInput naming a triangle with a coordinate that no float holds.
+/// Rounds each coordinate of a mesh once to the nearest float. Triangles keep their numbers and
+/// parts; positions that become equal share one vertex, and vertices that no triangle uses are
+/// dropped. Errors: BadInput naming a triangle with a coordinate that no float holds.
 Result<ImportedMesh> rounded_to_floats(const std::filesystem::path& path, ImportedMesh imported) {
     const Mesh& mesh = *imported.mesh;
     if (mesh.precision() == Precision::Float) {
@@ -89,21 +89,21 @@ Result<ImportedMesh> rounded_to_floats(const std::filesystem::path& path, Import
     return imported;
 }
 
-/// The mesh with y mapped to z and z to -y, exactly. Errors: those of `Mesh::create`.
+/// Turns y into z and z into -y, exactly. Errors: as `Mesh::create`.
 Result<ImportedMesh> turned_to_z_up(ImportedMesh imported) {
     MeshArrays arrays{imported.mesh->vertices(),
                       imported.mesh->triangles(),
                       imported.mesh->parts(),
                       imported.mesh->precision()};
     for (Vec3& vertex : arrays.vertices) {
-        vertex = Vec3(vertex.x(), 0.0 - vertex.z(), vertex.y()); // Avoids -0.
+        vertex = Vec3(vertex.x(), 0.0 - vertex.z(), vertex.y()); // The subtraction never gives -0.
     }
     auto mesh = CD_TRY(Mesh::create(std::move(arrays)));
     imported.mesh = std::make_shared<const Mesh>(std::move(mesh));
     return imported;
 }
 
-/// The native reader for an extension, or null.
+/// Returns the native reader for an extension in lower case, or null.
 Reader reader_of(const std::string& extension) {
     constexpr std::array<std::pair<std::string_view, Reader>, 4> readers{
         {{".stl", import_stl}, {".obj", import_obj}, {".ply", import_ply}, {".off", import_off}}};
@@ -113,7 +113,7 @@ Reader reader_of(const std::string& extension) {
     return found == readers.end() ? nullptr : found->second;
 }
 
-/// Reads a format without a native reader.
+/// Reads a file of a format without a native reader, with assimp.
 Result<ImportedMesh> import_others(const std::filesystem::path& path,
                                    const ImportOptions& options) {
     const std::string extension = lower_extension(path);
@@ -132,7 +132,7 @@ Result<ImportedMesh> import_others(const std::filesystem::path& path,
     return imported;
 }
 
-/// Checks that the path names a file that is not empty.
+/// Checks that the path names a file, not a folder, and that it is not empty. Errors: BadInput.
 Status check_file(const std::filesystem::path& path) {
     if (path.empty()) {
         return bad_input("a mesh file without a name; name the file to be read");

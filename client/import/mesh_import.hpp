@@ -10,7 +10,7 @@ namespace cd {
 ///
 /// Errors: BadInput, one line naming the file and the line, byte or face (from 0), for a missing or
 /// empty file, a file without a mesh, an index out of range, a coordinate that is not finite, and
-/// anything else that would lose or change geometry. TooLarge when memory does not suffice.
+/// anything else that would lose or change geometry. TooLarge if memory does not suffice.
 [[nodiscard]] Result<ImportedMesh> import_mesh(const std::filesystem::path& path,
                                                const ImportOptions& options);
 

@@ -19,14 +19,14 @@ namespace cd {
 /// Errors: BadInput naming the file and the line (text) or the facet and its byte (binary).
 [[nodiscard]] Result<ImportedMesh> import_stl(const MeshSource& source);
 
-/// Reads polygons and their groups. A part begins at each `o`, at each `g` whose name differs from
-/// the one before, and at each change of material (`usemtl`). A part is named after the object or
-/// group; a part that begins at a change of material is named after the group, or else the
-/// material. Names may contain blanks. Points and lines are skipped and counted. Normals, texture
-/// coordinates and smoothing are ignored.
+/// Reads the polygons and groups of an OBJ file. A part begins at each `o`, at each `g` whose name
+/// differs from the previous `g`, and at each change of material (`usemtl`). A part is named after
+/// the object or group; a part that begins at a change of material is named after the group, or the
+/// material if there is no group. Names may contain blanks. Points and lines are skipped and
+/// counted. Normals, texture coordinates and smoothing are ignored.
 ///
 /// Errors: BadInput naming the file and the line, also for unsupported statements: free-form curves
-/// and surfaces, `call`, keywords in upper case.
+/// and surfaces, `call`, and keywords in upper case.
 [[nodiscard]] Result<ImportedMesh> import_obj(const MeshSource& source);
 
 /// Reads text or binary PLY in either byte order. A number in text becomes the nearest double,
@@ -45,25 +45,25 @@ namespace cd {
 /// for vertices with other than three coordinates (4OFF, nOFF).
 [[nodiscard]] Result<ImportedMesh> import_off(const MeshSource& source);
 
-/// Reads the arrays `vertices` (N,3) and `faces` (M,3). Doubles stay doubles. Parts are optional:
-/// `parts` (P,3) of u4 has the first triangle, the triangle after the last, and the bytes of the
-/// name; `part_names` of u1 has all names without separators.
+/// Reads a mesh from the arrays `vertices` (N,3) and `faces` (M,3) of an .npz file, in doubles.
+/// Parts are optional. A row of `parts` (P,3; u4) holds a part's first triangle, the triangle after
+/// its last, and the bytes of its name; `part_names` (u1) holds all names without separators.
 ///
-/// Errors: BadInput naming the file, and the face, vertex or part.
+/// Errors: BadInput naming the file and the face, vertex or part.
 [[nodiscard]] Result<ImportedMesh> import_npz(const std::filesystem::path& path,
                                               const ImportOptions& options);
 
-/// Reads glTF 2.0 files and GLBs: the triangles of the default scene, or else the first: nodes
-/// depth first, for each node its instances (EXT_mesh_gpu_instancing), for each instance the
-/// primitives of the mesh. A primitive of a node is a part. A single primitive is named after the
-/// node, one of several after the mesh with "-0", "-1" and so on.
+/// Reads the triangles of glTF 2.0 files and GLBs: of the default scene, or of the first if the
+/// file names none. Nodes are read depth first; each instance of a node (EXT_mesh_gpu_instancing)
+/// gives one part for each primitive of its mesh. A single primitive is named after the node, one
+/// of several after the mesh with "-0", "-1" and so on.
 ///
 /// Positions may be floats, or integers with KHR_mesh_quantization. Morph targets whose weights are
 /// all zero are ignored; other weights, and skins, are refused, since the mesh would not be rigid.
 /// Transforms are rounded to floats, applied in double, and each position is rounded once to float.
 ///
-/// Errors: BadInput naming the file and the object in it (mesh, primitive, index, node, accessor),
-/// for damaged, unknown or compressed content.
+/// Errors: BadInput naming the file and the JSON object in it (mesh, primitive, index, node or
+/// accessor), for damaged, unknown or compressed content.
 [[nodiscard]] Result<ImportedMesh> read_gltf(const MeshSource& source);
 
 /// True for a GLB under any name, and for a file named .gltf or .glb.

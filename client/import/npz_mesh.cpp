@@ -19,8 +19,8 @@ bool is_triples(const std::vector<std::uint64_t>& shape) {
     return shape.size() == 2 && shape[1] == 3;
 }
 
-/// Calls `take` with the array's elements in C order: in pieces, or as a whole for an array in
-/// Fortran order.
+/// Passes the array's elements to `take` in C order. An array in C order is passed in pieces, an
+/// array in Fortran order as a whole.
 template <class Take>
 Status each_piece(const NpzFile& file, const std::string& name, NpzArray& array, Take take) {
     if (array.header().is_fortran) {
@@ -97,7 +97,7 @@ class NpzMeshReader {
         return Done{};
     }
 
-    /// Reads the parts, or makes all triangles one part.
+    /// Reads the parts; a file without parts gets one part with all triangles.
     Status add_parts() {
         if (!has_array(file_, "parts") || !has_array(file_, "part_names")) {
             arrays_.parts.push_back(

@@ -14,8 +14,8 @@ namespace {
 
 using Point = PlanePoint;
 
-/// Newell's normal of a polygon (`sum`, as long as twice the area) and the sum of the absolute
-/// values of the normal's terms (`sizes`), which gives a plane even if the area is zero.
+/// Newell's normal of a polygon (`sum`, as long as twice the area), and the sum of the absolute
+/// values of its terms (`sizes`), which gives a plane even if the area is zero.
 struct Normal {
     Vec3 sum = Vec3::Zero();
     Vec3 sizes = Vec3::Zero();
@@ -32,7 +32,7 @@ Normal normal_of(std::span<const Vec3> corners) {
     return normal;
 }
 
-/// True when the two angles between the diagonal and the sides at this corner sum to more than 180
+/// True if the two angles between the diagonal and the sides at this corner sum to more than 180
 /// degrees: cos a + cos b < 0. At most one corner of a plane quadrilateral is concave.
 bool is_concave(std::span<const Vec3> quad, std::uint32_t corner) {
     const Vec3 right = quad[(corner + 1) % 4] - quad[corner];
@@ -55,7 +55,7 @@ std::span<const Triangle> PolygonCutter::cut(std::span<const Vec3> corners) {
     return triangles_;
 }
 
-/// Projects the corners so that the polygon turns left, exchanging the two axes if needed.
+/// Projects the corners to a plane, in which the polygon then turns left.
 void PolygonCutter::project(std::span<const Vec3> corners) {
     const Normal normal = normal_of(corners);
     Eigen::Index axis = 0;
@@ -75,7 +75,7 @@ int PolygonCutter::turn(std::uint32_t a, std::uint32_t b, std::uint32_t c) const
     return orientation(points_[a], points_[b], points_[c]);
 }
 
-/// Makes the two triangles of the fan around a corner, unless one has the wrong orientation.
+/// Adds the two triangles of the fan around a corner, unless one has the wrong orientation.
 void PolygonCutter::try_quad(std::uint32_t start) {
     const std::uint32_t right = (start + 1) % 4;
     const std::uint32_t opposite = (start + 2) % 4;
@@ -112,7 +112,7 @@ void PolygonCutter::cut_ears() {
     const std::uint64_t tests_max = limits::polygon_tests_per_corner_max * size;
     std::uint32_t left = size;
     std::uint32_t tried = 0;
-    bool takes_straight = false; // Also cut off straight corners: no ear is left.
+    bool takes_straight = false; // True while no ear is left: cuts off straight corners too.
     std::uint32_t corner = 0;
     while (left > 3 && tests_ <= tests_max) {
         const bool is_straight =
@@ -153,7 +153,7 @@ bool PolygonCutter::is_ear(std::uint32_t corner) {
     return true;
 }
 
-/// True for a corner inside or on the edge of an ear, but not at a corner of the ear.
+/// True if a corner is inside an ear or on an edge of it, but not at one of its corners.
 bool PolygonCutter::contains(const Triangle& ear, std::uint32_t corner) const {
     const Point& point = points_[corner];
     const bool is_at_corner =
@@ -175,7 +175,7 @@ void PolygonCutter::unlink(std::uint32_t corner) {
     classify(after);
 }
 
-/// Adds the last three corners in ascending order, unless their orientation is wrong.
+/// Adds the triangle of the last three corners, unless its orientation is wrong.
 void PolygonCutter::add_last(std::uint32_t corner) {
     Triangle last{corner, next_[corner], previous_[corner]};
     std::rotate(last.begin(), std::min_element(last.begin(), last.end()), last.end());

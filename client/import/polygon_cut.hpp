@@ -17,12 +17,12 @@ namespace cd {
 /// cover the inside of the outline, each point once if the outline does not cross itself. Collinear
 /// corners give triangles without area, so a polygon of n corners always gives n - 2 triangles.
 ///
-/// A quadrilateral is cut from its concave corner, or else its first. Longer polygons are cut by
-/// ear clipping from the first corner on; a convex polygon becomes a fan around its last corner.
+/// A quadrilateral is cut from its concave corner, or its first if it is convex. Longer polygons
+/// lose ears from the first corner on; a convex one becomes a fan around its last corner.
 class PolygonCutter {
   public:
-    /// Triangles as indices into `corners`, which has four or more finite points. Valid until the
-    /// next call. Empty when the outline crosses itself or cannot be cut in bounded time.
+    /// Returns indices into `corners`, four or more finite points; they are valid until the next
+    /// call. Returns none if the outline crosses itself or cannot be cut in bounded time.
     [[nodiscard]] std::span<const Triangle> cut(std::span<const Vec3> corners);
 
   private:

@@ -14,13 +14,13 @@ namespace {
 
 using Ranges = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
 
-/// A pattern of an ignore rule: "part" or "body/part".
+/// The two halves of an ignore rule's pattern, which is "part" or "body/part".
 struct PartPattern {
     std::optional<std::string> body;
     std::string part;
 };
 
-/// Splits at the first slash that is not escaped.
+/// Splits a pattern at the first slash that is not escaped.
 PartPattern split(const std::string& pattern) {
     for (std::size_t i = 0; i < pattern.size(); ++i) {
         if (pattern[i] == '\\') {
@@ -36,14 +36,14 @@ bool matches(const std::string& pattern, const std::string& name) {
     return fnmatch(pattern.c_str(), name.c_str(), 0) == 0;
 }
 
-/// A body with its letter in messages and the name by which patterns call it.
+/// A body: its letter in messages, and its name in patterns.
 struct IgnoredBody {
     char letter = 'A';
     const std::string& name;
     const Mesh& mesh;
 };
 
-/// The triangle ranges of all parts whose names match. Adjacent ranges are joined.
+/// Returns the triangles of all parts whose names match, with adjacent ranges joined.
 Ranges matching(const std::string& pattern, const Mesh& mesh) {
     Ranges ranges;
     for (const Part& part : mesh.parts()) {
@@ -88,8 +88,8 @@ Error no_match(const IgnoreRule& rule,
                      (names.empty() ? "; it has no named parts" : suggestion(pattern, names)));
 }
 
-/// The triangles that a pattern matches. Errors: BadInput for the name of another body, and for a
-/// pattern that matches no part.
+/// Returns the triangles of a body that the pattern `text` matches. Errors: BadInput for a pattern
+/// that names another body or matches no part.
 Result<Ranges> ranges_of(const IgnoreRule& rule,
                          const std::string& text,
                          const IgnoredBody& body,

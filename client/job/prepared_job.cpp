@@ -21,7 +21,7 @@ std::string name_of(const BodySpec& body) {
     return body.name.empty() ? body.path.filename().string() : body.name;
 }
 
-/// The name of a declared unit, or its length in metres; empty if the file declares none.
+/// Returns a declared unit's name, or its length in metres; empty if the file declares none.
 std::string declared_unit(const DeclaredFrame& declared) {
     for (const std::string_view name : unit_names()) {
         if (unit_factor_of_metres(declared.metres, name) == 1.0) {
@@ -77,7 +77,7 @@ void get_trees(PreparedJob& job, Trees trees, TreeCache& cache, ThreadPool& pool
     }
 }
 
-/// Says which columns count as 0: "; y, z, roll, pitch are 0". Empty if none does.
+/// Names the columns that count as 0: "; y, z, roll, pitch are 0"; empty if there are none.
 std::string zeros_text(const std::vector<std::string>& zeros) {
     std::string text;
     for (const std::string& name : zeros) {
@@ -86,7 +86,7 @@ std::string zeros_text(const std::vector<std::string>& zeros) {
     return text.empty() ? text : text + (zeros.size() == 1 ? " is 0" : " are 0");
 }
 
-/// Says where the poses come from, for the header.
+/// Says where the poses come from, for the header of a run.
 std::string poses_text(const PosesSpec& spec, const std::vector<std::string>& zeros) {
     if (const auto* file = std::get_if<PoseFileSpec>(&spec)) {
         return (file->path == "-" ? "from standard input" : file->path.filename().string()) +

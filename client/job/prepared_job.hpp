@@ -1,4 +1,4 @@
-// A job with its inputs read and checked; `run` and `submit` start from it.
+// A job whose inputs have been read and checked; `run` and `submit` start from it.
 #pragma once
 
 #include "client/export/result_writer.hpp"
@@ -24,12 +24,12 @@ namespace cd {
 struct PreparedJob {
     JobSpec spec;
     std::array<std::string, 2> names;                  ///< Names of the bodies in messages.
-    std::array<std::shared_ptr<const Mesh>, 2> meshes; ///< Both the same if the file is the same.
+    std::array<std::shared_ptr<const Mesh>, 2> meshes; ///< Equal if both bodies name one file.
     std::array<std::vector<std::string>, 2>
         notes; ///< How each mesh file was interpreted, for messages.
-    std::array<std::shared_ptr<const ObbTree>, 2> trees; ///< Null if not needed.
+    std::array<std::shared_ptr<const ObbTree>, 2> trees; ///< Null if the job needs no trees.
     Query query;
-    std::optional<Grid> grid; ///< Set if the poses are a grid; submitted instead.
+    std::optional<Grid> grid; ///< Set if the poses are a grid; submitted in place of poses.
     std::unique_ptr<PoseSource> poses;
     PoseLabels labels;                 ///< Ids and times of all poses, if their file has them.
     std::vector<std::string> zeros;    ///< Columns missing in the pose file, which count as 0.
@@ -37,16 +37,16 @@ struct PreparedJob {
     std::string header;                ///< Lines about bodies and poses (`header_text`).
 };
 
-/// When `prepare_job` gets trees. A run in this process always needs them. A cluster builds its own
-/// trees, so a job for a master needs them only to generate random poses.
+/// When `prepare_job` gets trees. A run in this process always needs trees. A cluster builds its
+/// own, so for a job on a master they are needed only to generate random poses.
 enum class Trees : std::uint8_t { Always, ForPosesOnly };
 
-/// Inputs that are already loaded and replace the files that the job names.
+/// Inputs in memory, which replace the files that the job names.
 struct JobInputs {
-    std::array<std::shared_ptr<const Mesh>, 2> meshes;  ///< Null: import the file.
-    std::unique_ptr<PoseSource> poses;                  ///< Null: open or generate as the job says.
+    std::array<std::shared_ptr<const Mesh>, 2> meshes;  ///< If null, the file is imported.
+    std::unique_ptr<PoseSource> poses;                  ///< If null, poses are opened or generated.
     PoseLabels labels{};                                ///< Labels of `poses`.
-    std::optional<std::vector<IgnoredRange>> ignored{}; ///< Nothing: resolve the job's rules.
+    std::optional<std::vector<IgnoredRange>> ignored{}; ///< If nothing, the job's rules apply.
 };
 
 /// Imports the meshes, resolves ignored triangles, opens or generates the poses, and gets the trees
@@ -60,13 +60,13 @@ struct JobInputs {
                                               bool quiet = true,
                                               JobInputs given = {});
 
-/// The import options for a body's file. Errors: BadInput for an unknown unit.
+/// Returns the options to import a body's file. Errors: BadInput for an unknown unit.
 [[nodiscard]] Result<ImportOptions> import_options(const JobSpec& spec, std::size_t body);
 
 [[nodiscard]] ExportContext export_context(const PreparedJob& job);
 
-/// The ranges of triangles that the job's rules ignore. Errors: BadInput with the rule, its line
-/// and the existing names, for a pattern that matches no part or names another body.
+/// Returns the ranges of triangles that the job's rules ignore. Errors: BadInput with the rule, its
+/// line and the existing names, for a pattern that matches no part or names another body.
 [[nodiscard]] Result<std::vector<IgnoredRange>>
 resolve_ignored(const JobSpec& spec, const Mesh& a, const Mesh& b);
 

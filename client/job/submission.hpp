@@ -1,4 +1,4 @@
-// Converts jobs to submissions for a master and back.
+// Converts a job to a submission for a master, and a submission to a job.
 #pragma once
 
 #include "client/job/prepared_job.hpp"
@@ -8,15 +8,15 @@
 
 namespace cd {
 
-/// The description of a body for a master or a manifest. Its unit is the given one, else the one
+/// Describes a body for a master or a manifest. Its unit is the one given in the job, else the one
 /// that the mesh file declares, else the job's.
 [[nodiscard]] JobBody body_of(const JobSpec& spec, std::size_t body, const Sha256& mesh);
 
-/// The submission of a job. Names are escaped, since they may be file names.
+/// Converts a job to a submission. Names are escaped, since they may be file names.
 [[nodiscard]] Submit submission_of(const PreparedJob& job);
 
-/// The job of a submission, without its output; names stay escaped. Errors: BadFrame unless the job
-/// has two bodies, and for an invalid grid.
+/// Converts a submission to a job without output; names stay escaped. Errors: BadFrame if there are
+/// other than two bodies; also for an invalid grid.
 [[nodiscard]] Result<JobSpec> spec_of(const Submit& submit);
 
 } // namespace cd

@@ -11,12 +11,12 @@
 
 namespace cd {
 
-/// A result with its record and digest, as a pool thread returns it.
+/// A result with its record and digest, which a pool thread computes.
 struct DoneScenario {
     ScenarioResult result;
     Bytes record;    ///< The canonical record.
     Sha256 digest{}; ///< SHA-256 of the record.
-    /// All pairs in contact if the query asks for maps; else empty.
+    /// All pairs in contact if the query asks for maps, else empty.
     std::vector<ContactPair> found;
 };
 

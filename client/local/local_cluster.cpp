@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Reads the port that cdmaster listens on; nothing until the whole line is in the file.
+/// Reads the port on which cdmaster listens; nothing until its whole line is in the file.
 std::optional<std::string> read_port(const fs::path& path) {
     std::ifstream file(path);
     std::string line;
@@ -66,7 +66,7 @@ Result<LocalCluster> LocalCluster::start(const LocalClusterOptions& options,
                                     port_file.string(),
                                     "--state",
                                     options.state.string(),
-                                    // On loopback a lost worker is dead, so 1 s is enough.
+                                    // On loopback a silent worker is dead, so 1 s suffices.
                                     "--return-within",
                                     "1"},
                                    log));

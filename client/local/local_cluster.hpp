@@ -1,4 +1,4 @@
-// A master and its workers on this machine, for the object's lifetime.
+// Runs a master and its workers on this machine for the lifetime of an object.
 #pragma once
 
 #include "client/base/child_process.hpp"
@@ -21,19 +21,19 @@ struct LocalClusterOptions {
 
 class LocalCluster {
   public:
-    /// Starts the programs and returns when the master listens, on a loopback port that the system
-    /// chose. The workers join later. `stopped` ends the wait with Interrupted. Errors: NotFound
-    /// for a missing program; Io; Timeout and Incomplete naming the log.
+    /// Starts the programs and returns once the master listens, on a loopback port that the system
+    /// chose. The workers join later. Once `stopped` returns true, the call fails with Interrupted.
+    /// Errors: NotFound for a missing program; Io; Timeout and Incomplete naming the log.
     [[nodiscard]] static Result<LocalCluster> start(const LocalClusterOptions& options,
                                                     const std::function<bool()>& stopped);
 
-    /// HOST:PORT
+    /// Returns the master's address, HOST:PORT.
     [[nodiscard]] const std::string& address() const { return address_; }
 
     /// False once the master or a worker has ended.
     [[nodiscard]] bool is_running();
 
-    /// Stops the workers, then the master. The destructor calls `stop`.
+    /// Stops the workers, then the master. The destructor calls it too.
     void stop();
 
     LocalCluster(LocalCluster&&) noexcept = default;
@@ -47,7 +47,7 @@ class LocalCluster {
     std::vector<ChildProcess> processes_; ///< The master, then the workers.
 };
 
-/// The folder of the running program.
+/// Returns the folder of the running program.
 [[nodiscard]] std::filesystem::path program_folder();
 
 } // namespace cd

@@ -25,7 +25,7 @@ double seconds_since(Clock::time_point start) {
     return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-/// Adds scenarios to the run while it wants more, until progress is due.
+/// Adds scenarios to the run while it wants more, until it is time to report progress.
 Status feed(OrderedRun& run, PoseSource& poses, std::uint64_t& fed) {
     const auto end = Clock::now() + timing::progress_period;
     while (fed < poses.count() && Clock::now() < end) {
@@ -40,7 +40,7 @@ Status feed(OrderedRun& run, PoseSource& poses, std::uint64_t& fed) {
     return Done{};
 }
 
-/// Passes results to the observer and to the merger.
+/// Passes results to the observer and the merger. Errors: Interrupted; the observer's.
 Status
 deliver(std::vector<DoneScenario> results, const RunObserver& observer, ResultMerger& merger) {
     for (const DoneScenario& done : results) {
@@ -54,7 +54,7 @@ deliver(std::vector<DoneScenario> results, const RunObserver& observer, ResultMe
     return Done{};
 }
 
-/// A few of a job's poses, evenly spread, without those that cannot be read.
+/// Reads a few of a job's poses, evenly spread, and skips those that cannot be read.
 std::vector<PosePair> some_poses(PoseSource& source) {
     const std::uint64_t count = std::min(source.count(), cost_poses_max);
     std::vector<PosePair> poses;
@@ -67,7 +67,7 @@ std::vector<PosePair> some_poses(PoseSource& source) {
     return poses;
 }
 
-/// The time limit for measuring the cost of searches, after a run of `seconds`.
+/// Returns the time limit for measuring the cost of searches, after a run of `seconds`.
 Clock::duration cost_time_after(double seconds) {
     constexpr std::chrono::duration<double> most = std::chrono::milliseconds(50);
     const auto share = std::chrono::duration<double>(0.02 * seconds);

@@ -17,13 +17,13 @@
 
 namespace cd {
 
-/// Callbacks of a run, all on the calling thread.
+/// Callbacks of a run, all called on the thread that called `run_locally`.
 struct RunObserver {
-    /// Receives each result in the submitted order. If it returns an error, the run ends with it.
+    /// Takes each result, in the submitted order. An error that it returns ends the run.
     std::function<Status(const DoneScenario&)> result;
-    /// Called a few times a second or more often.
+    /// Takes the summary so far, a few times a second or more often.
     std::function<void(const Summary&, double seconds)> progress;
-    /// True ends the run with the error Interrupted.
+    /// If it returns true, the run ends with the error Interrupted.
     std::function<bool()> stopped;
 };
 
@@ -31,21 +31,21 @@ struct RunOutcome {
     Summary summary;
     std::optional<Sha256> digest;
     double seconds = 0;       ///< Run time, without import and building of trees.
-    JobStatistics statistics; ///< Sum over this run, without `LocalRunOptions::done`.
-    /// The cost of this job's searches, measured after the run at some of its poses, in a small
+    JobStatistics statistics; ///< Sum over the scenarios of this run, without `done`.
+    /// The cost of this job's searches, measured at some of its poses after the run, in a small
     /// share of the run's time. Nothing under a tolerance, or if no triangle was tested.
     std::optional<SearchCost> cost;
 };
 
 struct LocalRunOptions {
     PairStage first_stage = PairStage::Float;
-    /// Results of the first scenarios from an earlier run, which are not run again.
+    /// Results of an earlier run for the first scenarios, which are not run again.
     std::optional<ResultMerger> done;
 };
 
 /// Runs every scenario of `poses` on the pool's threads with a `ScenarioRunner`. Results and digest
-/// are equal for any number of threads. Results that wait for an earlier one are bounded in number
-/// and bytes. Errors: those of `poses` and of the observer; Interrupted.
+/// are equal for any number of threads. Results that wait for a lower index are bounded in number
+/// and bytes. Errors: from reading `poses`; the observer's; Interrupted.
 [[nodiscard]] Result<RunOutcome> run_locally(const ObbTree& a,
                                              const ObbTree& b,
                                              PoseSource& poses,

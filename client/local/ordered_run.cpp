@@ -12,10 +12,10 @@ namespace {
 
 using namespace std::chrono_literals;
 
-/// No more scenarios are wanted while this many wait for each thread.
+/// While this many scenarios wait for each thread, no more are wanted.
 constexpr std::uint64_t waiting_enough = 256;
 constexpr std::uint64_t block_scenarios = 512; ///< Scenarios to add at a time.
-/// The time that a batch should take.
+/// How long a thread should run one batch.
 constexpr std::chrono::steady_clock::duration batch_time = 250us;
 
 std::uint64_t bytes_of(const DoneScenario& done) {
@@ -112,7 +112,7 @@ std::vector<DoneScenario> OrderedRun::take(std::chrono::milliseconds period, boo
     });
     std::vector<DoneScenario> taken = done_.take();
     if (done_.is_full()) {
-        work_came_.notify_all(); // Another scenario may be due next and thus allowed to run.
+        work_came_.notify_all(); // A thread may now run the scenario that is due next.
     }
     return taken;
 }
@@ -134,12 +134,12 @@ void OrderedRun::work() {
     state_changed_.notify_all();
 }
 
-/// Takes the next batch. False when the run is stopping.
+/// Waits for work and takes the next batch. Returns false when the run is stopping.
 bool OrderedRun::refill(Batch& batch) {
     std::unique_lock lock(mutex_);
     work_came_.wait(lock, [this] {
-        // While results reach their bound, only the scenario due next runs: no result can be taken
-        // without it.
+        // While waiting results reach their bound, only the scenario due next is run, since without
+        // it no result can be taken.
         return stopping_ ||
                (!waiting_.empty() && (!done_.is_full() || waiting_.front().index == done_.next()));
     });
@@ -163,7 +163,7 @@ void OrderedRun::run_some(ScenarioSession& session, Batch& batch) {
         ScenarioRun run = session.run(batch.waiting[batch.ran++]);
         spent = std::chrono::steady_clock::now() - start;
         if (run.is_stopped) {
-            continue; // The run has ended, so nobody waits for the result.
+            continue; // Nobody waits for a result of a run that has ended.
         }
         batch.statistics += {run.statistics, run.inside};
         DoneScenario done =
@@ -181,7 +181,7 @@ void OrderedRun::hand_over(Batch& batch) {
     const auto not_run = batch.waiting.begin() + static_cast<std::ptrdiff_t>(batch.ran);
     const std::lock_guard lock(mutex_);
     if (not_run != batch.waiting.end()) {
-        // Threads take scenarios in order, so those not run are consecutive in `waiting_`.
+        // Threads take scenarios in order, so the ones not run are consecutive in `waiting_`.
         const auto position = std::ranges::lower_bound(
             waiting_, not_run->index, std::ranges::less(), &Scenario::index);
         waiting_.insert(position, not_run, batch.waiting.end());

@@ -19,17 +19,17 @@
 
 namespace cd {
 
-/// Results that wait until all results with lower indices are taken.
+/// Holds results until all results with lower indices are taken.
 class ResultQueue {
   public:
     /// `first` is the index of the first result to take.
     explicit ResultQueue(std::uint64_t first) : next_(first) {}
 
-    /// The index of the next result to take.
+    /// Returns the index of the next result to take.
     [[nodiscard]] std::uint64_t next() const { return next_; }
     [[nodiscard]] bool is_next_here() const { return !waiting_.empty() && waiting_.front(); }
-    /// True if the waiting results and those that the last `take` returned have at least
-    /// `limits::run_bytes_ahead_max` bytes.
+    /// True if the waiting results and the results that the last `take` returned have at least
+    /// `limits::run_bytes_ahead_max` bytes together.
     [[nodiscard]] bool is_full() const;
 
     void add(std::vector<DoneScenario>& results, std::uint64_t bytes);
@@ -39,46 +39,46 @@ class ResultQueue {
     void release_taken();
 
   private:
-    /// Slot i is for the result of scenario `next_` + i; nothing until that result is added.
+    /// Slot i holds the result of scenario `next_` + i, or nothing until that result is added.
     std::deque<std::optional<DoneScenario>> waiting_;
     std::uint64_t next_ = 0;
     std::uint64_t bytes_ = 0;
-    std::uint64_t bytes_taken_ = 0; ///< Part of `bytes_` that the last `take` returned.
+    std::uint64_t bytes_taken_ = 0; ///< The part of `bytes_` that the last `take` returned.
 };
 
-/// Scenarios are added in order; pool threads run them; results are taken in the same order.
+/// Runs scenarios, which are added in order, on pool threads; results are taken in that order.
 ///
-/// Threads exchange scenarios and results in batches of a fraction of a millisecond. Short
-/// scenarios thus do not cost a wakeup each, and long ones do not wait for each other. Results not
-/// yet taken are bounded in number and bytes.
+/// Threads exchange scenarios and results in batches of a fraction of a millisecond, so that short
+/// scenarios do not cost a wakeup each, and long ones do not wait for each other. Results that are
+/// not yet taken are bounded in number and bytes.
 class OrderedRun {
   public:
     /// `ended` is the flag that the runner's stop check reads; the destructor sets it. `first` is
-    /// the index of the first scenario to be added.
+    /// the index of the first scenario that will be added.
     OrderedRun(const ScenarioRunner& runner,
                std::atomic<bool>& ended,
                ThreadPool& pool,
                std::uint64_t first = 0);
     OrderedRun(const OrderedRun&) = delete;
     OrderedRun& operator=(const OrderedRun&) = delete;
-    /// Drops waiting scenarios, and returns when all pool threads have left.
+    /// Drops scenarios that were not run, and returns when all pool threads have left `work`.
     ~OrderedRun();
 
-    /// The number of scenarios to add now: 0 while the threads have enough, or while too many
+    /// Returns how many scenarios to add now: 0 while the threads have enough, or while too many
     /// results wait to be taken.
     [[nodiscard]] std::uint64_t wanted();
 
     void add(std::vector<Scenario> scenarios);
 
-    /// Waits for the next results in order. Returns none after the period, or with `may_add` when
-    /// scenarios are wanted. Results taken count as waiting until the next call.
+    /// Waits for the next results in order. Returns none after the period, or, if `may_add`, when
+    /// scenarios are wanted. The results returned count as waiting until the next call of `take`.
     [[nodiscard]] std::vector<DoneScenario> take(std::chrono::milliseconds period, bool may_add);
 
-    /// The statistics of all scenarios taken so far, and possibly of some more.
+    /// Returns the statistics of all scenarios taken so far, and possibly of some more.
     [[nodiscard]] JobStatistics statistics();
 
   private:
-    /// Scenarios that a thread has taken, and those of its results that it has not handed over.
+    /// Scenarios that a thread has taken, and results that it has not handed over yet.
     struct Batch {
         std::vector<Scenario> waiting;
         std::size_t ran = 0; ///< Number of `waiting` scenarios that were run.

@@ -23,7 +23,7 @@ Viewpoint front_right() {
     return {{0.7, -1, 0.6}};
 }
 
-/// The 26 directions to the faces, edges and corners of a cube.
+/// Returns the 26 directions to the faces, edges and corners of a cube.
 std::vector<Viewpoint> viewpoints() {
     std::vector<Viewpoint> found;
     for (const int z : {1, 0, -1}) {

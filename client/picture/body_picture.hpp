@@ -17,7 +17,7 @@ struct PictureSize {
     unsigned height = 750;
 };
 
-/// A body in a picture. The mesh must outlive the call.
+/// A body in a picture. The mesh must outlive the drawing.
 struct PicturedBody {
     const Mesh* mesh = nullptr;
     Pose pose; ///< Pose in the world.
@@ -25,11 +25,11 @@ struct PicturedBody {
     std::vector<std::uint32_t> contacts; ///< Triangles in contact, drawn in red.
 };
 
-/// Draws a mesh from the front right and above; its parts cycle through eight colours.
+/// Draws a mesh from the front, the right and above; eight colours take turns for its parts.
 [[nodiscard]] Image draw_parts(const Mesh& mesh, PictureSize size = {});
 
-/// Draws the bodies with their contacts. The view is the one of 26 directions (faces, edges and
-/// corners of a cube) that shows most contacts; the front right and above if none shows any.
+/// Draws bodies with their contacts, from the one of 26 directions (to the faces, edges and corners
+/// of a cube) that shows most contacts; from the front right and above if none shows any.
 [[nodiscard]] Image draw_contacts(std::span<const PicturedBody> bodies, PictureSize size = {});
 
 } // namespace cd

@@ -17,7 +17,7 @@ struct Colour {
     friend bool operator==(const Colour&, const Colour&) = default;
 };
 
-/// Pixels are in rows from top to bottom, from left to right.
+/// An image, whose pixels are in rows from top to bottom, each from left to right.
 struct Image {
     unsigned width = 0;
     unsigned height = 0;

@@ -9,7 +9,7 @@ namespace cd {
 namespace {
 
 constexpr double border = 0.04;    ///< Empty share of the picture around the scene.
-constexpr double ambient = 0.35;   ///< Light on a face seen edge on.
+constexpr double ambient = 0.35;   ///< Brightness of a face seen edge on.
 constexpr double mark_faint = 0.4; ///< Strength of a hidden mark, 0 to 1.
 constexpr Colour background{255, 255, 255};
 constexpr float nothing = -std::numeric_limits<float>::infinity();
@@ -44,7 +44,7 @@ Colour blended(Colour below, Colour above, double strength) {
     return {mix(below.red, above.red), mix(below.green, above.green), mix(below.blue, above.blue)};
 }
 
-/// Twice the signed area of the triangle a, b, (x, y) in the plane of the picture.
+/// Returns twice the signed area of the triangle a, b, (x, y) in the plane of the picture.
 double area2(const Vector& a, const Vector& b, double x, double y) {
     return (b[0] - a[0]) * (y - a[1]) - (b[1] - a[1]) * (x - a[0]);
 }
@@ -87,7 +87,7 @@ Rasteriser::Point Rasteriser::project(const Vec3& world) const {
 Colour Rasteriser::shaded(const Corners& world, Colour colour) const {
     const Vector normal = cross(vector_of(world[1] - world[0]), vector_of(world[2] - world[0]));
     const double length = std::sqrt(dot(normal, normal));
-    // The light comes from the eye, somewhat from above and from the left.
+    // The light comes from the eye's direction, but somewhat more from above and from the left.
     Vector light{};
     for (std::size_t i = 0; i < 3; ++i) {
         light[i] = axes_[2][i] + 0.5 * axes_[1][i] - 0.4 * axes_[0][i];

@@ -1,4 +1,4 @@
-// Rasterises triangles orthographically, with a depth buffer and flat shading, without a library.
+// Draws triangles orthographically, with a depth buffer and flat shading, without a library.
 #pragma once
 
 #include "client/picture/image.hpp"
@@ -10,27 +10,27 @@
 
 namespace cd {
 
-/// A view direction and its up vector, which are nonzero and not parallel.
+/// A view direction and an up vector, both nonzero and not parallel to each other.
 struct Viewpoint {
     Vec3 towards_eye; ///< Direction in world coordinates, of any length.
     Vec3 up = {0, 0, 1};
 };
 
-/// Rasterises a picture. It uses + - * / and sqrt of doubles in a fixed order, so pixels are
+/// Rasterises a picture. It uses only + - * / and sqrt of doubles in a fixed order, so pixels are
 /// identical on every host.
 class Rasteriser {
   public:
     /// Makes a picture of width x height pixels that shows all of `scene`, a box in world
-    /// coordinates. Each pixel is the mean of `samples` squared points.
+    /// coordinates. Each pixel is the mean of `samples` x `samples` points.
     Rasteriser(
         unsigned width, unsigned height, unsigned samples, const Viewpoint& eye, const Aabb& scene);
 
-    /// Draws both sides of a triangle in world coordinates, shaded by its angle to the view.
+    /// Draws both sides of a triangle in world coordinates, shaded by its angle to the light.
     void draw(const Corners& world, Colour colour);
-    /// Marks a triangle, which shows in full unless hidden, and faintly where hidden.
+    /// Marks a triangle: in full where it is in sight, and faintly where it is hidden.
     void mark(const Corners& world, Colour colour);
 
-    /// The number of sample points that show a mark in full.
+    /// Returns the number of sample points that show a mark in full.
     [[nodiscard]] std::size_t marks_in_sight() const;
     [[nodiscard]] Image image() const;
 
@@ -39,7 +39,7 @@ class Rasteriser {
         std::vector<float> depth; ///< Depth along `towards_eye`; the largest is in front.
         std::vector<Colour> colour;
     };
-    using Point = std::array<double, 3>; ///< Samples from left and top, and depth.
+    using Point = std::array<double, 3>; ///< Samples from the left and from the top, and depth.
 
     [[nodiscard]] Point project(const Vec3& world) const;
     [[nodiscard]] Colour shaded(const Corners& world, Colour colour) const;
@@ -52,7 +52,7 @@ class Rasteriser {
     std::array<std::array<double, 3>, 3> axes_; ///< Unit vectors right, up and towards the eye.
     double scale_ = 1;                          ///< Samples per unit of length.
     std::array<double, 2> center_{};            ///< Centre of the scene, along right and up.
-    double depth_margin_ = 0; ///< A mark is hidden if something is in front by more.
+    double depth_margin_ = 0; ///< A mark is hidden by what is farther in front of it.
     Layer solid_;
     Layer marked_;
 };

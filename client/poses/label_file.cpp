@@ -46,7 +46,7 @@ bool read_row(std::istream& in, CsvRow& row) {
 } // namespace
 
 std::uint64_t label_bytes(const PoseLabels& labels) {
-    constexpr std::uint64_t number_bytes = 25; // The longest double and a separator.
+    constexpr std::uint64_t number_bytes = 25; // The length of the longest double and a separator.
     const std::uint64_t numbers = labels.integers.size() + labels.times.size();
     std::uint64_t bytes = sizeof "id,t" + number_bytes * numbers;
     for (const std::string& text : labels.texts) {

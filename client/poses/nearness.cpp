@@ -11,7 +11,7 @@ namespace cd {
 namespace {
 
 constexpr std::uint64_t poses_at_once = 256;
-/// Bodies at least this many of their lengths apart probably have poses in another unit.
+/// Bodies farther apart than this many of their lengths probably have poses in another unit.
 constexpr double lengths_of_another_unit = 10;
 
 Aabb posed(const Aabb& box, const Pose& pose) {
@@ -29,7 +29,7 @@ double distance(const Aabb& a, const Aabb& b) {
     return gap.stableNorm();
 }
 
-/// The text of a length, rounded down.
+/// Formats a length, rounded down.
 std::string length_text(double length) {
     return length < 100 ? fixed_text(std::floor(10 * length) / 10, 1)
                         : grouped(static_cast<std::uint64_t>(length));

@@ -11,14 +11,14 @@
 
 namespace cd {
 
-/// The minimum distance of the bodies' boxes over all poses. Nothing if the boxes meet at one pose,
-/// if poses cannot be read, or if `stop` returns true.
+/// Returns the minimum distance of the bodies' boxes over all poses. Returns nothing if the boxes
+/// meet at a pose, if poses cannot be read, or if `stop` returns true.
 [[nodiscard]] std::optional<double>
 least_distance(const Mesh& a, const Mesh& b, PoseSource& poses, const StopCheck& stop = {});
 
-/// A line for the summary of a job whose boxes never overlap: the minimum distance and, if that is
-/// many lengths of the bodies, the question whether the poses are in millimetres. Empty if boxes
-/// overlap. Errors: Interrupted.
+/// Returns a line for the summary of a job whose boxes never meet: the minimum distance and, if it
+/// is many lengths of the bodies, the question whether the poses are in millimetres. Returns an
+/// empty text if boxes meet. Errors: Interrupted.
 [[nodiscard]] Result<std::string> nearness_hint(const Mesh& a,
                                                 const Mesh& b,
                                                 PoseSource& poses,

@@ -17,7 +17,7 @@ namespace cd {
 
 namespace {
 
-/// The layout of a pose, which the axes of an array after the first one give.
+/// Returns the layout of a pose, from the axes of an array after the first axis.
 Result<PoseLayout> layout_of(std::vector<std::uint64_t> shape, const PoseFileSpec& spec) {
     const std::vector<std::uint64_t> given = shape;
     shape.erase(shape.begin());

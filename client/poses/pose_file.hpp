@@ -27,10 +27,10 @@ struct OpenedPoses {
 /// has a second axis of two, and a CSV file columns `scenario` and `body`. Matrices and quaternions
 /// are kept as they are; Euler angles become quaternions. Large `.npy` arrays are not loaded whole.
 ///
-/// Errors: BadInput naming the file, the line or the row (from 0) and the value: a number that is
-/// missing or not finite; a quaternion whose norm is off by more than 1e-3; a matrix with max|R'R -
-/// I| > 1e-5 (or more than `rigid_tolerance`) or det <= 0. A warning counts the poses that are off
-/// by more than 1e-9. TooLarge if memory does not suffice.
+/// Errors: BadInput naming the file, the line or the row (from 0) and the value, for a number that
+/// is missing or not finite; a quaternion whose norm differs from 1 by more than 1e-3; a matrix
+/// with max|R'R - I| > 1e-5 or det <= 0 (`rigid_tolerance` replaces 1e-3 and 1e-5). A warning
+/// counts the poses off by more than 1e-9. TooLarge if memory does not suffice.
 [[nodiscard]] Result<OpenedPoses> open_pose_file(const PoseFileSpec& spec);
 
 } // namespace cd

@@ -45,8 +45,8 @@ bool is_quaternion(PoseLayout layout) {
     return layout == PoseLayout::Xyzw || layout == PoseLayout::Wxyz;
 }
 
-/// How far a pose is off from rigid: |norm - 1| of a quaternion, max|R'R - I| of a matrix. Errors:
-/// BadInput for faults that no tolerance allows.
+/// Returns how far a pose is from rigid: |norm - 1| of a quaternion, max|R'R - I| of a matrix.
+/// Errors: BadInput for faults that no tolerance allows.
 Result<double>
 distance_from_rigid(std::span<const double> v, PoseLayout layout, double length_factor) {
     const auto bad = [](std::string detail) { return bad_input(std::move(detail)); };
@@ -99,7 +99,7 @@ class TableSource final : public PoseSource {
         const auto numbers = CD_TRY(table_.rows->read(first, count));
         const std::size_t size = numbers_of(table_.layout);
         std::span<const double> rest = numbers;
-        // The file may have changed since it was checked.
+        // Checks each row again, since the file may have changed since `check_rows`.
         for (std::size_t i = 0; i < rest.size(); i += size) {
             const auto off =
                 distance_from_rigid(rest.subspan(i, size), table_.layout, table_.length_factor);
@@ -121,7 +121,7 @@ class TableSource final : public PoseSource {
     }
 
   private:
-    /// Makes a pose from the first of the numbers, and removes these from the span.
+    /// Makes a pose from the first numbers of the span, and removes them from it.
     [[nodiscard]] Pose next_pose(std::span<const double>& numbers) const {
         const std::size_t size = numbers_of(table_.layout);
         const auto pose = to_pose(numbers.first(size), table_.layout, table_.length_factor);
@@ -130,7 +130,7 @@ class TableSource final : public PoseSource {
     }
 
     PoseTable table_;
-    std::mutex mutex_; ///< Readers share the file's position.
+    std::mutex mutex_; ///< Guards the position in the file.
 };
 
 } // namespace

@@ -1,4 +1,4 @@
-// Rows of numbers as poses: layouts, and the check that they are rigid.
+// Reads poses from rows of numbers, and checks that they are rigid.
 #pragma once
 
 #include "client/formats/npy.hpp"
@@ -24,7 +24,7 @@ enum class PoseLayout : std::uint8_t {
 
 [[nodiscard]] std::size_t numbers_of(PoseLayout layout);
 
-/// Rows with one pose (B's in A's frame), or two (A's, then B's, in the world).
+/// Rows with one pose each (B's in A's frame), or two (A's, then B's, in the world).
 struct PoseTable {
     std::unique_ptr<NpyRows> rows;
     PoseLayout layout = PoseLayout::Matrix44;
@@ -37,23 +37,23 @@ struct PoseTable {
     std::string name = {};    ///< Name of the file.
 };
 
-/// The location of a pose in its file: "line 2" in a text file, else "row 0", or "row 0, body a" if
+/// Names a pose's place in its file: "line 2" in a text file, else "row 0", or "row 0, body a" if
 /// rows have poses of both bodies. Poses are numbered across rows.
 [[nodiscard]] std::string place_of_pose(const PoseTable& table, std::uint64_t pose);
 
-/// The result of checking all rows.
+/// What `check_rows` finds in rows that it accepts.
 struct RigidityReport {
-    std::uint64_t off = 0;        ///< Poses off by more than 1e-9 and accepted.
-    std::uint64_t worst_pose = 0; ///< Number of the pose that is off most, as for `place_of_pose`.
-    double worst = 0;             ///< How far that pose is off.
+    std::uint64_t off = 0;        ///< Accepted poses that are off by more than 1e-9.
+    std::uint64_t worst_pose = 0; ///< The pose that is off most, as in `place_of_pose`.
+    double worst = 0;             ///< How far `worst_pose` is off.
 };
 
-/// Reads and checks all rows. Errors: BadInput naming the location and the value, as
-/// `open_pose_file`.
+/// Reads and checks all rows. Errors: BadInput naming the place and the value, as for
+/// `open_pose_file`; Io.
 [[nodiscard]] Result<RigidityReport> check_rows(const PoseTable& table,
                                                 std::optional<double> rigid_tolerance);
 
-/// A source of the scenarios in the rows, which `check_rows` must have accepted.
+/// Makes a source of the scenarios in rows, which `check_rows` must have accepted.
 [[nodiscard]] std::unique_ptr<PoseSource> make_table_source(PoseTable table);
 
 } // namespace cd

@@ -39,7 +39,7 @@ std::string_view trimmed(std::string_view text) {
     return is_quoted ? without_blanks(text.substr(1, text.size() - 2)) : text;
 }
 
-/// The text with each doubled quote replaced by one quote (RFC 4180).
+/// Replaces each doubled quote by one quote (RFC 4180).
 std::string with_single_quotes(std::string_view text) {
     std::string single;
     for (std::size_t i = 0; i < text.size(); ++i) {
@@ -49,7 +49,7 @@ std::string with_single_quotes(std::string_view text) {
     return single;
 }
 
-/// The position of the first separator outside quotes; npos if there is none.
+/// Returns the position of the first separator outside quotes; npos if there is none.
 std::size_t end_of_word(std::string_view line, std::string_view separators) {
     bool is_quoted = false;
     for (std::size_t i = 0; i < line.size(); ++i) {
@@ -93,10 +93,10 @@ PoseTable make_table(std::vector<double> numbers, PoseLayout layout, bool of_bot
 
 enum class ColumnSet { Quaternion, Matrix, Euler };
 
-/// The position of a missing column, whose numbers are 0.
+/// The position of a missing column, each of whose numbers is 0.
 constexpr std::size_t no_column = static_cast<std::size_t>(-1);
 
-/// The column of one number of a pose, and the number's factor.
+/// The column that holds one number of a pose, and the factor for that number.
 struct NumberColumn {
     std::size_t index = no_column;
     double factor = 1;
@@ -127,7 +127,7 @@ const std::vector<std::string_view>& names_of(ColumnSet set) {
     return set == ColumnSet::Quaternion ? quaternion : set == ColumnSet::Euler ? euler : matrix;
 }
 
-/// The names of the columns, in lower case.
+/// The names of a file's columns, in lower case.
 class HeaderNames {
   public:
     explicit HeaderNames(std::string_view line) {
@@ -140,7 +140,7 @@ class HeaderNames {
     }
 
     [[nodiscard]] const std::vector<std::string>& all() const { return names_; }
-    /// The position of a column, or `no_column`.
+    /// Returns the position of a column, or `no_column`.
     [[nodiscard]] std::size_t index_of(std::string_view name) const {
         const auto found = std::ranges::find(names_, name);
         return found == names_.end() ? no_column : static_cast<std::size_t>(found - names_.begin());
@@ -151,7 +151,7 @@ class HeaderNames {
     std::vector<std::string> names_;
 };
 
-/// Errors: BadInput for an angle without a unit, or in both units.
+/// Checks the angles' names. Errors: BadInput for an angle without a unit, or in both units.
 Status check_angles(const HeaderNames& names, std::uint64_t line) {
     for (const std::string_view angle : angle_names) {
         const std::string name(angle);
@@ -167,7 +167,7 @@ Status check_angles(const HeaderNames& names, std::uint64_t line) {
     return Done{};
 }
 
-/// The column of one number, under its name with or without a unit.
+/// Finds the column of one number, under its name with or without a unit.
 NumberColumn find_column(const HeaderNames& names, const std::string& name, ColumnSet set) {
     if (names.has(name) || set != ColumnSet::Euler) {
         return {names.index_of(name)};
@@ -177,8 +177,8 @@ NumberColumn find_column(const HeaderNames& names, const std::string& name, Colu
                : NumberColumn{names.index_of(name + "_deg")};
 }
 
-/// Finds the columns of all numbers of a pose. Errors: BadInput for a missing column that is
-/// required.
+/// Finds the columns of all numbers of a pose. Errors: BadInput for a required column that is
+/// missing.
 Status find_numbers(const HeaderNames& names, std::uint64_t line, Columns& columns) {
     for (const std::string_view wanted : names_of(columns.set)) {
         const std::string name(wanted);
@@ -197,7 +197,7 @@ Status find_numbers(const HeaderNames& names, std::uint64_t line, Columns& colum
     return Done{};
 }
 
-/// Errors: BadInput for an unknown or a repeated column.
+/// Checks all column names. Errors: BadInput for an unknown or a repeated column.
 Status check_others(const HeaderNames& names, std::uint64_t line, const Columns& columns) {
     constexpr std::array<std::string_view, 6> others{"id", "t", "time", "name", "scenario", "body"};
     for (std::size_t i = 0; i < names.all().size(); ++i) {
@@ -216,8 +216,8 @@ Status check_others(const HeaderNames& names, std::uint64_t line, const Columns&
     return Done{};
 }
 
-/// Errors: BadInput if `scenario` or `body` is missing for poses of both bodies, or `scenario` is
-/// given for poses of one.
+/// Checks the columns that name scenario and body. Errors: BadInput if one of them is missing for
+/// poses of both bodies, or if `scenario` is given for poses of one body.
 Status check_bodies(const HeaderNames& names, std::uint64_t line, bool of_both_bodies) {
     if (of_both_bodies && (!names.has("scenario") || !names.has("body"))) {
         return bad(line, "poses of both bodies need the columns 'scenario' and 'body'");
@@ -248,7 +248,7 @@ Result<Columns> read_header(std::string_view line, std::uint64_t number, bool of
     return columns;
 }
 
-/// The numbers of one line, as a matrix or as x y z qx qy qz qw.
+/// Reads the numbers of one line, as a matrix or as x y z qx qy qz qw.
 Result<std::vector<double>> read_numbers(const std::vector<std::string_view>& words,
                                          const Columns& columns,
                                          std::uint64_t line) {
@@ -276,7 +276,7 @@ Result<std::vector<double>> read_numbers(const std::vector<std::string_view>& wo
     return numbers;
 }
 
-/// Errors: BadInput for anything but a finite number.
+/// Adds a row's time to the labels. Errors: BadInput for anything but a finite number.
 Status add_time(std::string_view word, std::uint64_t line, PoseLabels& labels) {
     const auto time = to_number(word);
     if (!time || !std::isfinite(*time)) {
@@ -286,8 +286,8 @@ Status add_time(std::string_view word, std::uint64_t line, PoseLabels& labels) {
     return Done{};
 }
 
-/// Adds the id and the time of a row, if it has them. Errors: BadInput for an id that is too long,
-/// and for a time that is no number.
+/// Adds a row's id and time to the labels, as far as the file has them. Errors: BadInput for an id
+/// that is too long, and for a time that is not a number.
 Status add_labels(const std::vector<std::string_view>& words,
                   const Columns& columns,
                   std::uint64_t line,
@@ -312,7 +312,7 @@ bool is_body_b(std::string_view word) {
     return word == "b" || word == "B" || word == "1";
 }
 
-/// Sorts rows with `scenario` and `body` into pairs of poses.
+/// Collects rows with `scenario` and `body`, in any order, into pairs of poses.
 class BothBodies {
   public:
     explicit BothBodies(std::size_t numbers) : numbers_(numbers) {}
@@ -333,7 +333,7 @@ class BothBodies {
         }
         const std::size_t slot = 2 * static_cast<std::size_t>(*scenario) + (is_b ? 1 : 0);
         if (slot >= seen_.size()) {
-            // Rows may have any order. Only a broken file has large gaps.
+            // Refuses a large gap, which only a broken file has, though rows may have any order.
             if (slot > 2 * (rows_ + gap_max)) {
                 return bad(line, "scenario " + std::string(scenario_word) + " is far out of order");
             }
@@ -365,9 +365,9 @@ class BothBodies {
         }
         return std::move(values_);
     }
-    /// The scenario numbers of the rows of body a, in the order of the file.
+    /// Returns the scenario numbers of the rows of body a, in the order of the file.
     [[nodiscard]] const std::vector<std::size_t>& order() const { return order_; }
-    /// The line of each pose that `finish` returns.
+    /// Returns the line of each pose that `finish` returns.
     std::vector<std::uint64_t> take_lines() { return std::move(lines_); }
 
   private:
@@ -395,7 +395,7 @@ Result<PoseTable> read_csv_poses(std::istream& in, bool of_both_bodies) {
     while (std::getline(in, line)) {
         ++number;
         if (number == 1 && line.starts_with("\xEF\xBB\xBF")) {
-            line.erase(0, 3); // A byte order mark, as spreadsheets write it.
+            line.erase(0, 3); // Drops a byte order mark, which spreadsheets write.
         }
         if (is_comment(line)) {
             continue;

@@ -30,7 +30,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// The error when the master cannot write `what` to its disk.
+/// Returns the error for a master that cannot write `what` to its disk.
 Error no_room(const std::string& what, const Error& error) {
     return {ErrorCode::Incomplete, "the master has no room for " + what + ": " + error.detail};
 }
@@ -43,7 +43,7 @@ std::string host_name() {
     return escaped(std::string(host.data())).substr(0, 150);
 }
 
-/// The name of the effective user's account. The environment may lack it.
+/// Returns the name of the effective user's account, which the environment may lack.
 std::string user_name() {
     std::array<char, 4096> texts{};
     passwd entry{};
@@ -86,8 +86,8 @@ Status take_poses(const JobPoses& part, std::uint64_t next, std::uint64_t left, 
     return Done{};
 }
 
-/// Stores the result of a coroutine. co_spawn could not pass it to its completion handler, since a
-/// Result has no default constructor.
+/// Stores the result of a coroutine in `result`. co_spawn could not pass it to its completion
+/// handler, since a Result has no default constructor.
 template <class T>
 asio::awaitable<void> keep(asio::awaitable<Result<T>> coroutine, std::optional<Result<T>>& result) {
     result = co_await std::move(coroutine);
@@ -102,8 +102,8 @@ struct Connection::State {
     std::string address;
     std::string owner;
     std::shared_ptr<Channel> channel;
-    /// Status queries of a watch that the master has not answered. A watch may end before their
-    /// answers arrive.
+    /// Status queries sent by `watch` that the master has not answered. A watch may end before
+    /// their answers arrive, so `answer` skips these.
     std::size_t cluster_statuses_due = 0;
 
     [[nodiscard]] bool is_stopped() const { return heeds_stop && stopped(); }
@@ -121,16 +121,16 @@ struct Connection::State {
                     std::rethrow_exception(thrown);
                 }
                 done = true;
-                context.stop(); // Otherwise `run_for` waits for the channel's pending read.
+                context.stop(); // Ends `run_for`, which would wait for the channel's read.
             });
         run_until(done);
         return done ? std::move(*result) : Result<T>(interrupted());
     }
 
     /// Runs the context until `done`. After a stop, most coroutines end by themselves, since their
-    /// waits poll `stopped`. Closing the channel ends those that wait for a peer that does not
-    /// read. Before a channel exists, this returns at once, and the destructor abandons pending
-    /// operations.
+    /// waits poll `stopped`. Closing the channel ends the ones that wait for a peer that does not
+    /// read. Before a channel exists, a stop ends the loop at once, and the destructor abandons
+    /// pending operations.
     void run_until(const bool& done) {
         std::optional<Clock::time_point> stopped_at;
         while (!done) {
@@ -168,7 +168,7 @@ struct Connection::State {
         }
     }
 
-    /// Waits for room in the send queue.
+    /// Waits until the send queue has room. Errors: Interrupted.
     asio::awaitable<Status> make_room() {
         if (is_stopped()) {
             co_return interrupted();
@@ -274,8 +274,8 @@ struct Connection::State {
         co_return Done{};
     }
 
-    /// Reads the window that begins at `first`, of which `left` scenarios exist at most, in pieces
-    /// between which a stop is noticed.
+    /// Reads the window of scenarios that begins at `first`, of which at most `left` exist. Reads
+    /// it in pieces, to notice a stop between them.
     Result<std::vector<Scenario>>
     read_window(PoseSource& poses, std::uint64_t first, std::uint64_t left) const {
         std::vector<Scenario> window;
@@ -321,9 +321,9 @@ struct Connection::State {
         co_return accepted.value().job;
     }
 
-    /// The master may send no status of a job for a long time. The client therefore queries the
-    /// cluster's status after each silence and periodically. An unanswered query reveals a dead
-    /// master.
+    /// Watches a job to its end. Since the master may send no status of the job for a long time,
+    /// the client asks for the cluster's status after each silence and, if `looked` is set,
+    /// periodically. A query without an answer reveals a dead master.
     asio::awaitable<Result<JobStatus>>
     watch(JobId job,
           const std::function<void(const JobStatus&)>& changed,
@@ -375,8 +375,8 @@ struct Connection::State {
         }
     }
 
-    /// Statuses for an interrupted `watch` may arrive before the answer to Cancel, so those of a
-    /// running job are skipped.
+    /// Cancels a job. Statuses that an interrupted `watch` requested may arrive before the answer
+    /// to Cancel, so statuses of a running job are skipped.
     asio::awaitable<Result<JobStatus>> cancel(JobId job) {
         channel->send(Cancel{job});
         while (true) {
@@ -391,8 +391,8 @@ struct Connection::State {
 Connection::Connection(std::unique_ptr<State> state) : state_(std::move(state)) {}
 
 Connection::~Connection() {
-    // No call that ended well has messages left in the queue. The master drops this client when the
-    // socket closes.
+    // A call that ended well has left no messages in the queue. The master drops this client when
+    // the socket closes.
     if (state_->channel != nullptr) {
         state_->channel->close();
     }
@@ -504,7 +504,7 @@ Result<ClusterStatus> Connection::status() {
 }
 
 Result<JobStatus> Connection::cancel(JobId job) {
-    // Cancelling must also work after `stopped` has returned true.
+    // Cancelling must work even after `stopped` has returned true.
     state_->heeds_stop = false;
     Result<JobStatus> status = state_->run(state_->cancel(job));
     state_->heeds_stop = true;
@@ -547,8 +547,8 @@ Status Connection::pause(std::chrono::milliseconds time) {
             std::min<Clock::duration>(timing::stop_check_period, end - Clock::now()));
         bool is_over = false;
         timer.async_wait([&is_over](const boost::system::error_code&) { is_over = true; });
-        // Runs handlers only until the timer fires: `run` would also wait for the channel's
-        // deadlines, which may be far away.
+        // Runs handlers only until the timer fires; `run` would also wait for the deadlines of the
+        // channel, which may be far away.
         while (!is_over) {
             state_->context.run_one();
         }

@@ -19,7 +19,7 @@
 
 namespace cd {
 
-/// A mesh that a job needs, with its name in messages to the user.
+/// A mesh that a job needs, and its name in messages to the user.
 struct NamedMesh {
     std::string name;
     std::shared_ptr<const Mesh> mesh;
@@ -31,15 +31,15 @@ struct FetchedPoses {
     PoseLabels labels;
 };
 
-/// A connection for one thread. Every call blocks and may fail with: Disconnected; Timeout when the
-/// master is silent for long; BadFrame for an invalid answer; the code and text of a Failure from
-/// the master; and Interrupted soon after `stopped` returns true. After Interrupted only `cancel`
-/// and the destructor may be called.
+/// A connection for use by one thread. Every call blocks and may fail with: Disconnected; Timeout
+/// when the master is silent for long; BadFrame for an invalid answer; the code and text of a
+/// Failure from the master; and Interrupted soon after `stopped` returns true. After Interrupted
+/// only `cancel` and the destructor may be called.
 class Connection {
   public:
-    /// `address` is HOST:PORT. A waiting call polls `stopped` a few times a second. A null `tls`
-    /// connects in plain text. Errors: BadInput for the address; Refused beyond loopback without
-    /// TLS or `insecure`, or by the master.
+    /// Connects to `address`, HOST:PORT. Calls that wait poll `stopped` a few times a second. A
+    /// null `tls` connects in plain text. Errors: BadInput for the address; Refused by the master,
+    /// or beyond loopback without TLS and without `insecure`.
     [[nodiscard]] static Result<std::unique_ptr<Connection>>
     open(const std::string& address,
          bool insecure,
@@ -49,68 +49,68 @@ class Connection {
     Connection& operator=(const Connection&) = delete;
     ~Connection();
 
-    /// Reports the upload of a mesh: at its start, after each piece, and at its end.
+    /// Is called during the upload of a mesh: at its start, after each piece, and at its end.
     using UploadProgress =
         std::function<void(const NamedMesh&, std::uint64_t bytes, std::uint64_t bytes_total)>;
     /// Uploads each mesh that the master lacks, once, and waits until the master has stored it.
-    /// Errors: Incomplete naming a mesh that the master has no room for.
+    /// Errors: Incomplete naming a mesh for which the master has no room.
     [[nodiscard]] Status upload(std::span<const NamedMesh> meshes, const UploadProgress& progress);
 
     /// Submits a job whose poses are a grid (`submit.grid` is set).
     [[nodiscard]] Result<JobId> submit(const Submit& submit);
     /// Submits a job and its poses, a few thousand scenarios at a time. Either all poses have
-    /// labels or none has. Sets `submit.scenarios` and `submit.poses.labels`. Errors: also those of
-    /// `poses`.
+    /// labels or none has. Sets `submit.scenarios` and `submit.poses.labels`. Errors: Incomplete if
+    /// the master has no room for the poses; the errors of reading `poses`.
     [[nodiscard]] Result<JobId>
     submit(Submit submit, PoseSource& poses, const PoseLabels& labels = {});
 
-    /// Waits until the job has ended. Calls `changed` with each status, including the last, and
-    /// `looked`, if set, with the cluster's status: now and then, and more often while the job
-    /// makes no progress.
+    /// Waits until the job has ended. Calls `changed` with each status of the job, including the
+    /// last. Calls `looked`, if set, with the cluster's status: now and then, and more often while
+    /// the job makes no progress.
     [[nodiscard]] Result<JobStatus>
     watch(JobId job,
           const std::function<void(const JobStatus&)>& changed,
           const std::function<void(const ClusterStatus&)>& looked = {});
 
-    /// The contact map of a completed job. Errors: NotFound; Refused.
+    /// Fetches the contact map of a completed job. Errors: NotFound; Refused.
     [[nodiscard]] Result<ContactMapAnswer> contact_map(JobId job);
 
-    /// Fetches the existing results of scenarios [first, first + count), part by part, in the order
-    /// of their indices. Skips scenarios without a result. An error of `take` ends the fetch.
+    /// Passes the results of scenarios [first, first + count) to `take`, in the order of their
+    /// indices. Skips scenarios without a result. An error of `take` ends the fetch.
     [[nodiscard]] Status fetch(JobId job,
                                std::uint64_t first,
                                std::uint64_t count,
                                const std::function<Status(const ScenarioResult&)>& take);
 
-    /// The description with which a job was submitted. Errors: NotFound.
+    /// Fetches the description with which a job was submitted. Errors: NotFound.
     [[nodiscard]] Result<JobDescription> job_description(JobId job);
     /// Fetches a mesh and checks its hash. Errors: NotFound; TooLarge.
     [[nodiscard]] Result<Mesh> fetch_mesh(const Sha256& mesh);
     /// Fetches the poses and labels of scenarios [first, first + count), which must exist, into
-    /// memory. Callers that need many fetch them part by part. Errors: NotFound; BadInput.
+    /// memory, so callers that need many fetch them part by part. Errors: NotFound; BadInput.
     [[nodiscard]] Result<FetchedPoses>
     fetch_poses(JobId job, std::uint64_t first, std::uint64_t count);
 
-    /// The user to whom the master assigns jobs submitted on this connection.
+    /// Returns the user to whom the master assigns jobs submitted on this connection.
     [[nodiscard]] const std::string& owner() const;
     [[nodiscard]] Result<ClusterStatus> status();
-    /// Cancels the job, unless it has ended. Returns its status afterwards.
+    /// Cancels a job unless it has ended. Returns its last status.
     [[nodiscard]] Result<JobStatus> cancel(JobId job);
-    /// Removes a job, and its meshes if no other job uses them. Errors: NotFound; Refused unless
-    /// the user owns it, or while it runs and `cancel` is not set.
+    /// Removes a job, and its meshes if no other job uses them. Errors: NotFound; Refused if the
+    /// user does not own the job, or if it runs and `cancel` is not set.
     [[nodiscard]] Result<Removed> remove_job(JobId job, bool cancel);
-    /// Removes a mesh. Errors: NotFound; Refused unless the user is an admin, or while a job uses
-    /// it.
+    /// Removes a mesh. Errors: NotFound; Refused if the user is not an admin, or while a job uses
+    /// the mesh.
     [[nodiscard]] Result<Removed> remove_mesh(const Sha256& mesh);
     /// Drains workers. Errors: NotFound; Refused unless the user is an admin.
     [[nodiscard]] Result<Draining> drain(const DrainWorkers& wish);
-    /// Makes one scenario fail; the job continues. Errors: NotFound; Refused if it has a result.
+    /// Makes one scenario fail; its job goes on. Errors: NotFound; Refused if it has a result.
     [[nodiscard]] Result<JobStatus> cancel_scenario(JobId job, std::uint64_t scenario);
-    /// The scores by which the master chooses a worker for a scenario of a running job.
+    /// Asks how the master scores each worker for a scenario of a running job.
     [[nodiscard]] Result<Explained> explain(JobId job, std::uint64_t scenario);
     /// Creates a token to join the cluster. Errors: Refused unless the user is an admin.
     [[nodiscard]] Result<TokenCreated> create_token(const TokenCreate& terms);
-    /// Sleeps. Errors: Interrupted.
+    /// Sleeps for `time`. Errors: Interrupted.
     [[nodiscard]] Status pause(std::chrono::milliseconds time);
 
   private:

@@ -13,8 +13,8 @@
 
 namespace cd {
 
-/// A thread that renews the credential for a master, in its file, each time that half of the
-/// credential's lifetime has passed. Does nothing without a credential.
+/// A thread that renews a user's credential for a master, in the credential's file, each time that
+/// half of its lifetime has passed. Without a credential there is no thread.
 class CredentialRenewal {
   public:
     CredentialRenewal(MasterOptions options, Endpoint master);
@@ -22,7 +22,7 @@ class CredentialRenewal {
     CredentialRenewal& operator=(const CredentialRenewal&) = delete;
     ~CredentialRenewal();
 
-    /// The number of renewals so far.
+    /// Returns the number of renewals so far.
     [[nodiscard]] std::uint64_t count() const { return count_; }
 
   private:

@@ -19,8 +19,8 @@ asio::awaitable<void> keep(asio::awaitable<Result<Credential>> coroutine,
     result = co_await std::move(coroutine);
 }
 
-/// Runs the conversation on this thread until it ends or is stopped. Each wait in the conversation
-/// has a deadline. Errors: those of the conversation; Interrupted.
+/// Runs a conversation with a master on this thread until it ends or is stopped. Each wait in it
+/// has a deadline. Errors: the conversation's; Interrupted.
 Result<Credential> run(asio::awaitable<Result<Credential>> conversation,
                        const std::stop_token& stop = {}) {
     asio::io_context context(1);
@@ -77,7 +77,7 @@ client_tls(const MasterOptions& options, const Endpoint& master, const std::stop
         return tls;
     }
     if (!next) {
-        // The old credential may still be valid; otherwise the master refuses it.
+        // Keeps the old credential, which may still be valid; if not, the master refuses it.
         std::fprintf(stderr,
                      "cdctl: warning: the credential %s was not renewed: %s\n",
                      path.c_str(),
@@ -103,7 +103,7 @@ Result<Identity> join_as_client(const Endpoint& master,
                                 const JoinToken& token,
                                 const std::string& name,
                                 const std::filesystem::path& path) {
-    // A join consumes a use of the token, so check first that the credential can be written.
+    // Checks first that the credential can be written, since a join consumes a use of the token.
     CD_TRY(check_can_write(path));
     const Credential credential = CD_TRY(run(join_cluster(master, token, name)));
     CD_TRY(write_credential(path, credential));

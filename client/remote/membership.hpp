@@ -14,23 +14,23 @@
 
 namespace cd {
 
-/// The path of the credential for this master: as `options` say, or in the user's state folder.
-/// Empty if the options say "none".
+/// Returns the path of the credential for this master: as `options` say, or in the user's state
+/// folder. The path is empty if the options say "none".
 [[nodiscard]] std::filesystem::path client_credential_path(const MasterOptions& options,
                                                            const Endpoint& master);
 
-/// The TLS settings of a connection. Null, for plain text, if the options say "none", or if they
-/// name no credential and the user has none. Renews a credential past half of its lifetime, and
-/// prints a warning if this fails. `stop` aborts the renewal. Errors: those of `read_credential`.
+/// Returns the TLS settings of a connection: null, for plain text, if the options say "none", or if
+/// they name no credential and the user has none. Renews a credential past half of its lifetime;
+/// prints a warning if that fails. `stop` aborts the renewal. Errors: as `read_credential`.
 [[nodiscard]] Result<std::shared_ptr<const Tls>>
 client_tls(const MasterOptions& options, const Endpoint& master, const std::stop_token& stop = {});
 
-/// The time at which the credential for this master is due for renewal; nothing if there is none.
+/// Returns when the credential for this master is due for renewal; nothing without a credential.
 [[nodiscard]] std::optional<std::chrono::system_clock::time_point>
 renewal_time(const MasterOptions& options, const Endpoint& master);
 
-/// Joins the cluster with a token, and writes the credential obtained to the file `path`. Returns
-/// the identity in its certificate. Errors: those of `join_cluster` and `write_credential`.
+/// Joins the cluster with a token, and writes the new credential to the file `path`. Returns the
+/// identity in its certificate. Errors: as `join_cluster` and `write_credential`.
 [[nodiscard]] Result<Identity> join_as_client(const Endpoint& master,
                                               const JoinToken& token,
                                               const std::string& name,

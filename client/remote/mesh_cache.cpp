@@ -47,7 +47,7 @@ std::shared_ptr<const Mesh> MeshCache::find(const Sha256& mesh) const {
     if (!found) {
         return nullptr;
     }
-    // Marks the file as just used, for `keep_within`. In a read-only folder this has no effect.
+    // Marks the file as just used, for `keep_within`; this fails harmlessly in a read-only folder.
     std::error_code ignored;
     std::filesystem::last_write_time(path, std::filesystem::file_time_type::clock::now(), ignored);
     return found.value();
@@ -58,7 +58,7 @@ void MeshCache::keep(const Mesh& mesh) const {
         return;
     }
     const std::filesystem::path path = mesh_file_path(folder_, mesh.hash());
-    // Not synced: a mesh lost in a power failure is fetched again, which costs less than syncing.
+    // Syncing costs more than fetching a mesh again that was lost in a power failure.
     if (write_mesh_file(path, mesh, Durability::Unsynced)) {
         keep_within(folder_, std::array{mesh_suffix}, bytes_max_, path);
     }

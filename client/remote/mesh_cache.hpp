@@ -12,11 +12,11 @@
 
 namespace cd {
 
-/// The path of a mesh's file in a folder: its hash in hex, with the suffix ".mesh".
+/// Returns the path of a mesh's file in a folder: its hash in hex, with the suffix ".mesh".
 [[nodiscard]] std::filesystem::path mesh_file_path(const std::filesystem::path& folder,
                                                    const Sha256& mesh);
 
-/// Writes a mesh's canonical bytes. Errors: Io.
+/// Writes a mesh's canonical bytes to a file. Errors: Io.
 [[nodiscard]] Status write_mesh_file(const std::filesystem::path& path,
                                      const Mesh& mesh,
                                      Durability durability = Durability::Synced);
@@ -25,9 +25,9 @@ namespace cd {
 [[nodiscard]] Result<std::shared_ptr<const Mesh>> read_mesh_file(const std::filesystem::path& path,
                                                                  const Sha256& expected);
 
-/// The mesh files in the folder `meshes` of the tree cache, which processes share. The cache
-/// reports no errors: an unusable file counts as missing; a mesh that cannot be written is not
-/// kept.
+/// The mesh files in the folder `meshes` of the tree cache, which several processes may use. The
+/// cache reports no errors: an unusable file counts as missing; a mesh that cannot be written is
+/// not kept.
 class MeshCache {
   public:
     /// An empty path disables the cache.
@@ -35,9 +35,9 @@ class MeshCache {
                        std::uint64_t bytes_max = limits::tree_cache_bytes_max)
         : folder_(tree_cache.empty() ? tree_cache : tree_cache / "meshes"), bytes_max_(bytes_max) {}
 
-    /// The mesh, checked against its hash; null if it is not cached.
+    /// Returns the mesh, checked against its hash; null if it is not cached.
     [[nodiscard]] std::shared_ptr<const Mesh> find(const Sha256& mesh) const;
-    /// Keeps a mesh, and removes the least recently used ones until the cache is within its bound.
+    /// Writes a mesh, and removes the least recently used ones until the cache is within its bound.
     void keep(const Mesh& mesh) const;
 
   private:

@@ -8,8 +8,8 @@ namespace cd {
 
 Result<std::vector<ScenarioResult>>
 unpack_results(const ResultsPart& part, std::uint64_t first, std::uint64_t count) {
-    // The decoder of messages has checked that the intervals `part.held` ascend within [part.first,
-    // part.next).
+    // The decoder of messages has checked that the intervals in `part.held` ascend and lie within
+    // [part.first, part.next).
     if (part.first != first || part.next <= first || part.next - first > count) {
         return Error{ErrorCode::BadFrame, "the master sent other results than were asked for"};
     }

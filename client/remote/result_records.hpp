@@ -10,8 +10,8 @@
 
 namespace cd {
 
-/// The results of scenarios [first, part.next) in order; the part must cover 1 to `count`
-/// scenarios. The bytes are untrusted. Errors: BadFrame for any other part; TooLarge.
+/// Returns the results of scenarios [first, part.next) in order. `part` is untrusted; it must begin
+/// at `first` and cover 1 to `count` scenarios. Errors: BadFrame if it does not; TooLarge.
 [[nodiscard]] Result<std::vector<ScenarioResult>>
 unpack_results(const ResultsPart& part, std::uint64_t first, std::uint64_t count);
 

@@ -35,7 +35,7 @@ std::string worker_state(const WorkerStatus& worker) {
     return "idle";
 }
 
-/// A time in UTC: "2026-03-01 12:00:00Z"; empty if the time cannot be converted.
+/// Returns a time in UTC: "2026-03-01 12:00:00Z"; empty if the time cannot be converted.
 std::string utc_text(std::uint64_t unix_seconds) {
     const auto time = static_cast<std::time_t>(unix_seconds);
     std::tm parts{};
@@ -61,7 +61,7 @@ std::uint64_t contacts_of(const Summary& summary) {
     return summary.touch + summary.cross + summary.inside + summary.contact;
 }
 
-/// The number of triangle pairs that a stage after floats decided.
+/// Returns the number of triangle pairs that a stage after floats decided.
 std::uint64_t past_float(const JobStatus& job) {
     const PairStatistics& decisions = job.statistics.search.decisions;
     return decisions.total() - decisions[PairStage::Float];
@@ -76,8 +76,8 @@ std::uint64_t sum_over_workers(const ClusterStatus& status, Member member) {
     return sum;
 }
 
-/// How much the sum of `member` over all workers grew between two statuses, per second; 0 if the
-/// sum fell because workers left.
+/// Returns how much the sum of `member` over all workers grew per second between two statuses; 0 if
+/// the sum fell because workers left.
 template <class Member>
 double rate_between(const ClusterStatus& before, const ClusterStatus& after, Member member) {
     const double seconds = after.uptime_seconds - before.uptime_seconds;
@@ -86,7 +86,7 @@ double rate_between(const ClusterStatus& before, const ClusterStatus& after, Mem
     return seconds <= 0 || last < first ? 0 : static_cast<double>(last - first) / seconds;
 }
 
-/// The master's processor time between two statuses, as a share of one core.
+/// Returns the master's processor time between two statuses, as a share of one core.
 double master_share(const ClusterStatus& before, const ClusterStatus& after) {
     const double seconds = after.uptime_seconds - before.uptime_seconds;
     return seconds <= 0 ? 0 : (after.cpu_seconds - before.cpu_seconds) / seconds;
@@ -216,7 +216,7 @@ std::string bottleneck_text(const ClusterStatus& before, const ClusterStatus& af
     const std::size_t workers = count_here(after);
     const double master = master_share(before, after);
     const std::string share = cell_text(master, CellKind::Share) + " of a core";
-    // The master analyses with several threads, so it may use more than one core.
+    // The master's share may exceed one core, since it analyses with several threads.
     if (idle * 2 > workers && master > 0.8) {
         return "the master's processor (" + share + "): it analyses more slowly than " +
                counted(workers, "worker") + " can finish";
@@ -237,7 +237,7 @@ std::string bottleneck_text(const ClusterStatus& before, const ClusterStatus& af
 
 namespace {
 
-/// The reason why jobs are paused; empty if none is.
+/// Returns why jobs are paused; empty if none is.
 std::string paused_text(const ClusterStatus& status) {
     for (const JobStatus& job : status.jobs) {
         if (!job.paused.empty()) {
@@ -247,7 +247,7 @@ std::string paused_text(const ClusterStatus& status) {
     return "";
 }
 
-/// Connections and workers lost since the master started; empty if none.
+/// Reports the connections and workers lost since the master started; empty if none.
 std::string faults_text(const ClusterStatus& status) {
     if (status.workers_lost + status.sessions_resumed == 0) {
         return "";
@@ -257,7 +257,7 @@ std::string faults_text(const ClusterStatus& status) {
            "   scenarios given to others: " + std::to_string(status.scenarios_given_back) + "\n";
 }
 
-/// A line with the number and size of all meshes, and of those that no kept job uses.
+/// Returns a line with the number and size of all meshes and of the meshes that no kept job uses.
 std::string meshes_text(const std::vector<MeshStatus>& meshes) {
     const auto count = [&](bool with_needed) {
         std::uint64_t bytes = 0;
@@ -285,8 +285,8 @@ std::string sizes_text(const StateSizes& sizes) {
            "   journal " + size(sizes.journal) + "   free " + size(sizes.free) + "\n";
 }
 
-/// A line for each scenario that runs for long, each job with withdrawn results, and each job whose
-/// scenarios were recalled or copied at the job's end.
+/// Returns a line for each scenario that runs for long, for each job with withdrawn results, and
+/// for each job whose scenarios were recalled or copied at its end.
 std::string long_text(const ClusterStatus& status) {
     const std::vector<JobId> ids = ids_of(status.jobs);
     std::string text;

@@ -12,16 +12,16 @@ namespace cd {
 [[nodiscard]] Table workers_table(const ClusterStatus& status);
 [[nodiscard]] Table meshes_table(const ClusterStatus& status);
 
-/// The cluster's bottleneck as a line without newline, from the changes between two statuses taken
-/// a moment apart.
+/// Names the cluster's bottleneck in a line without newline, from the changes between two statuses
+/// taken a moment apart.
 [[nodiscard]] std::string bottleneck_text(const ClusterStatus& before, const ClusterStatus& after);
 
-/// The whole status as lines with newlines; the last one names the bottleneck.
+/// Returns the whole status as lines with newlines; the last one names the bottleneck.
 [[nodiscard]] std::string status_text(const ClusterStatus& before, const ClusterStatus& after);
-/// The whole status as one JSON document.
+/// Returns the whole status as one JSON document.
 [[nodiscard]] std::string status_json(const ClusterStatus& before, const ClusterStatus& after);
 
-/// One job as a JSON document.
+/// Returns one job as a JSON document.
 [[nodiscard]] std::string job_json(const JobStatus& job);
 
 } // namespace cd

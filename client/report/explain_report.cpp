@@ -77,7 +77,7 @@ nlohmann::ordered_json score_json(const WorkerScore& score, bool by_time) {
 std::string explained_text(const Explained& explained, const std::string& job) {
     std::string text = "scenario " + std::to_string(explained.scenario) + " of " + job + ", " +
                        explained.strategy + "\n";
-    const bool is_scored = !explained.why.empty(); // Empty once the job has ended.
+    const bool is_scored = !explained.why.empty(); // The job has ended if `why` is empty.
     text += !is_scored ? ""
                        : "  touches     " + std::to_string(explained.roots_a) + " roots of A, " +
                              std::to_string(explained.roots_b) + " of B\n";
@@ -97,7 +97,7 @@ std::string explained_json(const Explained& explained, const std::string& job) {
                                     {"where", explained.where},
                                     {"why", explained.why},
                                     {"note", explained.note}};
-    if (!explained.why.empty()) { // Empty once the job has ended.
+    if (!explained.why.empty()) { // The job has not ended.
         document["roots_a"] = explained.roots_a;
         document["roots_b"] = explained.roots_b;
     }

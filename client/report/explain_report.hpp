@@ -1,4 +1,4 @@
-// The report of `cdctl explain`: the score of each worker for a scenario.
+// The report of `cdctl explain`: how each worker scores for a scenario.
 #pragma once
 
 #include "proto/messages/client_messages.hpp"
@@ -7,7 +7,7 @@
 
 namespace cd {
 
-/// The report as lines for people, each with a newline; times are in milliseconds.
+/// Returns the report for people, in lines with newlines; times are in milliseconds.
 [[nodiscard]] std::string explained_text(const Explained& explained, const std::string& job);
 [[nodiscard]] std::string explained_json(const Explained& explained, const std::string& job);
 

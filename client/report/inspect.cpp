@@ -13,8 +13,8 @@ namespace {
 
 constexpr std::size_t parts_shown_max = 20;
 
-/// Guesses the unit of a box, assuming that vehicles and parts are centimetres to tens of metres
-/// long. Empty if several units are likely.
+/// Guesses the unit of a mesh from its longest edge, assuming that vehicles and parts are
+/// centimetres to tens of metres long. The text is empty if several units are likely.
 std::string guess_unit(double longest_edge) {
     if (longest_edge >= 0.1 && longest_edge <= 40) {
         return "metres";

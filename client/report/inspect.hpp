@@ -23,9 +23,9 @@ struct MeshReport {
 
 [[nodiscard]] MeshReport inspect_mesh(const std::string& file, const ImportedMesh& imported);
 
-/// The report as lines for people, each with a newline.
+/// Returns the report for people, in lines with newlines.
 [[nodiscard]] std::string to_text(const MeshReport& report);
-/// The report as one JSON object with a newline.
+/// Returns the report as one JSON object with a newline.
 [[nodiscard]] std::string to_json(const MeshReport& report);
 
 } // namespace cd

@@ -16,7 +16,7 @@ namespace cd {
 /// below `level pairs` list no pairs.
 class PartTally {
   public:
-    /// `meshes` holds the mesh of each body, by the body's index in results.
+    /// `meshes` holds the mesh of each body, by the index that results give the body.
     explicit PartTally(const std::vector<std::shared_ptr<const Mesh>>& meshes);
 
     /// Counts a result, whose bodies must have meshes.
@@ -26,8 +26,8 @@ class PartTally {
         std::string part;
         std::uint64_t scenarios = 0;
     };
-    /// The `count` parts in contact in most scenarios, most first. Leaves out parts never in
-    /// contact, and parts of bodies with a single part.
+    /// Returns the `count` parts in contact in most scenarios, most first. Leaves out parts never
+    /// in contact, and bodies with a single part.
     [[nodiscard]] std::vector<Touched> most_touched(std::size_t count = 3) const;
 
   private:
@@ -39,7 +39,7 @@ class PartTally {
     static void note(Body& body, std::uint32_t triangle, std::uint64_t stamp);
 
     std::vector<Body> bodies_;
-    std::uint64_t stamp_ = 0; ///< Number of results so far.
+    std::uint64_t stamp_ = 0; ///< Number of results added so far.
 };
 
 } // namespace cd

@@ -16,7 +16,7 @@ namespace {
 constexpr double bar_period = 0.1;
 constexpr double line_period = 10;
 
-/// The maximum width in columns of a line of the stream; npos unless the stream is a terminal.
+/// Returns how many columns a line of the stream may have; npos if it is no terminal.
 std::size_t width_of(std::FILE* stream) {
     winsize size{};
     const bool is_known = ::ioctl(::fileno(stream), TIOCGWINSZ, &size) == 0 && size.ws_col > 1;
@@ -97,7 +97,7 @@ void ProgressPrinter::finish(const ProgressState& state) {
     }
 }
 
-/// Rewrites the line of the bar, writes the note on the next line, and moves back up.
+/// Rewrites the line of the bar and the line of the note below it, and moves back up.
 void ProgressPrinter::draw_bar(const ProgressState& state) {
     const std::size_t width = width_of(stream_);
     std::string text =

@@ -16,10 +16,10 @@ struct ProgressState {
     Summary summary;
     double seconds = 0;        ///< Time since the run began.
     WaitingNote note = {};     ///< Why the job is waiting, if it is.
-    std::uint64_t resumed = 0; ///< Scenarios that an earlier run had done.
+    std::uint64_t resumed = 0; ///< Scenarios that an earlier run completed.
 };
 
-/// The progress as one line without a newline, with or without a bar.
+/// Returns the progress as one line without a newline, with or without a bar.
 [[nodiscard]] std::string progress_text(const ProgressState& state, bool with_bar);
 
 /// Writes progress to stderr: on a terminal a bar that is redrawn with the note below it, otherwise
@@ -29,7 +29,7 @@ class ProgressPrinter {
   public:
     enum class Style : std::uint8_t { Silent, Notes, Lines, Bar };
 
-    /// Silent when quiet; a bar when stderr is a terminal that can redraw.
+    /// Returns Silent if `quiet`, Bar if stderr is a terminal that can redraw, else Lines.
     [[nodiscard]] static Style style_for(bool quiet);
 
     explicit ProgressPrinter(Style style, std::FILE* stream = stderr)
@@ -39,9 +39,9 @@ class ProgressPrinter {
     /// Ends the line of a bar.
     ~ProgressPrinter();
 
-    /// Prints if the next bar or line is due at `state.seconds`, or if the note has changed.
+    /// Prints if a bar or line is due at `state.seconds`, or if the note has changed.
     void update(const ProgressState& state);
-    /// Prints the last state and ends the line of a bar.
+    /// With a bar, prints the last state and ends the line; otherwise prints nothing.
     void finish(const ProgressState& state);
 
   private:

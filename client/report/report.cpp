@@ -15,7 +15,7 @@ namespace cd {
 
 namespace {
 
-/// A length as 0.0123, 1.23, 12.34 or 1234; with an exponent below 0.01 and from 1e7 on.
+/// Returns a length as 0.0123, 1.23, 12.34 or 1234; below 0.01 and from 1e7 on with an exponent.
 std::string length_text(double value) {
     if (value != 0 && (std::abs(value) < 0.01 || std::abs(value) >= 1e7)) {
         return fmt::format("{:.3g}", value);
@@ -111,7 +111,7 @@ std::string coloured(const std::string& text, const char* colour, bool colours) 
     return colours ? colour + text + "\x1b[0m" : text;
 }
 
-/// The suffix for a sum over listed pairs only; empty if all pairs are listed.
+/// Says that a sum covers only the pairs that are listed; empty if all pairs are listed.
 std::string first_pairs_text(const RunReport& report) {
     return report.limit_pairs == 0
                ? ""
@@ -128,7 +128,7 @@ std::string map_text(const RunReport& report) {
            "; digest " + to_short_hex(digest_of(*report.map)) + "\n";
 }
 
-/// Gives counts instead of shares if some pairs are not listed, since shares would be too low.
+/// Names the parts most in contact, with shares, or with counts if not all pairs are listed.
 std::string most_touched_text(const RunReport& report) {
     std::string text;
     for (const PartTally::Touched& part : report.most_touched) {
@@ -162,7 +162,7 @@ std::string classes_text(const Summary& summary, Level level, bool colours) {
            "\n";
 }
 
-/// "99.97 %". A nonzero share is never rounded to 0, nor an incomplete one to 100 %.
+/// Returns a share as "99.97 %", never a nonzero one as 0, nor an incomplete one as 100 %.
 std::string share_text(std::uint64_t part, std::uint64_t whole) {
     const double share = 100.0 * static_cast<double>(part) / static_cast<double>(whole);
     if (part != 0 && share < 0.005) {
@@ -183,7 +183,7 @@ std::string settled_text(const PairStatistics& decisions) {
     return text;
 }
 
-/// The paper's cost function for the mean scenario.
+/// Describes the cost of the mean scenario by the paper's cost function.
 std::string
 cost_text(const SearchCost& cost, const QueryStatistics& search, std::uint64_t scenarios) {
     return "  cost          N_b C_b + N_p C_p = " + grouped(search.box_tests / scenarios) + " x " +
@@ -213,7 +213,7 @@ std::string statistics_text(const RunReport& report) {
     return text;
 }
 
-/// The network traffic of the job.
+/// Describes the network traffic of the job.
 std::string traffic_text(const JobTraffic& traffic) {
     const BlockTraffic& blocks = traffic.blocks;
     const std::uint64_t needed = blocks.hits + blocks.misses;
@@ -233,7 +233,7 @@ std::string seconds_text(double seconds) {
     return fixed_text(seconds, seconds < 10 ? 2 : 1);
 }
 
-/// The time before the run, which `seconds` does not include; empty if it is short.
+/// Reports the time before the run, which `seconds` does not include; empty if it is short.
 std::string prepared_text(const RunReport& report) {
     return report.execution.prepare_seconds < 0.05
                ? ""

@@ -19,7 +19,7 @@
 
 namespace cd {
 
-/// The facts about a body in the header.
+/// What the header of a run says about a body.
 struct BodyLine {
     std::string name;
     std::string unit; ///< The job's unit.
@@ -27,31 +27,31 @@ struct BodyLine {
     Vec3 size = Vec3::Zero();
     std::uint64_t parts = 0;
     std::optional<bool> closed;          ///< Nothing if unknown.
-    std::vector<std::string> notes = {}; ///< Printed below: how the file was interpreted.
+    std::vector<std::string> notes = {}; ///< How the file was interpreted, a line each.
 };
 
 [[nodiscard]] BodyLine
 describe_body(const std::string& name, const std::string& unit, const Mesh& mesh);
 
-/// The header of a run, in lines with newlines: bodies A and B, then the poses.
+/// Returns the header of a run, in lines with newlines: bodies A and B, then the poses.
 [[nodiscard]] std::string header_text(const BodyLine& a,
                                       const BodyLine& b,
                                       std::uint64_t scenarios,
                                       const std::string& poses);
 
-/// A warning if the bodies' sizes differ by a factor of 25.4 or 1000 within 2 %: one is then likely
-/// in another unit. Sizes are the diagonals of the boxes.
+/// Returns a warning if the bodies' sizes differ by a factor of 25.4 or 1000 within 2 %: one is
+/// then likely in another unit. A body's size is the diagonal of its box.
 [[nodiscard]] std::optional<std::string> unit_warning(const BodyLine& a, const BodyLine& b);
 
 /// Where the scenarios ran, and the time and traffic that they took.
 struct RunExecution {
     std::string where;            ///< "2 threads", "2 workers"; may be empty.
-    double prepare_seconds = 0;   ///< Time to read and build; not in `seconds`.
+    double prepare_seconds = 0;   ///< Time to read inputs and build trees; not in `seconds`.
     double seconds = 0;           ///< Time to run the scenarios.
     std::uint64_t resumed_at = 0; ///< Scenarios done by an earlier run.
     std::uint64_t fetched = 0;    ///< Number of results fetched from a master.
     JobStatistics statistics;
-    std::optional<SearchCost> cost;    ///< Measured on this machine; nothing on a cluster.
+    std::optional<SearchCost> cost;    ///< Cost measured on this machine; nothing on a cluster.
     std::optional<JobTraffic> traffic; ///< Nothing for a run on this machine.
     /// The distribution depth of each body's tree; empty if no tree was cut, or depths are unknown.
     std::vector<std::uint32_t> depths;
@@ -62,7 +62,7 @@ struct RunReport {
     Summary summary;
     Level level = Level::Pairs;
     std::uint64_t limit_pairs = 0; ///< Maximum number of pairs in a result; 0: all.
-    bool maps_all_pairs = false;   ///< The contact map also counts pairs not listed.
+    bool maps_all_pairs = false;   ///< The contact map also counts pairs beyond `limit_pairs`.
     std::optional<Sha256> digest;  ///< Nothing while scenarios are missing.
     RunExecution execution;
     std::optional<ContactMap> map; ///< The job's contact map, if there is one.
@@ -79,15 +79,15 @@ struct SummaryStyle {
     bool statistics = false; ///< Include search cost and network traffic.
 };
 
-/// The summary of a run, in lines with newlines.
+/// Returns the summary of a run, in lines with newlines.
 [[nodiscard]] std::string summary_text(const RunReport& report, const SummaryStyle& style = {});
-/// The lines of the summary that a quiet run prints, too.
+/// Returns the lines of the summary that also a quiet run prints.
 [[nodiscard]] std::string warnings_text(const RunReport& report);
 
-/// The share, 0 to 1, of needed subtrees that were in workers' caches; 0 if none was needed.
+/// Returns the share, 0 to 1, of needed subtrees that workers had cached; 0 if none was needed.
 [[nodiscard]] double hit_share(const BlockTraffic& blocks);
 
-/// True if output to the stream may be coloured: a terminal, and NO_COLOR is not set.
+/// True if output to the stream may be coloured: it is a terminal, and NO_COLOR is not set.
 [[nodiscard]] bool colours_wanted(std::FILE* stream);
 
 } // namespace cd

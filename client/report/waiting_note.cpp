@@ -18,7 +18,7 @@ const WorkerStatus& first_in(const ClusterStatus& cluster, WorkerState state) {
     return *std::ranges::find(cluster.workers, state, &WorkerStatus::state);
 }
 
-/// Names the workers in a state, of which there is one or more: "node-1", "node-1 and 2 more".
+/// Names the workers in a state, at least one: "node-1", or "node-1 and 2 more".
 std::string names_in(const ClusterStatus& cluster, WorkerState state) {
     const std::uint64_t count = count_in(cluster, state);
     return escaped(first_in(cluster, state).name) +

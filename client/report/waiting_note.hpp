@@ -9,11 +9,11 @@ namespace cd {
 
 struct WaitingNote {
     std::string text;          ///< Empty if the job is not waiting.
-    bool stands_still = false; ///< No scenario runs until the reason is gone.
+    bool stands_still = false; ///< No scenario runs while the reason lasts.
 };
 
-/// The first reason that applies, or an empty note: the job is paused; no worker is connected;
-/// workers are silent or lost. `master` is the address that the user gave.
+/// Returns a note with the first reason that applies, or an empty note: the job is paused; no
+/// worker is connected; workers are silent or lost. `master` is the address that the user gave.
 [[nodiscard]] WaitingNote
 waiting_note(const JobStatus& job, const ClusterStatus& cluster, const std::string& master);
 

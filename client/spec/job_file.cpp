@@ -63,7 +63,7 @@ GridAxis read_axis(const TomlFields& grid, std::string_view key) {
     return {(*numbers)[0], (*numbers)[1], static_cast<std::uint64_t>(count)};
 }
 
-/// The angles of one axis become quaternions in memory, so their number is bounded.
+/// Bounds the angles of one axis, which become quaternions in memory.
 constexpr std::uint64_t grid_angles_max = 1u << 20;
 
 GridSpec read_grid(const TomlFields& parent, const toml::table* table, double length_factor) {

@@ -19,11 +19,11 @@ namespace cd {
 
 struct BodySpec {
     std::filesystem::path path;
-    std::string unit;             ///< Unit of coordinates; empty: the file's, else the job's.
-    std::string name;             ///< Empty: the file's name in messages, `export_name` in exports.
-    std::string up = {};          ///< "y": turned to z up; "z" or empty: not turned.
+    std::string unit;    ///< Unit of coordinates; empty: the mesh file's, or else the job's.
+    std::string name;    ///< If empty: in messages the file's name, in exports `export_name`.
+    std::string up = {}; ///< "y": the file's y becomes z; "z" or empty: no turn.
     bool rounds_to_float = false; ///< Round coordinates to floats.
-    /// The unit declared in the file if the job gives none; set when the file is read.
+    /// The unit that the mesh file declares, if `unit` is empty; set when the file is read.
     std::string declared_unit = {};
 };
 
@@ -31,24 +31,24 @@ struct BodySpec {
 struct PoseFileSpec {
     std::filesystem::path path;
     std::string quat_order;                ///< "xyzw", "wxyz", or empty if columns have names.
-    bool of_both_bodies = false;           ///< False: the poses are B's in A's frame.
-    std::optional<double> rigid_tolerance; ///< As for `check_rows`; nothing: the default.
+    bool of_both_bodies = false;           ///< If false, the poses are B's in A's frame.
+    std::optional<double> rigid_tolerance; ///< As in `check_rows`; nothing: the default.
     double length_factor = 1;              ///< Factor from the file's unit to the job's.
     std::string unit = {};                 ///< Unit of translations; empty: the job's.
 };
 
-/// Poses on a grid, both as tested and as written in the job.
+/// Poses on a grid: `grid` as tested, `axes` as written in the job.
 struct GridSpec {
     Grid grid;
-    /// Axes x, y, z, then roll, pitch, yaw in degrees; empty if unknown.
+    /// The axes x, y, z, then roll, pitch, yaw in degrees; empty if unknown.
     std::vector<GridAxis> axes = {};
-    std::string unit = {}; ///< Unit of the first three axes; empty: the job's.
+    std::string unit = {}; ///< Unit of the axes x, y and z; empty: the job's.
 };
 
 using PosesSpec = std::variant<PoseFileSpec, GridSpec, RandomPoses>;
 
-/// Excludes the triangle pairs whose parts match the patterns `a` (for A) and `b` (for B). Patterns
-/// use shell wildcards; the body's name and a slash may precede the part's name, and a backslash
+/// Excludes the triangle pairs whose parts match the patterns `a` (in A) and `b` (in B). Patterns
+/// use shell wildcards. The body's name and a slash may precede the part's name; a backslash
 /// escapes / * ? and [.
 struct IgnoreRule {
     std::string a;
@@ -77,36 +77,36 @@ struct JobSpec {
     std::filesystem::path file; ///< The job file, or empty.
 };
 
-/// Reads and checks a job file. Relative paths are relative to the file's folder. Errors: NotFound,
-/// Io; BadInput naming the file, line and key, and for an unknown word the nearest known one.
+/// Reads and checks a job file. Relative paths in it are relative to its folder. Errors: NotFound,
+/// Io; BadInput naming the file, line and key, and the nearest known word for an unknown one.
 [[nodiscard]] Result<JobSpec> read_job_file(const std::filesystem::path& path);
 
-/// Parses the text of a job file; `path` is for messages and for relative paths.
+/// Parses the text of a job file; `path` is used in messages and for relative paths.
 [[nodiscard]] Result<JobSpec> parse_job(std::string_view text, const std::filesystem::path& path);
 
-/// The name of a body in exports: its name in the job, else "a" or "b".
+/// Returns the name of a body in exports: its name in the job, or else "a" or "b".
 [[nodiscard]] std::string export_name(const JobSpec& spec, std::size_t body);
 
-/// Refuses given distribution depths if the tolerance is above 0: then the meshes fix the depths.
-/// Errors: BadInput.
+/// Refuses a distribution depth given together with a tolerance above 0, under which the meshes
+/// alone decide the depths. Errors: BadInput.
 [[nodiscard]] Status check_depths(const JobSpec& spec);
 
-/// Refuses options that the strategy would ignore. Errors: BadInput.
+/// Refuses `q` and `claim` for a strategy that ignores them. Errors: BadInput.
 [[nodiscard]] Status check_matching(const ClusterOptions& options);
 
-/// Parses a distribution depth: a number, or "auto" (nothing). Errors: BadInput.
+/// Parses a distribution depth: a number, or "auto", which gives nothing. Errors: BadInput.
 [[nodiscard]] Result<std::optional<std::uint32_t>> parse_depth(std::string_view text);
 
 /// Refuses maps at `level any`. Errors: BadInput.
 [[nodiscard]] Status check_maps(const JobSpec& spec);
 
-/// True if the range of penetrations is within 0 to 1.
+/// True if the least and most penetration are in order and within 0 to 1.
 [[nodiscard]] bool is_penetration(const RandomPoses& random);
 
 /// Removes repeated formats.
 void keep_each_once(std::vector<std::string>& formats);
 
-/// Refuses unknown formats. Errors: BadInput naming the known formats.
+/// Refuses an unknown format. Errors: BadInput naming the known formats.
 [[nodiscard]] Status check_format(std::string_view format);
 
 } // namespace cd

@@ -11,14 +11,14 @@
 
 namespace cd {
 
-/// Options of the poses, which replace those of a job file.
+/// Options that give the poses in place of a job file.
 struct PoseOptions {
     std::string file;
     std::string unit; ///< Unit of translations; empty: the job's.
     std::string quat_order;
     bool of_both = false;
     std::optional<double> rigid_tolerance;
-    std::optional<std::uint64_t> random; ///< Number of random scenarios instead of a file.
+    std::optional<std::uint64_t> random; ///< Number of random scenarios; nothing: read `file`.
     std::optional<std::uint64_t> seed;
     std::vector<double> penetration;
 
@@ -51,7 +51,7 @@ struct MatchingOptions {
     bool claim = false;
 };
 
-/// The values of options; empty if an option was not given.
+/// The values of the command line's options; empty or nothing for an option not given.
 struct JobOptions {
     std::string file;
 
@@ -71,14 +71,14 @@ struct JobOptions {
     MatchingOptions cluster;
 };
 
-/// Refuses options about meshes and poses, which `options.file` already names. Errors: BadInput
-/// naming the file.
+/// Refuses options that give meshes or poses, since the job file `options.file` names these.
+/// Errors: BadInput naming that file.
 [[nodiscard]] Status check_no_inputs(const JobOptions& options);
 
-/// Applies the options that override a job file. Errors: BadInput naming the option.
+/// Applies to `spec` the options that override a job file. Errors: BadInput naming the option.
 [[nodiscard]] Status apply(const JobOptions& options, JobSpec& spec);
 
-/// Makes a job from options. Errors: those of `read_job_file`; BadInput naming the option.
+/// Makes a job from options. Errors: as `read_job_file`; BadInput naming the option.
 [[nodiscard]] Result<JobSpec> make_job_spec(const JobOptions& options);
 
 } // namespace cd

@@ -33,7 +33,7 @@ TomlFields::TomlFields(const toml::table& table,
                        std::initializer_list<std::string_view> known)
     : table_(table), file_(std::move(file)), name_(std::move(name)) {
     const std::span<const std::string_view> words(known.begin(), known.size());
-    // Refuses the unknown key on the earliest line; a table does not keep the order of the file.
+    // Finds the unknown key on the earliest line; a table does not keep the order of the file.
     const toml::key* unknown = nullptr;
     for (const auto& [key, value] : table_) {
         const bool is_known = std::ranges::find(words, key.str()) != words.end();

@@ -57,7 +57,7 @@ class Body {
         return wide_ && !wide_->wide()->view().nodes.empty();
     }
 
-    /// The tree with the requested forms.
+    /// Returns the tree in the forms that `need_wide` and `need_binary` have made.
     [[nodiscard]] std::shared_ptr<const ObbTree> tree() const {
         return std::make_shared<const ObbTree>(mesh_,
                                                shows_binary_ ? binary_->binary() : BinaryTree{},

@@ -12,13 +12,13 @@ namespace cd {
 
 /// How a job uses trees.
 struct TreeUse {
-    bool searches_exactly = true; ///< Searches without a tolerance: wide form.
-    bool searches_cuts = false;   ///< Searches under a tolerance: binary form.
-    bool settles = false;         ///< Detects containment: binary form if both bodies are closed.
+    bool searches_exactly = true; ///< The job searches without a tolerance: wide form.
+    bool searches_cuts = false;   ///< The job searches under a tolerance: binary form.
+    bool settles = false;         ///< The job detects containment: binary form if both are closed.
 };
 
-/// Takes trees from the cache, or else builds and caches them. Bodies whose meshes have one hash
-/// share one tree. If one of the bodies has no wide form, both get the binary form.
+/// Takes the trees of two meshes from the cache, or builds and caches them. Meshes with equal
+/// hashes share one tree. If a wide tree has no nodes, both trees get the binary form.
 [[nodiscard]] std::array<std::shared_ptr<const ObbTree>, 2>
 make_body_trees(const std::array<std::shared_ptr<const Mesh>, 2>& meshes,
                 const TreeUse& use,

@@ -34,8 +34,8 @@ struct Close {
     void operator()(gzFile file) const { gzclose(file); }
 };
 
-/// Writes the unpacked bytes of a .gz file to `to`, which appears only when it is whole. Errors: Io
-/// naming the file; BadInput when `from` is damaged.
+/// Unpacks the .gz file `from` to `to`, which appears only when it is complete. Errors: Io naming
+/// the file; BadInput if `from` is damaged.
 Status gunzip(const fs::path& from, const fs::path& to) {
     const std::unique_ptr<gzFile_s, Close> in(gzopen(from.c_str(), "rb"));
     if (!in) {
@@ -57,13 +57,13 @@ Status gunzip(const fs::path& from, const fs::path& to) {
     return out.commit();
 }
 
-/// The motorcycle in the cache, unpacked now if missing.
+/// Returns the path of the motorcycle in the cache, and unpacks it if it is missing there.
 Result<fs::path> unpacked_motorcycle(const fs::path& cache, const fs::path& root) {
     const fs::path unpacked = cache / "motorBike.obj";
     if (is_file(unpacked)) {
         return unpacked;
     }
-    // Minimal systems lack /usr/share/doc; deploy/quickstart then puts the file into the cache.
+    // deploy/quickstart puts the file into the cache on systems without /usr/share/doc.
     for (const fs::path& packed : {root / packed_motorcycle, cache / "motorBike.obj.gz"}) {
         if (!is_file(packed)) {
             continue;

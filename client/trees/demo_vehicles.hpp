@@ -9,16 +9,16 @@
 
 namespace cd {
 
-/// This user's cache folder: cdcluster below $XDG_CACHE_HOME or ~/.cache. Nothing if the
-/// environment has neither.
+/// Returns this user's cache folder: cdcluster below $XDG_CACHE_HOME or ~/.cache. Returns nothing
+/// if the environment names neither.
 [[nodiscard]] std::optional<std::filesystem::path> own_cache_dir();
 
-/// `own_cache_dir`, or else a temporary folder that other users may share.
+/// Returns `own_cache_dir`, or else a temporary folder that other users may share.
 [[nodiscard]] std::filesystem::path cache_dir();
 
 /// Finds the motorcycle with its rider (331,653 triangles) and the tram (36,762). Unpacks the
-/// motorcycle into `cache` once. `root` is prefixed to the packages' paths. Errors: NotFound naming
-/// the packages to install; Io.
+/// motorcycle into `cache` once. `root` is put before the packages' paths. Errors: NotFound naming
+/// the packages to install; Io; BadInput for a damaged package file.
 [[nodiscard]] Result<std::array<std::filesystem::path, 2>>
 find_vehicles(const std::filesystem::path& cache, const std::filesystem::path& root = "/");
 

@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 constexpr std::string_view binary_suffix = ".binary-tree";
 constexpr std::string_view wide_suffix = ".wide-tree";
 
-/// True for a file name with one of the suffixes, also while the file is being written.
+/// True if a file's name has one of the suffixes, also while the file is being written.
 bool ends_with(const fs::path& path, std::span<const std::string_view> suffixes) {
     std::string name = path.filename().string();
     name = name.substr(0, name.find(temporary_marker));
@@ -31,7 +31,7 @@ struct KeptFile {
     std::uint64_t bytes = 0;
 };
 
-/// The files with one of the suffixes, least recently used first. Files that vanish are skipped.
+/// Lists the files with one of the suffixes, least recently used first. Skips files that vanish.
 std::vector<KeptFile> kept_files(const fs::path& folder,
                                  std::span<const std::string_view> suffixes) {
     std::vector<KeptFile> files;
@@ -66,7 +66,7 @@ void keep_within(const fs::path& folder,
     for (const KeptFile& file : files) {
         bytes += file.bytes;
     }
-    // `newest` comes last, even if a wrong clock makes it look old.
+    // Moves `newest` to the end, so that a wrong clock does not make it look old.
     std::ranges::stable_partition(files, [&](const KeptFile& file) { return file.path != newest; });
     for (const KeptFile& file : files) {
         if (bytes <= bytes_max) {
@@ -98,7 +98,7 @@ std::shared_ptr<const ObbTree> TreeCache::find(TreeForm form,
     const auto tree = form == TreeForm::Binary ? read_tree_file(path, mesh, key)
                                                : read_wide_tree_file(path, mesh, key);
     if (tree) {
-        // Marks the file as just used. In a read-only folder this has no effect.
+        // Marks the file as just used, which fails harmlessly in a read-only folder.
         std::error_code ignored;
         fs::last_write_time(path, fs::file_time_type::clock::now(), ignored);
         return tree.value();
@@ -117,7 +117,7 @@ void TreeCache::keep(TreeForm form, const ObbTree& tree) {
     const fs::path path = path_of(form, key);
     Status kept = make_directories(folder_);
     if (kept) {
-        // A tree lost in a power failure is rebuilt, which costs less than syncing.
+        // Syncing costs more than rebuilding a tree that was lost in a power failure.
         kept = form == TreeForm::Binary
                    ? write_tree_file(path, tree, key, Durability::Unsynced)
                    : write_wide_tree_file(path, tree, key, Durability::Unsynced);

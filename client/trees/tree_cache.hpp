@@ -18,22 +18,22 @@ namespace cd {
 /// The value of --tree-cache that disables the cache.
 inline constexpr const char* no_tree_cache = "off";
 
-/// The folder that --tree-cache names; empty for `no_tree_cache`.
+/// Returns the folder that --tree-cache names; empty for `no_tree_cache`.
 [[nodiscard]] std::filesystem::path tree_cache_folder(const std::string& option);
 
-/// The default of --tree-cache: a folder below `own_cache_dir`, or `no_tree_cache` if the
+/// Returns the default of --tree-cache: a folder below `own_cache_dir`, or `no_tree_cache` if the
 /// environment names no cache folder.
 [[nodiscard]] std::string default_tree_cache();
 
-/// Removes the least recently used files in a folder whose names have one of the suffixes, partly
-/// written ones included, until the rest has at most `bytes_max` bytes. `newest` is removed last.
+/// Removes files whose names have one of the suffixes, also partly written ones, from a folder: the
+/// least recently used first, until the rest has at most `bytes_max` bytes. `newest` goes last.
 void keep_within(const std::filesystem::path& folder,
                  std::span<const std::string_view> suffixes,
                  std::uint64_t bytes_max,
                  const std::filesystem::path& newest);
 
-/// The form of a tree: binary as in the paper, or wide (16 children a node), as searches without a
-/// tolerance need it.
+/// The form of a tree: binary as in the paper, or wide (16 children a node), which searches without
+/// a tolerance need.
 enum class TreeForm : std::uint8_t { Binary, Wide };
 
 /// A cache with one file for each form of a mesh's tree, named by a hash of everything that decides
@@ -46,14 +46,14 @@ class TreeCache {
                        std::uint64_t bytes_max = limits::tree_cache_bytes_max)
         : folder_(std::move(folder)), bytes_max_(bytes_max) {}
 
-    /// The mesh's tree with this form only, memory-mapped; or null.
+    /// Returns the mesh's tree with only this form, memory-mapped; null if it is not cached.
     [[nodiscard]] std::shared_ptr<const ObbTree> find(TreeForm form,
                                                       const std::shared_ptr<const Mesh>& mesh);
-    /// Keeps this form of a tree built with default options. Removes the least recently used files
-    /// until the folder is within its bound.
+    /// Writes this form of a tree, which was built with default options, to the folder. Removes the
+    /// least recently used files until the folder is within its bound.
     void keep(TreeForm form, const ObbTree& tree);
 
-    /// The warnings since `take_warnings` was last called, one line each.
+    /// Returns the warnings since the last call of `take_warnings`, one line each.
     [[nodiscard]] std::vector<std::string> take_warnings();
 
   private:

@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::string_view magic = "AC3D";
 
-/// The low digit of a surface's flags.
+/// The type of a surface: the low four bits of its flags.
 enum class SurfaceType : unsigned { Polygon = 0, ClosedLine = 1, OpenLine = 2, Strip = 4 };
 
 std::optional<unsigned> to_flags(std::string_view word) {
@@ -48,8 +48,8 @@ class Ac3dCounter {
         return bad_input(path_.string() + ":" + std::to_string(number_) + ": " + detail);
     }
 
-    /// Moves to the next line that is not empty. A line of blanks counts, since the importer stops
-    /// there.
+    /// Moves to the next line that is not empty. A line of blanks is not empty here, since the
+    /// importer stops at it.
     bool next_line() {
         while (!rest_.empty()) {
             const std::size_t length = std::min(rest_.find_first_of("\r\n"), rest_.size());
@@ -106,7 +106,7 @@ class Ac3dCounter {
         return Done{};
     }
 
-    /// Reads `kids`: the object ends here, and its children follow.
+    /// Reads a line `kids`, which ends an object and counts the children that follow.
     Status end_object(TextReader& words) {
         const auto kids = CD_TRY(read_count(words));
         if (kids > 0) {
@@ -175,7 +175,7 @@ class Ac3dCounter {
         }
         const bool is_line = type_ == SurfaceType::ClosedLine || type_ == SurfaceType::OpenLine;
         triangles_ += !is_line && count > 2 ? count - 2 : 0;
-        type_ = SurfaceType::Polygon; // Some programs omit the line 'SURF'.
+        type_ = SurfaceType::Polygon; // For a surface without a line 'SURF'.
         surface_has_no_corners_ = false;
         return Done{};
     }
@@ -190,7 +190,7 @@ class Ac3dCounter {
         return Done{};
     }
 
-    /// Refuses a count above the file's size, since the importer allocates what a count says.
+    /// Reads a count. Refuses one above the file's size, since the importer allocates that much.
     Result<std::uint64_t> read_count(TextReader& words) {
         const std::string_view word = words.word();
         const auto count = to_whole(word);

@@ -18,7 +18,7 @@ Error bad(const std::filesystem::path& path, std::uint64_t line, const std::stri
     return bad_input(path.string() + ":" + std::to_string(line) + ": " + detail);
 }
 
-/// The first NaN or infinity of a line as some programs print it: 1.#QNAN, -1.#IND00, 1.#INF.
+/// Finds the first NaN or infinity as some programs print it: 1.#QNAN, -1.#IND00, 1.#INF.
 std::optional<std::string_view> printed_nan(std::string_view line) {
     constexpr std::string_view begin = "1.#";
     for (std::size_t at = line.find(begin); at != line.npos; at = line.find(begin, at + 1)) {
@@ -42,7 +42,7 @@ Status check_printed_nan(const std::filesystem::path& path) {
     return Done{};
 }
 
-/// The first bytes of a file, which reveal its format if its name does not.
+/// Reads a file's first bytes, which reveal its format if its name does not.
 std::string first_bytes(const std::filesystem::path& path) {
     std::array<char, 64> begin{};
     std::ifstream in(path, std::ios::binary);
@@ -59,7 +59,7 @@ Status check_markup(const std::filesystem::path& path) {
 
 Status check_for_assimp(const std::filesystem::path& path, const std::string& lower_extension) {
     const std::string begin = first_bytes(path);
-    // assimp opens any archive and reads whatever it finds in it.
+    // assimp opens any archive and reads whatever it finds in it, so archives are refused.
     if (begin.starts_with("PK\x03\x04") && lower_extension != ".3mf") {
         return bad_input(path.string() + ": is an archive; unpack it");
     }

@@ -25,7 +25,7 @@ ChildLimits limits_for(std::uint64_t file_bytes) {
     return limits;
 }
 
-/// The result of an import, to pass it from the child process to its parent.
+/// Encodes the result of an import, which the child process passes to its parent.
 Bytes to_bytes(const Result<ImportedMesh>& imported) {
     ByteWriter out;
     out.put(static_cast<std::uint8_t>(imported.has_value() ? 1 : 0));
@@ -51,7 +51,7 @@ Bytes to_bytes(const Result<ImportedMesh>& imported) {
     return out.take();
 }
 
-/// The inverse of `to_bytes`. Nothing for incomplete bytes.
+/// Decodes what `to_bytes` wrote; returns nothing for incomplete bytes.
 std::optional<Result<ImportedMesh>> imported_from_bytes(std::span<const std::byte> bytes) {
     ByteReader in(bytes);
     if (in.get<std::uint8_t>() == 0) {

@@ -127,7 +127,7 @@ class SceneReader {
 
 constexpr std::string_view collada_format = "Collada Importer";
 
-/// The name of the assimp importer that read the scene.
+/// Returns the name of the assimp importer that read the scene.
 std::string format_of(const aiScene& scene) {
     aiString format;
     if (scene.mMetaData != nullptr) {
@@ -136,8 +136,8 @@ std::string format_of(const aiScene& scene) {
     return format.C_Str();
 }
 
-/// The unit and up axis of an FBX file. assimp stores the file's doubles as floats; the shortest
-/// decimal of such a float is the number in the file.
+/// Returns the unit and up axis of an FBX file. assimp stores the file's doubles as floats; the
+/// shortest decimal of such a float is the number in the file.
 DeclaredFrame fbx_frame(const aiScene& scene) {
     float scale = 1;
     scene.mMetaData->Get("UnitScaleFactor", scale);
@@ -158,7 +158,7 @@ DeclaredFrame fbx_frame(const aiScene& scene) {
     return frame;
 }
 
-/// The unit and up axis that the file declares; nothing if the unit in the file is not known here.
+/// Returns the unit and up axis that the file declares; nothing if its unit is unknown.
 std::optional<DeclaredFrame> declared_frame(const aiScene& scene,
                                             const std::filesystem::path& path) {
     const std::string format = format_of(scene);
@@ -193,17 +193,17 @@ Status check_rigid(const aiScene& scene, const std::filesystem::path& path) {
     return Done{};
 }
 
-/// The error for a file that an importer refused, with the importer's message on one line.
+/// Returns the error for a file that assimp refused, with assimp's message on one line.
 Error unreadable(const std::filesystem::path& path, std::string why) {
     std::replace_if(
         why.begin(), why.end(), [](unsigned char c) { return std::iscntrl(c) != 0; }, ' ');
     return bad_input(path, "cannot be read as a mesh" + (why.empty() ? "" : ": " + why));
 }
 
-/// Counts for each mesh the triangles that its polygons make.
+/// Counts, for each mesh, the triangles into which its polygons will be cut.
 ///
-/// Runs before the triangulation, which does not check indices and aborts the process on a polygon
-/// without corners. Errors: BadInput naming the face.
+/// It has to run before assimp triangulates, which does not check indices and aborts the process on
+/// a polygon without corners. Errors: BadInput naming the face.
 Result<std::vector<std::uint64_t>> count_triangles(const aiScene& scene,
                                                    const std::filesystem::path& path) {
     std::vector<std::uint64_t> triangles(scene.mNumMeshes, 0);
@@ -230,7 +230,7 @@ Result<std::vector<std::uint64_t>> count_triangles(const aiScene& scene,
     return triangles;
 }
 
-/// Refuses a mesh that lost triangles: assimp may drop some of a polygon that crosses itself.
+/// Refuses a mesh that lost triangles: assimp may drop some of a self-crossing polygon's.
 Status check_triangles(const aiScene& scene,
                        std::span<const std::uint64_t> expected,
                        const std::filesystem::path& path) {
@@ -283,8 +283,8 @@ Result<ImportedMesh> read_with_assimp(const std::filesystem::path& path,
                 "inspect)");
         }
         const DeclaredFrame declared = known_frame.value_or(DeclaredFrame{});
-        // assimp adds a root transform for the unit of a COLLADA file; the unit is applied here
-        // instead.
+        // assimp puts the unit of a COLLADA file into the root transform; this is left out, since
+        // the unit is applied as a factor.
         const Eigen::Matrix4d root = format_of(*scene) == collada_format
                                          ? Eigen::Matrix4d::Identity()
                                          : to_double(scene->mRootNode->mTransformation);

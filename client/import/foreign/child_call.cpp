@@ -23,7 +23,7 @@ namespace cd {
 namespace {
 
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-constexpr bool memory_can_be_bounded = false; // Sanitizers map more than any machine has.
+constexpr bool memory_can_be_bounded = false; // Sanitizers map terabytes.
 #else
 constexpr bool memory_can_be_bounded = true;
 #endif
@@ -66,7 +66,7 @@ void bound(decltype(RLIMIT_AS) resource, std::uint64_t value, std::uint64_t hard
 
 void take_default_signals() {
     for (int signal = 1; signal < NSIG; ++signal) {
-        ::signal(signal, SIG_DFL); // Fails for signals that cannot be caught.
+        ::signal(signal, SIG_DFL); // Fails for SIGKILL and SIGSTOP, harmlessly.
     }
     sigset_t none;
     sigemptyset(&none);
@@ -137,7 +137,7 @@ class Child {
     pid_t id_;
 };
 
-/// Appends to `bytes` until the other end is closed. Returns Answered, OutOfTime or Stopped.
+/// Appends to `bytes` until the writing end is closed. Returns Answered, OutOfTime or Stopped.
 ChildEnd read_until_end(int descriptor,
                         std::chrono::seconds time,
                         const StopCheck& is_stopped,
@@ -172,7 +172,7 @@ ChildEnd end_of(int status) {
     }
     switch (WTERMSIG(status)) {
     case SIGXCPU:
-    case SIGKILL: // From the kernel, when SIGXCPU did not end the child.
+    case SIGKILL: // The kernel sends it when SIGXCPU did not end the child.
         return ChildEnd::OutOfTime;
     case SIGINT:
     case SIGTERM:

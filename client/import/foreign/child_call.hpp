@@ -12,9 +12,9 @@
 namespace cd {
 
 struct ChildLimits {
-    std::uint64_t memory_bytes = 0; ///< Limit above what is mapped now; none under sanitizers.
+    std::uint64_t memory_bytes = 0; ///< Beyond what is mapped at the fork; no limit in sanitizers.
     std::chrono::seconds processor_time{0};
-    std::chrono::seconds real_time{0}; ///< Bounds a child that only waits.
+    std::chrono::seconds real_time{0}; ///< Also bounds a child that only waits.
 };
 
 enum class ChildEnd : std::uint8_t { Answered, Crashed, OutOfMemory, OutOfTime, Stopped };
@@ -24,14 +24,14 @@ struct ChildAnswer {
     Bytes bytes; ///< The result of `work` if `end` is Answered.
 };
 
-/// Calls `work` in a fork of this process and returns when the child has ended, however it ended.
-/// The child is cut off from the terminal, ends with this process, and has default signal handlers.
-/// A signal that ends the child, and `is_stopped`, end the call with Stopped.
+/// Calls `work` in a fork of this process and returns when the child has ended, for whatever
+/// reason. The child is cut off from the terminal, dies with this process, and has default signal
+/// handlers. The result is Stopped if a signal ends the child, or once `is_stopped` returns true.
 ///
 /// The child has one thread, so `work` must not take a lock that another thread may have held at
 /// the fork. The C library's own locks (memory, streams) are free after a fork.
 ///
-/// Errors: Io when the system has no room for another process.
+/// Errors: Io when no process or pipe can be created.
 [[nodiscard]] Result<ChildAnswer> call_in_child(const std::function<Bytes()>& work,
                                                 const ChildLimits& limits,
                                                 const StopCheck& is_stopped);

@@ -21,7 +21,7 @@ namespace {
 /// An XML element whose text consists of numbers.
 struct NumberElement {
     std::string_view name;
-    std::uint64_t count; ///< Number of values; 0: any.
+    std::uint64_t count; ///< Number of values; 0: any number.
     bool is_whole;       ///< The numbers are indices or counts.
 };
 
@@ -47,7 +47,7 @@ std::uint64_t number_of(const pugi::xml_node& element, const char* name, std::ui
     return to_whole(element.attribute(name).value()).value_or(otherwise);
 }
 
-/// The number of array elements that an accessor reads. Its attributes fit into ints, so nothing
+/// Returns how many array elements an accessor spans. Its attributes fit into ints, so nothing
 /// overflows.
 std::uint64_t numbers_read(const pugi::xml_node& accessor) {
     const std::uint64_t count = number_of(accessor, "count", 0);
@@ -59,15 +59,15 @@ std::uint64_t numbers_read(const pugi::xml_node& accessor) {
                : number_of(accessor, "offset", 0) + (count - 1) * stride + std::max(stride, width);
 }
 
-/// True for elements that the importer ignores, or does not use for meshes.
+/// True for elements that the importer ignores or does not use for meshes.
 bool is_passed_over(const pugi::xml_node& node) {
     const std::string_view name = node.name();
     return name == "extra" || name == "technique";
 }
 
 /// Calls `visit` for `top` and each node below it, in the order of the file, with its depth (1 for
-/// `top`), until `visit` returns an error. Leaves out what is below elements that are passed over.
-/// There is no recursion, since the file decides the depth.
+/// `top`), until `visit` returns an error. Skips the content of elements for which `is_passed_over`
+/// is true. It does not recurse, since the file decides the depth.
 template <class Visit>
 Status for_each_node(const pugi::xml_node& top, const Visit& visit) {
     pugi::xml_node node = top;
@@ -88,7 +88,7 @@ Status for_each_node(const pugi::xml_node& top, const Visit& visit) {
     return Done{};
 }
 
-/// Checks numbers: those in the text of elements, in attributes, and the bounds of arrays.
+/// Checks the numbers in the text of elements and in attributes, and the bounds of arrays.
 class NumberCheck {
   public:
     explicit NumberCheck(const XmlText& xml) : xml_(xml) {}
@@ -184,7 +184,7 @@ class NumberCheck {
         return Done{};
     }
 
-    /// Refuses accessors beyond the end of their array: the importer does not check that.
+    /// Refuses accessors beyond the end of their array, which the importer would read.
     [[nodiscard]] Status check_accessors() const {
         for (const pugi::xml_node& accessor : accessors_) {
             const std::string_view source = accessor.attribute("source").value();
@@ -223,7 +223,7 @@ class InstanceCheck {
     }
 
   private:
-    /// Calls `visit` for each node in the root's children with these names.
+    /// Calls `visit` for the root's children with one of these names and for each node below them.
     template <class Visit>
     Status for_each_in(std::initializer_list<std::string_view> names, const Visit& visit) const {
         for (const pugi::xml_node& library : xml_.root().children()) {
@@ -277,7 +277,7 @@ class InstanceCheck {
 
     const XmlText& xml_;
     std::set<std::string, std::less<>> meshes_;
-    std::set<std::string, std::less<>> shapeless_; ///< Geometries without a mesh.
+    std::set<std::string, std::less<>> shapeless_; ///< Ids of geometries without a mesh.
     std::set<std::string, std::less<>> nodes_;
     std::set<std::string, std::less<>> scenes_;
 };

@@ -7,8 +7,8 @@
 
 namespace cd {
 
-/// Describes a CAD model or an archive and says what to do with it; nothing for a file that may be
-/// a mesh. `extension` is in lower case, with its dot.
+/// Says what a CAD model or an archive is and what the user should do with it; returns nothing for
+/// a file that may be a mesh. `extension` is in lower case, with its dot.
 [[nodiscard]] std::optional<std::string> foreign_format(std::string_view extension,
                                                         std::string_view first_bytes);
 

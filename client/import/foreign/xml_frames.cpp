@@ -36,7 +36,7 @@ pugi::xml_document parse(std::string_view text) {
     return document;
 }
 
-/// The first 64 KiB of an entry, which hold the root element of a model; empty on error.
+/// Reads an entry's first 64 KiB, which hold a model's root element; empty on error.
 std::string beginning_of(const ZipFile& archive, const std::string& name) {
     auto entry = archive.entry(name);
     std::string text(1u << 16, '\0');

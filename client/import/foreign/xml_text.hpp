@@ -1,4 +1,4 @@
-// An XML document whose errors name lines. The only user of pugixml's parser for checks.
+// An XML document whose errors name lines.
 #pragma once
 
 #include "common/core/result.hpp"
@@ -14,17 +14,17 @@ namespace cd {
 
 class XmlText {
   public:
-    /// `path` and `text` have to outlive the result. Entities are not expanded. Errors: BadInput
-    /// naming the line where the text is not well-formed.
+    /// Parses a document. `path` and `text` have to outlive the result. Entities are not expanded.
+    /// Errors: BadInput naming the line, for text that is not well-formed.
     [[nodiscard]] static Result<XmlText> parse(const std::filesystem::path& path,
                                                std::string_view text);
 
     [[nodiscard]] pugi::xml_node root() const { return document_->document_element(); }
     [[nodiscard]] const pugi::xml_document& document() const { return *document_; }
 
-    /// The error BadInput "PATH:LINE: DETAIL", with the line of the node.
+    /// Returns the error BadInput "PATH:LINE: DETAIL", with the line of the node.
     [[nodiscard]] Error refusal(const pugi::xml_node& node, const std::string& detail) const;
-    /// The error BadInput with the line of `part`, a part of the node's value.
+    /// Returns the error BadInput with the line of `part`, which lies in the node's value.
     [[nodiscard]] Error
     refusal(const pugi::xml_node& node, std::string_view part, const std::string& detail) const;
 

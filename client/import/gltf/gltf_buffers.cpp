@@ -26,7 +26,7 @@ std::array<int, 256> make_digits() {
     return digits;
 }
 
-/// Decodes base64 (RFC 4648, section 4), also without padding; nothing if the text is damaged.
+/// Decodes base64 (RFC 4648, section 4), also without padding; nothing for damaged text.
 std::optional<Bytes> decode_base64(std::string_view text) {
     static const std::array<int, 256> digits = make_digits();
     while (text.ends_with('=')) {
@@ -75,7 +75,7 @@ bool has_scheme(std::string_view uri) {
            });
 }
 
-/// The bytes of `data:[type];base64,...` (RFC 2397). Errors: BadInput for anything but base64.
+/// Decodes `data:[type];base64,...` (RFC 2397). Errors: BadInput for anything but base64.
 Result<Bytes> decode_data_uri(std::string_view uri) {
     const std::size_t comma = uri.find(',');
     if (comma == uri.npos || !uri.substr(0, comma).ends_with(";base64")) {
@@ -88,8 +88,8 @@ Result<Bytes> decode_data_uri(std::string_view uri) {
     return std::move(*bytes);
 }
 
-/// The relative path of a file in the same folder or below. Errors: BadInput for a URI with a
-/// scheme (RFC 3986), an absolute path, and a path with "..".
+/// Turns a URI into the relative path of a file in the document's folder or below it. Errors:
+/// BadInput for a URI with a scheme (RFC 3986), an absolute path, and a path with "..".
 Result<std::filesystem::path> relative_file(std::string_view uri) {
     const std::filesystem::path path = without_escapes(uri);
     const bool goes_up = std::ranges::find(path, std::filesystem::path("..")) != path.end();

@@ -12,8 +12,8 @@
 
 namespace cd {
 
-/// Gives access to buffers in the GLB's chunk, in `data:` URIs and in files. Files must be in
-/// `folder` or below it: no other file of the host is opened, and nothing is fetched.
+/// Gives access to buffers in the GLB's binary chunk, in `data:` URIs and in files in `folder` or
+/// below it. No other file of the host is opened, and nothing is fetched.
 class GltfBuffers {
   public:
     /// `chunk` has to outlive the buffers. Errors: BadInput naming the buffer, for one that is

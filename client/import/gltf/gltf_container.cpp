@@ -52,7 +52,7 @@ Result<GltfContainer> open_glb(std::span<const std::byte> file) {
     }
     GltfContainer container;
     container.json = text_of(json.bytes);
-    // Some programs pad the chunk with zeros instead of blanks.
+    // Drops zeros at the end, with which some programs pad the chunk instead of blanks.
     container.json = container.json.substr(0, container.json.find_last_not_of('\0') + 1);
     if (in.remaining() > 0) {
         const auto binary = CD_TRY(next_chunk(in));

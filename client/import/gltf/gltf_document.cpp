@@ -14,7 +14,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// Extensions that do not change triangles, and those that are supported.
+/// Extensions that are supported, or that do not change triangles.
 constexpr std::array<std::string_view, 35> harmless_extensions{
     "KHR_mesh_quantization",
     "EXT_mesh_gpu_instancing",
@@ -62,8 +62,8 @@ std::string compressed_by(std::string_view extension) {
            "unpacks it)";
 }
 
-/// Reports the first unknown name in `extensionsRequired`: a reader that does not know a required
-/// extension must refuse the file (glTF 2.0, section 3.12). `file` is the whole document.
+/// Refuses the first unknown name in `extensionsRequired`: a reader that does not know a required
+/// extension must refuse the file (glTF 2.0, section 3.12). `file` is the document's root object.
 void refuse_unknown_extensions(const GltfFields& file) {
     for (const Json& entry : file.list("extensionsRequired")) {
         const std::string name = entry.is_string() ? entry.get<std::string>() : "?";
@@ -76,7 +76,7 @@ void refuse_unknown_extensions(const GltfFields& file) {
     }
 }
 
-/// Reports an object whose geometry is compressed by an extension.
+/// Refuses an object whose geometry is compressed by an extension.
 void refuse_compression(const GltfFields& object) {
     const auto extensions = object.object("extensions");
     for (const char* name : compressions) {
@@ -90,8 +90,8 @@ Error bad(std::size_t node, const std::string& what) {
     return bad_input("node " + std::to_string(node) + ": " + what);
 }
 
-/// Checks that each node has at most one parent (section 3.5.2). Otherwise a few nodes could expand
-/// to 2^1000.
+/// Checks that each node has at most one parent (glTF 2.0, section 3.5.2). Otherwise the paths
+/// through a few nodes could number 2^1000.
 Status check_parents(const GltfDocument& document) {
     std::vector<bool> is_child(document.nodes.size(), false);
     for (const GltfNode& node : document.nodes) {
@@ -284,7 +284,7 @@ class DocumentReader {
         return primitive;
     }
 
-    /// True if a morph weight is not zero; nothing without weights.
+    /// True if a weight of a morph target is not zero; nothing if there are no weights.
     static std::optional<bool> has_weights(const GltfFields& fields) {
         const auto weights = fields.numbers("weights");
         if (!weights) {
@@ -321,8 +321,8 @@ class DocumentReader {
         return numbers.has_value();
     }
 
-    /// A node's matrix must decompose into translation, rotation and scale (section 3.5.3), so its
-    /// last row is 0 0 0 1, up to the rounding of exporters.
+    /// Refuses a matrix whose last row is not 0 0 0 1, up to the rounding of exporters: a node's
+    /// matrix must decompose into translation, rotation and scale (glTF 2.0, section 3.5.3).
     static void check_matrix(const GltfFields& fields, const std::array<double, 16>& m) {
         constexpr double rounding = 1e-5;
         const double off =

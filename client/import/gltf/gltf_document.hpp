@@ -15,7 +15,7 @@
 namespace cd {
 
 struct GltfBuffer {
-    std::optional<std::string> uri; ///< Nothing: the buffer is the GLB's chunk.
+    std::optional<std::string> uri; ///< Nothing: the buffer is the GLB's binary chunk.
     std::uint64_t bytes = 0;
 };
 
@@ -44,7 +44,7 @@ struct GltfRun {
     GltfNumber type = GltfNumber::F32;
 };
 
-/// A sparse accessor: elements that replace those of the base accessor.
+/// A sparse accessor's elements, which replace elements of the dense accessor.
 struct GltfSparse {
     std::uint64_t count = 0;
     GltfRun indices;
@@ -52,16 +52,16 @@ struct GltfSparse {
 };
 
 struct GltfAccessor {
-    std::optional<std::size_t> view; ///< Nothing: all elements are zero.
+    std::optional<std::size_t> view; ///< Nothing: all elements that are not sparse are zero.
     std::uint64_t offset = 0;
     GltfNumber type = GltfNumber::F32;
-    bool is_normalized = false; ///< Integers stand for [0, 1] or [-1, 1] (section 3.11).
+    bool is_normalized = false; ///< Integers mean fractions in [0, 1] or [-1, 1] (section 3.11).
     std::uint64_t count = 0;
-    std::size_t width = 1; ///< How many numbers an element has.
+    std::size_t width = 1; ///< Numbers in an element.
     std::optional<GltfSparse> sparse;
 };
 
-/// The topology of a primitive (section 3.7.2.1), with the values used in files.
+/// The topology of a primitive (glTF 2.0, section 3.7.2.1), with its values in files.
 enum class GltfMode : std::uint8_t {
     Points = 0,
     Lines = 1,
@@ -91,7 +91,7 @@ struct GltfTransform {
     std::array<double, 3> scale{1, 1, 1};
 };
 
-/// Accessors of EXT_mesh_gpu_instancing, with one element per instance.
+/// The accessors of EXT_mesh_gpu_instancing, each with one element per instance.
 struct GltfInstances {
     std::optional<std::size_t> translation;
     std::optional<std::size_t> rotation;
@@ -102,7 +102,7 @@ struct GltfNode {
     std::string name;
     std::optional<std::size_t> mesh;
     std::optional<std::size_t> skin;
-    std::optional<bool> is_morphed; ///< Set if the node overrides the mesh's weights.
+    std::optional<bool> is_morphed; ///< Set if the node's weights override the mesh's.
     std::vector<std::size_t> children;
     std::optional<std::array<double, 16>> matrix; ///< Column-major; replaces `transform`.
     GltfTransform transform;

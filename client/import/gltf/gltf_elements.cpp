@@ -15,7 +15,7 @@ double load(const std::byte* from, bool is_normalized) {
     T value{};
     std::memcpy(&value, from, sizeof value);
     const auto number = static_cast<double>(value);
-    // Section 3.11: the smallest signed integer means -1 as well.
+    // glTF 2.0, section 3.11: the smallest signed integer means -1 as well.
     return is_normalized
                ? std::max(number / static_cast<double>(std::numeric_limits<T>::max()), -1.0)
                : number;

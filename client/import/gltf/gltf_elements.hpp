@@ -9,18 +9,18 @@
 
 namespace cd {
 
-/// An accessor whose bytes are all present. Only the positions of sparse elements are unpacked, so
-/// memory does not depend on the counts in the file.
+/// An accessor whose bytes are all present. Only the indices of sparse elements are unpacked, so
+/// memory does not depend on the accessor's count.
 class GltfElements {
   public:
-    /// Document and buffers have to outlive the result. Errors: BadInput naming the accessor, for
-    /// one that goes beyond its view or buffer, or that has no view and more elements than the
+    /// `document` and `buffers` have to outlive the result. Errors: BadInput naming the accessor,
+    /// for one that goes beyond its view or buffer, or that has no view and more elements than the
     /// buffers have bytes.
     [[nodiscard]] static Result<GltfElements>
     open(const GltfDocument& document, const GltfBuffers& buffers, std::size_t accessor);
 
     [[nodiscard]] std::uint64_t count() const { return count_; }
-    /// One number of an element. Normalized integers become fractions.
+    /// Returns one number of an element. Normalized integers become fractions.
     [[nodiscard]] double at(std::uint64_t element, std::size_t component) const;
 
   private:
@@ -46,7 +46,7 @@ class GltfElements {
     Run base_;
     Run replacements_;
     std::unordered_map<std::uint64_t, std::uint64_t>
-        replaced_; ///< Position in `replacements_` of each sparse element.
+        replaced_; ///< For each sparse element: its position in `replacements_`.
 };
 
 } // namespace cd

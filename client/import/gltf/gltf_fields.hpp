@@ -14,36 +14,36 @@
 namespace cd {
 
 /// One JSON object and its name in messages (empty for the whole file). Getters return nothing for
-/// a missing member, and refuse a member of the wrong type: they throw a `Refusal`.
+/// a missing member. For a member of the wrong type they call `refuse`, which throws a `Refusal`.
 class GltfFields {
   public:
     using Json = nlohmann::json;
 
-    /// Refuses JSON that is not an object.
+    /// Refuses JSON that is not an object; `place` is the object's name in messages.
     GltfFields(const Json& json, std::string place);
 
     [[nodiscard]] const std::string& place() const { return place_; }
     [[nodiscard]] bool has(const char* key) const;
     [[nodiscard]] std::optional<std::uint64_t> whole(const char* key) const;
-    /// Like `whole`, but refuses a missing member.
+    /// Returns a whole number; refuses an object without it.
     [[nodiscard]] std::uint64_t needed_whole(const char* key) const;
-    /// An index below `count`.
+    /// Returns an index; refuses one that is not below `count`.
     [[nodiscard]] std::optional<std::size_t> index(const char* key, std::size_t count) const;
-    /// Like `index`, but refuses a missing member.
+    /// Returns an index below `count`; refuses an object without it.
     [[nodiscard]] std::size_t needed_index(const char* key, std::size_t count) const;
     [[nodiscard]] bool flag(const char* key) const;
     [[nodiscard]] std::string text(const char* key) const;
     [[nodiscard]] std::optional<std::vector<double>> numbers(const char* key) const;
-    /// Like `numbers`, but refuses another count than `count`.
+    /// Returns an array of exactly `count` numbers; refuses one of another length.
     [[nodiscard]] std::optional<std::vector<double>> numbers(const char* key,
                                                              std::size_t count) const;
-    /// Indices below `count`; empty if the member is missing.
+    /// Returns an array of indices below `count`; empty if the member is missing.
     [[nodiscard]] std::vector<std::size_t> indices(const char* key, std::size_t count) const;
-    /// An array; empty if the member is missing.
+    /// Returns an array; empty if the member is missing.
     [[nodiscard]] const Json& list(const char* key) const;
     [[nodiscard]] std::optional<GltfFields> object(const char* key) const;
 
-    /// Refuses the file, naming this object.
+    /// Refuses the file with an error that names this object.
     [[noreturn]] void refuse(const std::string& what) const {
         throw Refusal{bad_input(place_.empty() ? what : place_ + ": " + what)};
     }

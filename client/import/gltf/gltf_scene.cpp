@@ -11,7 +11,7 @@ namespace cd {
 
 namespace {
 
-/// glTF fixes the unit and the up axis (section 3.4).
+/// The unit and the up axis of every glTF file (glTF 2.0, section 3.4).
 const DeclaredFrame gltf_frame{"metre", 1, "Y"};
 
 std::string numbered(const char* kind, std::size_t number) {
@@ -46,13 +46,13 @@ class GltfIndices {
 
     [[nodiscard]] std::uint64_t count() const { return count_; }
 
-    /// Errors: BadInput naming the index.
+    /// Returns the vertex at a position. Errors: BadInput naming the index.
     [[nodiscard]] Result<std::uint64_t> at(std::uint64_t place) const {
         if (!elements_) {
             return place;
         }
         const auto vertex = static_cast<std::uint64_t>(elements_->at(place, 0));
-        if (vertex == restart_) { // Section 3.7.2.1 forbids the restart value.
+        if (vertex == restart_) { // glTF 2.0, section 3.7.2.1, forbids the restart value.
             return bad_input("index " + std::to_string(place) + " is " + std::to_string(vertex) +
                              ", which glTF does not allow: it stands for the begin of a new strip");
         }
@@ -97,8 +97,8 @@ Result<GltfShapes> whole(GltfShapes shapes, bool is_whole, std::uint64_t indices
     return shapes;
 }
 
-/// Counts a primitive's elements. Errors: BadInput if the number of indices leaves a triangle or a
-/// line incomplete.
+/// Counts a primitive's triangles, lines and points. Errors: BadInput if the number of indices
+/// leaves a triangle or a line incomplete.
 Result<GltfShapes> count_shapes(GltfMode mode, std::uint64_t indices) {
     switch (mode) {
     case GltfMode::Points:
@@ -118,8 +118,8 @@ Result<GltfShapes> count_shapes(GltfMode mode, std::uint64_t indices) {
     return whole({indices < 3 ? 0 : indices - 2, 0, 0}, indices == 0 || indices > 2, indices);
 }
 
-/// The positions of a triangle's corners in the list of indices, ordered so that all triangles of a
-/// strip or a fan face the same way (section 3.7.2.1).
+/// Returns the positions of a triangle's corners in the list of indices, ordered so that all
+/// triangles of a strip or a fan face the same way (glTF 2.0, section 3.7.2.1).
 std::array<std::uint64_t, 3> corners_of(GltfMode mode, std::uint64_t triangle) {
     switch (mode) {
     case GltfMode::TriangleStrip:
@@ -138,8 +138,8 @@ double nearest_float(double number) {
     return static_cast<double>(static_cast<float>(number));
 }
 
-/// The rotation of a quaternion of any length. Divides by the squared length, so that a quarter
-/// turn given in floats is exact.
+/// Returns the rotation of a quaternion of any length. Dividing by the squared length makes a
+/// quarter turn that is given in floats exact.
 Eigen::Matrix3d rotation_of(double x, double y, double z, double w) {
     const double s = 2 / (x * x + y * y + z * z + w * w);
     Eigen::Matrix3d r;
@@ -165,10 +165,10 @@ Result<Eigen::Matrix4d> to_matrix(const GltfTransform& transform) {
     return matrix;
 }
 
-/// Maps a node's coordinates into its parent's (section 3.5.3). Exporters compute transforms in
-/// float but may write more digits: each number is rounded to the nearest float, and the rest is
-/// computed in double. Quaternions need not have length 1. Errors: BadInput for a quaternion of
-/// zeros.
+/// Returns the map from a node's coordinates to its parent's (glTF 2.0, section 3.5.3). Exporters
+/// compute transforms in float but may write more digits, so each number is rounded to the nearest
+/// float, and all else is computed in double. Quaternions need not have length 1. Errors: BadInput
+/// for a quaternion of zeros.
 Result<Eigen::Matrix4d> to_parent(const GltfNode& node) {
     if (!node.matrix) {
         return to_matrix(node.transform);
@@ -255,7 +255,7 @@ Status GltfScene::add_node(std::size_t number, const Eigen::Matrix4d& to_world) 
     return Done{};
 }
 
-/// The transforms of a node's instances (EXT_mesh_gpu_instancing), relative to the node.
+/// Returns the transforms of a node's instances (EXT_mesh_gpu_instancing) relative to it.
 Result<std::vector<Eigen::Matrix4d>> GltfScene::instances(const GltfNode& node) const {
     if (!node.instances) {
         return std::vector<Eigen::Matrix4d>{Eigen::Matrix4d::Identity()};
@@ -325,8 +325,8 @@ Status GltfScene::add_primitive(const GltfPrimitive& primitive, const Eigen::Mat
     return Done{};
 }
 
-/// The name of a primitive's part. At the only root of a scene it is the mesh's name, which says
-/// more than the node's. Unnamed nodes and meshes are numbered as assimp does.
+/// Returns the name of a primitive's part. The only root of a scene gives it the mesh's name, which
+/// says more than the node's. Unnamed nodes and meshes are numbered as assimp does.
 std::string GltfScene::part_name(std::size_t number, std::size_t primitive) const {
     const GltfNode& node = document_.nodes[number];
     const GltfMesh& mesh = document_.meshes[*node.mesh];

@@ -15,12 +15,12 @@ namespace cd {
 
 class GltfScene {
   public:
-    /// Document and buffers have to outlive the scene.
+    /// `document` and `buffers` have to outlive the scene.
     GltfScene(const GltfDocument& document,
               const GltfBuffers& buffers,
               const ImportOptions& options);
 
-    /// May be called once. Errors: BadInput naming the node or primitive.
+    /// Builds the mesh; call it once. Errors: BadInput naming the node or primitive.
     [[nodiscard]] Result<ImportedMesh> read();
 
   private:

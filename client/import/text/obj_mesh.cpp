@@ -89,7 +89,7 @@ class ObjReader {
         return Done{};
     }
 
-    /// Reads three coordinates, which a weight of 1 or a colour may follow.
+    /// Reads a vertex: three coordinates, then optionally a weight of 1 or a colour.
     Status read_vertex() {
         std::array<double, 6> numbers{};
         std::size_t count = 0;
@@ -115,13 +115,13 @@ class ObjReader {
         return Done{};
     }
 
-    /// The next word of a statement; empty at its end or at a comment.
+    /// Returns the next word of a statement; empty at its end or at a comment.
     std::string_view next_value() {
         const std::string_view word = text_.word_in_line();
         return word.starts_with('#') && pass_comment(word) ? std::string_view() : word;
     }
 
-    /// Reads a face (f), a line (l) or points (p).
+    /// Reads the vertices of a face (`f`), a line (`l`) or points (`p`).
     Status read_element(char kind) {
         corners_.clear();
         for (auto word = next_value(); !word.empty(); word = next_value()) {
@@ -146,8 +146,8 @@ class ObjReader {
         return added ? Done{} : Status(refusal("the face " + added.error().detail));
     }
 
-    /// The index of a vertex, from 0. The word is "3", "3/1", "3//1" or "3/1/1"; its first number
-    /// counts from 1, or backwards from the last vertex if it is negative.
+    /// Returns the index of a vertex, from 0. The word is "3", "3/1", "3//1" or "3/1/1"; its first
+    /// number counts from 1, or backwards from the last vertex if it is negative.
     std::optional<std::int64_t> to_corner(std::string_view word) const {
         std::int64_t number = 0;
         const char* const end = word.data() + word.size();
@@ -202,7 +202,7 @@ class ObjReader {
     const MeshSource& source_;
     TextReader text_;
     IndexedMesh mesh_;
-    std::vector<std::int64_t> corners_; ///< Corners of the current element.
+    std::vector<std::int64_t> corners_; ///< Vertex indices of the current face, line or points.
     std::string_view free_text_;        ///< The last comment or name.
     std::string group_;
     std::optional<std::string> material_;

@@ -34,7 +34,7 @@ class OffReader {
   private:
     Error refusal(const std::string& detail) const { return source_.refusal(text_.line(), detail); }
 
-    /// The next word outside of comments, on this line or a later one.
+    /// Returns the next word outside of comments, on this line or a later one.
     std::string_view first_word() {
         std::string_view word = text_.word();
         while (word.starts_with('#')) {
@@ -44,7 +44,7 @@ class OffReader {
         return word;
     }
 
-    /// The next word of this line; empty at its end or at a comment.
+    /// Returns the next word of this line; empty at the line's end or at a comment.
     std::string_view word_in_line() {
         const std::string_view word = text_.word_in_line();
         if (!word.starts_with('#')) {
@@ -75,7 +75,7 @@ class OffReader {
         }
         vertices_ = *vertices;
         faces_ = *faces;
-        text_.rest_of_line(); // The count of edges, which may be missing or wrong.
+        text_.rest_of_line(); // Skips the count of edges, which may be missing or wrong.
         return Done{};
     }
 
@@ -119,7 +119,7 @@ class OffReader {
         if (!count || corners_.size() < *count) {
             return refusal(name() + " of " + std::to_string(faces_) + " is missing or damaged");
         }
-        text_.rest_of_line(); // A colour may follow.
+        text_.rest_of_line(); // Skips a colour.
         const Status added = mesh_.add_face(corners_);
         return added ? Done{} : Status(refusal(name() + " " + added.error().detail));
     }
@@ -129,7 +129,7 @@ class OffReader {
     IndexedMesh mesh_;
     std::uint64_t vertices_ = 0;        ///< Number of vertices in the header.
     std::uint64_t faces_ = 0;           ///< Number of faces in the header.
-    bool has_more_numbers_ = false;     ///< More numbers may follow a vertex's position.
+    bool has_more_numbers_ = false;     ///< True if normals, colours or texture coordinates follow.
     std::vector<std::int64_t> corners_; ///< Corners of the current face.
 };
 

@@ -42,8 +42,8 @@ std::optional<PlyFormat> to_format(std::string_view word) {
     return word == "binary_big_endian" ? std::optional(PlyFormat::BigEndian) : std::nullopt;
 }
 
-/// The line end of the header: "\r" if no "\n" follows the first one, else "\n". All lines of a
-/// header end like the first, so the data may begin with any byte.
+/// Returns how the header's lines end: "\r" if no "\n" follows the first "\r", else "\n". All lines
+/// of a header end like the first, so the data may begin with any byte.
 char line_end_of(std::string_view bytes) {
     const std::size_t end = bytes.find_first_of("\r\n");
     const bool is_return = end != bytes.npos && bytes[end] == '\r';

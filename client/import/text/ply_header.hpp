@@ -34,7 +34,7 @@ struct PlyHeader {
     PlyFormat format = PlyFormat::Text;
     std::vector<PlyElement> elements;
     std::size_t data_begin = 0;  ///< Offset of the data's first byte in the file.
-    std::uint64_t data_line = 1; ///< Line of that byte, from 1.
+    std::uint64_t data_line = 1; ///< Line of the data's first byte, from 1.
 };
 
 /// Reads the header of a file. Errors: BadInput naming the file and the line, for a file that is

@@ -48,7 +48,7 @@ bool has_faces(const PlyElement& element) {
     return element.name == "face" || element.name == "tristrips";
 }
 
-/// Checks that the header describes exactly one mesh.
+/// Checks that the header describes exactly one mesh. Errors: BadInput naming the file.
 Status check_header(const PlyHeader& header, const MeshSource& source) {
     const auto& elements = header.elements;
     for (const char* name : {"vertex", "face", "tristrips"}) {

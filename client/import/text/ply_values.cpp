@@ -76,7 +76,7 @@ bool PlyBinary::begin_element() {
     return at_ < source_.bytes.size();
 }
 
-/// The next number as bits, in the lowest bytes; nothing at the end of the data.
+/// Takes the next number's bits, in the lowest bytes; nothing at the end of the data.
 std::optional<std::uint64_t> PlyBinary::take(PlyType type) {
     const std::size_t size = size_of(type);
     if (source_.bytes.size() - at_ < size) {
@@ -110,7 +110,7 @@ std::optional<std::int64_t> PlyBinary::integer(PlyType type) {
     if (!bits) {
         return std::nullopt;
     }
-    // Copies the sign bit of a signed type to the bits above.
+    // Copies the sign bit of a signed type to all higher bits.
     const bool is_signed =
         type == PlyType::Int8 || type == PlyType::Int16 || type == PlyType::Int32;
     const auto unused = 64 - 8 * size_of(type);

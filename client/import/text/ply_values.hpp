@@ -11,7 +11,7 @@
 
 namespace cd {
 
-/// Reads text data: one element a line; blank lines are skipped.
+/// Reads the data of a text PLY: one element a line; blank lines are skipped.
 class PlyText {
   public:
     PlyText(const MeshSource& source, const PlyHeader& header);
@@ -21,19 +21,19 @@ class PlyText {
     /// False if the element has more numbers than its properties.
     [[nodiscard]] bool end_element();
 
-    /// The next number of the element; nothing if it is missing or invalid.
+    /// Reads the element's next number; returns nothing if it is missing or invalid.
     [[nodiscard]] std::optional<double> number(PlyType type);
     [[nodiscard]] std::optional<std::int64_t> integer(PlyType type);
     [[nodiscard]] bool skip(PlyType type);
 
-    /// The error for a missing or invalid number, with the line and the text found in place of the
-    /// number.
+    /// Returns the error for a missing or invalid number, with the line and the text found in place
+    /// of the number.
     [[nodiscard]] Error no_number(const std::string& element) const;
-    /// The error BadInput naming the file and the position.
+    /// Returns the error BadInput naming the file and the line.
     [[nodiscard]] Error refusal(const std::string& detail) const;
 
-    /// True when the remaining bytes may hold the elements: a number takes two or more bytes, with
-    /// a blank.
+    /// True if the remaining bytes suffice for the elements: a number takes at least two, with the
+    /// blank after it.
     [[nodiscard]] bool has_room_for(const PlyElement& element) const;
     [[nodiscard]] bool is_at_end();
 
@@ -43,7 +43,7 @@ class PlyText {
     std::string_view word_;
 };
 
-/// Reads binary data.
+/// Reads the data of a binary PLY.
 class PlyBinary {
   public:
     PlyBinary(const MeshSource& source, const PlyHeader& header);
@@ -59,7 +59,7 @@ class PlyBinary {
     [[nodiscard]] Error refusal(const std::string& detail) const;
 
     [[nodiscard]] bool has_room_for(const PlyElement& element) const;
-    /// True at the end of the data. Trailing zeros and blanks are ignored.
+    /// True if only zeros and blanks are left, which are ignored.
     [[nodiscard]] bool is_at_end() const;
 
   private:

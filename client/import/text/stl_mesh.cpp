@@ -109,7 +109,7 @@ class TextStl {
   private:
     Error refusal(const std::string& detail) const { return source_.refusal(text_.line(), detail); }
 
-    /// Reads a solid after its "solid" up to its "endsolid".
+    /// Reads a solid from behind its word "solid" to its "endsolid".
     Status read_solid() {
         const std::uint64_t begin = text_.line();
         bool has_facet = read_name();
@@ -132,7 +132,7 @@ class TextStl {
         }
     }
 
-    /// Skips a line between two solids, of which `word` has been read.
+    /// Skips the rest of a line between two solids; `word` is its first word.
     Status skip_line(std::string_view word) {
         for (; !word.empty(); word = text_.word_in_line()) {
             if (equals_lower(word, "facet") || equals_lower(word, "vertex")) {
@@ -142,7 +142,7 @@ class TextStl {
         return Done{};
     }
 
-    /// Reads the solid's name and begins a part. True when the first facet begins on the same line.
+    /// Reads the solid's name and begins a part. True if its first facet begins on that line.
     bool read_name() {
         const std::string_view line = TextReader(text_).rest_of_line();
         TextReader words = text_;
@@ -163,7 +163,7 @@ class TextStl {
         builder_.begin_part(name.empty() ? nameless_part : std::string(name));
     }
 
-    /// Reads a facet after its "facet".
+    /// Reads a facet from behind its word "facet" to its "endfacet".
     Status read_facet() {
         auto word = text_.word();
         for (int i = 0; i < normal_words && !equals_lower(word, "outer"); ++i) {

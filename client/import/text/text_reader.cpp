@@ -108,7 +108,7 @@ std::optional<double> to_number(std::string_view word) {
     if (!is_whole || error == std::errc::invalid_argument || (has_plus && word[0] == '-')) {
         return std::nullopt;
     }
-    // Unlike `from_chars`, `strtod` returns infinity or 0 for a number beyond the range of doubles.
+    // `strtod` returns infinity or 0 for a number that no double holds; `from_chars` fails.
     return error == std::errc() ? value : std::strtod(std::string(word).c_str(), nullptr);
 }
 

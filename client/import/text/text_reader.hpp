@@ -11,26 +11,26 @@
 
 namespace cd {
 
-/// Lines end with "\n", "\r\n" or "\r". Words are separated by blanks and line ends.
+/// Reads a text by words. Lines end with "\n", "\r\n" or "\r"; blanks separate words.
 class TextReader {
   public:
-    /// The meaning of a backslash at the end of a line: text, or the line goes on in the next one.
+    /// How a backslash at a line's end is read: as text, or as joining the next line to this one.
     enum class Backslash { IsText, JoinsLines };
 
     explicit TextReader(std::string_view text,
                         Backslash backslash = Backslash::IsText,
                         std::uint64_t first_line = 1);
 
-    /// The next word of this line; empty at the line's end.
+    /// Returns the next word of this line; empty at the line's end.
     [[nodiscard]] std::string_view word_in_line();
-    /// The next word of this line or a later one; empty at the end of the text.
+    /// Returns the next word of this line or a later one; empty at the end of the text.
     [[nodiscard]] std::string_view word();
-    /// The rest of this line without surrounding blanks. A backslash does not continue it.
+    /// Returns the rest of this line without surrounding blanks. A backslash joins no lines here.
     std::string_view rest_of_line();
 
-    /// The number of the current line, from 1.
+    /// Returns the number of the current line, from 1.
     [[nodiscard]] std::uint64_t line() const { return line_; }
-    /// The text that has not been read yet.
+    /// Returns the text that has not been read yet.
     [[nodiscard]] std::string_view rest() const { return {at_, end_}; }
 
   private:
@@ -44,26 +44,26 @@ class TextReader {
     Backslash backslash_;
 };
 
-/// The text without a UTF-8 byte order mark.
+/// Returns the text without a UTF-8 byte order mark at its beginning.
 [[nodiscard]] std::string_view without_utf8_mark(std::string_view text);
 
-/// The content of a file without a byte order mark; empty if unreadable.
+/// Reads a file without its byte order mark; returns an empty text for an unreadable file.
 [[nodiscard]] std::string read_text(const std::filesystem::path& path);
 
-/// The word in single quotes for a message, shortened, and without control characters.
+/// Quotes a word for a message, shortened, with control characters replaced.
 [[nodiscard]] std::string in_quotes(std::string_view word);
 
-/// The double nearest to a decimal number with a '.'; nothing if the word is not a number. The
-/// result may be infinite or NaN.
+/// Returns the double nearest to a decimal number with a '.'; nothing if the word is not a number.
+/// The result may be infinite or NaN.
 [[nodiscard]] std::optional<double> to_number(std::string_view word);
 
-/// An unsigned integer; nothing if the word holds anything but digits.
+/// Reads an unsigned integer; returns nothing if the word holds anything but digits.
 [[nodiscard]] inline std::optional<std::uint64_t> to_whole(std::string_view word) {
     return number_in<std::uint64_t>(word);
 }
 
-/// True when the words are equal but for upper and lower case of ASCII letters. `lower` is in
-/// lower case.
+/// True if `word` equals `lower`, which is in lower case; upper and lower case of ASCII letters in
+/// `word` are equal.
 [[nodiscard]] bool equals_lower(std::string_view word, std::string_view lower);
 
 } // namespace cd
