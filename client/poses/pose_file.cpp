@@ -42,7 +42,7 @@ Result<PoseLayout> layout_of(std::vector<std::uint64_t> shape, const PoseFileSpe
     }
     if (shape == Shape{7}) {
         return bad_input(
-            "a bare (N, 7) array does not say where qw stands; give quat_order \"xyzw\" or "
+            "a bare (N, 7) array does not say which column is qw; give quat_order \"xyzw\" or "
             "\"wxyz\"");
     }
     return bad_input(

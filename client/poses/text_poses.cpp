@@ -210,7 +210,7 @@ Status check_others(const HeaderNames& names, std::uint64_t line, const Columns&
             return bad(line, "column '" + name + "' is not known; " + std::string(known_columns));
         }
         if (names.index_of(name) != i) {
-            return bad(line, "column '" + name + "' stands there twice");
+            return bad(line, "column '" + name + "' appears twice");
         }
     }
     return Done{};

@@ -94,7 +94,7 @@ Result<std::filesystem::path> relative_file(std::string_view uri) {
     const std::filesystem::path path = without_escapes(uri);
     const bool goes_up = std::ranges::find(path, std::filesystem::path("..")) != path.end();
     if (uri.empty() || has_scheme(uri) || path.is_absolute() || goes_up) {
-        return bad_input("it stands in '" + std::string(uri) +
+        return bad_input("its uri is '" + std::string(uri) +
                          "'; only files beside this one or in folders below are opened");
     }
     return path;

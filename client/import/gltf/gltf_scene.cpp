@@ -54,7 +54,7 @@ class GltfIndices {
         const auto vertex = static_cast<std::uint64_t>(elements_->at(place, 0));
         if (vertex == restart_) { // glTF 2.0, section 3.7.2.1, forbids the restart value.
             return bad_input("index " + std::to_string(place) + " is " + std::to_string(vertex) +
-                             ", which glTF does not allow: it stands for the begin of a new strip");
+                             ", which glTF does not allow: it marks the start of a new strip");
         }
         if (vertex >= vertices_) {
             return bad_input("index " + std::to_string(place) + " names vertex " +

@@ -377,7 +377,7 @@ TEST(GltfImport, BuffersInFilesStandInTheFolder) {
                                   "file:x.bin",
                                   ""}) {
         SCOPED_TRACE(uri);
-        EXPECT_THAT(with(uri, 42), HasSubstr("buffer 0: it stands in"));
+        EXPECT_THAT(with(uri, 42), HasSubstr("buffer 0: its uri is"));
     }
     EXPECT_THAT(with("data:;base64,AAA*", 3), HasSubstr("damaged base64"));
     EXPECT_THAT(with("data:,text", 3), HasSubstr("not in base64"));
