@@ -126,7 +126,7 @@ struct StatusCommand {
 
 struct CancelCommand {
     std::string job;
-    std::optional<std::uint64_t> scenario; ///< Nothing: cancel the whole job.
+    std::optional<std::uint64_t> scenario; ///< Without one, the whole job is cancelled.
     MasterOptions master;
 };
 

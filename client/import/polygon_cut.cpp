@@ -55,7 +55,7 @@ std::span<const Triangle> PolygonCutter::cut(std::span<const Vec3> corners) {
     return triangles_;
 }
 
-/// Projects the corners to a plane, in which the polygon then turns left.
+/// Projects the corners onto a coordinate plane, oriented so that the polygon is counterclockwise.
 void PolygonCutter::project(std::span<const Vec3> corners) {
     const Normal normal = normal_of(corners);
     Eigen::Index axis = 0;

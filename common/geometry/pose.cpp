@@ -42,7 +42,7 @@ constexpr double quaternion_entry_error = 16 * u;
 /// A matrix in doubles, with bounds on its errors and entries.
 struct BoundedMatrix {
     Mat3 value;
-    double error = 0;   ///< Bounds the error of each entry.
+    double error = 0;   ///< Upper bound on the error of each entry.
     double largest = 0; ///< Bounds every entry, computed or true.
 };
 

@@ -38,9 +38,9 @@ struct TakenResults {
     PositionSet positions = {}; ///< Positions of all results, if these came in one message.
 };
 
-/// Decodes, checks and settles the results of a message, which may be forged. Errors: BadFrame or
-/// TooLarge for an invalid record, another level or other bodies than the job's, a scenario that is
-/// not in the task, or a map that cannot belong to the results.
+/// Decodes and checks the results of a message, which may be forged, and settles their classes.
+/// Errors: BadFrame or TooLarge for an invalid record, a level or bodies that were not asked for,
+/// a scenario that is not in the task, or a map that cannot belong to the results.
 [[nodiscard]] Result<TakenResults> take_results(const TaskContent& task, const Results& results);
 
 /// `take_results`, or its replacement in a simulation. Any thread may call it.

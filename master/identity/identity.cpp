@@ -51,8 +51,8 @@ constexpr const char* remedy =
     "; nothing was changed: restore it from a copy, or move the folder away, run `cdmaster init`, "
     "and have everybody join again";
 
-/// Returns the error for a missing certificate of the authority: NotFound if the folder is empty or
-/// missing, BadInput if it has other files, Io if it cannot be read.
+/// Returns the error for a missing CA certificate: NotFound if the folder is empty or missing,
+/// BadInput if it has other files, Io if it cannot be read.
 Error no_authority(const std::filesystem::path& folder) {
     std::error_code error;
     const std::filesystem::directory_iterator files(folder, error);

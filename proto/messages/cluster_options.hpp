@@ -28,7 +28,7 @@ enum class AnalysisMode : std::uint8_t {
 /// A matching strategy as users know it. `master/dispatch/policy/strategies.cpp` makes its policy.
 struct Strategy {
     std::string_view name;
-    std::string_view worker; ///< Predicate of the worker that gets a scenario, in words.
+    std::string_view worker; ///< Ends the sentence "A scenario goes to the worker that ...".
     bool uses_q = true;      ///< Its batches have q scenarios; workers may be claimed.
 };
 

@@ -24,8 +24,8 @@ namespace cd {
 /// scenario; otherwise descents of the upper trees find the roots.
 class Task {
   public:
-    /// Checks the unit. Errors: BadFrame for a root that its tree lacks, positions outside the
-    /// grid, invalid poses, or a wrong number of poses.
+    /// Checks a work unit and makes its task. Errors: BadFrame for a root that its tree lacks,
+    /// positions outside the grid, invalid poses, or a wrong number of poses.
     [[nodiscard]] static Result<Task>
     make(WorkUnit unit, std::shared_ptr<const WorkerJob> job, const SubtreeCache& cache);
 
