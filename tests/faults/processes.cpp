@@ -2,11 +2,11 @@
 
 #include "common/core/limits/master.hpp"
 #include "common/core/limits/worker.hpp"
-#include "common/job/packed_scenarios.hpp"
 #include "proto/codec/codec.hpp"
 #include "tests/faults/simulated_journal.hpp"
 #include "tests/faults/simulated_network.hpp"
 #include "tests/faults/simulated_pool.hpp"
+#include "tests/support/packed_poses.hpp"
 
 namespace cd::tests {
 
@@ -152,7 +152,9 @@ void ClientProcess::submit(Channel& channel) const {
     message.cluster = options_;
     channel.send(message);
     if (!message.grid) {
-        channel.send(PosesPart{pack_scenarios(job_.scenarios)});
+        for (Bytes& run : packed_runs(job_.scenarios)) {
+            channel.send(PosesPart{std::move(run)});
+        }
         channel.send(PosesEnd{});
     }
 }

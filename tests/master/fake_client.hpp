@@ -1,11 +1,10 @@
 // A client that submits, watches and fetches, and the right result of its job.
 #pragma once
 
-#include "common/job/packed_scenarios.hpp"
-#include "common/job/poses/pose_source.hpp"
 #include "common/job/result/packed_records.hpp"
 #include "common/job/run_scenario.hpp"
 #include "tests/master/master_stage.hpp"
+#include "tests/support/packed_poses.hpp"
 #include "tests/support/scenarios.hpp"
 #include "tests/support/trees.hpp"
 
@@ -217,7 +216,9 @@ class Client {
             co_await upload(hash);
         }
         channel_->send(submit);
-        channel_->send(PosesPart{pack_scenarios(reference().scenarios)});
+        for (Bytes& run : packed_runs(reference().scenarios)) {
+            channel_->send(PosesPart{std::move(run)});
+        }
         channel_->send(PosesEnd{});
         job = std::get<Accepted>((co_await channel_->receive(patience)).value()).job;
     }
