@@ -190,7 +190,7 @@ Grid read_grid(const Json& json) {
                 {number_of(q.at(0)), number_of(q.at(1)), number_of(q.at(2)), number_of(q.at(3))});
         }
     }
-    // The numbers are untrusted, and `decode_grid` checks them.
+    // `decode_grid` checks the numbers of the grid, which are untrusted.
     if (const auto checked = decode_grid(encode_grid(grid)); !checked) {
         throw Refusal{bad_input(checked.error().detail)};
     }

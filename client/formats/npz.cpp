@@ -91,7 +91,7 @@ Status NpzWriter::finish() {
         }
         zip_set_file_compression(
             archive.get(), static_cast<zip_uint64_t>(index), ZIP_CM_DEFLATE, 1);
-        // A fixed time, 1 January 1980, makes the files of equal arrays equal.
+        // Each file gets the time 1 January 1980, so that equal arrays make equal files.
         zip_file_set_dostime(archive.get(), static_cast<zip_uint64_t>(index), 0, 0x21, 0);
     }
     zip_register_cancel_callback_with_state(

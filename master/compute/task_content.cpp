@@ -18,7 +18,8 @@ std::optional<PlacedScenario> RangeContent::find(std::uint64_t index) const {
     if (window == nullptr) {
         return PlacedScenario{scenario_on(*order->grid(), index), position};
     }
-    // The poses were checked when the client sent them, and their checksum when they were read.
+    // `PoseSpool` has checked the pose: when it came or when the master started, and its checksum
+    // when it was read.
     const Result<Scenario> scenario = window->at(position);
     CD_CHECK(scenario);
     return PlacedScenario{scenario.value(), position};

@@ -12,9 +12,16 @@ namespace {
 
 constexpr std::uint64_t magic = 0x32'53'4f'50'44'43'00'00; // "\0\0CDPOS2"
 
-/// Checks the scenarios of a run, and marks their indices in `came`. The run's window begins at
-/// `window`; `came` has an element for each scenario of the window.
-Status check_run(const PackedScenarios& run, std::uint64_t window, std::vector<bool>& came) {
+/// Checks the run that begins at position `first` of a job with so many scenarios. `came` tells
+/// which indices of the run's window earlier runs had, and is set for the run's own.
+Status check_run(const PackedScenarios& run,
+                 std::uint64_t first,
+                 std::uint64_t scenarios,
+                 std::vector<bool>& came) {
+    const std::uint64_t window = first - first % limits::order_window_scenarios;
+    if (first == window) {
+        came.assign(std::min(scenarios - window, limits::order_window_scenarios), false);
+    }
     for (std::uint64_t i = 0; i < run.count(); ++i) {
         const Result<Scenario> scenario = run.at(i);
         if (!scenario) {
@@ -87,12 +94,8 @@ Status PoseSpool::append(const Bytes& packed) {
                      "a run of " + std::to_string(run.value().count()) + " scenarios where " +
                          std::to_string(due) + " come together"};
     }
-    const std::uint64_t window = before - before % limits::order_window_scenarios;
     std::vector<bool> came = came_;
-    if (before == window) {
-        came.assign(std::min(left, limits::order_window_scenarios), false);
-    }
-    if (Status sound = check_run(run.value(), window, came); !sound) {
+    if (Status sound = check_run(run.value(), before, file_.scenarios(), came); !sound) {
         return sound;
     }
     if (Status written = file_.append(packed); !written) {
@@ -109,9 +112,16 @@ Status PoseSpool::seal(const std::filesystem::path& path, Durability durability)
 }
 
 Status PoseSpool::verify() const {
-    for (std::size_t number = 0; number < file_.runs(); ++number) {
-        if (const auto found = run(number); !found) {
+    std::vector<bool> came;
+    for (std::uint64_t number = 0; number < file_.runs(); ++number) {
+        const auto found = run(number);
+        if (!found) {
             return found.error();
+        }
+        const Status sound =
+            check_run(found.value(), number * limits::pose_run_scenarios, file_.scenarios(), came);
+        if (!sound) {
+            return file_.damaged(sound.error().detail);
         }
     }
     return Done{};
@@ -140,9 +150,14 @@ Result<PackedScenarios> PoseSpool::run(std::uint64_t number) const {
     if (!packed) {
         return packed.error();
     }
-    Result<PackedScenarios> run =
-        PackedScenarios::open(std::move(packed.value()), limits::pose_run_scenarios);
-    return run ? std::move(run) : file_.damaged(run.error().detail);
+    const std::uint64_t left = file_.scenarios() - number * limits::pose_run_scenarios;
+    const std::uint64_t due = std::min(left, limits::pose_run_scenarios);
+    Result<PackedScenarios> run = PackedScenarios::open(std::move(packed.value()), due);
+    if (!run) {
+        return file_.damaged(run.error().detail);
+    }
+    return run.value().count() == due ? std::move(run)
+                                      : file_.damaged("a run is shorter than it was written");
 }
 
 } // namespace cd

@@ -37,7 +37,7 @@ class PoseSpool final : public PoseRuns {
     /// Finishes the file after the last scenarios and renames it to `path`, which is in its folder.
     /// Errors: Io.
     [[nodiscard]] Status seal(const std::filesystem::path& path, Durability durability);
-    /// Reads all runs and checks their checksums. Errors: Io, naming the file.
+    /// Reads all runs and checks them as `append` does. Errors: Io, naming the file.
     [[nodiscard]] Status verify() const;
 
     /// Number of scenarios appended.

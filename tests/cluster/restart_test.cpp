@@ -2,6 +2,7 @@
 // workers return by themselves with their blocks and unacknowledged results; no finished scenario
 // runs again; and the digest is that of one process.
 #include "client/base/job_id.hpp"
+#include "common/core/limits/engine.hpp"
 #include "tests/cluster/cdctl_runs.hpp"
 #include "tests/cluster/mortal_master.hpp"
 #include "tests/support/comes_true.hpp"
@@ -220,14 +221,19 @@ class InterruptedPoses final : public PoseSource {
 };
 
 TEST_F(Restart, KilledWhileAJobIsSubmittedItKnowsTheJobOrNothing) {
-    constexpr std::uint64_t scenarios = 9000; // Three runs of poses.
+    constexpr std::uint64_t scenarios = 9000;
     const Job job = make_job(scenarios);
+    std::vector<Scenario> two_windows = job.scenarios;
+    while (two_windows.size() < limits::order_window_scenarios + 1000) {
+        two_windows.push_back(two_windows[two_windows.size() - scenarios]);
+        two_windows.back().index = two_windows.size() - 1;
+    }
     const std::vector<NamedMesh> meshes{{"a", job.a->mesh_pointer()}, {"b", job.b->mesh_pointer()}};
     Submit message;
     message.bodies = {{job.a->mesh().hash()}, {job.b->mesh().hash()}};
     std::set<JobId> promised;
-    // Kills at the start and in the middle of an upload; before the first poses, and the last; and
-    // right after the job is accepted.
+    // Kills at the start and in the middle of an upload; before the first poses; when a window of
+    // poses was sent and the next is read; and right after the job is accepted.
     for (const int moment : {0, 1, 2, 3, 4}) {
         auto connection = connect();
         int pieces = 0;
@@ -238,8 +244,9 @@ TEST_F(Restart, KilledWhileAJobIsSubmittedItKnowsTheJobOrNothing) {
         });
         EXPECT_EQ(bool(uploaded), moment >= 2);
         if (uploaded) {
-            const std::uint64_t place = moment == 2 ? 0 : moment == 3 ? scenarios - 1 : scenarios;
-            InterruptedPoses poses(job.scenarios, place, [&] { master_.kill(); });
+            const auto& sent = moment == 3 ? two_windows : job.scenarios;
+            const std::uint64_t place = moment == 2 ? 0 : moment == 3 ? sent.size() - 1 : scenarios;
+            InterruptedPoses poses(sent, place, [&] { master_.kill(); });
             const auto accepted = connection->submit(message, poses);
             EXPECT_EQ(bool(accepted), moment == 4);
             if (accepted) {

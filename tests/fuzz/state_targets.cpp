@@ -97,7 +97,7 @@ void pose_spool(Input input) {
     const bool is_verified = spool.verify().has_value();
     OrderedPoses poses((std::shared_ptr<const PoseRuns>(std::move(opened.value()))));
     const auto read = poses.read(0, scenarios);
-    require(is_verified || !read, "what is read was verified");
+    require(!is_verified || read, "what is verified can be read");
     require(!read || read.value().size() == scenarios, "all scenarios are read");
 }
 

@@ -39,9 +39,9 @@ struct PlannedTree {
 class BlockPlan {
   public:
     // ---- Workers ------------------------------------------------------------------------------
-    /// Gives a free slot to a new worker, which holds nothing yet.
+    /// Adds a new worker at a free slot. It holds nothing yet.
     void join(std::uint32_t slot);
-    /// Frees the slot of a worker that has left, and forgets the blocks that the worker held.
+    /// Removes the worker at the slot, and forgets the blocks that it held.
     void leave(std::uint32_t slot);
     /// Triangles of all blocks that the worker holds.
     [[nodiscard]] std::uint64_t held_triangles(std::uint32_t slot) const {

@@ -1,4 +1,4 @@
-// The leases: for each task in flight, the data that the dispatcher itself does not need.
+// Keeps for each task in flight what the dispatcher does not need: its content and its checks.
 #pragma once
 
 #include "common/core/id.hpp"

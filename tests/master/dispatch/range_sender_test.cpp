@@ -49,6 +49,19 @@ TEST_F(RangeSending, AWorkerThatWouldBeLateGetsNone) {
     EXPECT_TRUE(ranges.would_take(slow, job_));
 }
 
+TEST_F(RangeSending, TasksOfAnotherJobInTheSameEventDoNotHideThatAWorkerWouldBeLate) {
+    WorkerProxy& slow = join(1, 4);
+    WorkerProxy& quick = join(2);
+    DispatchJob& other = open("earliest-finish", 2, 2);
+    job_.range_pace.add(slow.id(), 1, 10);
+    job_.range_pace.add(quick.id(), 1000, 1);
+    job_.unsent.add({{0, 1}}, 0);
+    ranges.forget_totals();
+    EXPECT_FALSE(ranges.would_take(slow, job_));
+    tasks.send_range(slow, other, {{0, 3}}, 1'000'000, actions);
+    EXPECT_FALSE(ranges.would_take(slow, job_));
+}
+
 TEST_F(RangeSending, JobsTakeTurnsAndTheReservedWorkerIsSpared) {
     WorkerProxy& one = join(1, 20);
     DispatchJob& other = open("earliest-finish", 2, 2);

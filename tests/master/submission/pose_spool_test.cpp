@@ -3,6 +3,7 @@
 
 #include "master/submission/pose_spool.hpp"
 
+#include "common/core/files/hash.hpp"
 #include "common/core/limits/engine.hpp"
 #include "tests/support/packed_poses.hpp"
 #include "tests/support/process.hpp"
@@ -11,6 +12,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstring>
 
 namespace cd::tests {
 namespace {
@@ -146,6 +148,34 @@ TEST_F(PoseSpoolTest, ASealedOneComesBack) {
         EXPECT_FALSE(PoseSpool::open(folder_ / "spool/1.poses", count + 1));
     }
     EXPECT_FALSE(PoseSpool::open(folder_ / "spool/2.poses", 1));
+}
+
+TEST_F(PoseSpoolTest, VerifyingSeesAPoseThatIsNoPoseBehindRightChecksums) {
+    const auto path = folder_ / "spool/1.poses";
+    {
+        const auto spool = make_spool(3);
+        ASSERT_TRUE(spool->append(pack_scenarios(make_scenarios(3))));
+        ASSERT_TRUE(spool->seal(path, Durability::Unsynced));
+    }
+    // After the only run: its end, its checksum, the kind, two counts, and the index's checksum.
+    constexpr std::size_t index_bytes = 6 * sizeof(std::uint64_t);
+    std::string text = read_text(path);
+    const std::size_t run_bytes = text.size() - index_bytes;
+    const auto sum_up = [&](std::size_t from, std::size_t to, std::size_t at) {
+        const std::uint64_t sum = checksum(std::as_bytes(std::span(text)).subspan(from, to - from));
+        std::memcpy(text.data() + at, &sum, sizeof sum);
+    };
+    const double nan = std::nan("");
+    std::memcpy(text.data() + run_bytes - sizeof nan, &nan, sizeof nan);
+    sum_up(0, run_bytes, run_bytes + sizeof(std::uint64_t));
+    sum_up(run_bytes, text.size() - sizeof(std::uint64_t), text.size() - sizeof(std::uint64_t));
+    write_text(path, text);
+    const auto spool = PoseSpool::open(path, 3);
+    ASSERT_TRUE(spool) << spool.error().detail;
+    const Status status = spool.value()->verify();
+    ASSERT_FALSE(status);
+    EXPECT_EQ(status.error().code, ErrorCode::Io);
+    EXPECT_NE(status.error().detail.find("scenario 2"), std::string::npos);
 }
 
 TEST_F(PoseSpoolTest, EveryFlippedByteOfASealedOneIsSeen) {
