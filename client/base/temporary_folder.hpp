@@ -1,7 +1,7 @@
 // A folder for files that are needed only for a while.
 #pragma once
 
-#include "client/base/errors.hpp"
+#include "common/core/errors.hpp"
 #include "common/core/files/disk_file.hpp"
 
 #include <filesystem>

@@ -1,6 +1,6 @@
 #include "client/cli/cli_mistakes.hpp"
 
-#include "client/base/words.hpp"
+#include "common/core/words.hpp"
 
 #include <CLI/CLI.hpp>
 

@@ -1,11 +1,11 @@
 // The verb `demo`: a job on real vehicles, run by a cluster that it starts on this machine.
-#include "client/base/errors.hpp"
 #include "client/base/interrupt.hpp"
 #include "client/commands/commands.hpp"
 #include "client/commands/remote_session.hpp"
 #include "client/commands/run_command.hpp"
 #include "client/local/local_cluster.hpp"
 #include "client/trees/demo_vehicles.hpp"
+#include "common/core/errors.hpp"
 #include "common/core/timing/client.hpp"
 
 #include <algorithm>

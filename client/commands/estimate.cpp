@@ -1,16 +1,16 @@
 #include "client/commands/estimate.hpp"
 
-#include "client/base/errors.hpp"
-#include "client/base/table.hpp"
 #include "client/base/temporary_folder.hpp"
-#include "client/base/words.hpp"
 #include "client/export/result_sink.hpp"
 #include "client/folder/folder_run.hpp"
 #include "client/folder/run_recorder.hpp"
 #include "client/local/done_scenario.hpp"
+#include "common/core/errors.hpp"
 #include "common/core/limits/client.hpp"
+#include "common/core/words.hpp"
 #include "common/job/run_scenario.hpp"
 #include "common/job/scenario_file.hpp"
+#include "web/status/table.hpp"
 
 #include <nlohmann/json.hpp>
 

@@ -1,14 +1,14 @@
 // The verb `extract`: turns scenarios of a run into a separate job, or into pictures.
-#include "client/base/errors.hpp"
 #include "client/base/exit_code.hpp"
 #include "client/base/interrupt.hpp"
-#include "client/base/words.hpp"
 #include "client/commands/commands.hpp"
 #include "client/commands/run_at_hand.hpp"
 #include "client/folder/extracted_case.hpp"
 #include "client/folder/opened_run.hpp"
 #include "client/picture/body_picture.hpp"
+#include "common/core/errors.hpp"
 #include "common/core/host/stop_check.hpp"
+#include "common/core/words.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,11 +1,11 @@
 #include "client/commands/fetched_job.hpp"
 
-#include "client/base/errors.hpp"
-#include "client/base/words.hpp"
 #include "client/commands/run_command.hpp"
 #include "client/job/submission.hpp"
 #include "client/remote/mesh_cache.hpp"
+#include "common/core/errors.hpp"
 #include "common/core/limits/engine.hpp"
+#include "common/core/words.hpp"
 #include "common/job/result/merge.hpp"
 #include "common/job/result/packed_map.hpp"
 

@@ -1,11 +1,11 @@
 // The verbs that obtain credentials: `join` and `token create`.
-#include "client/base/errors.hpp"
 #include "client/base/exit_code.hpp"
 #include "client/base/interrupt.hpp"
 #include "client/commands/commands.hpp"
 #include "client/commands/remote_session.hpp"
 #include "client/remote/membership.hpp"
 #include "common/core/duration.hpp"
+#include "common/core/errors.hpp"
 #include "common/core/limits/wire.hpp"
 
 #include <unistd.h>

@@ -1,4 +1,3 @@
-#include "client/base/errors.hpp"
 #include "client/base/exit_code.hpp"
 #include "client/base/interrupt.hpp"
 #include "client/base/units.hpp"
@@ -6,6 +5,7 @@
 #include "client/picture/body_picture.hpp"
 #include "client/report/inspect.hpp"
 #include "client/report/report.hpp"
+#include "common/core/errors.hpp"
 
 #include <cstdio>
 #include <string>

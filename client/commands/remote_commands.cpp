@@ -1,12 +1,12 @@
 // The verbs that show a master and its jobs.
-#include "client/base/errors.hpp"
 #include "client/base/exit_code.hpp"
 #include "client/base/interrupt.hpp"
 #include "client/commands/commands.hpp"
 #include "client/commands/fetched_job.hpp"
 #include "client/commands/remote_session.hpp"
-#include "client/report/cluster_report.hpp"
 #include "client/report/explain_report.hpp"
+#include "common/core/errors.hpp"
+#include "web/status/cluster_report.hpp"
 
 #include <algorithm>
 #include <cstdio>

@@ -1,16 +1,16 @@
 // Runs a job on a master (`run --master`, `submit`): sends it, and fetches its results.
-#include "client/base/errors.hpp"
 #include "client/base/exit_code.hpp"
 #include "client/base/interrupt.hpp"
-#include "client/base/job_id.hpp"
-#include "client/base/table.hpp"
-#include "client/base/words.hpp"
 #include "client/commands/commands.hpp"
 #include "client/commands/fetched_job.hpp"
 #include "client/commands/remote_session.hpp"
 #include "client/commands/run_command.hpp"
 #include "client/export/result_sink.hpp"
 #include "client/folder/folder_run.hpp"
+#include "common/core/errors.hpp"
+#include "common/core/words.hpp"
+#include "web/status/job_id.hpp"
+#include "web/status/table.hpp"
 
 #include <nlohmann/json.hpp>
 

@@ -1,16 +1,16 @@
 #include "client/commands/remote_session.hpp"
 
-#include "client/base/errors.hpp"
 #include "client/base/interrupt.hpp"
-#include "client/base/job_id.hpp"
 #include "client/base/slow_note.hpp"
-#include "client/base/words.hpp"
 #include "client/job/submission.hpp"
 #include "client/remote/credential_renewal.hpp"
 #include "client/remote/membership.hpp"
 #include "client/report/waiting_note.hpp"
+#include "common/core/errors.hpp"
 #include "common/core/limits/client.hpp"
 #include "common/core/timing/client.hpp"
+#include "common/core/words.hpp"
+#include "web/status/job_id.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,8 +1,6 @@
 // The verb `results`, for a results folder or a job on a master.
-#include "client/base/errors.hpp"
 #include "client/base/exit_code.hpp"
 #include "client/base/interrupt.hpp"
-#include "client/base/words.hpp"
 #include "client/commands/commands.hpp"
 #include "client/commands/fetched_job.hpp"
 #include "client/commands/run_command.hpp"
@@ -10,6 +8,8 @@
 #include "client/folder/folder_exports.hpp"
 #include "client/folder/opened_run.hpp"
 #include "client/formats/output_file.hpp"
+#include "common/core/errors.hpp"
+#include "common/core/words.hpp"
 
 #include <cstdio>
 #include <filesystem>

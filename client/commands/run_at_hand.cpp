@@ -1,10 +1,10 @@
 #include "client/commands/run_at_hand.hpp"
 
-#include "client/base/errors.hpp"
 #include "client/base/interrupt.hpp"
 #include "client/base/temporary_folder.hpp"
 #include "client/commands/fetched_job.hpp"
 #include "client/commands/run_command.hpp"
+#include "common/core/errors.hpp"
 
 #include <cstdint>
 #include <filesystem>

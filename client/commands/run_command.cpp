@@ -1,9 +1,7 @@
 #include "client/commands/run_command.hpp"
 
-#include "client/base/errors.hpp"
 #include "client/base/exit_code.hpp"
 #include "client/base/interrupt.hpp"
-#include "client/base/words.hpp"
 #include "client/commands/commands.hpp"
 #include "client/commands/estimate.hpp"
 #include "client/commands/remote_session.hpp"
@@ -13,6 +11,8 @@
 #include "client/local/local_run.hpp"
 #include "client/poses/nearness.hpp"
 #include "client/report/progress.hpp"
+#include "common/core/errors.hpp"
+#include "common/core/words.hpp"
 #include "common/geometry/simd_target.hpp"
 
 #include <malloc.h>

@@ -1,11 +1,11 @@
 // The verbs that maintain a cluster: removing jobs and meshes, draining workers.
-#include "client/base/errors.hpp"
 #include "client/base/exit_code.hpp"
 #include "client/base/interrupt.hpp"
-#include "client/base/job_id.hpp"
-#include "client/base/table.hpp"
 #include "client/commands/commands.hpp"
 #include "client/commands/remote_session.hpp"
+#include "common/core/errors.hpp"
+#include "web/status/job_id.hpp"
+#include "web/status/table.hpp"
 
 #include <cstdio>
 #include <string>

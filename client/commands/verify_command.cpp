@@ -1,11 +1,11 @@
 // The verb `verify`: repeats a sample of a run's scenarios here.
-#include "client/base/errors.hpp"
 #include "client/base/exit_code.hpp"
 #include "client/base/interrupt.hpp"
-#include "client/base/words.hpp"
 #include "client/commands/commands.hpp"
 #include "client/commands/run_at_hand.hpp"
 #include "client/folder/opened_run.hpp"
+#include "common/core/errors.hpp"
+#include "common/core/words.hpp"
 #include "common/job/run_scenario.hpp"
 
 #include <algorithm>

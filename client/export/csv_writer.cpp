@@ -1,7 +1,7 @@
-#include "client/base/errors.hpp"
-#include "client/base/words.hpp"
 #include "client/export/result_writer.hpp"
 #include "client/formats/csv_rows.hpp"
+#include "common/core/errors.hpp"
+#include "common/core/words.hpp"
 
 #include <optional>
 

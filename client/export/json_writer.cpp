@@ -1,6 +1,6 @@
-#include "client/base/table.hpp"
 #include "client/export/result_writer.hpp"
 #include "common/geometry/aabb.hpp"
+#include "web/status/table.hpp"
 
 #include <nlohmann/json.hpp>
 

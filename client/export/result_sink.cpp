@@ -1,7 +1,7 @@
 #include "client/export/result_sink.hpp"
 
-#include "client/base/errors.hpp"
 #include "client/spec/job_file.hpp"
+#include "common/core/errors.hpp"
 #include "common/core/files/disk_file.hpp"
 
 #include <algorithm>

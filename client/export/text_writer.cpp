@@ -1,7 +1,7 @@
-#include "client/base/words.hpp"
 #include "client/export/result_writer.hpp"
 #include "client/formats/part_finder.hpp"
 #include "common/core/printable.hpp"
+#include "common/core/words.hpp"
 
 namespace cd {
 

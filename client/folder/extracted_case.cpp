@@ -1,16 +1,16 @@
 #include "client/folder/extracted_case.hpp"
 
-#include "client/base/errors.hpp"
-#include "client/base/table.hpp"
-#include "client/base/words.hpp"
 #include "client/folder/job_text.hpp"
 #include "client/formats/csv_rows.hpp"
 #include "client/formats/npz.hpp"
+#include "common/core/errors.hpp"
 #include "common/core/files/disk_file.hpp"
+#include "common/core/words.hpp"
 #include "common/geometry/aabb.hpp"
 #include "common/job/result/merge.hpp"
 #include "common/job/run_scenario.hpp"
 #include "common/tree/build/build.hpp"
+#include "web/status/table.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

@@ -1,7 +1,7 @@
 #include "client/folder/folder_exports.hpp"
 
-#include "client/base/errors.hpp"
 #include "client/formats/output_file.hpp"
+#include "common/core/errors.hpp"
 #include "common/job/query.hpp"
 #include "common/job/result/merge.hpp"
 

@@ -1,15 +1,15 @@
 #include "client/folder/folder_run.hpp"
 
-#include "client/base/errors.hpp"
 #include "client/base/interrupt.hpp"
-#include "client/base/words.hpp"
 #include "client/folder/job_text.hpp"
 #include "client/job/submission.hpp"
 #include "client/poses/label_file.hpp"
 #include "client/remote/mesh_cache.hpp"
 #include "common/core/build_info.hpp"
+#include "common/core/errors.hpp"
 #include "common/core/host/wall_clock.hpp"
 #include "common/core/version.hpp"
+#include "common/core/words.hpp"
 #include "common/job/poses/poses_hash.hpp"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "client/folder/job_text.hpp"
 
-#include "client/base/words.hpp"
+#include "common/core/words.hpp"
 
 #include <array>
 #include <variant>

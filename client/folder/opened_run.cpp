@@ -1,13 +1,13 @@
 #include "client/folder/opened_run.hpp"
 
-#include "client/base/errors.hpp"
 #include "client/base/interrupt.hpp"
-#include "client/base/words.hpp"
 #include "client/folder/run_folder.hpp"
 #include "client/folder/run_recorder.hpp"
 #include "client/import/mesh_import.hpp"
 #include "client/poses/label_file.hpp"
 #include "client/remote/mesh_cache.hpp"
+#include "common/core/errors.hpp"
+#include "common/core/words.hpp"
 #include "common/job/poses/poses_hash.hpp"
 #include "common/job/scenario_file.hpp"
 

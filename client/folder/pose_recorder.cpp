@@ -1,6 +1,6 @@
 #include "client/folder/pose_recorder.hpp"
 
-#include "client/base/errors.hpp"
+#include "common/core/errors.hpp"
 
 #include <algorithm>
 

@@ -1,8 +1,8 @@
 #include "client/folder/run_folder.hpp"
 
-#include "client/base/errors.hpp"
-#include "client/base/words.hpp"
 #include "client/formats/output_file.hpp"
+#include "common/core/errors.hpp"
+#include "common/core/words.hpp"
 #include "common/job/result/record_file.hpp"
 
 #include <algorithm>

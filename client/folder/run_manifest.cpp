@@ -1,9 +1,9 @@
 #include "client/folder/run_manifest.hpp"
 
-#include "client/base/errors.hpp"
-#include "client/base/table.hpp"
 #include "client/spec/job_file.hpp"
+#include "common/core/errors.hpp"
 #include "common/core/limits/engine.hpp"
+#include "web/status/table.hpp"
 
 #include <nlohmann/json.hpp>
 

@@ -1,6 +1,6 @@
 #include "client/folder/run_recorder.hpp"
 
-#include "client/base/errors.hpp"
+#include "common/core/errors.hpp"
 #include "common/core/limits/engine.hpp"
 #include "common/job/result/packed_map.hpp"
 

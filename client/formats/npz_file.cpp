@@ -1,6 +1,6 @@
 #include "client/formats/npz_file.hpp"
 
-#include "client/base/errors.hpp"
+#include "common/core/errors.hpp"
 
 #include <algorithm>
 #include <span>

@@ -1,6 +1,6 @@
 #include "client/formats/zip_file.hpp"
 
-#include "client/base/errors.hpp"
+#include "common/core/errors.hpp"
 
 #include <zip.h>
 

@@ -1,7 +1,7 @@
 // The result of importing a mesh file.
 #pragma once
 
-#include "client/base/errors.hpp"
+#include "common/core/errors.hpp"
 #include "common/core/host/stop_check.hpp"
 #include "common/geometry/mesh.hpp"
 

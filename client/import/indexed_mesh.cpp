@@ -1,6 +1,6 @@
 #include "client/import/indexed_mesh.hpp"
 
-#include "client/base/errors.hpp"
+#include "common/core/errors.hpp"
 
 #include <limits>
 

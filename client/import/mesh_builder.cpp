@@ -1,6 +1,6 @@
 #include "client/import/mesh_builder.hpp"
 
-#include "client/base/errors.hpp"
+#include "common/core/errors.hpp"
 #include "common/core/files/hash.hpp"
 
 #include <algorithm>

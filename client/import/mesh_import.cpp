@@ -1,14 +1,14 @@
 #include "client/import/mesh_import.hpp"
 
-#include "client/base/errors.hpp"
-#include "client/base/words.hpp"
 #include "client/import/foreign/ac3d_text.hpp"
 #include "client/import/foreign/assimp_checks.hpp"
 #include "client/import/foreign/assimp_import.hpp"
 #include "client/import/foreign/foreign_format.hpp"
 #include "client/import/mesh_builder.hpp"
 #include "client/import/mesh_readers.hpp"
+#include "common/core/errors.hpp"
 #include "common/core/files/disk_file.hpp"
+#include "common/core/words.hpp"
 #include "common/geometry/aabb.hpp"
 
 #include <algorithm>

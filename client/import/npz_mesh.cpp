@@ -1,6 +1,6 @@
-#include "client/base/errors.hpp"
 #include "client/formats/npz_file.hpp"
 #include "client/import/mesh_readers.hpp"
+#include "common/core/errors.hpp"
 #include "common/core/limits/engine.hpp"
 
 #include <algorithm>

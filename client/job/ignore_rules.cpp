@@ -1,6 +1,6 @@
-#include "client/base/errors.hpp"
-#include "client/base/words.hpp"
 #include "client/job/prepared_job.hpp"
+#include "common/core/errors.hpp"
+#include "common/core/words.hpp"
 
 #include <fnmatch.h>
 

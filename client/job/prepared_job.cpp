@@ -1,13 +1,13 @@
 #include "client/job/prepared_job.hpp"
 
-#include "client/base/errors.hpp"
 #include "client/base/interrupt.hpp"
 #include "client/base/slow_note.hpp"
 #include "client/base/units.hpp"
-#include "client/base/words.hpp"
 #include "client/import/mesh_import.hpp"
 #include "client/poses/pose_file.hpp"
 #include "client/trees/body_trees.hpp"
+#include "common/core/errors.hpp"
+#include "common/core/words.hpp"
 #include "common/geometry/topology.hpp"
 #include "common/job/poses/made_poses.hpp"
 

@@ -1,7 +1,7 @@
 #include "client/job/submission.hpp"
 
-#include "client/base/errors.hpp"
 #include "client/base/units.hpp"
+#include "common/core/errors.hpp"
 #include "common/core/printable.hpp"
 
 #include <utility>

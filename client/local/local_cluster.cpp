@@ -1,6 +1,6 @@
 #include "client/local/local_cluster.hpp"
 
-#include "client/base/errors.hpp"
+#include "common/core/errors.hpp"
 #include "common/core/files/state_folder.hpp"
 #include "common/core/timing/client.hpp"
 

@@ -1,8 +1,8 @@
 #include "client/local/local_run.hpp"
 
-#include "client/base/errors.hpp"
 #include "client/local/ordered_run.hpp"
 #include "common/core/check.hpp"
+#include "common/core/errors.hpp"
 #include "common/core/limits/client.hpp"
 #include "common/core/timing/client.hpp"
 #include "common/job/run_scenario.hpp"

@@ -1,8 +1,8 @@
 #include "client/poses/label_file.hpp"
 
-#include "client/base/errors.hpp"
-#include "client/base/words.hpp"
 #include "client/formats/csv_rows.hpp"
+#include "common/core/errors.hpp"
+#include "common/core/words.hpp"
 
 #include <algorithm>
 #include <cmath>

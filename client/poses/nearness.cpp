@@ -1,6 +1,6 @@
 #include "client/poses/nearness.hpp"
 
-#include "client/base/words.hpp"
+#include "common/core/words.hpp"
 #include "common/geometry/aabb.hpp"
 
 #include <algorithm>

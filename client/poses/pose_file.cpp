@@ -1,9 +1,9 @@
 #include "client/poses/pose_file.hpp"
 
-#include "client/base/errors.hpp"
 #include "client/formats/npz_file.hpp"
 #include "client/poses/pose_rows.hpp"
 #include "client/poses/text_poses.hpp"
+#include "common/core/errors.hpp"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
 #include "client/poses/pose_rows.hpp"
 
-#include "client/base/errors.hpp"
+#include "common/core/errors.hpp"
 
 #include <Eigen/LU>
 #include <fmt/format.h>

@@ -1,7 +1,7 @@
 #include "client/poses/text_poses.hpp"
 
-#include "client/base/errors.hpp"
 #include "client/import/text/text_reader.hpp"
+#include "common/core/errors.hpp"
 #include "common/core/limits/engine.hpp"
 
 #include <algorithm>

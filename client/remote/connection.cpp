@@ -1,10 +1,8 @@
 #include "client/remote/connection.hpp"
 
-#include "client/base/errors.hpp"
-#include "client/base/table.hpp"
-#include "client/base/words.hpp"
 #include "client/remote/result_records.hpp"
 #include "common/core/check.hpp"
+#include "common/core/errors.hpp"
 #include "common/core/host/stop_check.hpp"
 #include "common/core/limits/client.hpp"
 #include "common/core/limits/engine.hpp"
@@ -12,9 +10,11 @@
 #include "common/core/timing/client.hpp"
 #include "common/core/timing/engine.hpp"
 #include "common/core/version.hpp"
+#include "common/core/words.hpp"
 #include "common/job/packed_scenarios.hpp"
 #include "common/job/poses/pose_order.hpp"
 #include "proto/channel/channel.hpp"
+#include "web/status/table.hpp"
 
 #include <pwd.h>
 #include <unistd.h>

@@ -1,6 +1,6 @@
 #include "client/remote/membership.hpp"
 
-#include "client/base/errors.hpp"
+#include "common/core/errors.hpp"
 #include "common/core/files/state_folder.hpp"
 #include "proto/access/credential_file.hpp"
 #include "proto/access/join.hpp"

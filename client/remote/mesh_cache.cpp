@@ -1,7 +1,7 @@
 #include "client/remote/mesh_cache.hpp"
 
-#include "client/base/errors.hpp"
 #include "client/trees/tree_cache.hpp"
+#include "common/core/errors.hpp"
 
 #include <array>
 #include <string_view>

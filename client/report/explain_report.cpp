@@ -1,7 +1,7 @@
 #include "client/report/explain_report.hpp"
 
-#include "client/base/table.hpp"
-#include "client/base/words.hpp"
+#include "common/core/words.hpp"
+#include "web/status/table.hpp"
 
 #include <nlohmann/json.hpp>
 

@@ -1,6 +1,6 @@
 #include "client/report/inspect.hpp"
 
-#include "client/base/table.hpp"
+#include "web/status/table.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

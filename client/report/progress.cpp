@@ -1,7 +1,7 @@
 #include "client/report/progress.hpp"
 
-#include "client/base/words.hpp"
 #include "common/core/printable.hpp"
+#include "common/core/words.hpp"
 
 #include <sys/ioctl.h>
 #include <unistd.h>

@@ -1,8 +1,8 @@
 #include "client/report/report.hpp"
 
-#include "client/base/table.hpp"
-#include "client/base/words.hpp"
+#include "common/core/words.hpp"
 #include "common/geometry/aabb.hpp"
+#include "web/status/table.hpp"
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -261,11 +261,6 @@ std::string warnings_text(const RunReport& report) {
             "their files\n";
     }
     return text;
-}
-
-double hit_share(const BlockTraffic& blocks) {
-    const std::uint64_t needed = blocks.hits + blocks.misses;
-    return needed == 0 ? 0 : static_cast<double>(blocks.hits) / static_cast<double>(needed);
 }
 
 std::string summary_text(const RunReport& report, const SummaryStyle& style) {

@@ -84,9 +84,6 @@ struct SummaryStyle {
 /// Returns the lines of the summary that also a quiet run prints.
 [[nodiscard]] std::string warnings_text(const RunReport& report);
 
-/// Returns the share, 0 to 1, of needed subtrees that workers had cached; 0 if none was needed.
-[[nodiscard]] double hit_share(const BlockTraffic& blocks);
-
 /// True if output to the stream may be coloured: it is a terminal, and NO_COLOR is not set.
 [[nodiscard]] bool colours_wanted(std::FILE* stream);
 

@@ -1,12 +1,12 @@
 #include "client/spec/job_file.hpp"
 
-#include "client/base/errors.hpp"
 #include "client/base/units.hpp"
-#include "client/base/words.hpp"
 #include "client/formats/output_file.hpp"
 #include "client/spec/toml_fields.hpp"
+#include "common/core/errors.hpp"
 #include "common/core/limits/engine.hpp"
 #include "common/core/limits/master.hpp"
+#include "common/core/words.hpp"
 #include "common/job/tolerance.hpp"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 #include "client/spec/job_options.hpp"
 
-#include "client/base/errors.hpp"
 #include "client/base/units.hpp"
+#include "common/core/errors.hpp"
 #include "common/job/tolerance.hpp"
 
 #include <fmt/format.h>

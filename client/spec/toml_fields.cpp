@@ -1,6 +1,6 @@
 #include "client/spec/toml_fields.hpp"
 
-#include "client/base/errors.hpp"
+#include "common/core/errors.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
 // Reads typed values from the tables of a TOML document.
 #pragma once
 
-#include "client/base/words.hpp"
 #include "common/core/result.hpp"
+#include "common/core/words.hpp"
 
 #include <toml++/toml.h>
 

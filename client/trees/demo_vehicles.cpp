@@ -1,7 +1,7 @@
 #include "client/trees/demo_vehicles.hpp"
 
-#include "client/base/errors.hpp"
 #include "client/formats/output_file.hpp"
+#include "common/core/errors.hpp"
 #include "common/core/files/disk_file.hpp"
 
 #include <zlib.h>

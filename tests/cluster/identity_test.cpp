@@ -1,7 +1,6 @@
 // Proves, with real processes, that a cluster with an identity gives the right answer under TLS,
 // geometry between workers included; and that a peer without rights is refused with a log line on
 // the master and exit code 5.
-#include "client/base/job_id.hpp"
 #include "client/remote/membership.hpp"
 #include "proto/access/credential_file.hpp"
 #include "proto/access/join_token.hpp"
@@ -10,6 +9,7 @@
 #include "tests/support/comes_true.hpp"
 #include "tests/support/obj_file.hpp"
 #include "tests/support/shapes.hpp"
+#include "web/status/job_id.hpp"
 
 #include <gmock/gmock.h>
 

@@ -1,11 +1,11 @@
 // Proves that a master killed at any moment loses nothing: restarted on its state it continues;
 // workers return by themselves with their blocks and unacknowledged results; no finished scenario
 // runs again; and the digest is that of one process.
-#include "client/base/job_id.hpp"
 #include "common/core/limits/engine.hpp"
 #include "tests/cluster/cdctl_runs.hpp"
 #include "tests/cluster/mortal_master.hpp"
 #include "tests/support/comes_true.hpp"
+#include "web/status/job_id.hpp"
 
 #include <sys/resource.h>
 

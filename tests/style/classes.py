@@ -9,7 +9,7 @@ import re
 import sys
 
 MEMBERS_MAX, METHODS_MAX, FILES_MAX, FOLDER_MAX = 12, 30, 1, 25
-PRODUCT = ("common", "proto", "master", "worker", "client")
+PRODUCT = ("common", "proto", "web", "master", "worker", "client")
 FOLDERS = (*PRODUCT, "bench")
 
 RAW = re.compile(r'R"\(.*?\)"', re.DOTALL)

@@ -21,8 +21,11 @@ LAYERS = {
     "proto/codec": ["proto/identity", "proto/messages"],
     "proto/channel": ["proto/codec", "proto/identity", "proto/messages"],
     "proto/access": ["proto/channel", "proto/codec", "proto/identity", "proto/messages"],
+    "web/status": ["proto/identity", "proto/messages"],
+    "web/server": ["proto/channel", "proto/messages", "web/status"],
 }
-# The rooms of a program, lowest first: each may include those before it, and of proto/ what is named.
+# The rooms of a program, lowest first: each may include those before it, and of proto/ or web/ what
+# is named.
 ORDERED = {
     "master": {
         "base": ["channel"],
@@ -38,7 +41,7 @@ ORDERED = {
         "verify": ["messages"],
         "results": ["messages"],
         "coordinator": ["channel", "messages"],
-        "net": ["access", "channel", "codec", "messages"],
+        "net": ["access", "channel", "codec", "messages", "web/server", "web/status"],
         "": ["channel"],
     },
     "worker": {
@@ -57,14 +60,14 @@ ORDERED = {
         "spec": ["messages"],
         "trees": [],
         "poses": [],
-        "report": ["messages"],
-        "export": [],
+        "report": ["messages", "web/status"],
+        "export": ["web/status"],
         "job": ["messages"],
         "cli": [],
         "local": [],
-        "remote": ["access", "channel", "messages"],
-        "folder": ["messages"],
-        "commands": ["messages"],
+        "remote": ["access", "channel", "messages", "web/status"],
+        "folder": ["messages", "web/status"],
+        "commands": ["messages", "web/server", "web/status"],
         "": [],
     },
 }
@@ -74,7 +77,8 @@ for _program, _rooms in ORDERED.items():
     _before = []
     for _room, _proto in _rooms.items():
         _name = f"{_program}/{_room}".rstrip("/")
-        LAYERS[_name] = NARROW.get(_name, [*_before, *(f"proto/{each}" for each in _proto)])
+        _outside = [each if "/" in each else f"proto/{each}" for each in _proto]
+        LAYERS[_name] = NARROW.get(_name, [*_before, *_outside])
         _before.append(_name)
 
 
@@ -96,7 +100,7 @@ DOORS = {
     r"xxhash\.h": ["common/core/files/hash.cpp"],
     r"zstd\.h": ["common/core/files/compress.cpp"],
     r"spdlog/": ["common/core/host/log.cpp"],
-    r"fmt/": ["common/core/host/log.hpp", "client"],
+    r"fmt/": ["common/core/host/log.hpp", "common/core/words.cpp", "client", "web"],
     r"boost/asio": ["proto/channel/asio.hpp", "proto/channel/asio_tls.hpp"],
     r"boost/multiprecision": ["common/pair/numbers", "common/tree/build/triangle_cells"],
     r"boost/": ["proto", "common/pair/numbers"],
@@ -108,14 +112,14 @@ DOORS = {
     r"zlib\.h": ["client"],
     r"CLI/": ["common/core/host/daemon_options.cpp", "master/config.cpp", "worker/config.cpp", "client"],
     r"toml\+\+/": ["common/core/host/daemon_options.cpp", "client"],
-    r"nlohmann/": ["client"],
+    r"nlohmann/": ["client", "web"],
     r"hwy/": ["common/geometry", "common/pair", "common/tree", "common/search/contact_pair"],
     r"fcl/": [],
 }
 # So many .cpp files of the programs and of proto/ may see these, through any number of headers. Each
 # costs its compiler time in every file; values that programs need have headers of their own.
 SLOW_HEADERS = {"common/tree/wide/wide_kernel.hpp": 21, "common/pair/numbers/dyadic.hpp": 0}
-PROGRAMS = ("proto/", "master/", "worker/", "client/")
+PROGRAMS = ("proto/", "web/", "master/", "worker/", "client/")
 ANYWHERE = ("tests/", "bench/")  # May include everything of ours and any library.
 SOURCES = {".cpp", ".hpp", ".h"}
 
@@ -178,7 +182,7 @@ def main():
     root = pathlib.Path(sys.argv[1])
     files = sorted(
         p.relative_to(root).as_posix()
-        for folder in ("common", "proto", "master", "worker", "client", "tests", "bench")
+        for folder in ("common", "proto", "web", "master", "worker", "client", "tests", "bench")
         for p in (root / folder).rglob("*")
         if p.suffix in SOURCES
     )

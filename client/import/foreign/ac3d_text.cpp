@@ -1,7 +1,7 @@
 #include "client/import/foreign/ac3d_text.hpp"
 
-#include "client/base/errors.hpp"
 #include "client/import/text/text_reader.hpp"
+#include "common/core/errors.hpp"
 #include "common/core/limits/client.hpp"
 
 #include <array>

@@ -1,8 +1,8 @@
 #include "client/import/foreign/assimp_checks.hpp"
 
-#include "client/base/errors.hpp"
 #include "client/import/foreign/collada_check.hpp"
 #include "client/import/text/text_reader.hpp"
+#include "common/core/errors.hpp"
 
 #include <array>
 #include <cstdint>

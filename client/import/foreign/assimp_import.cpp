@@ -1,8 +1,8 @@
 #include "client/import/foreign/assimp_import.hpp"
 
-#include "client/base/errors.hpp"
 #include "client/import/foreign/assimp_scene.hpp"
 #include "client/import/foreign/child_call.hpp"
+#include "common/core/errors.hpp"
 #include "common/core/files/bytes.hpp"
 #include "common/core/limits/client.hpp"
 #include "common/core/timing/client.hpp"

@@ -1,10 +1,10 @@
 #include "client/import/foreign/assimp_scene.hpp"
 
-#include "client/base/errors.hpp"
 #include "client/import/foreign/collada_check.hpp"
 #include "client/import/foreign/xml_frames.hpp"
 #include "client/import/mesh_builder.hpp"
 #include "client/import/text/text_reader.hpp"
+#include "common/core/errors.hpp"
 
 #include <Eigen/Core>
 #include <assimp/Importer.hpp>

@@ -1,8 +1,8 @@
 #include "client/import/foreign/collada_check.hpp"
 
-#include "client/base/errors.hpp"
 #include "client/import/foreign/xml_text.hpp"
 #include "client/import/text/text_reader.hpp"
+#include "common/core/errors.hpp"
 #include "common/core/limits/client.hpp"
 
 #include <algorithm>

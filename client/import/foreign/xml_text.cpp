@@ -1,6 +1,6 @@
 #include "client/import/foreign/xml_text.hpp"
 
-#include "client/base/errors.hpp"
+#include "common/core/errors.hpp"
 
 #include <algorithm>
 

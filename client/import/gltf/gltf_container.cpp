@@ -1,6 +1,6 @@
 #include "client/import/gltf/gltf_container.hpp"
 
-#include "client/base/errors.hpp"
+#include "common/core/errors.hpp"
 #include "common/core/files/bytes.hpp"
 
 #include <string>

@@ -1,7 +1,7 @@
 #include "client/import/gltf/gltf_document.hpp"
 
-#include "client/base/errors.hpp"
 #include "client/import/gltf/gltf_fields.hpp"
+#include "common/core/errors.hpp"
 #include "common/core/limits/client.hpp"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "client/import/gltf/gltf_elements.hpp"
 
-#include "client/base/errors.hpp"
+#include "common/core/errors.hpp"
 
 #include <algorithm>
 #include <cstring>

@@ -1,7 +1,7 @@
 // Reads typed members of a glTF file's JSON objects.
 #pragma once
 
-#include "client/base/errors.hpp"
+#include "common/core/errors.hpp"
 
 #include <nlohmann/json.hpp>
 

@@ -1,9 +1,9 @@
-#include "client/base/errors.hpp"
 #include "client/import/gltf/gltf_buffers.hpp"
 #include "client/import/gltf/gltf_container.hpp"
 #include "client/import/gltf/gltf_document.hpp"
 #include "client/import/gltf/gltf_scene.hpp"
 #include "client/import/mesh_readers.hpp"
+#include "common/core/errors.hpp"
 
 namespace cd {
 

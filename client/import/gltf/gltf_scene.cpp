@@ -1,7 +1,7 @@
 #include "client/import/gltf/gltf_scene.hpp"
 
-#include "client/base/errors.hpp"
 #include "client/import/gltf/gltf_elements.hpp"
+#include "common/core/errors.hpp"
 #include "common/core/limits/engine.hpp"
 
 #include <array>

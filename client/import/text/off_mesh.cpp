@@ -1,7 +1,7 @@
-#include "client/base/errors.hpp"
 #include "client/import/indexed_mesh.hpp"
 #include "client/import/mesh_readers.hpp"
 #include "client/import/text/text_reader.hpp"
+#include "common/core/errors.hpp"
 
 #include <vector>
 

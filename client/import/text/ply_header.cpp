@@ -1,7 +1,7 @@
 #include "client/import/text/ply_header.hpp"
 
-#include "client/base/errors.hpp"
 #include "client/import/text/text_reader.hpp"
+#include "common/core/errors.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,9 +1,9 @@
-#include "client/base/errors.hpp"
 #include "client/import/indexed_mesh.hpp"
 #include "client/import/mesh_readers.hpp"
 #include "client/import/text/ply_header.hpp"
 #include "client/import/text/ply_values.hpp"
 #include "client/import/text/text_reader.hpp"
+#include "common/core/errors.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,7 @@
 // Words, lines and numbers in the text of mesh files.
 #pragma once
 
-#include "client/base/words.hpp"
+#include "common/core/words.hpp"
 
 #include <cstdint>
 #include <filesystem>

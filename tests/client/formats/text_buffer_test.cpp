@@ -1,6 +1,6 @@
 // Proves that pieces are appended in order, and that numbers read back unchanged.
-#include "client/base/words.hpp"
 #include "client/formats/csv_rows.hpp"
+#include "common/core/words.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "client/base/words.hpp"
+#include "common/core/words.hpp"
 
 #include "common/core/printable.hpp"
 

@@ -1,9 +1,9 @@
 // Proves that lists are readable for people and exact for programs, and that the status names what
 // delays the cluster.
 
-#include "client/report/cluster_report.hpp"
+#include "web/status/cluster_report.hpp"
 
-#include "client/base/job_id.hpp"
+#include "web/status/job_id.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

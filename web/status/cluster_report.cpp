@@ -1,8 +1,7 @@
-#include "client/report/cluster_report.hpp"
+#include "web/status/cluster_report.hpp"
 
-#include "client/base/job_id.hpp"
-#include "client/base/words.hpp"
-#include "client/report/report.hpp"
+#include "common/core/words.hpp"
+#include "web/status/job_id.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -33,6 +32,12 @@ std::string worker_state(const WorkerStatus& worker) {
         return worker.claimed ? "claimed" : "working";
     }
     return "idle";
+}
+
+/// Returns the share, 0 to 1, of needed subtrees that workers had cached; 0 if none was needed.
+double hit_share(const BlockTraffic& blocks) {
+    const std::uint64_t needed = blocks.hits + blocks.misses;
+    return needed == 0 ? 0 : static_cast<double>(blocks.hits) / static_cast<double>(needed);
 }
 
 /// Returns a time in UTC: "2026-03-01 12:00:00Z"; empty if the time cannot be converted.

@@ -1,6 +1,6 @@
 // Proves that job ids are short and distinct, and that what people type of them finds the job.
 
-#include "client/base/job_id.hpp"
+#include "web/status/job_id.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,5 @@
-// Proves that mistyped words get the right suggestion, that numbers are formatted readably, and
-// that units convert with a single rounding.
-#include "client/base/words.hpp"
-
-#include "client/base/units.hpp"
+// Proves that mistyped words get the right suggestion, and that numbers are formatted readably.
+#include "common/core/words.hpp"
 
 #include <gtest/gtest.h>
 
@@ -43,15 +40,6 @@ TEST(Words, ExactTextReadsBackAsTheSameDouble) {
     for (const double value : {0.1, 1.0 / 3, -1e-300, 12345678.9}) {
         EXPECT_EQ(std::stod(exact_text(value)), value);
     }
-}
-
-TEST(Units, RatiosAreRoundedOnce) {
-    EXPECT_EQ(unit_factor("mm", "m"), 0.001);
-    EXPECT_EQ(unit_factor("m", "mm"), 1000.0);
-    EXPECT_EQ(unit_factor("ft", "in"), 12.0);
-    EXPECT_EQ(unit_factor("in", "mm"), 25.4);
-    EXPECT_EQ(unit_factor("km", "km"), 1.0);
-    EXPECT_EQ(unit_factor("inch", "m"), std::nullopt);
 }
 
 } // namespace cd::tests

@@ -1,7 +1,7 @@
-#include "client/base/job_id.hpp"
+#include "web/status/job_id.hpp"
 
-#include "client/base/errors.hpp"
-#include "client/base/words.hpp"
+#include "common/core/errors.hpp"
+#include "common/core/words.hpp"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
-#include "client/base/table.hpp"
+#include "web/status/table.hpp"
 
-#include "client/base/words.hpp"
+#include "common/core/words.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

@@ -1,8 +1,8 @@
 // Reports about a cluster: its jobs, workers, meshes and bottleneck.
 #pragma once
 
-#include "client/base/table.hpp"
 #include "proto/messages/client_messages.hpp"
+#include "web/status/table.hpp"
 
 #include <string>
 
