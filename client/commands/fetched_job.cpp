@@ -131,7 +131,7 @@ fetch_results(Connection& connection, const Query& query, const JobStatus& job, 
     const std::uint64_t fetched = CD_TRY(fetch_each(
         connection, job, [&](const ScenarioResult& result) { return sink.add(result); }));
     auto report = CD_TRY(fetched_report(connection, query, job, fetched));
-    report.most_touched = sink.tally().most_touched();
+    report.most_touched = sink.groups().most_touched();
     return report;
 }
 

@@ -98,7 +98,7 @@ Result<int> run_without_folder(const LocalJob& local) {
         return without_results(outcome.error());
     }
     RunReport report = report_of(local, outcome.value());
-    report.most_touched = sink.tally().most_touched();
+    report.most_touched = sink.groups().most_touched();
     if (Status told = add_hint(local.job, report); !told) {
         return without_results(told.error());
     }

@@ -52,7 +52,7 @@ std::vector<std::shared_ptr<const Mesh>> meshes_of(const ExportContext& context)
 } // namespace
 
 ResultSink::ResultSink(SinkOptions options, const ExportContext& context)
-    : options_(std::move(options)), context_(context), tally_(meshes_of(context)) {}
+    : options_(std::move(options)), context_(context), groups_(meshes_of(context)) {}
 
 Result<ResultSink> ResultSink::open(SinkOptions options, const ExportContext& context) {
     ResultSink sink(std::move(options), context);
@@ -79,7 +79,7 @@ Status ResultSink::add(const ScenarioResult& result, std::span<const ContactPair
         return bad_input("the result of scenario " + std::to_string(result.index) + " is of body " +
                          std::to_string(body) + ", and the job has " + std::to_string(bodies));
     }
-    tally_.add(result);
+    groups_.add(result);
     waiting_.add(found.empty() ? std::span<const ContactPair>(result.pairs) : found);
     if (waiting_.bytes() >= waiting_bytes_max) {
         map_.add(waiting_.take());

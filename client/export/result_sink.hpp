@@ -2,6 +2,7 @@
 #pragma once
 
 #include "client/export/result_writer.hpp"
+#include "client/groups/group_sum.hpp"
 #include "client/report/report.hpp"
 #include "common/core/result.hpp"
 #include "common/job/result/contact_map.hpp"
@@ -38,8 +39,8 @@ class ResultSink {
 
     /// Returns the contact map of all results added; below `level pairs` empty without `found`.
     [[nodiscard]] ContactMap map();
-    /// Returns the counts from which `RunReport::most_touched` is made.
-    [[nodiscard]] const PartTally& tally() const { return tally_; }
+    /// Returns the groups of all results added.
+    [[nodiscard]] const GroupSum& groups() const { return groups_; }
     [[nodiscard]] bool uses_stdout() const { return options_.output != "text"; }
 
   private:
@@ -48,7 +49,7 @@ class ResultSink {
     SinkOptions options_;
     ExportContext context_;
     std::vector<std::unique_ptr<ResultWriter>> writers_;
-    PartTally tally_;
+    GroupSum groups_;
     ContactMapSum waiting_; ///< Sum over the latest results, not yet in `map_`.
     ContactMapTotal map_;
 };

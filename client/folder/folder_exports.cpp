@@ -91,7 +91,7 @@ write_exports(const OpenedRun& run, const SinkOptions& options, const ExportCont
     report.limit_pairs = run.manifest().query.limit_pairs;
     report.maps_all_pairs = run.manifest().query.maps;
     report.map = std::move(map);
-    report.most_touched = sink.tally().most_touched();
+    report.most_touched = sink.groups().most_touched();
     report.summary_file = (run.dir() / "summary.json").string();
     return report;
 }

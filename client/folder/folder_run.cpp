@@ -234,7 +234,7 @@ Status FolderRun::finish(RunReport& report,
         report.map = sink.map();
     }
     CD_TRY(sink.finish(report.map));
-    report.most_touched = sink.tally().most_touched();
+    report.most_touched = sink.groups().most_touched();
     CD_TRY(finish_inputs());
     report.inputs_are_too_large = wants_inputs_ && !keeps_inputs_;
     CD_TRY(write_summary(folder_.out(), context, report));

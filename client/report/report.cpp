@@ -131,7 +131,7 @@ std::string map_text(const RunReport& report) {
 /// Names the parts most in contact, with shares, or with counts if not all pairs are listed.
 std::string most_touched_text(const RunReport& report) {
     std::string text;
-    for (const PartTally::Touched& part : report.most_touched) {
+    for (const TouchedPart& part : report.most_touched) {
         text += (text.empty() ? "  most touched  " : ", ") + part.part + " " +
                 (report.limit_pairs == 0 ? percent(part.scenarios, report.summary.tested())
                                          : grouped(part.scenarios));

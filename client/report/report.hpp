@@ -1,7 +1,7 @@
 // The text of a run for people: the header and the summary.
 #pragma once
 
-#include "client/report/part_tally.hpp"
+#include "client/groups/group_sum.hpp"
 #include "common/geometry/mesh.hpp"
 #include "common/geometry/topology.hpp"
 #include "common/job/result/contact_map.hpp"
@@ -65,12 +65,12 @@ struct RunReport {
     bool maps_all_pairs = false;   ///< The contact map also counts pairs beyond `limit_pairs`.
     std::optional<Sha256> digest;  ///< Nothing while scenarios are missing.
     RunExecution execution;
-    std::optional<ContactMap> map; ///< The job's contact map, if there is one.
-    std::string map_withdrawn;     ///< Why a map that was asked for is missing; or empty.
-    std::vector<PartTally::Touched> most_touched; ///< Parts in most scenarios, by the listed pairs.
-    std::string hint;                  ///< A line about poses without contact; may be empty.
-    std::string summary_file;          ///< Path of summary.json; may be empty.
-    bool inputs_are_too_large = false; ///< The results folder has no copy of the inputs.
+    std::optional<ContactMap> map;         ///< The job's contact map, if there is one.
+    std::string map_withdrawn;             ///< Why a map that was asked for is missing; or empty.
+    std::vector<TouchedPart> most_touched; ///< Parts in most scenarios, by the listed pairs.
+    std::string hint;                      ///< A line about poses without contact; may be empty.
+    std::string summary_file;              ///< Path of summary.json; may be empty.
+    bool inputs_are_too_large = false;     ///< The results folder has no copy of the inputs.
 };
 
 /// Options of the summary.

@@ -55,6 +55,7 @@ ORDERED = {
     "client": {
         "base": ["messages"],
         "formats": [],
+        "groups": [],
         "picture": [],
         "import": [],
         "spec": ["messages"],

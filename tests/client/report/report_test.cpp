@@ -48,14 +48,6 @@ BodyLine body(const std::string& name, const Vec3& size) {
     return line;
 }
 
-/// Makes two parts of six triangles each.
-Mesh two_parts() {
-    const Mesh box = make_box({1, 1, 1});
-    MeshArrays arrays{
-        box.vertices(), box.triangles(), {{"left", 0, 6}, {"right", 6, 12}}, box.precision()};
-    return Mesh::create(std::move(arrays)).value();
-}
-
 /// Returns all that a printer of this style writes.
 template <class Print>
 std::string printed(ProgressPrinter::Style style, const Print& print) {
@@ -262,24 +254,6 @@ TEST(Report, ColoursComeOnlyWhenAskedFor) {
     report.summary = example_summary();
     EXPECT_THAT(summary_text(report), Not(HasSubstr("\x1b")));
     EXPECT_THAT(summary_text(report, {true, false}), HasSubstr("\x1b[31mcross 12 557\x1b[0m"));
-}
-
-TEST(PartTally, CountsScenariosNotPairs) {
-    const Mesh a = two_parts();
-    const Mesh b = make_box({1, 1, 1});
-    PartTally tally({share(a), share(b)});
-    ScenarioResult result;
-    result.pairs = {{0, 0, PairClass::Proper}, {1, 0, PairClass::Proper}, {7, 3, PairClass::Touch}};
-    tally.add(result);
-    result.pairs = {{11, 0, PairClass::Proper}};
-    tally.add(result);
-
-    const auto touched = tally.most_touched(5);
-    ASSERT_EQ(touched.size(), 2u);
-    EXPECT_EQ(touched[0].part, "right");
-    EXPECT_EQ(touched[0].scenarios, 2u);
-    EXPECT_EQ(touched[1].scenarios, 1u);
-    EXPECT_TRUE(PartTally({share(b), share(b)}).most_touched(5).empty());
 }
 
 TEST(Progress, ABarShowsShareRateAndTimeLeft) {

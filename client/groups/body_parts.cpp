@@ -1,0 +1,86 @@
+#include "client/groups/body_parts.hpp"
+
+#include "common/core/limits/client.hpp"
+#include "common/geometry/topology.hpp"
+
+#include <algorithm>
+#include <string_view>
+#include <unordered_map>
+#include <utility>
+
+namespace cd {
+
+namespace {
+
+constexpr const char* others = "others";
+
+/// The number of parts that is not yet assigned.
+constexpr std::uint32_t no_part = UINT32_MAX;
+
+/// Returns the first triangle of each component, those with most triangles first.
+std::vector<std::uint32_t> largest_first(const std::vector<std::uint32_t>& first_of) {
+    std::vector<std::uint32_t> size(first_of.size(), 0);
+    std::vector<std::uint32_t> firsts;
+    for (std::uint32_t i = 0; i < first_of.size(); ++i) {
+        ++size[first_of[i]];
+        if (first_of[i] == i) {
+            firsts.push_back(i);
+        }
+    }
+    std::ranges::stable_sort(
+        firsts, [&](std::uint32_t left, std::uint32_t right) { return size[left] > size[right]; });
+    return firsts;
+}
+
+} // namespace
+
+BodyParts::BodyParts(const Mesh& mesh) {
+    if (mesh.parts().size() > 1) {
+        assign_named_parts(mesh);
+    } else {
+        assign_pieces(mesh);
+    }
+}
+
+void BodyParts::assign_named_parts(const Mesh& mesh) {
+    std::unordered_map<std::string_view, std::uint32_t> numbers;
+    const auto number_of = [&](std::string_view name) {
+        const auto [found, is_new] = numbers.try_emplace(name, names_.size());
+        if (is_new) {
+            names_.emplace_back(name);
+        }
+        return found->second;
+    };
+    part_of_.assign(mesh.triangles().size(), no_part);
+    for (const Part& part : mesh.parts()) {
+        std::fill(part_of_.begin() + part.triangles_begin,
+                  part_of_.begin() + part.triangles_end,
+                  number_of(part.name));
+    }
+    for (std::uint32_t& part : part_of_) {
+        part = part == no_part ? number_of(others) : part;
+    }
+}
+
+void BodyParts::assign_pieces(const Mesh& mesh) {
+    part_of_ = first_of_own_component(mesh, {});
+    const std::vector<std::uint32_t> firsts = largest_first(part_of_);
+    if (firsts.size() == 1) {
+        names_.push_back(mesh.parts().empty() ? "whole" : mesh.parts().front().name);
+    }
+    has_lasting_names_ = firsts.size() == 1;
+    std::vector<std::uint32_t> number_of(part_of_.size());
+    for (std::size_t i = 0; i < firsts.size(); ++i) {
+        const std::size_t number = std::min(i, limits::pieces_max);
+        number_of[firsts[i]] = static_cast<std::uint32_t>(number);
+        if (number == names_.size()) {
+            names_.push_back(number == limits::pieces_max ? others
+                                                          : "piece " + std::to_string(number + 1));
+        }
+    }
+    for (std::uint32_t& part : part_of_) {
+        part = number_of[part];
+    }
+}
+
+} // namespace cd

@@ -1,0 +1,119 @@
+// Groups of contacts: pairs of parts that are in contact in at least one scenario.
+#pragma once
+
+#include "client/groups/body_parts.hpp"
+#include "common/geometry/mesh.hpp"
+#include "common/job/result/result.hpp"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+namespace cd {
+
+/// A run of consecutive scenarios in which a group is in contact.
+struct Episode {
+    std::uint64_t first = 0;
+    std::uint64_t last = 0;
+
+    friend bool operator==(const Episode&, const Episode&) = default;
+};
+
+/// A part of A and a part of B that are in contact, by the listed pairs of triangles.
+struct Group {
+    std::uint32_t body_a = 0; ///< Index of body A in the job's list of bodies.
+    std::uint32_t body_b = 1;
+    std::string part_a; ///< Name of the part (`BodyParts`).
+    std::string part_b;
+    std::uint64_t scenarios = 0;   ///< Number of scenarios with contact.
+    std::uint64_t pairs = 0;       ///< Number of pairs in contact in all scenarios.
+    std::uint64_t worst = 0;       ///< The first scenario with most pairs.
+    std::uint64_t worst_pairs = 0; ///< Number of its pairs.
+    /// Cross if a pair is proper, or if a scenario's class is Cross without any proper pair; else
+    /// Touch.
+    ScenarioClass kind = ScenarioClass::Touch;
+    /// On A's part and on B's part, the number of regions: connected sets of triangles in contact
+    /// in any scenario. Zeros if they are too many to count.
+    std::array<std::uint64_t, 2> regions{};
+    std::uint64_t episodes = 0;          ///< Number of runs of consecutive scenarios.
+    std::vector<Episode> first_episodes; ///< The first `limits::group_episodes_max` of them.
+
+    friend bool operator==(const Group&, const Group&) = default;
+};
+
+/// A part and the number of scenarios in which it is in contact.
+struct TouchedPart {
+    std::string part;
+    std::uint64_t scenarios = 0;
+};
+
+/// Sums groups over the results of a run. Results below `level pairs` list no pairs and add
+/// nothing. Memory: eight bytes per triangle, a few hundred bytes for each of at most
+/// `limits::groups_max` groups, and at most `limits::group_triangles_max` triangle numbers.
+class GroupSum {
+  public:
+    /// `meshes` holds the mesh of each body, by the index that results give the body.
+    explicit GroupSum(std::vector<std::shared_ptr<const Mesh>> meshes);
+
+    /// Adds a result, whose bodies must have meshes. Results come in ascending order.
+    void add(const ScenarioResult& result);
+
+    /// Returns the groups, those in most scenarios first. Takes near-linear time in the number of
+    /// vertices and of triangles in contact.
+    [[nodiscard]] std::vector<Group> groups() const;
+    /// Number of pairs of triangles in no group, since there are too many groups.
+    [[nodiscard]] std::uint64_t left_out() const { return left_out_; }
+
+    /// Returns the `count` parts in contact in most scenarios, most first. Leaves out parts never
+    /// in contact, bodies with a single part, and bodies whose parts are pieces.
+    [[nodiscard]] std::vector<TouchedPart> most_touched(std::size_t count = 3) const;
+    [[nodiscard]] const BodyParts& parts(std::size_t body);
+
+  private:
+    struct Body {
+        std::shared_ptr<const BodyParts> parts;
+        std::uint64_t first_part = 0;          ///< Number of parts of all bodies before.
+        std::vector<std::uint64_t> scenarios;  ///< Number of scenarios, by part.
+        std::vector<std::uint64_t> last_seen;  ///< `stamp_` of the last result counted, by part.
+        std::vector<std::uint32_t> last_group; ///< The last group that noted each triangle.
+    };
+    /// A group and what is counted in the present result.
+    struct Sum {
+        std::array<std::uint32_t, 2> part{};
+        Group group;
+        std::uint64_t stamp = 0;      ///< `stamp_` of the last result with the group.
+        std::uint64_t pairs_here = 0; ///< Number of pairs in that result.
+        bool is_proper_here = false;  ///< A pair in that result is proper.
+        std::uint64_t last_scenario = 0;
+        /// Triangles in contact of A and of B, with repetitions; the first `sorted` ascend.
+        std::array<std::vector<std::uint32_t>, 2> touched;
+        std::array<std::size_t, 2> sorted{};
+    };
+
+    void find_parts();
+    void note_part(Body& body, std::uint32_t part) const;
+    [[nodiscard]] std::optional<std::uint32_t> group_of(const ScenarioResult& result,
+                                                        const ContactPair& pair);
+    void note_pair(const ScenarioResult& result, const ContactPair& pair, std::uint32_t number);
+    void note_triangle(Sum& sum, std::size_t side, std::uint32_t triangle);
+    void sort_touched(Sum& sum, std::size_t side);
+    void limit_triangles();
+    void count_regions(std::uint32_t body, std::vector<Group>& groups) const;
+
+    std::vector<std::shared_ptr<const Mesh>> meshes_;
+    std::vector<Body> bodies_; ///< Empty until parts are needed.
+    std::vector<Sum> sums_;
+    std::unordered_map<std::uint64_t, std::uint32_t> numbers_; ///< Number in `sums_`, by parts.
+    std::vector<std::uint32_t> here_; ///< Numbers of the groups in the present result.
+    std::uint64_t stamp_ = 0;         ///< Number of results added so far.
+    std::uint64_t triangles_ = 0;     ///< Number of triangles in all `touched`.
+    bool counts_regions_ = true;
+    std::uint64_t left_out_ = 0;
+};
+
+} // namespace cd
