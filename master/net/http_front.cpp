@@ -27,8 +27,8 @@ std::string what_waits(Coordinator& coordinator) {
 }
 
 HttpAnswer answer_to(const HttpRequest& request, Coordinator& coordinator, const Access& access) {
-    if (request.method != "GET") {
-        return {405, "only GET\n"};
+    if (request.method != "GET" && request.method != "HEAD") {
+        return {405, "only GET and HEAD\n"};
     }
     if (request.target == "/healthz") {
         return {200, "ok\n"};
@@ -102,9 +102,10 @@ asio::awaitable<void> HttpFront::serve(asio::ip::tcp::socket socket, Seats::Seat
     const Access access =
         identity_ == nullptr ? Access() : Access(*identity_, stream->peer_identity());
     // The handler keeps the connection slot until the stream is destroyed.
-    serve_http(std::move(stream), [this, access, peer, seat](const HttpRequest& request) {
-        return answer(request, access, peer);
-    });
+    serve_http(std::move(stream),
+               [this, access, peer, seat](const HttpRequest& request, const HttpRespond& respond) {
+                   respond(answer(request, access, peer));
+               });
 }
 
 HttpAnswer

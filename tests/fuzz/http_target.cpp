@@ -43,10 +43,10 @@ Exchange exchange(std::array<Input, 2> pieces) {
         asio::io_context context;
         asio::ip::tcp::socket socket(context);
         socket.assign(asio::ip::tcp::v4(), ends[0]); // Any stream socket will do.
-        const auto answer = [&done](const HttpRequest& request) {
+        const auto answer = [&done](const HttpRequest& request, const HttpRespond& respond) {
             ++done.requests;
             done.request = request;
-            return HttpAnswer{};
+            respond({});
         };
         serve_http(std::make_unique<Stream>(std::move(socket)), answer);
         for (const Input piece : pieces) {
