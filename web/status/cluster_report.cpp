@@ -367,6 +367,21 @@ nlohmann::ordered_json long_scenarios_json(const ClusterStatus& status) {
     return list;
 }
 
+/// Returns the table of workers, with each one's longest-running scenario.
+nlohmann::ordered_json workers_json(const ClusterStatus& status) {
+    const std::vector<JobId> ids = ids_of(status.jobs);
+    nlohmann::ordered_json list = table_json(workers_table(status));
+    for (std::size_t i = 0; i < status.workers.size(); ++i) {
+        list[i]["longest"] = nlohmann::ordered_json();
+        if (const auto& longest = status.workers[i].longest) {
+            list[i]["longest"] = {{"job", job_id_text(longest->job, ids)},
+                                  {"scenario", longest->scenario},
+                                  {"seconds", longest->seconds}};
+        }
+    }
+    return list;
+}
+
 } // namespace
 
 std::string status_json(const ClusterStatus& before, const ClusterStatus& after) {
@@ -374,7 +389,7 @@ std::string status_json(const ClusterStatus& before, const ClusterStatus& after)
                       {"uptime_seconds", after.uptime_seconds},
                       {"cpu_seconds", after.cpu_seconds},
                       {"jobs", table_json(jobs_table(after))},
-                      {"workers", table_json(workers_table(after))},
+                      {"workers", workers_json(after)},
                       {"meshes", table_json(meshes_table(after))},
                       {"alarms", after.alarms},
                       {"alarm_count", after.alarm_count},

@@ -1,0 +1,33 @@
+// Arrays of the page in NumPy's format (NPY 1.0, little-endian, C order).
+#pragma once
+
+#include "common/core/files/bytes.hpp"
+#include "common/job/result/contact_map.hpp"
+#include "common/job/result/result.hpp"
+#include "web/server/page_values.hpp"
+
+#include <cstdint>
+#include <span>
+
+namespace cd {
+
+/// Encodes classes as u1 (n,).
+[[nodiscard]] Bytes classes_npy(std::span<const std::uint8_t> classes);
+/// Encodes counts as u4 (n,).
+[[nodiscard]] Bytes counts_npy(std::span<const std::uint32_t> counts);
+/// Encodes poses as f8 (n,12), or (n,2,12) if there are two a scenario.
+[[nodiscard]] Bytes poses_npy(const PoseRows& poses);
+/// Encodes a body's contact map as u8 (k,2): triangle, scenarios.
+[[nodiscard]] Bytes map_npy(std::span<const TriangleContacts> map);
+
+/// An array of at most `limits::page_rows_max` rows.
+struct BoundedArray {
+    Bytes npy;
+    bool is_cut = false; ///< Rows are missing.
+};
+/// Encodes the listed pairs as u4 (m,3): triangle of A, triangle of B, class.
+[[nodiscard]] BoundedArray pairs_npy(const ScenarioResult& result);
+/// Encodes shared points as f8 (k,4): position of the pair in the list; x, y, z in the world.
+[[nodiscard]] BoundedArray points_npy(const ScenarioResult& result);
+
+} // namespace cd

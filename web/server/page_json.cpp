@@ -1,0 +1,236 @@
+#include "web/server/page_json.hpp"
+
+#include "common/core/timing/web.hpp"
+#include "web/status/cluster_report.hpp"
+#include "web/status/table.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <array>
+#include <cmath>
+
+namespace cd {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::array<const char*, 6> axis_names{"x", "y", "z", "roll", "pitch", "yaw"};
+
+std::string compact(const Json& json) {
+    return json_text(json, -1);
+}
+
+std::string_view kind_text(PageOrigin::Kind kind) {
+    constexpr std::array<std::string_view, 3> names{"master", "folder", "remote"};
+    return names[static_cast<std::size_t>(kind)];
+}
+
+std::string_view kind_text(PosesKind kind) {
+    constexpr std::array<std::string_view, 3> names{"grid", "file", "random"};
+    return names[static_cast<std::size_t>(kind)];
+}
+
+template <class T>
+Json or_null(const std::optional<T>& value) {
+    return value ? Json(*value) : Json();
+}
+
+/// Returns a job's row with the keys of `jobs_table`.
+Json row_json(const JobRow& job) {
+    ClusterStatus alone;
+    alone.jobs.push_back(job.status);
+    Json row = table_json(jobs_table(alone)).front();
+    if (!job.id.empty()) {
+        row["job"] = job.id;
+    }
+    if (!job.state.empty()) {
+        row["state"] = job.state;
+    }
+    return row;
+}
+
+Json classes_json(const Summary& summary) {
+    return {{"done", summary.merged()},
+            {"separate", summary.separate},
+            {"touch", summary.touch},
+            {"cross", summary.cross},
+            {"inside", summary.inside},
+            {"contact", summary.contact},
+            {"undecided", summary.undecided},
+            {"failed", summary.failed},
+            {"surfaces_only", summary.surfaces_only},
+            {"insides_skipped", summary.insides_skipped},
+            {"cut", summary.cut}};
+}
+
+Json query_json(const Query& query) {
+    return {{"level", to_text(query.level)},
+            {"tolerance", query.tolerance},
+            {"limit_pairs", query.limit_pairs},
+            {"ignored", query.ignored.size()}};
+}
+
+Json body_json(const BodyView& body) {
+    return {{"name", body.body.name},
+            {"file", body.body.file},
+            {"unit", body.body.unit},
+            {"sha256", to_hex(body.body.mesh)},
+            {"triangles", body.triangles},
+            {"parts", body.parts},
+            {"closed", or_null(body.is_closed)},
+            {"bytes", body.bytes},
+            {"precision", body.precision == Precision::Float ? "float" : "double"},
+            {"size", {body.size.x(), body.size.y(), body.size.z()}}};
+}
+
+Json poses_json(const PosesView& poses) {
+    Json axes = Json::array();
+    for (std::size_t i = 0; i < poses.axes.size() && i < axis_names.size(); ++i) {
+        const GridAxis& axis = poses.axes[i];
+        axes.push_back({{"name", axis_names[i]},
+                        {"first", axis.first},
+                        {"last", axis.last},
+                        {"count", axis.count}});
+    }
+    Json json{{"kind", kind_text(poses.kind)},
+              {"count", poses.count},
+              {"file", poses.file},
+              {"axes", std::move(axes)},
+              {"penetration", Json()},
+              {"seed", Json()},
+              {"has_ids", poses.has_ids},
+              {"has_times", poses.has_times},
+              {"of_both_bodies", poses.of_both_bodies}};
+    if (poses.random) {
+        json["penetration"] = {poses.random->penetration_min, poses.random->penetration_max};
+        json["seed"] = poses.random->seed;
+    }
+    return json;
+}
+
+Json run_json(const RunView& run) {
+    return {{"where", run.where},
+            {"simd", run.simd},
+            {"command", run.command},
+            {"program", run.program},
+            {"commit", run.commit},
+            {"started", run.started},
+            {"ended", run.ended},
+            {"formats", run.formats},
+            {"folder", run.folder}};
+}
+
+Json group_json(const GroupView& group) {
+    return {{"a", group.part_a},
+            {"b", group.part_b},
+            {"scenarios", group.scenarios},
+            {"share", group.share},
+            {"pairs", group.pairs},
+            {"worst", group.worst},
+            {"worst_pairs", group.worst_pairs},
+            {"class", to_text(group.worst_class)}};
+}
+
+void add_result(Json& json, const ScenarioView& scenario) {
+    const ScenarioResult none;
+    const ScenarioResult& result = scenario.result ? *scenario.result : none;
+    const bool is_bounded =
+        result.kind == ScenarioClass::Undecided && std::isfinite(result.distance_bound);
+    json.update(Json{{"class", scenario.result ? Json(to_text(result.kind)) : Json()},
+                     {"count", result.pair_count},
+                     {"listed", scenario.listed},
+                     {"cut", result.level >= Level::Pairs && scenario.listed < result.pair_count},
+                     {"surfaces_only", result.surfaces_only},
+                     {"insides_skipped", result.insides_skipped},
+                     {"distance_bound", is_bounded ? Json(result.distance_bound) : Json()},
+                     {"failure", result.failure}});
+}
+
+} // namespace
+
+std::string origin_json(const PageOrigin& origin) {
+    return compact({{"kind", kind_text(origin.kind)},
+                    {"program", origin.program},
+                    {"name", origin.name},
+                    {"tls", origin.is_tls},
+                    {"job", origin.job.empty() ? Json() : Json(origin.job)}});
+}
+
+std::string cluster_json(const ClusterView& cluster) {
+    return status_json(cluster.before, cluster.now);
+}
+
+std::string history_json(std::span<const HistorySample> samples) {
+    Json rows = Json::array();
+    for (const HistorySample& each : samples) {
+        rows.push_back(
+            {each.unix_seconds, each.scenarios, each.sent, each.received, each.from_peers});
+    }
+    return compact({{"period_seconds", 1},
+                    {"columns",
+                     {"time",
+                      "scenarios_per_second",
+                      "sent_per_second",
+                      "received_per_second",
+                      "peer_per_second"}},
+                    {"rows", std::move(rows)}});
+}
+
+std::string jobs_json(std::span<const JobRow> jobs) {
+    Json rows = Json::array();
+    for (const JobRow& job : jobs) {
+        rows.push_back(row_json(job));
+    }
+    return compact({{"jobs", std::move(rows)}});
+}
+
+std::string job_view_json(const JobView& job) {
+    const JobStatus& status = job.row.status;
+    Json json = row_json(job.row);
+    json.update(classes_json(status.summary));
+    json.update(query_json(job.query));
+    json.update(run_json(job.run));
+    json["unit"] = job.unit;
+    json["digest"] = status.digest ? Json(to_hex(*status.digest)) : Json();
+    json["paused"] = status.paused;
+    json["maps"] = job.map.exists;
+    json["map_pairs"] = job.map.first_pairs;
+    json["bodies"] = Json::array();
+    for (const BodyView& body : job.bodies) {
+        json["bodies"].push_back(body_json(body));
+    }
+    json["poses"] = poses_json(job.poses);
+    json["groups"] = Json();
+    json["groups_total"] = job.groups ? job.groups->total : 0;
+    if (job.groups) {
+        json["groups"] = Json::array();
+        for (const GroupView& group : job.groups->rows) {
+            json["groups"].push_back(group_json(group));
+        }
+    }
+    return compact(json);
+}
+
+std::string scenario_json(std::uint64_t number, const ScenarioView& scenario) {
+    Json json{{"index", number}};
+    add_result(json, scenario);
+    json["id"] = scenario.id.empty() ? Json() : Json(scenario.id);
+    json["time"] = or_null(scenario.time);
+    json["pose_a"] = pose_rows(scenario.poses.a);
+    json["pose_b"] = pose_rows(scenario.poses.b);
+    json["verified"] = or_null(scenario.verified);
+    json["verify_note"] = scenario.verify_note;
+    json["exact_pairs"] = scenario.drawn != nullptr ? scenario.drawn->pairs.size() : 0;
+    return compact(json);
+}
+
+std::string next_json(const std::optional<std::uint64_t>& next) {
+    return compact({{"index", or_null(next)}});
+}
+
+std::string error_json(const std::string& text) {
+    return compact({{"error", text}});
+}
+
+} // namespace cd

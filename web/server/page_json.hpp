@@ -1,0 +1,22 @@
+// Answers of the page as JSON documents.
+#pragma once
+
+#include "web/server/page_values.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+
+namespace cd {
+
+[[nodiscard]] std::string origin_json(const PageOrigin& origin);
+[[nodiscard]] std::string cluster_json(const ClusterView& cluster);
+[[nodiscard]] std::string history_json(std::span<const HistorySample> samples);
+[[nodiscard]] std::string jobs_json(std::span<const JobRow> jobs);
+[[nodiscard]] std::string job_view_json(const JobView& job);
+[[nodiscard]] std::string scenario_json(std::uint64_t number, const ScenarioView& scenario);
+[[nodiscard]] std::string next_json(const std::optional<std::uint64_t>& next);
+[[nodiscard]] std::string error_json(const std::string& text);
+
+} // namespace cd

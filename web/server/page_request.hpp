@@ -1,0 +1,73 @@
+// What a request to the page's interface asks for: the target below /api/v1/.
+#pragma once
+
+#include "common/core/files/hash.hpp"
+#include "common/core/result.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace cd {
+
+enum class PageTopic : std::uint8_t {
+    Source,
+    Cluster,
+    History,
+    Jobs,
+    Job,
+    Classes,
+    Counts,
+    Poses,
+    Map,
+    Scenario,
+    Pairs,
+    Points,
+    Next,
+    Mesh,
+};
+
+/// Scenarios of a job: a range, or a sample of evenly spaced ones.
+struct ScenarioChoice {
+    std::uint64_t first = 0;
+    std::uint64_t count = 0;
+    std::uint64_t sample = 0; ///< Size of the sample; 0: the range is meant.
+
+    [[nodiscard]] std::uint64_t size() const { return sample != 0 ? sample : count; }
+    /// Returns the index of the chosen scenario `i`, below `size()`, in a job of `total` scenarios.
+    [[nodiscard]] std::uint64_t at(std::uint64_t i, std::uint64_t total) const {
+        return sample != 0 ? i * total / sample : first + i;
+    }
+    /// Errors: BadInput if the range exceeds `count_max` or the job, or the sample its bound.
+    [[nodiscard]] Status check(std::uint64_t total, std::uint64_t count_max) const;
+};
+
+/// Describes the next scenario in contact after or before a scenario.
+struct NextContact {
+    std::uint64_t from = 0;
+    bool is_backwards = false;
+    std::string part_a; ///< Only scenarios in which this part of A is in contact; empty: any part.
+    std::string part_b;
+};
+
+struct PageRequest {
+    PageTopic topic = PageTopic::Source;
+    std::string job;          ///< Id of the job, for the topics about one.
+    std::uint64_t number = 0; ///< The scenario, or the body of a map.
+    ScenarioChoice choice;    ///< For classes, counts and poses.
+    NextContact next;
+    Sha256 mesh;
+};
+
+/// All targets that are not static begin with this.
+inline constexpr std::string_view page_api = "/api/v1/";
+
+/// Parses a target that begins with `page_api`. It is untrusted. Errors: NotFound if there is no
+/// such route; BadInput naming the parameter that is missing, unknown or invalid.
+[[nodiscard]] Result<PageRequest> parse_page_request(std::string_view target);
+
+/// Decodes %XX, and + as a blank, in a parameter's value; nothing if an escape is invalid.
+[[nodiscard]] std::optional<std::string> percent_decoded(std::string_view text);
+
+} // namespace cd

@@ -1,0 +1,147 @@
+// What the page shows, as values that each source provides.
+#pragma once
+
+#include "common/core/files/hash.hpp"
+#include "common/geometry/mesh.hpp"
+#include "common/geometry/pose.hpp"
+#include "common/job/query.hpp"
+#include "common/job/result/result.hpp"
+#include "proto/messages/client_messages.hpp"
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace cd {
+
+/// Where the page's data come from.
+struct PageOrigin {
+    enum class Kind : std::uint8_t { Master, Folder, Remote };
+
+    Kind kind = Kind::Folder;
+    std::string program; ///< "cdctl 0.1.0"
+    std::string name;    ///< Name of the host or path of the folder.
+    bool is_tls = false;
+    std::string job; ///< The only job that the page shows; empty: the cluster.
+};
+
+/// A cluster's status now, and a moment before, for rates.
+struct ClusterView {
+    ClusterStatus before;
+    ClusterStatus now;
+};
+
+/// A sample of a cluster's activity. Rates are per second, of scenarios or bytes.
+struct HistorySample {
+    double unix_seconds = 0;
+    double scenarios = 0;
+    double sent = 0;
+    double received = 0;
+    double from_peers = 0;
+};
+
+/// A job in a list. `id` and `state` replace those of the status unless they are empty.
+struct JobRow {
+    std::string id;
+    std::string state;
+    JobStatus status;
+};
+
+struct BodyView {
+    JobBody body;
+    std::uint64_t triangles = 0;
+    std::uint64_t parts = 0;
+    std::optional<bool> is_closed; ///< Nothing if unknown.
+    std::uint64_t bytes = 0;       ///< Size of the canonical form.
+    Precision precision = Precision::Double;
+    Vec3 size = Vec3::Zero(); ///< Size of the box around the mesh, in its own axes.
+};
+
+struct PosesView {
+    PosesKind kind = PosesKind::File;
+    std::uint64_t count = 0;
+    std::string file;
+    std::vector<GridAxis> axes; ///< x, y, z, roll, pitch, yaw, in degrees; empty unless a grid.
+    std::optional<RandomPoses> random;
+    bool has_ids = false;
+    bool has_times = false;
+    bool of_both_bodies = false;
+};
+
+/// Whether a job has a contact map.
+struct MapView {
+    bool exists = false;
+    std::uint64_t first_pairs = 0; ///< The map counts only so many pairs a scenario; 0: all.
+};
+
+/// The run that gave the results. What is unknown is empty.
+struct RunView {
+    std::string where; ///< "2 threads", "12 workers"
+    std::string simd;
+    std::string command;
+    std::string program;
+    std::string commit;
+    std::string started;
+    std::string ended;
+    std::vector<std::string> formats;
+    std::string folder;
+};
+
+/// Scenarios in which two parts are in contact.
+struct GroupView {
+    std::string part_a;
+    std::string part_b;
+    std::uint64_t scenarios = 0;
+    double share = 0; ///< Of the tested scenarios.
+    std::uint64_t pairs = 0;
+    std::uint64_t worst = 0;       ///< The scenario with most pairs of the two parts.
+    std::uint64_t worst_pairs = 0; ///< Pairs in it.
+    ScenarioClass worst_class = ScenarioClass::Touch;
+};
+
+struct GroupsView {
+    std::vector<GroupView> rows; ///< Most scenarios first; perhaps not all.
+    std::uint64_t total = 0;
+};
+
+struct JobView {
+    JobRow row;
+    std::string unit;
+    Query query;
+    std::vector<BodyView> bodies;
+    PosesView poses;
+    MapView map;
+    RunView run;
+    std::optional<GroupsView> groups; ///< Nothing if unknown.
+};
+
+/// Poses for drawing, rounded: for each scenario the rows of [R t], 12 numbers. One pose a
+/// scenario, B's in A's frame; or two, A's and B's in the world.
+struct PoseRows {
+    std::size_t poses_each = 1;
+    std::vector<double> numbers;
+
+    void add(const PosePair& poses);
+};
+
+/// One scenario: its record, and what running it again gave.
+struct ScenarioView {
+    /// The stored result without its lists; nothing if there is none yet.
+    std::optional<ScenarioResult> result;
+    std::uint64_t listed = 0; ///< Pairs that the stored result lists.
+    PosePair poses;
+    std::string id; ///< The pose file's id; empty without one.
+    std::optional<double> time;
+    std::optional<bool> verified; ///< Whether a second run gave equal bytes; nothing: not compared.
+    std::string verify_note;      ///< Why it was not compared, or what differs.
+    /// Pairs and points of an exact run at level contacts, perhaps not all; null if it failed.
+    std::shared_ptr<const ScenarioResult> drawn;
+};
+
+/// Returns the twelve numbers of a pose: the rows of [R t], rounded.
+[[nodiscard]] std::array<double, 12> pose_rows(const Pose& pose);
+
+} // namespace cd

@@ -1,0 +1,88 @@
+#include "web/server/scenario_repeat.hpp"
+
+#include "common/core/limits/web.hpp"
+#include "common/core/words.hpp"
+#include "common/job/run_scenario.hpp"
+
+#include <memory>
+#include <string>
+#include <utility>
+
+namespace cd {
+
+namespace {
+
+/// The query whose results are drawn.
+Query drawing_query(const Query& query) {
+    return {Level::Contacts, 0, limits::page_rows_max, query.ignored, false};
+}
+
+bool is_drawable(const Query& query) {
+    return query.level == Level::Contacts && query.tolerance == 0 && query.limit_pairs == 0;
+}
+
+std::string answer_text(const ScenarioResult& result) {
+    return std::string(to_text(result.kind)) + " with " + counted(result.pair_count, "pair");
+}
+
+ScenarioRun run(const ObbTree& a,
+                const ObbTree& b,
+                const Query& query,
+                const Scenario& scenario,
+                const StopCheck& stop) {
+    return ScenarioRunner(a, b, query, PairStage::Float, stop).run(scenario);
+}
+
+void compare(const ScenarioRun& again, const KeptRecord& record, ScenarioView& view) {
+    if (again.is_stopped) {
+        view.verify_note = "running it again takes too long here; cdctl verify does it";
+        return;
+    }
+    view.verified = encode_result(again.result) == record.bytes;
+    if (!*view.verified) {
+        view.verify_note = "the record says " + answer_text(record.result) +
+                           ", a second run here " + answer_text(again.result);
+    }
+}
+
+std::string reason_not_to_compare(const std::optional<KeptRecord>& record) {
+    if (!record) {
+        return "it has no result yet";
+    }
+    return record->result.kind == ScenarioClass::Failed ? "it failed in the run" : "";
+}
+
+} // namespace
+
+ScenarioView repeat_scenario(const ObbTree& a,
+                             const ObbTree& b,
+                             const Query& query,
+                             const Scenario& scenario,
+                             const std::optional<KeptRecord>& record,
+                             const StopCheck& stop) {
+    ScenarioView view;
+    view.poses = scenario.poses;
+    view.verify_note = reason_not_to_compare(record);
+    if (record) {
+        view.result = record->result;
+        view.listed = record->result.pairs.size();
+        view.result->pairs = {};
+        view.result->point_origins = {};
+        view.result->point_offsets = {};
+        view.result->points = {};
+    }
+    std::optional<ScenarioRun> again;
+    if (view.verify_note.empty()) {
+        again = run(a, b, query, scenario, stop);
+        compare(*again, *record, view);
+    }
+    if (!again || !is_drawable(query)) {
+        again = run(a, b, drawing_query(query), scenario, stop);
+    }
+    if (again->result.kind != ScenarioClass::Failed) {
+        view.drawn = std::make_shared<const ScenarioResult>(std::move(again->result));
+    }
+    return view;
+}
+
+} // namespace cd

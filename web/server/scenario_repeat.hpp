@@ -1,0 +1,26 @@
+// Runs one scenario again for the page: to verify its record, and to draw its contacts.
+#pragma once
+
+#include "common/core/host/stop_check.hpp"
+#include "common/job/query.hpp"
+#include "common/job/result/record_file.hpp"
+#include "common/job/scenario.hpp"
+#include "common/tree/obb_tree.hpp"
+#include "web/server/page_values.hpp"
+
+#include <optional>
+
+namespace cd {
+
+/// Runs a scenario with the job's query, whose record must equal the stored one byte by byte, and,
+/// unless that was exact at `level contacts`, once so with at most `limits::page_rows_max` pairs.
+/// `record` is the stored result; without one, or if it says Failed, nothing is compared. After
+/// `stop`, the view has no contacts and says that it was not verified.
+[[nodiscard]] ScenarioView repeat_scenario(const ObbTree& a,
+                                           const ObbTree& b,
+                                           const Query& query,
+                                           const Scenario& scenario,
+                                           const std::optional<KeptRecord>& record,
+                                           const StopCheck& stop);
+
+} // namespace cd
