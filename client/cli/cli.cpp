@@ -153,6 +153,17 @@ class Verbs {
         add_tree_cache(*extract, extract->tree_cache);
     }
 
+    void add_view_verb() {
+        auto view = add<ViewCommand>("view", view_help);
+        add_run(*view, "run", view->run, "FOLDER|JOB");
+        add_master_options(*view, view->master);
+        view.add("--port", view->port, "N", "Port on 127.0.0.1; 0: any free one")
+            ->capture_default_str();
+        view.flag("--no-browser", view->no_browser, "Only print the address");
+        add_threads(*view, view->threads, "Threads that read the run; 0 is one for each core");
+        add_tree_cache(*view, view->tree_cache);
+    }
+
     void add_cluster_verbs() {
         auto get = add<GetCommand>("get", get_help);
         get.add("what", get->what, "WHAT", "jobs, workers or meshes")
@@ -301,6 +312,7 @@ CommandLine parse_command_line(std::vector<std::string> arguments) {
     verbs.add_local_verbs();
     verbs.add_job_verbs();
     verbs.add_check_verbs();
+    verbs.add_view_verb();
     verbs.add_cluster_verbs();
     verbs.add_identity_verbs();
     try {

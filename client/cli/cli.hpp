@@ -113,6 +113,15 @@ struct ExtractCommand {
     std::string tree_cache = "off"; ///< A folder, or off.
 };
 
+struct ViewCommand {
+    std::string run; ///< A results folder, or a job's id.
+    MasterOptions master;
+    std::uint16_t port = 0; ///< 0: the system chooses.
+    bool no_browser = false;
+    unsigned threads = 0;
+    std::string tree_cache = "off"; ///< A folder, or off.
+};
+
 struct GetCommand {
     std::string what; ///< jobs, workers or meshes
     MasterOptions master;
@@ -187,6 +196,7 @@ using Command = std::variant<RunCommand,
                              ResultsCommand,
                              VerifyCommand,
                              ExtractCommand,
+                             ViewCommand,
                              GetCommand,
                              StatusCommand,
                              CancelCommand,

@@ -191,6 +191,17 @@ Examples:
 
 Exit codes: 0 all records are the same; 1 one differs; 3 some scenario could not be run.)";
 
+inline constexpr const char* view_help =
+    R"(Shows a run in the browser: classes, contact maps, and each scenario in 3D.
+Examples:
+  cdctl view out
+  cdctl view out --port 8080 --no-browser
+  cdctl view j-5692 --master node-1:7600
+
+The page is served on 127.0.0.1 alone. The printed address has a key that is good until the
+program ends: with Ctrl-C, or 30 minutes after the last request. From another machine:
+ssh -L 8080:127.0.0.1:8080 HOST, with --port 8080.)";
+
 inline constexpr const char* extract_help =
     R"(Writes scenarios of a run as a job of their own, or as pictures.
 Examples:

@@ -1,0 +1,127 @@
+#include "client/view/record_index.hpp"
+
+#include "common/core/errors.hpp"
+#include "common/core/limits/web.hpp"
+#include "common/core/words.hpp"
+#include "web/server/page_source.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <mutex>
+#include <utility>
+
+namespace cd {
+
+namespace {
+
+std::uint64_t& count_of_class(Summary& summary, ScenarioClass kind) {
+    switch (kind) {
+    case ScenarioClass::Separate:
+        return summary.separate;
+    case ScenarioClass::Touch:
+        return summary.touch;
+    case ScenarioClass::Cross:
+        return summary.cross;
+    case ScenarioClass::Inside:
+        return summary.inside;
+    case ScenarioClass::Contact:
+        return summary.contact;
+    case ScenarioClass::Undecided:
+        return summary.undecided;
+    case ScenarioClass::Failed:
+        break;
+    }
+    return summary.failed;
+}
+
+void count(Summary& summary, const ScenarioResult& result) {
+    ++count_of_class(summary, result.kind);
+    summary.pairs += result.pair_count;
+    summary.surfaces_only += result.surfaces_only ? 1 : 0;
+    summary.insides_skipped += result.insides_skipped ? 1 : 0;
+    summary.cut += result.is_cut() ? 1 : 0;
+}
+
+bool is_contact(std::uint8_t number) {
+    switch (static_cast<ScenarioClass>(number)) {
+    case ScenarioClass::Touch:
+    case ScenarioClass::Cross:
+    case ScenarioClass::Inside:
+    case ScenarioClass::Contact:
+        return true;
+    default:
+        return false;
+    }
+}
+
+/// The sums of all threads, and their first error.
+struct Sums {
+    std::mutex mutex;
+    Status status = Done{};
+    ContactMapTotal map;
+};
+
+} // namespace
+
+Result<RecordIndex> RecordIndex::read(const RecordFile& records,
+                                      std::uint64_t scenarios,
+                                      ThreadPool& pool,
+                                      const StopCheck& stop) {
+    if (scenarios > limits::page_index_scenarios_max) {
+        return Error{ErrorCode::TooLarge,
+                     "the run has " + counted(scenarios, "scenario") +
+                         "; the page shows runs of at most " +
+                         grouped(limits::page_index_scenarios_max)};
+    }
+    RecordIndex index;
+    index.classes_.assign(scenarios, no_class);
+    index.counts_.assign(scenarios, 0);
+    index.summary_.total = scenarios;
+    Sums sums;
+    parallel_for(pool, records.blocks(), [&](std::size_t block) {
+        const bool is_stopped = stop && stop();
+        auto read =
+            is_stopped ? Result<std::vector<KeptRecord>>(interrupted()) : records.read(block);
+        ContactMapSum map;
+        if (read) {
+            for (const KeptRecord& record : read.value()) {
+                map.add(record.result.pairs);
+            }
+        }
+        const std::scoped_lock lock(sums.mutex);
+        if (!read) {
+            sums.status = read.error();
+            return;
+        }
+        sums.map.add(map.take());
+        for (const KeptRecord& record : read.value()) {
+            const ScenarioResult& result = record.result;
+            if (result.index < scenarios) {
+                index.classes_[result.index] = static_cast<std::uint8_t>(result.kind);
+                index.counts_[result.index] = static_cast<std::uint32_t>(std::min<std::uint64_t>(
+                    result.pair_count, std::numeric_limits<std::uint32_t>::max()));
+                count(index.summary_, result);
+            }
+        }
+    });
+    if (!sums.status) {
+        return sums.status.error();
+    }
+    index.map_ = sums.map.map();
+    return index;
+}
+
+std::optional<std::uint64_t> RecordIndex::next_contact(
+    std::uint64_t from, bool is_backwards, const std::function<bool(std::uint64_t)>& fits) const {
+    const std::uint64_t total = classes_.size();
+    std::uint64_t scenario = std::min(from, is_backwards ? total : total - 1);
+    while (is_backwards ? scenario > 0 : scenario + 1 < total) {
+        scenario += is_backwards ? std::uint64_t(-1) : 1;
+        if (is_contact(classes_[scenario]) && fits(scenario)) {
+            return scenario;
+        }
+    }
+    return std::nullopt;
+}
+
+} // namespace cd

@@ -1,0 +1,49 @@
+// What the page needs of all records of a run at once: classes, counts, sums and the contact map.
+#pragma once
+
+#include "common/core/host/stop_check.hpp"
+#include "common/core/host/thread_pool.hpp"
+#include "common/core/result.hpp"
+#include "common/job/result/contact_map.hpp"
+#include "common/job/result/merge.hpp"
+#include "common/job/result/record_file.hpp"
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <vector>
+
+namespace cd {
+
+/// Memory: five bytes a scenario. Scenarios without a record have the class `no_class` and count 0.
+class RecordIndex {
+  public:
+    /// Reads all records of a run of `scenarios` scenarios. Errors: TooLarge over
+    /// `limits::page_index_scenarios_max`; Io naming the file; Interrupted.
+    [[nodiscard]] static Result<RecordIndex> read(const RecordFile& records,
+                                                  std::uint64_t scenarios,
+                                                  ThreadPool& pool,
+                                                  const StopCheck& stop = {});
+
+    [[nodiscard]] std::uint8_t class_of(std::uint64_t scenario) const { return classes_[scenario]; }
+    /// Returns a scenario's number of pairs, at most 2^32 - 1.
+    [[nodiscard]] std::uint32_t count_of(std::uint64_t scenario) const { return counts_[scenario]; }
+    [[nodiscard]] const Summary& summary() const { return summary_; }
+    /// The map of all listed pairs; empty below `level pairs`.
+    [[nodiscard]] const ContactMap& map() const { return map_; }
+
+    /// Returns the nearest scenario after `from`, or before it, that is in contact and that `fits`;
+    /// nothing if there is none.
+    [[nodiscard]] std::optional<std::uint64_t>
+    next_contact(std::uint64_t from,
+                 bool is_backwards,
+                 const std::function<bool(std::uint64_t)>& fits) const;
+
+  private:
+    std::vector<std::uint8_t> classes_;
+    std::vector<std::uint32_t> counts_;
+    Summary summary_;
+    ContactMap map_;
+};
+
+} // namespace cd

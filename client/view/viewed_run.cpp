@@ -1,0 +1,237 @@
+#include "client/view/viewed_run.hpp"
+
+#include "client/folder/folder_exports.hpp"
+#include "client/remote/mesh_cache.hpp"
+#include "client/view/part_filter.hpp"
+#include "common/core/errors.hpp"
+#include "common/core/limits/web.hpp"
+#include "common/core/words.hpp"
+#include "common/geometry/aabb.hpp"
+#include "web/server/scenario_repeat.hpp"
+
+#include <algorithm>
+#include <ctime>
+
+namespace cd {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Poses are read in parts of this many scenarios.
+constexpr std::uint64_t poses_at_once = 4096;
+
+/// Parses what `iso_time` writes; 0 for any other text.
+std::uint64_t unix_seconds(const std::string& iso) {
+    std::tm parts{};
+    const char* const end = ::strptime(iso.c_str(), "%Y-%m-%dT%H:%M:%SZ", &parts);
+    const std::time_t time = end == nullptr ? 0 : ::timegm(&parts);
+    return time < 0 ? 0 : static_cast<std::uint64_t>(time);
+}
+
+std::string where_text(const ManifestPlace& where) {
+    return where.master.empty() ? counted(where.threads, "thread")
+                                : counted(where.workers, "worker") + " of " + where.master;
+}
+
+RunView run_view(const RunManifest& manifest, const fs::path& dir) {
+    return {where_text(manifest.where),
+            manifest.where.simd,
+            manifest.origin.command,
+            manifest.origin.program,
+            manifest.origin.commit,
+            manifest.origin.started,
+            manifest.origin.ended,
+            manifest.formats,
+            dir.string()};
+}
+
+PosesView poses_view(const ManifestPoses& poses, const JobSpec& spec) {
+    const auto* const grid = std::get_if<GridSpec>(&spec.poses);
+    return {poses.kind,
+            poses.count,
+            poses.file,
+            grid == nullptr ? std::vector<GridAxis>() : grid->axes,
+            poses.random,
+            poses.has_ids,
+            poses.has_times,
+            poses.of_both_bodies};
+}
+
+BodyView body_view(const JobBody& body, const Mesh& mesh, const ObbTree& tree) {
+    return {body,
+            mesh.triangles().size(),
+            mesh.parts().size(),
+            tree.topology().is_closed(),
+            mesh.canonical_bytes().size(),
+            mesh.precision(),
+            bounding_box(mesh.vertices()).size()};
+}
+
+void add_label(const PoseLabels& labels, std::uint64_t number, ScenarioView& view) {
+    if (number < labels.integers.size()) {
+        view.id = std::to_string(labels.integers[number]);
+    } else if (number < labels.texts.size()) {
+        view.id = labels.texts[number];
+    }
+    if (number < labels.times.size()) {
+        view.time = labels.times[number];
+    }
+}
+
+} // namespace
+
+Result<std::unique_ptr<ViewedRun>>
+ViewedRun::open(OpenedRun run, PreparedJob job, ThreadPool& pool, const StopCheck& stop) {
+    auto index = CD_TRY(RecordIndex::read(run.records(), job.poses->count(), pool, stop));
+    std::unique_ptr<ViewedRun> viewed(
+        new ViewedRun(std::move(run), std::move(job), std::move(index)));
+    CD_TRY(viewed->read_map());
+    return viewed;
+}
+
+Status ViewedRun::read_map() {
+    const Query& query = manifest().query;
+    if (query.maps) {
+        map_ = CD_TRY(run_.kept_map());
+    } else if (query.level >= Level::Pairs) {
+        map_ = index_.map();
+    }
+    return Done{};
+}
+
+fs::path ViewedRun::folder() const {
+    std::error_code error;
+    const fs::path path = fs::absolute(run_.dir(), error);
+    return error ? run_.dir() : path;
+}
+
+double ViewedRun::seconds() const {
+    const auto report = read_summary(run_.dir() / "summary.json");
+    return report ? report.value().execution.seconds : 0;
+}
+
+JobRow ViewedRun::row(const std::string& id) const {
+    const RunManifest& run = manifest();
+    JobRow row{id, run.is_complete() ? "done" : "incomplete", {}};
+    row.status.name = run.name;
+    row.status.state = JobState::Done;
+    row.status.summary = index_.summary();
+    row.status.digest = run.outcome.digest;
+    row.status.began = unix_seconds(run.origin.started);
+    row.status.seconds = seconds();
+    if (row.status.seconds > 0) {
+        row.status.scenarios_per_second =
+            static_cast<double>(index_.summary().merged()) / row.status.seconds;
+    }
+    return row;
+}
+
+JobView ViewedRun::view(const std::string& id) const {
+    const RunManifest& run = manifest();
+    JobView view{row(id), run.unit, run.query, {}, poses_view(run.poses, job_.spec), {}, {}, {}};
+    for (std::size_t i = 0; i < run.bodies.size(); ++i) {
+        view.bodies.push_back(body_view(run.bodies[i], *job_.meshes[i], *job_.trees[i]));
+    }
+    view.map = {map_.has_value(), run.query.maps ? 0 : run.query.limit_pairs};
+    view.run = run_view(run, folder());
+    return view;
+}
+
+Result<std::vector<std::uint8_t>> ViewedRun::classes(const ScenarioChoice& choice) const {
+    CD_TRY(choice.check(count(), limits::page_classes_max));
+    std::vector<std::uint8_t> classes(choice.size());
+    for (std::uint64_t i = 0; i < classes.size(); ++i) {
+        classes[i] = index_.class_of(choice.at(i, count()));
+    }
+    return classes;
+}
+
+Result<std::vector<std::uint32_t>> ViewedRun::counts(const ScenarioChoice& choice) const {
+    CD_TRY(choice.check(count(), limits::page_classes_max));
+    std::vector<std::uint32_t> counts(choice.size());
+    for (std::uint64_t i = 0; i < counts.size(); ++i) {
+        counts[i] = index_.count_of(choice.at(i, count()));
+    }
+    return counts;
+}
+
+Result<std::vector<Scenario>> ViewedRun::read_poses(std::uint64_t first, std::uint64_t count) {
+    const std::scoped_lock lock(mutex_);
+    return job_.poses->read(first, count);
+}
+
+Result<std::optional<KeptRecord>> ViewedRun::find_record(std::uint64_t scenario) {
+    const std::scoped_lock lock(mutex_);
+    const KeptRecord* const kept = CD_TRY(run_.records().find(scenario));
+    return kept == nullptr ? std::nullopt : std::optional(*kept);
+}
+
+Result<PoseRows> ViewedRun::poses(const ScenarioChoice& choice) {
+    CD_TRY(choice.check(count(), limits::page_scenarios_max));
+    PoseRows rows{manifest().poses.of_both_bodies ? std::size_t{2} : 1, {}};
+    rows.numbers.reserve(12 * rows.poses_each * choice.size());
+    const std::uint64_t step = choice.sample != 0 ? 1 : poses_at_once;
+    for (std::uint64_t i = 0; i < choice.size(); i += step) {
+        const std::uint64_t part = std::min(step, choice.size() - i);
+        const auto scenarios = CD_TRY(read_poses(choice.at(i, count()), part));
+        for (const Scenario& scenario : scenarios) {
+            rows.add(scenario.poses);
+        }
+    }
+    return rows;
+}
+
+Result<std::vector<TriangleContacts>> ViewedRun::map(std::uint64_t body) const {
+    if (!map_ || body >= map_->bodies.size()) {
+        return Error{ErrorCode::NotFound,
+                     map_ ? "there is no such body"
+                          : "the run has no contact map: it was not asked for (maps = true)"};
+    }
+    return map_->bodies[body];
+}
+
+Result<std::shared_ptr<const ScenarioView>> ViewedRun::scenario(std::uint64_t number,
+                                                                const StopCheck& stop) {
+    if (number >= count()) {
+        return Error{ErrorCode::NotFound, "the run has " + counted(count(), "scenario")};
+    }
+    const auto record = CD_TRY(find_record(number));
+    const auto scenarios = CD_TRY(read_poses(number, 1));
+    ScenarioView view = repeat_scenario(
+        *job_.trees[0], *job_.trees[1], job_.query, scenarios.front(), record, stop);
+    add_label(job_.labels, number, view);
+    return std::make_shared<const ScenarioView>(std::move(view));
+}
+
+Result<std::optional<std::uint64_t>> ViewedRun::next(const NextContact& wanted) {
+    const auto filter =
+        CD_TRY(PartFilter::make(*job_.meshes[0], wanted.part_a, *job_.meshes[1], wanted.part_b));
+    if (!filter.is_empty() && manifest().query.level < Level::Pairs) {
+        return bad_input("the run lists no pairs, so that parts are not known: its level is " +
+                         std::string(to_text(manifest().query.level)));
+    }
+    Status status = Done{};
+    const auto fits = [&](std::uint64_t scenario) {
+        if (filter.is_empty()) {
+            return true;
+        }
+        const auto record = find_record(scenario);
+        status = record ? Status(Done{}) : record.error();
+        return !record || (record.value() && filter.passes(record.value()->result));
+    };
+    const auto found = index_.next_contact(wanted.from, wanted.is_backwards, fits);
+    return status ? Result<std::optional<std::uint64_t>>(found) : status.error();
+}
+
+std::shared_ptr<const Mesh> ViewedRun::mesh(const Sha256& mesh) const {
+    const auto found =
+        std::ranges::find_if(job_.meshes, [&](const auto& each) { return each->hash() == mesh; });
+    return found == job_.meshes.end() ? nullptr : *found;
+}
+
+fs::path ViewedRun::mesh_path(const Sha256& mesh) const {
+    return mesh_file_path(run_.dir() / "inputs" / "meshes", mesh);
+}
+
+} // namespace cd

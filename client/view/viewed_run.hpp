@@ -1,0 +1,72 @@
+// A run that `cdctl view` shows, with all that the page asks of it.
+#pragma once
+
+#include "client/folder/opened_run.hpp"
+#include "client/job/prepared_job.hpp"
+#include "client/view/record_index.hpp"
+#include "common/core/host/stop_check.hpp"
+#include "common/core/host/thread_pool.hpp"
+#include "common/core/result.hpp"
+#include "web/server/page_source.hpp"
+
+#include <cstdint>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace cd {
+
+/// Any thread may call any member. Calls block. Errors: BadInput for scenarios that the run does
+/// not have; Io and those of the poses.
+class ViewedRun {
+  public:
+    /// Reads all records. `job` is the run's, prepared with trees. Errors: as `RecordIndex::read`
+    /// and `OpenedRun::kept_map`.
+    [[nodiscard]] static Result<std::unique_ptr<ViewedRun>>
+    open(OpenedRun run, PreparedJob job, ThreadPool& pool, const StopCheck& stop = {});
+
+    [[nodiscard]] const RunManifest& manifest() const { return run_.manifest(); }
+    [[nodiscard]] std::filesystem::path folder() const;
+    [[nodiscard]] std::uint64_t count() const { return job_.poses->count(); }
+    /// Describes the run under the id `id`.
+    [[nodiscard]] JobView view(const std::string& id) const;
+    /// Describes the run in a list.
+    [[nodiscard]] JobRow row(const std::string& id) const;
+    [[nodiscard]] Result<std::vector<std::uint8_t>> classes(const ScenarioChoice& choice) const;
+    [[nodiscard]] Result<std::vector<std::uint32_t>> counts(const ScenarioChoice& choice) const;
+    [[nodiscard]] Result<PoseRows> poses(const ScenarioChoice& choice);
+    /// Returns a body's contact map. Errors: NotFound without a map or a body.
+    [[nodiscard]] Result<std::vector<TriangleContacts>> map(std::uint64_t body) const;
+    /// Runs a scenario again. `stop` ends it.
+    [[nodiscard]] Result<std::shared_ptr<const ScenarioView>> scenario(std::uint64_t number,
+                                                                       const StopCheck& stop);
+    /// Finds the next scenario in contact. Errors: BadInput if parts are asked for that the run
+    /// does not have, or if the run lists no pairs.
+    [[nodiscard]] Result<std::optional<std::uint64_t>> next(const NextContact& wanted);
+    /// Returns the mesh of a body; null if no body has it.
+    [[nodiscard]] std::shared_ptr<const Mesh> mesh(const Sha256& mesh) const;
+    /// Returns the path of the file that holds the canonical bytes of a mesh if the folder keeps
+    /// them.
+    [[nodiscard]] std::filesystem::path mesh_path(const Sha256& mesh) const;
+
+  private:
+    ViewedRun(OpenedRun run, PreparedJob job, RecordIndex index)
+        : run_(std::move(run)), job_(std::move(job)), index_(std::move(index)) {}
+
+    [[nodiscard]] Status read_map();
+    [[nodiscard]] Result<std::vector<Scenario>> read_poses(std::uint64_t first,
+                                                           std::uint64_t count);
+    [[nodiscard]] Result<std::optional<KeptRecord>> find_record(std::uint64_t scenario);
+    [[nodiscard]] double seconds() const;
+
+    OpenedRun run_;
+    PreparedJob job_;
+    RecordIndex index_;
+    std::optional<ContactMap> map_;
+    std::mutex mutex_; ///< Held while poses or records are read.
+};
+
+} // namespace cd
