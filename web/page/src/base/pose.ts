@@ -1,0 +1,63 @@
+/** Rigid motions in double: 12 numbers, rows of [R t], x' = R x + t. */
+import type { Pose, Vec3 } from "./types";
+
+export function apply(pose: Pose, [x, y, z]: Vec3): Vec3 {
+    return [
+        pose[0] * x + pose[1] * y + pose[2] * z + pose[3],
+        pose[4] * x + pose[5] * y + pose[6] * z + pose[7],
+        pose[8] * x + pose[9] * y + pose[10] * z + pose[11],
+    ];
+}
+
+/** Returns the inverse of a rigid motion: [Rᵀ, -Rᵀ t]. */
+export function inverse(p: Pose): Pose {
+    const r = [p[0], p[4], p[8], p[1], p[5], p[9], p[2], p[6], p[10]];
+    const t = (row: number) => -(r[row] * p[3] + r[row + 1] * p[7] + r[row + 2] * p[11]);
+    return [r[0], r[1], r[2], t(0), r[3], r[4], r[5], t(3), r[6], r[7], r[8], t(6)];
+}
+
+/** Returns the motion that applies `second` after `first`. */
+export function compose(second: Pose, first: Pose): Pose {
+    const result: number[] = [];
+    for (let row = 0; row < 12; row += 4) {
+        for (let column = 0; column < 4; ++column) {
+            result.push(
+                second[row] * first[column] +
+                    second[row + 1] * first[column + 4] +
+                    second[row + 2] * first[column + 8] +
+                    (column === 3 ? second[row + 3] : 0),
+            );
+        }
+    }
+    return result;
+}
+
+export interface Placement {
+    x: number;
+    y: number;
+    z: number;
+    roll: number; // Degrees, R = Rz(yaw) Ry(pitch) Rx(roll).
+    pitch: number;
+    yaw: number;
+    distance: number; // Between the two origins.
+}
+
+export const placementKeys = ["x", "y", "z", "roll", "pitch", "yaw", "distance"] as const;
+
+export function placementOf(p: ArrayLike<number>, at = 0): Placement {
+    const degrees = 180 / Math.PI;
+    const [x, y, z] = [p[at + 3], p[at + 7], p[at + 11]];
+    return {
+        x,
+        y,
+        z,
+        roll: Math.atan2(p[at + 9], p[at + 10]) * degrees,
+        pitch: Math.asin(Math.max(-1, Math.min(1, -p[at + 8]))) * degrees,
+        yaw: Math.atan2(p[at + 4], p[at]) * degrees,
+        distance: Math.hypot(x, y, z),
+    };
+}
+
+export function isAngle(axis: string): boolean {
+    return axis === "roll" || axis === "pitch" || axis === "yaw";
+}

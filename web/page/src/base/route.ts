@@ -1,0 +1,63 @@
+/** The address behind '#': which screen, and what is seen there. */
+export interface Route {
+    screen: "cluster" | "jobs" | "job" | "viewer" | "none";
+    job: string;
+    scenario: number;
+    query: URLSearchParams;
+}
+
+export function parseRoute(hash: string): Route {
+    const [path, query] = hash.replace(/^#/, "").split("?", 2);
+    const route: Route = {
+        screen: "none",
+        job: "",
+        scenario: 0,
+        query: new URLSearchParams(query ?? ""),
+    };
+    const words = path.split("/").filter((word) => word !== "");
+    if (words.length === 1 && (words[0] === "cluster" || words[0] === "jobs")) {
+        return { ...route, screen: words[0] };
+    }
+    if (words[0] !== "jobs" || words.length < 2 || words.length > 3) {
+        return route;
+    }
+    const job = decode(words[1]);
+    if (words.length === 2) {
+        return { ...route, screen: "job", job };
+    }
+    return /^\d+$/.test(words[2])
+        ? { ...route, screen: "viewer", job, scenario: Number(words[2]) }
+        : route;
+}
+
+function decode(word: string): string {
+    try {
+        return decodeURIComponent(word);
+    } catch {
+        return word;
+    }
+}
+
+export function jobLink(job: string): string {
+    return `#/jobs/${encodeURIComponent(job)}`;
+}
+
+export function scenarioLink(job: string, scenario: number, query: Record<string, string> = {}) {
+    // Commas, colons and slashes need no escape behind '#', and links stay readable.
+    const text = new URLSearchParams(query)
+        .toString()
+        .replaceAll("%2C", ",")
+        .replaceAll("%3A", ":")
+        .replaceAll("%2F", "/");
+    return `${jobLink(job)}/${scenario}${text === "" ? "" : `?${text}`}`;
+}
+
+/** Goes to another screen; the browser's back button returns. */
+export function goTo(link: string): void {
+    location.hash = link;
+}
+
+/** Changes the address without a step in the browser's history and without a new screen. */
+export function noteLink(link: string): void {
+    history.replaceState(null, "", link);
+}

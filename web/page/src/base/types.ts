@@ -1,0 +1,177 @@
+/** The server's JSON, key by key. */
+export type Pose = readonly number[]; // Rows of [R t], 12 numbers.
+export type Vec3 = [number, number, number];
+
+export interface Source {
+    kind: "master" | "folder" | "remote";
+    program: string;
+    name: string;
+    tls: boolean;
+    job: string | null;
+}
+
+export interface JobRow {
+    job: string;
+    name: string;
+    state: string;
+    owner?: string;
+    began?: string;
+    scenarios: number;
+    done: number;
+    contact: number;
+    failed: number;
+    pairs?: number;
+    seconds?: number;
+    scenarios_per_second?: number;
+    digest?: string;
+}
+
+export interface WorkerRow {
+    worker: string;
+    name: string;
+    state: string;
+    threads: number;
+    working: number;
+    scenarios: number;
+    scenarios_per_second: number;
+    cached_bytes: number;
+    cache_bytes: number;
+    cache_hit_share: number;
+    uploaded_bytes: number;
+    longest?: { job: string; scenario: number; seconds: number } | null;
+}
+
+export interface MeshRow {
+    mesh: string;
+    name: string;
+    triangles: number;
+    bytes: number;
+    needed: string;
+}
+
+export interface Cluster {
+    build: string;
+    uptime_seconds: number;
+    jobs: JobRow[];
+    workers: WorkerRow[];
+    meshes: MeshRow[];
+    alarms: string[];
+    alarm_count: number;
+    workers_lost: number;
+    paused: string;
+    bottleneck: string;
+    state_bytes: Record<string, number>;
+}
+
+export interface History {
+    columns: string[];
+    rows: number[][];
+}
+
+export interface Axis {
+    name: string;
+    first: number;
+    last: number;
+    count: number;
+}
+
+export interface Body {
+    name: string;
+    file: string;
+    unit: string;
+    sha256: string;
+    triangles: number;
+    parts: number;
+    closed: boolean | null;
+    bytes: number;
+    precision: string;
+    size: number[];
+}
+
+export interface Group {
+    a: string;
+    b: string;
+    scenarios: number;
+    share: number;
+    pairs: number;
+    worst: number;
+    worst_pairs: number;
+    class: string;
+}
+
+export interface Poses {
+    kind: "grid" | "file" | "random";
+    count: number;
+    file?: string;
+    axes: Axis[] | null;
+    penetration: [number, number] | null;
+    seed: number | null;
+    has_ids: boolean;
+    has_times: boolean;
+    of_both_bodies: boolean;
+}
+
+export interface Job {
+    job: string;
+    name: string;
+    state: string;
+    owner: string;
+    began: string;
+    scenarios: number;
+    done: number;
+    separate: number;
+    touch: number;
+    cross: number;
+    inside: number;
+    contact: number;
+    undecided: number;
+    failed: number;
+    pairs: number;
+    surfaces_only: number;
+    insides_skipped: number;
+    cut: number;
+    seconds: number;
+    scenarios_per_second: number;
+    digest: string | null;
+    failure: string;
+    paused: string;
+    unit: string;
+    level: string;
+    tolerance: number;
+    limit_pairs: number;
+    maps: boolean;
+    map_pairs: number;
+    where: string;
+    command: string;
+    program: string;
+    commit: string;
+    started: string;
+    ended: string;
+    simd: string;
+    bodies: Body[];
+    poses: Poses;
+    ignored: number;
+    formats?: string[];
+    folder: string;
+    groups: Group[] | null;
+    groups_total?: number;
+}
+
+export interface Scenario {
+    index: number;
+    class: string | null;
+    count: number;
+    listed: number;
+    cut: boolean;
+    surfaces_only: boolean;
+    insides_skipped: boolean;
+    distance_bound: number | null;
+    failure: string;
+    id: string | null;
+    time: number | null;
+    pose_a: Pose;
+    pose_b: Pose;
+    verified: boolean | null;
+    verify_note: string;
+    exact_pairs: number;
+}

@@ -1,0 +1,86 @@
+import { isContact } from "../base/classes";
+import { scenarioLink } from "../base/route";
+import type { Job } from "../base/types";
+import { counted, grouped } from "../base/words";
+import { ClassMark, Panel } from "../ui/small";
+import { Table } from "../ui/table";
+import type { Results } from "./results";
+
+export interface Episode {
+    first: number;
+    last: number;
+    worst: number; // An element of the results.
+}
+
+const shownMax = 1000;
+
+/** Returns the runs of consecutive scenarios in contact. */
+export function episodesOf(results: Results): Episode[] {
+    const episodes: Episode[] = [];
+    let open: Episode | null = null;
+    results.classes.forEach((kind, i) => {
+        if (!isContact(kind)) {
+            open = null;
+        } else if (open) {
+            open.last = results.first + i;
+            open.worst = results.isWorse(i, open.worst) ? i : open.worst;
+        } else {
+            open = { first: results.first + i, last: results.first + i, worst: i };
+            episodes.push(open);
+        }
+    });
+    return episodes;
+}
+
+/** Episodes of a trajectory: where contacts begin and end. */
+export function Episodes({ job, results }: { job: Job; results: Results }) {
+    if (job.poses.kind !== "file" || !results.isExact) {
+        return null;
+    }
+    const episodes = episodesOf(results);
+    const link = (scenario: number) => <a href={scenarioLink(job.job, scenario)}>#{grouped(scenario)}</a>;
+    return (
+        <Panel
+            title="episodes"
+            note={`${counted(episodes.length, "run")} of consecutive scenarios in contact${
+                episodes.length > shownMax ? `; the first ${grouped(shownMax)} are listed` : ""
+            }`}
+        >
+            <Table
+                caption="episodes"
+                rows={episodes.slice(0, shownMax)}
+                rowKey={(one) => String(one.first)}
+                empty="no scenario is in contact"
+                columns={[
+                    { key: "first", title: "first", cell: (e) => link(e.first), value: (e) => e.first, isNumber: true },
+                    { key: "last", title: "last", cell: (e) => link(e.last), value: (e) => e.last, isNumber: true },
+                    {
+                        key: "length",
+                        title: "scenarios",
+                        cell: (e) => grouped(e.last - e.first + 1),
+                        value: (e) => e.last - e.first,
+                        isNumber: true,
+                    },
+                    {
+                        key: "worst",
+                        title: "worst",
+                        cell: (e) => (
+                            <>
+                                <ClassMark kind={results.classes[e.worst]} /> {link(results.scenarioAt(e.worst))}
+                            </>
+                        ),
+                        value: (e) => results.countAt(e.worst),
+                        isNumber: true,
+                    },
+                    {
+                        key: "pairs",
+                        title: "pairs there",
+                        cell: (e) => (results.counts ? grouped(results.countAt(e.worst)) : "-"),
+                        value: (e) => results.countAt(e.worst),
+                        isNumber: true,
+                    },
+                ]}
+            />
+        </Panel>
+    );
+}

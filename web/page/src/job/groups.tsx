@@ -1,0 +1,73 @@
+import { numberOf } from "../base/classes";
+import { scenarioLink } from "../base/route";
+import type { Group, Job } from "../base/types";
+import { grouped, percent } from "../base/words";
+import { ClassMark, Name, Panel } from "../ui/small";
+import { type Column, Table } from "../ui/table";
+
+/** Returns the Wilson score interval of a share at 95 % (Wilson 1927, eq. 5). */
+export function wilson(count: number, total: number): [number, number] {
+    const z = 1.959964;
+    const share = count / total;
+    const middle = share + (z * z) / (2 * total);
+    const half = z * Math.sqrt((share * (1 - share)) / total + (z * z) / (4 * total * total));
+    const scale = 1 + (z * z) / total;
+    return [Math.max(0, (middle - half) / scale), Math.min(1, (middle + half) / scale)];
+}
+
+function Share({ group, job }: { group: Group; job: Job }) {
+    const isRandom = job.poses.kind === "random" && !job.poses.penetration && job.done > 0;
+    const [low, high] = isRandom ? wilson(group.scenarios, job.done) : [0, 0];
+    return (
+        <span class="share">
+            <meter min={0} max={1} value={group.share} />
+            <span>
+                {percent(group.share)}
+                {isRandom && <small> {`${percent(low)} to ${percent(high)}`}</small>}
+            </span>
+        </span>
+    );
+}
+
+function columnsOf(job: Job): Column<Group>[] {
+    return [
+        { key: "a", title: "part of A", cell: (g) => <Name text={g.a} />, value: (g) => g.a },
+        { key: "b", title: "part of B", cell: (g) => <Name text={g.b} />, value: (g) => g.b },
+        { key: "scenarios", title: "in poses", cell: (g) => grouped(g.scenarios), value: (g) => g.scenarios, isNumber: true },
+        { key: "share", title: "share", cell: (g) => <Share group={g} job={job} />, value: (g) => g.share, isNumber: true },
+        {
+            key: "worst",
+            title: "worst",
+            cell: (g) => (
+                <a href={scenarioLink(job.job, g.worst, { part: `a/${g.a}`, with: `b/${g.b}` })}>
+                    <ClassMark kind={numberOf(g.class)} /> #{grouped(g.worst)}
+                </a>
+            ),
+            value: (g) => g.worst_pairs,
+            isNumber: true,
+        },
+    ];
+}
+
+/** The pairs of parts that are in contact in some scenario. */
+export function Groups({ job }: { job: Job }) {
+    if (!job.groups) {
+        return null;
+    }
+    const total = job.groups_total ?? job.groups.length;
+    const isCut = total > job.groups.length;
+    return (
+        <Panel
+            title="parts in contact"
+            note={isCut ? `the ${grouped(job.groups.length)} in most poses, of ${grouped(total)}` : ""}
+        >
+            <Table
+                caption="parts in contact"
+                columns={columnsOf(job)}
+                rows={job.groups}
+                rowKey={(group) => `${group.a}\n${group.b}`}
+                empty="no part is in contact"
+            />
+        </Panel>
+    );
+}

@@ -1,0 +1,74 @@
+import { compact, counted, grouped } from "../base/words";
+import { Panel } from "../ui/small";
+import type { Results } from "./results";
+
+interface Bin {
+    first: number;
+    last: number;
+    count: number;
+}
+
+/** Counts scenarios by pairs: bin i > 0 holds 2^(i-1) to 2^i - 1 pairs. Zero pairs are left out. */
+export function binsOf(counts: Uint32Array): Bin[] {
+    const bins: Bin[] = [];
+    for (const count of counts) {
+        if (count === 0) {
+            continue;
+        }
+        const bin = 31 - Math.clz32(count);
+        while (bins.length <= bin) {
+            const first = 2 ** bins.length;
+            bins.push({ first, last: 2 * first - 1, count: 0 });
+        }
+        bins[bin].count += 1;
+    }
+    return bins;
+}
+
+/** How many pairs scenarios in contact have, both axes logarithmic. */
+export function Histogram({ results }: { results: Results }) {
+    const bins = results.counts ? binsOf(results.counts) : [];
+    if (bins.length === 0) {
+        return null;
+    }
+    const [width, height, foot] = [480, 150, 18];
+    const highest = Math.log1p(Math.max(...bins.map((bin) => bin.count)));
+    const step = width / bins.length;
+    return (
+        <Panel
+            title="pairs a scenario"
+            note={`scenarios in contact, both axes logarithmic${results.isExact ? "" : ", of the sample"}`}
+        >
+            <svg
+                class="histogram"
+                viewBox={`0 0 ${width} ${height + foot}`}
+                role="img"
+                aria-label="histogram of pairs a scenario"
+            >
+                {bins.map((bin, i) => {
+                    const tall = (Math.log1p(bin.count) / highest) * (height - 14);
+                    return (
+                        <g key={bin.first}>
+                            <title>
+                                {`${grouped(bin.first)} to ${grouped(bin.last)} pairs: ${counted(bin.count, "scenario")}`}
+                            </title>
+                            <rect class="hit" x={i * step} y={0} width={step} height={height} />
+                            <rect class="bar" x={i * step + 1} y={height - tall} width={step - 2} height={tall} />
+                            {bin.count > 0 && (
+                                <text x={(i + 0.5) * step} y={height - tall - 3}>
+                                    {compact(bin.count)}
+                                </text>
+                            )}
+                            {(i % 2 === 0 || bins.length < 12) && (
+                                <text x={(i + 0.5) * step} y={height + 13}>
+                                    {compact(bin.first)}
+                                </text>
+                            )}
+                        </g>
+                    );
+                })}
+                <line x1={0} x2={width} y1={height} y2={height} />
+            </svg>
+        </Panel>
+    );
+}

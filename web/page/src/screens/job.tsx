@@ -1,0 +1,266 @@
+import { useEffect, useState } from "preact/hooks";
+import { isAbort, messageOf } from "../base/api";
+import { classNames } from "../base/classes";
+import { tellFacts } from "../base/facts";
+import { scenarioLink } from "../base/route";
+import type { Body, Job, Source } from "../base/types";
+import { bytes, counted, duration, fileName, grouped, percent, rate, shellWord, short } from "../base/words";
+import { Episodes } from "../job/episodes";
+import { Groups } from "../job/groups";
+import { Histogram } from "../job/histogram";
+import { PoseSpace } from "../job/pose_space";
+import { loadResults, type Results } from "../job/results";
+import { Strip } from "../job/strip";
+import { usePolled, useTitle } from "../ui/hooks";
+import { ClassCount, Command, Name, Notice, Progress } from "../ui/small";
+
+function isOver(job: Job): boolean {
+    return job.state !== "running" && job.state !== "paused";
+}
+
+function contactsOf(job: Job): number {
+    return job.touch + job.cross + job.inside + job.contact;
+}
+
+function Verdict({ job }: { job: Job }) {
+    const contacts = contactsOf(job);
+    const all = job.done === job.scenarios ? "" : ` tested so far, of ${grouped(job.scenarios)}`;
+    return (
+        <div class="verdict">
+            <h1>
+                <Name text={job.name || job.job} />
+                <span class={`state ${job.state === "failed" ? "bad" : ""}`}>{job.state}</span>
+                {!isOver(job) && <Progress done={job.done} total={job.scenarios} />}
+            </h1>
+            <p class="sentence">
+                {contacts === 0
+                    ? `No contact in ${counted(job.done, "scenario")}${all}.`
+                    : `${grouped(contacts)} of ${counted(job.done, "scenario")}${all} ${
+                          contacts === 1 ? "is" : "are"
+                      } in contact (${percent(contacts / Math.max(1, job.done))}), with ${counted(job.pairs, "pair")} of triangles.`}
+            </p>
+            <p class="counts">
+                {classNames.map((name, kind) => (
+                    <ClassCount
+                        key={name}
+                        kind={kind}
+                        count={job[name]}
+                        always={name === "separate" || name === "cross" || name === "failed"}
+                    />
+                ))}
+                {job.digest && (
+                    <span class="count">
+                        digest <code title={job.digest}>{job.digest.slice(0, 16)}</code>
+                    </span>
+                )}
+            </p>
+        </div>
+    );
+}
+
+function Caveats({ job }: { job: Job }) {
+    const said: string[] = [];
+    if (job.surfaces_only > 0) {
+        said.push(`Containment was not tested in ${counted(job.surfaces_only, "scenario")}: a body is open.`);
+    }
+    if (job.insides_skipped > 0) {
+        said.push(
+            `Containment was not tested in ${counted(job.insides_skipped, "scenario")}: triangles are ignored, and the rest of a body is open.`,
+        );
+    }
+    if (job.cut > 0) {
+        said.push(`The list of pairs ends at ${grouped(job.limit_pairs)} in ${counted(job.cut, "scenario")}; counts are true.`);
+    }
+    if (job.map_pairs > 0) {
+        said.push(`The heat map counts the first ${grouped(job.map_pairs)} pairs of a scenario.`);
+    }
+    return said.length === 0 ? null : <p class="caveats">{said.join(" ")}</p>;
+}
+
+function BodyCard({ body, letter, unit }: { body: Body; letter: string; unit: string }) {
+    const closed = body.closed === null ? "" : body.closed ? ", closed" : ", open";
+    return (
+        <div class="card">
+            <b class="letter">{letter}</b>
+            <div>
+                <Name text={fileName(body.file)} />
+                {body.name.toLowerCase() !== letter.toLowerCase() && (
+                    <span class="note">
+                        {" "}
+                        called <Name text={body.name} />
+                    </span>
+                )}
+                <div class="note">
+                    {counted(body.triangles, "triangle")}, {counted(body.parts, "part")}
+                    {closed}
+                </div>
+                <div class="note">
+                    {body.size.map((length) => short(length)).join(" × ")} {unit} · {body.precision}
+                </div>
+            </div>
+        </div>
+    );
+}
+
+function posesText(job: Job): string {
+    const { poses } = job;
+    if (poses.kind === "grid") {
+        const axes = (poses.axes ?? []).filter((axis) => axis.count > 1);
+        return `grid ${axes.map((axis) => `${axis.name} ${grouped(axis.count)}`).join(" × ")}`;
+    }
+    if (poses.kind === "random") {
+        return `random, seed ${poses.seed ?? "-"}${
+            poses.penetration ? `, pushed ${poses.penetration.map((depth) => percent(depth)).join(" to ")} into contact` : ""
+        }`;
+    }
+    return `file ${fileName(poses.file ?? "")}`;
+}
+
+function PosesCard({ job }: { job: Job }) {
+    const exact = job.tolerance > 0 ? `tolerance ${short(job.tolerance)} ${job.unit}` : "exact";
+    return (
+        <div class="card">
+            <b class="letter">×</b>
+            <div>
+                <span>{counted(job.poses.count, "pose")}</span>
+                <div class="note">
+                    {posesText(job)}
+                    {job.poses.of_both_bodies ? ", of both bodies" : ""}
+                </div>
+                <div class="note">
+                    level {job.level}, {exact}
+                    {job.ignored > 0 && `, ${counted(job.ignored, "range")} ignored`}
+                </div>
+            </div>
+        </div>
+    );
+}
+
+function HowItRan({ job }: { job: Job }) {
+    const rows: [string, string][] = [
+        ["where", job.where],
+        ["instructions", job.simd],
+        ["time", job.seconds > 0 ? `${duration(job.seconds)}, ${rate(job.scenarios_per_second)}` : ""],
+        ["owner", job.owner],
+        ["started", job.started || job.began],
+        ["ended", job.ended],
+        ["command", job.command],
+        ["program", [job.program, job.commit].filter((text) => text !== "").join(", commit ")],
+        ["digest", job.digest ?? ""],
+        ...job.bodies.map(
+            (body): [string, string] => [`mesh ${body.name}`, `${body.sha256} (${bytes(body.bytes)}), ${body.file}`],
+        ),
+    ];
+    const place = job.folder ? shellWord(job.folder) : job.job;
+    const had = (job.formats ?? []).length > 0 ? `the folder has ${job.formats?.join(", ")}; more:` : "";
+    return (
+        <details class="how">
+            <summary>how it ran, and exports</summary>
+            <dl>
+                {rows
+                    .filter(([, text]) => text)
+                    .map(([name, text]) => (
+                        <div key={name}>
+                            <dt>{name}</dt>
+                            <dd>
+                                <bdi>{text}</bdi>
+                            </dd>
+                        </div>
+                    ))}
+            </dl>
+            <p class="note">
+                {had} <Command text={`cdctl results ${place}${job.folder ? "" : " --out out"} --formats csv,npz`} />
+            </p>
+        </details>
+    );
+}
+
+/** Loads the results again whenever the job has more of them, at most every three seconds. */
+function useResults(source: Source, job: Job | undefined): { results: Results | null; error: string } {
+    const [state, setState] = useState<{ results: Results | null; error: string }>({ results: null, error: "" });
+    const [turn, setTurn] = useState(0);
+    const done = job ? job.done : -1;
+    const loadedAt = state.results ? turn : -1;
+    useEffect(() => {
+        if (!job) {
+            return;
+        }
+        const stop = new AbortController();
+        loadResults(source, job, 0, job.scenarios, stop.signal).then(
+            (results) => setState({ results, error: "" }),
+            (reason) => isAbort(reason) || setState((old) => ({ ...old, error: messageOf(reason) })),
+        );
+        return () => stop.abort();
+    }, [job?.job, turn]);
+    useEffect(() => {
+        if (loadedAt < 0) {
+            return;
+        }
+        const timer = setTimeout(() => setTurn((old) => old + 1), 3000);
+        return () => clearTimeout(timer);
+    }, [done]);
+    return state;
+}
+
+function useJobFacts(job: Job | undefined, results: Results | null): void {
+    useEffect(
+        () =>
+            tellFacts("job", () => ({
+                ready: job !== undefined && results !== null,
+                job: job?.job,
+                done: job?.done,
+                isExact: results?.isExact,
+                tested: results?.classes.reduce((sum, kind) => sum + (kind === 255 ? 0 : 1), 0),
+            })),
+        [job, results],
+    );
+}
+
+/** One job: verdict, inputs, pose space, parts, order, histogram. */
+export function JobScreen({ source, id }: { source: Source; id: string }) {
+    const { value: job, error } = usePolled<Job>(`jobs/${encodeURIComponent(id)}`, 1, (one) => !isOver(one));
+    const { results, error: resultsError } = useResults(source, job);
+    useTitle(job ? job.name || id : id);
+    useJobFacts(job, results);
+    if (!job) {
+        return error ? <Notice kind="bad">{error}</Notice> : <p class="wait">asking for {id}…</p>;
+    }
+    return (
+        <>
+            {(error || resultsError) && <Notice kind="bad">{error || resultsError}</Notice>}
+            {job.failure && (
+                <Notice kind="bad">
+                    failed: <Name text={job.failure} />
+                </Notice>
+            )}
+            {job.paused && <Notice kind="warn">paused: {job.paused}</Notice>}
+            <Verdict job={job} />
+            <div class="cards">
+                {job.bodies.map((body, i) => (
+                    <BodyCard key={i} body={body} letter={i === 0 ? "A" : i === 1 ? "B" : String(i)} unit={job.unit} />
+                ))}
+                <PosesCard job={job} />
+                <a class="card go" href={scenarioLink(job.job, job.groups?.[0]?.worst ?? 0)}>
+                    see it in 3D
+                </a>
+            </div>
+            <Caveats job={job} />
+            {results ? (
+                <>
+                    <div class="two">
+                        <PoseSpace job={job} results={results} />
+                        <Groups job={job} />
+                    </div>
+                    <Strip source={source} job={job} results={results} />
+                    <div class="two">
+                        <Histogram results={results} />
+                        <Episodes job={job} results={results} />
+                    </div>
+                </>
+            ) : (
+                <p class="wait">reading the results…</p>
+            )}
+            <HowItRan job={job} />
+        </>
+    );
+}

@@ -1,0 +1,345 @@
+import { useCallback, useEffect, useMemo, useRef, useState } from "preact/hooks";
+import { messageOf } from "../base/api";
+import { tellFacts } from "../base/facts";
+import { goTo, jobLink, noteLink, type Route, scenarioLink } from "../base/route";
+import type { Job, Source, Vec3 } from "../base/types";
+import { grouped, shellWord } from "../base/words";
+import { usePolled, useTitle } from "../ui/hooks";
+import { isTyping, KeyHelp } from "../ui/keys";
+import { Command, Name, Notice } from "../ui/small";
+import { type Bounds, CopyLink, ViewControls } from "../viewer/controls";
+import { ContactLegend, HeatLegend } from "../viewer/legend";
+import { type Model, trianglesMax } from "../viewer/model";
+import { PartPairs, Picked, PoseText } from "../viewer/side";
+import { ScenarioStatus, Trust } from "../viewer/status";
+import { nextContact } from "../viewer/step";
+import { type Drawing, trianglesOf, useContacts, useDrawing, useHeat, useModel } from "../viewer/use_viewer";
+import { readState, type ViewState, writeState } from "../viewer/view_state";
+import type { Contacts } from "../viewer/scenario_loader";
+
+const playPause = 60; // Milliseconds between the scenarios of a replay.
+const dragPixels = 4;
+
+function boundsOf(model: Model | null, job: Job | undefined): Bounds {
+    const size = job?.bodies[1]?.size ?? [0, 0, 0];
+    const reach = Math.hypot(size[0], size[1], size[2]) / 2;
+    const mesh = model?.meshes[0];
+    const bound = (axis: number): [number, number] =>
+        mesh ? [mesh.min[axis] - reach, mesh.max[axis] + reach] : [-1, 1];
+    return { x: bound(0), y: bound(1), z: bound(2) };
+}
+
+function useViewerFacts(values: {
+    job: Job | undefined;
+    model: Model | null;
+    contacts: Contacts | null;
+    state: ViewState;
+    drawing: Drawing;
+    scenario: number;
+    canvas: { current: HTMLCanvasElement | null };
+}): void {
+    const now = useRef(values);
+    now.current = values;
+    useEffect(
+        () =>
+            tellFacts("viewer", () => {
+                const { model, contacts, state, drawing, scenario, canvas } = now.current;
+                const viewer = drawing.viewer;
+                const box = canvas.current?.getBoundingClientRect();
+                const onPage = ([x, y]: [number, number]) => [x + (box?.left ?? 0), y + (box?.top ?? 0)];
+                const points = contacts?.points ?? new Float64Array();
+                const rows = Array.from({ length: Math.min(8, points.length / 4) }, (_, i) =>
+                    Array.from(points.subarray(4 * i + 1, 4 * i + 4)),
+                );
+                return {
+                    ready: viewer !== null && drawing.drawn.current === scenario,
+                    scenario: contacts?.scenario.index,
+                    class: contacts?.scenario.class,
+                    verified: contacts?.scenario.verified,
+                    mode: state.mode,
+                    ghost: state.ghost,
+                    throughWalls: state.throughWalls,
+                    clip: state.clip,
+                    camera: viewer?.view,
+                    parts: [state.partA, state.partB],
+                    pick: state.pick,
+                    trianglesDrawn: viewer?.bodies.map((body) => body.triangles) ?? [0, 0],
+                    highlighted: viewer?.highlighted ?? [[], []],
+                    shaChecked: model?.meshes.map((mesh) => mesh.checked),
+                    meshMilliseconds: model?.milliseconds,
+                    firstFrameMilliseconds: drawing.firstFrame.current,
+                    frames: viewer?.stage.frames,
+                    pointPixels: viewer ? rows.map((row) => onPage(viewer.pixelOfWorld(row as Vec3))) : [],
+                };
+            }),
+        [],
+    );
+}
+
+interface ScreenProps {
+    source: Source;
+    route: Route;
+}
+
+/** One scenario in 3D. Its address holds all that is seen. */
+export function ViewerScreen({ source, route }: ScreenProps) {
+    const { value: job, error: jobError } = usePolled<Job>(`jobs/${encodeURIComponent(route.job)}`, 1, () => false);
+    const { value: model, error: modelError } = useModel(job);
+    const hasA = useCallback(
+        (part: string) => model?.meshes[0].parts.some((one) => one.name === part) ?? true,
+        [model],
+    );
+    const [scenario, setScenario] = useState(route.scenario);
+    const [state, setState] = useState(() => readState(route.query, hasA));
+    const { contacts, error: scenarioError } = useContacts(job, scenario);
+    const { value: heat, error: heatError } = useHeat(
+        job,
+        model,
+        state.mode === "heat" || (state.pick !== null && job?.maps === true),
+    );
+    const canvas = useRef<HTMLCanvasElement>(null);
+    const [isPlaying, setPlaying] = useState(false);
+    const [said, say] = useState("");
+    const [helps, setHelps] = useState(false);
+    const change = useCallback((part: Partial<ViewState>) => setState((old) => ({ ...old, ...part })), []);
+    const drawing = useDrawing(canvas, model, contacts, state, heat, (camera) => change({ camera }));
+    const { viewer } = drawing;
+    const bounds = useMemo(() => boundsOf(model, job), [model, job]);
+    useTitle(`#${scenario} ${job?.name ?? ""}`);
+    useViewerFacts({ job, model, contacts, state, drawing, scenario, canvas });
+
+    // A link that was followed, or the browser's back and forward.
+    useEffect(() => {
+        const wanted = readState(route.query, hasA);
+        setScenario(route.scenario);
+        setState(wanted);
+        if (viewer && wanted.camera) {
+            viewer.view = wanted.camera;
+        }
+    }, [route, viewer]);
+    useEffect(() => {
+        const timer = setTimeout(() => noteLink(scenarioLink(route.job, scenario, writeState(state))), 200);
+        return () => clearTimeout(timer);
+    }, [scenario, state]);
+
+    const last = job ? job.scenarios - 1 : 0;
+    const move = (to: number) => setScenario(Math.min(last, Math.max(0, to)));
+    useEffect(() => {
+        if (!isPlaying || contacts?.scenario.index !== scenario) {
+            return;
+        }
+        if (scenario >= last) {
+            setPlaying(false);
+            return;
+        }
+        const timer = setTimeout(() => move(scenario + 1), playPause);
+        return () => clearTimeout(timer);
+    }, [isPlaying, contacts, scenario]);
+
+    const step = async (by: 1 | -1) => {
+        say("");
+        try {
+            const found = await nextContact(route.job, scenario, by, state);
+            if (found === null) {
+                say(by > 0 ? "no contact after this scenario" : "no contact before this scenario");
+            } else {
+                noteLink(scenarioLink(route.job, scenario, writeState(state)));
+                goTo(scenarioLink(route.job, found, writeState(state)));
+            }
+        } catch (error) {
+            say(messageOf(error));
+        }
+    };
+    const fit = () => {
+        change({ camera: null });
+        viewer?.fit(false);
+    };
+    const goToContact = () => {
+        viewer?.goToContact();
+        change({ camera: viewer?.view ?? null });
+    };
+    const moveClip = (by: number) => {
+        if (state.clip) {
+            const [low, high] = bounds[state.clip.axis];
+            const at = Math.min(high, Math.max(low, state.clip.at + (by * (high - low)) / 100));
+            change({ clip: { ...state.clip, at } });
+        }
+    };
+    const keys: Record<string, () => void> = {
+        n: () => void step(1),
+        p: () => void step(-1),
+        ArrowRight: () => move(scenario + 1),
+        ArrowLeft: () => move(scenario - 1),
+        " ": () => setPlaying(!isPlaying),
+        h: () => change({ mode: state.mode === "heat" || !job?.maps ? "contacts" : "heat" }),
+        g: () => change({ ghost: state.ghost === "a" ? "b" : state.ghost === "b" ? "none" : "a" }),
+        x: () => change({ throughWalls: !state.throughWalls }),
+        l: () => change({ lines: !state.lines }),
+        s: () =>
+            change({ clip: state.clip ? null : { axis: "x", at: (bounds.x[0] + bounds.x[1]) / 2 } }),
+        "[": () => moveClip(-1),
+        "]": () => moveClip(1),
+        f: fit,
+        c: goToContact,
+        "?": () => setHelps(true),
+    };
+    const press = useRef((_: KeyboardEvent) => {});
+    press.current = (event) => {
+        const action = keys[event.key];
+        if (action && !isTyping(event)) {
+            action();
+            event.preventDefault();
+        }
+    };
+    useEffect(() => {
+        const listener = (event: KeyboardEvent) => press.current(event);
+        document.addEventListener("keydown", listener);
+        return () => document.removeEventListener("keydown", listener);
+    }, []);
+
+    const down = useRef<[number, number]>([0, 0]);
+    const click = (event: MouseEvent) => {
+        const moved = Math.hypot(event.clientX - down.current[0], event.clientY - down.current[1]);
+        if (viewer && moved < dragPixels) {
+            change({ pick: viewer.pickAt(event.offsetX, event.offsetY, event.shiftKey) });
+        }
+    };
+    const savePicture = async () => {
+        const blob = await viewer?.stage.picture();
+        if (blob) {
+            const link = document.createElement("a");
+            link.href = URL.createObjectURL(blob);
+            link.download = `${job?.name || route.job}-${scenario}.png`.replaceAll(/[^\w.-]+/g, "_");
+            link.click();
+            setTimeout(() => URL.revokeObjectURL(link.href), 1000);
+        }
+    };
+
+    if (!job) {
+        return jobError ? <Notice kind="bad">{jobError}</Notice> : <p class="wait">asking for {route.job}…</p>;
+    }
+    const isTooLarge = trianglesOf(job) > trianglesMax;
+    const place = job.folder ? shellWord(job.folder) : source.kind === "folder" ? shellWord(source.name) : job.job;
+    const error = modelError || drawing.error || scenarioError || (state.mode === "heat" ? heatError : "");
+    return (
+        <div class="viewer">
+            <div class="viewer-head">
+                <h1>
+                    <a href={jobLink(job.job)}>
+                        <Name text={job.name || job.job} />
+                    </a>{" "}
+                    <span class="note">›</span>{" "}
+                    <label class="number">
+                        #
+                        <input
+                            type="number"
+                            aria-label="scenario"
+                            min={0}
+                            max={last}
+                            value={scenario}
+                            onChange={(event) => move(Math.round(Number(event.currentTarget.value)) || 0)}
+                        />
+                    </label>
+                </h1>
+                {contacts && <ScenarioStatus job={job} contacts={contacts} />}
+            </div>
+            <Trust model={model} contacts={contacts} />
+            {error && <Notice kind="bad">{error}</Notice>}
+            <div class="scrub">
+                <button type="button" onClick={() => void step(-1)} title="p">
+                    ‹ previous contact
+                </button>
+                <button type="button" onClick={() => void step(1)} title="n">
+                    next contact ›
+                </button>
+                <input
+                    type="range"
+                    aria-label={`scenario, 0 to ${last}`}
+                    min={0}
+                    max={last}
+                    value={scenario}
+                    onInput={(event) => move(Number(event.currentTarget.value))}
+                />
+                <button type="button" onClick={() => setPlaying(!isPlaying)} title="space" aria-pressed={isPlaying}>
+                    {isPlaying ? "stop" : "play"}
+                </button>
+                <CopyLink address={() => location.href.split("#")[0] + scenarioLink(route.job, scenario, writeState(state))} />
+                <button type="button" onClick={() => void savePicture()} disabled={!viewer}>
+                    PNG
+                </button>
+                <button type="button" class="quiet" onClick={() => setHelps(true)} title="keys">
+                    ?
+                </button>
+                <span class="note" aria-live="polite">
+                    {said}
+                </span>
+            </div>
+            <div class="stage-row">
+                <div class="stage">
+                    {isTooLarge ? (
+                        <p class="wait">
+                            {grouped(trianglesOf(job))} triangles: above {grouped(trianglesMax)} this page does not draw.
+                            The exports have it all: <code>cdctl extract {place} {String(scenario)} --out case</code>
+                        </p>
+                    ) : (
+                        <>
+                            <canvas
+                                ref={canvas}
+                                tabIndex={0}
+                                role="img"
+                                aria-label={`scenario ${scenario}: ${contacts?.scenario.class ?? ""}, ${contacts?.scenario.count ?? 0} pairs`}
+                                onPointerDown={(event) => {
+                                    down.current = [event.clientX, event.clientY];
+                                }}
+                                onClick={click}
+                            />
+                            {!viewer && !error && <p class="wait over">reading {grouped(trianglesOf(job))} triangles…</p>}
+                            <div class="corner">
+                                <span class="swatch a" /> A <Name text={job.bodies[0].name} />{" "}
+                                <span class="swatch b" /> B <Name text={job.bodies[1].name} />
+                                <span class="note">drawn in single precision</span>
+                            </div>
+                        </>
+                    )}
+                </div>
+                <aside class="side">
+                    <ViewControls
+                        state={state}
+                        bounds={bounds}
+                        hasMap={job.maps}
+                        change={change}
+                        fit={fit}
+                        goToContact={goToContact}
+                    />
+                    {state.mode === "heat" && heat ? <HeatLegend heat={heat} job={job} /> : <ContactLegend />}
+                    {state.pick && model && (
+                        <Picked
+                            pick={state.pick}
+                            model={model}
+                            contacts={contacts}
+                            heat={heat}
+                            job={job}
+                            drop={() => change({ pick: null })}
+                        />
+                    )}
+                    {contacts && model && (
+                        <PartPairs
+                            contacts={contacts}
+                            model={model}
+                            state={state}
+                            choose={(partA, partB) => change({ partA, partB })}
+                        />
+                    )}
+                    {contacts && viewer && (
+                        <PoseText job={job} contacts={contacts} relative={viewer.relativePose(contacts.scenario)} />
+                    )}
+                    <section aria-label="as a case of its own">
+                        <h2>as a case of its own</h2>
+                        <Command text={`cdctl extract ${place} ${scenario} --out case`} />
+                    </section>
+                </aside>
+            </div>
+            {helps && <KeyHelp close={() => setHelps(false)} />}
+        </div>
+    );
+}

@@ -1,0 +1,62 @@
+/** What the viewer needs before its first picture: both meshes, and the maps for the heat. */
+import { ApiError, getArray } from "../base/api";
+import { getMesh, type Mesh } from "../base/mesh";
+import type { Job } from "../base/types";
+import { countsByTriangle } from "./heat";
+
+/** Above this the page does not draw. */
+export const trianglesMax = 8_000_000;
+
+export interface Model {
+    meshes: [Mesh, Mesh];
+    /** Milliseconds until both were read and checked. */
+    milliseconds: number;
+}
+
+let last: { key: string; model: Promise<Model> } | null = null;
+
+async function load(job: Job): Promise<Model> {
+    const begin = performance.now();
+    const [a, b] = job.bodies.map((body) => body.sha256);
+    const first = getMesh(a);
+    const meshes = await Promise.all([first, a === b ? first : getMesh(b)]);
+    return { meshes, milliseconds: performance.now() - begin };
+}
+
+/** Loads the meshes of a job; those of the last job are kept. */
+export function loadModel(job: Job): Promise<Model> {
+    const key = job.bodies.map((body) => body.sha256).join(" ");
+    if (last?.key !== key) {
+        const model = load(job);
+        last = { key, model };
+        model.catch(() => {
+            last = null; // Asked again when the screen opens again.
+        });
+    }
+    return last.model;
+}
+
+/** In how many scenarios each triangle was in contact, of A and of B. */
+export interface Heat {
+    counts: [Float64Array, Float64Array];
+    most: number;
+}
+
+/** Loads both maps; null if the job has none. */
+export async function loadHeat(job: Job, model: Model): Promise<Heat | null> {
+    try {
+        const rows = await Promise.all(
+            [0, 1].map((body) => getArray(`jobs/${encodeURIComponent(job.job)}/map/${body}`)),
+        );
+        const counts = rows.map((one, body) =>
+            countsByTriangle(one.values, model.meshes[body].triangles.length / 3),
+        ) as [Float64Array, Float64Array];
+        const most = counts.reduce((high, one) => one.reduce((x, y) => Math.max(x, y), high), 0);
+        return { counts, most };
+    } catch (error) {
+        if (error instanceof ApiError && error.status === 404) {
+            return null;
+        }
+        throw error;
+    }
+}

@@ -1,0 +1,170 @@
+import { useMemo } from "preact/hooks";
+import { type Mesh, partOf } from "../base/mesh";
+import { placementKeys, placementOf, isAngle } from "../base/pose";
+import type { Job, Pose } from "../base/types";
+import { counted, grouped, percent, short } from "../base/words";
+import { Name } from "../ui/small";
+import type { Heat, Model } from "./model";
+import type { Contacts } from "./scenario_loader";
+import type { Pick, ViewState } from "./view_state";
+
+interface PartPair {
+    a: string;
+    b: string;
+    count: number;
+}
+
+const shownMax = 100;
+
+/** Counts the pairs of triangles by their parts, the most first. */
+export function partPairsOf(pairs: Uint32Array, meshes: readonly [Mesh, Mesh]): PartPair[] {
+    const found = new Map<string, PartPair>();
+    for (let i = 0; i + 2 < pairs.length; i += 3) {
+        const [a, b] = [0, 1].map((body) => partOf(meshes[body], pairs[i + body])?.name ?? "");
+        const key = `${a.length}:${a}${b}`;
+        const pair = found.get(key);
+        if (pair) {
+            pair.count += 1;
+        } else {
+            found.set(key, { a, b, count: 1 });
+        }
+    }
+    return [...found.values()].sort((one, other) => other.count - one.count);
+}
+
+/** The pairs of parts of this scenario; a click shows one alone, a second click all. */
+export function PartPairs(props: {
+    contacts: Contacts;
+    model: Model;
+    state: ViewState;
+    choose: (a: string, b: string) => void;
+}) {
+    const { state } = props;
+    const all = useMemo(() => partPairsOf(props.contacts.pairs, props.model.meshes), [props.contacts, props.model]);
+    if (all.length === 0 && !state.partA && !state.partB) {
+        return null;
+    }
+    const isChosen = (pair: PartPair) => state.partA === pair.a && state.partB === pair.b;
+    return (
+        <section aria-label="parts in contact here">
+            <h2>parts in contact here</h2>
+            <ul class="pairs">
+                {all.slice(0, shownMax).map((pair) => (
+                    <li key={`${pair.a}\n${pair.b}`}>
+                        <button
+                            type="button"
+                            aria-pressed={isChosen(pair)}
+                            onClick={() => (isChosen(pair) ? props.choose("", "") : props.choose(pair.a, pair.b))}
+                        >
+                            <span>
+                                <Name text={pair.a} /> <i>×</i> <Name text={pair.b} />
+                            </span>
+                            <b>{grouped(pair.count)}</b>
+                        </button>
+                    </li>
+                ))}
+            </ul>
+            {all.length > shownMax && <p class="note">and {counted(all.length - shownMax, "pair")} of parts more</p>}
+            {(state.partA || state.partB) && (
+                <p class="note">
+                    only <Name text={state.partA || "all of A"} /> × <Name text={state.partB || "all of B"} />;{" "}
+                    <button type="button" class="link" onClick={() => props.choose("", "")}>
+                        show all
+                    </button>
+                </p>
+            )}
+        </section>
+    );
+}
+
+/** What is known of the picked triangle. */
+export function Picked(props: {
+    pick: Pick;
+    model: Model;
+    contacts: Contacts | null;
+    heat: Heat | null;
+    job: Job;
+    drop: () => void;
+}) {
+    const { pick, job } = props;
+    const mesh = props.model.meshes[pick.body];
+    const part = partOf(mesh, pick.triangle);
+    const exists = pick.triangle < mesh.triangles.length / 3;
+    const pairs = useMemo(() => {
+        let count = 0;
+        const list = props.contacts?.pairs ?? new Uint32Array();
+        for (let i = pick.body; i < list.length; i += 3) {
+            count += list[i] === pick.triangle ? 1 : 0;
+        }
+        return count;
+    }, [props.contacts, pick]);
+    const scenarios = props.heat?.counts[pick.body][pick.triangle];
+    return (
+        <section aria-label="picked triangle" aria-live="polite">
+            <h2>
+                picked{" "}
+                <button type="button" class="link" onClick={props.drop}>
+                    drop
+                </button>
+            </h2>
+            {exists ? (
+                <p>
+                    {pick.body === 0 ? "A" : "B"} triangle <b>{grouped(pick.triangle)}</b>
+                    {part && (
+                        <>
+                            , <Name text={part.name} /> {grouped(pick.triangle - part.begin)}
+                        </>
+                    )}
+                    ; in {counted(pairs, "pair")} here
+                    {scenarios !== undefined &&
+                        `; in ${grouped(scenarios)} of ${counted(job.done, "pose")} (${percent(scenarios / Math.max(1, job.done))})`}
+                </p>
+            ) : (
+                <p>the mesh has no triangle {grouped(pick.triangle)}</p>
+            )}
+        </section>
+    );
+}
+
+function MatrixTable({ pose, title }: { pose: Pose; title: string }) {
+    const rows = [pose.slice(0, 4), pose.slice(4, 8), pose.slice(8, 12), [0, 0, 0, 1]];
+    return (
+        <table class="matrix">
+            <caption>{title}</caption>
+            <tbody>
+                {rows.map((row, i) => (
+                    <tr key={i}>
+                        {row.map((value, j) => (
+                            <td key={j}>{String(value)}</td>
+                        ))}
+                    </tr>
+                ))}
+            </tbody>
+        </table>
+    );
+}
+
+/** Where B is in A's frame, as numbers and as matrices with all digits. */
+export function PoseText({ job, contacts, relative }: { job: Job; contacts: Contacts; relative: Pose }) {
+    const placement = placementOf(relative);
+    const said = placementKeys
+        .filter((key) => key !== "distance" && (!isAngle(key) || Math.abs(placement[key]) > 1e-9))
+        .map((key) => `${key} ${short(placement[key], 5)}${isAngle(key) ? "°" : ""}`);
+    const { pose_a, pose_b } = contacts.scenario;
+    return (
+        <section aria-label="pose">
+            <h2>B in A's frame</h2>
+            <p>
+                {said.join("  ")} <span class="note">lengths in {job.unit}</span>
+            </p>
+            <details>
+                <summary>matrix</summary>
+                {job.poses.of_both_bodies && <MatrixTable pose={pose_a} title="A in the world" />}
+                <MatrixTable
+                    pose={job.poses.of_both_bodies ? pose_b : relative}
+                    title={job.poses.of_both_bodies ? "B in the world" : "B in A's frame"}
+                />
+            </details>
+        </section>
+    );
+}

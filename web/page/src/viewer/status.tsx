@@ -1,0 +1,76 @@
+import { numberOf } from "../base/classes";
+import type { Job } from "../base/types";
+import { counted, grouped, short } from "../base/words";
+import { ClassMark, Name, Notice } from "../ui/small";
+import type { Model } from "./model";
+import type { Contacts } from "./scenario_loader";
+
+/** Whether what is drawn is what was tested, as bars that nobody overlooks. */
+export function Trust({ model, contacts }: { model: Model | null; contacts: Contacts | null }) {
+    const damaged = model?.meshes.filter((mesh) => mesh.checked === false) ?? [];
+    const unchecked = model?.meshes.some((mesh) => mesh.checked === null) ?? false;
+    const scenario = contacts?.scenario;
+    return (
+        <>
+            {damaged.length > 0 && (
+                <Notice kind="bad">
+                    not the tested geometry: the bytes of {counted(damaged.length, "mesh").replace("meshs", "meshes")} do
+                    not have the SHA-256 of the run ({damaged.map((mesh) => mesh.sha256.slice(0, 16)).join(", ")})
+                </Notice>
+            )}
+            {damaged.length === 0 && unchecked && (
+                <Notice kind="warn">
+                    the geometry is not checked: this browser computes SHA-256 on 127.0.0.1 or over TLS only
+                </Notice>
+            )}
+            {scenario?.verified === false && (
+                <Notice kind="bad">
+                    this scenario, run again here, gives another record than the stored one: {scenario.verify_note}
+                </Notice>
+            )}
+            {scenario && scenario.failure !== "" && (
+                <Notice kind="bad">
+                    failed: <Name text={scenario.failure} />
+                </Notice>
+            )}
+        </>
+    );
+}
+
+/** The scenario's class, count, and what restricts them. */
+export function ScenarioStatus({ job, contacts }: { job: Job; contacts: Contacts }) {
+    const { scenario } = contacts;
+    const kind = numberOf(scenario.class);
+    const count = scenario.class !== null && scenario.count > 0 ? counted(scenario.count, "pair") : "";
+    const said = [
+        scenario.id !== null ? `id ${scenario.id}` : "",
+        scenario.time !== null ? `t ${short(scenario.time, 6)}` : "",
+        contacts.isCut ? `drawn: the first ${grouped(contacts.pairs.length / 3)} pairs` : "",
+        scenario.cut ? `list of pairs cut at ${grouped(scenario.listed)}` : "",
+        scenario.surfaces_only ? "surfaces only: a body is open" : "",
+        scenario.insides_skipped ? "containment not tested: triangles are ignored" : "",
+        scenario.distance_bound !== null && scenario.distance_bound > 0
+            ? `at most ${short(scenario.distance_bound)} ${job.unit} apart`
+            : "",
+    ].filter((text) => text !== "");
+    return (
+        <span class="scenario-status">
+            <span>
+                <ClassMark kind={kind} />
+                <b>{scenario.class ?? "no result yet"}</b>
+                {count && `, ${count}`}
+            </span>
+            {scenario.verified === true && (
+                <span class="verified" title="run again by this server, the record has the same bytes">
+                    ✓ verified
+                </span>
+            )}
+            {scenario.verified === null && (
+                <span class="note" title={scenario.verify_note}>
+                    not verified{scenario.verify_note && `: ${scenario.verify_note}`}
+                </span>
+            )}
+            {said.length > 0 && <span class="note">{said.join(" · ")}</span>}
+        </span>
+    );
+}

@@ -1,0 +1,132 @@
+/** All that is seen in the viewer, as the query of a link. */
+export type Mode = "contacts" | "heat";
+export type Ghost = "a" | "b" | "none";
+export type ClipAxis = "x" | "y" | "z";
+
+export interface Clip {
+    axis: ClipAxis;
+    /** Where the plane cuts the axis, in A's frame; what lies beyond is hidden. */
+    at: number;
+}
+
+export interface Pick {
+    body: 0 | 1;
+    triangle: number;
+}
+
+export interface ViewState {
+    mode: Mode;
+    ghost: Ghost;
+    throughWalls: boolean;
+    lines: boolean;
+    clip: Clip | null;
+    /** Eye and target, six numbers in A's frame; null: all is fitted into the view. */
+    camera: number[] | null;
+    /** The parts of A and B whose contacts are shown; empty: all. */
+    partA: string;
+    partB: string;
+    pick: Pick | null;
+}
+
+export const startState: ViewState = {
+    mode: "contacts",
+    ghost: "b",
+    throughWalls: true,
+    lines: true,
+    clip: null,
+    camera: null,
+    partA: "",
+    partB: "",
+    pick: null,
+};
+
+function numbersOf(text: string | null, count: number): number[] | null {
+    const numbers = (text ?? "").split(",").map(Number);
+    return numbers.length === count && numbers.every(Number.isFinite) && text ? numbers : null;
+}
+
+function readClip(text: string | null): Clip | null {
+    const found = /^([xyz]):(-?[\d.]+(?:e[-+]?\d+)?)$/i.exec(text ?? "");
+    return found && Number.isFinite(Number(found[2]))
+        ? { axis: found[1] as ClipAxis, at: Number(found[2]) }
+        : null;
+}
+
+function readPick(text: string | null): Pick | null {
+    const found = /^([ab]):(\d+)$/.exec(text ?? "");
+    return found ? { body: found[1] === "a" ? 0 : 1, triangle: Number(found[2]) } : null;
+}
+
+/** A part is written `a/part` or `b/part`; without a body it is one of A if A has it. */
+function readParts(query: URLSearchParams, hasA: (part: string) => boolean): [string, string] {
+    let [a, b] = ["", ""];
+    for (const text of [query.get("part"), query.get("with")]) {
+        if (!text) {
+            continue;
+        }
+        if (text.startsWith("b/")) {
+            b = text.slice(2);
+        } else if (text.startsWith("a/")) {
+            a = text.slice(2);
+        } else if (a === "" && hasA(text)) {
+            a = text;
+        } else {
+            b = text;
+        }
+    }
+    return [a, b];
+}
+
+/** Reads a link. Values that mean nothing are ignored. */
+export function readState(query: URLSearchParams, hasA: (part: string) => boolean): ViewState {
+    const ghost = query.get("ghost");
+    const [partA, partB] = readParts(query, hasA);
+    return {
+        mode: query.get("mode") === "heat" ? "heat" : "contacts",
+        ghost: ghost === "a" || ghost === "none" ? ghost : "b",
+        throughWalls: query.get("walls") !== "0",
+        lines: query.get("lines") !== "0",
+        clip: readClip(query.get("clip")),
+        camera: numbersOf(query.get("cam"), 6),
+        partA,
+        partB,
+        pick: readPick(query.get("pick")),
+    };
+}
+
+function brief(value: number): string {
+    return String(Number(value.toPrecision(6)));
+}
+
+/** Writes what differs from the start, so that plain views have plain links. */
+export function writeState(state: ViewState): Record<string, string> {
+    const query: Record<string, string> = {};
+    if (state.mode !== startState.mode) {
+        query.mode = state.mode;
+    }
+    if (state.camera) {
+        query.cam = state.camera.map(brief).join(",");
+    }
+    if (state.ghost !== startState.ghost) {
+        query.ghost = state.ghost;
+    }
+    if (!state.throughWalls) {
+        query.walls = "0";
+    }
+    if (!state.lines) {
+        query.lines = "0";
+    }
+    if (state.partA) {
+        query.part = `a/${state.partA}`;
+    }
+    if (state.partB) {
+        query[state.partA ? "with" : "part"] = `b/${state.partB}`;
+    }
+    if (state.clip) {
+        query.clip = `${state.clip.axis}:${brief(state.clip.at)}`;
+    }
+    if (state.pick) {
+        query.pick = `${state.pick.body === 0 ? "a" : "b"}:${state.pick.triangle}`;
+    }
+    return query;
+}

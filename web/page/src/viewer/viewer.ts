@@ -1,0 +1,266 @@
+import { Box3, Matrix4, Sphere, Vector3 } from "three";
+import type { Rgb } from "../base/classes";
+import { type Mesh, partOf } from "../base/mesh";
+import { apply, compose, inverse } from "../base/pose";
+import { styleColour } from "../base/theme";
+import type { Pose, Scenario, Vec3 } from "../base/types";
+import { BodyView } from "./body_view";
+import { ContactsView, type Highlight, highlightsOf } from "./contacts_view";
+import { heatBytes } from "./heat";
+import { nearestTriangle, type Ray } from "./pick";
+import { PickMark } from "./pick_mark";
+import type { Contacts } from "./scenario_loader";
+import { clipPlane, Stage } from "./stage";
+import type { Pick, ViewState } from "./view_state";
+
+const grey: Rgb = [186, 190, 196];
+const blue: Rgb = [100, 138, 186];
+const identity: Pose = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0];
+
+/**
+ * Both bodies and their contacts, drawn in A's frame about the centre of A's box. Poses are composed
+ * in double; what the graphics card gets is single precision.
+ */
+export class Viewer {
+    readonly stage: Stage;
+    readonly bodies: [BodyView, BodyView];
+    private readonly contactsView = new ContactsView();
+    private readonly mark = new PickMark();
+    private readonly origin: Vec3;
+    private matrices: [Matrix4, Matrix4] = [new Matrix4(), new Matrix4()];
+    private highlights: [Highlight, Highlight] = [new Map(), new Map()];
+    private contacts: Contacts | null = null;
+    private state: ViewState | null = null;
+    private fitted: Sphere | null = null; // What the view was fitted to.
+
+    constructor(canvas: HTMLCanvasElement, meshes: [Mesh, Mesh], moved: () => void, drawn: () => void) {
+        this.stage = new Stage(canvas, moved, drawn);
+        this.bodies = [new BodyView(meshes[0], grey), new BodyView(meshes[1], blue)];
+        this.origin = meshes[0].centre;
+        this.refreshTheme();
+    }
+
+    refreshTheme(): void {
+        this.stage.setBackground(styleColour("--stage"));
+    }
+
+    /** Returns the pose of B in A's frame. */
+    relativePose(scenario: Scenario): Pose {
+        return compose(inverse(scenario.pose_a), scenario.pose_b);
+    }
+
+    show(contacts: Contacts, state: ViewState): void {
+        this.contacts = contacts;
+        this.matrices = [
+            this.bodies[0].place(identity, this.origin),
+            this.bodies[1].place(this.relativePose(contacts.scenario), this.origin),
+        ];
+        this.stage.setRadius(this.centreOfB().length() + this.bodies[1].radius + this.bodies[0].radius);
+        this.refreshContacts(state);
+        this.setState(state);
+        if (!state.camera && !this.isInView()) {
+            this.fit(this.fitted === null);
+        }
+    }
+
+    private centreOfB(): Vector3 {
+        return new Vector3().setFromMatrixPosition(this.matrices[1]);
+    }
+
+    private isShown(state: ViewState, a: number, b: number): boolean {
+        const holds = (body: number, part: string, triangle: number) =>
+            part === "" || partOf(this.bodies[body].mesh, triangle)?.name === part;
+        return holds(0, state.partA, a) && holds(1, state.partB, b);
+    }
+
+    private refreshContacts(state: ViewState): void {
+        if (!this.contacts) {
+            return;
+        }
+        const { pairs, points, scenario } = this.contacts;
+        const isShown = (a: number, b: number) => this.isShown(state, a, b);
+        this.highlights = highlightsOf(pairs, isShown);
+        const corners = [this.bodies[0].corners, this.bodies[1].corners] as const;
+        this.contactsView.show(corners, this.highlights, this.matrices);
+        this.contactsView.addPoints(points, inverse(scenario.pose_a), this.origin, (pair) =>
+            isShown(pairs[3 * pair], pairs[3 * pair + 1]),
+        );
+    }
+
+    /** Shows `state`; only its camera is left alone, which `view` sets. */
+    setState(state: ViewState): void {
+        const old = this.state;
+        this.state = state;
+        if (old && (old.partA !== state.partA || old.partB !== state.partB)) {
+            this.refreshContacts(state);
+        }
+        const [a, b] = this.bodies;
+        a.showAs(state.ghost === "a" ? "ghost" : "solid");
+        b.showAs(state.ghost === "b" ? "ghost" : "solid");
+        this.bodies.forEach((body) => body.showHeat(state.mode === "heat"));
+        const axis = state.clip ? "xyz".indexOf(state.clip.axis) : 0;
+        const planes = state.clip ? [clipPlane(state.clip.axis, state.clip.at - this.origin[axis])] : [];
+        this.bodies.forEach((body) => body.clip(planes));
+        this.contactsView.clip(planes);
+        this.contactsView.group.visible = state.mode === "contacts";
+        this.contactsView.lines.visible = state.lines;
+        this.mark.show(state.pick && this.bodies[state.pick.body].corners, state.pick, this.matrices);
+        this.arrange(state);
+    }
+
+    /** Solid bodies, contacts, ghost; contacts through walls come last, without the others' depths. */
+    private arrange(state: ViewState): void {
+        const [a, b] = this.bodies;
+        const solid = { objects: [a.solid, b.solid], forgetsDepth: false };
+        const contacts = {
+            objects: [this.contactsView.group],
+            forgetsDepth: state.throughWalls,
+        };
+        const ghost = { objects: [a.ghost, b.ghost], forgetsDepth: false };
+        const mark = { objects: [this.mark.group], forgetsDepth: true };
+        this.stage.setLayers(
+            state.throughWalls ? [solid, ghost, contacts, mark] : [solid, contacts, ghost, mark],
+        );
+    }
+
+    /** Gives each body's counts by triangle for the heat map; `most` is the largest of all. */
+    setHeat(counts: readonly Float64Array[], most: number): void {
+        counts.forEach((one, i) => this.bodies[i].setHeat(heatBytes(one, most)));
+        this.stage.draw();
+    }
+
+    /** Returns the ball about both bodies, in the coordinates of the stage. */
+    private ballAround(): Sphere {
+        const ball = new Sphere(new Vector3(), this.bodies[0].radius);
+        return ball.union(new Sphere(this.centreOfB(), this.bodies[1].radius));
+    }
+
+    private isInView(): boolean {
+        const ball = this.ballAround();
+        const fitted = this.fitted;
+        return fitted !== null && fitted.center.distanceTo(ball.center) + ball.radius <= fitted.radius * 1.001;
+    }
+
+    /** Looks at both bodies; from the first direction if `fresh`. */
+    fit(fresh: boolean): void {
+        this.fitted = this.ballAround();
+        const corners = this.bodies.flatMap((body, i) => body.boxCorners(this.matrices[i]));
+        const box = new Box3().setFromPoints(corners.map((corner) => new Vector3(...corner)));
+        this.stage.fit(box.getCenter(new Vector3()).toArray() as Vec3, corners, fresh);
+    }
+
+    /** Looks at the triangles of A in contact; at all if there are none. */
+    goToContact(): void {
+        const corners = this.bodies[0].corners;
+        const centre = new Vector3();
+        for (const triangle of this.highlights[0].keys()) {
+            centre.add(this.middleOf(corners, triangle));
+        }
+        const count = this.highlights[0].size;
+        if (count === 0) {
+            this.fit(false);
+            return;
+        }
+        centre.divideScalar(count);
+        let radius = 0;
+        for (const triangle of this.highlights[0].keys()) {
+            radius = Math.max(radius, this.middleOf(corners, triangle).distanceTo(centre));
+        }
+        const least = Math.min(this.bodies[0].radius, this.bodies[1].radius) / 12;
+        const box = new Sphere(centre, Math.max(radius, least)).getBoundingBox(new Box3());
+        const around = [box.min, box.max].flatMap(({ x, z }) =>
+            [box.min, box.max].map(({ y }): Vec3 => [x, y, z]),
+        );
+        this.stage.fit(centre.toArray() as Vec3, around, false);
+    }
+
+    private middleOf(corners: Float32Array, triangle: number): Vector3 {
+        const [a, b, c] = [0, 3, 6].map((at) => new Vector3().fromArray(corners, 9 * triangle + at));
+        return a.add(b).add(c).divideScalar(3);
+    }
+
+    /** The camera in A's frame: eye and target, six numbers. */
+    get view(): number[] {
+        return this.stage.view.map((value, i) => value + this.origin[i % 3]);
+    }
+
+    set view(numbers: readonly number[]) {
+        this.stage.view = numbers.map((value, i) => value - this.origin[i % 3]);
+    }
+
+    /**
+     * Returns the triangle at a pixel: a contact that shows through walls, else the nearest of a solid
+     * body, else of the ghost. With `prefersGhost` the ghost comes first.
+     */
+    pickAt(x: number, y: number, prefersGhost: boolean): Pick | null {
+        const ray = this.stage.rayAt(x, y);
+        const ghosts = [0, 1].filter((body) => this.bodies[body].ghost.visible);
+        const solids = [0, 1].filter((body) => this.bodies[body].solid.visible);
+        if (prefersGhost) {
+            return this.pickAmong(ray, ghosts) ?? this.pickAmong(ray, solids);
+        }
+        const isContact = this.state?.throughWalls && this.state.mode === "contacts";
+        return (
+            (isContact ? this.pickAmong(ray, [0, 1], true) : null) ??
+            this.pickAmong(ray, solids) ??
+            this.pickAmong(ray, ghosts)
+        );
+    }
+
+    private pickAmong(ray: Ray, bodies: readonly number[], onlyContacts = false): Pick | null {
+        let least = Infinity;
+        let pick: Pick | null = null;
+        for (const body of bodies) {
+            const triangles = onlyContacts ? [...this.highlights[body].keys()] : null;
+            const hit = this.hit(ray, body, triangles);
+            if (hit && hit.distance < least) {
+                least = hit.distance;
+                pick = { body: body as 0 | 1, triangle: triangles ? triangles[hit.triangle] : hit.triangle };
+            }
+        }
+        return pick;
+    }
+
+    private hit(ray: Ray, body: number, triangles: readonly number[] | null) {
+        const back = this.matrices[body].clone().invert();
+        const origin = new Vector3(...ray.origin).applyMatrix4(back);
+        const direction = new Vector3(...ray.direction).transformDirection(back);
+        let corners = this.bodies[body].corners;
+        if (triangles) {
+            const chosen = new Float32Array(9 * triangles.length);
+            triangles.forEach((one, i) => chosen.set(corners.subarray(9 * one, 9 * one + 9), 9 * i));
+            corners = chosen;
+        }
+        const clip = this.state?.clip;
+        const axis = clip ? "xyz".indexOf(clip.axis) : 0;
+        const limit = clip ? clip.at - this.origin[axis] : Infinity;
+        return nearestTriangle(
+            corners,
+            { origin: origin.toArray() as Vec3, direction: direction.toArray() as Vec3 },
+            (distance) => ray.origin[axis] + distance * ray.direction[axis] > limit,
+        );
+    }
+
+    /** The triangles that are highlighted, of A and of B, in rising order. */
+    get highlighted(): [number[], number[]] {
+        return this.highlights.map((one) => [...one.keys()].sort((a, b) => a - b)) as [number[], number[]];
+    }
+
+    /** Returns where a point of A's frame is drawn, in pixels. */
+    pixelOf(point: Vec3): [number, number] {
+        return this.stage.pixelOf(point.map((value, i) => value - this.origin[i]) as Vec3);
+    }
+
+    /** Returns where a point of the world is drawn, in pixels. */
+    pixelOfWorld(point: Vec3): [number, number] {
+        const scenario = this.contacts?.scenario;
+        return this.pixelOf(scenario ? apply(inverse(scenario.pose_a), point) : point);
+    }
+
+    dispose(): void {
+        this.bodies.forEach((body) => body.dispose());
+        this.contactsView.dispose();
+        this.mark.dispose();
+        this.stage.dispose();
+    }
+}
