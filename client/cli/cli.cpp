@@ -62,6 +62,11 @@ class Verbs {
         add_first_stage(*run, run->host.first_stage);
         add_tree_cache(*run, run->host.tree_cache);
         add_fail_on(*run, run->fail_on);
+        run.add("--reuse",
+                run->reuse,
+                "FOLDER|JOB",
+                "Run only the scenarios that this earlier run lacks, and take its other results")
+            ->group("Results");
         run.flag("--dry-run", run->dry_run, "Check all inputs, estimate time and size, then stop");
         run.flag(
             "--yes", run->yes, "Write results even if they exceed 1 GB or half of the free disk");

@@ -45,7 +45,8 @@ struct RunCommand {
     HostOptions host;
     FailOn fail_on = FailOn::Never;
     bool dry_run = false;
-    bool yes = false; ///< Write results even if larger than `results_bytes_max`.
+    std::string reuse; ///< An earlier run whose results are reused; empty: none.
+    bool yes = false;  ///< Write results even if larger than `results_bytes_max`.
     std::uint64_t results_bytes_max = limits::folder_bytes_unasked_max;
     bool quiet = false;
     bool statistics = false;

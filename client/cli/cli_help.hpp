@@ -32,6 +32,7 @@ Examples:
   cdctl run job.toml --dry-run                        checks inputs, estimates time and size
   cdctl run job.toml --tolerance 0.05                 also finds near misses; slower
   cdctl run out                                       runs a results folder again
+  cdctl run job.toml --reuse out --out new            runs only the poses that out lacks
 
 A job.toml has the keys name, unit, and the tables
   [a] [b]    mesh = "car.obj", unit = "mm" (m, cm, mm, km, in, ft), name
@@ -67,6 +68,10 @@ undecided scenarios give exit code 3 if no contact was proven.
 
 If a run into a folder is interrupted or killed, the same command resumes it. A finished
 folder has summary.json, run.json, records (all results), the formats, and inputs/.
+
+--reuse needs an earlier run with equal meshes and query. It takes the results of scenarios whose
+poses have the same numbers there, whatever their index, except failed ones; with maps = true only
+of those whose pairs are all listed. Digest, map and files are those of a run without it.
 
 --stats (and statistics in summary.json) counts box pairs, N_b, and candidates, N_p: pairs
 of triangles that were tested. Without --master it also gives the paper's cost N_b C_b + N_p

@@ -1,6 +1,6 @@
 #include "client/commands/fetched_job.hpp"
 
-#include "client/commands/run_command.hpp"
+#include "client/export/result_sink.hpp"
 #include "client/job/submission.hpp"
 #include "client/remote/mesh_cache.hpp"
 #include "common/core/errors.hpp"
@@ -67,14 +67,14 @@ Error no_folder(const std::string& text, const Error& error) {
 
 /// Passes all existing results of a job to `take`, and returns their number. Errors: from `take`;
 /// BadFrame if the results do not match the digest that the master states.
-Result<std::uint64_t> fetch_each(Connection& connection,
-                                 const JobStatus& job,
-                                 const std::function<Status(const ScenarioResult&)>& take) {
+Result<std::uint64_t>
+fetch_each(Connection& connection, const JobStatus& job, const TakeResult& take) {
     // The master merges likewise, so a result lost or changed in transit changes the digest.
     ResultMerger merger(job.summary.total);
     CD_TRY(connection.fetch(job.job, 0, job.summary.total, [&](const ScenarioResult& result) {
-        static_cast<void>(merger.add(result));
-        return take(result);
+        const DoneScenario done = done_scenario(result, {});
+        static_cast<void>(merger.add(done.result, done.digest));
+        return take(done);
     }));
     if (job.digest && merger.digest() != job.digest) {
         return Error{ErrorCode::BadFrame, "the received results do not have the job's digest"};
@@ -126,32 +126,12 @@ RunReport report_of(const JobStatus& job, Level level) {
     return report;
 }
 
-Result<RunReport>
-fetch_results(Connection& connection, const Query& query, const JobStatus& job, ResultSink& sink) {
-    const std::uint64_t fetched = CD_TRY(fetch_each(
-        connection, job, [&](const ScenarioResult& result) { return sink.add(result); }));
-    auto report = CD_TRY(fetched_report(connection, query, job, fetched));
-    report.most_touched = sink.groups().most_touched();
-    return report;
-}
-
 Result<RunReport> fetch_results(Connection& connection,
-                                const PreparedJob& prepared,
+                                const Query& query,
                                 const JobStatus& job,
-                                FolderRun& run,
-                                const std::string& output,
-                                bool with_hint) {
-    const std::uint64_t fetched =
-        CD_TRY(fetch_each(connection, job, [&](const ScenarioResult& result) {
-            return run.add({result, encode_result(result), {}, {}});
-        }));
-    auto report = CD_TRY(fetched_report(connection, prepared.query, job, fetched));
-    if (with_hint) {
-        CD_TRY(add_hint(prepared, report));
-    }
-    const std::optional<ContactMap> map = report.map;
-    CD_TRY(run.finish(report, output, map));
-    return report;
+                                const TakeResult& take) {
+    const std::uint64_t fetched = CD_TRY(fetch_each(connection, job, take));
+    return fetched_report(connection, query, job, fetched);
 }
 
 Result<FetchedJob> FetchedJob::open(const MasterOptions& master,
@@ -192,10 +172,12 @@ Status FetchedJob::prepare(const std::filesystem::path& tree_cache) {
 
 Result<RunReport> FetchedJob::print(const std::string& output) {
     auto sink = CD_TRY(ResultSink::open({{}, {}, output}, export_context(*prepared_)));
-    auto report = fetch_results(*job_.connection, prepared_->query, job_.status, sink);
-    if (report) {
-        CD_TRY(sink.finish(std::nullopt));
-    }
+    auto report = CD_TRY(fetch_results(
+        *job_.connection, prepared_->query, job_.status, [&](const DoneScenario& done) {
+            return sink.add(done.result);
+        }));
+    report.most_touched = sink.groups().most_touched();
+    CD_TRY(sink.finish(std::nullopt));
     return report;
 }
 
@@ -214,6 +196,16 @@ Status FetchedJob::fetch_labels() {
                : Error{ErrorCode::BadFrame, "the job has other ids or times than it announced"};
 }
 
+Result<RunReport> FetchedJob::fetch_into(FolderRun& run, const std::string& output) {
+    auto report = CD_TRY(fetch_results(
+        *job_.connection, prepared_->query, job_.status, [&](const DoneScenario& done) {
+            return run.add(done);
+        }));
+    const std::optional<ContactMap> map = report.map;
+    CD_TRY(run.finish(report, output, map));
+    return report;
+}
+
 Result<RunReport> FetchedJob::write(FolderRunOptions options, const std::string& output) {
     CD_TRY(fetch_labels());
     const JobStatus& job = job_.status;
@@ -223,7 +215,7 @@ Result<RunReport> FetchedJob::write(FolderRunOptions options, const std::string&
     options.ended = iso_time(job.began + static_cast<std::uint64_t>(std::max(0.0, job.seconds)));
     options.folder.fresh = true; // A running job may have more results by now.
     auto run = CD_TRY(FolderRun::begin(*prepared_, std::move(options)));
-    auto report = fetch_results(*job_.connection, *prepared_, job, run, output, false);
+    auto report = fetch_into(run, output);
     run.drop_unfinished();
     return report;
 }

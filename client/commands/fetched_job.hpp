@@ -3,13 +3,14 @@
 
 #include "client/cli/cli.hpp"
 #include "client/commands/remote_session.hpp"
-#include "client/export/result_sink.hpp"
 #include "client/folder/folder_run.hpp"
 #include "client/job/prepared_job.hpp"
+#include "client/local/done_scenario.hpp"
 #include "client/report/report.hpp"
 #include "common/core/result.hpp"
 
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <string>
 #include <utility>
@@ -41,6 +42,7 @@ class FetchedJob {
 
     [[nodiscard]] Status prepare(const std::filesystem::path& tree_cache);
     [[nodiscard]] Status fetch_labels();
+    [[nodiscard]] Result<RunReport> fetch_into(FolderRun& run, const std::string& output);
 
     ConnectedJob job_;
     std::unique_ptr<PreparedJob> prepared_;
@@ -50,19 +52,15 @@ class FetchedJob {
 /// Makes a report of a job that has ended. `level` is the level of the job.
 [[nodiscard]] RunReport report_of(const JobStatus& job, Level level);
 
-/// Passes all existing results of a job to `sink`. Returns a report, with the contact map if the
-/// master summed one. Errors: the connection's; from `sink`; BadFrame if the results do not match
-/// the digest that the master states for a completed job.
-[[nodiscard]] Result<RunReport>
-fetch_results(Connection& connection, const Query& query, const JobStatus& job, ResultSink& sink);
+/// Takes the next result of a job. An error that it returns ends the fetch.
+using TakeResult = std::function<Status(const DoneScenario&)>;
 
-/// Fetches all existing results of a job into a folder, completes the folder, and writes the
-/// results to stdout in the format `output`. Sets the report's `hint` if `with_hint`.
+/// Passes all existing results of a job to `take`. Returns a report, with the contact map if the
+/// master summed one. Errors: the connection's; from `take`; BadFrame if the results do not match
+/// the digest that the master states for a completed job.
 [[nodiscard]] Result<RunReport> fetch_results(Connection& connection,
-                                              const PreparedJob& prepared,
+                                              const Query& query,
                                               const JobStatus& job,
-                                              FolderRun& run,
-                                              const std::string& output,
-                                              bool with_hint);
+                                              const TakeResult& take);
 
 } // namespace cd

@@ -15,6 +15,7 @@
 #include <nlohmann/json.hpp>
 
 #include <cstdio>
+#include <functional>
 #include <optional>
 #include <utility>
 
@@ -22,12 +23,14 @@ namespace cd {
 
 namespace {
 
-Result<int> report_without_folder(Connection& connection,
-                                  const RunCommand& command,
-                                  const PreparedJob& job,
-                                  const JobStatus& status) {
+/// Passes all results of a job in order to a function, and returns a report of them.
+using Fetch = std::function<Result<RunReport>(const TakeResult&)>;
+
+Result<int>
+report_without_folder(const RunCommand& command, const PreparedJob& job, const Fetch& fetch) {
     auto sink = CD_TRY(ResultSink::open({{}, {}, command.output}, export_context(job)));
-    auto report = CD_TRY(fetch_results(connection, job.query, status, sink));
+    auto report = CD_TRY(fetch([&](const DoneScenario& done) { return sink.add(done.result); }));
+    report.most_touched = sink.groups().most_touched();
     CD_TRY(add_hint(job, report));
     if (!job.query.maps && job.query.level >= Level::Pairs) {
         report.map = sink.map();
@@ -36,12 +39,14 @@ Result<int> report_without_folder(Connection& connection,
     return end_run(command, report, sink.uses_stdout());
 }
 
-Result<int> report_into_folder(Connection& connection,
-                               const RunCommand& command,
+Result<int> report_into_folder(const RunCommand& command,
                                const PreparedJob& job,
-                               const JobStatus& status,
+                               const Fetch& fetch,
                                FolderRun& run) {
-    const auto report = CD_TRY(fetch_results(connection, job, status, run, command.output, true));
+    auto report = CD_TRY(fetch([&](const DoneScenario& done) { return run.add(done); }));
+    CD_TRY(add_hint(job, report));
+    const std::optional<ContactMap> map = report.map;
+    CD_TRY(run.finish(report, command.output, map));
     return end_run(command, report, command.output != "text");
 }
 
@@ -60,11 +65,27 @@ std::string submitted_text(const SubmitCommand& command, const PreparedJob& job,
            "; `cdctl watch " + text + "` shows how it goes\n";
 }
 
-/// Runs the job on a master. `folder` is null if the job has no output folder.
-Result<int> run_there(const RunCommand& command,
+/// A job to run on a master.
+struct RemoteRun {
+    const RunCommand& command;
+    PreparedJob& job;
+    std::unique_ptr<Connection> connection;
+    FolderRun* folder; ///< Null if the job has no output folder.
+};
+
+/// Reports the fetched results to the folder, if there is one, and to the user.
+Result<int> report(const RemoteRun& run, const Fetch& fetch) {
+    return run.folder != nullptr ? report_into_folder(run.command, run.job, fetch, *run.folder)
+                                 : report_without_folder(run.command, run.job, fetch);
+}
+
+/// Sends `job`, which may be a part of the run's job, watches it to its end, and reports the
+/// results that `fetch_from` fetches.
+Result<int> run_there(RemoteRun& run,
                       PreparedJob& job,
-                      std::unique_ptr<Connection> connection,
-                      FolderRun* folder) {
+                      const std::function<Fetch(const JobStatus&)>& fetch_from) {
+    const RunCommand& command = run.command;
+    std::unique_ptr<Connection>& connection = run.connection;
     const JobId id = CD_TRY(send_job(*connection, job, command.quiet));
     const std::string text = job_id_text(id);
     const auto watched =
@@ -79,13 +100,11 @@ Result<int> run_there(const RunCommand& command,
         }
         return watched.error();
     }
-    const JobStatus& status = watched.value();
-    CD_TRY(check_done(status, text));
-    if (folder != nullptr) {
-        folder->set_job(text, worker_count(*connection));
+    CD_TRY(check_done(watched.value(), text));
+    if (run.folder != nullptr) {
+        run.folder->set_job(text, worker_count(*connection));
     }
-    auto code = folder != nullptr ? report_into_folder(*connection, command, job, status, *folder)
-                                  : report_without_folder(*connection, command, job, status);
+    auto code = report(run, fetch_from(watched.value()));
     if (!code) {
         std::fprintf(stderr,
                      "cdctl: job %s is done; `cdctl results %s` fetches its results\n",
@@ -95,19 +114,124 @@ Result<int> run_there(const RunCommand& command,
     return code;
 }
 
+/// Runs the whole job.
+Result<int> run_all(RemoteRun& run) {
+    return run_there(run, run.job, [&](const JobStatus& status) -> Fetch {
+        return [&run, status](const TakeResult& take) {
+            return fetch_results(*run.connection, run.job.query, status, take);
+        };
+    });
+}
+
+/// Returns a job of the scenarios in `poses`, which are some of the job's.
+PreparedJob part_of(const PreparedJob& job, std::unique_ptr<PoseSource> poses) {
+    PreparedJob part;
+    part.spec = job.spec;
+    part.spec.name += " (the rest)";
+    PoseFileSpec file;
+    file.path = "-"; // The part has no pose file of its own.
+    part.spec.poses = std::move(file);
+    part.names = job.names;
+    part.meshes = job.meshes;
+    part.query = job.query;
+    part.poses = std::move(poses);
+    return part;
+}
+
+/// Passes reused results, and those of the rest that `fetch_rest` fetches, to `take` in order.
+Result<RunReport> fetch_merged(ReusedResults& reused,
+                               const PoseSubset& rest,
+                               const Fetch& fetch_rest,
+                               const TakeResult& take) {
+    ResultMerger merger(reused.scenarios());
+    ContactMapTotal map;
+    ReuseMerge merge(
+        reused,
+        rest,
+        0,
+        [&](const DoneScenario& done) -> Status {
+            static_cast<void>(merger.add(done.result, done.digest));
+            if (!done.found.empty()) { // A reused result of a job with maps.
+                ContactMapSum sum;
+                sum.add(done.found);
+                map.add(sum.take());
+            }
+            return take(done);
+        },
+        &InterruptGuard::has_come);
+    auto report = CD_TRY(fetch_rest([&](const DoneScenario& done) { return merge.add(done); }));
+    CD_TRY(merge.finish());
+    report.summary = merger.summary();
+    report.digest = merger.digest();
+    report.execution.reused = reused.count();
+    report.execution.ran = rest.count();
+    if (report.map) {
+        map.add(*report.map);
+        report.map = map.map();
+    }
+    return report;
+}
+
+/// Returns the report of a job without scenarios.
+RunReport empty_report(const Query& query) {
+    RunReport report;
+    report.level = query.level;
+    report.limit_pairs = query.limit_pairs;
+    report.maps_all_pairs = query.maps;
+    if (query.maps) {
+        report.map.emplace();
+    }
+    return report;
+}
+
+/// Runs the scenarios that the earlier run lacks.
+Result<int> run_rest(RemoteRun& run, EarlierRun& earlier) {
+    auto reused = CD_TRY(earlier.results_for(run.job, run.command.quiet));
+    if (run.folder != nullptr) {
+        run.folder->set_reused(reused.count());
+    }
+    auto subset = reused.rest(*run.job.poses, 0);
+    const PoseSubset& rest = *subset;
+    PreparedJob part = part_of(run.job, std::move(subset));
+    const auto merged = [&](const Fetch& fetch_rest) -> Fetch {
+        return [&, fetch_rest](const TakeResult& take) {
+            return fetch_merged(reused, rest, fetch_rest, take);
+        };
+    };
+    if (rest.count() == 0) {
+        return report(run, merged([&](const TakeResult&) {
+                          return Result<RunReport>(empty_report(run.job.query));
+                      }));
+    }
+    return run_there(run, part, [&](const JobStatus& status) -> Fetch {
+        return merged([&run, status](const TakeResult& take) {
+            return fetch_results(*run.connection, run.job.query, status, take);
+        });
+    });
+}
+
 } // namespace
 
-Result<int>
-run_on_master(const RunCommand& command, PreparedJob& job, std::unique_ptr<Connection> connection) {
+Result<int> run_on_master(const RunCommand& command,
+                          PreparedJob& job,
+                          std::unique_ptr<Connection> connection,
+                          EarlierRun* earlier) {
     make_paths_absolute(job.spec);
+    RemoteRun run{command, job, std::move(connection), nullptr};
+    const auto run_it = [&] { return earlier == nullptr ? run_all(run) : run_rest(run, *earlier); };
     if (job.spec.output.dir.empty()) {
-        return run_there(command, job, std::move(connection), nullptr);
+        return run_it();
     }
-    auto folder = CD_TRY(FolderRun::begin(job, folder_options(command.folder, command.master)));
+    FolderRunOptions options = folder_options(command.folder, command.master);
+    if (earlier != nullptr) {
+        options.reused = earlier->named();
+    }
+    auto folder = CD_TRY(FolderRun::begin(job, std::move(options)));
     if (folder.is_complete()) {
         return tell_complete(command, job, folder);
     }
-    auto code = run_there(command, job, std::move(connection), &folder);
+    run.folder = &folder;
+    auto code = run_it();
     folder.drop_unfinished();
     return code;
 }

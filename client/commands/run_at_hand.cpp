@@ -20,14 +20,16 @@ struct RunWithInputs {
     JobInputs inputs;
 };
 
-Result<RunWithInputs> open_folder(const std::filesystem::path& dir) {
+Result<RunWithInputs> open_folder(const std::filesystem::path& dir, const ReadInputs& read) {
     auto run = CD_TRY(OpenedRun::open(dir));
-    auto inputs = CD_TRY(read_inputs(run));
+    auto inputs = CD_TRY(read(run));
     return RunWithInputs{std::move(run), std::move(inputs)};
 }
 
-Result<RunWithInputs>
-fetch(const std::string& id, const MasterOptions& master, const std::string& tree_cache) {
+Result<RunWithInputs> fetch(const std::string& id,
+                            const MasterOptions& master,
+                            const std::string& tree_cache,
+                            const ReadInputs& read) {
     const auto folder = CD_TRY(TemporaryFolder::make("cdctl"));
     auto job = CD_TRY(FetchedJob::open(master, id, tree_cache_folder(tree_cache)));
     job.prepared().spec.output.dir = folder.path();
@@ -35,17 +37,18 @@ fetch(const std::string& id, const MasterOptions& master, const std::string& tre
     FolderRunOptions options = folder_options({}, master);
     options.inputs_bytes_max = UINT64_MAX; // No limit, since there is no other local copy.
     CD_TRY(job.write(std::move(options), "text"));
-    return open_folder(folder.path());
+    return open_folder(folder.path(), read);
 }
 
 Result<RunWithInputs> open_or_fetch(const std::string& argument,
                                     const MasterOptions& master,
-                                    const std::string& tree_cache) {
+                                    const std::string& tree_cache,
+                                    const ReadInputs& read) {
     if (is_folder(argument)) {
-        return open_folder(argument);
+        return open_folder(argument, read);
     }
     InterruptGuard::begin_to_flag();
-    auto run = fetch(argument, master, tree_cache);
+    auto run = fetch(argument, master, tree_cache, read);
     InterruptGuard::begin_to_end();
     return run;
 }
@@ -56,8 +59,9 @@ Result<RunAtHand> open_run_at_hand(const std::string& argument,
                                    const MasterOptions& master,
                                    const std::string& tree_cache,
                                    Trees trees,
-                                   ThreadPool& pool) {
-    auto [run, inputs] = CD_TRY(open_or_fetch(argument, master, tree_cache));
+                                   ThreadPool& pool,
+                                   const ReadInputs& read) {
+    auto [run, inputs] = CD_TRY(open_or_fetch(argument, master, tree_cache, read));
     auto spec = CD_TRY(run.spec());
     TreeCache cache(tree_cache_folder(tree_cache));
     auto job = CD_TRY(

@@ -6,6 +6,7 @@
 #include "client/job/prepared_job.hpp"
 #include "common/core/result.hpp"
 
+#include <functional>
 #include <string>
 
 namespace cd {
@@ -17,13 +18,18 @@ struct RunAtHand {
     PreparedJob job;
 };
 
+/// Reads the inputs of a run, which stay valid when its folder is removed.
+using ReadInputs = std::function<Result<JobInputs>(const OpenedRun&)>;
+
 /// Opens a folder, or fetches a job into a temporary folder, which is removed even after a signal.
 /// Needs an `InterruptGuard`; after the fetch, a signal ends the process. `tree_cache` is the value
-/// of --tree-cache. Errors: as `OpenedRun`, `read_inputs`, `FetchedJob` and `prepare_again`.
+/// of --tree-cache; `read` reads the inputs. Errors: as `OpenedRun`, `read`, `FetchedJob` and
+/// `prepare_again`.
 [[nodiscard]] Result<RunAtHand> open_run_at_hand(const std::string& argument,
                                                  const MasterOptions& master,
                                                  const std::string& tree_cache,
                                                  Trees trees,
-                                                 ThreadPool& pool);
+                                                 ThreadPool& pool,
+                                                 const ReadInputs& read = &read_inputs);
 
 } // namespace cd

@@ -3,14 +3,14 @@
 #include "client/base/exit_code.hpp"
 #include "client/base/interrupt.hpp"
 #include "client/commands/commands.hpp"
+#include "client/commands/compare/earlier_run.hpp"
 #include "client/commands/estimate.hpp"
+#include "client/commands/local/run_here.hpp"
 #include "client/commands/remote_session.hpp"
 #include "client/export/result_sink.hpp"
 #include "client/folder/folder_exports.hpp"
 #include "client/folder/opened_run.hpp"
-#include "client/local/local_run.hpp"
 #include "client/poses/nearness.hpp"
-#include "client/report/progress.hpp"
 #include "common/core/errors.hpp"
 #include "common/core/words.hpp"
 #include "common/geometry/simd_target.hpp"
@@ -27,136 +27,6 @@
 namespace cd {
 
 namespace {
-
-/// A prepared job and what is needed to run it in this process.
-struct LocalJob {
-    const RunCommand& command;
-    PreparedJob& job;
-    ThreadPool& pool;
-    double prepare_seconds = 0;
-};
-
-RunReport report_of(const LocalJob& local, const RunOutcome& outcome) {
-    RunReport report;
-    report.summary = outcome.summary;
-    report.level = local.job.query.level;
-    report.limit_pairs = local.job.query.limit_pairs;
-    report.maps_all_pairs = local.job.query.maps;
-    report.digest = outcome.digest;
-    report.execution.seconds = outcome.seconds;
-    report.execution.statistics = outcome.statistics;
-    report.execution.cost = outcome.cost;
-    report.execution.where = counted(local.pool.size(), "thread");
-    report.execution.prepare_seconds = local.prepare_seconds;
-    return report;
-}
-
-/// Runs the job with a progress line. Passes each result to `take`; calls `tick` periodically.
-Result<RunOutcome> run_with_progress(const LocalJob& local,
-                                     LocalRunOptions options,
-                                     const std::function<Status(const DoneScenario&)>& take,
-                                     const std::function<void()>& tick) {
-    ProgressPrinter progress(ProgressPrinter::style_for(local.command.quiet));
-    options.first_stage = local.command.host.first_stage.value_or(PairStage::Float);
-    const std::uint64_t resumed = options.done ? options.done->summary().merged() : 0;
-    const RunObserver observer{
-        take,
-        [&](const Summary& summary, double seconds) {
-            progress.update({local.job.spec.name, summary, seconds, {}, resumed});
-            tick();
-        },
-        &InterruptGuard::has_come};
-    auto outcome = run_locally(*local.job.trees[0],
-                               *local.job.trees[1],
-                               *local.job.poses,
-                               local.job.query,
-                               local.pool,
-                               observer,
-                               std::move(options));
-    if (outcome) {
-        progress.finish(
-            {local.job.spec.name, outcome.value().summary, outcome.value().seconds, {}, resumed});
-    }
-    return outcome;
-}
-
-Error without_results(const Error& error) {
-    return error.code == ErrorCode::Interrupted
-               ? Error{error.code, "interrupted; no results were kept, since there was no --out"}
-               : error;
-}
-
-Result<int> run_without_folder(const LocalJob& local) {
-    const RunCommand& command = local.command;
-    auto sink = CD_TRY(ResultSink::open({{}, {}, command.output}, export_context(local.job)));
-    const auto outcome = run_with_progress(
-        local,
-        {},
-        [&](const DoneScenario& done) { return sink.add(done.result, done.found); },
-        [] {});
-    if (!outcome) {
-        return without_results(outcome.error());
-    }
-    RunReport report = report_of(local, outcome.value());
-    report.most_touched = sink.groups().most_touched();
-    if (Status told = add_hint(local.job, report); !told) {
-        return without_results(told.error());
-    }
-    if (local.job.query.maps || local.job.query.level >= Level::Pairs) {
-        report.map = sink.map();
-    }
-    CD_TRY(sink.finish(std::nullopt));
-    return end_run(command, report, sink.uses_stdout());
-}
-
-/// Saves the results of an interrupted run. Returns `error`, with the number of results kept.
-Error keep_results(const LocalJob& local, FolderRun& run, const Error& error) {
-    if (const Status kept = run.keep(); !kept) {
-        return kept.error();
-    }
-    const std::string what = "; " + grouped(run.kept()) + " of " +
-                             grouped(local.job.poses->count()) + " are kept in " +
-                             run.folder().dir().string() + "; the same command resumes the run";
-    return {error.code, error.detail + what};
-}
-
-Result<int> run_into_folder(const LocalJob& local) {
-    const RunCommand& command = local.command;
-    FolderRunOptions options = folder_options(command.folder);
-    options.where.threads = local.pool.size();
-    options.where.simd = to_text(simd_target());
-    auto run = CD_TRY(FolderRun::begin(local.job, std::move(options)));
-    if (run.is_complete()) {
-        return tell_complete(command, local.job, run);
-    }
-    auto done = CD_TRY(run.done());
-    const std::uint64_t resumed_at = done.summary().merged();
-    if (resumed_at != 0 && !command.quiet) {
-        std::fprintf(stderr,
-                     "resumed at %s of %s\n",
-                     grouped(resumed_at).c_str(),
-                     grouped(local.job.poses->count()).c_str());
-    }
-    LocalRunOptions run_options;
-    run_options.done = std::move(done);
-    Status ticked = Done{};
-    const auto outcome = run_with_progress(
-        local,
-        std::move(run_options),
-        [&](const DoneScenario& result) { return ticked ? run.add(result) : ticked; },
-        [&] { ticked = ticked ? run.keep_if_due() : ticked; });
-    if (!outcome) {
-        return keep_results(local, run, outcome.error());
-    }
-    RunReport report = report_of(local, outcome.value());
-    report.execution.resumed_at = resumed_at;
-    const Status hinted = add_hint(local.job, report);
-    const Status finished = hinted ? run.finish(report, command.output, std::nullopt) : hinted;
-    if (!finished) {
-        return keep_results(local, run, finished.error());
-    }
-    return end_run(command, report, command.output != "text");
-}
 
 /// The job that a command line names: by a job file, by options, or by a results folder.
 struct AskedJob {
@@ -213,8 +83,15 @@ EstimateOptions estimate_options(const RunCommand& command) {
     return options;
 }
 
-/// Estimates time and size, and prints them as the answer to --dry-run.
-Result<int> tell_estimate(const RunCommand& command, const PreparedJob& job, ThreadPool& pool) {
+/// Estimates time and size, and prints them as the answer to --dry-run. Both are those of a run
+/// that reuses nothing; how much can be reused is said on stderr.
+Result<int> tell_estimate(const RunCommand& command,
+                          const PreparedJob& job,
+                          ThreadPool& pool,
+                          EarlierRun* earlier) {
+    if (earlier != nullptr) {
+        static_cast<void>(CD_TRY(earlier->results_for(job, false)));
+    }
     const auto estimate = CD_TRY(estimate_run(job, pool, estimate_options(command)));
     const Status room = command.yes
                             ? Status(Done{})
@@ -338,17 +215,23 @@ Result<int> run_job(const RunCommand& command) {
     CD_TRY(check_fail_on(command.fail_on, job.spec.level));
     ::malloc_trim(0); // Returns the memory that importing and building have freed.
     print_header(job, command.quiet);
+    std::optional<EarlierRun> earlier;
+    if (!command.reuse.empty()) {
+        earlier = CD_TRY(
+            EarlierRun::open(command.reuse, command.master, command.host.tree_cache, job, pool));
+    }
+    EarlierRun* const reuses = earlier ? &*earlier : nullptr;
     if (command.dry_run) {
-        return tell_estimate(command, job, pool);
+        return tell_estimate(command, job, pool, reuses);
     }
     CD_TRY(check_size(command, job, pool));
     InterruptGuard::begin_to_flag();
     if (!here) {
-        return run_on_master(command, job, std::move(connection));
+        return run_on_master(command, job, std::move(connection), reuses);
     }
     const std::chrono::duration<double> prepared = std::chrono::steady_clock::now() - start;
-    const LocalJob local{command, job, pool, prepared.count()};
-    return job.spec.output.dir.empty() ? run_without_folder(local) : run_into_folder(local);
+    const LocalJob local{command, job, pool, reuses, prepared.count()};
+    return run_here(local);
 }
 
 } // namespace cd

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "client/cli/cli.hpp"
+#include "client/commands/compare/earlier_run.hpp"
 #include "client/folder/folder_run.hpp"
 #include "client/job/prepared_job.hpp"
 #include "client/remote/connection.hpp"
@@ -15,9 +16,12 @@ namespace cd {
 [[nodiscard]] Result<int> run_job(const RunCommand& command);
 
 /// Performs `run --master`: submits, watches, fetches, reports. The caller has printed the job's
-/// header and holds an `InterruptGuard`; an interrupt cancels the job.
-[[nodiscard]] Result<int>
-run_on_master(const RunCommand& command, PreparedJob& job, std::unique_ptr<Connection> connection);
+/// header and holds an `InterruptGuard`; an interrupt cancels the job. With `earlier`, only the
+/// scenarios that the earlier run lacks are submitted.
+[[nodiscard]] Result<int> run_on_master(const RunCommand& command,
+                                        PreparedJob& job,
+                                        std::unique_ptr<Connection> connection,
+                                        EarlierRun* earlier);
 
 /// Prints the summary of a run, and returns the exit code.
 [[nodiscard]] Result<int>

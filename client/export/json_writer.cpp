@@ -149,6 +149,9 @@ Status write_summary(const std::filesystem::path& dir,
     if (context.tolerance) {
         json["tolerance"] = *context.tolerance;
     }
+    if (report.execution.reused != 0) {
+        json["reused"] = report.execution.reused;
+    }
     if (report.execution.resumed_at != 0) {
         json["resumed_at"] = report.execution.resumed_at;
     }

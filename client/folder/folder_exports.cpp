@@ -47,6 +47,7 @@ RunReport report_of(const Json& json) {
     report.execution.seconds = json.value("seconds", 0.0);
     report.execution.resumed_at =
         std::min(json.value("resumed_at", std::uint64_t{0}), report.summary.merged());
+    report.execution.reused = json.value("reused", std::uint64_t{0});
     report.execution.where = json.value("where", "");
     if (json.contains("digest") && json["digest"].is_string()) {
         report.digest = sha256_from_hex(json["digest"].get<std::string>());

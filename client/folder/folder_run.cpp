@@ -27,12 +27,6 @@ namespace fs = std::filesystem;
 /// The fewest bytes of a scenario in a file: one pose as a quaternion with a translation.
 constexpr std::uint64_t scenario_bytes = 64;
 
-std::string absolute_path(const fs::path& path) {
-    std::error_code error;
-    const fs::path whole = path == "-" ? path : fs::absolute(path, error).lexically_normal();
-    return (error ? path : whole).string();
-}
-
 ManifestPoses poses_of(const PreparedJob& job) {
     ManifestPoses poses;
     poses.count = job.poses->count();
@@ -103,6 +97,12 @@ std::uint64_t input_bytes(const PreparedJob& job) {
     return bytes_beside_poses(job) + (job.grid ? 0 : job.poses->count() * scenario_bytes);
 }
 
+std::string absolute_path(const fs::path& path) {
+    std::error_code error;
+    const fs::path whole = path == "-" ? path : fs::absolute(path, error).lexically_normal();
+    return (error ? path : whole).string();
+}
+
 void make_paths_absolute(JobSpec& spec) {
     for (BodySpec& body : spec.bodies) {
         body.path = absolute_path(body.path);
@@ -128,6 +128,7 @@ Result<FolderRun> FolderRun::begin(PreparedJob& job, FolderRunOptions options) {
     manifest.where = std::move(options.where);
     manifest.origin.started = options.started.empty() ? iso_time(unix_seconds()) : options.started;
     manifest.origin.ended = std::move(options.ended);
+    manifest.outcome.reused = std::move(options.reused);
     auto folder = CD_TRY(RunFolder::open(job.spec.output.dir, manifest, options.folder));
     if (folder.unfinished()) {
         manifest.origin.started = folder.unfinished()->origin.started;

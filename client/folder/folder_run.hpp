@@ -29,6 +29,7 @@ struct FolderRunOptions {
     std::string command; ///< Command line of the run.
     std::string started; ///< The run's start as `iso_time`; empty: now.
     std::string ended;   ///< The run's end as `iso_time`; empty: when `finish` is called.
+    std::optional<ManifestReuse> reused; ///< The earlier run from which results are taken.
 };
 
 /// Writes each result of a run to the folder as it arrives, and all exports at the end.
@@ -47,6 +48,9 @@ class FolderRun {
         manifest_.where.job = id;
         manifest_.where.workers = workers;
     }
+
+    /// Sets the number of results that the run takes from an earlier run.
+    void set_reused(std::uint64_t scenarios) { manifest_.outcome.reused->scenarios = scenarios; }
 
     /// Reads the results of scenarios 0 to n - 1, which an interrupted run has left. Errors: Io;
     /// Interrupted.
@@ -100,6 +104,9 @@ class FolderRun {
 [[nodiscard]] std::uint64_t bytes_beside_poses(const PreparedJob& job);
 /// Returns a lower bound in bytes for a folder's inputs: `bytes_beside_poses` and the poses.
 [[nodiscard]] std::uint64_t input_bytes(const PreparedJob& job);
+
+/// Returns a path as an absolute one; "-" stays.
+[[nodiscard]] std::string absolute_path(const std::filesystem::path& path);
 
 /// Makes the paths of a job absolute, so that it can be opened from another folder.
 void make_paths_absolute(JobSpec& spec);

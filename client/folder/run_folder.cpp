@@ -80,6 +80,16 @@ Status check_no_other(const fs::path& dir,
     return Done{};
 }
 
+/// Returns the error for resuming a run with another value of --reuse, whose results would be
+/// mixed with those of the first.
+Error reuses_other(const fs::path& dir, const RunManifest& unfinished) {
+    const auto& reused = unfinished.outcome.reused;
+    return bad_input(dir.string() + " holds the unfinished part of a run " +
+                     (reused ? "with --reuse " + reused->run : "without --reuse") +
+                     "; resume it with: " + unfinished.origin.command +
+                     "; or start anew with --fresh");
+}
+
 Error failure(const fs::path& path, const std::error_code& error) {
     return {ErrorCode::Io, path.string() + ": " + error.message()};
 }
@@ -146,6 +156,9 @@ RunFolder::open(const fs::path& dir, const RunManifest& manifest, FolderOptions 
         return taken;
     }
     if (options.resume && is_this(unfinished.value())) {
+        if (!reuses_same_run(*unfinished.value(), manifest)) {
+            return folder.give_up(reuses_other(dir, *unfinished.value()));
+        }
         folder.state_ = State::Some;
         folder.unfinished_ = std::move(unfinished.value());
         folder.recover_files();

@@ -31,7 +31,8 @@ class RunFolder {
                                                          const RunManifest& expected);
 
     /// Locks a folder, which is created if missing, for the job of the manifest. Errors: BadInput
-    /// if it holds another run and `overwrite` is not set; Io, also if another process writes it.
+    /// if it holds another run and `overwrite` is not set, or an unfinished run to resume that
+    /// takes results from another run; Io, also if another process writes it.
     [[nodiscard]] static Result<RunFolder>
     open(const std::filesystem::path& dir, const RunManifest& manifest, FolderOptions options);
 

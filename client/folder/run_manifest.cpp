@@ -112,6 +112,11 @@ Json bodies_json(const std::vector<ManifestBody>& bodies) {
     return json;
 }
 
+Json reuse_json(const ManifestReuse& reused) {
+    return {
+        {"run", reused.run}, {"digest", hash_json(reused.digest)}, {"scenarios", reused.scenarios}};
+}
+
 Json files_json(const std::vector<ManifestFile>& files) {
     Json json = Json::array();
     for (const ManifestFile& file : files) {
@@ -264,6 +269,16 @@ Query read_query(const Json& json) {
     return query;
 }
 
+std::optional<ManifestReuse> read_reuse(const Json& json) {
+    const auto found = json.find("reused_from");
+    if (found == json.end()) {
+        return std::nullopt;
+    }
+    return ManifestReuse{value_of<std::string>(*found, "run"),
+                         read_hash(*found, "digest"),
+                         value_or<std::uint64_t>(*found, "scenarios", 0)};
+}
+
 RunManifest read_manifest(const Json& json) {
     const auto version = value_of<std::uint64_t>(json, "format");
     if (version > format_version) {
@@ -296,6 +311,7 @@ RunManifest read_manifest(const Json& json) {
     manifest.outcome.answered = value_or<std::uint64_t>(json, "answered", 0);
     manifest.outcome.digest = read_hash(json, "digest");
     manifest.outcome.map_digest = read_hash(json, "map_digest");
+    manifest.outcome.reused = read_reuse(json);
     manifest.formats = value_or<std::vector<std::string>>(json, "formats", {});
     for (const Json& file : json.value("files", Json::array())) {
         manifest.files.push_back(
@@ -320,26 +336,29 @@ bool has_same_poses(const ManifestPoses& left, const ManifestPoses& right) {
 } // namespace
 
 std::string manifest_json(const RunManifest& manifest) {
-    const Json json{{"format", format_version},
-                    {"record_version", record_version},
-                    {"program", manifest.origin.program},
-                    {"commit", manifest.origin.commit},
-                    {"command", manifest.origin.command},
-                    {"started", manifest.origin.started},
-                    {"ended", manifest.origin.ended},
-                    {"where", where_json(manifest.where)},
-                    {"name", manifest.name},
-                    {"unit", manifest.unit},
-                    {"job", manifest.job},
-                    {"bodies", bodies_json(manifest.bodies)},
-                    {"poses", poses_json(manifest.poses)},
-                    {"query", query_json(manifest.query)},
-                    {"complete", manifest.is_complete()},
-                    {"answered", manifest.outcome.answered},
-                    {"digest", hash_json(manifest.outcome.digest)},
-                    {"map_digest", hash_json(manifest.outcome.map_digest)},
-                    {"formats", manifest.formats},
-                    {"files", files_json(manifest.files)}};
+    Json json{{"format", format_version},
+              {"record_version", record_version},
+              {"program", manifest.origin.program},
+              {"commit", manifest.origin.commit},
+              {"command", manifest.origin.command},
+              {"started", manifest.origin.started},
+              {"ended", manifest.origin.ended},
+              {"where", where_json(manifest.where)},
+              {"name", manifest.name},
+              {"unit", manifest.unit},
+              {"job", manifest.job},
+              {"bodies", bodies_json(manifest.bodies)},
+              {"poses", poses_json(manifest.poses)},
+              {"query", query_json(manifest.query)},
+              {"complete", manifest.is_complete()},
+              {"answered", manifest.outcome.answered},
+              {"digest", hash_json(manifest.outcome.digest)},
+              {"map_digest", hash_json(manifest.outcome.map_digest)},
+              {"formats", manifest.formats},
+              {"files", files_json(manifest.files)}};
+    if (manifest.outcome.reused) {
+        json["reused_from"] = reuse_json(*manifest.outcome.reused);
+    }
     return json_text(json, 1);
 }
 
@@ -358,6 +377,13 @@ bool is_same_job(const RunManifest& left, const RunManifest& right) {
         std::ranges::equal(left.bodies, right.bodies, {}, &ManifestBody::mesh, &ManifestBody::mesh);
     return same_meshes && has_same_poses(left.poses, right.poses) &&
            is_equal(left.query, right.query);
+}
+
+bool reuses_same_run(const RunManifest& left, const RunManifest& right) {
+    const auto& one = left.outcome.reused;
+    const auto& other = right.outcome.reused;
+    return one && other ? one->run == other->run && one->digest == other->digest
+                        : one.has_value() == other.has_value();
 }
 
 std::string iso_time(std::uint64_t unix_seconds) {

@@ -59,11 +59,19 @@ struct ManifestOrigin {
     std::string ended;
 };
 
+/// The earlier run from which a run takes results instead of running their scenarios.
+struct ManifestReuse {
+    std::string run;              ///< Absolute path of its results folder, or its id as a job.
+    std::optional<Sha256> digest; ///< Result digest; nothing if it lacks scenarios.
+    std::uint64_t scenarios = 0;  ///< Number of results taken; 0 until the run is complete.
+};
+
 /// What results the folder has.
 struct ManifestOutcome {
-    std::uint64_t answered = 0;       ///< Number of scenarios with a record.
-    std::optional<Sha256> digest;     ///< Result digest; nothing while scenarios are missing.
-    std::optional<Sha256> map_digest; ///< Digest of the contact map; nothing without one.
+    std::uint64_t answered = 0;          ///< Number of scenarios with a record.
+    std::optional<Sha256> digest;        ///< Result digest; nothing while scenarios are missing.
+    std::optional<Sha256> map_digest;    ///< Digest of the contact map; nothing without one.
+    std::optional<ManifestReuse> reused; ///< Nothing if all scenarios were run.
 };
 
 /// The content of run.json.
@@ -93,6 +101,9 @@ struct RunManifest {
 /// True if two runs must give equal records, since their meshes, poses and query are equal. Names,
 /// files and threads do not matter.
 [[nodiscard]] bool is_same_job(const RunManifest& left, const RunManifest& right);
+
+/// True if both runs take results from one earlier run, or both from none.
+[[nodiscard]] bool reuses_same_run(const RunManifest& left, const RunManifest& right);
 
 /// Returns a time in UTC: "2026-03-01T12:00:00Z".
 [[nodiscard]] std::string iso_time(std::uint64_t unix_seconds);

@@ -265,7 +265,8 @@ std::string warnings_text(const RunReport& report) {
 
 std::string summary_text(const RunReport& report, const SummaryStyle& style) {
     const Summary& summary = report.summary;
-    const std::uint64_t run = summary.merged() - report.execution.resumed_at;
+    const std::uint64_t run =
+        report.execution.ran.value_or(summary.merged() - report.execution.resumed_at);
     const double rate =
         report.execution.seconds > 0 ? static_cast<double>(run) / report.execution.seconds : 0.0;
     const double whole_rate = std::round(rate);
@@ -276,6 +277,10 @@ std::string summary_text(const RunReport& report, const SummaryStyle& style) {
         " scenarios/s" + (report.execution.where.empty() ? "" : ", " + report.execution.where) +
         "\n";
     text += classes_text(summary, report.level, style.colours);
+    if (report.execution.reused != 0) {
+        text += "  reused        " + grouped(report.execution.reused) + " of " +
+                counted(summary.total, "result") + " of an earlier run\n";
+    }
     const auto note = [&](std::uint64_t count, const char* title, const char* meaning) {
         if (count != 0) {
             text += fmt::format("  {}  in {}: {}\n", title, counted(count, "scenario"), meaning);

@@ -50,6 +50,9 @@ struct RunExecution {
     double seconds = 0;           ///< Time to run the scenarios.
     std::uint64_t resumed_at = 0; ///< Scenarios done by an earlier run.
     std::uint64_t fetched = 0;    ///< Number of results fetched from a master.
+    std::uint64_t reused = 0;     ///< Number of results taken from an earlier run.
+    /// Number of scenarios run; nothing: all except the first `resumed_at`.
+    std::optional<std::uint64_t> ran;
     JobStatistics statistics;
     std::optional<SearchCost> cost;    ///< Cost measured on this machine; nothing on a cluster.
     std::optional<JobTraffic> traffic; ///< Nothing for a run on this machine.

@@ -68,6 +68,7 @@ ORDERED = {
         "local": [],
         "remote": ["access", "channel", "messages", "web/status"],
         "folder": ["messages", "web/status"],
+        "compare": ["messages", "web/status"],
         "view": ["channel", "messages", "web/server", "web/status"],
         "commands": ["messages", "web/server", "web/status"],
         "": [],

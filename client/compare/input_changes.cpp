@@ -1,0 +1,126 @@
+#include "client/compare/input_changes.hpp"
+
+#include "common/core/errors.hpp"
+#include "common/core/words.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <iterator>
+
+namespace cd {
+
+namespace {
+
+/// Returns how many of `names` are not in `others`, both as multisets.
+std::uint64_t count_missing(std::vector<std::string> names, std::vector<std::string> others) {
+    std::ranges::sort(names);
+    std::ranges::sort(others);
+    std::vector<std::string> missing;
+    std::ranges::set_difference(names, others, std::back_inserter(missing));
+    return missing.size();
+}
+
+BodyChange change_between(const ComparedBody& earlier, const ComparedBody& later) {
+    return {earlier.mesh != later.mesh,
+            later.parts.size(),
+            count_missing(later.parts, earlier.parts),
+            count_missing(earlier.parts, later.parts)};
+}
+
+ComparedBody compared(const ManifestBody& body) {
+    return {body.mesh, body.parts};
+}
+
+ComparedBody compared(const Mesh& mesh) {
+    ComparedBody body{mesh.hash(), {}};
+    for (const Part& part : mesh.parts()) {
+        body.parts.push_back(part.name);
+    }
+    return body;
+}
+
+std::vector<std::string> query_changes(const Query& earlier, const Query& later, QueryUse use) {
+    std::vector<std::string> changes;
+    const auto add = [&](const char* name, const std::string& was, const std::string& is) {
+        if (was != is) {
+            changes.push_back(std::string(name) + " " + is + ", was " + was);
+        }
+    };
+    add("level", std::string(to_text(earlier.level)), std::string(to_text(later.level)));
+    add("tolerance", exact_text(earlier.tolerance), exact_text(later.tolerance));
+    add("limit_pairs", std::to_string(earlier.limit_pairs), std::to_string(later.limit_pairs));
+    if (earlier.ignored != later.ignored) {
+        changes.emplace_back("other triangles ignored");
+    }
+    if (use == QueryUse::Diff) {
+        add("maps", earlier.maps ? "true" : "false", later.maps ? "true" : "false");
+    }
+    return changes;
+}
+
+/// Returns "A" or "B" for the first two bodies.
+std::string letter_of(std::size_t body) {
+    return {static_cast<char>('A' + body)};
+}
+
+/// Returns "B changed (7 parts, 2 new, 1 gone)" for each changed body; empty if none has changed.
+std::string bodies_text(const std::vector<BodyChange>& bodies) {
+    std::string text;
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+        const BodyChange& body = bodies[i];
+        if (!body.is_changed) {
+            continue;
+        }
+        text +=
+            (text.empty() ? "" : ", ") + letter_of(i) + " changed (" + counted(body.parts, "part");
+        text += body.parts_new == 0 ? "" : ", " + grouped(body.parts_new) + " new";
+        text += body.parts_gone == 0 ? "" : ", " + grouped(body.parts_gone) + " gone";
+        text += ")";
+    }
+    return text;
+}
+
+/// Returns "query changed (level pairs, was count; ...)".
+std::string query_text(const std::vector<std::string>& changes) {
+    std::string text;
+    for (const std::string& change : changes) {
+        text += (text.empty() ? "" : "; ") + change;
+    }
+    return "query changed (" + text + ")";
+}
+
+} // namespace
+
+InputChanges changes_between(const RunManifest& earlier, const RunManifest& later) {
+    InputChanges changes;
+    for (std::size_t i = 0; i < later.bodies.size(); ++i) {
+        changes.bodies.push_back(
+            change_between(compared(earlier.bodies[i]), compared(later.bodies[i])));
+    }
+    changes.are_poses_equal = earlier.poses.count == later.poses.count && earlier.poses.hash &&
+                              earlier.poses.hash == later.poses.hash;
+    changes.query = query_changes(earlier.query, later.query, QueryUse::Diff);
+    return changes;
+}
+
+std::string changes_text(const InputChanges& changes) {
+    const std::string bodies = bodies_text(changes.bodies);
+    return (bodies.empty() ? "bodies equal" : bodies) + ", poses " +
+           (changes.are_poses_equal ? "equal" : "changed") + ", " +
+           (changes.query.empty() ? "query equal" : query_text(changes.query));
+}
+
+Status check_reusable(const RunManifest& earlier, const PreparedJob& job) {
+    std::vector<BodyChange> bodies;
+    for (std::size_t i = 0; i < job.meshes.size(); ++i) {
+        bodies.push_back(change_between(compared(earlier.bodies[i]), compared(*job.meshes[i])));
+    }
+    const auto query = query_changes(earlier.query, job.query, QueryUse::Reuse);
+    std::string text = bodies_text(bodies);
+    if (!query.empty()) {
+        text += (text.empty() ? "" : ", ") + query_text(query);
+    }
+    return text.empty() ? Status(Done{}) : bad_input("nothing can be reused: " + text);
+}
+
+} // namespace cd
