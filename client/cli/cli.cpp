@@ -156,6 +156,16 @@ class Verbs {
                      "numbers in the run");
         add_threads(*extract, extract->threads, "Threads here; 0 is one for each core");
         add_tree_cache(*extract, extract->tree_cache);
+
+        auto diff = add<DiffCommand>("diff", diff_help);
+        add_run(*diff, "old", diff->earlier, "OLD");
+        add_run(*diff, "new", diff->later, "NEW");
+        add_master_options(*diff, diff->master);
+        diff.add("--out", diff->out, "DIR", "Folder for the CSV files; by default none is written");
+        add_diff_fail_on(*diff, diff->fail_on);
+        add_threads(*diff, diff->threads, "Threads here; 0 is one for each core");
+        add_tree_cache(*diff, diff->tree_cache);
+        add_output(*diff, diff->output, {"text", "json", "csv"});
     }
 
     void add_view_verb() {

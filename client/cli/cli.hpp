@@ -123,6 +123,21 @@ struct ViewCommand {
     std::string tree_cache = "off"; ///< A folder, or off.
 };
 
+/// The differences that give exit code 1: none; all; groups that only the later run has.
+enum class DiffFailOn : std::uint8_t { Never, Any, New };
+
+/// The verb `diff`.
+struct DiffCommand {
+    std::string earlier; ///< A results folder, or a job's id.
+    std::string later;
+    MasterOptions master;
+    std::string out; ///< Folder for the CSV files; empty: none.
+    DiffFailOn fail_on = DiffFailOn::Never;
+    unsigned threads = 0;
+    std::string tree_cache = "off"; ///< A folder, or off.
+    std::string output = "text";    ///< text, json, csv
+};
+
 struct GetCommand {
     std::string what; ///< jobs, workers or meshes
     MasterOptions master;
@@ -198,6 +213,7 @@ using Command = std::variant<RunCommand,
                              VerifyCommand,
                              ExtractCommand,
                              ViewCommand,
+                             DiffCommand,
                              GetCommand,
                              StatusCommand,
                              CancelCommand,

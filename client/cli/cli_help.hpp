@@ -207,6 +207,26 @@ The page is served on 127.0.0.1 alone. The printed address has a key that is goo
 program ends: with Ctrl-C, or 30 minutes after the last request. From another machine:
 ssh -L 8080:127.0.0.1:8080 HOST, with --port 8080.)";
 
+inline constexpr const char* diff_help =
+    R"(Compares the contacts of two runs.
+Examples:
+  cdctl diff old new
+  cdctl diff old new --out changes --fail-on new
+  cdctl diff j-5692 new -o json
+
+Scenarios are matched by their index if all poses are equal, else by the column id if both pose
+files have it, else by the numbers of their poses. A group is a part of A and a part of B in
+contact; its sums are over the scenarios that both runs tested:
+  new             in no scenario of OLD
+  grown, shrunk   in more or fewer scenarios, or in as many with more or fewer pairs
+  resolved        not in NEW, and all scenarios of OLD that had it were tested again
+  not comparable  not in NEW, but some scenario that had it was not tested again
+--out writes diff.csv (scenarios with another class, count, or, for equal meshes and queries,
+other pairs), diff_groups.csv, and diff_triangles.csv (bodies with an equal mesh).
+
+Exit codes: 0 done; 1 differences (only with --fail-on); 3 nothing to compare, or with --fail-on
+no difference, but some scenario of both has no class in one of them.)";
+
 inline constexpr const char* extract_help =
     R"(Writes scenarios of a run as a job of their own, or as pictures.
 Examples:

@@ -221,6 +221,17 @@ void add_fail_on(CLI::App& verb, FailOn& fail_on) {
         ->transform(CLI::CheckedTransformer(words).description(""));
 }
 
+void add_diff_fail_on(CLI::App& verb, DiffFailOn& fail_on) {
+    const auto add = option_adder(verb);
+    const std::map<std::string, DiffFailOn> words{{"any", DiffFailOn::Any},
+                                                  {"new", DiffFailOn::New}};
+    add("--fail-on",
+        fail_on,
+        "any|new",
+        "Exit with 1 on any difference in contacts, or only on new groups")
+        ->transform(CLI::CheckedTransformer(words).description(""));
+}
+
 void add_first_stage(CLI::App& verb, std::optional<PairStage>& first_stage) {
     const auto add = option_adder(verb);
     std::map<std::string, PairStage> words;

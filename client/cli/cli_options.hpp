@@ -39,6 +39,7 @@ void add_tree_cache(CLI::App& verb, std::string& folder);
 void add_output(CLI::App& verb, std::string& output, const std::vector<std::string>& words);
 void add_quiet(CLI::App& verb, bool& quiet);
 void add_fail_on(CLI::App& verb, FailOn& fail_on);
+void add_diff_fail_on(CLI::App& verb, DiffFailOn& fail_on);
 /// Adds `--formats` and `--exact-points`.
 void add_formats(CLI::App& verb, std::vector<std::string>& formats, bool& exact_points);
 /// Adds `--overwrite`, `--fresh` and `--no-inputs`.

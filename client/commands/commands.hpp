@@ -16,6 +16,7 @@ namespace cd {
 [[nodiscard]] Result<int> perform(const VerifyCommand& command);
 [[nodiscard]] Result<int> perform(const ExtractCommand& command);
 [[nodiscard]] Result<int> perform(const ViewCommand& command);
+[[nodiscard]] Result<int> perform(const DiffCommand& command);
 [[nodiscard]] Result<int> perform(const GetCommand& command);
 [[nodiscard]] Result<int> perform(const StatusCommand& command);
 [[nodiscard]] Result<int> perform(const CancelCommand& command);

@@ -1,0 +1,245 @@
+// The verb `diff`: compares two runs.
+#include "client/base/exit_code.hpp"
+#include "client/base/interrupt.hpp"
+#include "client/commands/commands.hpp"
+#include "client/commands/run_at_hand.hpp"
+#include "client/compare/diff_report.hpp"
+#include "client/compare/paired_results.hpp"
+#include "client/formats/csv_rows.hpp"
+#include "common/core/errors.hpp"
+#include "common/core/words.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <optional>
+#include <utility>
+
+namespace cd {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The runs that are compared.
+struct Compared {
+    RunAtHand& earlier;
+    RunAtHand& later;
+    InputChanges inputs;
+
+    [[nodiscard]] bool has_equal_mesh(std::size_t body) const {
+        return !inputs.bodies[body].is_changed;
+    }
+    /// True if both runs list pairs.
+    [[nodiscard]] bool lists_pairs() const {
+        return std::min(earlier.job.query.level, later.job.query.level) >= Level::Pairs;
+    }
+};
+
+GroupDiff::Meshes meshes_of(const RunAtHand& run) {
+    return {run.job.meshes.begin(), run.job.meshes.end()};
+}
+
+std::vector<std::string> body_names(const RunAtHand& run) {
+    std::vector<std::string> names;
+    for (const ManifestBody& body : run.run.manifest().bodies) {
+        names.push_back(body.name);
+    }
+    return names;
+}
+
+/// Checks that a result's bodies exist. Errors: BadInput.
+Status check_bodies(const ScenarioResult* result, std::size_t bodies) {
+    return result == nullptr || std::max(result->body_a, result->body_b) < bodies
+               ? Status(Done{})
+               : bad_input("the record of scenario " + std::to_string(result->index) +
+                           " names a body that the run does not have");
+}
+
+/// Opens diff.csv in the folder, or stdout for -o csv; nothing if neither is asked for.
+Result<std::optional<OutputFile>> csv_file(const DiffCommand& command) {
+    std::optional<OutputFile> file;
+    if (!command.out.empty()) {
+        CD_TRY(make_directories(command.out));
+        file.emplace(CD_TRY(OutputFile::create(fs::path(command.out) / "diff.csv")));
+    } else if (command.output == "csv") {
+        file.emplace(OutputFile::standard_output());
+    }
+    return file;
+}
+
+/// Writes diff_groups.csv: a row for each group that is not unchanged.
+Status write_groups(const DiffReport& report, const fs::path& dir) {
+    auto file = CD_TRY(RowFile::create(dir / "diff_groups.csv",
+                                       "state,body_a,part_a,body_b,part_b,scenarios_old,scenarios,"
+                                       "pairs_old,pairs,worst\n"));
+    for (const ChangedGroup& group : report.groups) {
+        if (group.state == GroupState::Unchanged) {
+            continue;
+        }
+        CD_TRY(file.add(to_text(group.state),
+                        ",",
+                        csv_field(report.bodies[group.body_a]),
+                        ",",
+                        csv_field(group.part_a),
+                        ",",
+                        csv_field(report.bodies[group.body_b]),
+                        ",",
+                        csv_field(group.part_b),
+                        ",",
+                        group.earlier.scenarios,
+                        ",",
+                        group.later.scenarios,
+                        ",",
+                        group.earlier.pairs,
+                        ",",
+                        group.later.pairs,
+                        ",",
+                        group.worst,
+                        "\n"));
+    }
+    return file.commit();
+}
+
+/// Writes diff_triangles.csv: a row for each triangle, of a body with an equal mesh, that is in
+/// contact in another number of scenarios.
+Status write_triangles(const Compared& runs, TriangleDiff& triangles, const fs::path& dir) {
+    auto file = CD_TRY(
+        RowFile::create(dir / "diff_triangles.csv", "body,triangle,scenarios_old,scenarios\n"));
+    const auto names = body_names(runs.later);
+    for (std::size_t body = 0; body < names.size(); ++body) {
+        if (!runs.has_equal_mesh(body)) {
+            continue;
+        }
+        for (const TriangleChange& change : triangles.changes(body)) {
+            CD_TRY(file.add(csv_field(names[body]),
+                            ",",
+                            change.triangle,
+                            ",",
+                            change.earlier,
+                            ",",
+                            change.later,
+                            "\n"));
+        }
+    }
+    return file.commit();
+}
+
+/// What is compared of each scenario.
+struct Differences {
+    ScenarioDiff scenarios;
+    GroupDiff groups;
+    TriangleDiff triangles;
+};
+
+Status compare(Compared& runs, const ScenarioMatch& match, Differences& found) {
+    const std::size_t bodies = runs.later.job.meshes.size();
+    const bool lists_pairs = runs.lists_pairs();
+    return for_each_pair({runs.earlier.run.records(), runs.earlier.job.poses->count()},
+                         {runs.later.run.records(), runs.later.job.poses->count()},
+                         match,
+                         &InterruptGuard::has_come,
+                         [&](const PairedResult& pair) -> Status {
+                             CD_TRY(check_bodies(pair.was, bodies));
+                             CD_TRY(check_bodies(pair.is, bodies));
+                             if (lists_pairs) {
+                                 found.groups.add(pair);
+                                 found.triangles.add(pair);
+                             }
+                             return found.scenarios.add(pair);
+                         });
+}
+
+DiffReport report_of(const Compared& runs, MatchedBy matched_by, Differences& found) {
+    DiffReport report;
+    report.inputs = runs.inputs;
+    report.matched_by = matched_by;
+    report.scenarios = found.scenarios.counts();
+    report.bodies = body_names(runs.later);
+    report.has_groups = runs.lists_pairs();
+    if (!report.has_groups) {
+        return report;
+    }
+    report.lists_are_cut =
+        runs.earlier.job.query.limit_pairs != 0 || runs.later.job.query.limit_pairs != 0;
+    report.groups = found.groups.groups();
+    report.has_lasting_names = found.groups.has_lasting_names();
+    report.left_out = found.groups.left_out();
+    for (std::size_t body = 0; body < report.bodies.size(); ++body) {
+        if (runs.has_equal_mesh(body)) {
+            report.triangles.push_back({report.bodies[body], found.triangles.counts(body)});
+        }
+    }
+    return report;
+}
+
+Result<ScenarioMatch> match(const Compared& runs) {
+    return match_runs({*runs.earlier.job.poses, runs.earlier.job.labels},
+                      {*runs.later.job.poses, runs.later.job.labels},
+                      runs.inputs.are_poses_equal,
+                      &InterruptGuard::has_come);
+}
+
+Status print(const DiffCommand& command, const DiffReport& report) {
+    const std::string text = command.output == "json" ? diff_json(report) : diff_text(report);
+    if (command.output == "csv") { // Stdout has the rows.
+        std::fputs(text.c_str(), stderr);
+        return Done{};
+    }
+    OutputFile out = OutputFile::standard_output();
+    CD_TRY(out.write(text));
+    return out.commit();
+}
+
+int exit_code_of(const DiffReport& report, DiffFailOn fail_on) {
+    const ScenarioCounts& counts = report.scenarios;
+    if (counts.comparable == 0) {
+        std::fputs("cdctl: nothing to compare: no scenario has a class in both runs\n", stderr);
+        return exit_incomplete;
+    }
+    if (fail_on == DiffFailOn::Never) {
+        return exit_done;
+    }
+    const bool fails =
+        fail_on == DiffFailOn::Any ? report.has_changes() : report.count(GroupState::New) != 0;
+    // What was not tested leaves the question open.
+    return fails                                 ? exit_contacts
+           : counts.comparable == counts.in_both ? exit_done
+                                                 : exit_incomplete;
+}
+
+} // namespace
+
+Result<int> perform(const DiffCommand& command) {
+    const InterruptGuard interrupts(InterruptGuard::First::EndsProcess);
+    ThreadPool pool(command.threads);
+    const auto open = [&](const std::string& run) {
+        return open_run_at_hand(run, command.master, command.tree_cache, Trees::ForPosesOnly, pool);
+    };
+    auto earlier = CD_TRY(open(command.earlier));
+    auto later = CD_TRY(open(command.later));
+    Compared runs{earlier, later, changes_between(earlier.run.manifest(), later.run.manifest())};
+    if (command.fail_on == DiffFailOn::New && !runs.lists_pairs()) {
+        return bad_input("--fail-on new is about groups, which need runs at level pairs or "
+                         "contacts");
+    }
+    InterruptGuard::begin_to_flag(); // From here on, a signal must not leave partial files.
+    const auto matched = CD_TRY(match(runs));
+    auto csv = CD_TRY(csv_file(command));
+    const bool compares_pairs =
+        runs.inputs.query.empty() && runs.has_equal_mesh(0) && runs.has_equal_mesh(1);
+    Differences found{ScenarioDiff(std::move(csv), {compares_pairs, body_names(later)}),
+                      GroupDiff(meshes_of(earlier), meshes_of(later)),
+                      {}};
+    CD_TRY(compare(runs, matched, found));
+    const DiffReport report = report_of(runs, matched.by(), found);
+    CD_TRY(found.scenarios.finish());
+    if (!command.out.empty()) {
+        CD_TRY(write_groups(report, command.out));
+        CD_TRY(write_triangles(runs, found.triangles, command.out));
+    }
+    CD_TRY(print(command, report));
+    return exit_code_of(report, command.fail_on);
+}
+
+} // namespace cd

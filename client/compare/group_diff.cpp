@@ -1,0 +1,132 @@
+#include "client/compare/group_diff.hpp"
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <tuple>
+#include <utility>
+
+namespace cd {
+
+namespace {
+
+/// A group's sums in the scenarios that both runs tested, and in the others.
+struct Sums {
+    GroupCounts tested;
+    GroupCounts rest;
+    std::uint64_t worst = 0;
+    std::uint64_t worst_pairs = 0;
+
+    [[nodiscard]] bool exist() const { return tested.scenarios + rest.scenarios != 0; }
+    [[nodiscard]] GroupCounts all() const {
+        return {tested.scenarios + rest.scenarios, tested.pairs + rest.pairs};
+    }
+};
+
+struct BothSums {
+    Sums earlier;
+    Sums later;
+};
+
+/// The bodies and the names of the parts.
+using GroupKey = std::tuple<std::uint32_t, std::uint32_t, std::string, std::string>;
+using GroupTable = std::map<GroupKey, BothSums>;
+
+void collect(const GroupSum& sum,
+             Sums BothSums::*run,
+             GroupCounts Sums::*counts,
+             GroupTable& table) {
+    for (const Group& group : sum.groups()) {
+        Sums& sums = table[{group.body_a, group.body_b, group.part_a, group.part_b}].*run;
+        sums.*counts = {group.scenarios, group.pairs};
+        if (group.worst_pairs > sums.worst_pairs) {
+            sums.worst = group.worst;
+            sums.worst_pairs = group.worst_pairs;
+        }
+    }
+}
+
+GroupState state_of(const BothSums& sums) {
+    const GroupCounts& was = sums.earlier.tested;
+    const GroupCounts& is = sums.later.tested;
+    if (!sums.earlier.exist()) {
+        return GroupState::New;
+    }
+    if (!sums.later.exist()) {
+        return sums.earlier.rest.scenarios == 0 ? GroupState::Resolved : GroupState::NotComparable;
+    }
+    if (was.scenarios + is.scenarios == 0) {
+        return GroupState::NotComparable;
+    }
+    return is > was ? GroupState::Grown : is < was ? GroupState::Shrunk : GroupState::Unchanged;
+}
+
+ChangedGroup changed_group(const GroupKey& key, const BothSums& sums) {
+    ChangedGroup group;
+    std::tie(group.body_a, group.body_b, group.part_a, group.part_b) = key;
+    group.state = state_of(sums);
+    const bool over_all =
+        group.state == GroupState::New || group.state == GroupState::NotComparable;
+    group.earlier = over_all ? sums.earlier.all() : sums.earlier.tested;
+    group.later = over_all ? sums.later.all() : sums.later.tested;
+    group.worst = sums.later.exist() ? sums.later.worst : sums.earlier.worst;
+    return group;
+}
+
+} // namespace
+
+std::string_view to_text(GroupState state) {
+    constexpr std::array<std::string_view, group_states> names{
+        "new", "grown", "shrunk", "resolved", "not comparable", "unchanged"};
+    return names[static_cast<std::size_t>(state)];
+}
+
+GroupDiff::GroupDiff(const Meshes& earlier, const Meshes& later)
+    : bodies_(later.size()),
+      earlier_{GroupSum(earlier), GroupSum(earlier)},
+      later_{GroupSum(later), GroupSum(later)} {}
+
+void GroupDiff::add(const PairedResult& pair) {
+    if (pair.was != nullptr) {
+        (pair.is_comparable() ? earlier_.tested : earlier_.rest).add(*pair.was);
+    }
+    if (pair.is != nullptr) {
+        (pair.is_comparable() ? later_.tested : later_.rest).add(*pair.is);
+    }
+}
+
+std::vector<ChangedGroup> GroupDiff::groups() const {
+    GroupTable table;
+    collect(earlier_.tested, &BothSums::earlier, &Sums::tested, table);
+    collect(earlier_.rest, &BothSums::earlier, &Sums::rest, table);
+    collect(later_.tested, &BothSums::later, &Sums::tested, table);
+    collect(later_.rest, &BothSums::later, &Sums::rest, table);
+    std::vector<ChangedGroup> groups;
+    for (const auto& [key, sums] : table) {
+        groups.push_back(changed_group(key, sums));
+    }
+    std::ranges::stable_sort(groups, [](const ChangedGroup& left, const ChangedGroup& right) {
+        const auto size = [](const ChangedGroup& group) {
+            return std::max(group.earlier, group.later);
+        };
+        return std::pair(left.state, size(right)) < std::pair(right.state, size(left));
+    });
+    return groups;
+}
+
+bool GroupDiff::has_lasting_names() {
+    bool last = true;
+    for (Run* run : {&earlier_, &later_}) {
+        for (std::size_t body = 0; body < bodies_; ++body) {
+            last = last && run->tested.parts(body).has_lasting_names();
+        }
+    }
+    return last;
+}
+
+std::uint64_t GroupDiff::left_out() const {
+    return earlier_.tested.left_out() + earlier_.rest.left_out() + later_.tested.left_out() +
+           later_.rest.left_out();
+}
+
+} // namespace cd

@@ -1,0 +1,86 @@
+// Which groups of contacts are new, resolved, grown or shrunk in a later run.
+#pragma once
+
+#include "client/compare/paired_results.hpp"
+#include "client/groups/group_sum.hpp"
+#include "common/geometry/mesh.hpp"
+
+#include <compare>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace cd {
+
+/// How a group, a pair of parts by their names, differs between two runs. Sums are over the
+/// scenarios that both runs tested.
+enum class GroupState : std::uint8_t {
+    New,           ///< In contact in no scenario of the earlier run.
+    Grown,         ///< In more scenarios, or in as many with more pairs.
+    Shrunk,        ///< In fewer scenarios, or in as many with fewer pairs.
+    Resolved,      ///< In none, and all scenarios of the earlier run that had it were tested again.
+    NotComparable, ///< Not in the later run, or in neither sum; some scenario was not tested again.
+    Unchanged,     ///< Equal scenarios and pairs.
+};
+
+inline constexpr std::size_t group_states = 6;
+[[nodiscard]] std::string_view to_text(GroupState state);
+
+/// Sums of a group in one run.
+struct GroupCounts {
+    std::uint64_t scenarios = 0;
+    std::uint64_t pairs = 0;
+
+    friend auto operator<=>(const GroupCounts&, const GroupCounts&) = default;
+};
+
+struct ChangedGroup {
+    GroupState state = GroupState::Unchanged;
+    std::uint32_t body_a = 0; ///< Index of body A in the job's list of bodies.
+    std::uint32_t body_b = 1;
+    std::string part_a;
+    std::string part_b;
+    GroupCounts earlier; ///< For New and NotComparable over all scenarios, not only common ones.
+    GroupCounts later;
+    std::uint64_t worst = 0; ///< A scenario of most pairs: of the later run, or of the earlier one
+                             ///< if the group is not in the later one.
+
+    friend bool operator==(const ChangedGroup&, const ChangedGroup&) = default;
+};
+
+/// Sums the groups of two runs. Memory: four `GroupSum`.
+class GroupDiff {
+  public:
+    using Meshes = std::vector<std::shared_ptr<const Mesh>>;
+
+    /// The meshes of each run's bodies, by the index that results give the body.
+    GroupDiff(const Meshes& earlier, const Meshes& later);
+
+    /// Adds a scenario. The bodies of its results must have meshes.
+    void add(const PairedResult& pair);
+
+    /// Returns all groups, by state in the order of `GroupState`, then those in most scenarios
+    /// first.
+    [[nodiscard]] std::vector<ChangedGroup> groups() const;
+    /// False if a part is a connected piece of a mesh without parts, and its number may change with
+    /// the mesh.
+    [[nodiscard]] bool has_lasting_names();
+    /// Number of pairs of triangles in no group, since there are too many groups.
+    [[nodiscard]] std::uint64_t left_out() const;
+
+  private:
+    /// The groups of one run.
+    struct Run {
+        GroupSum tested; ///< Over the scenarios that both runs tested.
+        GroupSum rest;   ///< Over the other scenarios of the run.
+    };
+
+    std::size_t bodies_;
+    Run earlier_;
+    Run later_;
+};
+
+} // namespace cd

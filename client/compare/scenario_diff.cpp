@@ -1,0 +1,117 @@
+#include "client/compare/scenario_diff.hpp"
+
+#include "client/formats/csv_rows.hpp"
+#include "common/core/errors.hpp"
+#include "common/core/words.hpp"
+
+namespace cd {
+
+namespace {
+
+constexpr std::size_t no_result = outcome_kinds - 1;
+constexpr std::string_view header =
+    "scenario,scenario_old,body_a,body_b,class_old,class,count_old,count,change\n";
+
+std::size_t outcome_of(const ScenarioResult* result) {
+    return result == nullptr ? no_result : static_cast<std::size_t>(result->kind);
+}
+
+/// True if a class is one that level any reports as contact.
+bool is_contact(ScenarioClass kind) {
+    return kind == ScenarioClass::Touch || kind == ScenarioClass::Cross ||
+           kind == ScenarioClass::Contact;
+}
+
+bool is_of_level_any(const ScenarioResult& was, const ScenarioResult& is) {
+    return was.level == Level::Any || is.level == Level::Any;
+}
+
+bool has_same_class(const ScenarioResult& was, const ScenarioResult& is) {
+    return was.kind == is.kind ||
+           (is_of_level_any(was, is) && is_contact(was.kind) && is_contact(is.kind));
+}
+
+void add_count(TextBuffer& row, const ScenarioResult* result) {
+    if (result != nullptr && result->level != Level::Any) {
+        row.add(result->pair_count);
+    }
+}
+
+} // namespace
+
+std::string_view outcome_name(std::size_t outcome) {
+    return outcome == no_result ? "none" : to_text(static_cast<ScenarioClass>(outcome));
+}
+
+ScenarioDiff::ScenarioDiff(std::optional<OutputFile> csv, ScenarioDiffOptions options)
+    : csv_(std::move(csv)), options_(std::move(options)) {
+    for (std::string& body : options_.bodies) {
+        body = csv_field(body);
+    }
+}
+
+/// Returns what differs between the results of a scenario in both runs; empty if nothing does.
+std::string_view ScenarioDiff::change_of(const PairedResult& pair) const {
+    if (pair.was == nullptr || pair.is == nullptr) {
+        return pair.was == pair.is ? "" : "class";
+    }
+    const ScenarioResult& was = *pair.was;
+    const ScenarioResult& is = *pair.is;
+    if (!has_same_class(was, is)) {
+        return "class";
+    }
+    if (!is_of_level_any(was, is) && was.pair_count != is.pair_count) {
+        return "count";
+    }
+    return options_.compares_pairs && was.pairs != is.pairs ? "pairs" : "";
+}
+
+Status ScenarioDiff::add(const PairedResult& pair) {
+    if (!pair.is_in_both()) {
+        ++(pair.earlier ? counts_.only_earlier : counts_.only_later);
+        return Done{};
+    }
+    ++counts_.in_both;
+    counts_.comparable += pair.is_comparable() ? 1 : 0;
+    ++counts_.outcomes[outcome_of(pair.was)][outcome_of(pair.is)];
+    const std::string_view change = change_of(pair);
+    if (change.empty()) {
+        return Done{};
+    }
+    ++counts_.changed;
+    return csv_ ? write(pair, change) : Status(Done{});
+}
+
+Status ScenarioDiff::write(const PairedResult& pair, std::string_view change) {
+    const ScenarioResult& some = pair.is != nullptr ? *pair.is : *pair.was;
+    TextBuffer row;
+    row.add(has_header_ ? "" : header,
+            *pair.later,
+            ",",
+            *pair.earlier,
+            ",",
+            std::string_view(options_.bodies[some.body_a]),
+            ",",
+            std::string_view(options_.bodies[some.body_b]),
+            ",",
+            outcome_name(outcome_of(pair.was)),
+            ",",
+            outcome_name(outcome_of(pair.is)),
+            ",");
+    has_header_ = true;
+    add_count(row, pair.was);
+    row.add(",");
+    add_count(row, pair.is);
+    row.add(",", change, "\n");
+    return csv_->write(row.text());
+}
+
+Status ScenarioDiff::finish() {
+    if (!csv_) {
+        return Done{};
+    }
+    CD_TRY(csv_->write(has_header_ ? "" : header));
+    return csv_->commit();
+}
+
+} // namespace cd
