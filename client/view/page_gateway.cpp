@@ -4,7 +4,7 @@
 #include "common/core/files/hash.hpp"
 #include "common/core/limits/web.hpp"
 #include "common/core/timing/web.hpp"
-#include "proto/channel/http.hpp"
+#include "proto/channel/http/http.hpp"
 #include "proto/channel/listener.hpp"
 #include "proto/channel/stream.hpp"
 #include "web/server/page_server.hpp"

@@ -6,7 +6,7 @@
 #include "proto/access/refusals.hpp"
 #include "proto/channel/asio.hpp"
 #include "proto/channel/channel.hpp"
-#include "proto/channel/http.hpp"
+#include "proto/channel/http/http.hpp"
 #include "proto/channel/listener.hpp"
 #include "proto/channel/seats.hpp"
 

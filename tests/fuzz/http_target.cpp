@@ -1,4 +1,4 @@
-#include "proto/channel/http.hpp"
+#include "proto/channel/http/http.hpp"
 #include "tests/fuzz/require.hpp"
 #include "tests/fuzz/targets.hpp"
 

@@ -3,7 +3,7 @@
 
 #include "common/core/result.hpp"
 #include "proto/channel/asio.hpp"
-#include "proto/channel/http.hpp"
+#include "proto/channel/http/http.hpp"
 #include "web/server/page_source.hpp"
 
 #include <functional>

@@ -3,7 +3,7 @@
 
 #include "common/core/result.hpp"
 #include "common/job/result/contact_map.hpp"
-#include "proto/channel/http_body.hpp"
+#include "proto/channel/http/http_body.hpp"
 #include "web/server/page_request.hpp"
 #include "web/server/page_values.hpp"
 

@@ -3,7 +3,7 @@
 #include "proto/channel/deadline.hpp"
 
 #include "proto/channel/channel.hpp"
-#include "proto/channel/http.hpp"
+#include "proto/channel/http/http.hpp"
 #include "tests/proto/loopback.hpp"
 
 #include <gtest/gtest.h>

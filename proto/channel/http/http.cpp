@@ -1,4 +1,4 @@
-#include "proto/channel/http.hpp"
+#include "proto/channel/http/http.hpp"
 
 #include "common/core/host/log.hpp"
 #include "common/core/limits/web.hpp"

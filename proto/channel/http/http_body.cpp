@@ -1,4 +1,4 @@
-#include "proto/channel/http_body.hpp"
+#include "proto/channel/http/http_body.hpp"
 
 #include <utility>
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "common/core/timing/wire.hpp"
-#include "proto/channel/http_body.hpp"
+#include "proto/channel/http/http_body.hpp"
 #include "proto/channel/stream.hpp"
 
 #include <chrono>
