@@ -50,7 +50,7 @@ A job.toml has the keys name, unit, and the tables
              parts of b; or "a/wheel_*", with the body's name; \ before / * ? [ in names;
              maps = true: from level count on, map.csv and map.npz say in how many scenarios each
              triangle was in contact
-  [output]   dir = "out", formats = ["csv", "csv-pairs", "npz", "json", "text"]
+  [output]   dir = "out", formats = ["csv", "csv-pairs", "npz", "json", "text", "vtp", "glb"]
   [cluster]  strategy = "earliest-finish", depth = "auto" | { a = 12, b = 6 }, v_kb = 4096
              strategy: as --strategy; with the paper's also q = 20 and claim = true
              analysis = "auto": the master finds which parts collide (always), or leaves it
@@ -113,6 +113,7 @@ inline constexpr const char* results_help =
     R"(Exports the results of a folder in more formats, or fetches those of a job on a master.
 Examples:
   cdctl results out --formats npz,csv-pairs           more formats; runs nothing
+  cdctl results out --formats vtp,glb                 heat maps for ParaView and Blender
   cdctl results out -o csv > scenarios.csv
   cdctl results j-5692 --out out --formats csv,npz
 
@@ -124,7 +125,11 @@ pairs: 1 touch, 2 coplanar, 3 proper.
   insides_skipped triangles are ignored, so that nothing is said of the rest's insides
   distance_bound  undecided scenarios: the bodies are at most this far apart
 npz: the pairs of scenario i are pairs[offsets[i]:offsets[i+1]], the points of pair j
-points_world[point_offsets[j]:point_offsets[j+1]], in the job's unit. docs/formats.md has all.)";
+points_world[point_offsets[j]:point_offsets[j+1]], in the job's unit.
+vtp: a.vtp and b.vtp (by the bodies' names) have in how many scenarios each triangle was in
+contact; at level contacts contacts.vtp has the shared points. glb: a.glb and b.glb, whose
+materials name the numbers of scenarios that their colour stands for. Both need a contact map:
+level pairs or contacts, or count with maps. docs/formats.md and docs/exports.md have all.)";
 
 inline constexpr const char* cancel_help =
     R"(Ends a job early, or one of its scenarios, which fails then.

@@ -174,8 +174,9 @@ void add_formats(CLI::App& verb, std::vector<std::string>& formats, bool& exact_
     add("--formats",
         formats,
         "LIST",
-        "csv, csv-pairs, npz, json, text (default csv,npz); csv has one row per scenario, "
-        "csv-pairs one per pair")
+        "csv, csv-pairs, npz, json, text, vtp, glb (default csv,npz); csv has one row per "
+        "scenario, csv-pairs one per pair; vtp (ParaView) and glb "
+        "(Blender) have heat maps")
         ->delimiter(',')
         ->group(results_group);
     verb.add_flag("--exact-points",

@@ -38,6 +38,10 @@ Result<int> results_of_job(const ResultsCommand& command) {
     output.dir = command.out;
     output.exact_points = command.exact_points;
     output.formats = command.formats.empty() ? output.formats : command.formats;
+    if (!command.out.empty()) {
+        const Query& query = job.prepared().query;
+        CD_TRY(check_map_formats(output.formats, query.level, query.maps));
+    }
     const bool prints = command.out.empty() && command.output == "text";
     const auto report =
         CD_TRY(command.out.empty()

@@ -14,11 +14,8 @@ namespace {
 
 Status
 write_csv(const ContactMap& map, const std::filesystem::path& path, const ExportContext& context) {
-    const std::string scenarios =
-        context.map_pairs == 0
-            ? "scenarios"
-            : "scenarios_of_first_" + std::to_string(context.map_pairs) + "_pairs";
-    auto file = CD_TRY(RowFile::create(path, "body,triangle," + scenarios + ",part\n"));
+    auto file =
+        CD_TRY(RowFile::create(path, "body,triangle," + map_column_name(context) + ",part\n"));
     for (std::size_t i = 0; i < map.bodies.size(); ++i) {
         PartFields parts(context.bodies[i].mesh);
         const std::string name = csv_field(context.bodies[i].name);
@@ -55,6 +52,12 @@ write_npz(const ContactMap& map, const std::filesystem::path& path, const Export
 }
 
 } // namespace
+
+std::string map_column_name(const ExportContext& context) {
+    return context.map_pairs == 0
+               ? "scenarios"
+               : "scenarios_of_first_" + std::to_string(context.map_pairs) + "_pairs";
+}
 
 Status write_map_files(const ContactMap& map,
                        const std::filesystem::path& dir,

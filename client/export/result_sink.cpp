@@ -36,6 +36,9 @@ Result<std::unique_ptr<ResultWriter>> make_writer(const std::string& format,
     if (format == "npz") {
         return make_npz_writer(context, dir);
     }
+    if (format == "vtp") {
+        return make_vtp_writer(context, dir);
+    }
     CD_TRY(check_format(format));
     auto file = CD_TRY(OutputFile::create(dir / file_of(format)));
     return make_row_writer(format, context, std::move(file));
@@ -59,8 +62,11 @@ Result<ResultSink> ResultSink::open(SinkOptions options, const ExportContext& co
     const SinkOptions& to = sink.options_;
     if (!to.dir.empty()) {
         CD_TRY(make_directories(to.dir));
+        CD_TRY(check_map_formats(to.formats, context.level, context.maps));
         for (const std::string& format : to.formats) {
-            sink.writers_.push_back(CD_TRY(make_writer(format, context, to.dir)));
+            if (format != "glb") { // Its files are made of the map alone.
+                sink.writers_.push_back(CD_TRY(make_writer(format, context, to.dir)));
+            }
         }
     }
     if (sink.uses_stdout()) {
@@ -80,6 +86,7 @@ Status ResultSink::add(const ScenarioResult& result, std::span<const ContactPair
                          std::to_string(body) + ", and the job has " + std::to_string(bodies));
     }
     groups_.add(result);
+    tested_ += result.kind == ScenarioClass::Failed ? 0 : 1;
     waiting_.add(found.empty() ? std::span<const ContactPair>(result.pairs) : found);
     if (waiting_.bytes() >= waiting_bytes_max) {
         map_.add(waiting_.take());
@@ -95,13 +102,27 @@ ContactMap ResultSink::map() {
     return map_.map();
 }
 
+bool ResultSink::has_format(std::string_view format) const {
+    return std::ranges::find(options_.formats, format) != options_.formats.end();
+}
+
+Status ResultSink::write_map(const ContactMap& map) const {
+    CD_TRY(write_map_files(map, options_.dir, options_.formats, context_));
+    if (has_format("vtp")) {
+        CD_TRY(write_vtp_bodies(map, tested_, options_.dir, context_));
+    }
+    return has_format("glb") ? write_glb_bodies(map, tested_, options_.dir, context_)
+                             : Status(Done{});
+}
+
 Status ResultSink::finish(const std::optional<ContactMap>& map) {
     for (const auto& writer : writers_) {
         CD_TRY(writer->finish());
     }
-    return map && !options_.dir.empty()
-               ? write_map_files(*map, options_.dir, options_.formats, context_)
-               : Status(Done{});
+    if (options_.dir.empty()) {
+        return Done{};
+    }
+    return map ? write_map(*map) : Status(Done{});
 }
 
 Status print_summary(const RunReport& report, bool stdout_is_used, bool quiet, bool statistics) {

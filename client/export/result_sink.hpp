@@ -7,11 +7,13 @@
 #include "common/core/result.hpp"
 #include "common/job/result/contact_map.hpp"
 
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace cd {
@@ -26,15 +28,15 @@ struct SinkOptions {
 class ResultSink {
   public:
     /// Opens the outputs, and creates the folder if missing. The context's bodies must have meshes.
-    /// Errors: Io; BadInput for an unknown format.
+    /// Errors: Io; BadInput for an unknown format, or one that the job has no map for.
     [[nodiscard]] static Result<ResultSink> open(SinkOptions options, const ExportContext& context);
 
     /// Adds the next result in submitted order. For a job with maps, `found` has all pairs of the
     /// scenario; if it is empty, the map counts the pairs that the result lists. Errors: Io;
     /// Interrupted; BadInput for a body that the job does not have.
     [[nodiscard]] Status add(const ScenarioResult& result, std::span<const ContactPair> found = {});
-    /// Completes all files, and writes the files of `map` if it is set. If `finish` is not called,
-    /// no file is left in the folder.
+    /// Completes all files, and writes those of `map` if it is set: its own, and the bodies as vtp
+    /// and glb. If `finish` is not called, no file is left in the folder.
     [[nodiscard]] Status finish(const std::optional<ContactMap>& map);
 
     /// Returns the contact map of all results added; below `level pairs` empty without `found`.
@@ -46,11 +48,15 @@ class ResultSink {
   private:
     ResultSink(SinkOptions options, const ExportContext& context);
 
+    [[nodiscard]] bool has_format(std::string_view format) const;
+    [[nodiscard]] Status write_map(const ContactMap& map) const;
+
     SinkOptions options_;
     ExportContext context_;
     std::vector<std::unique_ptr<ResultWriter>> writers_;
     GroupSum groups_;
-    ContactMapSum waiting_; ///< Sum over the latest results, not yet in `map_`.
+    std::uint64_t tested_ = 0; ///< Results added that are not failures.
+    ContactMapSum waiting_;    ///< Sum over the latest results, not yet in `map_`.
     ContactMapTotal map_;
 };
 

@@ -7,6 +7,7 @@
 #include "common/core/result.hpp"
 #include "common/geometry/mesh.hpp"
 #include "common/job/query.hpp"
+#include "common/job/result/contact_map.hpp"
 #include "common/job/result/result.hpp"
 
 #include <cstdint>
@@ -36,10 +37,11 @@ struct ExportContext {
     std::optional<double> tolerance; ///< In the job's unit; nothing if unknown.
     /// The contact map counts only the first `map_pairs` pairs of each scenario; 0: all pairs.
     std::uint64_t map_pairs = 0;
+    bool maps = false;         ///< The job has a contact map also at `level count`.
     bool exact_points = false; ///< NPZ: also points at full precision, relative to origins.
     StopCheck stop;            ///< Once it returns true, writing fails with Interrupted.
 
-    /// Sets level, tolerance and `map_pairs` from the query.
+    /// Sets level, tolerance, `map_pairs` and `maps` from the query.
     void describe(const Query& query);
 };
 
@@ -73,6 +75,32 @@ make_pairs_csv_writer(const ExportContext& context, const std::filesystem::path&
 /// Writes results.npz; docs/formats.md describes its arrays.
 [[nodiscard]] std::unique_ptr<ResultWriter> make_npz_writer(const ExportContext& context,
                                                             const std::filesystem::path& dir);
+
+/// Writes contacts.vtp at `level contacts`, with a point for each shared point; else no file.
+/// docs/exports.md describes its arrays. Errors: Io naming the file.
+[[nodiscard]] Result<std::unique_ptr<ResultWriter>>
+make_vtp_writer(const ExportContext& context, const std::filesystem::path& dir);
+
+/// Writes NAME.vtp for each body: its mesh with the contact map. `tested` is the number of
+/// scenarios of which the map's numbers are shares. Errors: Io naming the file; Interrupted.
+[[nodiscard]] Status write_vtp_bodies(const ContactMap& map,
+                                      std::uint64_t tested,
+                                      const std::filesystem::path& dir,
+                                      const ExportContext& context);
+/// Writes NAME.glb for each body: its mesh, coloured by the contact map. Parameters and errors as
+/// `write_vtp_bodies`; BadInput for a mesh that a GLB file cannot hold.
+[[nodiscard]] Status write_glb_bodies(const ContactMap& map,
+                                      std::uint64_t tested,
+                                      const std::filesystem::path& dir,
+                                      const ExportContext& context);
+
+/// Returns the name of a body's files, without an ending: the body's name, with `_` for what is
+/// special in paths or XML, distinct for each body and from "contacts".
+[[nodiscard]] std::string body_file_name(const std::vector<ExportBody>& bodies, std::size_t body);
+
+/// Returns the name of the contact map's numbers in files: "scenarios", or
+/// "scenarios_of_first_N_pairs" if the map counts only the first N pairs of each scenario.
+[[nodiscard]] std::string map_column_name(const ExportContext& context);
 
 /// Writes a job's contact map. Format csv gives map.csv with a row per triangle: the body's name,
 /// triangle, scenarios, part. Format npz gives map.npz with an array (K,2) named after each body:

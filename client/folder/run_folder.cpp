@@ -18,13 +18,14 @@ namespace fs = std::filesystem;
 
 constexpr const char* manifest_name = "run.json";
 /// Names of files that a run may write, besides run.json and inputs/meshes.
-constexpr std::array<const char*, 13> result_names{"summary.json",
+constexpr std::array<const char*, 14> result_names{"summary.json",
                                                    "scenarios.csv",
                                                    "pairs.csv",
                                                    "points.csv",
                                                    "results.npz",
                                                    "results.jsonl",
                                                    "results.txt",
+                                                   "contacts.vtp",
                                                    "map.csv",
                                                    "map.npz",
                                                    "records",

@@ -17,7 +17,8 @@ namespace cd {
 
 namespace {
 
-constexpr std::array<std::string_view, 5> format_names{"text", "json", "csv", "csv-pairs", "npz"};
+constexpr std::array<std::string_view, 7> format_names{
+    "text", "json", "csv", "csv-pairs", "npz", "vtp", "glb"};
 constexpr std::string_view depth_auto = "auto";
 constexpr std::array<std::string_view, 2> up_axes{"y", "z"};
 constexpr std::array<std::string_view, 2> quat_orders{"xyzw", "wxyz"};
@@ -366,8 +367,23 @@ Status check_format(std::string_view format) {
     if (std::find(format_names.begin(), format_names.end(), format) != format_names.end()) {
         return Done{};
     }
-    return bad_input("format \"" + std::string(format) +
-                     "\" is not known; this version has text, json, csv, csv-pairs and npz");
+    return bad_input(
+        "format \"" + std::string(format) +
+        "\" is not known; this version has text, json, csv, csv-pairs, npz, vtp and glb");
+}
+
+Status check_map_formats(std::span<const std::string> formats, Level level, bool maps) {
+    const bool has_map = maps || level >= Level::Pairs;
+    for (const std::string& format : formats) {
+        if (!has_map && (format == "vtp" || format == "glb")) {
+            return bad_input("format " + format +
+                             " shows in how many scenarios each triangle is in contact: from level "
+                             "pairs on, or at level count with maps = true (--maps); run the job "
+                             "so, or leave out " +
+                             format);
+        }
+    }
+    return Done{};
 }
 
 Result<JobSpec> parse_job(std::string_view text, const std::filesystem::path& path) {

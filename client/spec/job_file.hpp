@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -108,5 +109,9 @@ void keep_each_once(std::vector<std::string>& formats);
 
 /// Refuses an unknown format. Errors: BadInput naming the known formats.
 [[nodiscard]] Status check_format(std::string_view format);
+
+/// Refuses the formats vtp and glb for a job without a contact map. Errors: BadInput.
+[[nodiscard]] Status
+check_map_formats(std::span<const std::string> formats, Level level, bool maps);
 
 } // namespace cd

@@ -151,6 +151,9 @@ Status apply(const JobOptions& options, JobSpec& spec) {
     }
     CD_TRY(apply(options.query, spec));
     CD_TRY(apply(options.output, spec.output));
+    if (!spec.output.dir.empty()) {
+        CD_TRY(check_map_formats(spec.output.formats, spec.level, spec.maps));
+    }
     return apply(options.cluster, spec);
 }
 

@@ -376,9 +376,15 @@ double bytes_below(const fs::path& folder) {
 TEST_F(Run, ADryRunTellsWhatTheRunTakesWithinAFactorOfTwo) {
     write_obj((dir_ / "a.obj").string(), make_torus(1.5, 0.5, 60, 30));
     write("poses.csv", poses_all_around(3000));
-    command_.job.output.formats = {"csv", "npz"};
-    for (const char* level : {"count", "pairs", "contacts"}) {
+    const std::vector<std::string> tables{"csv", "npz"};
+    const std::vector<std::string> surfaces{"vtp", "glb"};
+    for (const auto& [level, formats] : {std::pair("count", tables),
+                                         std::pair("pairs", tables),
+                                         std::pair("contacts", tables),
+                                         std::pair("pairs", surfaces),
+                                         std::pair("contacts", surfaces)}) {
         command_.job.query.level = level;
+        command_.job.output.formats = formats;
         command_.dry_run = true;
         command_.output = "json";
         ASSERT_EQ(run(), exit_done) << stderr_;
@@ -393,8 +399,8 @@ TEST_F(Run, ADryRunTellsWhatTheRunTakesWithinAFactorOfTwo) {
         ASSERT_EQ(run(), exit_done) << stderr_;
         const auto ran = summary()["statistics"];
         const auto expect_about = [&](double estimated, double real, const char* what) {
-            EXPECT_GT(estimated, real / 2) << what << " at level " << level;
-            EXPECT_LT(estimated, real * 2) << what << " at level " << level;
+            EXPECT_GT(estimated, real / 2) << what << " at level " << level << formats[0];
+            EXPECT_LT(estimated, real * 2) << what << " at level " << level << formats[0];
         };
         expect_about(told["bytes"], bytes_below(dir_ / "out"), "bytes");
         expect_about(told["box_tests"], ran["box_tests"], "boxes");

@@ -196,7 +196,8 @@ TEST(JobFile, UnknownWordsNameThoseThatExist) {
     EXPECT_THAT(
         problem_with(random_poses + "[output]\nformats = [\"csv\", \"h5\"]\n"),
         HasSubstr(
-            "format \"h5\" is not known; this version has text, json, csv, csv-pairs and npz"));
+            "format \"h5\" is not known; this version has text, json, csv, csv-pairs, npz, vtp "
+            "and glb"));
     EXPECT_THAT(problem_with(random_poses + "[output]\nformats = [1]\n"),
                 HasSubstr("text in quotes"));
     EXPECT_THAT(parse("unit = \"inch\"\n" + minimal + random_poses).error().detail,
@@ -288,7 +289,15 @@ TEST(JobOptions, OptionsThatDoNotFitAreRefused) {
     EXPECT_THAT(make_job_spec(options).error().detail, HasSubstr("--rigid-tolerance is a number"));
     options.poses.rigid_tolerance.reset();
     options.output.formats = {"h5"};
-    EXPECT_THAT(make_job_spec(options).error().detail, HasSubstr("csv-pairs and npz"));
+    EXPECT_THAT(make_job_spec(options).error().detail, HasSubstr("npz, vtp and glb"));
+    options.output.formats = {"glb"};
+    options.output.dir = "out";
+    options.query.level = "any";
+    EXPECT_THAT(make_job_spec(options).error().detail, HasSubstr("format glb shows in how many"));
+    options.query.level = "count";
+    EXPECT_FALSE(make_job_spec(options));
+    options.query.maps = true;
+    EXPECT_TRUE(make_job_spec(options));
     options.file = "job.toml";
     EXPECT_THAT(make_job_spec(options).error().detail, HasSubstr("names the meshes"));
 }

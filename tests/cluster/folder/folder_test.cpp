@@ -267,11 +267,17 @@ TEST_F(Folder, ResultsMakesMoreFormatsOfAFolderWithoutRunning) {
     write_job(12, "level = \"contacts\"");
     const std::string out = folder_ / "out";
     ASSERT_EQ(run({"--out", out, "--formats", "json"}).exit_code, 0);
-    ASSERT_EQ(run({"--out", folder_ / "all", "--formats", "csv,csv-pairs,npz,text"}).exit_code, 0);
+    const std::string formats = "csv,csv-pairs,npz,text,vtp,glb";
+    ASSERT_EQ(run({"--out", folder_ / "all", "--formats", formats}).exit_code, 0);
     fs::remove(folder_ / "a.obj"); // Only the folder is read.
-    const Ran made = tests::run({cdctl(), "results", out, "--formats", "csv,csv-pairs,npz,text"});
+    const Ran made = tests::run({cdctl(), "results", out, "--formats", formats});
     EXPECT_EQ(made.exit_code, 0) << made.errors;
     for (const char* name : {"scenarios.csv",
+                             "a.vtp",
+                             "b.vtp",
+                             "contacts.vtp",
+                             "a.glb",
+                             "b.glb",
                              "pairs.csv",
                              "points.csv",
                              "results.npz",

@@ -86,7 +86,11 @@ TEST_F(JobFolder, ResultsWritesTheFolderThatRunWrites) {
     for (const auto& [poses, query] : jobs) {
         SCOPED_TRACE(poses);
         write_job(poses, query);
-        const std::vector<std::string> formats{"--formats", "csv,csv-pairs,npz,json"};
+        const bool has_map =
+            query.find("any") == std::string::npos &&
+            (query.find("count") == std::string::npos || query.find("maps") != std::string::npos);
+        const std::vector<std::string> formats{
+            "--formats", std::string("csv,csv-pairs,npz,json") + (has_map ? ",vtp,glb" : "")};
         std::vector<std::string> command{"run", folder_ / "job.toml", "--out", folder_ / "x"};
         command.insert(command.end(), formats.begin(), formats.end());
         const Ran ran = cdctl_at_master(command);
@@ -96,6 +100,11 @@ TEST_F(JobFolder, ResultsWritesTheFolderThatRunWrites) {
         const Ran fetched = cdctl_at_master(command);
         ASSERT_EQ(fetched.exit_code, 0) << fetched.errors;
         EXPECT_EQ(digest_of(fetched), digest_of(ran));
+
+        const Ran without_map =
+            cdctl_at_master({"results", "last", "--out", folder_ / "maps", "--formats", "glb"});
+        EXPECT_EQ(without_map.exit_code, has_map ? 0 : 2) << without_map.errors;
+        std::filesystem::remove_all(folder_ / "maps");
 
         ASSERT_EQ(files_of("y"), files_of("x"));
         for (const std::string& name : files_of("x")) {

@@ -1,0 +1,133 @@
+#include "client/export/body_map.hpp"
+#include "client/export/result_writer.hpp"
+#include "client/export/vtp_body.hpp"
+#include "client/export/vtp_file.hpp"
+#include "client/formats/array_spool.hpp"
+#include "common/core/errors.hpp"
+
+#include <array>
+#include <utility>
+
+namespace cd {
+
+namespace {
+
+/// An array of contacts.vtp.
+struct PointColumn {
+    const char* name;
+    NpyType type;
+};
+
+/// The coordinates, and the arrays of the points. Numbers of scenarios are signed, since ParaView
+/// compares in signed integers or doubles.
+constexpr std::array<PointColumn, 5> columns{{{"Points", NpyType::F8},
+                                              {"class", NpyType::U1},
+                                              {"scenario", NpyType::I8},
+                                              {"triangle_a", NpyType::U4},
+                                              {"triangle_b", NpyType::U4}}};
+
+/// Writes contacts.vtp: spools the columns, since a VTP file begins with the number of its points.
+class VtpContacts final : public ResultWriter {
+  public:
+    VtpContacts(const ExportContext& context,
+                std::filesystem::path path,
+                std::vector<ArraySpool> spools)
+        : path_(std::move(path)), stop_(context.stop), spools_(std::move(spools)) {}
+
+    Status add(const ScenarioResult& result) override {
+        Status status = Done{};
+        for (std::size_t i = 0; i < result.pairs.size(); ++i) {
+            for_each_point(result, i, [&](const Vec3& point) {
+                status = status ? add_point(result, result.pairs[i], point) : status;
+            });
+        }
+        return status;
+    }
+
+    Status finish() override {
+        VtpData data;
+        data.points = CD_TRY(spools_[0].finish());
+        for (std::size_t i = 1; i < columns.size(); ++i) {
+            auto numbers = CD_TRY(spools_[i].finish());
+            data.point_arrays.push_back({columns[i].name, std::move(numbers)});
+        }
+        data.dots = consecutive_cells(data.points.count / 3, 1);
+        CD_TRY(write_vtp(data, path_, stop_));
+        spools_.clear(); // Removes their files: from here on the folder may be moved.
+        return Done{};
+    }
+
+  private:
+    Status add_point(const ScenarioResult& result, const ContactPair& pair, const Vec3& point) {
+        CD_TRY(spools_[0].append(std::span<const double>(point.data(), 3)));
+        CD_TRY(spools_[1].append(static_cast<std::uint8_t>(pair.kind)));
+        CD_TRY(spools_[2].append(static_cast<std::int64_t>(result.index)));
+        CD_TRY(spools_[3].append(pair.a));
+        return spools_[4].append(pair.b);
+    }
+
+    std::filesystem::path path_;
+    StopCheck stop_;
+    std::vector<ArraySpool> spools_; ///< One for each of `columns`.
+};
+
+/// Writes nothing: below `level contacts` there are no points.
+class NoContacts final : public ResultWriter {
+  public:
+    Status add(const ScenarioResult& /*result*/) override { return Done{}; }
+    Status finish() override { return Done{}; }
+};
+
+Status write_body(const std::shared_ptr<const Mesh>& mesh,
+                  const std::vector<std::uint64_t>& scenarios,
+                  std::uint64_t tested,
+                  const std::filesystem::path& path,
+                  const ExportContext& context) {
+    const bool is_float = mesh->precision() == Precision::Float;
+    VtpData data = vtp_body(mesh, mesh->vertices(), is_float ? NpyType::F4 : NpyType::F8);
+    std::vector<VtpArray> map{{map_column_name(context),
+                               make_numbers<std::int64_t>(scenarios.size(), [&](std::uint64_t i) {
+                                   return scenarios[i];
+                               })}};
+    if (context.map_pairs == 0) {
+        const double all = tested == 0 ? 1 : static_cast<double>(tested);
+        map.push_back(
+            {"share", make_numbers<double>(scenarios.size(), [&scenarios, all](std::uint64_t i) {
+                 return static_cast<double>(scenarios[i]) / all;
+             })});
+    }
+    data.cell_arrays.insert(data.cell_arrays.begin(), map.begin(), map.end());
+    return write_vtp(data, path, context.stop);
+}
+
+} // namespace
+
+Result<std::unique_ptr<ResultWriter>> make_vtp_writer(const ExportContext& context,
+                                                      const std::filesystem::path& dir) {
+    if (context.level != Level::Contacts) {
+        return std::unique_ptr<ResultWriter>(std::make_unique<NoContacts>());
+    }
+    const std::filesystem::path path = dir / "contacts.vtp";
+    std::vector<ArraySpool> spools;
+    for (const PointColumn& column : columns) {
+        auto spool = CD_TRY(ArraySpool::create(path, column.type));
+        spools.push_back(std::move(spool));
+    }
+    return std::unique_ptr<ResultWriter>(
+        std::make_unique<VtpContacts>(context, path, std::move(spools)));
+}
+
+Status write_vtp_bodies(const ContactMap& map,
+                        std::uint64_t tested,
+                        const std::filesystem::path& dir,
+                        const ExportContext& context) {
+    for (std::size_t i = 0; i < map.bodies.size(); ++i) {
+        const auto& mesh = context.bodies[i].mesh;
+        const auto scenarios = CD_TRY(scenarios_of_triangles(map.bodies[i], *mesh));
+        const std::string name = body_file_name(context.bodies, i) + ".vtp";
+        CD_TRY(write_body(mesh, scenarios, tested, dir / name, context));
+    }
+    return Done{};
+}
+
+} // namespace cd
