@@ -146,9 +146,9 @@ class Verbs {
         add_run(*extract, "run", extract->run, "FOLDER|JOB");
         extract.add("scenarios", extract->scenarios, "N[-M]", "N, or N-M (inclusive)")->required();
         add_master_options(*extract, extract->master);
-        extract.add("--out", extract->out, "DIR", "Folder for the case or pictures (scenario-N)");
+        extract.add("--out", extract->out, "DIR", "Folder for what is written (scenario-N)");
         extract.add("--as", extract->as, "KIND", "What is written")
-            ->check(one_of({"case", "png"}))
+            ->check(one_of({"case", "png", "vtp", "glb"}))
             ->capture_default_str();
         extract.flag("--minimal",
                      extract->minimal,

@@ -233,17 +233,24 @@ Exit codes: 0 done; 1 differences (only with --fail-on); 3 nothing to compare, o
 no difference, but some scenario of both has no class in one of them.)";
 
 inline constexpr const char* extract_help =
-    R"(Writes scenarios of a run as a job of their own, or as pictures.
+    R"(Writes scenarios of a run as a job of their own, as pictures, or as 3D scenes.
 Examples:
   cdctl extract out 41230 --out case && cdctl run case/job.toml
   cdctl extract out 100-199 --out case
   cdctl extract j-5692 41230 --out case
   cdctl extract out 41230 --out case --minimal
   cdctl extract out 41230 --as png
+  cdctl extract out 100-199 --as vtp --out steps      ParaView: open steps/scenarios.pvd
+  cdctl extract out 41230 --as glb                    Blender, f3d, slides
 
 A case has a.npz and b.npz (all triangles), poses.csv in the form that was
 tested, job.toml, and expected.json with the class and the digest that `cdctl run`
 must give. A picture shows the bodies, and in red the triangles in contact that the
-run listed (levels pairs and contacts).)";
+run listed (levels pairs and contacts).
+
+vtp and glb run the scenarios again here, exactly and with shared points, whatever the run's
+level. They have both bodies at the pose, triangles in contact in red (proper) and yellow (touch,
+coplanar), and shared segments as lines. vtp: contacts-N.vtp for each scenario N, a.vtp and
+b-N.vtp (a body that does not move stands once), and the series scenarios.pvd. glb: N.glb.)";
 
 } // namespace cd

@@ -1,9 +1,11 @@
-// The verb `extract`: turns scenarios of a run into a separate job, or into pictures.
+// The verb `extract`: turns scenarios of a run into a separate job, pictures or 3D scenes.
 #include "client/base/exit_code.hpp"
 #include "client/base/interrupt.hpp"
 #include "client/commands/commands.hpp"
 #include "client/commands/run_at_hand.hpp"
+#include "client/export/contact_scene.hpp"
 #include "client/folder/extracted_case.hpp"
+#include "client/folder/extracted_scenes.hpp"
 #include "client/folder/opened_run.hpp"
 #include "client/picture/body_picture.hpp"
 #include "common/core/errors.hpp"
@@ -11,7 +13,6 @@
 #include "common/core/words.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cstdio>
 #include <filesystem>
 
@@ -62,10 +63,9 @@ Result<CaseScenarios> read_case(OpenedRun& run, PreparedJob& job, const Range& r
 /// Returns a scenario's bodies in their poses, with the triangles of the result's pairs marked.
 std::vector<PicturedBody>
 pictured(const PreparedJob& job, const Scenario& scenario, const ScenarioResult& result) {
-    constexpr std::array<Colour, 2> colours{{{150, 170, 200}, {225, 190, 120}}};
     std::vector<PicturedBody> bodies{
-        {job.meshes[scenario.body_a].get(), scenario.poses.a, colours[0], {}},
-        {job.meshes[scenario.body_b].get(), scenario.poses.b, colours[1], {}}};
+        {job.meshes[scenario.body_a].get(), scenario.poses.a, body_colours[0], {}},
+        {job.meshes[scenario.body_b].get(), scenario.poses.b, body_colours[1], {}}};
     for (const ContactPair& pair : result.pairs) {
         bodies[0].contacts.push_back(pair.a);
         bodies[1].contacts.push_back(pair.b);
@@ -97,6 +97,9 @@ Status write_pictures(const PreparedJob& job,
 } // namespace
 
 Result<int> perform(const ExtractCommand& command) {
+    if (command.minimal && command.as != "case") {
+        return bad_input("--minimal belongs to --as case; leave it out");
+    }
     const InterruptGuard interrupts(InterruptGuard::First::EndsProcess);
     ThreadPool pool(command.threads);
     auto [run, job] = CD_TRY(open_run_at_hand(
@@ -109,6 +112,13 @@ Result<int> perform(const ExtractCommand& command) {
     if (command.as == "png") {
         CD_TRY(write_pictures(job, found, range.first, dir));
         std::printf("%s in %s\n", counted(count, "picture").c_str(), dir.c_str());
+        return exit_done;
+    }
+    if (command.as != "case") {
+        const SceneFormat format = command.as == "vtp" ? SceneFormat::Vtp : SceneFormat::Glb;
+        TreeCache cache(tree_cache_folder(command.tree_cache));
+        CD_TRY(write_scenes(job, found, format, dir, cache, pool, &InterruptGuard::has_come));
+        std::printf("%s in %s\n", counted(count, "scene").c_str(), dir.c_str());
         return exit_done;
     }
     CD_TRY(write_case(job, found, {command.minimal, &InterruptGuard::has_come}, dir, pool));

@@ -186,4 +186,18 @@ NumberArray coordinates(std::span<const Vec3> points, NpyType type) {
     return type == NpyType::F4 ? coordinates_as<float>(points) : coordinates_as<double>(points);
 }
 
+std::string pvd_text(std::span<const VtpStep> steps) {
+    std::string text = "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\" "
+                       "byte_order=\"LittleEndian\">\n<Collection>\n";
+    for (const VtpStep& step : steps) {
+        for (std::size_t part = 0; part < step.files.size(); ++part) {
+            text += fmt::format("<DataSet timestep=\"{}\" part=\"{}\" file=\"{}\"/>\n",
+                                step.time,
+                                part,
+                                step.files[part]);
+        }
+    }
+    return text + "</Collection>\n</VTKFile>\n";
+}
+
 } // namespace cd

@@ -62,4 +62,13 @@ consecutive_cells(std::uint64_t count, unsigned size, std::uint64_t first = 0);
 /// Returns the coordinates of points, as `F4` or `F8`. The points must outlive the array.
 [[nodiscard]] NumberArray coordinates(std::span<const Vec3> points, NpyType type);
 
+/// The files that a series shows at one time.
+struct VtpStep {
+    std::uint64_t time = 0;
+    std::vector<std::string> files; ///< Paths relative to the series, without special characters.
+};
+
+/// Returns the text of a series (.pvd).
+[[nodiscard]] std::string pvd_text(std::span<const VtpStep> steps);
+
 } // namespace cd

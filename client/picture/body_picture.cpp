@@ -9,7 +9,6 @@ namespace cd {
 namespace {
 
 constexpr unsigned samples = 3;
-constexpr Colour contact_colour{224, 32, 32};
 constexpr std::array<Colour, 8> part_colours{{{110, 150, 200},
                                               {220, 170, 90},
                                               {130, 180, 120},

@@ -17,12 +17,15 @@ struct PictureSize {
     unsigned height = 750;
 };
 
+/// The colour of triangles in contact.
+inline constexpr Colour contact_colour{224, 32, 32};
+
 /// A body in a picture. The mesh must outlive the drawing.
 struct PicturedBody {
     const Mesh* mesh = nullptr;
     Pose pose; ///< Pose in the world.
     Colour colour;
-    std::vector<std::uint32_t> contacts; ///< Triangles in contact, drawn in red.
+    std::vector<std::uint32_t> contacts; ///< Triangles in contact.
 };
 
 /// Draws a mesh from the front, the right and above; eight colours take turns for its parts.

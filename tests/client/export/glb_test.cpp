@@ -1,4 +1,5 @@
 // Proves that GLB files have the triangles of their meshes, coloured by contact, and keep to glTF.
+#include "client/export/contact_scene.hpp"
 #include "client/export/glb_file.hpp"
 #include "client/export/result_writer.hpp"
 #include "client/import/mesh_import.hpp"
@@ -178,6 +179,39 @@ TEST_F(Glb, ChunksHaveWholeWordsAndTrueLengths) {
         EXPECT_EQ(28 + head[3] + binary, bytes.size());
         EXPECT_EQ(json_of(folder_.path() / name)["buffers"][0]["byteLength"], binary);
     }
+}
+
+TEST_F(Glb, ASceneHasBothBodiesWhereTheyStand) {
+    Scenario scenario;
+    scenario.poses.b = translation_pose(0.5, 0, 0.25);
+    ScenarioResult result;
+    result.level = Level::Contacts;
+    result.pairs = {
+        {0, 5, PairClass::Touch}, {0, 6, PairClass::Proper}, {2, 7, PairClass::Coplanar}};
+    result.point_origins = {Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
+    result.point_offsets = {0, 1, 3, 6};
+    result.points = {{1, 0, 0}, {2, 0, 0}, {3, 0, 0}, {0, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    const auto& [a, b] = std::tie(context_.bodies[0].mesh, context_.bodies[1].mesh);
+    const ContactScene scene = make_contact_scene(
+        {SceneBody{"a", a, {}, {}}, SceneBody{"b", b, {}, {}}}, scenario, result);
+    EXPECT_EQ(scene.dots.size(), 1u);
+    EXPECT_EQ(scene.segments.size(), 2u + 6u) << "a segment, and the outline of a triangle";
+    ASSERT_EQ(scene.bodies[0].contacts.size(), 2u);
+    EXPECT_EQ(scene.bodies[0].contacts[0].kind, PairClass::Proper);
+    ASSERT_TRUE(write_scene_glb(scene, 1, folder_.path() / "s.glb", {}));
+
+    const auto imported = read("s.glb");
+    ASSERT_TRUE(imported) << imported.error().detail;
+    EXPECT_EQ(imported.value().lines_skipped, 4u);
+    EXPECT_EQ(imported.value().points_skipped, 1u);
+    const Mesh moved = translated(*b, {0.5, 0, 0.25});
+    EXPECT_EQ(triangles_of(*imported.value().mesh), triangles_of(as_floats(join({*a, moved}))));
+    const auto json = json_of(folder_.path() / "s.glb");
+    std::vector<std::size_t> counts;
+    for (const auto& primitive : json["meshes"][1]["primitives"]) {
+        counts.push_back(json["accessors"][primitive["indices"].get<std::size_t>()]["count"]);
+    }
+    EXPECT_THAT(counts, testing::ElementsAre(27, 3, 6)) << "of B: 9 in peace, 1 proper, 2 touching";
 }
 
 } // namespace cd::tests

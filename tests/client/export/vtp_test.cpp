@@ -238,4 +238,13 @@ TEST(VtpFile, CellsBeyond32BitsAreWide) {
     EXPECT_EQ(consecutive_cells(1, 1, 1ull << 31).ends.type, NpyType::I8);
 }
 
+TEST(VtpFile, ASeriesNamesTheFilesOfEachStep) {
+    const std::vector<VtpStep> steps{{7, {"a.vtp", "b-7.vtp"}}, {8, {"a.vtp"}}};
+    const std::string text = pvd_text(steps);
+    EXPECT_THAT(text,
+                HasSubstr("<DataSet timestep=\"7\" part=\"0\" file=\"a.vtp\"/>\n"
+                          "<DataSet timestep=\"7\" part=\"1\" file=\"b-7.vtp\"/>\n"
+                          "<DataSet timestep=\"8\" part=\"0\" file=\"a.vtp\"/>\n"));
+}
+
 } // namespace cd::tests

@@ -3,6 +3,7 @@
 #include "common/job/result/record_file.hpp"
 #include "tests/cluster/folder/folder_fixture.hpp"
 #include "tests/support/npz_arrays.hpp"
+#include "tests/support/vtp_arrays.hpp"
 
 #include <gmock/gmock.h>
 
@@ -190,6 +191,81 @@ TEST_F(Extract, APictureOfEachScenarioIsDrawn) {
         EXPECT_THAT(read_text(folder_ / "case" / name), testing::StartsWith("\x89PNG\r\n"));
     }
     EXPECT_NE(read_text(folder_ / "case" / "0.png"), read_text(folder_ / "case" / "1.png"));
+}
+
+TEST_F(Extract, ScenesDoNotDependOnTheRunsLevel) {
+    write_obj(folder_ / "a.obj", make_box({2, 2, 2}));
+    write_obj(folder_ / "b.obj", make_box({1, 1, 1}));
+    write_text(folder_ / "poses.csv", "x,y,z\n1.5,0.3,0.1\n1.25,0.3,0.1\n9,0,0\n");
+    std::set<std::string> scenes;
+    for (const char* query : {"level = \"contacts\"",
+                              "level = \"any\"",
+                              "level = \"count\"\ntolerance = 100.0",
+                              "level = \"pairs\"\nlimit_pairs = 2"}) {
+        SCOPED_TRACE(query);
+        write_job_of_file("", query);
+        ASSERT_EQ(run({"--out", folder_ / "out", "--overwrite"}).exit_code, 0);
+        fs::remove_all(folder_ / "case");
+        const Ran made = extract("0-2", {"--as", "vtp"});
+        ASSERT_EQ(made.exit_code, 0) << made.errors;
+        EXPECT_THAT(made.output, testing::StartsWith("3 scenes in "));
+        std::set<std::string> names;
+        for (const auto& entry : fs::directory_iterator(folder_ / "case")) {
+            names.insert(entry.path().filename());
+        }
+        EXPECT_EQ(names,
+                  (std::set<std::string>{"a.vtp",
+                                         "b-0.vtp",
+                                         "b-1.vtp",
+                                         "b-2.vtp",
+                                         "contacts-0.vtp",
+                                         "contacts-1.vtp",
+                                         "contacts-2.vtp",
+                                         "scenarios.pvd"}));
+        ASSERT_EQ(extract("1", {"--as", "glb"}).exit_code, 0);
+        scenes.insert(read_text(folder_ / "case" / "contacts-1.vtp") +
+                      read_text(folder_ / "case" / "1.glb"));
+    }
+    EXPECT_EQ(scenes.size(), 1u);
+    const auto cells = read_vtp(folder_ / "case" / "contacts-1.vtp");
+    EXPECT_THAT(cells.arrays.at("class").as<std::uint8_t>(), testing::Contains(3));
+    EXPECT_EQ(read_vtp(folder_ / "case" / "contacts-2.vtp").arrays.at("class").bytes, "");
+}
+
+TEST_F(Extract, ABodyThatMovesHasAFileForEachScene) {
+    write_text(folder_ / "poses.csv", "scenario,body,x\n0,a,0\n0,b,2\n1,a,1\n1,b,2\n");
+    write_job_of_file("of = \"both\"\n", "level = \"pairs\"");
+    ASSERT_EQ(run({"--out", folder_ / "out"}).exit_code, 0);
+    ASSERT_EQ(extract("0-1", {"--as", "vtp"}).exit_code, 0);
+    for (const char* name : {"a-0.vtp", "a-1.vtp", "b.vtp"}) {
+        EXPECT_TRUE(fs::exists(folder_ / "case" / name)) << name;
+    }
+    EXPECT_FALSE(fs::exists(folder_ / "case" / "a.vtp"));
+    EXPECT_FALSE(fs::exists(folder_ / "case" / "b-0.vtp"));
+    EXPECT_NE(read_text(folder_ / "case" / "a-0.vtp"), read_text(folder_ / "case" / "a-1.vtp"));
+}
+
+TEST_F(Extract, ASceneWithOtherContactsThanTheRunIsRefused) {
+    write_job(2, "level = \"pairs\"");
+    ASSERT_EQ(run({"--out", folder_ / "out"}).exit_code, 0);
+    auto records = RecordWriter::create(folder_ / "out" / "records");
+    ASSERT_TRUE(records);
+    for (std::uint64_t i = 0; i < 4; ++i) {
+        ScenarioResult result;
+        result.index = i;
+        result.kind = ScenarioClass::Touch;
+        result.pair_count = 1;
+        result.pairs = {{0, 0, PairClass::Touch}};
+        records.value().add(i, encode_result(result));
+    }
+    ASSERT_TRUE(records.value().finish());
+    const Ran refused = extract("1", {"--as", "glb"});
+    EXPECT_EQ(refused.exit_code, 2);
+    EXPECT_THAT(refused.errors, HasSubstr("scenario 1 has other contacts here than in the run"));
+    EXPECT_TRUE(fs::is_empty(folder_ / "case"));
+    const Ran minimal = extract("1", {"--as", "glb", "--minimal"});
+    EXPECT_EQ(minimal.exit_code, 2);
+    EXPECT_THAT(minimal.errors, HasSubstr("--minimal belongs to --as case"));
 }
 
 TEST_F(Extract, ACasePassesOverThePartsOfItsRun) {
