@@ -175,7 +175,7 @@ void add_formats(CLI::App& verb, std::vector<std::string>& formats, bool& exact_
         formats,
         "LIST",
         "csv, csv-pairs, npz, json, text, vtp, glb (default csv,npz); csv has one row per "
-        "scenario, csv-pairs one per pair; vtp (ParaView) and glb "
+        "scenario, and one per pair of parts, csv-pairs one per pair; vtp (ParaView) and glb "
         "(Blender) have heat maps")
         ->delimiter(',')
         ->group(results_group);

@@ -113,7 +113,7 @@ double sum_of(const std::vector<Sample>& samples) {
 /// Sizes in bytes of the files in a results folder.
 struct FolderBytes {
     std::uint64_t scenarios = 0; ///< Size of files that grow with the scenarios.
-    std::uint64_t maps = 0;      ///< Size of files that grow with the triangles in contact.
+    std::uint64_t maps = 0;      ///< Size of files that grow with what is in contact.
 };
 
 /// Writes the samples' results as a run does: records and exports.
@@ -152,7 +152,8 @@ bytes_of(const PreparedJob& job, bool keeps_inputs, const std::vector<Sample>& s
     }
     FolderBytes bytes;
     for (const auto& entry : fs::recursive_directory_iterator(folder.path())) {
-        const bool is_map = entry.path().filename().string().starts_with("map");
+        const std::string name = entry.path().filename().string();
+        const bool is_map = name.starts_with("map") || name == "groups.csv";
         (is_map ? bytes.maps : bytes.scenarios) += entry.file_size();
     }
     return bytes;

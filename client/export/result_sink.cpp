@@ -122,6 +122,9 @@ Status ResultSink::finish(const std::optional<ContactMap>& map) {
     if (options_.dir.empty()) {
         return Done{};
     }
+    if (has_format("csv") && context_.level >= Level::Pairs) {
+        CD_TRY(write_groups_csv(groups_, tested_, options_.dir, context_));
+    }
     return map ? write_map(*map) : Status(Done{});
 }
 

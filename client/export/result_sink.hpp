@@ -35,8 +35,8 @@ class ResultSink {
     /// scenario; if it is empty, the map counts the pairs that the result lists. Errors: Io;
     /// Interrupted; BadInput for a body that the job does not have.
     [[nodiscard]] Status add(const ScenarioResult& result, std::span<const ContactPair> found = {});
-    /// Completes all files, and writes those of `map` if it is set: its own, and the bodies as vtp
-    /// and glb. If `finish` is not called, no file is left in the folder.
+    /// Completes all files, and writes those of groups and, if `map` is set, of the map: its own,
+    /// and the bodies as vtp and glb. If `finish` is not called, no file is left in the folder.
     [[nodiscard]] Status finish(const std::optional<ContactMap>& map);
 
     /// Returns the contact map of all results added; below `level pairs` empty without `found`.

@@ -160,6 +160,16 @@ void describe(PreparedJob& job) {
         header_text(lines[0], lines[1], job.poses->count(), poses_text(job.spec.poses, job.zeros));
 }
 
+/// Warns if a job asks for shared points and for no file that has them.
+void check_points(PreparedJob& job) {
+    const OutputSpec& output = job.spec.output;
+    if (job.query.level == Level::Contacts && !output.dir.empty() &&
+        output.formats == std::vector<std::string>{"csv"}) {
+        job.warnings.emplace_back("note: csv has scenarios and groups; for pairs and shared points "
+                                  "add csv-pairs or npz to the formats");
+    }
+}
+
 } // namespace
 
 Result<PreparedJob> prepare_job(
@@ -190,6 +200,7 @@ Result<PreparedJob> prepare_job(
         return made.error();
     }
     describe(job);
+    check_points(job);
     return job;
 }
 

@@ -112,9 +112,13 @@ TEST_F(Export, CsvHasARowForEachScenarioAndCsvPairsForEachPairAndPoint) {
               "1,0,5,10.25,0,-3\n");
 }
 
-TEST_F(Export, CsvAloneHasScenariosAlone) {
+TEST_F(Export, CsvAloneHasScenariosAndGroups) {
     write({"csv"}, Level::Contacts);
     EXPECT_TRUE(fs::exists(dir_ / "scenarios.csv"));
+    EXPECT_EQ(text_of("groups.csv"),
+              "part_a,part_b,class,scenarios,share,pairs,worst,worst_pairs\n"
+              "\"left, \"\"old\"\"\",whole,cross,1,0.3333333333333333,1,1,1\n"
+              "right,whole,touch,1,0.3333333333333333,1,1,1\n");
     EXPECT_FALSE(fs::exists(dir_ / "pairs.csv"));
     EXPECT_FALSE(fs::exists(dir_ / "points.csv"));
 }
@@ -122,8 +126,16 @@ TEST_F(Export, CsvAloneHasScenariosAlone) {
 TEST_F(Export, LevelCountHasNoPairs) {
     write({"csv", "csv-pairs"}, Level::Count);
     EXPECT_TRUE(fs::exists(dir_ / "scenarios.csv"));
+    EXPECT_FALSE(fs::exists(dir_ / "groups.csv"));
     EXPECT_FALSE(fs::exists(dir_ / "pairs.csv"));
     EXPECT_FALSE(fs::exists(dir_ / "points.csv"));
+}
+
+TEST_F(Export, GroupsOfListedPairsHaveNoShare) {
+    context_.limit_pairs = 2;
+    context_.map_pairs = 0; // As in a job with maps.
+    write({"csv"}, Level::Pairs);
+    EXPECT_THAT(text_of("groups.csv"), HasSubstr("\nright,whole,touch,1,,1,1,1\n"));
 }
 
 TEST_F(Export, JsonHasAnObjectOnEachLine) {

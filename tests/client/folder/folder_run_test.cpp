@@ -136,7 +136,7 @@ TEST_F(FolderRunTest, InputsThatAreTooLargeAreNotKeptAndThatIsTold) {
 
 TEST_F(FolderRunTest, AUsersFileUnderTheNameOfAResultIsNeverReplacedUnasked) {
     for (const char* name :
-         {"records", "maps", "inputs/scenarios", "inputs/ids", "scenarios.csv", "contacts.vtp"}) {
+         {"records", "maps", "inputs/scenarios", "inputs/ids", "groups.csv", "contacts.vtp"}) {
         SCOPED_TRACE(name);
         const std::string out = "of-user-" + fs::path(name).filename().string();
         fs::create_directories((folder_ / out / name).parent_path());

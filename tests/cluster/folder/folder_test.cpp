@@ -273,6 +273,7 @@ TEST_F(Folder, ResultsMakesMoreFormatsOfAFolderWithoutRunning) {
     const Ran made = tests::run({cdctl(), "results", out, "--formats", formats});
     EXPECT_EQ(made.exit_code, 0) << made.errors;
     for (const char* name : {"scenarios.csv",
+                             "groups.csv",
                              "a.vtp",
                              "b.vtp",
                              "contacts.vtp",
