@@ -43,13 +43,11 @@ RunReport report_of(const LocalJob& local, const LocalOutcome& outcome) {
     return report;
 }
 
-using Take = std::function<Status(const DoneScenario&)>;
-
 /// Runs scenarios with a progress line. Passes each result to `take`; calls `tick` periodically.
 Result<RunOutcome> run_with_progress(const LocalJob& local,
                                      PoseSource& poses,
                                      LocalRunOptions options,
-                                     const Take& take,
+                                     const ReuseMerge::Take& take,
                                      const std::function<void()>& tick) {
     ProgressPrinter progress(ProgressPrinter::style_for(local.command.quiet));
     options.first_stage = local.command.host.first_stage.value_or(PairStage::Float);
@@ -80,7 +78,7 @@ Result<RunOutcome> run_with_progress(const LocalJob& local,
 Result<LocalOutcome> run_rest(const LocalJob& local,
                               ReusedResults& reused,
                               ResultMerger merger,
-                              const Take& take,
+                              const ReuseMerge::Take& take,
                               const std::function<void()>& tick) {
     const std::uint64_t first = merger.summary().merged();
     const auto rest = reused.rest(*local.job.poses, first);
@@ -113,7 +111,7 @@ Result<LocalOutcome> run_rest(const LocalJob& local,
 Result<LocalOutcome> run_or_reuse(const LocalJob& local,
                                   std::optional<ResultMerger> done,
                                   const std::function<void(std::uint64_t)>& count_reused,
-                                  const Take& take,
+                                  const ReuseMerge::Take& take,
                                   const std::function<void()>& tick) {
     if (local.earlier == nullptr) {
         LocalRunOptions options;
