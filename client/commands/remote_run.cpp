@@ -115,7 +115,7 @@ Result<int> run_there(RemoteRun& run,
 }
 
 /// Runs the whole job.
-Result<int> run_all(RemoteRun& run) {
+Result<int> run_whole(RemoteRun& run) {
     return run_there(run, run.job, [&](const JobStatus& status) -> Fetch {
         return [&run, status](const TakeResult& take) {
             return fetch_results(*run.connection, run.job.query, status, take);
@@ -218,7 +218,7 @@ Result<int> run_on_master(const RunCommand& command,
                           EarlierRun* earlier) {
     make_paths_absolute(job.spec);
     RemoteRun run{command, job, std::move(connection), nullptr};
-    const auto run_it = [&] { return earlier == nullptr ? run_all(run) : run_rest(run, *earlier); };
+    const auto run_it = [&] { return earlier == nullptr ? run_whole(run) : run_rest(run, *earlier); };
     if (job.spec.output.dir.empty()) {
         return run_it();
     }
