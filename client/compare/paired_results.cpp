@@ -3,6 +3,7 @@
 #include "client/compare/matched_records.hpp"
 #include "common/core/errors.hpp"
 
+#include <string>
 #include <vector>
 
 namespace cd {
@@ -20,15 +21,20 @@ Status for_each_scenario(const ReadRun& run,
         }
         return Done{};
     };
-    CD_TRY(run.records.for_each([&](const KeptRecord& record) -> Status {
+    const Status read = run.records.for_each([&](const KeptRecord& record) -> Status {
         if (stop && stop()) {
             return interrupted();
+        }
+        if (record.result.index >= run.scenarios) {
+            return Error{ErrorCode::Io,
+                         "the run has a record of scenario " + std::to_string(record.result.index) +
+                             ", but only " + std::to_string(run.scenarios) + " scenarios"};
         }
         CD_TRY(skip_to(record.result.index));
         ++next;
         return take(record.result.index, &record.result);
-    }));
-    return skip_to(run.scenarios);
+    });
+    return read ? skip_to(run.scenarios) : read;
 }
 
 } // namespace
@@ -40,7 +46,7 @@ Status for_each_pair(const ReadRun& earlier,
                      const std::function<Status(const PairedResult&)>& take) {
     MatchedRecords records(earlier.records, match, later.scenarios);
     std::vector<bool> is_matched(earlier.scenarios);
-    CD_TRY(for_each_scenario(
+    const Status read = for_each_scenario(
         later, stop, [&](std::uint64_t index, const ScenarioResult* result) -> Status {
             PairedResult pair{match.earlier(index), index, nullptr, result};
             if (pair.earlier) {
@@ -48,9 +54,9 @@ Status for_each_pair(const ReadRun& earlier,
                 is_matched[*pair.earlier] = true;
             }
             return take(pair);
-        }));
-    if (match.count() == earlier.scenarios) {
-        return Done{};
+        });
+    if (!read || match.count() == earlier.scenarios) {
+        return read;
     }
     return for_each_scenario(
         earlier, stop, [&](std::uint64_t index, const ScenarioResult* result) -> Status {

@@ -12,19 +12,19 @@ namespace cd {
 
 namespace {
 
-constexpr std::uint64_t scenarios_at_once = 4096;
+constexpr std::uint64_t keys_at_once = 4096;
 constexpr std::uint32_t no_scenario = UINT32_MAX;
 
 /// Calls `take` with the key of each scenario's poses, in order.
 Status for_each_key(PoseSource& poses,
                     const StopCheck& stop,
                     const std::function<void(const ScenarioKey&)>& take) {
-    for (std::uint64_t first = 0; first < poses.count(); first += scenarios_at_once) {
+    for (std::uint64_t first = 0; first < poses.count(); first += keys_at_once) {
         if (stop && stop()) {
             return interrupted();
         }
         const auto scenarios =
-            CD_TRY(poses.read(first, std::min(scenarios_at_once, poses.count() - first)));
+            CD_TRY(poses.read(first, std::min(keys_at_once, poses.count() - first)));
         for (const Scenario& scenario : scenarios) {
             take(key_of(scenario.poses));
         }
