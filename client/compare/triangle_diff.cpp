@@ -29,6 +29,11 @@ void TriangleDiff::add(const PairedResult& pair) {
     }
 }
 
+void TriangleDiff::add(const ContactMap& earlier, const ContactMap& later) {
+    earlier_.total.add(earlier);
+    later_.total.add(later);
+}
+
 /// Returns the triangles that are in contact in one run or both, ascending.
 std::vector<TriangleChange> TriangleDiff::all(std::size_t body) {
     std::vector<TriangleChange> all;

@@ -35,6 +35,8 @@ class TriangleDiff {
   public:
     /// Adds the listed pairs of a scenario, if both runs tested it.
     void add(const PairedResult& pair);
+    /// Adds whole contact maps, of the same scenarios in both runs.
+    void add(const ContactMap& earlier, const ContactMap& later);
 
     /// Returns the triangles of body A (0) or B (1) in other numbers of scenarios, ascending.
     [[nodiscard]] std::vector<TriangleChange> changes(std::size_t body);

@@ -150,23 +150,41 @@ Status compare(Compared& runs, const ScenarioMatch& match, Differences& found) {
                          });
 }
 
-DiffReport report_of(const Compared& runs, MatchedBy matched_by, Differences& found) {
+/// Adds the contact maps that the folders of runs without lists of pairs keep, if both runs tested
+/// the same scenarios. Returns whether there are triangles to compare. Errors: Io.
+Result<bool> add_maps(const Compared& runs, Differences& found) {
+    const ScenarioCounts& counts = found.scenarios.counts();
+    const bool is_complete =
+        counts.only_earlier + counts.only_later == 0 && counts.comparable == counts.in_both;
+    if (runs.lists_pairs() || !is_complete) {
+        return runs.lists_pairs();
+    }
+    const auto earlier = CD_TRY(runs.earlier.run.kept_map());
+    const auto later = CD_TRY(runs.later.run.kept_map());
+    if (earlier && later) {
+        found.triangles.add(*earlier, *later);
+    }
+    return earlier && later;
+}
+
+/// `has_triangles` is what `add_maps` returned.
+DiffReport
+report_of(const Compared& runs, MatchedBy matched_by, bool has_triangles, Differences& found) {
     DiffReport report;
     report.inputs = runs.inputs;
     report.matched_by = matched_by;
     report.scenarios = found.scenarios.counts();
     report.bodies = body_names(runs.later);
     report.has_groups = runs.lists_pairs();
-    if (!report.has_groups) {
-        return report;
+    if (report.has_groups) {
+        report.lists_are_cut =
+            runs.earlier.job.query.limit_pairs != 0 || runs.later.job.query.limit_pairs != 0;
+        report.groups = found.groups.groups();
+        report.has_lasting_names = found.groups.has_lasting_names();
+        report.left_out = found.groups.left_out();
     }
-    report.lists_are_cut =
-        runs.earlier.job.query.limit_pairs != 0 || runs.later.job.query.limit_pairs != 0;
-    report.groups = found.groups.groups();
-    report.has_lasting_names = found.groups.has_lasting_names();
-    report.left_out = found.groups.left_out();
     for (std::size_t body = 0; body < report.bodies.size(); ++body) {
-        if (runs.has_equal_mesh(body)) {
+        if (has_triangles && runs.has_equal_mesh(body)) {
             report.triangles.push_back({report.bodies[body], found.triangles.counts(body)});
         }
     }
@@ -232,7 +250,8 @@ Result<int> perform(const DiffCommand& command) {
                       GroupDiff(meshes_of(earlier), meshes_of(later)),
                       {}};
     CD_TRY(compare(runs, matched, found));
-    const DiffReport report = report_of(runs, matched.by(), found);
+    const bool has_triangles = CD_TRY(add_maps(runs, found));
+    const DiffReport report = report_of(runs, matched.by(), has_triangles, found);
     CD_TRY(found.scenarios.finish());
     if (!command.out.empty()) {
         CD_TRY(write_groups(report, command.out));
