@@ -105,6 +105,28 @@ TEST_F(FirstHour, ADryRunTellsTimeAndSizeAndARunWhereItIs) {
     EXPECT_THAT(ran.output, HasSubstr("tested 3 of 3"));
 }
 
+TEST_F(FirstHour, AChangedPoseIsRunAloneAndAChangedMeshIsCompared) {
+    const std::string old_run = path("old");
+    ASSERT_EQ(type({"run", "--out", old_run}, bodies("poses.csv")).exit_code, 0);
+    write_text(folder_ / "poses.csv", "x,y,yaw_deg\n2,0,0\n9,1,0\n9,0,0\n2,0.1,45\n");
+    const Ran reused = type({"run", "--reuse", old_run, "--out", path("new")}, bodies("poses.csv"));
+    EXPECT_EQ(reused.exit_code, 0) << reused.errors;
+    EXPECT_THAT(reused.errors, HasSubstr("3 of 4 results are those of " + old_run + "\n"));
+    EXPECT_THAT(reused.output, HasSubstr("\n  reused        3 of 4 results of an earlier run\n"));
+    EXPECT_EQ(digest_of(reused), digest_of(type({"run"}, bodies("poses.csv"))));
+
+    write_obj(folder_ / "post.obj", make_box({0.2, 0.2, 0.5}));
+    const Ran other = type({"run", "--reuse", old_run}, bodies("poses.csv"));
+    EXPECT_EQ(other.exit_code, 2);
+    EXPECT_EQ(other.output, "");
+    EXPECT_THAT(other.errors, HasSubstr("cdctl: nothing can be reused: B changed ("));
+    ASSERT_EQ(type({"run", "--out", path("newer")}, bodies("poses.csv")).exit_code, 0);
+    const Ran changed = type({"diff", path("new"), path("newer")});
+    EXPECT_EQ(changed.exit_code, 0) << changed.errors;
+    EXPECT_THAT(changed.output, StartsWith("B changed ("));
+    EXPECT_THAT(changed.output, HasSubstr("  scenarios     4 in both, matched by index\n"));
+}
+
 TEST_F(FirstHour, AWrongUnitIsSuspected) {
     write_text(folder_ / "yaw.csv", "x,y,z,roll,pitch,yaw\n0,0,0,0,0,1\n");
     EXPECT_THAT(type({"run"}, bodies("yaw.csv")).errors,
@@ -135,6 +157,7 @@ TEST_F(FirstHour, AMistypedFolderIsSaidToBeMissing) {
     const std::vector<std::string> there{"--master", "127.0.0.1:1"};
     for (const std::vector<std::string>& words : {std::vector<std::string>{"results", "nosuch"},
                                                   {"verify", "nosuch"},
+                                                  {"diff", "nosuch", "nosuch"},
                                                   {"extract", "nosuch", "0"}}) {
         const Ran none = type(words, there);
         EXPECT_EQ(none.exit_code, 4);

@@ -132,7 +132,7 @@ TEST(CommandLine, VersionTellsCommitAndLibraries) {
 
 TEST(CommandLine, NoExampleNamesAJobThatCannotBe) {
     for (const char* verb :
-         {"watch", "wait", "results", "cancel", "explain", "rm", "verify", "extract"}) {
+         {"watch", "wait", "results", "cancel", "explain", "rm", "verify", "extract", "diff"}) {
         const std::string help = parse_command_line({verb, "--help"}).text;
         EXPECT_THAT(help, HasSubstr(" j-5692")) << verb;
         EXPECT_THAT(help, HasSubstr("last")) << verb;

@@ -56,6 +56,9 @@ RunManifest example(PosesKind kind) {
     }
     manifest.outcome.answered = 6;
     manifest.outcome.digest = sha256({});
+    if (kind != PosesKind::Grid) {
+        manifest.outcome.reused = ManifestReuse{"/runs/old", sha256({}), 5};
+    }
     manifest.formats = {"csv", "npz"};
     manifest.files = {{"records", 12}, {"inputs/scenarios", 34}};
     return manifest;
@@ -130,6 +133,22 @@ TEST(RunManifest, AJobIsItsMeshesPosesAndQuery) {
     EXPECT_TRUE(is_same_job(random, other));
     other.poses.random->seed = 2;
     EXPECT_FALSE(is_same_job(random, other));
+}
+
+TEST(RunManifest, ReusingAnotherRunIsAnotherWayToTheSameJob) {
+    const RunManifest one = example(PosesKind::File);
+    RunManifest other = one;
+    other.outcome.reused->scenarios = 0; // While it is not known.
+    EXPECT_TRUE(reuses_same_run(one, other));
+    other.outcome.reused->digest.reset();
+    EXPECT_FALSE(reuses_same_run(one, other));
+    other = one;
+    other.outcome.reused->run = "/runs/older";
+    EXPECT_FALSE(reuses_same_run(one, other));
+    other.outcome.reused.reset();
+    EXPECT_FALSE(reuses_same_run(one, other));
+    EXPECT_TRUE(reuses_same_run(other, other));
+    EXPECT_TRUE(is_same_job(one, other));
 }
 
 TEST(RunManifest, ListedFilesStayInTheirFolder) {

@@ -54,9 +54,13 @@ class Reuse : public FolderTest {
         const auto got = read_json(folder_ / name / "run.json");
         EXPECT_EQ(got["digest"], whole["digest"]);
         EXPECT_EQ(got["map_digest"], whole["map_digest"]);
+        EXPECT_EQ(got["poses"], whole["poses"]);
         for (const auto& file : whole["files"]) {
             const std::string path = file["name"];
-            if (path != "summary.json" && path != "records" && path != "maps") {
+            // Blocks of these depend on how many scenarios were read or run together.
+            const bool has_blocks =
+                path == "records" || path == "maps" || path == "inputs/scenarios";
+            if (path != "summary.json" && !has_blocks) {
                 EXPECT_EQ(read_text(folder_ / name / path), read_text(folder_ / "whole" / path))
                     << path;
             }
@@ -288,7 +292,7 @@ TEST_F(ReuseAtMaster, TheRestRunsAsAJobOfItsOwn) {
             for (const char* file : {"scenarios.csv", "map.csv", "inputs/ids"}) {
                 EXPECT_EQ(read_text(folder_ / "new" / file), read_text(folder_ / "whole" / file));
             }
-            EXPECT_GT(run_json("new")["reused_from"]["scenarios"], 100);
+            EXPECT_GT(run_json("new")["reused_from"]["scenarios"], 50);
             EXPECT_EQ(run_json("new")["reused_from"]["digest"], run_json("old")["digest"]);
             fs::remove_all(folder_ / "new");
         }

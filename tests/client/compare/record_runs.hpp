@@ -1,0 +1,53 @@
+// Files of records that tests make.
+#pragma once
+
+#include "common/job/result/record_file.hpp"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <utility>
+#include <vector>
+
+namespace cd::tests {
+
+/// Makes a result of level pairs, of a class that fits the pairs.
+[[nodiscard]] inline ScenarioResult result_with(std::uint64_t index,
+                                                std::vector<ContactPair> pairs) {
+    ScenarioResult result;
+    result.index = index;
+    result.kind = pairs.empty() ? ScenarioClass::Separate : ScenarioClass::Touch;
+    for (const ContactPair& pair : pairs) {
+        result.kind = pair.kind == PairClass::Proper ? ScenarioClass::Cross : result.kind;
+    }
+    result.pair_count = pairs.size();
+    result.pairs = std::move(pairs);
+    return result;
+}
+
+[[nodiscard]] inline ScenarioResult failed(std::uint64_t index) {
+    ScenarioResult result;
+    result.index = index;
+    result.kind = ScenarioClass::Failed;
+    result.failure = "cancelled";
+    return result;
+}
+
+/// Writes the results, in ascending order, and opens the file.
+[[nodiscard]] inline RecordFile write_records(const std::filesystem::path& path,
+                                              const std::vector<ScenarioResult>& results) {
+    auto writer = RecordWriter::create(path);
+    EXPECT_TRUE(writer);
+    for (const ScenarioResult& result : results) {
+        writer.value().add(result.index, encode_result(result));
+        if (writer.value().is_full()) {
+            EXPECT_TRUE(writer.value().flush());
+        }
+    }
+    EXPECT_TRUE(writer.value().finish());
+    auto file = RecordFile::open(path);
+    EXPECT_TRUE(file) << file.error().detail;
+    return std::move(file.value());
+}
+
+} // namespace cd::tests
