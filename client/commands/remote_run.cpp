@@ -218,7 +218,9 @@ Result<int> run_on_master(const RunCommand& command,
                           EarlierRun* earlier) {
     make_paths_absolute(job.spec);
     RemoteRun run{command, job, std::move(connection), nullptr};
-    const auto run_it = [&] { return earlier == nullptr ? run_whole(run) : run_rest(run, *earlier); };
+    const auto run_it = [&] {
+        return earlier == nullptr ? run_whole(run) : run_rest(run, *earlier);
+    };
     if (job.spec.output.dir.empty()) {
         return run_it();
     }
