@@ -88,7 +88,9 @@ CD_CONVERSATION(Deadline, AHandshakeThatIsReadWhenItEndsEndsWithIt) {
 CD_CONVERSATION(Deadline, ARequestThatIsReadWhenItEndsEndsWithIt) {
     Flooded flooded = co_await flood("GET /" + std::string(12'000, 'x'));
     serve_http(
-        std::move(flooded.stream), [](const HttpRequest&) { return HttpAnswer(); }, 0ms);
+        std::move(flooded.stream),
+        [](const HttpRequest&, const HttpRespond& respond) { respond({}); },
+        0ms);
     char nothing = 0;
     error_code error;
     co_await flooded.silent.async_read_some(asio::buffer(&nothing, 1),
