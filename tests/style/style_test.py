@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Proves that the checks of includes, documents, classes and callers can fail: a tree that breaks each rule is
+"""Proves that the checks of includes, documents, classes, callers and the page can fail: a tree that breaks each rule is
 refused, a clean one passes. Usage: style_test.py"""
 import pathlib
 import subprocess
@@ -100,6 +100,32 @@ BAD_CALLERS = {
 }
 
 
+GOOD_PAGE = {
+    "web/page/src/main.ts": "// A comment may stand here.\nelement.textContent = name;\n",
+    "web/page/index.html": '<script type="module" src="app.js"></script>\n',
+    "web/page/package.json": '{"dependencies": {"three": "0.187.0"}}',
+    "web/page/package-lock.json": '{"packages": {"": {}, "node_modules/three": {"integrity": "sha512-x"}}}',
+    "web/page/node_modules/three/three.js": 'fetch("https://away.example")\n',
+}
+BAD_PAGE = {
+    "HTML of text": {"web/page/src/main.ts": "element.innerHTML = name;\n"},
+    "HTML of text beside an element": {"web/page/src/main.ts": "e.insertAdjacentHTML('beforeend', name);\n"},
+    "HTML in a component": {"web/page/src/a.tsx": "<p dangerouslySetInnerHTML={{ __html: name }} />\n"},
+    "code of text": {"web/page/src/main.ts": "eval(name);\n"},
+    "a function of text": {"web/page/src/main.ts": "new Function(name)();\n"},
+    "an address": {"web/page/src/main.ts": "fetch('https://away.example');\n"},
+    "an address without its scheme": {"web/page/src/main.ts": 'fetch("//away.example");\n'},
+    "a style from elsewhere": {"web/page/src/a.css": "@import 'more.css';\n"},
+    "a style in the HTML": {"web/page/index.html": '<p style="color: red">\n'},
+    "a script in the HTML": {"web/page/index.html": "<script>start()</script>\n"},
+    "a range of versions": {"web/page/package.json": '{"dependencies": {"three": "^0.187.0"}}'},
+    "a lock file that names a registry": {
+        "web/page/package-lock.json": '{"packages": {"node_modules/a": {"resolved": "there", "integrity": "x"}}}',
+    },
+    "a package without a hash": {"web/page/package-lock.json": '{"packages": {"node_modules/a": {}}}'},
+}
+
+
 def passes(check, files):
     with tempfile.TemporaryDirectory() as folder:
         for name, text in files.items():
@@ -123,6 +149,7 @@ CHECKS = [
     ("documents.py", GOOD_PAGES, BAD_PAGES),
     ("classes.py", GOOD_CLASSES, BAD_CLASSES),
     ("callers.py", GOOD_CALLERS, BAD_CALLERS),
+    ("page.py", GOOD_PAGE, BAD_PAGE),
 ]
 failures = [failure for check in CHECKS for failure in failures_of(*check)]
 print("\n".join(failures) or f"{sum(len(bad) for _, _, bad in CHECKS)} broken rules were noticed")

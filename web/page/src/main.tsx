@@ -3,7 +3,7 @@ import { useEffect, useState } from "preact/hooks";
 import "./app.css";
 import { getJson, messageOf, takeKey } from "./base/api";
 import { publishFacts, tellFacts } from "./base/facts";
-import { jobLink, noteLink, parseRoute, type Route } from "./base/route";
+import { forgetNotes, jobLink, noteLink, parseRoute, type Route } from "./base/route";
 import { startTheme } from "./base/theme";
 import type { Source } from "./base/types";
 import { ClusterScreen } from "./screens/cluster";
@@ -25,6 +25,7 @@ function Screens({ source }: { source: Source }) {
     const [route, setRoute] = useState(() => parseRoute(location.hash));
     useEffect(() => {
         const follow = () => {
+            forgetNotes();
             takeKey();
             setRoute(parseRoute(location.hash));
         };

@@ -42,7 +42,7 @@ export function jobLink(job: string): string {
     return `#/jobs/${encodeURIComponent(job)}`;
 }
 
-export function scenarioLink(job: string, scenario: number, query: Record<string, string> = {}) {
+export function scenarioLink(job: string, scenario: number, query: Record<string, string> = {}): string {
     // Commas, colons and slashes need no escape behind '#', and links stay readable.
     const text = new URLSearchParams(query)
         .toString()
@@ -52,12 +52,27 @@ export function scenarioLink(job: string, scenario: number, query: Record<string
     return `${jobLink(job)}/${scenario}${text === "" ? "" : `?${text}`}`;
 }
 
+let waiting = 0;
+
 /** Goes to another screen; the browser's back button returns. */
 export function goTo(link: string): void {
+    forgetNotes();
     location.hash = link;
 }
 
 /** Changes the address without a step in the browser's history and without a new screen. */
 export function noteLink(link: string): void {
+    forgetNotes();
     history.replaceState(null, "", link);
+}
+
+/** As `noteLink`, once nothing else has been noted for a while: browsers limit how often. */
+export function noteLinkSoon(link: string): void {
+    forgetNotes();
+    waiting = window.setTimeout(() => history.replaceState(null, "", link), 200);
+}
+
+/** Drops what waits to be noted, because the address is about another view now. */
+export function forgetNotes(): void {
+    clearTimeout(waiting);
 }

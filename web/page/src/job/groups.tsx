@@ -50,21 +50,18 @@ function columnsOf(job: Job): Column<Group>[] {
 }
 
 /** The pairs of parts that are in contact in some scenario. */
-export function Groups({ job }: { job: Job }) {
-    if (!job.groups) {
-        return null;
-    }
-    const total = job.groups_total ?? job.groups.length;
-    const isCut = total > job.groups.length;
+export function Groups({ job, groups }: { job: Job; groups: Group[] }) {
+    const total = job.groups_total ?? groups.length;
+    const isCut = total > groups.length;
     return (
         <Panel
             title="parts in contact"
-            note={isCut ? `the ${grouped(job.groups.length)} in most poses, of ${grouped(total)}` : ""}
+            note={isCut ? `the ${grouped(groups.length)} in most poses, of ${grouped(total)}` : ""}
         >
             <Table
                 caption="parts in contact"
                 columns={columnsOf(job)}
-                rows={job.groups}
+                rows={groups}
                 rowKey={(group) => `${group.a}\n${group.b}`}
                 empty="no part is in contact"
             />

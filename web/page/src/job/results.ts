@@ -45,6 +45,15 @@ export class Results {
         return difference > 0 || (difference === 0 && this.countAt(a) > this.countAt(b));
     }
 
+    /** Returns the worst scenario of all; 0 if there is none. */
+    worst(): number {
+        let worst = 0;
+        for (let i = 1; i < this.classes.length; ++i) {
+            worst = this.isWorse(i, worst) ? i : worst;
+        }
+        return this.classes.length === 0 ? 0 : this.scenarioAt(worst);
+    }
+
     countAt(element: number): number {
         return this.counts?.[element] ?? 0;
     }

@@ -1,4 +1,4 @@
-import { useEffect, useState } from "preact/hooks";
+import { useEffect, useMemo, useState } from "preact/hooks";
 import { isAbort, messageOf } from "../base/api";
 import { classNames } from "../base/classes";
 import { tellFacts } from "../base/facts";
@@ -220,6 +220,7 @@ function useJobFacts(job: Job | undefined, results: Results | null): void {
 export function JobScreen({ source, id }: { source: Source; id: string }) {
     const { value: job, error } = usePolled<Job>(`jobs/${encodeURIComponent(id)}`, 1, (one) => !isOver(one));
     const { results, error: resultsError } = useResults(source, job);
+    const worst = useMemo(() => results?.worst() ?? 0, [results]);
     useTitle(job ? job.name || id : id);
     useJobFacts(job, results);
     if (!job) {
@@ -240,7 +241,7 @@ export function JobScreen({ source, id }: { source: Source; id: string }) {
                     <BodyCard key={i} body={body} letter={i === 0 ? "A" : i === 1 ? "B" : String(i)} unit={job.unit} />
                 ))}
                 <PosesCard job={job} />
-                <a class="card go" href={scenarioLink(job.job, job.groups?.[0]?.worst ?? 0)}>
+                <a class="card go" href={scenarioLink(job.job, worst)}>
                     see it in 3D
                 </a>
             </div>
@@ -249,11 +250,11 @@ export function JobScreen({ source, id }: { source: Source; id: string }) {
                 <>
                     <div class="two">
                         <PoseSpace job={job} results={results} />
-                        <Groups job={job} />
+                        {job.groups ? <Groups job={job} groups={job.groups} /> : <Histogram results={results} />}
                     </div>
                     <Strip source={source} job={job} results={results} />
                     <div class="two">
-                        <Histogram results={results} />
+                        {job.groups && <Histogram results={results} />}
                         <Episodes job={job} results={results} />
                     </div>
                 </>

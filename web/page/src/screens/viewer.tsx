@@ -1,7 +1,7 @@
 import { useCallback, useEffect, useMemo, useRef, useState } from "preact/hooks";
 import { messageOf } from "../base/api";
 import { tellFacts } from "../base/facts";
-import { goTo, jobLink, noteLink, type Route, scenarioLink } from "../base/route";
+import { forgetNotes, goTo, jobLink, noteLink, noteLinkSoon, type Route, scenarioLink } from "../base/route";
 import type { Job, Source, Vec3 } from "../base/types";
 import { grouped, shellWord } from "../base/words";
 import { usePolled, useTitle } from "../ui/hooks";
@@ -52,7 +52,7 @@ function useViewerFacts(values: {
                     Array.from(points.subarray(4 * i + 1, 4 * i + 4)),
                 );
                 return {
-                    ready: viewer !== null && drawing.drawn.current === scenario,
+                    ready: viewer?.isShowing(state) === true && drawing.drawn.current === scenario,
                     scenario: contacts?.scenario.index,
                     class: contacts?.scenario.class,
                     verified: contacts?.scenario.verified,
@@ -118,8 +118,8 @@ export function ViewerScreen({ source, route }: ScreenProps) {
         }
     }, [route, viewer]);
     useEffect(() => {
-        const timer = setTimeout(() => noteLink(scenarioLink(route.job, scenario, writeState(state))), 200);
-        return () => clearTimeout(timer);
+        noteLinkSoon(scenarioLink(route.job, scenario, writeState(state)));
+        return forgetNotes;
     }, [scenario, state]);
 
     const last = job ? job.scenarios - 1 : 0;
@@ -201,7 +201,8 @@ export function ViewerScreen({ source, route }: ScreenProps) {
     const click = (event: MouseEvent) => {
         const moved = Math.hypot(event.clientX - down.current[0], event.clientY - down.current[1]);
         if (viewer && moved < dragPixels) {
-            change({ pick: viewer.pickAt(event.offsetX, event.offsetY, event.shiftKey) });
+            const pick = viewer.pickAt(event.offsetX, event.offsetY, event.shiftKey);
+            setState((old) => (pick === null && old.pick === null ? old : { ...old, pick }));
         }
     };
     const savePicture = async () => {

@@ -108,6 +108,10 @@ export class Viewer {
         this.arrange(state);
     }
 
+    isShowing(state: ViewState): boolean {
+        return this.state === state;
+    }
+
     /** Solid bodies, contacts, ghost; contacts through walls come last, without the others' depths. */
     private arrange(state: ViewState): void {
         const [a, b] = this.bodies;

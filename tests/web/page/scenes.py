@@ -1,0 +1,188 @@
+"""Small meshes and jobs, and results folders that cdctl makes of them."""
+import base64
+import csv
+import json
+import math
+import struct
+import subprocess
+from array import array
+
+BOX_CORNERS = [(x, y, z) for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)]
+BOX_FACES = [
+    (0, 1, 3), (0, 3, 2), (4, 6, 7), (4, 7, 5), (0, 4, 5), (0, 5, 1),
+    (2, 3, 7), (2, 7, 6), (0, 2, 6), (0, 6, 4), (1, 5, 7), (1, 7, 3),
+]  # fmt: skip
+
+HOSTILE_MARKUP = "<img src=x onerror=\"document.title='broken in'\">"
+HOSTILE_RTL = "\u202eabc\u202e<script>document.title='broken in'</script>"
+HOSTILE_LONG = "long" * 2500
+
+
+def box(half=(1, 1, 1)):
+    """Vertices and triangles of a box about the origin."""
+    return [tuple(s * h for s, h in zip(corner, half)) for corner in BOX_CORNERS], list(BOX_FACES)
+
+
+def write_obj(path, parts):
+    """Writes parts (name, vertices, triangles) as OBJ."""
+    lines, base = [], 1
+    for name, vertices, triangles in parts:
+        lines.append(f"o {name}")
+        lines += ["v {!r} {!r} {!r}".format(*vertex) for vertex in vertices]
+        lines += ["f {} {} {}".format(*(base + corner for corner in triangle)) for triangle in triangles]
+        base += len(vertices)
+    path.write_text("\n".join(lines) + "\n")
+
+
+def write_gltf(path, parts):
+    """Writes parts (name, vertices, triangles) as glTF, whose names may be any text."""
+    blob, views, accessors, meshes, nodes = b"", [], [], [], []
+
+    def add(values, kind, component, target, extra):
+        nonlocal blob
+        views.append({"buffer": 0, "byteOffset": len(blob), "byteLength": len(values), "target": target})
+        accessors.append({"bufferView": len(views) - 1, "componentType": component, "type": kind, **extra})
+        blob += values
+        return len(accessors) - 1
+
+    for name, vertices, triangles in parts:
+        bounds = {"min": [min(v[i] for v in vertices) for i in range(3)], "max": [max(v[i] for v in vertices) for i in range(3)]}
+        position = add(
+            b"".join(struct.pack("<3f", *v) for v in vertices), "VEC3", 5126, 34962, {"count": len(vertices), **bounds}
+        )
+        index = add(b"".join(struct.pack("<3I", *t) for t in triangles), "SCALAR", 5125, 34963, {"count": 3 * len(triangles)})
+        meshes.append({"primitives": [{"attributes": {"POSITION": position}, "indices": index}]})
+        nodes.append({"name": name, "mesh": len(meshes) - 1})
+    uri = "data:application/octet-stream;base64," + base64.b64encode(blob).decode()
+    gltf = {
+        "asset": {"version": "2.0"},
+        "scene": 0,
+        "scenes": [{"nodes": list(range(len(nodes)))}],
+        "nodes": nodes,
+        "meshes": meshes,
+        "accessors": accessors,
+        "bufferViews": views,
+        "buffers": [{"byteLength": len(blob), "uri": uri}],
+    }
+    path.write_text(json.dumps(gltf))
+
+
+def write_torus_ply(path, around, along):
+    """Writes a torus of 2 * around * along triangles as binary PLY."""
+    vertices, faces = array("f"), bytearray()
+    for i in range(around):
+        u = 2 * math.pi * i / around
+        cos_u, sin_u = math.cos(u), math.sin(u)
+        for j in range(along):
+            v = 2 * math.pi * j / along
+            radius = 2 + 0.6 * math.cos(v) + 0.05 * math.sin(9 * u + 5 * v)
+            vertices.extend((radius * cos_u, radius * sin_u, 0.6 * math.sin(v)))
+    face = struct.Struct("<BiiiBiii")
+    for i in range(around):
+        row, above = i * along, (i + 1) % around * along
+        for j in range(along):
+            k = (j + 1) % along
+            faces += face.pack(3, row + j, above + j, above + k, 3, row + j, above + k, row + k)
+    header = (
+        "ply\nformat binary_little_endian 1.0\n"
+        f"element vertex {around * along}\nproperty float x\nproperty float y\nproperty float z\n"
+        f"element face {2 * around * along}\nproperty list uchar int vertex_indices\nend_header\n"
+    )
+    path.write_bytes(header.encode() + vertices.tobytes() + bytes(faces))
+
+
+class Scenes:
+    """Makes results folders below `root`, each once."""
+
+    def __init__(self, cdctl, root):
+        self.cdctl, self.root = cdctl, root
+
+    def run(self, name, *options):
+        """Runs a job with these options of `cdctl run`; returns its folder."""
+        out = self.root / name
+        if not out.exists():
+            words = [self.cdctl, "run", *map(str, options), "--out", out, "--quiet"]
+            ran = subprocess.run(list(map(str, words)), capture_output=True, text=True, cwd=self.root)
+            if ran.returncode != 0:
+                raise AssertionError(f"cdctl run failed: {ran.stderr}")
+        return out
+
+    def poses(self, name, header, rows):
+        path = self.root / f"{name}.csv"
+        path.write_text(header + "\n" + "\n".join(",".join(map(str, row)) for row in rows) + "\n")
+        return path
+
+    def job(self, name, text):
+        path = self.root / f"{name}.toml"
+        path.write_text(text)
+        return path
+
+    def one_pair(self):
+        """A box, and a triangle whose tip goes through one triangle of the box's face x = 1."""
+        write_obj(self.root / "box.obj", [("box", *box())])
+        write_obj(self.root / "tip.obj", [("tip", [(0.9, 0, 0), (1.6, 0.1, 0), (1.6, -0.1, 0.05)], [(0, 1, 2)])])
+        poses = self.poses("one", "x,y,z", [(0, -0.5, 0.5)])
+        return self.run("one_pair", "--a", "box.obj", "--b", "tip.obj", "--unit", "m", "--poses", poses, "--level", "contacts")
+
+    def bodies(self):
+        """A box of two parts, and a small one."""
+        upper = [(x, y, z + 2.5) for x, y, z in box()[0]]
+        write_obj(self.root / "a.obj", [("lower", *box()), ("upper", upper, BOX_FACES)])
+        write_obj(self.root / "b.obj", [("probe", *box((0.3, 0.2, 0.4)))])
+        return ["--a", "a.obj", "--b", "b.obj", "--unit", "m"]
+
+    def grid(self):
+        self.bodies()
+        job = self.job(
+            "grid",
+            'name = "grid"\nunit = "m"\n[a]\nmesh = "a.obj"\n[b]\nmesh = "b.obj"\n'
+            "[poses]\ngrid = { x = [-2, 2, 21], y = [-2, 2, 17], z = [0, 2.5, 3], yaw_deg = [0, 60, 3] }\n"
+            '[query]\nlevel = "contacts"\nmaps = true\n[output]\nformats = ["csv", "csv-pairs"]\n',
+        )
+        return self.run("grid", job)
+
+    def drive(self):
+        rows = [(i, f"{0.1 * i:.1f}", -2.5 + 0.05 * i, round(math.sin(0.2 * i), 4), 0.1, 3 * i) for i in range(100)]
+        poses = self.poses("drive", "id,t,x,y,z,yaw_deg", rows)
+        return self.run(
+            "drive", *self.bodies(), "--poses", poses, "--level", "contacts", "--formats", "csv,csv-pairs"
+        )
+
+    def random(self):
+        return self.run("random", *self.bodies(), "--random", 300, "--seed", 1, "--level", "contacts")
+
+    def many(self):
+        """More random poses than are drawn as points."""
+        return self.run("many", *self.bodies(), "--random", 60000, "--seed", 2, "--level", "count")
+
+    def hostile(self):
+        """Names that are markup, turn the writing direction, or never end."""
+        shifted = lambda by: [(x, y + by, z) for x, y, z in box()[0]]
+        names = [HOSTILE_MARKUP, HOSTILE_RTL, HOSTILE_LONG]
+        write_gltf(self.root / "names.gltf", [(name, shifted(3 * i), BOX_FACES) for i, name in enumerate(names)])
+        write_gltf(self.root / "bar.gltf", [(HOSTILE_MARKUP, *box((0.5, 8, 0.2)))])
+        poses = self.poses("bar", "id,x", [(HOSTILE_MARKUP, 1), ("plain", 9)])
+        job = self.job(
+            "hostile",
+            "name = '''" + HOSTILE_MARKUP + "'''\nunit = 'm'\n"
+            '[a]\nmesh = "names.gltf"\n[b]\nmesh = "bar.gltf"\n'
+            f'[poses]\nfile = "{poses.name}"\n[query]\nlevel = "contacts"\nmaps = true\n',
+        )
+        return self.run("hostile", job)
+
+    def million(self):
+        write_torus_ply(self.root / "million.ply", 1000, 500)
+        self.bodies()
+        poses = self.poses("million", "x,z", [(2, 0.5)])
+        return self.run("million", "--a", "million.ply", "--b", "b.obj", "--unit", "m", "--poses", poses, "--level", "contacts")
+
+
+def pairs_by_scenario(folder):
+    """Returns the triangles of A and of B in contact in each scenario, from pairs.csv."""
+    found = {}
+    with open(folder / "pairs.csv", newline="") as file:
+        for row in csv.DictReader(file):
+            a, b = found.setdefault(int(row["scenario"]), (set(), set()))
+            a.add(int(row["triangle_a"]))
+            b.add(int(row["triangle_b"]))
+    return found
