@@ -90,7 +90,7 @@ def problems_of_job_page(root):
 
 def main():
     root = pathlib.Path(sys.argv[1])
-    names = sorted(p.relative_to(root).as_posix() for p in root.rglob("*.md"))
+    names = sorted(p.relative_to(root).as_posix() for p in root.rglob("*.md") if "node_modules" not in p.parts)
     pages = [name for name in names if not name.startswith(("build", "."))]
     found = [problem for name in pages for problem in problems_of_page(root, name)]
     found += problems_of_job_page(root)
