@@ -94,9 +94,16 @@ void add_options(CLI::App& app, MasterConfig& config, Texts& texts) {
     };
     option(app.add_option("--listen", texts.listen, "Address for workers and clients"), "HOST:PORT")
         ->capture_default_str();
-    option(
-        app.add_option("--http", texts.http, "Address that serves /healthz, /readyz and /metrics"),
-        "HOST:PORT");
+    option(app.add_option("--http",
+                          texts.http,
+                          "Address that serves the page, /healthz, /readyz and /metrics"),
+           "HOST:PORT");
+    option(app.add_option("--http-name",
+                          config.http.names,
+                          "A further name of this server in browsers' addresses, besides loopback "
+                          "and master; may be repeated")
+               ->delimiter(','),
+           "HOST");
     option(
         app.add_option("--state",
                        texts.state,
@@ -205,7 +212,7 @@ MasterCommandLine parse_master_command_line(int count, const char* const* argume
         if (!http) {
             return {std::nullopt, "cdmaster: --http: " + http.error().detail + "\n", 2};
         }
-        config.http = http.value();
+        config.http.listen = http.value();
     }
     const Result<std::chrono::seconds> life = parse_duration(texts.certificate_life);
     if (!life || life.value() < timing::certificate_life_min) {

@@ -14,6 +14,11 @@
 
 namespace cd {
 
+struct HttpConfig {
+    std::optional<Endpoint> listen; ///< Address of the page, health and metrics. Empty: none.
+    std::vector<std::string> names; ///< Further names of this server in the header Host.
+};
+
 struct MasterConfig {
     Endpoint listen{"127.0.0.1", 7600}; ///< With port 0, the system chooses one.
     std::filesystem::path state;        ///< State directory.
@@ -22,9 +27,9 @@ struct MasterConfig {
     bool check = false;                 ///< `cdmaster check`: check the state, then exit.
     bool no_sync = false; ///< Do not sync; for a state that need not survive a power loss.
     std::string log_level = "info";
-    std::string port_file;        ///< File that receives the port, for scripts. Empty: none.
-    std::optional<Endpoint> http; ///< Address of the health and metrics pages. Empty: none.
-    bool init = false;            ///< `cdmaster init`: create an identity, then exit.
+    std::string port_file; ///< File that receives the port, for scripts. Empty: none.
+    HttpConfig http;
+    bool init = false; ///< `cdmaster init`: create an identity, then exit.
     std::chrono::seconds certificate_life = timing::certificate_life;
     FailureTimes times;
     JobRetention retention; ///< Retention of ended jobs.

@@ -78,14 +78,18 @@ keep_valid(MasterIdentity& identity, asio::steady_timer& pause, const bool& stop
 /// Opens the HTTP port. Returns null if the configuration has no HTTP endpoint.
 Result<std::unique_ptr<HttpFront>>
 listen_http(const MasterConfig& config, Coordinator& coordinator, MasterIdentity* identity) {
-    if (!config.http) {
+    if (!config.http.listen) {
         return std::unique_ptr<HttpFront>();
     }
-    if (Status exposed = check_exposure(*config.http, {identity != nullptr, config.insecure, true});
-        !exposed) {
+    const Exposure exposure{identity != nullptr, config.insecure, true};
+    if (Status exposed = check_exposure(*config.http.listen, exposure); !exposed) {
         return exposed.error();
     }
-    return HttpFront::listen(coordinator.parts().executor, *config.http, coordinator, identity);
+    return HttpFront::listen(coordinator.parts().executor,
+                             *config.http.listen,
+                             coordinator,
+                             identity,
+                             config.http.names);
 }
 
 } // namespace
@@ -192,7 +196,7 @@ Status run_master(const MasterConfig& config) {
     server.value()->start();
     if (http.value() != nullptr) {
         http.value()->start();
-        log_info("http listening: host={} port={}", config.http->host, http.value()->port());
+        log_info("http listening: host={} port={}", config.http.listen->host, http.value()->port());
     }
     log_info("listening: host={} port={} state={} tls={}",
              config.listen.host,

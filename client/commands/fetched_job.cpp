@@ -39,32 +39,6 @@ class RemotePoses final : public PoseSource {
     std::uint64_t count_;
 };
 
-/// Takes a mesh from the cache, or else from the master. Errors: the connection's.
-Result<std::shared_ptr<const Mesh>>
-get_mesh(Connection& connection, const Sha256& mesh, const MeshCache& cache) {
-    if (auto kept = cache.find(mesh)) {
-        return kept;
-    }
-    auto fetched = CD_TRY(connection.fetch_mesh(mesh));
-    cache.keep(fetched);
-    return std::make_shared<const Mesh>(std::move(fetched));
-}
-
-/// Returns the error for an argument taken for a job's id, since no folder has this name.
-Error no_folder(const std::string& text, const Error& error) {
-    const std::string detail = "there is no folder '" + text + "', ";
-    switch (error.code) {
-    case ErrorCode::Disconnected:
-        return {error.code,
-                detail + "so it was taken as a job of the master: " + error.detail +
-                    " --master names another one"};
-    case ErrorCode::NotFound:
-        return {error.code, detail + "and " + error.detail};
-    default:
-        return error;
-    }
-}
-
 /// Passes all existing results of a job to `take`, and returns their number. Errors: from `take`;
 /// BadFrame if the results do not match the digest that the master states.
 Result<std::uint64_t>
@@ -137,11 +111,7 @@ Result<RunReport> fetch_results(Connection& connection,
 Result<FetchedJob> FetchedJob::open(const MasterOptions& master,
                                     const std::string& text,
                                     const std::filesystem::path& tree_cache) {
-    auto opened = open_job(master, text);
-    if (!opened) {
-        return no_folder(text, opened.error());
-    }
-    FetchedJob job(std::move(opened.value()));
+    FetchedJob job(CD_TRY(open_job_of_argument(master, text)));
     CD_TRY(job.prepare(tree_cache));
     return job;
 }

@@ -27,10 +27,19 @@ namespace {
 
 constexpr double bytes_per_megabyte = 1e6;
 
-/// True if a new connection may help: the old one broke, was silent, or carried damaged bytes.
-bool is_of_the_network(const Error& error) {
-    return error.code == ErrorCode::Disconnected || error.code == ErrorCode::Timeout ||
-           error.code == ErrorCode::BadFrame;
+/// Returns the error for an argument taken for a job's id, since no folder has this name.
+Error no_folder(const std::string& text, const Error& error) {
+    const std::string detail = "there is no folder '" + text + "', ";
+    switch (error.code) {
+    case ErrorCode::Disconnected:
+        return {error.code,
+                detail + "so it was taken as a job of the master: " + error.detail +
+                    " --master names another one"};
+    case ErrorCode::NotFound:
+        return {error.code, detail + "and " + error.detail};
+    default:
+        return error;
+    }
 }
 
 Result<std::unique_ptr<Connection>> open_again(const MasterOptions& master) {
@@ -80,6 +89,11 @@ Result<ConnectedJob> open_job(const MasterOptions& options, const std::string& t
     const JobId id = CD_TRY(find_job(text, cluster.jobs, connection->owner()));
     const auto status = std::ranges::find(cluster.jobs, id, &JobStatus::job);
     return ConnectedJob{std::move(connection), *status, job_id_text(id, ids_of(cluster.jobs))};
+}
+
+Result<ConnectedJob> open_job_of_argument(const MasterOptions& options, const std::string& text) {
+    auto opened = open_job(options, text);
+    return opened ? std::move(opened) : no_folder(text, opened.error());
 }
 
 std::uint64_t worker_count(const ClusterStatus& cluster) {

@@ -37,6 +37,10 @@ struct ConnectedJob {
 /// `find_job`.
 [[nodiscard]] Result<ConnectedJob> open_job(const MasterOptions& options, const std::string& text);
 
+/// As `open_job`, for an argument that is no folder; the text of an error says so.
+[[nodiscard]] Result<ConnectedJob> open_job_of_argument(const MasterOptions& options,
+                                                        const std::string& text);
+
 /// Returns the number of workers that are not lost.
 [[nodiscard]] std::uint64_t worker_count(const ClusterStatus& cluster);
 /// Asks for the number of workers that are not lost; 0 if the master does not answer.

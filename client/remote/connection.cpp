@@ -1,6 +1,5 @@
 #include "client/remote/connection.hpp"
 
-#include "client/remote/result_records.hpp"
 #include "common/core/check.hpp"
 #include "common/core/errors.hpp"
 #include "common/core/host/stop_check.hpp"
@@ -14,6 +13,7 @@
 #include "common/job/packed_scenarios.hpp"
 #include "common/job/poses/pose_order.hpp"
 #include "proto/channel/channel.hpp"
+#include "web/server/cluster/result_records.hpp"
 #include "web/status/table.hpp"
 
 #include <pwd.h>
@@ -554,6 +554,11 @@ Status Connection::pause(std::chrono::milliseconds time) {
         }
     }
     return Done{};
+}
+
+bool is_of_the_network(const Error& error) {
+    return error.code == ErrorCode::Disconnected || error.code == ErrorCode::Timeout ||
+           error.code == ErrorCode::BadFrame;
 }
 
 } // namespace cd

@@ -119,4 +119,7 @@ class Connection {
     std::unique_ptr<State> state_;
 };
 
+/// True if a new connection may help: the old one broke, was silent, or carried damaged bytes.
+[[nodiscard]] bool is_of_the_network(const Error& error);
+
 } // namespace cd

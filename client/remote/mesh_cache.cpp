@@ -1,5 +1,6 @@
 #include "client/remote/mesh_cache.hpp"
 
+#include "client/remote/connection.hpp"
 #include "client/trees/tree_cache.hpp"
 #include "common/core/errors.hpp"
 
@@ -62,6 +63,16 @@ void MeshCache::keep(const Mesh& mesh) const {
     if (write_mesh_file(path, mesh, Durability::Unsynced)) {
         keep_within(folder_, std::array{mesh_suffix}, bytes_max_, path);
     }
+}
+
+Result<std::shared_ptr<const Mesh>>
+get_mesh(Connection& connection, const Sha256& mesh, const MeshCache& cache) {
+    if (auto kept = cache.find(mesh)) {
+        return kept;
+    }
+    auto fetched = CD_TRY(connection.fetch_mesh(mesh));
+    cache.keep(fetched);
+    return std::make_shared<const Mesh>(std::move(fetched));
 }
 
 } // namespace cd

@@ -45,4 +45,10 @@ class MeshCache {
     std::uint64_t bytes_max_;
 };
 
+class Connection;
+
+/// Takes a mesh from the cache, or else from the master, and keeps it. Errors: the connection's.
+[[nodiscard]] Result<std::shared_ptr<const Mesh>>
+get_mesh(Connection& connection, const Sha256& mesh, const MeshCache& cache);
+
 } // namespace cd

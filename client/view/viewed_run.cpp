@@ -1,16 +1,18 @@
 #include "client/view/viewed_run.hpp"
 
 #include "client/folder/folder_exports.hpp"
+#include "client/folder/run_groups.hpp"
 #include "client/remote/mesh_cache.hpp"
-#include "client/view/part_filter.hpp"
 #include "common/core/errors.hpp"
 #include "common/core/limits/web.hpp"
 #include "common/core/words.hpp"
 #include "common/geometry/aabb.hpp"
+#include "web/server/cluster/cluster_jobs.hpp"
 #include "web/server/scenario_repeat.hpp"
 
 #include <algorithm>
 #include <ctime>
+#include <span>
 
 namespace cd {
 
@@ -58,6 +60,37 @@ PosesView poses_view(const ManifestPoses& poses, const JobSpec& spec) {
             poses.of_both_bodies};
 }
 
+GroupsView groups_view(const std::vector<Group>& groups, std::uint64_t tested) {
+    GroupsView view;
+    view.total = groups.size();
+    for (const Group& group :
+         std::span(groups).first(std::min<std::size_t>(groups.size(), limits::page_groups_max))) {
+        view.rows.push_back({group.part_a,
+                             group.part_b,
+                             group.scenarios,
+                             static_cast<double>(group.scenarios) /
+                                 static_cast<double>(std::max<std::uint64_t>(tested, 1)),
+                             group.pairs,
+                             group.worst,
+                             group.worst_pairs,
+                             group.kind});
+    }
+    return view;
+}
+
+/// Marks the triangles of the part with this name; no marks for an empty name. Errors: BadInput if
+/// there is none.
+Result<std::vector<bool>>
+triangles_in(const BodyParts& parts, const Mesh& mesh, const std::string& name) {
+    std::vector<bool> marks;
+    bool any = name.empty();
+    for (std::uint32_t i = 0; !name.empty() && i < mesh.triangles().size(); ++i) {
+        marks.push_back(parts.name(parts.part_of(i)) == name);
+        any = any || marks.back();
+    }
+    return any ? Result(std::move(marks)) : bad_input("the body has no part '" + name + "'");
+}
+
 BodyView body_view(const JobBody& body, const Mesh& mesh, const ObbTree& tree) {
     return {body,
             mesh.triangles().size(),
@@ -68,17 +101,6 @@ BodyView body_view(const JobBody& body, const Mesh& mesh, const ObbTree& tree) {
             bounding_box(mesh.vertices()).size()};
 }
 
-void add_label(const PoseLabels& labels, std::uint64_t number, ScenarioView& view) {
-    if (number < labels.integers.size()) {
-        view.id = std::to_string(labels.integers[number]);
-    } else if (number < labels.texts.size()) {
-        view.id = labels.texts[number];
-    }
-    if (number < labels.times.size()) {
-        view.time = labels.times[number];
-    }
-}
-
 } // namespace
 
 Result<std::unique_ptr<ViewedRun>>
@@ -87,6 +109,7 @@ ViewedRun::open(OpenedRun run, PreparedJob job, ThreadPool& pool, const StopChec
     std::unique_ptr<ViewedRun> viewed(
         new ViewedRun(std::move(run), std::move(job), std::move(index)));
     CD_TRY(viewed->read_map());
+    CD_TRY(viewed->sum_groups(stop));
     return viewed;
 }
 
@@ -97,6 +120,16 @@ Status ViewedRun::read_map() {
     } else if (query.level >= Level::Pairs) {
         map_ = index_.map();
     }
+    return Done{};
+}
+
+Status ViewedRun::sum_groups(const StopCheck& stop) {
+    if (manifest().query.level < Level::Pairs) {
+        return Done{};
+    }
+    auto sum = CD_TRY(groups_of(run_.records(), {job_.meshes.begin(), job_.meshes.end()}, stop));
+    parts_ = {sum.parts(0), sum.parts(1)};
+    groups_ = groups_view(sum.groups(), index_.summary().tested());
     return Done{};
 }
 
@@ -135,6 +168,7 @@ JobView ViewedRun::view(const std::string& id) const {
     }
     view.map = {map_.has_value(), run.query.maps ? 0 : run.query.limit_pairs};
     view.run = run_view(run, folder());
+    view.groups = groups_;
     return view;
 }
 
@@ -204,13 +238,21 @@ Result<std::shared_ptr<const ScenarioView>> ViewedRun::scenario(std::uint64_t nu
     return std::make_shared<const ScenarioView>(std::move(view));
 }
 
-Result<std::optional<std::uint64_t>> ViewedRun::next(const NextContact& wanted) {
-    const auto filter =
-        CD_TRY(PartFilter::make(*job_.meshes[0], wanted.part_a, *job_.meshes[1], wanted.part_b));
-    if (!filter.is_empty() && manifest().query.level < Level::Pairs) {
+Result<PartFilter> ViewedRun::filter_of(const NextContact& wanted) const {
+    if (wanted.part_a.empty() && wanted.part_b.empty()) {
+        return PartFilter();
+    }
+    if (parts_.empty()) {
         return bad_input("the run lists no pairs, so that parts are not known: its level is " +
                          std::string(to_text(manifest().query.level)));
     }
+    auto a = CD_TRY(triangles_in(parts_[0], *job_.meshes[0], wanted.part_a));
+    auto b = CD_TRY(triangles_in(parts_[1], *job_.meshes[1], wanted.part_b));
+    return PartFilter(std::move(a), std::move(b));
+}
+
+Result<std::optional<std::uint64_t>> ViewedRun::next(const NextContact& wanted) {
+    const auto filter = CD_TRY(filter_of(wanted));
     Status status = Done{};
     const auto fits = [&](std::uint64_t scenario) {
         if (filter.is_empty()) {

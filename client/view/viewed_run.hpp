@@ -2,12 +2,14 @@
 #pragma once
 
 #include "client/folder/opened_run.hpp"
+#include "client/groups/body_parts.hpp"
 #include "client/job/prepared_job.hpp"
 #include "client/view/record_index.hpp"
 #include "common/core/host/stop_check.hpp"
 #include "common/core/host/thread_pool.hpp"
 #include "common/core/result.hpp"
 #include "web/server/page_source.hpp"
+#include "web/server/part_filter.hpp"
 
 #include <cstdint>
 #include <memory>
@@ -23,8 +25,8 @@ namespace cd {
 /// not have; Io and those of the poses.
 class ViewedRun {
   public:
-    /// Reads all records. `job` is the run's, prepared with trees. Errors: as `RecordIndex::read`
-    /// and `OpenedRun::kept_map`.
+    /// Reads all records. `job` is the run's, prepared with trees. Errors: as `RecordIndex::read`,
+    /// `groups_of` and `OpenedRun::kept_map`.
     [[nodiscard]] static Result<std::unique_ptr<ViewedRun>>
     open(OpenedRun run, PreparedJob job, ThreadPool& pool, const StopCheck& stop = {});
 
@@ -57,6 +59,8 @@ class ViewedRun {
         : run_(std::move(run)), job_(std::move(job)), index_(std::move(index)) {}
 
     [[nodiscard]] Status read_map();
+    [[nodiscard]] Status sum_groups(const StopCheck& stop);
+    [[nodiscard]] Result<PartFilter> filter_of(const NextContact& wanted) const;
     [[nodiscard]] Result<std::vector<Scenario>> read_poses(std::uint64_t first,
                                                            std::uint64_t count);
     [[nodiscard]] Result<std::optional<KeptRecord>> find_record(std::uint64_t scenario);
@@ -66,7 +70,9 @@ class ViewedRun {
     PreparedJob job_;
     RecordIndex index_;
     std::optional<ContactMap> map_;
-    std::mutex mutex_; ///< Held while poses or records are read.
+    std::optional<GroupsView> groups_; ///< Nothing below `level pairs`.
+    std::vector<BodyParts> parts_;     ///< Of each body; empty below `level pairs`.
+    std::mutex mutex_;                 ///< Held while poses or records are read.
 };
 
 } // namespace cd

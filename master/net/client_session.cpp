@@ -10,8 +10,8 @@
 #include "master/net/answers.hpp"
 #include "master/net/job_removal.hpp"
 #include "master/net/job_requests.hpp"
-#include "master/net/state_sizes.hpp"
 #include "master/net/worker_dismissal.hpp"
+#include "master/page/state_sizes.hpp"
 #include "master/submission/submission.hpp"
 #include "proto/codec/codec.hpp"
 

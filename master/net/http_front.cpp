@@ -13,38 +13,9 @@ namespace cd {
 
 namespace {
 
-/// Returns the reason why the master or one of its jobs is paused; empty if none is.
-std::string what_waits(Coordinator& coordinator) {
-    if (!coordinator.jobs().paused().empty()) {
-        return "paused: " + coordinator.jobs().paused();
-    }
-    for (const JobStatus& job : coordinator.jobs().cluster().jobs) {
-        if (!job.paused.empty()) {
-            return "job " + std::to_string(job.job.value) + " is paused: " + job.paused;
-        }
-    }
-    return "";
-}
-
-HttpAnswer answer_to(const HttpRequest& request, Coordinator& coordinator, const Access& access) {
-    if (request.method != "GET" && request.method != "HEAD") {
-        return {405, "only GET and HEAD\n"};
-    }
-    if (request.target == "/healthz") {
-        return {200, "ok\n"};
-    }
-    if (request.target == "/readyz") {
-        const std::string why = what_waits(coordinator);
-        return why.empty() ? HttpAnswer{200, "ready\n"} : HttpAnswer{503, why + "\n"};
-    }
-    if (request.target == "/metrics") {
-        const Status allowed = access.check(Message(StatusQuery{}));
-        return allowed ? HttpAnswer{200,
-                                    metrics_text(coordinator.jobs().cluster()),
-                                    std::string(metrics_content_type)}
-                       : HttpAnswer{403, allowed.error().detail + "\n"};
-    }
-    return {404, "there are /healthz, /readyz and /metrics\n"};
+HttpAnswer readiness(const Coordinator& coordinator) {
+    const std::string why = reason_of_pause(coordinator);
+    return why.empty() ? HttpAnswer{200, "ready\n"} : HttpAnswer{503, why + "\n"};
 }
 
 } // namespace
@@ -52,25 +23,37 @@ HttpAnswer answer_to(const HttpRequest& request, Coordinator& coordinator, const
 Result<std::unique_ptr<HttpFront>> HttpFront::listen(const asio::any_io_executor& executor,
                                                      const Endpoint& endpoint,
                                                      Coordinator& coordinator,
-                                                     MasterIdentity* identity) {
+                                                     MasterIdentity* identity,
+                                                     std::vector<std::string> host_names) {
     Result<std::unique_ptr<Listener>> listener = Listener::open(executor, endpoint);
     if (!listener) {
         return listener.error();
     }
-    return std::unique_ptr<HttpFront>(
-        new HttpFront(std::move(listener.value()), coordinator, identity));
+    return std::unique_ptr<HttpFront>(new HttpFront(std::move(listener.value()),
+                                                    coordinator,
+                                                    identity,
+                                                    std::move(host_names),
+                                                    is_loopback(endpoint)));
 }
 
 HttpFront::HttpFront(std::unique_ptr<Listener> listener,
                      Coordinator& coordinator,
-                     MasterIdentity* identity)
-    : listener_(std::move(listener)), coordinator_(coordinator), identity_(identity) {}
+                     MasterIdentity* identity,
+                     std::vector<std::string> host_names,
+                     bool is_loopback)
+    : listener_(std::move(listener)),
+      coordinator_(coordinator),
+      identity_(identity),
+      page_(coordinator, std::move(host_names), identity != nullptr),
+      is_loopback_(is_loopback) {}
 
 void HttpFront::start() {
+    page_.start();
     listener_->start([this](asio::ip::tcp::socket socket) { accept(std::move(socket)); });
 }
 
 void HttpFront::close() {
+    page_.close();
     listener_->close();
 }
 
@@ -103,19 +86,40 @@ asio::awaitable<void> HttpFront::serve(asio::ip::tcp::socket socket, Seats::Seat
         identity_ == nullptr ? Access() : Access(*identity_, stream->peer_identity());
     // The handler keeps the connection slot until the stream is destroyed.
     serve_http(std::move(stream),
-               [this, access, peer, seat](const HttpRequest& request, const HttpRespond& respond) {
-                   respond(answer(request, access, peer));
+               [this, access, peer, seat](const HttpRequest& request, HttpRespond respond) {
+                   answer(request, access, [this, peer, respond](HttpAnswer answer) {
+                       if (answer.status == 403) {
+                           const std::string reason = answer.body.substr(0, answer.body.find('\n'));
+                           refusals_.log(LogLevel::Warning, "http request refused", peer, reason);
+                       }
+                       respond(std::move(answer));
+                   });
                });
 }
 
-HttpAnswer
-HttpFront::answer(const HttpRequest& request, const Access& access, const std::string& peer) {
-    HttpAnswer answer = answer_to(request, coordinator_, access);
-    if (answer.status == 403) {
-        const std::string reason = answer.body.substr(0, answer.body.find('\n'));
-        refusals_.log(LogLevel::Warning, "http request refused", peer, reason);
+HttpAnswer HttpFront::metrics(const HttpRequest& request, const Access& access) const {
+    if (is_loopback_ && !page_.is_own_host(request.host)) {
+        return {421, "this server is not '" + request.host + "'\n"};
     }
-    return answer;
+    const Status allowed = access.check(Message(StatusQuery{}));
+    return allowed ? HttpAnswer{200,
+                                metrics_text(coordinator_.jobs().cluster()),
+                                std::string(metrics_content_type)}
+                   : HttpAnswer{403, allowed.error().detail + "\n"};
+}
+
+void HttpFront::answer(const HttpRequest& request, const Access& access, HttpRespond respond) {
+    const bool reads = request.method == "GET" || request.method == "HEAD";
+    if (reads && request.target == "/healthz") {
+        return respond({200, "ok\n"});
+    }
+    if (reads && request.target == "/readyz") {
+        return respond(readiness(coordinator_));
+    }
+    if (reads && request.target == "/metrics") {
+        return respond(metrics(request, access));
+    }
+    page_.answer(request, access, std::move(respond));
 }
 
 } // namespace cd

@@ -1,6 +1,7 @@
 #include "proto/channel/http/http.hpp"
 #include "tests/fuzz/require.hpp"
 #include "tests/fuzz/targets.hpp"
+#include "web/server/page_request.hpp"
 
 #include <sys/socket.h>
 #include <unistd.h>
@@ -67,6 +68,22 @@ bool is_visible(const std::string& text) {
     });
 }
 
+/// A target of the page's interface is refused, or asks for what it says.
+void read_target(const std::string& target) {
+    constexpr std::uint64_t scenarios = 1000;
+    const auto page = parse_page_request(target);
+    if (!page) {
+        require(!page.error().detail.empty(), "a refused target is told why");
+        return;
+    }
+    require(target.starts_with(page_api), "all routes have one beginning");
+    const ScenarioChoice& choice = page.value().choice;
+    if (choice.check(scenarios, scenarios) && choice.size() != 0) {
+        require(choice.at(choice.size() - 1, scenarios) < scenarios,
+                "a choice stays within the job");
+    }
+}
+
 } // namespace
 
 void http(Input input) {
@@ -86,6 +103,7 @@ void http(Input input) {
     require(whole.answer == in_two.answer || whole.answer.empty() || in_two.answer.empty(),
             "how a request is cut makes no difference to its answer");
     if (whole.requests == 1) {
+        read_target(whole.request.target);
         require(is_visible(whole.request.method) && is_visible(whole.request.target),
                 "a request has a method and a target");
         require(whole.answer.starts_with("HTTP/1.1 200 "), "a request gets its answer");

@@ -528,6 +528,13 @@ void add_requests(Seeds& seeds) {
         seeds.add("http", name, out.bytes());
     };
     add(9, "metrics", "GET /metrics HTTP/1.1\r\nHost: here\r\nAccept: */*\r\n\r\n");
+    add(40,
+        "page",
+        "GET /api/v1/jobs/j-4f2a/scenarios/next?from=7&step=-1&part_a=a%2Fb HTTP/1.1\r\n"
+        "Host: 127.0.0.1\r\nAuthorization: Bearer k\r\n\r\n");
+    add(50,
+        "classes",
+        "HEAD /api/v1/jobs/j-4f2a/classes?first=0&count=65536 HTTP/1.1\r\nHost: [::1]:1\r\n\r\n");
     add(30, "body", "POST / HTTP/1.1\r\nContent-Length: 4\r\n\r\nbody");
     add(3, "chunked", "PUT /x HTTP/1.0\r\nTransfer-Encoding: chunked\r\n\r\n1\r\nx\r\n0\r\n\r\n");
 }

@@ -1,4 +1,3 @@
-#include "client/remote/result_records.hpp"
 #include "common/core/files/compress.hpp"
 #include "common/core/files/disk_file.hpp"
 #include "common/core/files/hash.hpp"
@@ -18,6 +17,7 @@
 #include "tests/fuzz/memory_file.hpp"
 #include "tests/fuzz/require.hpp"
 #include "tests/fuzz/targets.hpp"
+#include "web/server/cluster/result_records.hpp"
 #include "worker/cache/subtree_cache.hpp"
 
 #include <algorithm>

@@ -54,8 +54,8 @@ struct BodyView {
     JobBody body;
     std::uint64_t triangles = 0;
     std::uint64_t parts = 0;
-    std::optional<bool> is_closed; ///< Nothing if unknown.
-    std::uint64_t bytes = 0;       ///< Size of the canonical form.
+    std::optional<bool> is_closed = std::nullopt; ///< Nothing if unknown.
+    std::uint64_t bytes = 0;                      ///< Size of the canonical form.
     Precision precision = Precision::Double;
     Vec3 size = Vec3::Zero(); ///< Size of the box around the mesh, in its own axes.
 };

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <ctime>
+#include <functional>
 
 namespace cd {
 
@@ -76,7 +77,7 @@ template <class Member>
 std::uint64_t sum_over_workers(const ClusterStatus& status, Member member) {
     std::uint64_t sum = 0;
     for (const WorkerStatus& worker : status.workers) {
-        sum += worker.*member;
+        sum += std::invoke(member, worker);
     }
     return sum;
 }
@@ -98,6 +99,16 @@ double master_share(const ClusterStatus& before, const ClusterStatus& after) {
 }
 
 } // namespace
+
+ClusterRates rates_between(const ClusterStatus& before, const ClusterStatus& after) {
+    const auto from_peers = [](const WorkerStatus& worker) {
+        return worker.cache.blocks.peer_bytes;
+    };
+    return {rate_between(before, after, &WorkerStatus::scenarios),
+            rate_between(before, after, &WorkerStatus::bytes_sent),
+            rate_between(before, after, &WorkerStatus::bytes_received),
+            rate_between(before, after, from_peers)};
+}
 
 Table jobs_table(const ClusterStatus& status) {
     using enum CellKind;

@@ -12,6 +12,15 @@ namespace cd {
 [[nodiscard]] Table workers_table(const ClusterStatus& status);
 [[nodiscard]] Table meshes_table(const ClusterStatus& status);
 
+/// What all workers did per second between two statuses.
+struct ClusterRates {
+    double scenarios = 0;
+    double sent = 0;       ///< Bytes to workers.
+    double received = 0;   ///< Bytes from workers.
+    double from_peers = 0; ///< Bytes of blocks that workers got from each other.
+};
+[[nodiscard]] ClusterRates rates_between(const ClusterStatus& before, const ClusterStatus& after);
+
 /// Names the cluster's bottleneck in a line without newline, from the changes between two statuses
 /// taken a moment apart.
 [[nodiscard]] std::string bottleneck_text(const ClusterStatus& before, const ClusterStatus& after);

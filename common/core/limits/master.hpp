@@ -15,8 +15,7 @@ inline constexpr std::size_t greetings_max = 512; ///< Connections that have not
 inline constexpr std::size_t worker_connections_max = 2048;
 /// Connections of all workers; the rest of `connections_max` is for clients.
 inline constexpr std::size_t all_worker_connections_max = 7168;
-inline constexpr std::size_t http_connections_max = 64; ///< Connections of one request each.
-inline constexpr unsigned blocking_threads = 4;         ///< Threads that read and write files.
+inline constexpr unsigned blocking_threads = 4; ///< Threads that read and write files.
 
 // Identity.
 inline constexpr std::size_t tokens_max = 1024; ///< Tokens that are valid at the same time.

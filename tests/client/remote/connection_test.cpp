@@ -3,13 +3,13 @@
 
 #include "client/remote/connection.hpp"
 
-#include "client/remote/result_records.hpp"
 #include "common/core/limits/engine.hpp"
 #include "common/job/result/packed_records.hpp"
 #include "tests/client/fake_master.hpp"
 #include "tests/support/memory_bound.hpp"
 #include "tests/support/packed_poses.hpp"
 #include "tests/support/shapes.hpp"
+#include "web/server/cluster/result_records.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

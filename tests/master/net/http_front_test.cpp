@@ -62,7 +62,7 @@ class Asking {
 };
 
 std::string request_for(const std::string& target) {
-    return "GET " + target + " HTTP/1.1\r\nHost: here\r\n\r\n";
+    return "GET " + target + " HTTP/1.1\r\nHost: localhost\r\n\r\n";
 }
 
 std::unique_ptr<HttpFront> make_front(Master& master, MasterIdentity* identity = nullptr) {
@@ -126,7 +126,7 @@ TEST(HttpPagesOfAPausedJob, ReadinessIsRefusedWithTheReasonOfThePause) {
 
 TEST_F(HttpPages, OtherRequestsAreRefusedWithAReason) {
     EXPECT_THAT(get("/jobs"), StartsWith("HTTP/1.1 404 "));
-    EXPECT_THAT(ask("POST /metrics HTTP/1.1\r\nHost: here\r\nContent-Length: 0\r\n\r\n"),
+    EXPECT_THAT(ask("POST /metrics HTTP/1.1\r\nHost: localhost\r\nContent-Length: 0\r\n\r\n"),
                 StartsWith("HTTP/1.1 405 "));
     EXPECT_THAT(ask("what is this\r\n\r\n"), StartsWith("HTTP/1.1 400 "));
     EXPECT_THAT(ask(std::string(8, '\0')), StartsWith("HTTP/1.1 400 "));

@@ -1,4 +1,4 @@
-#include "client/remote/result_records.hpp"
+#include "web/server/cluster/result_records.hpp"
 
 #include "common/core/errors.hpp"
 #include "common/core/limits/engine.hpp"

@@ -13,6 +13,10 @@ namespace cd {
 
 class PartFilter {
   public:
+    /// Makes a filter that passes all results.
+    PartFilter() = default;
+    /// Makes a filter for triangles of A and B, by their numbers; an empty list stands for all.
+    PartFilter(std::vector<bool> a, std::vector<bool> b) : a_(std::move(a)), b_(std::move(b)) {}
     /// Makes a filter for the parts of A and B with these names; an empty name stands for all
     /// triangles. Errors: BadInput if a mesh has no such part.
     [[nodiscard]] static Result<PartFilter>
@@ -24,10 +28,8 @@ class PartFilter {
     [[nodiscard]] bool passes(const ScenarioResult& result) const;
 
   private:
-    PartFilter(std::vector<Part> a, std::vector<Part> b) : a_(std::move(a)), b_(std::move(b)) {}
-
-    std::vector<Part> a_; ///< All parts of A with the name; empty: all triangles.
-    std::vector<Part> b_;
+    std::vector<bool> a_;
+    std::vector<bool> b_;
 };
 
 } // namespace cd

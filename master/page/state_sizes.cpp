@@ -1,4 +1,4 @@
-#include "master/net/state_sizes.hpp"
+#include "master/page/state_sizes.hpp"
 
 #include <cstdint>
 #include <string_view>

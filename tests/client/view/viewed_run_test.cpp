@@ -1,0 +1,275 @@
+// Proves that the page of a results folder shows what its records say: classes, counts, maps, poses
+// and the next contact, each against a slow count; and that a scenario is run again, so that its
+// record is verified and its contacts can be drawn.
+#include "client/view/viewed_run.hpp"
+
+#include "client/base/interrupt.hpp"
+#include "client/commands/commands.hpp"
+#include "client/commands/run_at_hand.hpp"
+#include "client/folder/folder_exports.hpp"
+#include "common/job/run_scenario.hpp"
+#include "tests/support/process.hpp"
+#include "tests/support/shapes.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <map>
+#include <set>
+
+namespace cd::tests {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+
+constexpr std::uint64_t scenarios = 200;
+
+std::string part_text(const char* name, const Mesh& mesh, double x, std::size_t first) {
+    std::string text = std::string("o ") + name + "\n";
+    for (const Vec3& v : mesh.vertices()) {
+        text += "v " + std::to_string(v.x() + x) + " " + std::to_string(v.y()) + " " +
+                std::to_string(v.z()) + "\n";
+    }
+    for (const Triangle& t : mesh.triangles()) {
+        text += "f " + std::to_string(t[0] + first) + " " + std::to_string(t[1] + first) + " " +
+                std::to_string(t[2] + first) + "\n";
+    }
+    return text;
+}
+
+class Viewed : public testing::Test {
+  protected:
+    /// Runs a grid of poses along x: B passes through the two parts of A.
+    std::unique_ptr<ViewedRun> view(const std::string& query) {
+        const Mesh part = make_sphere(1);
+        write_text(folder_ / "a.obj",
+                   part_text("left", part, 0, 1) +
+                       part_text("right", part, 4, 1 + part.vertices().size()));
+        write_text(folder_ / "b.obj", part_text("ball", make_torus(0.5, 0.2, 12, 8), 0, 1));
+        write_text(folder_ / "job.toml",
+                   "[a]\nmesh = \"a.obj\"\n[b]\nmesh = \"b.obj\"\n[poses]\n"
+                   "grid = { x = [-2, 6, 100], yaw_deg = [0, 40, 2] }\n[query]\n" +
+                       query);
+        RunCommand run;
+        run.job.file = folder_ / "job.toml";
+        run.job.output.dir = folder_ / "out";
+        run.job.output.formats = {"csv"};
+        run.folder.overwrite = true;
+        run.quiet = true;
+        EXPECT_TRUE(perform(run));
+        return open();
+    }
+
+    [[nodiscard]] std::unique_ptr<ViewedRun> open() {
+        const InterruptGuard interrupts(InterruptGuard::First::EndsProcess);
+        auto found = open_run_at_hand(folder_ / "out", {}, "off", Trees::Always, pool_);
+        EXPECT_TRUE(found) << found.error().detail;
+        auto viewed =
+            ViewedRun::open(std::move(found.value().run), std::move(found.value().job), pool_);
+        EXPECT_TRUE(viewed) << viewed.error().detail;
+        return std::move(viewed.value());
+    }
+
+    [[nodiscard]] std::vector<ScenarioResult> records() const {
+        std::vector<ScenarioResult> results;
+        const auto run = OpenedRun::open(folder_ / "out");
+        EXPECT_TRUE(run.value().records().for_each([&](const KeptRecord& record) {
+            results.push_back(record.result);
+            return Status(Done{});
+        }));
+        return results;
+    }
+
+    /// Replaces the record of a scenario by what `how` makes of it.
+    void change(std::uint64_t scenario, const std::function<void(ScenarioResult&)>& how) const {
+        auto results = records();
+        auto writer = RecordWriter::create(folder_ / "changed");
+        for (ScenarioResult& result : results) {
+            if (result.index == scenario) {
+                how(result);
+            }
+            writer.value().add(result.index, encode_result(result));
+        }
+        EXPECT_TRUE(writer.value().finish());
+        fs::rename(folder_ / "changed", folder_ / "out/records");
+    }
+
+    const TemporaryFolder folder_;
+    ThreadPool pool_{2};
+};
+
+bool touches(const ScenarioResult& result) {
+    return result.kind == ScenarioClass::Touch || result.kind == ScenarioClass::Cross ||
+           result.kind == ScenarioClass::Inside;
+}
+
+StopCheck never() {
+    return [] { return false; };
+}
+
+} // namespace
+
+TEST_F(Viewed, ClassesCountsAndMapAreThoseOfTheRecords) {
+    const auto viewed = view("level = \"pairs\"\n");
+    const auto results = records();
+    ASSERT_EQ(results.size(), scenarios);
+    const auto classes = viewed->classes({0, scenarios}).value();
+    const auto counts = viewed->counts({0, scenarios}).value();
+    std::set<ScenarioClass> seen;
+    std::map<std::uint32_t, std::uint64_t> in_contact;
+    for (const ScenarioResult& result : results) {
+        seen.insert(result.kind);
+        EXPECT_EQ(classes[result.index], static_cast<std::uint8_t>(result.kind));
+        EXPECT_EQ(counts[result.index], result.pair_count);
+        std::set<std::uint32_t> triangles;
+        for (const ContactPair& pair : result.pairs) {
+            triangles.insert(pair.a);
+        }
+        for (const std::uint32_t triangle : triangles) {
+            ++in_contact[triangle];
+        }
+    }
+    EXPECT_GE(seen.size(), 2u);
+    const auto map = viewed->map(0).value();
+    ASSERT_EQ(map.size(), in_contact.size());
+    for (const TriangleContacts& each : map) {
+        EXPECT_EQ(each.scenarios, in_contact[each.triangle]);
+    }
+    EXPECT_EQ(viewed->map(2).error().code, ErrorCode::NotFound);
+    const auto sample = viewed->classes({0, 0, 7}).value();
+    for (std::uint64_t i = 0; i < sample.size(); ++i) {
+        EXPECT_EQ(sample[i], classes[i * scenarios / 7]);
+    }
+    EXPECT_FALSE(viewed->classes({1, scenarios}));
+    EXPECT_FALSE(viewed->poses({1, scenarios}));
+}
+
+TEST_F(Viewed, TheDescriptionIsThatOfTheRun) {
+    const auto viewed = view("level = \"pairs\"\nlimit_pairs = 3\n");
+    const JobView job = viewed->view("folder");
+    const RunReport report = read_summary(folder_ / "out/summary.json").value();
+    EXPECT_EQ(job.row.id, "folder");
+    EXPECT_EQ(job.row.state, "done");
+    EXPECT_EQ(job.row.status.digest, report.digest);
+    EXPECT_EQ(job.row.status.summary.cross, report.summary.cross);
+    EXPECT_EQ(job.row.status.summary.pairs, report.summary.pairs);
+    EXPECT_EQ(job.row.status.summary.cut, report.summary.cut);
+    EXPECT_GT(job.row.status.summary.cut, 0u);
+    EXPECT_GT(job.row.status.began, 0u);
+    EXPECT_TRUE(job.map.exists);
+    EXPECT_EQ(job.map.first_pairs, 3u);
+    ASSERT_EQ(job.bodies.size(), 2u);
+    EXPECT_EQ(job.bodies[0].parts, 2u);
+    EXPECT_EQ(job.bodies[0].is_closed, true);
+    EXPECT_EQ(job.bodies[0].bytes, viewed->mesh(job.bodies[0].body.mesh)->canonical_bytes().size());
+    ASSERT_EQ(job.poses.axes.size(), 6u);
+    EXPECT_EQ(job.poses.axes[5].last, 40);
+    EXPECT_EQ(fs::file_size(viewed->mesh_path(job.bodies[1].body.mesh)), job.bodies[1].bytes);
+}
+
+TEST_F(Viewed, PosesAreThoseOfTheScenarios) {
+    const auto viewed = view("level = \"count\"\n");
+    const PoseRows rows = viewed->poses({10, 5}).value();
+    ASSERT_EQ(rows.numbers.size(), 60u);
+    const auto one = viewed->scenario(12, never()).value();
+    const auto pose = pose_rows(one->poses.b);
+    EXPECT_TRUE(std::equal(pose.begin(), pose.end(), rows.numbers.begin() + 24));
+    const PoseRows sample = viewed->poses({0, 0, 4}).value();
+    const PoseRows whole = viewed->poses({0, scenarios}).value();
+    EXPECT_TRUE(std::equal(sample.numbers.begin() + 36,
+                           sample.numbers.end(),
+                           whole.numbers.begin() + 12 * (3 * scenarios / 4)));
+    EXPECT_EQ(viewed->map(0).error().code, ErrorCode::NotFound);
+}
+
+TEST_F(Viewed, TheNextContactIsTheNearestOneAlsoOfAPart) {
+    const auto viewed = view("level = \"pairs\"\n");
+    const auto results = records();
+    const auto meshes = viewed->mesh(viewed->manifest().bodies[0].mesh);
+    const Part right = meshes->parts()[1];
+    const auto is_right = [&](const ScenarioResult& result) {
+        return std::ranges::any_of(result.pairs, [&](const ContactPair& pair) {
+            return right.triangles_begin <= pair.a && pair.a < right.triangles_end;
+        });
+    };
+    for (std::uint64_t from = 0; from < scenarios; from += 9) {
+        for (const std::string part : {"", "right"}) {
+            std::optional<std::uint64_t> after;
+            std::optional<std::uint64_t> before;
+            for (const ScenarioResult& result : results) {
+                const bool fits = touches(result) && (part.empty() || is_right(result));
+                if (fits && result.index > from && !after) {
+                    after = result.index;
+                }
+                if (fits && result.index < from) {
+                    before = result.index;
+                }
+            }
+            EXPECT_EQ(viewed->next({from, false, part, ""}).value(), after);
+            EXPECT_EQ(viewed->next({from, true, part, ""}).value(), before);
+        }
+    }
+    EXPECT_THAT(viewed->next({0, false, "no", ""}).error().detail, HasSubstr("has no part 'no'"));
+    EXPECT_FALSE(viewed->next({UINT64_MAX, false, "", ""}).value());
+    const auto groups = viewed->view("folder").groups;
+    ASSERT_TRUE(groups);
+    EXPECT_EQ(groups->total, 2u);
+    for (const GroupView& group : groups->rows) {
+        const auto in_contact = [&](const ScenarioResult& result) {
+            return (group.part_a == "right") == is_right(result) && !result.pairs.empty();
+        };
+        EXPECT_EQ(group.scenarios,
+                  static_cast<std::uint64_t>(std::ranges::count_if(results, in_contact)));
+        EXPECT_NEAR(group.share, static_cast<double>(group.scenarios) / scenarios, 1e-12);
+    }
+    EXPECT_FALSE(view("level = \"count\"\n")->view("folder").groups);
+}
+
+TEST_F(Viewed, EachScenarioIsVerifiedAndDrawnAtAnyLevelAndUnderATolerance) {
+    for (const std::string query : {"level = \"any\"\n",
+                                    "level = \"count\"\n",
+                                    "level = \"pairs\"\nlimit_pairs = 2\n",
+                                    "level = \"contacts\"\n",
+                                    "level = \"count\"\ntolerance = 0.3\n"}) {
+        const auto viewed = view(query);
+        for (std::uint64_t number = 0; number < scenarios; number += 13) {
+            const auto shown = viewed->scenario(number, never());
+            ASSERT_TRUE(shown) << shown.error().detail;
+            EXPECT_EQ(shown.value()->verified, true) << shown.value()->verify_note;
+            ASSERT_NE(shown.value()->drawn, nullptr);
+            const ScenarioResult& drawn = *shown.value()->drawn;
+            EXPECT_EQ(drawn.level, Level::Contacts);
+            EXPECT_EQ(drawn.pairs.size(), drawn.pair_count);
+            if (query.find("any") == std::string::npos &&
+                query.find("tolerance") == std::string::npos) {
+                EXPECT_EQ(drawn.pair_count, shown.value()->result->pair_count);
+                EXPECT_EQ(drawn.kind, shown.value()->result->kind);
+            }
+        }
+    }
+}
+
+TEST_F(Viewed, AWrongRecordIsTold) {
+    view("level = \"count\"\n");
+    std::uint64_t wrong = 0;
+    for (const ScenarioResult& result : records()) {
+        wrong = result.pair_count > 1 ? result.index : wrong;
+    }
+    change(wrong, [](ScenarioResult& result) { ++result.pair_count; });
+    const auto shown = open()->scenario(wrong, never()).value();
+    EXPECT_EQ(shown->verified, false);
+    EXPECT_THAT(shown->verify_note, HasSubstr("a second run here"));
+    EXPECT_NE(shown->drawn, nullptr);
+}
+
+TEST_F(Viewed, AStoppedRunShowsNoContacts) {
+    const auto viewed = view("level = \"count\"\n");
+    const auto shown = viewed->scenario(50, [] { return true; }).value();
+    EXPECT_FALSE(shown->verified);
+    EXPECT_EQ(shown->drawn, nullptr);
+    EXPECT_THAT(shown->verify_note, HasSubstr("takes too long"));
+    EXPECT_EQ(viewed->scenario(scenarios, never()).error().code, ErrorCode::NotFound);
+}
+
+} // namespace cd::tests

@@ -1,0 +1,265 @@
+#include "web/server/cluster/cluster_jobs.hpp"
+
+#include "common/core/errors.hpp"
+#include "common/core/limits/web.hpp"
+#include "common/core/words.hpp"
+#include "common/geometry/aabb.hpp"
+#include "common/job/result/packed_map.hpp"
+#include "web/server/part_filter.hpp"
+#include "web/server/scenario_repeat.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+namespace cd {
+
+namespace {
+
+/// Results, or poses, are read in parts of at most this many scenarios.
+constexpr std::uint64_t part_scenarios = 4096;
+
+using TakePlaced = std::function<void(std::uint64_t, const ScenarioResult&)>;
+
+/// Reads all results of a job, and calls `take` for those that are in the sample.
+Status take_sample(const RecordReader& records,
+                   const PagedJob& job,
+                   const ScenarioChoice& choice,
+                   const TakePlaced& take) {
+    std::uint64_t i = 0;
+    return records(0, job.scenarios(), [&](const ScenarioResult& result) {
+        while (i < choice.size() && choice.at(i, job.scenarios()) < result.index) {
+            ++i; // The scenario before has no result.
+        }
+        for (; i < choice.size() && choice.at(i, job.scenarios()) == result.index; ++i) {
+            take(i, result);
+        }
+        return Status(Done{});
+    });
+}
+
+/// Calls `take` with the place in the choice and the result of each chosen scenario that has one.
+Status for_each_chosen(const RecordReader& records,
+                       const PagedJob& job,
+                       const ScenarioChoice& choice,
+                       const TakePlaced& take) {
+    CD_TRY(choice.check(job.scenarios(), limits::page_scenarios_max));
+    if (choice.sample == 0) {
+        return records(choice.first, choice.count, [&](const ScenarioResult& result) {
+            take(result.index - choice.first, result);
+            return Status(Done{});
+        });
+    }
+    if (job.scenarios() <= limits::page_sample_whole * choice.sample) {
+        return take_sample(records, job, choice, take);
+    }
+    for (std::uint64_t i = 0; i < choice.size(); ++i) {
+        CD_TRY(records(choice.at(i, job.scenarios()), 1, [&](const ScenarioResult& result) {
+            take(i, result);
+            return Status(Done{});
+        }));
+    }
+    return Done{};
+}
+
+BodyView body_view(const JobBody& body, const ObbTree& tree) {
+    const Mesh& mesh = tree.mesh();
+    return {body,
+            mesh.triangles().size(),
+            mesh.parts().size(),
+            tree.topology().is_closed(),
+            mesh.canonical_bytes().size(),
+            mesh.precision(),
+            bounding_box(mesh.vertices()).size()};
+}
+
+PosesView poses_view(const Submit& submit) {
+    const PosesOrigin& poses = submit.poses;
+    return {poses.kind,
+            submit.scenarios,
+            poses.file,
+            poses.axes,
+            poses.random,
+            poses.labels.ids != IdKind::None,
+            poses.labels.has_times,
+            poses.of_both_bodies};
+}
+
+bool is_contact(ScenarioClass kind) {
+    return kind == ScenarioClass::Touch || kind == ScenarioClass::Cross ||
+           kind == ScenarioClass::Inside || kind == ScenarioClass::Contact;
+}
+
+Result<PartFilter>
+filter_of(ClusterReader& reader, const PagedJob& job, const NextContact& wanted) {
+    if (wanted.part_a.empty() && wanted.part_b.empty()) {
+        return PartFilter();
+    }
+    const auto description = CD_TRY(reader.description(job.status.job));
+    if (description.submit.query.level < Level::Pairs) {
+        return bad_input("the job lists no pairs, so that parts are not known: its level is " +
+                         std::string(to_text(description.submit.query.level)));
+    }
+    const auto trees = CD_TRY(reader.trees(description.submit));
+    return PartFilter::make(trees[0]->mesh(), wanted.part_a, trees[1]->mesh(), wanted.part_b);
+}
+
+/// A range of scenarios to look through.
+struct Window {
+    std::uint64_t first = 0;
+    std::uint64_t count = 0;
+};
+
+/// Returns the scenarios to look through after `done` ones were.
+Window window_after(const NextContact& wanted, std::uint64_t total, std::uint64_t done) {
+    const std::uint64_t from = std::min(wanted.from, total);
+    const std::uint64_t all = wanted.is_backwards ? from : total - std::min(from + 1, total);
+    const std::uint64_t count =
+        std::min({all - std::min(done, all), limits::page_scenarios_max - done, part_scenarios});
+    return {wanted.is_backwards ? from - std::min(done, from) - count : from + 1 + done, count};
+}
+
+} // namespace
+
+Result<JobView> view_of(ClusterReader& reader, const PagedJob& job) {
+    const auto description = CD_TRY(reader.description(job.status.job));
+    const Submit& submit = description.submit;
+    JobView view;
+    view.row = {job.id, "", job.status};
+    view.unit = submit.unit;
+    view.query = submit.query;
+    view.poses = poses_view(submit);
+    view.map.exists = submit.query.maps && job.status.state == JobState::Done;
+    view.run.where = counted(job.workers, "worker");
+    const auto trees = reader.trees(submit);
+    for (std::size_t i = 0; i < submit.bodies.size(); ++i) {
+        view.bodies.push_back(trees && i < trees.value().size()
+                                  ? body_view(submit.bodies[i], *trees.value()[i])
+                                  : BodyView{submit.bodies[i]});
+    }
+    return view;
+}
+
+Result<std::vector<std::uint8_t>>
+classes_of(const RecordReader& records, const PagedJob& job, const ScenarioChoice& choice) {
+    CD_TRY(choice.check(job.scenarios(), limits::page_scenarios_max));
+    std::vector<std::uint8_t> classes(choice.size(), no_class);
+    CD_TRY(for_each_chosen(records, job, choice, [&](std::uint64_t i, const ScenarioResult& each) {
+        classes[i] = static_cast<std::uint8_t>(each.kind);
+    }));
+    return classes;
+}
+
+Result<std::vector<std::uint32_t>>
+counts_of(const RecordReader& records, const PagedJob& job, const ScenarioChoice& choice) {
+    CD_TRY(choice.check(job.scenarios(), limits::page_scenarios_max));
+    std::vector<std::uint32_t> counts(choice.size());
+    CD_TRY(for_each_chosen(records, job, choice, [&](std::uint64_t i, const ScenarioResult& each) {
+        counts[i] = static_cast<std::uint32_t>(
+            std::min<std::uint64_t>(each.pair_count, std::numeric_limits<std::uint32_t>::max()));
+    }));
+    return counts;
+}
+
+Result<PoseRows>
+poses_of(ClusterReader& reader, const PagedJob& job, const ScenarioChoice& choice) {
+    CD_TRY(choice.check(job.scenarios(), limits::page_scenarios_max));
+    const auto description = CD_TRY(reader.description(job.status.job));
+    PoseRows rows{description.submit.poses.of_both_bodies ? std::size_t{2} : 1, {}};
+    const std::uint64_t step = choice.sample != 0 ? 1 : part_scenarios;
+    for (std::uint64_t i = 0; i < choice.size(); i += step) {
+        const auto read = CD_TRY(reader.poses(
+            job.status.job, choice.at(i, job.scenarios()), std::min(step, choice.size() - i)));
+        for (const Scenario& scenario : read.scenarios) {
+            rows.add(scenario.poses);
+        }
+    }
+    return rows;
+}
+
+Result<std::vector<TriangleContacts>> map_of(ClusterReader& reader,
+                                             const PagedJob& job,
+                                             const ContactMapAnswer& answer,
+                                             std::uint64_t body) {
+    if (!answer.is_asked || !answer.withdrawn.empty()) {
+        return Error{ErrorCode::NotFound,
+                     answer.is_asked ? "the map was withdrawn: " + answer.withdrawn
+                                     : "the job has no contact map: it was not asked for "
+                                       "(maps = true)"};
+    }
+    const auto description = CD_TRY(reader.description(job.status.job));
+    const auto trees = CD_TRY(reader.trees(description.submit));
+    const auto map = CD_TRY(unpack_map(answer.map,
+                                       {trees[0]->mesh().triangles().size(),
+                                        trees[1]->mesh().triangles().size(),
+                                        job.scenarios()}));
+    if (body >= map.bodies.size()) {
+        return Error{ErrorCode::NotFound, "there is no such body"};
+    }
+    return map.bodies[body];
+}
+
+Result<std::optional<std::uint64_t>> next_of(ClusterReader& reader,
+                                             const RecordReader& records,
+                                             const PagedJob& job,
+                                             const NextContact& wanted) {
+    const auto filter = CD_TRY(filter_of(reader, job, wanted));
+    std::uint64_t done = 0;
+    for (Window window = window_after(wanted, job.scenarios(), done); window.count != 0;
+         window = window_after(wanted, job.scenarios(), done)) {
+        std::optional<std::uint64_t> found;
+        CD_TRY(records(window.first, window.count, [&](const ScenarioResult& result) {
+            const bool is_better = !found || wanted.is_backwards;
+            if (is_better && is_contact(result.kind) && filter.passes(result)) {
+                found = result.index;
+            }
+            return Status(Done{});
+        }));
+        if (found) {
+            return found;
+        }
+        done += window.count;
+    }
+    return std::optional<std::uint64_t>();
+}
+
+Result<ScenarioInputs> inputs_of(ClusterReader& reader,
+                                 const RecordReader& records,
+                                 const PagedJob& job,
+                                 std::uint64_t scenario) {
+    if (scenario >= job.scenarios()) {
+        return Error{ErrorCode::NotFound, "the job has " + counted(job.scenarios(), "scenario")};
+    }
+    const auto description = CD_TRY(reader.description(job.status.job));
+    ScenarioInputs inputs;
+    inputs.query = description.submit.query;
+    inputs.trees = CD_TRY(reader.trees(description.submit));
+    auto read = CD_TRY(reader.poses(job.status.job, scenario, 1));
+    inputs.scenario = read.scenarios.front();
+    inputs.labels = std::move(read.labels);
+    CD_TRY(records(scenario, 1, [&](const ScenarioResult& result) {
+        inputs.record = KeptRecord{encode_result(result), result};
+        return Status(Done{});
+    }));
+    return inputs;
+}
+
+std::shared_ptr<const ScenarioView> run_again(const ScenarioInputs& inputs, const StopCheck& stop) {
+    ScenarioView view = repeat_scenario(
+        *inputs.trees[0], *inputs.trees[1], inputs.query, inputs.scenario, inputs.record, stop);
+    add_label(inputs.labels, 0, view);
+    return std::make_shared<const ScenarioView>(std::move(view));
+}
+
+void add_label(const PoseLabels& labels, std::uint64_t place, ScenarioView& view) {
+    if (place < labels.integers.size()) {
+        view.id = std::to_string(labels.integers[place]);
+    } else if (place < labels.texts.size()) {
+        view.id = labels.texts[place];
+    }
+    if (place < labels.times.size()) {
+        view.time = labels.times[place];
+    }
+}
+
+} // namespace cd
