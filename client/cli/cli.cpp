@@ -82,6 +82,7 @@ class Verbs {
         a->needs(b);
         b->needs(a);
         demo.add("--out", demo->out, "DIR", "Folder for the results");
+        demo.flag("--no-wait", demo->no_wait, "End after the job; show no page");
         add_quiet(*demo, demo->quiet);
 
         auto inspect = add<InspectCommand>("inspect", inspect_help);
@@ -170,7 +171,10 @@ class Verbs {
 
     void add_view_verb() {
         auto view = add<ViewCommand>("view", view_help);
-        add_run(*view, "run", view->run, "FOLDER|JOB");
+        view.add("run",
+                 view->run,
+                 "FOLDER|JOB",
+                 "A results folder; or a job's id, its beginning, or last; without it the cluster");
         add_master_options(*view, view->master);
         view.add("--port", view->port, "N", "Port on 127.0.0.1; 0: any free one")
             ->capture_default_str();

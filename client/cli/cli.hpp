@@ -58,6 +58,7 @@ struct DemoCommand {
     std::string a; ///< Mesh of A; empty: the demo draws on its two vehicles.
     std::string b;
     std::string out;
+    bool no_wait = false; ///< End after the job, also on a terminal.
     bool quiet = false;
 };
 
@@ -115,7 +116,7 @@ struct ExtractCommand {
 };
 
 struct ViewCommand {
-    std::string run; ///< A results folder, or a job's id.
+    std::string run; ///< A results folder, or a job's id; empty: the cluster.
     MasterOptions master;
     std::uint16_t port = 0; ///< 0: the system chooses.
     bool no_browser = false;

@@ -80,9 +80,10 @@ run, under some of its poses, on one thread. With --master it tells what travell
 geometry, by who gave it; how often a worker's cache held what a scenario needed; results.)";
 
 inline constexpr const char* demo_help =
-    R"(Starts a local cluster, runs a job on a real vehicle, stops it.
+    R"(Starts a local cluster, runs a job on a real vehicle, shows it in the browser.
 Examples:
-  cdctl demo
+  cdctl demo                          on a terminal: until Ctrl-C, with the page's address
+  cdctl demo --no-wait
   cdctl demo --scenarios 5000 --out results
   cdctl demo --a car.obj --b tram.obj)";
 
@@ -202,9 +203,10 @@ Examples:
 Exit codes: 0 all records are the same; 1 one differs; 3 some scenario could not be run.)";
 
 inline constexpr const char* view_help =
-    R"(Shows a run in the browser: classes, contact maps, and each scenario in 3D.
+    R"(Shows a run, or the cluster, in the browser: classes, contact maps, scenarios in 3D.
 Examples:
   cdctl view out
+  cdctl view                                          the cluster and its jobs
   cdctl view out --port 8080 --no-browser
   cdctl view j-5692 --master node-1:7600
 

@@ -1,12 +1,17 @@
 // The verb `demo`: a job on real vehicles, run by a cluster that it starts on this machine.
+#include "client/base/exit_code.hpp"
 #include "client/base/interrupt.hpp"
 #include "client/commands/commands.hpp"
 #include "client/commands/remote_session.hpp"
 #include "client/commands/run_command.hpp"
+#include "client/commands/viewing.hpp"
 #include "client/local/local_cluster.hpp"
 #include "client/trees/demo_vehicles.hpp"
+#include "client/trees/tree_cache.hpp"
 #include "common/core/errors.hpp"
 #include "common/core/timing/client.hpp"
+
+#include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
@@ -29,6 +34,8 @@ RunCommand demo_run(const DemoCommand& command, const std::filesystem::path& cac
     run.job.poses.random = command.scenarios;
     run.job.poses.seed = 1;
     run.job.poses.penetration = {0.005, 0.05};
+    run.job.query.level = "count";
+    run.job.query.maps = true;
     run.job.output.dir = command.out.empty() ? (cache / "demo-results").string() : command.out;
     run.folder.fresh = true;
     run.folder.overwrite = command.out.empty(); // The demo may overwrite its default folder.
@@ -58,6 +65,14 @@ Status wait_for_workers(LocalCluster& cluster,
     return Error{ErrorCode::Timeout, "the workers do not join; see " + options.logs.string()};
 }
 
+/// Shows the newest job of the cluster in the browser until a signal comes.
+Status show_page(const MasterOptions& master) {
+    const auto job = CD_TRY(open_job(master, "last"));
+    auto gateway = CD_TRY(PageGateway::listen(0));
+    view_cluster(*gateway, {master, job.id, default_tree_cache(), 0, false});
+    return Done{};
+}
+
 } // namespace
 
 Result<int> perform(const DemoCommand& command) {
@@ -85,7 +100,11 @@ Result<int> perform(const DemoCommand& command) {
                      options.logs.c_str());
     }
     CD_TRY(wait_for_workers(cluster, options, run.master));
-    return run_job(run);
+    const int code = CD_TRY(run_job(run));
+    if (code == exit_done && !command.no_wait && ::isatty(STDOUT_FILENO) != 0) {
+        CD_TRY(show_page(run.master));
+    }
+    return code;
 }
 
 } // namespace cd

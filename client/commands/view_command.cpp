@@ -1,16 +1,15 @@
-// The verb `view`: serves the page of a results folder or of a job on a master.
+// The verb `view`: serves the page of a results folder, of a job on a master, or of a cluster.
 #include "client/base/exit_code.hpp"
 #include "client/base/interrupt.hpp"
 #include "client/base/slow_note.hpp"
 #include "client/commands/commands.hpp"
+#include "client/commands/remote_session.hpp"
 #include "client/commands/run_at_hand.hpp"
+#include "client/commands/viewing.hpp"
 #include "client/view/folder_source.hpp"
-#include "client/view/page_gateway.hpp"
 #include "client/view/viewed_run.hpp"
 #include "common/core/errors.hpp"
-#include "common/core/timing/web.hpp"
 
-#include <cstdio>
 #include <memory>
 #include <utility>
 
@@ -26,21 +25,32 @@ Result<std::unique_ptr<ViewedRun>> open_viewed(const ViewCommand& command) {
     return ViewedRun::open(std::move(run), std::move(job), pool);
 }
 
-} // namespace
-
-Result<int> perform(const ViewCommand& command) {
-    const InterruptGuard interrupts(InterruptGuard::First::EndsProcess);
+Result<int> view_folder(const ViewCommand& command) {
     auto run = CD_TRY(open_viewed(command));
     auto gateway = CD_TRY(PageGateway::listen(command.port));
     FolderSource source(gateway->executor(), std::move(run), &InterruptGuard::has_come);
     InterruptGuard::begin_to_flag();
-    std::printf("%s\n", gateway->url().c_str());
-    std::fflush(stdout);
-    std::fprintf(stderr, "  Ctrl-C ends it, and so do 30 minutes without a request\n");
-    if (!command.no_browser) {
-        open_browser(gateway->url());
+    serve_page(*gateway, source, command.no_browser);
+    return exit_done;
+}
+
+} // namespace
+
+Result<int> perform(const ViewCommand& command) {
+    const InterruptGuard interrupts(InterruptGuard::First::EndsProcess);
+    if (is_folder(command.run)) {
+        return view_folder(command);
     }
-    gateway->serve(source, &InterruptGuard::has_come, timing::view_idle_max);
+    std::string job;
+    if (command.run.empty()) {
+        CD_TRY(open_master(command.master)); // Its errors are told before anything is served.
+    } else {
+        job = CD_TRY(open_job_of_argument(command.master, command.run)).id;
+    }
+    auto gateway = CD_TRY(PageGateway::listen(command.port));
+    InterruptGuard::begin_to_flag();
+    view_cluster(*gateway,
+                 {command.master, job, command.tree_cache, command.threads, command.no_browser});
     return exit_done;
 }
 

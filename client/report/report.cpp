@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <filesystem>
 
 namespace cd {
 
@@ -308,7 +309,10 @@ std::string summary_text(const RunReport& report, const SummaryStyle& style) {
         text += "  digest        " + to_short_hex(*report.digest) + "\n";
     }
     text += warnings_text(report);
-    text += report.summary_file.empty() ? "" : "  open it: " + report.summary_file + "\n";
+    if (!report.summary_file.empty()) {
+        const auto folder = std::filesystem::path(report.summary_file).parent_path();
+        text += "  open it: cdctl view " + folder.string() + "\n";
+    }
     return text;
 }
 

@@ -110,7 +110,7 @@ TEST_F(Run, GivesEachScenarioItsClass) {
     EXPECT_THAT(rows, HasSubstr("\n3,a,b,touch,"));
     EXPECT_THAT(stdout_, HasSubstr("tested 4 of 4"));
     EXPECT_THAT(stdout_, HasSubstr("most touched  body 50.0 %, wheel_left 25.0 %"));
-    EXPECT_THAT(stdout_, HasSubstr("open it: " + command_.job.output.dir + "/summary.json"));
+    EXPECT_THAT(stdout_, HasSubstr("open it: cdctl view " + command_.job.output.dir + "\n"));
     EXPECT_EQ(stderr_, "");
 }
 

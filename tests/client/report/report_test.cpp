@@ -156,7 +156,7 @@ TEST(Report, TheSummaryTellsOfPreparationResumptionAndItsFile) {
     report.summary_file = "out/summary.json";
     const std::string text = summary_text(report);
     EXPECT_THAT(text, testing::StartsWith("done in 0.04 s (1.1 s to read and build)      25 000 "));
-    EXPECT_THAT(text, testing::EndsWith("  open it: out/summary.json\n"));
+    EXPECT_THAT(text, testing::EndsWith("  open it: cdctl view out\n"));
 }
 
 TEST(Report, CutListsGiveNoShareOfTriangles) {

@@ -1,0 +1,115 @@
+#include "client/view/remote_reader.hpp"
+
+#include "client/trees/body_trees.hpp"
+#include "common/core/errors.hpp"
+#include "common/core/timing/web.hpp"
+
+namespace cd {
+
+struct RemoteReader::Latest {
+    std::optional<ClusterStatus> status;
+    std::chrono::steady_clock::time_point when;
+};
+
+RemoteReader::RemoteReader(asio::any_io_executor executor,
+                           Connect connect,
+                           const std::filesystem::path& tree_cache,
+                           unsigned threads)
+    : executor_(std::move(executor)),
+      connect_(std::move(connect)),
+      meshes_(tree_cache),
+      trees_(tree_cache),
+      building_(threads),
+      latest_(std::make_shared<Latest>()) {}
+
+RemoteReader::~RemoteReader() = default;
+
+template <class Ask>
+auto RemoteReader::call(const Ask& ask) -> decltype(ask(std::declval<Connection&>())) {
+    if (connection_ == nullptr) {
+        connection_ = CD_TRY(connect_());
+    }
+    auto answer = ask(*connection_);
+    if (!answer && is_of_the_network(answer.error())) {
+        connection_.reset();
+    }
+    return answer;
+}
+
+template <class T, class Ask>
+void RemoteReader::post(Take<T> take, Ask ask) {
+    thread_.post([this, take = std::move(take), ask = std::move(ask)]() mutable {
+        const auto found = std::make_shared<Result<T>>(call(ask));
+        asio::post(executor_, [take = std::move(take), found] { take(std::move(*found)); });
+    });
+}
+
+void RemoteReader::status(Take<ClusterStatus> take) {
+    const auto now = std::chrono::steady_clock::now();
+    if (latest_->status && now - latest_->when < timing::remote_status_max_age) {
+        return take(*latest_->status);
+    }
+    Take<ClusterStatus> keep = [latest = latest_,
+                                take = std::move(take)](const Result<ClusterStatus>& status) {
+        if (status) {
+            latest->status = status.value();
+            latest->when = std::chrono::steady_clock::now();
+        }
+        take(status);
+    };
+    post(std::move(keep), [](Connection& connection) { return connection.status(); });
+}
+
+void RemoteReader::map(JobId job, Take<ContactMapAnswer> take) {
+    post(std::move(take), [job](Connection& connection) { return connection.contact_map(job); });
+}
+
+Result<RecordReader> RemoteReader::records(JobId job) {
+    return RecordReader([this, job](std::uint64_t first, std::uint64_t count, const auto& take) {
+        return call(
+            [&](Connection& connection) { return connection.fetch(job, first, count, take); });
+    });
+}
+
+Result<JobDescription> RemoteReader::description(JobId job) {
+    if (!description_ || description_->job != job) {
+        description_ =
+            CD_TRY(call([job](Connection& connection) { return connection.job_description(job); }));
+    }
+    return *description_;
+}
+
+Result<LabelledScenarios> RemoteReader::poses(JobId job, std::uint64_t first, std::uint64_t count) {
+    auto fetched = CD_TRY(
+        call([=](Connection& connection) { return connection.fetch_poses(job, first, count); }));
+    return LabelledScenarios{std::move(fetched.scenarios), std::move(fetched.labels)};
+}
+
+Result<BodyTrees> RemoteReader::trees(const Submit& submit) {
+    if (submit.bodies.size() != 2) {
+        return Error{ErrorCode::BadFrame, "the job has other than two bodies"};
+    }
+    const Meshes hashes{submit.bodies[0].mesh, submit.bodies[1].mesh};
+    if (kept_ && kept_->first == hashes) {
+        return kept_->second;
+    }
+    const auto get = [&](const Sha256& mesh) {
+        return call([&](Connection& connection) { return get_mesh(connection, mesh, meshes_); });
+    };
+    std::array<std::shared_ptr<const Mesh>, 2> meshes;
+    meshes[0] = CD_TRY(get(hashes.first));
+    meshes[1] = hashes.second == hashes.first ? meshes[0] : CD_TRY(get(hashes.second));
+    TreeUse use;
+    use.searches_cuts = true; // Some jobs of these meshes may have a tolerance.
+    use.settles = true;
+    kept_.emplace(hashes, make_body_trees(meshes, use, trees_, building_));
+    return kept_->second;
+}
+
+Result<std::shared_ptr<HttpBody>> RemoteReader::mesh(const Sha256& mesh) {
+    const auto found =
+        CD_TRY(call([&](Connection& connection) { return get_mesh(connection, mesh, meshes_); }));
+    return make_memory_body(found->canonical_bytes());
+}
+
+} // namespace cd
