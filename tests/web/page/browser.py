@@ -94,10 +94,14 @@ class Browser:
             "Emulation.setEmulatedMedia", {"features": [{"name": "prefers-color-scheme", "value": scheme}]}
         )
 
+    def leave(self):
+        """Closes the page, so that nothing is asked of a server that ends."""
+        self.driver.get("about:blank")
+        self.collect()
+
     def open(self, url):
         """Opens an address of a server anew."""
-        self.collect()
-        self.driver.get("about:blank")
+        self.leave()
         parts = urlparse(url)
         self.origin = f"{parts.scheme}://{parts.netloc}"
         self.driver.get(url)

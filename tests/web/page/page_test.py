@@ -1,7 +1,7 @@
 """Tests the page in a real browser. Usage: page_test.py BIN_DIR OUT [NAME...]: runs the tests whose
 names contain one of NAME, all by default."""
-import json
 import pathlib
+import re
 import shutil
 import sys
 import tempfile
@@ -42,7 +42,7 @@ class PageTest(unittest.TestCase):
         return server
 
     def tearDown(self):
-        self.browser.collect()
+        self.browser.leave()
 
 
 class KnownScene(PageTest):
@@ -232,15 +232,22 @@ class Jobs(PageTest):
         self.browser.click(left + width * 0.425, top + height / 2)
         self.browser.scenario(42)
 
-    def test_tables_sort_and_the_keyboard_reaches_the_pose_space(self):
+    def test_a_heading_sorts_its_table(self):
+        self.open(self.scenes.drive(), "#/jobs/folder")
+        self.browser.wait("the job", lambda f: f["screen"] == "job")
+        heading = self.browser.driver.find_element("css selector", "th button")
+        self.browser.driver.execute_script("arguments[0].click(); ", heading)
+        self.browser.wait("a sorted table", lambda f: self.browser.driver.execute_script(
+            "return document.querySelector('th[aria-sort=\"descending\"]') !== null"))
+
+    def test_the_keyboard_reaches_the_pose_space(self):
         self.open(self.scenes.drive(), "#/jobs/folder")
         self.browser.wait("the pose space", lambda f: f["screen"] == "job" and f.get("poseSpace"))
         self.browser.driver.execute_script("document.querySelector('.plot canvas').focus()")
         self.browser.press("\ue014")
-        text = self.browser.driver.find_element("css selector", ".plot .readout").text
-        self.assertRegex(text, r"^#\d+ ")
+        scenario = int(re.search(r"^#(\d+) .* at x ", self.browser.wait_text(" at x "), re.MULTILINE).group(1))
         self.browser.press("\ue007")  # Enter.
-        self.browser.scenario(int(text[1:].split()[0]))
+        self.browser.scenario(scenario)
 
 
 class Trust(PageTest):
@@ -381,6 +388,17 @@ class Master(PageTest):
             before = self.browser.wait("the job", lambda f: f["screen"] == "job")["done"]
             self.browser.wait("more results", lambda f: f["done"] > before or f["done"] == 60000)
             self.browser.picture("job-running-light")
+
+    def test_role_metrics_sees_the_cluster_and_no_mesh(self):
+        with Cluster(BIN, self.root / "roles", has_identity=True) as cluster:
+            metrics, submitter = cluster.credential("metrics"), cluster.credential("submitter")
+            mesh = "/api/v1/meshes/" + 64 * "0"
+            self.assertEqual(cluster.status("/"), 200)
+            self.assertIn(cluster.status("/api/v1/cluster"), (401, 403))
+            self.assertEqual(cluster.status("/api/v1/cluster", metrics), 200)
+            self.assertEqual(cluster.status(mesh, metrics), 403)
+            self.assertEqual(cluster.status("/api/v1/jobs/j-1", metrics), 403)
+            self.assertEqual(cluster.status(mesh, submitter), 404)
 
     def test_slow_readers_do_not_slow_the_probes(self):
         with Cluster(BIN, self.root / "slow") as cluster:

@@ -1,5 +1,6 @@
 """The programs that serve the page, and plain HTTP requests to them."""
 import http.client
+import os
 import re
 import select
 import socket
@@ -14,20 +15,20 @@ class Program:
 
     def __init__(self, *words, cwd=None):
         self.process = subprocess.Popen(
-            list(map(str, words)), stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, cwd=cwd
+            list(map(str, words)), stdout=subprocess.PIPE, stderr=subprocess.STDOUT, cwd=cwd
         )
         self.said = ""
 
     def wait_for(self, pattern):
         """Reads output until the pattern is found; returns the match."""
         end = time.monotonic() + START_SECONDS
+        output = self.process.stdout.fileno()
         while not (found := re.search(pattern, self.said)):
-            left = end - time.monotonic()
-            ready = select.select([self.process.stdout], [], [], max(0, left))[0]
-            line = self.process.stdout.readline() if ready else ""
-            if not line:
+            ready = select.select([output], [], [], max(0, end - time.monotonic()))[0]
+            data = os.read(output, 65536) if ready else b""
+            if not data:
                 raise AssertionError(f"{pattern} was never said; the program said: {self.said}")
-            self.said += line
+            self.said += data.decode(errors="replace")
         return found
 
     def close(self):

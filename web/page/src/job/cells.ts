@@ -7,7 +7,7 @@ import type { Results } from "./results";
 const glyphPixelsMin = 10;
 
 /** Draws a sign for a class, so that cells differ without their colours, too. */
-function drawGlyph(context: CanvasRenderingContext2D, kind: number, x: number, y: number, r: number) {
+function drawGlyph(context: OffscreenCanvasRenderingContext2D, kind: number, x: number, y: number, r: number) {
     context.beginPath();
     if (kind === 1) {
         context.arc(x, y, r * 0.55, 0, 2 * Math.PI);
@@ -73,7 +73,7 @@ export class Cells implements PlotModel {
         return [0, 1, 2].map((i) => free[i] + (clash[i] - free[i]) * share) as unknown as Rgb;
     }
 
-    draw(context: CanvasRenderingContext2D, width: number, height: number): void {
+    draw(context: OffscreenCanvasRenderingContext2D, width: number, height: number): void {
         const image = new ImageData(this.columns, this.rows);
         for (let cell = 0; cell < this.worst.length; ++cell) {
             if (this.worst[cell] < 0) {
@@ -90,7 +90,7 @@ export class Cells implements PlotModel {
         this.drawGlyphs(context, width / this.columns, height / this.rows);
     }
 
-    private drawGlyphs(context: CanvasRenderingContext2D, width: number, height: number): void {
+    private drawGlyphs(context: OffscreenCanvasRenderingContext2D, width: number, height: number): void {
         const size = Math.min(width, height);
         if (size < glyphPixelsMin || this.showsShares) {
             return;

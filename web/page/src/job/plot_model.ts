@@ -20,7 +20,7 @@ export interface PlotModel {
     readonly x: PlotAxis;
     readonly y: PlotAxis;
     /** Draws into a canvas of this many pixels. */
-    draw(context: CanvasRenderingContext2D, width: number, height: number): void;
+    draw(context: OffscreenCanvasRenderingContext2D, width: number, height: number): void;
     /** Returns what is at a point of the unit square, drawn on this many pixels. */
     at(x: number, y: number, width: number, height: number): Spot | null;
     /** Returns the neighbour in a direction (-1, 0, 1 each); some spot if there is none yet. */

@@ -28,6 +28,7 @@ function drawFrame(context: CanvasRenderingContext2D, spot: Spot, width: number,
 export function PosePlot(props: { model: PlotModel; open: (scenario: number) => void }) {
     const { model } = props;
     const canvas = useRef<HTMLCanvasElement>(null);
+    const below = useRef<OffscreenCanvas | null>(null); // The plot without its mark.
     const [spot, setSpot] = useState<Spot | null>(null);
     const [size, setSize] = useState<[number, number]>([0, 0]);
     const theme = useTheme();
@@ -47,15 +48,24 @@ export function PosePlot(props: { model: PlotModel; open: (scenario: number) => 
     }, []);
     useEffect(() => setSpot(null), [model.x.title, model.y.title]);
     useEffect(() => {
-        const element = canvas.current;
-        const context = element?.getContext("2d");
         const [width, height] = size;
-        if (!element || !context || width === 0 || height === 0) {
+        if (width > 0 && height > 0) {
+            below.current = new OffscreenCanvas(width, height);
+            const context = below.current.getContext("2d");
+            if (context) {
+                model.draw(context, width, height);
+            }
+        }
+    }, [model, size, theme]);
+    useEffect(() => {
+        const context = canvas.current?.getContext("2d");
+        const [width, height] = size;
+        if (!canvas.current || !context || !below.current) {
             return;
         }
-        element.width = width;
-        element.height = height;
-        model.draw(context, width, height);
+        canvas.current.width = width;
+        canvas.current.height = height;
+        context.drawImage(below.current, 0, 0);
         if (spot) {
             drawFrame(context, spot, width, height);
         }

@@ -83,7 +83,7 @@ class Points implements PlotModel {
         return this.elements[point] < 0 ? untested : this.results.classes[this.elements[point]];
     }
 
-    draw(context: CanvasRenderingContext2D, width: number, height: number): void {
+    draw(context: OffscreenCanvasRenderingContext2D, width: number, height: number): void {
         const count = this.px.length;
         const radius = (count > 20000 ? 1 : count > 2000 ? 1.6 : 2.6) * devicePixelRatio;
         for (const point of this.order) {

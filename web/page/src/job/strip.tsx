@@ -1,4 +1,4 @@
-import { useEffect, useRef, useState } from "preact/hooks";
+import { useEffect, useMemo, useRef, useState } from "preact/hooks";
 import { isAbort, messageOf } from "../base/api";
 import { cssColour, heightOf, nameOf } from "../base/classes";
 import { goTo, scenarioLink } from "../base/route";
@@ -69,7 +69,7 @@ export function Strip(props: { source: Source; job: Job; results: Results }) {
     const theme = useTheme();
     const [first, end] = view;
     const results = exact && exact.first === first && exact.end === end ? exact : props.results;
-    const worst = worstInBins(results, first, end);
+    const worst = useMemo(() => worstInBins(results, first, end), [results, first, end]);
     useEffect(() => {
         setExact(null);
         if (props.results.isExact || !canBeExact(source, first, end)) {

@@ -175,31 +175,47 @@ function HowItRan({ job }: { job: Job }) {
     );
 }
 
-/** Loads the results again whenever the job has more of them, at most every three seconds. */
-function useResults(source: Source, job: Job | undefined): { results: Results | null; error: string } {
-    const [state, setState] = useState<{ results: Results | null; error: string }>({ results: null, error: "" });
+const reloadPause = 3000; // Milliseconds.
+
+interface LoadedResults {
+    results: Results | null;
+    error: string;
+    /** How many scenarios were done when these were asked for. */
+    done: number;
+    at: number;
+}
+
+/** Loads the results, and again when the job has more of them, at most every three seconds. */
+function useResults(source: Source, job: Job | undefined): LoadedResults {
+    const [loaded, setLoaded] = useState<LoadedResults>({ results: null, error: "", done: -1, at: 0 });
     const [turn, setTurn] = useState(0);
-    const done = job ? job.done : -1;
-    const loadedAt = state.results ? turn : -1;
     useEffect(() => {
         if (!job) {
             return;
         }
         const stop = new AbortController();
+        const finish = (results: Results | null, error: string) =>
+            setLoaded((old) => ({
+                results: results ?? old.results,
+                error,
+                done: job.done,
+                at: performance.now(),
+            }));
         loadResults(source, job, 0, job.scenarios, stop.signal).then(
-            (results) => setState({ results, error: "" }),
-            (reason) => isAbort(reason) || setState((old) => ({ ...old, error: messageOf(reason) })),
+            (results) => finish(results, ""),
+            (reason) => isAbort(reason) || finish(null, messageOf(reason)),
         );
         return () => stop.abort();
     }, [job?.job, turn]);
     useEffect(() => {
-        if (loadedAt < 0) {
+        if (!job || loaded.done < 0 || job.done === loaded.done) {
             return;
         }
-        const timer = setTimeout(() => setTurn((old) => old + 1), 3000);
+        const wait = Math.max(0, loaded.at + reloadPause - performance.now());
+        const timer = setTimeout(() => setTurn((old) => old + 1), wait);
         return () => clearTimeout(timer);
-    }, [done]);
-    return state;
+    }, [job?.done, loaded]);
+    return loaded;
 }
 
 function useJobFacts(job: Job | undefined, results: Results | null): void {

@@ -14,7 +14,7 @@ import { PartPairs, Picked, PoseText } from "../viewer/side";
 import { ScenarioStatus, Trust } from "../viewer/status";
 import { nextContact } from "../viewer/step";
 import { type Drawing, trianglesOf, useContacts, useDrawing, useHeat, useModel } from "../viewer/use_viewer";
-import { readState, type ViewState, writeState } from "../viewer/view_state";
+import { readParts, readState, type ViewState, writeState } from "../viewer/view_state";
 import type { Contacts } from "../viewer/scenario_loader";
 
 const playPause = 60; // Milliseconds between the scenarios of a replay.
@@ -108,15 +108,26 @@ export function ViewerScreen({ source, route }: ScreenProps) {
     useTitle(`#${scenario} ${job?.name ?? ""}`);
     useViewerFacts({ job, model, contacts, state, drawing, scenario, canvas });
 
-    // A link that was followed, or the browser's back and forward.
-    useEffect(() => {
-        const wanted = readState(route.query, hasA);
-        setScenario(route.scenario);
-        setState(wanted);
-        if (viewer && wanted.camera) {
-            viewer.view = wanted.camera;
+    const look = () => {
+        if (viewer && state.camera) {
+            viewer.view = state.camera;
         }
-    }, [route, viewer]);
+    };
+    // A link that was followed, or the browser's back and forward.
+    const [arrivals, setArrivals] = useState(0);
+    useEffect(() => {
+        setScenario(route.scenario);
+        setState(readState(route.query, hasA));
+        setArrivals((old) => old + 1);
+    }, [route]);
+    useEffect(look, [viewer, arrivals]);
+    // Whose part a link names without a body is known with the meshes.
+    useEffect(() => {
+        if (model) {
+            const [partA, partB] = readParts(route.query, hasA);
+            change({ partA, partB });
+        }
+    }, [model]);
     useEffect(() => {
         noteLinkSoon(scenarioLink(route.job, scenario, writeState(state)));
         return forgetNotes;

@@ -25,20 +25,32 @@ export function nearestTriangle(
     let nearest: Hit | null = null;
     let least = Infinity;
     for (let i = 0; i < corners.length; i += 9) {
-        const [ax, ay, az] = [corners[i], corners[i + 1], corners[i + 2]];
-        const [ux, uy, uz] = [corners[i + 3] - ax, corners[i + 4] - ay, corners[i + 5] - az];
-        const [vx, vy, vz] = [corners[i + 6] - ax, corners[i + 7] - ay, corners[i + 8] - az];
-        const [px, py, pz] = [dy * vz - dz * vy, dz * vx - dx * vz, dx * vy - dy * vx];
+        const ax = corners[i];
+        const ay = corners[i + 1];
+        const az = corners[i + 2];
+        const ux = corners[i + 3] - ax;
+        const uy = corners[i + 4] - ay;
+        const uz = corners[i + 5] - az;
+        const vx = corners[i + 6] - ax;
+        const vy = corners[i + 7] - ay;
+        const vz = corners[i + 8] - az;
+        const px = dy * vz - dz * vy;
+        const py = dz * vx - dx * vz;
+        const pz = dx * vy - dy * vx;
         const determinant = ux * px + uy * py + uz * pz;
         if (determinant === 0) {
             continue;
         }
-        const [sx, sy, sz] = [ox - ax, oy - ay, oz - az];
+        const sx = ox - ax;
+        const sy = oy - ay;
+        const sz = oz - az;
         const u = (sx * px + sy * py + sz * pz) / determinant;
         if (!(u >= 0 && u <= 1)) {
             continue;
         }
-        const [qx, qy, qz] = [sy * uz - sz * uy, sz * ux - sx * uz, sx * uy - sy * ux];
+        const qx = sy * uz - sz * uy;
+        const qy = sz * ux - sx * uz;
+        const qz = sx * uy - sy * ux;
         const v = (dx * qx + dy * qy + dz * qz) / determinant;
         if (!(v >= 0 && u + v <= 1)) {
             continue;

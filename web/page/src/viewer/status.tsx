@@ -43,6 +43,7 @@ export function ScenarioStatus({ job, contacts }: { job: Job; contacts: Contacts
     const kind = numberOf(scenario.class);
     const count = scenario.class !== null && scenario.count > 0 ? counted(scenario.count, "pair") : "";
     const said = [
+        kind === 3 ? "one body is inside the other: g changes the ghost" : "",
         scenario.id !== null ? `id ${scenario.id}` : "",
         scenario.time !== null ? `t ${short(scenario.time, 6)}` : "",
         contacts.isCut ? `drawn: the first ${grouped(contacts.pairs.length / 3)} pairs` : "",

@@ -58,7 +58,7 @@ function readPick(text: string | null): Pick | null {
 }
 
 /** A part is written `a/part` or `b/part`; without a body it is one of A if A has it. */
-function readParts(query: URLSearchParams, hasA: (part: string) => boolean): [string, string] {
+export function readParts(query: URLSearchParams, hasA: (part: string) => boolean): [string, string] {
     let [a, b] = ["", ""];
     for (const text of [query.get("part"), query.get("with")]) {
         if (!text) {
@@ -75,6 +75,13 @@ function readParts(query: URLSearchParams, hasA: (part: string) => boolean): [st
         }
     }
     return [a, b];
+}
+
+/** Whether two states differ in the camera at most. */
+export function isSameView(one: ViewState, other: ViewState): boolean {
+    return Object.entries(one).every(
+        ([key, value]) => key === "camera" || value === other[key as keyof ViewState],
+    );
 }
 
 /** Reads a link. Values that mean nothing are ignored. */

@@ -11,7 +11,7 @@ import { nearestTriangle, type Ray } from "./pick";
 import { PickMark } from "./pick_mark";
 import type { Contacts } from "./scenario_loader";
 import { clipPlane, Stage } from "./stage";
-import type { Pick, ViewState } from "./view_state";
+import { isSameView, type Pick, type ViewState } from "./view_state";
 
 const grey: Rgb = [186, 190, 196];
 const blue: Rgb = [100, 138, 186];
@@ -57,7 +57,8 @@ export class Viewer {
         ];
         this.stage.setRadius(this.centreOfB().length() + this.bodies[1].radius + this.bodies[0].radius);
         this.refreshContacts(state);
-        this.setState(state);
+        this.state = state;
+        this.applyState(state);
         if (!state.camera && !this.isInView()) {
             this.fit(this.fitted === null);
         }
@@ -91,9 +92,16 @@ export class Viewer {
     setState(state: ViewState): void {
         const old = this.state;
         this.state = state;
+        if (old && isSameView(old, state)) {
+            return;
+        }
         if (old && (old.partA !== state.partA || old.partB !== state.partB)) {
             this.refreshContacts(state);
         }
+        this.applyState(state);
+    }
+
+    private applyState(state: ViewState): void {
         const [a, b] = this.bodies;
         a.showAs(state.ghost === "a" ? "ghost" : "solid");
         b.showAs(state.ghost === "b" ? "ghost" : "solid");
