@@ -236,9 +236,10 @@ class Jobs(PageTest):
         self.open(self.scenes.drive(), "#/jobs/folder")
         self.browser.wait("the job", lambda f: f["screen"] == "job")
         heading = self.browser.driver.find_element("css selector", "th button")
-        self.browser.driver.execute_script("arguments[0].click(); ", heading)
-        self.browser.wait("a sorted table", lambda f: self.browser.driver.execute_script(
-            "return document.querySelector('th[aria-sort=\"descending\"]') !== null"))
+        sorted_by = "return document.querySelectorAll('th[aria-sort$=\"ending\"]').length"
+        self.assertEqual(self.browser.driver.execute_script(sorted_by), 0)
+        self.browser.driver.execute_script("arguments[0].click()", heading)
+        self.browser.wait("a sorted table", lambda f: self.browser.driver.execute_script(sorted_by) == 1)
 
     def test_the_keyboard_reaches_the_pose_space(self):
         self.open(self.scenes.drive(), "#/jobs/folder")

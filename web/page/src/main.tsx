@@ -14,10 +14,7 @@ import { Shell } from "./ui/shell";
 import { Notice } from "./ui/small";
 
 function homeOf(source: Source): string {
-    if (source.job !== null) {
-        return jobLink(source.job);
-    }
-    return source.kind === "master" ? "#/cluster" : "#/jobs";
+    return source.job === null ? "#/cluster" : jobLink(source.job);
 }
 
 /** The screen that the address names, below the bar. */

@@ -24,7 +24,7 @@ function ThemeSwitch() {
 /** The bar above every screen. */
 export function Shell(props: { source: Source; screen: string; children: ComponentChildren }) {
     const { source, screen } = props;
-    const isMaster = source.kind === "master";
+    const isCluster = source.job === null;
     const tab = (name: string, title: string, isHere: boolean) => (
         <a href={`#/${name}`} {...(isHere ? { "aria-current": "page" as const } : {})}>
             {title}
@@ -38,12 +38,12 @@ export function Shell(props: { source: Source; screen: string; children: Compone
                     cdcluster
                 </a>
                 <nav aria-label="screens">
-                    {isMaster && tab("cluster", "cluster", screen === "cluster")}
-                    {isMaster && tab("jobs", "jobs", screen === "jobs")}
-                    {!isMaster && source.job !== null && tab(`jobs/${source.job}`, "job", screen === "job")}
+                    {isCluster && tab("cluster", "cluster", screen === "cluster")}
+                    {isCluster && tab("jobs", "jobs", screen === "jobs")}
+                    {source.job !== null && tab(`jobs/${source.job}`, "job", screen === "job")}
                 </nav>
                 <span class="where" title={`${source.program} ${source.name}`}>
-                    {isMaster ? "master " : source.kind === "folder" ? "folder " : "job of "}
+                    {source.kind === "folder" ? "folder " : "master "}
                     <Name text={source.kind === "folder" ? fileName(source.name) : source.name} />
                     {source.tls && " · TLS"}
                 </span>
