@@ -3,59 +3,78 @@
 #include "common/core/errors.hpp"
 
 #include <algorithm>
+#include <cstddef>
+#include <utility>
 
 namespace cd {
 
-namespace {
-
-constexpr std::uint64_t ahead_scenarios = 8192;
-/// Size of the records read ahead; further ones are read when they are asked for.
-constexpr std::uint64_t ahead_bytes_enough = 64u << 20;
-
-} // namespace
-
 Result<const ScenarioResult*> MatchedRecords::of(std::uint64_t index) {
     const ScenarioResult* const none = nullptr;
-    if (index >= ahead_end_) {
-        CD_TRY(read_ahead(index));
+    if (index >= window_end_) {
+        CD_TRY(begin_window(index));
     }
     const auto earlier = match_.earlier(index);
     if (!earlier) {
         return none;
     }
-    if (const auto found = ahead_.find(*earlier); found != ahead_.end()) {
-        return &found->second;
+    if (ahead_.empty()) {
+        const KeptRecord* const record = CD_TRY(records_.find(*earlier));
+        return record == nullptr ? none : &record->result;
     }
-    const KeptRecord* const record = CD_TRY(records_.find(*earlier));
-    return record == nullptr ? none : &record->result;
+    const Bytes& record = ahead_[index - window_begin_];
+    if (record.empty()) {
+        return none;
+    }
+    found_ = CD_TRY(decode_result(record));
+    return &found_;
 }
 
-/// Reads the results of the scenarios from `first` on that do not come in the earlier run's order.
-Status MatchedRecords::read_ahead(std::uint64_t first) {
+/// Begins a window at a scenario. Reads its records ahead unless they come in the file's order.
+Status MatchedRecords::begin_window(std::uint64_t first) {
     ahead_.clear();
-    ahead_end_ = std::min(first + ahead_scenarios, scenarios_);
-    std::vector<std::uint64_t> wanted;
-    for (std::uint64_t index = first; index < ahead_end_; ++index) {
+    window_begin_ = first;
+    window_end_ =
+        std::min(first + limits::compared_window_scenarios_max, std::max(scenarios_, first + 1));
+    std::vector<std::array<std::uint64_t, 2>> wanted; // The earlier index, and that in the window.
+    for (std::uint64_t index = first; index < window_end_; ++index) {
         if (const auto earlier = match_.earlier(index)) {
-            wanted.push_back(*earlier);
+            wanted.push_back({*earlier, index - first});
         }
     }
-    if (std::ranges::is_sorted(wanted)) {
-        return Done{};
-    }
+    return std::ranges::is_sorted(wanted) ? Status(Done{}) : read_ahead(std::move(wanted));
+}
+
+/// Reads the wanted records in the file's order. Halves the window while they have too many bytes.
+Status MatchedRecords::read_ahead(std::vector<std::array<std::uint64_t, 2>> wanted) {
     std::ranges::sort(wanted);
+    ahead_.resize(window_end_ - window_begin_);
     std::uint64_t bytes = 0;
-    for (const std::uint64_t earlier : wanted) {
+    for (const auto& [earlier, place] : wanted) {
+        if (place >= ahead_.size()) {
+            continue;
+        }
         const KeptRecord* const record = CD_TRY(records_.find(earlier));
         if (record != nullptr) {
+            ahead_[place] = record->bytes;
             bytes += record->bytes.size();
-            ahead_.emplace(earlier, record->result);
         }
-        if (bytes >= ahead_bytes_enough) {
-            break;
+        while (bytes > ahead_bytes_max_ && ahead_.size() > 1) {
+            bytes -= halve_window();
         }
     }
     return Done{};
+}
+
+/// Returns the size of the records that are dropped.
+std::uint64_t MatchedRecords::halve_window() {
+    const std::size_t size = ahead_.size() / 2;
+    std::uint64_t bytes = 0;
+    for (std::size_t place = size; place < ahead_.size(); ++place) {
+        bytes += ahead_[place].size();
+    }
+    ahead_.resize(size);
+    window_end_ = window_begin_ + size;
+    return bytes;
 }
 
 } // namespace cd

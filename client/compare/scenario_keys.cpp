@@ -32,20 +32,24 @@ ScenarioKey key_of(std::string_view id) {
     return key_of(sha256(std::as_bytes(std::span(id))));
 }
 
-Result<ScenarioKeys> ScenarioKeys::of(const std::vector<ScenarioKey>& keys) {
-    if (keys.size() > UINT32_MAX) {
+Result<ScenarioKeys> ScenarioKeys::for_run(std::uint64_t scenarios) {
+    if (scenarios > UINT32_MAX) {
         return Error{ErrorCode::TooLarge,
                      "scenarios of a run with more than 4 294 967 295 are matched only by their "
                      "index, which takes equal poses"};
     }
     ScenarioKeys table;
-    table.entries_.reserve(keys.size());
-    for (std::size_t i = 0; i < keys.size(); ++i) {
-        table.entries_.push_back({keys[i].high, keys[i].low, static_cast<std::uint32_t>(i)});
-    }
-    std::ranges::sort(table.entries_);
-    table.taken_.resize(keys.size());
+    table.entries_.reserve(scenarios);
     return table;
+}
+
+void ScenarioKeys::add(const ScenarioKey& key) {
+    entries_.push_back({key.high, key.low, static_cast<std::uint32_t>(entries_.size())});
+}
+
+void ScenarioKeys::sort() {
+    std::ranges::sort(entries_);
+    taken_.assign(entries_.size(), false);
 }
 
 std::size_t ScenarioKeys::place_of(const ScenarioKey& key) const {

@@ -30,9 +30,13 @@ struct ScenarioKey {
 /// A table from keys to scenarios, with 16 bytes for each scenario.
 class ScenarioKeys {
   public:
-    /// `keys` holds the key of each scenario, by index. Errors: TooLarge for 2^32 scenarios or
-    /// more.
-    [[nodiscard]] static Result<ScenarioKeys> of(const std::vector<ScenarioKey>& keys);
+    /// Makes an empty table for the keys of a run. Errors: TooLarge for 2^32 scenarios or more.
+    [[nodiscard]] static Result<ScenarioKeys> for_run(std::uint64_t scenarios);
+
+    /// Adds the key of the next scenario.
+    void add(const ScenarioKey& key);
+    /// Ends the adding; `find` and `take` may follow.
+    void sort();
 
     /// Returns the first scenario with this key; nothing if there is none.
     [[nodiscard]] std::optional<std::uint64_t> find(const ScenarioKey& key) const;

@@ -50,11 +50,11 @@ void for_each_key(const PoseLabels& ids, const std::function<void(const Scenario
 /// Fills a match from keys.
 class ScenarioMatcher {
   public:
-    /// `earlier` has the keys of the earlier run. Errors: TooLarge.
-    static Result<ScenarioMatcher>
-    over(MatchedBy by, const std::vector<ScenarioKey>& earlier, Repeats repeats) {
-        auto keys = CD_TRY(ScenarioKeys::of(earlier));
-        return ScenarioMatcher(by, std::move(keys), repeats);
+    /// `keys` has the keys of the earlier run.
+    ScenarioMatcher(MatchedBy by, ScenarioKeys keys, Repeats repeats)
+        : keys_(std::move(keys)), repeats_(repeats) {
+        keys_.sort();
+        match_.by_ = by;
     }
 
     /// Matches the later run's next scenario.
@@ -67,11 +67,6 @@ class ScenarioMatcher {
     ScenarioMatch take() { return std::move(match_); }
 
   private:
-    ScenarioMatcher(MatchedBy by, ScenarioKeys keys, Repeats repeats)
-        : keys_(std::move(keys)), repeats_(repeats) {
-        match_.by_ = by;
-    }
-
     ScenarioKeys keys_;
     Repeats repeats_;
     ScenarioMatch match_;
@@ -118,10 +113,9 @@ match_poses(PoseSource& earlier, PoseSource& later, Repeats repeats, const StopC
     if (earlier.grid() != nullptr && later.grid() != nullptr && *earlier.grid() == *later.grid()) {
         return ScenarioMatch::by_index(later.count());
     }
-    std::vector<ScenarioKey> keys;
-    CD_TRY(for_each_key(earlier, stop, [&](const ScenarioKey& key) { keys.push_back(key); }));
-    auto matcher = CD_TRY(ScenarioMatcher::over(MatchedBy::Poses, keys, repeats));
-    std::vector<ScenarioKey>().swap(keys);
+    auto keys = CD_TRY(ScenarioKeys::for_run(earlier.count()));
+    CD_TRY(for_each_key(earlier, stop, [&](const ScenarioKey& key) { keys.add(key); }));
+    ScenarioMatcher matcher(MatchedBy::Poses, std::move(keys), repeats);
     CD_TRY(for_each_key(later, stop, [&](const ScenarioKey& key) { matcher.add(key); }));
     return matcher.take();
 }
@@ -136,9 +130,9 @@ Result<ScenarioMatch> match_runs(const MatchedRun& earlier,
     if (!has_ids(earlier.labels) || !has_ids(later.labels)) {
         return match_poses(earlier.poses, later.poses, Repeats::Pair, stop);
     }
-    std::vector<ScenarioKey> keys;
-    for_each_key(earlier.labels, [&](const ScenarioKey& key) { keys.push_back(key); });
-    auto matcher = CD_TRY(ScenarioMatcher::over(MatchedBy::Id, keys, Repeats::Pair));
+    auto keys = CD_TRY(ScenarioKeys::for_run(earlier.poses.count()));
+    for_each_key(earlier.labels, [&](const ScenarioKey& key) { keys.add(key); });
+    ScenarioMatcher matcher(MatchedBy::Id, std::move(keys), Repeats::Pair);
     for_each_key(later.labels, [&](const ScenarioKey& key) { matcher.add(key); });
     return matcher.take();
 }

@@ -50,6 +50,12 @@ inline constexpr std::size_t groups_max = 100'000;
 inline constexpr std::uint64_t group_triangles_max = 1u << 26;
 inline constexpr std::size_t group_episodes_max = 100; ///< Episodes that a group keeps.
 
+// Comparing runs.
+/// Number of scenarios whose records in an earlier run are read ahead together, if that run has
+/// them in another order.
+inline constexpr std::uint64_t compared_window_scenarios_max = 1u << 18;
+inline constexpr std::uint64_t compared_ahead_bytes_max = 128u << 20; ///< Size of these records.
+
 // A master.
 /// Bytes of a mesh in one message of an upload.
 inline constexpr std::size_t mesh_piece_bytes = 1u << 20;

@@ -128,6 +128,36 @@ TEST_F(ReusedResultsTest, TheyAndTheRestComeInOrderFromTheFirstThatIsWanted) {
     }
 }
 
+TEST_F(ReusedResultsTest, AWindowShrinksToTheBytesThatItMayHold) {
+    constexpr std::uint64_t count = 500;
+    std::mt19937_64 random(11);
+    std::vector<std::uint64_t> places = numbers_to(count);
+    std::shuffle(places.begin(), places.end(), random);
+    std::vector<ScenarioResult> results;
+    for (std::uint64_t i = 0; i < count; ++i) {
+        if (i % 7 != 0) { // The others have no record.
+            results.push_back(result_with(i, {{static_cast<std::uint32_t>(i), 1}}));
+        }
+    }
+    RecordFile records = write_records(folder_ / "records", results);
+    const auto earlier = poses_at(numbers_to(count));
+    const auto later = poses_at(places);
+    const auto match = match_poses(*earlier, *later, Repeats::Pair, {});
+    ASSERT_TRUE(match);
+    for (const std::uint64_t bytes_max : {0, 100, 3'000, 1'000'000}) {
+        MatchedRecords found(records, match.value(), count, bytes_max);
+        for (std::uint64_t i = 0; i < count; ++i) {
+            const auto result = found.of(i);
+            ASSERT_TRUE(result);
+            ASSERT_EQ(result.value() == nullptr, places[i] % 7 == 0) << i;
+            if (result.value() != nullptr) {
+                EXPECT_EQ(result.value()->index, places[i]);
+                EXPECT_EQ(result.value()->pairs.front().a, places[i]);
+            }
+        }
+    }
+}
+
 TEST_F(ReusedResultsTest, AnErrorOfTheTakerAndAStopEndTheMerge) {
     RecordFile records =
         write_records(folder_ / "records", {result_with(0, {}), result_with(1, {})});
