@@ -61,15 +61,17 @@ class Verbs {
                 "answers. Also CD_SIMD");
         add_first_stage(*run, run->host.first_stage);
         add_tree_cache(*run, run->host.tree_cache);
-        add_fail_on(*run, run->fail_on);
+        add_judge(*run, run->judge);
+        add_fail_on(*run, run->fail_on, true);
         run.add("--reuse",
                 run->reuse,
                 "FOLDER|JOB",
                 "Run only the scenarios that this earlier run lacks, and take its other results")
             ->group("Results");
         run.flag("--dry-run", run->dry_run, "Check all inputs, estimate time and size, then stop");
-        run.flag(
-            "--yes", run->yes, "Write results even if they exceed 1 GB or half of the free disk");
+        run.flag("--yes",
+                 run->room.yes,
+                 "Write results even if they exceed 1 GB or half of the free disk");
         add_quiet(*run, run->quiet);
         add_output(*run, run->output, {"text", "json", "csv"});
 
@@ -157,6 +159,17 @@ class Verbs {
                      "numbers in the run");
         add_threads(*extract, extract->threads, "Threads here; 0 is one for each core");
         add_tree_cache(*extract, extract->tree_cache);
+
+        auto report = add<ReportCommand>("report", report_help);
+        add_run(*report, "run", report->run, "FOLDER|JOB");
+        add_master_options(*report, report->master);
+        report.add("-o,--output", report->out, "FILE", "The report; groups.csv is put beside it")
+            ->capture_default_str();
+        report.add("--pictures", report->pictures, "DIR", "Folder for large pictures: PNG files");
+        add_judge(*report, report->judge);
+        add_fail_on(*report, report->fail_on, true);
+        add_threads(*report, report->threads, "Threads here; 0 is one for each core");
+        add_tree_cache(*report, report->tree_cache);
 
         auto diff = add<DiffCommand>("diff", diff_help);
         add_run(*diff, "old", diff->earlier, "OLD");
@@ -283,7 +296,7 @@ class Verbs {
         watch->only_wait = only_wait;
         add_job(*watch, watch->job);
         add_master_options(*watch, watch->master);
-        add_fail_on(*watch, watch->fail_on);
+        add_fail_on(*watch, watch->fail_on, false);
         add_quiet(*watch, watch->quiet);
         add_statistics(*watch, watch->statistics);
         add_output(*watch, watch->output, {"text", "json"});

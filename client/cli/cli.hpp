@@ -20,8 +20,24 @@ struct MasterOptions {
     std::string credential; ///< A file, or "none"; empty: the file that `cdctl join` wrote, if any.
 };
 
-/// The contacts that give exit code 1: none; touch and worse; cross and inside.
-enum class FailOn : std::uint8_t { Never, Touch, Cross };
+/// What gives exit code 1.
+struct FailOn {
+    bool touch = false; ///< Contact of any kind.
+    bool cross = false; ///< Cross or inside.
+    bool undecided = false;
+    bool news = false; ///< A group that the baseline does not have and nobody approved.
+
+    [[nodiscard]] bool any() const { return touch || cross || undecided || news; }
+    friend bool operator==(const FailOn&, const FailOn&) = default;
+};
+
+/// What a run's groups are judged by.
+struct JudgeOptions {
+    std::string baseline; ///< An earlier run: a results folder, or a job's id; empty: none.
+    std::string statuses; ///< A file of statuses; empty: none.
+
+    [[nodiscard]] bool is_empty() const { return baseline.empty() && statuses.empty(); }
+};
 
 /// Options for results folders.
 struct FolderFlags {
@@ -38,16 +54,22 @@ struct HostOptions {
     std::string tree_cache = "off";       ///< A folder, or off.
 };
 
+/// How large the results on disk may become.
+struct RoomOptions {
+    bool yes = false; ///< Write results even if larger than `results_bytes_max`.
+    std::uint64_t results_bytes_max = limits::folder_bytes_unasked_max;
+};
+
 struct RunCommand {
     JobOptions job; ///< `job.file` may be a results folder.
     FolderFlags folder;
     MasterOptions master; ///< Without an address, the job runs on this machine.
     HostOptions host;
-    FailOn fail_on = FailOn::Never;
+    FailOn fail_on;
+    JudgeOptions judge; ///< Needs a results folder.
     bool dry_run = false;
     std::string reuse; ///< An earlier run whose results are reused; empty: none.
-    bool yes = false;  ///< Write results even if larger than `results_bytes_max`.
-    std::uint64_t results_bytes_max = limits::folder_bytes_unasked_max;
+    RoomOptions room;
     bool quiet = false;
     bool statistics = false;
     std::string output = "text"; ///< Format for stdout: text, json or csv.
@@ -77,7 +99,7 @@ struct WatchCommand {
     bool quiet = false;
     bool only_wait = false; ///< The verb `wait`: prints notes, but no progress.
     bool statistics = false;
-    FailOn fail_on = FailOn::Never;
+    FailOn fail_on;
     std::string output = "text"; ///< text, json
 };
 
@@ -111,6 +133,18 @@ struct ExtractCommand {
     std::string out;
     std::string as = "case";
     bool minimal = false;
+    unsigned threads = 0;
+    std::string tree_cache = "off"; ///< A folder, or off.
+};
+
+/// The verb `report`.
+struct ReportCommand {
+    std::string run; ///< A results folder, or a job's id.
+    MasterOptions master;
+    std::string out = "report.html";
+    std::string pictures; ///< Folder for large pictures; empty: none.
+    JudgeOptions judge;
+    FailOn fail_on;
     unsigned threads = 0;
     std::string tree_cache = "off"; ///< A folder, or off.
 };
@@ -215,6 +249,7 @@ using Command = std::variant<RunCommand,
                              ExtractCommand,
                              ViewCommand,
                              DiffCommand,
+                             ReportCommand,
                              GetCommand,
                              StatusCommand,
                              CancelCommand,

@@ -255,4 +255,25 @@ level. They have both bodies at the pose, triangles in contact in red (proper) a
 coplanar), and shared segments as lines. vtp: contacts-N.vtp for each scenario N, a.vtp and
 b-N.vtp (a body that does not move stands once), and the series scenarios.pvd. glb: N.glb.)";
 
+inline constexpr const char* report_help =
+    R"(Writes a report of a run for screen and paper, and groups.csv.
+Examples:
+  cdctl report out
+  cdctl report out -o report/van.html --pictures report
+  cdctl report j-5692 --statuses clashes.toml
+
+The report is one HTML file below 5 MB, without script: what was found and what was not
+tested, the bodies, the worst scenarios, the parts in contact, the space of poses, and how it
+ran. It prints on A4. Groups are pairs of parts in contact (levels pairs and contacts). In a
+mesh without parts they are of its connected pieces; the largest is `piece 1`.
+
+A file of statuses says what people decided, a table for each pair of parts:
+  [[clash]]
+  a = "front_bumper"       part of A, with wildcards as in ignore; or "body/part"
+  b = "bollard"
+  status = "approved"      or "reviewed"
+  note = "crumple zone, wanted"
+  pairs_max = 400          approved only as long as no scenario has more
+The last table that matches a group counts. docs/report.md has all.)";
+
 } // namespace cd

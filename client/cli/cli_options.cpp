@@ -212,25 +212,33 @@ void add_quiet(CLI::App& verb, bool& quiet) {
     verb.add_flag("-q,--quiet", quiet, "No progress and no header");
 }
 
-void add_fail_on(CLI::App& verb, FailOn& fail_on) {
-    const auto add = option_adder(verb);
-    const std::map<std::string, FailOn> words{{"touch", FailOn::Touch}, {"cross", FailOn::Cross}};
-    add("--fail-on",
-        fail_on,
-        "touch|cross",
-        "Exit with 1 on touch (or worse), or on cross or inside only")
-        ->transform(CLI::CheckedTransformer(words).description(""));
+void add_fail_on(CLI::App& verb, FailOn& fail_on, bool has_baseline) {
+    const auto set = [&fail_on](const std::vector<std::string>& words) {
+        for (const std::string& word : words) {
+            bool& flag = word == "touch"       ? fail_on.touch
+                         : word == "cross"     ? fail_on.cross
+                         : word == "undecided" ? fail_on.undecided
+                                               : fail_on.news;
+            flag = true;
+        }
+    };
+    std::vector<std::string> words{"touch", "cross", "undecided"};
+    std::string help =
+        "Exit with 1 on touch (or worse), cross (or inside), undecided; commas join several";
+    if (has_baseline) {
+        words.emplace_back("new");
+        help += "; new: a group that --baseline lacks and nobody approved";
+    }
+    verb.add_option_function<std::vector<std::string>>("--fail-on", set, help)
+        ->type_name("LIST")
+        ->delimiter(',')
+        ->check(one_of(words));
 }
 
-void add_diff_fail_on(CLI::App& verb, DiffFailOn& fail_on) {
+void add_judge(CLI::App& verb, JudgeOptions& judge) {
     const auto add = option_adder(verb);
-    const std::map<std::string, DiffFailOn> words{{"any", DiffFailOn::Any},
-                                                  {"new", DiffFailOn::New}};
-    add("--fail-on",
-        fail_on,
-        "any|new",
-        "Exit with 1 on any difference in contacts, or only on new groups")
-        ->transform(CLI::CheckedTransformer(words).description(""));
+    add("--baseline", judge.baseline, "FOLDER|JOB", "Compare the groups with this earlier run");
+    add("--statuses", judge.statuses, "FILE", "What people reviewed or approved (docs/report.md)");
 }
 
 void add_first_stage(CLI::App& verb, std::optional<PairStage>& first_stage) {

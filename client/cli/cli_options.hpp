@@ -38,7 +38,10 @@ void add_tree_cache(CLI::App& verb, std::string& folder);
 /// Adds `--output`; `words` are the available formats.
 void add_output(CLI::App& verb, std::string& output, const std::vector<std::string>& words);
 void add_quiet(CLI::App& verb, bool& quiet);
-void add_fail_on(CLI::App& verb, FailOn& fail_on);
+/// Adds `--fail-on`, with the word `new` for verbs that have a baseline.
+void add_fail_on(CLI::App& verb, FailOn& fail_on, bool has_baseline);
+/// Adds `--baseline` and `--statuses`.
+void add_judge(CLI::App& verb, JudgeOptions& judge);
 void add_diff_fail_on(CLI::App& verb, DiffFailOn& fail_on);
 /// Adds `--formats` and `--exact-points`.
 void add_formats(CLI::App& verb, std::vector<std::string>& formats, bool& exact_points);

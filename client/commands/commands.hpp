@@ -17,6 +17,7 @@ namespace cd {
 [[nodiscard]] Result<int> perform(const ExtractCommand& command);
 [[nodiscard]] Result<int> perform(const ViewCommand& command);
 [[nodiscard]] Result<int> perform(const DiffCommand& command);
+[[nodiscard]] Result<int> perform(const ReportCommand& command);
 [[nodiscard]] Result<int> perform(const GetCommand& command);
 [[nodiscard]] Result<int> perform(const StatusCommand& command);
 [[nodiscard]] Result<int> perform(const CancelCommand& command);
@@ -39,11 +40,13 @@ template <class Command>
 }
 
 /// Returns the exit code of a finished run: 3 if a scenario has no result or failed; else 1 if the
-/// run has contacts that `fail_on` names (`inside` counts like `cross`, since the solids share
-/// space); else 3 if undecided scenarios leave open whether it has such contacts; else 0.
-[[nodiscard]] int exit_code_of(const Summary& summary, FailOn fail_on);
+/// run has what `fail_on` names (`inside` counts like `cross`, since the solids share space); else
+/// 3 if undecided scenarios leave this open; else 0. `has_news` tells whether there are groups for
+/// `FailOn::news`.
+[[nodiscard]] int exit_code_of(const Summary& summary, FailOn fail_on, bool has_news = false);
 
-/// Refuses `FailOn::Cross` at `level any`, which does not tell touch from cross. Errors: BadInput.
+/// Refuses at `level any` to fail on cross alone, since that level does not tell touch from cross,
+/// and below `level pairs` to fail on new groups. Errors: BadInput.
 [[nodiscard]] Status check_fail_on(FailOn fail_on, Level level);
 
 } // namespace cd

@@ -12,7 +12,6 @@
 #include "common/core/host/stop_check.hpp"
 #include "common/core/words.hpp"
 
-#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 
@@ -60,23 +59,6 @@ Result<CaseScenarios> read_case(OpenedRun& run, PreparedJob& job, const Range& r
     return found;
 }
 
-/// Returns a scenario's bodies in their poses, with the triangles of the result's pairs marked.
-std::vector<PicturedBody>
-pictured(const PreparedJob& job, const Scenario& scenario, const ScenarioResult& result) {
-    std::vector<PicturedBody> bodies{
-        {job.meshes[scenario.body_a].get(), scenario.poses.a, body_colours[0], {}},
-        {job.meshes[scenario.body_b].get(), scenario.poses.b, body_colours[1], {}}};
-    for (const ContactPair& pair : result.pairs) {
-        bodies[0].contacts.push_back(pair.a);
-        bodies[1].contacts.push_back(pair.b);
-    }
-    for (PicturedBody& body : bodies) {
-        std::ranges::sort(body.contacts);
-        body.contacts.erase(std::ranges::unique(body.contacts).begin(), body.contacts.end());
-    }
-    return bodies;
-}
-
 /// Draws a picture of each scenario: DIR/N.png.
 Status write_pictures(const PreparedJob& job,
                       const CaseScenarios& found,
@@ -87,7 +69,12 @@ Status write_pictures(const PreparedJob& job,
         if (InterruptGuard::has_come()) {
             return interrupted();
         }
-        const Image image = draw_contacts(pictured(job, found.scenarios[i], found.results[i]));
+        const Scenario& scenario = found.scenarios[i];
+        const auto bodies = pictured(*job.meshes[scenario.body_a],
+                                     *job.meshes[scenario.body_b],
+                                     scenario.poses,
+                                     found.results[i].pairs);
+        const Image image = draw_contacts(bodies);
         const std::filesystem::path path = dir / (std::to_string(first + i) + ".png");
         CD_TRY(write_png(image, path));
     }

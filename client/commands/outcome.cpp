@@ -2,6 +2,7 @@
 #include "client/base/interrupt.hpp"
 #include "client/commands/commands.hpp"
 #include "common/core/build_info.hpp"
+#include "common/core/errors.hpp"
 #include "common/geometry/simd_target.hpp"
 
 #include <csignal>
@@ -9,26 +10,27 @@
 
 namespace cd {
 
-int exit_code_of(const Summary& summary, FailOn fail_on) {
+int exit_code_of(const Summary& summary, FailOn fail_on, bool has_news) {
     if (!summary.is_complete() || summary.failed != 0) {
         return exit_incomplete;
     }
     const std::uint64_t worst = summary.cross + summary.inside;
     const std::uint64_t any = worst + summary.touch + summary.contact;
-    const std::uint64_t asked =
-        fail_on == FailOn::Never ? 0 : (fail_on == FailOn::Cross ? worst : any);
-    if (asked != 0) {
+    if ((fail_on.touch && any != 0) || (fail_on.cross && worst != 0) ||
+        (fail_on.undecided && summary.undecided != 0) || (fail_on.news && has_news)) {
         return exit_contacts;
     }
     // With --fail-on the user asks whether there are contacts; undecided scenarios leave this open.
-    return fail_on != FailOn::Never && summary.undecided != 0 ? exit_incomplete : exit_done;
+    return fail_on.any() && summary.undecided != 0 ? exit_incomplete : exit_done;
 }
 
 Status check_fail_on(FailOn fail_on, Level level) {
-    if (fail_on == FailOn::Cross && level == Level::Any) {
-        return Error{
-            ErrorCode::BadInput,
-            "--fail-on cross needs level count or more: any does not tell touch from cross"};
+    if (fail_on.cross && !fail_on.touch && level == Level::Any) {
+        return bad_input(
+            "--fail-on cross needs level count or more: any does not tell touch from cross");
+    }
+    if (fail_on.news && level < Level::Pairs) {
+        return bad_input("--fail-on new is about groups, which need level pairs or contacts");
     }
     return Done{};
 }

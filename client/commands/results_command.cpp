@@ -28,7 +28,7 @@ Result<int> tell(const ResultsCommand& command, const RunReport& report, bool pr
     if (!prints) {
         CD_TRY(print_summary(report, command.output != "text", command.quiet, command.statistics));
     }
-    return exit_code_of(report.summary, FailOn::Never);
+    return exit_code_of(report.summary, FailOn());
 }
 
 Result<int> results_of_job(const ResultsCommand& command) {
@@ -75,7 +75,7 @@ Result<int> results_of_summary(const ResultsCommand& command, const Error& no_ru
     CD_TRY(out.write(
         command.output == "json" ? json : summary_text(report, {colours_wanted(stdout), false})));
     CD_TRY(out.commit());
-    return exit_code_of(report.summary, FailOn::Never);
+    return exit_code_of(report.summary, FailOn());
 }
 
 /// Writes the results in a folder to further formats in that folder. Without formats, the results

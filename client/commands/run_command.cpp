@@ -4,6 +4,7 @@
 #include "client/base/interrupt.hpp"
 #include "client/commands/commands.hpp"
 #include "client/commands/compare/earlier_run.hpp"
+#include "client/commands/compare/judge.hpp"
 #include "client/commands/estimate.hpp"
 #include "client/commands/local/run_here.hpp"
 #include "client/commands/remote_session.hpp"
@@ -83,6 +84,21 @@ EstimateOptions estimate_options(const RunCommand& command) {
     return options;
 }
 
+/// Opens what the run is judged by; nothing if it is not judged. Errors: as `Judge::open`; BadInput
+/// for a run without a folder, whose groups come from its records.
+Result<std::optional<Judge>>
+judge_of(const RunCommand& command, const JobSpec& spec, ThreadPool& pool) {
+    if (command.judge.is_empty() && !command.fail_on.news) {
+        return std::optional<Judge>();
+    }
+    auto judge = CD_TRY(
+        Judge::open(command.judge, command.fail_on, command.master, command.host.tree_cache, pool));
+    if (spec.output.dir.empty()) {
+        return bad_input("--baseline and --statuses read the results folder: give --out");
+    }
+    return std::optional<Judge>(std::move(judge));
+}
+
 /// Estimates time and size, and prints them as the answer to --dry-run. Both are those of a run
 /// that reuses nothing; how much can be reused is said on stderr.
 Result<int> tell_estimate(const RunCommand& command,
@@ -93,9 +109,9 @@ Result<int> tell_estimate(const RunCommand& command,
         static_cast<void>(CD_TRY(earlier->results_for(job, false)));
     }
     const auto estimate = CD_TRY(estimate_run(job, pool, estimate_options(command)));
-    const Status room = command.yes
+    const Status room = command.room.yes
                             ? Status(Done{})
-                            : check_room(estimate, job.spec.output, command.results_bytes_max);
+                            : check_room(estimate, job.spec.output, command.room.results_bytes_max);
     std::string text = "inputs are fine; " + estimate_text(estimate) + "; nothing was run\n" +
                        (room ? "" : room.error().detail + "\n");
     if (command.output == "json") {
@@ -107,7 +123,7 @@ Result<int> tell_estimate(const RunCommand& command,
 
 /// True if the size of the results must be checked before the run.
 bool checks_size(const RunCommand& command, const JobSpec& spec) {
-    return !command.yes && !spec.output.dir.empty();
+    return !command.room.yes && !spec.output.dir.empty();
 }
 
 /// Refuses results that are too large. Samples at most 5 % of the scenarios, so the check is cheap.
@@ -121,7 +137,7 @@ Status check_size(const RunCommand& command, const PreparedJob& job, ThreadPool&
     }
     const auto estimate = estimate_run(job, pool, options);
     // If the estimate fails, the run goes on without the check.
-    return estimate ? check_room(estimate.value(), job.spec.output, command.results_bytes_max)
+    return estimate ? check_room(estimate.value(), job.spec.output, command.room.results_bytes_max)
                     : Status(Done{});
 }
 
@@ -221,17 +237,25 @@ Result<int> run_job(const RunCommand& command) {
             EarlierRun::open(command.reuse, command.master, command.host.tree_cache, job, pool));
     }
     EarlierRun* const reuses = earlier ? &*earlier : nullptr;
+    auto judge = CD_TRY(judge_of(command, job.spec, pool));
+    const std::string dir = job.spec.output.dir.string();
     if (command.dry_run) {
         return tell_estimate(command, job, pool, reuses);
     }
     CD_TRY(check_size(command, job, pool));
     InterruptGuard::begin_to_flag();
-    if (!here) {
-        return run_on_master(command, job, std::move(connection), reuses);
+    int code = exit_done;
+    if (here) {
+        const std::chrono::duration<double> prepared = std::chrono::steady_clock::now() - start;
+        code = CD_TRY(run_here({command, job, pool, reuses, prepared.count()}));
+    } else {
+        code = CD_TRY(run_on_master(command, job, std::move(connection), reuses));
     }
-    const std::chrono::duration<double> prepared = std::chrono::steady_clock::now() - start;
-    const LocalJob local{command, job, pool, reuses, prepared.count()};
-    return run_here(local);
+    if (judge) {
+        const bool has_news = CD_TRY(judge_folder(*judge, command, dir, pool));
+        code = code == exit_done && command.fail_on.news && has_news ? exit_contacts : code;
+    }
+    return code;
 }
 
 } // namespace cd

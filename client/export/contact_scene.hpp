@@ -1,7 +1,7 @@
 // A scenario to look at: both bodies in the world, and what their triangles share.
 #pragma once
 
-#include "client/picture/image.hpp"
+#include "client/picture/body_picture.hpp"
 #include "common/core/host/stop_check.hpp"
 #include "common/core/result.hpp"
 #include "common/geometry/mesh.hpp"
@@ -17,9 +17,6 @@
 #include <vector>
 
 namespace cd {
-
-/// The colours of bodies A and B in pictures and scenes.
-inline constexpr std::array<Colour, 2> body_colours{{{150, 170, 200}, {225, 190, 120}}};
 
 /// A triangle in contact. If it is in several pairs: the class that comes last in `PairClass`.
 struct SceneContact {

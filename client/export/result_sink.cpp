@@ -115,6 +115,14 @@ Status ResultSink::write_map(const ContactMap& map) const {
                              : Status(Done{});
 }
 
+GroupsOrigin ResultSink::groups_origin() const {
+    GroupsOrigin origin{{}, tested_, context_.limit_pairs, groups_.left_out()};
+    for (const ExportBody& body : context_.bodies) {
+        origin.bodies.push_back(body.name);
+    }
+    return origin;
+}
+
 Status ResultSink::finish(const std::optional<ContactMap>& map) {
     for (const auto& writer : writers_) {
         CD_TRY(writer->finish());
@@ -123,7 +131,7 @@ Status ResultSink::finish(const std::optional<ContactMap>& map) {
         return Done{};
     }
     if (has_format("csv") && context_.level >= Level::Pairs) {
-        CD_TRY(write_groups_csv(groups_, tested_, options_.dir, context_));
+        CD_TRY(write_groups_csv(options_.dir / "groups.csv", rows_of(groups_), groups_origin()));
     }
     return map ? write_map(*map) : Status(Done{});
 }

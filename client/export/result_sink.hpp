@@ -3,6 +3,7 @@
 
 #include "client/export/result_writer.hpp"
 #include "client/groups/group_sum.hpp"
+#include "client/groups/groups_csv.hpp"
 #include "client/report/report.hpp"
 #include "common/core/result.hpp"
 #include "common/job/result/contact_map.hpp"
@@ -50,6 +51,7 @@ class ResultSink {
 
     [[nodiscard]] bool has_format(std::string_view format) const;
     [[nodiscard]] Status write_map(const ContactMap& map) const;
+    [[nodiscard]] GroupsOrigin groups_origin() const;
 
     SinkOptions options_;
     ExportContext context_;

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "client/formats/output_file.hpp"
-#include "client/groups/group_sum.hpp"
 #include "client/report/report.hpp"
 #include "common/core/host/stop_check.hpp"
 #include "common/core/result.hpp"
@@ -99,14 +98,6 @@ make_vtp_writer(const ExportContext& context, const std::filesystem::path& dir);
 /// Returns the name of a body's files, without an ending: the body's name, with `_` for what is
 /// special in paths or XML, distinct for each body and from "contacts".
 [[nodiscard]] std::string body_file_name(const std::vector<ExportBody>& bodies, std::size_t body);
-
-/// Writes groups.csv: a row for each pair of parts in contact, those in most scenarios first.
-/// `share` is of `tested` scenarios, and empty if results do not list all pairs. Pairs that `sum`
-/// could not group make up a last row with the parts `*`. Errors: Io naming the file.
-[[nodiscard]] Status write_groups_csv(const GroupSum& sum,
-                                      std::uint64_t tested,
-                                      const std::filesystem::path& dir,
-                                      const ExportContext& context);
 
 /// Returns the name of the contact map's numbers in files: "scenarios", or
 /// "scenarios_of_first_N_pairs" if the map counts only the first N pairs of each scenario.

@@ -26,21 +26,26 @@ bool has_proper(std::span<const ContactPair> pairs) {
         pairs, [](const ContactPair& pair) { return pair.kind == PairClass::Proper; });
 }
 
-/// Extends the last episode of a group by a scenario, or begins a new one.
-void add_to_episodes(Group& group, std::uint64_t& last, std::uint64_t scenario) {
-    const bool goes_on = group.episodes != 0 && last + 1 == scenario;
-    group.episodes += goes_on ? 0 : 1;
-    last = scenario;
-    if (group.episodes > limits::group_episodes_max) {
+/// Extends the last episode by a scenario, or begins a new one.
+void add_to(GroupEpisodes& episodes, std::uint64_t scenario) {
+    const bool goes_on = episodes.count != 0 && episodes.last + 1 == scenario;
+    episodes.count += goes_on ? 0 : 1;
+    episodes.last = scenario;
+    if (episodes.count > limits::group_episodes_max) {
         return;
     }
     if (!goes_on) {
-        group.first_episodes.push_back({scenario, scenario});
+        episodes.first.push_back({scenario, scenario});
     }
-    group.first_episodes.back().last = scenario;
+    episodes.first.back().last = scenario;
 }
 
 } // namespace
+
+bool is_same(const Group& left, const Group& right) {
+    return left.body_a == right.body_a && left.body_b == right.body_b &&
+           left.part_a == right.part_a && left.part_b == right.part_b;
+}
 
 GroupSum::GroupSum(std::vector<std::shared_ptr<const Mesh>> meshes) : meshes_(std::move(meshes)) {}
 
@@ -183,7 +188,7 @@ void GroupSum::add(const ScenarioResult& result) {
         if (sum.is_proper_here || all_cross) {
             group.kind = ScenarioClass::Cross;
         }
-        add_to_episodes(group, sum.last_scenario, result.index);
+        add_to(group.episodes, result.index);
     }
     limit_triangles();
 }

@@ -24,6 +24,15 @@ struct Episode {
     friend bool operator==(const Episode&, const Episode&) = default;
 };
 
+/// The episodes of a group.
+struct GroupEpisodes {
+    std::uint64_t count = 0;
+    std::uint64_t last = 0;       ///< The last scenario of the last episode.
+    std::vector<Episode> first{}; ///< The first `limits::group_episodes_max` episodes.
+
+    friend bool operator==(const GroupEpisodes&, const GroupEpisodes&) = default;
+};
+
 /// A part of A and a part of B that are in contact, by the listed pairs of triangles.
 struct Group {
     std::uint32_t body_a = 0; ///< Index of body A in the job's list of bodies.
@@ -40,11 +49,14 @@ struct Group {
     /// On A's part and on B's part, the number of regions: connected sets of triangles in contact
     /// in any scenario. Zeros if they are too many to count.
     std::array<std::uint64_t, 2> regions{};
-    std::uint64_t episodes = 0;          ///< Number of runs of consecutive scenarios.
-    std::vector<Episode> first_episodes; ///< The first `limits::group_episodes_max` of them.
+    GroupEpisodes episodes;
 
     friend bool operator==(const Group&, const Group&) = default;
 };
+
+/// True if the groups' bodies have the same positions in their jobs, and their parts the same
+/// names.
+[[nodiscard]] bool is_same(const Group& left, const Group& right);
 
 /// A part and the number of scenarios in which it is in contact.
 struct TouchedPart {
@@ -89,7 +101,6 @@ class GroupSum {
         std::uint64_t stamp = 0;      ///< `stamp_` of the last result with the group.
         std::uint64_t pairs_here = 0; ///< Number of pairs in that result.
         bool is_proper_here = false;  ///< A pair in that result is proper.
-        std::uint64_t last_scenario = 0;
         /// Triangles in contact of A and of B, with repetitions; the first `sorted` ascend.
         std::array<std::vector<std::uint32_t>, 2> touched;
         std::array<std::size_t, 2> sorted{};

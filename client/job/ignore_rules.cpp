@@ -1,11 +1,9 @@
 #include "client/job/prepared_job.hpp"
+#include "client/spec/part_pattern.hpp"
 #include "common/core/errors.hpp"
 #include "common/core/words.hpp"
 
-#include <fnmatch.h>
-
 #include <array>
-#include <optional>
 #include <utility>
 
 namespace cd {
@@ -13,28 +11,6 @@ namespace cd {
 namespace {
 
 using Ranges = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
-
-/// The two halves of an ignore rule's pattern, which is "part" or "body/part".
-struct PartPattern {
-    std::optional<std::string> body;
-    std::string part;
-};
-
-/// Splits a pattern at the first slash that is not escaped.
-PartPattern split(const std::string& pattern) {
-    for (std::size_t i = 0; i < pattern.size(); ++i) {
-        if (pattern[i] == '\\') {
-            ++i;
-        } else if (pattern[i] == '/') {
-            return {pattern.substr(0, i), pattern.substr(i + 1)};
-        }
-    }
-    return {std::nullopt, pattern};
-}
-
-bool matches(const std::string& pattern, const std::string& name) {
-    return fnmatch(pattern.c_str(), name.c_str(), 0) == 0;
-}
 
 /// A body: its letter in messages, and its name in patterns.
 struct IgnoredBody {
@@ -44,10 +20,10 @@ struct IgnoredBody {
 };
 
 /// Returns the triangles of all parts whose names match, with adjacent ranges joined.
-Ranges matching(const std::string& pattern, const Mesh& mesh) {
+Ranges matching(const PartPattern& pattern, const Mesh& mesh) {
     Ranges ranges;
     for (const Part& part : mesh.parts()) {
-        if (!matches(pattern, part.name)) {
+        if (!pattern.is_of_part(part.name)) {
             continue;
         }
         if (!ranges.empty() && ranges.back().second == part.triangles_begin) {
@@ -94,11 +70,11 @@ Result<Ranges> ranges_of(const IgnoreRule& rule,
                          const std::string& text,
                          const IgnoredBody& body,
                          const std::filesystem::path& job_file) {
-    const PartPattern pattern = split(text);
-    if (pattern.body && !matches(*pattern.body, body.name)) {
+    const PartPattern pattern = PartPattern::from_text(text);
+    if (!pattern.is_of_body(body.name)) {
         return no_body(rule, text, body, job_file);
     }
-    Ranges ranges = matching(pattern.part, body.mesh);
+    Ranges ranges = matching(pattern, body.mesh);
     return ranges.empty() ? Result<Ranges>(no_match(rule, pattern.part, body, job_file))
                           : Result<Ranges>(std::move(ranges));
 }

@@ -2,6 +2,7 @@
 
 #include "client/picture/rasteriser.hpp"
 
+#include <algorithm>
 #include <array>
 
 namespace cd {
@@ -80,6 +81,21 @@ Viewpoint best_viewpoint(std::span<const PicturedBody> bodies, const Aabb& scene
 }
 
 } // namespace
+
+std::vector<PicturedBody>
+pictured(const Mesh& a, const Mesh& b, const PosePair& poses, std::span<const ContactPair> pairs) {
+    std::vector<PicturedBody> bodies{{&a, poses.a, body_colours[0], {}},
+                                     {&b, poses.b, body_colours[1], {}}};
+    for (const ContactPair& pair : pairs) {
+        bodies[0].contacts.push_back(pair.a);
+        bodies[1].contacts.push_back(pair.b);
+    }
+    for (PicturedBody& body : bodies) {
+        std::ranges::sort(body.contacts);
+        body.contacts.erase(std::ranges::unique(body.contacts).begin(), body.contacts.end());
+    }
+    return bodies;
+}
 
 Image draw_parts(const Mesh& mesh, PictureSize size) {
     Rasteriser picture(

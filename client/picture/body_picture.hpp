@@ -4,7 +4,9 @@
 #include "client/picture/image.hpp"
 #include "common/geometry/mesh.hpp"
 #include "common/geometry/pose.hpp"
+#include "common/search/contact_pair.hpp"
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -17,6 +19,9 @@ struct PictureSize {
     unsigned height = 750;
 };
 
+/// The colours of bodies A and B in pictures and scenes.
+inline constexpr std::array<Colour, 2> body_colours{{{150, 170, 200}, {225, 190, 120}}};
+
 /// The colour of triangles in contact.
 inline constexpr Colour contact_colour{224, 32, 32};
 
@@ -27,6 +32,10 @@ struct PicturedBody {
     Colour colour;
     std::vector<std::uint32_t> contacts; ///< Triangles in contact.
 };
+
+/// Returns two bodies in their poses, with the triangles of the pairs marked.
+[[nodiscard]] std::vector<PicturedBody>
+pictured(const Mesh& a, const Mesh& b, const PosePair& poses, std::span<const ContactPair> pairs);
 
 /// Draws a mesh from the front, the right and above; eight colours take turns for its parts.
 [[nodiscard]] Image draw_parts(const Mesh& mesh, PictureSize size = {});

@@ -1,6 +1,7 @@
 #include "client/picture/image.hpp"
 
 #include "client/formats/output_file.hpp"
+#include "common/core/errors.hpp"
 
 #include <png.h>
 
@@ -8,7 +9,7 @@
 
 namespace cd {
 
-Status write_png(const Image& image, const std::filesystem::path& path) {
+Result<std::string> png_bytes(const Image& image) {
     png_image header{};
     header.version = PNG_IMAGE_VERSION;
     header.width = image.width;
@@ -18,9 +19,14 @@ Status write_png(const Image& image, const std::filesystem::path& path) {
     png_alloc_size_t size = bytes.size();
     if (png_image_write_to_memory(
             &header, bytes.data(), &size, 0, image.pixels.data(), 0, nullptr) == 0) {
-        return Error{ErrorCode::Io, path.string() + ": " + header.message};
+        return Error{ErrorCode::Io, std::string("a picture: ") + header.message};
     }
     bytes.resize(size);
+    return bytes;
+}
+
+Status write_png(const Image& image, const std::filesystem::path& path) {
+    const std::string bytes = CD_TRY(png_bytes(image));
     return write_file(path, bytes);
 }
 

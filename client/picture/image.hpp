@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <string>
 #include <vector>
 
 namespace cd {
@@ -23,6 +24,9 @@ struct Image {
     unsigned height = 0;
     std::vector<Colour> pixels;
 };
+
+/// Returns the bytes of a PNG file with 8 bits per channel. Errors: Io.
+[[nodiscard]] Result<std::string> png_bytes(const Image& image);
 
 /// Writes a PNG file with 8 bits per channel, whole or not at all. Errors: Io naming the file.
 [[nodiscard]] Status write_png(const Image& image, const std::filesystem::path& path);

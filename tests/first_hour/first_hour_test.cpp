@@ -127,6 +127,41 @@ TEST_F(FirstHour, AChangedPoseIsRunAloneAndAChangedMeshIsCompared) {
     EXPECT_THAT(changed.output, HasSubstr("  scenarios     4 in both, matched by index\n"));
 }
 
+TEST_F(FirstHour, ARunIsReportedAndJudgedByAnEarlierOne) {
+    const std::string old_run = path("released");
+    write_text(folder_ / "free.csv", "x,y,yaw_deg\n9,0,0\n9,0,45\n");
+    ASSERT_EQ(type({"run", "--out", old_run}, bodies("free.csv")).exit_code, 0);
+    const std::vector<std::string> judged{
+        "run", "--out", path("out"), "--baseline", old_run, "--fail-on", "new"};
+    const Ran news = type(judged, bodies("poses.csv"));
+    EXPECT_EQ(news.exit_code, 1) << news.errors;
+    EXPECT_THAT(news.output, HasSubstr("  baseline      " + old_run + ": new 1, active 0"));
+    write_text(folder_ / "clashes.toml",
+               "[[clash]]\na = \"*\"\nb = \"*\"\nstatus = \"approved\"\nnote = \"wanted\"\n");
+    std::vector<std::string> approved = judged;
+    approved.insert(approved.end(), {"--statuses", path("clashes.toml")});
+    EXPECT_EQ(type(approved, bodies("poses.csv")).exit_code, 0) << "the folder has the run already";
+
+    const Ran report = type({"report",
+                             path("out"),
+                             "-o",
+                             path("report.html"),
+                             "--baseline",
+                             old_run,
+                             "--statuses",
+                             path("clashes.toml"),
+                             "--fail-on",
+                             "new"});
+    EXPECT_EQ(report.exit_code, 0) << report.errors;
+    EXPECT_EQ(report.output, path("report.html") + ", " + path("groups.csv") + "\n");
+    const std::string page = read_text(folder_ / "report.html");
+    EXPECT_THAT(page, HasSubstr("The bodies are in contact in 2 of 3 scenarios"));
+    EXPECT_THAT(page, HasSubstr("<td>approved</td><td>wanted</td>"));
+    EXPECT_THAT(page, testing::Not(HasSubstr("<script")));
+    EXPECT_EQ(type({"report", path("out"), "-o", path("r.html"), "--fail-on", "new"}).errors,
+              "cdctl: --fail-on new compares with an earlier run: give --baseline OLD\n");
+}
+
 TEST_F(FirstHour, AWrongUnitIsSuspected) {
     write_text(folder_ / "yaw.csv", "x,y,z,roll,pitch,yaw\n0,0,0,0,0,1\n");
     EXPECT_THAT(type({"run"}, bodies("yaw.csv")).errors,
@@ -158,6 +193,7 @@ TEST_F(FirstHour, AMistypedFolderIsSaidToBeMissing) {
     for (const std::vector<std::string>& words : {std::vector<std::string>{"results", "nosuch"},
                                                   {"verify", "nosuch"},
                                                   {"diff", "nosuch", "nosuch"},
+                                                  {"report", "nosuch"},
                                                   {"extract", "nosuch", "0"}}) {
         const Ran none = type(words, there);
         EXPECT_EQ(none.exit_code, 4);
@@ -224,7 +260,7 @@ TEST_F(FirstHour, LargeResultsAreRefusedBeforeTheJobIsSubmitted) {
     command.job.poses.random = 100;
     command.job.output.dir = path("out");
     command.master.address = master.address();
-    command.results_bytes_max = 1000;
+    command.room.results_bytes_max = 1000;
     testing::internal::CaptureStderr();
     EXPECT_EQ(execute(command), 2);
     EXPECT_THAT(testing::internal::GetCapturedStderr(),

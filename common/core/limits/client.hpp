@@ -56,6 +56,14 @@ inline constexpr std::size_t group_episodes_max = 100; ///< Episodes that a grou
 inline constexpr std::uint64_t compared_window_scenarios_max = 1u << 18;
 inline constexpr std::uint64_t compared_ahead_bytes_max = 128u << 20; ///< Size of these records.
 
+// Reports. A report stays below 5 MB.
+/// Size of all pictures in a report. In the report they take a third more.
+inline constexpr std::size_t report_pictures_bytes_max = 2'700'000;
+inline constexpr std::size_t report_groups_max = 200; ///< Groups in the table of a report.
+/// Parts of A, and of B, in the matrix of a report.
+inline constexpr std::size_t report_parts_max = 16;
+inline constexpr std::size_t report_job_bytes_max = 65536; ///< Text of the job file in a report.
+
 // A master.
 /// Bytes of a mesh in one message of an upload.
 inline constexpr std::size_t mesh_piece_bytes = 1u << 20;

@@ -155,7 +155,7 @@ TEST(CommandLine, RunTakesMeshesInsteadOfAFile) {
     EXPECT_EQ(run.job.query.level, "count");
     EXPECT_EQ(run.job.output.formats, (std::vector<std::string>{"csv", "json"}));
     EXPECT_EQ(run.host.threads, 3u);
-    EXPECT_EQ(run.fail_on, FailOn::Touch);
+    EXPECT_EQ(run.fail_on, (FailOn{.touch = true}));
     EXPECT_EQ(run.output, "json");
     EXPECT_TRUE(run.quiet);
     EXPECT_TRUE(run.master.address.empty());
@@ -218,7 +218,7 @@ TEST(CommandLine, RemoteVerbsHaveAMasterOnLoopback) {
     const auto& wait = std::get<WatchCommand>(*line.command);
     EXPECT_EQ(wait.job, "j-1");
     EXPECT_TRUE(wait.only_wait);
-    EXPECT_EQ(wait.fail_on, FailOn::Cross);
+    EXPECT_EQ(wait.fail_on, (FailOn{.cross = true}));
     EXPECT_FALSE(wait.master.address.empty());
     EXPECT_FALSE(wait.master.insecure);
 }

@@ -136,24 +136,69 @@ TEST_F(Run, TheMapOfCutListsSaysSo) {
 }
 
 TEST_F(Run, FailOnDecidesBetweenZeroAndOne) {
-    command_.fail_on = FailOn::Touch;
+    command_.fail_on = FailOn{.touch = true};
     EXPECT_EQ(run(), exit_contacts);
-    command_.fail_on = FailOn::Cross;
+    command_.fail_on = FailOn{.cross = true};
     EXPECT_EQ(run(), exit_contacts);
     write("poses.csv", "x,y,z,qx,qy,qz,qw\n6,0,0,0,0,0,1\n");
     EXPECT_EQ(run(), exit_done);
-    command_.fail_on = FailOn::Touch;
+    command_.fail_on = FailOn{.touch = true};
     EXPECT_EQ(run(), exit_contacts);
     write("poses.csv", "x,y,z,qx,qy,qz,qw\n0,9,0,0,0,0,1\n");
     EXPECT_EQ(run(), exit_done);
 }
 
+TEST_F(Run, FailOnUndecidedIsNoOpenQuestion) {
+    Summary summary;
+    summary.total = 2;
+    summary.separate = 1;
+    summary.undecided = 1;
+    EXPECT_EQ(exit_code_of(summary, {.touch = true}), exit_incomplete);
+    EXPECT_EQ(exit_code_of(summary, {.touch = true, .undecided = true}), exit_contacts);
+    EXPECT_EQ(exit_code_of(summary, {}), exit_done);
+}
+
+TEST_F(Run, FailOnNewComparesWithABaseline) {
+    command_.job.output.dir = (dir_ / "old").string();
+    ASSERT_EQ(run(), exit_done) << stderr_;
+    command_.job.output.dir = (dir_ / "out").string();
+    command_.judge.baseline = (dir_ / "old").string();
+    command_.fail_on.news = true;
+    EXPECT_EQ(run(), exit_done) << stderr_;
+    EXPECT_THAT(stdout_, HasSubstr("old: new 0, active 2, resolved 0, not comparable 0"));
+
+    write("a.obj", tetrahedron("wheel_right", 0, 1) + tetrahedron("body", 5, 5));
+    EXPECT_EQ(run(), exit_contacts);
+    EXPECT_THAT(stdout_, HasSubstr("old: new 1, active 1, resolved 1"));
+    EXPECT_THAT(stdout_, HasSubstr("  new           wheel_right x post: 1 scenario, worst #1"));
+    write("s.toml", "[[clash]]\na = \"wheel_*\"\nb = \"*\"\nstatus = \"approved\"\n");
+    command_.judge.statuses = (dir_ / "s.toml").string();
+    EXPECT_EQ(run(), exit_done) << stderr_;
+    EXPECT_THAT(stdout_, HasSubstr("approved 1"));
+    command_.fail_on.touch = true;
+    EXPECT_EQ(run(), exit_contacts) << "the contacts are there all the same";
+}
+
+TEST_F(Run, ABaselineNeedsAFolderAndPairs) {
+    ASSERT_EQ(run(), exit_done) << stderr_;
+    command_.fail_on.news = true;
+    EXPECT_EQ(run(), exit_usage);
+    EXPECT_THAT(stderr_, HasSubstr("give --baseline OLD"));
+    command_.judge.baseline = command_.job.output.dir;
+    command_.job.output.dir.clear();
+    EXPECT_EQ(run(), exit_usage);
+    EXPECT_THAT(stderr_, HasSubstr("give --out"));
+    command_.job.query.level = "count";
+    EXPECT_EQ(run(), exit_usage);
+    EXPECT_THAT(stderr_, HasSubstr("--fail-on new is about groups, which need level pairs"));
+}
+
 TEST_F(Run, FailOnOfLevelAnyIsForContactsAndInsides) {
     command_.job.query.level = "any";
-    command_.fail_on = FailOn::Cross;
+    command_.fail_on = FailOn{.cross = true};
     EXPECT_EQ(run(), exit_usage);
     EXPECT_THAT(stderr_, HasSubstr("--fail-on cross needs level count"));
-    command_.fail_on = FailOn::Touch;
+    command_.fail_on = FailOn{.touch = true};
     EXPECT_EQ(run(), exit_contacts);
     write("poses.csv", "x,y,z,qx,qy,qz,qw\n0,9,0,0,0,0,1\n");
     EXPECT_EQ(run(), exit_done);
@@ -166,7 +211,7 @@ TEST_F(Run, UnderAToleranceTheRestIsUndecided) {
     EXPECT_THAT(stdout_, HasSubstr("boxes as small as the tolerance"));
     EXPECT_THAT(read("out/scenarios.csv"), HasSubstr("\n1,a,b,undecided,0,0,"));
     EXPECT_EQ(summary()["tolerance"], 100);
-    command_.fail_on = FailOn::Touch;
+    command_.fail_on = FailOn{.touch = true};
     EXPECT_EQ(run(), exit_incomplete) << "whether there is a contact is not known";
 }
 
@@ -411,7 +456,7 @@ TEST_F(Run, ADryRunTellsWhatTheRunTakesWithinAFactorOfTwo) {
 TEST_F(Run, ResultsThatNeedAWordAreRefusedWithoutIt) {
     write("poses.csv", poses_all_around(100));
     command_.job.output.dir = (dir_ / "new" / "out").string();
-    command_.results_bytes_max = 2000;
+    command_.room.results_bytes_max = 2000;
     EXPECT_EQ(run(), exit_usage);
     EXPECT_THAT(stderr_,
                 testing::MatchesRegex("cdctl: .*/new/out: the run would take about .* s here "
@@ -429,7 +474,7 @@ TEST_F(Run, ResultsThatNeedAWordAreRefusedWithoutIt) {
     command_.output = "text";
     command_.dry_run = false;
 
-    command_.yes = true;
+    command_.room.yes = true;
     EXPECT_EQ(run(), exit_done) << stderr_;
     EXPECT_TRUE(fs::exists(dir_ / "new" / "out" / "summary.json"));
 }
@@ -518,13 +563,13 @@ TEST_F(Run, ExitCodesFollowTheSummary) {
     Summary summary;
     summary.total = 2;
     summary.separate = 1;
-    EXPECT_EQ(exit_code_of(summary, FailOn::Never), exit_incomplete);
+    EXPECT_EQ(exit_code_of(summary, FailOn()), exit_incomplete);
     summary.failed = 1;
-    EXPECT_EQ(exit_code_of(summary, FailOn::Never), exit_incomplete);
+    EXPECT_EQ(exit_code_of(summary, FailOn()), exit_incomplete);
     summary.failed = 0;
     summary.inside = 1;
-    EXPECT_EQ(exit_code_of(summary, FailOn::Never), exit_done);
-    EXPECT_EQ(exit_code_of(summary, FailOn::Cross), exit_contacts);
+    EXPECT_EQ(exit_code_of(summary, FailOn()), exit_done);
+    EXPECT_EQ(exit_code_of(summary, {.cross = true}), exit_contacts);
 }
 
 } // namespace cd::tests

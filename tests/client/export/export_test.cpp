@@ -116,9 +116,10 @@ TEST_F(Export, CsvAloneHasScenariosAndGroups) {
     write({"csv"}, Level::Contacts);
     EXPECT_TRUE(fs::exists(dir_ / "scenarios.csv"));
     EXPECT_EQ(text_of("groups.csv"),
-              "part_a,part_b,class,scenarios,share,pairs,worst,worst_pairs\n"
-              "\"left, \"\"old\"\"\",whole,cross,1,0.3333333333333333,1,1,1\n"
-              "right,whole,touch,1,0.3333333333333333,1,1,1\n");
+              "body_a,part_a,body_b,part_b,class,scenarios,share,pairs,worst,worst_pairs,"
+              "regions_a,regions_b,episodes,first,last,status,note\n"
+              "a,\"left, \"\"old\"\"\",b,whole,cross,1,0.3333333333333333,1,1,1,1,1,1,1,1,,\n"
+              "a,right,b,whole,touch,1,0.3333333333333333,1,1,1,1,1,1,1,1,,\n");
     EXPECT_FALSE(fs::exists(dir_ / "pairs.csv"));
     EXPECT_FALSE(fs::exists(dir_ / "points.csv"));
 }
@@ -135,7 +136,7 @@ TEST_F(Export, GroupsOfListedPairsHaveNoShare) {
     context_.limit_pairs = 2;
     context_.map_pairs = 0; // As in a job with maps.
     write({"csv"}, Level::Pairs);
-    EXPECT_THAT(text_of("groups.csv"), HasSubstr("\nright,whole,touch,1,,1,1,1\n"));
+    EXPECT_THAT(text_of("groups.csv"), HasSubstr("\na,right,b,whole,touch,1,,1,1,1,1,1,"));
 }
 
 TEST_F(Export, JsonHasAnObjectOnEachLine) {

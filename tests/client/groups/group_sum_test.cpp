@@ -103,6 +103,7 @@ Group slow_group(const std::vector<ScenarioResult>& results,
         }
         ++group.scenarios;
         group.pairs += pairs;
+        group.episodes.last = result.index;
         if (pairs > group.worst_pairs) {
             group.worst_pairs = pairs;
             group.worst = result.index;
@@ -114,9 +115,9 @@ Group slow_group(const std::vector<ScenarioResult>& results,
         }
     }
     group.regions = {slow_regions(a, touched[0]), slow_regions(b, touched[1])};
-    group.episodes = episodes.size();
+    group.episodes.count = episodes.size();
     episodes.resize(std::min(episodes.size(), limits::group_episodes_max));
-    group.first_episodes = episodes;
+    group.episodes.first = episodes;
     return group;
 }
 
@@ -198,9 +199,9 @@ TEST(GroupSum, ManyEpisodesAreCountedAndTheFirstKept) {
     }
     const std::vector<Group> groups = sum.groups();
     ASSERT_EQ(groups.size(), 1u);
-    EXPECT_EQ(groups[0].episodes, episodes);
-    ASSERT_EQ(groups[0].first_episodes.size(), limits::group_episodes_max);
-    EXPECT_EQ(groups[0].first_episodes.back(), (Episode{297, 298}));
+    EXPECT_EQ(groups[0].episodes.count, episodes);
+    ASSERT_EQ(groups[0].episodes.first.size(), limits::group_episodes_max);
+    EXPECT_EQ(groups[0].episodes.first.back(), (Episode{297, 298}));
 }
 
 TEST(GroupSum, ACrossingWithoutAProperPairCrosses) {

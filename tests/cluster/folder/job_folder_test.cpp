@@ -223,4 +223,32 @@ TEST_F(JobFolder, AKilledRunOfAMasterDoesNotKeepItsFolderFromOthers) {
 
 } // namespace
 
+TEST_F(JobFolder, AJobIsReportedAsItsFolderIs) {
+    start_worker();
+    write_text(folder_ / "poses.csv",
+               "x,y,z,qx,qy,qz,qw\n3,0,0,0,0,0,1\n1,0,0,0,0,0,1\n0.5,0.2,0.1,0,0,0,1\n");
+    write_job("file = \"poses.csv\"", "level = \"pairs\"");
+    const std::string out = folder_ / "out";
+    ASSERT_EQ(cdctl_at_master({"run", folder_ / "job.toml", "--out", out}).exit_code, 0);
+    const auto report = [&](const std::string& run, const std::string& name) {
+        const Ran ran = cdctl_at_master({"report",
+                                         run,
+                                         "-o",
+                                         folder_ / name / "report.html",
+                                         "--pictures",
+                                         folder_ / name,
+                                         "--baseline",
+                                         out});
+        EXPECT_EQ(ran.exit_code, 0) << ran.errors;
+    };
+    report(out, "of_folder");
+    report("last", "of_job");
+    for (const char* name : {"groups.csv", "a.png", "b.png", "1.png", "2.png"}) {
+        EXPECT_EQ(read_text(folder_ / "of_job" / name), read_text(folder_ / "of_folder" / name))
+            << name;
+    }
+    EXPECT_THAT(read_text(folder_ / "of_job" / "groups.csv"), HasSubstr(",active,\n"));
+    EXPECT_THAT(read_text(folder_ / "of_job" / "report.html"), HasSubstr("<h2>Groups</h2>"));
+}
+
 } // namespace cd::tests

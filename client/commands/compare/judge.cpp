@@ -1,0 +1,177 @@
+#include "client/commands/compare/judge.hpp"
+
+#include "client/base/interrupt.hpp"
+#include "client/compare/group_diff.hpp"
+#include "client/compare/input_changes.hpp"
+#include "client/compare/paired_results.hpp"
+#include "client/compare/scenario_match.hpp"
+#include "client/folder/run_groups.hpp"
+#include "common/core/errors.hpp"
+#include "common/core/words.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <memory>
+
+namespace cd {
+
+namespace {
+
+std::vector<std::shared_ptr<const Mesh>> meshes_in(const RunAtHand& run) {
+    return {run.job.meshes.begin(), run.job.meshes.end()};
+}
+
+std::vector<std::string> names_in(const RunAtHand& run) {
+    std::vector<std::string> names;
+    for (const ManifestBody& body : run.run.manifest().bodies) {
+        names.push_back(body.name);
+    }
+    return names;
+}
+
+/// Compares all groups of two runs, scenario by scenario.
+Result<std::vector<ChangedGroup>> changed_groups(RunAtHand& earlier, RunAtHand& later) {
+    const InputChanges inputs = changes_between(earlier.run.manifest(), later.run.manifest());
+    const ScenarioMatch match = CD_TRY(match_runs({*earlier.job.poses, earlier.job.labels},
+                                                  {*later.job.poses, later.job.labels},
+                                                  inputs.are_poses_equal,
+                                                  &InterruptGuard::has_come));
+    GroupDiff groups(meshes_in(earlier), meshes_in(later));
+    CD_TRY(for_each_pair({earlier.run.records(), earlier.job.poses->count()},
+                         {later.run.records(), later.job.poses->count()},
+                         match,
+                         &InterruptGuard::has_come,
+                         [&](const PairedResult& pair) {
+                             groups.add(pair);
+                             return Status(Done{});
+                         }));
+    return groups.groups();
+}
+
+bool is_resolved(const std::vector<ChangedGroup>& changed, const Group& group) {
+    return std::ranges::any_of(changed, [&](const ChangedGroup& each) {
+        return each.state == GroupState::Resolved && each.body_a == group.body_a &&
+               each.body_b == group.body_b && each.part_a == group.part_a &&
+               each.part_b == group.part_b;
+    });
+}
+
+bool has_gone(const std::vector<Group>& earlier, const std::vector<Group>& later) {
+    return std::ranges::any_of(earlier, [&](const Group& was) {
+        return std::ranges::none_of(later, [&](const Group& is) { return is_same(was, is); });
+    });
+}
+
+/// Warns of bodies whose parts are pieces, which neither statuses nor baselines name for long.
+void warn_of_pieces(const RunAtHand& run, GroupSum& groups) {
+    for (std::size_t i = 0; i < run.job.meshes.size(); ++i) {
+        if (!groups.parts(i).has_lasting_names()) {
+            std::fprintf(stderr,
+                         "body %s has no named parts, and its pieces may have other numbers in "
+                         "another revision: statuses and baselines may name other pieces then\n",
+                         run.run.manifest().bodies[i].name.c_str());
+        }
+    }
+}
+
+/// Returns how a run compares with its baseline, with the first groups that are new.
+std::string judged_text(const GroupStatuses& statuses, const std::string& baseline) {
+    constexpr std::size_t shown_max = 10;
+    std::string text = "  baseline      " + baseline + ": ";
+    const char* comma = "";
+    for (const GroupStatus status : {GroupStatus::New,
+                                     GroupStatus::Active,
+                                     GroupStatus::Resolved,
+                                     GroupStatus::NotComparable,
+                                     GroupStatus::Reviewed,
+                                     GroupStatus::Approved}) {
+        text += comma + std::string(to_text(status)) + " " + grouped(statuses.count(status));
+        comma = ", ";
+    }
+    text += "\n";
+    std::size_t shown = 0;
+    for (const JudgedGroup& each : statuses.groups()) {
+        if (GroupStatuses::is_news(each) && shown++ < shown_max) {
+            text += "  new           " + each.group.part_a + " x " + each.group.part_b + ": " +
+                    counted(each.group.scenarios, "scenario") + ", worst #" +
+                    std::to_string(each.group.worst) + " with " +
+                    counted(each.group.worst_pairs, "pair") + "\n";
+        }
+    }
+    return shown <= shown_max
+               ? text
+               : text + "  new           and " + grouped(shown - shown_max) + " more\n";
+}
+
+} // namespace
+
+Result<Judge> Judge::open(const JudgeOptions& options,
+                          FailOn fail_on,
+                          const MasterOptions& master,
+                          const std::string& tree_cache,
+                          ThreadPool& pool) {
+    if (fail_on.news && options.baseline.empty()) {
+        return bad_input("--fail-on new compares with an earlier run: give --baseline OLD");
+    }
+    std::vector<StatusRule> rules;
+    if (!options.statuses.empty()) {
+        rules = CD_TRY(read_status_file(options.statuses));
+    }
+    if (options.baseline.empty()) {
+        return Judge(std::nullopt, std::move(rules));
+    }
+    if (!is_folder(options.baseline) && master.address.empty()) {
+        return bad_input("--baseline: there is no folder '" + options.baseline +
+                         "'; for a job give --master");
+    }
+    auto earlier =
+        CD_TRY(open_run_at_hand(options.baseline, master, tree_cache, Trees::ForPosesOnly, pool));
+    if (earlier.job.query.level < Level::Pairs) {
+        return bad_input("--baseline: " + options.baseline +
+                         " lists no pairs of triangles, so it has no groups");
+    }
+    return Judge(std::move(earlier), std::move(rules));
+}
+
+Result<GroupStatuses> Judge::judge(RunAtHand& run, GroupSum& groups) {
+    const std::vector<Group> now = groups.groups();
+    Baseline baseline;
+    std::vector<ChangedGroup> changed;
+    if (earlier_) {
+        const GroupSum before = CD_TRY(
+            groups_of(earlier_->run.records(), meshes_in(*earlier_), &InterruptGuard::has_come));
+        baseline.groups = before.groups();
+        if (has_gone(baseline.groups, now)) {
+            changed = CD_TRY(changed_groups(*earlier_, run));
+        }
+        baseline.is_resolved = [&](const Group& group) { return is_resolved(changed, group); };
+    }
+    GroupStatuses statuses(now, earlier_ ? &baseline : nullptr, rules_, names_in(run));
+    for (const std::string& warning : statuses.warnings()) {
+        std::fprintf(stderr, "%s\n", warning.c_str());
+    }
+    if (earlier_ || !rules_.empty()) {
+        warn_of_pieces(run, groups);
+    }
+    return statuses;
+}
+
+std::string Judge::baseline_digest() const {
+    const auto& digest = earlier_->run.manifest().outcome.digest;
+    return digest ? to_hex(*digest) : "none, since results are missing";
+}
+
+Result<bool>
+judge_folder(Judge& judge, const RunCommand& command, const std::string& dir, ThreadPool& pool) {
+    auto run = CD_TRY(
+        open_run_at_hand(dir, command.master, command.host.tree_cache, Trees::ForPosesOnly, pool));
+    auto groups = CD_TRY(groups_of(run.run.records(), meshes_in(run), &InterruptGuard::has_come));
+    const GroupStatuses statuses = CD_TRY(judge.judge(run, groups));
+    if (judge.has_baseline()) {
+        std::fputs(judged_text(statuses, command.judge.baseline).c_str(),
+                   command.output == "text" ? stdout : stderr);
+    }
+    return statuses.has_news();
+}
+
+} // namespace cd

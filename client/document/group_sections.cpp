@@ -1,0 +1,191 @@
+#include "client/document/group_sections.hpp"
+
+#include "client/groups/wilson.hpp"
+#include "common/core/limits/client.hpp"
+#include "common/core/words.hpp"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+namespace cd {
+
+namespace {
+
+double share_of(std::uint64_t part, std::uint64_t whole) {
+    return whole == 0 ? 0 : static_cast<double>(part) / static_cast<double>(whole);
+}
+
+std::string regions_text(const Group& group) {
+    return group.regions[0] == 0 ? "-"
+                                 : grouped(group.regions[0]) + " / " + grouped(group.regions[1]);
+}
+
+/// Returns a class of style.css for a cell of the matrix: darker for a larger share of the largest.
+std::string shade_of(std::uint64_t count, std::uint64_t most) {
+    const double share = share_of(count, most);
+    return count == 0 ? "h0" : share > 0.5 ? "h4" : share > 0.1 ? "h3" : share > 0.01 ? "h2" : "h1";
+}
+
+/// Returns the names that occur in most scenarios, at most `report_parts_max`.
+std::vector<std::string> most_frequent(const std::map<std::string, std::uint64_t>& scenarios) {
+    std::vector<std::pair<std::string, std::uint64_t>> parts(scenarios.begin(), scenarios.end());
+    std::ranges::stable_sort(
+        parts, [](const auto& left, const auto& right) { return left.second > right.second; });
+    parts.resize(std::min(parts.size(), limits::report_parts_max));
+    std::vector<std::string> names;
+    for (auto& [name, count] : parts) {
+        names.push_back(std::move(name));
+    }
+    return names;
+}
+
+} // namespace
+
+Html GroupSections::matrix() const {
+    std::map<std::string, std::uint64_t> of_a;
+    std::map<std::string, std::uint64_t> of_b;
+    std::map<std::pair<std::string, std::string>, std::uint64_t> cells;
+    std::uint64_t most = 0;
+    for (const JudgedGroup& judged : statuses_.groups()) {
+        if (judged.status == GroupStatus::Resolved || judged.status == GroupStatus::NotComparable) {
+            continue;
+        }
+        const Group& group = judged.group;
+        const std::string a = names_.part_name(group.body_a, group.part_a);
+        const std::string b = names_.part_name(group.body_b, group.part_b);
+        of_a[a] += group.scenarios;
+        of_b[b] += group.scenarios;
+        most = std::max(most, cells[{a, b}] += group.scenarios);
+    }
+    if (cells.empty()) {
+        return {};
+    }
+    const auto rows = most_frequent(of_a);
+    const auto columns = most_frequent(of_b);
+    Html head = Html::element("th", "A \\ B");
+    for (const std::string& column : columns) {
+        head += Html::element("th", column);
+    }
+    Html lines = Html::element("thead", Html::element("tr", head));
+    for (const std::string& row : rows) {
+        Html line = Html::element("td", row);
+        for (const std::string& column : columns) {
+            const auto found = cells.find({row, column});
+            const std::uint64_t count = found == cells.end() ? 0 : found->second;
+            line += Html::element(
+                "td", count == 0 ? "" : grouped(count), {{"class", shade_of(count, most)}});
+        }
+        lines += Html::element("tr", line);
+    }
+    Html content = paragraph("In how many scenarios a part of A (rows) and a part of B (columns) "
+                             "are in contact.");
+    content += Html::element("table", lines, {{"class", "numbers"}});
+    if (of_a.size() > rows.size() || of_b.size() > columns.size()) {
+        content += paragraph("Only the parts in most scenarios are shown; groups.csv has all.");
+    }
+    return html_section("Parts in contact", content);
+}
+
+Html GroupSections::share(const Group& group) const {
+    if (manifest_.query.limit_pairs != 0) {
+        return Html::text("-"); // Pairs that are not listed may be of the group in more scenarios.
+    }
+    const std::uint64_t tested = overview_.summary().tested();
+    std::string text = fixed_text(100 * share_of(group.scenarios, tested), 2) + " %";
+    if (manifest_.poses.kind == PosesKind::File) {
+        const ShareInterval interval = wilson_interval(group.scenarios, tested);
+        text += " (" + fixed_text(100 * interval.low, 2) + " to " +
+                fixed_text(100 * interval.high, 2) + ")";
+    }
+    return Html::text(text);
+}
+
+Html GroupSections::table() const {
+    const auto& judged = statuses_.groups();
+    if (judged.empty()) {
+        return {};
+    }
+    const bool of_file = manifest_.poses.kind == PosesKind::File;
+    const bool has_statuses = std::ranges::any_of(
+        judged, [](const JudgedGroup& each) { return each.status != GroupStatus::Unjudged; });
+    std::vector<std::string> head{
+        "part of A", "part of B", "class", "scenarios", "share", "pairs", "worst", "regions A / B"};
+    if (of_file) {
+        head.insert(head.end(), {"episodes", "first", "last"});
+    }
+    if (has_statuses) {
+        head.insert(head.end(), {"status", "note"});
+    }
+    std::vector<std::vector<Html>> rows{html_texts(head)};
+    for (std::size_t i = 0; i < judged.size() && i < limits::report_groups_max; ++i) {
+        const Group& group = judged[i].group;
+        auto row = html_texts({names_.part_name(group.body_a, group.part_a),
+                               names_.part_name(group.body_b, group.part_b),
+                               std::string(to_text(group.kind)),
+                               grouped(group.scenarios)});
+        row.push_back(share(group));
+        row.push_back(Html::text(grouped(group.pairs)));
+        row.push_back(Html::text("#" + std::to_string(group.worst) + ", " +
+                                 counted(group.worst_pairs, "pair")));
+        row.push_back(Html::text(regions_text(group)));
+        if (of_file) {
+            row.push_back(Html::text(grouped(group.episodes.count)));
+            row.push_back(Html::text(names_.label_of(group.episodes.first.front().first)));
+            row.push_back(Html::text(names_.label_of(group.episodes.last)));
+        }
+        if (has_statuses) {
+            row.push_back(Html::text(to_text(judged[i].status)));
+            row.push_back(Html::text(short_name(judged[i].note)));
+        }
+        rows.push_back(std::move(row));
+    }
+    Html content = html_table(rows, "groups");
+    if (judged.size() > limits::report_groups_max) {
+        content += paragraph("The table has the first " + grouped(limits::report_groups_max) +
+                             " of " + counted(judged.size(), "group") + "; groups.csv has all.");
+    }
+    if (overview_.groups().left_out() != 0) {
+        content += paragraph(counted(overview_.groups().left_out(), "pair") +
+                                 " of triangles are in no group, since there are too many groups.",
+                             "warning");
+    }
+    content += paragraph("Severity is the number of pairs of triangles, not a depth. A region is a "
+                         "connected set of triangles in contact in any scenario.");
+    if (of_file) {
+        content += paragraph("Behind a share is its 95 % interval (Wilson), if the poses are a "
+                             "random sample. An episode is a run of consecutive scenarios.");
+    }
+    return html_section("Groups", content);
+}
+
+Html GroupSections::against(const BaselineNote& baseline) const {
+    Html content;
+    for (const std::string& warning : baseline.warnings) {
+        content += paragraph(warning, "warning");
+    }
+    if (baseline.name.empty()) {
+        return content.is_empty() ? content : html_section("Statuses", content);
+    }
+    content += paragraph("The baseline is " + baseline.name + ", digest " + baseline.digest + ".");
+    std::vector<std::string> head;
+    std::vector<std::string> counts;
+    for (const GroupStatus status : {GroupStatus::New,
+                                     GroupStatus::Active,
+                                     GroupStatus::Resolved,
+                                     GroupStatus::NotComparable,
+                                     GroupStatus::Reviewed,
+                                     GroupStatus::Approved}) {
+        head.emplace_back(to_text(status));
+        counts.push_back(grouped(statuses_.count(status)));
+    }
+    content += html_table({html_texts(head), html_texts(counts)}, "counts");
+    content += paragraph(statuses_.has_news()
+                             ? "There are groups that the baseline does not have and that nobody "
+                               "approved."
+                             : "All groups are in the baseline or approved.",
+                         statuses_.has_news() ? "bad" : "good");
+    return html_section("Against the baseline", content);
+}
+
+} // namespace cd

@@ -1,0 +1,250 @@
+#include "client/document/run_document.hpp"
+
+#include "client/document/class_chart.hpp"
+#include "client/document/group_sections.hpp"
+#include "client/document/report_style.hpp"
+#include "client/document/verdict.hpp"
+#include "client/report/report.hpp"
+#include "common/core/errors.hpp"
+#include "common/core/limits/client.hpp"
+#include "common/core/printable.hpp"
+#include "common/core/words.hpp"
+#include "common/geometry/topology.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+#include <utility>
+#include <variant>
+
+namespace cd {
+
+namespace {
+
+constexpr std::uint64_t coincidences_at_once = 1u << 16;
+
+/// Makes a figure of a picture, or of a note where there is no room for the picture.
+Html figure(const std::string& png, const Html& caption, const std::string& alternative) {
+    Html content =
+        png.empty()
+            ? paragraph("The picture is left out, to keep the report small.")
+            : Html::element(
+                  "img", Html(), {{"src", data_address("image/png", png)}, {"alt", alternative}});
+    content += Html::element("figcaption", caption);
+    return Html::element("figure", content);
+}
+
+bool coincide(const PosePair& poses) {
+    return poses.a.translation() == poses.b.translation() &&
+           poses.a.rotation() == poses.b.rotation();
+}
+
+} // namespace
+
+Html RunDocument::verdict() const {
+    const Summary& summary = overview_.summary();
+    const bool is_clean = summary.separate == summary.total;
+    Html content = Html::element("h1", short_name(manifest_.name));
+    content += paragraph(verdict_text(summary), is_clean ? "verdict good" : "verdict bad");
+    std::vector<std::string> head{"separate", "touch", "cross", "inside"};
+    std::vector<std::string> counts{grouped(summary.separate),
+                                    grouped(summary.touch),
+                                    grouped(summary.cross),
+                                    grouped(summary.inside)};
+    if (manifest_.query.level == Level::Any) {
+        head = {"separate", "contact", "inside"};
+        counts = {grouped(summary.separate), grouped(summary.contact), grouped(summary.inside)};
+    }
+    head.insert(head.end(), {"undecided", "failed", "tested", "pairs of triangles"});
+    counts.insert(counts.end(),
+                  {grouped(summary.undecided),
+                   grouped(summary.failed),
+                   grouped(summary.tested()) + " of " + grouped(summary.total),
+                   manifest_.query.level == Level::Any ? "not counted" : grouped(summary.pairs)});
+    content += html_table({html_texts(head), html_texts(counts)}, "counts");
+    content += paragraph(overview_.digest() ? "Digest " + to_hex(*overview_.digest())
+                                            : "No digest, since results are missing.");
+    const auto untested = untested_texts(summary, manifest_.query, manifest_.unit);
+    content += paragraph(untested.empty() ? "Everything that was asked was tested."
+                                          : "What was not tested, or not listed:");
+    content += untested.empty() ? Html() : html_list(untested);
+    for (const FailedScenario& failure : overview_.failures()) {
+        content += paragraph(
+            names_.label_of(failure.index) + " failed: " + short_name(failure.reason), "warning");
+    }
+    return content;
+}
+
+Html RunDocument::bodies() const {
+    Html cards;
+    for (std::size_t i = 0; i < job_.meshes.size(); ++i) {
+        const Mesh& mesh = *job_.meshes[i];
+        const ManifestBody& body = manifest_.bodies[i];
+        const BodyLine line = describe_body(body.name, manifest_.unit, mesh);
+        const std::string file = std::filesystem::path(body.file).filename().string();
+        std::string words = grouped(line.triangles) + " triangles, " + counted(line.parts, "part") +
+                            ", " + (analyse_topology(mesh).is_closed() ? "closed" : "open") +
+                            fmt::format(", {:.4g} x {:.4g} x {:.4g} {}",
+                                        line.size.x(),
+                                        line.size.y(),
+                                        line.size.z(),
+                                        manifest_.unit);
+        Html caption = Html::element("b",
+                                     std::string(i == 0 ? "A  " : "B  ") + short_name(body.name) +
+                                         ", " + short_name(file));
+        caption += Html::element("br", Html());
+        caption += Html::text(words + ", SHA-256 " + to_short_hex(body.mesh));
+        cards += figure(i < pictures_.bodies().size() ? pictures_.bodies()[i] : "",
+                        caption,
+                        "body " + short_name(body.name));
+    }
+    return html_section("Bodies", Html::element("div", cards, {{"class", "cards"}}));
+}
+
+std::string RunDocument::part_pairs_of(const ScenarioResult& result) {
+    constexpr std::size_t shown_max = 3;
+    std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint64_t> pairs;
+    const BodyParts& a = overview_.groups().parts(result.body_a);
+    const BodyParts& b = overview_.groups().parts(result.body_b);
+    for (const ContactPair& pair : result.pairs) {
+        ++pairs[{a.part_of(pair.a), b.part_of(pair.b)}];
+    }
+    std::vector<std::pair<std::pair<std::uint32_t, std::uint32_t>, std::uint64_t>> sorted(
+        pairs.begin(), pairs.end());
+    std::ranges::stable_sort(
+        sorted, [](const auto& left, const auto& right) { return left.second > right.second; });
+    std::string text;
+    for (std::size_t i = 0; i < sorted.size() && i < shown_max; ++i) {
+        text += "; " + names_.part_name(result.body_a, a.name(sorted[i].first.first)) + " x " +
+                names_.part_name(result.body_b, b.name(sorted[i].first.second)) + " " +
+                grouped(sorted[i].second);
+    }
+    return text + (sorted.size() > shown_max ? "; ..." : "");
+}
+
+Html RunDocument::worst() {
+    const auto& worst = overview_.worst();
+    if (worst.empty()) {
+        return {};
+    }
+    Html figures;
+    for (std::size_t i = 0; i < worst.size(); ++i) {
+        const ScenarioResult& result = worst[i];
+        std::string words =
+            names_.label_of(result.index) + ", " + std::string(to_text(result.kind));
+        words += result.level == Level::Any ? "" : ", " + counted(result.pair_count, "pair");
+        figures += figure(i < pictures_.scenarios().size() ? pictures_.scenarios()[i] : "",
+                          Html::text(words + part_pairs_of(result)),
+                          "scenario " + std::to_string(result.index));
+    }
+    Html content = paragraph(manifest_.query.level == Level::Any
+                                 ? "The first scenarios in contact."
+                                 : "The scenarios with most pairs of triangles in contact. "
+                                   "Triangles in contact are red, "
+                                   "pale where they are hidden.");
+    content += Html::element("div", figures, {{"class", "cards"}});
+    return html_section("Worst scenarios", content);
+}
+
+Result<Html> RunDocument::coincidence(const StopCheck& stop) const {
+    if (job_.meshes[0]->hash() != job_.meshes[1]->hash()) {
+        return Html();
+    }
+    std::uint64_t count = 0;
+    std::string some;
+    for (std::uint64_t first = 0; first < job_.poses->count(); first += coincidences_at_once) {
+        if (stop && stop()) {
+            return interrupted();
+        }
+        const auto scenarios = CD_TRY(
+            job_.poses->read(first, std::min(coincidences_at_once, job_.poses->count() - first)));
+        for (const Scenario& scenario : scenarios) {
+            if (coincide(scenario.poses)) {
+                some += count < 10 ? " #" + std::to_string(scenario.index) : "";
+                ++count;
+            }
+        }
+    }
+    return count == 0 ? Html()
+                      : paragraph("B coincides with A in " + counted(count, "scenario") + ":" +
+                                      some + (count > 10 ? " ..." : ""),
+                                  "warning");
+}
+
+Result<Html> RunDocument::charts(const StopCheck& stop) const {
+    const auto& classes = overview_.classes();
+    Html content = CD_TRY(coincidence(stop));
+    const bool is_random = manifest_.poses.kind == PosesKind::Random;
+    if (is_random) {
+        content += paragraph("The poses were pushed to contact: shares are of these poses, and say "
+                             "nothing about how often contacts occur.");
+    }
+    if (job_.grid) {
+        const auto* spec = std::get_if<GridSpec>(&job_.spec.poses);
+        const std::vector<GridAxis> axes = spec == nullptr ? std::vector<GridAxis>() : spec->axes;
+        if (is_plane(*job_.grid)) {
+            content += paragraph("Each cell shows the worst of its scenarios over all other axes.");
+            content += ClassChart::of_grid(*job_.grid, axes, manifest_.unit, classes).svg();
+            return html_section("Pose space", content);
+        }
+    } else if (classes.size() > 1) {
+        content +=
+            paragraph("Where B's origin is in A's frame. Each cell shows its worst scenario.");
+        const auto map = CD_TRY(ClassChart::of_poses(*job_.poses, manifest_.unit, classes, stop));
+        content += map.svg();
+    }
+    if (!is_random) {
+        content += paragraph("The scenarios in their order. Each bar shows its worst scenario.");
+        content += ClassChart::strip(classes).svg();
+    }
+    return html_section("Pose space", content);
+}
+
+Html RunDocument::how_it_ran() const {
+    const ManifestOrigin& origin = manifest_.origin;
+    const ManifestPlace& where = manifest_.where;
+    std::vector<std::vector<Html>> rows{html_texts({"what", "value"})};
+    const auto add = [&](const char* key, const std::string& value) {
+        if (!value.empty()) {
+            rows.push_back(html_texts({key, value}));
+        }
+    };
+    add("program", origin.program);
+    add("commit", origin.commit);
+    add("command", std::string(utf8_prefix(origin.command, limits::report_job_bytes_max)));
+    add("started", origin.started);
+    add("ended", origin.ended);
+    add("here", where.threads == 0 ? "" : counted(where.threads, "thread") + ", " + where.simd);
+    add("master", where.master);
+    add("job", where.job);
+    add("workers", where.master.empty() ? "" : grouped(where.workers));
+    add("level", std::string(to_text(manifest_.query.level)));
+    add("poses",
+        counted(manifest_.poses.count, "scenario") +
+            (manifest_.poses.file.empty() ? "" : " of " + manifest_.poses.file));
+    add("SHA-256 of poses", manifest_.poses.hash ? to_hex(*manifest_.poses.hash) : "");
+    for (const ManifestBody& body : manifest_.bodies) {
+        add("SHA-256 of a mesh", to_hex(body.mesh) + "  " + short_name(body.file));
+    }
+    Html content = Html::element("summary", "Job file, versions, and how it ran");
+    content += html_table(rows, "facts");
+    content += Html::element("pre", utf8_prefix(manifest_.job, limits::report_job_bytes_max));
+    return Html::element("details", content, {{"open", "open"}});
+}
+
+Result<std::string> RunDocument::html(const StopCheck& stop) {
+    Html body = verdict();
+    body += bodies();
+    body += worst();
+    GroupSections sections(names_, manifest_, overview_, statuses_);
+    body += sections.matrix();
+    body += CD_TRY(charts(stop));
+    body += sections.table();
+    body += sections.against(baseline_);
+    body += html_section("How it ran", how_it_ran());
+    return Html::document("cdcluster: " + short_name(manifest_.name), report_style, body);
+}
+
+} // namespace cd

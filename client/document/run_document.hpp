@@ -1,0 +1,60 @@
+// The report of a run: one HTML file without script, for screen and paper.
+#pragma once
+
+#include "client/compare/group_statuses.hpp"
+#include "client/document/group_sections.hpp"
+#include "client/document/html.hpp"
+#include "client/document/report_pictures.hpp"
+#include "client/document/run_names.hpp"
+#include "client/document/run_overview.hpp"
+#include "client/folder/run_manifest.hpp"
+#include "client/job/prepared_job.hpp"
+#include "common/core/host/stop_check.hpp"
+#include "common/core/result.hpp"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace cd {
+
+/// Writes the report of a run from what was read of it. All references must outlive the object.
+class RunDocument {
+  public:
+    RunDocument(const RunManifest& manifest,
+                const PreparedJob& job,
+                RunOverview& overview,
+                const GroupStatuses& statuses,
+                const ReportPictures& pictures)
+        : manifest_(manifest),
+          job_(job),
+          overview_(overview),
+          statuses_(statuses),
+          pictures_(pictures),
+          names_(manifest, job.labels) {}
+
+    void set_baseline(BaselineNote note) { baseline_ = std::move(note); }
+    /// Returns the report as an HTML document below 5 MB. Reads all poses. Errors: from reading
+    /// poses; Interrupted.
+    [[nodiscard]] Result<std::string> html(const StopCheck& stop);
+
+  private:
+    [[nodiscard]] Html verdict() const;
+    [[nodiscard]] Html bodies() const;
+    [[nodiscard]] Html worst();
+    [[nodiscard]] Result<Html> charts(const StopCheck& stop) const;
+    [[nodiscard]] Html how_it_ran() const;
+
+    [[nodiscard]] std::string part_pairs_of(const ScenarioResult& result);
+    [[nodiscard]] Result<Html> coincidence(const StopCheck& stop) const;
+
+    const RunManifest& manifest_;
+    const PreparedJob& job_;
+    RunOverview& overview_;
+    const GroupStatuses& statuses_;
+    const ReportPictures& pictures_;
+    RunNames names_;
+    BaselineNote baseline_;
+};
+
+} // namespace cd

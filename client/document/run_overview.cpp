@@ -1,0 +1,67 @@
+#include "client/document/run_overview.hpp"
+
+#include "common/core/errors.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace cd {
+
+RunOverview::RunOverview(std::vector<std::shared_ptr<const Mesh>> meshes, std::uint64_t scenarios)
+    : groups_(std::move(meshes)), classes_(scenarios, no_result) {}
+
+Result<RunOverview> RunOverview::read(const RecordFile& records,
+                                      std::vector<std::shared_ptr<const Mesh>> meshes,
+                                      std::uint64_t scenarios,
+                                      const StopCheck& stop) {
+    const std::size_t bodies = meshes.size();
+    RunOverview overview(std::move(meshes), scenarios);
+    ResultMerger merger(scenarios);
+    CD_TRY(records.for_each([&](const KeptRecord& record) {
+        if (stop && stop()) {
+            return Status(interrupted());
+        }
+        const ScenarioResult& result = record.result;
+        if (std::max(result.body_a, result.body_b) >= bodies || result.index >= scenarios) {
+            return Status(bad_input("the run has no such scenario or body as the record of "
+                                    "scenario " +
+                                    std::to_string(result.index) + " names"));
+        }
+        static_cast<void>(merger.add(result, sha256(record.bytes)));
+        overview.add(result);
+        return Status(Done{});
+    }));
+    overview.summary_ = merger.summary();
+    overview.digest_ = merger.digest();
+    return overview;
+}
+
+void RunOverview::add(const ScenarioResult& result) {
+    classes_[result.index] = static_cast<std::uint8_t>(result.kind);
+    groups_.add(result);
+    if (is_contact(result.kind)) {
+        add_to_worst(result);
+    }
+    if (result.kind == ScenarioClass::Failed && failures_.size() < failures_max) {
+        failures_.push_back({result.index, result.failure});
+    }
+}
+
+void RunOverview::add_to_worst(const ScenarioResult& result) {
+    const auto has_fewer = [&](const ScenarioResult& each) {
+        return each.pair_count < result.pair_count;
+    };
+    const auto place = std::ranges::find_if(worst_, has_fewer);
+    if (place == worst_.end() && worst_.size() == worst_max) {
+        return;
+    }
+    worst_.insert(place, result);
+    worst_.resize(std::min(worst_.size(), worst_max));
+}
+
+bool is_contact(ScenarioClass kind) {
+    return kind == ScenarioClass::Touch || kind == ScenarioClass::Cross ||
+           kind == ScenarioClass::Inside || kind == ScenarioClass::Contact;
+}
+
+} // namespace cd

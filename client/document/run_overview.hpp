@@ -1,0 +1,71 @@
+// What a report tells of a run's results: everything that one pass over the records finds.
+#pragma once
+
+#include "client/groups/group_sum.hpp"
+#include "common/core/files/hash.hpp"
+#include "common/core/host/stop_check.hpp"
+#include "common/core/result.hpp"
+#include "common/geometry/mesh.hpp"
+#include "common/job/result/merge.hpp"
+#include "common/job/result/record_file.hpp"
+#include "common/job/result/result.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace cd {
+
+struct FailedScenario {
+    std::uint64_t index = 0;
+    std::string reason;
+};
+
+/// An overview of all results of a run. Memory: `GroupSum`, and 33 bytes a scenario.
+class RunOverview {
+  public:
+    static constexpr std::size_t worst_max = 10;
+    static constexpr std::size_t failures_max = 20;
+    /// The class of a scenario without a result, in `classes`.
+    static constexpr std::uint8_t no_result = 255;
+
+    /// Reads all records of a run with `scenarios` scenarios; `meshes` has the mesh of each body.
+    /// Errors: Io; BadInput for a record that the run cannot have; Interrupted.
+    [[nodiscard]] static Result<RunOverview> read(const RecordFile& records,
+                                                  std::vector<std::shared_ptr<const Mesh>> meshes,
+                                                  std::uint64_t scenarios,
+                                                  const StopCheck& stop);
+
+    [[nodiscard]] const Summary& summary() const { return summary_; }
+    /// The run's digest; nothing while results are missing.
+    [[nodiscard]] const std::optional<Sha256>& digest() const { return digest_; }
+    /// The class of each scenario, as `ScenarioClass` or `no_result`.
+    [[nodiscard]] const std::vector<std::uint8_t>& classes() const { return classes_; }
+    /// The scenarios in contact with most pairs, those with most first; at `level any` the first
+    /// ones in contact.
+    [[nodiscard]] const std::vector<ScenarioResult>& worst() const { return worst_; }
+    [[nodiscard]] const std::vector<FailedScenario>& failures() const { return failures_; }
+    [[nodiscard]] GroupSum& groups() { return groups_; }
+    [[nodiscard]] const GroupSum& groups() const { return groups_; }
+
+  private:
+    RunOverview(std::vector<std::shared_ptr<const Mesh>> meshes, std::uint64_t scenarios);
+
+    void add(const ScenarioResult& result);
+    void add_to_worst(const ScenarioResult& result);
+
+    GroupSum groups_;
+    Summary summary_;
+    std::optional<Sha256> digest_;
+    std::vector<std::uint8_t> classes_;
+    std::vector<ScenarioResult> worst_;
+    std::vector<FailedScenario> failures_;
+};
+
+/// True for the classes in which the bodies share a point.
+[[nodiscard]] bool is_contact(ScenarioClass kind);
+
+} // namespace cd

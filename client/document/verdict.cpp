@@ -1,0 +1,82 @@
+#include "client/document/verdict.hpp"
+
+#include "common/core/words.hpp"
+
+#include <array>
+#include <cstdint>
+#include <utility>
+
+namespace cd {
+
+namespace {
+
+std::uint64_t contacts_of(const Summary& summary) {
+    return summary.touch + summary.cross + summary.inside + summary.contact;
+}
+
+std::string kinds_text(const Summary& summary) {
+    const std::array<std::pair<const char*, std::uint64_t>, 4> kinds{
+        {{"cross", summary.cross},
+         {"inside", summary.inside},
+         {"touch", summary.touch},
+         {"contact", summary.contact}}};
+    std::string text;
+    for (const auto& [word, count] : kinds) {
+        if (count != 0) {
+            text += (text.empty() ? "" : ", ") + std::string(word) + " " + grouped(count);
+        }
+    }
+    return text;
+}
+
+} // namespace
+
+std::string verdict_text(const Summary& summary) {
+    const std::uint64_t contacts = contacts_of(summary);
+    const std::uint64_t open = summary.total - summary.tested() + summary.undecided;
+    const std::string rest = open == 0 ? "." : "; " + grouped(open) + " have no answer.";
+    if (contacts != 0) {
+        return "The bodies are in contact in " + grouped(contacts) + " of " +
+               counted(summary.total, "scenario") + " (" + kinds_text(summary) + ")" + rest;
+    }
+    if (open == 0) {
+        return "No contact: the bodies are separate in all of " +
+               counted(summary.total, "scenario") + ".";
+    }
+    return "No contact was found: the bodies are separate in " + grouped(summary.separate) +
+           " of " + counted(summary.total, "scenario") + rest;
+}
+
+std::vector<std::string>
+untested_texts(const Summary& summary, const Query& query, const std::string& unit) {
+    std::vector<std::string> texts;
+    const auto add = [&](std::uint64_t count, const std::string& what) {
+        if (count != 0) {
+            texts.push_back(counted(count, "scenario") + ": " + what);
+        }
+    };
+    add(summary.total - summary.merged(), "without a result");
+    add(summary.failed, "failed, without an answer");
+    add(summary.undecided,
+        "undecided, since boxes as small as the tolerance of " + exact_text(query.tolerance) + " " +
+            unit + " were left");
+    add(summary.surfaces_only,
+        "a body is open, so it was not tested whether one body is inside the other");
+    add(summary.insides_skipped,
+        "parts are ignored and the rest is not closed, so insides were not tested");
+    add(summary.cut,
+        "the list of pairs ends at " + counted(query.limit_pairs, "pair") +
+            "; groups and pictures are of listed pairs");
+    if (!query.ignored.empty()) {
+        texts.emplace_back("Pairs of parts that the job ignores were not tested (see the job "
+                           "file below).");
+    }
+    if (query.level < Level::Pairs) {
+        texts.push_back("The run lists no pairs of triangles (level " +
+                        std::string(to_text(query.level)) +
+                        "), so there are no groups, and pictures mark no triangles.");
+    }
+    return texts;
+}
+
+} // namespace cd

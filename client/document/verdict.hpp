@@ -1,0 +1,20 @@
+// The verdict of a run in words.
+#pragma once
+
+#include "common/job/query.hpp"
+#include "common/job/result/merge.hpp"
+
+#include <string>
+#include <vector>
+
+namespace cd {
+
+/// Returns one sentence about whether contacts were found, and in how many scenarios.
+[[nodiscard]] std::string verdict_text(const Summary& summary);
+
+/// Returns a sentence for each thing that the run did not test, or did not list. `unit` is that of
+/// the tolerance.
+[[nodiscard]] std::vector<std::string>
+untested_texts(const Summary& summary, const Query& query, const std::string& unit);
+
+} // namespace cd

@@ -1,0 +1,58 @@
+#include "client/groups/groups_csv.hpp"
+
+#include "client/formats/csv_rows.hpp"
+#include "common/core/errors.hpp"
+#include "common/core/words.hpp"
+
+#include <algorithm>
+#include <string_view>
+#include <utility>
+
+namespace cd {
+
+namespace {
+
+constexpr std::string_view groups_header =
+    "body_a,part_a,body_b,part_b,class,scenarios,share,pairs,worst,worst_pairs,regions_a,regions_b,"
+    "episodes,first,last,status,note\n";
+
+Status add_row(RowFile& file, const GroupRow& row, const GroupsOrigin& origin) {
+    const Group& group = row.group;
+    const double share = static_cast<double>(group.scenarios) /
+                         static_cast<double>(std::max<std::uint64_t>(1, origin.tested));
+    const std::string& body_a = origin.bodies[group.body_a];
+    const std::string& body_b = origin.bodies[group.body_b];
+    CD_TRY(file.add(csv_field(body_a), ",", csv_field(group.part_a), ","));
+    CD_TRY(file.add(csv_field(body_b), ",", csv_field(group.part_b), ","));
+    CD_TRY(file.add(to_text(group.kind), ",", group.scenarios, ","));
+    CD_TRY(file.add(origin.limit_pairs == 0 ? exact_text(share) : "", ",", group.pairs, ","));
+    CD_TRY(file.add(group.worst, ",", group.worst_pairs, ","));
+    CD_TRY(file.add(group.regions[0], ",", group.regions[1], ",", group.episodes.count, ","));
+    CD_TRY(file.add(group.episodes.first.front().first, ",", group.episodes.last, ","));
+    return file.add(csv_field(row.status), ",", csv_field(row.note), "\n");
+}
+
+} // namespace
+
+std::vector<GroupRow> rows_of(const GroupSum& sum) {
+    std::vector<GroupRow> rows;
+    for (Group& group : sum.groups()) {
+        rows.push_back({std::move(group)});
+    }
+    return rows;
+}
+
+Status write_groups_csv(const std::filesystem::path& path,
+                        const std::vector<GroupRow>& rows,
+                        const GroupsOrigin& origin) {
+    auto file = CD_TRY(RowFile::create(path, groups_header));
+    for (const GroupRow& row : rows) {
+        CD_TRY(add_row(file, row, origin));
+    }
+    if (origin.left_out != 0) {
+        CD_TRY(file.add(",*,,*,,,,", origin.left_out, ",,,,,,,,,\n"));
+    }
+    return file.commit();
+}
+
+} // namespace cd

@@ -1,0 +1,288 @@
+// Proves that `cdctl report` writes a whole report of a run: well-formed, without script or
+// address, with everything that was found and what was not tested, whatever names the run has.
+#include "client/base/exit_code.hpp"
+#include "client/commands/commands.hpp"
+#include "tests/support/process.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <pugixml.hpp>
+
+#include <array>
+#include <filesystem>
+#include <sstream>
+#include <string>
+
+namespace cd::tests {
+
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+using testing::StartsWith;
+namespace fs = std::filesystem;
+
+/// Returns a tetrahedron with its corner at (x, 0, 0) as a group of an OBJ file; `first` is its
+/// first vertex's number.
+std::string tetrahedron(const std::string& name, double x, int first) {
+    std::ostringstream text;
+    text << "g " << name << "\n";
+    for (const auto& [dx, dy, dz] : {std::array{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}) {
+        text << "v " << x + dx << " " << dy << " " << dz << "\n";
+    }
+    for (const auto& [i, j, k] : {std::array{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}) {
+        text << "f " << first + i << " " << first + j << " " << first + k << "\n";
+    }
+    return text.str();
+}
+
+class Report : public testing::Test {
+  protected:
+    Report() {
+        report_.run = (folder_ / "out").string();
+        report_.out = (folder_ / "r" / "report.html").string();
+        report_.threads = 1;
+    }
+
+    /// Writes a job in which B (a post) is away from A, across its wheel, across its body, and
+    /// touches its body at a corner; in that order.
+    void write_job(const std::string& wheel, const std::string& body, const std::string& query) {
+        write_text(folder_ / "a.obj", tetrahedron(wheel, 0, 1) + tetrahedron(body, 5, 5));
+        write_text(folder_ / "b.obj", tetrahedron("post", 0, 1));
+        write_text(folder_ / "poses.csv",
+                   "id,t,x,y,z\nstart,0,0,9,0\nleft,0.5,0.25,0.1,0.1\nright,1,5.25,0.1,0.1\n"
+                   "end,1.5,6,0,0\n");
+        write_text(folder_ / "job.toml",
+                   "name = \"" + name_ + "\"\n[a]\nmesh = \"a.obj\"\n[b]\nmesh = \"b.obj\"\n" +
+                       poses_ + "\n[query]\n" + query +
+                       "\n[output]\ndir = \"out\"\nformats = [\"csv\"]\n");
+    }
+
+    void run_job() {
+        RunCommand run;
+        run.job.file = (folder_ / "job.toml").string();
+        run.host.threads = 1;
+        run.quiet = true;
+        testing::internal::CaptureStdout();
+        const int code = execute(run);
+        const std::string told = testing::internal::GetCapturedStdout();
+        ASSERT_EQ(code, exit_done) << told;
+    }
+
+    int report() {
+        testing::internal::CaptureStdout();
+        testing::internal::CaptureStderr();
+        const int code = execute(report_);
+        stdout_ = testing::internal::GetCapturedStdout();
+        stderr_ = testing::internal::GetCapturedStderr();
+        return code;
+    }
+
+    [[nodiscard]] std::string html() const { return read_text(report_.out); }
+    [[nodiscard]] std::string groups() const { return read_text(folder_ / "r" / "groups.csv"); }
+
+    /// Checks what each report promises.
+    void expect_a_good_document() const {
+        const std::string page = html();
+        pugi::xml_document document;
+        const auto parsed = document.load_buffer(
+            page.data(), page.size(), pugi::parse_default | pugi::parse_doctype);
+        EXPECT_TRUE(parsed) << parsed.description() << " at "
+                            << page.substr(static_cast<std::size_t>(parsed.offset), 80);
+        EXPECT_THAT(page, StartsWith("<!DOCTYPE html>"));
+        EXPECT_THAT(page, Not(HasSubstr("<script")));
+        EXPECT_THAT(page, Not(HasSubstr("http")));
+        EXPECT_THAT(page, Not(HasSubstr("url(")));
+        EXPECT_LT(page.size(), 5'000'000u);
+    }
+
+    const TemporaryFolder folder_;
+    std::string name_ = "posts";
+    std::string poses_ = "[poses]\nfile = \"poses.csv\"";
+    ReportCommand report_;
+    std::string stdout_;
+    std::string stderr_;
+};
+
+} // namespace
+
+TEST_F(Report, HasAllItsParts) {
+    write_job("wheel_left", "body", "");
+    run_job();
+    EXPECT_EQ(report(), exit_done) << stderr_;
+    expect_a_good_document();
+    const std::string page = html();
+    EXPECT_THAT(page,
+                HasSubstr("The bodies are in contact in 3 of 4 scenarios (cross 2, touch 1)."));
+    EXPECT_THAT(page, HasSubstr("<td>4 of 4</td>"));
+    EXPECT_THAT(page, HasSubstr("Digest "));
+    EXPECT_THAT(page, HasSubstr("Everything that was asked was tested."));
+    for (const char* section :
+         {"Bodies", "Worst scenarios", "Parts in contact", "Pose space", "Groups", "How it ran"}) {
+        EXPECT_THAT(page, HasSubstr("<h2>" + std::string(section) + "</h2>"));
+    }
+    EXPECT_THAT(page, HasSubstr("#2, id right, t 1, cross"));
+    EXPECT_THAT(page, HasSubstr("data:image/png;base64,"));
+    EXPECT_THAT(page, HasSubstr("8 triangles, 2 parts, closed"));
+    EXPECT_THAT(page, HasSubstr("mesh = ")) << "the job file";
+    EXPECT_EQ(stdout_, report_.out + ", " + (folder_ / "r" / "groups.csv").string() + "\n");
+    EXPECT_THAT(groups(), HasSubstr("\na,body,b,post,cross,2,0.5,"));
+    EXPECT_THAT(groups(), HasSubstr("\na,wheel_left,b,post,cross,1,0.25,"));
+    EXPECT_THAT(groups(), HasSubstr(",1,2,3,,\n")) << "one episode, from scenario 2 to 3";
+}
+
+TEST_F(Report, NamesOfAnyKindAreText) {
+    name_ = "<script>alert(1)</script>";
+    write_job("<img/src=x/onerror=alert(1)>", "\"'&]]>\u202e" + std::string(10'000, 'x'), "");
+    run_job();
+    EXPECT_EQ(report(), exit_done) << stderr_;
+    expect_a_good_document();
+    EXPECT_THAT(html(), HasSubstr("&lt;script&gt;alert(1)&lt;/script&gt;"));
+    EXPECT_THAT(html(), Not(HasSubstr("\u202e")));
+    EXPECT_THAT(html(), Not(HasSubstr("<img/")));
+}
+
+TEST_F(Report, OfLevelAnySaysThatThereAreNoGroups) {
+    write_job("wheel_left", "body", "level = \"any\"");
+    run_job();
+    EXPECT_EQ(report(), exit_done) << stderr_;
+    expect_a_good_document();
+    EXPECT_THAT(html(), HasSubstr("lists no pairs of triangles (level any)"));
+    EXPECT_THAT(html(), Not(HasSubstr("<h2>Groups</h2>")));
+    EXPECT_FALSE(fs::exists(folder_ / "r" / "groups.csv"));
+    report_.fail_on.cross = true;
+    EXPECT_EQ(report(), exit_usage);
+}
+
+TEST_F(Report, OfAGridHasAMap) {
+    poses_ = "[poses]\ngrid = { x = [-1, 7, 9], yaw_deg = [0, 90, 2] }";
+    write_job("wheel_left", "body", "");
+    run_job();
+    EXPECT_EQ(report(), exit_done) << stderr_;
+    expect_a_good_document();
+    EXPECT_THAT(html(), HasSubstr(">x [m]</text>"));
+    EXPECT_THAT(html(), HasSubstr(">yaw [deg]</text>"));
+    EXPECT_THAT(html(), Not(HasSubstr("95 % interval")));
+}
+
+TEST_F(Report, OfRandomPosesSaysThatTheyWerePushed) {
+    poses_ = "[poses]\nrandom = { n = 5, seed = 1 }";
+    write_job("wheel_left", "body", "");
+    run_job();
+    EXPECT_EQ(report(), exit_done) << stderr_;
+    expect_a_good_document();
+    EXPECT_THAT(html(), HasSubstr("The poses were pushed to contact"));
+    EXPECT_THAT(html(), Not(HasSubstr("95 % interval")));
+}
+
+TEST_F(Report, SaysWhereBCoincidesWithA) {
+    poses_ = "[poses]\ngrid = { x = [-9, 9, 3] }";
+    write_job("wheel_left", "body", "");
+    write_text(folder_ / "b.obj", read_text(folder_ / "a.obj"));
+    run_job();
+    EXPECT_EQ(report(), exit_done) << stderr_;
+    EXPECT_THAT(html(), HasSubstr("B coincides with A in 1 scenario: #1"));
+}
+
+TEST_F(Report, ShowsWhatPeopleDecided) {
+    write_job("wheel_left", "body", "");
+    run_job();
+    report_.judge.statuses = (folder_ / "s.toml").string();
+    write_text(
+        report_.judge.statuses,
+        "[[clash]]\na = \"wheel_*\"\nb = \"post\"\nstatus = \"approved\"\nnote = \"wanted\"\n"
+        "[[clash]]\na = \"door\"\nb = \"post\"\nstatus = \"reviewed\"\n");
+    EXPECT_EQ(report(), exit_done) << stderr_;
+    EXPECT_EQ(stderr_, report_.judge.statuses + ":6: clash \"door\", \"post\" matches no group\n");
+    expect_a_good_document();
+    EXPECT_THAT(html(), HasSubstr("<td>approved</td><td>wanted</td>"));
+    EXPECT_THAT(html(), HasSubstr("matches no group"));
+    EXPECT_THAT(groups(), HasSubstr(",approved,wanted\n"));
+}
+
+TEST_F(Report, OfCutListsGivesNoShares) {
+    write_job("wheel_left", "body", "limit_pairs = 1");
+    run_job();
+    EXPECT_EQ(report(), exit_done) << stderr_;
+    EXPECT_THAT(html(), HasSubstr("ends at 1 pair"));
+    EXPECT_THAT(groups(), HasSubstr(",cross,1,,1,"));
+}
+
+TEST_F(Report, JudgesARunByItsBaseline) {
+    write_job("wheel_left", "body", "");
+    run_job();
+    fs::rename(folder_ / "out", folder_ / "old");
+    write_job("wheel_right", "body", "");
+    run_job();
+    report_.judge.baseline = (folder_ / "old").string();
+    report_.fail_on.news = true;
+    EXPECT_EQ(report(), exit_contacts) << stderr_;
+    expect_a_good_document();
+    EXPECT_THAT(html(), HasSubstr("<h2>Against the baseline</h2>"));
+    EXPECT_THAT(html(), HasSubstr("<tr><td>1</td><td>1</td><td>1</td><td>0</td>"))
+        << "one group is new, one active, one resolved";
+    EXPECT_THAT(groups(), HasSubstr("\na,wheel_right,b,post,cross,1,0.25,"));
+    EXPECT_THAT(groups(), HasSubstr("a,wheel_left,b,post,cross,1,0.25,"));
+    EXPECT_THAT(groups(), HasSubstr(",resolved,\n"));
+
+    report_.run = report_.judge.baseline;
+    EXPECT_EQ(report(), exit_done) << "a run has no news against itself";
+    EXPECT_THAT(groups(), Not(HasSubstr("new")));
+}
+
+TEST_F(Report, AGroupIsNotComparableIfAScenarioOfItIsGone) {
+    write_job("wheel_left", "body", "");
+    run_job();
+    fs::rename(folder_ / "out", folder_ / "old");
+    write_text(folder_ / "poses.csv", "id,t,x,y,z\nstart,0,0,9,0\nright,1,5.25,0.1,0.1\n");
+    run_job();
+    report_.judge.baseline = (folder_ / "old").string();
+    report_.fail_on.news = true;
+    EXPECT_EQ(report(), exit_done) << stderr_;
+    EXPECT_THAT(groups(), HasSubstr(",not comparable,\n"));
+}
+
+TEST_F(Report, ABaselineIsNeededForNews) {
+    write_job("wheel_left", "body", "");
+    run_job();
+    report_.fail_on.news = true;
+    EXPECT_EQ(report(), exit_usage);
+    EXPECT_THAT(stderr_, HasSubstr("--fail-on new compares with an earlier run: give --baseline"));
+    report_.judge.baseline = (folder_ / "none").string();
+    report_.master.address = "";
+    EXPECT_EQ(report(), exit_usage);
+    EXPECT_THAT(stderr_, HasSubstr("there is no folder"));
+}
+
+TEST_F(Report, PiecesAreWarnedOf) {
+    write_job("wheel_left", "wheel_left", "");
+    write_text(folder_ / "a.obj",
+               tetrahedron("", 0, 1).substr(2) + tetrahedron("", 5, 5).substr(2));
+    run_job();
+    report_.judge.baseline = (folder_ / "out").string();
+    EXPECT_EQ(report(), exit_done) << stderr_;
+    EXPECT_THAT(stderr_, HasSubstr("body a has no named parts"));
+    EXPECT_THAT(groups(), HasSubstr("\na,piece 2,b,"));
+}
+
+TEST_F(Report, FailsOnWhatIsAsked) {
+    write_job("wheel_left", "body", "");
+    run_job();
+    report_.fail_on.touch = true;
+    EXPECT_EQ(report(), exit_contacts);
+    EXPECT_TRUE(fs::exists(report_.out)) << "the report is written all the same";
+    report_.fail_on = {.undecided = true};
+    EXPECT_EQ(report(), exit_done);
+}
+
+TEST_F(Report, DrawsLargePicturesIntoAFolder) {
+    write_job("wheel_left", "body", "");
+    run_job();
+    report_.pictures = (folder_ / "pictures").string();
+    EXPECT_EQ(report(), exit_done) << stderr_;
+    for (const char* name : {"a.png", "b.png", "1.png", "2.png", "3.png"}) {
+        EXPECT_TRUE(fs::exists(folder_ / "pictures" / name)) << name;
+    }
+}
+
+} // namespace cd::tests

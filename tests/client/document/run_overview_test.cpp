@@ -1,0 +1,120 @@
+// Proves that the overview of a run has its classes, worst scenarios and failures.
+#include "client/document/run_overview.hpp"
+
+#include "common/job/result/record_file.hpp"
+#include "tests/support/process.hpp"
+#include "tests/support/rounds.hpp"
+#include "tests/support/shapes.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+namespace cd::tests {
+
+namespace {
+
+ScenarioResult random_result(SeededRandom& random, std::uint64_t index) {
+    ScenarioResult result;
+    result.index = index;
+    const std::uint64_t pairs = random() % 6;
+    if (random() % 10 == 0) {
+        result.kind = ScenarioClass::Failed;
+        result.failure = "it failed";
+        return result;
+    }
+    for (std::uint32_t i = 0; i < pairs; ++i) {
+        result.pairs.push_back({i, i, PairClass::Proper});
+    }
+    result.pair_count = pairs;
+    result.kind = pairs == 0 ? ScenarioClass::Separate : ScenarioClass::Cross;
+    return result;
+}
+
+/// Writes results into a file of records, and opens it.
+RecordFile records_of(const TemporaryFolder& folder, const std::vector<ScenarioResult>& results) {
+    auto created = RecordWriter::create(folder / "records");
+    RecordWriter& writer = created.value();
+    for (const ScenarioResult& result : results) {
+        if (writer.is_full()) {
+            EXPECT_TRUE(writer.flush());
+        }
+        writer.add(result.index, encode_result(result));
+    }
+    EXPECT_TRUE(writer.finish());
+    auto records = RecordFile::open(folder / "records");
+    return std::move(records.value());
+}
+
+} // namespace
+
+TEST(RunOverview, FindsTheWorstScenariosAndEveryClass) {
+    const auto box = share(make_box({1, 1, 1}));
+    for (SeededRandom random : seeds(20)) {
+        const TemporaryFolder folder;
+        std::vector<ScenarioResult> results;
+        for (std::uint64_t i = 0; i < 200; ++i) {
+            if (random() % 8 != 0) {
+                results.push_back(random_result(random, i));
+            }
+        }
+        const auto overview = RunOverview::read(records_of(folder, results), {box, box}, 200, {});
+        ASSERT_TRUE(overview);
+        std::vector<std::uint8_t> classes(200, RunOverview::no_result);
+        for (const ScenarioResult& result : results) {
+            classes[result.index] = static_cast<std::uint8_t>(result.kind);
+        }
+        EXPECT_EQ(overview.value().classes(), classes);
+        EXPECT_EQ(overview.value().summary().merged(), results.size());
+        EXPECT_FALSE(overview.value().digest());
+
+        std::erase_if(results, [](const ScenarioResult& each) { return each.pairs.empty(); });
+        std::ranges::stable_sort(results, [](const ScenarioResult& l, const ScenarioResult& r) {
+            return l.pair_count > r.pair_count;
+        });
+        const auto& worst = overview.value().worst();
+        ASSERT_EQ(worst.size(), std::min(results.size(), RunOverview::worst_max));
+        for (std::size_t i = 0; i < worst.size(); ++i) {
+            EXPECT_EQ(worst[i].index, results[i].index);
+        }
+    }
+}
+
+TEST(RunOverview, NamesTheFirstFailures) {
+    const TemporaryFolder folder;
+    std::vector<ScenarioResult> results(RunOverview::failures_max + 5);
+    for (std::uint64_t i = 0; i < results.size(); ++i) {
+        results[i].index = i;
+        results[i].kind = ScenarioClass::Failed;
+        results[i].failure = "no " + std::to_string(i);
+    }
+    const auto box = share(make_box({1, 1, 1}));
+    const auto overview =
+        RunOverview::read(records_of(folder, results), {box, box}, results.size(), {});
+    ASSERT_TRUE(overview);
+    ASSERT_EQ(overview.value().failures().size(), RunOverview::failures_max);
+    EXPECT_EQ(overview.value().failures()[3].reason, "no 3");
+}
+
+TEST(RunOverview, RefusesRecordsThatTheRunCannotHave) {
+    const TemporaryFolder folder;
+    const auto box = share(make_box({1, 1, 1}));
+    std::vector<ScenarioResult> results(1);
+    results[0].index = 7;
+    const auto beyond = RunOverview::read(records_of(folder, results), {box, box}, 7, {});
+    ASSERT_FALSE(beyond);
+    EXPECT_THAT(beyond.error().detail, testing::HasSubstr("scenario 7"));
+    results[0].body_b = 2;
+    EXPECT_FALSE(RunOverview::read(records_of(folder, results), {box, box}, 8, {}));
+    results[0].body_b = 1;
+    EXPECT_TRUE(RunOverview::read(records_of(folder, results), {box, box}, 8, {}));
+    const auto stopped =
+        RunOverview::read(records_of(folder, results), {box, box}, 8, [] { return true; });
+    ASSERT_FALSE(stopped);
+    EXPECT_EQ(stopped.error().code, ErrorCode::Interrupted);
+}
+
+} // namespace cd::tests

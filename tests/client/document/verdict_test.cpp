@@ -1,0 +1,68 @@
+// Proves that the verdict says what was found, and names everything that was not tested.
+#include "client/document/verdict.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace cd::tests {
+
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+} // namespace
+
+TEST(Verdict, SaysHowManyScenariosAreInContact) {
+    Summary summary;
+    summary.total = 1200;
+    summary.separate = 1190;
+    summary.touch = 1;
+    summary.cross = 9;
+    EXPECT_EQ(verdict_text(summary),
+              "The bodies are in contact in 10 of 1 200 scenarios (cross 9, touch 1).");
+    summary.touch = 0;
+    EXPECT_EQ(verdict_text(summary),
+              "The bodies are in contact in 9 of 1 200 scenarios (cross 9); 1 have no answer.");
+}
+
+TEST(Verdict, IsCleanOnlyIfEverythingWasTested) {
+    Summary summary;
+    summary.total = 5;
+    summary.separate = 5;
+    EXPECT_EQ(verdict_text(summary), "No contact: the bodies are separate in all of 5 scenarios.");
+    summary.separate = 4;
+    EXPECT_THAT(verdict_text(summary), HasSubstr("No contact was found"));
+    summary.undecided = 1;
+    EXPECT_THAT(verdict_text(summary), HasSubstr("in 4 of 5 scenarios; 1 have no answer."));
+}
+
+TEST(Verdict, NamesWhatWasNotTested) {
+    Summary summary;
+    summary.total = 5;
+    summary.separate = 5;
+    EXPECT_THAT(untested_texts(summary, {}, "m"), IsEmpty());
+    summary.separate = 1;
+    summary.failed = 1;
+    summary.undecided = 1;
+    summary.surfaces_only = 1;
+    summary.insides_skipped = 1;
+    summary.cut = 1;
+    Query query;
+    query.level = Level::Count;
+    query.tolerance = 0.5;
+    query.limit_pairs = 3;
+    query.ignored.push_back({0, 1, 0, 1});
+    EXPECT_THAT(untested_texts(summary, query, "mm"),
+                ElementsAre(HasSubstr("2 scenarios: without a result"),
+                            HasSubstr("1 scenario: failed"),
+                            HasSubstr("tolerance of 0.5 mm"),
+                            HasSubstr("a body is open"),
+                            HasSubstr("parts are ignored and the rest is not closed"),
+                            HasSubstr("ends at 3 pairs"),
+                            HasSubstr("the job ignores"),
+                            HasSubstr("lists no pairs of triangles (level count)")));
+}
+
+} // namespace cd::tests
