@@ -21,10 +21,6 @@ SameGroup key_of(const Group& group) {
     return {group.body_a, group.body_b, group.part_a, group.part_b};
 }
 
-bool is_gone(const JudgedGroup& group) {
-    return group.status == GroupStatus::Resolved || group.status == GroupStatus::NotComparable;
-}
-
 bool matches(const StatusRule& rule, const Group& group, const std::vector<std::string>& bodies) {
     return rule.a.is_of_body(bodies[group.body_a]) && rule.a.is_of_part(group.part_a) &&
            rule.b.is_of_body(bodies[group.body_b]) && rule.b.is_of_part(group.part_b);
@@ -97,7 +93,7 @@ void GroupStatuses::apply(const std::vector<StatusRule>& rules,
                 last = &rules[i];
             }
         }
-        if (last != nullptr && !is_gone(group)) {
+        if (last != nullptr && !group.is_gone()) {
             apply_rule(*last, group);
         }
     }
@@ -123,7 +119,8 @@ bool GroupStatuses::has_news() const {
 std::vector<GroupRow> rows_of(const GroupStatuses& statuses) {
     std::vector<GroupRow> rows;
     for (const JudgedGroup& group : statuses.groups()) {
-        rows.push_back({group.group, std::string(to_text(group.status)), group.note});
+        rows.push_back(
+            {group.group, std::string(to_text(group.status)), group.note, group.is_gone()});
     }
     return rows;
 }

@@ -33,6 +33,11 @@ struct JudgedGroup {
     std::string note = {}; ///< What people noted, and why their decision does not hold any more.
     bool is_in_baseline = false;
     std::uint64_t baseline_worst_pairs = 0; ///< 0 if the baseline does not have it.
+
+    /// True if only the baseline has it.
+    [[nodiscard]] bool is_gone() const {
+        return status == GroupStatus::Resolved || status == GroupStatus::NotComparable;
+    }
 };
 
 /// An earlier run that a run is judged against. A group is the same in both if its bodies have the

@@ -12,7 +12,7 @@ namespace cd {
 
 namespace {
 
-double share_of(std::uint64_t part, std::uint64_t whole) {
+double fraction_of(std::uint64_t part, std::uint64_t whole) {
     return whole == 0 ? 0 : static_cast<double>(part) / static_cast<double>(whole);
 }
 
@@ -21,9 +21,9 @@ std::string regions_text(const Group& group) {
                                  : grouped(group.regions[0]) + " / " + grouped(group.regions[1]);
 }
 
-/// Returns a class of style.css for a cell of the matrix: darker for a larger share of the largest.
+/// Returns a class of the style sheet for a cell of the matrix: darker for a larger share of the largest.
 std::string shade_of(std::uint64_t count, std::uint64_t most) {
-    const double share = share_of(count, most);
+    const double share = fraction_of(count, most);
     return count == 0 ? "h0" : share > 0.5 ? "h4" : share > 0.1 ? "h3" : share > 0.01 ? "h2" : "h1";
 }
 
@@ -48,7 +48,7 @@ Html GroupSections::matrix() const {
     std::map<std::pair<std::string, std::string>, std::uint64_t> cells;
     std::uint64_t most = 0;
     for (const JudgedGroup& judged : statuses_.groups()) {
-        if (judged.status == GroupStatus::Resolved || judged.status == GroupStatus::NotComparable) {
+        if (judged.is_gone()) {
             continue;
         }
         const Group& group = judged.group;
@@ -87,18 +87,46 @@ Html GroupSections::matrix() const {
     return html_section("Parts in contact", content);
 }
 
-Html GroupSections::share(const Group& group) const {
-    if (manifest_.query.limit_pairs != 0) {
-        return Html::text("-"); // Pairs that are not listed may be of the group in more scenarios.
+std::string GroupSections::share_of(const JudgedGroup& judged) const {
+    if (manifest_.query.limit_pairs != 0 || judged.is_gone()) {
+        return "-"; // Pairs that are not listed may be of the group in more scenarios.
     }
+    const std::uint64_t scenarios = judged.group.scenarios;
     const std::uint64_t tested = overview_.summary().tested();
-    std::string text = fixed_text(100 * share_of(group.scenarios, tested), 2) + " %";
-    if (manifest_.poses.kind == PosesKind::File) {
-        const ShareInterval interval = wilson_interval(group.scenarios, tested);
+    std::string text = fixed_text(100 * fraction_of(scenarios, tested), 2) + " %";
+    if (is_of_file()) {
+        const ShareInterval interval = wilson_interval(scenarios, tested);
         text += " (" + fixed_text(100 * interval.low, 2) + " to " +
                 fixed_text(100 * interval.high, 2) + ")";
     }
-    return Html::text(text);
+    return text;
+}
+
+std::vector<Html> GroupSections::row_of(const JudgedGroup& judged, bool has_status) const {
+    const Group& group = judged.group;
+    // The scenarios of a group that is gone are the baseline's, which has other labels.
+    const auto label = [&](std::uint64_t scenario) {
+        return judged.is_gone() ? "#" + std::to_string(scenario) + " of the baseline"
+                                : names_.label_of(scenario);
+    };
+    std::vector<std::string> cells{names_.part_name(group.body_a, group.part_a),
+                                   names_.part_name(group.body_b, group.part_b),
+                                   std::string(to_text(group.kind)),
+                                   grouped(group.scenarios),
+                                   share_of(judged),
+                                   grouped(group.pairs),
+                                   label(group.worst) + ", " + counted(group.worst_pairs, "pair"),
+                                   regions_text(group)};
+    if (is_of_file()) {
+        cells.push_back(grouped(group.episodes.count));
+        cells.push_back(label(group.episodes.first.front().first));
+        cells.push_back(label(group.episodes.last));
+    }
+    if (has_status) {
+        cells.emplace_back(to_text(judged.status));
+        cells.push_back(short_name(judged.note));
+    }
+    return html_texts(cells);
 }
 
 Html GroupSections::table() const {
@@ -106,39 +134,19 @@ Html GroupSections::table() const {
     if (judged.empty()) {
         return {};
     }
-    const bool of_file = manifest_.poses.kind == PosesKind::File;
-    const bool has_statuses = std::ranges::any_of(
+    const bool has_status = std::ranges::any_of(
         judged, [](const JudgedGroup& each) { return each.status != GroupStatus::Unjudged; });
     std::vector<std::string> head{
         "part of A", "part of B", "class", "scenarios", "share", "pairs", "worst", "regions A / B"};
-    if (of_file) {
+    if (is_of_file()) {
         head.insert(head.end(), {"episodes", "first", "last"});
     }
-    if (has_statuses) {
+    if (has_status) {
         head.insert(head.end(), {"status", "note"});
     }
     std::vector<std::vector<Html>> rows{html_texts(head)};
     for (std::size_t i = 0; i < judged.size() && i < limits::report_groups_max; ++i) {
-        const Group& group = judged[i].group;
-        auto row = html_texts({names_.part_name(group.body_a, group.part_a),
-                               names_.part_name(group.body_b, group.part_b),
-                               std::string(to_text(group.kind)),
-                               grouped(group.scenarios)});
-        row.push_back(share(group));
-        row.push_back(Html::text(grouped(group.pairs)));
-        row.push_back(Html::text("#" + std::to_string(group.worst) + ", " +
-                                 counted(group.worst_pairs, "pair")));
-        row.push_back(Html::text(regions_text(group)));
-        if (of_file) {
-            row.push_back(Html::text(grouped(group.episodes.count)));
-            row.push_back(Html::text(names_.label_of(group.episodes.first.front().first)));
-            row.push_back(Html::text(names_.label_of(group.episodes.last)));
-        }
-        if (has_statuses) {
-            row.push_back(Html::text(to_text(judged[i].status)));
-            row.push_back(Html::text(short_name(judged[i].note)));
-        }
-        rows.push_back(std::move(row));
+        rows.push_back(row_of(judged[i], has_status));
     }
     Html content = html_table(rows, "groups");
     if (judged.size() > limits::report_groups_max) {
@@ -152,7 +160,7 @@ Html GroupSections::table() const {
     }
     content += paragraph("Severity is the number of pairs of triangles, not a depth. A region is a "
                          "connected set of triangles in contact in any scenario.");
-    if (of_file) {
+    if (is_of_file()) {
         content += paragraph("Behind a share is its 95 % interval (Wilson), if the poses are a "
                              "random sample. An episode is a run of consecutive scenarios.");
     }

@@ -35,7 +35,9 @@ class GroupSections {
     [[nodiscard]] Html against(const BaselineNote& baseline) const;
 
   private:
-    [[nodiscard]] Html share(const Group& group) const;
+    [[nodiscard]] std::vector<Html> row_of(const JudgedGroup& judged, bool has_status) const;
+    [[nodiscard]] std::string share_of(const JudgedGroup& judged) const;
+    [[nodiscard]] bool is_of_file() const { return manifest_.poses.kind == PosesKind::File; }
 
     const RunNames& names_;
     const RunManifest& manifest_;

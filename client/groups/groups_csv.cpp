@@ -25,7 +25,8 @@ Status add_row(RowFile& file, const GroupRow& row, const GroupsOrigin& origin) {
     CD_TRY(file.add(csv_field(body_a), ",", csv_field(group.part_a), ","));
     CD_TRY(file.add(csv_field(body_b), ",", csv_field(group.part_b), ","));
     CD_TRY(file.add(to_text(group.kind), ",", group.scenarios, ","));
-    CD_TRY(file.add(origin.limit_pairs == 0 ? exact_text(share) : "", ",", group.pairs, ","));
+    const bool has_share = origin.limit_pairs == 0 && !row.is_gone;
+    CD_TRY(file.add(has_share ? exact_text(share) : "", ",", group.pairs, ","));
     CD_TRY(file.add(group.worst, ",", group.worst_pairs, ","));
     CD_TRY(file.add(group.regions[0], ",", group.regions[1], ",", group.episodes.count, ","));
     CD_TRY(file.add(group.episodes.first.front().first, ",", group.episodes.last, ","));

@@ -16,6 +16,7 @@ struct GroupRow {
     Group group;
     std::string status = {}; ///< Its status (docs/report.md); empty without baseline and statuses.
     std::string note = {};
+    bool is_gone = false; ///< Only the baseline has the group, so it has no share of this run.
 };
 
 /// Returns rows without statuses.
