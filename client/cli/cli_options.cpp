@@ -235,6 +235,17 @@ void add_fail_on(CLI::App& verb, FailOn& fail_on, bool has_baseline) {
         ->check(one_of(words));
 }
 
+void add_diff_fail_on(CLI::App& verb, DiffFailOn& fail_on) {
+    const auto add = option_adder(verb);
+    const std::map<std::string, DiffFailOn> words{{"any", DiffFailOn::Any},
+                                                  {"new", DiffFailOn::New}};
+    add("--fail-on",
+        fail_on,
+        "any|new",
+        "Exit with 1 on any difference in contacts, or only on new groups")
+        ->transform(CLI::CheckedTransformer(words).description(""));
+}
+
 void add_judge(CLI::App& verb, JudgeOptions& judge) {
     const auto add = option_adder(verb);
     add("--baseline", judge.baseline, "FOLDER|JOB", "Compare the groups with this earlier run");
