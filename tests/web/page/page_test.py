@@ -8,6 +8,9 @@ import tempfile
 import time
 import unittest
 
+from selenium.webdriver.common.action_chains import ActionChains
+from selenium.webdriver.common.keys import Keys
+
 from browser import HEIGHT, WIDTH, Browser
 from cluster import Cluster
 from scenes import HOSTILE_LONG, HOSTILE_MARKUP, HOSTILE_RTL, Scenes, pairs_by_scenario
@@ -168,7 +171,7 @@ class Scrubbing(PageTest):
             a, b = expected.get(number, (set(), set()))
             self.assertEqual(facts["highlighted"], [sorted(a), sorted(b)], f"scenario {number}")
             self.assertEqual(facts["verified"], True)
-            self.browser.press("\ue014")  # Arrow right.
+            self.browser.press(Keys.ARROW_RIGHT)
 
     def test_next_and_previous_contact(self):
         folder = self.scenes.drive()
@@ -183,6 +186,16 @@ class Scrubbing(PageTest):
         self.browser.scenario(contacts[0])
         self.browser.press("p")
         self.browser.wait_text("no contact before this scenario")
+
+    def test_the_keyboard_turns_the_view_and_the_link_says_how(self):
+        self.open(self.scenes.drive(), "#/jobs/folder/50")
+        before = self.browser.scenario(50)["camera"]
+        chord = ActionChains(self.browser.driver).key_down(Keys.SHIFT).send_keys(Keys.ARROW_RIGHT).key_up(Keys.SHIFT)
+        chord.send_keys("+").perform()
+        camera = self.browser.wait("another view", lambda f: f["camera"][0] != before[0])["camera"]
+        self.assertEqual(camera[3:], before[3:])
+        time.sleep(0.5)
+        self.assertIn("cam=", self.browser.link())
 
     def test_frames_are_drawn_only_when_something_changed(self):
         self.open(self.scenes.drive(), "#/jobs/folder/50")
@@ -245,9 +258,9 @@ class Jobs(PageTest):
         self.open(self.scenes.drive(), "#/jobs/folder")
         self.browser.wait("the pose space", lambda f: f["screen"] == "job" and f.get("poseSpace"))
         self.browser.driver.execute_script("document.querySelector('.plot canvas').focus()")
-        self.browser.press("\ue014")
+        self.browser.press(Keys.ARROW_RIGHT)
         scenario = int(re.search(r"^#(\d+) .* at x ", self.browser.wait_text(" at x "), re.MULTILINE).group(1))
-        self.browser.press("\ue007")  # Enter.
+        self.browser.press(Keys.ENTER)
         self.browser.scenario(scenario)
 
 

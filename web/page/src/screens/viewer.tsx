@@ -19,6 +19,7 @@ import type { Contacts } from "../viewer/scenario_loader";
 
 const playPause = 60; // Milliseconds between the scenarios of a replay.
 const dragPixels = 4;
+const turnStep = Math.PI / 24;
 
 function boundsOf(model: Model | null, job: Job | undefined): Bounds {
     const size = job?.bodies[1]?.size ?? [0, 0, 0];
@@ -192,11 +193,18 @@ export function ViewerScreen({ source, route }: ScreenProps) {
         "]": () => moveClip(1),
         f: fit,
         c: goToContact,
+        "Shift+ArrowRight": () => viewer?.stage.turn(turnStep, 0),
+        "Shift+ArrowLeft": () => viewer?.stage.turn(-turnStep, 0),
+        "Shift+ArrowUp": () => viewer?.stage.turn(0, turnStep),
+        "Shift+ArrowDown": () => viewer?.stage.turn(0, -turnStep),
+        "+": () => viewer?.stage.approach(0.85),
+        "-": () => viewer?.stage.approach(1 / 0.85),
         "?": () => setHelps(true),
     };
     const press = useRef((_: KeyboardEvent) => {});
     press.current = (event) => {
-        const action = keys[event.key];
+        const isTurn = event.shiftKey && event.key.startsWith("Arrow");
+        const action = keys[isTurn ? `Shift+${event.key}` : event.key];
         if (action && !isTyping(event)) {
             action();
             event.preventDefault();

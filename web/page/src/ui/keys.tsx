@@ -12,6 +12,8 @@ export const keyTable: readonly (readonly [string, string])[] = [
     ["[ ]", "move the section plane"],
     ["f", "fit all into view"],
     ["c", "go to the contact"],
+    ["shift ← → ↑ ↓", "turn"],
+    ["+ −", "nearer, farther"],
     ["drag, wheel", "turn, zoom; with the right button or two fingers: move"],
     ["click", "pick a triangle; with shift: of the ghost"],
     ["?", "these keys"],

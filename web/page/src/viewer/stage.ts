@@ -155,6 +155,27 @@ export class Stage {
         this.draw();
     }
 
+    /** Turns about the target, in radians: to the right and upwards. */
+    turn(right: number, up: number): void {
+        const target = this.controls.target;
+        const from = this.camera.position.clone().sub(target);
+        const distance = from.length();
+        const azimuth = Math.atan2(from.y, from.x) + right;
+        const polar = Math.min(Math.PI - 0.01, Math.max(0.01, Math.acos(from.z / distance) - up));
+        const flat = distance * Math.sin(polar);
+        from.set(flat * Math.cos(azimuth), flat * Math.sin(azimuth), distance * Math.cos(polar));
+        this.look(from.add(target), target.clone());
+        this.moved();
+    }
+
+    /** Comes nearer to the target, to this share of the distance. */
+    approach(share: number): void {
+        const target = this.controls.target;
+        const from = this.camera.position.clone().sub(target).multiplyScalar(share);
+        this.look(from.add(target), target.clone());
+        this.moved();
+    }
+
     /** The radius of all that may be drawn, about the origin. */
     setRadius(radius: number): void {
         this.radius = radius;
