@@ -24,7 +24,7 @@ const columns: Column<JobRow>[] = [
         value: (j) => j.state,
     },
     { key: "owner", title: "owner", cell: (j) => <Name text={j.owner || "-"} />, value: (j) => j.owner ?? "" },
-    { key: "began", title: "began", cell: (j) => (j.began ?? "").replace(/Z$/, " UTC").replace("T", " "), value: (j) => j.began ?? "" },
+    { key: "began", title: "began", cell: (j) => (j.began ?? "").replace("T", " ").replace(/Z$/, " UTC"), value: (j) => j.began ?? "" },
     { key: "scenarios", title: "scenarios", cell: (j) => grouped(j.scenarios), value: (j) => j.scenarios, isNumber: true },
     {
         key: "done",
