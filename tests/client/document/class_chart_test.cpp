@@ -21,7 +21,7 @@ constexpr auto separate = static_cast<std::uint8_t>(ScenarioClass::Separate);
 constexpr auto touch = static_cast<std::uint8_t>(ScenarioClass::Touch);
 constexpr auto cross = static_cast<std::uint8_t>(ScenarioClass::Cross);
 constexpr auto undecided = static_cast<std::uint8_t>(ScenarioClass::Undecided);
-constexpr auto failed = static_cast<std::uint8_t>(ScenarioClass::Failed);
+constexpr auto failed_class = static_cast<std::uint8_t>(ScenarioClass::Failed);
 
 /// A part of the markup: a cell without its height and its class.
 std::string cell(const std::string& x, const std::string& y, const std::string& width) {
@@ -68,7 +68,8 @@ TEST(ClassChart, ClassesHaveAnOrder) {
                     HasSubstr(cell("0.00", "0.00", "1.25") + " height=\"28.00\" class=\"k" +
                               std::to_string(i + 1) + "\""));
     }
-    EXPECT_EQ(svg(ClassChart::strip({failed})), svg(ClassChart::strip({RunOverview::no_result})));
+    EXPECT_EQ(svg(ClassChart::strip({failed_class})),
+              svg(ClassChart::strip({RunOverview::no_result})));
 }
 
 TEST(ClassChart, AGridIsAMapOverItsLongestAxes) {
