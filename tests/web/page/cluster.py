@@ -67,7 +67,6 @@ class Cluster:
         return self.start("cdworker", "--master", self.address, "--name", name, "--threads", "1")
 
     def submit(self, scenes):
-        """Submits a job that takes a while."""
-        words = [self.bin / "cdctl", "submit", *scenes.bodies(), "--random", "60000", "--seed", "3"]
-        words += ["--level", "contacts", "--master", self.address]
-        subprocess.run(list(map(str, words)), check=True, capture_output=True, cwd=scenes.root)
+        """Submits a job that takes minutes."""
+        job = scenes.long_job()
+        self.run("cdctl", "submit", job, "--master", self.address)

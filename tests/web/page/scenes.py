@@ -141,6 +141,16 @@ class Scenes:
         )
         return self.run("grid", job)
 
+    def long_job(self):
+        """Writes a job of 8,000,000 scenarios; returns its file."""
+        self.bodies()
+        return self.job(
+            "long",
+            'name = "long"\nunit = "m"\n[a]\nmesh = "a.obj"\n[b]\nmesh = "b.obj"\n'
+            "[poses]\ngrid = { x = [-2, 2, 200], y = [-2, 2, 200], yaw_deg = [0, 90, 200] }\n"
+            '[query]\nlevel = "count"\n',
+        )
+
     def drive(self):
         rows = [(i, f"{0.1 * i:.1f}", -2.5 + 0.05 * i, round(math.sin(0.2 * i), 4), 0.1, 3 * i) for i in range(100)]
         poses = self.poses("drive", "id,t,x,y,z,yaw_deg", rows)
