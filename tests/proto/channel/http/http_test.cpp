@@ -36,6 +36,7 @@ class HttpEnd {
     HttpReply read() {
         bool is_over = false;
         read_next(is_over);
+        context_.restart(); // An earlier connection may have left it without work.
         while (!is_over) {
             context_.run_one();
         }
