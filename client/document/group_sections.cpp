@@ -21,7 +21,8 @@ std::string regions_text(const Group& group) {
                                  : grouped(group.regions[0]) + " / " + grouped(group.regions[1]);
 }
 
-/// Returns a class of the style sheet for a cell of the matrix: darker for a larger share of the largest.
+/// Returns a class of the style sheet for a cell of the matrix: darker for a larger share of the
+/// largest.
 std::string shade_of(std::uint64_t count, std::uint64_t most) {
     const double share = fraction_of(count, most);
     return count == 0 ? "h0" : share > 0.5 ? "h4" : share > 0.1 ? "h3" : share > 0.01 ? "h2" : "h1";
