@@ -132,8 +132,14 @@ std::vector<Html> GroupSections::row_of(const JudgedGroup& judged, bool has_stat
 
 Html GroupSections::table() const {
     const auto& judged = statuses_.groups();
+    const std::uint64_t inside = overview_.groups().inside();
+    const Html no_group =
+        inside == 0 ? Html()
+                    : paragraph(counted(inside, "scenario") + " inside: no triangles meet, so they "
+                                                              "are in no group.",
+                                "warning");
     if (judged.empty()) {
-        return {};
+        return inside == 0 ? Html() : html_section("Groups", no_group);
     }
     const bool has_status = std::ranges::any_of(
         judged, [](const JudgedGroup& each) { return each.status != GroupStatus::Unjudged; });
@@ -149,7 +155,8 @@ Html GroupSections::table() const {
     for (std::size_t i = 0; i < judged.size() && i < limits::report_groups_max; ++i) {
         rows.push_back(row_of(judged[i], has_status));
     }
-    Html content = html_table(rows, "groups");
+    Html content = no_group;
+    content += html_table(rows, "groups");
     if (judged.size() > limits::report_groups_max) {
         content += paragraph("The table has the first " + grouped(limits::report_groups_max) +
                              " of " + counted(judged.size(), "group") + "; groups.csv has all.");

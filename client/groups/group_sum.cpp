@@ -162,6 +162,7 @@ void GroupSum::limit_triangles() {
 }
 
 void GroupSum::add(const ScenarioResult& result) {
+    inside_ += result.kind == ScenarioClass::Inside ? 1 : 0;
     if (result.pairs.empty()) {
         return;
     }

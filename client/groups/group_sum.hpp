@@ -78,6 +78,8 @@ class GroupSum {
     /// Returns the groups, those in most scenarios first. Takes near-linear time in the number of
     /// vertices and of triangles in contact.
     [[nodiscard]] std::vector<Group> groups() const;
+    /// Number of scenarios inside, which are in no group, since no triangles meet.
+    [[nodiscard]] std::uint64_t inside() const { return inside_; }
     /// Number of pairs of triangles in no group, since there are too many groups.
     [[nodiscard]] std::uint64_t left_out() const { return left_out_; }
 
@@ -124,6 +126,7 @@ class GroupSum {
     std::uint64_t stamp_ = 0;         ///< Number of results added so far.
     std::uint64_t triangles_ = 0;     ///< Number of triangles in all `touched`.
     bool counts_regions_ = true;
+    std::uint64_t inside_ = 0;
     std::uint64_t left_out_ = 0;
 };
 

@@ -131,6 +131,7 @@ TEST_F(FirstHour, ARunIsReportedAndJudgedByAnEarlierOne) {
     const std::string old_run = path("released");
     write_text(folder_ / "free.csv", "x,y,yaw_deg\n9,0,0\n9,0,45\n");
     ASSERT_EQ(type({"run", "--out", old_run}, bodies("free.csv")).exit_code, 0);
+    write_text(folder_ / "poses.csv", "x,y,yaw_deg\n2.8,0,0\n2.8,0.1,45\n9,0,0\n");
     const std::vector<std::string> judged{
         "run", "--out", path("out"), "--baseline", old_run, "--fail-on", "new"};
     const Ran news = type(judged, bodies("poses.csv"));

@@ -7,6 +7,7 @@
 #include "client/compare/scenario_match.hpp"
 #include "client/folder/run_groups.hpp"
 #include "common/core/errors.hpp"
+#include "common/core/printable.hpp"
 #include "common/core/words.hpp"
 
 #include <algorithm>
@@ -75,7 +76,8 @@ void warn_of_pieces(const RunAtHand& run, GroupSum& groups) {
 }
 
 /// Returns how a run compares with its baseline, with the first groups that are new.
-std::string judged_text(const GroupStatuses& statuses, const std::string& baseline) {
+std::string
+judged_text(const GroupStatuses& statuses, const std::string& baseline, std::uint64_t inside) {
     constexpr std::size_t shown_max = 10;
     std::string text = "  baseline      " + baseline + ": ";
     const char* comma = "";
@@ -92,11 +94,15 @@ std::string judged_text(const GroupStatuses& statuses, const std::string& baseli
     std::size_t shown = 0;
     for (const JudgedGroup& each : statuses.groups()) {
         if (GroupStatuses::is_news(each) && shown++ < shown_max) {
-            text += "  new           " + each.group.part_a + " x " + each.group.part_b + ": " +
-                    counted(each.group.scenarios, "scenario") + ", worst #" +
-                    std::to_string(each.group.worst) + " with " +
+            text += "  new           " + escaped(each.group.part_a) + " x " +
+                    escaped(each.group.part_b) + ": " + counted(each.group.scenarios, "scenario") +
+                    ", worst #" + std::to_string(each.group.worst) + " with " +
                     counted(each.group.worst_pairs, "pair") + "\n";
         }
+    }
+    if (inside != 0) {
+        text += "  no group      " + counted(inside, "scenario") +
+                " inside, where no triangles meet: --fail-on new does not see them\n";
     }
     return shown <= shown_max
                ? text
@@ -168,7 +174,7 @@ judge_folder(Judge& judge, const RunCommand& command, const std::string& dir, Th
     auto groups = CD_TRY(groups_of(run.run.records(), meshes_in(run), &InterruptGuard::has_come));
     const GroupStatuses statuses = CD_TRY(judge.judge(run, groups));
     if (judge.has_baseline()) {
-        std::fputs(judged_text(statuses, command.judge.baseline).c_str(),
+        std::fputs(judged_text(statuses, command.judge.baseline, groups.inside()).c_str(),
                    command.output == "text" ? stdout : stderr);
     }
     return statuses.has_news();

@@ -36,9 +36,9 @@ std::string tetrahedron(const std::string& name, double x, int first) {
     return text.str();
 }
 
-class Report : public testing::Test {
+class ReportFile : public testing::Test {
   protected:
-    Report() {
+    ReportFile() {
         report_.run = (folder_ / "out").string();
         report_.out = (folder_ / "r" / "report.html").string();
         report_.threads = 1;
@@ -106,7 +106,7 @@ class Report : public testing::Test {
 
 } // namespace
 
-TEST_F(Report, HasAllItsParts) {
+TEST_F(ReportFile, HasAllItsParts) {
     write_job("wheel_left", "body", "");
     run_job();
     EXPECT_EQ(report(), exit_done) << stderr_;
@@ -131,7 +131,7 @@ TEST_F(Report, HasAllItsParts) {
     EXPECT_THAT(groups(), HasSubstr(",1,2,3,,\n")) << "one episode, from scenario 2 to 3";
 }
 
-TEST_F(Report, NamesOfAnyKindAreText) {
+TEST_F(ReportFile, NamesOfAnyKindAreText) {
     name_ = "<script>alert(1)</script>";
     write_job("<img/src=x/onerror=alert(1)>", "\"'&]]>\u202e" + std::string(10'000, 'x'), "");
     run_job();
@@ -142,7 +142,18 @@ TEST_F(Report, NamesOfAnyKindAreText) {
     EXPECT_THAT(html(), Not(HasSubstr("<img/")));
 }
 
-TEST_F(Report, OfLevelAnySaysThatThereAreNoGroups) {
+TEST_F(ReportFile, SaysThatInsidesAreInNoGroup) {
+    write_job("wheel_left", "body", "");
+    write_text(folder_ / "b.obj",
+               "g post\nv 0 0 0\nv 0.1 0 0\nv 0 0.1 0\nv 0 0 0.1\n"
+               "f 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");
+    write_text(folder_ / "poses.csv", "x,y,z\n0.2,0.2,0.2\n9,9,9\n");
+    run_job();
+    EXPECT_EQ(report(), exit_done) << stderr_;
+    EXPECT_THAT(html(), HasSubstr("1 scenario inside: no triangles meet"));
+}
+
+TEST_F(ReportFile, OfLevelAnySaysThatThereAreNoGroups) {
     write_job("wheel_left", "body", "level = \"any\"");
     run_job();
     EXPECT_EQ(report(), exit_done) << stderr_;
@@ -154,7 +165,7 @@ TEST_F(Report, OfLevelAnySaysThatThereAreNoGroups) {
     EXPECT_EQ(report(), exit_usage);
 }
 
-TEST_F(Report, OfAGridHasAMap) {
+TEST_F(ReportFile, OfAGridHasAMap) {
     poses_ = "[poses]\ngrid = { x = [-1, 7, 9], yaw_deg = [0, 90, 2] }";
     write_job("wheel_left", "body", "");
     run_job();
@@ -165,7 +176,7 @@ TEST_F(Report, OfAGridHasAMap) {
     EXPECT_THAT(html(), Not(HasSubstr("95 % interval")));
 }
 
-TEST_F(Report, OfRandomPosesSaysThatTheyWerePushed) {
+TEST_F(ReportFile, OfRandomPosesSaysThatTheyWerePushed) {
     poses_ = "[poses]\nrandom = { n = 5, seed = 1 }";
     write_job("wheel_left", "body", "");
     run_job();
@@ -175,7 +186,7 @@ TEST_F(Report, OfRandomPosesSaysThatTheyWerePushed) {
     EXPECT_THAT(html(), Not(HasSubstr("95 % interval")));
 }
 
-TEST_F(Report, SaysWhereBCoincidesWithA) {
+TEST_F(ReportFile, SaysWhereBCoincidesWithA) {
     poses_ = "[poses]\ngrid = { x = [-9, 9, 3] }";
     write_job("wheel_left", "body", "");
     write_text(folder_ / "b.obj", read_text(folder_ / "a.obj"));
@@ -184,7 +195,7 @@ TEST_F(Report, SaysWhereBCoincidesWithA) {
     EXPECT_THAT(html(), HasSubstr("B coincides with A in 1 scenario: #1"));
 }
 
-TEST_F(Report, ShowsWhatPeopleDecided) {
+TEST_F(ReportFile, ShowsWhatPeopleDecided) {
     write_job("wheel_left", "body", "");
     run_job();
     report_.judge.statuses = (folder_ / "s.toml").string();
@@ -200,7 +211,7 @@ TEST_F(Report, ShowsWhatPeopleDecided) {
     EXPECT_THAT(groups(), HasSubstr(",approved,wanted\n"));
 }
 
-TEST_F(Report, OfCutListsGivesNoShares) {
+TEST_F(ReportFile, OfCutListsGivesNoShares) {
     write_job("wheel_left", "body", "limit_pairs = 1");
     run_job();
     EXPECT_EQ(report(), exit_done) << stderr_;
@@ -208,7 +219,7 @@ TEST_F(Report, OfCutListsGivesNoShares) {
     EXPECT_THAT(groups(), HasSubstr(",cross,1,,1,"));
 }
 
-TEST_F(Report, JudgesARunByItsBaseline) {
+TEST_F(ReportFile, JudgesARunByItsBaseline) {
     write_job("wheel_left", "body", "");
     run_job();
     fs::rename(folder_ / "out", folder_ / "old");
@@ -232,7 +243,7 @@ TEST_F(Report, JudgesARunByItsBaseline) {
     EXPECT_THAT(groups(), Not(HasSubstr("new")));
 }
 
-TEST_F(Report, AGroupIsNotComparableIfAScenarioOfItIsGone) {
+TEST_F(ReportFile, AGroupIsNotComparableIfAScenarioOfItIsGone) {
     write_job("wheel_left", "body", "");
     run_job();
     fs::rename(folder_ / "out", folder_ / "old");
@@ -244,7 +255,7 @@ TEST_F(Report, AGroupIsNotComparableIfAScenarioOfItIsGone) {
     EXPECT_THAT(groups(), HasSubstr(",not comparable,\n"));
 }
 
-TEST_F(Report, ABaselineIsNeededForNews) {
+TEST_F(ReportFile, ABaselineIsNeededForNews) {
     write_job("wheel_left", "body", "");
     run_job();
     report_.fail_on.news = true;
@@ -256,7 +267,7 @@ TEST_F(Report, ABaselineIsNeededForNews) {
     EXPECT_THAT(stderr_, HasSubstr("there is no folder"));
 }
 
-TEST_F(Report, PiecesAreWarnedOf) {
+TEST_F(ReportFile, PiecesAreWarnedOf) {
     write_job("wheel_left", "wheel_left", "");
     write_text(folder_ / "a.obj",
                tetrahedron("", 0, 1).substr(2) + tetrahedron("", 5, 5).substr(2));
@@ -267,7 +278,7 @@ TEST_F(Report, PiecesAreWarnedOf) {
     EXPECT_THAT(groups(), HasSubstr("\na,piece 2,b,"));
 }
 
-TEST_F(Report, FailsOnWhatIsAsked) {
+TEST_F(ReportFile, FailsOnWhatIsAsked) {
     write_job("wheel_left", "body", "");
     run_job();
     report_.fail_on.touch = true;
@@ -277,7 +288,7 @@ TEST_F(Report, FailsOnWhatIsAsked) {
     EXPECT_EQ(report(), exit_done);
 }
 
-TEST_F(Report, DrawsLargePicturesIntoAFolder) {
+TEST_F(ReportFile, DrawsLargePicturesIntoAFolder) {
     write_job("wheel_left", "body", "");
     run_job();
     report_.pictures = (folder_ / "pictures").string();

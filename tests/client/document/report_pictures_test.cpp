@@ -94,7 +94,10 @@ TEST(ReportPictures, AFolderGetsLargeOnes) {
 
 TEST(ReportPictures, StayWithinTheirLimit) {
     ReportPictures pictures({});
-    const std::vector<ScenarioResult> many(400, two_results()[0]);
+    std::vector<ScenarioResult> many(400, two_results()[0]);
+    for (ScenarioResult& result : many) {
+        result.pairs.clear(); // Then no picture looks for the best direction.
+    }
     ASSERT_TRUE(pictures.draw(two_poses(), many, {}));
     std::size_t bytes = 0;
     for (const auto* list : {&pictures.bodies(), &pictures.scenarios()}) {

@@ -226,6 +226,7 @@ TEST(GroupSum, ARunWithoutContactHasNoGroups) {
     GroupSum sum({share(two_parts()), share(two_parts())});
     sum.add(result_of(0, {}, ScenarioClass::Inside));
     EXPECT_THAT(sum.groups(), IsEmpty());
+    EXPECT_EQ(sum.inside(), 1u);
     EXPECT_THAT(sum.most_touched(), IsEmpty());
     EXPECT_EQ(sum.parts(1).count(), 2u);
 }
