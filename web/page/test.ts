@@ -4,7 +4,7 @@ import { parseNpy } from "./src/base/npy";
 import { apply, compose, inverse, placementOf } from "./src/base/pose";
 import { parseRoute, scenarioLink } from "./src/base/route";
 import type { Vec3 } from "./src/base/types";
-import { grouped, percent, shellWord } from "./src/base/words";
+import { bytesOf, grouped, percent, shellWord } from "./src/base/words";
 import { episodesOf } from "./src/job/episodes";
 import { Grid, gridCells } from "./src/job/grid";
 import { wilson } from "./src/job/groups";
@@ -141,6 +141,8 @@ same("beside all", nearestTriangle(corners, { ...ray, origin: [9, 9, 5] }, () =>
 // Words.
 same("groups of digits", grouped(1234567), "1\u202f234\u202f567");
 same("shares", [percent(0.061), percent(0), percent(0.00001)], ["6.1\u202f%", "0\u202f%", "<\u202f0.1\u202f%"]);
+same("a part of a whole", bytesOf(1.8 * 2 ** 30, 4 * 2 ** 30), "1.8 of 4.00\u202fGiB");
+same("a tiny part of a whole", bytesOf(2048, 2 ** 30), "2.00\u202fKiB of 1.00\u202fGiB");
 same("a word for the shell", [shellWord("/tmp/out"), shellWord("it's here")], ["/tmp/out", "'it'\\''s here'"]);
 
 if (failures > 0) {

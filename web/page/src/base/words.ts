@@ -41,8 +41,11 @@ export function wireRate(value: number): string {
     return `${scaled(value, 1000, ["B", "kB", "MB", "GB"])}/s`;
 }
 
-/** A part of a whole, both in the whole's unit: 1.8 of 4.0 GiB. */
+/** A part of a whole, in the whole's unit unless the part is tiny: 1.8 of 4.0 GiB. */
 export function bytesOf(part: number, whole: number): string {
+    if (part < 0.01 * whole) {
+        return `${bytes(part)} of ${bytes(whole)}`;
+    }
     const [number, unit] = bytes(whole).split(thin);
     return `${(part / (whole / Number(number))).toPrecision(2)} of ${number}${thin}${unit}`;
 }

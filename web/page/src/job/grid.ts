@@ -7,6 +7,7 @@ import type { PlotAxis } from "./plot_model";
 import type { Results } from "./results";
 
 const cellsMax = 512;
+const sampledCellsMax = 40; // So that most cells hold some of a sample.
 
 /** The axes of a grid, the slowest first, with each one's step in the scenarios' numbers. */
 export class Grid {
@@ -58,8 +59,9 @@ export class Grid {
  * sample all elements are shown, whatever their other axes.
  */
 export function gridCells(grid: Grid, results: Results, x: number, y: number, fixed: number[]): Cells {
-    const columns = Math.min(cellsMax, grid.axes[x].count);
-    const rows = Math.min(cellsMax, grid.axes[y].count);
+    const most = results.isExact ? cellsMax : sampledCellsMax;
+    const columns = Math.min(most, grid.axes[x].count);
+    const rows = Math.min(most, grid.axes[y].count);
     const cells = new Cells(results, grid.plotAxis(x), grid.plotAxis(y), columns, rows, false, (scenario) =>
         grid.describe(scenario),
     );
