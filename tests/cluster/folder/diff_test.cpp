@@ -135,7 +135,7 @@ TEST_F(DiffOfRuns, ScenariosAreMatchedByIdThenByPose) {
               std::string("scenario,scenario_old,body_a,body_b,class_old,class,count_old,count,"
                           "change")
                   .size());
-    write_text(folder_ / "poses.csv", "x\n-4.3\n1\n9\n9\n");
+    write_text(folder_ / "poses.csv", "x\n1\n-4.3\n9\n9\n");
     run_into("new");
     json = diff_json();
     EXPECT_EQ(json["matched_by"], "poses");
