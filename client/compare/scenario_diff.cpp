@@ -63,7 +63,7 @@ std::string_view ScenarioDiff::change_of(const PairedResult& pair) const {
     if (!is_of_level_any(was, is) && was.pair_count != is.pair_count) {
         return "count";
     }
-    return options_.compares_pairs && was.pairs != is.pairs ? "pairs" : "";
+    return options_.compares_pairs && was.level == is.level && was.pairs != is.pairs ? "pairs" : "";
 }
 
 Status ScenarioDiff::add(const PairedResult& pair) {

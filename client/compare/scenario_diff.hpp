@@ -18,7 +18,8 @@ namespace cd {
 
 /// What is compared of a scenario's two results.
 struct ScenarioDiffOptions {
-    /// Also the listed pairs of triangles: for equal meshes and queries.
+    /// Also the listed pairs of triangles: for equal meshes and queries. Results of two levels are
+    /// compared without their pairs in any case.
     bool compares_pairs = false;
     std::vector<std::string> bodies; ///< Names of the later run's bodies.
 };

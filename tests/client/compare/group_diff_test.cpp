@@ -247,6 +247,7 @@ TEST_F(Diff, TheTextShowsTwentyGroupsOfAState) {
     report.bodies = {"a", "b"};
     report.has_groups = true;
     report.scenarios.in_both = 1'234;
+    report.scenarios.comparable = 1'234;
     report.scenarios.outcomes[0][2] = 17;
     for (int i = 0; i < 23; ++i) {
         ChangedGroup& group = report.groups.emplace_back();
