@@ -10,9 +10,8 @@ body { font: 10pt/1.4 sans-serif; color: #111; max-width: 190mm; margin: 0 auto;
   print-color-adjust: exact; -webkit-print-color-adjust: exact }
 h1 { font-size: 17pt; margin: 0 } h2 { font-size: 13pt; margin: 8mm 0 2mm; break-after: avoid }
 table { border-collapse: collapse; margin: 2mm 0; font-size: 9pt }
-th, td { border: 1px solid #bbb; padding: 1px 5px; text-align: left; vertical-align: top;
-  overflow-wrap: anywhere }
-th { background: #eee } tr { break-inside: avoid }
+th, td { border: 1px solid #bbb; padding: 1px 5px; text-align: left; vertical-align: top }
+td { overflow-wrap: anywhere } th { background: #eee } tr { break-inside: avoid }
 .numbers td { text-align: right } .numbers td:first-child { text-align: left }
 .verdict { font-size: 13pt; margin: 3mm 0 } .bad { color: #a01010 } .good { color: #206020 }
 .cards { display: grid; grid-template-columns: 1fr 1fr; gap: 4mm }
