@@ -5,6 +5,7 @@
 #include "client/groups/groups_csv.hpp"
 #include "client/spec/status_file.hpp"
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -24,6 +25,14 @@ enum class GroupStatus : std::uint8_t {
     Reviewed,      ///< Said by people.
     Approved,
 };
+
+/// The statuses that a judged group can have, in the order of summaries.
+inline constexpr std::array judged_statuses{GroupStatus::New,
+                                            GroupStatus::Active,
+                                            GroupStatus::Resolved,
+                                            GroupStatus::NotComparable,
+                                            GroupStatus::Reviewed,
+                                            GroupStatus::Approved};
 
 [[nodiscard]] std::string_view to_text(GroupStatus status);
 

@@ -186,12 +186,7 @@ Html GroupSections::against(const BaselineNote& baseline) const {
     content += paragraph("The baseline is " + baseline.name + ", digest " + baseline.digest + ".");
     std::vector<std::string> head;
     std::vector<std::string> counts;
-    for (const GroupStatus status : {GroupStatus::New,
-                                     GroupStatus::Active,
-                                     GroupStatus::Resolved,
-                                     GroupStatus::NotComparable,
-                                     GroupStatus::Reviewed,
-                                     GroupStatus::Approved}) {
+    for (const GroupStatus status : judged_statuses) {
         head.emplace_back(to_text(status));
         counts.push_back(grouped(statuses_.count(status)));
     }

@@ -81,12 +81,7 @@ judged_text(const GroupStatuses& statuses, const std::string& baseline, std::uin
     constexpr std::size_t shown_max = 10;
     std::string text = "  baseline      " + baseline + ": ";
     const char* comma = "";
-    for (const GroupStatus status : {GroupStatus::New,
-                                     GroupStatus::Active,
-                                     GroupStatus::Resolved,
-                                     GroupStatus::NotComparable,
-                                     GroupStatus::Reviewed,
-                                     GroupStatus::Approved}) {
+    for (const GroupStatus status : judged_statuses) {
         text += comma + std::string(to_text(status)) + " " + grouped(statuses.count(status));
         comma = ", ";
     }
