@@ -17,7 +17,7 @@ constexpr std::array<std::string_view, 7> status_names{
 /// What makes a group the same in two runs.
 using SameGroup = std::tuple<std::uint32_t, std::uint32_t, std::string, std::string>;
 
-SameGroup key_of(const Group& group) {
+SameGroup names_of(const Group& group) {
     return {group.body_a, group.body_b, group.part_a, group.part_b};
 }
 
@@ -64,10 +64,10 @@ void GroupStatuses::add_baseline(const Baseline& baseline) {
     std::map<SameGroup, std::size_t> places;
     for (JudgedGroup& group : groups_) {
         group.status = GroupStatus::New;
-        places.emplace(key_of(group.group), places.size());
+        places.emplace(names_of(group.group), places.size());
     }
     for (const Group& group : baseline.groups) {
-        const auto found = places.find(key_of(group));
+        const auto found = places.find(names_of(group));
         const bool is_here = found != places.end();
         JudgedGroup& judged = is_here ? groups_[found->second] : groups_.emplace_back();
         judged.is_in_baseline = true;

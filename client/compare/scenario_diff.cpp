@@ -17,7 +17,7 @@ std::size_t outcome_of(const ScenarioResult* result) {
 }
 
 /// True if a class is one that level any reports as contact.
-bool is_contact(ScenarioClass kind) {
+bool is_surface_contact(ScenarioClass kind) {
     return kind == ScenarioClass::Touch || kind == ScenarioClass::Cross ||
            kind == ScenarioClass::Contact;
 }
@@ -27,8 +27,8 @@ bool is_of_level_any(const ScenarioResult& was, const ScenarioResult& is) {
 }
 
 bool has_same_class(const ScenarioResult& was, const ScenarioResult& is) {
-    return was.kind == is.kind ||
-           (is_of_level_any(was, is) && is_contact(was.kind) && is_contact(is.kind));
+    return was.kind == is.kind || (is_of_level_any(was, is) && is_surface_contact(was.kind) &&
+                                   is_surface_contact(is.kind));
 }
 
 void add_count(TextBuffer& row, const ScenarioResult* result) {

@@ -11,7 +11,7 @@ namespace cd {
 
 namespace {
 
-ScenarioKey key_of(const Sha256& hash) {
+ScenarioKey first_bytes_of(const Sha256& hash) {
     ScenarioKey key;
     std::memcpy(&key.high, hash.bytes.data(), sizeof key.high);
     std::memcpy(&key.low, hash.bytes.data() + sizeof key.high, sizeof key.low);
@@ -25,11 +25,11 @@ ScenarioKey key_of(const PosePair& poses) {
     alone.poses = poses;
     PosesHash hash;
     hash.add({&alone, 1});
-    return key_of(hash.finish());
+    return first_bytes_of(hash.finish());
 }
 
 ScenarioKey key_of(std::string_view id) {
-    return key_of(sha256(std::as_bytes(std::span(id))));
+    return first_bytes_of(sha256(std::as_bytes(std::span(id))));
 }
 
 Result<ScenarioKeys> ScenarioKeys::for_run(std::uint64_t scenarios) {

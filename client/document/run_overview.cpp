@@ -59,9 +59,4 @@ void RunOverview::add_to_worst(const ScenarioResult& result) {
     worst_.resize(std::min(worst_.size(), worst_max));
 }
 
-bool is_contact(ScenarioClass kind) {
-    return kind == ScenarioClass::Touch || kind == ScenarioClass::Cross ||
-           kind == ScenarioClass::Inside || kind == ScenarioClass::Contact;
-}
-
 } // namespace cd

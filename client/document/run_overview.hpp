@@ -65,7 +65,4 @@ class RunOverview {
     std::vector<FailedScenario> failures_;
 };
 
-/// True for the classes in which the bodies share a point.
-[[nodiscard]] bool is_contact(ScenarioClass kind);
-
 } // namespace cd

@@ -42,18 +42,6 @@ void count(Summary& summary, const ScenarioResult& result) {
     summary.cut += result.is_cut() ? 1 : 0;
 }
 
-bool is_contact(std::uint8_t number) {
-    switch (static_cast<ScenarioClass>(number)) {
-    case ScenarioClass::Touch:
-    case ScenarioClass::Cross:
-    case ScenarioClass::Inside:
-    case ScenarioClass::Contact:
-        return true;
-    default:
-        return false;
-    }
-}
-
 /// The sums of all threads, and their first error.
 struct Sums {
     std::mutex mutex;
@@ -117,7 +105,7 @@ std::optional<std::uint64_t> RecordIndex::next_contact(
     std::uint64_t scenario = std::min(from, is_backwards ? total : total - 1);
     while (is_backwards ? scenario > 0 : scenario + 1 < total) {
         scenario += is_backwards ? std::uint64_t(-1) : 1;
-        if (is_contact(classes_[scenario]) && fits(scenario)) {
+        if (is_contact(static_cast<ScenarioClass>(classes_[scenario])) && fits(scenario)) {
             return scenario;
         }
     }

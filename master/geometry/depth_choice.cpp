@@ -9,9 +9,9 @@ namespace cd {
 namespace {
 
 /// Nodes of a cut, as indices into the tree.
-using Cut = std::vector<std::uint32_t>;
+using CutNodes = std::vector<std::uint32_t>;
 
-CutSize size_of(const ObbTree& tree, const Cut& cut) {
+CutSize size_of(const ObbTree& tree, const CutNodes& cut) {
     CutSize size{cut.size(), 0};
     double squares = 0;
     double triangles = 0;
@@ -24,8 +24,8 @@ CutSize size_of(const ObbTree& tree, const Cut& cut) {
     return size;
 }
 
-Cut one_deeper(const ObbTree& tree, const Cut& cut) {
-    Cut deeper;
+CutNodes one_deeper(const ObbTree& tree, const CutNodes& cut) {
+    CutNodes deeper;
     deeper.reserve(2 * cut.size());
     for (const std::uint32_t node : cut) {
         if (tree.nodes()[node].is_leaf()) {
@@ -42,10 +42,10 @@ Cut one_deeper(const ObbTree& tree, const Cut& cut) {
 
 std::vector<CutSize> cut_sizes(const ObbTree& tree) {
     std::vector<CutSize> sizes;
-    Cut cut{0};
+    CutNodes cut{0};
     for (std::uint32_t depth = 0; depth <= limits::distribution_depth_max; ++depth) {
         sizes.push_back(size_of(tree, cut));
-        Cut deeper = one_deeper(tree, cut);
+        CutNodes deeper = one_deeper(tree, cut);
         if (deeper.size() == cut.size() || cut.size() > limits::roots_chosen_max) {
             break;
         }

@@ -30,6 +30,12 @@ enum class ScenarioClass : std::uint8_t {
 
 [[nodiscard]] std::string_view to_text(ScenarioClass value);
 
+/// True for the classes in which the bodies share a point.
+[[nodiscard]] constexpr bool is_contact(ScenarioClass kind) {
+    return kind == ScenarioClass::Touch || kind == ScenarioClass::Cross ||
+           kind == ScenarioClass::Inside || kind == ScenarioClass::Contact;
+}
+
 struct ScenarioResult {
     std::uint64_t index = 0;
     std::uint32_t body_a = 0;

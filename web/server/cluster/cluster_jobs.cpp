@@ -85,11 +85,6 @@ PosesView poses_view(const Submit& submit) {
             poses.of_both_bodies};
 }
 
-bool is_contact(ScenarioClass kind) {
-    return kind == ScenarioClass::Touch || kind == ScenarioClass::Cross ||
-           kind == ScenarioClass::Inside || kind == ScenarioClass::Contact;
-}
-
 Result<PartFilter>
 filter_of(ClusterReader& reader, const PagedJob& job, const NextContact& wanted) {
     if (wanted.part_a.empty() && wanted.part_b.empty()) {
