@@ -8,6 +8,7 @@
 #include "tests/proto/http_ask.hpp"
 #include "tests/support/comes_true.hpp"
 #include "tests/support/shapes.hpp"
+#include "tests/support/terminal.hpp"
 
 #include <gmock/gmock.h>
 
@@ -20,33 +21,42 @@ namespace {
 using testing::HasSubstr;
 namespace fs = std::filesystem;
 
+/// A page that a program of this machine serves.
+struct PageAddress {
+    std::uint16_t port = 0;
+    std::string key;
+
+    [[nodiscard]] HttpReply get(const std::string& target) const {
+        return http_ask(
+            port,
+            request_text("GET", "/api/v1/" + target, "Authorization: Bearer " + key + "\r\n"));
+    }
+};
+
+/// Finds the address that a program printed on a line of its own.
+std::optional<PageAddress> find_page(const std::string& text) {
+    static const std::regex form("http://127.0.0.1:([0-9]+)/#key=([0-9a-f]{32})\r?\n");
+    std::smatch found;
+    if (!std::regex_search(text, found, form)) {
+        return std::nullopt;
+    }
+    return PageAddress{static_cast<std::uint16_t>(std::stoi(found[1].str())), found[2].str()};
+}
+
 /// A running `cdctl view`.
 class Viewing {
   public:
     Viewing(const TemporaryFolder& folder, std::vector<std::string> words)
         : process_(command(std::move(words)), folder_of(folder)) {
-        std::smatch found;
-        std::string text;
         EXPECT_TRUE(comes_true([&] {
-            text = process_.output();
-            return std::regex_search(
-                       text,
-                       found,
-                       std::regex("http://127.0.0.1:([0-9]+)/#key=([0-9a-f]{32})\n")) ||
-                   !process_.is_running();
+            const auto page = find_page(process_.output());
+            page_ = page.value_or(page_);
+            return page || !process_.is_running();
         })) << process_.errors();
-        if (!found.empty()) {
-            port_ = static_cast<std::uint16_t>(std::stoi(found[1].str()));
-            key_ = found[2].str();
-        }
     }
 
-    [[nodiscard]] HttpReply get(const std::string& target) const {
-        return http_ask(
-            port_,
-            request_text("GET", "/api/v1/" + target, "Authorization: Bearer " + key_ + "\r\n"));
-    }
-    [[nodiscard]] std::uint16_t port() const { return port_; }
+    [[nodiscard]] HttpReply get(const std::string& target) const { return page_.get(target); }
+    [[nodiscard]] std::uint16_t port() const { return page_.port; }
     [[nodiscard]] Process& process() { return process_; }
 
   private:
@@ -60,8 +70,7 @@ class Viewing {
     }
 
     Process process_;
-    std::uint16_t port_ = 0;
-    std::string key_;
+    PageAddress page_;
 };
 
 std::string first_job(const HttpReply& jobs) {
@@ -273,6 +282,41 @@ TEST(PageOfAFolder, DataNeedTheKeyAndAnInterruptEndsTheProgram) {
     EXPECT_EQ(http_ask(viewing.port(), request_text("GET", "/")).status, 200);
     viewing.process().signal(SIGINT);
     EXPECT_EQ(viewing.process().wait(), 0);
+}
+
+TEST(PageOfTheDemo, OnATerminalTheDemoShowsItsPageUntilAnInterrupt) {
+    const TemporaryFolder folder;
+    write_obj(folder / "car.obj", make_torus(2, 0.8, 60, 30));
+    write_obj(folder / "post.obj", make_box({0.2, 0.2, 1}));
+    Terminal terminal;
+    const std::string cache = folder / "cache";
+    Process demo({"/bin/sh",
+                  "-c",
+                  "unset DISPLAY WAYLAND_DISPLAY; XDG_CACHE_HOME=$1 exec \"$2\" demo --a \"$3\" "
+                  "--b \"$4\" --scenarios 20 >\"$5\"",
+                  "sh",
+                  cache,
+                  cdctl(),
+                  folder / "car.obj",
+                  folder / "post.obj",
+                  terminal.device()},
+                 folder / "demo");
+    std::optional<PageAddress> page;
+    EXPECT_TRUE(comes_true([&] {
+        page = find_page(terminal.text());
+        return page || !demo.is_running();
+    }));
+    ASSERT_TRUE(page) << terminal.text() << demo.errors();
+    EXPECT_THAT(terminal.text(), HasSubstr("tested 20 of 20"));
+    const std::string job = first_job(page->get("jobs"));
+    EXPECT_EQ(classes_in(page->get("jobs/" + job + "/classes?first=0&count=20")).size(), 20u);
+    EXPECT_EQ(page->get("jobs/" + job + "/map/0").status, 200);
+    EXPECT_TRUE(demo.is_running());
+    demo.signal(SIGINT);
+    EXPECT_EQ(demo.wait(), 0) << demo.errors();
+    for (const char* log : {"master.log", "worker-1.log", "worker-2.log"}) {
+        EXPECT_THAT(read_text(fs::path(cache) / "cdcluster/demo-logs" / log), HasSubstr("ended: "));
+    }
 }
 
 } // namespace cd::tests
