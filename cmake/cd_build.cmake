@@ -15,7 +15,7 @@ find_program(CD_CCACHE ccache)
 if(CD_CCACHE)
     # One cache serves every checkout and build folder.
     set(CMAKE_CXX_COMPILER_LAUNCHER
-        "${CMAKE_COMMAND};-E;env;CCACHE_BASEDIR=${CMAKE_SOURCE_DIR};CCACHE_NOHASHDIR=1;${CD_CCACHE}")
+        "${CMAKE_COMMAND};-E;env;CCACHE_BASEDIR=${CMAKE_SOURCE_DIR};CCACHE_NOHASHDIR=1;CCACHE_SLOPPINESS=pch_defines,time_macros;${CD_CCACHE}")
 endif()
 find_program(CD_MOLD mold)
 if(CD_MOLD)
@@ -78,6 +78,21 @@ function(cd_add_library name)
     add_library(${name} STATIC ${sources})
     target_link_libraries(${name} PUBLIC cd_flags ${arg_PUBLIC} PRIVATE ${arg_PRIVATE})
     cd_unity(${name})
+endfunction()
+
+# cd_precompile(TARGET [FROM]): in unity builds, compiles the dear headers that most files of TARGET include
+# once, or takes them from the target FROM, which must have the same options. Others compile each header
+# where it is included, so that a missing #include is found.
+function(cd_precompile target)
+    if(NOT CMAKE_UNITY_BUILD)
+        return()
+    elseif(ARGC EQUAL 2)
+        target_precompile_headers(${target} REUSE_FROM ${ARGV1})
+    else()
+        target_precompile_headers(${target} PRIVATE "${CMAKE_SOURCE_DIR}/proto/channel/asio.hpp"
+            "${CMAKE_SOURCE_DIR}/common/geometry/types.hpp" <chrono> <filesystem> <functional> <map> <memory>
+            <optional> <span> <string> <vector>)
+    endif()
 endfunction()
 
 # cd_add_program(NAME LIBRARY): a program of main.cpp in the calling folder, built into bin/.
