@@ -182,6 +182,12 @@ class Browser:
         shot = self.driver.execute_cdp_cmd("Page.captureScreenshot", {"format": "png"})
         (self.pictures / f"{name}.png").write_bytes(base64.b64decode(shot["data"]))
 
+    def picture_of(self, name, left, top, width, height):
+        """Keeps a picture of a rectangle of the page."""
+        clip = {"x": left, "y": top, "width": width, "height": height, "scale": 1}
+        shot = self.driver.execute_cdp_cmd("Page.captureScreenshot", {"format": "png", "clip": clip})
+        (self.pictures / f"{name}.png").write_bytes(base64.b64decode(shot["data"]))
+
     def collect(self):
         """Takes over what the browser noted since the last call."""
         self.messages += [f"{entry['level']}: {entry['message']}" for entry in self.driver.get_log("browser")]
