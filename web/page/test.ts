@@ -1,4 +1,5 @@
 /** Tests of the page's parts that need no browser: `npm test`. */
+import { HeldAnswers } from "./src/base/held";
 import { parseMesh, partOf } from "./src/base/mesh";
 import { parseNpy } from "./src/base/npy";
 import { apply, compose, inverse, placementOf } from "./src/base/pose";
@@ -14,6 +15,7 @@ import { worstInBins } from "./src/job/strip";
 import { highlightsOf } from "./src/viewer/contacts_view";
 import { heatByte } from "./src/viewer/heat";
 import { nearestTriangle } from "./src/viewer/pick";
+import { Scenarios } from "./src/viewer/scenarios";
 import { readState, startState, writeState } from "./src/viewer/view_state";
 
 let failures = 0;
@@ -137,6 +139,33 @@ const ray = { origin: [0, 0, 5] as Vec3, direction: [0, 0, -1] as Vec3 };
 same("the nearest triangle", nearestTriangle(corners, ray, () => false), { triangle: 2, distance: 2 });
 same("behind a section", nearestTriangle(corners, ray, (distance) => distance < 2.5)?.triangle, 1);
 same("beside all", nearestTriangle(corners, { ...ray, origin: [9, 9, 5] }, () => false), null);
+
+// The scenarios of a job, and of a report.
+const all = new Scenarios(4);
+same("all places", [all.count, all.at(-1), all.at(2), all.at(9), all.placeOf(9)], [4, 0, 2, 3, 3]);
+const worst = new Scenarios(100, [40, 7, 90]);
+same("chosen places", [worst.count, worst.at(-1), worst.at(1), worst.at(9)], [3, 7, 40, 90]);
+same("places of scenarios", [7, 40, 0, 60, 99].map((one) => worst.placeOf(one)), [0, 1, 0, 1, 2]);
+
+// The answers in a report.
+async function packed(text: string): Promise<string> {
+    const stream = new Blob([text]).stream().pipeThrough(new CompressionStream("gzip"));
+    return btoa(String.fromCharCode(...new Uint8Array(await new Response(stream).arrayBuffer())));
+}
+const words = await packed("words");
+const block = (cut: boolean) => ({ base64: () => words, cut });
+const held = new HeldAnswers(
+    new Map([
+        ["jobs/j-1/scenarios/7", block(false)],
+        ["jobs/j-1/scenarios/7/pairs", block(true)],
+        ["jobs/j-1/scenarios/3", block(false)],
+    ]),
+);
+same("held scenarios", held.scenarios, [7, 3]);
+const answered = await held.answer("jobs/j-1/scenarios/7/pairs");
+same("a held answer", [new TextDecoder().decode(answered.bytes), answered.cut], ["words", true]);
+const missing = await held.answer("jobs/j-1/scenarios/4").catch((error) => error.status);
+same("what a report lacks", missing, 404);
 
 // Words.
 same("groups of digits", grouped(1234567), "1\u202f234\u202f567");

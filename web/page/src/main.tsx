@@ -1,15 +1,16 @@
 import { render } from "preact";
-import { useEffect, useState } from "preact/hooks";
+import { useEffect, useMemo, useState } from "preact/hooks";
 import "./app.css";
-import { getJson, messageOf, takeKey } from "./base/api";
+import { answerFrom, getJson, getText, messageOf, takeKey } from "./base/api";
 import { publishFacts, tellFacts } from "./base/facts";
-import { forgetNotes, jobLink, noteLink, parseRoute, type Route } from "./base/route";
+import { HeldAnswers } from "./base/held";
+import { forgetNotes, jobLink, noteLink, parseRoute, type Route, scenarioLink } from "./base/route";
 import { startTheme } from "./base/theme";
 import type { Source } from "./base/types";
 import { ClusterScreen } from "./screens/cluster";
 import { JobScreen } from "./screens/job";
 import { JobsScreen } from "./screens/jobs";
-import { ViewerScreen } from "./screens/viewer";
+import { type Report, ViewerScreen } from "./screens/viewer";
 import { Shell } from "./ui/shell";
 import { Notice } from "./ui/small";
 
@@ -17,24 +18,31 @@ function homeOf(source: Source): string {
     return source.job === null ? "#/cluster" : jobLink(source.job);
 }
 
-/** The screen that the address names, below the bar. */
-function Screens({ source }: { source: Source }) {
+/** What the address names, and a function that reads it again. */
+function useRoute(): [Route, () => void] {
     const [route, setRoute] = useState(() => parseRoute(location.hash));
+    const read = () => setRoute(parseRoute(location.hash));
     useEffect(() => {
         const follow = () => {
             forgetNotes();
             takeKey();
-            setRoute(parseRoute(location.hash));
+            read();
         };
         addEventListener("hashchange", follow);
         return () => removeEventListener("hashchange", follow);
     }, []);
+    return [route, read];
+}
+
+/** The screen that the address names, below the bar. */
+function Screens({ source }: { source: Source }) {
+    const [route, readRoute] = useRoute();
     useEffect(() => tellFacts("route", () => ({ screen: route.screen, link: location.hash })), [route]);
     const isHome = location.hash.replace(/^#\/?/, "") === "";
     useEffect(() => {
         if (isHome) {
             noteLink(homeOf(source));
-            setRoute(parseRoute(location.hash));
+            readRoute();
         }
     }, [isHome]);
     return (
@@ -77,10 +85,32 @@ function Page() {
     return <Screens source={source} />;
 }
 
+/** The viewer alone; it begins with the worst scenario. */
+function ReportViewer({ source, report }: { source: Source; report: Report }) {
+    const [route] = useRoute();
+    const first = useMemo(() => parseRoute(scenarioLink(source.job ?? "", report.scenarios[0])), []);
+    return <ViewerScreen source={source} route={route.screen === "viewer" ? route : first} report={report} />;
+}
+
+/** Shows the viewer of a report in place of the words in `host`. Neither's style sheet is the other's. */
+async function startInReport(host: HTMLElement, held: HeldAnswers): Promise<void> {
+    answerFrom((path) => held.answer(path));
+    const source = await getJson<Source>("source");
+    const sheet = new CSSStyleSheet();
+    sheet.replaceSync(await getText("app.css"));
+    const shadow = host.attachShadow({ mode: "open" });
+    shadow.adoptedStyleSheets = [sheet];
+    const root = shadow.appendChild(document.createElement("div"));
+    render(<ReportViewer source={source} report={{ scenarios: held.scenarios, root }} />, root);
+}
+
 publishFacts();
-startTheme();
-takeKey();
 const root = document.getElementById("page");
-if (root) {
+const held = HeldAnswers.of(document);
+if (root && held) {
+    void startInReport(root, held);
+} else if (root) {
+    startTheme();
+    takeKey();
     render(<Page />, root);
 }

@@ -1,5 +1,11 @@
-/** Reads from the server that served this page. All answers are read-only (GET). */
+/** Reads from the server that served this page, or from the file that holds it. */
 import { type NpyArray, parseNpy } from "./npy";
+
+export interface Answer {
+    bytes: ArrayBuffer;
+    /** Whether rows beyond a limit were left out. */
+    cut: boolean;
+}
 
 /** An answer that is no success. `status` is 0 if the server did not answer at all. */
 export class ApiError extends Error {
@@ -52,7 +58,7 @@ async function errorText(answer: Response): Promise<string> {
     return `the server answered ${answer.status}`;
 }
 
-async function get(path: string, signal?: AbortSignal): Promise<Response> {
+async function askServer(path: string, signal?: AbortSignal): Promise<Answer> {
     const key = storedKey();
     const headers: Record<string, string> = key === "" ? {} : { Authorization: `Bearer ${key}` };
     let answer: Response;
@@ -71,26 +77,36 @@ async function get(path: string, signal?: AbortSignal): Promise<Response> {
     if (!answer.ok) {
         throw new ApiError(answer.status, await errorText(answer));
     }
-    return answer;
+    return { bytes: await answer.arrayBuffer(), cut: answer.headers.get("X-Cut") === "true" };
+}
+
+let get = askServer;
+
+/** Lets `other` answer in place of the server; it throws ApiError for what it does not have. */
+export function answerFrom(other: typeof get): void {
+    get = other;
+}
+
+export async function getText(path: string, signal?: AbortSignal): Promise<string> {
+    return new TextDecoder().decode((await get(path, signal)).bytes);
 }
 
 export async function getJson<T>(path: string, signal?: AbortSignal): Promise<T> {
-    return (await (await get(path, signal)).json()) as T;
+    return JSON.parse(await getText(path, signal)) as T;
 }
 
-/** An array, and whether the server left out rows beyond its limit. */
+/** An array, and whether rows beyond a limit were left out. */
 export interface AnsweredArray extends NpyArray {
     cut: boolean;
 }
 
 export async function getArray(path: string, signal?: AbortSignal): Promise<AnsweredArray> {
-    const answer = await get(path, signal);
-    const array = parseNpy(await answer.arrayBuffer());
-    return { ...array, cut: answer.headers.get("X-Cut") === "true" };
+    const { bytes, cut } = await get(path, signal);
+    return { ...parseNpy(bytes), cut };
 }
 
 export async function getBytes(path: string, signal?: AbortSignal): Promise<ArrayBuffer> {
-    return (await get(path, signal)).arrayBuffer();
+    return (await get(path, signal)).bytes;
 }
 
 export function isAbort(error: unknown): boolean {

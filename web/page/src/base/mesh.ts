@@ -138,3 +138,8 @@ export function partOf(mesh: Mesh, triangle: number): Part | undefined {
     const part = mesh.parts[low];
     return part && part.begin <= triangle ? part : undefined;
 }
+
+/** Whether a triangle is of a part with this name; an empty name stands for all. */
+export function isOfPart(mesh: Mesh, triangle: number, part: string): boolean {
+    return part === "" || partOf(mesh, triangle)?.name === part;
+}

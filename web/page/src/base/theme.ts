@@ -48,7 +48,7 @@ export function onTheme(listener: () => void): () => void {
     return () => listeners.delete(listener);
 }
 
-/** Returns a colour of the style sheet, such as `--ink`. */
-export function styleColour(name: string): string {
-    return getComputedStyle(document.documentElement).getPropertyValue(name).trim();
+/** Returns a colour of the style sheet, such as `--ink`, as an element sees it. */
+export function styleColour(name: string, element: Element = document.documentElement): string {
+    return getComputedStyle(element).getPropertyValue(name).trim();
 }

@@ -12,7 +12,8 @@ import { ContactLegend, HeatLegend } from "../viewer/legend";
 import { type Model, trianglesMax } from "../viewer/model";
 import { PartPairs, Picked, PoseText } from "../viewer/side";
 import { ScenarioStatus, Trust } from "../viewer/status";
-import { nextContact } from "../viewer/step";
+import { Scenarios } from "../viewer/scenarios";
+import { nextContact, nextHeldContact } from "../viewer/step";
 import { type Drawing, trianglesOf, useContacts, useDrawing, useHeat, useModel } from "../viewer/use_viewer";
 import { readParts, readState, type ViewState, writeState } from "../viewer/view_state";
 import type { Contacts } from "../viewer/scenario_loader";
@@ -77,13 +78,21 @@ function useViewerFacts(values: {
     );
 }
 
+/** The report that holds the viewer. */
+export interface Report {
+    scenarios: readonly number[];
+    /** The element around the viewer; only keys that are pressed in it are the viewer's. */
+    root: HTMLElement;
+}
+
 interface ScreenProps {
     source: Source;
     route: Route;
+    report?: Report;
 }
 
 /** One scenario in 3D. Its address holds all that is seen. */
-export function ViewerScreen({ source, route }: ScreenProps) {
+export function ViewerScreen({ source, route, report }: ScreenProps) {
     const { value: job, error: jobError } = usePolled<Job>(`jobs/${encodeURIComponent(route.job)}`, 1, () => false);
     const { value: model, error: modelError } = useModel(job);
     const hasA = useCallback(
@@ -106,7 +115,7 @@ export function ViewerScreen({ source, route }: ScreenProps) {
     const drawing = useDrawing(canvas, model, contacts, state, heat, (camera) => change({ camera }));
     const { viewer } = drawing;
     const bounds = useMemo(() => boundsOf(model, job), [model, job]);
-    useTitle(`#${scenario} ${job?.name ?? ""}`);
+    useTitle(report ? null : `#${scenario} ${job?.name ?? ""}`);
     useViewerFacts({ job, model, contacts, state, drawing, scenario, canvas });
 
     const look = () => {
@@ -134,24 +143,28 @@ export function ViewerScreen({ source, route }: ScreenProps) {
         return forgetNotes;
     }, [scenario, state]);
 
-    const last = job ? job.scenarios - 1 : 0;
-    const move = (to: number) => setScenario(Math.min(last, Math.max(0, to)));
+    const scenarios = useMemo(() => new Scenarios(job?.scenarios ?? 1, report?.scenarios), [job, report]);
+    const place = scenarios.placeOf(scenario);
+    const move = (to: number) => setScenario(scenarios.at(to));
     useEffect(() => {
         if (!isPlaying || contacts?.scenario.index !== scenario) {
             return;
         }
-        if (scenario >= last) {
+        if (place + 1 >= scenarios.count) {
             setPlaying(false);
             return;
         }
-        const timer = setTimeout(() => move(scenario + 1), playPause);
+        const timer = setTimeout(() => move(place + 1), playPause);
         return () => clearTimeout(timer);
     }, [isPlaying, contacts, scenario]);
 
     const step = async (by: 1 | -1) => {
         say("");
         try {
-            const found = await nextContact(route.job, scenario, by, state);
+            const found =
+                report && model
+                    ? await nextHeldContact(route.job, report.scenarios, scenario, by, state, model.meshes)
+                    : await nextContact(route.job, scenario, by, state);
             if (found === null) {
                 say(by > 0 ? "no contact after this scenario" : "no contact before this scenario");
             } else {
@@ -180,8 +193,8 @@ export function ViewerScreen({ source, route }: ScreenProps) {
     const keys: Record<string, () => void> = {
         n: () => void step(1),
         p: () => void step(-1),
-        ArrowRight: () => move(scenario + 1),
-        ArrowLeft: () => move(scenario - 1),
+        ArrowRight: () => move(place + 1),
+        ArrowLeft: () => move(place - 1),
         " ": () => setPlaying(!isPlaying),
         h: () => change({ mode: state.mode === "heat" || !job?.maps ? "contacts" : "heat" }),
         g: () => change({ ghost: state.ghost === "a" ? "b" : state.ghost === "b" ? "none" : "a" }),
@@ -211,9 +224,10 @@ export function ViewerScreen({ source, route }: ScreenProps) {
         }
     };
     useEffect(() => {
-        const listener = (event: KeyboardEvent) => press.current(event);
-        document.addEventListener("keydown", listener);
-        return () => document.removeEventListener("keydown", listener);
+        const target: EventTarget = report?.root ?? document;
+        const listener = (event: Event) => press.current(event as KeyboardEvent);
+        target.addEventListener("keydown", listener);
+        return () => target.removeEventListener("keydown", listener);
     }, []);
 
     const down = useRef<[number, number]>([0, 0]);
@@ -222,6 +236,12 @@ export function ViewerScreen({ source, route }: ScreenProps) {
         if (viewer && moved < dragPixels) {
             const pick = viewer.pickAt(event.offsetX, event.offsetY, event.shiftKey);
             setState((old) => (pick === null && old.pick === null ? old : { ...old, pick }));
+        }
+    };
+    // The wheel moves a report on, unless the viewer was clicked before.
+    const leaveWheel = (event: WheelEvent) => {
+        if (report && (report.root.getRootNode() as ShadowRoot).activeElement !== canvas.current) {
+            event.stopPropagation();
         }
     };
     const savePicture = async () => {
@@ -239,25 +259,31 @@ export function ViewerScreen({ source, route }: ScreenProps) {
         return jobError ? <Notice kind="bad">{jobError}</Notice> : <p class="wait">asking for {route.job}…</p>;
     }
     const isTooLarge = trianglesOf(job) > trianglesMax;
-    const place = job.folder ? shellWord(job.folder) : source.kind === "folder" ? shellWord(source.name) : job.job;
+    const run = job.folder ? shellWord(job.folder) : source.kind === "folder" ? shellWord(source.name) : job.job;
     const error = modelError || drawing.error || scenarioError || (state.mode === "heat" ? heatError : "");
     return (
         <div class="viewer">
             <div class="viewer-head">
                 <h1>
-                    <a href={jobLink(job.job)}>
+                    {report ? (
                         <Name text={job.name || job.job} />
-                    </a>{" "}
+                    ) : (
+                        <a href={jobLink(job.job)}>
+                            <Name text={job.name || job.job} />
+                        </a>
+                    )}{" "}
                     <span class="note">›</span>{" "}
                     <label class="number">
                         #
                         <input
                             type="number"
                             aria-label="scenario"
-                            min={0}
-                            max={last}
+                            min={scenarios.at(0)}
+                            max={scenarios.at(scenarios.count - 1)}
                             value={scenario}
-                            onChange={(event) => move(Math.round(Number(event.currentTarget.value)) || 0)}
+                            onChange={(event) =>
+                                move(scenarios.placeOf(Math.round(Number(event.currentTarget.value)) || 0))
+                            }
                         />
                     </label>
                 </h1>
@@ -274,10 +300,10 @@ export function ViewerScreen({ source, route }: ScreenProps) {
                 </button>
                 <input
                     type="range"
-                    aria-label={`scenario, 0 to ${last}`}
+                    aria-label={report ? "scenarios of this report" : `scenario, 0 to ${scenarios.count - 1}`}
                     min={0}
-                    max={last}
-                    value={scenario}
+                    max={scenarios.count - 1}
+                    value={place}
                     onInput={(event) => move(Number(event.currentTarget.value))}
                 />
                 <button type="button" onClick={() => setPlaying(!isPlaying)} title="space" aria-pressed={isPlaying}>
@@ -295,11 +321,11 @@ export function ViewerScreen({ source, route }: ScreenProps) {
                 </span>
             </div>
             <div class="stage-row">
-                <div class="stage">
+                <div class="stage" onWheelCapture={leaveWheel}>
                     {isTooLarge ? (
                         <p class="wait">
                             {grouped(trianglesOf(job))} triangles: above {grouped(trianglesMax)} this page does not draw.
-                            The exports have it all: <code>cdctl extract {place} {String(scenario)} --out case</code>
+                            The exports have it all: <code>cdctl extract {run} {String(scenario)} --out case</code>
                         </p>
                     ) : (
                         <>
@@ -355,7 +381,7 @@ export function ViewerScreen({ source, route }: ScreenProps) {
                     )}
                     <section aria-label="as a case of its own">
                         <h2>as a case of its own</h2>
-                        <Command text={`cdctl extract ${place} ${scenario} --out case`} />
+                        <Command text={`cdctl extract ${run} ${scenario} --out case`} />
                     </section>
                 </aside>
             </div>

@@ -59,9 +59,11 @@ export function useTheme(): number {
     return count;
 }
 
-/** Sets the title of the tab. */
-export function useTitle(title: string): void {
+/** Sets the title of the tab; null leaves it as it is. */
+export function useTitle(title: string | null): void {
     useEffect(() => {
-        document.title = title === "" ? "cdcluster" : `${title} - cdcluster`;
+        if (title !== null) {
+            document.title = title === "" ? "cdcluster" : `${title} - cdcluster`;
+        }
     }, [title]);
 }

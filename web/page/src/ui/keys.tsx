@@ -54,5 +54,6 @@ export function isTyping(event: KeyboardEvent): boolean {
         return target.type === "number" || (isMoved && event.key.startsWith("Arrow"));
     }
     const isPressed = target instanceof HTMLButtonElement && event.key === " ";
-    return isPressed || target instanceof HTMLSelectElement || document.querySelector("dialog[open]") !== null;
+    const tree = target instanceof Element ? (target.getRootNode() as Document | ShadowRoot) : document;
+    return isPressed || target instanceof HTMLSelectElement || tree.querySelector("dialog[open]") !== null;
 }

@@ -25,7 +25,7 @@ export function Trust({ model, contacts }: { model: Model | null; contacts: Cont
             )}
             {scenario?.verified === false && (
                 <Notice kind="bad">
-                    this scenario, run again here, gives another record than the stored one: {scenario.verify_note}
+                    this scenario, run again, gives another record than the stored one: {scenario.verify_note}
                 </Notice>
             )}
             {scenario && scenario.failure !== "" && (
@@ -62,7 +62,7 @@ export function ScenarioStatus({ job, contacts }: { job: Job; contacts: Contacts
                 {count && `, ${count}`}
             </span>
             {scenario.verified === true && (
-                <span class="verified" title="run again by this server, the record has the same bytes">
+                <span class="verified" title="run again, the record has the same bytes">
                     ✓ verified
                 </span>
             )}

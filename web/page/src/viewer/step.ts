@@ -1,5 +1,6 @@
 /** The next scenario in contact, of the chosen parts. */
-import { getJson } from "../base/api";
+import { getArray, getJson } from "../base/api";
+import { isOfPart, type Mesh } from "../base/mesh";
 import type { ViewState } from "./view_state";
 
 export async function nextContact(
@@ -17,4 +18,28 @@ export async function nextContact(
     }
     const path = `jobs/${encodeURIComponent(job)}/scenarios/next?${query}`;
     return (await getJson<{ index: number | null }>(path)).index;
+}
+
+/** As `nextContact`, of the scenarios of a report, which are all in contact. */
+export async function nextHeldContact(
+    job: string,
+    scenarios: readonly number[],
+    from: number,
+    step: 1 | -1,
+    state: ViewState,
+    meshes: readonly [Mesh, Mesh],
+): Promise<number | null> {
+    const beyond = scenarios.filter((one) => (one - from) * step > 0).sort((a, b) => (a - b) * step);
+    for (const scenario of beyond) {
+        if (!state.partA && !state.partB) {
+            return scenario;
+        }
+        const { values } = await getArray(`jobs/${encodeURIComponent(job)}/scenarios/${scenario}/pairs`);
+        for (let i = 0; i + 2 < values.length; i += 3) {
+            if (isOfPart(meshes[0], values[i], state.partA) && isOfPart(meshes[1], values[i + 1], state.partB)) {
+                return scenario;
+            }
+        }
+    }
+    return null;
 }

@@ -1,6 +1,6 @@
 import { Box3, Matrix4, Sphere, Vector3 } from "three";
 import type { Rgb } from "../base/classes";
-import { type Mesh, partOf } from "../base/mesh";
+import { isOfPart, type Mesh } from "../base/mesh";
 import { apply, compose, inverse } from "../base/pose";
 import { styleColour } from "../base/theme";
 import type { Pose, Scenario, Vec3 } from "../base/types";
@@ -33,7 +33,12 @@ export class Viewer {
     private state: ViewState | null = null;
     private fitted: Sphere | null = null; // What the view was fitted to.
 
-    constructor(canvas: HTMLCanvasElement, meshes: [Mesh, Mesh], moved: () => void, drawn: () => void) {
+    constructor(
+        private readonly canvas: HTMLCanvasElement,
+        meshes: [Mesh, Mesh],
+        moved: () => void,
+        drawn: () => void,
+    ) {
         this.stage = new Stage(canvas, moved, drawn);
         this.bodies = [new BodyView(meshes[0], grey), new BodyView(meshes[1], blue)];
         this.origin = meshes[0].centre;
@@ -41,7 +46,7 @@ export class Viewer {
     }
 
     refreshTheme(): void {
-        this.stage.setBackground(styleColour("--stage"));
+        this.stage.setBackground(styleColour("--stage", this.canvas));
     }
 
     /** Returns the pose of B in A's frame. */
@@ -69,9 +74,8 @@ export class Viewer {
     }
 
     private isShown(state: ViewState, a: number, b: number): boolean {
-        const holds = (body: number, part: string, triangle: number) =>
-            part === "" || partOf(this.bodies[body].mesh, triangle)?.name === part;
-        return holds(0, state.partA, a) && holds(1, state.partB, b);
+        const [bodyA, bodyB] = this.bodies;
+        return isOfPart(bodyA.mesh, a, state.partA) && isOfPart(bodyB.mesh, b, state.partB);
     }
 
     private refreshContacts(state: ViewState): void {
