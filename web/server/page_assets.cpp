@@ -28,6 +28,7 @@ CD_ASSET(index, "index.html");
 CD_ASSET(script, "app.js");
 CD_ASSET(style, "app.css");
 CD_ASSET(icon, "icon.svg");
+CD_ASSET(licences, "LICENSES.txt");
 
 namespace cd {
 
@@ -43,7 +44,7 @@ PageAsset asset(std::string_view path,
 } // namespace
 
 std::span<const PageAsset> page_assets() {
-    static const std::array<PageAsset, 4> assets{
+    static const std::array<PageAsset, 5> assets{
         {asset("/",
                "text/html; charset=utf-8",
                {cd_asset_index, cd_asset_index_end},
@@ -59,7 +60,11 @@ std::span<const PageAsset> page_assets() {
          asset("/icon.svg",
                "image/svg+xml",
                {cd_asset_icon, cd_asset_icon_end},
-               {cd_asset_icon_gz, cd_asset_icon_gz_end})}};
+               {cd_asset_icon_gz, cd_asset_icon_gz_end}),
+         asset("/LICENSES.txt",
+               "text/plain; charset=utf-8",
+               {cd_asset_licences, cd_asset_licences_end},
+               {cd_asset_licences_gz, cd_asset_licences_gz_end})}};
     return assets;
 }
 
