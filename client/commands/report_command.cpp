@@ -73,13 +73,17 @@ Result<int> perform(const ReportCommand& command) {
                                              manifest.poses.count,
                                              &InterruptGuard::has_come));
     const GroupStatuses statuses = CD_TRY(judge.judge(at_hand, overview.groups()));
-    ReportPictures pictures(command.pictures);
+    ReportPictures pictures;
     CD_TRY(pictures.draw(at_hand.job, overview.worst(), &InterruptGuard::has_come));
     RunDocument document(manifest, at_hand.job, overview, statuses, pictures);
     document.set_baseline({command.judge.baseline,
                            judge.has_baseline() ? judge.baseline_digest() : "",
                            statuses.warnings()});
     const std::string html = CD_TRY(document.html(&InterruptGuard::has_come));
+    if (!command.pictures.empty()) {
+        CD_TRY(write_pictures(
+            command.pictures, at_hand.job, overview.worst(), &InterruptGuard::has_come));
+    }
     CD_TRY(write_report(command.out,
                         html,
                         statuses,

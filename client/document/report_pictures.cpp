@@ -5,13 +5,34 @@
 #include "common/core/files/disk_file.hpp"
 #include "common/core/limits/client.hpp"
 
-#include <utility>
+#include <cstdint>
+#include <string>
 
 namespace cd {
 
 namespace {
 
 constexpr PictureSize small_size{480, 300};
+
+/// Calls `take` with the number of each result's scenario and the bodies to be pictured.
+template <class Take>
+Status for_each_scenario(const PreparedJob& job,
+                         const std::vector<ScenarioResult>& results,
+                         const StopCheck& stop,
+                         Take take) {
+    for (const ScenarioResult& result : results) {
+        if (stop && stop()) {
+            return interrupted();
+        }
+        const auto scenario = CD_TRY(job.poses->read(result.index, 1));
+        CD_TRY(take(result.index,
+                    pictured(*job.meshes[result.body_a],
+                             *job.meshes[result.body_b],
+                             scenario.front().poses,
+                             result.pairs)));
+    }
+    return Done{};
+}
 
 } // namespace
 
@@ -27,32 +48,27 @@ Result<std::string> ReportPictures::png_within_limit(const Image& image) {
 Status ReportPictures::draw(const PreparedJob& job,
                             const std::vector<ScenarioResult>& results,
                             const StopCheck& stop) {
-    if (!folder_.empty()) {
-        CD_TRY(make_directories(folder_));
+    for (const auto& mesh : job.meshes) {
+        bodies_.push_back(CD_TRY(png_within_limit(draw_parts(*mesh, small_size))));
     }
-    for (std::size_t i = 0; i < job.meshes.size(); ++i) {
-        bodies_.push_back(CD_TRY(png_within_limit(draw_parts(*job.meshes[i], small_size))));
-        if (!folder_.empty()) {
-            const std::string name = i == 0 ? "a.png" : "b.png";
-            CD_TRY(write_png(draw_parts(*job.meshes[i]), folder_ / name));
-        }
-    }
-    for (const ScenarioResult& result : results) {
-        if (stop && stop()) {
-            return interrupted();
-        }
-        const auto scenario = CD_TRY(job.poses->read(result.index, 1));
-        const auto bodies = pictured(*job.meshes[result.body_a],
-                                     *job.meshes[result.body_b],
-                                     scenario.front().poses,
-                                     result.pairs);
+    return for_each_scenario(job, results, stop, [&](std::uint64_t, const auto& bodies) -> Status {
         scenarios_.push_back(CD_TRY(png_within_limit(draw_contacts(bodies, small_size))));
-        if (!folder_.empty()) {
-            CD_TRY(write_png(draw_contacts(bodies),
-                             folder_ / (std::to_string(result.index) + ".png")));
-        }
+        return Done{};
+    });
+}
+
+Status write_pictures(const std::filesystem::path& folder,
+                      const PreparedJob& job,
+                      const std::vector<ScenarioResult>& results,
+                      const StopCheck& stop) {
+    CD_TRY(make_directories(folder));
+    for (std::size_t i = 0; i < job.meshes.size(); ++i) {
+        CD_TRY(write_png(draw_parts(*job.meshes[i]), folder / (i == 0 ? "a.png" : "b.png")));
     }
-    return Done{};
+    return for_each_scenario(
+        job, results, stop, [&](std::uint64_t number, const auto& bodies) -> Status {
+            return write_png(draw_contacts(bodies), folder / (std::to_string(number) + ".png"));
+        });
 }
 
 } // namespace cd

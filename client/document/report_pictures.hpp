@@ -14,14 +14,10 @@
 
 namespace cd {
 
-/// Draws the pictures of a report: small ones into memory and, if wanted, large ones into a folder.
+/// Draws the small pictures in a report.
 class ReportPictures {
   public:
-    /// `folder` is the folder for large pictures; empty: none.
-    explicit ReportPictures(std::filesystem::path folder) : folder_(std::move(folder)) {}
-
-    /// Draws the bodies, then the results' scenarios. Large pictures are NAME.png of a body, and
-    /// N.png of scenario N. Errors: Io; from reading poses; Interrupted.
+    /// Draws the bodies, then the results' scenarios. Errors: Io; from reading poses; Interrupted.
     [[nodiscard]] Status
     draw(const PreparedJob& job, const std::vector<ScenarioResult>& results, const StopCheck& stop);
 
@@ -33,10 +29,16 @@ class ReportPictures {
   private:
     [[nodiscard]] Result<std::string> png_within_limit(const Image& image);
 
-    std::filesystem::path folder_;
     std::vector<std::string> bodies_;
     std::vector<std::string> scenarios_;
     std::size_t bytes_ = 0; ///< Size of all pictures so far.
 };
+
+/// Draws large pictures into a folder: NAME.png of a body, and N.png of scenario N. Errors: Io;
+/// from reading poses; Interrupted.
+[[nodiscard]] Status write_pictures(const std::filesystem::path& folder,
+                                    const PreparedJob& job,
+                                    const std::vector<ScenarioResult>& results,
+                                    const StopCheck& stop);
 
 } // namespace cd

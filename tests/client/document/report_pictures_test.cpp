@@ -73,7 +73,7 @@ std::vector<ScenarioResult> two_results() {
 } // namespace
 
 TEST(ReportPictures, EqualTheirGoldenFiles) {
-    ReportPictures pictures({});
+    ReportPictures pictures;
     ASSERT_TRUE(pictures.draw(two_poses(), two_results(), {}));
     ASSERT_EQ(pictures.bodies().size(), 2u);
     ASSERT_EQ(pictures.scenarios().size(), 2u);
@@ -85,15 +85,14 @@ TEST(ReportPictures, EqualTheirGoldenFiles) {
 
 TEST(ReportPictures, AFolderGetsLargeOnes) {
     const TemporaryFolder folder;
-    ReportPictures pictures(folder / "large");
-    ASSERT_TRUE(pictures.draw(two_poses(), two_results(), {}));
+    ASSERT_TRUE(write_pictures(folder / "large", two_poses(), two_results(), {}));
     for (const char* name : {"a.png", "b.png", "0.png", "1.png"}) {
         EXPECT_EQ(pixels_of(read_text(folder / "large" / name)).size(), 1200u * 750 * 3) << name;
     }
 }
 
 TEST(ReportPictures, StayWithinTheirLimit) {
-    ReportPictures pictures({});
+    ReportPictures pictures;
     std::vector<ScenarioResult> many(400, two_results()[0]);
     for (ScenarioResult& result : many) {
         result.pairs.clear(); // Then no picture looks for the best direction.
@@ -112,10 +111,14 @@ TEST(ReportPictures, StayWithinTheirLimit) {
 }
 
 TEST(ReportPictures, CanBeInterrupted) {
-    ReportPictures pictures({});
-    const Status drawn = pictures.draw(two_poses(), two_results(), [] { return true; });
-    ASSERT_FALSE(drawn);
-    EXPECT_EQ(drawn.error().code, ErrorCode::Interrupted);
+    const TemporaryFolder folder;
+    ReportPictures pictures;
+    const auto stop = [] { return true; };
+    for (const Status& drawn : {pictures.draw(two_poses(), two_results(), stop),
+                                write_pictures(folder.path(), two_poses(), two_results(), stop)}) {
+        ASSERT_FALSE(drawn);
+        EXPECT_EQ(drawn.error().code, ErrorCode::Interrupted);
+    }
 }
 
 } // namespace cd::tests
