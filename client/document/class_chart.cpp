@@ -271,16 +271,20 @@ Html ClassChart::svg() const {
         drawing += svg_text(x + 17, height + 36, "start", cell_looks[rank].word);
         x += 40 + 7.0 * static_cast<double>(std::string_view(cell_looks[rank].word).size());
     }
+    return Html::element(
+        "svg",
+        drawing,
+        {{"viewBox", fmt::format("-90 -4 {:.0f} {:.0f}", width + 110, height + 50)},
+         {"role", "img"},
+         {"class", "chart"}});
+}
+
+std::string ClassChart::style_sheet() {
     std::string style;
     for (std::size_t rank = 1; rank < cell_looks.size(); ++rank) {
         style += fmt::format(".k{}{{fill:{}}}", rank, cell_looks[rank].colour);
     }
-    return Html::element(
-        "svg",
-        Html::element("style", style) += drawing,
-        {{"viewBox", fmt::format("-90 -4 {:.0f} {:.0f}", width + 110, height + 50)},
-         {"role", "img"},
-         {"class", "chart"}});
+    return style;
 }
 
 bool is_plane(const Grid& grid) {

@@ -41,8 +41,10 @@ class ClassChart {
 
     [[nodiscard]] std::size_t columns() const { return columns_; }
     [[nodiscard]] std::size_t rows() const { return rows_; }
-    /// Draws the chart as SVG with its legend.
+    /// Draws the chart as SVG with its legend, in a document with `style_sheet`.
     [[nodiscard]] Html svg() const;
+    /// Returns the style sheet of all charts.
+    [[nodiscard]] static std::string style_sheet();
 
   private:
     ClassChart(std::size_t columns, std::size_t rows, ChartAxis across, ChartAxis up);

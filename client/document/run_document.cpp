@@ -244,7 +244,9 @@ Result<std::string> RunDocument::html(const StopCheck& stop) {
     body += sections.table();
     body += sections.against(baseline_);
     body += html_section("How it ran", how_it_ran());
-    return Html::document("cdcluster: " + short_name(manifest_.name), report_style, body);
+    return Html::document("cdcluster: " + short_name(manifest_.name),
+                          report_style + ClassChart::style_sheet(),
+                          body);
 }
 
 } // namespace cd
