@@ -17,16 +17,17 @@ namespace cd {
 
 namespace {
 
-Result<std::unique_ptr<ViewedRun>> open_viewed(const ViewCommand& command) {
-    ThreadPool pool(command.threads);
-    auto [run, job] = CD_TRY(
-        open_run_at_hand(command.run, command.master, command.tree_cache, Trees::Always, pool));
+Result<std::unique_ptr<ViewedRun>>
+open_viewed(const ViewCommand& command, RunAtHand& at_hand, ThreadPool& pool) {
     const SlowNote note("reading " + command.run + "...", false);
-    return ViewedRun::open(std::move(run), std::move(job), pool);
+    return ViewedRun::open(at_hand.run, at_hand.job, pool);
 }
 
 Result<int> view_folder(const ViewCommand& command) {
-    auto run = CD_TRY(open_viewed(command));
+    ThreadPool pool(command.threads);
+    auto at_hand = CD_TRY(
+        open_run_at_hand(command.run, command.master, command.tree_cache, Trees::Always, pool));
+    auto run = CD_TRY(open_viewed(command, at_hand, pool));
     auto gateway = CD_TRY(PageGateway::listen(command.port));
     FolderSource source(gateway->executor(), std::move(run), &InterruptGuard::has_come);
     InterruptGuard::begin_to_flag();

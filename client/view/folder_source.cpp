@@ -1,23 +1,11 @@
 #include "client/view/folder_source.hpp"
 
-#include "common/core/version.hpp"
-
 #include <filesystem>
 #include <utility>
 
 namespace cd {
 
 namespace {
-
-constexpr const char* folder_job = "folder";
-
-PageOrigin origin_of(const ViewedRun& run) {
-    PageOrigin origin;
-    origin.program = "cdctl " + std::string(version);
-    origin.name = run.folder().string();
-    origin.job = folder_job;
-    return origin;
-}
 
 Error no_cluster() {
     return {ErrorCode::NotFound, "this is a results folder, not a cluster"};
@@ -30,7 +18,7 @@ FolderSource::FolderSource(asio::any_io_executor executor,
                            StopCheck stop)
     : executor_(std::move(executor)),
       run_(std::move(run)),
-      origin_(origin_of(*run_)),
+      origin_(folder_origin(*run_)),
       stop_([is_closed = is_closed_, stop = std::move(stop)] { return *is_closed || stop(); }),
       runs_(executor_, runner_) {}
 
@@ -40,8 +28,8 @@ FolderSource::~FolderSource() {
 
 template <class T, class Read>
 void FolderSource::answer(const std::string& id, Take<T> take, Read read) {
-    if (id != folder_job) {
-        return take(Error{ErrorCode::NotFound, "a folder has one job, 'folder'"});
+    if (id != origin_.job) {
+        return take(Error{ErrorCode::NotFound, "a folder has one job, '" + origin_.job + "'"});
     }
     reader_.post([executor = executor_, take = std::move(take), read = std::move(read)]() mutable {
         asio::post(executor, [take = std::move(take), found = Result<T>(read())]() mutable {
@@ -59,11 +47,11 @@ void FolderSource::history(Take<std::vector<HistorySample>> take) {
 }
 
 void FolderSource::jobs(Take<std::vector<JobRow>> take) {
-    answer(folder_job, std::move(take), [this] { return std::vector{run_->row(folder_job)}; });
+    answer(origin_.job, std::move(take), [this] { return std::vector{run_->row(origin_.job)}; });
 }
 
 void FolderSource::job(const std::string& id, Take<JobView> take) {
-    answer(id, std::move(take), [this] { return run_->view(folder_job); });
+    answer(id, std::move(take), [this] { return run_->view(origin_.job); });
 }
 
 void FolderSource::classes(const std::string& id,
@@ -91,7 +79,7 @@ void FolderSource::map(const std::string& id,
 void FolderSource::scenario(const std::string& id,
                             std::uint64_t number,
                             Take<std::shared_ptr<const ScenarioView>> take) {
-    if (id != folder_job) {
+    if (id != origin_.job) {
         return answer(id, std::move(take), [] { return no_cluster(); });
     }
     runs_.ask(
@@ -105,7 +93,7 @@ void FolderSource::next(const std::string& id,
 }
 
 void FolderSource::mesh(const Sha256& mesh, Take<std::shared_ptr<HttpBody>> take) {
-    answer(folder_job, std::move(take), [this, mesh] { return mesh_body(mesh); });
+    answer(origin_.job, std::move(take), [this, mesh] { return mesh_body(mesh); });
 }
 
 Result<std::shared_ptr<HttpBody>> FolderSource::mesh_body(const Sha256& mesh) {

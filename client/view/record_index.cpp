@@ -99,6 +99,24 @@ Result<RecordIndex> RecordIndex::read(const RecordFile& records,
     return index;
 }
 
+std::vector<std::uint64_t> RecordIndex::worst(std::size_t count) const {
+    std::vector<std::uint64_t> worst;
+    for (std::uint64_t scenario = 0; scenario < classes_.size(); ++scenario) {
+        if (!is_contact(static_cast<ScenarioClass>(classes_[scenario]))) {
+            continue;
+        }
+        const auto has_fewer = [&](std::uint64_t each) {
+            return counts_[each] < counts_[scenario];
+        };
+        const auto place = std::ranges::find_if(worst, has_fewer);
+        if (place != worst.end() || worst.size() < count) {
+            worst.insert(place, scenario);
+            worst.resize(std::min(worst.size(), count));
+        }
+    }
+    return worst;
+}
+
 std::optional<std::uint64_t> RecordIndex::next_contact(
     std::uint64_t from, bool is_backwards, const std::function<bool(std::uint64_t)>& fits) const {
     const std::uint64_t total = classes_.size();

@@ -32,6 +32,9 @@ class RecordIndex {
     /// The map of all listed pairs; empty below `level pairs`.
     [[nodiscard]] const ContactMap& map() const { return map_; }
 
+    /// Returns at most `count` scenarios in contact: those with most pairs, the worst first; of
+    /// equal ones the first.
+    [[nodiscard]] std::vector<std::uint64_t> worst(std::size_t count) const;
     /// Returns the nearest scenario after `from`, or before it, that is in contact and that `fits`;
     /// nothing if there is none.
     [[nodiscard]] std::optional<std::uint64_t>

@@ -5,6 +5,7 @@
 #include "client/remote/mesh_cache.hpp"
 #include "common/core/errors.hpp"
 #include "common/core/limits/web.hpp"
+#include "common/core/version.hpp"
 #include "common/core/words.hpp"
 #include "common/geometry/aabb.hpp"
 #include "web/server/cluster/cluster_jobs.hpp"
@@ -104,10 +105,9 @@ BodyView body_view(const JobBody& body, const Mesh& mesh, const ObbTree& tree) {
 } // namespace
 
 Result<std::unique_ptr<ViewedRun>>
-ViewedRun::open(OpenedRun run, PreparedJob job, ThreadPool& pool, const StopCheck& stop) {
+ViewedRun::open(OpenedRun& run, const PreparedJob& job, ThreadPool& pool, const StopCheck& stop) {
     auto index = CD_TRY(RecordIndex::read(run.records(), job.poses->count(), pool, stop));
-    std::unique_ptr<ViewedRun> viewed(
-        new ViewedRun(std::move(run), std::move(job), std::move(index)));
+    std::unique_ptr<ViewedRun> viewed(new ViewedRun(run, job, std::move(index)));
     CD_TRY(viewed->read_map());
     CD_TRY(viewed->sum_groups(stop));
     return viewed;
@@ -274,6 +274,14 @@ std::shared_ptr<const Mesh> ViewedRun::mesh(const Sha256& mesh) const {
 
 fs::path ViewedRun::mesh_path(const Sha256& mesh) const {
     return mesh_file_path(run_.dir() / "inputs" / "meshes", mesh);
+}
+
+PageOrigin folder_origin(const ViewedRun& run) {
+    PageOrigin origin;
+    origin.program = "cdctl " + std::string(version);
+    origin.name = run.folder().string();
+    origin.job = "folder";
+    return origin;
 }
 
 } // namespace cd

@@ -25,10 +25,10 @@ namespace cd {
 /// not have; Io and those of the poses.
 class ViewedRun {
   public:
-    /// Reads all records. `job` is the run's, prepared with trees. Errors: as `RecordIndex::read`,
-    /// `groups_of` and `OpenedRun::kept_map`.
+    /// Reads all records. `job` is the run's, prepared with trees; both outlive the object. Errors:
+    /// as `RecordIndex::read`, `groups_of` and `OpenedRun::kept_map`.
     [[nodiscard]] static Result<std::unique_ptr<ViewedRun>>
-    open(OpenedRun run, PreparedJob job, ThreadPool& pool, const StopCheck& stop = {});
+    open(OpenedRun& run, const PreparedJob& job, ThreadPool& pool, const StopCheck& stop = {});
 
     [[nodiscard]] const RunManifest& manifest() const { return run_.manifest(); }
     [[nodiscard]] std::filesystem::path folder() const;
@@ -42,6 +42,10 @@ class ViewedRun {
     [[nodiscard]] Result<PoseRows> poses(const ScenarioChoice& choice);
     /// Returns a body's contact map. Errors: NotFound without a map or a body.
     [[nodiscard]] Result<std::vector<TriangleContacts>> map(std::uint64_t body) const;
+    /// Returns the scenarios in contact with most pairs, as `RecordIndex::worst`.
+    [[nodiscard]] std::vector<std::uint64_t> worst(std::size_t count) const {
+        return index_.worst(count);
+    }
     /// Runs a scenario again. `stop` ends it.
     [[nodiscard]] Result<std::shared_ptr<const ScenarioView>> scenario(std::uint64_t number,
                                                                        const StopCheck& stop);
@@ -55,8 +59,8 @@ class ViewedRun {
     [[nodiscard]] std::filesystem::path mesh_path(const Sha256& mesh) const;
 
   private:
-    ViewedRun(OpenedRun run, PreparedJob job, RecordIndex index)
-        : run_(std::move(run)), job_(std::move(job)), index_(std::move(index)) {}
+    ViewedRun(OpenedRun& run, const PreparedJob& job, RecordIndex index)
+        : run_(run), job_(job), index_(std::move(index)) {}
 
     [[nodiscard]] Status read_map();
     [[nodiscard]] Status sum_groups(const StopCheck& stop);
@@ -66,13 +70,16 @@ class ViewedRun {
     [[nodiscard]] Result<std::optional<KeptRecord>> find_record(std::uint64_t scenario);
     [[nodiscard]] double seconds() const;
 
-    OpenedRun run_;
-    PreparedJob job_;
+    OpenedRun& run_;
+    const PreparedJob& job_;
     RecordIndex index_;
     std::optional<ContactMap> map_;
     std::optional<GroupsView> groups_; ///< Nothing below `level pairs`.
     std::vector<BodyParts> parts_;     ///< Of each body; empty below `level pairs`.
     std::mutex mutex_;                 ///< Held while poses or records are read.
 };
+
+/// Describes the folder of a run as the page's origin. Its job has the id `folder`.
+[[nodiscard]] PageOrigin folder_origin(const ViewedRun& run);
 
 } // namespace cd

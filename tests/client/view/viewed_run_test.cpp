@@ -3,17 +3,15 @@
 // record is verified and its contacts can be drawn.
 #include "client/view/viewed_run.hpp"
 
-#include "client/base/interrupt.hpp"
-#include "client/commands/commands.hpp"
-#include "client/commands/run_at_hand.hpp"
 #include "client/folder/folder_exports.hpp"
 #include "common/job/run_scenario.hpp"
-#include "tests/support/process.hpp"
-#include "tests/support/shapes.hpp"
+#include "tests/client/view/viewed_scene.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <functional>
 #include <map>
 #include <set>
 
@@ -23,54 +21,8 @@ namespace {
 namespace fs = std::filesystem;
 using testing::HasSubstr;
 
-constexpr std::uint64_t scenarios = 200;
-
-std::string part_text(const char* name, const Mesh& mesh, double x, std::size_t first) {
-    std::string text = std::string("o ") + name + "\n";
-    for (const Vec3& v : mesh.vertices()) {
-        text += "v " + std::to_string(v.x() + x) + " " + std::to_string(v.y()) + " " +
-                std::to_string(v.z()) + "\n";
-    }
-    for (const Triangle& t : mesh.triangles()) {
-        text += "f " + std::to_string(t[0] + first) + " " + std::to_string(t[1] + first) + " " +
-                std::to_string(t[2] + first) + "\n";
-    }
-    return text;
-}
-
-class Viewed : public testing::Test {
+class ViewedRecords : public Viewed {
   protected:
-    /// Runs a grid of poses along x: B passes through the two parts of A.
-    std::unique_ptr<ViewedRun> view(const std::string& query) {
-        const Mesh part = make_sphere(1);
-        write_text(folder_ / "a.obj",
-                   part_text("left", part, 0, 1) +
-                       part_text("right", part, 4, 1 + part.vertices().size()));
-        write_text(folder_ / "b.obj", part_text("ball", make_torus(0.5, 0.2, 12, 8), 0, 1));
-        write_text(folder_ / "job.toml",
-                   "[a]\nmesh = \"a.obj\"\n[b]\nmesh = \"b.obj\"\n[poses]\n"
-                   "grid = { x = [-2, 6, 100], yaw_deg = [0, 40, 2] }\n[query]\n" +
-                       query);
-        RunCommand run;
-        run.job.file = folder_ / "job.toml";
-        run.job.output.dir = folder_ / "out";
-        run.job.output.formats = {"csv"};
-        run.folder.overwrite = true;
-        run.quiet = true;
-        EXPECT_TRUE(perform(run));
-        return open();
-    }
-
-    [[nodiscard]] std::unique_ptr<ViewedRun> open() {
-        const InterruptGuard interrupts(InterruptGuard::First::EndsProcess);
-        auto found = open_run_at_hand(folder_ / "out", {}, "off", Trees::Always, pool_);
-        EXPECT_TRUE(found) << found.error().detail;
-        auto viewed =
-            ViewedRun::open(std::move(found.value().run), std::move(found.value().job), pool_);
-        EXPECT_TRUE(viewed) << viewed.error().detail;
-        return std::move(viewed.value());
-    }
-
     [[nodiscard]] std::vector<ScenarioResult> records() const {
         std::vector<ScenarioResult> results;
         const auto run = OpenedRun::open(folder_ / "out");
@@ -94,9 +46,6 @@ class Viewed : public testing::Test {
         EXPECT_TRUE(writer.value().finish());
         fs::rename(folder_ / "changed", folder_ / "out/records");
     }
-
-    const TemporaryFolder folder_;
-    ThreadPool pool_{2};
 };
 
 bool touches(const ScenarioResult& result) {
@@ -104,13 +53,9 @@ bool touches(const ScenarioResult& result) {
            result.kind == ScenarioClass::Inside;
 }
 
-StopCheck never() {
-    return [] { return false; };
-}
-
 } // namespace
 
-TEST_F(Viewed, ClassesCountsAndMapAreThoseOfTheRecords) {
+TEST_F(ViewedRecords, ClassesCountsAndMapAreThoseOfTheRecords) {
     const auto viewed = view("level = \"pairs\"\n");
     const auto results = records();
     ASSERT_EQ(results.size(), scenarios);
@@ -145,7 +90,26 @@ TEST_F(Viewed, ClassesCountsAndMapAreThoseOfTheRecords) {
     EXPECT_FALSE(viewed->poses({1, scenarios}));
 }
 
-TEST_F(Viewed, TheDescriptionIsThatOfTheRun) {
+TEST_F(ViewedRecords, TheWorstScenariosHaveMostPairs) {
+    for (const std::string level : {"any", "pairs"}) {
+        const auto viewed = view("level = \"" + level + "\"\n");
+        auto results = records();
+        std::erase_if(results, [](const ScenarioResult& result) {
+            return !touches(result) && result.kind != ScenarioClass::Contact;
+        });
+        std::ranges::stable_sort(results, std::greater(), &ScenarioResult::pair_count);
+        ASSERT_GT(results.size(), 20u);
+        for (const std::size_t count : {std::size_t{0}, std::size_t{20}, results.size() + 1}) {
+            std::vector<std::uint64_t> expected;
+            for (std::size_t i = 0; i < std::min(count, results.size()); ++i) {
+                expected.push_back(results[i].index);
+            }
+            EXPECT_EQ(viewed->worst(count), expected) << level;
+        }
+    }
+}
+
+TEST_F(ViewedRecords, TheDescriptionIsThatOfTheRun) {
     const auto viewed = view("level = \"pairs\"\nlimit_pairs = 3\n");
     const JobView job = viewed->view("folder");
     const RunReport report = read_summary(folder_ / "out/summary.json").value();
@@ -168,7 +132,7 @@ TEST_F(Viewed, TheDescriptionIsThatOfTheRun) {
     EXPECT_EQ(fs::file_size(viewed->mesh_path(job.bodies[1].body.mesh)), job.bodies[1].bytes);
 }
 
-TEST_F(Viewed, PosesAreThoseOfTheScenarios) {
+TEST_F(ViewedRecords, PosesAreThoseOfTheScenarios) {
     const auto viewed = view("level = \"count\"\n");
     const PoseRows rows = viewed->poses({10, 5}).value();
     ASSERT_EQ(rows.numbers.size(), 60u);
@@ -183,7 +147,7 @@ TEST_F(Viewed, PosesAreThoseOfTheScenarios) {
     EXPECT_EQ(viewed->map(0).error().code, ErrorCode::NotFound);
 }
 
-TEST_F(Viewed, TheNextContactIsTheNearestOneAlsoOfAPart) {
+TEST_F(ViewedRecords, TheNextContactIsTheNearestOneAlsoOfAPart) {
     const auto viewed = view("level = \"pairs\"\n");
     const auto results = records();
     const auto meshes = viewed->mesh(viewed->manifest().bodies[0].mesh);
@@ -226,7 +190,7 @@ TEST_F(Viewed, TheNextContactIsTheNearestOneAlsoOfAPart) {
     EXPECT_FALSE(view("level = \"count\"\n")->view("folder").groups);
 }
 
-TEST_F(Viewed, EachScenarioIsVerifiedAndDrawnAtAnyLevelAndUnderATolerance) {
+TEST_F(ViewedRecords, EachScenarioIsVerifiedAndDrawnAtAnyLevelAndUnderATolerance) {
     for (const std::string query : {"level = \"any\"\n",
                                     "level = \"count\"\n",
                                     "level = \"pairs\"\nlimit_pairs = 2\n",
@@ -250,7 +214,7 @@ TEST_F(Viewed, EachScenarioIsVerifiedAndDrawnAtAnyLevelAndUnderATolerance) {
     }
 }
 
-TEST_F(Viewed, AWrongRecordIsTold) {
+TEST_F(ViewedRecords, AWrongRecordIsTold) {
     view("level = \"count\"\n");
     std::uint64_t wrong = 0;
     for (const ScenarioResult& result : records()) {
@@ -263,7 +227,7 @@ TEST_F(Viewed, AWrongRecordIsTold) {
     EXPECT_NE(shown->drawn, nullptr);
 }
 
-TEST_F(Viewed, AStoppedRunShowsNoContacts) {
+TEST_F(ViewedRecords, AStoppedRunShowsNoContacts) {
     const auto viewed = view("level = \"count\"\n");
     const auto shown = viewed->scenario(50, [] { return true; }).value();
     EXPECT_FALSE(shown->verified);

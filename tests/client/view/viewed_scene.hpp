@@ -1,0 +1,84 @@
+// A run of two hundred scenarios, viewed in tests.
+#pragma once
+
+#include "client/base/interrupt.hpp"
+#include "client/commands/commands.hpp"
+#include "client/commands/run_at_hand.hpp"
+#include "client/view/viewed_run.hpp"
+#include "tests/support/process.hpp"
+#include "tests/support/shapes.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+
+namespace cd::tests {
+
+class Viewed : public testing::Test {
+  protected:
+    static constexpr std::uint64_t scenarios = 200; ///< Number of scenarios of the run.
+
+    static StopCheck never() {
+        return [] { return false; };
+    }
+
+    /// Runs a grid of poses along x: B passes through the two parts of A.
+    std::unique_ptr<ViewedRun> view(const std::string& query) {
+        const Mesh part = make_sphere(1);
+        write_text(folder_ / "a.obj",
+                   part_text("left", part, 0, 1) +
+                       part_text("right", part, 4, 1 + part.vertices().size()));
+        write_text(folder_ / "b.obj", part_text("ball", make_torus(0.5, 0.2, 12, 8), 0, 1));
+        write_text(folder_ / "job.toml",
+                   "[a]\nmesh = \"a.obj\"\n[b]\nmesh = \"b.obj\"\n[poses]\n"
+                   "grid = { x = [-2, 6, 100], yaw_deg = [0, 40, 2] }\n[query]\n" +
+                       query);
+        RunCommand run;
+        run.job.file = folder_ / "job.toml";
+        run.job.output.dir = folder_ / "out";
+        run.job.output.formats = {"csv"};
+        run.folder.overwrite = true;
+        run.quiet = true;
+        EXPECT_TRUE(perform(run));
+        return open();
+    }
+
+    /// Opens the run again; what was opened before is no longer valid.
+    [[nodiscard]] std::unique_ptr<ViewedRun> open() {
+        const InterruptGuard interrupts(InterruptGuard::First::EndsProcess);
+        auto found = open_run_at_hand(folder_ / "out", {}, "off", Trees::Always, pool_);
+        EXPECT_TRUE(found) << found.error().detail;
+        at_hand_.emplace(std::move(found.value()));
+        auto viewed = ViewedRun::open(at_hand_->run, at_hand_->job, pool_);
+        EXPECT_TRUE(viewed) << viewed.error().detail;
+        return std::move(viewed.value());
+    }
+
+    const TemporaryFolder folder_;
+    ThreadPool pool_{2};
+
+  private:
+    /// Returns a mesh, moved along x, as a part of an OBJ file; `first` is its first vertex's
+    /// number.
+    static std::string part_text(const char* name, const Mesh& mesh, double x, std::size_t first) {
+        std::string text = std::string("o ") + name + "\n";
+        for (const Vec3& v : mesh.vertices()) {
+            text += "v " + std::to_string(v.x() + x) + " " + std::to_string(v.y()) + " " +
+                    std::to_string(v.z()) + "\n";
+        }
+        for (const Triangle& t : mesh.triangles()) {
+            text += "f " + std::to_string(t[0] + first) + " " + std::to_string(t[1] + first) + " " +
+                    std::to_string(t[2] + first) + "\n";
+        }
+        return text;
+    }
+
+    std::optional<RunAtHand> at_hand_;
+};
+
+} // namespace cd::tests
