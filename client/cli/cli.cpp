@@ -166,6 +166,9 @@ class Verbs {
         report.add("-o,--output", report->out, "FILE", "The report; groups.csv is put beside it")
             ->capture_default_str();
         report.add("--pictures", report->pictures, "DIR", "Folder for large pictures: PNG files");
+        report.flag("--3d",
+                    report->has_viewer,
+                    "Add the viewer of the worst 20 scenarios; refused above 25 MB");
         add_judge(*report, report->judge);
         add_fail_on(*report, report->fail_on, true);
         add_threads(*report, report->threads, "Threads here; 0 is one for each core");

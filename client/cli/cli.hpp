@@ -143,6 +143,9 @@ struct ReportCommand {
     MasterOptions master;
     std::string out = "report.html";
     std::string pictures; ///< Folder for large pictures; empty: none.
+    bool has_viewer = false;
+    /// Size of a report with a viewer; a larger one is refused.
+    std::uint64_t bytes_max = limits::report_with_viewer_bytes_max;
     JudgeOptions judge;
     FailOn fail_on;
     unsigned threads = 0;

@@ -261,11 +261,15 @@ Examples:
   cdctl report out
   cdctl report out -o report/van.html --pictures report
   cdctl report j-5692 --statuses clashes.toml
+  cdctl report out --3d
 
 The report is one HTML file below 5 MB, without script: what was found and what was not
 tested, the bodies, the worst scenarios, the parts in contact, the space of poses, and how it
-ran. It prints on A4. Groups are pairs of parts in contact (levels pairs and contacts). In a
-mesh without parts they are of its connected pieces; the largest is `piece 1`.
+ran. It prints on A4. With --3d it also has the viewer of `cdctl view`, with the worst 20
+scenarios, and a script; it opens without a server or a network.
+
+Groups are pairs of parts in contact (levels pairs and contacts). In a mesh without parts they
+are of its connected pieces; the largest is `piece 1`.
 
 A file of statuses says what people decided, a table for each pair of parts:
   [[clash]]

@@ -5,17 +5,24 @@
 #include "client/commands/compare/judge.hpp"
 #include "client/commands/run_at_hand.hpp"
 #include "client/compare/group_statuses.hpp"
+#include "client/document/embedded_viewer.hpp"
 #include "client/document/report_pictures.hpp"
 #include "client/document/run_document.hpp"
 #include "client/document/run_overview.hpp"
 #include "client/formats/output_file.hpp"
 #include "client/groups/groups_csv.hpp"
+#include "client/view/held_answers.hpp"
+#include "client/view/viewed_run.hpp"
 #include "common/core/errors.hpp"
 #include "common/core/files/disk_file.hpp"
+#include "common/core/limits/client.hpp"
+#include "common/core/version.hpp"
 #include "common/core/words.hpp"
 
+#include <cstdint>
 #include <cstdio>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -32,6 +39,52 @@ std::vector<std::string> names_of_bodies(const RunManifest& manifest) {
         names.push_back(body.name);
     }
     return names;
+}
+
+/// Errors: TooLarge if a report with a viewer, so far, has more bytes than it may have.
+Status check_size(std::uint64_t bytes, const ReportCommand& command) {
+    const auto megabytes = [](std::uint64_t size) {
+        return fixed_text(static_cast<double>(size) / 1e6, 1) + " MB";
+    };
+    return !command.has_viewer || bytes <= command.bytes_max
+               ? Status(Done{})
+               : Error{ErrorCode::TooLarge,
+                       "with --3d the report takes " + megabytes(bytes) + " or more, above " +
+                           megabytes(command.bytes_max) +
+                           "; leave out --3d, and see the run in 3D with: cdctl view " +
+                           command.run};
+}
+
+PageOrigin origin_of(const ViewedRun& run, const ReportCommand& command) {
+    if (is_folder(command.run)) {
+        return folder_origin(run);
+    }
+    const ManifestPlace& where = run.manifest().where;
+    return {
+        PageOrigin::Kind::Remote, "cdctl " + std::string(version), where.master, false, where.job};
+}
+
+/// Makes the viewer of the worst scenarios; nothing if it is not asked for or has nothing to show.
+Result<std::optional<EmbeddedViewer>>
+make_viewer(const ReportCommand& command, RunAtHand& at_hand, ThreadPool& pool) {
+    std::optional<EmbeddedViewer> viewer;
+    if (!command.has_viewer) {
+        return viewer;
+    }
+    const auto run =
+        CD_TRY(ViewedRun::open(at_hand.run, at_hand.job, pool, &InterruptGuard::has_come));
+    const auto worst = run->worst(limits::report_viewer_scenarios_max);
+    if (worst.empty()) {
+        std::fprintf(stderr, "no scenario is in contact: there is nothing to show in 3D\n");
+        return viewer;
+    }
+    viewer.emplace();
+    const auto take = [&](const HeldAnswer& answer) {
+        viewer->add(answer);
+        return check_size(viewer->bytes(), command);
+    };
+    CD_TRY(for_each_answer(*run, origin_of(*run, command), worst, take, &InterruptGuard::has_come));
+    return viewer;
 }
 
 /// Writes the report, and groups.csv beside it if the run lists pairs.
@@ -61,8 +114,10 @@ Status write_report(const fs::path& path,
 Result<int> perform(const ReportCommand& command) {
     const InterruptGuard interrupts(InterruptGuard::First::EndsProcess);
     ThreadPool pool(command.threads);
-    auto at_hand = CD_TRY(open_run_at_hand(
-        command.run, command.master, command.tree_cache, Trees::ForPosesOnly, pool));
+    // Scenarios are run again for the viewer.
+    const Trees trees = command.has_viewer ? Trees::Always : Trees::ForPosesOnly;
+    auto at_hand =
+        CD_TRY(open_run_at_hand(command.run, command.master, command.tree_cache, trees, pool));
     const RunManifest& manifest = at_hand.run.manifest();
     CD_TRY(check_fail_on(command.fail_on, manifest.query.level));
     auto judge = CD_TRY(
@@ -73,13 +128,18 @@ Result<int> perform(const ReportCommand& command) {
                                              manifest.poses.count,
                                              &InterruptGuard::has_come));
     const GroupStatuses statuses = CD_TRY(judge.judge(at_hand, overview.groups()));
+    const auto viewer = CD_TRY(make_viewer(command, at_hand, pool));
     ReportPictures pictures;
     CD_TRY(pictures.draw(at_hand.job, overview.worst(), &InterruptGuard::has_come));
     RunDocument document(manifest, at_hand.job, overview, statuses, pictures);
     document.set_baseline({command.judge.baseline,
                            judge.has_baseline() ? judge.baseline_digest() : "",
                            statuses.warnings()});
+    if (viewer) {
+        document.set_viewer(*viewer);
+    }
     const std::string html = CD_TRY(document.html(&InterruptGuard::has_come));
+    CD_TRY(check_size(html.size(), command));
     if (!command.pictures.empty()) {
         CD_TRY(write_pictures(
             command.pictures, at_hand.job, overview.worst(), &InterruptGuard::has_come));

@@ -1,8 +1,9 @@
 #include "client/document/html.hpp"
 
+#include "common/core/check.hpp"
+#include "common/core/files/hash.hpp"
 #include "common/core/printable.hpp"
 
-#include <cstddef>
 #include <cstdint>
 
 namespace cd {
@@ -55,6 +56,30 @@ std::string escaped_markup(std::string_view text) {
     return markup;
 }
 
+/// Returns a text's hash as a source of a policy (W3C, Content Security Policy 3, section 2.3.1).
+std::string policy_hash(std::string_view text) {
+    return "'sha256-" + base64(sha256(std::as_bytes(std::span(text))).bytes) + "'";
+}
+
+/// Returns the element that lets a document run `script`, use `style`, and load nothing.
+Html policy(std::string_view style, std::string_view script) {
+    return Html::element(
+        "meta",
+        Html(),
+        {{"http-equiv", "Content-Security-Policy"},
+         {"content",
+          "default-src 'none'; script-src " + policy_hash(script) + "; style-src " +
+              policy_hash(style) + "; img-src data:; base-uri 'none'; form-action 'none'"}});
+}
+
+/// Returns the element of a module. Its text is not escaped, so that nothing in it may end it.
+std::string script_element(std::string_view script) {
+    for (const char* const end : {"</script", "<script", "<!--", "\r"}) {
+        CD_CHECK(script.find(end) == script.npos);
+    }
+    return "<script type=\"module\">" + std::string(script) + "</script>";
+}
+
 } // namespace
 
 Html Html::text(std::string_view text) {
@@ -69,15 +94,21 @@ Html Html::element(std::string_view name, const Html& content, const Attributes&
     for (const auto& [key, value] : attributes) {
         html.markup_ += " " + std::string(key) + "=\"" + escaped_markup(value) + "\"";
     }
-    const bool is_void = name == "img" || name == "rect" || name == "br";
+    const bool is_void = name == "img" || name == "rect" || name == "br" || name == "meta";
     html.markup_ += is_void ? "/>" : ">" + content.markup_ + "</" + std::string(name) + ">";
     return html;
 }
 
-std::string Html::document(std::string_view title, std::string_view style, const Html& body) {
-    return "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"/><title>" +
+std::string Html::document(std::string_view title,
+                           std::string_view style,
+                           const Html& body,
+                           std::string_view script) {
+    const bool has_script = !script.empty();
+    return "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"/>" +
+           (has_script ? policy(style, script) : Html()).markup_ + "<title>" +
            escaped_markup(title) + "</title><style>" + std::string(style) +
-           "</style></head>\n<body>" + body.markup_ + "</body></html>\n";
+           "</style></head>\n<body>" + body.markup_ + (has_script ? script_element(script) : "") +
+           "</body></html>\n";
 }
 
 std::string short_name(std::string_view name) {
@@ -99,21 +130,26 @@ Html html_table(const std::vector<std::vector<Html>>& rows, std::string_view kin
     return Html::element("table", lines, {{"class", std::string(kind)}});
 }
 
-std::string data_address(std::string_view media_type, std::string_view bytes) {
+std::string base64(std::span<const std::byte> bytes) {
     constexpr std::string_view digits =
         "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    std::string address = "data:" + std::string(media_type) + ";base64,";
+    std::string text;
+    text.reserve((bytes.size() + 2) / 3 * 4);
     for (std::size_t i = 0; i < bytes.size(); i += 3) {
         std::uint32_t group = 0;
         for (std::size_t k = 0; k < 3; ++k) {
-            group =
-                group << 8 | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0u);
+            group = group << 8 |
+                    (i + k < bytes.size() ? std::to_integer<std::uint32_t>(bytes[i + k]) : 0u);
         }
         for (std::size_t k = 0; k < 4; ++k) {
-            address += i + k <= bytes.size() ? digits[group >> (18 - 6 * k) & 63] : '=';
+            text += i + k <= bytes.size() ? digits[group >> (18 - 6 * k) & 63] : '=';
         }
     }
-    return address;
+    return text;
+}
+
+std::string data_address(std::string_view media_type, std::string_view bytes) {
+    return "data:" + std::string(media_type) + ";base64," + base64(std::as_bytes(std::span(bytes)));
 }
 
 Html paragraph(std::string_view text, const char* kind) {

@@ -1,6 +1,8 @@
 // Markup of a document that is HTML and well-formed XML alike.
 #pragma once
 
+#include <cstddef>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -25,9 +27,14 @@ class Html {
     element(std::string_view name, std::string_view text, const Attributes& attributes = {}) {
         return element(name, Html::text(text), attributes);
     }
-    /// Makes a complete document. `style` is a style sheet without angle brackets.
-    [[nodiscard]] static std::string
-    document(std::string_view title, std::string_view style, const Html& body);
+    /// Makes a complete document. `style` is a style sheet without angle brackets. With a script (a
+    /// module's text, without line breaks other than LF), the document has a policy that allows
+    /// this script and this style alone, and pictures in the document; it is then HTML, but not
+    /// XML.
+    [[nodiscard]] static std::string document(std::string_view title,
+                                              std::string_view style,
+                                              const Html& body,
+                                              std::string_view script = {});
 
     Html& operator+=(const Html& more) {
         markup_ += more.markup_;
@@ -52,7 +59,10 @@ class Html {
 /// Makes a table: rows of cells, of which the first row is the head.
 [[nodiscard]] Html html_table(const std::vector<std::vector<Html>>& rows, std::string_view kind);
 
-/// Returns the bytes as a `data:` address with this media type, encoded as Base64 (RFC 4648).
+/// Encodes bytes as Base64 (RFC 4648, section 4).
+[[nodiscard]] std::string base64(std::span<const std::byte> bytes);
+
+/// Returns the bytes as a `data:` address with this media type, encoded as Base64.
 [[nodiscard]] std::string data_address(std::string_view media_type, std::string_view bytes);
 
 } // namespace cd

@@ -21,6 +21,11 @@ svg { width: 100%; break-inside: avoid } svg text { font: 11px sans-serif }
 .warning { background: #fff3c4; padding: 1mm 2mm; overflow-wrap: anywhere }
 .h1 { background: #fde0dd } .h2 { background: #fcb9b2 } .h3 { background: #f58a80 }
 .h4 { background: #e0554a; color: #fff }
+.viewer { break-inside: avoid }
+#page { box-sizing: border-box; width: min(96vw, 1280px); padding: 4mm;
+  margin-left: calc(50% - min(48vw, 640px)) }
+#page p { max-width: 190mm; margin: 0 auto } .viewer details { font-size: 9pt; color: #555 }
+@media print { .viewer { display: none } }
 pre { white-space: pre-wrap; overflow-wrap: anywhere; font-size: 8pt; background: #f6f6f6;
   padding: 2mm }
 )";

@@ -238,15 +238,18 @@ Result<std::string> RunDocument::html(const StopCheck& stop) {
     Html body = verdict();
     body += bodies();
     body += worst();
+    body += viewer_ != nullptr ? viewer_->section() : Html();
     GroupSections sections(names_, manifest_, overview_, statuses_);
     body += sections.matrix();
     body += CD_TRY(charts(stop));
     body += sections.table();
     body += sections.against(baseline_);
     body += html_section("How it ran", how_it_ran());
+    body += viewer_ != nullptr ? viewer_->answers() : Html();
     return Html::document("cdcluster: " + short_name(manifest_.name),
                           report_style + ClassChart::style_sheet(),
-                          body);
+                          body,
+                          viewer_ != nullptr ? viewer_->script() : "");
 }
 
 } // namespace cd

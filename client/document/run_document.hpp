@@ -1,7 +1,8 @@
-// The report of a run: one HTML file without script, for screen and paper.
+// The report of a run: one HTML file for screen and paper, without script unless it has a viewer.
 #pragma once
 
 #include "client/compare/group_statuses.hpp"
+#include "client/document/embedded_viewer.hpp"
 #include "client/document/group_sections.hpp"
 #include "client/document/html.hpp"
 #include "client/document/report_pictures.hpp"
@@ -34,8 +35,10 @@ class RunDocument {
           names_(manifest, job.labels) {}
 
     void set_baseline(BaselineNote note) { baseline_ = std::move(note); }
-    /// Returns the report as an HTML document below 5 MB. Reads all poses. Errors: from reading
-    /// poses; Interrupted.
+    /// Puts a viewer into the report. It outlives the object.
+    void set_viewer(const EmbeddedViewer& viewer) { viewer_ = &viewer; }
+    /// Returns the report as an HTML document, below 5 MB without the viewer. Reads all poses.
+    /// Errors: from reading poses; Interrupted.
     [[nodiscard]] Result<std::string> html(const StopCheck& stop);
 
   private:
@@ -55,6 +58,7 @@ class RunDocument {
     const ReportPictures& pictures_;
     RunNames names_;
     BaselineNote baseline_;
+    const EmbeddedViewer* viewer_ = nullptr;
 };
 
 } // namespace cd

@@ -71,7 +71,7 @@ ORDERED = {
         "folder": ["messages", "web/status"],
         "compare": ["messages", "web/status"],
         "view": ["channel", "messages", "web/server", "web/status"],
-        "document": ["messages", "web/status"],
+        "document": ["messages", "web/server", "web/status"],
         "commands": ["messages", "web/server", "web/status"],
         "": [],
     },

@@ -56,10 +56,13 @@ inline constexpr std::size_t group_episodes_max = 100; ///< Episodes that a grou
 inline constexpr std::uint64_t compared_window_scenarios_max = 1u << 18;
 inline constexpr std::uint64_t compared_ahead_bytes_max = 128u << 20; ///< Size of these records.
 
-// Reports. A report stays below 5 MB.
+// Reports. A report stays below 5 MB, without a viewer.
 /// Size of all pictures in a report. In the report they take a third more.
 inline constexpr std::size_t report_pictures_bytes_max = 2'700'000;
 inline constexpr std::size_t report_groups_max = 200; ///< Groups in the table of a report.
+inline constexpr std::uint64_t report_with_viewer_bytes_max = 25'000'000;
+/// Scenarios that the viewer in a report can show.
+inline constexpr std::size_t report_viewer_scenarios_max = 20;
 /// Parts of A, and of B, in the matrix of a report.
 inline constexpr std::size_t report_parts_max = 16;
 inline constexpr std::size_t report_job_bytes_max = 65536; ///< Text of the job file in a report.

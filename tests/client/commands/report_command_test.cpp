@@ -2,14 +2,21 @@
 // address, with everything that was found and what was not tested, whatever names the run has.
 #include "client/base/exit_code.hpp"
 #include "client/commands/commands.hpp"
+#include "client/document/html.hpp"
+#include "common/core/files/hash.hpp"
+#include "common/core/limits/client.hpp"
 #include "tests/support/process.hpp"
+#include "tests/support/report_answers.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 #include <pugixml.hpp>
 
 #include <array>
 #include <filesystem>
+#include <map>
+#include <span>
 #include <sstream>
 #include <string>
 
@@ -79,16 +86,46 @@ class ReportFile : public testing::Test {
     }
 
     [[nodiscard]] std::string html() const { return read_text(report_.out); }
-    [[nodiscard]] std::string groups() const { return read_text(folder_ / "r" / "groups.csv"); }
-
-    /// Checks what each report promises.
-    void expect_a_good_document() const {
+    /// Checks what each report with a viewer promises, and returns the answers that it holds.
+    [[nodiscard]] std::map<std::string, std::string> expect_a_viewer() const {
         const std::string page = html();
+        const std::size_t script = page.find("<script type=\"module\">");
+        const std::size_t begin = page.find('>', script) + 1;
+        const std::size_t end = page.find("</script>", begin);
+        EXPECT_NE(end, page.npos);
+        EXPECT_EQ(page.find("<script", script + 1), page.npos) << "there is one script";
+        EXPECT_THAT(page.substr(0, 1000), HasSubstr("default-src 'none'; script-src 'sha256-"));
+        EXPECT_THAT(page, HasSubstr("'sha256-" + hash_of(page.substr(begin, end - begin)) + "'"));
+        EXPECT_THAT(page.substr(end), StartsWith("</script></body></html>"));
+        // All but the script is well-formed, so that no name ended an element.
+        expect_well_formed(page.substr(0, begin) + page.substr(end));
+        EXPECT_THAT(page,
+                    HasSubstr("needs a browser of 2023 or later that runs this file's script"));
+        EXPECT_LT(page.size(), limits::report_with_viewer_bytes_max);
+        return answers_in(page);
+    }
+
+    static std::string hash_of(const std::string& text) {
+        const Sha256 hash = sha256(std::as_bytes(std::span(text)));
+        std::string base64 =
+            data_address("", {reinterpret_cast<const char*>(hash.bytes.data()), 32});
+        return base64.substr(base64.find(',') + 1);
+    }
+
+    static void expect_well_formed(const std::string& page) {
         pugi::xml_document document;
         const auto parsed = document.load_buffer(
             page.data(), page.size(), pugi::parse_default | pugi::parse_doctype);
         EXPECT_TRUE(parsed) << parsed.description() << " at "
                             << page.substr(static_cast<std::size_t>(parsed.offset), 80);
+    }
+
+    [[nodiscard]] std::string groups() const { return read_text(folder_ / "r" / "groups.csv"); }
+
+    /// Checks what each report promises.
+    void expect_a_good_document() const {
+        const std::string page = html();
+        expect_well_formed(page);
         EXPECT_THAT(page, StartsWith("<!DOCTYPE html>"));
         EXPECT_THAT(page, Not(HasSubstr("<script")));
         EXPECT_THAT(page, Not(HasSubstr("http")));
@@ -286,6 +323,77 @@ TEST_F(ReportFile, FailsOnWhatIsAsked) {
     EXPECT_TRUE(fs::exists(report_.out)) << "the report is written all the same";
     report_.fail_on = {.undecided = true};
     EXPECT_EQ(report(), exit_done);
+}
+
+TEST_F(ReportFile, WithAViewerHoldsMeshesAndTheWorstScenarios) {
+    write_job("wheel_left", "body", "level = \"count\"\nmaps = true");
+    run_job();
+    report_.has_viewer = true;
+    EXPECT_EQ(report(), exit_done) << stderr_;
+    const auto answers = expect_a_viewer();
+    const auto job = nlohmann::json::parse(answers.at("jobs/folder"));
+    for (const auto& body : job.at("bodies")) {
+        const std::string& mesh = answers.at("meshes/" + body.at("sha256").get<std::string>());
+        EXPECT_EQ(to_hex(sha256(std::as_bytes(std::span(mesh)))), body.at("sha256"));
+    }
+    std::size_t scenarios = 0;
+    for (const auto& [path, text] : answers) {
+        scenarios += path.starts_with("jobs/folder/scenarios/") && path.ends_with("/pairs") ? 1 : 0;
+    }
+    EXPECT_EQ(scenarios, 3u) << "those in contact";
+    const auto scenario = nlohmann::json::parse(answers.at("jobs/folder/scenarios/2"));
+    EXPECT_EQ(scenario.at("class"), "cross");
+    EXPECT_EQ(scenario.at("verified"), true);
+    EXPECT_THAT(answers.at("jobs/folder/map/1"), HasSubstr("NUMPY"));
+    EXPECT_THAT(answers.at("app.css"), HasSubstr(":host"));
+    EXPECT_THAT(html(), HasSubstr("<h2>In 3D</h2>"));
+    EXPECT_THAT(html(), HasSubstr("Permission is hereby granted")) << "the libraries' licences";
+}
+
+TEST_F(ReportFile, WithAViewerNamesOfAnyKindAreText) {
+    name_ = "</template></script><script>alert(1)</script>";
+    write_job("</template><script>alert(1)</script>", "<!--\"'&]]>\u202e", "");
+    run_job();
+    report_.has_viewer = true;
+    EXPECT_EQ(report(), exit_done) << stderr_;
+    const auto answers = expect_a_viewer();
+    EXPECT_THAT(answers.at("jobs/folder"), HasSubstr("</script><script>alert(1)"))
+        << "the page gets the names as they are";
+}
+
+TEST_F(ReportFile, ThatIsTooLargeIsRefusedBeforeAnythingIsWritten) {
+    write_job("wheel_left", "body", "");
+    run_job();
+    report_.has_viewer = true;
+    EXPECT_EQ(report(), exit_done) << stderr_;
+    const std::uint64_t size = html().size();
+    fs::remove_all(folder_ / "r");
+    report_.pictures = (folder_ / "r" / "pictures").string();
+    for (const std::uint64_t bytes_max : {std::uint64_t{100'000}, size - 1}) {
+        report_.bytes_max = bytes_max;
+        EXPECT_EQ(report(), exit_usage);
+        EXPECT_THAT(stderr_, HasSubstr("with --3d the report takes 0."));
+        EXPECT_THAT(
+            stderr_,
+            HasSubstr("leave out --3d, and see the run in 3D with: cdctl view " + report_.run));
+        EXPECT_FALSE(fs::exists(folder_ / "r"));
+    }
+    report_.bytes_max = size;
+    EXPECT_EQ(report(), exit_done) << stderr_;
+    report_.has_viewer = false;
+    report_.bytes_max = 0;
+    EXPECT_EQ(report(), exit_done) << "the limit is for reports with a viewer";
+    expect_a_good_document();
+}
+
+TEST_F(ReportFile, WithoutContactsHasNoViewer) {
+    write_job("wheel_left", "body", "");
+    write_text(folder_ / "poses.csv", "x,y,z\n9,9,9\n");
+    run_job();
+    report_.has_viewer = true;
+    EXPECT_EQ(report(), exit_done);
+    EXPECT_EQ(stderr_, "no scenario is in contact: there is nothing to show in 3D\n");
+    expect_a_good_document();
 }
 
 TEST_F(ReportFile, DrawsLargePicturesIntoAFolder) {

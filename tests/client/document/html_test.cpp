@@ -79,6 +79,20 @@ TEST(Html, DataAddressesAreBase64) {
     EXPECT_EQ(data_address("image/png", "\xff\xfe"), "data:image/png;base64,//4=");
 }
 
+TEST(Html, AScriptComesWithAPolicyThatAllowsNothingElse) {
+    const std::string page = Html::document("t", "p{}", paragraph("x"), "alert('Hello, world.');");
+    // The hash of this script is known from the documentation of the policy at MDN.
+    EXPECT_THAT(
+        page,
+        HasSubstr("<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; "
+                  "script-src 'sha256-qznLcsROx4GACP2dm0UCKCzCG+HiZ1guq6ZZDob/Tng='; "
+                  "style-src 'sha256-gG2yISYereRMiG2lMXrbiUgi0Ubw9p7QCeWcroOvy9Y='; "
+                  "img-src data:; base-uri 'none'; form-action 'none'\"/>"));
+    EXPECT_THAT(
+        page, HasSubstr("<p>x</p><script type=\"module\">alert('Hello, world.');</script></body>"));
+    EXPECT_THAT(Html::document("t", "p{}", paragraph("x")), Not(HasSubstr("Security-Policy")));
+}
+
 TEST(Html, TablesHaveAHead) {
     EXPECT_EQ(html_table({html_texts({"a"}), html_texts({"1"})}, "k").markup(),
               "<table class=\"k\"><thead><tr><th>a</th></tr></thead><tr><td>1</td></tr></table>");

@@ -1,13 +1,16 @@
 // Proves, with real processes, that a job on a master becomes a folder: the folder that `results`
 // writes equals the one `run --master` writes, except for times.
+#include "client/folder/opened_run.hpp"
 #include "tests/cluster/cdctl_runs.hpp"
 #include "tests/cluster/cluster_fixture.hpp"
 #include "tests/support/comes_true.hpp"
+#include "tests/support/report_answers.hpp"
 
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
 #include <csignal>
+#include <map>
 
 namespace cd::tests {
 
@@ -249,6 +252,31 @@ TEST_F(JobFolder, AJobIsReportedAsItsFolderIs) {
     }
     EXPECT_THAT(read_text(folder_ / "of_job" / "groups.csv"), HasSubstr(",active,\n"));
     EXPECT_THAT(read_text(folder_ / "of_job" / "report.html"), HasSubstr("<h2>Groups</h2>"));
+}
+
+TEST_F(JobFolder, AReportOfAJobHoldsTheViewerOfItsFolder) {
+    write_text(folder_ / "poses.csv",
+               "x,y,z,qx,qy,qz,qw\n3,0,0,0,0,0,1\n1,0,0,0,0,0,1\n0.5,0.2,0.1,0,0,0,1\n");
+    write_job("file = \"poses.csv\"", "level = \"count\"");
+    const std::string out = folder_ / "out";
+    ASSERT_EQ(cdctl_at_master({"run", folder_ / "job.toml", "--out", out}).exit_code, 0);
+    const auto answers = [&](const std::string& run, const std::string& job) {
+        const Ran ran = cdctl_at_master(
+            {"report", run, "--3d", "-o", folder_ / "report.html", "--threads", "1"});
+        EXPECT_EQ(ran.exit_code, 0) << ran.errors;
+        std::map<std::string, std::string> found;
+        for (const auto& [path, text] : answers_in(read_text(folder_ / "report.html"))) {
+            if (path.starts_with("meshes/") || path.find("/scenarios/") != path.npos) {
+                found[path.starts_with("jobs/") ? path.substr(("jobs/" + job).size()) : path] =
+                    text;
+            }
+        }
+        return found;
+    };
+    const auto of_folder = answers(out, "folder");
+    const std::string id = OpenedRun::open(out).value().manifest().where.job;
+    EXPECT_GT(of_folder.size(), 2u);
+    EXPECT_EQ(answers("last", id), of_folder);
 }
 
 } // namespace cd::tests

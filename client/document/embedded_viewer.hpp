@@ -1,0 +1,37 @@
+// The page's viewer in a report: its script, and what it shows.
+#pragma once
+
+#include "client/document/html.hpp"
+#include "client/view/held_answers.hpp"
+
+#include <cstdint>
+#include <string_view>
+
+namespace cd {
+
+/// A viewer of some scenarios. The page's script finds each answer that it needs in an inert
+/// element
+/// (`template`) with the path of its request, as gzip in Base64.
+class EmbeddedViewer {
+  public:
+    EmbeddedViewer();
+
+    void add(const HeldAnswer& answer);
+    /// Returns the size of the viewer in the document.
+    [[nodiscard]] std::uint64_t bytes() const { return script().size() + answers_.markup().size(); }
+
+    /// Returns the section of the report in which the viewer appears. Without scripts it says what
+    /// is missing; on paper it is left out.
+    [[nodiscard]] static Html section();
+    /// Returns the elements that hold the answers.
+    [[nodiscard]] const Html& answers() const { return answers_; }
+    /// Returns the page's script, a module.
+    [[nodiscard]] static std::string_view script();
+
+  private:
+    void add_packed(const std::string& path, std::span<const std::byte> gzip, bool is_cut);
+
+    Html answers_;
+};
+
+} // namespace cd

@@ -1,0 +1,89 @@
+#include "client/view/held_answers.hpp"
+
+#include "common/core/errors.hpp"
+#include "web/server/page_arrays.hpp"
+#include "web/server/page_json.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <string_view>
+#include <utility>
+
+namespace cd {
+
+namespace {
+
+using TakeAnswer = std::function<Status(const HeldAnswer&)>;
+
+Bytes bytes_of(std::string_view text) {
+    const auto bytes = std::as_bytes(std::span(text));
+    return {bytes.begin(), bytes.end()};
+}
+
+JobView job_of(const ViewedRun& run, const PageOrigin& origin) {
+    JobView job = run.view(origin.job);
+    if (origin.kind != PageOrigin::Kind::Folder) {
+        job.run.folder.clear();
+    }
+    return job;
+}
+
+Status take_meshes(const ViewedRun& run, const JobView& job, const TakeAnswer& take) {
+    for (std::size_t i = 0; i < job.bodies.size(); ++i) {
+        const Sha256& hash = job.bodies[i].body.mesh;
+        const bool is_first =
+            std::none_of(job.bodies.begin(),
+                         job.bodies.begin() + static_cast<std::ptrdiff_t>(i),
+                         [&](const BodyView& each) { return each.body.mesh == hash; });
+        if (is_first) {
+            CD_TRY(take({"meshes/" + to_hex(hash), run.mesh(hash)->canonical_bytes()}));
+        }
+    }
+    return Done{};
+}
+
+Status take_maps(const ViewedRun& run, const JobView& job, const TakeAnswer& take) {
+    for (std::size_t i = 0; job.map.exists && i < job.bodies.size(); ++i) {
+        const auto map = CD_TRY(run.map(i));
+        CD_TRY(take({"jobs/" + job.row.id + "/map/" + std::to_string(i), map_npy(map)}));
+    }
+    return Done{};
+}
+
+Status take_scenario(const std::string& path,
+                     std::uint64_t number,
+                     const ScenarioView& scenario,
+                     const TakeAnswer& take) {
+    CD_TRY(take({path, bytes_of(scenario_json(number, scenario))}));
+    const ScenarioResult none;
+    const ScenarioResult& drawn = scenario.drawn != nullptr ? *scenario.drawn : none;
+    BoundedArray pairs = pairs_npy(drawn);
+    CD_TRY(take({path + "/pairs", std::move(pairs.npy), pairs.is_cut}));
+    BoundedArray points = points_npy(drawn);
+    return take({path + "/points", std::move(points.npy), points.is_cut});
+}
+
+} // namespace
+
+Status for_each_answer(ViewedRun& run,
+                       const PageOrigin& origin,
+                       std::span<const std::uint64_t> scenarios,
+                       const TakeAnswer& take,
+                       const StopCheck& stop) {
+    const JobView job = job_of(run, origin);
+    CD_TRY(take({"source", bytes_of(origin_json(origin))}));
+    CD_TRY(take({"jobs/" + origin.job, bytes_of(job_view_json(job))}));
+    CD_TRY(take_meshes(run, job, take));
+    CD_TRY(take_maps(run, job, take));
+    for (const std::uint64_t number : scenarios) {
+        const auto scenario = CD_TRY(run.scenario(number, stop));
+        if (stop && stop()) {
+            return interrupted();
+        }
+        const std::string path = "jobs/" + origin.job + "/scenarios/" + std::to_string(number);
+        CD_TRY(take_scenario(path, number, *scenario, take));
+    }
+    return Done{};
+}
+
+} // namespace cd

@@ -1,0 +1,157 @@
+// Proves that a report holds what `cdctl view` would answer to the page, byte for byte.
+#include "client/view/held_answers.hpp"
+
+#include "client/view/folder_source.hpp"
+#include "tests/client/view/viewed_scene.hpp"
+#include "web/server/page_server.hpp"
+
+#include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <map>
+
+namespace cd::tests {
+namespace {
+
+using testing::HasSubstr;
+
+/// Asks the server of a source, and waits for the whole answer.
+class Server {
+  public:
+    explicit Server(std::unique_ptr<ViewedRun> run)
+        : source_(context_.get_executor(), std::move(run), [] { return false; }),
+          server_(context_.get_executor(), source_, {}) {}
+
+    HeldAnswer ask(const std::string& path) {
+        HeldAnswer answer{path, {}};
+        bool is_whole = false;
+        const auto work = asio::make_work_guard(context_);
+        server_.answer(
+            {"GET", "/api/v1/" + path, "localhost"},
+            [](PageRight) { return Done{}; },
+            [&](HttpAnswer got) {
+                EXPECT_EQ(got.status, 200u) << path << ": " << got.body;
+                answer.is_cut = std::ranges::any_of(
+                    got.headers, [](const auto& header) { return header.first == "X-Cut"; });
+                if (got.content == nullptr) {
+                    const auto bytes = std::as_bytes(std::span(got.body));
+                    answer.bytes.assign(bytes.begin(), bytes.end());
+                    is_whole = true;
+                    return;
+                }
+                got.content->read(
+                    0, got.content->size(), [&, body = got.content](const auto& read) {
+                        answer.bytes.assign(read.value().begin(), read.value().end());
+                        is_whole = true;
+                    });
+            });
+        while (!is_whole) {
+            context_.run_one();
+        }
+        return answer;
+    }
+
+  private:
+    asio::io_context context_;
+    FolderSource source_;
+    PageServer server_;
+};
+
+class Held : public Viewed {
+  protected:
+    static std::vector<HeldAnswer> answers_of(ViewedRun& run, const PageOrigin& origin) {
+        std::vector<HeldAnswer> answers;
+        const auto worst = run.worst(3);
+        EXPECT_EQ(worst.size(), 3u);
+        const Status told = for_each_answer(
+            run,
+            origin,
+            worst,
+            [&](const HeldAnswer& answer) {
+                answers.push_back(answer);
+                return Status(Done{});
+            },
+            never());
+        EXPECT_TRUE(told);
+        return answers;
+    }
+
+    static std::map<std::string, std::string> texts_of(const std::vector<HeldAnswer>& answers) {
+        std::map<std::string, std::string> texts;
+        for (const HeldAnswer& each : answers) {
+            texts[each.path] = {reinterpret_cast<const char*>(each.bytes.data()),
+                                each.bytes.size()};
+        }
+        return texts;
+    }
+};
+
+} // namespace
+
+TEST_F(Held, AnswersAreThoseOfTheServerAtAnyLevel) {
+    for (const std::string query : {"level = \"any\"\n",
+                                    "level = \"count\"\nmaps = true\n",
+                                    "level = \"pairs\"\nlimit_pairs = 2\n",
+                                    "level = \"contacts\"\n"}) {
+        auto run = view(query);
+        const bool has_map = query.find("any") == query.npos;
+        const auto answers = answers_of(*run, folder_origin(*run));
+        EXPECT_EQ(answers.size(), 2u + 2 + (has_map ? 2 : 0) + 3 * 3) << query;
+        Server server(std::move(run));
+        for (const HeldAnswer& each : answers) {
+            const HeldAnswer served = server.ask(each.path);
+            EXPECT_TRUE(each.bytes == served.bytes) << query << each.path;
+            EXPECT_EQ(each.is_cut, served.is_cut) << query << each.path;
+        }
+        const auto texts = texts_of(answers);
+        const auto scenario = nlohmann::json::parse(texts.lower_bound("jobs/folder/scen")->second);
+        EXPECT_EQ(scenario.at("verified"), true) << query;
+        EXPECT_GT(scenario.at("exact_pairs"), 0) << query;
+    }
+}
+
+TEST_F(Held, AMeshHasTheHashOfItsPath) {
+    auto run = view("level = \"pairs\"\n");
+    std::size_t meshes = 0;
+    for (const HeldAnswer& each : answers_of(*run, folder_origin(*run))) {
+        if (each.path.starts_with("meshes/")) {
+            EXPECT_EQ(each.path, "meshes/" + to_hex(sha256(each.bytes)));
+            ++meshes;
+        }
+    }
+    EXPECT_EQ(meshes, 2u);
+}
+
+TEST_F(Held, AJobOfAMasterNamesItsIdAndNoFolder) {
+    auto run = view("level = \"pairs\"\n");
+    const auto texts = texts_of(
+        answers_of(*run, {PageOrigin::Kind::Remote, "cdctl", "node-1:7600", false, "j-5692"}));
+    const auto source = nlohmann::json::parse(texts.at("source"));
+    EXPECT_EQ(source.at("kind"), "remote");
+    EXPECT_EQ(source.at("job"), "j-5692");
+    const auto job = nlohmann::json::parse(texts.at("jobs/j-5692"));
+    EXPECT_EQ(job.at("job"), "j-5692");
+    EXPECT_EQ(job.at("folder"), "");
+    for (const auto& [path, text] : texts) {
+        EXPECT_EQ(text.find(folder_.path() / "out"), text.npos) << path;
+    }
+}
+
+TEST_F(Held, AnErrorOfTheTakerAndASignalEndIt) {
+    auto run = view("level = \"pairs\"\n");
+    const auto worst = run->worst(2);
+    const PageOrigin origin = folder_origin(*run);
+    std::size_t taken = 0;
+    const auto count = [&](const HeldAnswer&) {
+        return ++taken < 3 ? Status(Done{}) : Error{ErrorCode::TooLarge, "enough"};
+    };
+    EXPECT_EQ(for_each_answer(*run, origin, worst, count, never()).error().code,
+              ErrorCode::TooLarge);
+    EXPECT_EQ(taken, 3u);
+    const auto take = [](const HeldAnswer&) { return Status(Done{}); };
+    EXPECT_EQ(for_each_answer(*run, origin, worst, take, [] { return true; }).error().code,
+              ErrorCode::Interrupted);
+}
+
+} // namespace cd::tests
