@@ -164,17 +164,25 @@ class Browser:
                 },
             )
 
+    def turn_wheel(self, x, y, by):
+        """Turns the mouse's wheel over a point of the page."""
+        wheel = {"type": "mouseWheel", "x": x, "y": y, "deltaX": 0, "deltaY": by}
+        self.driver.execute_cdp_cmd("Input.dispatchMouseEvent", wheel)
+
     def box(self, selector):
         """Returns left, top, width, height of an element, which is scrolled into view."""
         return self.driver.execute_script(
-            "const e = document.querySelector(arguments[0]); e.scrollIntoView({block: 'center'});"
+            # In a report, the viewer is in a tree of its own.
+            "const tree = document.getElementById('page').shadowRoot ?? document;"
+            "const e = tree.querySelector(arguments[0]); e.scrollIntoView({block: 'center'});"
             "const b = e.getBoundingClientRect(); return [b.left, b.top, b.width, b.height]",
             selector,
         )
 
     def colour(self, x, y):
-        """Returns red, green, blue of a pixel of the page."""
-        clip = {"x": int(x), "y": int(y), "width": 1, "height": 1, "scale": 1}
+        """Returns red, green, blue of a pixel of the window."""
+        left, top = self.driver.execute_script("return [scrollX, scrollY]")
+        clip = {"x": int(x + left), "y": int(y + top), "width": 1, "height": 1, "scale": 1}
         shot = self.driver.execute_cdp_cmd("Page.captureScreenshot", {"format": "png", "clip": clip})
         return decode_png(base64.b64decode(shot["data"]))[0][0]
 
