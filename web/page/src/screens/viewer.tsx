@@ -3,7 +3,7 @@ import { messageOf } from "../base/api";
 import { tellFacts } from "../base/facts";
 import { forgetNotes, goTo, jobLink, noteLink, noteLinkSoon, type Route, scenarioLink } from "../base/route";
 import type { Job, Source, Vec3 } from "../base/types";
-import { grouped, shellWord } from "../base/words";
+import { fileName, grouped, shellWord } from "../base/words";
 import { usePolled, useTitle } from "../ui/hooks";
 import { isTyping, KeyHelp } from "../ui/keys";
 import { Command, Name, Notice } from "../ui/small";
@@ -341,8 +341,8 @@ export function ViewerScreen({ source, route, report }: ScreenProps) {
                             />
                             {!viewer && !error && <p class="wait over">reading {grouped(trianglesOf(job))} triangles…</p>}
                             <div class="corner">
-                                <span class="swatch a" /> A <Name text={job.bodies[0].name} />{" "}
-                                <span class="swatch b" /> B <Name text={job.bodies[1].name} />
+                                <span class="swatch a" /> A <Name text={fileName(job.bodies[0].file)} />{" "}
+                                <span class="swatch b" /> B <Name text={fileName(job.bodies[1].file)} />
                                 <span class="note">drawn in single precision</span>
                             </div>
                         </>

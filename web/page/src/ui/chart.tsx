@@ -37,7 +37,7 @@ function optionsOf(
         legend: { show: false },
         cursor: { drag: { x: false, y: false }, y: false },
         hooks: { setCursor: [(plot) => point(plot.cursor.idx ?? null)] },
-        scales: { y: { range: (_, __, max) => [0, max > 0 ? 1.1 * max : 1] } },
+        scales: { y: { range: (_, __, max) => [0, Math.max(1.1 * max, 4)] } },
         axes: [
             { ...axis, size: 28, space: 70, values: "{HH}:{mm}:{ss}" },
             { ...axis, size: 64, values: (_, ticks) => ticks.map((tick) => props.format(tick)) },
