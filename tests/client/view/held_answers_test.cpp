@@ -27,6 +27,7 @@ class Server {
         HeldAnswer answer{path, {}};
         bool is_whole = false;
         const auto work = asio::make_work_guard(context_);
+        context_.restart(); // It stopped after the last answer.
         server_.answer(
             {"GET", "/api/v1/" + path, "localhost"},
             [](PageRight) { return Done{}; },
