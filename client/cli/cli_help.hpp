@@ -49,7 +49,7 @@ A job.toml has the keys name, unit, and the tables
              tolerance = 0.05, ignore = [["wheel_*", "ground"]]: parts of a with
              parts of b; or "a/wheel_*", with the body's name; \ before / * ? [ in names;
              maps = true: from level count on, map.csv and map.npz say in how many scenarios each
-             triangle was in contact
+             triangle was in contact, and groups.csv each pair of parts, also at level count
   [output]   dir = "out", formats = ["csv", "csv-pairs", "npz", "json", "text", "vtp", "glb"]
   [cluster]  strategy = "earliest-finish", depth = "auto" | { a = 12, b = 6 }, v_kb = 4096
              strategy: as --strategy; with the paper's also q = 20 and claim = true
@@ -227,7 +227,8 @@ contact; its sums are over the scenarios that both runs tested:
   new             in no scenario of OLD
   grown, shrunk   in more or fewer scenarios, or in as many with more or fewer pairs
   resolved        not in NEW, and all scenarios of OLD that had it were tested again
-  not comparable  not in NEW, but some scenario that had it was not tested again
+  not comparable  not in NEW, but some scenario that had it was not tested again; or at level
+                  count, if OLD and NEW did not test the same scenarios in contact
 --out writes diff.csv (scenarios with another class, count, or, for equal meshes and queries,
 other pairs), diff_groups.csv, and diff_triangles.csv (bodies with an equal mesh).
 
@@ -268,8 +269,9 @@ tested, the bodies, the worst scenarios, the parts in contact, the space of pose
 ran. It prints on A4. With --3d it also has the viewer of `cdctl view`, with the worst 20
 scenarios, and a script; it opens without a server or a network.
 
-Groups are pairs of parts in contact (levels pairs and contacts). In a mesh without parts they
-are of its connected pieces; the largest is `piece 1`.
+Groups are pairs of parts in contact (levels pairs and contacts, or count with maps). In a mesh
+without parts they are of its connected pieces, the largest `piece 1`; at level count such a
+mesh is one part.
 
 A file of statuses says what people decided, a table for each pair of parts:
   [[clash]]

@@ -46,7 +46,7 @@ template <class Command>
 [[nodiscard]] int exit_code_of(const Summary& summary, FailOn fail_on, bool has_news = false);
 
 /// Refuses at `level any` to fail on cross alone, since that level does not tell touch from cross,
-/// and below `level pairs` to fail on new groups. Errors: BadInput.
-[[nodiscard]] Status check_fail_on(FailOn fail_on, Level level);
+/// and without groups (`asks_for_groups`) to fail on new ones. Errors: BadInput.
+[[nodiscard]] Status check_fail_on(FailOn fail_on, Level level, bool maps = false);
 
 } // namespace cd

@@ -121,7 +121,8 @@ Status
 write_results(const PreparedJob& job, const std::vector<Sample>& samples, const fs::path& folder) {
     auto sink =
         CD_TRY(ResultSink::open({folder, job.spec.output.formats, "text"}, export_context(job)));
-    auto recorder = CD_TRY(RunRecorder::open(folder, job.query.maps));
+    auto recorder = CD_TRY(RunRecorder::open(
+        folder, job.query.maps ? body_part_runs(*job.meshes[0], *job.meshes[1]) : nullptr));
     for (const Sample& sample : samples) {
         CD_TRY(sink.add(sample.done->result, sample.done->found));
         CD_TRY(recorder.add(*sample.done));

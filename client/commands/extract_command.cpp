@@ -89,7 +89,7 @@ Result<int> perform(const ExtractCommand& command) {
     }
     const InterruptGuard interrupts(InterruptGuard::First::EndsProcess);
     ThreadPool pool(command.threads);
-    auto [run, job] = CD_TRY(open_run_at_hand(
+    auto [run, job, map] = CD_TRY(open_run_at_hand(
         command.run, command.master, command.tree_cache, Trees::ForPosesOnly, pool));
     const Range range = CD_TRY(parse_range(command.scenarios, job.poses->count()));
     const CaseScenarios found = CD_TRY(read_case(run, job, range));

@@ -4,7 +4,6 @@
 #include "client/job/submission.hpp"
 #include "client/remote/mesh_cache.hpp"
 #include "common/core/errors.hpp"
-#include "common/core/limits/engine.hpp"
 #include "common/core/words.hpp"
 #include "common/job/result/merge.hpp"
 #include "common/job/result/packed_map.hpp"
@@ -59,13 +58,11 @@ fetch_each(Connection& connection, const JobStatus& job, const TakeResult& take)
 /// Adds a job's contact map, if the job asks for maps, to its report. Errors: BadFrame for an
 /// invalid map; the connection's.
 Status fetch_map(Connection& connection, JobId job, RunReport& report) {
-    const ContactMapAnswer answer = CD_TRY(connection.contact_map(job));
+    const ContactMapAnswer answer = CD_TRY(connection.contact_map({job}));
     report.map_withdrawn = answer.withdrawn;
     if (answer.is_asked && report.map_withdrawn.empty()) {
         // Checks the map against the largest allowed mesh, since the meshes may not be loaded.
-        const ContactMapBounds bounds{
-            limits::mesh_triangles_max, limits::mesh_triangles_max, report.summary.total};
-        report.map = CD_TRY(unpack_map(answer.map, bounds));
+        report.map = CD_TRY(unpack_map(answer.map, any_map(report.summary.total)));
     }
     return Done{};
 }
@@ -146,8 +143,8 @@ Result<RunReport> FetchedJob::print(const std::string& output) {
         *job_.connection, prepared_->query, job_.status, [&](const DoneScenario& done) {
             return sink.add(done.result);
         }));
+    CD_TRY(sink.finish(report.map));
     report.most_touched = sink.groups().most_touched();
-    CD_TRY(sink.finish(std::nullopt));
     return report;
 }
 

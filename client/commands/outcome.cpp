@@ -24,13 +24,14 @@ int exit_code_of(const Summary& summary, FailOn fail_on, bool has_news) {
     return fail_on.any() && summary.undecided != 0 ? exit_incomplete : exit_done;
 }
 
-Status check_fail_on(FailOn fail_on, Level level) {
+Status check_fail_on(FailOn fail_on, Level level, bool maps) {
     if (fail_on.cross && !fail_on.touch && level == Level::Any) {
         return bad_input(
             "--fail-on cross needs level count or more: any does not tell touch from cross");
     }
-    if (fail_on.news && level < Level::Pairs) {
-        return bad_input("--fail-on new is about groups, which need level pairs or contacts");
+    if (fail_on.news && level < Level::Pairs && !maps) {
+        return bad_input("--fail-on new is about groups, which need level pairs or contacts, or "
+                         "level count with maps = true");
     }
     return Done{};
 }

@@ -30,12 +30,12 @@ Result<int>
 report_without_folder(const RunCommand& command, const PreparedJob& job, const Fetch& fetch) {
     auto sink = CD_TRY(ResultSink::open({{}, {}, command.output}, export_context(job)));
     auto report = CD_TRY(fetch([&](const DoneScenario& done) { return sink.add(done.result); }));
-    report.most_touched = sink.groups().most_touched();
     CD_TRY(add_hint(job, report));
     if (!job.query.maps && job.query.level >= Level::Pairs) {
         report.map = sink.map();
     }
-    CD_TRY(sink.finish(std::nullopt));
+    CD_TRY(sink.finish(report.map));
+    report.most_touched = sink.groups().most_touched();
     return end_run(command, report, sink.uses_stdout());
 }
 
@@ -138,9 +138,24 @@ PreparedJob part_of(const PreparedJob& job, std::unique_ptr<PoseSource> poses) {
     return part;
 }
 
+/// Replaces the numbers that scenarios have in the rest by those that they have in the job. Errors:
+/// BadFrame for a number that the rest does not have.
+Status renumber(PartContacts& contacts, const PoseSubset& rest) {
+    for (PartPairContacts& pair : contacts.pairs) {
+        for (std::uint64_t* const scenario : {&pair.worst, &pair.first, &pair.last}) {
+            if (*scenario >= rest.count()) {
+                return Error{ErrorCode::BadFrame, "the sums by part name scenarios of no job"};
+            }
+            *scenario = rest.index_of(*scenario);
+        }
+    }
+    return Done{};
+}
+
 /// Passes reused results, and those of the rest that `fetch_rest` fetches, to `take` in order.
 Result<RunReport> fetch_merged(ReusedResults& reused,
                                const PoseSubset& rest,
+                               const std::shared_ptr<const BodyPartRuns>& parts,
                                const Fetch& fetch_rest,
                                const TakeResult& take) {
     ResultMerger merger(reused.scenarios());
@@ -152,8 +167,8 @@ Result<RunReport> fetch_merged(ReusedResults& reused,
         [&](const DoneScenario& done) -> Status {
             static_cast<void>(merger.add(done.result, done.digest));
             if (!done.found.empty()) { // A reused result of a job with maps.
-                ContactMapSum sum;
-                sum.add(done.found);
+                ContactMapSum sum(parts);
+                sum.add(done.result, done.found);
                 map.add(sum.take());
             }
             return take(done);
@@ -166,6 +181,7 @@ Result<RunReport> fetch_merged(ReusedResults& reused,
     report.execution.reused = reused.count();
     report.execution.ran = rest.count();
     if (report.map) {
+        CD_TRY(renumber(report.map->parts, rest));
         map.add(*report.map);
         report.map = map.map();
     }
@@ -193,9 +209,10 @@ Result<int> run_rest(RemoteRun& run, EarlierRun& earlier) {
     auto subset = reused.rest(*run.job.poses, 0);
     const PoseSubset& rest = *subset;
     PreparedJob part = part_of(run.job, std::move(subset));
+    const auto parts = body_part_runs(*run.job.meshes[0], *run.job.meshes[1]);
     const auto merged = [&](const Fetch& fetch_rest) -> Fetch {
         return [&, fetch_rest](const TakeResult& take) {
-            return fetch_merged(reused, rest, fetch_rest, take);
+            return fetch_merged(reused, rest, parts, fetch_rest, take);
         };
     };
     if (rest.count() == 0) {

@@ -9,6 +9,7 @@
 #include "client/document/report_pictures.hpp"
 #include "client/document/run_document.hpp"
 #include "client/document/run_overview.hpp"
+#include "client/folder/run_groups.hpp"
 #include "client/formats/output_file.hpp"
 #include "client/groups/groups_csv.hpp"
 #include "client/view/held_answers.hpp"
@@ -22,6 +23,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -87,17 +89,27 @@ make_viewer(const ReportCommand& command, RunAtHand& at_hand, ThreadPool& pool) 
     return viewer;
 }
 
-/// Writes the report, and groups.csv beside it if the run lists pairs.
+/// Begins the sum of a run's groups, or an empty one if they are unknown. Errors: BadInput if they
+/// are unknown, but there is a baseline to compare with.
+Result<GroupSum> groups_begun(const RunAtHand& run, const Judge& judge) {
+    std::vector<std::shared_ptr<const Mesh>> meshes{run.job.meshes.begin(), run.job.meshes.end()};
+    const Query& query = run.job.query;
+    if (!judge.has_baseline() && !check_groups(query, run.map)) {
+        return GroupSum(std::move(meshes));
+    }
+    return begin_groups(query, std::move(meshes), run.map, judge.kind_of_parts(query.level));
+}
+
+/// Writes the report and, if `has_groups`, groups.csv beside it.
 Status write_report(const fs::path& path,
                     const std::string& html,
                     const GroupStatuses& statuses,
-                    const Query& query,
+                    bool has_groups,
                     const GroupsOrigin& origin) {
     if (path.has_parent_path()) {
         CD_TRY(make_directories(path.parent_path()));
     }
     const fs::path groups = path.parent_path() / "groups.csv";
-    const bool has_groups = query.level >= Level::Pairs;
     if (has_groups) {
         CD_TRY(write_groups_csv(groups, rows_of(statuses), origin));
     }
@@ -119,14 +131,13 @@ Result<int> perform(const ReportCommand& command) {
     auto at_hand =
         CD_TRY(open_run_at_hand(command.run, command.master, command.tree_cache, trees, pool));
     const RunManifest& manifest = at_hand.run.manifest();
-    CD_TRY(check_fail_on(command.fail_on, manifest.query.level));
+    CD_TRY(check_fail_on(command.fail_on, manifest.query.level, manifest.query.maps));
     auto judge = CD_TRY(
         Judge::open(command.judge, command.fail_on, command.master, command.tree_cache, pool));
     InterruptGuard::begin_to_flag(); // From here on, a signal must not leave partial files.
-    auto overview = CD_TRY(RunOverview::read(at_hand.run.records(),
-                                             {at_hand.job.meshes.begin(), at_hand.job.meshes.end()},
-                                             manifest.poses.count,
-                                             &InterruptGuard::has_come));
+    auto begun = CD_TRY(groups_begun(at_hand, judge));
+    auto overview = CD_TRY(RunOverview::read(
+        at_hand.run.records(), std::move(begun), manifest.poses.count, &InterruptGuard::has_come));
     const GroupStatuses statuses = CD_TRY(judge.judge(at_hand, overview.groups()));
     const auto viewer = CD_TRY(make_viewer(command, at_hand, pool));
     ReportPictures pictures;
@@ -147,7 +158,7 @@ Result<int> perform(const ReportCommand& command) {
     CD_TRY(write_report(command.out,
                         html,
                         statuses,
-                        manifest.query,
+                        check_groups(manifest.query, at_hand.map).has_value(),
                         {names_of_bodies(manifest),
                          overview.summary().tested(),
                          manifest.query.limit_pairs,

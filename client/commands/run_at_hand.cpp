@@ -18,12 +18,14 @@ namespace {
 struct RunWithInputs {
     OpenedRun run;
     JobInputs inputs;
+    std::optional<ContactMap> map;
 };
 
 Result<RunWithInputs> open_folder(const std::filesystem::path& dir, const ReadInputs& read) {
     auto run = CD_TRY(OpenedRun::open(dir));
     auto inputs = CD_TRY(read(run));
-    return RunWithInputs{std::move(run), std::move(inputs)};
+    auto map = CD_TRY(run.kept_map());
+    return RunWithInputs{std::move(run), std::move(inputs), std::move(map)};
 }
 
 Result<RunWithInputs> fetch(const std::string& id,
@@ -61,12 +63,12 @@ Result<RunAtHand> open_run_at_hand(const std::string& argument,
                                    Trees trees,
                                    ThreadPool& pool,
                                    const ReadInputs& read) {
-    auto [run, inputs] = CD_TRY(open_or_fetch(argument, master, tree_cache, read));
+    auto [run, inputs, map] = CD_TRY(open_or_fetch(argument, master, tree_cache, read));
     auto spec = CD_TRY(run.spec());
     TreeCache cache(tree_cache_folder(tree_cache));
     auto job = CD_TRY(
         prepare_again(run.manifest(), std::move(inputs), std::move(spec), trees, cache, pool));
-    return RunAtHand{std::move(run), std::move(job)};
+    return RunAtHand{std::move(run), std::move(job), std::move(map)};
 }
 
 } // namespace cd

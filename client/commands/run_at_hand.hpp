@@ -5,8 +5,10 @@
 #include "client/folder/opened_run.hpp"
 #include "client/job/prepared_job.hpp"
 #include "common/core/result.hpp"
+#include "common/job/result/contact_map.hpp"
 
 #include <functional>
+#include <optional>
 #include <string>
 
 namespace cd {
@@ -16,6 +18,12 @@ namespace cd {
 struct RunAtHand {
     OpenedRun run;
     PreparedJob job;
+    std::optional<ContactMap> map; ///< The contact map that the folder keeps.
+
+    /// Returns the sums by part of a run that lists no pairs; null for other runs.
+    [[nodiscard]] const PartContacts* sums() const {
+        return job.query.level < Level::Pairs && map ? &map->parts : nullptr;
+    }
 };
 
 /// Reads the inputs of a run, which stay valid when its folder is removed.

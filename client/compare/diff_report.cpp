@@ -80,7 +80,9 @@ std::string group_text(const ChangedGroup& group) {
 
 std::string groups_text(const DiffReport& report) {
     if (!report.has_groups) {
-        return "  groups        not compared, since only levels pairs and contacts list pairs\n";
+        return "  groups        not compared: they need level pairs or contacts, or level count "
+               "with "
+               "maps\n";
     }
     std::string text;
     std::string lines;
@@ -105,6 +107,11 @@ std::string groups_text(const DiffReport& report) {
     text += text.empty() ? "  groups        none\n" : "\n";
     if (report.lists_are_cut) {
         text += "                of the first limit_pairs pairs a scenario\n";
+    }
+    if (!report.are_sums_comparable) {
+        text +=
+            "                of all scenarios of each run, which level count cannot tell apart: "
+            "not comparable\n";
     }
     if (!report.has_lasting_names) {
         text +=

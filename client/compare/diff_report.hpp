@@ -25,9 +25,10 @@ struct DiffReport {
     MatchedBy matched_by = MatchedBy::Index;
     ScenarioCounts scenarios;
     std::vector<std::string> bodies; ///< Names of the bodies in the later run.
-    bool has_groups = false;         ///< Both runs list pairs.
+    bool has_groups = false;         ///< The groups of both runs are known.
     bool lists_are_cut = false;      ///< `limit_pairs` may have cut lists of pairs.
     bool has_lasting_names = true;   ///< As in `GroupDiff`.
+    bool are_sums_comparable = true; ///< As in `GroupDiff`.
     std::uint64_t left_out = 0;      ///< As in `GroupDiff`.
     std::vector<ChangedGroup> groups{};
     std::vector<BodyTriangles> triangles{};

@@ -1,5 +1,7 @@
 #include "client/compare/group_diff.hpp"
 
+#include "common/core/errors.hpp"
+
 #include <algorithm>
 #include <array>
 #include <map>
@@ -46,7 +48,7 @@ void collect(const GroupSum& sum,
     }
 }
 
-GroupState state_of(const BothSums& sums) {
+GroupState state_of(const BothSums& sums, bool are_comparable) {
     const GroupCounts& was = sums.earlier.tested;
     const GroupCounts& is = sums.later.tested;
     if (!sums.earlier.exist()) {
@@ -55,16 +57,16 @@ GroupState state_of(const BothSums& sums) {
     if (!sums.later.exist()) {
         return sums.earlier.rest.scenarios == 0 ? GroupState::Resolved : GroupState::NotComparable;
     }
-    if (was.scenarios + is.scenarios == 0) {
+    if (!are_comparable || was.scenarios + is.scenarios == 0) {
         return GroupState::NotComparable;
     }
     return is > was ? GroupState::Grown : is < was ? GroupState::Shrunk : GroupState::Unchanged;
 }
 
-ChangedGroup changed_group(const GroupKey& key, const BothSums& sums) {
+ChangedGroup changed_group(const GroupKey& key, const BothSums& sums, bool are_comparable) {
     ChangedGroup group;
     std::tie(group.body_a, group.body_b, group.part_a, group.part_b) = key;
-    group.state = state_of(sums);
+    group.state = state_of(sums, are_comparable);
     const bool over_all =
         group.state == GroupState::New || group.state == GroupState::NotComparable;
     group.earlier = over_all ? sums.earlier.all() : sums.earlier.tested;
@@ -81,18 +83,40 @@ std::string_view to_text(GroupState state) {
     return names[static_cast<std::size_t>(state)];
 }
 
-GroupDiff::GroupDiff(const Meshes& earlier, const Meshes& later)
+GroupDiff::GroupDiff(const Meshes& earlier, const Meshes& later, PartKind kind)
     : bodies_(later.size()),
-      earlier_{GroupSum(earlier), GroupSum(earlier)},
-      later_{GroupSum(later), GroupSum(later)} {}
+      earlier_{GroupSum(earlier, kind), GroupSum(earlier, kind)},
+      later_{GroupSum(later, kind), GroupSum(later, kind)} {}
 
 void GroupDiff::add(const PairedResult& pair) {
-    if (pair.was != nullptr) {
-        (pair.is_comparable() ? earlier_.tested : earlier_.rest).add(*pair.was);
-    }
-    if (pair.is != nullptr) {
-        (pair.is_comparable() ? later_.tested : later_.rest).add(*pair.is);
-    }
+    const auto add_to = [&](Run& run, const ScenarioResult* result) {
+        if (result == nullptr) {
+            return;
+        }
+        if (pair.is_comparable()) {
+            return run.tested.add(*result);
+        }
+        run.rest.add(*result);
+        run.rest_is_in_contact = run.rest_is_in_contact || result->pair_count != 0;
+    };
+    add_to(earlier_, pair.was);
+    add_to(later_, pair.is);
+}
+
+Status GroupDiff::add_sums(Run& run, const PartContacts* sums) {
+    run.has_sums = sums != nullptr;
+    return sums == nullptr ? Status(Done{})
+                           : (run.rest_is_in_contact ? run.rest : run.tested).add(*sums);
+}
+
+Status GroupDiff::add_sums(const PartContacts* earlier, const PartContacts* later) {
+    CD_TRY(add_sums(earlier_, earlier));
+    return add_sums(later_, later);
+}
+
+bool GroupDiff::are_sums_comparable() const {
+    return !(earlier_.has_sums && earlier_.rest_is_in_contact) &&
+           !(later_.has_sums && later_.rest_is_in_contact);
 }
 
 std::vector<ChangedGroup> GroupDiff::groups() const {
@@ -103,7 +127,7 @@ std::vector<ChangedGroup> GroupDiff::groups() const {
     collect(later_.rest, &BothSums::later, &Sums::rest, table);
     std::vector<ChangedGroup> groups;
     for (const auto& [key, sums] : table) {
-        groups.push_back(changed_group(key, sums));
+        groups.push_back(changed_group(key, sums, are_sums_comparable()));
     }
     std::ranges::stable_sort(groups, [](const ChangedGroup& left, const ChangedGroup& right) {
         const auto size = [](const ChangedGroup& group) {

@@ -119,7 +119,7 @@ std::vector<Html> GroupSections::row_of(const JudgedGroup& judged, bool has_stat
                                    label(group.worst) + ", " + counted(group.worst_pairs, "pair"),
                                    regions_text(group)};
     if (is_of_file()) {
-        cells.push_back(grouped(group.episodes.count));
+        cells.push_back(group.episodes.count == 0 ? "-" : grouped(group.episodes.count));
         cells.push_back(label(group.episodes.first.front().first));
         cells.push_back(label(group.episodes.last));
     }
@@ -168,6 +168,11 @@ Html GroupSections::table() const {
     }
     content += paragraph("Severity is the number of pairs of triangles, not a depth. A region is a "
                          "connected set of triangles in contact in any scenario.");
+    if (manifest_.query.level == Level::Count) {
+        content += paragraph("Pairs were summed where the scenarios ran, by named part. So regions "
+                             "and episodes are unknown, and contact is touch or, without a pair "
+                             "whose triangles go through each other, cross.");
+    }
     if (is_of_file()) {
         content += paragraph("Behind a share is its 95 % interval (Wilson), if the poses are a "
                              "random sample. An episode is a run of consecutive scenarios.");

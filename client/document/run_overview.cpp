@@ -7,15 +7,15 @@
 
 namespace cd {
 
-RunOverview::RunOverview(std::vector<std::shared_ptr<const Mesh>> meshes, std::uint64_t scenarios)
-    : groups_(std::move(meshes)), classes_(scenarios, no_result) {}
+RunOverview::RunOverview(GroupSum groups, std::uint64_t scenarios)
+    : groups_(std::move(groups)), classes_(scenarios, no_result) {}
 
 Result<RunOverview> RunOverview::read(const RecordFile& records,
-                                      std::vector<std::shared_ptr<const Mesh>> meshes,
+                                      GroupSum groups,
                                       std::uint64_t scenarios,
                                       const StopCheck& stop) {
-    const std::size_t bodies = meshes.size();
-    RunOverview overview(std::move(meshes), scenarios);
+    const std::size_t bodies = groups.bodies();
+    RunOverview overview(std::move(groups), scenarios);
     ResultMerger merger(scenarios);
     CD_TRY(records.for_each([&](const KeptRecord& record) {
         if (stop && stop()) {

@@ -5,14 +5,12 @@
 #include "common/core/files/hash.hpp"
 #include "common/core/host/stop_check.hpp"
 #include "common/core/result.hpp"
-#include "common/geometry/mesh.hpp"
 #include "common/job/result/merge.hpp"
 #include "common/job/result/record_file.hpp"
 #include "common/job/result/result.hpp"
 
 #include <cstddef>
 #include <cstdint>
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -32,10 +30,10 @@ class RunOverview {
     /// The class of a scenario without a result, in `classes`.
     static constexpr std::uint8_t no_result = 255;
 
-    /// Reads all records of a run with `scenarios` scenarios; `meshes` has the mesh of each body.
-    /// Errors: Io; BadInput for a record that the run cannot have; Interrupted.
+    /// Reads all records of a run with `scenarios` scenarios, and adds them to `groups`. Errors:
+    /// Io; BadInput for a record that the run cannot have; Interrupted.
     [[nodiscard]] static Result<RunOverview> read(const RecordFile& records,
-                                                  std::vector<std::shared_ptr<const Mesh>> meshes,
+                                                  GroupSum groups,
                                                   std::uint64_t scenarios,
                                                   const StopCheck& stop);
 
@@ -52,7 +50,7 @@ class RunOverview {
     [[nodiscard]] const GroupSum& groups() const { return groups_; }
 
   private:
-    RunOverview(std::vector<std::shared_ptr<const Mesh>> meshes, std::uint64_t scenarios);
+    RunOverview(GroupSum groups, std::uint64_t scenarios);
 
     void add(const ScenarioResult& result);
     void add_to_worst(const ScenarioResult& result);

@@ -55,7 +55,11 @@ std::vector<std::shared_ptr<const Mesh>> meshes_of(const ExportContext& context)
 } // namespace
 
 ResultSink::ResultSink(SinkOptions options, const ExportContext& context)
-    : options_(std::move(options)), context_(context), groups_(meshes_of(context)) {}
+    : options_(std::move(options)),
+      context_(context),
+      groups_(meshes_of(context), context.level == Level::Count ? PartKind::Named : PartKind::Any),
+      waiting_(context.maps ? body_part_runs(*context.bodies[0].mesh, *context.bodies[1].mesh)
+                            : nullptr) {}
 
 Result<ResultSink> ResultSink::open(SinkOptions options, const ExportContext& context) {
     ResultSink sink(std::move(options), context);
@@ -87,7 +91,7 @@ Status ResultSink::add(const ScenarioResult& result, std::span<const ContactPair
     }
     groups_.add(result);
     tested_ += result.kind == ScenarioClass::Failed ? 0 : 1;
-    waiting_.add(found.empty() ? std::span<const ContactPair>(result.pairs) : found);
+    waiting_.add(result, found.empty() ? std::span<const ContactPair>(result.pairs) : found);
     if (waiting_.bytes() >= waiting_bytes_max) {
         map_.add(waiting_.take());
     }
@@ -127,10 +131,14 @@ Status ResultSink::finish(const std::optional<ContactMap>& map) {
     for (const auto& writer : writers_) {
         CD_TRY(writer->finish());
     }
+    const bool has_sums = context_.level == Level::Count && map.has_value();
+    if (has_sums) {
+        CD_TRY(groups_.add(map->parts));
+    }
     if (options_.dir.empty()) {
         return Done{};
     }
-    if (has_format("csv") && context_.level >= Level::Pairs) {
+    if (has_format("csv") && (has_sums || context_.level >= Level::Pairs)) {
         CD_TRY(write_groups_csv(options_.dir / "groups.csv", rows_of(groups_), groups_origin()));
     }
     return map ? write_map(*map) : Status(Done{});

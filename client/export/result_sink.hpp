@@ -37,12 +37,14 @@ class ResultSink {
     /// Interrupted; BadInput for a body that the job does not have.
     [[nodiscard]] Status add(const ScenarioResult& result, std::span<const ContactPair> found = {});
     /// Completes all files, and writes those of groups and, if `map` is set, of the map: its own,
-    /// and the bodies as vtp and glb. If `finish` is not called, no file is left in the folder.
+    /// and the bodies as vtp and glb. At `level count` the groups are those of the map. If `finish`
+    /// is not called, no file is left in the folder. Errors: Io; BadInput for parts of the map that
+    /// the bodies do not have.
     [[nodiscard]] Status finish(const std::optional<ContactMap>& map);
 
     /// Returns the contact map of all results added; below `level pairs` empty without `found`.
     [[nodiscard]] ContactMap map();
-    /// Returns the groups of all results added.
+    /// Returns the groups of all results added; at `level count` after `finish`.
     [[nodiscard]] const GroupSum& groups() const { return groups_; }
     [[nodiscard]] bool uses_stdout() const { return options_.output != "text"; }
 

@@ -144,8 +144,9 @@ Result<FolderRun> FolderRun::begin(PreparedJob& job, FolderRunOptions options) {
 }
 
 Status FolderRun::open_files(PreparedJob& job) {
-    recorder_.emplace(
-        CD_TRY(RunRecorder::open(folder_.part(), job_->query.maps && !maps_from_master_)));
+    const bool sums_map = job_->query.maps && !maps_from_master_;
+    recorder_.emplace(CD_TRY(RunRecorder::open(
+        folder_.part(), sums_map ? body_part_runs(*job_->meshes[0], *job_->meshes[1]) : nullptr)));
     keeps_inputs_ = wants_inputs_ && input_bytes(job) <= inputs_bytes_max_;
     if (job.grid) {
         return Done{};

@@ -8,32 +8,49 @@
 
 namespace cd {
 
-Result<GroupSum> groups_of(const RecordFile& records,
-                           std::vector<std::shared_ptr<const Mesh>> meshes,
-                           const StopCheck& stop) {
-    const std::size_t bodies = meshes.size();
-    GroupSum sum(std::move(meshes));
+bool asks_for_groups(const Query& query) {
+    return query.level >= Level::Pairs || (query.level == Level::Count && query.maps);
+}
+
+Status check_groups(const Query& query, const std::optional<ContactMap>& map) {
+    if (!asks_for_groups(query)) {
+        return bad_input("groups need level pairs or contacts, or level count with maps = true");
+    }
+    return query.level >= Level::Pairs || map
+               ? Status(Done{})
+               : bad_input("at level count the groups are in the contact map, which is missing");
+}
+
+PartKind part_kind(Level level) {
+    return level >= Level::Pairs ? PartKind::Any : PartKind::Named;
+}
+
+Result<GroupSum> begin_groups(const Query& query,
+                              std::vector<std::shared_ptr<const Mesh>> meshes,
+                              const std::optional<ContactMap>& map,
+                              PartKind kind) {
+    CD_TRY(check_groups(query, map));
+    GroupSum groups(std::move(meshes), kind);
+    if (query.level < Level::Pairs) {
+        CD_TRY(groups.add(map->parts));
+    }
+    return groups;
+}
+
+Result<GroupSum> groups_of(const RecordFile& records, GroupSum begun, const StopCheck& stop) {
     CD_TRY(records.for_each([&](const KeptRecord& record) {
         if (stop && stop()) {
             return Status(interrupted());
         }
         const ScenarioResult& result = record.result;
-        if (std::max(result.body_a, result.body_b) >= bodies) {
+        if (std::max(result.body_a, result.body_b) >= begun.bodies()) {
             return Status(bad_input("the record of scenario " + std::to_string(result.index) +
                                     " names a body that the run does not have"));
         }
-        sum.add(result);
+        begun.add(result);
         return Status(Done{});
     }));
-    return sum;
-}
-
-Result<GroupSum> groups_of(const OpenedRun& run, const StopCheck& stop) {
-    std::vector<std::shared_ptr<const Mesh>> meshes;
-    for (std::size_t i = 0; i < run.manifest().bodies.size(); ++i) {
-        meshes.push_back(CD_TRY(run.mesh(i)));
-    }
-    return groups_of(run.records(), std::move(meshes), stop);
+    return begun;
 }
 
 } // namespace cd

@@ -1,7 +1,6 @@
 #include "client/folder/run_recorder.hpp"
 
 #include "common/core/errors.hpp"
-#include "common/core/limits/engine.hpp"
 #include "common/job/result/packed_map.hpp"
 
 #include <algorithm>
@@ -10,7 +9,7 @@ namespace cd {
 
 namespace {
 
-constexpr FileKind maps_kind{0x31'50'41'4d'44'43'00'00, 1}; // "\0\0CDMAP1"
+constexpr FileKind maps_kind{0x31'50'41'4d'44'43'00'00, 2}; // "\0\0CDMAP1"
 
 template <class Writer, class... Kind>
 Result<Writer> open_writer(const std::filesystem::path& path, Kind... kind) {
@@ -22,11 +21,11 @@ Result<Writer> open_writer(const std::filesystem::path& path, Kind... kind) {
 } // namespace
 
 Result<RunRecorder> RunRecorder::open(const std::filesystem::path& folder,
-                                      bool with_maps,
+                                      const std::shared_ptr<const BodyPartRuns>& parts,
                                       std::chrono::milliseconds period) {
     auto records = CD_TRY(open_writer<RecordWriter>(folder / "records"));
-    if (!with_maps) {
-        return RunRecorder(std::move(records), std::nullopt, period);
+    if (parts == nullptr) {
+        return RunRecorder(std::move(records), std::nullopt, parts, period);
     }
     auto maps = CD_TRY(open_writer<BlockFileWriter>(folder / "maps", maps_kind));
     // A block of `maps` is written before the block with its scenarios' records, so a killed run
@@ -37,7 +36,7 @@ Result<RunRecorder> RunRecorder::open(const std::filesystem::path& folder,
             return cut.error();
         }
     }
-    return RunRecorder(std::move(records), std::move(maps), period);
+    return RunRecorder(std::move(records), std::move(maps), parts, period);
 }
 
 Status RunRecorder::add(const DoneScenario& done) {
@@ -45,7 +44,7 @@ Status RunRecorder::add(const DoneScenario& done) {
     ++waiting_;
     records_.add(done.result.index, done.record);
     if (maps_) {
-        map_.add(done.found);
+        map_.add(done.result, done.found);
     }
     return records_.is_full() ? flush() : flush_if_due();
 }
@@ -88,9 +87,7 @@ Result<ContactMap> read_maps(const std::filesystem::path& path) {
     ContactMapTotal total;
     for (std::size_t i = 0; i < file.blocks().size(); ++i) {
         const Bytes packed = CD_TRY(file.read(i));
-        const ContactMapBounds bounds{
-            limits::mesh_triangles_max, limits::mesh_triangles_max, file.blocks()[i].count};
-        const auto map = unpack_map(packed, bounds);
+        const auto map = unpack_map(packed, any_map(file.blocks()[i].count));
         if (!map) {
             return Error{ErrorCode::Io, path.string() + " is damaged: " + map.error().detail};
         }

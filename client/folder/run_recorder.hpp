@@ -4,6 +4,7 @@
 #include "client/local/done_scenario.hpp"
 #include "common/core/result.hpp"
 #include "common/core/timing/client.hpp"
+#include "common/geometry/part_runs.hpp"
 #include "common/job/block_file.hpp"
 #include "common/job/result/contact_map.hpp"
 #include "common/job/result/record_file.hpp"
@@ -11,6 +12,7 @@
 #include <chrono>
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <utility>
 
@@ -21,10 +23,11 @@ namespace cd {
 /// whose records are in the matching block of `records`.
 class RunRecorder {
   public:
-    /// Appends to the files in the folder, or creates them. Errors: Io.
+    /// Appends to the files in the folder, or creates them. `parts` are the parts of the bodies of
+    /// a job with maps; null for other jobs. Errors: Io.
     [[nodiscard]] static Result<RunRecorder>
     open(const std::filesystem::path& folder,
-         bool with_maps,
+         const std::shared_ptr<const BodyPartRuns>& parts,
          std::chrono::milliseconds period = timing::record_flush_period);
 
     /// Adds the next result. Errors: Io.
@@ -42,8 +45,9 @@ class RunRecorder {
   private:
     RunRecorder(RecordWriter records,
                 std::optional<BlockFileWriter> maps,
+                const std::shared_ptr<const BodyPartRuns>& parts,
                 std::chrono::milliseconds period)
-        : records_(std::move(records)), maps_(std::move(maps)), period_(period) {}
+        : records_(std::move(records)), maps_(std::move(maps)), period_(period), map_(parts) {}
 
     RecordWriter records_;
     std::optional<BlockFileWriter> maps_;

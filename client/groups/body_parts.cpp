@@ -1,11 +1,10 @@
 #include "client/groups/body_parts.hpp"
 
 #include "common/core/limits/client.hpp"
+#include "common/geometry/part_runs.hpp"
 #include "common/geometry/topology.hpp"
 
 #include <algorithm>
-#include <string_view>
-#include <unordered_map>
 #include <utility>
 
 namespace cd {
@@ -13,9 +12,6 @@ namespace cd {
 namespace {
 
 constexpr const char* others = "others";
-
-/// The number of parts that is not yet assigned.
-constexpr std::uint32_t no_part = UINT32_MAX;
 
 /// Returns the first triangle of each component, those with most triangles first.
 std::vector<std::uint32_t> largest_first(const std::vector<std::uint32_t>& first_of) {
@@ -34,8 +30,8 @@ std::vector<std::uint32_t> largest_first(const std::vector<std::uint32_t>& first
 
 } // namespace
 
-BodyParts::BodyParts(const Mesh& mesh) {
-    if (mesh.parts().size() > 1) {
+BodyParts::BodyParts(const Mesh& mesh, PartKind kind) {
+    if (kind == PartKind::Named || mesh.parts().size() > 1) {
         assign_named_parts(mesh);
     } else {
         assign_pieces(mesh);
@@ -43,22 +39,11 @@ BodyParts::BodyParts(const Mesh& mesh) {
 }
 
 void BodyParts::assign_named_parts(const Mesh& mesh) {
-    std::unordered_map<std::string_view, std::uint32_t> numbers;
-    const auto number_of = [&](std::string_view name) {
-        const auto [found, is_new] = numbers.try_emplace(name, names_.size());
-        if (is_new) {
-            names_.emplace_back(name);
-        }
-        return found->second;
-    };
-    part_of_.assign(mesh.triangles().size(), no_part);
-    for (const Part& part : mesh.parts()) {
-        std::fill(part_of_.begin() + part.triangles_begin,
-                  part_of_.begin() + part.triangles_end,
-                  number_of(part.name));
-    }
-    for (std::uint32_t& part : part_of_) {
-        part = part == no_part ? number_of(others) : part;
+    NamedParts parts = named_parts(mesh);
+    names_ = std::move(parts.names);
+    PartCursor cursor(parts.runs);
+    for (std::uint32_t i = 0; i < mesh.triangles().size(); ++i) {
+        part_of_.push_back(cursor.part_of(i));
     }
 }
 

@@ -10,15 +10,21 @@
 
 namespace cd {
 
+/// What the parts of bodies are that groups are made of.
+enum class PartKind : std::uint8_t {
+    Any,   ///< Named parts or, in a mesh with at most one, its connected pieces.
+    Named, ///< Only named parts, as in sums over scenarios whose pairs are not listed.
+};
+
 /// Assigns each triangle of a mesh to a part. Parts are those of the mesh; parts of equal names are
 /// one, and triangles of no part make up a part `others`. In a mesh with at most one part, parts
 /// are the connected pieces (triangles that share a vertex, by coordinates): `piece 1` has most
 /// triangles, and pieces beyond `limits::pieces_max` together are `others`. A mesh that is one
-/// piece is one part: its own, or `whole`.
+/// piece, or of which only named parts count, is one part: its own, or `whole`.
 class BodyParts {
   public:
     /// Takes near-linear time in the number of vertices and triangles.
-    explicit BodyParts(const Mesh& mesh);
+    explicit BodyParts(const Mesh& mesh, PartKind kind = PartKind::Any);
 
     [[nodiscard]] std::size_t count() const { return names_.size(); }
     [[nodiscard]] const std::string& name(std::size_t part) const { return names_[part]; }

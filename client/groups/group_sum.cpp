@@ -1,6 +1,9 @@
 #include "client/groups/group_sum.hpp"
 
+#include "common/core/check.hpp"
+#include "common/core/errors.hpp"
 #include "common/core/limits/client.hpp"
+#include "common/core/limits/engine.hpp"
 #include "common/geometry/topology.hpp"
 
 #include <algorithm>
@@ -47,7 +50,8 @@ bool is_same(const Group& left, const Group& right) {
            left.part_a == right.part_a && left.part_b == right.part_b;
 }
 
-GroupSum::GroupSum(std::vector<std::shared_ptr<const Mesh>> meshes) : meshes_(std::move(meshes)) {}
+GroupSum::GroupSum(std::vector<std::shared_ptr<const Mesh>> meshes, PartKind kind)
+    : meshes_(std::move(meshes)), kind_(kind) {}
 
 void GroupSum::find_parts() {
     std::uint64_t parts = 0;
@@ -57,7 +61,7 @@ void GroupSum::find_parts() {
             static_cast<std::size_t>(std::ranges::find_if(meshes_, has_mesh) - meshes_.begin());
         Body body;
         body.parts =
-            same < i ? bodies_[same].parts : std::make_shared<const BodyParts>(*meshes_[i]);
+            same < i ? bodies_[same].parts : std::make_shared<const BodyParts>(*meshes_[i], kind_);
         body.first_part = parts;
         body.scenarios.assign(body.parts->count(), 0);
         body.last_seen.assign(body.parts->count(), 0);
@@ -86,7 +90,13 @@ std::optional<std::uint32_t> GroupSum::group_of(const ScenarioResult& result,
     const std::array<std::uint32_t, 2> part{a.parts->part_of(pair.a), b.parts->part_of(pair.b)};
     note_part(a, part[0]);
     note_part(b, part[1]);
-    const std::uint64_t key = (a.first_part + part[0]) << 32 | (b.first_part + part[1]);
+    return number_of({result.body_a, result.body_b}, part);
+}
+
+std::optional<std::uint32_t> GroupSum::number_of(std::array<std::uint32_t, 2> bodies,
+                                                 std::array<std::uint32_t, 2> part) {
+    const std::uint64_t key =
+        (bodies_[bodies[0]].first_part + part[0]) << 32 | (bodies_[bodies[1]].first_part + part[1]);
     if (const auto found = numbers_.find(key); found != numbers_.end()) {
         return found->second;
     }
@@ -95,8 +105,8 @@ std::optional<std::uint32_t> GroupSum::group_of(const ScenarioResult& result,
     }
     Sum sum;
     sum.part = part;
-    sum.group.body_a = result.body_a;
-    sum.group.body_b = result.body_b;
+    sum.group.body_a = bodies[0];
+    sum.group.body_b = bodies[1];
     sums_.push_back(std::move(sum));
     return numbers_.emplace(key, static_cast<std::uint32_t>(sums_.size() - 1)).first->second;
 }
@@ -192,6 +202,35 @@ void GroupSum::add(const ScenarioResult& result) {
         add_to(group.episodes, result.index);
     }
     limit_triangles();
+}
+
+Status GroupSum::add(const PartContacts& contacts) {
+    CD_CHECK(kind_ == PartKind::Named && meshes_.size() == contacts.parts.size());
+    find_parts();
+    for (std::size_t side = 0; side < contacts.parts.size(); ++side) {
+        for (const PartScenarios& part : contacts.parts[side]) {
+            if (part.part >= bodies_[side].parts->count()) {
+                return bad_input("the sums by part name a part that a body does not have");
+            }
+            bodies_[side].scenarios[part.part] += part.scenarios;
+        }
+    }
+    for (const PartPairContacts& pair : contacts.pairs) {
+        if (pair.a >= bodies_[0].parts->count() || pair.b >= bodies_[1].parts->count()) {
+            return bad_input("the sums by part name a part that a body does not have");
+        }
+        const auto number = number_of({0, 1}, {pair.a, pair.b});
+        CD_CHECK(number.has_value()); // Sums have at most `limits::groups_max` pairs of parts.
+        Group& group = sums_[*number].group;
+        group.scenarios = pair.scenarios;
+        group.pairs = pair.pairs;
+        group.worst = pair.worst;
+        group.worst_pairs = pair.worst_pairs;
+        group.kind = pair.has_proper ? ScenarioClass::Cross : ScenarioClass::Contact;
+        group.episodes = {0, pair.last, {{pair.first, pair.last}}};
+    }
+    left_out_ += contacts.left_out;
+    return Done{};
 }
 
 void GroupSum::count_regions(std::uint32_t body, std::vector<Group>& groups) const {

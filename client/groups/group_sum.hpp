@@ -2,7 +2,9 @@
 #pragma once
 
 #include "client/groups/body_parts.hpp"
+#include "common/core/result.hpp"
 #include "common/geometry/mesh.hpp"
+#include "common/job/result/part_contacts.hpp"
 #include "common/job/result/result.hpp"
 
 #include <array>
@@ -26,14 +28,15 @@ struct Episode {
 
 /// The episodes of a group.
 struct GroupEpisodes {
-    std::uint64_t count = 0;
+    std::uint64_t count = 0;      ///< 0 if unknown. Then `first` spans all scenarios with contact.
     std::uint64_t last = 0;       ///< The last scenario of the last episode.
     std::vector<Episode> first{}; ///< The first `limits::group_episodes_max` episodes.
 
     friend bool operator==(const GroupEpisodes&, const GroupEpisodes&) = default;
 };
 
-/// A part of A and a part of B that are in contact, by the listed pairs of triangles.
+/// A part of A and a part of B that are in contact, by the listed pairs of triangles or, at `level
+/// count`, by sums over all pairs.
 struct Group {
     std::uint32_t body_a = 0; ///< Index of body A in the job's list of bodies.
     std::uint32_t body_b = 1;
@@ -44,10 +47,10 @@ struct Group {
     std::uint64_t worst = 0;       ///< The first scenario with most pairs.
     std::uint64_t worst_pairs = 0; ///< Number of its pairs.
     /// Cross if a pair is proper, or if a scenario's class is Cross without any proper pair; else
-    /// Touch.
+    /// Touch. In sums Cross if a pair is proper, else Contact, which leaves open what it is.
     ScenarioClass kind = ScenarioClass::Touch;
     /// On A's part and on B's part, the number of regions: connected sets of triangles in contact
-    /// in any scenario. Zeros if they are too many to count.
+    /// in any scenario. Zeros if they are too many to count, or unknown.
     std::array<std::uint64_t, 2> regions{};
     GroupEpisodes episodes;
 
@@ -70,10 +73,14 @@ struct TouchedPart {
 class GroupSum {
   public:
     /// `meshes` holds the mesh of each body, by the index that results give the body.
-    explicit GroupSum(std::vector<std::shared_ptr<const Mesh>> meshes);
+    explicit GroupSum(std::vector<std::shared_ptr<const Mesh>> meshes,
+                      PartKind kind = PartKind::Any);
 
     /// Adds a result, whose bodies must have meshes. Results come in ascending order.
     void add(const ScenarioResult& result);
+    /// Adds the sums over all scenarios of a run that lists no pairs, once. The kind of parts must
+    /// be Named. Errors: BadInput for a part that a body does not have.
+    [[nodiscard]] Status add(const PartContacts& contacts);
 
     /// Returns the groups, those in most scenarios first. Takes near-linear time in the number of
     /// vertices and of triangles in contact.
@@ -87,6 +94,7 @@ class GroupSum {
     /// in contact, bodies with a single part, and bodies whose parts are pieces.
     [[nodiscard]] std::vector<TouchedPart> most_touched(std::size_t count = 3) const;
     [[nodiscard]] const BodyParts& parts(std::size_t body);
+    [[nodiscard]] std::size_t bodies() const { return meshes_.size(); }
 
   private:
     struct Body {
@@ -110,6 +118,9 @@ class GroupSum {
 
     void find_parts();
     void note_part(Body& body, std::uint32_t part) const;
+    /// Returns the number of the group of a part of each body; nothing if there are too many.
+    [[nodiscard]] std::optional<std::uint32_t> number_of(std::array<std::uint32_t, 2> bodies,
+                                                         std::array<std::uint32_t, 2> part);
     [[nodiscard]] std::optional<std::uint32_t> group_of(const ScenarioResult& result,
                                                         const ContactPair& pair);
     void note_pair(const ScenarioResult& result, const ContactPair& pair, std::uint32_t number);
@@ -119,6 +130,7 @@ class GroupSum {
     void count_regions(std::uint32_t body, std::vector<Group>& groups) const;
 
     std::vector<std::shared_ptr<const Mesh>> meshes_;
+    PartKind kind_;
     std::vector<Body> bodies_; ///< Empty until parts are needed.
     std::vector<Sum> sums_;
     std::unordered_map<std::uint64_t, std::uint32_t> numbers_; ///< Number in `sums_`, by parts.

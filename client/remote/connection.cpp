@@ -495,8 +495,8 @@ const std::string& Connection::owner() const {
     return state_->owner;
 }
 
-Result<ContactMapAnswer> Connection::contact_map(JobId job) {
-    return state_->run(state_->ask<ContactMapAnswer>(ContactMapQuery{job}));
+Result<ContactMapAnswer> Connection::contact_map(const ContactMapQuery& query) {
+    return state_->run(state_->ask<ContactMapAnswer>(query));
 }
 
 Result<ClusterStatus> Connection::status() {

@@ -72,8 +72,9 @@ class Connection {
           const std::function<void(const JobStatus&)>& changed,
           const std::function<void(const ClusterStatus&)>& looked = {});
 
-    /// Fetches the contact map of a completed job. Errors: NotFound; Refused.
-    [[nodiscard]] Result<ContactMapAnswer> contact_map(JobId job);
+    /// Fetches the contact map of a completed job, or the sums by part of any job. Errors:
+    /// NotFound; Refused.
+    [[nodiscard]] Result<ContactMapAnswer> contact_map(const ContactMapQuery& query);
 
     /// Passes the results of scenarios [first, first + count) to `take`, in the order of their
     /// indices. Skips scenarios without a result. An error of `take` ends the fetch.

@@ -60,8 +60,9 @@ void RemoteReader::status(Take<ClusterStatus> take) {
     post(std::move(keep), [](Connection& connection) { return connection.status(); });
 }
 
-void RemoteReader::map(JobId job, Take<ContactMapAnswer> take) {
-    post(std::move(take), [job](Connection& connection) { return connection.contact_map(job); });
+void RemoteReader::map(const ContactMapQuery& query, Take<ContactMapAnswer> take) {
+    post(std::move(take),
+         [query](Connection& connection) { return connection.contact_map(query); });
 }
 
 Result<RecordReader> RemoteReader::records(JobId job) {

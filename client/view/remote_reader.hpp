@@ -34,7 +34,7 @@ class RemoteReader final : public ClusterReader {
     [[nodiscard]] Pool& pool() { return thread_; }
 
     void status(Take<ClusterStatus> take) override;
-    void map(JobId job, Take<ContactMapAnswer> take) override;
+    void map(const ContactMapQuery& query, Take<ContactMapAnswer> take) override;
     [[nodiscard]] Result<RecordReader> records(JobId job) override;
     [[nodiscard]] Status may_run() override { return Done{}; }
     [[nodiscard]] Result<JobDescription> description(JobId job) override;

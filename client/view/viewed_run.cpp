@@ -124,11 +124,16 @@ Status ViewedRun::read_map() {
 }
 
 Status ViewedRun::sum_groups(const StopCheck& stop) {
-    if (manifest().query.level < Level::Pairs) {
+    const Query& query = manifest().query;
+    if (!check_groups(query, map_)) {
         return Done{};
     }
-    auto sum = CD_TRY(groups_of(run_.records(), {job_.meshes.begin(), job_.meshes.end()}, stop));
-    parts_ = {sum.parts(0), sum.parts(1)};
+    auto begun = CD_TRY(begin_groups(
+        query, {job_.meshes.begin(), job_.meshes.end()}, map_, part_kind(query.level)));
+    auto sum = CD_TRY(groups_of(run_.records(), std::move(begun), stop));
+    if (query.level >= Level::Pairs) {
+        parts_ = {sum.parts(0), sum.parts(1)};
+    }
     groups_ = groups_view(sum.groups(), index_.summary().tested());
     return Done{};
 }
@@ -243,7 +248,8 @@ Result<PartFilter> ViewedRun::filter_of(const NextContact& wanted) const {
         return PartFilter();
     }
     if (parts_.empty()) {
-        return bad_input("the run lists no pairs, so that parts are not known: its level is " +
+        return bad_input("the run lists no pairs, so that the parts of a scenario are not known: "
+                         "its level is " +
                          std::string(to_text(manifest().query.level)));
     }
     auto a = CD_TRY(triangles_in(parts_[0], *job_.meshes[0], wanted.part_a));

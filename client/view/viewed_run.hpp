@@ -74,7 +74,7 @@ class ViewedRun {
     const PreparedJob& job_;
     RecordIndex index_;
     std::optional<ContactMap> map_;
-    std::optional<GroupsView> groups_; ///< Nothing below `level pairs`.
+    std::optional<GroupsView> groups_; ///< Nothing if they are unknown.
     std::vector<BodyParts> parts_;     ///< Of each body; empty below `level pairs`.
     std::mutex mutex_;                 ///< Held while poses or records are read.
 };

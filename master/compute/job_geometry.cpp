@@ -3,6 +3,7 @@
 #include "common/job/settle.hpp"
 #include "common/job/tolerance.hpp"
 #include "master/geometry/depth_choice.hpp"
+#include "master/journal/job_map.hpp"
 #include "master/submission/pose_spool.hpp"
 
 namespace cd {
@@ -50,7 +51,12 @@ StoreResult<JobGeometry> StoredGeometry::prepare(const Submit& submit) {
         cut_a.value(),
         cut_b.value(),
         {a, b, top_of(cut_a.value()), top_of(cut_b.value()), submit.query, settler, nullptr},
-        std::make_shared<const JobMaterial>(JobMaterial{a, b, submit.query, settler})};
+        std::make_shared<const JobMaterial>(JobMaterial{
+            a,
+            b,
+            submit.query,
+            settler,
+            sums_contacts(submit.query) ? body_part_runs(a->mesh(), b->mesh()) : nullptr})};
 }
 
 DispatchTree dispatch_tree(TreeId id, const Cut& cut) {

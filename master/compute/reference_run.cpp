@@ -34,13 +34,14 @@ Result<ContactMap> reference_map(const JobMaterial& material,
                                  std::span<const std::uint64_t> scenarios) {
     const ScenarioRunner runner(*material.a, *material.b, material.query);
     ScenarioSession session(runner);
-    ContactMapSum sum;
+    ContactMapSum sum(material.parts);
     for (const std::uint64_t scenario : scenarios) {
         const Result<PlacedScenario> read = read_one(poses, scenario);
         if (!read) {
             return read.error();
         }
-        sum.add(session.run(read.value().scenario).found);
+        const ScenarioRun run = session.run(read.value().scenario);
+        sum.add(run.result, run.found);
     }
     return sum.take();
 }

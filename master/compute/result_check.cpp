@@ -94,26 +94,40 @@ Result<TakenResult> take_record(const JobMaterial& material,
     return take_result(std::move(result), position, cost);
 }
 
-/// Unpacks and checks the map of a message. Each scenario with contacts must mark triangles of both
-/// bodies, and no other scenario may mark any.
-Result<ContactMap> take_map(const JobMaterial& material,
-                            std::span<const TakenResult> results,
-                            std::span<const std::byte> packed) {
-    if (!material.query.maps) {
-        return packed.empty() ? Result<ContactMap>(ContactMap{})
-                              : Error{ErrorCode::BadFrame, "a map that was not asked for"};
+/// Checks that the sums by part can be those of the results: parts and scenarios must exist, and
+/// each of the `scenarios` with contacts must be counted for parts of both bodies.
+Status check_parts(const BodyPartRuns& bodies,
+                   std::span<const TakenResult> results,
+                   std::uint64_t scenarios,
+                   const PartContacts& contacts) {
+    const Error wrong{ErrorCode::BadFrame, "sums by part that are not those of the results"};
+    for (std::size_t side = 0; side < bodies.size(); ++side) {
+        std::uint64_t sum = 0;
+        for (const PartScenarios& part : contacts.parts[side]) {
+            if (part.part >= bodies[side].count()) {
+                return wrong;
+            }
+            sum += part.scenarios;
+        }
+        if (sum < scenarios) {
+            return wrong;
+        }
     }
-    const auto scenarios = static_cast<std::uint64_t>(
-        std::count_if(results.begin(), results.end(), [](const TakenResult& one) {
-            return one.result.pair_count > 0;
-        }));
-    const ContactMapBounds bounds{
-        material.a->mesh().triangles().size(), material.b->mesh().triangles().size(), scenarios};
-    Result<ContactMap> map = unpack_map(packed, bounds);
-    if (!map) {
-        return map.error();
+    std::unordered_set<std::uint64_t> indices;
+    for (const TakenResult& one : results) {
+        indices.insert(one.result.index);
     }
-    for (const auto& body : map.value().bodies) {
+    const auto is_right = [&](const PartPairContacts& pair) {
+        return pair.a < bodies[0].count() && pair.b < bodies[1].count() &&
+               indices.contains(pair.worst) && indices.contains(pair.first) &&
+               indices.contains(pair.last);
+    };
+    return std::ranges::all_of(contacts.pairs, is_right) ? Status(Done{}) : wrong;
+}
+
+/// Checks that each of the `scenarios` with contacts marks triangles of both bodies.
+Status check_triangles(std::uint64_t scenarios, const ContactMap& map) {
+    for (const auto& body : map.bodies) {
         std::uint64_t sum = 0;
         for (const TriangleContacts& triangle : body) {
             sum += triangle.scenarios;
@@ -122,7 +136,40 @@ Result<ContactMap> take_map(const JobMaterial& material,
             return Error{ErrorCode::BadFrame, "a map that lacks scenarios"};
         }
     }
-    return map;
+    return Done{};
+}
+
+/// Unpacks and checks the map of a message: it must be about its scenarios with contacts alone, and
+/// have what is asked for.
+Result<ContactMap> take_map(const JobMaterial& material,
+                            std::span<const TakenResult> results,
+                            std::span<const std::byte> packed) {
+    const bool has_triangles = material.query.maps;
+    if (!has_triangles && material.parts == nullptr) {
+        return packed.empty() ? Result<ContactMap>(ContactMap{})
+                              : Error{ErrorCode::BadFrame, "a map that was not asked for"};
+    }
+    const auto scenarios = static_cast<std::uint64_t>(
+        std::count_if(results.begin(), results.end(), [](const TakenResult& one) {
+            return one.result.pair_count > 0;
+        }));
+    const ContactMapBounds bounds{has_triangles ? material.a->mesh().triangles().size() : 0,
+                                  has_triangles ? material.b->mesh().triangles().size() : 0,
+                                  scenarios};
+    Result<ContactMap> map = unpack_map(packed, bounds);
+    if (!map) {
+        return map.error();
+    }
+    const Status marked = has_triangles ? check_triangles(scenarios, map.value()) : Status(Done{});
+    if (!marked) {
+        return marked.error();
+    }
+    if (material.parts == nullptr) {
+        map.value().parts = {};
+        return map;
+    }
+    const Status summed = check_parts(*material.parts, results, scenarios, map.value().parts);
+    return summed ? std::move(map) : summed.error();
 }
 
 } // namespace

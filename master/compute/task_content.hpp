@@ -4,6 +4,7 @@
 #pragma once
 
 #include "common/core/id.hpp"
+#include "common/geometry/part_runs.hpp"
 #include "common/job/poses/ordered_poses.hpp"
 #include "common/job/query.hpp"
 #include "common/tree/obb_tree.hpp"
@@ -25,6 +26,8 @@ struct JobMaterial {
     std::shared_ptr<const ObbTree> b;
     Query query;
     std::shared_ptr<const Settler> settler; ///< Settles results; made for trees `a` and `b`.
+    /// The parts by which contacts are summed; null if they are not (`sums_contacts`).
+    std::shared_ptr<const BodyPartRuns> parts = {};
 };
 
 /// Scenarios that were sent without analysis.

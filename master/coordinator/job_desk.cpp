@@ -116,15 +116,19 @@ Explainer JobDesk::explainer() const {
             }};
 }
 
-Result<ContactMapAnswer> JobDesk::contact_map(JobId id) const {
-    const MasterJob* job = state_.jobs.find(id);
+Result<ContactMapAnswer> JobDesk::contact_map(const ContactMapQuery& query) const {
+    const MasterJob* job = state_.jobs.find(query.job);
     if (job == nullptr) {
         return no_job();
     }
-    if (job->state() != JobState::Done) {
+    if (!query.only_parts && job->state() != JobState::Done) {
         return Error{ErrorCode::Refused, "the job is not done, so it has no map"};
     }
-    return ContactMapAnswer{id, job->submit.query.maps, job->map.withdrawn(), job->map.packed()};
+    return ContactMapAnswer{job->id,
+                            query.only_parts ? sums_contacts(job->submit.query)
+                                             : job->submit.query.maps,
+                            job->map.withdrawn(),
+                            query.only_parts ? job->map.packed_parts() : job->map.packed()};
 }
 
 } // namespace cd

@@ -63,8 +63,8 @@ class JobDesk {
     [[nodiscard]] ClusterStatus cluster() const;
     /// Explains scenarios as of now.
     [[nodiscard]] Explainer explainer() const;
-    /// Errors: NotFound; Refused unless the job is done.
-    [[nodiscard]] Result<ContactMapAnswer> contact_map(JobId job) const;
+    /// Errors: NotFound; Refused for the triangles of a job that is not done.
+    [[nodiscard]] Result<ContactMapAnswer> contact_map(const ContactMapQuery& query) const;
     /// Disk error because of which the journal cannot write now; empty if it can.
     [[nodiscard]] const std::string& paused() const { return state_.writer.paused(); }
 

@@ -2,11 +2,18 @@
 #pragma once
 
 #include "common/core/files/bytes.hpp"
+#include "common/job/query.hpp"
 #include "common/job/result/contact_map.hpp"
 
 #include <string>
 
 namespace cd {
+
+/// True if contacts of a job are summed: by triangle and part with maps, else by part where results
+/// list pairs.
+[[nodiscard]] inline bool sums_contacts(const Query& query) {
+    return query.maps || query.level >= Level::Pairs;
+}
 
 class JobMap {
   public:
@@ -20,10 +27,13 @@ class JobMap {
     [[nodiscard]] const std::string& withdrawn() const { return withdrawn_; }
     /// The packed map. Empty before `finish`, and if the map was withdrawn.
     [[nodiscard]] const Bytes& packed() const { return packed_; }
+    /// Returns the packed map without triangles, also before `finish`; empty if it was withdrawn.
+    [[nodiscard]] Bytes packed_parts() const;
 
   private:
     ContactMapTotal total_;
     Bytes packed_;
+    Bytes packed_parts_; ///< Empty before `finish`.
     std::string withdrawn_;
 };
 

@@ -183,10 +183,6 @@ struct FoundJob {
     std::uint64_t end = ResultStore::first_end(); ///< Committed end of the segment.
 };
 
-/// Bounds that fit any meshes, because the journal does not know the sizes of the job's meshes.
-constexpr ContactMapBounds journal_map_bounds{
-    limits::mesh_triangles_max, limits::mesh_triangles_max, limits::scenarios_max};
-
 Error damaged(const std::filesystem::path& path, JobId job, const std::string& why) {
     return {ErrorCode::Io,
             path.string() + " is damaged: job " + std::to_string(job.value) + ": " + why};
@@ -281,7 +277,8 @@ Result<FoundJob> find_job(const JournalDatabase& database, const DatabaseJob& ro
         const auto& losses = group.value().losses;
         job.job.losses.insert(job.job.losses.end(), losses.begin(), losses.end());
         for (const Bytes& packed : group.value().maps) {
-            const Result<ContactMap> map = unpack_map(packed, journal_map_bounds);
+            // The journal does not know the sizes of the job's meshes.
+            const Result<ContactMap> map = unpack_map(packed, any_map());
             if (!map) {
                 return Status(damaged(database.path(), row.id, "a map that is none"));
             }

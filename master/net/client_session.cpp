@@ -426,7 +426,7 @@ asio::awaitable<void> ClientSession::on(ResultsQuery message) {
 }
 
 asio::awaitable<void> ClientSession::on(ContactMapQuery message) {
-    const Result<ContactMapAnswer> map = coordinator_.jobs().contact_map(message.job);
+    const Result<ContactMapAnswer> map = coordinator_.jobs().contact_map(message);
     if (map) {
         channel_->send(fitting(map.value()));
     } else {

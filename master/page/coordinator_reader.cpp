@@ -88,8 +88,8 @@ void CoordinatorReader::status(Take<ClusterStatus> take) {
     take(std::move(status));
 }
 
-void CoordinatorReader::map(JobId job, Take<ContactMapAnswer> take) {
-    take(coordinator_.jobs().contact_map(job));
+void CoordinatorReader::map(const ContactMapQuery& query, Take<ContactMapAnswer> take) {
+    take(coordinator_.jobs().contact_map(query));
 }
 
 Result<RecordReader> CoordinatorReader::records(JobId job) {

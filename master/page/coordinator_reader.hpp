@@ -18,7 +18,7 @@ class CoordinatorReader final : public ClusterReader {
     explicit CoordinatorReader(Coordinator& coordinator);
 
     void status(Take<ClusterStatus> take) override;
-    void map(JobId job, Take<ContactMapAnswer> take) override;
+    void map(const ContactMapQuery& query, Take<ContactMapAnswer> take) override;
     [[nodiscard]] Result<RecordReader> records(JobId job) override;
     [[nodiscard]] Status may_run() override;
     [[nodiscard]] Result<JobDescription> description(JobId job) override;

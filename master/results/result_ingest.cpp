@@ -20,6 +20,17 @@ std::vector<std::uint64_t> new_scenarios(const MasterJob& job,
     return scenarios;
 }
 
+/// Returns the sums by part of the results that are not merged yet, by the pairs that they list.
+ContactMap listed_map(const MasterJob& job, std::span<const TakenResult> results) {
+    ContactMapSum sum(job.work()->material->parts);
+    for (const TakenResult& one : results) {
+        if (!job.merged.has(one.result.index)) {
+            sum.add(one.result, {});
+        }
+    }
+    return sum.take();
+}
+
 /// Records a message's sequence number. Returns whether the message was sent before.
 bool is_repeated(Worker& worker, std::uint64_t sequence) {
     std::uint64_t& last = worker.results_last;
@@ -122,15 +133,18 @@ void ResultIngest::late_checked(Hand hand) {
 
 // ---- Contact maps ------------------------------------------------------------------------------
 // A message has one contact map for all its scenarios, which is usable only if no scenario has a
-// merged result yet. If some have one, the master makes the map of the other scenarios.
+// merged result yet. If some have one, the master makes the map of the other scenarios: it runs
+// them again or, without triangles, sums the pairs that their results list.
 
 void ResultIngest::take_in(const Hand& hand) {
     const MasterJob* job = parts_.jobs.find_running(hand->job());
-    if (job != nullptr && job->submit.query.maps && hand->taken) {
+    if (job != nullptr && sums_contacts(job->submit.query) && hand->taken) {
         TakenResults& taken = hand->taken.value();
         std::vector<std::uint64_t> fresh = new_scenarios(*job, taken.results);
         if (fresh.empty()) {
             taken.map = {};
+        } else if (fresh.size() != taken.results.size() && !job->submit.query.maps) {
+            taken.map = listed_map(*job, taken.results);
         } else if (fresh.size() != taken.results.size() && fresh != hand->mapped) {
             hand->mapped = std::move(fresh);
             return make_map(*job, hand);

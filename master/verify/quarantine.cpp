@@ -11,7 +11,7 @@
 namespace cd {
 
 void withdraw_map(MasterJob& job, const std::string& why) {
-    if (job.submit.query.maps) {
+    if (sums_contacts(job.submit.query)) {
         job.map.withdraw(why);
     }
 }

@@ -5,6 +5,7 @@
 #include "common/core/check.hpp"
 #include "common/core/files/bytes.hpp"
 #include "common/core/files/hash.hpp"
+#include "common/geometry/part_runs.hpp"
 #include "common/tree/cut.hpp"
 #include "common/tree/ignored_range.hpp"
 
@@ -90,9 +91,12 @@ template <>
 inline constexpr bool is_flat<RootPair> = true;
 template <>
 inline constexpr bool is_flat<IgnoredRange> = true;
+template <>
+inline constexpr bool is_flat<PartRun> = true;
 static_assert(sizeof(Sha256) == 32);
 static_assert(sizeof(RootPair) == 2 * 4);
 static_assert(sizeof(IgnoredRange) == 6 * 4);
+static_assert(sizeof(PartRun) == 2 * 4);
 
 /// The smallest encoded size of a T: a default T has only empty containers.
 template <class T>

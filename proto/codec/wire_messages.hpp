@@ -113,7 +113,7 @@ void serialize(Archive& archive, WorkUnit& m) {
 
 template <class Archive>
 void serialize(Archive& archive, AddJob& m) {
-    archive(m.job, m.trees, m.query, m.grid);
+    archive(m.job, m.trees, m.query, m.grid, m.parts);
 }
 
 template <class Archive>
@@ -419,7 +419,7 @@ void serialize(Archive& archive, ResultsPart& m) {
 
 template <class Archive>
 void serialize(Archive& archive, ContactMapQuery& m) {
-    archive(m.job);
+    archive(m.job, m.only_parts);
 }
 
 template <class Archive>

@@ -305,17 +305,18 @@ struct ResultsPart {
     Bytes records;
 };
 
-/// Asks for a job's contact map. Answered by ContactMapAnswer. Errors: NotFound; Refused for a job
-/// that is not done.
+/// Asks for a job's contact map. Answered by ContactMapAnswer. Errors: NotFound; Refused for the
+/// triangles of a job that is not done.
 struct ContactMapQuery {
     JobId job;
+    bool only_parts = false; ///< Leave out triangles: only the sums by part, also of a running job.
 };
 
 struct ContactMapAnswer {
     JobId job;
-    bool is_asked = false; ///< True: the job's query asks for maps.
+    bool is_asked = false; ///< True: the job has a map, or sums by part, by its query.
     std::string withdrawn; ///< Why a requested map does not exist; otherwise empty.
-    Bytes map;             ///< `pack_map`.
+    Bytes map;             ///< `pack_map`; of a job that is not done, over the results so far.
 };
 
 /// Cancels a job, or, if `scenario` is set, lets only that scenario fail. Answered by JobStatus.

@@ -4,6 +4,7 @@
 #include "common/core/files/bytes.hpp"
 #include "common/core/files/hash.hpp"
 #include "common/core/id.hpp"
+#include "common/geometry/part_runs.hpp"
 #include "common/job/query.hpp"
 #include "common/job/result/result.hpp"
 #include "common/tree/cut.hpp"
@@ -61,6 +62,8 @@ struct AddJob {
     std::vector<TreeId> trees; ///< The tree of each body.
     Query query;
     std::optional<Bytes> grid; ///< `encode_grid`; empty for a job with a list of poses.
+    /// The runs of each body's parts, for a job that sums contacts by part; else empty.
+    std::vector<std::vector<PartRun>> parts = {};
 };
 
 /// Frees the job and drops its waiting and running scenarios. Its trees may stay.
@@ -152,7 +155,7 @@ struct Results {
     double compute_seconds = 0; ///< Computing time, summed over the worker's threads.
     std::uint64_t sequence = 0; ///< Number by which ResultsKept acknowledges the message.
     BlockTraffic traffic;       ///< Traffic of the job since the worker's last Results for the job.
-    Bytes map; ///< `pack_map` of these scenarios; empty unless the query asks for maps.
+    Bytes map; ///< `pack_map` of these scenarios; empty unless contacts are summed.
 };
 
 /// Acknowledges Results that are on the master's disk or no longer needed; the worker drops them.

@@ -7,6 +7,7 @@
 #include "common/job/result/contact_map.hpp"
 #include "common/job/run_scenario.hpp"
 #include "common/tree/build/build.hpp"
+#include "tests/support/parts.hpp"
 #include "tests/support/process.hpp"
 #include "tests/support/shapes.hpp"
 
@@ -35,10 +36,11 @@ struct Job {
     }
 
     [[nodiscard]] ContactMap map_in_one_process(const Query& query) const {
-        ContactMapSum sum;
+        ContactMapSum sum(body_part_runs(a->mesh(), b->mesh()));
         const ScenarioRunner runner(*a, *b, query);
         for (const Scenario& scenario : scenarios) {
-            sum.add(runner.run(scenario).found);
+            const ScenarioRun run = runner.run(scenario);
+            sum.add(run.result, run.found);
         }
         return sum.take();
     }
@@ -77,12 +79,12 @@ struct Job {
     return job;
 }
 
-/// Makes a job of a torus and a sphere, both closed so that `inside` occurs.
+/// Makes a job of a torus and a sphere in parts, both closed so that `inside` occurs.
 [[nodiscard]] inline Job make_job(std::uint64_t count, double reach = 1.6) {
     ThreadPool pool(2);
     Job job;
-    const auto torus = share(make_torus(1, 0.4, 100, 40));
-    const auto sphere = share(make_sphere(4));
+    const auto torus = share(in_parts(make_torus(1, 0.4, 100, 40), 7));
+    const auto sphere = share(in_parts(make_sphere(4), 3));
     job.a = std::make_shared<const ObbTree>(build_tree(torus, {}, pool));
     job.b = std::make_shared<const ObbTree>(build_tree(sphere, {}, pool));
     job.scenarios = mixed_scenarios(count, reach);

@@ -161,6 +161,7 @@ TEST_F(Cluster, TheMapIsThatOfOneProcessThoughWorkersAreKilled) {
     const Sha256 digest = job.digest_in_one_process(query);
     const ContactMap expected = job.map_in_one_process(query);
     ASSERT_GT(expected.bodies[0].size(), 100u);
+    ASSERT_GT(expected.parts.pairs.size(), 10u);
     start_worker(1);
     start_worker(2);
     for (const AnalysisMode mode : {AnalysisMode::Always, AnalysisMode::Never}) {
@@ -179,12 +180,15 @@ TEST_F(Cluster, TheMapIsThatOfOneProcessThoughWorkersAreKilled) {
             });
             EXPECT_TRUE(is_killed);
             EXPECT_EQ(status.digest, digest);
-            const auto answer = connection_->contact_map(id);
+            const auto answer = connection_->contact_map({id});
             ASSERT_TRUE(answer) << answer.error().detail;
             EXPECT_EQ(answer.value().withdrawn, "");
-            const auto map = unpack_map(answer.value().map, {1u << 20, 1u << 20, 1500});
+            const auto map = unpack_map(answer.value().map, any_map(1500));
             ASSERT_TRUE(map) << map.error().detail;
             EXPECT_EQ(map.value(), expected) << to_text(mode) << ", " << strategy;
+            const auto parts = connection_->contact_map({id, true});
+            ASSERT_TRUE(parts) << parts.error().detail;
+            EXPECT_EQ(parts.value().map, pack_map({{}, expected.parts}));
         }
     }
     Query cut = at_level(Level::Pairs);
@@ -192,15 +196,24 @@ TEST_F(Cluster, TheMapIsThatOfOneProcessThoughWorkersAreKilled) {
     cut.limit_pairs = 3;
     const JobId listed = submit(job, cut, {});
     EXPECT_EQ(finish(listed, [](auto&&...) {}).digest, job.digest_in_one_process(cut));
-    const auto of_all = connection_->contact_map(listed);
+    const auto of_all = connection_->contact_map({listed});
     ASSERT_TRUE(of_all) << of_all.error().detail;
-    const auto map_of_all = unpack_map(of_all.value().map, {1u << 20, 1u << 20, 1500});
+    const auto map_of_all = unpack_map(of_all.value().map, any_map(1500));
     ASSERT_TRUE(map_of_all) << map_of_all.error().detail;
-    EXPECT_EQ(map_of_all.value(), expected) << "also of the pairs that were cut";
+    EXPECT_EQ(map_of_all.value().bodies, expected.bodies) << "also of the pairs that were cut";
+    EXPECT_EQ(map_of_all.value().parts, job.map_in_one_process(cut).parts) << "of listed pairs";
+
+    const JobId pairs = submit(job, at_level(Level::Pairs), {});
+    finish(pairs, [](auto&&...) {});
+    EXPECT_FALSE(connection_->contact_map({pairs}).value().is_asked);
+    const auto summed = connection_->contact_map({pairs, true});
+    ASSERT_TRUE(summed && summed.value().is_asked);
+    EXPECT_EQ(summed.value().map, pack_map({{}, expected.parts})) << "all pairs are listed";
 
     const JobId plain = submit(job, at_level(Level::Count), {});
     EXPECT_EQ(finish(plain, [](auto&&...) {}).digest, digest);
-    EXPECT_FALSE(connection_->contact_map(plain).value().is_asked);
+    EXPECT_FALSE(connection_->contact_map({plain}).value().is_asked);
+    EXPECT_FALSE(connection_->contact_map({plain, true}).value().is_asked);
 }
 
 TEST_F(Cluster, TheDistributionDepthDoesNotChangeTheDigest) {

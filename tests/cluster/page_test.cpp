@@ -11,6 +11,7 @@
 #include "tests/support/terminal.hpp"
 
 #include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
 
 #include <csignal>
 #include <regex>
@@ -151,7 +152,8 @@ class PageOfAMaster : public MortalCluster {
     explicit PageOfAMaster(Links links = Links::Plain)
         : MortalCluster({"--http", "127.0.0.1:0"}, links) {}
 
-    const Job job_ = make_job(300);
+    static constexpr std::uint64_t scenarios_ = 300;
+    const Job job_ = make_job(scenarios_);
     const Query query_{Level::Count, 0, 0, {}, true};
 };
 
@@ -198,7 +200,27 @@ TEST_F(PageOfAMaster, TheMasterAndCdctlShowTheSameJob) {
     EXPECT_EQ(viewing.get("jobs/" + name + "/map/0").body, from_master.body);
     const auto map = parse_npy_header(from_master.bytes());
     ASSERT_TRUE(map);
-    EXPECT_EQ(map.value().shape[0], job_.map_in_one_process(query_).bodies[0].size());
+    const ContactMap right = job_.map_in_one_process(query_);
+    EXPECT_EQ(map.value().shape[0], right.bodies[0].size());
+    const auto described = nlohmann::json::parse(ask_master("jobs/" + name).body);
+    EXPECT_EQ(nlohmann::json::parse(viewing.get("jobs/" + name).body)["groups"],
+              described["groups"]);
+    ASSERT_EQ(described["groups"].size(), right.parts.pairs.size());
+    EXPECT_EQ(described["groups_total"], right.parts.pairs.size());
+    const NamedParts of_a = named_parts(job_.a->mesh());
+    const NamedParts of_b = named_parts(job_.b->mesh());
+    for (const PartPairContacts& pair : right.parts.pairs) {
+        const nlohmann::json expected{
+            {"a", of_a.names[pair.a]},
+            {"b", of_b.names[pair.b]},
+            {"scenarios", pair.scenarios},
+            {"share", static_cast<double>(pair.scenarios) / static_cast<double>(scenarios_)},
+            {"pairs", pair.pairs},
+            {"worst", pair.worst},
+            {"worst_pairs", pair.worst_pairs},
+            {"class", pair.has_proper ? "cross" : "contact"}};
+        EXPECT_THAT(described["groups"], testing::Contains(expected));
+    }
 }
 
 TEST_F(PageOfAMaster, TheClusterIsShownWithItsHistory) {

@@ -4,7 +4,9 @@
 #include "common/core/limits/master.hpp"
 #include "common/job/poses/pose_source.hpp"
 #include "common/job/run_scenario.hpp"
+#include "master/journal/job_map.hpp"
 #include "tests/faults/world.hpp"
+#include "tests/support/parts.hpp"
 #include "tests/support/process.hpp"
 #include "tests/support/shapes.hpp"
 
@@ -34,7 +36,7 @@ struct Known {
         }
         store = std::move(GeometryStore::open(folder.path(), pool).value());
         sphere = upload(make_sphere(2));
-        torus = upload(make_torus(1, 0.4, 12, 8));
+        torus = upload(in_parts(make_torus(1, 0.4, 12, 8), 5));
         const Sha256 box = upload(make_gridded_box({1, 2, 1}, 3));
         jobs.push_back(grid_job(torus, sphere, {8, 6, 1}));
         add_list(torus, box, 70, Level::Contacts);
@@ -112,11 +114,15 @@ struct Known {
         for (const Scenario& scenario : scenarios) {
             const ScenarioRun run = run_scenario(*a, *b, scenario, submit.query);
             digests.push_back(digest_of(run.result));
-            if (submit.query.maps) {
-                pairs.push_back(run.found);
+            if (sums_contacts(submit.query)) {
+                pairs.push_back(submit.query.maps ? run.found : run.result.pairs);
             }
         }
-        return {std::move(submit), std::move(scenarios), std::move(digests), std::move(pairs)};
+        return {std::move(submit),
+                std::move(scenarios),
+                std::move(digests),
+                std::move(pairs),
+                body_part_runs(a->mesh(), b->mesh())};
     }
 };
 

@@ -7,6 +7,7 @@
 #include "master/geometry/geometry_store.hpp"
 #include "proto/messages/client_messages.hpp"
 
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
@@ -17,8 +18,9 @@ struct KnownJob {
     Submit submit; ///< Without cluster options.
     std::vector<Scenario> scenarios;
     std::vector<Sha256> digests; ///< Digest of each scenario's right result.
-    /// Pairs of each scenario if the query asks for maps.
+    /// Pairs of each scenario if its contacts are summed.
     std::vector<std::vector<ContactPair>> pairs;
+    std::shared_ptr<const BodyPartRuns> parts; ///< Of the bodies.
 };
 
 /// Returns jobs that are made once per process.

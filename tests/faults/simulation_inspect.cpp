@@ -102,12 +102,16 @@ void Simulation::inspect() {
     }
 }
 
-/// Returns the map of the scenarios that did not fail; empty if no map was asked for.
+/// Returns the map, or the sums, of the scenarios that did not fail; empty if there is none.
 ContactMap right_map(const KnownJob& job, const std::set<std::uint64_t>& failed) {
-    ContactMapSum sum;
-    for (std::uint64_t scenario = 0; scenario < job.pairs.size(); ++scenario) {
-        if (!failed.contains(scenario)) {
-            sum.add(job.pairs[scenario]);
+    ContactMapSum sum(job.parts);
+    ScenarioResult result;
+    result.level = job.submit.query.level;
+    for (result.index = 0; result.index < job.pairs.size(); ++result.index) {
+        if (!failed.contains(result.index)) {
+            const auto& pairs = job.pairs[result.index];
+            result.pairs = pairs; // From level pairs on, sums count these.
+            sum.add(result, job.submit.query.maps ? pairs : std::vector<ContactPair>());
         }
     }
     return sum.take();

@@ -198,6 +198,8 @@ void add_blocks_and_records(Seeds& seeds) {
     seeds.add("packed", "columns", marked(1, columns_of(packed)));
     ContactMap map;
     map.bodies = {{{{1, 1}, {5, 300}}, {{0, 2}}}};
+    map.parts.parts = {{{{0, 300}}, {{0, 2}, {3, 299}}}};
+    map.parts.pairs = {{0, 0, 2, 2, 17, 1, 17, 19, true}, {0, 3, 299, 1000, 400, 9, 0, 400, false}};
     seeds.add("map", "of_two_bodies", decompress(pack_map(map), 100).value());
     seeds.add("map", "compressed", pack_map(map));
     const Bytes segment = bytes_of(std::string_view(read_file(folder / "segment")).substr(header));

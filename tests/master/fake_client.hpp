@@ -1,6 +1,8 @@
 // A client that submits, watches and fetches, and the right result of its job.
 #pragma once
 
+#include "common/job/result/contact_map.hpp"
+#include "common/job/result/packed_map.hpp"
 #include "common/job/result/packed_records.hpp"
 #include "common/job/run_scenario.hpp"
 #include "tests/master/master_stage.hpp"
@@ -11,6 +13,7 @@
 #include <gtest/gtest.h>
 
 #include <optional>
+#include <span>
 #include <utility>
 
 namespace cd::tests {
@@ -87,6 +90,15 @@ inline ScenarioResult wrong_result(std::uint64_t index) {
     return result;
 }
 
+/// Returns the packed sums by part of results that list pairs, as a worker sends them.
+inline Bytes packed_sums(std::span<const ScenarioResult> results) {
+    ContactMapSum sum(body_part_runs(reference().a, reference().b));
+    for (const ScenarioResult& result : results) {
+        sum.add(result, {});
+    }
+    return pack_map(sum.take());
+}
+
 /// Results without a task, as from an earlier session.
 inline Results late_results(JobId job, const ScenarioResult& result) {
     ByteWriter records;
@@ -95,6 +107,7 @@ inline Results late_results(JobId job, const ScenarioResult& result) {
     results.job = job;
     results.count = 1;
     results.records = pack_records(records.bytes());
+    results.map = packed_sums(std::span(&result, 1));
     return results;
 }
 

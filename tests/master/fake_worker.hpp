@@ -5,6 +5,8 @@
 #include "common/core/limits/engine.hpp"
 #include "common/job/packed_scenarios.hpp"
 #include "common/job/poses/pose_source.hpp"
+#include "common/job/result/contact_map.hpp"
+#include "common/job/result/packed_map.hpp"
 #include "common/job/result/packed_records.hpp"
 #include "common/job/run_scenario.hpp"
 #include "common/tree/partial_tree.hpp"
@@ -15,6 +17,7 @@
 
 #include <deque>
 #include <map>
+#include <memory>
 #include <optional>
 #include <utility>
 
@@ -281,12 +284,21 @@ class FakeWorker {
         return results;
     }
 
+    static std::shared_ptr<const BodyPartRuns> parts_of(const AddJob& job) {
+        if (job.parts.empty()) {
+            return nullptr;
+        }
+        return std::make_shared<const BodyPartRuns>(BodyPartRuns{
+            PartRuns::create(job.parts[0]).value(), PartRuns::create(job.parts[1]).value()});
+    }
+
     void compute(const WorkUnit& batch, const AddJob& job) {
         const auto scenarios = unpack_scenarios(batch.scenarios, limits::scenarios_max).value();
         Results results;
         results.task = batch.task;
         results.job = batch.job;
         ByteWriter records;
+        ContactMapSum sum(parts_of(job));
         for (std::size_t i = 0; i < scenarios.size(); ++i) {
             std::vector<SubtreePair> pairs;
             for (std::uint32_t p = batch.pair_offsets[i]; p < batch.pair_offsets[i + 1]; ++p) {
@@ -295,10 +307,14 @@ class FakeWorker {
             }
             const ScenarioRun run = run_on_subtrees(pairs, scenarios[i], job.query);
             put_record(records, encode_result(run.result));
+            sum.add(run.result, run.found);
             results.statistics += run.statistics;
             ++results.count;
         }
         results.records = pack_records(records.bytes());
+        if (!job.parts.empty()) {
+            results.map = pack_map(sum.take());
+        }
         if (habits_.sends_rubbish) {
             results.records.resize(results.records.size() / 2);
         }

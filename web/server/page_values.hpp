@@ -99,6 +99,7 @@ struct GroupView {
     std::uint64_t pairs = 0;
     std::uint64_t worst = 0;       ///< The scenario with most pairs of the two parts.
     std::uint64_t worst_pairs = 0; ///< Pairs in it.
+    /// Cross, Touch, or Contact if it is unknown which.
     ScenarioClass worst_class = ScenarioClass::Touch;
 };
 

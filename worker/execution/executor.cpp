@@ -61,8 +61,8 @@ std::optional<FinishedScenarios> execute(const ReadyScenario& ready, const StopC
     FinishedScenarios finished;
     finished.add(encode_result(run.result));
     finished.statistics = run.statistics;
-    ContactMapSum map;
-    map.add(run.found);
+    ContactMapSum map(ready.parts);
+    map.add(run.result, run.found);
     finished.map = map.take();
     finished.seconds =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();

@@ -47,6 +47,7 @@ class Executor {
 struct ReadyScenario {
     Scenario scenario;
     std::shared_ptr<const Query> query;
+    std::shared_ptr<const BodyPartRuns> parts; ///< Null: contacts are not summed by part.
     std::vector<RootPair> pairs;
     std::vector<RootIndex> roots_a; ///< Distinct, ascending.
     std::vector<RootIndex> roots_b;

@@ -95,6 +95,7 @@ ReadyScenario Task::ready(std::size_t scenario, const SubtreeCache& cache) const
     ReadyScenario ready;
     ready.scenario = scenarios_.at(scenario);
     ready.query = {job_, &job_->query};
+    ready.parts = job_->parts;
     ready.pairs.assign(pairs.begin(), pairs.end());
     ready.roots_a = roots_of_a(pairs);
     ready.roots_b = roots_of_b(pairs);

@@ -30,7 +30,7 @@ std::optional<Results> TaskResults::take(TaskId task, const WorkerJob& job) {
     results.records = pack_records(finished.records);
     results.statistics = finished.statistics;
     results.compute_seconds = finished.seconds;
-    if (job.query.maps) {
+    if (job.query.maps || job.parts != nullptr) {
         results.map = pack_map(map_.take());
     }
     return results;

@@ -38,7 +38,8 @@ class Walker {
         : walk_(walk),
           used_a_(walk.a->root_count()),
           used_b_of_its_own_(walk.b->root_count()),
-          used_b_(walk.job->tree_a == walk.job->tree_b ? used_a_ : used_b_of_its_own_) {}
+          used_b_(walk.job->tree_a == walk.job->tree_b ? used_a_ : used_b_of_its_own_),
+          map_(walk.job->parts) {}
 
     /// Runs a scenario, or records that it waits for subtrees. Returns false if stopped.
     bool run(std::size_t which, const Scenario& scenario, const RunOptions& options) {
@@ -60,7 +61,7 @@ class Walker {
         }
         finished.add(encode_result(run.result));
         finished.statistics += run.statistics;
-        map_.add(run.found);
+        map_.add(run.result, run.found);
         return true;
     }
 

@@ -18,6 +18,29 @@ bool DroppedScenarios::contains(std::uint64_t scenario) const {
     return scenarios_.contains(scenario);
 }
 
+namespace {
+
+/// Returns the parts of two bodies; null if the list is empty. Errors: BadFrame.
+Result<std::shared_ptr<const BodyPartRuns>> parts_of(std::vector<std::vector<PartRun>> lists) {
+    if (lists.empty()) {
+        return std::shared_ptr<const BodyPartRuns>();
+    }
+    auto parts = std::make_shared<BodyPartRuns>();
+    if (lists.size() != parts->size()) {
+        return Error{ErrorCode::BadFrame, "parts of other than two bodies"};
+    }
+    for (std::size_t i = 0; i < lists.size(); ++i) {
+        Result<PartRuns> runs = PartRuns::create(std::move(lists[i]));
+        if (!runs) {
+            return Error{ErrorCode::BadFrame, runs.error().detail};
+        }
+        (*parts)[i] = std::move(runs.value());
+    }
+    return std::shared_ptr<const BodyPartRuns>(std::move(parts));
+}
+
+} // namespace
+
 Result<std::shared_ptr<const WorkerJob>> make_worker_job(AddJob add, const SubtreeCache& cache) {
     const std::string name = "job " + std::to_string(add.job.value) + " ";
     if (add.trees.size() != 2) {
@@ -33,7 +56,11 @@ Result<std::shared_ptr<const WorkerJob>> make_worker_job(AddJob add, const Subtr
         return Error{ErrorCode::BadFrame,
                      name + "has trees of forms that cannot be tested against each other"};
     }
-    WorkerJob job{add.job, tree_a, tree_b, std::move(add.query), {}};
+    auto parts = parts_of(std::move(add.parts));
+    if (!parts) {
+        return Error{ErrorCode::BadFrame, name + "has " + parts.error().detail};
+    }
+    WorkerJob job{add.job, tree_a, tree_b, std::move(add.query), {}, std::move(parts.value())};
     if (add.grid) {
         Result<Grid> grid = decode_grid(*add.grid);
         if (!grid) {

@@ -1,6 +1,7 @@
 // A job at a worker: its trees, its query, and its grid of poses if it has one.
 #pragma once
 
+#include "common/geometry/part_runs.hpp"
 #include "common/job/poses/pose_source.hpp"
 #include "common/job/query.hpp"
 #include "proto/messages/work_messages.hpp"
@@ -34,6 +35,7 @@ struct WorkerJob {
     TreeId tree_b;
     Query query;
     std::optional<Grid> grid;
+    std::shared_ptr<const BodyPartRuns> parts; ///< Null: contacts are not summed by part.
     /// Scenarios that need no answer from any task.
     std::shared_ptr<DroppedScenarios> dropped = std::make_shared<DroppedScenarios>();
 
@@ -41,7 +43,8 @@ struct WorkerJob {
 };
 
 /// Makes a job of the master's message. Errors: BadFrame unless the job has two trees, and for an
-/// unknown tree, trees of different forms, wide trees with a tolerance, or an invalid grid.
+/// unknown tree, trees of different forms, wide trees with a tolerance, an invalid grid, or invalid
+/// parts.
 [[nodiscard]] Result<std::shared_ptr<const WorkerJob>> make_worker_job(AddJob add,
                                                                        const SubtreeCache& cache);
 

@@ -5,6 +5,7 @@
 #include "client/commands/run_at_hand.hpp"
 #include "client/compare/diff_report.hpp"
 #include "client/compare/paired_results.hpp"
+#include "client/folder/run_groups.hpp"
 #include "client/formats/csv_rows.hpp"
 #include "common/core/errors.hpp"
 #include "common/core/words.hpp"
@@ -31,8 +32,14 @@ struct Compared {
         return !inputs.bodies[body].is_changed;
     }
     /// True if both runs list pairs.
-    [[nodiscard]] bool lists_pairs() const {
-        return std::min(earlier.job.query.level, later.job.query.level) >= Level::Pairs;
+    [[nodiscard]] bool lists_pairs() const { return least_level() >= Level::Pairs; }
+    [[nodiscard]] Level least_level() const {
+        return std::min(earlier.job.query.level, later.job.query.level);
+    }
+    /// True if the groups of both runs are known.
+    [[nodiscard]] bool have_groups() const {
+        return check_groups(earlier.job.query, earlier.map) &&
+               check_groups(later.job.query, later.map);
     }
 };
 
@@ -135,6 +142,7 @@ struct Differences {
 Status compare(Compared& runs, const ScenarioMatch& match, Differences& found) {
     const std::size_t bodies = runs.later.job.meshes.size();
     const bool lists_pairs = runs.lists_pairs();
+    const bool have_groups = runs.have_groups();
     return for_each_pair({runs.earlier.run.records(), runs.earlier.job.poses->count()},
                          {runs.later.run.records(), runs.later.job.poses->count()},
                          match,
@@ -142,29 +150,34 @@ Status compare(Compared& runs, const ScenarioMatch& match, Differences& found) {
                          [&](const PairedResult& pair) -> Status {
                              CD_TRY(check_bodies(pair.was, bodies));
                              CD_TRY(check_bodies(pair.is, bodies));
-                             if (lists_pairs) {
+                             if (have_groups) {
                                  found.groups.add(pair);
+                             }
+                             if (lists_pairs) {
                                  found.triangles.add(pair);
                              }
                              return found.scenarios.add(pair);
                          });
 }
 
-/// Adds the contact maps that the folders of runs without lists of pairs keep, if both runs tested
-/// the same scenarios. Returns whether there are triangles to compare. Errors: Io.
+/// Adds the contact maps of runs without lists of pairs: their sums by part, and their triangles if
+/// both runs tested the same scenarios. Returns whether there are triangles to compare. Errors:
+/// BadInput for parts that a body does not have.
 Result<bool> add_maps(const Compared& runs, Differences& found) {
+    if (runs.have_groups()) {
+        CD_TRY(found.groups.add_sums(runs.earlier.sums(), runs.later.sums()));
+    }
     const ScenarioCounts& counts = found.scenarios.counts();
     const bool is_complete =
         counts.only_earlier + counts.only_later == 0 && counts.comparable == counts.in_both;
     if (runs.lists_pairs() || !is_complete) {
         return runs.lists_pairs();
     }
-    const auto earlier = CD_TRY(runs.earlier.run.kept_map());
-    const auto later = CD_TRY(runs.later.run.kept_map());
-    if (earlier && later) {
-        found.triangles.add(*earlier, *later);
+    const bool have_maps = runs.earlier.map && runs.later.map;
+    if (have_maps) {
+        found.triangles.add(*runs.earlier.map, *runs.later.map);
     }
-    return earlier && later;
+    return have_maps;
 }
 
 /// `has_triangles` is what `add_maps` returned.
@@ -175,12 +188,13 @@ report_of(const Compared& runs, MatchedBy matched_by, bool has_triangles, Differ
     report.matched_by = matched_by;
     report.scenarios = found.scenarios.counts();
     report.bodies = body_names(runs.later);
-    report.has_groups = runs.lists_pairs();
+    report.has_groups = runs.have_groups();
     if (report.has_groups) {
         report.lists_are_cut =
             runs.earlier.job.query.limit_pairs != 0 || runs.later.job.query.limit_pairs != 0;
         report.groups = found.groups.groups();
         report.has_lasting_names = found.groups.has_lasting_names();
+        report.are_sums_comparable = found.groups.are_sums_comparable();
         report.left_out = found.groups.left_out();
     }
     for (std::size_t body = 0; body < report.bodies.size(); ++body) {
@@ -237,18 +251,19 @@ Result<int> perform(const DiffCommand& command) {
     auto earlier = CD_TRY(open(command.earlier));
     auto later = CD_TRY(open(command.later));
     Compared runs{earlier, later, changes_between(earlier.run.manifest(), later.run.manifest())};
-    if (command.fail_on == DiffFailOn::New && !runs.lists_pairs()) {
-        return bad_input("--fail-on new is about groups, which need runs at level pairs or "
-                         "contacts");
+    if (command.fail_on == DiffFailOn::New) {
+        CD_TRY(check_groups(earlier.job.query, earlier.map));
+        CD_TRY(check_groups(later.job.query, later.map));
     }
     InterruptGuard::begin_to_flag(); // From here on, a signal must not leave partial files.
     const auto matched = CD_TRY(match(runs));
     auto csv = CD_TRY(csv_file(command));
     const bool compares_pairs =
         runs.inputs.query.empty() && runs.has_equal_mesh(0) && runs.has_equal_mesh(1);
-    Differences found{ScenarioDiff(std::move(csv), {compares_pairs, body_names(later)}),
-                      GroupDiff(meshes_of(earlier), meshes_of(later)),
-                      {}};
+    Differences found{
+        ScenarioDiff(std::move(csv), {compares_pairs, body_names(later)}),
+        GroupDiff(meshes_of(earlier), meshes_of(later), part_kind(runs.least_level())),
+        {}};
     CD_TRY(compare(runs, matched, found));
     const bool has_triangles = CD_TRY(add_maps(runs, found));
     const DiffReport report = report_of(runs, matched.by(), has_triangles, found);

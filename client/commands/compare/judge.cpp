@@ -37,7 +37,9 @@ Result<std::vector<ChangedGroup>> changed_groups(RunAtHand& earlier, RunAtHand& 
                                                   {*later.job.poses, later.job.labels},
                                                   inputs.are_poses_equal,
                                                   &InterruptGuard::has_come));
-    GroupDiff groups(meshes_in(earlier), meshes_in(later));
+    GroupDiff groups(meshes_in(earlier),
+                     meshes_in(later),
+                     part_kind(std::min(earlier.job.query.level, later.job.query.level)));
     CD_TRY(for_each_pair({earlier.run.records(), earlier.job.poses->count()},
                          {later.run.records(), later.job.poses->count()},
                          match,
@@ -46,6 +48,7 @@ Result<std::vector<ChangedGroup>> changed_groups(RunAtHand& earlier, RunAtHand& 
                              groups.add(pair);
                              return Status(Done{});
                          }));
+    CD_TRY(groups.add_sums(earlier.sums(), later.sums()));
     return groups.groups();
 }
 
@@ -127,9 +130,8 @@ Result<Judge> Judge::open(const JudgeOptions& options,
     }
     auto earlier =
         CD_TRY(open_run_at_hand(options.baseline, master, tree_cache, Trees::ForPosesOnly, pool));
-    if (earlier.job.query.level < Level::Pairs) {
-        return bad_input("--baseline: " + options.baseline +
-                         " lists no pairs of triangles, so it has no groups");
+    if (const Status known = check_groups(earlier.job.query, earlier.map); !known) {
+        return bad_input("--baseline: " + options.baseline + ": " + known.error().detail);
     }
     return Judge(std::move(earlier), std::move(rules));
 }
@@ -139,8 +141,12 @@ Result<GroupStatuses> Judge::judge(RunAtHand& run, GroupSum& groups) {
     Baseline baseline;
     std::vector<ChangedGroup> changed;
     if (earlier_) {
-        const GroupSum before = CD_TRY(
-            groups_of(earlier_->run.records(), meshes_in(*earlier_), &InterruptGuard::has_come));
+        auto begun = CD_TRY(begin_groups(earlier_->job.query,
+                                         meshes_in(*earlier_),
+                                         earlier_->map,
+                                         kind_of_parts(run.job.query.level)));
+        const GroupSum before =
+            CD_TRY(groups_of(earlier_->run.records(), std::move(begun), &InterruptGuard::has_come));
         baseline.groups = before.groups();
         if (has_gone(baseline.groups, now)) {
             changed = CD_TRY(changed_groups(*earlier_, run));
@@ -157,6 +163,10 @@ Result<GroupStatuses> Judge::judge(RunAtHand& run, GroupSum& groups) {
     return statuses;
 }
 
+PartKind Judge::kind_of_parts(Level level) const {
+    return part_kind(earlier_ ? std::min(level, earlier_->job.query.level) : level);
+}
+
 std::string Judge::baseline_digest() const {
     const auto& digest = earlier_->run.manifest().outcome.digest;
     return digest ? to_hex(*digest) : "none, since results are missing";
@@ -166,7 +176,10 @@ Result<bool>
 judge_folder(Judge& judge, const RunCommand& command, const std::string& dir, ThreadPool& pool) {
     auto run = CD_TRY(
         open_run_at_hand(dir, command.master, command.host.tree_cache, Trees::ForPosesOnly, pool));
-    auto groups = CD_TRY(groups_of(run.run.records(), meshes_in(run), &InterruptGuard::has_come));
+    const Query& query = run.job.query;
+    auto begun =
+        CD_TRY(begin_groups(query, meshes_in(run), run.map, judge.kind_of_parts(query.level)));
+    auto groups = CD_TRY(groups_of(run.run.records(), std::move(begun), &InterruptGuard::has_come));
     const GroupStatuses statuses = CD_TRY(judge.judge(run, groups));
     if (judge.has_baseline()) {
         std::fputs(judged_text(statuses, command.judge.baseline, groups.inside()).c_str(),

@@ -21,18 +21,21 @@ class Judge {
   public:
     /// Opens the baseline and reads the file, as far as `options` name them. `fail_on` is what the
     /// verb fails on. Errors: as `open_run_at_hand` and `read_status_file`; BadInput to fail on new
-    /// groups without a baseline, and for a baseline that lists no pairs.
+    /// groups without a baseline, and for a baseline without groups.
     [[nodiscard]] static Result<Judge> open(const JudgeOptions& options,
                                             FailOn fail_on,
                                             const MasterOptions& master,
                                             const std::string& tree_cache,
                                             ThreadPool& pool);
 
-    /// Judges the groups of a run, and prints warnings on stderr. Reads the records of both runs
-    /// once more if a group of the baseline is gone. Errors: Io; Interrupted.
+    /// Judges the groups of a run, whose parts are of `kind_of_parts`, and prints warnings on
+    /// stderr. Reads the records of both runs once more if a group of the baseline is gone. Errors:
+    /// Io; Interrupted.
     [[nodiscard]] Result<GroupStatuses> judge(RunAtHand& run, GroupSum& groups);
 
     [[nodiscard]] bool has_baseline() const { return earlier_.has_value(); }
+    /// Returns the parts that are in the groups of a run of this level and of the baseline.
+    [[nodiscard]] PartKind kind_of_parts(Level level) const;
     /// Returns the baseline's digest, or why it has none.
     [[nodiscard]] std::string baseline_digest() const;
 

@@ -147,14 +147,14 @@ Result<int> run_without_folder(const LocalJob& local) {
         return without_results(outcome.error());
     }
     RunReport report = report_of(local, outcome.value());
-    report.most_touched = sink.groups().most_touched();
     if (Status told = add_hint(local.job, report); !told) {
         return without_results(told.error());
     }
     if (local.job.query.maps || local.job.query.level >= Level::Pairs) {
         report.map = sink.map();
     }
-    CD_TRY(sink.finish(std::nullopt));
+    CD_TRY(sink.finish(report.map));
+    report.most_touched = sink.groups().most_touched();
     return end_run(command, report, sink.uses_stdout());
 }
 

@@ -44,8 +44,6 @@ inline constexpr std::uint64_t folder_bytes_unasked_max = 1'000'000'000;
 // Groups of contacts.
 /// Connected pieces of a mesh that are parts of their own.
 inline constexpr std::size_t pieces_max = 1000;
-/// Groups that are summed; pairs of triangles in further groups are only counted.
-inline constexpr std::size_t groups_max = 100'000;
 /// Numbers of triangles that groups keep to count regions; with more, regions are not counted.
 inline constexpr std::uint64_t group_triangles_max = 1u << 26;
 inline constexpr std::size_t group_episodes_max = 100; ///< Episodes that a group keeps.

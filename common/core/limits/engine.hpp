@@ -48,6 +48,8 @@ inline constexpr std::uint64_t computed_windows_max = 128;
 inline constexpr std::uint64_t result_record_bytes_max = 1ull << 28;
 /// Uncompressed size of all records in one message.
 inline constexpr std::uint64_t results_bytes_max = 512u << 20;
+/// Pairs of parts in contact that a run sums; pairs of triangles in further ones are only counted.
+inline constexpr std::size_t groups_max = 100'000;
 inline constexpr std::size_t label_bytes_max = 256; ///< The id that a pose file gives a scenario.
 
 } // namespace cd::limits

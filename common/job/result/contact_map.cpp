@@ -60,6 +60,7 @@ struct ContactMapSum::State {
     NumberSorter sorter;
     std::vector<std::uint32_t> triangles; ///< Scratch: triangles of the scenario being added.
     std::array<Body, 2> bodies;
+    PartContactSum parts;
 
     void sum_up(Body& body) const {
         sorter.sort(body.touched);
@@ -78,7 +79,8 @@ struct ContactMapSum::State {
     }
 };
 
-ContactMapSum::ContactMapSum() = default;
+ContactMapSum::ContactMapSum(std::shared_ptr<const BodyPartRuns> parts)
+    : parts_(std::move(parts)) {}
 ContactMapSum::ContactMapSum(ContactMapSum&&) noexcept = default;
 ContactMapSum& ContactMapSum::operator=(ContactMapSum&&) noexcept = default;
 ContactMapSum::~ContactMapSum() = default;
@@ -86,8 +88,18 @@ ContactMapSum::~ContactMapSum() = default;
 ContactMapSum::State& ContactMapSum::state() {
     if (state_ == nullptr) {
         state_ = std::make_unique<State>();
+        state_->parts = PartContactSum(parts_);
     }
     return *state_;
+}
+
+void ContactMapSum::add(const ScenarioResult& result, std::span<const ContactPair> found) {
+    add(found);
+    const std::span<const ContactPair> counted =
+        result.level >= Level::Pairs ? std::span<const ContactPair>(result.pairs) : found;
+    if (parts_ != nullptr && !counted.empty()) {
+        state().parts.add(result.index, counted);
+    }
 }
 
 void ContactMapSum::add(std::span<const ContactPair> pairs) {
@@ -113,6 +125,7 @@ void ContactMapSum::add(const ContactMap& map) {
     for (std::size_t i = 0; i < map.bodies.size(); ++i) {
         s.bodies[i].sums = merged(s.bodies[i].sums, map.bodies[i]);
     }
+    s.parts.add(map.parts);
 }
 
 bool ContactMapSum::empty() const {
@@ -126,6 +139,7 @@ std::uint64_t ContactMapSum::bytes() const {
             bytes += body.sums.size() * sizeof(TriangleContacts) +
                      body.touched.size() * sizeof(std::uint32_t);
         }
+        bytes += state_->parts.bytes();
     }
     return bytes;
 }
@@ -137,6 +151,7 @@ ContactMap ContactMapSum::take() {
             state_->sum_up(state_->bodies[i]);
             map.bodies[i] = std::move(state_->bodies[i].sums);
         }
+        map.parts = state_->parts.sums();
         state_.reset();
     }
     return map;
@@ -155,6 +170,7 @@ void ContactMapTotal::add(const ContactMap& map) {
             scenarios[entry.triangle] += entry.scenarios;
         }
     }
+    parts_.add(map.parts);
 }
 
 ContactMap ContactMapTotal::map() const {
@@ -166,6 +182,7 @@ ContactMap ContactMapTotal::map() const {
             }
         }
     }
+    map.parts = parts_.sums();
     return map;
 }
 

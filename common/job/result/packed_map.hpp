@@ -2,6 +2,7 @@
 #pragma once
 
 #include "common/core/files/bytes.hpp"
+#include "common/core/limits/engine.hpp"
 #include "common/core/result.hpp"
 #include "common/job/result/contact_map.hpp"
 
@@ -11,8 +12,11 @@
 namespace cd {
 
 /// Packs a map. Writes for each body, A first, the number of touched triangles, the step from each
-/// triangle to the next minus 1, and each triangle's number of scenarios minus 1. All numbers are
-/// varints, compressed together.
+/// triangle to the next minus 1, and each triangle's number of scenarios minus 1; then for each
+/// body its parts likewise. Then come the number of pairs of parts, and for each: the step of its
+/// part of A, that of its part of B (minus 1 if the part of A stays), scenarios - 1, pairs -
+/// scenarios, worst pairs - 1, first, worst - first, last - first, and 1 if it has a proper pair,
+/// else 0; then the number of pairs left out. All numbers are varints, compressed together.
 [[nodiscard]] Bytes pack_map(const ContactMap& map);
 
 struct ContactMapBounds {
@@ -21,9 +25,15 @@ struct ContactMapBounds {
     std::uint64_t scenarios = 0; ///< Number of scenarios that the map sums up.
 };
 
+/// The bounds of any map that sums up so many scenarios.
+[[nodiscard]] constexpr ContactMapBounds any_map(std::uint64_t scenarios = limits::scenarios_max) {
+    return {limits::mesh_triangles_max, limits::mesh_triangles_max, scenarios};
+}
+
 /// Unpacks the bytes of `pack_map`. The bytes are untrusted: triangles must ascend and exist in the
-/// meshes, and no triangle may have more scenarios than `bounds` allows. Memory is bounded by the
-/// largest valid map. Errors: BadFrame.
+/// meshes, and no triangle and no part may have more scenarios than `bounds` allows. The sums by
+/// part do not contradict themselves, but their parts and scenarios need not exist. Memory is
+/// bounded by the largest valid map. Errors: BadFrame.
 [[nodiscard]] Result<ContactMap> unpack_map(std::span<const std::byte> packed,
                                             const ContactMapBounds& bounds);
 

@@ -90,6 +90,11 @@ void TaskExchange::add_job_to(Worker& worker, const MasterJob& job) {
     if (const Grid* grid = job.run->poses->grid()) {
         add.grid = encode_grid(*grid);
     }
+    if (work.material != nullptr && work.material->parts != nullptr) {
+        for (const PartRuns& body : *work.material->parts) {
+            add.parts.push_back(body.runs());
+        }
+    }
     std::vector<AddTree> trees;
     for (const TreeId tree : work.trees) {
         trees.push_back(trees_.message(tree));

@@ -5,6 +5,8 @@
 #include "client/compare/diff_report.hpp"
 #include "client/compare/scenario_diff.hpp"
 #include "client/compare/triangle_diff.hpp"
+#include "common/geometry/part_runs.hpp"
+#include "common/job/result/contact_map.hpp"
 #include "tests/client/compare/record_runs.hpp"
 #include "tests/support/process.hpp"
 #include "tests/support/shapes.hpp"
@@ -46,7 +48,7 @@ class Diff : public testing::Test {
                  std::uint64_t scenarios) {
         RecordFile earlier = write_records(folder_ / "earlier", was);
         RecordFile later = write_records(folder_ / "later", is);
-        groups_.emplace(GroupDiff({a_, b_}, {a_, later_b_}));
+        groups_.emplace(GroupDiff({a_, b_}, {a_, later_b_}, kind_));
         scenarios_.emplace(std::nullopt, ScenarioDiffOptions{true, {"a", "b"}});
         const ScenarioMatch match = ScenarioMatch::by_index(scenarios);
         const Status done = for_each_pair(
@@ -56,6 +58,27 @@ class Diff : public testing::Test {
                 return scenarios_->add(pair);
             });
         EXPECT_TRUE(done) << done.error().detail;
+    }
+
+    /// Compares two runs at level count, which have sums by part.
+    void compare_counts(std::vector<ScenarioResult> was,
+                        std::vector<ScenarioResult> is,
+                        std::uint64_t scenarios) {
+        kind_ = PartKind::Named;
+        const PartContacts earlier = sums_of(was, *b_);
+        const PartContacts later = sums_of(is, *later_b_);
+        compare(was, is, scenarios);
+        EXPECT_TRUE(groups_->add_sums(&earlier, &later));
+    }
+    /// Sums the listed pairs of results, which then are of level count.
+    [[nodiscard]] PartContacts sums_of(std::vector<ScenarioResult>& results, const Mesh& b) const {
+        ContactMapSum sum(body_part_runs(*a_, b));
+        for (ScenarioResult& result : results) {
+            result.level = Level::Count;
+            sum.add(result, result.pairs);
+            result.pairs.clear();
+        }
+        return sum.take().parts;
     }
 
     /// Returns the state of each group, by the names of its parts.
@@ -71,6 +94,7 @@ class Diff : public testing::Test {
     std::shared_ptr<const Mesh> a_ = mesh_of_parts({"hood", "sill"});
     std::shared_ptr<const Mesh> b_ = mesh_of_parts({"post", "lamp", "base"});
     std::shared_ptr<const Mesh> later_b_ = b_;
+    PartKind kind_ = PartKind::Any;
     std::optional<GroupDiff> groups_;
     std::optional<ScenarioDiff> scenarios_;
     TriangleDiff triangles_;
@@ -128,6 +152,51 @@ TEST_F(Diff, AScenarioThatFailedMakesItsGroupsNotComparable) {
                           {"sill x lamp", "not comparable"},
                           {"sill x base", "resolved"}}));
     }
+}
+
+TEST_F(Diff, SumsOfEqualScenariosAreComparedAsListsAre) {
+    const std::vector<ScenarioResult> was{result_with(0, {{0, 0}}),
+                                          result_with(1, {{0, 1}}),
+                                          result_with(2, {{1, 2}, {1, 1}}),
+                                          result_with(3, {})};
+    const std::vector<ScenarioResult> is{result_with(0, {{0, 0}, {1, 0}}),
+                                         result_with(1, {{0, 0}}),
+                                         result_with(2, {{1, 2}}),
+                                         failed(3)}; // It was in no contact, so it is in no sum.
+    compare(was, is, 4);
+    const auto of_lists = groups_->groups();
+    compare_counts(was, is, 4);
+    EXPECT_EQ(groups_->groups(), of_lists);
+    EXPECT_TRUE(groups_->are_sums_comparable());
+    EXPECT_EQ(states(),
+              (States{{"hood x post", "grown"},
+                      {"hood x lamp", "resolved"},
+                      {"sill x lamp", "resolved"},
+                      {"sill x base", "unchanged"},
+                      {"sill x post", "new"}}));
+}
+
+TEST_F(Diff, SumsThatCoverOtherScenariosAreNotComparable) {
+    const std::vector<ScenarioResult> some{result_with(0, {{0, 0}}), result_with(1, {{0, 1}})};
+    const std::vector<ScenarioResult> more{result_with(0, {{0, 0}}),
+                                           result_with(1, {{1, 1}}),
+                                           result_with(2, {{0, 0}}),
+                                           result_with(3, {{1, 2}})};
+    compare_counts(some, more, 4);
+    EXPECT_FALSE(groups_->are_sums_comparable());
+    EXPECT_EQ(states(),
+              (States{{"hood x post", "not comparable"},
+                      {"hood x lamp", "resolved"},
+                      {"sill x lamp", "new"},
+                      {"sill x base", "new"}}))
+        << "all of the earlier scenarios were tested again";
+    compare_counts(more, some, 4);
+    EXPECT_FALSE(groups_->are_sums_comparable());
+    EXPECT_EQ(states(),
+              (States{{"hood x post", "not comparable"},
+                      {"sill x lamp", "not comparable"},
+                      {"sill x base", "not comparable"},
+                      {"hood x lamp", "new"}}));
 }
 
 TEST_F(Diff, GroupsGrowAndShrinkByScenariosThenByPairs) {

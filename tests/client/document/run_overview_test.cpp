@@ -61,7 +61,8 @@ TEST(RunOverview, FindsTheWorstScenariosAndEveryClass) {
                 results.push_back(random_result(random, i));
             }
         }
-        const auto overview = RunOverview::read(records_of(folder, results), {box, box}, 200, {});
+        const auto overview =
+            RunOverview::read(records_of(folder, results), GroupSum({box, box}), 200, {});
         ASSERT_TRUE(overview);
         std::vector<std::uint8_t> classes(200, RunOverview::no_result);
         for (const ScenarioResult& result : results) {
@@ -93,7 +94,7 @@ TEST(RunOverview, NamesTheFirstFailures) {
     }
     const auto box = share(make_box({1, 1, 1}));
     const auto overview =
-        RunOverview::read(records_of(folder, results), {box, box}, results.size(), {});
+        RunOverview::read(records_of(folder, results), GroupSum({box, box}), results.size(), {});
     ASSERT_TRUE(overview);
     ASSERT_EQ(overview.value().failures().size(), RunOverview::failures_max);
     EXPECT_EQ(overview.value().failures()[3].reason, "no 3");
@@ -104,15 +105,15 @@ TEST(RunOverview, RefusesRecordsThatTheRunCannotHave) {
     const auto box = share(make_box({1, 1, 1}));
     std::vector<ScenarioResult> results(1);
     results[0].index = 7;
-    const auto beyond = RunOverview::read(records_of(folder, results), {box, box}, 7, {});
+    const auto beyond = RunOverview::read(records_of(folder, results), GroupSum({box, box}), 7, {});
     ASSERT_FALSE(beyond);
     EXPECT_THAT(beyond.error().detail, testing::HasSubstr("scenario 7"));
     results[0].body_b = 2;
-    EXPECT_FALSE(RunOverview::read(records_of(folder, results), {box, box}, 8, {}));
+    EXPECT_FALSE(RunOverview::read(records_of(folder, results), GroupSum({box, box}), 8, {}));
     results[0].body_b = 1;
-    EXPECT_TRUE(RunOverview::read(records_of(folder, results), {box, box}, 8, {}));
-    const auto stopped =
-        RunOverview::read(records_of(folder, results), {box, box}, 8, [] { return true; });
+    EXPECT_TRUE(RunOverview::read(records_of(folder, results), GroupSum({box, box}), 8, {}));
+    const auto stopped = RunOverview::read(
+        records_of(folder, results), GroupSum({box, box}), 8, [] { return true; });
     ASSERT_FALSE(stopped);
     EXPECT_EQ(stopped.error().code, ErrorCode::Interrupted);
 }

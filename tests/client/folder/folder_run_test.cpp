@@ -333,13 +333,13 @@ TEST_F(FolderRunTest, ResultsAreOnTheDiskWhenThePeriodIsOverOrABlockIsFull) {
         EXPECT_TRUE(recorder.add(done));
     };
     fs::create_directories(folder_ / "short");
-    auto at_once = RunRecorder::open(folder_ / "short", false, std::chrono::milliseconds(0));
+    auto at_once = RunRecorder::open(folder_ / "short", nullptr, std::chrono::milliseconds(0));
     ASSERT_TRUE(at_once);
     add(at_once.value(), 0);
     EXPECT_EQ(at_once.value().kept(), 1u);
 
     fs::create_directories(folder_ / "long");
-    auto later = RunRecorder::open(folder_ / "long", false, std::chrono::hours(1));
+    auto later = RunRecorder::open(folder_ / "long", nullptr, std::chrono::hours(1));
     ASSERT_TRUE(later);
     for (std::uint64_t i = 0; i < 4095; ++i) {
         add(later.value(), i);

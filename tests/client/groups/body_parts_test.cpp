@@ -2,21 +2,16 @@
 #include "client/groups/body_parts.hpp"
 
 #include "common/core/limits/client.hpp"
+#include "tests/support/parts.hpp"
 #include "tests/support/shapes.hpp"
 
 #include <gtest/gtest.h>
 
-#include <utility>
 #include <vector>
 
 namespace cd::tests {
 
 namespace {
-
-Mesh with_parts(const Mesh& mesh, std::vector<Part> parts) {
-    return Mesh::create({mesh.vertices(), mesh.triangles(), std::move(parts), mesh.precision()})
-        .value();
-}
 
 /// Makes `count` boxes side by side, that have no point in common.
 Mesh boxes(int count) {
@@ -73,6 +68,13 @@ TEST(BodyParts, PiecesAreNumberedFromTheLargest) {
     EXPECT_EQ(parts.name(parts.part_of(12)), "piece 1") << "the sphere";
     EXPECT_EQ(parts.name(parts.part_of(0)), "piece 2") << "the box";
     EXPECT_EQ(parts.name(parts.part_of(mesh.triangles().size() - 1)), "piece 3");
+}
+
+TEST(BodyParts, PiecesAreNoPartsWhereOnlyNamedPartsCount) {
+    const BodyParts parts(boxes(3), PartKind::Named);
+    EXPECT_EQ(parts.count(), 1u);
+    EXPECT_EQ(parts.name(parts.part_of(13)), "whole");
+    EXPECT_TRUE(parts.has_lasting_names());
 }
 
 TEST(BodyParts, UnsharedCornersConnectByTheirCoordinates) {

@@ -2,6 +2,8 @@
 #include "client/groups/group_sum.hpp"
 
 #include "common/core/limits/client.hpp"
+#include "common/geometry/part_runs.hpp"
+#include "common/job/result/contact_map.hpp"
 #include "tests/support/rounds.hpp"
 #include "tests/support/shapes.hpp"
 
@@ -187,6 +189,66 @@ TEST(GroupSum, AgreesWithASlowSum) {
             groups, [](const Group& l, const Group& r) { return l.scenarios > r.scenarios; }));
         EXPECT_EQ(sum.left_out(), 0u);
     }
+}
+
+TEST(GroupSum, SumsByPartGiveTheGroupsThatListsGive) {
+    for (SeededRandom random : seeds(60)) {
+        const auto a = share(random_mesh(random));
+        const auto b = share(random_mesh(random));
+        GroupSum of_lists({a, b}, PartKind::Named);
+        GroupSum of_sums({a, b}, PartKind::Named);
+        ContactMapSum map(body_part_runs(*a, *b));
+        for (const ScenarioResult& result : random_results(random, *a, *b)) {
+            of_lists.add(result);
+            ScenarioResult counted = result;
+            counted.level = Level::Count;
+            counted.pairs.clear();
+            of_sums.add(counted);
+            map.add(counted, result.pairs);
+        }
+        ASSERT_TRUE(of_sums.add(map.take().parts));
+        std::vector<Group> expected = of_lists.groups();
+        for (Group& group : expected) { // What sums do not know.
+            group.kind = group.kind == ScenarioClass::Cross ? group.kind : ScenarioClass::Contact;
+            group.regions = {};
+            const std::uint64_t last = group.episodes.last;
+            group.episodes = {0, last, {{group.episodes.first.front().first, last}}};
+        }
+        EXPECT_THAT(of_sums.groups(), testing::UnorderedElementsAreArray(expected));
+        EXPECT_EQ(of_sums.left_out(), 0u);
+        std::map<std::string, std::uint64_t> touched;
+        for (const TouchedPart& part : of_lists.most_touched(100)) {
+            touched[part.part] += part.scenarios;
+        }
+        for (const TouchedPart& part : of_sums.most_touched(100)) {
+            touched[part.part] -= part.scenarios;
+        }
+        for (const auto& [part, scenarios] : touched) {
+            EXPECT_EQ(scenarios, 0u) << part;
+        }
+    }
+}
+
+TEST(GroupSum, SumsOfOtherPartsAreRefused) {
+    PartContacts contacts;
+    contacts.parts = {{{{0, 1}}, {{0, 1}}}};
+    contacts.pairs = {{0, 2, 1, 1, 0, 1, 0, 0, false}};
+    const auto box = share(make_box({1, 1, 1}));
+    EXPECT_FALSE(GroupSum({box, box}, PartKind::Named).add(contacts));
+    contacts.pairs.clear();
+    contacts.parts[1][0].part = 1;
+    EXPECT_FALSE(GroupSum({box, box}, PartKind::Named).add(contacts));
+}
+
+TEST(GroupSum, TooManySumsAreLeftOut) {
+    const auto box = share(make_box({1, 1, 1}));
+    GroupSum sum({box, box}, PartKind::Named);
+    PartContacts contacts;
+    contacts.parts = {{{{0, 2}}, {{0, 2}}}};
+    contacts.left_out = 17;
+    ASSERT_TRUE(sum.add(contacts));
+    EXPECT_THAT(sum.groups(), IsEmpty());
+    EXPECT_EQ(sum.left_out(), 17u);
 }
 
 TEST(GroupSum, ManyEpisodesAreCountedAndTheFirstKept) {

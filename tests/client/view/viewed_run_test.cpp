@@ -187,6 +187,17 @@ TEST_F(ViewedRecords, TheNextContactIsTheNearestOneAlsoOfAPart) {
                   static_cast<std::uint64_t>(std::ranges::count_if(results, in_contact)));
         EXPECT_NEAR(group.share, static_cast<double>(group.scenarios) / scenarios, 1e-12);
     }
+    const auto counted = view("level = \"count\"\nmaps = true\n")->view("folder").groups;
+    ASSERT_TRUE(counted);
+    ASSERT_EQ(counted->rows.size(), 2u);
+    for (const GroupView& group : counted->rows) {
+        const auto listed = std::ranges::find(groups->rows, group.part_a, &GroupView::part_a);
+        ASSERT_NE(listed, groups->rows.end());
+        EXPECT_EQ(group.scenarios, listed->scenarios);
+        EXPECT_EQ(group.pairs, listed->pairs);
+        EXPECT_EQ(group.worst, listed->worst);
+        EXPECT_EQ(group.worst_class, ScenarioClass::Cross);
+    }
     EXPECT_FALSE(view("level = \"count\"\n")->view("folder").groups);
 }
 

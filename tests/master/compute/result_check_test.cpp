@@ -12,6 +12,9 @@
 
 #include <gmock/gmock.h>
 
+#include <functional>
+#include <vector>
+
 namespace cd::tests {
 namespace {
 
@@ -183,6 +186,49 @@ TEST_F(ResultIntake, AMapHasToBeThatOfItsScenarios) {
     wrong = right;
     wrong.bodies[0] = {{0, 1}};
     EXPECT_THAT(refusal(with_map(wrong)), HasSubstr("lacks scenarios"));
+}
+
+TEST_F(ResultIntake, SumsByPartHaveToBeThoseOfTheScenarios) {
+    Query query = material_->query;
+    query.level = Level::Count;
+    query.maps = true;
+    const PartRuns halves = PartRuns::create({{0, 1}, {20, 0}}).value();
+    material_ = std::make_shared<const JobMaterial>(
+        JobMaterial{material_->a,
+                    material_->b,
+                    query,
+                    material_->settler,
+                    std::make_shared<const BodyPartRuns>(BodyPartRuns{halves, halves})});
+    task_.material = material_;
+    ContactMapSum sum(material_->parts);
+    std::vector<ScenarioResult> results;
+    for (const auto& analysis : task_.analyses) {
+        const SubtreePair whole{material_->a->view(), material_->b->view()};
+        const ScenarioRun run = run_on_subtrees({&whole, 1}, analysis->scenario, query);
+        sum.add(run.result, run.found);
+        results.push_back(run.result);
+    }
+    const ContactMap right = sum.take();
+    ASSERT_GT(right.parts.pairs.size(), 1u);
+    const auto answer = [&](const ContactMap& map) {
+        Results message = message_of(results);
+        message.map = pack_map(map);
+        return refusal(message);
+    };
+    EXPECT_EQ(answer(right), "taken");
+    const auto expect_refused = [&](const std::function<void(PartContacts&)>& change) {
+        ContactMap wrong = right;
+        change(wrong.parts);
+        EXPECT_THAT(answer(wrong), HasSubstr("sums by part"));
+    };
+    expect_refused([](PartContacts& parts) { parts.parts[1].back().part = 2; });
+    expect_refused([](PartContacts& parts) { parts.parts[0].clear(); });
+    expect_refused([](PartContacts& parts) { parts.pairs.back().a = 2; });
+    expect_refused([](PartContacts& parts) { parts.pairs.back().b = 2; });
+    expect_refused([](PartContacts& parts) { parts.pairs.back().last = 2; });
+    expect_refused([](PartContacts& parts) {
+        parts.pairs.back().worst = parts.pairs.back().first = parts.pairs.back().last = 7;
+    });
 }
 
 } // namespace cd::tests

@@ -1,9 +1,12 @@
 // Proves what clients may ask of a job in each of its phases, and what is refused.
 #include "master/coordinator/job_desk.hpp"
 
+#include "common/job/result/packed_map.hpp"
 #include "tests/master/parts_stage.hpp"
 
 #include <gmock/gmock.h>
+
+#include <span>
 
 namespace cd::tests {
 namespace {
@@ -134,13 +137,38 @@ TEST_F(JobDeskTest, ADisputedScenarioIsCancelledWhileTheMasterRunsIt) {
 
 TEST_F(JobDeskTest, OnlyADoneJobHasAMap) {
     MasterJob& job = open();
-    EXPECT_EQ(jobs_.contact_map(job.id).error().code, ErrorCode::Refused);
-    EXPECT_EQ(jobs_.contact_map(JobId{99}).error().code, ErrorCode::NotFound);
+    EXPECT_EQ(jobs_.contact_map({job.id}).error().code, ErrorCode::Refused);
+    EXPECT_EQ(jobs_.contact_map({JobId{99}}).error().code, ErrorCode::NotFound);
+    EXPECT_EQ(jobs_.contact_map({JobId{99}, true}).error().code, ErrorCode::NotFound);
     for (const Scenario& scenario : reference().scenarios) {
         merge(job, right_result(scenario.index), 70);
     }
     end(job, JobState::Done);
-    EXPECT_EQ(jobs_.contact_map(job.id).value().job, job.id);
+    EXPECT_EQ(jobs_.contact_map({job.id}).value().job, job.id);
+}
+
+TEST_F(JobDeskTest, ARunningJobHasTheSumsByPartOfItsResultsSoFar) {
+    Submit submit = submission(AnalysisMode::Always);
+    submit.query.maps = true;
+    MasterJob& job = open(submit);
+    const std::uint64_t scenario = scenario_with_contact();
+    const ContactMap map =
+        reference_map(*job.work()->material, *job.run->poses, std::span(&scenario, 1)).value();
+    ASSERT_FALSE(map.parts.empty());
+    job.map.add(map);
+    const auto sums = [&] {
+        const ContactMapAnswer answer = jobs_.contact_map({job.id, true}).value();
+        EXPECT_TRUE(answer.is_asked);
+        return unpack_map(answer.map, any_map()).value();
+    };
+    EXPECT_EQ(sums(), (ContactMap{{}, map.parts}));
+    services.life.end(job, JobState::Cancelled, "");
+    EXPECT_EQ(sums(), (ContactMap{{}, map.parts})) << "also when it has ended";
+    MasterJob& wrong = open(submit);
+    wrong.map.add(map);
+    wrong.map.withdraw("a worker was wrong");
+    EXPECT_TRUE(jobs_.contact_map({wrong.id, true}).value().map.empty());
+    EXPECT_EQ(jobs_.contact_map({wrong.id, true}).value().withdrawn, "a worker was wrong");
 }
 
 TEST_F(JobDeskTest, TheClusterHasItsWorkersJobsAndMeshes) {

@@ -41,13 +41,16 @@ class ResultIngestTest : public PartsStage {
         ByteWriter records;
         Results results{{}, job, 0, {}, {}, 0.25, sequence, {}, {}};
         results.traffic.hits = 1;
+        std::vector<ScenarioResult> right;
         for (const std::uint64_t index : scenarios) {
-            const Bytes record = encode_result(right_result(index));
+            right.push_back(right_result(index));
+            const Bytes record = encode_result(right.back());
             records.put(static_cast<std::uint32_t>(record.size()));
             put_bytes(records, record);
             ++results.count;
         }
         results.records = pack_records(records.bytes());
+        results.map = packed_sums(right);
         return results;
     }
     [[nodiscard]] static Results
@@ -159,6 +162,22 @@ TEST_F(ResultIngestTest, IfSomeResultsAreKnownTheMasterMakesTheMapOfTheOthers) {
     JobMap total = job.map;
     total.finish();
     EXPECT_EQ(total.packed(), pack_map(map_of({other})));
+}
+
+TEST_F(ResultIngestTest, IfSomeResultsAreKnownTheMasterSumsTheListsOfTheOthers) {
+    const MasterJob& job = open();
+    merge(state.jobs.at(job.id), right_result(touching_), 71);
+    std::uint64_t other = touching_ + 1;
+    while (right_result(other).pair_count == 0) {
+        ++other;
+    }
+    send(right_ones(job.id, {touching_, other}, 1));
+    run_until_kept(1);
+    const std::vector<ScenarioResult> rest{right_result(other)};
+    EXPECT_EQ(job.map.packed_parts(), packed_sums(rest));
+    send(right_ones(job.id, {touching_, other}, 2));
+    run_until_kept(2);
+    EXPECT_EQ(job.map.packed_parts(), packed_sums(rest)) << "each scenario counts once";
 }
 
 TEST_F(ResultIngestTest, ResultsThatComeBeforeTheGeometryWaitForIt) {

@@ -11,6 +11,7 @@
 #include <atomic>
 #include <latch>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace cd::tests {
@@ -90,6 +91,43 @@ TEST(Executor, BothFormsOfSubtreesHaveTheSameAnswer) {
     const auto binary = execute(spheres_in_one_place(body.tree, SubtreeForm::Binary), {});
     ASSERT_TRUE(wide && binary);
     EXPECT_EQ(wide->records, binary->records);
+}
+
+TEST(Executor, SumsContactsByPartIfThereAreParts) {
+    const CutBody body = cut_body(make_sphere(3), 0);
+    ReadyScenario ready = spheres_in_one_place(body.tree);
+    Query query;
+    query.level = Level::Count;
+    query.maps = true;
+    ready.query = std::make_shared<const Query>(query);
+    const auto without = execute(ready, {});
+    ASSERT_TRUE(without);
+    EXPECT_FALSE(without->map.bodies[0].empty());
+    EXPECT_TRUE(without->map.parts.empty());
+    const PartRuns halves = PartRuns::create({{0, 1}, {640, 0}}).value();
+    ready.parts = std::make_shared<const BodyPartRuns>(BodyPartRuns{halves, {}});
+    const auto finished = execute(ready, {});
+    ASSERT_TRUE(finished);
+    EXPECT_EQ(finished->map.bodies, without->map.bodies);
+    ASSERT_EQ(finished->map.parts.pairs.size(), 2u);
+    const auto result = decode_result(std::span(finished->records).subspan(sizeof(std::uint32_t)));
+    EXPECT_EQ(finished->map.parts.pairs[0].pairs + finished->map.parts.pairs[1].pairs,
+              result.value().pair_count);
+}
+
+TEST(WorkerJob, PartsThatAreNoneAreRefused) {
+    SubtreeCache cache(1u << 20);
+    ASSERT_TRUE(cache.add_tree(cut_body(make_sphere(1), 0).add(TreeId{1})));
+    const auto is_taken = [&](std::vector<std::vector<PartRun>> parts) {
+        return static_cast<bool>(make_worker_job(
+            {JobId{1}, {TreeId{1}, TreeId{1}}, {}, std::nullopt, std::move(parts)}, cache));
+    };
+    EXPECT_TRUE(is_taken({}));
+    EXPECT_TRUE(is_taken({{{0, 0}}, {{0, 1}, {5, 0}}}));
+    EXPECT_FALSE(is_taken({{{0, 0}}}));
+    EXPECT_FALSE(is_taken({{{0, 0}}, {{0, 0}}, {{0, 0}}}));
+    EXPECT_FALSE(is_taken({{{0, 0}}, {{1, 0}}}));
+    EXPECT_FALSE(is_taken({{{0, 0}}, {{0, 0}, {0, 1}}}));
 }
 
 TEST(WorkerJob, MismatchedTreeFormsAreRefused) {

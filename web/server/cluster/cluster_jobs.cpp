@@ -4,6 +4,7 @@
 #include "common/core/limits/web.hpp"
 #include "common/core/words.hpp"
 #include "common/geometry/aabb.hpp"
+#include "common/geometry/part_runs.hpp"
 #include "common/job/result/packed_map.hpp"
 #include "web/server/part_filter.hpp"
 #include "web/server/scenario_repeat.hpp"
@@ -85,6 +86,42 @@ PosesView poses_view(const Submit& submit) {
             poses.of_both_bodies};
 }
 
+/// Makes the groups of a job of its sums by part; nothing if they are unknown or too many.
+std::optional<GroupsView>
+groups_view(const ContactMapAnswer& sums, const BodyTrees& trees, const PagedJob& job) {
+    if (!sums.is_asked || !sums.withdrawn.empty()) {
+        return std::nullopt;
+    }
+    const auto map = unpack_map(sums.map, any_map(job.scenarios()));
+    if (!map || map.value().parts.left_out != 0) {
+        return std::nullopt;
+    }
+    std::vector<PartPairContacts> pairs = map.value().parts.pairs;
+    std::ranges::stable_sort(pairs, [](const auto& left, const auto& right) {
+        return std::pair(left.scenarios, left.pairs) > std::pair(right.scenarios, right.pairs);
+    });
+    GroupsView view;
+    view.total = pairs.size();
+    pairs.resize(std::min(pairs.size(), limits::page_groups_max));
+    const auto tested = std::max<std::uint64_t>(1, job.status.summary.tested());
+    const NamedParts a = named_parts(trees[0]->mesh());
+    const NamedParts b = named_parts(trees[1]->mesh());
+    for (const PartPairContacts& pair : pairs) {
+        if (pair.a >= a.names.size() || pair.b >= b.names.size()) {
+            return std::nullopt;
+        }
+        view.rows.push_back({a.names[pair.a],
+                             b.names[pair.b],
+                             pair.scenarios,
+                             static_cast<double>(pair.scenarios) / static_cast<double>(tested),
+                             pair.pairs,
+                             pair.worst,
+                             pair.worst_pairs,
+                             pair.has_proper ? ScenarioClass::Cross : ScenarioClass::Contact});
+    }
+    return view;
+}
+
 Result<PartFilter>
 filter_of(ClusterReader& reader, const PagedJob& job, const NextContact& wanted) {
     if (wanted.part_a.empty() && wanted.part_b.empty()) {
@@ -92,7 +129,8 @@ filter_of(ClusterReader& reader, const PagedJob& job, const NextContact& wanted)
     }
     const auto description = CD_TRY(reader.description(job.status.job));
     if (description.submit.query.level < Level::Pairs) {
-        return bad_input("the job lists no pairs, so that parts are not known: its level is " +
+        return bad_input("the job lists no pairs, so that the parts of a scenario are not known: "
+                         "its level is " +
                          std::string(to_text(description.submit.query.level)));
     }
     const auto trees = CD_TRY(reader.trees(description.submit));
@@ -116,7 +154,7 @@ Window window_after(const NextContact& wanted, std::uint64_t total, std::uint64_
 
 } // namespace
 
-Result<JobView> view_of(ClusterReader& reader, const PagedJob& job) {
+Result<JobView> view_of(ClusterReader& reader, const PagedJob& job, const ContactMapAnswer& sums) {
     const auto description = CD_TRY(reader.description(job.status.job));
     const Submit& submit = description.submit;
     JobView view;
@@ -131,6 +169,9 @@ Result<JobView> view_of(ClusterReader& reader, const PagedJob& job) {
         view.bodies.push_back(trees && i < trees.value().size()
                                   ? body_view(submit.bodies[i], *trees.value()[i])
                                   : BodyView{submit.bodies[i]});
+    }
+    if (trees) {
+        view.groups = groups_view(sums, trees.value(), job);
     }
     return view;
 }

@@ -24,7 +24,9 @@ struct PagedJob {
     [[nodiscard]] std::uint64_t scenarios() const { return status.summary.total; }
 };
 
-[[nodiscard]] Result<JobView> view_of(ClusterReader& reader, const PagedJob& job);
+/// `sums` has the sums by part, of which the groups are made.
+[[nodiscard]] Result<JobView>
+view_of(ClusterReader& reader, const PagedJob& job, const ContactMapAnswer& sums);
 /// Errors of these: BadInput for scenarios that the job does not have; those of reading.
 [[nodiscard]] Result<std::vector<std::uint8_t>>
 classes_of(const RecordReader& records, const PagedJob& job, const ScenarioChoice& choice);

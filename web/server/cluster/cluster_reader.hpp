@@ -42,7 +42,7 @@ class ClusterReader {
     // ---- On the server's thread; these do not block ---------------------------------------------
     virtual void status(Take<ClusterStatus> take) = 0;
     /// Errors: NotFound; Refused for a job that is not done.
-    virtual void map(JobId job, Take<ContactMapAnswer> take) = 0;
+    virtual void map(const ContactMapQuery& query, Take<ContactMapAnswer> take) = 0;
     /// Errors: NotFound.
     [[nodiscard]] virtual Result<RecordReader> records(JobId job) = 0;
     /// Whether a scenario may be run now. Errors: TooLarge with the reason.

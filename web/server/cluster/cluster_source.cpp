@@ -145,8 +145,21 @@ void ClusterSource::jobs(Take<std::vector<JobRow>> take) {
 
 void ClusterSource::job(const std::string& id, Take<JobView> take) {
     with_job(id, std::move(take), [this](PagedJob job, Take<JobView> then) {
-        read(std::move(then),
-             [&reader = parts_.reader, job = std::move(job)] { return view_of(reader, job); });
+        const ContactMapQuery sums{job.status.job, true};
+        parts_.reader.map(sums,
+                          [this, alive = std::weak_ptr(alive_), job = std::move(job), then](
+                              const Result<ContactMapAnswer>& answer) {
+                              if (alive.expired()) {
+                                  return;
+                              }
+                              // Without an answer, the groups are unknown.
+                              read(then,
+                                   [&reader = parts_.reader,
+                                    job,
+                                    parts = answer ? answer.value() : ContactMapAnswer()] {
+                                       return view_of(reader, job, parts);
+                                   });
+                          });
     });
 }
 
@@ -182,7 +195,7 @@ void ClusterSource::map(const std::string& id,
     using Map = Take<std::vector<TriangleContacts>>;
     with_job(id, std::move(take), [this, body](PagedJob job, Map then) {
         const JobId number = job.status.job;
-        parts_.reader.map(number,
+        parts_.reader.map({number},
                           [this, alive = std::weak_ptr(alive_), body, job = std::move(job), then](
                               const Result<ContactMapAnswer>& answer) {
                               if (alive.expired()) {

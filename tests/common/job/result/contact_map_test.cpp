@@ -60,7 +60,9 @@ ContactMapBounds bounds_of(std::uint64_t scenarios) {
     return {triangles, triangles, scenarios};
 }
 
-Bytes packed_numbers(const std::vector<std::uint64_t>& numbers) {
+/// Packs the numbers of triangles; behind them come no sums by part.
+Bytes packed_numbers(std::vector<std::uint64_t> numbers) {
+    numbers.insert(numbers.end(), {0, 0, 0, 0});
     ByteWriter out;
     for (const std::uint64_t number : numbers) {
         put_varint(out, number);
