@@ -157,7 +157,7 @@ TEST_F(Diff, AScenarioThatFailedMakesItsGroupsNotComparable) {
 TEST_F(Diff, SumsOfEqualScenariosAreComparedAsListsAre) {
     const std::vector<ScenarioResult> was{result_with(0, {{0, 0}}),
                                           result_with(1, {{0, 1}}),
-                                          result_with(2, {{1, 2}, {1, 1}}),
+                                          result_with(2, {{1, 1}, {1, 2}}),
                                           result_with(3, {})};
     const std::vector<ScenarioResult> is{result_with(0, {{0, 0}, {1, 0}}),
                                          result_with(1, {{0, 0}}),
