@@ -32,8 +32,8 @@ struct Golden {
     std::string_view hash;
 };
 constexpr std::array<Golden, std::variant_size_v<Message>> golden{{
-    {"hello", 95, "b1ccec9df032d3ce"},
-    {"welcome", 116, "e5638d7c3b4fcde3"},
+    {"hello", 95, "13095812014be203"},
+    {"welcome", 116, "2cf39a70b23abcbd"},
     {"failure", 17, "b9807aeea9fe9795"},
     {"heartbeat", 105, "83c163ab958245e5"},
     {"add tree", 81, "396e36e8490fc0d5"},
@@ -68,7 +68,7 @@ constexpr std::array<Golden, std::variant_size_v<Message>> golden{{
     {"peer fetched", 21, "81af26b24d9034b4"},
     {"explain", 16, "609f0a17cfd7829b"},
     {"explained", 230, "cc3c00c98726d102"},
-    {"add job", 124, "d632f8beb45915f5"},
+    {"add job", 172, "7c3765c6b2313d42"},
     {"remove job", 8, "d86e8112f3c4c444"},
     {"results kept", 32, "85f896738b831cb7"},
     {"holding", 72, "e1381bfba176d2ec"},
@@ -82,7 +82,7 @@ constexpr std::array<Golden, std::variant_size_v<Message>> golden{{
     {"recall", 40, "c4be813caf236978"},
     {"recalled", 32, "c779e5841532473c"},
     {"hint", 32, "efd67ebf8cf6f660"},
-    {"contact map query", 8, "6cc16abd70eefb90"},
+    {"contact map query", 9, "39c4bda09747729a"},
     {"contact map", 55, "46a208d4be794e94"},
     {"job query", 8, "6cc16abd70eefb90"},
     {"job description", 529, "eec8be629cd1cd76"},
