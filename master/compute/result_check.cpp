@@ -141,28 +141,27 @@ Status check_triangles(std::uint64_t scenarios, const ContactMap& map) {
 
 /// Unpacks and checks the map of a message: it must be about its scenarios with contacts alone, and
 /// have what is asked for.
-Result<ContactMap> take_map(const JobMaterial& material,
-                            std::span<const TakenResult> results,
-                            std::span<const std::byte> packed) {
-    const bool has_triangles = material.query.maps;
-    if (!has_triangles && material.parts == nullptr) {
-        return packed.empty() ? Result<ContactMap>(ContactMap{})
-                              : Error{ErrorCode::BadFrame, "a map that was not asked for"};
-    }
+Result<ContactMap> checked_map(const JobMaterial& material,
+                               std::span<const TakenResult> results,
+                               std::span<const std::byte> packed) {
     const auto scenarios = static_cast<std::uint64_t>(
         std::count_if(results.begin(), results.end(), [](const TakenResult& one) {
             return one.result.pair_count > 0;
         }));
-    const ContactMapBounds bounds{has_triangles ? material.a->mesh().triangles().size() : 0,
-                                  has_triangles ? material.b->mesh().triangles().size() : 0,
-                                  scenarios};
+    ContactMapBounds bounds{0, 0, scenarios};
+    if (material.query.maps) {
+        bounds.triangles_a = material.a->mesh().triangles().size();
+        bounds.triangles_b = material.b->mesh().triangles().size();
+    }
     Result<ContactMap> map = unpack_map(packed, bounds);
     if (!map) {
         return map.error();
     }
-    const Status marked = has_triangles ? check_triangles(scenarios, map.value()) : Status(Done{});
-    if (!marked) {
-        return marked.error();
+    if (material.query.maps) {
+        const Status marked = check_triangles(scenarios, map.value());
+        if (!marked) {
+            return marked.error();
+        }
     }
     if (material.parts == nullptr) {
         map.value().parts = {};
@@ -170,6 +169,26 @@ Result<ContactMap> take_map(const JobMaterial& material,
     }
     const Status summed = check_parts(*material.parts, results, scenarios, map.value().parts);
     return summed ? std::move(map) : summed.error();
+}
+
+/// Returns the map of a message. Sums without triangles that cannot be those of the results are
+/// made anew of the pairs that these list, so that a wrong result is a dispute, not a bad message.
+Result<ContactMap> take_map(const JobMaterial& material,
+                            std::span<const TakenResult> results,
+                            std::span<const std::byte> packed) {
+    if (!material.query.maps && material.parts == nullptr) {
+        return packed.empty() ? Result<ContactMap>(ContactMap{})
+                              : Error{ErrorCode::BadFrame, "a map that was not asked for"};
+    }
+    Result<ContactMap> map = checked_map(material, results, packed);
+    if (map || material.query.maps) {
+        return map;
+    }
+    ContactMapSum sum(material.parts);
+    for (const TakenResult& one : results) {
+        sum.add(one.result, {});
+    }
+    return sum.take();
 }
 
 } // namespace

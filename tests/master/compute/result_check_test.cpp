@@ -219,7 +219,8 @@ TEST_F(ResultIntake, SumsByPartHaveToBeThoseOfTheScenarios) {
     const auto expect_refused = [&](const std::function<void(PartContacts&)>& change) {
         ContactMap wrong = right;
         change(wrong.parts);
-        EXPECT_THAT(answer(wrong), HasSubstr("sums by part"));
+        EXPECT_THAT(answer(wrong),
+                    testing::AnyOf(HasSubstr("sums by part"), HasSubstr("contradicts itself")));
     };
     expect_refused([](PartContacts& parts) { parts.parts[1].back().part = 2; });
     expect_refused([](PartContacts& parts) { parts.parts[0].clear(); });
@@ -228,7 +229,34 @@ TEST_F(ResultIntake, SumsByPartHaveToBeThoseOfTheScenarios) {
     expect_refused([](PartContacts& parts) { parts.pairs.back().last = 2; });
     expect_refused([](PartContacts& parts) {
         parts.pairs.back().worst = parts.pairs.back().first = parts.pairs.back().last = 7;
+        parts.pairs.back().scenarios = parts.pairs.back().pairs = 1;
+        parts.pairs.back().worst_pairs = 1;
     });
+}
+
+TEST_F(ResultIntake, WrongSumsOfListedPairsAreMadeAnew) {
+    const PartRuns halves = PartRuns::create({{0, 1}, {20, 0}}).value();
+    material_ = std::make_shared<const JobMaterial>(
+        JobMaterial{material_->a,
+                    material_->b,
+                    material_->query,
+                    material_->settler,
+                    std::make_shared<const BodyPartRuns>(BodyPartRuns{halves, halves})});
+    task_.material = material_;
+    ContactMapSum sum(material_->parts);
+    sum.add(result_of(0), {});
+    sum.add(result_of(1), {});
+    const ContactMap right = sum.take();
+    ASSERT_GT(right.parts.pairs.size(), 1u);
+    ContactMap wrong = right;
+    wrong.parts.parts[0].clear();
+    for (const Bytes& map : {pack_map(right), pack_map(wrong), Bytes(), Bytes(3)}) {
+        Results message = message_of({result_of(0), result_of(1)});
+        message.map = map;
+        const auto taken = take_results(task_, message);
+        ASSERT_TRUE(taken) << taken.error().detail;
+        EXPECT_EQ(taken.value().map, right);
+    }
 }
 
 } // namespace cd::tests
