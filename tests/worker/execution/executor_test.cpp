@@ -104,7 +104,8 @@ TEST(Executor, SumsContactsByPartIfThereAreParts) {
     ASSERT_TRUE(without);
     EXPECT_FALSE(without->map.bodies[0].empty());
     EXPECT_TRUE(without->map.parts.empty());
-    const PartRuns halves = PartRuns::create({{0, 1}, {640, 0}}).value();
+    const auto half = static_cast<std::uint32_t>(body.tree.mesh().triangles().size() / 2);
+    const PartRuns halves = PartRuns::create({{0, 1}, {half, 0}}).value();
     ready.parts = std::make_shared<const BodyPartRuns>(BodyPartRuns{halves, {}});
     const auto finished = execute(ready, {});
     ASSERT_TRUE(finished);
