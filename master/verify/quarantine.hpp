@@ -42,7 +42,7 @@ class Quarantine {
     Parts parts_;
 };
 
-/// Marks the job's contact map as unusable, if the job has one. `why` is shown to users.
+/// Marks the job's map, or its sums by part, as unusable, if it has any. `why` is shown to users.
 void withdraw_map(MasterJob& job, const std::string& why);
 
 } // namespace cd

@@ -78,11 +78,12 @@ TEST_F(QuarantineTest, EndedJobsWithItsResultsAreNamedInAnAlarm) {
     EXPECT_TRUE(with.merged.has(5)) << "an ended job stays as it is";
 }
 
-TEST_F(QuarantineTest, OnlyAJobWithMapsHasItsMapWithdrawn) {
+TEST_F(QuarantineTest, OnlyAJobThatSumsContactsHasItsMapWithdrawn) {
     MasterJob& job = open(AnalysisMode::Never);
+    job.submit.query.level = Level::Count;
     withdraw_map(job, "a worker was wrong");
     EXPECT_EQ(job.map.withdrawn(), "");
-    job.submit.query.maps = true;
+    job.submit.query.level = Level::Pairs;
     withdraw_map(job, "a worker was wrong");
     withdraw_map(job, "another reason");
     EXPECT_EQ(job.map.withdrawn(), "a worker was wrong");
