@@ -49,12 +49,12 @@ class Groups : public Cluster {
         write_job(40);
     }
 
-    void write_job(int count) {
+    void write_job(int count, const std::string& x_max = "2.5") {
         const std::string n = std::to_string(count);
         write_text(folder_ / "job.toml",
                    "[a]\nmesh = \"a.obj\"\n[b]\nmesh = \"b.obj\"\n[poses]\n"
-                   "grid = { x = [-2.5, 2.5, " +
-                       n + "], yaw_deg = [0, 350, " + n + "] }\n");
+                   "grid = { x = [-2.5, " +
+                       x_max + ", " + n + "], yaw_deg = [0, 350, " + n + "] }\n");
     }
     [[nodiscard]] std::vector<std::string> words(const std::string& out,
                                                  std::vector<std::string> more) {
@@ -135,7 +135,7 @@ TEST_F(Groups, OfACountAreJudgedByABaselineAndReused) {
     EXPECT_EQ(same.exit_code, 0) << same.errors;
     EXPECT_THAT(same.output, HasSubstr("new 0, active "));
 
-    write_job(3); // Few poses have few groups.
+    write_job(3, "-2.2"); // On one side of A, few parts are in contact.
     ASSERT_EQ(run_into("few", counts_).exit_code, 0);
     write_job(79); // Every second position is one of the old ones.
     judged = counts_;
