@@ -255,6 +255,7 @@ TEST_F(JobFolder, AJobIsReportedAsItsFolderIs) {
 }
 
 TEST_F(JobFolder, AReportOfAJobHoldsTheViewerOfItsFolder) {
+    start_worker();
     write_text(folder_ / "poses.csv",
                "x,y,z,qx,qy,qz,qw\n3,0,0,0,0,0,1\n1,0,0,0,0,0,1\n0.5,0.2,0.1,0,0,0,1\n");
     write_job("file = \"poses.csv\"", "level = \"count\"");
