@@ -195,7 +195,8 @@ TEST_F(DiffOfRuns, LevelsWithoutPairsHaveNoGroups) {
     EXPECT_THAT(ran.output, HasSubstr("  groups        not compared"));
     const Ran refused = diff({"--fail-on", "new"});
     EXPECT_EQ(refused.exit_code, 2);
-    EXPECT_THAT(refused.errors, HasSubstr("groups need level pairs or contacts, or level count with maps"));
+    EXPECT_THAT(refused.errors,
+                HasSubstr("groups need level pairs or contacts, or level count with maps"));
 }
 
 TEST_F(DiffOfRuns, MapsOfLevelCountGiveTheTrianglesThatPairsGive) {
