@@ -73,8 +73,8 @@ make_viewer(const ReportCommand& command, RunAtHand& at_hand, ThreadPool& pool) 
     if (!command.has_viewer) {
         return viewer;
     }
-    const auto run =
-        CD_TRY(ViewedRun::open(at_hand.run, at_hand.job, pool, &InterruptGuard::has_come));
+    const auto run = CD_TRY(
+        ViewedRun::open(at_hand.run, at_hand.job, at_hand.map, pool, &InterruptGuard::has_come));
     const auto worst = run->worst(limits::report_viewer_scenarios_max);
     if (worst.empty()) {
         std::fprintf(stderr, "no scenario is in contact: there is nothing to show in 3D\n");

@@ -20,7 +20,7 @@ namespace {
 Result<std::unique_ptr<ViewedRun>>
 open_viewed(const ViewCommand& command, RunAtHand& at_hand, ThreadPool& pool) {
     const SlowNote note("reading " + command.run + "...", false);
-    return ViewedRun::open(at_hand.run, at_hand.job, pool);
+    return ViewedRun::open(at_hand.run, at_hand.job, std::move(at_hand.map), pool);
 }
 
 Result<int> view_folder(const ViewCommand& command) {

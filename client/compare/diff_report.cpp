@@ -81,8 +81,7 @@ std::string group_text(const ChangedGroup& group) {
 std::string groups_text(const DiffReport& report) {
     if (!report.has_groups) {
         return "  groups        not compared: they need level pairs or contacts, or level count "
-               "with "
-               "maps\n";
+               "with maps\n";
     }
     std::string text;
     std::string lines;

@@ -9,9 +9,8 @@
 
 namespace cd {
 
-/// A viewer of some scenarios. The page's script finds each answer that it needs in an inert
-/// element
-/// (`template`) with the path of its request, as gzip in Base64.
+/// A viewer of some scenarios. For each request of the page's script, the document has an inert
+/// element (`template`) with the request's path and its answer, as gzip in Base64.
 class EmbeddedViewer {
   public:
     EmbeddedViewer();

@@ -57,7 +57,7 @@ std::vector<std::shared_ptr<const Mesh>> meshes_of(const ExportContext& context)
 ResultSink::ResultSink(SinkOptions options, const ExportContext& context)
     : options_(std::move(options)),
       context_(context),
-      groups_(meshes_of(context), context.level == Level::Count ? PartKind::Named : PartKind::Any),
+      groups_(meshes_of(context), part_kind(context.level)),
       waiting_(context.maps ? body_part_runs(*context.bodies[0].mesh, *context.bodies[1].mesh)
                             : nullptr) {}
 

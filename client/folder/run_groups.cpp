@@ -21,10 +21,6 @@ Status check_groups(const Query& query, const std::optional<ContactMap>& map) {
                : bad_input("at level count the groups are in the contact map, which is missing");
 }
 
-PartKind part_kind(Level level) {
-    return level >= Level::Pairs ? PartKind::Any : PartKind::Named;
-}
-
 Result<GroupSum> begin_groups(const Query& query,
                               std::vector<std::shared_ptr<const Mesh>> meshes,
                               const std::optional<ContactMap>& map,

@@ -23,9 +23,6 @@ namespace cd {
 /// query that does not ask for groups, and at `level count` without map.
 [[nodiscard]] Status check_groups(const Query& query, const std::optional<ContactMap>& map);
 
-/// Returns the parts that are in the groups of a run of this level.
-[[nodiscard]] PartKind part_kind(Level level);
-
 /// Begins the sum of a run's groups, to which its results are to be added. At `level count` it has
 /// the sums of `map`, the run's contact map. `meshes` holds the mesh of each body; `kind` must be
 /// Named at `level count`. Errors: as `check_groups`; BadInput for parts of the map that the bodies

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "common/geometry/mesh.hpp"
+#include "common/job/query.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -15,6 +16,11 @@ enum class PartKind : std::uint8_t {
     Any,   ///< Named parts or, in a mesh with at most one, its connected pieces.
     Named, ///< Only named parts, as in sums over scenarios whose pairs are not listed.
 };
+
+/// Returns the parts that are in the groups of a run of this level.
+[[nodiscard]] constexpr PartKind part_kind(Level level) {
+    return level >= Level::Pairs ? PartKind::Any : PartKind::Named;
+}
 
 /// Assigns each triangle of a mesh to a part. Parts are those of the mesh; parts of equal names are
 /// one, and triangles of no part make up a part `others`. In a mesh with at most one part, parts

@@ -104,23 +104,19 @@ BodyView body_view(const JobBody& body, const Mesh& mesh, const ObbTree& tree) {
 
 } // namespace
 
-Result<std::unique_ptr<ViewedRun>>
-ViewedRun::open(OpenedRun& run, const PreparedJob& job, ThreadPool& pool, const StopCheck& stop) {
+Result<std::unique_ptr<ViewedRun>> ViewedRun::open(OpenedRun& run,
+                                                   const PreparedJob& job,
+                                                   std::optional<ContactMap> map,
+                                                   ThreadPool& pool,
+                                                   const StopCheck& stop) {
     auto index = CD_TRY(RecordIndex::read(run.records(), job.poses->count(), pool, stop));
-    std::unique_ptr<ViewedRun> viewed(new ViewedRun(run, job, std::move(index)));
-    CD_TRY(viewed->read_map());
+    std::unique_ptr<ViewedRun> viewed(new ViewedRun(run, job, std::move(index), std::move(map)));
+    const Query& query = viewed->manifest().query;
+    if (!query.maps && query.level >= Level::Pairs) {
+        viewed->map_ = viewed->index_.map();
+    }
     CD_TRY(viewed->sum_groups(stop));
     return viewed;
-}
-
-Status ViewedRun::read_map() {
-    const Query& query = manifest().query;
-    if (query.maps) {
-        map_ = CD_TRY(run_.kept_map());
-    } else if (query.level >= Level::Pairs) {
-        map_ = index_.map();
-    }
-    return Done{};
 }
 
 Status ViewedRun::sum_groups(const StopCheck& stop) {

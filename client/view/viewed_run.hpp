@@ -25,10 +25,13 @@ namespace cd {
 /// not have; Io and those of the poses.
 class ViewedRun {
   public:
-    /// Reads all records. `job` is the run's, prepared with trees; both outlive the object. Errors:
-    /// as `RecordIndex::read`, `groups_of` and `OpenedRun::kept_map`.
-    [[nodiscard]] static Result<std::unique_ptr<ViewedRun>>
-    open(OpenedRun& run, const PreparedJob& job, ThreadPool& pool, const StopCheck& stop = {});
+    /// Reads all records. `job` is the run's, prepared with trees; both outlive the object. `map`
+    /// is the contact map that the run keeps. Errors: as `RecordIndex::read` and `groups_of`.
+    [[nodiscard]] static Result<std::unique_ptr<ViewedRun>> open(OpenedRun& run,
+                                                                 const PreparedJob& job,
+                                                                 std::optional<ContactMap> map,
+                                                                 ThreadPool& pool,
+                                                                 const StopCheck& stop = {});
 
     [[nodiscard]] const RunManifest& manifest() const { return run_.manifest(); }
     [[nodiscard]] std::filesystem::path folder() const;
@@ -59,10 +62,12 @@ class ViewedRun {
     [[nodiscard]] std::filesystem::path mesh_path(const Sha256& mesh) const;
 
   private:
-    ViewedRun(OpenedRun& run, const PreparedJob& job, RecordIndex index)
-        : run_(run), job_(job), index_(std::move(index)) {}
+    ViewedRun(OpenedRun& run,
+              const PreparedJob& job,
+              RecordIndex index,
+              std::optional<ContactMap> map)
+        : run_(run), job_(job), index_(std::move(index)), map_(std::move(map)) {}
 
-    [[nodiscard]] Status read_map();
     [[nodiscard]] Status sum_groups(const StopCheck& stop);
     [[nodiscard]] Result<PartFilter> filter_of(const NextContact& wanted) const;
     [[nodiscard]] Result<std::vector<Scenario>> read_poses(std::uint64_t first,

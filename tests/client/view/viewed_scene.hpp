@@ -54,7 +54,7 @@ class Viewed : public testing::Test {
         auto found = open_run_at_hand(folder_ / "out", {}, "off", Trees::Always, pool_);
         EXPECT_TRUE(found) << found.error().detail;
         at_hand_.emplace(std::move(found.value()));
-        auto viewed = ViewedRun::open(at_hand_->run, at_hand_->job, pool_);
+        auto viewed = ViewedRun::open(at_hand_->run, at_hand_->job, at_hand_->map, pool_);
         EXPECT_TRUE(viewed) << viewed.error().detail;
         return std::move(viewed.value());
     }

@@ -258,7 +258,7 @@ TEST_F(JobFolder, AReportOfAJobHoldsTheViewerOfItsFolder) {
     start_worker();
     write_text(folder_ / "poses.csv",
                "x,y,z,qx,qy,qz,qw\n3,0,0,0,0,0,1\n1,0,0,0,0,0,1\n0.5,0.2,0.1,0,0,0,1\n");
-    write_job("file = \"poses.csv\"", "level = \"count\"");
+    write_job("file = \"poses.csv\"", "level = \"count\"\nmaps = true");
     const std::string out = folder_ / "out";
     ASSERT_EQ(cdctl_at_master({"run", folder_ / "job.toml", "--out", out}).exit_code, 0);
     const auto answers = [&](const std::string& run, const std::string& job) {
@@ -267,7 +267,9 @@ TEST_F(JobFolder, AReportOfAJobHoldsTheViewerOfItsFolder) {
         EXPECT_EQ(ran.exit_code, 0) << ran.errors;
         std::map<std::string, std::string> found;
         for (const auto& [path, text] : answers_in(read_text(folder_ / "report.html"))) {
-            if (path.starts_with("meshes/") || path.find("/scenarios/") != path.npos) {
+            if (path == "jobs/" + job) {
+                EXPECT_THAT(text, HasSubstr("\"groups\":[{")) << run;
+            } else if (path != "source") {
                 found[path.starts_with("jobs/") ? path.substr(("jobs/" + job).size()) : path] =
                     text;
             }
