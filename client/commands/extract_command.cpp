@@ -89,8 +89,8 @@ Result<int> perform(const ExtractCommand& command) {
     }
     const InterruptGuard interrupts(InterruptGuard::First::EndsProcess);
     ThreadPool pool(command.threads);
-    auto [run, job, map] = CD_TRY(open_run_at_hand(
-        command.run, command.master, command.tree_cache, Trees::ForPosesOnly, pool));
+    auto [run, job, map] =
+        CD_TRY(open_run_at_hand(command.run, command.master, command.tree_cache, {}, pool));
     const Range range = CD_TRY(parse_range(command.scenarios, job.poses->count()));
     const CaseScenarios found = CD_TRY(read_case(run, job, range));
     InterruptGuard::begin_to_flag(); // From here on, a signal must not leave partial files.

@@ -128,8 +128,8 @@ Result<int> perform(const ReportCommand& command) {
     ThreadPool pool(command.threads);
     // Scenarios are run again for the viewer.
     const Trees trees = command.has_viewer ? Trees::Always : Trees::ForPosesOnly;
-    auto at_hand =
-        CD_TRY(open_run_at_hand(command.run, command.master, command.tree_cache, trees, pool));
+    auto at_hand = CD_TRY(open_run_at_hand(
+        command.run, command.master, command.tree_cache, {.trees = trees, .map = true}, pool));
     const RunManifest& manifest = at_hand.run.manifest();
     CD_TRY(check_fail_on(command.fail_on, manifest.query.level, manifest.query.maps));
     auto judge = CD_TRY(

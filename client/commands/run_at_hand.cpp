@@ -21,16 +21,21 @@ struct RunWithInputs {
     std::optional<ContactMap> map;
 };
 
-Result<RunWithInputs> open_folder(const std::filesystem::path& dir, const ReadInputs& read) {
+Result<RunWithInputs>
+open_folder(const std::filesystem::path& dir, bool reads_map, const ReadInputs& read) {
     auto run = CD_TRY(OpenedRun::open(dir));
     auto inputs = CD_TRY(read(run));
-    auto map = CD_TRY(run.kept_map());
+    std::optional<ContactMap> map;
+    if (reads_map) {
+        map = CD_TRY(run.kept_map());
+    }
     return RunWithInputs{std::move(run), std::move(inputs), std::move(map)};
 }
 
 Result<RunWithInputs> fetch(const std::string& id,
                             const MasterOptions& master,
                             const std::string& tree_cache,
+                            bool reads_map,
                             const ReadInputs& read) {
     const auto folder = CD_TRY(TemporaryFolder::make("cdctl"));
     auto job = CD_TRY(FetchedJob::open(master, id, tree_cache_folder(tree_cache)));
@@ -39,18 +44,19 @@ Result<RunWithInputs> fetch(const std::string& id,
     FolderRunOptions options = folder_options({}, master);
     options.inputs_bytes_max = UINT64_MAX; // No limit, since there is no other local copy.
     CD_TRY(job.write(std::move(options), "text"));
-    return open_folder(folder.path(), read);
+    return open_folder(folder.path(), reads_map, read);
 }
 
 Result<RunWithInputs> open_or_fetch(const std::string& argument,
                                     const MasterOptions& master,
                                     const std::string& tree_cache,
+                                    bool reads_map,
                                     const ReadInputs& read) {
     if (is_folder(argument)) {
-        return open_folder(argument, read);
+        return open_folder(argument, reads_map, read);
     }
     InterruptGuard::begin_to_flag();
-    auto run = fetch(argument, master, tree_cache, read);
+    auto run = fetch(argument, master, tree_cache, reads_map, read);
     InterruptGuard::begin_to_end();
     return run;
 }
@@ -60,14 +66,14 @@ Result<RunWithInputs> open_or_fetch(const std::string& argument,
 Result<RunAtHand> open_run_at_hand(const std::string& argument,
                                    const MasterOptions& master,
                                    const std::string& tree_cache,
-                                   Trees trees,
+                                   RunNeeds needs,
                                    ThreadPool& pool,
                                    const ReadInputs& read) {
-    auto [run, inputs, map] = CD_TRY(open_or_fetch(argument, master, tree_cache, read));
+    auto [run, inputs, map] = CD_TRY(open_or_fetch(argument, master, tree_cache, needs.map, read));
     auto spec = CD_TRY(run.spec());
     TreeCache cache(tree_cache_folder(tree_cache));
-    auto job = CD_TRY(
-        prepare_again(run.manifest(), std::move(inputs), std::move(spec), trees, cache, pool));
+    auto job = CD_TRY(prepare_again(
+        run.manifest(), std::move(inputs), std::move(spec), needs.trees, cache, pool));
     return RunAtHand{std::move(run), std::move(job), std::move(map)};
 }
 

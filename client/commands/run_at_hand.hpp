@@ -18,12 +18,18 @@ namespace cd {
 struct RunAtHand {
     OpenedRun run;
     PreparedJob job;
-    std::optional<ContactMap> map; ///< The contact map that the folder keeps.
+    std::optional<ContactMap> map; ///< The contact map that the folder keeps, if `RunNeeds::map`.
 
     /// Returns the sums by part of a run that lists no pairs; null for other runs.
     [[nodiscard]] const PartContacts* sums() const {
         return job.query.level < Level::Pairs && map ? &map->parts : nullptr;
     }
+};
+
+/// The contents of a run that a verb needs beside its records and inputs.
+struct RunNeeds {
+    Trees trees = Trees::ForPosesOnly;
+    bool map = false; ///< Reads the contact map.
 };
 
 /// Reads the inputs of a run, which stay valid when its folder is removed.
@@ -32,11 +38,11 @@ using ReadInputs = std::function<Result<JobInputs>(const OpenedRun&)>;
 /// Opens a folder, or fetches a job into a temporary folder, which is removed even after a signal.
 /// Needs an `InterruptGuard`; after the fetch, a signal ends the process. `tree_cache` is the value
 /// of --tree-cache; `read` reads the inputs. Errors: as `OpenedRun`, `read`, `FetchedJob` and
-/// `prepare_again`.
+/// `prepare_again`; with `RunNeeds::map`, `OpenedRun::kept_map`.
 [[nodiscard]] Result<RunAtHand> open_run_at_hand(const std::string& argument,
                                                  const MasterOptions& master,
                                                  const std::string& tree_cache,
-                                                 Trees trees,
+                                                 RunNeeds needs,
                                                  ThreadPool& pool,
                                                  const ReadInputs& read = &read_inputs);
 

@@ -73,8 +73,8 @@ compare_all(OpenedRun& run, PreparedJob& job, const std::vector<std::uint64_t>& 
 Result<int> perform(const VerifyCommand& command) {
     const InterruptGuard interrupts(InterruptGuard::First::EndsProcess);
     ThreadPool pool(command.threads);
-    auto [run, job, map] = CD_TRY(
-        open_run_at_hand(command.run, command.master, command.tree_cache, Trees::Always, pool));
+    auto [run, job, map] = CD_TRY(open_run_at_hand(
+        command.run, command.master, command.tree_cache, {.trees = Trees::Always}, pool));
     const auto indices = sample(job.poses->count(), command.sample, command.seed);
     const auto [same, different, not_run] = CD_TRY(compare_all(run, job, indices));
     std::printf("%s of %s run again: %s the same, %s different, %s could not be run\n",

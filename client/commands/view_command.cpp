@@ -25,8 +25,11 @@ open_viewed(const ViewCommand& command, RunAtHand& at_hand, ThreadPool& pool) {
 
 Result<int> view_folder(const ViewCommand& command) {
     ThreadPool pool(command.threads);
-    auto at_hand = CD_TRY(
-        open_run_at_hand(command.run, command.master, command.tree_cache, Trees::Always, pool));
+    auto at_hand = CD_TRY(open_run_at_hand(command.run,
+                                           command.master,
+                                           command.tree_cache,
+                                           {.trees = Trees::Always, .map = true},
+                                           pool));
     auto run = CD_TRY(open_viewed(command, at_hand, pool));
     auto gateway = CD_TRY(PageGateway::listen(command.port));
     FolderSource source(gateway->executor(), std::move(run), &InterruptGuard::has_come);

@@ -130,7 +130,11 @@ Result<std::optional<ContactMap>> OpenedRun::kept_map() const {
     if (!manifest_.query.maps || !fs::exists(dir_ / "maps", error)) {
         return std::optional<ContactMap>();
     }
-    return std::optional<ContactMap>(CD_TRY(read_maps(dir_ / "maps")));
+    auto map = read_maps(dir_ / "maps");
+    if (!map) {
+        return Error{map.error().code, map.error().detail + "; run the job again with --fresh"};
+    }
+    return std::optional(std::move(map.value()));
 }
 
 bool holds_only_a_summary(const fs::path& dir) {

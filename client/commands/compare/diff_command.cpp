@@ -246,7 +246,7 @@ Result<int> perform(const DiffCommand& command) {
     const InterruptGuard interrupts(InterruptGuard::First::EndsProcess);
     ThreadPool pool(command.threads);
     const auto open = [&](const std::string& run) {
-        return open_run_at_hand(run, command.master, command.tree_cache, Trees::ForPosesOnly, pool);
+        return open_run_at_hand(run, command.master, command.tree_cache, {.map = true}, pool);
     };
     auto earlier = CD_TRY(open(command.earlier));
     auto later = CD_TRY(open(command.later));

@@ -30,8 +30,8 @@ Result<EarlierRun> EarlierRun::open(const std::string& argument,
         return bad_input("there is no folder '" + argument +
                          "' to reuse; a job of a master needs --master");
     }
-    auto opened = CD_TRY(open_run_at_hand(
-        argument, master, tree_cache, Trees::ForPosesOnly, pool, [&](const OpenedRun& run) {
+    auto opened =
+        CD_TRY(open_run_at_hand(argument, master, tree_cache, {}, pool, [&](const OpenedRun& run) {
             return inputs_like(job, run);
         }));
     const RunManifest& manifest = opened.run.manifest();

@@ -129,7 +129,7 @@ Result<Judge> Judge::open(const JudgeOptions& options,
                          "'; for a job give --master");
     }
     auto earlier =
-        CD_TRY(open_run_at_hand(options.baseline, master, tree_cache, Trees::ForPosesOnly, pool));
+        CD_TRY(open_run_at_hand(options.baseline, master, tree_cache, {.map = true}, pool));
     if (const Status known = check_groups(earlier.job.query, earlier.map); !known) {
         return bad_input("--baseline: " + options.baseline + ": " + known.error().detail);
     }
@@ -174,8 +174,8 @@ std::string Judge::baseline_digest() const {
 
 Result<bool>
 judge_folder(Judge& judge, const RunCommand& command, const std::string& dir, ThreadPool& pool) {
-    auto run = CD_TRY(
-        open_run_at_hand(dir, command.master, command.host.tree_cache, Trees::ForPosesOnly, pool));
+    auto run =
+        CD_TRY(open_run_at_hand(dir, command.master, command.host.tree_cache, {.map = true}, pool));
     const Query& query = run.job.query;
     auto begun =
         CD_TRY(begin_groups(query, meshes_in(run), run.map, judge.kind_of_parts(query.level)));

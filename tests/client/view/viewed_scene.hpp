@@ -51,7 +51,8 @@ class Viewed : public testing::Test {
     /// Opens the run again; what was opened before is no longer valid.
     [[nodiscard]] std::unique_ptr<ViewedRun> open() {
         const InterruptGuard interrupts(InterruptGuard::First::EndsProcess);
-        auto found = open_run_at_hand(folder_ / "out", {}, "off", Trees::Always, pool_);
+        auto found = open_run_at_hand(
+            folder_ / "out", {}, "off", {.trees = Trees::Always, .map = true}, pool_);
         EXPECT_TRUE(found) << found.error().detail;
         at_hand_.emplace(std::move(found.value()));
         auto viewed = ViewedRun::open(at_hand_->run, at_hand_->job, at_hand_->map, pool_);

@@ -303,6 +303,24 @@ TEST_F(Folder, MapsOfLevelCountAreThereForLaterFormats) {
     EXPECT_EQ(read_text(folder_ / "out" / "map.npz"), read_text(folder_ / "npz" / "map.npz"));
 }
 
+TEST_F(Folder, AMapOfAnotherVersionIsRefusedOnlyByVerbsThatReadIt) {
+    write_job(5, "level = \"count\"\nmaps = true");
+    const std::string out = folder_ / "out";
+    ASSERT_EQ(run({"--out", out}).exit_code, 0);
+    std::string maps = read_text(folder_ / "out" / "maps");
+    maps.at(8) = 1; // The version follows the 8 bytes of the magic number.
+    write_text(folder_ / "out" / "maps", maps);
+    const Ran verified = tests::run({cdctl(), "verify", out});
+    EXPECT_EQ(verified.exit_code, 0) << verified.errors;
+    const Ran extracted = tests::run({cdctl(), "extract", out, "0", "--out", folder_ / "case"});
+    EXPECT_EQ(extracted.exit_code, 0) << extracted.errors;
+    const Ran report = tests::run({cdctl(), "report", out, "-o", folder_ / "report.html"});
+    EXPECT_EQ(report.exit_code, 2);
+    EXPECT_THAT(report.errors,
+                HasSubstr("out/maps has version 1; this program reads version 2; run the job "
+                          "again with --fresh"));
+}
+
 TEST_F(Folder, TwoRunsDoNotWriteOneFolder) {
     write_job(200, "level = \"pairs\"");
     Process first(command("run", "", {"--out", folder_ / "out"}), folder_ / "first");
