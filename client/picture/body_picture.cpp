@@ -39,41 +39,59 @@ std::vector<Viewpoint> viewpoints() {
     return found;
 }
 
-Corners posed(const PicturedBody& body, std::uint32_t triangle) {
-    const Corners corners = body.mesh->corners(triangle);
-    return {body.pose.apply(corners[0]), body.pose.apply(corners[1]), body.pose.apply(corners[2])};
+/// A body with its vertices in world coordinates.
+struct PosedBody {
+    const PicturedBody* body;
+    std::vector<Vec3> vertices;
+
+    [[nodiscard]] std::span<const Triangle> triangles() const { return body->mesh->triangles(); }
+    [[nodiscard]] Corners corners(const Triangle& triangle) const {
+        return {vertices[triangle[0]], vertices[triangle[1]], vertices[triangle[2]]};
+    }
+};
+
+std::vector<PosedBody> posed(std::span<const PicturedBody> bodies) {
+    std::vector<PosedBody> found;
+    for (const PicturedBody& body : bodies) {
+        PosedBody& added = found.emplace_back(PosedBody{&body, {}});
+        for (const Vec3& vertex : body.mesh->vertices()) {
+            added.vertices.push_back(body.pose.apply(vertex));
+        }
+    }
+    return found;
 }
 
-Aabb box_of(std::span<const PicturedBody> bodies) {
+Aabb box_of(std::span<const PosedBody> bodies) {
     Aabb box;
-    for (const PicturedBody& body : bodies) {
-        for (const Vec3& vertex : body.mesh->vertices()) {
-            box.add(body.pose.apply(vertex));
+    for (const PosedBody& body : bodies) {
+        for (const Vec3& vertex : body.vertices) {
+            box.add(vertex);
         }
     }
     return box;
 }
 
-void draw_all(std::span<const PicturedBody> bodies, Rasteriser& picture) {
-    for (const PicturedBody& body : bodies) {
-        for (std::uint32_t i = 0; i < body.mesh->triangles().size(); ++i) {
-            picture.draw(posed(body, i), body.colour);
-        }
-        for (const std::uint32_t triangle : body.contacts) {
-            picture.mark(posed(body, triangle), contact_colour);
+void draw_marks(std::span<const PosedBody> bodies, Rasteriser& picture) {
+    for (const PosedBody& body : bodies) {
+        for (const std::uint32_t triangle : body.body->contacts) {
+            picture.mark(body.corners(body.triangles()[triangle]), contact_colour);
         }
     }
 }
 
-Viewpoint best_viewpoint(std::span<const PicturedBody> bodies, const Aabb& scene) {
+Viewpoint best_viewpoint(std::span<const PosedBody> bodies, const Aabb& scene) {
     constexpr PictureSize small{160, 100};
     Viewpoint best = front_right();
     std::size_t most = 0;
     for (const Viewpoint& eye : viewpoints()) {
         Rasteriser picture(small.width, small.height, 1, eye, scene);
-        draw_all(bodies, picture);
-        if (picture.marks_in_sight() > most) {
-            most = picture.marks_in_sight();
+        draw_marks(bodies, picture);
+        for (const PosedBody& body : bodies) {
+            picture.hide(body.vertices, body.triangles());
+        }
+        const std::size_t seen = picture.marks_in_sight();
+        if (seen > most) {
+            most = seen;
             best = eye;
         }
     }
@@ -110,15 +128,19 @@ Image draw_parts(const Mesh& mesh, PictureSize size) {
     return picture.image();
 }
 
-Image draw_contacts(std::span<const PicturedBody> bodies, PictureSize size) {
+Image draw_contacts(std::span<const PicturedBody> pictured_bodies, PictureSize size) {
+    const std::vector<PosedBody> bodies = posed(pictured_bodies);
     const Aabb scene = box_of(bodies);
-    bool has_contacts = false;
-    for (const PicturedBody& body : bodies) {
-        has_contacts = has_contacts || !body.contacts.empty();
-    }
+    const bool has_contacts = std::ranges::any_of(
+        pictured_bodies, [](const PicturedBody& body) { return !body.contacts.empty(); });
     const Viewpoint eye = has_contacts ? best_viewpoint(bodies, scene) : front_right();
     Rasteriser picture(size.width, size.height, samples, eye, scene);
-    draw_all(bodies, picture);
+    for (const PosedBody& body : bodies) {
+        for (const Triangle& triangle : body.triangles()) {
+            picture.draw(body.corners(triangle), body.body->colour);
+        }
+    }
+    draw_marks(bodies, picture);
     return picture.image();
 }
 

@@ -70,6 +70,8 @@ Rasteriser::Rasteriser(
     scale_ = (0.5 - border) * std::min(width_ / across, height_ / along);
     center_ = {dot(axes_[0], center), dot(axes_[1], center)};
     depth_margin_ = 0.002 * (reach[0] + reach[1] + reach[2]);
+    whole_ = {0, 0, width_ - 1.0, height_ - 1.0};
+    marks_ = {width_ - 1.0, height_ - 1.0, 0, 0};
     const std::size_t count = std::size_t{width_} * height_;
     for (Layer* layer : {&solid_, &marked_}) {
         layer->depth.assign(count, nothing);
@@ -97,20 +99,33 @@ Colour Rasteriser::shaded(const Corners& world, Colour colour) const {
     return blended({0, 0, 0}, colour, ambient + (1 - ambient) * facing);
 }
 
-void Rasteriser::fill(const std::array<Point, 3>& corners, Colour colour, Layer& layer) const {
+Rasteriser::Region Rasteriser::bounds_of(const std::array<Point, 3>& corners) {
+    const auto& [a, b, c] = corners;
+    const auto [left, right] = std::minmax({a[0], b[0], c[0]});
+    const auto [top, bottom] = std::minmax({a[1], b[1], c[1]});
+    return {left, top, right, bottom};
+}
+
+void Rasteriser::fill(const std::array<Point, 3>& corners,
+                      Colour colour,
+                      Layer& layer,
+                      const Region& region) const {
     const auto& [a, b, c] = corners;
     const double area = area2(a, b, c[0], c[1]);
     if (!(area != 0)) {
         return; // The triangle is edge on, degenerate, or NaN.
     }
-    const auto [left, right] = std::minmax({a[0], b[0], c[0]});
-    const auto [top, bottom] = std::minmax({a[1], b[1], c[1]});
-    const auto first = [](double edge) { return std::max(0.0, std::ceil(edge - 0.5)); };
-    const auto last = [](double edge, unsigned size) {
-        return std::min(size - 1.0, std::floor(edge - 0.5));
+    const Region bounds = bounds_of(corners);
+    const auto first = [](double edge, double least) {
+        return std::max(least, std::ceil(edge - 0.5));
     };
-    for (double row = first(top); row <= last(bottom, height_); ++row) {
-        for (double column = first(left); column <= last(right, width_); ++column) {
+    const auto last = [](double edge, double most) {
+        return std::min(most, std::floor(edge - 0.5));
+    };
+    const double bottom = last(bounds.bottom, region.bottom);
+    const double right = last(bounds.right, region.right);
+    for (double row = first(bounds.top, region.top); row <= bottom; ++row) {
+        for (double column = first(bounds.left, region.left); column <= right; ++column) {
             const double x = column + 0.5;
             const double y = row + 0.5;
             const double of_a = area2(b, c, x, y) / area;
@@ -131,11 +146,44 @@ void Rasteriser::fill(const std::array<Point, 3>& corners, Colour colour, Layer&
 }
 
 void Rasteriser::draw(const Corners& world, Colour colour) {
-    fill({project(world[0]), project(world[1]), project(world[2])}, shaded(world, colour), solid_);
+    fill({project(world[0]), project(world[1]), project(world[2])},
+         shaded(world, colour),
+         solid_,
+         whole_);
 }
 
 void Rasteriser::mark(const Corners& world, Colour colour) {
-    fill({project(world[0]), project(world[1]), project(world[2])}, colour, marked_);
+    const std::array<Point, 3> corners{project(world[0]), project(world[1]), project(world[2])};
+    fill(corners, colour, marked_, whole_);
+    const Region bounds = bounds_of(corners);
+    marks_.left = std::clamp(std::floor(bounds.left), 0.0, marks_.left);
+    marks_.top = std::clamp(std::floor(bounds.top), 0.0, marks_.top);
+    marks_.right = std::clamp(std::ceil(bounds.right), marks_.right, whole_.right);
+    marks_.bottom = std::clamp(std::ceil(bounds.bottom), marks_.bottom, whole_.bottom);
+    deepest_mark_ = std::min({deepest_mark_, corners[0][2], corners[1][2], corners[2][2]});
+}
+
+/// Returns a bit for each side of all marks on which a point is: left, right, above, below, behind.
+std::uint8_t Rasteriser::sides_of_marks(const Point& point) const {
+    return static_cast<std::uint8_t>(
+        (point[0] < marks_.left ? 1 : 0) | (point[0] > marks_.right + 1 ? 2 : 0) |
+        (point[1] < marks_.top ? 4 : 0) | (point[1] > marks_.bottom + 1 ? 8 : 0) |
+        (point[2] < deepest_mark_ ? 16 : 0));
+}
+
+void Rasteriser::hide(std::span<const Vec3> vertices, std::span<const Triangle> triangles) {
+    std::vector<Point> points(vertices.size());
+    std::vector<std::uint8_t> sides(vertices.size());
+    for (std::size_t i = 0; i < vertices.size(); ++i) {
+        points[i] = project(vertices[i]);
+        sides[i] = sides_of_marks(points[i]);
+    }
+    for (const auto& [a, b, c] : triangles) {
+        // A triangle hides no mark if all its corners are on the same side of the marks.
+        if ((sides[a] & sides[b] & sides[c]) == 0) {
+            fill({points[a], points[b], points[c]}, background, solid_, marks_);
+        }
+    }
 }
 
 bool Rasteriser::shows_mark(std::size_t sample) const {

@@ -6,6 +6,9 @@
 #include "common/geometry/types.hpp"
 
 #include <array>
+#include <cstdint>
+#include <limits>
+#include <span>
 #include <vector>
 
 namespace cd {
@@ -30,6 +33,10 @@ class Rasteriser {
     /// Marks a triangle: in full where it is in sight, and faintly where it is hidden.
     void mark(const Corners& world, Colour colour);
 
+    /// Hides the marks made so far behind triangles, whose vertices are in world coordinates, as
+    /// `draw` does, but without drawing the triangles.
+    void hide(std::span<const Vec3> vertices, std::span<const Triangle> triangles);
+
     /// Returns the number of sample points that show a mark in full.
     [[nodiscard]] std::size_t marks_in_sight() const;
     [[nodiscard]] Image image() const;
@@ -40,11 +47,23 @@ class Rasteriser {
         std::vector<Colour> colour;
     };
     using Point = std::array<double, 3>; ///< Samples from the left and from the top, and depth.
+    /// A rectangle of samples; both ends belong to it.
+    struct Region {
+        double left = 0;
+        double top = 0;
+        double right = 0;
+        double bottom = 0;
+    };
 
-    [[nodiscard]] Point project(const Vec3& world) const;
     [[nodiscard]] Colour shaded(const Corners& world, Colour colour) const;
     [[nodiscard]] bool shows_mark(std::size_t sample) const;
-    void fill(const std::array<Point, 3>& corners, Colour colour, Layer& layer) const;
+    [[nodiscard]] static Region bounds_of(const std::array<Point, 3>& corners);
+    [[nodiscard]] Point project(const Vec3& world) const;
+    [[nodiscard]] std::uint8_t sides_of_marks(const Point& point) const;
+    void fill(const std::array<Point, 3>& corners,
+              Colour colour,
+              Layer& layer,
+              const Region& region) const;
 
     unsigned samples_;
     unsigned width_;                            ///< Width in samples.
@@ -53,6 +72,9 @@ class Rasteriser {
     double scale_ = 1;                          ///< Samples per unit of length.
     std::array<double, 2> center_{};            ///< Centre of the scene, along right and up.
     double depth_margin_ = 0; ///< A mark is hidden by what is farther in front of it.
+    Region whole_;            ///< All samples.
+    Region marks_;            ///< The samples around all marks; left > right if there are none.
+    double deepest_mark_ = std::numeric_limits<double>::infinity(); ///< Least depth of all marks.
     Layer solid_;
     Layer marked_;
 };

@@ -11,6 +11,7 @@
 #include <png.h>
 
 #include <array>
+#include <random>
 #include <set>
 #include <span>
 #include <string>
@@ -127,6 +128,38 @@ TEST(Rasteriser, AMarkIsFullInFrontAndFaintBehind) {
     EXPECT_GT(behind.green, 50);
     EXPECT_GT(picture.marks_in_sight(), 3u);
     EXPECT_LT(picture.marks_in_sight(), 30u);
+}
+
+TEST(Rasteriser, HidingLeavesTheSameMarksInSightAsDrawing) {
+    std::mt19937_64 random(7);
+    std::uniform_real_distribution<double> anywhere(-1.3, 1.3);
+    const auto triangle = [&](double size) {
+        const Vec3 at(anywhere(random), anywhere(random), anywhere(random));
+        const auto near = [&] {
+            return Vec3(at + size * Vec3(anywhere(random), anywhere(random), anywhere(random)));
+        };
+        return Corners{near(), near(), near()};
+    };
+    const std::array<Triangle, 1> corners{{{0, 1, 2}}};
+    std::size_t hidden = 0;
+    for (int round = 0; round < 400; ++round) {
+        Rasteriser drawn = small_picture({{0.3, -1, 0.5}});
+        Rasteriser only_marks = drawn;
+        for (int i = 0; i < 1 + round % 4; ++i) {
+            const Corners mark = triangle(0.3);
+            drawn.mark(mark, red);
+            only_marks.mark(mark, red);
+        }
+        const std::size_t before = only_marks.marks_in_sight();
+        for (int i = 0; i < 20; ++i) {
+            const Corners solid = triangle(0.5);
+            drawn.draw(solid, grey);
+            only_marks.hide(solid, corners);
+        }
+        ASSERT_EQ(only_marks.marks_in_sight(), drawn.marks_in_sight()) << "round " << round;
+        hidden += before - drawn.marks_in_sight();
+    }
+    EXPECT_GT(hidden, 100u);
 }
 
 TEST(Rasteriser, DegenerateTrianglesAndPointsOutsideAreHarmless) {
