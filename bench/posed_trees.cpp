@@ -6,6 +6,7 @@
 #include "common/tree/box_test.hpp"
 #include "common/tree/build/build.hpp"
 
+#include <chrono>
 #include <cstdio>
 #include <fstream>
 #include <iterator>
@@ -20,6 +21,7 @@ void PosedTreesOptions::add_to(CLI::App& app) {
     app.add_option("--unit-a", unit_a, "What A's coordinates are multiplied by");
     app.add_option("--poses", poses, "A file of poses of B in A's frame");
     app.add_option("--random", random, "How many random poses, without a file");
+    app.add_flag("--planes", planes, "Make support points");
 }
 
 std::optional<PosedTrees> load(const PosedTreesOptions& options) {
@@ -45,6 +47,20 @@ std::optional<PosedTrees> load(const PosedTreesOptions& options) {
         return std::nullopt;
     }
     trees.poses = std::move(poses);
+    if (options.planes) {
+        for (ObbTree* tree : {&trees.a, &trees.b}) {
+            const auto begin = std::chrono::steady_clock::now();
+            tree->prepare_planes();
+            const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - begin;
+            const SupportView support = tree->view().wide.support;
+            std::printf(
+                "support points of %zu triangles: %.3f s, %.1f bytes a triangle\n",
+                tree->mesh().triangles().size(),
+                spent.count(),
+                static_cast<double>(support.sets.size_bytes() + support.columns.size_bytes()) /
+                    static_cast<double>(tree->mesh().triangles().size()));
+        }
+    }
     return trees;
 }
 

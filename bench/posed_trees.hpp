@@ -23,8 +23,9 @@ struct PosedTreesOptions {
     double unit_a = 1;
     std::string poses;         ///< A pose file; random poses if empty.
     std::uint64_t random = 50; ///< Number of random poses.
+    bool planes = false;       ///< Make the support points of both trees.
 
-    /// MESH_A [MESH_B] [--unit-a 1] [--poses FILE | --random 50]
+    /// MESH_A [MESH_B] [--unit-a 1] [--poses FILE | --random 50] [--planes]
     void add_to(CLI::App& app);
 };
 

@@ -57,11 +57,15 @@ void WideSearch::collect(const TreeView& a, const TreeView& b) {
     CD_CHECK(!a.wide.nodes.empty() && !b.wide.nodes.empty());
     const TriangleBlocks& of_a = a.wide.triangles;
     const TriangleBlocks& of_b = b.wide.triangles;
-    for (descent_.start(a.wide, b.wide); !descent_.is_done() && !is_stopped_;) {
+    using Aim = WideDescent::Aim;
+    const std::uint64_t before = contacts_.count();
+    descent_.start(a.wide, b.wide, expects_none_ ? Aim::AllUnlikely : Aim::All);
+    while (!descent_.is_done() && !is_stopped_) {
         const auto found = next_candidates(a.wide, b.wide, candidates_at_once);
         contacts_.add(of_a, of_a.ids, of_b, of_b.ids, found);
         poll_stop();
     }
+    expects_none_ = contacts_.count() == before;
 }
 
 SearchReport WideSearch::report() const {

@@ -10,7 +10,8 @@
 namespace cd {
 
 /// Searches wide trees, without a tolerance. If the last call of `any` found a contact, `any` looks
-/// at the most promising boxes first; else it descends like `collect`.
+/// at the most promising boxes first; else it begins with planes. So does `collect` if its last
+/// call found none.
 class WideSearch final : public ContactSearch {
   public:
     /// `ignored` must outlive the search.
@@ -35,6 +36,7 @@ class WideSearch final : public ContactSearch {
     StopCheck stop_;
     FoundContacts contacts_;
     bool expects_contact_ = true; ///< The last answer of `any`; true at first.
+    bool expects_none_ = true;    ///< The last call of `collect` found no contact; true at first.
     bool is_stopped_ = false;
 };
 

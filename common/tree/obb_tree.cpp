@@ -75,6 +75,12 @@ void ObbTree::prepare_search(ThreadPool* pool) {
     wide_ = std::make_shared<const WideTree>(view(), pool);
 }
 
+void ObbTree::prepare_planes(ThreadPool* pool) {
+    if (wide_ && !wide_->view().nodes.empty() && wide_->view().support.sets.empty()) {
+        wide_ = std::make_shared<const WideTree>(wide_->with_support(pool));
+    }
+}
+
 std::uint32_t ObbTree::depth() const {
     // Parents come before their children.
     const std::span<const ObbNode> all = nodes();

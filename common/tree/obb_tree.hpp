@@ -94,6 +94,10 @@ class ObbTree {
     /// Makes the wide form from the binary one. No other thread may use the tree meanwhile.
     void prepare_search(ThreadPool* pool = nullptr);
 
+    /// Makes the support points of the wide form, if it has nodes and no points yet. No other
+    /// thread may use the tree meanwhile.
+    void prepare_planes(ThreadPool* pool = nullptr);
+
     [[nodiscard]] std::uint64_t memory_bytes() const; ///< Counts mesh, both forms and mapped files.
 
   private:

@@ -17,6 +17,8 @@ inline constexpr std::size_t run_batch_scenarios_max = 64;
 /// Size of the results that a thread adds to the queue of results together.
 inline constexpr std::uint64_t run_batch_bytes_max = 1u << 20;
 inline constexpr std::uint64_t run_poses_at_once_max = 128; ///< Poses read in one call.
+/// Shorter runs would gain less from support points than it costs to make them.
+inline constexpr std::uint64_t run_planes_scenarios_min = 300'000;
 
 // Mesh files.
 /// Uncompressed size of an array in an NPZ file.

@@ -56,6 +56,7 @@ void WideDescent::restart(const RelativePose& b_to_a) {
                                 : std::numeric_limits<float>::infinity();
     walk_.waiting_count = 0;
     walk_.ranked.clear();
+    planes_.clear();
     walk_.leaf_count = 0;
     walk_.box_tests = 0;
     walk_.visits = 0;
@@ -74,10 +75,19 @@ void WideDescent::start(const WideView& a, const WideView& b, Aim aim) {
     walk_.waiting_count = 0;
     walk_.ranked.clear();
     walk_.leaf_count = 0;
-    walk_.leaves_at_once = aim == Aim::All ? wide_leaves_max - wide_batch_max : leaves_for_first;
-    dive_visits_left_ = aim == Aim::LikelyFirst ? dive_visits : 0;
+    is_for_all_ = aim == Aim::All || aim == Aim::AllUnlikely;
+    walk_.leaves_at_once = is_for_all_ ? wide_leaves_max - wide_batch_max : leaves_for_first;
+    has_planes_ = aim != Aim::All && !a.support.sets.empty() && !b.support.sets.empty();
+    const std::uint32_t dive_length = has_planes_ ? dive_visits_before_planes : dive_visits;
+    dive_visits_left_ = aim == Aim::LikelyFirst ? dive_length : 0;
+    planes_.clear();
+    if (has_planes_) {
+        planes_.reset(plane_pose(b_to_a_, a.support, b.support, error_scale_), a, b);
+    }
     if (dive_visits_left_ > 0) {
         walk_.ranked.push({0, 0}, 0);
+    } else if (has_planes_) {
+        planes_.push_roots();
     } else {
         waiting_[walk_.waiting_count++] = {0, 0};
     }
@@ -97,6 +107,10 @@ std::span<Candidate> WideDescent::next(std::size_t wanted) {
             dive();
             continue;
         }
+        if (planes_.size() > 0) {
+            part();
+            continue;
+        }
         if (walk_.waiting_count + wide_pairs_slack > walk_.waiting_room) {
             grow();
         }
@@ -106,14 +120,19 @@ std::span<Candidate> WideDescent::next(std::size_t wanted) {
     return {candidates_.get(), walk_.candidate_count};
 }
 
-/// Visits the most promising pairs, then moves the remaining ones to `waiting_`, the most promising
-/// last.
+/// Visits the most promising pairs. Then begins again at the roots with planes, or without support
+/// points moves the remaining ones to `waiting_`, the most promising last.
 void WideDescent::dive() {
     walk_.visits_left = dive_visits_left_;
     walk_wide_ranked(pose_, walk_);
     dive_visits_left_ = walk_.visits_left;
     walk_.visits_left = visits_at_once;
     if (dive_visits_left_ > 0) {
+        return;
+    }
+    if (has_planes_) {
+        walk_.ranked.clear();
+        planes_.push_roots();
         return;
     }
     const std::size_t count = walk_.ranked.size();
@@ -124,6 +143,39 @@ void WideDescent::dive() {
         waiting_[i - 1] = walk_.ranked.pop();
     }
     walk_.waiting_count = count;
+}
+
+/// Visits the next pair that no plane parts, alone.
+void WideDescent::part() {
+    const std::optional<WidePair> pair = planes_.next();
+    if (!pair) {
+        return;
+    }
+    const std::uint32_t visits_left = walk_.visits_left;
+    walk_.visits_left = 1;
+    walk_.waiting = waiting_.get();
+    if (walk_.a.nodes[pair->a].is_leaf && walk_.b.nodes[pair->b].is_leaf) {
+        walk_.leaves[walk_.leaf_count++] = *pair;
+    } else {
+        waiting_[walk_.waiting_count++] = *pair;
+    }
+    walk_wide(pose_, walk_);
+    planes_.push_children({waiting_.get(), walk_.waiting_count});
+    walk_.waiting_count = 0;
+    walk_.visits_left = visits_left - 1;
+    if (is_for_all_ && walk_.candidate_count > 0) {
+        leave_planes();
+    }
+}
+
+/// Moves all pairs that planes have not parted to `waiting_`.
+void WideDescent::leave_planes() {
+    while (planes_.size() + wide_pairs_slack > walk_.waiting_room) {
+        grow();
+    }
+    while (planes_.size() > 0) {
+        waiting_[walk_.waiting_count++] = planes_.pop();
+    }
 }
 
 void WideDescent::grow() {

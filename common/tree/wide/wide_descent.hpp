@@ -2,6 +2,7 @@
 #pragma once
 
 #include "common/geometry/pose.hpp"
+#include "common/tree/planes/plane_stack.hpp"
 #include "common/tree/wide/wide_kernel.hpp"
 #include "common/tree/wide/wide_tree.hpp"
 
@@ -13,6 +14,10 @@ namespace cd {
 
 /// Descends two wide trees simultaneously under one relative pose. Never skips a pair that touches,
 /// in exact terms. Keeps scratch memory between calls; one thread at a time may use it.
+///
+/// Where both trees have support points, a descent that expects no contact goes depth first and
+/// opens a pair of nodes only if no plane parts them. So bodies that nearly touch are parted by few
+/// planes between large nodes, where boxes would have to be opened down to the leaves.
 class WideDescent {
   public:
     /// `error_scale` multiplies both margins. Skipped pairs are proven to be apart only if the
@@ -25,8 +30,10 @@ class WideDescent {
     /// Selects the order of the descent.
     enum class Aim : std::uint8_t {
         All,         ///< Finds every candidate: many pairs of nodes are visited together.
+        AllUnlikely, ///< Finds every candidate, of which there is likely none: begins with planes,
+                     ///< and goes on like All after the first candidate.
         First,       ///< Finds a first contact that may not exist: like All, but yields candidates
-                     ///< sooner.
+                     ///< sooner, and goes on with planes.
         LikelyFirst, ///< Finds a likely first contact: visits the most promising pairs of nodes
                      ///< (`PairBuckets`) one by one, and goes on like First after `dive_visits`.
     };
@@ -34,11 +41,13 @@ class WideDescent {
     /// Number of visits of most promising pairs in LikelyFirst. These visits find nearly all
     /// existing contacts; each costs more than a later visit.
     static constexpr std::uint32_t dive_visits = 16;
+    /// The same before planes, which find a contact later than boxes would.
+    static constexpr std::uint32_t dive_visits_before_planes = 24;
 
     /// Begins a descent at the roots. The trees have nodes and outlive the descent.
     void start(const WideView& a, const WideView& b, Aim aim = Aim::All);
     [[nodiscard]] bool is_done() const {
-        return walk_.waiting_count + walk_.leaf_count + walk_.ranked.size() == 0;
+        return walk_.waiting_count + walk_.leaf_count + walk_.ranked.size() + planes_.size() == 0;
     }
     /// Returns more candidates, as slots of the triangle blocks: about `wanted`, or fewer (even
     /// none) after much work. The candidates are valid until the next call.
@@ -51,13 +60,18 @@ class WideDescent {
 
   private:
     void dive();
+    void part();
+    void leave_planes();
     void grow();
 
     std::uint32_t dive_visits_left_ = 0;
+    bool has_planes_ = false; ///< Both trees have support points.
+    bool is_for_all_ = true;  ///< The aim is All.
     RelativePose b_to_a_;
     double error_scale_;
     WidePose pose_;
     WideWalk walk_;
+    PlaneStack planes_;
     // Arrays, because a vector would initialise elements that are written before they are read.
     std::unique_ptr<WidePair[]> waiting_;
     std::unique_ptr<Candidate[]> candidates_;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "common/geometry/triangle_blocks.hpp"
+#include "common/tree/planes/support_view.hpp"
 
 #include <array>
 #include <cstdint>
@@ -36,7 +37,8 @@ static_assert(sizeof(WideNode) == 192);
 struct WideView {
     std::span<const WideNode> nodes; ///< Empty where a body is unfit for a wide tree.
     TriangleBlocks triangles;
-    double extent = 0; ///< Upper bound on the absolute coordinates of origins.
+    double extent = 0;        ///< Upper bound on the absolute coordinates of origins.
+    SupportView support = {}; ///< Empty unless points were made.
 };
 
 } // namespace cd

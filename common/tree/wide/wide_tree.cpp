@@ -2,6 +2,7 @@
 
 #include "common/core/check.hpp"
 #include "common/tree/build/build_fit.hpp"
+#include "common/tree/planes/support_points.hpp"
 #include "common/tree/wide/wide_boxes.hpp"
 #include "common/tree/wide/wide_collapse.hpp"
 #include "common/tree/wide/wide_frame.hpp"
@@ -164,10 +165,23 @@ WideTree WideTree::of_part(const TreeView& binary, ThreadPool* pool) {
     return WideTree({arrays->nodes, blocks, extent_of(arrays->nodes)}, arrays);
 }
 
+WideTree WideTree::with_support(ThreadPool* pool) const {
+    struct Owner {
+        std::shared_ptr<const void> arrays;
+        SupportPoints points;
+    };
+    auto owner = std::make_shared<Owner>(owner_, SupportPoints(view_, pool));
+    WideView view = view_;
+    view.support = owner->points.view();
+    return {view, std::move(owner)};
+}
+
 std::uint64_t WideTree::memory_bytes() const {
     const TriangleBlocks& blocks = view_.triangles;
     return view_.nodes.size_bytes() + blocks.floats.size_bytes() + blocks.doubles.size_bytes() +
-           blocks.vertex_begin.size_bytes() + blocks.corners.size_bytes() + blocks.ids.size_bytes();
+           blocks.vertex_begin.size_bytes() + blocks.corners.size_bytes() +
+           blocks.ids.size_bytes() + view_.support.sets.size_bytes() +
+           view_.support.columns.size_bytes();
 }
 
 } // namespace cd

@@ -28,6 +28,9 @@ class WideTree {
     WideTree(const WideView& arrays, std::shared_ptr<const void> owner)
         : view_(arrays), owner_(std::move(owner)) {}
 
+    /// Returns a copy with support points that shares the other arrays. The tree has nodes.
+    [[nodiscard]] WideTree with_support(ThreadPool* pool = nullptr) const;
+
     [[nodiscard]] const WideView& view() const { return view_; }
     [[nodiscard]] std::uint64_t memory_bytes() const;
 

@@ -38,13 +38,14 @@ class LocalRun : public testing::Test {
         if (!observer.stopped) {
             observer.stopped = [] { return false; };
         }
-        return run_locally(a_, b_, *poses, query_, pool, observer);
+        return run_locally(a_, b_, *poses, query_, pool, observer, options_);
     }
 
     ThreadPool build_pool_{1};
     ObbTree a_ = build_tree(share(make_torus(1.0, 0.4, 24, 12)), {}, build_pool_);
     ObbTree b_ = build_tree(share(make_sphere(2)), {}, build_pool_);
     Query query_;
+    LocalRunOptions options_;
 };
 
 } // namespace
@@ -85,6 +86,21 @@ TEST_F(LocalRun, TheDigestDoesNotDependOnThreads) {
         ASSERT_TRUE(three);
         ASSERT_TRUE(one.value().digest);
         EXPECT_EQ(one.value().digest, three.value().digest);
+    }
+}
+
+TEST_F(LocalRun, TheDigestDoesNotDependOnSupportPoints) {
+    for (const Level level : {Level::Any, Level::Pairs}) {
+        query_.level = level;
+        options_.planes_scenarios_min = limits::run_planes_scenarios_min;
+        const auto boxes = run(2, {});
+        options_.planes_scenarios_min = scenarios;
+        const auto planes = run(2, {});
+        ASSERT_TRUE(boxes);
+        ASSERT_TRUE(planes);
+        EXPECT_EQ(boxes.value().digest, planes.value().digest);
+        EXPECT_LT(planes.value().statistics.search.box_tests,
+                  boxes.value().statistics.search.box_tests);
     }
 }
 

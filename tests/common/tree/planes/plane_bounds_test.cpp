@@ -1,0 +1,200 @@
+// Proves that planes part only what is apart: in exact terms along the plane's own normal, and on
+// bodies that touch at the brink. Also proves that the margins and eps are needed: with smaller
+// ones planes part what touches.
+#include "common/search/wide_search.hpp"
+#include "common/tree/planes/plane_kernel.hpp"
+#include "common/tree/planes/support_points.hpp"
+#include "tests/common/tree/exact_box.hpp"
+#include "tests/support/rounds.hpp"
+#include "tests/support/touching_bodies.hpp"
+#include "tests/support/trees.hpp"
+
+#include <gtest/gtest.h>
+
+#include <optional>
+#include <vector>
+
+namespace cd::tests {
+
+namespace {
+
+/// The slow twin of `separate`: computes in rational numbers, from all vertices, how far apart two
+/// bodies are along a normal in A's coordinates.
+Rational exact_gap(const Mesh& a, const Mesh& b, const PosePair& poses, const PlaneNormal& normal) {
+    const ExactVec n{Rational(normal[0]), Rational(normal[1]), Rational(normal[2])};
+    // n (Ra^-1 (Rb y + tb - ta)) = w (Rb y + tb - ta) with w = Ra^-T n.
+    const ExactVec w = transposed(inverse(exact_rotation(poses.a))) * n;
+    const ExactVec m = transposed(exact_rotation(poses.b)) * w;
+    const ExactVec offset =
+        exact(poses.b.translation()) + scaled(Rational(-1), exact(poses.a.translation()));
+    std::optional<Rational> last;
+    for (const Vec3& vertex : a.vertices()) {
+        const Rational reach = dot(n, exact(vertex));
+        last = last && *last > reach ? *last : reach;
+    }
+    std::optional<Rational> first;
+    for (const Vec3& vertex : b.vertices()) {
+        const Rational reach = dot(m, exact(vertex));
+        first = first && *first < reach ? *first : reach;
+    }
+    return *first + dot(w, offset) - *last;
+}
+
+/// Two trees with support points.
+struct PlaneTrees {
+    explicit PlaneTrees(const TouchingBodies& bodies)
+        : a(make_tree(bodies.a)), b(make_tree(bodies.b)) {
+        a.prepare_planes();
+        b.prepare_planes();
+    }
+
+    ObbTree a;
+    ObbTree b;
+};
+
+/// Tries to part the two roots; returns the normal if it can.
+std::optional<PlaneNormal>
+parted(const WideView& a, const WideView& b, const PosePair& poses, double error_scale) {
+    const PlanePose pose = plane_pose(relative_pose(poses), a.support, b.support, error_scale);
+    PlaneNormal normal = first_normal(pose);
+    return separate(pose, PlaneBody(a), 0, PlaneBody(b), 0, 8, normal) ? std::optional(normal)
+                                                                       : std::nullopt;
+}
+
+struct Counts {
+    std::size_t parted = 0;
+    std::size_t wrong = 0; ///< Parted, but not apart along the plane's normal.
+};
+
+Counts part_all(std::size_t category, std::uint64_t rounds, double error_scale) {
+    Counts counts;
+    for (SeededRandom random : seeds(rounds)) {
+        const TouchingBodies bodies = make_touching(category, random);
+        const PlaneTrees trees(bodies);
+        const WideView a = trees.a.view().wide;
+        const WideView b = trees.b.view().wide;
+        if (a.nodes.empty() || b.nodes.empty()) {
+            continue;
+        }
+        if (const auto normal = parted(a, b, bodies.poses, error_scale)) {
+            ++counts.parted;
+            counts.wrong += exact_gap(bodies.a, bodies.b, bodies.poses, *normal) <= 0 ? 1 : 0;
+        }
+    }
+    return counts;
+}
+
+TEST(PlaneBounds, EveryPlaneLeavesAGapInExactTerms) {
+    on_every_target([](SimdTarget) {
+        for (std::size_t category = 0; category < touching_categories; ++category) {
+            SCOPED_TRACE(touching_category(category));
+            EXPECT_EQ(part_all(category, 12, 1).wrong, 0u);
+        }
+    });
+}
+
+TEST(PlaneBounds, SmallerMarginsPartWhatTouches) {
+    std::size_t wrong = 0;
+    std::size_t wrong_by_a_tenth = 0;
+    for (std::size_t category = 0; category < touching_categories; ++category) {
+        wrong += part_all(category, 25, 0).wrong;
+        wrong_by_a_tenth += part_all(category, 25, 0.02).wrong;
+    }
+    EXPECT_GT(wrong, 50u);
+    EXPECT_GT(wrong_by_a_tenth, 0u);
+}
+
+TEST(PlaneBounds, ASmallerEpsPartsWhatTouches) {
+    std::size_t wrong = 0;
+    std::size_t parted_with_eps = 0;
+    const Mesh mesh = make_sphere(3);
+    ObbTree tree = make_tree(mesh);
+    tree.prepare_planes();
+    WideView without = tree.view().wide;
+    std::vector<SupportSet> sets(without.support.sets.begin(), without.support.sets.end());
+    ASSERT_GT(sets[0].eps, 0);
+    for (SupportSet& set : sets) {
+        set.eps = 0;
+    }
+    without.support.sets = sets;
+    for (SeededRandom random : seeds(100)) {
+        // The spheres overlap by less than what few points of each leave out.
+        const Pose turned = make_pose(random, 1);
+        const Vec3 direction = turned.translation().normalized();
+        const PosePair poses{Pose{}, Pose::from_quaternion(turned.quaternion(), 1.99 * direction)};
+        parted_with_eps += parted(tree.view().wide, tree.view().wide, poses, 1) ? 1 : 0;
+        if (const auto normal = parted(without, without, poses, 1)) {
+            wrong += exact_gap(mesh, mesh, poses, *normal) <= 0 ? 1 : 0;
+        }
+    }
+    EXPECT_EQ(parted_with_eps, 0u);
+    EXPECT_GT(wrong, 50u);
+}
+
+TEST(PlaneBounds, BodiesThatAreApartByFarMoreThanTheMarginAreParted) {
+    for (std::size_t category = 0; category < 4 * 4; ++category) {
+        SCOPED_TRACE(touching_category(category));
+        for (SeededRandom random : seeds(20)) {
+            TouchingBodies bodies = make_touching(category, random);
+            const PlaneTrees trees(bodies);
+            const WideView a = trees.a.view().wide;
+            const WideView b = trees.b.view().wide;
+            const double gap = 0.2 * (a.support.radius + b.support.radius);
+            bodies.poses.b = Pose::from_matrix(
+                bodies.poses.b.rotation(), bodies.poses.b.translation() + gap * bodies.outwards);
+            EXPECT_TRUE(parted(a, b, bodies.poses, 1)) << "seed " << random.seed;
+        }
+    }
+}
+
+TEST(PlaneBounds, NothingIsPartedUnderPosesThatAreFarFromRigid) {
+    ObbTree tree = make_tree(make_sphere(2));
+    tree.prepare_planes();
+    const WideView view = tree.view().wide;
+    const Mat3 large = 1.1 * Mat3::Identity();
+    const double infinite = std::numeric_limits<double>::infinity();
+    for (const Pose& pose : {Pose::from_matrix(large, Vec3(5, 0, 0)),
+                             Pose::from_matrix(Mat3::Identity(), Vec3(infinite, 0, 0)),
+                             Pose::from_matrix(Mat3::Identity(), Vec3(1e300, 0, 0))}) {
+        EXPECT_FALSE(parted(view, view, {Pose{}, pose}, 1));
+        EXPECT_FALSE(parted(view, view, {pose, Pose{}}, 1));
+    }
+}
+
+TEST(PlaneBounds, SearchesWithPlanesFindWhatSearchesWithoutFind) {
+    std::uint64_t contacts = 0;
+    std::uint64_t free = 0;
+    on_every_target([&](SimdTarget) {
+        for (std::size_t category = 0; category < touching_categories; ++category) {
+            SCOPED_TRACE(touching_category(category));
+            for (SeededRandom random : seeds(8)) {
+                const TouchingBodies bodies = make_touching(category, random);
+                const PlaneTrees with(bodies);
+                const ObbTree a = make_tree(bodies.a);
+                const ObbTree b = make_tree(bodies.b);
+                WideSearch planes(bodies.poses);
+                WideSearch boxes(bodies.poses);
+                if (a.view().wide.nodes.empty() || b.view().wide.nodes.empty()) {
+                    continue;
+                }
+                boxes.collect(a.view(), b.view());
+                planes.collect(with.a.view(), with.b.view());
+                boxes.contacts().sort();
+                planes.contacts().sort();
+                ASSERT_EQ(planes.contacts().pairs(), boxes.contacts().pairs());
+                const bool touches = boxes.contacts().count() > 0;
+                // The first call dives, the second one begins with planes unless they touch.
+                EXPECT_EQ(planes.any(with.a.view(), with.b.view()), touches);
+                EXPECT_EQ(planes.any(with.a.view(), with.b.view()), touches);
+                contacts += touches ? 1 : 0;
+                free += touches ? 0 : 1;
+            }
+        }
+    });
+    EXPECT_GT(contacts, 40u);
+    EXPECT_GT(free, 40u);
+}
+
+} // namespace
+
+} // namespace cd::tests
