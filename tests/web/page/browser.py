@@ -1,5 +1,6 @@
 """A browser without a window, which tells what the page shows (window.cdcluster.facts())."""
 import base64
+import contextlib
 import json
 import struct
 import time
@@ -54,6 +55,21 @@ def decode_png(data):
     return rows
 
 
+# Lets a page read other JSON than the server sent.
+LIE = """(() => {
+    const ask = window.fetch;
+    window.fetch = async (address, options) => {
+        const answer = await ask(address, options);
+        if (!String(address).endsWith(%s)) {
+            return answer;
+        }
+        const json = await answer.json();
+        %s;
+        return new Response(JSON.stringify(json));
+    };
+})()"""
+
+
 class Browser:
     """One tab. Collects the addresses of all requests and all messages of the console."""
 
@@ -93,6 +109,17 @@ class Browser:
         self.driver.execute_cdp_cmd(
             "Emulation.setEmulatedMedia", {"features": [{"name": "prefers-color-scheme", "value": scheme}]}
         )
+
+    @contextlib.contextmanager
+    def lie(self, path, change):
+        """Pages that are opened within the block read other JSON from addresses that end with `path`: `change`, a
+        statement in JavaScript, alters the value `json`."""
+        source = {"source": LIE % (json.dumps(path), change)}
+        script = self.driver.execute_cdp_cmd("Page.addScriptToEvaluateOnNewDocument", source)
+        try:
+            yield
+        finally:
+            self.driver.execute_cdp_cmd("Page.removeScriptToEvaluateOnNewDocument", script)
 
     def leave(self):
         """Closes the page, so that nothing is asked of a server that ends."""
@@ -136,6 +163,13 @@ class Browser:
             time.sleep(0.03)
         return body
 
+    def wait_frames(self):
+        """Waits until the page had the time to draw what has changed."""
+        self.driver.execute_async_script(
+            "const done = arguments[0]; let left = 5;"
+            "const turn = () => (left-- > 0 ? requestAnimationFrame(turn) : done()); turn()"
+        )
+
     def scenario(self, number):
         """Waits until this scenario is drawn."""
         return self.wait(f"scenario {number}", lambda facts: facts.get("scenario") == number)
@@ -164,6 +198,14 @@ class Browser:
                 },
             )
 
+    def drag(self, start, end, button="left"):
+        """Moves the mouse from one point of the page to another with a button held down."""
+        held = {"left": 1, "right": 2}[button]
+        steps = [("mousePressed", start, held), ("mouseMoved", end, held), ("mouseReleased", end, 0)]
+        for kind, (x, y), buttons in steps:
+            event = {"type": kind, "x": x, "y": y, "clickCount": 1, "button": button, "buttons": buttons}
+            self.driver.execute_cdp_cmd("Input.dispatchMouseEvent", event)
+
     def turn_wheel(self, x, y, by):
         """Turns the mouse's wheel over a point of the page."""
         wheel = {"type": "mouseWheel", "x": x, "y": y, "deltaX": 0, "deltaY": by}
@@ -178,6 +220,11 @@ class Browser:
             "const b = e.getBoundingClientRect(); return [b.left, b.top, b.width, b.height]",
             selector,
         )
+
+    def overflow(self):
+        """Returns by how many pixels the document is wider than the window."""
+        wide = "return document.documentElement.scrollWidth - document.documentElement.clientWidth"
+        return self.driver.execute_script(wide)
 
     def colour(self, x, y):
         """Returns red, green, blue of a pixel of the window."""
@@ -203,3 +250,8 @@ class Browser:
             message = json.loads(entry["message"])["message"]
             if message["method"] == "Network.requestWillBeSent":
                 self.addresses.append((self.origin, message["params"]["request"]["url"]))
+
+    def forget(self):
+        """Drops what the browser noted since the last call of `collect`."""
+        self.driver.get_log("browser")
+        self.driver.get_log("performance")

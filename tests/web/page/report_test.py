@@ -64,8 +64,7 @@ class Report(PageTest):
         self.assertEqual(facts["highlighted"], [sorted(one) for one in pairs[facts["scenario"]]])
         self.browser.click(*self.middle())
         self.assertEqual(self.ask("document.title"), "cdcluster: grid")
-        wide = "document.documentElement.scrollWidth - document.documentElement.clientWidth"
-        self.assertLessEqual(self.ask(wide), 0)
+        self.assertLessEqual(self.browser.overflow(), 0)
         paths = self.ask("[...document.querySelectorAll('template[data-path]')].map(one => one.dataset.path)")
         held = sorted(int(path.split("/")[-1]) for path in paths if re.search(r"/scenarios/\d+$", path))
         self.assertEqual(len(held), 20)
