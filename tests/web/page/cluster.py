@@ -9,17 +9,17 @@ from servers import Program
 class Cluster:
     """cdmaster on ports that the system chooses; ends with the `with` block."""
 
-    def __init__(self, bin_dir, root, has_identity=False):
-        self.bin, self.root, self.has_identity = bin_dir, root, has_identity
+    def __init__(self, bin_dir, root, *options, has_identity=False):
+        """`options` are those of cdmaster."""
+        self.bin, self.root, self.options, self.has_identity = bin_dir, root, options, has_identity
         root.mkdir()
         self.programs = []
 
     def __enter__(self):
         if self.has_identity:
             self.run("cdmaster", "init", "--state", self.root / "state")
-        self.master = self.start(
-            "cdmaster", "--listen", "127.0.0.1:0", "--http", "127.0.0.1:0", "--state", self.root / "state"
-        )
+        ports = ["--listen", "127.0.0.1:0", "--http", "127.0.0.1:0"]
+        self.master = self.start("cdmaster", *ports, "--state", self.root / "state", *self.options)
         self.address = self.master.wait_for(r"--master (127\.0\.0\.1:\d+)").group(1)
         self.http = int(self.master.wait_for(r"http listening: host=127\.0\.0\.1 port=(\d+)").group(1))
         self.page = f"http://127.0.0.1:{self.http}/"
@@ -66,7 +66,6 @@ class Cluster:
     def add_worker(self, name):
         return self.start("cdworker", "--master", self.address, "--name", name, "--threads", "1")
 
-    def submit(self, scenes):
-        """Submits a job that takes minutes."""
-        job = scenes.long_job()
-        self.run("cdctl", "submit", job, "--master", self.address)
+    def submit(self, scenes, name="long"):
+        """Submits a job with this name that takes minutes."""
+        self.run("cdctl", "submit", scenes.long_job(name), "--master", self.address)

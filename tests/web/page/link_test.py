@@ -49,6 +49,15 @@ class Links(PageTest):
         facts = self.browser.wait("the part", lambda f: f["parts"] == ["lower", ""])
         self.assertEqual(facts["highlighted"][0], [one for one in everything if one < 12])
 
+    def test_addresses_without_a_view_lead_to_the_job(self):
+        """The address alone and the list of jobs open the only job of a folder; a wrong address says so."""
+        server = self.open(self.scenes.drive())
+        self.browser.wait("the job", lambda f: f["screen"] == "job")
+        self.browser.open(server.home + "#/jobs")
+        self.browser.wait("the job", lambda f: f["link"] == "#/jobs/folder" and f["screen"] == "job")
+        self.browser.go("#/jobs/folder/1/2")
+        self.browser.wait_text("this address names nothing here")
+
     def test_back_and_forward(self):
         self.open(self.scenes.drive(), "#/jobs/folder")
         self.browser.wait("the job", lambda facts: facts["screen"] == "job")

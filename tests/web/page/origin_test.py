@@ -2,7 +2,6 @@
 import http.server
 import threading
 
-from cluster import Cluster
 from page_case import PageTest
 
 SQUARE = b'<svg xmlns="http://www.w3.org/2000/svg" width="9" height="9"><rect width="9" height="9"/></svg>'
@@ -92,8 +91,8 @@ class Origins(PageTest):
 
     def test_a_master_without_a_key_is_not_read(self):
         """A page of another origin reads nothing of a master on loopback, which asks for no key."""
-        with Cluster(self.bin, self.root / "origins") as cluster:
-            self.assert_refuses(cluster.page, "")
+        cluster = self.start_cluster("origins")
+        self.assert_refuses(cluster.page, "")
 
     def test_a_folder_is_not_read_even_with_the_key(self):
         """A page of another origin reads nothing of `cdctl view`, though it knows the key."""

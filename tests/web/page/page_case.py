@@ -1,7 +1,8 @@
 """What the tests of the page share: the programs, one browser, and the folders that cdctl makes."""
 import unittest
 
-from browser import Browser
+from browser import HEIGHT, WIDTH, Browser
+from cluster import Cluster
 from scenes import Scenes
 from servers import View
 
@@ -26,6 +27,10 @@ class PageTest(unittest.TestCase):
         self.addCleanup(server.close)
         return server
 
+    def start_cluster(self, name, *options, **more):
+        """Starts a master, with these options of `Cluster`, that ends after the page was left."""
+        return self.enterContext(Cluster(self.bin, self.root / name, *options, **more))
+
     def open(self, folder, link=""):
         server = self.view(folder)
         self.browser.open(server.url + ("&" + link.lstrip("#") if link else ""))
@@ -33,3 +38,17 @@ class PageTest(unittest.TestCase):
 
     def tearDown(self):
         self.browser.leave()
+
+    def keep_pictures(self, name):
+        """Keeps pictures of what is shown in light, in dark and on a phone, whose width it must fit."""
+        for scheme in ("dark", "light"):
+            self.browser.colours(scheme)
+            self.browser.wait_frames()
+            self.browser.picture(f"{name}-{scheme}")
+        self.browser.size(390, 844, is_phone=True)
+        try:
+            self.browser.wait_frames()
+            self.browser.picture(f"{name}-phone")
+            self.assertLessEqual(self.browser.overflow(), 0, f"{name} is wider than a phone")
+        finally:
+            self.browser.size(WIDTH, HEIGHT)

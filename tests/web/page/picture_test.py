@@ -1,12 +1,10 @@
-"""Keeps pictures of the screens for people."""
-import time
-
-from browser import HEIGHT, WIDTH
+"""Keeps pictures of the screens of a results folder for people."""
 from page_case import PageTest
 
 
 class Pictures(PageTest):
     def test_screens_in_light_and_dark_and_on_a_phone(self):
+        """Keeps pictures of each screen of a folder, in light and dark; none is wider than a phone."""
         server = self.open(self.scenes.grid())
         self.browser.wait("the job", lambda f: f["screen"] == "job" and f.get("poseSpace"))
         worst = self.browser.facts()["poseSpace"]["scenario"]
@@ -16,22 +14,11 @@ class Pictures(PageTest):
             "viewer-heat": f"#/jobs/folder/{worst}?mode=heat&ghost=none",
             "viewer-section": f"#/jobs/folder/{worst}?clip=y:0.05&pick=a:3",
         }
-        for scheme in ("light", "dark"):
-            self.browser.colours(scheme)
-            for name, link in screens.items():
-                self.browser.open(server.home + link)
-                self.browser.wait(name, lambda f: f["link"].startswith(link.split("?")[0]))
-                time.sleep(0.3)
-                self.browser.picture(f"{name}-{scheme}")
-        self.browser.colours("light")
-        self.browser.size(390, 844, is_phone=True)
-        try:
-            for name in ("job", "viewer"):
-                self.browser.open(server.home + screens[name])
-                self.browser.wait(name, lambda f: True)
-                time.sleep(0.3)
-                self.browser.picture(f"{name}-phone")
-                wide = "return document.documentElement.scrollWidth - document.documentElement.clientWidth"
-                self.assertLessEqual(self.browser.driver.execute_script(wide), 0, f"{name} is wider than a phone")
-        finally:
-            self.browser.size(WIDTH, HEIGHT)
+        for name, link in screens.items():
+            self.browser.open(server.home + link)
+            self.browser.wait(name, lambda f: f["link"].startswith(link.split("?")[0]))
+            self.keep_pictures(name)
+        self.browser.press("?")
+        is_open = "return document.querySelector('dialog.keys')?.open === true"
+        self.browser.wait("the keys", lambda f: self.browser.driver.execute_script(is_open))
+        self.keep_pictures("viewer-keys")

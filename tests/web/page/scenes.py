@@ -117,12 +117,19 @@ class Scenes:
         path.write_text(text)
         return path
 
-    def one_pair(self):
-        """A box, and a triangle whose tip goes through one triangle of the box's face x = 1."""
+    def box_and_tip(self, name, place):
         write_obj(self.root / "box.obj", [("box", *box())])
         write_obj(self.root / "tip.obj", [("tip", [(0.9, 0, 0), (1.6, 0.1, 0), (1.6, -0.1, 0.05)], [(0, 1, 2)])])
-        poses = self.poses("one", "x,y,z", [(0, -0.5, 0.5)])
-        return self.run("one_pair", "--a", "box.obj", "--b", "tip.obj", "--unit", "m", "--poses", poses, "--level", "contacts")
+        poses = self.poses(name, "x,y,z", [place])
+        return self.run(name, "--a", "box.obj", "--b", "tip.obj", "--unit", "m", "--poses", poses, "--level", "contacts")
+
+    def one_pair(self):
+        """A box, and a triangle whose tip goes through one triangle of the box's face x = 1."""
+        return self.box_and_tip("one_pair", (0, -0.5, 0.5))
+
+    def no_pair(self):
+        """As `one_pair`, but the triangle is far from the box."""
+        return self.box_and_tip("no_pair", (5, -0.5, 0.5))
 
     def bodies(self):
         """A box of two parts, and a small one."""
@@ -141,13 +148,14 @@ class Scenes:
         )
         return self.run("grid", job)
 
-    def long_job(self):
-        """Writes a job of 8,000,000 scenarios; returns its file."""
+    def long_job(self, name="long"):
+        """Writes a job of 80,000,000 scenarios with this name; returns its file."""
         self.bodies()
         return self.job(
             "long",
-            'name = "long"\nunit = "m"\n[a]\nmesh = "a.obj"\n[b]\nmesh = "b.obj"\n'
-            "[poses]\ngrid = { x = [-2, 2, 200], y = [-2, 2, 200], yaw_deg = [0, 90, 200] }\n"
+            f"name = '''{name}'''\nunit = \"m\"\n"
+            '[a]\nmesh = "a.obj"\n[b]\nmesh = "b.obj"\n'
+            "[poses]\ngrid = { x = [-2, 2, 200], y = [-2, 2, 200], yaw_deg = [0, 90, 2000] }\n"
             '[query]\nlevel = "count"\n',
         )
 
