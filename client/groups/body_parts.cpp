@@ -1,7 +1,6 @@
 #include "client/groups/body_parts.hpp"
 
 #include "common/core/limits/client.hpp"
-#include "common/geometry/part_runs.hpp"
 #include "common/geometry/topology.hpp"
 
 #include <algorithm>
@@ -66,6 +65,16 @@ void BodyParts::assign_pieces(const Mesh& mesh) {
     for (std::uint32_t& part : part_of_) {
         part = number_of[part];
     }
+}
+
+NamedParts BodyParts::by_runs() const {
+    std::vector<PartRun> runs;
+    for (std::uint32_t i = 0; i < part_of_.size(); ++i) {
+        if (i == 0 || part_of_[i] != part_of_[i - 1]) {
+            runs.push_back({i, part_of_[i]});
+        }
+    }
+    return {runs.empty() ? PartRuns() : PartRuns::create(std::move(runs)).value(), names_};
 }
 
 } // namespace cd

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "common/geometry/mesh.hpp"
+#include "common/geometry/part_runs.hpp"
 #include "common/job/query.hpp"
 
 #include <cstddef>
@@ -36,6 +37,8 @@ class BodyParts {
     [[nodiscard]] const std::string& name(std::size_t part) const { return names_[part]; }
     /// Returns the number of a triangle's part, below `count()`.
     [[nodiscard]] std::uint32_t part_of(std::uint32_t triangle) const { return part_of_[triangle]; }
+    /// Returns the parts by runs of consecutive triangles.
+    [[nodiscard]] NamedParts by_runs() const;
     /// False if parts are pieces: another revision of the mesh may give a piece another number.
     [[nodiscard]] bool has_lasting_names() const { return has_lasting_names_; }
 

@@ -76,6 +76,12 @@ void FolderSource::map(const std::string& id,
     answer(id, std::move(take), [this, body] { return run_->map(body); });
 }
 
+void FolderSource::parts(const std::string& id,
+                         std::uint64_t body,
+                         Take<std::shared_ptr<const NamedParts>> take) {
+    answer(id, std::move(take), [this, body] { return run_->parts(body); });
+}
+
 void FolderSource::scenario(const std::string& id,
                             std::uint64_t number,
                             Take<std::shared_ptr<const ScenarioView>> take) {
@@ -86,9 +92,7 @@ void FolderSource::scenario(const std::string& id,
         {id, number}, [this, number] { return run_->scenario(number, stop_); }, std::move(take));
 }
 
-void FolderSource::next(const std::string& id,
-                        const NextContact& wanted,
-                        Take<std::optional<std::uint64_t>> take) {
+void FolderSource::next(const std::string& id, const NextContact& wanted, Take<NextFound> take) {
     answer(id, std::move(take), [this, wanted] { return run_->next(wanted); });
 }
 

@@ -50,6 +50,16 @@ Status take_maps(const ViewedRun& run, const JobView& job, const TakeAnswer& tak
     return Done{};
 }
 
+Status take_parts(const ViewedRun& run, const JobView& job, const TakeAnswer& take) {
+    for (std::size_t i = 0; i < job.bodies.size(); ++i) {
+        const auto parts = CD_TRY(run.parts(i));
+        const std::string path = "jobs/" + job.row.id + "/parts/" + std::to_string(i);
+        CD_TRY(take({path, parts_npy(parts->runs)}));
+        CD_TRY(take({path + "/names", bytes_of(part_names_json(parts->names))}));
+    }
+    return Done{};
+}
+
 Status take_scenario(const std::string& path,
                      std::uint64_t number,
                      const ScenarioView& scenario,
@@ -74,6 +84,7 @@ Status for_each_answer(ViewedRun& run,
     CD_TRY(take({"source", bytes_of(origin_json(origin))}));
     CD_TRY(take({"jobs/" + origin.job, bytes_of(job_view_json(job))}));
     CD_TRY(take_meshes(run, job, take));
+    CD_TRY(take_parts(run, job, take));
     CD_TRY(take_maps(run, job, take));
     for (const std::uint64_t number : scenarios) {
         const auto scenario = CD_TRY(run.scenario(number, stop));

@@ -22,8 +22,8 @@ struct HeldAnswer {
 };
 
 /// Calls `take` with all that the page's viewer needs to show these scenarios: the origin, the job,
-/// meshes, maps, and each scenario as it is after it was run again. An error of `take` ends all.
-/// The job's id is that of `origin`; unless that is a folder, no folder is named. Errors: as
+/// meshes, parts, maps, and each scenario as it is after it was run again. An error of `take` ends
+/// all. The job's id is that of `origin`; unless that is a folder, no folder is named. Errors: as
 /// `ViewedRun::scenario` and `take`; Interrupted.
 [[nodiscard]] Status for_each_answer(ViewedRun& run,
                                      const PageOrigin& origin,

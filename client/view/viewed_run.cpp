@@ -2,6 +2,7 @@
 
 #include "client/folder/folder_exports.hpp"
 #include "client/folder/run_groups.hpp"
+#include "client/groups/body_parts.hpp"
 #include "client/remote/mesh_cache.hpp"
 #include "common/core/errors.hpp"
 #include "common/core/limits/web.hpp"
@@ -79,17 +80,8 @@ GroupsView groups_view(const std::vector<Group>& groups, std::uint64_t tested) {
     return view;
 }
 
-/// Marks the triangles of the part with this name; no marks for an empty name. Errors: BadInput if
-/// there is none.
-Result<std::vector<bool>>
-triangles_in(const BodyParts& parts, const Mesh& mesh, const std::string& name) {
-    std::vector<bool> marks;
-    bool any = name.empty();
-    for (std::uint32_t i = 0; !name.empty() && i < mesh.triangles().size(); ++i) {
-        marks.push_back(parts.name(parts.part_of(i)) == name);
-        any = any || marks.back();
-    }
-    return any ? Result(std::move(marks)) : bad_input("the body has no part '" + name + "'");
+std::shared_ptr<const NamedParts> shared_runs(const BodyParts& parts) {
+    return std::make_shared<const NamedParts>(parts.by_runs());
 }
 
 BodyView body_view(const JobBody& body, const Mesh& mesh, const ObbTree& tree) {
@@ -121,15 +113,15 @@ Result<std::unique_ptr<ViewedRun>> ViewedRun::open(OpenedRun& run,
 
 Status ViewedRun::sum_groups(const StopCheck& stop) {
     const Query& query = manifest().query;
+    const PartKind kind = part_kind(query.level);
     if (!check_groups(query, map_)) {
+        parts_ = {shared_runs(BodyParts(*job_.meshes[0], kind)),
+                  shared_runs(BodyParts(*job_.meshes[1], kind))};
         return Done{};
     }
-    auto begun = CD_TRY(begin_groups(
-        query, {job_.meshes.begin(), job_.meshes.end()}, map_, part_kind(query.level)));
+    auto begun = CD_TRY(begin_groups(query, {job_.meshes.begin(), job_.meshes.end()}, map_, kind));
     auto sum = CD_TRY(groups_of(run_.records(), std::move(begun), stop));
-    if (query.level >= Level::Pairs) {
-        parts_ = {sum.parts(0), sum.parts(1)};
-    }
+    parts_ = {shared_runs(sum.parts(0)), shared_runs(sum.parts(1))};
     groups_ = groups_view(sum.groups(), index_.summary().tested());
     return Done{};
 }
@@ -226,6 +218,13 @@ Result<std::vector<TriangleContacts>> ViewedRun::map(std::uint64_t body) const {
     return map_->bodies[body];
 }
 
+Result<std::shared_ptr<const NamedParts>> ViewedRun::parts(std::uint64_t body) const {
+    if (body >= parts_.size()) {
+        return Error{ErrorCode::NotFound, "there is no such body"};
+    }
+    return parts_[body];
+}
+
 Result<std::shared_ptr<const ScenarioView>> ViewedRun::scenario(std::uint64_t number,
                                                                 const StopCheck& stop) {
     if (number >= count()) {
@@ -243,17 +242,15 @@ Result<PartFilter> ViewedRun::filter_of(const NextContact& wanted) const {
     if (wanted.part_a.empty() && wanted.part_b.empty()) {
         return PartFilter();
     }
-    if (parts_.empty()) {
+    if (manifest().query.level < Level::Pairs) {
         return bad_input("the run lists no pairs, so that the parts of a scenario are not known: "
                          "its level is " +
                          std::string(to_text(manifest().query.level)));
     }
-    auto a = CD_TRY(triangles_in(parts_[0], *job_.meshes[0], wanted.part_a));
-    auto b = CD_TRY(triangles_in(parts_[1], *job_.meshes[1], wanted.part_b));
-    return PartFilter(std::move(a), std::move(b));
+    return PartFilter::make(parts_, wanted);
 }
 
-Result<std::optional<std::uint64_t>> ViewedRun::next(const NextContact& wanted) {
+Result<NextFound> ViewedRun::next(const NextContact& wanted) {
     const auto filter = CD_TRY(filter_of(wanted));
     Status status = Done{};
     const auto fits = [&](std::uint64_t scenario) {
@@ -265,7 +262,7 @@ Result<std::optional<std::uint64_t>> ViewedRun::next(const NextContact& wanted) 
         return !record || (record.value() && filter.passes(record.value()->result));
     };
     const auto found = index_.next_contact(wanted.from, wanted.is_backwards, fits);
-    return status ? Result<std::optional<std::uint64_t>>(found) : status.error();
+    return status ? Result(NextFound{found, std::nullopt}) : status.error();
 }
 
 std::shared_ptr<const Mesh> ViewedRun::mesh(const Sha256& mesh) const {

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "client/folder/opened_run.hpp"
-#include "client/groups/body_parts.hpp"
 #include "client/job/prepared_job.hpp"
 #include "client/view/record_index.hpp"
 #include "common/core/host/stop_check.hpp"
@@ -45,6 +44,8 @@ class ViewedRun {
     [[nodiscard]] Result<PoseRows> poses(const ScenarioChoice& choice);
     /// Returns a body's contact map. Errors: NotFound without a map or a body.
     [[nodiscard]] Result<std::vector<TriangleContacts>> map(std::uint64_t body) const;
+    /// Returns the parts of a body as the groups name them. Errors: NotFound for another body.
+    [[nodiscard]] Result<std::shared_ptr<const NamedParts>> parts(std::uint64_t body) const;
     /// Returns the scenarios in contact with most pairs, as `RecordIndex::worst`.
     [[nodiscard]] std::vector<std::uint64_t> worst(std::size_t count) const {
         return index_.worst(count);
@@ -54,7 +55,7 @@ class ViewedRun {
                                                                        const StopCheck& stop);
     /// Finds the next scenario in contact. Errors: BadInput if parts are asked for that the run
     /// does not have, or if the run lists no pairs.
-    [[nodiscard]] Result<std::optional<std::uint64_t>> next(const NextContact& wanted);
+    [[nodiscard]] Result<NextFound> next(const NextContact& wanted);
     /// Returns the mesh of a body; null if no body has it.
     [[nodiscard]] std::shared_ptr<const Mesh> mesh(const Sha256& mesh) const;
     /// Returns the path of the file that holds the canonical bytes of a mesh if the folder keeps
@@ -80,8 +81,8 @@ class ViewedRun {
     RecordIndex index_;
     std::optional<ContactMap> map_;
     std::optional<GroupsView> groups_; ///< Nothing if they are unknown.
-    std::vector<BodyParts> parts_;     ///< Of each body; empty below `level pairs`.
-    std::mutex mutex_;                 ///< Held while poses or records are read.
+    PartsOfBodies parts_;
+    std::mutex mutex_; ///< Held while poses or records are read.
 };
 
 /// Describes the folder of a run as the page's origin. Its job has the id `folder`.

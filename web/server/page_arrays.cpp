@@ -45,6 +45,15 @@ Bytes map_npy(std::span<const TriangleContacts> map) {
     return npy(NpyType::U8, {map.size(), 2}, std::span<const std::uint64_t>(rows));
 }
 
+Bytes parts_npy(const PartRuns& parts) {
+    std::vector<std::uint32_t> rows;
+    rows.reserve(2 * parts.runs().size());
+    for (const PartRun& run : parts.runs()) {
+        rows.insert(rows.end(), {run.begin, run.part});
+    }
+    return npy(NpyType::U4, {parts.runs().size(), 2}, std::span<const std::uint32_t>(rows));
+}
+
 BoundedArray pairs_npy(const ScenarioResult& result) {
     const std::uint64_t count = std::min<std::uint64_t>(result.pairs.size(), limits::page_rows_max);
     std::vector<std::uint32_t> rows;

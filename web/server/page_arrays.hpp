@@ -2,6 +2,7 @@
 #pragma once
 
 #include "common/core/files/bytes.hpp"
+#include "common/geometry/part_runs.hpp"
 #include "common/job/result/contact_map.hpp"
 #include "common/job/result/result.hpp"
 #include "web/server/page_values.hpp"
@@ -19,6 +20,8 @@ namespace cd {
 [[nodiscard]] Bytes poses_npy(const PoseRows& poses);
 /// Encodes a body's contact map as u8 (k,2): triangle, scenarios.
 [[nodiscard]] Bytes map_npy(std::span<const TriangleContacts> map);
+/// Encodes runs of triangles of one part as u4 (k,2): first triangle, number of the part.
+[[nodiscard]] Bytes parts_npy(const PartRuns& parts);
 
 /// An array of at most `limits::page_rows_max` rows.
 struct BoundedArray {

@@ -104,7 +104,7 @@ Json poses_json(const PosesView& poses) {
               {"of_both_bodies", poses.of_both_bodies}};
     if (poses.random) {
         json["penetration"] = {poses.random->penetration_min, poses.random->penetration_max};
-        json["seed"] = poses.random->seed;
+        json["seed"] = std::to_string(poses.random->seed); // May exceed 2^53.
     }
     return json;
 }
@@ -221,12 +221,21 @@ std::string scenario_json(std::uint64_t number, const ScenarioView& scenario) {
     json["pose_b"] = pose_rows(scenario.poses.b);
     json["verified"] = or_null(scenario.verified);
     json["verify_note"] = scenario.verify_note;
+    json["draw_note"] = scenario.draw_note;
     json["exact_pairs"] = scenario.drawn != nullptr ? scenario.drawn->pairs.size() : 0;
     return compact(json);
 }
 
-std::string next_json(const std::optional<std::uint64_t>& next) {
-    return compact({{"index", or_null(next)}});
+std::string part_names_json(std::span<const std::string> names) {
+    Json json = Json::array();
+    for (const std::string& name : names) {
+        json.push_back(name);
+    }
+    return compact(json);
+}
+
+std::string next_json(const NextFound& next) {
+    return compact({{"index", or_null(next.scenario)}, {"searched_to", or_null(next.searched_to)}});
 }
 
 std::string error_json(const std::string& text) {

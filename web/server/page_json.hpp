@@ -4,7 +4,6 @@
 #include "web/server/page_values.hpp"
 
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <string>
 
@@ -16,7 +15,8 @@ namespace cd {
 [[nodiscard]] std::string jobs_json(std::span<const JobRow> jobs);
 [[nodiscard]] std::string job_view_json(const JobView& job);
 [[nodiscard]] std::string scenario_json(std::uint64_t number, const ScenarioView& scenario);
-[[nodiscard]] std::string next_json(const std::optional<std::uint64_t>& next);
+[[nodiscard]] std::string part_names_json(std::span<const std::string> names);
+[[nodiscard]] std::string next_json(const NextFound& next);
 [[nodiscard]] std::string error_json(const std::string& text);
 
 } // namespace cd

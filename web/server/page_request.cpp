@@ -26,6 +26,8 @@ constexpr std::array<NamedTopic, 4> plain_topics{{{"source", PageTopic::Source},
                                                   {"jobs", PageTopic::Jobs}}};
 constexpr std::array<NamedTopic, 3> array_topics{
     {{"classes", PageTopic::Classes}, {"counts", PageTopic::Counts}, {"poses", PageTopic::Poses}}};
+constexpr std::array<NamedTopic, 2> body_topics{
+    {{"map", PageTopic::Map}, {"parts", PageTopic::Parts}}};
 constexpr std::array<NamedTopic, 2> contact_topics{
     {{"pairs", PageTopic::Pairs}, {"points", PageTopic::Points}}};
 
@@ -144,6 +146,23 @@ Status parse_scenario(std::span<const std::string_view> path,
     return Done{};
 }
 
+/// Parses what follows /jobs/ID for what a job has of each body.
+Status parse_body(std::span<const std::string_view> path,
+                  const Parameters& parameters,
+                  PageRequest& request) {
+    const auto body = path.size() > 1 ? number_in<std::uint64_t>(path[1]) : std::nullopt;
+    const bool asks_names = path.size() == 3 && path[0] == "parts" && path[2] == "names";
+    const auto topic = asks_names         ? std::optional(PageTopic::PartNames)
+                       : path.size() == 2 ? topic_of(path[0], body_topics)
+                                          : std::nullopt;
+    if (!body || !topic) {
+        return no_route();
+    }
+    request.topic = *topic;
+    request.number = *body;
+    return allow_only(parameters, {});
+}
+
 /// Parses what follows /jobs/ID.
 Status parse_job(std::span<const std::string_view> path,
                  const Parameters& parameters,
@@ -160,13 +179,7 @@ Status parse_job(std::span<const std::string_view> path,
         request.choice = CD_TRY(choice_of(parameters));
         return Done{};
     }
-    const auto body = path.size() == 2 ? number_in<std::uint64_t>(path[1]) : std::nullopt;
-    if (path[0] != "map" || !body) {
-        return no_route();
-    }
-    request.topic = PageTopic::Map;
-    request.number = *body;
-    return allow_only(parameters, {});
+    return parse_body(path, parameters, request);
 }
 
 } // namespace

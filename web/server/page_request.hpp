@@ -21,6 +21,8 @@ enum class PageTopic : std::uint8_t {
     Counts,
     Poses,
     Map,
+    Parts,
+    PartNames,
     Scenario,
     Pairs,
     Points,
@@ -54,7 +56,7 @@ struct NextContact {
 struct PageRequest {
     PageTopic topic = PageTopic::Source;
     std::string job;          ///< Id of the job, for the topics about one.
-    std::uint64_t number = 0; ///< The scenario, or the body of a map.
+    std::uint64_t number = 0; ///< The scenario, or the body of a map or of parts.
     ScenarioChoice choice;    ///< For classes, counts and poses.
     NextContact next;
     Sha256 mesh;

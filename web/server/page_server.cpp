@@ -202,6 +202,7 @@ void PageServer::answer_api(const HttpRequest& request,
 
 void PageServer::ask(const PageRequest& request, HttpRespond respond) {
     using Viewed = std::shared_ptr<const ScenarioView>;
+    using Parts = std::shared_ptr<const NamedParts>;
     const auto array = [](auto encode) {
         return [encode](const auto& values) { return array_answer(encode(values)); };
     };
@@ -240,6 +241,16 @@ void PageServer::ask(const PageRequest& request, HttpRespond respond) {
         return source_.map(request.job,
                            request.number,
                            answering<std::vector<TriangleContacts>>(respond, array(map_npy)));
+    case PageTopic::Parts:
+        return source_.parts(
+            request.job, request.number, answering<Parts>(respond, [](const Parts& parts) {
+                return array_answer(parts_npy(parts->runs));
+            }));
+    case PageTopic::PartNames:
+        return source_.parts(
+            request.job, request.number, answering<Parts>(respond, [](const Parts& parts) {
+                return json_answer(part_names_json(parts->names));
+            }));
     case PageTopic::Scenario:
         return source_.scenario(
             request.job,
@@ -252,9 +263,8 @@ void PageServer::ask(const PageRequest& request, HttpRespond respond) {
     case PageTopic::Points:
         return source_.scenario(request.job, request.number, rows(points_npy));
     case PageTopic::Next:
-        return source_.next(request.job,
-                            request.next,
-                            answering<std::optional<std::uint64_t>>(respond, json(next_json)));
+        return source_.next(
+            request.job, request.next, answering<NextFound>(respond, json(next_json)));
     case PageTopic::Mesh:
         return source_.mesh(request.mesh,
                             answering<std::shared_ptr<HttpBody>>(respond, mesh_answer));

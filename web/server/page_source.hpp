@@ -2,6 +2,7 @@
 #pragma once
 
 #include "common/core/result.hpp"
+#include "common/geometry/part_runs.hpp"
 #include "common/job/result/contact_map.hpp"
 #include "proto/channel/http/http_body.hpp"
 #include "web/server/page_request.hpp"
@@ -10,7 +11,6 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -47,13 +47,15 @@ class PageSource {
     poses(const std::string& id, const ScenarioChoice& choice, Take<PoseRows> take) = 0;
     virtual void
     map(const std::string& id, std::uint64_t body, Take<std::vector<TriangleContacts>> take) = 0;
+    /// The parts of a body as the job's groups name them. Errors: NotFound for another body.
+    virtual void parts(const std::string& id,
+                       std::uint64_t body,
+                       Take<std::shared_ptr<const NamedParts>> take) = 0;
     /// Runs the scenario again.
     virtual void scenario(const std::string& id,
                           std::uint64_t number,
                           Take<std::shared_ptr<const ScenarioView>> take) = 0;
-    virtual void next(const std::string& id,
-                      const NextContact& wanted,
-                      Take<std::optional<std::uint64_t>> take) = 0;
+    virtual void next(const std::string& id, const NextContact& wanted, Take<NextFound> take) = 0;
     /// The canonical bytes of a mesh.
     virtual void mesh(const Sha256& mesh, Take<std::shared_ptr<HttpBody>> take) = 0;
 };

@@ -140,6 +140,15 @@ struct ScenarioView {
     std::string verify_note;      ///< Why it was not compared, or what differs.
     /// Pairs and points of an exact run at level contacts, perhaps not all; null if it failed.
     std::shared_ptr<const ScenarioResult> drawn;
+    std::string draw_note; ///< Why nothing is drawn; empty if `drawn` is set.
+};
+
+/// What a search for the next scenario in contact gave.
+struct NextFound {
+    std::optional<std::uint64_t> scenario;
+    /// The last scenario looked at, from which the search can go on; nothing if it found one or
+    /// reached the end of the job.
+    std::optional<std::uint64_t> searched_to;
 };
 
 /// Returns the twelve numbers of a pose: the rows of [R t], rounded.

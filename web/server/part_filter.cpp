@@ -3,46 +3,46 @@
 #include "common/core/errors.hpp"
 
 #include <algorithm>
-#include <cstdint>
+#include <string>
 
 namespace cd {
 
 namespace {
 
-/// Marks the triangles of all parts with this name. Errors: BadInput if there is none.
-Result<std::vector<bool>> triangles_of(const Mesh& mesh, const std::string& name) {
-    std::vector<bool> marks;
+/// Returns the number of the part with this name; nothing for an empty name.
+Result<std::optional<std::uint32_t>> number_of(const NamedParts& parts, const std::string& name) {
     if (name.empty()) {
-        return marks;
+        return std::optional<std::uint32_t>();
     }
-    for (const Part& part : mesh.parts()) {
-        if (part.name == name) {
-            marks.resize(mesh.triangles().size());
-            std::fill(
-                marks.begin() + part.triangles_begin, marks.begin() + part.triangles_end, true);
-        }
+    const auto found = std::ranges::find(parts.names, name);
+    if (found == parts.names.end()) {
+        return bad_input("the body has no part '" + name + "'");
     }
-    return marks.empty() ? bad_input("the mesh has no part '" + name + "'") : Result(marks);
-}
-
-bool has(const std::vector<bool>& marks, std::uint32_t triangle) {
-    return marks.empty() || (triangle < marks.size() && marks[triangle]);
+    return std::optional(static_cast<std::uint32_t>(found - parts.names.begin()));
 }
 
 } // namespace
 
-Result<PartFilter> PartFilter::make(const Mesh& a,
-                                    const std::string& part_a,
-                                    const Mesh& b,
-                                    const std::string& part_b) {
-    auto marks_a = CD_TRY(triangles_of(a, part_a));
-    auto marks_b = CD_TRY(triangles_of(b, part_b));
-    return PartFilter(std::move(marks_a), std::move(marks_b));
+Result<PartFilter> PartFilter::make(const PartsOfBodies& parts, const NextContact& wanted) {
+    PartFilter filter;
+    filter.parts_ = parts;
+    filter.wanted_ = {CD_TRY(number_of(*parts[0], wanted.part_a)),
+                      CD_TRY(number_of(*parts[1], wanted.part_b))};
+    return filter;
+}
+
+bool PartFilter::has(std::size_t body, std::uint32_t triangle) const {
+    const auto& wanted = wanted_[body];
+    if (!wanted) {
+        return true;
+    }
+    const PartRuns& runs = parts_[body]->runs;
+    return runs.runs()[runs.run_of(triangle)].part == *wanted;
 }
 
 bool PartFilter::passes(const ScenarioResult& result) const {
     return is_empty() || std::ranges::any_of(result.pairs, [&](const ContactPair& pair) {
-               return has(a_, pair.a) && has(b_, pair.b);
+               return has(0, pair.a) && has(1, pair.b);
            });
 }
 

@@ -2,34 +2,39 @@
 #pragma once
 
 #include "common/core/result.hpp"
-#include "common/geometry/mesh.hpp"
+#include "common/geometry/part_runs.hpp"
 #include "common/job/result/result.hpp"
+#include "web/server/page_request.hpp"
 
-#include <string>
-#include <utility>
-#include <vector>
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <optional>
 
 namespace cd {
+
+/// The parts of A ([0]) and B ([1]) as the groups of a job name them.
+using PartsOfBodies = std::array<std::shared_ptr<const NamedParts>, 2>;
 
 class PartFilter {
   public:
     /// Makes a filter that passes all results.
     PartFilter() = default;
-    /// Makes a filter for triangles of A and B, by their numbers; an empty list stands for all.
-    PartFilter(std::vector<bool> a, std::vector<bool> b) : a_(std::move(a)), b_(std::move(b)) {}
-    /// Makes a filter for the parts of A and B with these names; an empty name stands for all
-    /// triangles. Errors: BadInput if a mesh has no such part.
-    [[nodiscard]] static Result<PartFilter>
-    make(const Mesh& a, const std::string& part_a, const Mesh& b, const std::string& part_b);
+    /// Makes a filter for the parts that a search names. Errors: BadInput if a body has no such
+    /// part.
+    [[nodiscard]] static Result<PartFilter> make(const PartsOfBodies& parts,
+                                                 const NextContact& wanted);
 
     /// True if the filter passes all results.
-    [[nodiscard]] bool is_empty() const { return a_.empty() && b_.empty(); }
+    [[nodiscard]] bool is_empty() const { return !wanted_[0] && !wanted_[1]; }
     /// True if the result lists a pair of triangles of both parts.
     [[nodiscard]] bool passes(const ScenarioResult& result) const;
 
   private:
-    std::vector<bool> a_;
-    std::vector<bool> b_;
+    [[nodiscard]] bool has(std::size_t body, std::uint32_t triangle) const;
+
+    PartsOfBodies parts_;
+    std::array<std::optional<std::uint32_t>, 2> wanted_; ///< Number of the part; nothing: any.
 };
 
 } // namespace cd

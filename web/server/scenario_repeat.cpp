@@ -52,6 +52,13 @@ std::string reason_not_to_compare(const std::optional<KeptRecord>& record) {
     return record->result.kind == ScenarioClass::Failed ? "it failed in the run" : "";
 }
 
+std::string reason_not_to_draw(const ScenarioRun& run) {
+    if (run.is_stopped) {
+        return "finding all its contacts takes too long here; cdctl extract has the scenario";
+    }
+    return run.result.kind == ScenarioClass::Failed ? "it fails here: " + run.result.failure : "";
+}
+
 } // namespace
 
 ScenarioView repeat_scenario(const ObbTree& a,
@@ -79,7 +86,8 @@ ScenarioView repeat_scenario(const ObbTree& a,
     if (!again || !is_drawable(query)) {
         again = run(a, b, drawing_query(query), scenario, stop);
     }
-    if (again->result.kind != ScenarioClass::Failed) {
+    view.draw_note = reason_not_to_draw(*again);
+    if (view.draw_note.empty()) {
         view.drawn = std::make_shared<const ScenarioResult>(std::move(again->result));
     }
     return view;

@@ -89,4 +89,22 @@ TEST(BodyParts, PiecesBeyondTheLimitAreOthers) {
     EXPECT_EQ(parts.part_of(12 * (limits::pieces_max + 4)), limits::pieces_max);
 }
 
+TEST(BodyParts, RunsGiveEachTriangleItsPart) {
+    const std::vector<Mesh> meshes{
+        boxes(3),
+        unshared(boxes(2)),
+        make_box({1, 1, 1}),
+        with_parts(make_box({1, 1, 1}), {{"wheel", 0, 2}, {"door", 2, 6}, {"wheel", 8, 12}})};
+    for (const Mesh& mesh : meshes) {
+        const BodyParts parts(mesh);
+        const NamedParts runs = parts.by_runs();
+        ASSERT_EQ(runs.names.size(), parts.count());
+        for (std::uint32_t i = 0; i < mesh.triangles().size(); ++i) {
+            const std::uint32_t part = runs.runs.runs()[runs.runs.run_of(i)].part;
+            EXPECT_EQ(runs.names[part], parts.name(parts.part_of(i)));
+        }
+    }
+    EXPECT_EQ(BodyParts(boxes(3)).by_runs().runs.runs().size(), 3u);
+}
+
 } // namespace cd::tests

@@ -98,7 +98,7 @@ TEST_F(Held, AnswersAreThoseOfTheServerAtAnyLevel) {
         auto run = view(query);
         const bool has_map = query.find("any") == query.npos;
         const auto answers = answers_of(*run, folder_origin(*run));
-        EXPECT_EQ(answers.size(), 2u + 2 + (has_map ? 2 : 0) + 3 * 3) << query;
+        EXPECT_EQ(answers.size(), 2u + 2 + 4 + (has_map ? 2 : 0) + 3 * 3) << query;
         Server server(std::move(run));
         for (const HeldAnswer& each : answers) {
             const HeldAnswer served = server.ask(each.path);

@@ -170,12 +170,12 @@ TEST_F(ViewedRecords, TheNextContactIsTheNearestOneAlsoOfAPart) {
                     before = result.index;
                 }
             }
-            EXPECT_EQ(viewed->next({from, false, part, ""}).value(), after);
-            EXPECT_EQ(viewed->next({from, true, part, ""}).value(), before);
+            EXPECT_EQ(viewed->next({from, false, part, ""}).value().scenario, after);
+            EXPECT_EQ(viewed->next({from, true, part, ""}).value().scenario, before);
         }
     }
     EXPECT_THAT(viewed->next({0, false, "no", ""}).error().detail, HasSubstr("has no part 'no'"));
-    EXPECT_FALSE(viewed->next({UINT64_MAX, false, "", ""}).value());
+    EXPECT_FALSE(viewed->next({UINT64_MAX, false, "", ""}).value().scenario);
     const auto groups = viewed->view("folder").groups;
     ASSERT_TRUE(groups);
     EXPECT_EQ(groups->total, 2u);
@@ -201,6 +201,36 @@ TEST_F(ViewedRecords, TheNextContactIsTheNearestOneAlsoOfAPart) {
     EXPECT_FALSE(view("level = \"count\"\n")->view("folder").groups);
 }
 
+TEST_F(ViewedRecords, PartsAreThoseOfTheGroupsAndLeadToTheNextContact) {
+    for (const std::string level : {"pairs", "count"}) {
+        const auto viewed = view("level = \"" + level + "\"\nmaps = true\n");
+        const auto groups = viewed->view("folder").groups;
+        ASSERT_TRUE(groups);
+        const auto a = viewed->parts(0).value();
+        const auto b = viewed->parts(1).value();
+        EXPECT_EQ(a->names.size(), 2u);
+        EXPECT_EQ(b->names.size(), 1u);
+        EXPECT_EQ(viewed->parts(2).error().code, ErrorCode::NotFound);
+        for (const GroupView& group : groups->rows) {
+            EXPECT_THAT(a->names, testing::Contains(group.part_a));
+            EXPECT_THAT(b->names, testing::Contains(group.part_b));
+        }
+    }
+}
+
+TEST_F(ViewedRecords, TheNextContactOfAPieceIsFound) {
+    const auto viewed = view("level = \"pairs\"\n", true);
+    const auto pieces = viewed->parts(0).value();
+    EXPECT_THAT(pieces->names, testing::ElementsAre("piece 1", "piece 2"));
+    const auto group = viewed->view("folder").groups->rows.front();
+    const std::uint64_t worst = group.worst;
+    EXPECT_THAT(pieces->names, testing::Contains(group.part_a));
+    const auto found =
+        viewed->next({worst - 1, false, group.part_a, group.part_b}).value().scenario;
+    EXPECT_EQ(found, worst);
+    EXPECT_THAT(viewed->next({0, false, "whole", ""}).error().detail, HasSubstr("no part 'whole'"));
+}
+
 TEST_F(ViewedRecords, EachScenarioIsVerifiedAndDrawnAtAnyLevelAndUnderATolerance) {
     for (const std::string query : {"level = \"any\"\n",
                                     "level = \"count\"\n",
@@ -213,6 +243,7 @@ TEST_F(ViewedRecords, EachScenarioIsVerifiedAndDrawnAtAnyLevelAndUnderATolerance
             ASSERT_TRUE(shown) << shown.error().detail;
             EXPECT_EQ(shown.value()->verified, true) << shown.value()->verify_note;
             ASSERT_NE(shown.value()->drawn, nullptr);
+            EXPECT_EQ(shown.value()->draw_note, "");
             const ScenarioResult& drawn = *shown.value()->drawn;
             EXPECT_EQ(drawn.level, Level::Contacts);
             EXPECT_EQ(drawn.pairs.size(), drawn.pair_count);
@@ -244,6 +275,7 @@ TEST_F(ViewedRecords, AStoppedRunShowsNoContacts) {
     EXPECT_FALSE(shown->verified);
     EXPECT_EQ(shown->drawn, nullptr);
     EXPECT_THAT(shown->verify_note, HasSubstr("takes too long"));
+    EXPECT_THAT(shown->draw_note, HasSubstr("takes too long"));
     EXPECT_EQ(viewed->scenario(scenarios, never()).error().code, ErrorCode::NotFound);
 }
 

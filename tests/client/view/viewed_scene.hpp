@@ -27,12 +27,13 @@ class Viewed : public testing::Test {
         return [] { return false; };
     }
 
-    /// Runs a grid of poses along x: B passes through the two parts of A.
-    std::unique_ptr<ViewedRun> view(const std::string& query) {
+    /// Runs a grid of poses along x: B passes through the two parts of A, or through the two pieces
+    /// of its only part.
+    std::unique_ptr<ViewedRun> view(const std::string& query, bool has_pieces = false) {
         const Mesh part = make_sphere(1);
         write_text(folder_ / "a.obj",
                    part_text("left", part, 0, 1) +
-                       part_text("right", part, 4, 1 + part.vertices().size()));
+                       part_text(has_pieces ? "" : "right", part, 4, 1 + part.vertices().size()));
         write_text(folder_ / "b.obj", part_text("ball", make_torus(0.5, 0.2, 12, 8), 0, 1));
         write_text(folder_ / "job.toml",
                    "[a]\nmesh = \"a.obj\"\n[b]\nmesh = \"b.obj\"\n[poses]\n"
@@ -64,10 +65,11 @@ class Viewed : public testing::Test {
     ThreadPool pool_{2};
 
   private:
-    /// Returns a mesh, moved along x, as a part of an OBJ file; `first` is its first vertex's
-    /// number.
-    static std::string part_text(const char* name, const Mesh& mesh, double x, std::size_t first) {
-        std::string text = std::string("o ") + name + "\n";
+    /// Returns a mesh, moved along x, as a part of an OBJ file, or as more of the part before if it
+    /// has no name; `first` is its first vertex's number.
+    static std::string
+    part_text(const std::string& name, const Mesh& mesh, double x, std::size_t first) {
+        std::string text = name.empty() ? "" : "o " + name + "\n";
         for (const Vec3& v : mesh.vertices()) {
             text += "v " + std::to_string(v.x() + x) + " " + std::to_string(v.y()) + " " +
                     std::to_string(v.z()) + "\n";

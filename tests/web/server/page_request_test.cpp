@@ -36,6 +36,9 @@ TEST(PageRequests, EachRouteHasItsTopic) {
     EXPECT_EQ(parsed("jobs/j/poses?sample=7").topic, PageTopic::Poses);
     EXPECT_EQ(parsed("jobs/j/map/1").topic, PageTopic::Map);
     EXPECT_EQ(parsed("jobs/j/map/1").number, 1u);
+    EXPECT_EQ(parsed("jobs/j/parts/1").topic, PageTopic::Parts);
+    EXPECT_EQ(parsed("jobs/j/parts/1").number, 1u);
+    EXPECT_EQ(parsed("jobs/j/parts/0/names").topic, PageTopic::PartNames);
     EXPECT_EQ(parsed("jobs/j/scenarios/17").topic, PageTopic::Scenario);
     EXPECT_EQ(parsed("jobs/j/scenarios/17/pairs").topic, PageTopic::Pairs);
     EXPECT_EQ(parsed("jobs/j/scenarios/17/points").topic, PageTopic::Points);
@@ -68,6 +71,9 @@ TEST(PageRequests, OtherTargetsAreNoRoutes) {
                                      "/api/v1/jobs/j/",
                                      "/api/v1/jobs/j/map",
                                      "/api/v1/jobs/j/map/x",
+                                     "/api/v1/jobs/j/map/0/names",
+                                     "/api/v1/jobs/j/parts/names",
+                                     "/api/v1/jobs/j/parts/0/name",
                                      "/api/v1/jobs/j/scenarios",
                                      "/api/v1/jobs/j/scenarios/-1",
                                      "/api/v1/jobs/j/scenarios/1/lines",

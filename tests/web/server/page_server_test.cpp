@@ -35,6 +35,7 @@ class FakeSource final : public PageSource {
             JobView view;
             view.row = row_;
             view.bodies = {{.body = {.name = "a"}}, {.body = {.name = "b"}}};
+            view.poses.random = RandomPoses{.seed = UINT64_MAX};
             view.groups = GroupsView{{{"left", "right", 3}}, 1};
             return view;
         });
@@ -73,6 +74,14 @@ class FakeSource final : public PageSource {
                             : Error{ErrorCode::NotFound, "there is no such body"};
         });
     }
+    void parts(const std::string& id,
+               std::uint64_t /*body*/,
+               Take<std::shared_ptr<const NamedParts>> take) override {
+        answer(id, std::move(take), [] {
+            return std::make_shared<const NamedParts>(
+                NamedParts{PartRuns::create({{0, 1}, {7, 0}}).value(), {"hood", "<b>"}});
+        });
+    }
     void scenario(const std::string& id,
                   std::uint64_t number,
                   Take<std::shared_ptr<const ScenarioView>> take) override {
@@ -81,11 +90,10 @@ class FakeSource final : public PageSource {
         }
         answer(id, std::move(take), [&] { return view_; });
     }
-    void next(const std::string& id,
-              const NextContact& wanted,
-              Take<std::optional<std::uint64_t>> take) override {
+    void next(const std::string& id, const NextContact& wanted, Take<NextFound> take) override {
         answer(id, std::move(take), [&] {
-            return wanted.is_backwards ? std::nullopt : std::optional(wanted.from + 1);
+            return wanted.is_backwards ? NextFound{{}, wanted.from - 1}
+                                       : NextFound{wanted.from + 1, {}};
         });
     }
     void mesh(const Sha256& /*mesh*/, Take<std::shared_ptr<HttpBody>> take) override {
@@ -186,8 +194,14 @@ TEST_F(PageAnswers, ValuesBecomeJson) {
     EXPECT_EQ(job.at("bodies").at(1).at("name"), "b");
     EXPECT_TRUE(job.at("bodies").at(1).at("closed").is_null());
     EXPECT_EQ(job.at("groups").at(0).at("scenarios"), 3);
-    EXPECT_EQ(of_job("/scenarios/next?from=3").json().at("index"), 4);
-    EXPECT_TRUE(of_job("/scenarios/next?from=3&step=-1").json().at("index").is_null());
+    EXPECT_EQ(job.at("poses").at("seed"), "18446744073709551615") << "above 2^53";
+    const auto found = of_job("/scenarios/next?from=3").json();
+    EXPECT_EQ(found.at("index"), 4);
+    EXPECT_TRUE(found.at("searched_to").is_null());
+    const auto searched = of_job("/scenarios/next?from=3&step=-1").json();
+    EXPECT_TRUE(searched.at("index").is_null());
+    EXPECT_EQ(searched.at("searched_to"), 2);
+    EXPECT_EQ(of_job("/parts/0/names").json(), nlohmann::json({"hood", "<b>"}));
 }
 
 TEST_F(PageAnswers, ArraysAreInNumpysFormat) {
@@ -201,6 +215,8 @@ TEST_F(PageAnswers, ArraysAreInNumpysFormat) {
     EXPECT_THAT(of_job("/poses?first=0&count=1").values<double>(),
                 ElementsAre(1, 0, 0, 1, 0, 1, 0, 2, 0, 0, 1, 3));
     EXPECT_THAT(of_job("/poses?sample=1").shape(), ElementsAre(1, 2, 12));
+    EXPECT_THAT(of_job("/parts/0").shape(), ElementsAre(2, 2));
+    EXPECT_THAT(of_job("/parts/0").values<std::uint32_t>(), ElementsAre(0, 1, 7, 0));
     EXPECT_THAT(of_job("/map/1").shape(), ElementsAre(1, 2));
     EXPECT_THAT(of_job("/map/1").values<std::uint64_t>(), ElementsAre(5, 6));
 }
@@ -211,6 +227,9 @@ TEST_F(PageAnswers, AScenarioTellsItsRecordAndWhatIsDrawn) {
     EXPECT_TRUE(json.at("class").is_null());
     EXPECT_TRUE(json.at("verified").is_null());
     EXPECT_EQ(json.at("exact_pairs"), 0);
+    EXPECT_EQ(json.at("draw_note"), "");
+    view.draw_note = "it takes too long";
+    EXPECT_EQ(of_job("/scenarios/3").json().at("draw_note"), "it takes too long");
     EXPECT_THAT(of_job("/scenarios/3/pairs").shape(), ElementsAre(0, 3));
     ScenarioResult result;
     result.kind = ScenarioClass::Cross;

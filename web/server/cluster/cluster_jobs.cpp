@@ -122,6 +122,11 @@ groups_view(const ContactMapAnswer& sums, const BodyTrees& trees, const PagedJob
     return view;
 }
 
+/// Returns the parts that the sums of a cluster's job have.
+std::shared_ptr<const NamedParts> shared_parts(const ObbTree& tree) {
+    return std::make_shared<const NamedParts>(named_parts(tree.mesh()));
+}
+
 Result<PartFilter>
 filter_of(ClusterReader& reader, const PagedJob& job, const NextContact& wanted) {
     if (wanted.part_a.empty() && wanted.part_b.empty()) {
@@ -134,7 +139,7 @@ filter_of(ClusterReader& reader, const PagedJob& job, const NextContact& wanted)
                          std::string(to_text(description.submit.query.level)));
     }
     const auto trees = CD_TRY(reader.trees(description.submit));
-    return PartFilter::make(trees[0]->mesh(), wanted.part_a, trees[1]->mesh(), wanted.part_b);
+    return PartFilter::make({shared_parts(*trees[0]), shared_parts(*trees[1])}, wanted);
 }
 
 /// A range of scenarios to look through.
@@ -143,13 +148,26 @@ struct Window {
     std::uint64_t count = 0;
 };
 
+/// Returns the number of scenarios beyond the one from which the search begins.
+std::uint64_t number_beyond(const NextContact& wanted, std::uint64_t total) {
+    const std::uint64_t from = std::min(wanted.from, total);
+    return wanted.is_backwards ? from : total - std::min(from + 1, total);
+}
+
 /// Returns the scenarios to look through after `done` ones were.
 Window window_after(const NextContact& wanted, std::uint64_t total, std::uint64_t done) {
     const std::uint64_t from = std::min(wanted.from, total);
-    const std::uint64_t all = wanted.is_backwards ? from : total - std::min(from + 1, total);
-    const std::uint64_t count =
-        std::min({all - std::min(done, all), limits::page_scenarios_max - done, part_scenarios});
-    return {wanted.is_backwards ? from - std::min(done, from) - count : from + 1 + done, count};
+    const std::uint64_t count = std::min(
+        {number_beyond(wanted, total) - done, limits::page_scenarios_max - done, part_scenarios});
+    return {wanted.is_backwards ? from - done - count : from + 1 + done, count};
+}
+
+/// Returns what a search that found nothing in `done` scenarios says.
+NextFound nothing_in(const NextContact& wanted, std::uint64_t total, std::uint64_t done) {
+    if (done == number_beyond(wanted, total)) {
+        return {};
+    }
+    return {std::nullopt, wanted.is_backwards ? wanted.from - done : wanted.from + done};
 }
 
 } // namespace
@@ -235,10 +253,20 @@ Result<std::vector<TriangleContacts>> map_of(ClusterReader& reader,
     return map.bodies[body];
 }
 
-Result<std::optional<std::uint64_t>> next_of(ClusterReader& reader,
-                                             const RecordReader& records,
-                                             const PagedJob& job,
-                                             const NextContact& wanted) {
+Result<std::shared_ptr<const NamedParts>>
+parts_of(ClusterReader& reader, const PagedJob& job, std::uint64_t body) {
+    const auto description = CD_TRY(reader.description(job.status.job));
+    const auto trees = CD_TRY(reader.trees(description.submit));
+    if (body >= trees.size()) {
+        return Error{ErrorCode::NotFound, "there is no such body"};
+    }
+    return shared_parts(*trees[body]);
+}
+
+Result<NextFound> next_of(ClusterReader& reader,
+                          const RecordReader& records,
+                          const PagedJob& job,
+                          const NextContact& wanted) {
     const auto filter = CD_TRY(filter_of(reader, job, wanted));
     std::uint64_t done = 0;
     for (Window window = window_after(wanted, job.scenarios(), done); window.count != 0;
@@ -252,11 +280,11 @@ Result<std::optional<std::uint64_t>> next_of(ClusterReader& reader,
             return Status(Done{});
         }));
         if (found) {
-            return found;
+            return NextFound{found, std::nullopt};
         }
         done += window.count;
     }
-    return std::optional<std::uint64_t>();
+    return nothing_in(wanted, job.scenarios(), done);
 }
 
 Result<ScenarioInputs> inputs_of(ClusterReader& reader,

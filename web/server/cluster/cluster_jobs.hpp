@@ -3,6 +3,7 @@
 
 #include "common/core/host/stop_check.hpp"
 #include "common/core/result.hpp"
+#include "common/geometry/part_runs.hpp"
 #include "common/job/result/record_file.hpp"
 #include "web/server/cluster/cluster_reader.hpp"
 #include "web/server/page_values.hpp"
@@ -39,11 +40,14 @@ poses_of(ClusterReader& reader, const PagedJob& job, const ScenarioChoice& choic
                                                            const PagedJob& job,
                                                            const ContactMapAnswer& answer,
                                                            std::uint64_t body);
+/// Errors: NotFound for a body that the job does not have.
+[[nodiscard]] Result<std::shared_ptr<const NamedParts>>
+parts_of(ClusterReader& reader, const PagedJob& job, std::uint64_t body);
 /// Looks at most `limits::page_scenarios_max` scenarios far.
-[[nodiscard]] Result<std::optional<std::uint64_t>> next_of(ClusterReader& reader,
-                                                           const RecordReader& records,
-                                                           const PagedJob& job,
-                                                           const NextContact& wanted);
+[[nodiscard]] Result<NextFound> next_of(ClusterReader& reader,
+                                        const RecordReader& records,
+                                        const PagedJob& job,
+                                        const NextContact& wanted);
 
 /// A scenario with all that running it again needs.
 struct ScenarioInputs {

@@ -212,6 +212,17 @@ void ClusterSource::map(const std::string& id,
     });
 }
 
+void ClusterSource::parts(const std::string& id,
+                          std::uint64_t body,
+                          Take<std::shared_ptr<const NamedParts>> take) {
+    using Parts = Take<std::shared_ptr<const NamedParts>>;
+    with_job(id, std::move(take), [this, body](PagedJob job, Parts then) {
+        read(std::move(then), [&reader = parts_.reader, body, job = std::move(job)] {
+            return parts_of(reader, job, body);
+        });
+    });
+}
+
 void ClusterSource::scenario(const std::string& id,
                              std::uint64_t number,
                              Take<std::shared_ptr<const ScenarioView>> take) {
@@ -244,9 +255,7 @@ void ClusterSource::run(const ScenarioRuns::Key& key,
     runs_.ask(key, std::move(work), std::move(take));
 }
 
-void ClusterSource::next(const std::string& id,
-                         const NextContact& wanted,
-                         Take<std::optional<std::uint64_t>> take) {
+void ClusterSource::next(const std::string& id, const NextContact& wanted, Take<NextFound> take) {
     with_records(
         id,
         std::move(take),

@@ -51,12 +51,13 @@ class ClusterSource final : public PageSource {
     void map(const std::string& id,
              std::uint64_t body,
              Take<std::vector<TriangleContacts>> take) override;
+    void parts(const std::string& id,
+               std::uint64_t body,
+               Take<std::shared_ptr<const NamedParts>> take) override;
     void scenario(const std::string& id,
                   std::uint64_t number,
                   Take<std::shared_ptr<const ScenarioView>> take) override;
-    void next(const std::string& id,
-              const NextContact& wanted,
-              Take<std::optional<std::uint64_t>> take) override;
+    void next(const std::string& id, const NextContact& wanted, Take<NextFound> take) override;
     void mesh(const Sha256& mesh, Take<std::shared_ptr<HttpBody>> take) override;
 
   private:
