@@ -1,17 +1,23 @@
 /** Tests of the page's parts that need no browser: `npm test`. */
 import { HeldAnswers } from "./src/base/held";
-import { parseMesh, partOf } from "./src/base/mesh";
+import { parseMesh } from "./src/base/mesh";
 import { parseNpy } from "./src/base/npy";
+import { readPart, writePart } from "./src/base/part_name";
+import { BodyParts } from "./src/base/parts";
 import { apply, compose, inverse, placementOf } from "./src/base/pose";
-import { parseRoute, scenarioLink } from "./src/base/route";
+import { jobLink, parseRoute, scenarioLink } from "./src/base/route";
 import type { Vec3 } from "./src/base/types";
 import { bytesOf, grouped, percent, shellWord } from "./src/base/words";
 import { episodesOf } from "./src/job/episodes";
+import { traceGlyph } from "./src/job/glyphs";
 import { Grid, gridCells } from "./src/job/grid";
 import { wilson } from "./src/job/groups";
 import { binsOf } from "./src/job/histogram";
+import { readJobView, startView, writeJobView } from "./src/job/job_view";
+import { addRows, bestCoordinates } from "./src/job/poses";
 import { Results } from "./src/job/results";
-import { worstInBins } from "./src/job/strip";
+import { scenariosOfSlice, windowsOf } from "./src/job/slice";
+import { panned, worstInBins, zoomed } from "./src/job/strip";
 import { highlightsOf } from "./src/viewer/contacts_view";
 import { heatByte } from "./src/viewer/heat";
 import { nearestTriangle } from "./src/viewer/pick";
@@ -52,29 +58,46 @@ same("shape", parseNpy(npy("<f8", "2, 2", new Float64Array(4).buffer)).shape, [2
 refuses("an array cut short", () => parseNpy(npy("<u4", "3,", new Uint32Array(2).buffer)));
 refuses("no array", () => parseNpy(new ArrayBuffer(20)));
 
-// Meshes: one triangle, parts `p` and an empty name.
+// Meshes: one triangle.
 function meshBytes(): ArrayBuffer {
-    const bytes = new ArrayBuffer(29 + 36 + 12 + 13 + 12);
+    const bytes = new ArrayBuffer(29 + 36 + 12);
     const view = new DataView(bytes);
     [0, 0x43, 0x44, 0x4d, 0x45, 0x53, 0x48, 0x31, 0].forEach((byte, i) => view.setUint8(i, byte));
     view.setBigUint64(9, 3n, true);
     view.setBigUint64(17, 1n, true);
-    view.setUint32(25, 2, true);
     [0, 0, 0, 2, 0, 0, 0, 4, 0].forEach((value, i) => view.setFloat32(29 + 4 * i, value, true));
     [0, 1, 2].forEach((value, i) => view.setUint32(65 + 4 * i, value, true));
-    view.setUint32(77, 1, true);
-    view.setUint8(81, "p".charCodeAt(0));
-    view.setUint32(86, 1, true);
-    view.setUint32(94, 1, true);
-    view.setUint32(98, 1, true);
     return bytes;
 }
 const mesh = parseMesh(meshBytes(), "", true);
 same("box", [mesh.min, mesh.max, mesh.centre], [[0, 0, 0], [2, 4, 0], [1, 2, 0]]);
-same("part", [partOf(mesh, 0)?.name, partOf(mesh, 1)?.name], ["p", undefined]);
 for (let length = 0; length < meshBytes().byteLength; ++length) {
     refuses(`a mesh of ${length} bytes`, () => parseMesh(meshBytes().slice(0, length), "", true));
 }
+
+// Parts: triangles 0 to 3 and 9 on are of piece 2, the others of piece 1.
+const parts = new BodyParts(["piece 1", "piece 2"], new Uint32Array([0, 1, 4, 0, 9, 1]));
+same("parts", [0, 3, 4, 8, 9, 50].map((one) => parts.nameOf(one)[6]), [..."221122"]);
+same("places in parts", [0, 3, 4, 8, 9, 50].map((one) => parts.placeOf(one)), [0, 3, 0, 4, 4, 45]);
+same("all parts", [parts.isOf(4, ""), parts.isOf(4, "piece 1"), parts.isOf(4, "piece 2")], [true, true, false]);
+
+// Names of parts in links.
+const van = { bodies: ["van", "post"] as const, hasA: (part: string) => part === "hood" || part === "a/b" };
+const reads = (text: string) => Object.values(readPart(text, van));
+same("a body's name", [reads("van/hood"), reads("post/top")], [[0, "hood"], [1, "top"]]);
+same("a body's letter", [reads("a/hood"), reads("b/van/hood")], [[0, "hood"], [1, "van/hood"]]);
+same("no body", [reads("hood"), reads("top"), reads("no/hood"), reads("a\\/b")], [[0, "hood"], [1, "top"], [1, "no/hood"], [0, "a/b"]]);
+same("a body that is called b", Object.values(readPart("b/x", { ...van, bodies: ["b", "a"] })), [0, "x"]);
+same("the body's name is written", writePart(1, "hood", van.bodies), "post/hood");
+same("bodies of one name have letters", writePart(1, "hood", ["van", "van"]), "b/hood");
+for (const part of ["a/b", "\\", "[*?]", "\\/", "", "x"]) {
+    for (const body of [0, 1] as const) {
+        const bodies = ["v/\\n", "p*"] as const;
+        const text = writePart(body, part, bodies);
+        same(`part ${text}`, readPart(text, { bodies, hasA: () => false }), { body, part });
+    }
+}
+same("escapes", writePart(0, "a/b*?[\\", ["van", "post"]), "van/a\\/b\\*\\?\\[\\\\");
 
 // Poses: a quarter turn about z, and a shift.
 const turn = [0, -1, 0, 5, 1, 0, 0, 6, 0, 0, 1, 7];
@@ -95,18 +118,28 @@ const seen = {
     partB: "\u202e<img>",
     pick: { body: 1 as const, triangle: 12 },
 };
-const link = scenarioLink("j-1", 7, writeState(seen));
-same("a link holds all that is seen", readState(parseRoute(link).query, () => true), seen);
-same("a plain view has a plain link", scenarioLink("j-1", 7, writeState(startState)), "#/jobs/j-1/7");
+const link = scenarioLink("j-1", 7, writeState(seen, van.bodies));
+const all = { ...van, hasA: () => true };
+same("a link holds all that is seen", readState(parseRoute(link).query, all), seen);
+same("a plain view has a plain link", scenarioLink("j-1", 7, writeState(startState, van.bodies)), "#/jobs/j-1/7");
 const wrong = new URLSearchParams("mode=x&clip=w:1&cam=1,2&pick=c:1&ghost=q");
-same("values that mean nothing are ignored", readState(wrong, () => true), startState);
-same("a part that A lacks is one of B", readState(new URLSearchParams("part=post"), () => false).partB, "post");
+same("values that mean nothing are ignored", readState(wrong, all), startState);
+same("a part that A lacks is one of B", readState(new URLSearchParams("part=post"), van).partB, "post");
+same("of two parts the second is of B", readState(new URLSearchParams("part=x&with=x"), all).partB, "x");
 same("no such screen", parseRoute("#/jobs/j-1/x").screen, "none");
+
+// Links of a job's screen.
+const view = { x: "yaw", y: "x", at: { z: -0.5, roll: 1e-7 }, window: [3, 90] as const };
+same("a job's link holds all that is seen", readJobView(parseRoute(jobLink("j-1", writeJobView(view))).query), view);
+same("a plain job has a plain link", jobLink("j-1", writeJobView(startView)), "#/jobs/j-1");
+const odd = new URLSearchParams("at=z:,y,:1,x:1e999&from=9&to=3");
+same("a job's values that mean nothing are ignored", readJobView(odd), startView);
 
 // Results: scenarios 0 to 7.
 const kinds = new Uint8Array([0, 1, 2, 0, 2, 2, 255, 3]);
 const results = new Results(0, 8, kinds, new Uint32Array([0, 4, 9, 0, 1, 70, 0, 0]));
-same("episodes", episodesOf(results).map((one) => [one.first, one.last, one.worst]), [[1, 2, 2], [4, 5, 5], [7, 7, 7]]);
+same("number of episodes", episodesOf(results).count, 3);
+same("episodes", episodesOf(results).listed.map((one) => [one.first, one.last, one.worst]), [[1, 2, 2], [4, 5, 5], [7, 7, 7]]);
 same("the worst of bins", [...worstInBins(results, 0, 8)], [0, 1, 2, 3, 4, 5, 6, 7]);
 same("the worst of all", results.worst(), 5);
 same("a sample", new Results(0, 100, kinds, null).scenarioAt(3), 37);
@@ -121,6 +154,61 @@ for (let scenario = 0; scenario < 8; ++scenario) {
     const [x, y] = [(grid.numberOf(0, scenario) + 0.5) / 2, (grid.numberOf(1, scenario) + 0.5) / 4];
     same(`the cell of scenario ${scenario}`, cells.at(x, y)?.scenario, scenario);
 }
+
+// Axes by value: a number has a short value that leads back to it.
+const fine = new Grid([axis("x", 1), { name: "yaw", first: -1, last: 1, count: 30001 }], "m");
+same("numbers by value", [0, 1, 7777, 15000, 30000].map((one) => fine.nearest(1, fine.brief(1, one))), [0, 1, 7777, 15000, 30000]);
+same("a short value", new Grid([{ name: "z", first: 0, last: 1, count: 11 }], "m").brief(0, 3), 0.3);
+same("values beyond an axis", [fine.nearest(1, -9), fine.nearest(1, 9), fine.nearest(0, 3)], [0, 30000, 0]);
+
+// Slices of a grid of 200 x 300 x 400, in windows of 65,536.
+const block = new Grid([axis("x", 200), axis("y", 300), axis("yaw", 400)], "m");
+const scenariosAt = (x: number, y: number, fixed: number[]) => scenariosOfSlice(block, x, y, fixed) ?? new Float64Array();
+same("the fastest axes are one window", windowsOf(scenariosAt(1, 2, [7, 0, 0]).subarray(0, 65536)), [{ first: 840000, count: 65536 }]);
+same("a slice that lies apart", windowsOf(scenariosAt(0, 1, [0, 0, 5])), null);
+const lines = scenariosAt(2, 0, [0, 8, 0]).subarray(0, 800);
+same("lines far apart", windowsOf(lines), [{ first: 3200, count: 400 }, { first: 123200, count: 400 }]);
+const slow = [scenariosAt(2, 1, [3, 0, 0]), scenariosAt(0, 2, [0, 299, 0]), scenariosAt(1, 1, [199, 0, 399])];
+for (const [i, found] of slow.entries()) {
+    const expected = Array.from({ length: 200 * 300 * 400 }, (_, scenario) => scenario).filter((scenario) =>
+        [[0, 3], [1, 299], [0, 199]].every(([along, number], k) => k !== i || block.numberOf(along, scenario) === number) &&
+        (i !== 2 || block.numberOf(2, scenario) === 399),
+    );
+    same(`slice ${i}`, found.length === expected.length && expected.every((scenario, k) => found[k] === scenario), true);
+}
+const sliced = new Results(0, 24_000_000, new Uint8Array([0, 2]), null, Float64Array.of(840000, 840001));
+same("a slice's scenarios", [sliced.scenarioAt(1), sliced.isExact, sliced.isSample], [840001, false, false]);
+same("a slice as cells", gridCells(block, sliced, 2, 1, [7, 0, 0]).at(1.5 / 400, 0)?.scenario, 840001);
+
+// The strip's windows.
+same("zoom about a mark", zoomed([0, 1000], 750, true, 1000), [375, 875]);
+same("zoom out at an edge", zoomed([0, 100], 0, false, 1000), [0, 200]);
+same("zoom out of all", zoomed([0, 1000], 10, false, 1000), [0, 1000]);
+for (let mark = 400; mark < 500; ++mark) {
+    const window = [0, 1, 2, 3, 4, 5, 6, 7].reduce((range) => zoomed(range, mark, true, 1000), [400, 500] as readonly [number, number]);
+    same(`zoom down to ${mark}`, window, [mark, mark + 1]);
+}
+same("a mark beyond the edge", [panned([100, 200], 200, 1000), panned([100, 200], 150, 1000)], [[150, 250], [100, 200]]);
+
+// Coordinates of poses: B in A's frame.
+const both = [...turn, ...compose(turn, [1, 0, 0, 1, 0, 1, 0, 2, 0, 0, 1, 3])];
+const coordinates = new Map([["x", new Float64Array(2)], ["distance", new Float64Array(2)]] as const);
+addRows(coordinates, both, 24, 1);
+addRows(coordinates, turn, 12, 0);
+same("coordinates", [...(coordinates.get("x") ?? [])], [5, 1]);
+same("distances", coordinates.get("distance")?.[1].toFixed(6), Math.sqrt(14).toFixed(6));
+const spread = new Map([["x", Float64Array.of(0, 9)], ["z", Float64Array.of(1, 3)], ["yaw", Float64Array.of(0, 90)]] as const);
+same("the coordinates that differ most", bestCoordinates(spread), ["x", "z"]);
+
+// A sign for each class.
+function strokesOf(kind: number): string {
+    const strokes: string[] = [];
+    const note = (name: string) => (...numbers: unknown[]) =>
+        void strokes.push(`${name} ${numbers.map((one) => Number(one).toFixed(2))}`);
+    traceGlyph({ moveTo: note("to"), lineTo: note("line"), arc: note("arc"), rect: note("rect") }, kind, 0, 0, 1);
+    return strokes.join(";");
+}
+same("each class has its sign", new Set([0, 1, 2, 3, 4, 5, 6, 255].map(strokesOf)).size, 8);
 
 // Wilson's interval: 10 of 100 is 5.5 % to 17.4 %.
 same("wilson", wilson(10, 100).map((share) => share.toFixed(3)), ["0.055", "0.174"]);
@@ -141,8 +229,8 @@ same("behind a section", nearestTriangle(corners, ray, (distance) => distance < 
 same("beside all", nearestTriangle(corners, { ...ray, origin: [9, 9, 5] }, () => false), null);
 
 // The scenarios of a job, and of a report.
-const all = new Scenarios(4);
-same("all places", [all.count, all.at(-1), all.at(2), all.at(9), all.placeOf(9)], [4, 0, 2, 3, 3]);
+const four = new Scenarios(4);
+same("all places", [four.count, four.at(-1), four.at(2), four.at(9), four.placeOf(9)], [4, 0, 2, 3, 3]);
 const worst = new Scenarios(100, [40, 7, 90]);
 same("chosen places", [worst.count, worst.at(-1), worst.at(1), worst.at(9)], [3, 7, 40, 90]);
 same("places of scenarios", [7, 40, 0, 60, 99].map((one) => worst.placeOf(one)), [0, 1, 0, 1, 2]);
@@ -153,12 +241,12 @@ async function packed(text: string): Promise<string> {
     return btoa(String.fromCharCode(...new Uint8Array(await new Response(stream).arrayBuffer())));
 }
 const words = await packed("words");
-const block = (cut: boolean) => ({ base64: () => words, cut });
+const heldBlock = (cut: boolean) => ({ base64: () => words, cut });
 const held = new HeldAnswers(
     new Map([
-        ["jobs/j-1/scenarios/7", block(false)],
-        ["jobs/j-1/scenarios/7/pairs", block(true)],
-        ["jobs/j-1/scenarios/3", block(false)],
+        ["jobs/j-1/scenarios/7", heldBlock(false)],
+        ["jobs/j-1/scenarios/7/pairs", heldBlock(true)],
+        ["jobs/j-1/scenarios/3", heldBlock(false)],
     ]),
 );
 same("held scenarios", held.scenarios, [7, 3]);

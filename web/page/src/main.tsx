@@ -1,5 +1,5 @@
 import { render } from "preact";
-import { useEffect, useMemo, useState } from "preact/hooks";
+import { useEffect, useMemo, useRef, useState } from "preact/hooks";
 import "./app.css";
 import { answerFrom, getJson, getText, messageOf, takeKey } from "./base/api";
 import { publishFacts, tellFacts } from "./base/facts";
@@ -22,7 +22,11 @@ function homeOf(source: Source): string {
 function useRoute(): [Route, () => void] {
     const [route, setRoute] = useState(() => parseRoute(location.hash));
     const read = () => setRoute(parseRoute(location.hash));
+    const first = useRef(location.hash);
     useEffect(() => {
+        if (location.hash !== first.current) {
+            read(); // It changed before anything listened.
+        }
         const follow = () => {
             forgetNotes();
             takeKey();
@@ -65,7 +69,7 @@ function Screen({ source, route }: { source: Source; route: Route }) {
         case "jobs":
             return <JobsScreen />;
         case "job":
-            return <JobScreen key={route.job} source={source} id={route.job} />;
+            return <JobScreen key={route.job} source={source} route={route} />;
         case "viewer":
             return <ViewerScreen key={route.job} source={source} route={route} />;
         default:

@@ -2,12 +2,6 @@
 import { getBytes, messageOf } from "./api";
 import type { Vec3 } from "./types";
 
-export interface Part {
-    name: string;
-    begin: number; // Triangles [begin, end).
-    end: number;
-}
-
 export interface Mesh {
     sha256: string;
     /** Whether the bytes have the hash by which they were asked; null if the browser cannot tell. */
@@ -15,7 +9,6 @@ export interface Mesh {
     bytes: number;
     vertices: Float32Array | Float64Array;
     triangles: Uint32Array;
-    parts: Part[];
     min: Vec3;
     max: Vec3;
     centre: Vec3;
@@ -30,19 +23,6 @@ async function hasHash(bytes: ArrayBuffer, sha256: string): Promise<boolean | nu
     }
     const hash = new Uint8Array(await crypto.subtle.digest("SHA-256", bytes));
     return Array.from(hash, (byte) => byte.toString(16).padStart(2, "0")).join("") === sha256;
-}
-
-function readParts(view: DataView, at: number, count: number): Part[] {
-    const parts: Part[] = [];
-    const decoder = new TextDecoder();
-    for (let i = 0; i < count; ++i) {
-        const length = view.getUint32(at, true);
-        const name = decoder.decode(new Uint8Array(view.buffer, at + 4, length));
-        at += 4 + length;
-        parts.push({ name, begin: view.getUint32(at, true), end: view.getUint32(at + 4, true) });
-        at += 8;
-    }
-    return parts;
 }
 
 function boundsOf(vertices: Float32Array | Float64Array): [Vec3, Vec3] {
@@ -72,7 +52,6 @@ export function parseMesh(bytes: ArrayBuffer, sha256: string, checked: boolean |
     const isDouble = view.getUint8(8) === 1;
     const vertexCount = Number(view.getBigUint64(9, true));
     const triangleCount = Number(view.getBigUint64(17, true));
-    const partCount = view.getUint32(25, true);
     const verticesEnd = headerBytes + vertexCount * 3 * (isDouble ? 8 : 4);
     const trianglesEnd = verticesEnd + triangleCount * 12;
     if (trianglesEnd > bytes.byteLength) {
@@ -88,7 +67,6 @@ export function parseMesh(bytes: ArrayBuffer, sha256: string, checked: boolean |
         bytes: bytes.byteLength,
         vertices,
         triangles,
-        parts: readParts(view, trianglesEnd, partCount),
         min,
         max,
         centre: [0, 1, 2].map((axis) => (min[axis] + max[axis]) / 2) as Vec3,
@@ -121,25 +99,4 @@ export function cornersOf(mesh: Mesh): Float32Array {
         corners[3 * i + 2] = vertices[vertex + 2] - cz;
     }
     return corners;
-}
-
-/** Returns the part that holds a triangle; undefined if none does. */
-export function partOf(mesh: Mesh, triangle: number): Part | undefined {
-    let low = 0;
-    let high = mesh.parts.length;
-    while (low < high) {
-        const middle = (low + high) >> 1;
-        if (mesh.parts[middle].end <= triangle) {
-            low = middle + 1;
-        } else {
-            high = middle;
-        }
-    }
-    const part = mesh.parts[low];
-    return part && part.begin <= triangle ? part : undefined;
-}
-
-/** Whether a triangle is of a part with this name; an empty name stands for all. */
-export function isOfPart(mesh: Mesh, triangle: number, part: string): boolean {
-    return part === "" || partOf(mesh, triangle)?.name === part;
 }

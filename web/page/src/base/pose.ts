@@ -43,19 +43,32 @@ export interface Placement {
 }
 
 export const placementKeys = ["x", "y", "z", "roll", "pitch", "yaw", "distance"] as const;
+export type Coordinate = (typeof placementKeys)[number];
 
-export function placementOf(p: ArrayLike<number>, at = 0): Placement {
-    const degrees = 180 / Math.PI;
-    const [x, y, z] = [p[at + 3], p[at + 7], p[at + 11]];
-    return {
-        x,
-        y,
-        z,
-        roll: Math.atan2(p[at + 9], p[at + 10]) * degrees,
-        pitch: Math.asin(Math.max(-1, Math.min(1, -p[at + 8]))) * degrees,
-        yaw: Math.atan2(p[at + 4], p[at]) * degrees,
-        distance: Math.hypot(x, y, z),
-    };
+const degrees = 180 / Math.PI;
+
+/** Returns one number of the placement whose pose begins at `at` in `p`. */
+export function coordinateOf(key: Coordinate, p: ArrayLike<number>, at = 0): number {
+    switch (key) {
+        case "x":
+            return p[at + 3];
+        case "y":
+            return p[at + 7];
+        case "z":
+            return p[at + 11];
+        case "roll":
+            return Math.atan2(p[at + 9], p[at + 10]) * degrees;
+        case "pitch":
+            return Math.asin(Math.max(-1, Math.min(1, -p[at + 8]))) * degrees;
+        case "yaw":
+            return Math.atan2(p[at + 4], p[at]) * degrees;
+        case "distance":
+            return Math.hypot(p[at + 3], p[at + 7], p[at + 11]);
+    }
+}
+
+export function placementOf(p: ArrayLike<number>): Placement {
+    return Object.fromEntries(placementKeys.map((key) => [key, coordinateOf(key, p)])) as unknown as Placement;
 }
 
 export function isAngle(axis: string): boolean {

@@ -38,25 +38,32 @@ function decode(word: string): string {
     }
 }
 
-export function jobLink(job: string): string {
-    return `#/jobs/${encodeURIComponent(job)}`;
-}
+type Query = Record<string, string>;
 
-export function scenarioLink(job: string, scenario: number, query: Record<string, string> = {}): string {
+function queryText(query: Query): string {
     // Commas, colons and slashes need no escape behind '#', and links stay readable.
     const text = new URLSearchParams(query)
         .toString()
         .replaceAll("%2C", ",")
         .replaceAll("%3A", ":")
         .replaceAll("%2F", "/");
-    return `${jobLink(job)}/${scenario}${text === "" ? "" : `?${text}`}`;
+    return text === "" ? "" : `?${text}`;
 }
 
-let waiting = 0;
+export function jobLink(job: string, query: Query = {}): string {
+    return `#/jobs/${encodeURIComponent(job)}${queryText(query)}`;
+}
 
-/** Goes to another screen; the browser's back button returns. */
+export function scenarioLink(job: string, scenario: number, query: Query = {}): string {
+    return `#/jobs/${encodeURIComponent(job)}/${scenario}${queryText(query)}`;
+}
+
+let timer = 0;
+let waiting: (() => string) | null = null;
+
+/** Goes to another screen; the browser's back button returns to what was noted last. */
 export function goTo(link: string): void {
-    forgetNotes();
+    settleNotes();
     location.hash = link;
 }
 
@@ -66,13 +73,25 @@ export function noteLink(link: string): void {
     history.replaceState(null, "", link);
 }
 
-/** As `noteLink`, once nothing else has been noted for a while: browsers limit how often. */
-export function noteLinkSoon(link: string): void {
+/**
+ * As `noteLink`, once nothing else has been noted for a while: browsers limit how often. The link is made
+ * then.
+ */
+export function noteLinkSoon(link: () => string): void {
     forgetNotes();
-    waiting = window.setTimeout(() => history.replaceState(null, "", link), 200);
+    waiting = link;
+    timer = window.setTimeout(settleNotes, 200);
+}
+
+/** Notes at once what waits to be noted. */
+function settleNotes(): void {
+    if (waiting) {
+        noteLink(waiting());
+    }
 }
 
 /** Drops what waits to be noted, because the address is about another view now. */
 export function forgetNotes(): void {
-    clearTimeout(waiting);
+    clearTimeout(timer);
+    waiting = null;
 }

@@ -88,6 +88,11 @@ export interface Body {
     size: number[];
 }
 
+/** The names of a job's two bodies. */
+export function bodyNames(job: { bodies: readonly Body[] }): [string, string] {
+    return [job.bodies[0]?.name ?? "", job.bodies[1]?.name ?? ""];
+}
+
 export interface Group {
     a: string;
     b: string;
@@ -105,7 +110,7 @@ export interface Poses {
     file?: string;
     axes: Axis[] | null;
     penetration: [number, number] | null;
-    seed: number | null;
+    seed: string | null; // May exceed 2^53.
     has_ids: boolean;
     has_times: boolean;
     of_both_bodies: boolean;
@@ -173,5 +178,7 @@ export interface Scenario {
     pose_b: Pose;
     verified: boolean | null;
     verify_note: string;
+    /** Why nothing is drawn; empty if pairs are. */
+    draw_note: string;
     exact_pairs: number;
 }

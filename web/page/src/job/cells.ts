@@ -1,31 +1,11 @@
 /** Cells over two axes of the pose space; each shows the worst of its scenarios. */
 import { colourOf, isContact, nameOf, type Rgb, untested } from "../base/classes";
 import { grouped, percent, short } from "../base/words";
+import { traceGlyph } from "./glyphs";
 import type { PlotAxis, PlotModel, Spot } from "./plot_model";
 import type { Results } from "./results";
 
 const glyphPixelsMin = 10;
-
-/** Draws a sign for a class, so that cells differ without their colours, too. */
-function drawGlyph(context: OffscreenCanvasRenderingContext2D, kind: number, x: number, y: number, r: number) {
-    context.beginPath();
-    if (kind === 1) {
-        context.arc(x, y, r * 0.55, 0, 2 * Math.PI);
-    } else if (kind === 2 || kind === 4) {
-        context.moveTo(x - r, y - r);
-        context.lineTo(x + r, y + r);
-        if (kind === 2) {
-            context.moveTo(x + r, y - r);
-            context.lineTo(x - r, y + r);
-        }
-    } else if (kind === 3) {
-        context.rect(x - r, y - r, 2 * r, 2 * r);
-    } else if (kind >= 5 && kind !== untested) {
-        context.moveTo(x - r, y);
-        context.lineTo(x + r, y);
-    }
-    context.stroke();
-}
 
 export class Cells implements PlotModel {
     /** The worst element in each cell; -1 if the cell is empty. */
@@ -97,13 +77,18 @@ export class Cells implements PlotModel {
         }
         context.strokeStyle = "rgb(0 0 0 / 0.3)";
         context.lineWidth = Math.max(1, size / 14);
+        context.beginPath();
         for (let cell = 0; cell < this.worst.length; ++cell) {
             if (this.worst[cell] >= 0) {
                 const x = ((cell % this.columns) + 0.5) * width;
                 const y = (this.rows - 0.5 - Math.floor(cell / this.columns)) * height;
-                drawGlyph(context, this.results.classes[this.worst[cell]], x, y, size * 0.2);
+                const kind = this.results.classes[this.worst[cell]];
+                if (kind !== 0 && kind !== untested) {
+                    traceGlyph(context, kind, x, y, size * 0.2);
+                }
             }
         }
+        context.stroke();
     }
 
     private spot(column: number, row: number): Spot | null {

@@ -1,3 +1,4 @@
+import { useMemo } from "preact/hooks";
 import { isContact } from "../base/classes";
 import { scenarioLink } from "../base/route";
 import type { Job } from "../base/types";
@@ -14,9 +15,10 @@ export interface Episode {
 
 const shownMax = 1000;
 
-/** Returns the runs of consecutive scenarios in contact. */
-export function episodesOf(results: Results): Episode[] {
-    const episodes: Episode[] = [];
+/** Returns how many runs of consecutive scenarios are in contact, and the first of them. */
+export function episodesOf(results: Results): { count: number; listed: Episode[] } {
+    const listed: Episode[] = [];
+    let count = 0;
     let open: Episode | null = null;
     results.classes.forEach((kind, i) => {
         if (!isContact(kind)) {
@@ -26,29 +28,33 @@ export function episodesOf(results: Results): Episode[] {
             open.worst = results.isWorse(i, open.worst) ? i : open.worst;
         } else {
             open = { first: results.first + i, last: results.first + i, worst: i };
-            episodes.push(open);
+            count += 1;
+            if (count <= shownMax) {
+                listed.push(open);
+            }
         }
     });
-    return episodes;
+    return { count, listed };
 }
 
 /** Episodes of a trajectory: where contacts begin and end. */
 export function Episodes({ job, results }: { job: Job; results: Results }) {
-    if (job.poses.kind !== "file" || !results.isExact) {
+    const isShown = job.poses.kind === "file" && results.isExact;
+    const episodes = useMemo(() => (isShown ? episodesOf(results) : null), [results, isShown]);
+    if (!episodes) {
         return null;
     }
-    const episodes = episodesOf(results);
     const link = (scenario: number) => <a href={scenarioLink(job.job, scenario)}>#{grouped(scenario)}</a>;
     return (
         <Panel
             title="episodes"
-            note={`${counted(episodes.length, "run")} of consecutive scenarios in contact${
-                episodes.length > shownMax ? `; the first ${grouped(shownMax)} are listed` : ""
+            note={`${counted(episodes.count, "run")} of consecutive scenarios in contact${
+                episodes.count > shownMax ? `; the first ${grouped(shownMax)} are listed` : ""
             }`}
         >
             <Table
                 caption="episodes"
-                rows={episodes.slice(0, shownMax)}
+                rows={episodes.listed}
                 rowKey={(one) => String(one.first)}
                 empty="no scenario is in contact"
                 columns={[

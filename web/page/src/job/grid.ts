@@ -44,6 +44,25 @@ export class Grid {
         return { title: name, first, last, unit: this.unitOf(axis) };
     }
 
+    /** Returns the number along an axis whose value is nearest. */
+    nearest(axis: number, value: number): number {
+        const { first, last, count } = this.axes[axis];
+        const at = last === first ? 0 : ((value - first) / (last - first)) * (count - 1);
+        return Math.min(count - 1, Math.max(0, Math.round(at)));
+    }
+
+    /** Returns the shortest value that `nearest` leads back to the number. */
+    brief(axis: number, number: number): number {
+        const value = this.value(axis, number);
+        const digits = [4, 6, 9, 12].find((count) => this.nearest(axis, Number(value.toPrecision(count))) === number);
+        return digits === undefined ? value : Number(value.toPrecision(digits));
+    }
+
+    /** Returns the axis with this name; undefined unless it has more than one value. */
+    varyingNamed(name: string): number | undefined {
+        return this.varying().find((axis) => this.axes[axis].name === name);
+    }
+
     valueText(axis: number, number: number): string {
         return `${this.axes[axis].name} ${short(this.value(axis, number))}${this.unitOf(axis)}`;
     }
@@ -56,10 +75,10 @@ export class Grid {
 
 /**
  * Returns the slice of a grid in which the axes other than `x` and `y` have the numbers `fixed`. Of a
- * sample all elements are shown, whatever their other axes.
+ * sample, and of the results of a slice, all elements are shown, whatever their other axes.
  */
 export function gridCells(grid: Grid, results: Results, x: number, y: number, fixed: number[]): Cells {
-    const most = results.isExact ? cellsMax : sampledCellsMax;
+    const most = results.isSample ? sampledCellsMax : cellsMax;
     const columns = Math.min(most, grid.axes[x].count);
     const rows = Math.min(most, grid.axes[y].count);
     const cells = new Cells(results, grid.plotAxis(x), grid.plotAxis(y), columns, rows, false, (scenario) =>

@@ -1,6 +1,7 @@
 import { numberOf } from "../base/classes";
+import { writePart } from "../base/part_name";
 import { scenarioLink } from "../base/route";
-import type { Group, Job } from "../base/types";
+import { bodyNames, type Group, type Job } from "../base/types";
 import { grouped, percent } from "../base/words";
 import { ClassMark, Name, Panel } from "../ui/small";
 import { type Column, Table } from "../ui/table";
@@ -29,6 +30,12 @@ function Share({ group, job }: { group: Group; job: Job }) {
     );
 }
 
+/** Opens the worst scenario of a group, with its contacts alone. */
+function worstLink(job: Job, { a, b, worst }: Group): string {
+    const bodies = bodyNames(job);
+    return scenarioLink(job.job, worst, { part: writePart(0, a, bodies), with: writePart(1, b, bodies) });
+}
+
 function columnsOf(job: Job): Column<Group>[] {
     return [
         { key: "a", title: "part of A", cell: (g) => <Name text={g.a} />, value: (g) => g.a },
@@ -39,7 +46,7 @@ function columnsOf(job: Job): Column<Group>[] {
             key: "worst",
             title: "worst",
             cell: (g) => (
-                <a href={scenarioLink(job.job, g.worst, { part: `a/${g.a}`, with: `b/${g.b}` })}>
+                <a href={worstLink(job, g)}>
                     <ClassMark kind={numberOf(g.class)} /> #{grouped(g.worst)}
                 </a>
             ),

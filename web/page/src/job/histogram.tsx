@@ -1,3 +1,4 @@
+import { useMemo } from "preact/hooks";
 import { compact, counted, grouped } from "../base/words";
 import { Panel } from "../ui/small";
 import type { Results } from "./results";
@@ -27,7 +28,7 @@ export function binsOf(counts: Uint32Array): Bin[] {
 
 /** How many pairs scenarios in contact have, both axes logarithmic. */
 export function Histogram({ results }: { results: Results }) {
-    const bins = results.counts ? binsOf(results.counts) : [];
+    const bins = useMemo(() => (results.counts ? binsOf(results.counts) : []), [results]);
     if (bins.length === 0) {
         return null;
     }

@@ -1,16 +1,21 @@
 import { useEffect, useMemo, useState } from "preact/hooks";
-import { isAbort, messageOf } from "../base/api";
-import { placementKeys } from "../base/pose";
+import { type Coordinate, placementKeys } from "../base/pose";
 import { goTo, scenarioLink } from "../base/route";
 import { tellFacts } from "../base/facts";
-import type { Job } from "../base/types";
-import { grouped } from "../base/words";
+import type { Job, Source } from "../base/types";
+import { grouped, percent } from "../base/words";
+import { type Reloaded, useReloaded } from "../ui/hooks";
 import { Notice, Panel } from "../ui/small";
 import { type Grid, gridCells, gridOf } from "./grid";
+import type { JobView } from "./job_view";
 import type { PlotModel } from "./plot_model";
 import { PosePlot } from "./pose_plot";
-import { loadPoses, type PoseRows, type Results } from "./results";
-import { bestCoordinates, type Coordinate, coordinatesOf, pointsMax, scatterOf } from "./scatter";
+import { chooseCoordinates, loadCoordinates, neededCoordinates } from "./poses";
+import { masterMax, type Results } from "./results";
+import { pointsMax, scatterOf } from "./scatter";
+import { loadSlice, scenariosOfSlice, sliceWindowsMax, windowsOf } from "./slice";
+
+const slicePause = 150; // Milliseconds, so that a slider that moves reads no slice.
 
 /** Publishes where scenarios are drawn, so that tests can point at them. */
 function useSpotFacts(model: PlotModel | null) {
@@ -39,42 +44,76 @@ function Choice(props: { label: string; value: string; all: readonly string[]; c
     );
 }
 
-function startOf(grid: Grid): { x: number; y: number; fixed: number[] } {
-    const varying = grid.varying();
-    return {
-        x: varying[0] ?? 0,
-        y: varying[1] ?? varying[0] ?? 0,
-        fixed: grid.axes.map(() => 0),
-    };
+interface SpaceProps {
+    source: Source;
+    job: Job;
+    results: Results;
+    view: JobView;
+    change: (part: Partial<JobView>) => void;
 }
 
-function GridSpace({ job, grid, results }: { job: Job; grid: Grid; results: Results }) {
-    const [{ x, y, fixed }, choose] = useState(() => startOf(grid));
-    const model = useMemo(() => gridCells(grid, results, x, y, fixed), [grid, results, x, y, fixed]);
+/** Returns the axes that a view names, or else the first two that vary. */
+function axesOf(grid: Grid, view: JobView): [number, number] {
+    const [first = 0, second = first] = grid.varying();
+    const [x, y] = [grid.varyingNamed(view.x), grid.varyingNamed(view.y)];
+    return x !== undefined && y !== undefined && (x !== y || first === second) ? [x, y] : [first, second];
+}
+
+/** The slice that is shown: of all results, or read by itself where these are a sample. */
+function useSlice(props: SpaceProps, grid: Grid, x: number, y: number, fixed: readonly number[]) {
+    const { job, results } = props;
+    const key = results.isExact ? null : [x, y, ...fixed].join(" ");
+    const scenarios = useMemo(() => (key === null ? null : scenariosOfSlice(grid, x, y, fixed)), [key]);
+    const windows = useMemo(() => scenarios && windowsOf(scenarios), [scenarios]);
+    const slice = useReloaded(windows && key, results, async (signal) => {
+        await new Promise((resolve) => setTimeout(resolve, slicePause));
+        return loadSlice(job, scenarios ?? new Float64Array(), windows ?? [], signal);
+    });
+    return { ...slice, isTooScattered: key !== null && windows === null };
+}
+
+function sliceNote(results: Results, slice: { value: Results | null; isTooScattered: boolean }): string {
+    if (results.isExact || slice.value) {
+        return "";
+    }
+    const why = slice.isTooScattered
+        ? `: this slice lies in more than ${sliceWindowsMax} windows of ${grouped(masterMax)}`
+        : "; reading the slice…";
+    return `a sample of ${grouped(results.classes.length)}, other axes folded${why}`;
+}
+
+function GridSpace(props: SpaceProps & { grid: Grid }) {
+    const { job, grid, results, view, change } = props;
+    const [x, y] = axesOf(grid, view);
+    const numbers = grid.axes.map(({ name }, axis) => (name in view.at ? grid.nearest(axis, view.at[name]) : 0));
+    const isFixed = (axis: number) => axis !== x && axis !== y;
+    const fixed = useMemo(() => numbers.map((one, axis) => (isFixed(axis) ? one : 0)), [x, y, ...numbers]);
+    const slice = useSlice(props, grid, x, y, fixed);
+    const shown = slice.value ?? results;
+    const model = useMemo(() => gridCells(grid, shown, x, y, fixed), [grid, shown, x, y, fixed]);
     useSpotFacts(model);
     const varying = grid.varying();
-    const names = varying.map((axis) => grid.axes[axis].name);
+    const nameOf = (axis: number) => grid.axes[axis].name;
+    const names = varying.map(nameOf);
     const pick = (which: "x" | "y", name: string) => {
-        const axis = grid.axes.findIndex((one) => one.name === name);
+        const axis = grid.varyingNamed(name) ?? x;
         const [here, there] = which === "x" ? [x, y] : [y, x];
         const other = axis === there ? here : there; // The axes change places.
-        choose({ x: which === "x" ? axis : other, y: which === "x" ? other : axis, fixed });
+        const [across, up] = which === "x" ? [axis, other] : [other, axis];
+        change({ x: nameOf(across), y: nameOf(up) });
     };
-    const others = varying.filter((axis) => axis !== x && axis !== y);
     return (
-        <Panel
-            title="pose space"
-            note={results.isExact ? "" : `a sample of ${grouped(results.classes.length)}, other axes folded`}
-        >
+        <Panel title="pose space" note={sliceNote(results, slice)}>
+            {slice.error && <Notice kind="bad">{slice.error}</Notice>}
             <div class="controls">
                 {varying.length > 1 && (
                     <>
-                        <Choice label="across" value={grid.axes[x].name} all={names} choose={(name) => pick("x", name)} />
-                        <Choice label="up" value={grid.axes[y].name} all={names} choose={(name) => pick("y", name)} />
+                        <Choice label="across" value={nameOf(x)} all={names} choose={(name) => pick("x", name)} />
+                        <Choice label="up" value={nameOf(y)} all={names} choose={(name) => pick("y", name)} />
                     </>
                 )}
-                {results.isExact &&
-                    others.map((axis) => (
+                {!slice.isTooScattered &&
+                    varying.filter(isFixed).map((axis) => (
                         <label key={axis} class="slider">
                             <input
                                 type="range"
@@ -82,8 +121,8 @@ function GridSpace({ job, grid, results }: { job: Job; grid: Grid; results: Resu
                                 max={grid.axes[axis].count - 1}
                                 value={fixed[axis]}
                                 onInput={(event) => {
-                                    const number = Number(event.currentTarget.value);
-                                    choose({ x, y, fixed: fixed.map((old, i) => (i === axis ? number : old)) });
+                                    const value = grid.brief(axis, Number(event.currentTarget.value));
+                                    change({ at: { ...view.at, [nameOf(axis)]: value } });
                                 }}
                             />{" "}
                             {grid.valueText(axis, fixed[axis])}
@@ -95,51 +134,59 @@ function GridSpace({ job, grid, results }: { job: Job; grid: Grid; results: Resu
     );
 }
 
-function CloudSpace({ job, results }: { job: Job; results: Results }) {
-    const [rows, setRows] = useState<PoseRows | null>(null);
-    const [error, setError] = useState("");
-    const [axes, setAxes] = useState<[Coordinate, Coordinate] | null>(null);
-    useEffect(() => {
-        const stop = new AbortController();
-        loadPoses(job, stop.signal).then(setRows, (reason) => isAbort(reason) || setError(messageOf(reason)));
-        return () => stop.abort();
-    }, [job.job, job.scenarios]);
-    const all = useMemo(() => (rows ? coordinatesOf(rows) : null), [rows]);
-    const [x, y] = axes ?? (all ? bestCoordinates(all) : ["x", "y"]);
+function isCoordinate(name: string): name is Coordinate {
+    return (placementKeys as readonly string[]).includes(name);
+}
+
+/** The coordinates that a view names, or else those that differ most. */
+function useDrawnCoordinates(job: Job, view: JobView): Reloaded<[Coordinate, Coordinate]> {
+    const named: [Coordinate, Coordinate] | null =
+        isCoordinate(view.x) && isCoordinate(view.y) ? [view.x, view.y] : null;
+    const best = useReloaded(named ? null : job.job, 0, (signal) => chooseCoordinates(job, signal));
+    return named ? { value: named, error: "" } : best;
+}
+
+function useCoordinates(source: Source, job: Job, drawn: readonly Coordinate[] | null, tell: (share: number) => void) {
+    const keys = drawn && neededCoordinates(job, drawn);
+    return useReloaded(keys && keys.join(" "), 0, (signal) => loadCoordinates(source, job, keys ?? [], signal, tell));
+}
+
+function CloudSpace({ source, job, results, view, change }: SpaceProps) {
+    const [share, tell] = useState(0);
+    const drawn = useDrawnCoordinates(job, view);
+    const loaded = useCoordinates(source, job, drawn.value, tell);
+    const [x, y] = drawn.value ?? ["x", "y"];
+    const [xs, ys] = [loaded.value?.get(x), loaded.value?.get(y)];
     const model = useMemo(
-        () => (rows && all ? scatterOf(results, rows, all, x, y, job.unit) : null),
-        [results, rows, all, x, y],
+        () => (xs && ys ? scatterOf(results, [x, xs], [y, ys], job.unit) : null),
+        [results, x, y, xs, ys],
     );
     useSpotFacts(model);
-    const shownShares = rows !== null && rows.scenarios.length > pointsMax;
+    const error = drawn.error || loaded.error;
     const note = [
-        rows?.isSample || !results.isExact ? `a sample of ${grouped(Math.min(rows?.scenarios.length ?? 0, results.classes.length))}` : "",
-        shownShares ? "share of contacts in each cell" : "",
+        results.isExact ? "" : `a sample of ${grouped(results.classes.length)}`,
+        results.classes.length > pointsMax ? "share of contacts in each cell" : "",
         job.poses.penetration ? "poses pushed to contact" : "",
     ];
     return (
         <Panel title="pose space" note={note.filter((text) => text !== "").join(", ")}>
             {error && <Notice kind="bad">{error}</Notice>}
             <div class="controls">
-                <Choice label="across" value={x} all={placementKeys} choose={(name) => setAxes([name as Coordinate, y])} />
-                <Choice label="up" value={y} all={placementKeys} choose={(name) => setAxes([x, name as Coordinate])} />
+                <Choice label="across" value={x} all={placementKeys} choose={(name) => change({ x: name, y })} />
+                <Choice label="up" value={y} all={placementKeys} choose={(name) => change({ x, y: name })} />
                 <span class="note">of B in A's frame</span>
             </div>
             {model ? (
                 <PosePlot model={model} open={(scenario) => goTo(scenarioLink(job.job, scenario))} />
             ) : (
-                <p class="wait">reading the poses…</p>
+                <p class="wait">reading the poses… {share > 0 && percent(share)}</p>
             )}
         </Panel>
     );
 }
 
 /** The poses in space: cells of a grid, points of a file or of random poses. */
-export function PoseSpace({ job, results }: { job: Job; results: Results }) {
-    const grid = useMemo(() => gridOf(job), [job.job]);
-    return grid ? (
-        <GridSpace job={job} grid={grid} results={results} />
-    ) : (
-        <CloudSpace job={job} results={results} />
-    );
+export function PoseSpace(props: SpaceProps) {
+    const grid = useMemo(() => gridOf(props.job), [props.job.job]);
+    return grid ? <GridSpace {...props} grid={grid} /> : <CloudSpace {...props} />;
 }

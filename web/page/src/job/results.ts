@@ -1,18 +1,17 @@
-/** Classes, counts and poses of a job's scenarios, all of them or an even sample. */
+/** Classes and counts of a job's scenarios, all of them or an even sample. */
 import { getArray } from "../base/api";
 import { severity, untested } from "../base/classes";
 import type { Job, Source } from "../base/types";
 
 export const sampleSize = 4096;
-/** Beyond these the page asks for a sample. */
-const classesMax = 1 << 24;
-const countsMax = 1 << 22;
-const posesMax = 1 << 18;
-const masterMax = 65536;
+/** Beyond so many scenarios the page asks for a sample of a folder: it keeps 21 bytes of each. */
+export const folderMax = 1 << 24;
+/** So many scenarios a master gives at a time, and a folder the poses of so many. */
+export const masterMax = 65536;
 
 /**
- * What is known of a run of scenarios: element i of `classes` and `counts` is scenario
- * `scenarioAt(i)`.
+ * What is known of scenarios: element i of `classes` and `counts` is scenario `scenarioAt(i)`. Without
+ * `chosen`, these are all of a range, or an even sample of it.
  */
 export class Results {
     constructor(
@@ -22,13 +21,22 @@ export class Results {
         readonly classes: Uint8Array,
         /** Pairs a scenario; 0 where unknown. */
         readonly counts: Uint32Array | null,
+        /** The scenarios that were chosen. */
+        private readonly chosen: Float64Array | null = null,
     ) {}
 
     get isExact(): boolean {
         return this.classes.length === this.end - this.first;
     }
 
+    get isSample(): boolean {
+        return !this.isExact && this.chosen === null;
+    }
+
     scenarioAt(element: number): number {
+        if (this.chosen) {
+            return this.chosen[element];
+        }
         return this.isExact
             ? this.first + element
             : this.first + Math.floor((element * (this.end - this.first)) / this.classes.length);
@@ -63,7 +71,8 @@ function windowMax(source: Source): number {
     return source.kind === "folder" ? 1 << 20 : masterMax;
 }
 
-function exactMax(source: Source, folderMax: number): number {
+/** Up to so many scenarios are had exactly. */
+export function exactMax(source: Source): number {
     return source.kind === "folder" ? folderMax : masterMax;
 }
 
@@ -82,7 +91,7 @@ async function readAll<T extends Uint8Array | Uint32Array>(
     return into;
 }
 
-function pathOf(job: Job, what: string): string {
+export function pathOf(job: Job, what: string): string {
     return `jobs/${encodeURIComponent(job.job)}/${what}`;
 }
 
@@ -97,57 +106,29 @@ export async function loadResults(
     end: number,
     signal: AbortSignal,
 ): Promise<Results> {
-    const count = end - first;
-    const step = windowMax(source);
-    if (count > exactMax(source, classesMax)) {
+    if (!canBeExact(source, first, end)) {
         const [classes, counts] = await Promise.all(
             ["classes", "counts"].map((what) => getArray(`${pathOf(job, what)}?sample=${sampleSize}`, signal)),
         );
         return new Results(0, job.scenarios, classes.values as Uint8Array, counts.values as Uint32Array);
     }
-    const classes = await readAll(
-        pathOf(job, "classes"),
-        first,
-        new Uint8Array(count).fill(untested),
-        step,
-        signal,
-    );
-    const hasCounts = job.level !== "any" && count <= exactMax(source, countsMax);
-    const counts = hasCounts
-        ? await readAll(pathOf(job, "counts"), first, new Uint32Array(count), step, signal)
-        : null;
-    return new Results(first, end, classes, counts);
+    return readExactly(job, first, end - first, windowMax(source), signal);
+}
+
+async function readExactly(job: Job, first: number, count: number, step: number, signal: AbortSignal): Promise<Results> {
+    const into = new Uint8Array(count).fill(untested);
+    const classes = await readAll(pathOf(job, "classes"), first, into, step, signal);
+    const counts =
+        job.level === "any" ? null : await readAll(pathOf(job, "counts"), first, new Uint32Array(count), step, signal);
+    return new Results(first, first + count, classes, counts);
+}
+
+/** Reads at most `masterMax` scenarios. */
+export function readWindow(job: Job, first: number, count: number, signal: AbortSignal): Promise<Results> {
+    return readExactly(job, first, count, masterMax, signal);
 }
 
 /** Whether scenarios [first, end) can be had exactly. */
 export function canBeExact(source: Source, first: number, end: number): boolean {
-    return end - first <= exactMax(source, classesMax);
-}
-
-/** Poses of scenarios: row i of `values` (12 or 24 doubles) is scenario `scenarios[i]`. */
-export interface PoseRows {
-    scenarios: Float64Array;
-    values: Float64Array;
-    width: number;
-    isSample: boolean;
-}
-
-/** Loads the poses of a file or of random ones: all, or a sample. */
-export async function loadPoses(job: Job, signal: AbortSignal): Promise<PoseRows> {
-    const width = job.poses.of_both_bodies ? 24 : 12;
-    const total = job.scenarios;
-    if (total > posesMax) {
-        const array = await getArray(`${pathOf(job, "poses")}?sample=${sampleSize}`, signal);
-        const size = array.shape[0];
-        const scenarios = Float64Array.from({ length: size }, (_, i) => Math.floor((i * total) / size));
-        return { scenarios, values: array.values as Float64Array, width, isSample: true };
-    }
-    const values = new Float64Array(width * total);
-    for (let first = 0; first < total; first += masterMax) {
-        const count = Math.min(masterMax, total - first);
-        const part = await getArray(`${pathOf(job, "poses")}?first=${first}&count=${count}`, signal);
-        values.set(part.values, width * first);
-    }
-    const scenarios = Float64Array.from({ length: total }, (_, i) => i);
-    return { scenarios, values, width, isSample: false };
+    return end - first <= exactMax(source);
 }

@@ -1,17 +1,19 @@
 import { useEffect, useMemo, useState } from "preact/hooks";
-import { isAbort, messageOf } from "../base/api";
 import { classNames } from "../base/classes";
 import { tellFacts } from "../base/facts";
-import { scenarioLink } from "../base/route";
+import { forgetNotes, jobLink, noteLinkSoon, type Route, scenarioLink } from "../base/route";
 import type { Body, Job, Source } from "../base/types";
 import { bytes, counted, duration, fileName, grouped, percent, rate, shellWord, short } from "../base/words";
 import { Episodes } from "../job/episodes";
 import { Groups } from "../job/groups";
 import { Histogram } from "../job/histogram";
+import { type JobView, readJobView, writeJobView } from "../job/job_view";
 import { PoseSpace } from "../job/pose_space";
-import { loadResults, type Results } from "../job/results";
+import type { Results } from "../job/results";
 import { Strip } from "../job/strip";
+import { useResults } from "../job/use_results";
 import { usePolled, useTitle } from "../ui/hooks";
+import { isTyping, jobKeys, KeyHelp } from "../ui/keys";
 import { ClassCount, Command, Name, Notice, Progress } from "../ui/small";
 
 function isOver(job: Job): boolean {
@@ -175,49 +177,6 @@ function HowItRan({ job }: { job: Job }) {
     );
 }
 
-const reloadPause = 3000; // Milliseconds.
-
-interface LoadedResults {
-    results: Results | null;
-    error: string;
-    /** How many scenarios were done when these were asked for. */
-    done: number;
-    at: number;
-}
-
-/** Loads the results, and again when the job has more of them, at most every three seconds. */
-function useResults(source: Source, job: Job | undefined): LoadedResults {
-    const [loaded, setLoaded] = useState<LoadedResults>({ results: null, error: "", done: -1, at: 0 });
-    const [turn, setTurn] = useState(0);
-    useEffect(() => {
-        if (!job) {
-            return;
-        }
-        const stop = new AbortController();
-        const finish = (results: Results | null, error: string) =>
-            setLoaded((old) => ({
-                results: results ?? old.results,
-                error,
-                done: job.done,
-                at: performance.now(),
-            }));
-        loadResults(source, job, 0, job.scenarios, stop.signal).then(
-            (results) => finish(results, ""),
-            (reason) => isAbort(reason) || finish(null, messageOf(reason)),
-        );
-        return () => stop.abort();
-    }, [job?.job, turn]);
-    useEffect(() => {
-        if (!job || loaded.done < 0 || job.done === loaded.done) {
-            return;
-        }
-        const wait = Math.max(0, loaded.at + reloadPause - performance.now());
-        const timer = setTimeout(() => setTurn((old) => old + 1), wait);
-        return () => clearTimeout(timer);
-    }, [job?.done, loaded]);
-    return loaded;
-}
-
 function useJobFacts(job: Job | undefined, results: Results | null): void {
     useEffect(
         () =>
@@ -232,13 +191,36 @@ function useJobFacts(job: Job | undefined, results: Results | null): void {
     );
 }
 
+/** What is seen, which the address holds, and a function that changes a part of it. */
+function useJobView(route: Route): [JobView, (part: Partial<JobView>) => void] {
+    const [view, setView] = useState(() => readJobView(route.query));
+    useEffect(() => setView(readJobView(route.query)), [route]);
+    useEffect(() => {
+        noteLinkSoon(() => jobLink(route.job, writeJobView(view)));
+        return forgetNotes;
+    }, [view]);
+    return [view, (part) => setView((old) => ({ ...old, ...part }))];
+}
+
+function useHelpKey(help: () => void): void {
+    useEffect(() => {
+        const press = (event: KeyboardEvent) => event.key === "?" && !isTyping(event) && help();
+        document.addEventListener("keydown", press);
+        return () => document.removeEventListener("keydown", press);
+    }, []);
+}
+
 /** One job: verdict, inputs, pose space, parts, order, histogram. */
-export function JobScreen({ source, id }: { source: Source; id: string }) {
+export function JobScreen({ source, route }: { source: Source; route: Route }) {
+    const id = route.job;
+    const [view, change] = useJobView(route);
+    const [helps, setHelps] = useState(false);
     const { value: job, error } = usePolled<Job>(`jobs/${encodeURIComponent(id)}`, 1, (one) => !isOver(one));
     const { results, error: resultsError } = useResults(source, job);
     const worst = useMemo(() => results?.worst() ?? 0, [results]);
     useTitle(job ? job.name || id : id);
     useJobFacts(job, results);
+    useHelpKey(() => setHelps(true));
     if (!job) {
         return error ? <Notice kind="bad">{error}</Notice> : <p class="wait">asking for {id}…</p>;
     }
@@ -265,10 +247,10 @@ export function JobScreen({ source, id }: { source: Source; id: string }) {
             {results ? (
                 <>
                     <div class="two">
-                        <PoseSpace job={job} results={results} />
+                        <PoseSpace source={source} job={job} results={results} view={view} change={change} />
                         {job.groups ? <Groups job={job} groups={job.groups} /> : <Histogram results={results} />}
                     </div>
-                    <Strip source={source} job={job} results={results} />
+                    <Strip source={source} job={job} results={results} view={view} change={change} />
                     <div class="two">
                         {job.groups && <Histogram results={results} />}
                         <Episodes job={job} results={results} />
@@ -278,6 +260,10 @@ export function JobScreen({ source, id }: { source: Source; id: string }) {
                 <p class="wait">reading the results…</p>
             )}
             <HowItRan job={job} />
+            <button type="button" class="quiet" onClick={() => setHelps(true)}>
+                keys of this page
+            </button>
+            {helps && <KeyHelp title="Keys of a job's page" keys={jobKeys} close={() => setHelps(false)} />}
         </>
     );
 }

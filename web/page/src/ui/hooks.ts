@@ -1,4 +1,4 @@
-import { useEffect, useState } from "preact/hooks";
+import { useEffect, useRef, useState } from "preact/hooks";
 import { getJson, isAbort, messageOf } from "../base/api";
 import { onTheme } from "../base/theme";
 
@@ -66,4 +66,53 @@ export function useTitle(title: string | null): void {
             document.title = title === "" ? "cdcluster" : `${title} - cdcluster`;
         }
     }, [title]);
+}
+
+export interface Reloaded<T> {
+    value: T | null;
+    error: string;
+}
+
+/**
+ * Loads what `key` names, and again when `version` has changed since; keeps the old value until then.
+ * A change of the key drops the value; null loads nothing.
+ */
+export function useReloaded<T>(
+    key: string | null,
+    version: unknown,
+    load: (signal: AbortSignal) => Promise<T>,
+): Reloaded<T> {
+    const [loaded, setLoaded] = useState<Reloaded<T> & { key: string | null; version: unknown }>({
+        value: null,
+        error: "",
+        key: null,
+        version: null,
+    });
+    const [turn, setTurn] = useState(0);
+    const isLoading = useRef(false);
+    const now = useRef({ version, load });
+    now.current = { version, load };
+    useEffect(() => {
+        if (key === null) {
+            return;
+        }
+        const stop = new AbortController();
+        const asked = now.current.version;
+        isLoading.current = true;
+        const finish = (value: T | null, error: string) => {
+            isLoading.current = false;
+            setLoaded((old) => ({ value: value ?? (old.key === key ? old.value : null), error, key, version: asked }));
+        };
+        now.current.load(stop.signal).then(
+            (value) => stop.signal.aborted || finish(value, ""),
+            (error) => isAbort(error) || stop.signal.aborted || finish(null, messageOf(error)),
+        );
+        return () => stop.abort();
+    }, [key, turn]);
+    useEffect(() => {
+        if (loaded.key === key && key !== null && loaded.version !== version && !isLoading.current) {
+            setTurn((old) => old + 1);
+        }
+    }, [key, version, loaded]);
+    return loaded.key === key ? loaded : { value: null, error: "" };
 }

@@ -1,6 +1,8 @@
 import { useEffect, useRef } from "preact/hooks";
 
-export const keyTable: readonly (readonly [string, string])[] = [
+type KeyTable = readonly (readonly [string, string])[];
+
+export const viewerKeys: KeyTable = [
     ["n, p", "next and previous scenario in contact"],
     ["← →", "previous and next scenario"],
     ["space", "play, stop"],
@@ -13,23 +15,36 @@ export const keyTable: readonly (readonly [string, string])[] = [
     ["f", "fit all into view"],
     ["c", "go to the contact"],
     ["shift ← → ↑ ↓", "turn"],
+    ["shift W A S D", "move up, left, down, right"],
     ["+ −", "nearer, farther"],
+    ["enter", "in the picture: pick the triangle in its middle; with shift: of the ghost"],
+    ["esc", "end a search for the next contact"],
     ["drag, wheel", "turn, zoom; with the right button or two fingers: move"],
     ["click", "pick a triangle; with shift: of the ghost"],
     ["?", "these keys"],
 ];
 
-/** The list of keys as a dialog. */
-export function KeyHelp({ close }: { close: () => void }) {
+export const jobKeys: KeyTable = [
+    ["tab", "from one part of the page to the next"],
+    ["← → ↑ ↓", "in the pose space: the next place"],
+    ["← →", "in the scenarios in order: the next bar; beyond the edge, further scenarios"],
+    ["+ −", "there: half as many scenarios about the mark, or twice as many"],
+    ["enter", "open the scenario at the mark"],
+    ["esc", "all scenarios in order"],
+    ["?", "these keys"],
+];
+
+/** A list of keys as a dialog. */
+export function KeyHelp({ title, keys, close }: { title: string; keys: KeyTable; close: () => void }) {
     const dialog = useRef<HTMLDialogElement>(null);
     useEffect(() => dialog.current?.showModal(), []);
     return (
         <dialog ref={dialog} class="keys" onClose={close} onClick={() => dialog.current?.close()}>
-            <h2>Keys of the viewer</h2>
+            <h2>{title}</h2>
             <table>
                 <tbody>
-                    {keyTable.map(([key, what]) => (
-                        <tr key={key}>
+                    {keys.map(([key, what]) => (
+                        <tr key={what}>
                             <th scope="row">
                                 <kbd>{key}</kbd>
                             </th>

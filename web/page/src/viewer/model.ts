@@ -1,6 +1,7 @@
-/** What the viewer needs before its first picture: both meshes, and the maps for the heat. */
+/** What the viewer needs before its first picture: meshes and parts of both bodies; and heat maps. */
 import { ApiError, getArray } from "../base/api";
 import { getMesh, type Mesh } from "../base/mesh";
+import { type BodyParts, getParts } from "../base/parts";
 import type { Job } from "../base/types";
 import { countsByTriangle } from "./heat";
 
@@ -9,6 +10,7 @@ export const trianglesMax = 8_000_000;
 
 export interface Model {
     meshes: [Mesh, Mesh];
+    parts: [BodyParts, BodyParts];
     /** Milliseconds until both were read and checked. */
     milliseconds: number;
 }
@@ -19,13 +21,14 @@ async function load(job: Job): Promise<Model> {
     const begin = performance.now();
     const [a, b] = job.bodies.map((body) => body.sha256);
     const first = getMesh(a);
+    const parts = Promise.all([getParts(job.job, 0), getParts(job.job, 1)]);
     const meshes = await Promise.all([first, a === b ? first : getMesh(b)]);
-    return { meshes, milliseconds: performance.now() - begin };
+    return { meshes, parts: await parts, milliseconds: performance.now() - begin };
 }
 
-/** Loads the meshes of a job; those of the last job are kept. */
+/** Loads meshes and parts of a job; those of the last job are kept. */
 export function loadModel(job: Job): Promise<Model> {
-    const key = job.bodies.map((body) => body.sha256).join(" ");
+    const key = [job.job, ...job.bodies.map((body) => body.sha256)].join(" ");
     if (last?.key !== key) {
         const model = load(job);
         last = { key, model };

@@ -1,5 +1,5 @@
 import { useMemo } from "preact/hooks";
-import { type Mesh, partOf } from "../base/mesh";
+import type { BodyParts } from "../base/parts";
 import { placementKeys, placementOf, isAngle } from "../base/pose";
 import type { Job, Pose } from "../base/types";
 import { counted, grouped, percent, short } from "../base/words";
@@ -17,10 +17,10 @@ interface PartPair {
 const shownMax = 100;
 
 /** Counts the pairs of triangles by their parts, the most first. */
-export function partPairsOf(pairs: Uint32Array, meshes: readonly [Mesh, Mesh]): PartPair[] {
+export function partPairsOf(pairs: Uint32Array, parts: readonly [BodyParts, BodyParts]): PartPair[] {
     const found = new Map<string, PartPair>();
     for (let i = 0; i + 2 < pairs.length; i += 3) {
-        const [a, b] = [0, 1].map((body) => partOf(meshes[body], pairs[i + body])?.name ?? "");
+        const [a, b] = [0, 1].map((body) => parts[body].nameOf(pairs[i + body]));
         const key = `${a.length}:${a}${b}`;
         const pair = found.get(key);
         if (pair) {
@@ -40,7 +40,7 @@ export function PartPairs(props: {
     choose: (a: string, b: string) => void;
 }) {
     const { state } = props;
-    const all = useMemo(() => partPairsOf(props.contacts.pairs, props.model.meshes), [props.contacts, props.model]);
+    const all = useMemo(() => partPairsOf(props.contacts.pairs, props.model.parts), [props.contacts, props.model]);
     if (all.length === 0 && !state.partA && !state.partB) {
         return null;
     }
@@ -88,7 +88,7 @@ export function Picked(props: {
 }) {
     const { pick, job } = props;
     const mesh = props.model.meshes[pick.body];
-    const part = partOf(mesh, pick.triangle);
+    const parts = props.model.parts[pick.body];
     const exists = pick.triangle < mesh.triangles.length / 3;
     const pairs = useMemo(() => {
         let count = 0;
@@ -110,11 +110,7 @@ export function Picked(props: {
             {exists ? (
                 <p>
                     {pick.body === 0 ? "A" : "B"} triangle <b>{grouped(pick.triangle)}</b>
-                    {part && (
-                        <>
-                            , <Name text={part.name} /> {grouped(pick.triangle - part.begin)}
-                        </>
-                    )}
+                    , <Name text={parts.nameOf(pick.triangle)} /> {grouped(parts.placeOf(pick.triangle))}
                     ; in {counted(pairs, "pair")} here
                     {scenarios !== undefined &&
                         `; in ${grouped(scenarios)} of ${counted(job.done, "pose")} (${percent(scenarios / Math.max(1, job.done))})`}

@@ -176,6 +176,18 @@ export class Stage {
         this.moved();
     }
 
+    /** Moves eye and target aside, in shares of their distance: to the right and upwards. */
+    move(right: number, up: number): void {
+        const target = this.controls.target;
+        const distance = this.camera.position.distanceTo(target);
+        this.camera.updateMatrix();
+        const by = new Vector3()
+            .addScaledVector(new Vector3().setFromMatrixColumn(this.camera.matrix, 0), right * distance)
+            .addScaledVector(new Vector3().setFromMatrixColumn(this.camera.matrix, 1), up * distance);
+        this.look(this.camera.position.clone().add(by), target.clone().add(by));
+        this.moved();
+    }
+
     /** The radius of all that may be drawn, about the origin. */
     setRadius(radius: number): void {
         this.radius = radius;

@@ -28,6 +28,7 @@ export function Trust({ model, contacts }: { model: Model | null; contacts: Cont
                     this scenario, run again, gives another record than the stored one: {scenario.verify_note}
                 </Notice>
             )}
+            {scenario && scenario.draw_note !== "" && <Notice kind="warn">nothing is drawn: {scenario.draw_note}</Notice>}
             {scenario && scenario.failure !== "" && (
                 <Notice kind="bad">
                     failed: <Name text={scenario.failure} />

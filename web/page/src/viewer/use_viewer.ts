@@ -103,7 +103,7 @@ export function useDrawing(
         try {
             made = new Viewer(
                 canvas.current,
-                model.meshes,
+                model,
                 () => onMoved.current(made.view),
                 () => {
                     drawn.current = shown.current;

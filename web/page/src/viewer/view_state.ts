@@ -1,4 +1,6 @@
 /** All that is seen in the viewer, as the query of a link. */
+import { type PartNames, readPart, writePart } from "../base/part_name";
+
 export type Mode = "contacts" | "heat";
 export type Ghost = "a" | "b" | "none";
 export type ClipAxis = "x" | "y" | "z";
@@ -57,24 +59,16 @@ function readPick(text: string | null): Pick | null {
     return found ? { body: found[1] === "a" ? 0 : 1, triangle: Number(found[2]) } : null;
 }
 
-/** A part is written `a/part` or `b/part`; without a body it is one of A if A has it. */
-export function readParts(query: URLSearchParams, hasA: (part: string) => boolean): [string, string] {
-    let [a, b] = ["", ""];
+/** Reads the parts of A and B; of two that name no body, the second is of B. */
+export function readParts(query: URLSearchParams, names: PartNames): [string, string] {
+    const parts: [string, string] = ["", ""];
     for (const text of [query.get("part"), query.get("with")]) {
-        if (!text) {
-            continue;
-        }
-        if (text.startsWith("b/")) {
-            b = text.slice(2);
-        } else if (text.startsWith("a/")) {
-            a = text.slice(2);
-        } else if (a === "" && hasA(text)) {
-            a = text;
-        } else {
-            b = text;
+        if (text) {
+            const { body, part } = readPart(text, { ...names, hasA: (one) => parts[0] === "" && names.hasA(one) });
+            parts[body] = part;
         }
     }
-    return [a, b];
+    return parts;
 }
 
 /** Whether two states differ in the camera at most. */
@@ -85,9 +79,9 @@ export function isSameView(one: ViewState, other: ViewState): boolean {
 }
 
 /** Reads a link. Values that mean nothing are ignored. */
-export function readState(query: URLSearchParams, hasA: (part: string) => boolean): ViewState {
+export function readState(query: URLSearchParams, names: PartNames): ViewState {
     const ghost = query.get("ghost");
-    const [partA, partB] = readParts(query, hasA);
+    const [partA, partB] = readParts(query, names);
     return {
         mode: query.get("mode") === "heat" ? "heat" : "contacts",
         ghost: ghost === "a" || ghost === "none" ? ghost : "b",
@@ -106,7 +100,7 @@ function brief(value: number): string {
 }
 
 /** Writes what differs from the start, so that plain views have plain links. */
-export function writeState(state: ViewState): Record<string, string> {
+export function writeState(state: ViewState, bodies: readonly [string, string]): Record<string, string> {
     const query: Record<string, string> = {};
     if (state.mode !== startState.mode) {
         query.mode = state.mode;
@@ -124,10 +118,10 @@ export function writeState(state: ViewState): Record<string, string> {
         query.lines = "0";
     }
     if (state.partA) {
-        query.part = `a/${state.partA}`;
+        query.part = writePart(0, state.partA, bodies);
     }
     if (state.partB) {
-        query[state.partA ? "with" : "part"] = `b/${state.partB}`;
+        query[state.partA ? "with" : "part"] = writePart(1, state.partB, bodies);
     }
     if (state.clip) {
         query.clip = `${state.clip.axis}:${brief(state.clip.at)}`;

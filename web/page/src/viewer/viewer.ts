@@ -1,12 +1,13 @@
 import { Box3, Matrix4, Sphere, Vector3 } from "three";
 import type { Rgb } from "../base/classes";
-import { isOfPart, type Mesh } from "../base/mesh";
+import type { BodyParts } from "../base/parts";
 import { apply, compose, inverse } from "../base/pose";
 import { styleColour } from "../base/theme";
 import type { Pose, Scenario, Vec3 } from "../base/types";
 import { BodyView } from "./body_view";
 import { ContactsView, type Highlight, highlightsOf } from "./contacts_view";
 import { heatBytes } from "./heat";
+import type { Model } from "./model";
 import { nearestTriangle, type Ray } from "./pick";
 import { PickMark } from "./pick_mark";
 import type { Contacts } from "./scenario_loader";
@@ -27,19 +28,22 @@ export class Viewer {
     private readonly contactsView = new ContactsView();
     private readonly mark = new PickMark();
     private readonly origin: Vec3;
+    private readonly parts: readonly [BodyParts, BodyParts];
     private matrices: [Matrix4, Matrix4] = [new Matrix4(), new Matrix4()];
     private highlights: [Highlight, Highlight] = [new Map(), new Map()];
     private contacts: Contacts | null = null;
     private state: ViewState | null = null;
     private fitted: Sphere | null = null; // What the view was fitted to.
+    private freshAt = -1; // The scenario at which the view was chosen afresh.
 
     constructor(
         private readonly canvas: HTMLCanvasElement,
-        meshes: [Mesh, Mesh],
+        { meshes, parts }: Model,
         moved: () => void,
         drawn: () => void,
     ) {
         this.stage = new Stage(canvas, moved, drawn);
+        this.parts = parts;
         this.bodies = [new BodyView(meshes[0], grey), new BodyView(meshes[1], blue)];
         this.origin = meshes[0].centre;
         this.refreshTheme();
@@ -74,8 +78,7 @@ export class Viewer {
     }
 
     private isShown(state: ViewState, a: number, b: number): boolean {
-        const [bodyA, bodyB] = this.bodies;
-        return isOfPart(bodyA.mesh, a, state.partA) && isOfPart(bodyB.mesh, b, state.partB);
+        return this.parts[0].isOf(a, state.partA) && this.parts[1].isOf(b, state.partB);
     }
 
     private refreshContacts(state: ViewState): void {
@@ -160,6 +163,7 @@ export class Viewer {
     /** Looks at both bodies; from the first direction if `fresh`. */
     fit(fresh: boolean): void {
         this.fitted = this.ballAround();
+        this.freshAt = fresh ? (this.contacts?.scenario.index ?? -1) : -1;
         const corners = this.bodies.flatMap((body, i) => body.boxCorners(this.matrices[i]));
         const box = new Box3().setFromPoints(corners.map((corner) => new Vector3(...corner)));
         this.stage.fit(box.getCenter(new Vector3()).toArray() as Vec3, corners, fresh);
@@ -200,8 +204,18 @@ export class Viewer {
         return this.stage.view.map((value, i) => value + this.origin[i % 3]);
     }
 
+    /** The camera; null if this scenario, opened anew, would be seen so. */
+    get ownView(): number[] | null {
+        return this.contacts?.scenario.index === this.freshAt ? null : this.view;
+    }
+
     set view(numbers: readonly number[]) {
         this.stage.view = numbers.map((value, i) => value - this.origin[i % 3]);
+    }
+
+    /** As `pickAt`, in the middle of the picture. */
+    pickMiddle(prefersGhost: boolean): Pick | null {
+        return this.pickAt(this.canvas.clientWidth / 2, this.canvas.clientHeight / 2, prefersGhost);
     }
 
     /**

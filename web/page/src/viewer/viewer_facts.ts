@@ -1,0 +1,54 @@
+import { useEffect, useRef } from "preact/hooks";
+import { tellFacts } from "../base/facts";
+import type { Vec3 } from "../base/types";
+import type { Model } from "./model";
+import type { Contacts } from "./scenario_loader";
+import type { Drawing } from "./use_viewer";
+import type { ViewState } from "./view_state";
+
+/** Publishes what the viewer shows, and where, so that tests can ask and point at it. */
+export function useViewerFacts(values: {
+    model: Model | null;
+    contacts: Contacts | null;
+    state: ViewState;
+    drawing: Drawing;
+    scenario: number;
+    canvas: { current: HTMLCanvasElement | null };
+}): void {
+    const now = useRef(values);
+    now.current = values;
+    useEffect(
+        () =>
+            tellFacts("viewer", () => {
+                const { model, contacts, state, drawing, scenario, canvas } = now.current;
+                const viewer = drawing.viewer;
+                const box = canvas.current?.getBoundingClientRect();
+                const onPage = ([x, y]: [number, number]) => [x + (box?.left ?? 0), y + (box?.top ?? 0)];
+                const points = contacts?.points ?? new Float64Array();
+                const rows = Array.from({ length: Math.min(8, points.length / 4) }, (_, i) =>
+                    Array.from(points.subarray(4 * i + 1, 4 * i + 4)),
+                );
+                return {
+                    ready: viewer?.isShowing(state) === true && drawing.drawn.current === scenario,
+                    scenario: contacts?.scenario.index,
+                    class: contacts?.scenario.class,
+                    verified: contacts?.scenario.verified,
+                    mode: state.mode,
+                    ghost: state.ghost,
+                    throughWalls: state.throughWalls,
+                    clip: state.clip,
+                    camera: viewer?.view,
+                    parts: [state.partA, state.partB],
+                    pick: state.pick,
+                    trianglesDrawn: viewer?.bodies.map((body) => body.triangles) ?? [0, 0],
+                    highlighted: viewer?.highlighted ?? [[], []],
+                    shaChecked: model?.meshes.map((mesh) => mesh.checked),
+                    meshMilliseconds: model?.milliseconds,
+                    firstFrameMilliseconds: drawing.firstFrame.current,
+                    frames: viewer?.stage.frames,
+                    pointPixels: viewer ? rows.map((row) => onPage(viewer.pixelOfWorld(row as Vec3))) : [],
+                };
+            }),
+        [],
+    );
+}
