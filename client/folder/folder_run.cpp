@@ -1,6 +1,7 @@
 #include "client/folder/folder_run.hpp"
 
 #include "client/base/interrupt.hpp"
+#include "client/base/shell_word.hpp"
 #include "client/folder/job_text.hpp"
 #include "client/job/submission.hpp"
 #include "client/poses/label_file.hpp"
@@ -118,8 +119,13 @@ std::string own_command_line() {
     while (!text.empty() && text.back() == '\0') {
         text.pop_back();
     }
-    std::ranges::replace(text, '\0', ' ');
-    return text;
+    std::string line;
+    for (std::size_t begin = 0; begin < text.size();) {
+        const std::size_t end = std::min(text.find('\0', begin), text.size());
+        line += (begin == 0 ? "" : " ") + shell_word(text.substr(begin, end - begin));
+        begin = end + 1;
+    }
+    return line;
 }
 
 Result<FolderRun> FolderRun::begin(PreparedJob& job, FolderRunOptions options) {

@@ -1,5 +1,6 @@
 #include "client/report/report.hpp"
 
+#include "client/base/shell_word.hpp"
 #include "common/core/words.hpp"
 #include "common/geometry/aabb.hpp"
 #include "web/status/table.hpp"
@@ -311,7 +312,7 @@ std::string summary_text(const RunReport& report, const SummaryStyle& style) {
     text += warnings_text(report);
     if (!report.summary_file.empty()) {
         const auto folder = std::filesystem::path(report.summary_file).parent_path();
-        text += "  open it: cdctl view " + folder.string() + "\n";
+        text += "  open it: cdctl view " + shell_word(folder.string()) + "\n";
     }
     return text;
 }

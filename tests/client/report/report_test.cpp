@@ -157,6 +157,8 @@ TEST(Report, TheSummaryTellsOfPreparationResumptionAndItsFile) {
     const std::string text = summary_text(report);
     EXPECT_THAT(text, testing::StartsWith("done in 0.04 s (1.1 s to read and build)      25 000 "));
     EXPECT_THAT(text, testing::EndsWith("  open it: cdctl view out\n"));
+    report.summary_file = "my out/summary.json";
+    EXPECT_THAT(summary_text(report), testing::EndsWith("  open it: cdctl view 'my out'\n"));
 }
 
 TEST(Report, CutListsGiveNoShareOfTriangles) {
