@@ -1,6 +1,8 @@
 // The verb `report`: writes the report of a run, and its groups.
 #include "client/base/exit_code.hpp"
 #include "client/base/interrupt.hpp"
+#include "client/base/shell_word.hpp"
+#include "client/base/slow_note.hpp"
 #include "client/commands/commands.hpp"
 #include "client/commands/compare/judge.hpp"
 #include "client/commands/run_at_hand.hpp"
@@ -12,11 +14,13 @@
 #include "client/folder/run_groups.hpp"
 #include "client/formats/output_file.hpp"
 #include "client/groups/groups_csv.hpp"
+#include "client/trees/body_trees.hpp"
 #include "client/view/held_answers.hpp"
 #include "client/view/viewed_run.hpp"
 #include "common/core/errors.hpp"
 #include "common/core/files/disk_file.hpp"
 #include "common/core/limits/client.hpp"
+#include "common/core/timing/client.hpp"
 #include "common/core/version.hpp"
 #include "common/core/words.hpp"
 
@@ -43,18 +47,20 @@ std::vector<std::string> names_of_bodies(const RunManifest& manifest) {
     return names;
 }
 
-/// Errors: TooLarge if a report with a viewer, so far, has more bytes than it may have.
+/// Errors: TooLarge if a report, so far, has more bytes than it may have.
 Status check_size(std::uint64_t bytes, const ReportCommand& command) {
+    const std::uint64_t most = command.has_viewer ? command.bytes_max : limits::report_bytes_max;
     const auto megabytes = [](std::uint64_t size) {
         return fixed_text(static_cast<double>(size) / 1e6, 1) + " MB";
     };
-    return !command.has_viewer || bytes <= command.bytes_max
+    return bytes <= most
                ? Status(Done{})
                : Error{ErrorCode::TooLarge,
-                       "with --3d the report takes " + megabytes(bytes) + " or more, above " +
-                           megabytes(command.bytes_max) +
-                           "; leave out --3d, and see the run in 3D with: cdctl view " +
-                           command.run};
+                       std::string(command.has_viewer ? "with --3d the" : "the") +
+                           " report takes " + megabytes(bytes) + " or more, above " +
+                           megabytes(most) + "; " +
+                           (command.has_viewer ? "leave out --3d, and " : "") +
+                           "see the run in 3D with: cdctl view " + shell_word(command.run)};
 }
 
 PageOrigin origin_of(const ViewedRun& run, const ReportCommand& command) {
@@ -100,6 +106,20 @@ Result<GroupSum> groups_begun(const RunAtHand& run, const Judge& judge) {
     return begin_groups(query, std::move(meshes), run.map, judge.kind_of_parts(query.level));
 }
 
+/// Gives the worst scenarios of a run that lists no pairs the pairs for their pictures.
+Status
+add_pairs(RunAtHand& run, RunOverview& overview, const std::string& cache, ThreadPool& pool) {
+    if (run.job.query.level >= Level::Pairs || overview.worst().empty()) {
+        return Done{};
+    }
+    const SlowNote note("running the worst scenarios again for their pictures...", false);
+    if (run.job.trees[0] == nullptr) {
+        TreeCache trees(tree_cache_folder(cache));
+        run.job.trees = make_body_trees(run.job.meshes, TreeUse{.settles = true}, trees, pool);
+    }
+    return overview.add_pairs_to_worst(run.job, timing::report_run_max, &InterruptGuard::has_come);
+}
+
 /// Writes the report and, if `has_groups`, groups.csv beside it.
 Status write_report(const fs::path& path,
                     const std::string& html,
@@ -140,12 +160,17 @@ Result<int> perform(const ReportCommand& command) {
         at_hand.run.records(), std::move(begun), manifest.poses.count, &InterruptGuard::has_come));
     const GroupStatuses statuses = CD_TRY(judge.judge(at_hand, overview.groups()));
     const auto viewer = CD_TRY(make_viewer(command, at_hand, pool));
+    CD_TRY(add_pairs(at_hand, overview, command.tree_cache, pool));
     ReportPictures pictures;
     CD_TRY(pictures.draw(at_hand.job, overview.worst(), &InterruptGuard::has_come));
     RunDocument document(manifest, at_hand.job, overview, statuses, pictures);
     document.set_baseline({command.judge.baseline,
                            judge.has_baseline() ? judge.baseline_digest() : "",
                            statuses.warnings()});
+    const Status has_groups = check_groups(manifest.query, at_hand.map);
+    if (!has_groups) {
+        document.set_no_groups(has_groups.error().detail);
+    }
     if (viewer) {
         document.set_viewer(*viewer);
     }
@@ -158,7 +183,7 @@ Result<int> perform(const ReportCommand& command) {
     CD_TRY(write_report(command.out,
                         html,
                         statuses,
-                        check_groups(manifest.query, at_hand.map).has_value(),
+                        has_groups.has_value(),
                         {names_of_bodies(manifest),
                          overview.summary().tested(),
                          manifest.query.limit_pairs,

@@ -2,6 +2,7 @@
 
 #include "client/groups/wilson.hpp"
 #include "common/core/limits/client.hpp"
+#include "common/core/printable.hpp"
 #include "common/core/words.hpp"
 
 #include <algorithm>
@@ -28,33 +29,54 @@ std::string shade_of(std::uint64_t count, std::uint64_t most) {
     return count == 0 ? "h0" : share > 0.5 ? "h4" : share > 0.1 ? "h3" : share > 0.01 ? "h2" : "h1";
 }
 
-/// Returns the names that occur in most scenarios, at most `report_parts_max`.
-std::vector<std::string> most_frequent(const std::map<std::string, std::uint64_t>& scenarios) {
-    std::vector<std::pair<std::string, std::uint64_t>> parts(scenarios.begin(), scenarios.end());
+/// A body's number, and the name of one of its parts.
+using PartKey = std::pair<std::uint32_t, std::string>;
+
+/// Returns the parts that occur in most scenarios, at most `report_parts_max`.
+std::vector<PartKey> most_frequent(const std::map<PartKey, std::uint64_t>& scenarios) {
+    std::vector<std::pair<PartKey, std::uint64_t>> parts(scenarios.begin(), scenarios.end());
     std::ranges::stable_sort(
         parts, [](const auto& left, const auto& right) { return left.second > right.second; });
     parts.resize(std::min(parts.size(), limits::report_parts_max));
-    std::vector<std::string> names;
-    for (auto& [name, count] : parts) {
-        names.push_back(std::move(name));
+    std::vector<PartKey> keys;
+    for (auto& [key, count] : parts) {
+        keys.push_back(std::move(key));
     }
-    return names;
+    return keys;
+}
+
+std::string shown(const std::string& text) {
+    return std::string(utf8_prefix(text, limits::report_text_bytes_max));
+}
+
+/// Returns the first warnings, and how many more there are.
+Html warnings_of(const BaselineNote& baseline) {
+    const std::size_t all = baseline.warnings.size();
+    const std::size_t some = std::min(all, limits::report_warnings_max);
+    Html content;
+    for (std::size_t i = 0; i < some; ++i) {
+        content += paragraph(shown(baseline.warnings[i]), "warning");
+    }
+    if (all > some) {
+        content += paragraph("And " + grouped(all - some) + " more.", "warning");
+    }
+    return content;
 }
 
 } // namespace
 
 Html GroupSections::matrix() const {
-    std::map<std::string, std::uint64_t> of_a;
-    std::map<std::string, std::uint64_t> of_b;
-    std::map<std::pair<std::string, std::string>, std::uint64_t> cells;
+    std::map<PartKey, std::uint64_t> of_a;
+    std::map<PartKey, std::uint64_t> of_b;
+    std::map<std::pair<PartKey, PartKey>, std::uint64_t> cells;
     std::uint64_t most = 0;
     for (const JudgedGroup& judged : statuses_.groups()) {
         if (judged.is_gone()) {
             continue;
         }
         const Group& group = judged.group;
-        const std::string a = names_.part_name(group.body_a, group.part_a);
-        const std::string b = names_.part_name(group.body_b, group.part_b);
+        const PartKey a{group.body_a, group.part_a};
+        const PartKey b{group.body_b, group.part_b};
         of_a[a] += group.scenarios;
         of_b[b] += group.scenarios;
         most = std::max(most, cells[{a, b}] += group.scenarios);
@@ -65,13 +87,13 @@ Html GroupSections::matrix() const {
     const auto rows = most_frequent(of_a);
     const auto columns = most_frequent(of_b);
     Html head = Html::element("th", "A \\ B");
-    for (const std::string& column : columns) {
-        head += Html::element("th", column);
+    for (const auto& [body, part] : columns) {
+        head += Html::element("th", names_.part_name(body, part));
     }
     Html lines = Html::element("thead", Html::element("tr", head));
-    for (const std::string& row : rows) {
-        Html line = Html::element("td", row);
-        for (const std::string& column : columns) {
+    for (const PartKey& row : rows) {
+        Html line = Html::element("td", names_.part_name(row.first, row.second));
+        for (const PartKey& column : columns) {
             const auto found = cells.find({row, column});
             const std::uint64_t count = found == cells.end() ? 0 : found->second;
             line += Html::element(
@@ -181,14 +203,12 @@ Html GroupSections::table() const {
 }
 
 Html GroupSections::against(const BaselineNote& baseline) const {
-    Html content;
-    for (const std::string& warning : baseline.warnings) {
-        content += paragraph(warning, "warning");
-    }
+    Html content = warnings_of(baseline);
     if (baseline.name.empty()) {
         return content.is_empty() ? content : html_section("Statuses", content);
     }
-    content += paragraph("The baseline is " + baseline.name + ", digest " + baseline.digest + ".");
+    content +=
+        paragraph("The baseline is " + shown(baseline.name) + ", digest " + baseline.digest + ".");
     std::vector<std::string> head;
     std::vector<std::string> counts;
     for (const GroupStatus status : judged_statuses) {

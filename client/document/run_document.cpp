@@ -8,6 +8,7 @@
 #include "common/core/errors.hpp"
 #include "common/core/limits/client.hpp"
 #include "common/core/printable.hpp"
+#include "common/core/timing/client.hpp"
 #include "common/core/words.hpp"
 #include "common/geometry/topology.hpp"
 
@@ -34,6 +35,11 @@ Html figure(const std::string& png, const Html& caption, const std::string& alte
                   "img", Html(), {{"src", data_address("image/png", png)}, {"alt", alternative}});
     content += Html::element("figcaption", caption);
     return Html::element("figure", content);
+}
+
+/// True if a result lacks the pairs that its picture would mark.
+bool is_unmarked(const ScenarioResult& result) {
+    return result.pairs.empty() && result.kind != ScenarioClass::Inside;
 }
 
 bool coincide(const PosePair& poses) {
@@ -66,7 +72,7 @@ Html RunDocument::verdict() const {
     content += html_table({html_texts(head), html_texts(counts)}, "counts");
     content += paragraph(overview_.digest() ? "Digest " + to_hex(*overview_.digest())
                                             : "No digest, since results are missing.");
-    const auto untested = untested_texts(summary, manifest_.query, manifest_.unit);
+    const auto untested = untested_texts(summary, manifest_.query, manifest_.unit, no_groups_);
     content += paragraph(untested.empty() ? "Everything that was asked was tested."
                                           : "What was not tested, or not listed:");
     content += untested.empty() ? Html() : html_list(untested);
@@ -135,15 +141,25 @@ Html RunDocument::worst() {
         std::string words =
             names_.label_of(result.index) + ", " + std::string(to_text(result.kind));
         words += result.level == Level::Any ? "" : ", " + counted(result.pair_count, "pair");
+        words += is_unmarked(result) ? "; not marked, since running it again failed or took more "
+                                       "than " +
+                                           std::to_string(timing::report_run_max.count()) + " s"
+                                     : "";
         figures += figure(i < pictures_.scenarios().size() ? pictures_.scenarios()[i] : "",
                           Html::text(words + part_pairs_of(result)),
                           "scenario " + std::to_string(result.index));
     }
-    Html content = paragraph(manifest_.query.level == Level::Any
-                                 ? "The first scenarios in contact."
-                                 : "The scenarios with most pairs of triangles in contact. "
-                                   "Triangles in contact are red, "
-                                   "pale where they are hidden.");
+    std::string about = manifest_.query.level == Level::Any
+                            ? "The first scenarios in contact."
+                            : "The scenarios with most pairs of triangles in contact.";
+    if (!std::ranges::all_of(worst, is_unmarked)) {
+        about += " Triangles in contact are red, pale where they are hidden.";
+    }
+    if (manifest_.query.level < Level::Pairs) {
+        about +=
+            " Since the run lists no pairs, these scenarios were run again for their pictures.";
+    }
+    Html content = paragraph(about);
     content += Html::element("div", figures, {{"class", "cards"}});
     return html_section("Worst scenarios", content);
 }
@@ -208,12 +224,13 @@ Html RunDocument::how_it_ran() const {
     std::vector<std::vector<Html>> rows{html_texts({"what", "value"})};
     const auto add = [&](const char* key, const std::string& value) {
         if (!value.empty()) {
-            rows.push_back(html_texts({key, value}));
+            rows.push_back(
+                html_texts({key, std::string(utf8_prefix(value, limits::report_text_bytes_max))}));
         }
     };
     add("program", origin.program);
     add("commit", origin.commit);
-    add("command", std::string(utf8_prefix(origin.command, limits::report_job_bytes_max)));
+    add("command", origin.command);
     add("started", origin.started);
     add("ended", origin.ended);
     add("here", where.threads == 0 ? "" : counted(where.threads, "thread") + ", " + where.simd);

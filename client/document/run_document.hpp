@@ -35,6 +35,8 @@ class RunDocument {
           names_(manifest, job.labels) {}
 
     void set_baseline(BaselineNote note) { baseline_ = std::move(note); }
+    /// Says why the run's groups are unknown.
+    void set_no_groups(std::string reason) { no_groups_ = std::move(reason); }
     /// Puts a viewer into the report. It outlives the object.
     void set_viewer(const EmbeddedViewer& viewer) { viewer_ = &viewer; }
     /// Returns the report as an HTML document, below 5 MB without the viewer. Reads all poses.
@@ -58,6 +60,7 @@ class RunDocument {
     const ReportPictures& pictures_;
     RunNames names_;
     BaselineNote baseline_;
+    std::string no_groups_;
     const EmbeddedViewer* viewer_ = nullptr;
 };
 

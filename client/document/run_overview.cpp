@@ -1,6 +1,7 @@
 #include "client/document/run_overview.hpp"
 
 #include "common/core/errors.hpp"
+#include "web/server/scenario_repeat.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -34,6 +35,29 @@ Result<RunOverview> RunOverview::read(const RecordFile& records,
     overview.summary_ = merger.summary();
     overview.digest_ = merger.digest();
     return overview;
+}
+
+Status RunOverview::add_pairs_to_worst(const PreparedJob& job,
+                                       std::chrono::milliseconds run_max,
+                                       const StopCheck& stop) {
+    for (ScenarioResult& result : worst_) {
+        const auto scenarios = CD_TRY(job.poses->read(result.index, 1));
+        const auto until = std::chrono::steady_clock::now() + run_max;
+        const ScenarioView again = repeat_scenario(
+            *job.trees[result.body_a],
+            *job.trees[result.body_b],
+            job.query,
+            scenarios.front(),
+            std::nullopt, // Without the record, it is run once, for its pairs alone.
+            [&] { return std::chrono::steady_clock::now() >= until || (stop && stop()); });
+        if (stop && stop()) {
+            return interrupted();
+        }
+        if (again.drawn != nullptr) {
+            result.pairs = again.drawn->pairs;
+        }
+    }
+    return Done{};
 }
 
 void RunOverview::add(const ScenarioResult& result) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "client/groups/group_sum.hpp"
+#include "client/job/prepared_job.hpp"
 #include "common/core/files/hash.hpp"
 #include "common/core/host/stop_check.hpp"
 #include "common/core/result.hpp"
@@ -9,6 +10,7 @@
 #include "common/job/result/record_file.hpp"
 #include "common/job/result/result.hpp"
 
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -37,13 +39,21 @@ class RunOverview {
                                                   std::uint64_t scenarios,
                                                   const StopCheck& stop);
 
+    /// Runs the worst scenarios again, as the page does, and gives them the pairs so found. For
+    /// runs below `level pairs`, whose records list none. `job` has trees. A scenario whose run
+    /// fails or takes longer than `run_max` remains without pairs. Errors: from reading poses;
+    /// Interrupted.
+    [[nodiscard]] Status add_pairs_to_worst(const PreparedJob& job,
+                                            std::chrono::milliseconds run_max,
+                                            const StopCheck& stop);
+
     [[nodiscard]] const Summary& summary() const { return summary_; }
     /// The run's digest; nothing while results are missing.
     [[nodiscard]] const std::optional<Sha256>& digest() const { return digest_; }
     /// The class of each scenario, as `ScenarioClass` or `no_result`.
     [[nodiscard]] const std::vector<std::uint8_t>& classes() const { return classes_; }
     /// The scenarios in contact with most pairs, those with most first; at `level any` the first
-    /// ones in contact.
+    /// ones in contact. Their pairs are those of the records, or of `add_pairs_to_worst`.
     [[nodiscard]] const std::vector<ScenarioResult>& worst() const { return worst_; }
     [[nodiscard]] const std::vector<FailedScenario>& failures() const { return failures_; }
     [[nodiscard]] GroupSum& groups() { return groups_; }

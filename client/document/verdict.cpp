@@ -47,8 +47,10 @@ std::string verdict_text(const Summary& summary) {
            " of " + counted(summary.total, "scenario") + rest;
 }
 
-std::vector<std::string>
-untested_texts(const Summary& summary, const Query& query, const std::string& unit) {
+std::vector<std::string> untested_texts(const Summary& summary,
+                                        const Query& query,
+                                        const std::string& unit,
+                                        const std::string& no_groups) {
     std::vector<std::string> texts;
     const auto add = [&](std::uint64_t count, const std::string& what) {
         if (count != 0) {
@@ -73,8 +75,10 @@ untested_texts(const Summary& summary, const Query& query, const std::string& un
     }
     if (query.level < Level::Pairs) {
         texts.push_back("The run lists no pairs of triangles (level " +
-                        std::string(to_text(query.level)) +
-                        "), so there are no groups, and pictures mark no triangles.");
+                        std::string(to_text(query.level)) + ").");
+    }
+    if (!no_groups.empty()) {
+        texts.push_back("The groups are unknown: " + no_groups + ".");
     }
     return texts;
 }

@@ -56,11 +56,14 @@ inline constexpr std::size_t group_episodes_max = 100; ///< Episodes that a grou
 inline constexpr std::uint64_t compared_window_scenarios_max = 1u << 18;
 inline constexpr std::uint64_t compared_ahead_bytes_max = 128u << 20; ///< Size of these records.
 
-// Reports. A report stays below 5 MB, without a viewer.
-/// Size of all pictures in a report. In the report they take a third more.
-inline constexpr std::size_t report_pictures_bytes_max = 2'700'000;
-inline constexpr std::size_t report_groups_max = 200; ///< Groups in the table of a report.
+// Reports.
+inline constexpr std::uint64_t report_bytes_max = 5'000'000; ///< Of a report without a viewer.
 inline constexpr std::uint64_t report_with_viewer_bytes_max = 25'000'000;
+/// Size of all pictures in a report. In the report they take a third more: half of its size.
+inline constexpr std::size_t report_pictures_bytes_max = 1'800'000;
+inline constexpr std::size_t report_groups_max = 200;      ///< Groups in the table of a report.
+inline constexpr std::size_t report_warnings_max = 20;     ///< Warnings about statuses in a report.
+inline constexpr std::size_t report_text_bytes_max = 2048; ///< A warning, a command, a path.
 /// Scenarios that the viewer in a report can show.
 inline constexpr std::size_t report_viewer_scenarios_max = 20;
 /// Parts of A, and of B, in the matrix of a report.

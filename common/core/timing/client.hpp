@@ -14,6 +14,10 @@ inline constexpr std::chrono::milliseconds slow_note_after{500};
 /// Processor time for the child process that reads a mesh file with assimp; large files get more.
 inline constexpr std::chrono::seconds reader_seconds_min{20};
 
+// Reports.
+/// A scenario is run again for its picture for at most this time.
+inline constexpr std::chrono::seconds report_run_max{30};
+
 // Caches and results folders.
 /// Period in which a run flushes its results; a killed run loses the results since the last flush.
 inline constexpr std::chrono::seconds record_flush_period{5};

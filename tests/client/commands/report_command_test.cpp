@@ -16,9 +16,11 @@
 #include <array>
 #include <filesystem>
 #include <map>
+#include <set>
 #include <span>
 #include <sstream>
 #include <string>
+#include <vector>
 
 namespace cd::tests {
 
@@ -120,6 +122,17 @@ class ReportFile : public testing::Test {
                             << page.substr(static_cast<std::size_t>(parsed.offset), 80);
     }
 
+    /// Returns the pictures in the report, each as Base64: the bodies', then the worst scenarios'.
+    [[nodiscard]] std::vector<std::string> pictures() const {
+        const std::string page = html();
+        std::vector<std::string> found;
+        const std::string begin = "data:image/png;base64,";
+        for (std::size_t at = page.find(begin); at != page.npos; at = page.find(begin, at + 1)) {
+            found.push_back(page.substr(at, page.find('"', at) - at));
+        }
+        return found;
+    }
+
     [[nodiscard]] std::string groups() const { return read_text(folder_ / "r" / "groups.csv"); }
 
     /// Checks what each report promises.
@@ -196,10 +209,113 @@ TEST_F(ReportFile, OfLevelAnySaysThatThereAreNoGroups) {
     EXPECT_EQ(report(), exit_done) << stderr_;
     expect_a_good_document();
     EXPECT_THAT(html(), HasSubstr("lists no pairs of triangles (level any)"));
+    EXPECT_THAT(html(), HasSubstr("The groups are unknown: groups need level pairs"));
     EXPECT_THAT(html(), Not(HasSubstr("<h2>Groups</h2>")));
     EXPECT_FALSE(fs::exists(folder_ / "r" / "groups.csv"));
     report_.fail_on.cross = true;
     EXPECT_EQ(report(), exit_usage);
+}
+
+TEST_F(ReportFile, OfARunWithMapsHasGroups) {
+    write_job("wheel_left", "body", "level = \"count\"\nmaps = true");
+    run_job();
+    EXPECT_EQ(report(), exit_done) << stderr_;
+    expect_a_good_document();
+    EXPECT_THAT(html(), HasSubstr("lists no pairs of triangles (level count)."));
+    EXPECT_THAT(html(), HasSubstr("<h2>Groups</h2>"));
+    EXPECT_THAT(html(), Not(HasSubstr("no groups")));
+    EXPECT_THAT(html(), Not(HasSubstr("groups are unknown")));
+}
+
+TEST_F(ReportFile, PicturesMarkContactsAtEveryLevel) {
+    write_job("wheel_left", "body", "");
+    run_job();
+    EXPECT_EQ(report(), exit_done) << stderr_;
+    EXPECT_THAT(html(), HasSubstr("Triangles in contact are red"));
+    EXPECT_THAT(html(), Not(HasSubstr("run again")));
+    const auto marked = pictures();
+    ASSERT_EQ(marked.size(), 5u) << "two bodies, three scenarios";
+    for (const char* const query : {"level = \"count\"", "level = \"count\"\nmaps = true"}) {
+        fs::remove_all(folder_ / "out");
+        write_job("wheel_left", "body", query);
+        run_job();
+        EXPECT_EQ(report(), exit_done) << stderr_;
+        EXPECT_EQ(pictures(), marked) << query;
+        EXPECT_THAT(html(), HasSubstr("Triangles in contact are red"));
+        EXPECT_THAT(html(), HasSubstr("these scenarios were run again for their pictures"));
+        EXPECT_THAT(html(), HasSubstr("; wheel_left x post ")) << "the parts in contact";
+        EXPECT_THAT(html(), Not(HasSubstr("not marked")));
+    }
+    fs::remove_all(folder_ / "out");
+    write_job("wheel_left", "body", "level = \"any\"");
+    run_job();
+    EXPECT_EQ(report(), exit_done) << stderr_;
+    EXPECT_EQ(pictures().size(), marked.size());
+    EXPECT_EQ(std::set(marked.begin(), marked.end()).count(pictures()[2]), 1u)
+        << "the first scenario in contact";
+}
+
+TEST_F(ReportFile, StaysSmallWithTheLongestTexts) {
+    const std::string name(80, '"'); // Six bytes for each byte in HTML.
+    name_ = std::string(80, '\'');
+    std::string a = "g " + name + "\nv -9 -9 0\nv 999 -9 0\nv -9 999 0\nf 1 2 3\n";
+    std::string b;
+    for (int i = 0; i < 16; ++i) {
+        const std::string part = std::to_string(10 + i) + name.substr(2);
+        a += tetrahedron(part, 0.01 * i, 4 + 4 * i);
+        b += tetrahedron(part, -0.003 * i, 1 + 4 * i);
+    }
+    write_job("a", "b", "");
+    write_text(folder_ / "a.obj", a);
+    write_text(folder_ / "b.obj", b);
+    // Neighbours in the chart have different classes, so that each cell is an element.
+    std::string poses = "id,x,y,z\n";
+    const std::string id = std::string(150, '"'); // A quote is doubled in CSV.
+    for (int i = 0; i < 96 * 96; ++i) {
+        const int x = i % 96;
+        const int y = i / 96;
+        poses += "\"" + std::to_string(i) + id + "\"," + std::to_string(x) + "," +
+                 std::to_string(y) + (i == 0 || (x + y) % 2 == 0 ? ",-0.1\n" : ",3\n");
+    }
+    write_text(folder_ / "poses.csv", poses);
+    write_text(folder_ / "job.toml",
+               read_text(folder_ / "job.toml") + "#" + std::string(70'000, '"') + "\n");
+    run_job();
+    fs::copy(folder_ / "out", folder_ / "old", fs::copy_options::recursive);
+    report_.judge.baseline = (folder_ / "old").string();
+    report_.judge.statuses = (folder_ / "s.toml").string();
+    std::string rules = "[[clash]]\na = \"*\"\nb = \"*\"\nstatus = \"approved\"\nnote = \"" +
+                        std::string(80, '<') + "\"\n";
+    for (int i = 0; i < 40'000; ++i) {
+        rules += "[[clash]]\na = \"no " + std::to_string(i) +
+                 "\"\nb = \"door\"\nstatus = \"reviewed\"\n";
+    }
+    write_text(report_.judge.statuses, rules);
+    EXPECT_EQ(report(), exit_done);
+    expect_a_good_document();
+    EXPECT_THAT(html(), HasSubstr("And 39 980 more."));
+    EXPECT_THAT(html(), HasSubstr("first 200 of")) << "the table of groups is full";
+    std::size_t size = html().size();
+    for (const std::string& picture : pictures()) {
+        size -= picture.size();
+    }
+    EXPECT_LT(size + limits::report_pictures_bytes_max * 4 / 3, limits::report_bytes_max)
+        << "with the largest pictures";
+    EXPECT_GT(size, 1'000'000u) << "the texts of this test are long";
+}
+
+TEST_F(ReportFile, ItsMatrixKeepsPartsWithLongNamesApart) {
+    const std::string common(80, 'x');
+    write_job(common + "_wheel", common + "_body", "");
+    run_job();
+    EXPECT_EQ(report(), exit_done) << stderr_;
+    const std::string page = html();
+    const std::string matrix =
+        page.substr(page.find("<h2>Parts in contact</h2>"),
+                    page.find("<h2>Pose space</h2>") - page.find("<h2>Parts in contact</h2>"));
+    EXPECT_THAT(matrix, HasSubstr(">2</td>")) << "scenarios of the body";
+    EXPECT_THAT(matrix, HasSubstr(">1</td>")) << "scenarios of the wheel";
+    EXPECT_THAT(matrix, Not(HasSubstr(">3</td>")));
 }
 
 TEST_F(ReportFile, OfAGridHasAMap) {

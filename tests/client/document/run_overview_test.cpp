@@ -2,9 +2,11 @@
 #include "client/document/run_overview.hpp"
 
 #include "common/job/result/record_file.hpp"
+#include "common/job/run_scenario.hpp"
 #include "tests/support/process.hpp"
 #include "tests/support/rounds.hpp"
 #include "tests/support/shapes.hpp"
+#include "tests/support/trees.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -116,6 +118,46 @@ TEST(RunOverview, RefusesRecordsThatTheRunCannotHave) {
         records_of(folder, results), GroupSum({box, box}), 8, [] { return true; });
     ASSERT_FALSE(stopped);
     EXPECT_EQ(stopped.error().code, ErrorCode::Interrupted);
+}
+
+TEST(RunOverview, RunsTheWorstScenariosAgainForTheirPairs) {
+    using namespace std::chrono_literals;
+    const TemporaryFolder folder;
+    const auto box = share(make_box({1, 1, 1}));
+    PreparedJob job;
+    job.meshes = {box, box};
+    const auto tree = std::make_shared<const ObbTree>(make_tree(make_box({1, 1, 1})));
+    job.trees = {tree, tree};
+    job.query.level = Level::Count;
+    std::vector<Scenario> scenarios(2);
+    scenarios[0].poses.b = translation_pose(0.5, 0.5, 0.5);
+    scenarios[1].index = 1;
+    scenarios[1].poses.b = translation_pose(0.5, 0.25, 0.125);
+    job.poses = make_list_source(scenarios);
+    std::vector<ScenarioResult> results;
+    for (const Scenario& scenario : scenarios) {
+        results.push_back(run_scenario(*tree, *tree, scenario, job.query).result);
+        ASSERT_TRUE(results.back().pairs.empty());
+    }
+    auto overview =
+        RunOverview::read(records_of(folder, results), GroupSum({box, box}), 2, {}).value();
+    ASSERT_EQ(overview.worst().size(), 2u);
+
+    // A run that takes too long, and a signal.
+    ASSERT_TRUE(overview.add_pairs_to_worst(job, 0ms, {}));
+    EXPECT_TRUE(overview.worst()[0].pairs.empty());
+    const Status stopped = overview.add_pairs_to_worst(job, 1h, [] { return true; });
+    ASSERT_FALSE(stopped);
+    EXPECT_EQ(stopped.error().code, ErrorCode::Interrupted);
+
+    ASSERT_TRUE(overview.add_pairs_to_worst(job, 1h, {}));
+    for (const ScenarioResult& worst : overview.worst()) {
+        Query pairs;
+        pairs.level = Level::Pairs;
+        EXPECT_EQ(worst.pairs,
+                  run_scenario(*tree, *tree, scenarios[worst.index], pairs).result.pairs);
+        EXPECT_EQ(worst.pairs.size(), worst.pair_count);
+    }
 }
 
 } // namespace cd::tests

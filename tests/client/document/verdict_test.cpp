@@ -42,7 +42,7 @@ TEST(Verdict, NamesWhatWasNotTested) {
     Summary summary;
     summary.total = 5;
     summary.separate = 5;
-    EXPECT_THAT(untested_texts(summary, {}, "m"), IsEmpty());
+    EXPECT_THAT(untested_texts(summary, {}, "m", ""), IsEmpty());
     summary.separate = 1;
     summary.failed = 1;
     summary.undecided = 1;
@@ -54,7 +54,7 @@ TEST(Verdict, NamesWhatWasNotTested) {
     query.tolerance = 0.5;
     query.limit_pairs = 3;
     query.ignored.push_back({0, 1, 0, 1});
-    EXPECT_THAT(untested_texts(summary, query, "mm"),
+    EXPECT_THAT(untested_texts(summary, query, "mm", "groups need pairs"),
                 ElementsAre(HasSubstr("2 scenarios: without a result"),
                             HasSubstr("1 scenario: failed"),
                             HasSubstr("tolerance of 0.5 mm"),
@@ -62,7 +62,8 @@ TEST(Verdict, NamesWhatWasNotTested) {
                             HasSubstr("parts are ignored and the rest is not closed"),
                             HasSubstr("ends at 3 pairs"),
                             HasSubstr("the job ignores"),
-                            HasSubstr("lists no pairs of triangles (level count)")));
+                            "The run lists no pairs of triangles (level count).",
+                            "The groups are unknown: groups need pairs."));
 }
 
 } // namespace cd::tests
