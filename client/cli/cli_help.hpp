@@ -246,7 +246,7 @@ Examples:
   cdctl extract out 100-199 --as vtp --out steps      ParaView: open steps/scenarios.pvd
   cdctl extract out 41230 --as glb                    Blender, f3d, slides
 
-A case has a.npz and b.npz (all triangles), poses.csv in the form that was
+A case has a.npz and b.npz (all triangles; by the bodies' names), poses.csv in the form that was
 tested, job.toml, and expected.json with the class and the digest that `cdctl run`
 must give. A picture shows the bodies, and in red the triangles in contact that the
 run listed (levels pairs and contacts).

@@ -310,8 +310,9 @@ std::string case_job_text(const PreparedJob& job,
         spec.name += " to " + std::to_string(given.results.back().index);
     }
     spec.unit = job.spec.unit;
-    for (std::size_t i = 0; i < body_names.size(); ++i) {
-        spec.bodies[i].path = std::string(body_names[i]) + ".npz";
+    const auto files = body_file_names(job);
+    for (std::size_t i = 0; i < files.size(); ++i) {
+        spec.bodies[i].path = files[i] + ".npz";
         spec.bodies[i].name = job.spec.bodies[i].name;
     }
     constexpr double rigid_tolerance = 1e300; // No pose exceeds it: the run accepted these poses.
@@ -393,9 +394,9 @@ Status write_files(const PreparedJob& job,
     for (const char* name : {"job.toml", "expected.json", ids_name}) {
         fs::remove(dir / name, error);
     }
+    const auto files = body_file_names(job);
     for (std::size_t i = 0; i < bodies.size(); ++i) {
-        const fs::path path = dir / (std::string(body_names[i]) + ".npz");
-        CD_TRY(write_mesh(path, *bodies[i].mesh, stop));
+        CD_TRY(write_mesh(dir / (files[i] + ".npz"), *bodies[i].mesh, stop));
     }
     for (const auto& [name, text] :
          {std::pair("poses.csv", poses_text(given.scenarios, columns)),

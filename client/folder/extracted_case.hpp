@@ -23,9 +23,10 @@ struct CaseOptions {
     StopCheck stop;       ///< Once it returns true, `write_case` fails with Interrupted.
 };
 
-/// Writes a.npz, b.npz, poses.csv, job.toml and expected.json into a folder, which is created if
-/// missing. `cdctl run` of this job.toml gives the digest in expected.json and the given results,
-/// with scenarios numbered from 0. An earlier case in the folder is replaced.
+/// Writes NAME.npz of each body (`body_file_names`), poses.csv, job.toml and expected.json into a
+/// folder, which is created if missing. `cdctl run` of this job.toml gives the digest in
+/// expected.json and the given results, with scenarios numbered from 0. An earlier case in the
+/// folder is replaced.
 ///
 /// `minimal` keeps only the triangles whose boxes overlap the other body's box at one of the poses.
 /// It runs the scenarios here for the expected results, and writes ids.csv, which maps triangles to

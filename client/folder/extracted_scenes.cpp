@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <array>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -70,8 +71,12 @@ class SceneRunner {
 /// Writes the files of a series for ParaView.
 class SceneSeries {
   public:
-    SceneSeries(const std::vector<Scenario>& scenarios, fs::path dir, StopCheck stop)
-        : dir_(std::move(dir)), stop_(std::move(stop)) {
+    /// `names` are those of the bodies' files, without endings.
+    SceneSeries(const std::vector<Scenario>& scenarios,
+                std::array<std::string, 2> names,
+                fs::path dir,
+                StopCheck stop)
+        : names_(std::move(names)), dir_(std::move(dir)), stop_(std::move(stop)) {
         const PosePair& first = scenarios.front().poses;
         stands_ = {
             std::ranges::all_of(scenarios, [&](const Scenario& s) { return s.poses.a == first.a; }),
@@ -80,17 +85,17 @@ class SceneSeries {
     }
 
     [[nodiscard]] Status add(const ContactScene& scene, std::uint64_t scenario) {
-        constexpr std::array<const char*, 2> names{"a", "b"};
-        const std::string ending = "-" + std::to_string(scenario) + ".vtp";
+        const std::string number = "-" + std::to_string(scenario);
         VtpStep step{scenario, {}};
-        for (std::size_t body = 0; body < names.size(); ++body) {
-            const std::string name = names[body] + (stands_[body] ? std::string(".vtp") : ending);
-            if (!stands_[body] || steps_.empty()) {
-                CD_TRY(write_scene_body(scene, body, dir_ / name, stop_));
+        for (std::size_t body = 0; body < names_.size(); ++body) {
+            if (stands_[body] && !steps_.empty()) {
+                step.files.push_back(steps_.front().files[body]);
+                continue;
             }
-            step.files.push_back(name);
+            step.files.push_back(new_file(names_[body] + (stands_[body] ? "" : number)));
+            CD_TRY(write_scene_body(scene, body, dir_ / step.files.back(), stop_));
         }
-        step.files.push_back("contacts" + ending);
+        step.files.push_back(new_file("contacts" + number));
         CD_TRY(write_scene_contacts(scene, dir_ / step.files.back(), stop_));
         steps_.push_back(std::move(step));
         return Done{};
@@ -101,8 +106,18 @@ class SceneSeries {
     }
 
   private:
+    /// Returns a name of a file that the series does not have yet: a body may be named `b-7`.
+    std::string new_file(std::string name) {
+        while (!taken_.insert(name).second) {
+            name += "_";
+        }
+        return name + ".vtp";
+    }
+
+    std::array<std::string, 2> names_;
     fs::path dir_;
     StopCheck stop_;
+    std::set<std::string> taken_;
     std::array<bool, 2> stands_{}; ///< Which bodies have one pose in all scenarios.
     std::vector<VtpStep> steps_;
 };
@@ -118,7 +133,8 @@ Status write_scenes(const PreparedJob& job,
                     const StopCheck& stop) {
     CD_TRY(make_directories(dir));
     SceneRunner runner(job, cache, pool, stop);
-    SceneSeries series(given.scenarios, dir, stop);
+    const auto names = body_file_names(job);
+    SceneSeries series(given.scenarios, names, dir, stop);
     const double metres = unit_factor(job.spec.unit, "m").value_or(1);
     for (std::size_t i = 0; i < given.scenarios.size(); ++i) {
         const Scenario& scenario = given.scenarios[i];

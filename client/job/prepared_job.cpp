@@ -236,4 +236,9 @@ ExportContext export_context(const PreparedJob& job) {
     return context;
 }
 
+std::array<std::string, 2> body_file_names(const PreparedJob& job) {
+    const std::vector<ExportBody> bodies = export_context(job).bodies;
+    return {body_file_name(bodies, 0), body_file_name(bodies, 1)};
+}
+
 } // namespace cd

@@ -64,6 +64,8 @@ struct JobInputs {
 [[nodiscard]] Result<ImportOptions> import_options(const JobSpec& spec, std::size_t body);
 
 [[nodiscard]] ExportContext export_context(const PreparedJob& job);
+/// Returns the names of the bodies' files, without endings (`body_file_name`).
+[[nodiscard]] std::array<std::string, 2> body_file_names(const PreparedJob& job);
 
 /// Returns the ranges of triangles that the job's rules ignore. Errors: BadInput with the rule, its
 /// line and the existing names, for a pattern that matches no part or names another body.

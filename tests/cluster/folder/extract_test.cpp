@@ -245,6 +245,26 @@ TEST_F(Extract, ABodyThatMovesHasAFileForEachScene) {
     EXPECT_NE(read_text(folder_ / "case" / "a-0.vtp"), read_text(folder_ / "case" / "a-1.vtp"));
 }
 
+TEST_F(Extract, FilesHaveTheNamesOfTheBodies) {
+    write_obj(folder_ / "a.obj", make_box({2, 2, 2}));
+    write_obj(folder_ / "b.obj", make_box({1, 1, 1}));
+    write_text(folder_ / "poses.csv", "x\n9\n1.25\n");
+    write_text(job_,
+               "[a]\nmesh = \"a.obj\"\nname = \"the/van\"\n[b]\nmesh = \"b.obj\"\nname = "
+               "\"contacts-1\"\n[poses]\nfile = \"poses.csv\"\n");
+    ASSERT_EQ(run({"--out", folder_ / "out"}).exit_code, 0);
+    ASSERT_EQ(extract("1").exit_code, 0);
+    EXPECT_TRUE(fs::exists(folder_ / "case" / "the_van.npz"));
+    EXPECT_TRUE(fs::exists(folder_ / "case" / "contacts-1.npz"));
+    EXPECT_FALSE(fs::exists(folder_ / "case" / "a.npz"));
+    expect_the_case_gives_what_it_says();
+    ASSERT_EQ(extract("1", {"--as", "vtp"}).exit_code, 0);
+    EXPECT_TRUE(fs::exists(folder_ / "case" / "the_van.vtp"));
+    EXPECT_TRUE(fs::exists(folder_ / "case" / "contacts-1.vtp")) << "body B, which stands";
+    EXPECT_TRUE(fs::exists(folder_ / "case" / "contacts-1_.vtp")) << "its contacts";
+    EXPECT_THAT(read_text(folder_ / "case" / "scenarios.pvd"), HasSubstr("\"contacts-1_.vtp\""));
+}
+
 TEST_F(Extract, ASceneWithOtherContactsThanTheRunIsRefused) {
     write_job(2, "level = \"pairs\"");
     ASSERT_EQ(run({"--out", folder_ / "out"}).exit_code, 0);
