@@ -69,7 +69,9 @@ Status wait_for_workers(LocalCluster& cluster,
 Status show_page(const MasterOptions& master) {
     const auto job = CD_TRY(open_job(master, "last"));
     auto gateway = CD_TRY(PageGateway::listen(0));
-    view_cluster(*gateway, {master, job.id, default_tree_cache(), 0, false});
+    ClusterViewing what{master, job.id, default_tree_cache()};
+    what.serving.ends_idle = false;
+    view_cluster(*gateway, what);
     return Done{};
 }
 

@@ -34,7 +34,7 @@ Result<int> view_folder(const ViewCommand& command) {
     auto gateway = CD_TRY(PageGateway::listen(command.port));
     FolderSource source(gateway->executor(), std::move(run), &InterruptGuard::has_come);
     InterruptGuard::begin_to_flag();
-    serve_page(*gateway, source, command.no_browser);
+    serve_page(*gateway, source, {.no_browser = command.no_browser});
     return exit_done;
 }
 
@@ -45,16 +45,19 @@ Result<int> perform(const ViewCommand& command) {
     if (is_folder(command.run)) {
         return view_folder(command);
     }
-    std::string job;
+    ClusterViewing what{command.master, "", command.tree_cache, command.threads};
+    what.serving.no_browser = command.no_browser;
+    // Errors of the master are told before anything is served.
     if (command.run.empty()) {
-        CD_TRY(open_master(command.master)); // Its errors are told before anything is served.
+        what.is_tls = CD_TRY(open_master(command.master))->is_tls();
     } else {
-        job = CD_TRY(open_job_of_argument(command.master, command.run)).id;
+        const auto opened = CD_TRY(open_job_of_argument(command.master, command.run));
+        what.job = opened.id;
+        what.is_tls = opened.connection->is_tls();
     }
     auto gateway = CD_TRY(PageGateway::listen(command.port));
     InterruptGuard::begin_to_flag();
-    view_cluster(*gateway,
-                 {command.master, job, command.tree_cache, command.threads, command.no_browser});
+    view_cluster(*gateway, what);
     return exit_done;
 }
 

@@ -9,7 +9,9 @@
 #include "common/core/version.hpp"
 #include "web/server/cluster/cluster_source.hpp"
 
+#include <chrono>
 #include <cstdio>
+#include <optional>
 
 namespace cd {
 
@@ -20,20 +22,26 @@ PageOrigin origin_of(const ClusterViewing& what) {
     origin.kind = PageOrigin::Kind::Remote;
     origin.program = "cdctl " + std::string(version);
     origin.name = what.master.address;
+    origin.is_tls = what.is_tls;
     origin.job = what.job;
     return origin;
 }
 
 } // namespace
 
-void serve_page(PageGateway& gateway, PageSource& source, bool no_browser) {
+void serve_page(PageGateway& gateway, PageSource& source, const Serving& how) {
     std::printf("%s\n", gateway.url().c_str());
     std::fflush(stdout);
-    std::fprintf(stderr, "  Ctrl-C ends it, and so do 30 minutes without a request\n");
-    if (!no_browser) {
+    std::fprintf(stderr,
+                 "  Ctrl-C ends it%s\n",
+                 how.ends_idle ? ", and so do 30 minutes without a request" : "");
+    if (!how.no_browser) {
         open_browser(gateway.url());
     }
-    gateway.serve(source, &InterruptGuard::has_come, timing::view_idle_max);
+    const auto idle_max = how.ends_idle
+                              ? std::optional<std::chrono::milliseconds>(timing::view_idle_max)
+                              : std::nullopt;
+    gateway.serve(source, &InterruptGuard::has_come, idle_max);
 }
 
 void view_cluster(PageGateway& gateway, const ClusterViewing& what) {
@@ -51,7 +59,7 @@ void view_cluster(PageGateway& gateway, const ClusterViewing& what) {
                           &InterruptGuard::has_come},
                          origin_of(what));
     source.start();
-    serve_page(gateway, source, what.no_browser);
+    serve_page(gateway, source, what.serving);
     source.close();
 }
 

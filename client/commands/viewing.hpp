@@ -9,10 +9,14 @@
 
 namespace cd {
 
-/// Prints the page's address, opens it in the browser unless `no_browser` is set, and serves the
-/// source until a signal comes or nobody has asked for `timing::view_idle_max`. Needs an
-/// `InterruptGuard`.
-void serve_page(PageGateway& gateway, PageSource& source, bool no_browser);
+struct Serving {
+    bool no_browser = false; ///< Prints the address only.
+    bool ends_idle = true;   ///< Ends `timing::view_idle_max` after the last request.
+};
+
+/// Prints the page's address, opens it in the browser, and serves the source until a signal comes.
+/// Needs an `InterruptGuard`.
+void serve_page(PageGateway& gateway, PageSource& source, const Serving& how);
 
 /// What `view_cluster` shows.
 struct ClusterViewing {
@@ -20,7 +24,8 @@ struct ClusterViewing {
     std::string job;        ///< Id of the only job; empty: the cluster.
     std::string tree_cache; ///< As of --tree-cache.
     unsigned threads = 0;   ///< Threads that build trees.
-    bool no_browser = false;
+    bool is_tls = false;    ///< The connection to the master is encrypted.
+    Serving serving{};
 };
 
 /// Serves the page of a master's job, or of the master's cluster, as `serve_page` does.

@@ -99,6 +99,7 @@ struct Connection::State {
     asio::io_context context{1};
     std::function<bool()> stopped;
     bool heeds_stop = true;
+    bool is_tls = false;
     std::string address;
     std::string owner;
     std::shared_ptr<Channel> channel;
@@ -409,6 +410,7 @@ Result<std::unique_ptr<Connection>> Connection::open(const std::string& address,
     CD_TRY(check_exposure(endpoint, exposure));
     auto state = std::make_unique<State>();
     state->address = address;
+    state->is_tls = exposure.secured;
     state->stopped = std::move(stopped);
     CD_TRY(state->run(state->open({endpoint, std::move(tls)})));
     return std::unique_ptr<Connection>(new Connection(std::move(state)));
@@ -489,6 +491,10 @@ Result<FetchedPoses> Connection::fetch_poses(JobId job, std::uint64_t first, std
         CD_TRY(take_poses(part, next, left, all));
     }
     return all;
+}
+
+bool Connection::is_tls() const {
+    return state_->is_tls;
 }
 
 const std::string& Connection::owner() const {

@@ -92,6 +92,8 @@ class Connection {
     [[nodiscard]] Result<FetchedPoses>
     fetch_poses(JobId job, std::uint64_t first, std::uint64_t count);
 
+    /// True if the connection is encrypted.
+    [[nodiscard]] bool is_tls() const;
     /// Returns the user to whom the master assigns jobs submitted on this connection.
     [[nodiscard]] const std::string& owner() const;
     [[nodiscard]] Result<ClusterStatus> status();

@@ -57,8 +57,8 @@ struct PageGateway::State {
     }
 
     /// Ends the context once `stop` says so, or after `idle_max` without a request.
-    void watch(const StopCheck& stop, std::chrono::seconds idle_max) {
-        if (stop() || Clock::now() - last_request > idle_max) {
+    void watch(const StopCheck& stop, std::optional<std::chrono::milliseconds> idle_max) {
+        if (stop() || (idle_max && Clock::now() - last_request > *idle_max)) {
             context.stop();
             return;
         }
@@ -85,7 +85,9 @@ std::string PageGateway::url() const {
     return "http://127.0.0.1:" + std::to_string(state_->listener->port()) + "/#key=" + state_->key;
 }
 
-void PageGateway::serve(PageSource& source, const StopCheck& stop, std::chrono::seconds idle_max) {
+void PageGateway::serve(PageSource& source,
+                        const StopCheck& stop,
+                        std::optional<std::chrono::milliseconds> idle_max) {
     state_->server = std::make_unique<PageServer>(executor(), source, PageOptions{{}, state_->key});
     state_->last_request = Clock::now();
     state_->listener->start(

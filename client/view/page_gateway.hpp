@@ -9,6 +9,7 @@
 #include <chrono>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 
 namespace cd {
@@ -28,8 +29,10 @@ class PageGateway {
     /// Returns the page's address with the key: http://127.0.0.1:PORT/#key=...
     [[nodiscard]] std::string url() const;
     /// Serves a source on this thread until `stop` returns true, or until no request has come for
-    /// `idle_max`. May be called once.
-    void serve(PageSource& source, const StopCheck& stop, std::chrono::seconds idle_max);
+    /// `idle_max`, if given. May be called once.
+    void serve(PageSource& source,
+               const StopCheck& stop,
+               std::optional<std::chrono::milliseconds> idle_max);
 
   private:
     struct State;

@@ -236,6 +236,7 @@ TEST_F(PageOfAMaster, TheClusterIsShownWithItsHistory) {
     EXPECT_THAT(ask_master("source").body, HasSubstr("\"kind\":\"master\""));
     const Viewing viewing(folder_, {"--master", master_.address()});
     EXPECT_THAT(viewing.get("source").body, HasSubstr("\"kind\":\"remote\""));
+    EXPECT_EQ(nlohmann::json::parse(viewing.get("source").body)["tls"], false);
     EXPECT_THAT(viewing.get("cluster").body, HasSubstr("worker0"));
     EXPECT_EQ(http_ask(port, request_text("GET", "/", "", "evil.example")).status, 421);
     EXPECT_EQ(http_ask(port, request_text("GET", "/metrics", "", "evil.example")).status, 421);
@@ -277,6 +278,7 @@ TEST_F(SecuredPageOfAMaster, EachRoleSeesWhatItMay) {
                            "--credential",
                            credential_of(CertifiedRole::Submitter)});
     expect_job([&](const std::string& target) { return viewing.get(target); }, job_, query_, name);
+    EXPECT_EQ(nlohmann::json::parse(viewing.get("source").body)["tls"], true);
 }
 
 TEST(PageOfAFolder, DataNeedTheKeyAndAnInterruptEndsTheProgram) {
@@ -334,6 +336,7 @@ TEST(PageOfTheDemo, OnATerminalTheDemoShowsItsPageUntilAnInterrupt) {
     EXPECT_EQ(classes_in(page->get("jobs/" + job + "/classes?first=0&count=20")).size(), 20u);
     EXPECT_EQ(page->get("jobs/" + job + "/map/0").status, 200);
     EXPECT_TRUE(demo.is_running());
+    EXPECT_THAT(demo.errors(), HasSubstr("  Ctrl-C ends it\n")) << "and no limit of time does";
     demo.signal(SIGINT);
     EXPECT_EQ(demo.wait(), 0) << demo.errors();
     for (const char* log : {"master.log", "worker-1.log", "worker-2.log"}) {
