@@ -4,13 +4,13 @@ import { goTo, scenarioLink } from "../base/route";
 import { tellFacts } from "../base/facts";
 import type { Job, Source } from "../base/types";
 import { grouped, percent } from "../base/words";
-import { type Reloaded, useReloaded } from "../ui/hooks";
+import { useReloaded } from "../ui/hooks";
 import { Notice, Panel } from "../ui/small";
 import { type Grid, gridCells, gridOf } from "./grid";
 import type { JobView } from "./job_view";
 import type { PlotModel } from "./plot_model";
 import { PosePlot } from "./pose_plot";
-import { chooseCoordinates, loadCoordinates, neededCoordinates } from "./poses";
+import { bestCoordinates, chooseCoordinates, keepsAllCoordinates, loadCoordinates } from "./poses";
 import { masterMax, type Results } from "./results";
 import { pointsMax, scatterOf } from "./scatter";
 import { loadSlice, scenariosOfSlice, sliceWindowsMax, windowsOf } from "./slice";
@@ -138,31 +138,31 @@ function isCoordinate(name: string): name is Coordinate {
     return (placementKeys as readonly string[]).includes(name);
 }
 
-/** The coordinates that a view names, or else those that differ most. */
-function useDrawnCoordinates(job: Job, view: JobView): Reloaded<[Coordinate, Coordinate]> {
-    const named: [Coordinate, Coordinate] | null =
-        isCoordinate(view.x) && isCoordinate(view.y) ? [view.x, view.y] : null;
-    const best = useReloaded(named ? null : job.job, 0, (signal) => chooseCoordinates(job, signal));
-    return named ? { value: named, error: "" } : best;
+/** The coordinates that a view names, or else those that differ most; with their values. */
+function useCloud({ source, job, view }: SpaceProps, tell: (share: number) => void) {
+    const named = isCoordinate(view.x) && isCoordinate(view.y) ? ([view.x, view.y] as const) : null;
+    const keepsAll = keepsAllCoordinates(source, job);
+    const chosen = useReloaded(named || keepsAll ? null : job.job, 0, (signal) => chooseCoordinates(job, signal));
+    const keys = keepsAll ? placementKeys : (named ?? chosen.value);
+    const loaded = useReloaded(keys && keys.join(" "), 0, (signal) =>
+        loadCoordinates(source, job, keys ?? [], signal, tell),
+    );
+    const all = loaded.value;
+    const best = useMemo(() => (keepsAll ? all && bestCoordinates(all) : chosen.value), [all, chosen.value]);
+    return { drawn: named ?? best, all, error: chosen.error || loaded.error };
 }
 
-function useCoordinates(source: Source, job: Job, drawn: readonly Coordinate[] | null, tell: (share: number) => void) {
-    const keys = drawn && neededCoordinates(job, drawn);
-    return useReloaded(keys && keys.join(" "), 0, (signal) => loadCoordinates(source, job, keys ?? [], signal, tell));
-}
-
-function CloudSpace({ source, job, results, view, change }: SpaceProps) {
+function CloudSpace(props: SpaceProps) {
+    const { job, results, change } = props;
     const [share, tell] = useState(0);
-    const drawn = useDrawnCoordinates(job, view);
-    const loaded = useCoordinates(source, job, drawn.value, tell);
-    const [x, y] = drawn.value ?? ["x", "y"];
-    const [xs, ys] = [loaded.value?.get(x), loaded.value?.get(y)];
+    const { drawn, all, error } = useCloud(props, tell);
+    const [x, y] = drawn ?? ["x", "y"];
+    const [xs, ys] = [all?.get(x), all?.get(y)];
     const model = useMemo(
         () => (xs && ys ? scatterOf(results, [x, xs], [y, ys], job.unit) : null),
         [results, x, y, xs, ys],
     );
     useSpotFacts(model);
-    const error = drawn.error || loaded.error;
     const note = [
         results.isExact ? "" : `a sample of ${grouped(results.classes.length)}`,
         results.classes.length > pointsMax ? "share of contacts in each cell" : "",

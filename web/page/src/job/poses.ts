@@ -61,14 +61,14 @@ export function bestCoordinates(all: Coordinates): [Coordinate, Coordinate] {
     return placementKeys.indexOf(first) < placementKeys.indexOf(second) ? [first, second] : [second, first];
 }
 
-/** Chooses what to draw of a job, by an even sample of its poses. */
+/** Chooses what to draw of a long job, by an even sample of its poses. */
 export async function chooseCoordinates(job: Job, signal: AbortSignal): Promise<[Coordinate, Coordinate]> {
     return bestCoordinates(await loadSample(job, placementKeys, signal));
 }
 
-/** Returns the coordinates that must be loaded to draw two of them. */
-export function neededCoordinates(job: Job, drawn: readonly Coordinate[]): readonly Coordinate[] {
-    return job.scenarios <= allKeysMax ? placementKeys : [...new Set(drawn)];
+/** Whether all coordinates are loaded at once, rather than those that are drawn. */
+export function keepsAllCoordinates(source: Source, job: Job): boolean {
+    return job.scenarios <= allKeysMax || !canBeExact(source, 0, job.scenarios);
 }
 
 /**

@@ -13,7 +13,7 @@ import type { Results } from "../job/results";
 import { Strip } from "../job/strip";
 import { useResults } from "../job/use_results";
 import { usePolled, useTitle } from "../ui/hooks";
-import { isTyping, jobKeys, KeyHelp } from "../ui/keys";
+import { jobKeys, KeyHelp, useKeys } from "../ui/keys";
 import { ClassCount, Command, Name, Notice, Progress } from "../ui/small";
 
 function isOver(job: Job): boolean {
@@ -202,14 +202,6 @@ function useJobView(route: Route): [JobView, (part: Partial<JobView>) => void] {
     return [view, (part) => setView((old) => ({ ...old, ...part }))];
 }
 
-function useHelpKey(help: () => void): void {
-    useEffect(() => {
-        const press = (event: KeyboardEvent) => event.key === "?" && !isTyping(event) && help();
-        document.addEventListener("keydown", press);
-        return () => document.removeEventListener("keydown", press);
-    }, []);
-}
-
 /** One job: verdict, inputs, pose space, parts, order, histogram. */
 export function JobScreen({ source, route }: { source: Source; route: Route }) {
     const id = route.job;
@@ -220,7 +212,7 @@ export function JobScreen({ source, route }: { source: Source; route: Route }) {
     const worst = useMemo(() => results?.worst() ?? 0, [results]);
     useTitle(job ? job.name || id : id);
     useJobFacts(job, results);
-    useHelpKey(() => setHelps(true));
+    useKeys({ "?": () => setHelps(true) });
     if (!job) {
         return error ? <Notice kind="bad">{error}</Notice> : <p class="wait">asking for {id}…</p>;
     }

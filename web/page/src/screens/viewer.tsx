@@ -4,7 +4,7 @@ import { forgetNotes, goTo, noteLink, noteLinkSoon, type Route, scenarioLink } f
 import { bodyNames, type Job, type Source } from "../base/types";
 import { fileName, grouped, shellWord } from "../base/words";
 import { usePolled, useTitle } from "../ui/hooks";
-import { isTyping, KeyHelp, viewerKeys } from "../ui/keys";
+import { KeyHelp, useKeys, viewerKeys } from "../ui/keys";
 import { Command, Name, Notice } from "../ui/small";
 import { type Bounds, CopyLink, ViewControls } from "../viewer/controls";
 import { ContactLegend, HeatLegend } from "../viewer/legend";
@@ -185,25 +185,7 @@ function JobViewer({ source, route, report, job }: ScreenProps & { job: Job }) {
     };
     const pick = (found: Pick | null | undefined) =>
         setState((old) => ((found ?? null) === null && old.pick === null ? old : { ...old, pick: found ?? null }));
-    const press = useRef((_: KeyboardEvent) => {});
-    press.current = (event) => {
-        if (event.key === "Enter" && event.target === canvas.current) {
-            pick(viewer?.pickMiddle(event.shiftKey));
-            return;
-        }
-        const isTurn = event.shiftKey && event.key.startsWith("Arrow");
-        const action = keys[isTurn ? `Shift+${event.key}` : event.key];
-        if (action && !isTyping(event)) {
-            action();
-            event.preventDefault();
-        }
-    };
-    useEffect(() => {
-        const target: EventTarget = report?.root ?? document;
-        const listener = (event: Event) => press.current(event as KeyboardEvent);
-        target.addEventListener("keydown", listener);
-        return () => target.removeEventListener("keydown", listener);
-    }, []);
+    useKeys(keys, report?.root);
 
     const down = useRef<[number, number]>([0, 0]);
     const click = (event: MouseEvent) => {
@@ -218,17 +200,6 @@ function JobViewer({ source, route, report, job }: ScreenProps & { job: Job }) {
             event.stopPropagation();
         }
     };
-    const savePicture = async () => {
-        const blob = await viewer?.stage.picture();
-        if (blob) {
-            const link = document.createElement("a");
-            link.href = URL.createObjectURL(blob);
-            link.download = `${job.name || route.job}-${scenario}.png`.replaceAll(/[^\w.-]+/g, "_");
-            link.click();
-            setTimeout(() => URL.revokeObjectURL(link.href), 1000);
-        }
-    };
-
     const run = job.folder ? shellWord(job.folder) : source.kind === "folder" ? shellWord(source.name) : job.job;
     const error = modelError || drawing.error || scenarioError || (state.mode === "heat" ? heatError : "");
     return (
@@ -255,7 +226,7 @@ function JobViewer({ source, route, report, job }: ScreenProps & { job: Job }) {
                 <CopyLink
                     address={() => location.href.split("#")[0] + linkTo(scenario, viewer?.view ?? state.camera)}
                 />
-                <button type="button" onClick={() => void savePicture()} disabled={!viewer}>
+                <button type="button" onClick={() => void viewer?.stage.save(`${job.name || route.job}-${scenario}`)} disabled={!viewer}>
                     PNG
                 </button>
                 <button type="button" class="quiet" onClick={() => setHelps(true)} title="keys">
@@ -276,6 +247,11 @@ function JobViewer({ source, route, report, job }: ScreenProps & { job: Job }) {
                                 tabIndex={0}
                                 role="img"
                                 aria-label={`scenario ${scenario}: ${contacts?.scenario.class ?? ""}, ${contacts?.scenario.count ?? 0} pairs`}
+                                onKeyDown={(event) => {
+                                    if (event.key === "Enter") {
+                                        pick(viewer?.pickMiddle(event.shiftKey));
+                                    }
+                                }}
                                 onPointerDown={(event) => {
                                     down.current = [event.clientX, event.clientY];
                                 }}

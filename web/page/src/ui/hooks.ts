@@ -73,6 +73,9 @@ export interface Reloaded<T> {
     error: string;
 }
 
+/** What is loaded again rests for so many times as long as loading took: the server has other work. */
+const restFactor = 4;
+
 /**
  * Loads what `key` names, and again when `version` has changed since; keeps the old value until then.
  * A change of the key drops the value; null loads nothing.
@@ -82,11 +85,12 @@ export function useReloaded<T>(
     version: unknown,
     load: (signal: AbortSignal) => Promise<T>,
 ): Reloaded<T> {
-    const [loaded, setLoaded] = useState<Reloaded<T> & { key: string | null; version: unknown }>({
+    const [loaded, setLoaded] = useState<Reloaded<T> & { key: string | null; version: unknown; rests: number }>({
         value: null,
         error: "",
         key: null,
         version: null,
+        rests: 0, // Until this time, in milliseconds.
     });
     const [turn, setTurn] = useState(0);
     const isLoading = useRef(false);
@@ -98,10 +102,18 @@ export function useReloaded<T>(
         }
         const stop = new AbortController();
         const asked = now.current.version;
+        const began = performance.now();
         isLoading.current = true;
         const finish = (value: T | null, error: string) => {
             isLoading.current = false;
-            setLoaded((old) => ({ value: value ?? (old.key === key ? old.value : null), error, key, version: asked }));
+            const now = performance.now();
+            setLoaded((old) => ({
+                value: value ?? (old.key === key ? old.value : null),
+                error,
+                key,
+                version: asked,
+                rests: now + restFactor * (now - began),
+            }));
         };
         now.current.load(stop.signal).then(
             (value) => stop.signal.aborted || finish(value, ""),
@@ -110,9 +122,11 @@ export function useReloaded<T>(
         return () => stop.abort();
     }, [key, turn]);
     useEffect(() => {
-        if (loaded.key === key && key !== null && loaded.version !== version && !isLoading.current) {
-            setTurn((old) => old + 1);
+        if (loaded.key !== key || key === null || loaded.version === version || isLoading.current) {
+            return;
         }
+        const timer = setTimeout(() => setTurn((old) => old + 1), Math.max(0, loaded.rests - performance.now()));
+        return () => clearTimeout(timer);
     }, [key, version, loaded]);
     return loaded.key === key ? loaded : { value: null, error: "" };
 }

@@ -58,8 +58,32 @@ export function KeyHelp({ title, keys, close }: { title: string; keys: KeyTable;
     );
 }
 
+/**
+ * Calls the action of each pressed key, by its name; with shift, an arrow is `Shift+ArrowLeft`. Keys are
+ * heard in `root`.
+ */
+export function useKeys(actions: Record<string, () => void>, root: EventTarget = document): void {
+    const now = useRef(actions);
+    now.current = actions;
+    useEffect(() => {
+        const press = (event: Event) => {
+            if (!(event instanceof KeyboardEvent)) {
+                return;
+            }
+            const isTurn = event.shiftKey && event.key.startsWith("Arrow");
+            const action = now.current[isTurn ? `Shift+${event.key}` : event.key];
+            if (action && !isTyping(event)) {
+                action();
+                event.preventDefault();
+            }
+        };
+        root.addEventListener("keydown", press);
+        return () => root.removeEventListener("keydown", press);
+    }, [root]);
+}
+
 /** Whether a key belongs to the element that has the focus rather than to the screen. */
-export function isTyping(event: KeyboardEvent): boolean {
+function isTyping(event: KeyboardEvent): boolean {
     const target = event.target;
     if (event.ctrlKey || event.altKey || event.metaKey) {
         return true;

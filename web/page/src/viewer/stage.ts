@@ -219,10 +219,21 @@ export class Stage {
         return [((at.x + 1) / 2) * this.canvas.clientWidth, ((1 - at.y) / 2) * this.canvas.clientHeight];
     }
 
-    /** Returns the picture as PNG. */
-    picture(): Promise<Blob | null> {
+    private picture(): Promise<Blob | null> {
         this.render(); // The buffer is kept until this task ends.
         return new Promise((resolve) => this.canvas.toBlob(resolve, "image/png"));
+    }
+
+    /** Saves the picture as a file. */
+    async save(name: string): Promise<void> {
+        const blob = await this.picture();
+        if (blob) {
+            const link = document.createElement("a");
+            link.href = URL.createObjectURL(blob);
+            link.download = `${name}.png`.replaceAll(/[^\w.-]+/g, "_");
+            link.click();
+            setTimeout(() => URL.revokeObjectURL(link.href), 1000);
+        }
     }
 
     dispose(): void {
