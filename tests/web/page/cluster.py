@@ -1,9 +1,10 @@
 """A master with its workers on this machine."""
 import http.client
+import json
 import ssl
 import subprocess
 
-from servers import Program
+from servers import Program, ask
 
 
 class Cluster:
@@ -65,6 +66,10 @@ class Cluster:
 
     def add_worker(self, name):
         return self.start("cdworker", "--master", self.address, "--name", name, "--threads", "1")
+
+    def job(self):
+        """Returns the id of a job; of the only one, if there is one."""
+        return json.loads(ask(self.http, "/api/v1/jobs")[2])["jobs"][0]["job"]
 
     def submit(self, scenes, name="long"):
         """Submits a job with this name that takes minutes."""

@@ -13,11 +13,12 @@ def distance(camera):
 
 
 class Keys(PageTest):
-    """Each test is of some rows of the list; `rows` names all of them."""
+    """Each test is of some rows of the list; `rows` names all of them. Picks, moves and the end of a search are in
+    keyboard_test.py and long_job_test.py."""
 
     rows = [
         "n, p", "← →", "space", "h", "g", "x", "l", "s", "[ ]", "f", "c",
-        "shift ← → ↑ ↓", "+ −", "drag, wheel", "click", "?",
+        "shift ← → ↑ ↓", "shift W A S D", "+ −", "enter", "esc", "drag, wheel", "click", "?",
     ]  # fmt: skip
 
     def setUp(self):

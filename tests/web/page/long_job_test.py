@@ -4,104 +4,96 @@ import time
 
 from selenium.webdriver.common.keys import Keys
 
-from cluster import Cluster
 from page_case import PageTest
 
 BODIES = 'unit = "m"\n[a]\nmesh = "a.obj"\n[b]\nmesh = "b.obj"\n'
 
 
 class LongJobs(PageTest):
-    def job_id(self):
-        return self.browser.driver.execute_async_script(
-            "const done = arguments[0]; fetch('api/v1/jobs').then(a => a.json()).then(a => done(a.jobs[0].job))"
-        )
-
     def run_job(self, cluster, name, poses, level="count"):
-        """Runs a job on the cluster to its end, and opens the page; returns the job's id."""
+        """Runs a job on the cluster to its end; returns its id."""
         self.scenes.bodies()
         text = f'name = "{name}"\n{BODIES}[poses]\ngrid = {poses}\n[query]\nlevel = "{level}"\n'
         cluster.run("cdctl", "submit", self.scenes.job(name, text), "--master", cluster.address)
         cluster.run("cdctl", "watch", "last", "--master", cluster.address)
-        self.browser.open(cluster.page + "#/jobs")
-        return self.job_id()
+        return cluster.job()
 
     def test_a_search_goes_on_until_the_next_contact_of_a_sparse_job(self):
-        with Cluster(self.bin, self.root / "sparse") as cluster:
-            cluster.add_worker("one")
-            # B flies 400,000 steps towards A and meets it at the end.
-            job = self.run_job(cluster, "sparse", "{ x = [-40000, 0, 400001] }")
-            self.browser.go(f"#/jobs/{job}/0")
-            self.browser.scenario(0)
-            script = (
-                "const note = document.querySelector('.scrub .note'); window.said = [];"
-                "new MutationObserver(() => said.push(note.textContent))"
-                ".observe(note, {childList: true, characterData: true, subtree: true})"
-            )
-            self.browser.driver.execute_script(script)
-            self.browser.press("n")
-            found = self.browser.wait("the contact", lambda f: f["scenario"] > 0)
-            self.assertGreater(found["scenario"], 399_900)
-            self.assertNotEqual(found["class"], "separate")
-            said = self.browser.driver.execute_script("return said")
-            self.assertTrue(any(text.startswith("searching, at #") for text in said), said)
-            self.browser.press("p")
-            self.browser.wait_text("no contact before this scenario")
+        cluster = self.start_cluster("sparse")
+        cluster.add_worker("one")
+        # B flies 400,000 steps towards A and meets it at the end.
+        job = self.run_job(cluster, "sparse", "{ x = [-40000, 0, 400001] }")
+        self.browser.open(f"{cluster.page}#/jobs/{job}/0")
+        self.browser.scenario(0)
+        script = (
+            "const note = document.querySelector('.scrub .note'); window.said = [];"
+            "new MutationObserver(() => said.push(note.textContent))"
+            ".observe(note, {childList: true, characterData: true, subtree: true})"
+        )
+        self.browser.driver.execute_script(script)
+        self.browser.press("n")
+        found = self.browser.wait("the contact", lambda f: f["scenario"] > 0)
+        self.assertGreater(found["scenario"], 399_900)
+        self.assertNotEqual(found["class"], "separate")
+        said = self.browser.driver.execute_script("return said")
+        self.assertTrue(any(text.startswith("searching, at #") for text in said), said)
+        self.browser.press("p")
+        self.browser.wait_text("no contact before this scenario")
 
     def test_a_search_ends_when_the_user_does_something_else(self):
-        with Cluster(self.bin, self.root / "ended") as cluster:
-            cluster.add_worker("one")
-            job = self.run_job(cluster, "ended", "{ x = [-40000, -10, 400001] }")
-            self.browser.go(f"#/jobs/{job}/0")
-            self.browser.scenario(0)
-            # Answers come when the test lets them.
-            self.browser.driver.execute_script(
-                "const ask = window.fetch; window.asked = 0;"
-                "window.fetch = (path, options) => { if (!path.includes('/next')) return ask(path, options);"
-                "asked += 1; return new Promise((done, fail) => {"
-                "options.signal.addEventListener('abort', () => { window.ended = true; fail(options.signal.reason); });"
-                "if (asked < 3) ask(path, options).then(done, fail); }); }"
-            )
-            self.browser.press("n")
-            self.browser.wait_text("searching, at #")
-            self.browser.press(Keys.ARROW_RIGHT)
-            self.browser.scenario(1)
-            self.assertTrue(self.browser.driver.execute_script("return window.ended"))
-            self.browser.press("n")
-            self.browser.press(Keys.ESCAPE)
-            asked = self.browser.driver.execute_script("return asked")
-            time.sleep(0.3)
-            self.assertEqual(self.browser.driver.execute_script("return asked"), asked)
-            self.assertNotIn("no contact after", self.browser.wait_text("next contact"))
+        cluster = self.start_cluster("ended")
+        cluster.add_worker("one")
+        job = self.run_job(cluster, "ended", "{ x = [-40000, -10, 400001] }")
+        self.browser.open(f"{cluster.page}#/jobs/{job}/0")
+        self.browser.scenario(0)
+        # Answers come when the test lets them.
+        self.browser.driver.execute_script(
+            "const ask = window.fetch; window.asked = 0;"
+            "window.fetch = (path, options) => { if (!path.includes('/next')) return ask(path, options);"
+            "asked += 1; return new Promise((done, fail) => {"
+            "options.signal.addEventListener('abort', () => { window.ended = true; fail(options.signal.reason); });"
+            "if (asked < 3) ask(path, options).then(done, fail); }); }"
+        )
+        self.browser.press("n")
+        self.browser.wait_text("searching, at #")
+        self.browser.press(Keys.ARROW_RIGHT)
+        self.browser.scenario(1)
+        self.assertTrue(self.browser.driver.execute_script("return window.ended"))
+        self.browser.press("n")
+        self.browser.press(Keys.ESCAPE)
+        asked = self.browser.driver.execute_script("return asked")
+        time.sleep(0.3)
+        self.assertEqual(self.browser.driver.execute_script("return asked"), asked)
+        self.assertNotIn("no contact after", self.browser.wait_text("next contact"))
 
     def test_a_slice_of_a_long_grid_is_read_by_itself(self):
-        with Cluster(self.bin, self.root / "slices") as cluster:
-            cluster.add_worker("one")
-            job = self.run_job(cluster, "slices", "{ x = [-4, 4, 50], y = [-2, 2, 50], yaw_deg = [0, 90, 40] }")
-            self.browser.go(f"#/jobs/{job}?at=yaw:90")
-            self.browser.wait_text("yaw 90°")
-            facts = self.browser.wait(
-                "the slice", lambda f: f.get("poseSpace") and f["poseSpace"]["height"] == 1 / 50 and f["poseSpace"]["width"] == 1 / 50
-            )
-            spot = facts["poseSpace"]
-            self.assertEqual(spot["scenario"] % 40, 39)
-            self.assertNotIn("other axes folded", self.browser.wait_text("pose space"))
-            left, top, width, height = self.browser.box(".plot canvas")
-            self.browser.click(left + width * (spot["x"] + 0.01), top + height * (1 - spot["y"] - 0.01))
-            self.browser.scenario(spot["scenario"])
+        cluster = self.start_cluster("slices")
+        cluster.add_worker("one")
+        job = self.run_job(cluster, "slices", "{ x = [-4, 4, 50], y = [-2, 2, 50], yaw_deg = [0, 90, 40] }")
+        self.browser.open(f"{cluster.page}#/jobs/{job}?at=yaw:90")
+        self.browser.wait_text("yaw 90°")
+        facts = self.browser.wait(
+            "the slice", lambda f: f.get("poseSpace") and f["poseSpace"]["height"] == 1 / 50 and f["poseSpace"]["width"] == 1 / 50
+        )
+        spot = facts["poseSpace"]
+        self.assertEqual(spot["scenario"] % 40, 39)
+        self.assertNotIn("other axes folded", self.browser.wait_text("pose space"))
+        left, top, width, height = self.browser.box(".plot canvas")
+        self.browser.click(left + width * (spot["x"] + 0.01), top + height * (1 - spot["y"] - 0.01))
+        self.browser.scenario(spot["scenario"])
 
     def test_a_window_of_a_running_job_follows_its_results(self):
-        with Cluster(self.bin, self.root / "follows") as cluster:
-            cluster.add_worker("one")
-            cluster.submit(self.scenes)
-            self.browser.open(cluster.page + "#/jobs")
-            job = self.job_id()
-            self.browser.go(f"#/jobs/{job}")
-            done = self.browser.wait("results", lambda f: f["screen"] == "job" and f["done"] > 0)["done"]
-            first = done + 400_000
-            self.browser.go(f"#/jobs/{job}?from={first}&to={first + 1023}")
-            self.browser.wait("an exact window", lambda f: f["strip"]["isExact"] and f["strip"]["first"] == first)
-            shown = self.browser.facts()["strip"]["shown"]
-            self.browser.wait("more results", lambda f: f["strip"]["shown"] > shown or f["strip"]["shown"] == 1024)
+        cluster = self.start_cluster("follows")
+        cluster.add_worker("one")
+        cluster.submit(self.scenes)
+        job = cluster.job()
+        self.browser.open(f"{cluster.page}#/jobs/{job}")
+        done = self.browser.wait("results", lambda f: f["screen"] == "job" and f["done"] > 0)["done"]
+        first = done + 400_000
+        self.browser.go(f"#/jobs/{job}?from={first}&to={first + 1023}")
+        self.browser.wait("an exact window", lambda f: f["strip"]["isExact"] and f["strip"]["first"] == first)
+        shown = self.browser.facts()["strip"]["shown"]
+        self.browser.wait("more results", lambda f: f["strip"]["shown"] > shown or f["strip"]["shown"] == 1024)
 
     def test_a_folder_of_many_poses_is_exact(self):
         count = 1_100_000  # So many that the page keeps the two coordinates that it draws.
@@ -132,16 +124,9 @@ class LongJobs(PageTest):
 
 class Drawing(PageTest):
     def test_why_nothing_is_drawn_is_said(self):
-        self.open(self.scenes.drive(), "#/jobs/folder")
-        self.browser.wait("the job", lambda f: f["screen"] == "job")
-        self.browser.driver.execute_script(
-            "const ask = window.fetch; window.fetch = async (path, options) => {"
-            "const answer = await ask(path, options);"
-            "if (!/scenarios.45$/.test(path)) return answer;"
-            "const said = {...await answer.json(), draw_note: 'it takes too long', exact_pairs: 0};"
-            "return new Response(JSON.stringify(said)); }"
-        )
-        self.browser.go("#/jobs/folder/45")
-        facts = self.browser.scenario(45)
-        self.assertEqual(facts["highlighted"], [[], []])
-        self.browser.wait_text("nothing is drawn: it takes too long")
+        server = self.view(self.scenes.drive())
+        with self.browser.lie("/scenarios/45", "json.draw_note = 'it takes too long'; json.exact_pairs = 0"):
+            self.browser.open(server.url + "&/jobs/folder/45")
+            facts = self.browser.scenario(45)
+            self.assertEqual(facts["highlighted"], [[], []])
+            self.browser.wait_text("nothing is drawn: it takes too long")

@@ -2,7 +2,6 @@
 with names of their own."""
 import subprocess
 
-from cluster import Cluster
 from page_case import PageTest
 from scenes import BOX_FACES, box, pairs_by_scenario, write_obj
 
@@ -87,16 +86,12 @@ class Parts(PageTest):
         self.assertEqual(facts["errors"], [])
 
     def test_a_group_on_a_master_leads_to_its_next_contact(self):
-        with Cluster(self.bin, self.root / "groups") as cluster:
-            cluster.add_worker("one")
-            cluster.run("cdctl", "submit", self.job(), "--master", cluster.address)
-            cluster.run("cdctl", "watch", "last", "--master", cluster.address)
-            self.browser.open(cluster.page + "#/jobs")
-            job = self.browser.driver.execute_async_script(
-                "const done = arguments[0]; fetch('api/v1/jobs').then(a => a.json()).then(a => done(a.jobs[0].job))"
-            )
-            self.browser.go(f"#/jobs/{job}")
-            facts = self.follow_group("both")
-            self.assertEqual(facts["parts"], ["both", "probe"])
-            self.browser.press("n")
-            self.browser.wait("the next contact", lambda f: f["scenario"] > facts["scenario"])
+        cluster = self.start_cluster("groups")
+        cluster.add_worker("one")
+        cluster.run("cdctl", "submit", self.job(), "--master", cluster.address)
+        cluster.run("cdctl", "watch", "last", "--master", cluster.address)
+        self.browser.open(f"{cluster.page}#/jobs/{cluster.job()}")
+        facts = self.follow_group("both")
+        self.assertEqual(facts["parts"], ["both", "probe"])
+        self.browser.press("n")
+        self.browser.wait("the next contact", lambda f: f["scenario"] > facts["scenario"])

@@ -146,6 +146,12 @@ export class Stage {
         this.look(target.clone().addScaledVector(back, fitMargin * distance), target);
     }
 
+    /** Whether the camera looks in the first direction. */
+    get isAtStart(): boolean {
+        const from = this.camera.position.clone().sub(this.controls.target).normalize();
+        return from.distanceTo(startDirection) < 1e-6;
+    }
+
     private look(eye: Vector3, target: Vector3): void {
         this.isPlacing = true;
         this.controls.target.copy(target);

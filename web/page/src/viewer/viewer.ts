@@ -34,7 +34,7 @@ export class Viewer {
     private contacts: Contacts | null = null;
     private state: ViewState | null = null;
     private fitted: Sphere | null = null; // What the view was fitted to.
-    private freshAt = -1; // The scenario at which the view was chosen afresh.
+    private freshAt = -1; // The scenario that, opened anew, would be seen as it is.
 
     constructor(
         private readonly canvas: HTMLCanvasElement,
@@ -163,10 +163,10 @@ export class Viewer {
     /** Looks at both bodies; from the first direction if `fresh`. */
     fit(fresh: boolean): void {
         this.fitted = this.ballAround();
-        this.freshAt = fresh ? (this.contacts?.scenario.index ?? -1) : -1;
         const corners = this.bodies.flatMap((body, i) => body.boxCorners(this.matrices[i]));
         const box = new Box3().setFromPoints(corners.map((corner) => new Vector3(...corner)));
         this.stage.fit(box.getCenter(new Vector3()).toArray() as Vec3, corners, fresh);
+        this.freshAt = this.stage.isAtStart ? (this.contacts?.scenario.index ?? -1) : -1;
     }
 
     /** Looks at the triangles of A in contact; at all if there are none. */
