@@ -9,10 +9,13 @@
 #include "tests/master/fake_worker.hpp"
 #include "tests/master/master_stage.hpp"
 #include "tests/support/logged.hpp"
+#include "web/status/job_id.hpp"
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <array>
+#include <vector>
 
 namespace cd::tests {
 namespace {
@@ -63,6 +66,23 @@ class Asking {
 
 std::string request_for(const std::string& target) {
     return "GET " + target + " HTTP/1.1\r\nHost: localhost\r\n\r\n";
+}
+
+/// Makes triangles in parallel planes across axis 0 or 1; each spans the whole fan of the other
+/// axis.
+Mesh make_fan(std::uint32_t count, int axis) {
+    MeshArrays arrays;
+    for (std::uint32_t i = 0; i < count; ++i) {
+        for (const auto& [across, up] : {std::array{-9.0, -9.0}, {9.0, -9.0}, {0.0, 9.0}}) {
+            Vec3 corner;
+            corner[axis] = i / static_cast<double>(count) - 0.5;
+            corner[1 - axis] = across;
+            corner[2] = up;
+            arrays.vertices.push_back(corner);
+        }
+        arrays.triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2});
+    }
+    return Mesh::create(std::move(arrays)).value();
 }
 
 std::unique_ptr<HttpFront> make_front(Master& master, MasterIdentity* identity = nullptr) {
@@ -119,9 +139,46 @@ TEST(HttpPagesOfAPausedJob, ReadinessIsRefusedWithTheReasonOfThePause) {
     const std::string answer = ready();
     EXPECT_THAT(answer, StartsWith("HTTP/1.1 503 "));
     EXPECT_THAT(answer, HasSubstr("job 1 is paused: " + mesh.string()));
+    const std::vector<JobId> ids{JobId{1}};
+    const std::string scenario = "/api/v1/jobs/" + job_id_text(JobId{1}, ids) + "/scenarios/0";
+    const auto run_again = [&] {
+        return Asking(master, front->port(), nullptr, request_for(scenario)).answer();
+    };
+    EXPECT_THAT(run_again(), StartsWith("HTTP/1.1 503 "));
+    EXPECT_THAT(run_again(), HasSubstr("no scenario is run again: job 1 is paused"));
     write_text(mesh, whole);
     master.run_until([&] { return master.coordinator.jobs().cluster().jobs.at(0).paused.empty(); });
     EXPECT_THAT(ready(), StartsWith("HTTP/1.1 200 "));
+    EXPECT_THAT(run_again(), StartsWith("HTTP/1.1 200 "));
+}
+
+TEST_F(HttpPages, AScenarioThatTakesLongIsStopped) {
+    // Each triangle of A crosses each of B: 144 million pairs take far longer than a second.
+    const Mesh a = make_fan(12'000, 0);
+    const Mesh b = make_fan(12'000, 1);
+    for (const Mesh* const mesh : {&a, &b}) {
+        const Bytes bytes = mesh->canonical_bytes();
+        std::vector<Message> parts;
+        for (std::size_t at = 0; at < bytes.size(); at += limits::mesh_answer_bytes) {
+            const std::size_t end =
+                std::min<std::size_t>(bytes.size(), at + limits::mesh_answer_bytes);
+            parts.emplace_back(MeshPart{mesh->hash(),
+                                        "fan",
+                                        bytes.size(),
+                                        at,
+                                        Bytes(bytes.begin() + static_cast<std::ptrdiff_t>(at),
+                                              bytes.begin() + static_cast<std::ptrdiff_t>(end))});
+        }
+        ASSERT_TRUE(std::holds_alternative<MeshStored>(answer_to(master_, parts)));
+    }
+    Submit submit = submission(Grid{});
+    submit.bodies = {{a.hash(), "a"}, {b.hash(), "b"}};
+    const JobId job = std::get<Accepted>(answer_to(master_, {submit})).job;
+    const std::vector<JobId> ids{job};
+    // Without a worker there is no result, so the scenario is run for its contacts alone.
+    const std::string pairs = get("/api/v1/jobs/" + job_id_text(job, ids) + "/scenarios/0/pairs");
+    EXPECT_THAT(pairs, StartsWith("HTTP/1.1 200 "));
+    EXPECT_THAT(pairs, HasSubstr("'shape': (0, 3)")) << "no pairs: the run did not end";
 }
 
 TEST_F(HttpPages, OtherRequestsAreRefusedWithAReason) {

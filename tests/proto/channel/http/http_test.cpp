@@ -101,6 +101,8 @@ TEST_F(Http, ABodyOfSeveralPiecesArrivesWholeFromMemoryAndFromAFile) {
         EXPECT_EQ(reply.status, 200);
         EXPECT_TRUE(reply.body == text);
         EXPECT_THAT(reply.head, HasSubstr("Content-Length: " + std::to_string(several_pieces)));
+        EXPECT_THAT(reply.head, HasSubstr("\r\nCross-Origin-Opener-Policy: same-origin\r\n"));
+        EXPECT_THAT(reply.head, HasSubstr("\r\nCross-Origin-Resource-Policy: same-origin"));
     }
 }
 
