@@ -223,10 +223,24 @@ Status print(const DiffCommand& command, const DiffReport& report) {
     return out.commit();
 }
 
-int exit_code_of(const DiffReport& report, DiffFailOn fail_on) {
+/// Says why two runs may have no scenario in common; empty if nothing is known of it.
+const char* hint_of(const Compared& runs) {
+    const auto is_random = [](const RunAtHand& run) {
+        return run.run.manifest().poses.kind == PosesKind::Random;
+    };
+    const bool have_equal_bodies = runs.has_equal_mesh(0) && runs.has_equal_mesh(1);
+    return is_random(runs.earlier) && is_random(runs.later) && !have_equal_bodies
+               ? "; random poses depend on the bodies: runs of a grid or of one pose file can be "
+                 "compared"
+               : "";
+}
+
+int exit_code_of(const Compared& runs, const DiffReport& report, DiffFailOn fail_on) {
     const ScenarioCounts& counts = report.scenarios;
     if (counts.comparable == 0) {
-        std::fputs("cdctl: nothing to compare: no scenario has a class in both runs\n", stderr);
+        std::fprintf(stderr,
+                     "cdctl: nothing to compare: no scenario has a class in both runs%s\n",
+                     hint_of(runs));
         return exit_incomplete;
     }
     if (fail_on == DiffFailOn::Never) {
@@ -273,7 +287,7 @@ Result<int> perform(const DiffCommand& command) {
         CD_TRY(write_triangles(runs, found.triangles, command.out));
     }
     CD_TRY(print(command, report));
-    return exit_code_of(report, command.fail_on);
+    return exit_code_of(runs, report, command.fail_on);
 }
 
 } // namespace cd

@@ -151,7 +151,21 @@ TEST_F(DiffOfRuns, NothingToCompareHasACodeOfItsOwn) {
     run_into("new");
     const Ran ran = diff({"--fail-on", "any"});
     EXPECT_EQ(ran.exit_code, 3);
-    EXPECT_THAT(ran.errors, HasSubstr("nothing to compare: no scenario has a class in both runs"));
+    EXPECT_THAT(ran.errors,
+                HasSubstr("nothing to compare: no scenario has a class in both runs\n"));
+}
+
+TEST_F(DiffOfRuns, RandomPosesOfOtherBodiesAreNotTheSame) {
+    const std::string bodies = read_text(job_).substr(0, read_text(job_).find("[poses]"));
+    write_text(job_, bodies + "[poses]\nrandom = { n = 3, seed = 1 }\n");
+    run_into("old");
+    write_obj(folder_ / "b.obj", make_box({0.7, 0.8, 0.9}));
+    run_into("new");
+    const Ran ran = diff();
+    EXPECT_EQ(ran.exit_code, 3);
+    EXPECT_THAT(ran.errors,
+                HasSubstr("in both runs; random poses depend on the bodies: runs of a "
+                          "grid or of one pose file can be compared\n"));
 }
 
 TEST_F(DiffOfRuns, MissingResultsAreToldAndLeaveTheQuestionOpen) {
