@@ -68,18 +68,26 @@ Error other_poses() {
     return {ErrorCode::BadFrame, "the master sent other poses than were asked for"};
 }
 
-/// Appends the poses in `part` to `all`. `part` must begin with scenario `next` and have 1 to
-/// `left` scenarios. Errors: BadFrame.
-Status take_poses(const JobPoses& part, std::uint64_t next, std::uint64_t left, FetchedPoses& all) {
-    if (part.first != next || part.count == 0 || part.count > left) {
+/// Appends the poses in `part` to `all`. `part` must begin at the query's first place and have 1 to
+/// `query.count` scenarios; the job has `total`. Errors: BadFrame.
+Status take_poses(const JobPoses& part,
+                  const PosesQuery& query,
+                  std::uint64_t total,
+                  LabelledScenarios& all) {
+    if (part.first != query.first || part.count == 0 || part.count > query.count) {
         return other_poses();
     }
     const auto scenarios = CD_TRY(unpack_scenarios(part.scenarios, part.count));
     const auto fits = [&](std::size_t labels) { return labels == 0 || labels == part.count; };
     const PoseLabels& labels = part.labels;
-    if (scenarios.size() != part.count || scenarios.front().index != next ||
-        !fits(labels.integers.size()) || !fits(labels.texts.size()) || !fits(labels.times.size())) {
+    if (scenarios.size() != part.count || !fits(labels.integers.size()) ||
+        !fits(labels.texts.size()) || !fits(labels.times.size())) {
         return other_poses();
+    }
+    for (std::uint64_t i = 0; i < part.count; ++i) {
+        if (scenarios[i].index != sampled_scenario(part.first + i, query.sample, total)) {
+            return other_poses();
+        }
     }
     all.scenarios.insert(all.scenarios.end(), scenarios.begin(), scenarios.end());
     all.labels.append(labels);
@@ -442,17 +450,18 @@ Status Connection::fetch(JobId job,
                          std::uint64_t first,
                          std::uint64_t count,
                          const std::function<Status(const ScenarioResult&)>& take) {
-    std::uint64_t next = first;
-    while (next - first < count) {
-        const auto part = CD_TRY(
-            state_->run(state_->ask<ResultsPart>(ResultsQuery{job, next, count - (next - first)})));
-        const auto results = CD_TRY(unpack_results(part, next, count - (next - first)));
-        for (const ScenarioResult& result : results) {
-            CD_TRY(take(result));
-        }
-        next = part.next;
-    }
-    return Done{};
+    return fetch(ResultsQuery{job, first, count},
+                 0,
+                 [&](std::uint64_t, const ScenarioResult& result) { return take(result); });
+}
+
+Status Connection::fetch(const ResultsQuery& query,
+                         std::uint64_t scenarios,
+                         const std::function<Status(std::uint64_t, const ScenarioResult&)>& take) {
+    const auto ask = [&](const ResultsQuery& next) {
+        return state_->run(state_->ask<ResultsPart>(next));
+    };
+    return for_each_result(query, scenarios, ask, take);
 }
 
 Result<JobDescription> Connection::job_description(JobId job) {
@@ -482,13 +491,20 @@ Result<Mesh> Connection::fetch_mesh(const Sha256& mesh) {
     return Mesh::from_canonical_bytes(bytes);
 }
 
-Result<FetchedPoses> Connection::fetch_poses(JobId job, std::uint64_t first, std::uint64_t count) {
-    FetchedPoses all;
-    while (all.scenarios.size() < count) {
-        const std::uint64_t next = first + all.scenarios.size();
-        const std::uint64_t left = count - all.scenarios.size();
-        const auto part = CD_TRY(state_->run(state_->ask<JobPoses>(PosesQuery{job, next, left})));
-        CD_TRY(take_poses(part, next, left, all));
+Result<LabelledScenarios>
+Connection::fetch_poses(JobId job, std::uint64_t first, std::uint64_t count) {
+    return fetch_poses(PosesQuery{job, first, count}, 0);
+}
+
+Result<LabelledScenarios> Connection::fetch_poses(const PosesQuery& query,
+                                                  std::uint64_t scenarios) {
+    LabelledScenarios all;
+    while (all.scenarios.size() < query.count) {
+        PosesQuery next = query;
+        next.first += all.scenarios.size();
+        next.count -= all.scenarios.size();
+        const auto part = CD_TRY(state_->run(state_->ask<JobPoses>(next)));
+        CD_TRY(take_poses(part, next, scenarios, all));
     }
     return all;
 }

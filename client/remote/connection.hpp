@@ -3,7 +3,7 @@
 
 #include "common/core/result.hpp"
 #include "common/geometry/mesh.hpp"
-#include "common/job/poses/pose_labels.hpp"
+#include "common/job/poses/labelled_scenarios.hpp"
 #include "common/job/poses/pose_source.hpp"
 #include "common/job/result/result.hpp"
 #include "proto/channel/tls.hpp"
@@ -23,12 +23,6 @@ namespace cd {
 struct NamedMesh {
     std::string name;
     std::shared_ptr<const Mesh> mesh;
-};
-
-/// Consecutive scenarios and their labels.
-struct FetchedPoses {
-    std::vector<Scenario> scenarios;
-    PoseLabels labels;
 };
 
 /// A connection for use by one thread. Every call blocks and may fail with: Disconnected; Timeout
@@ -82,6 +76,12 @@ class Connection {
                                std::uint64_t first,
                                std::uint64_t count,
                                const std::function<Status(const ScenarioResult&)>& take);
+    /// As the overload above, for a query that may have a sample; passes also each result's place.
+    /// `scenarios` is the job's number of them.
+    [[nodiscard]] Status
+    fetch(const ResultsQuery& query,
+          std::uint64_t scenarios,
+          const std::function<Status(std::uint64_t place, const ScenarioResult&)>& take);
 
     /// Fetches the description with which a job was submitted. Errors: NotFound.
     [[nodiscard]] Result<JobDescription> job_description(JobId job);
@@ -89,8 +89,12 @@ class Connection {
     [[nodiscard]] Result<Mesh> fetch_mesh(const Sha256& mesh);
     /// Fetches the poses and labels of scenarios [first, first + count), which must exist, into
     /// memory, so callers that need many fetch them part by part. Errors: NotFound; BadInput.
-    [[nodiscard]] Result<FetchedPoses>
+    [[nodiscard]] Result<LabelledScenarios>
     fetch_poses(JobId job, std::uint64_t first, std::uint64_t count);
+    /// As the overload above, for a query that may have a sample. `scenarios` is the job's number
+    /// of them.
+    [[nodiscard]] Result<LabelledScenarios> fetch_poses(const PosesQuery& query,
+                                                        std::uint64_t scenarios);
 
     /// True if the connection is encrypted.
     [[nodiscard]] bool is_tls() const;

@@ -65,10 +65,11 @@ void RemoteReader::map(const ContactMapQuery& query, Take<ContactMapAnswer> take
          [query](Connection& connection) { return connection.contact_map(query); });
 }
 
-Result<RecordReader> RemoteReader::records(JobId job) {
-    return RecordReader([this, job](std::uint64_t first, std::uint64_t count, const auto& take) {
-        return call(
-            [&](Connection& connection) { return connection.fetch(job, first, count, take); });
+Result<RecordReader> RemoteReader::records(JobId job, std::uint64_t scenarios) {
+    return RecordReader([=, this](const ScenarioChoice& choice, const TakeRecord& take) {
+        return call([&](Connection& connection) {
+            return connection.fetch(query_of<ResultsQuery>(job, choice), scenarios, take);
+        });
     });
 }
 
@@ -80,10 +81,11 @@ Result<JobDescription> RemoteReader::description(JobId job) {
     return *description_;
 }
 
-Result<LabelledScenarios> RemoteReader::poses(JobId job, std::uint64_t first, std::uint64_t count) {
-    auto fetched = CD_TRY(
-        call([=](Connection& connection) { return connection.fetch_poses(job, first, count); }));
-    return LabelledScenarios{std::move(fetched.scenarios), std::move(fetched.labels)};
+Result<LabelledScenarios> RemoteReader::poses(JobId job, const ScenarioChoice& choice) {
+    const std::uint64_t scenarios = CD_TRY(description(job)).submit.scenarios;
+    return call([&](Connection& connection) {
+        return connection.fetch_poses(query_of<PosesQuery>(job, choice), scenarios);
+    });
 }
 
 Result<BodyTrees> RemoteReader::trees(const Submit& submit) {

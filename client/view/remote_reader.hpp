@@ -35,11 +35,10 @@ class RemoteReader final : public ClusterReader {
 
     void status(Take<ClusterStatus> take) override;
     void map(const ContactMapQuery& query, Take<ContactMapAnswer> take) override;
-    [[nodiscard]] Result<RecordReader> records(JobId job) override;
+    [[nodiscard]] Result<RecordReader> records(JobId job, std::uint64_t scenarios) override;
     [[nodiscard]] Status may_run() override { return Done{}; }
     [[nodiscard]] Result<JobDescription> description(JobId job) override;
-    [[nodiscard]] Result<LabelledScenarios>
-    poses(JobId job, std::uint64_t first, std::uint64_t count) override;
+    [[nodiscard]] Result<LabelledScenarios> poses(JobId job, const ScenarioChoice& choice) override;
     [[nodiscard]] Result<BodyTrees> trees(const Submit& submit) override;
     [[nodiscard]] Result<std::shared_ptr<HttpBody>> mesh(const Sha256& mesh) override;
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "common/core/result.hpp"
+#include "common/job/poses/labelled_scenarios.hpp"
 #include "master/geometry/geometry_store.hpp"
 #include "master/journal/journal.hpp"
 #include "proto/messages/client_messages.hpp"
@@ -24,6 +25,8 @@ class JobQueries {
     /// Returns the poses of the first queried scenarios, as many as one message may hold.
     /// Errors: NotFound; BadInput for scenarios that the job lacks; Io.
     [[nodiscard]] Result<JobPoses> poses(const PosesQuery& query) const;
+    /// Returns all queried scenarios. Errors: as `poses`.
+    [[nodiscard]] Result<LabelledScenarios> scenarios(const PosesQuery& query) const;
 
   private:
     const Journal& journal_;

@@ -339,24 +339,27 @@ std::uint64_t ResultStore::count() const {
     return state_->records;
 }
 
-Result<ResultsPart>
-ResultStore::read(std::uint64_t first, std::uint64_t count, std::uint64_t bytes_max) const {
+Result<ResultsPart> ResultStore::read(std::uint64_t first,
+                                      std::uint64_t count,
+                                      std::uint64_t bytes_max,
+                                      std::uint64_t sample) const {
     const std::lock_guard lock(state_->mutex);
-    const std::uint64_t begin = std::min(first, state_->scenarios);
-    const std::uint64_t end =
-        begin + std::min({count, state_->scenarios - begin, limits::results_scan_max});
+    const std::uint64_t places = sample == 0 ? state_->scenarios : sample;
+    const std::uint64_t begin = std::min(first, places);
+    const std::uint64_t end = begin + std::min({count, places - begin, limits::results_scan_max});
     ByteWriter records;
     ResultsPart part;
     part.first = first;
     part.next = std::max(first, end);
     std::optional<DiskFile> file; // Opened at the first record: a job without results has no file.
-    for (std::uint64_t scenario = begin; scenario < end; ++scenario) {
+    for (std::uint64_t at = begin; at < end; ++at) {
+        const std::uint64_t scenario = sampled_scenario(at, sample, state_->scenarios);
         const RecordPlace place = state_->find(scenario);
         if (place.length == 0) {
             continue;
         }
         if (part.count != 0 && records.size() + place.length > bytes_max) {
-            part.next = scenario;
+            part.next = at;
             break;
         }
         if (!file) {
@@ -372,8 +375,8 @@ ResultStore::read(std::uint64_t first, std::uint64_t count, std::uint64_t bytes_
         }
         records.put(static_cast<std::uint32_t>(place.length));
         put_bytes(records, record.value());
-        if (part.held.empty() || part.held.back().first + part.held.back().count != scenario) {
-            part.held.push_back({scenario, 0});
+        if (part.held.empty() || part.held.back().first + part.held.back().count != at) {
+            part.held.push_back({at, 0});
         }
         ++part.held.back().count;
         ++part.count;

@@ -414,7 +414,8 @@ asio::awaitable<void> ClientSession::on(ResultsQuery message) {
         co_return;
     }
     auto read = [results = job->results, message] {
-        return results->read(message.first, message.count, limits::results_part_bytes_target);
+        return results->read(
+            message.first, message.count, limits::results_part_bytes_target, message.sample);
     };
     Result<ResultsPart> part = co_await run_on(coordinator_.parts().blocking, read);
     if (!part) {

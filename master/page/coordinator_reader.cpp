@@ -2,10 +2,8 @@
 
 #include "common/core/limits/master.hpp"
 #include "common/core/timing/web.hpp"
-#include "master/compute/job_geometry.hpp"
 #include "master/geometry/mesh_file.hpp"
 #include "master/page/state_sizes.hpp"
-#include "master/submission/label_spool.hpp"
 #include "web/server/cluster/result_records.hpp"
 
 #include <utility>
@@ -15,40 +13,18 @@ namespace cd {
 namespace {
 
 /// Reads the records of a job, whose store stays alive.
-RecordReader reader_of(std::shared_ptr<ResultStore> store) {
-    return [store = std::move(store)](
-               std::uint64_t first, std::uint64_t count, const auto& take) -> Status {
-        const std::uint64_t end = first + count;
-        while (first < end) {
-            const auto part = store->read(first, end - first, limits::results_part_bytes_target);
-            if (!part) {
-                return part.error();
-            }
-            const auto results = unpack_results(part.value(), first, end - first);
-            if (!results) {
-                return results.error();
-            }
-            for (const ScenarioResult& result : results.value()) {
-                if (const Status taken = take(result); !taken) {
-                    return taken;
-                }
-            }
-            first = part.value().next;
-        }
-        return Done{};
+RecordReader reader_of(JobId job, std::uint64_t scenarios, std::shared_ptr<ResultStore> store) {
+    return [job, scenarios, store = std::move(store)](const ScenarioChoice& choice,
+                                                      const TakeRecord& take) {
+        return for_each_result(
+            query_of<ResultsQuery>(job, choice),
+            scenarios,
+            [&](const ResultsQuery& query) {
+                return store->read(
+                    query.first, query.count, limits::results_part_bytes_target, query.sample);
+            },
+            take);
     };
-}
-
-Result<PoseLabels> labels_of(const JobRecord& record,
-                             const std::filesystem::path& path,
-                             std::uint64_t first,
-                             std::uint64_t count) {
-    const Submit& submit = record.submit;
-    if (submit.poses.labels.is_empty()) {
-        return PoseLabels();
-    }
-    const auto spool = LabelSpool::open(path, submit.poses.labels, submit.scenarios);
-    return spool ? spool.value()->read(first, count) : spool.error();
 }
 
 } // namespace
@@ -92,12 +68,12 @@ void CoordinatorReader::map(const ContactMapQuery& query, Take<ContactMapAnswer>
     take(coordinator_.jobs().contact_map(query));
 }
 
-Result<RecordReader> CoordinatorReader::records(JobId job) {
+Result<RecordReader> CoordinatorReader::records(JobId job, std::uint64_t scenarios) {
     const MasterJob* const found = coordinator_.jobs().find(job);
     if (found == nullptr) {
         return no_job();
     }
-    return reader_of(found->results);
+    return reader_of(job, scenarios, found->results);
 }
 
 Status CoordinatorReader::may_run() {
@@ -110,27 +86,8 @@ Result<JobDescription> CoordinatorReader::description(JobId job) {
     return queries_.description(job);
 }
 
-Result<LabelledScenarios>
-CoordinatorReader::poses(JobId job, std::uint64_t first, std::uint64_t count) {
-    const Journal& journal = coordinator_.parts().journal;
-    const Result<JobRecord> record = journal.job(job);
-    if (!record) {
-        return record.error();
-    }
-    const auto source =
-        open_poses(record.value().submit, journal.poses_path(job), PoseCheck::AsRead);
-    if (!source) {
-        return source.error();
-    }
-    auto scenarios = source.value()->read_submitted(first, count);
-    if (!scenarios) {
-        return scenarios.error();
-    }
-    auto labels = labels_of(record.value(), journal.labels_path(job), first, count);
-    if (!labels) {
-        return labels.error();
-    }
-    return LabelledScenarios{std::move(scenarios.value()), std::move(labels.value())};
+Result<LabelledScenarios> CoordinatorReader::poses(JobId job, const ScenarioChoice& choice) {
+    return queries_.scenarios(query_of<PosesQuery>(job, choice));
 }
 
 Result<BodyTrees> CoordinatorReader::trees(const Submit& submit) {

@@ -1,6 +1,7 @@
 #include "proto/codec/codec.hpp"
 
 #include "common/core/limits/engine.hpp"
+#include "common/core/limits/web.hpp"
 #include "common/core/limits/wire.hpp"
 #include "common/core/printable.hpp"
 #include "common/core/timing/wire.hpp"
@@ -52,6 +53,16 @@ Problem problem_of(const JobDescription& description) {
 }
 Problem problem_of(const Explained& explained) {
     return problem_of_strategy(explained.strategy);
+}
+
+Problem problem_of_sample(std::uint64_t sample) {
+    return sample > limits::page_sample_max ? "a sample of too many scenarios" : nullptr;
+}
+Problem problem_of(const ResultsQuery& query) {
+    return problem_of_sample(query.sample);
+}
+Problem problem_of(const PosesQuery& query) {
+    return problem_of_sample(query.sample);
 }
 
 /// Requires that the intervals in `held` ascend within [first, next) and have `count` scenarios.

@@ -317,7 +317,7 @@ void serialize(Archive& archive, MeshBytes& m) {
 
 template <class Archive>
 void serialize(Archive& archive, PosesQuery& m) {
-    archive(m.job, m.first, m.count);
+    archive(m.job, m.first, m.count, m.sample);
 }
 
 template <class Archive>
@@ -404,7 +404,7 @@ void serialize(Archive& archive, ClusterStatus& m) {
 
 template <class Archive>
 void serialize(Archive& archive, ResultsQuery& m) {
-    archive(m.job, m.first, m.count);
+    archive(m.job, m.first, m.count, m.sample);
 }
 
 template <class Archive>

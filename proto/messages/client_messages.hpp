@@ -144,16 +144,24 @@ struct MeshBytes {
     Bytes bytes;
 };
 
-/// Asks for the poses of scenarios [first, first + count). Answered by JobPoses. Errors: NotFound;
-/// BadInput for scenarios that the job does not have.
+/// Returns the scenario at a place of an even sample of a job's scenarios. `sample` is the sample's
+/// size, at most `limits::page_sample_max`; of a sample of size 0, places are scenarios.
+[[nodiscard]] constexpr std::uint64_t
+sampled_scenario(std::uint64_t place, std::uint64_t sample, std::uint64_t scenarios) {
+    return sample == 0 ? place : place * scenarios / sample;
+}
+
+/// Asks for the poses of scenarios [first, first + count), or of these places of a sample. Answered
+/// by JobPoses. Errors: NotFound; BadInput for scenarios that the job does not have.
 struct PosesQuery {
     JobId job;
     std::uint64_t first = 0;
     std::uint64_t count = 0;
+    std::uint64_t sample = 0; ///< As of `sampled_scenario`.
 };
 
-/// Poses of scenarios [first, first + count) in submitted order: at least one, at most as many as
-/// requested. Contains poses for a job with a grid, too.
+/// Poses of scenarios, or places, [first, first + count) in submitted order: at least one, at most
+/// as many as requested. Contains poses for a job with a grid, too.
 struct JobPoses {
     JobId job;
     std::uint64_t first = 0;
@@ -278,12 +286,13 @@ struct ClusterStatus {
     StateSizes sizes;
 };
 
-/// Asks for the records of scenarios [first, first + count). Answered by ResultsPart. Records exist
-/// for scenarios already merged.
+/// Asks for the records of scenarios [first, first + count), or of these places of a sample.
+/// Answered by ResultsPart. Records exist for scenarios already merged.
 struct ResultsQuery {
     JobId job;
     std::uint64_t first = 0;
     std::uint64_t count = 0;
+    std::uint64_t sample = 0; ///< As of `sampled_scenario`.
 };
 
 /// Scenarios [first, first + count), by index.
@@ -295,7 +304,8 @@ struct ScenarioInterval {
 };
 
 /// The records, as in `Results`, of all scenarios in [first, next) that have a result. `next` is
-/// less than the end of the request if the message would become too large.
+/// less than the end of the request if the message would become too large. With a sample, these
+/// numbers and those of `held` are places.
 struct ResultsPart {
     JobId job;
     std::uint64_t first = 0;

@@ -116,6 +116,12 @@ void expect_job(const Get& get, const Job& job, const Query& query, const std::s
         contact = !contact && result.pair_count > 0 && i > 0 ? std::optional(i) : contact;
     }
     EXPECT_EQ(sample[3], classes[3 * classes.size() / 5]);
+    const auto large = classes_in(get(base + "/classes?sample=4096"));
+    ASSERT_EQ(large.size(), 4096u);
+    EXPECT_EQ(large[4000], classes[4000 * classes.size() / 4096]);
+    const auto few = parse_npy_header(get(base + "/poses?sample=3").bytes());
+    ASSERT_TRUE(few);
+    EXPECT_THAT(few.value().shape, testing::ElementsAre(3, 12));
     ASSERT_TRUE(contact);
     const std::string one = base + "/scenarios/" + std::to_string(*contact);
     const HttpReply scenario = get(one);

@@ -82,14 +82,14 @@ void check_results(Input packed, const std::vector<Input>& records) {
     part.next = part.count;
     part.held = {{0, part.count}};
     part.records.assign(packed.begin(), packed.end());
-    const auto results = unpack_results(part, 0, part.count);
+    const auto results = unpack_results(part, {{}, 0, part.count}, part.count);
     if (!results) {
         return;
     }
     require(results.value().size() == records.size(), "each record is a result");
     for (std::size_t i = 0; i < records.size(); ++i) {
-        require(results.value()[i].index == i, "results come in their order");
-        require_canonical(encode_result(results.value()[i]), records[i]);
+        require(results.value()[i].result.index == i, "results come in their order");
+        require_canonical(encode_result(results.value()[i].result), records[i]);
     }
 }
 

@@ -3,6 +3,7 @@
 
 #include "common/core/files/hash.hpp"
 #include "common/core/result.hpp"
+#include "proto/messages/client_messages.hpp"
 
 #include <cstdint>
 #include <optional>
@@ -39,7 +40,7 @@ struct ScenarioChoice {
     [[nodiscard]] std::uint64_t size() const { return sample != 0 ? sample : count; }
     /// Returns the index of the chosen scenario `i`, below `size()`, in a job of `total` scenarios.
     [[nodiscard]] std::uint64_t at(std::uint64_t i, std::uint64_t total) const {
-        return sample != 0 ? i * total / sample : first + i;
+        return sample != 0 ? sampled_scenario(i, sample, total) : first + i;
     }
     /// Errors: BadInput if the range exceeds `count_max` or the job, or the sample its bound.
     [[nodiscard]] Status check(std::uint64_t total, std::uint64_t count_max) const;

@@ -37,6 +37,8 @@ inline constexpr std::uint64_t mesh_answer_bytes = 1u << 20; ///< Mesh bytes in 
 /// Uncompressed size of the records in one answer. A single larger record is sent alone.
 inline constexpr std::uint64_t results_part_bytes_target = 4u << 20;
 inline constexpr std::uint64_t results_scan_max = 1u << 20; ///< Scenarios read for one answer.
+/// Poses of a sample in one answer. Each may be in another window of poses, which is read whole.
+inline constexpr std::uint64_t sampled_poses_answer_max = 512;
 inline constexpr std::size_t path_bytes_max = 4096; ///< Length of a file's name, for display.
 
 // Meshes and trees.

@@ -17,9 +17,7 @@ inline constexpr std::uint64_t page_classes_max = 1u << 20;
 /// Scenarios in one array of poses; on a master, in any array.
 inline constexpr std::uint64_t page_scenarios_max = 1u << 16;
 inline constexpr std::uint64_t page_sample_max = 4096; ///< Scenarios in a sample.
-/// A job with at most this many times as many scenarios as its sample is read as a whole.
-inline constexpr std::uint64_t page_sample_whole = 4;
-inline constexpr std::size_t page_groups_max = 1000; ///< Pairs of parts in a job's description.
+inline constexpr std::size_t page_groups_max = 1000;   ///< Pairs of parts in a job's description.
 /// Pairs, or shared points, of one scenario.
 inline constexpr std::uint64_t page_rows_max = 1'000'000;
 /// A results folder with more scenarios cannot be viewed: its index takes 5 bytes for each.

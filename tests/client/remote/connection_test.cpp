@@ -417,7 +417,8 @@ TEST(Connection, ClaimedResultsTakeNoMemoryBeforeTheirRecordsAreRead) {
     part.next = part.count;
     part.held = {{0, part.count}};
     const MemoryBound bound(1u << 30);
-    EXPECT_EQ(unpack_results(part, 0, part.count).error().code, ErrorCode::BadFrame);
+    EXPECT_EQ(unpack_results(part, {{}, 0, part.count}, part.count).error().code,
+              ErrorCode::BadFrame);
 }
 
 } // namespace

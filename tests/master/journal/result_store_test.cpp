@@ -114,6 +114,27 @@ TEST_F(ResultStoreTest, AReadSkipsMissingRecordsAndReturnsWhereToGoOn) {
     EXPECT_EQ(little.held, (std::vector<ScenarioInterval>{{1, 2}}));
 }
 
+TEST_F(ResultStoreTest, ASampleHasTheRecordsOfItsPlaces) {
+    const auto store = make_store(10);
+    for (const std::uint64_t i : {0, 1, 2, 5, 7, 9}) {
+        ASSERT_TRUE(add(*store, i, make_record(i, 5 + i)));
+    }
+    // The places of a sample of 4 are the scenarios 0, 2, 5 and 7; of 20, each twice.
+    const ResultsPart all = store->read(0, 4, 1000, 4).value();
+    EXPECT_EQ(all.held, (std::vector<ScenarioInterval>{{0, 4}}));
+    EXPECT_EQ(all.next, 4u);
+    EXPECT_EQ(records_of(all),
+              (std::vector<Bytes>{
+                  make_record(0, 5), make_record(2, 7), make_record(5, 10), make_record(7, 12)}));
+    const ResultsPart rest = store->read(3, 10, 1000, 4).value();
+    EXPECT_EQ(rest.held, (std::vector<ScenarioInterval>{{3, 1}}));
+    EXPECT_EQ(rest.next, 4u);
+    EXPECT_EQ(store->read(5, 8, 1000, 20).value().held,
+              (std::vector<ScenarioInterval>{{5, 1}, {10, 2}}));
+    const ResultsPart little = store->read(0, 4, 20, 4).value();
+    EXPECT_EQ(little.next, 2u);
+}
+
 TEST_F(ResultStoreTest, OneRecordOverTheLimitIsGivenAlone) {
     const auto store = make_store(3);
     ASSERT_TRUE(add(*store, 0, make_record(0, 10)));

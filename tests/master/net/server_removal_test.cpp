@@ -63,6 +63,28 @@ TEST(Removal, AJobIsToldAsItWasSubmittedWithItsLabels) {
                            [](auto& a, auto& b) { return a == b; }));
 }
 
+TEST(Removal, ASampleOfPosesHasTheLabelsOfItsScenarios) {
+    Master master;
+    do_a_job(master);
+    const auto accepted =
+        std::get<Accepted>(answer_to(master, parts_with_labels(labelled_submission())));
+    const std::uint64_t all = reference().scenarios.size();
+    const auto poses = std::get<JobPoses>(answer_to(master, {PosesQuery{accepted.job, 1, 3, 4}}));
+    EXPECT_EQ(poses.first, 1u);
+    EXPECT_EQ(poses.count, 3u);
+    const auto scenarios = unpack_scenarios(poses.scenarios, 3).value();
+    ASSERT_EQ(scenarios.size(), 3u);
+    PoseLabels labels;
+    for (std::uint64_t i = 0; i < 3; ++i) {
+        const std::uint64_t index = (i + 1) * all / 4;
+        EXPECT_TRUE(scenarios[i] == reference().scenarios[index]);
+        labels.append(labels_of(index, 1));
+    }
+    EXPECT_EQ(poses.labels, labels);
+    EXPECT_THAT(refusal_of(master, {PosesQuery{accepted.job, 2, 3, 4}}),
+                testing::HasSubstr("poses of 3 scenarios from 2 on"));
+}
+
 TEST(Removal, LabelsThatWereNotAnnouncedAreRefused) {
     Master master;
     do_a_job(master);

@@ -4,6 +4,7 @@
 #include "proto/codec/codec.hpp"
 
 #include "common/core/files/hash.hpp"
+#include "common/core/limits/web.hpp"
 #include "common/core/limits/wire.hpp"
 #include "tests/proto/sample_messages.hpp"
 #include "tests/support/damage.hpp"
@@ -58,7 +59,7 @@ constexpr std::array<Golden, std::variant_size_v<Message>> golden{{
     {"job status", 541, "f70eda492da339b4"},
     {"status query", 0, "e3b0c44298fc1c14"},
     {"cluster status", 985, "49736fa76d6e5379"},
-    {"results query", 24, "e2e2033ae7e19d68"},
+    {"results query", 32, "73e200e2b048c86d"},
     {"results part", 106, "152ae6c9b2d9f303"},
     {"cancel", 17, "6450d3157de527b9"},
     {"fetch from peers", 170, "a0d47f54a15913e3"},
@@ -88,7 +89,7 @@ constexpr std::array<Golden, std::variant_size_v<Message>> golden{{
     {"job description", 529, "eec8be629cd1cd76"},
     {"mesh query", 40, "f7d21511aea24080"},
     {"mesh bytes", 116, "fccdf5c70818c47b"},
-    {"poses query", 24, "f5f38eb8784416cd"},
+    {"poses query", 32, "f1efd35118dc9d45"},
     {"job poses", 133, "2ed3c3ccbd1e8896"},
     {"remove", 9, "39c4bda09747729a"},
     {"remove mesh", 32, "ae216c2ef5247a37"},
@@ -428,6 +429,18 @@ TEST(Codec, RecordsOfResultsAreOfAscendingScenariosOfTheirRange) {
     EXPECT_THAT(refusal({{10, 2}, {11, 5}}, 7), HasSubstr("do not ascend"));
     EXPECT_THAT(refusal({{10, 2}, {15, ~0ull}}, 7), HasSubstr("outside"));
     EXPECT_THAT(refusal({{10, 2}, {15, 5}}, 8), HasSubstr("another number of records"));
+}
+
+TEST(Codec, ASampleIsBounded) {
+    const auto refusal = [](const auto& query, std::uint64_t sample) {
+        Bytes bytes = encode_message(query);
+        std::memcpy(bytes.data() + bytes.size() - sizeof sample, &sample, sizeof sample);
+        return refusal_of(query, bytes);
+    };
+    EXPECT_EQ(refusal(ResultsQuery{}, limits::page_sample_max), "");
+    EXPECT_THAT(refusal(ResultsQuery{}, limits::page_sample_max + 1), HasSubstr("too many"));
+    EXPECT_EQ(refusal(PosesQuery{}, limits::page_sample_max), "");
+    EXPECT_THAT(refusal(PosesQuery{}, limits::page_sample_max + 1), HasSubstr("too many"));
 }
 
 TEST(Codec, AStrategyIsABoundedName) {

@@ -17,50 +17,34 @@ namespace cd {
 
 namespace {
 
-/// Results, or poses, are read in parts of at most this many scenarios.
+/// Scenarios are looked through in parts of at most this many.
 constexpr std::uint64_t part_scenarios = 4096;
 
-using TakePlaced = std::function<void(std::uint64_t, const ScenarioResult&)>;
-
-/// Reads all results of a job, and calls `take` for those that are in the sample.
-Status take_sample(const RecordReader& records,
-                   const PagedJob& job,
-                   const ScenarioChoice& choice,
-                   const TakePlaced& take) {
-    std::uint64_t i = 0;
-    return records(0, job.scenarios(), [&](const ScenarioResult& result) {
-        while (i < choice.size() && choice.at(i, job.scenarios()) < result.index) {
-            ++i; // The scenario before has no result.
-        }
-        for (; i < choice.size() && choice.at(i, job.scenarios()) == result.index; ++i) {
-            take(i, result);
-        }
-        return Status(Done{});
-    });
-}
-
-/// Calls `take` with the place in the choice and the result of each chosen scenario that has one.
+/// Calls `take` with each result and its place in the choice. A sample that is larger than the job
+/// has several places for some scenarios, whose records are read once.
 Status for_each_chosen(const RecordReader& records,
                        const PagedJob& job,
                        const ScenarioChoice& choice,
-                       const TakePlaced& take) {
-    CD_TRY(choice.check(job.scenarios(), limits::page_scenarios_max));
+                       const TakeRecord& take) {
     if (choice.sample == 0) {
-        return records(choice.first, choice.count, [&](const ScenarioResult& result) {
-            take(result.index - choice.first, result);
-            return Status(Done{});
+        return records(choice, [&](std::uint64_t scenario, const ScenarioResult& result) {
+            return take(scenario - choice.first, result);
         });
     }
-    if (job.scenarios() <= limits::page_sample_whole * choice.sample) {
-        return take_sample(records, job, choice, take);
+    if (choice.sample <= job.scenarios()) {
+        return records(choice, take);
     }
-    for (std::uint64_t i = 0; i < choice.size(); ++i) {
-        CD_TRY(records(choice.at(i, job.scenarios()), 1, [&](const ScenarioResult& result) {
-            take(i, result);
-            return Status(Done{});
-        }));
-    }
-    return Done{};
+    std::uint64_t place = 0;
+    const ScenarioChoice all{0, job.scenarios()};
+    return records(all, [&](std::uint64_t index, const ScenarioResult& result) -> Status {
+        while (place < choice.sample && choice.at(place, job.scenarios()) < index) {
+            ++place; // The scenario before has no result.
+        }
+        for (; place < choice.sample && choice.at(place, job.scenarios()) == index; ++place) {
+            CD_TRY(take(place, result));
+        }
+        return Done{};
+    });
 }
 
 BodyView body_view(const JobBody& body, const ObbTree& tree) {
@@ -198,9 +182,11 @@ Result<std::vector<std::uint8_t>>
 classes_of(const RecordReader& records, const PagedJob& job, const ScenarioChoice& choice) {
     CD_TRY(choice.check(job.scenarios(), limits::page_scenarios_max));
     std::vector<std::uint8_t> classes(choice.size(), no_class);
-    CD_TRY(for_each_chosen(records, job, choice, [&](std::uint64_t i, const ScenarioResult& each) {
-        classes[i] = static_cast<std::uint8_t>(each.kind);
-    }));
+    CD_TRY(for_each_chosen(
+        records, job, choice, [&](std::uint64_t place, const ScenarioResult& each) -> Status {
+            classes[place] = static_cast<std::uint8_t>(each.kind);
+            return Done{};
+        }));
     return classes;
 }
 
@@ -208,10 +194,12 @@ Result<std::vector<std::uint32_t>>
 counts_of(const RecordReader& records, const PagedJob& job, const ScenarioChoice& choice) {
     CD_TRY(choice.check(job.scenarios(), limits::page_scenarios_max));
     std::vector<std::uint32_t> counts(choice.size());
-    CD_TRY(for_each_chosen(records, job, choice, [&](std::uint64_t i, const ScenarioResult& each) {
-        counts[i] = static_cast<std::uint32_t>(
-            std::min<std::uint64_t>(each.pair_count, std::numeric_limits<std::uint32_t>::max()));
-    }));
+    CD_TRY(for_each_chosen(
+        records, job, choice, [&](std::uint64_t place, const ScenarioResult& each) -> Status {
+            counts[place] = static_cast<std::uint32_t>(std::min<std::uint64_t>(
+                each.pair_count, std::numeric_limits<std::uint32_t>::max()));
+            return Done{};
+        }));
     return counts;
 }
 
@@ -220,13 +208,9 @@ poses_of(ClusterReader& reader, const PagedJob& job, const ScenarioChoice& choic
     CD_TRY(choice.check(job.scenarios(), limits::page_scenarios_max));
     const auto description = CD_TRY(reader.description(job.status.job));
     PoseRows rows{description.submit.poses.of_both_bodies ? std::size_t{2} : 1, {}};
-    const std::uint64_t step = choice.sample != 0 ? 1 : part_scenarios;
-    for (std::uint64_t i = 0; i < choice.size(); i += step) {
-        const auto read = CD_TRY(reader.poses(
-            job.status.job, choice.at(i, job.scenarios()), std::min(step, choice.size() - i)));
-        for (const Scenario& scenario : read.scenarios) {
-            rows.add(scenario.poses);
-        }
+    const LabelledScenarios read = CD_TRY(reader.poses(job.status.job, choice));
+    for (const Scenario& scenario : read.scenarios) {
+        rows.add(scenario.poses);
     }
     return rows;
 }
@@ -272,7 +256,8 @@ Result<NextFound> next_of(ClusterReader& reader,
     for (Window window = window_after(wanted, job.scenarios(), done); window.count != 0;
          window = window_after(wanted, job.scenarios(), done)) {
         std::optional<std::uint64_t> found;
-        CD_TRY(records(window.first, window.count, [&](const ScenarioResult& result) {
+        const ScenarioChoice choice{window.first, window.count};
+        CD_TRY(records(choice, [&](std::uint64_t, const ScenarioResult& result) {
             const bool is_better = !found || wanted.is_backwards;
             if (is_better && is_contact(result.kind) && filter.passes(result)) {
                 found = result.index;
@@ -298,10 +283,11 @@ Result<ScenarioInputs> inputs_of(ClusterReader& reader,
     ScenarioInputs inputs;
     inputs.query = description.submit.query;
     inputs.trees = CD_TRY(reader.trees(description.submit));
-    auto read = CD_TRY(reader.poses(job.status.job, scenario, 1));
+    const ScenarioChoice one{scenario, 1};
+    auto read = CD_TRY(reader.poses(job.status.job, one));
     inputs.scenario = read.scenarios.front();
     inputs.labels = std::move(read.labels);
-    CD_TRY(records(scenario, 1, [&](const ScenarioResult& result) {
+    CD_TRY(records(one, [&](std::uint64_t, const ScenarioResult& result) {
         inputs.record = KeptRecord{encode_result(result), result};
         return Status(Done{});
     }));

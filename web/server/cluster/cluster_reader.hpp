@@ -2,7 +2,7 @@
 #pragma once
 
 #include "common/core/result.hpp"
-#include "common/job/poses/pose_labels.hpp"
+#include "common/job/poses/labelled_scenarios.hpp"
 #include "common/job/result/result.hpp"
 #include "common/job/scenario.hpp"
 #include "common/tree/obb_tree.hpp"
@@ -17,18 +17,18 @@
 
 namespace cd {
 
-/// Calls `take` with the results of scenarios [first, first + count) of one job in order, without
-/// those that have none. An error of `take` ends the reading. Runs on a reading thread.
-using RecordReader =
-    std::function<Status(std::uint64_t first,
-                         std::uint64_t count,
-                         const std::function<Status(const ScenarioResult&)>& take)>;
+/// Gets a result and its place: its scenario, or in a sample its place there. An error ends the
+/// reading.
+using TakeRecord = std::function<Status(std::uint64_t place, const ScenarioResult&)>;
+/// Calls `take` with the results of the chosen scenarios of one job in order, without those that
+/// have none. Runs on a reading thread.
+using RecordReader = std::function<Status(const ScenarioChoice& choice, const TakeRecord& take)>;
 
-/// Consecutive scenarios. The labels are empty unless the pose file has some.
-struct LabelledScenarios {
-    std::vector<Scenario> scenarios;
-    PoseLabels labels;
-};
+/// Returns the query of a choice's results, or of its poses.
+template <class Query>
+[[nodiscard]] Query query_of(JobId job, const ScenarioChoice& choice) {
+    return {job, choice.sample == 0 ? choice.first : 0, choice.size(), choice.sample};
+}
 
 using BodyTrees = std::array<std::shared_ptr<const ObbTree>, 2>;
 
@@ -43,16 +43,16 @@ class ClusterReader {
     virtual void status(Take<ClusterStatus> take) = 0;
     /// Errors: NotFound; Refused for a job that is not done.
     virtual void map(const ContactMapQuery& query, Take<ContactMapAnswer> take) = 0;
-    /// Errors: NotFound.
-    [[nodiscard]] virtual Result<RecordReader> records(JobId job) = 0;
+    /// `scenarios` is the job's number of them. Errors: NotFound.
+    [[nodiscard]] virtual Result<RecordReader> records(JobId job, std::uint64_t scenarios) = 0;
     /// Whether a scenario may be run now. Errors: TooLarge with the reason.
     [[nodiscard]] virtual Status may_run() = 0;
 
     // ---- On a reading thread; these block -------------------------------------------------------
     [[nodiscard]] virtual Result<JobDescription> description(JobId job) = 0;
-    /// Reads scenarios [first, first + count), which exist.
-    [[nodiscard]] virtual Result<LabelledScenarios>
-    poses(JobId job, std::uint64_t first, std::uint64_t count) = 0;
+    /// Reads the chosen scenarios, which exist.
+    [[nodiscard]] virtual Result<LabelledScenarios> poses(JobId job,
+                                                          const ScenarioChoice& choice) = 0;
     /// Loads or builds the trees of a job's bodies, in forms for exact searches and for the job's.
     [[nodiscard]] virtual Result<BodyTrees> trees(const Submit& submit) = 0;
     [[nodiscard]] virtual Result<std::shared_ptr<HttpBody>> mesh(const Sha256& mesh) = 0;

@@ -108,7 +108,7 @@ void ClusterSource::with_job(const std::string& id, Take<T> take, Then then) {
 template <class T, class Work>
 void ClusterSource::with_records(const std::string& id, Take<T> take, Work work) {
     with_job(id, std::move(take), [this, work = std::move(work)](PagedJob job, Take<T> then) {
-        const Result<RecordReader> records = parts_.reader.records(job.status.job);
+        const Result<RecordReader> records = parts_.reader.records(job.status.job, job.scenarios());
         if (!records) {
             return then(records.error());
         }

@@ -6,15 +6,16 @@
 
 namespace cd {
 
-Result<std::vector<ScenarioResult>>
-unpack_results(const ResultsPart& part, std::uint64_t first, std::uint64_t count) {
+Result<std::vector<PlacedResult>>
+unpack_results(const ResultsPart& part, const ResultsQuery& query, std::uint64_t scenarios) {
     // The decoder of messages has checked that the intervals in `part.held` ascend and lie within
     // [part.first, part.next).
-    if (part.first != first || part.next <= first || part.next - first > count) {
+    if (part.first != query.first || part.next <= query.first ||
+        part.next - query.first > query.count) {
         return Error{ErrorCode::BadFrame, "the master sent other results than were asked for"};
     }
     const Bytes records = CD_TRY(unpack_records(part.records, limits::results_bytes_max));
-    std::vector<ScenarioResult> results;
+    std::vector<PlacedResult> results;
     ByteReader in(records);
     for (const ScenarioInterval& run : part.held) {
         // `run.count` is untrusted, but the loop ends when `records` has no more bytes.
@@ -24,16 +25,34 @@ unpack_results(const ResultsPart& part, std::uint64_t first, std::uint64_t count
                 break;
             }
             ScenarioResult result = CD_TRY(decode_result(record));
-            if (result.index != run.first + i) {
+            const std::uint64_t place = run.first + i;
+            if (result.index != sampled_scenario(place, query.sample, scenarios)) {
                 return Error{ErrorCode::BadFrame, "the master sent results out of their order"};
             }
-            results.push_back(std::move(result));
+            results.push_back({place, std::move(result)});
         }
     }
     if (!in.complete()) {
         return Error{ErrorCode::BadFrame, "the master sent results that are cut short or too long"};
     }
     return results;
+}
+
+Status for_each_result(ResultsQuery query,
+                       std::uint64_t scenarios,
+                       const std::function<Result<ResultsPart>(const ResultsQuery&)>& ask,
+                       const std::function<Status(std::uint64_t, const ScenarioResult&)>& take) {
+    const std::uint64_t end = query.first + query.count;
+    while (query.first < end) {
+        query.count = end - query.first;
+        const ResultsPart part = CD_TRY(ask(query));
+        const auto results = CD_TRY(unpack_results(part, query, scenarios));
+        for (const PlacedResult& each : results) {
+            CD_TRY(take(each.place, each.result));
+        }
+        query.first = part.next;
+    }
+    return Done{};
 }
 
 } // namespace cd
