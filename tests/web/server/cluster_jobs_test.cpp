@@ -27,15 +27,18 @@ class FakeReader final : public ClusterReader {
     void map(const ContactMapQuery& /*query*/, Take<ContactMapAnswer> take) override {
         take(ContactMapAnswer());
     }
-    [[nodiscard]] Result<RecordReader> records(JobId /*job*/) override { return none(); }
+    [[nodiscard]] Result<RecordReader> records(JobId /*job*/,
+                                               std::uint64_t /*scenarios*/) override {
+        return none();
+    }
     [[nodiscard]] Status may_run() override { return Done{}; }
     [[nodiscard]] Result<JobDescription> description(JobId /*job*/) override {
         JobDescription description;
         description.submit.query.level = Level::Pairs;
         return description;
     }
-    [[nodiscard]] Result<LabelledScenarios>
-    poses(JobId /*job*/, std::uint64_t /*first*/, std::uint64_t /*count*/) override {
+    [[nodiscard]] Result<LabelledScenarios> poses(JobId /*job*/,
+                                                  const ScenarioChoice& /*choice*/) override {
         return none();
     }
     [[nodiscard]] Result<BodyTrees> trees(const Submit& /*submit*/) override { return trees_; }
@@ -61,15 +64,15 @@ class Searched : public testing::Test {
 
     /// Scenarios of `contacts_` are in contact, those of even number with the hood.
     [[nodiscard]] RecordReader records() const {
-        return [this](std::uint64_t first, std::uint64_t count, const auto& take) -> Status {
-            for (std::uint64_t i = first; i < first + count; ++i) {
+        return [this](const ScenarioChoice& choice, const auto& take) -> Status {
+            for (std::uint64_t i = choice.first; i < choice.first + choice.count; ++i) {
                 ScenarioResult result;
                 result.index = i;
                 if (contacts_.contains(i)) {
                     result.kind = ScenarioClass::Cross;
                     result.pairs = {{i % 2 == 0 ? 0u : 9u, 4, PairClass::Proper}};
                 }
-                CD_TRY(take(result));
+                CD_TRY(take(i, result));
             }
             return Done{};
         };
