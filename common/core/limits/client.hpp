@@ -18,7 +18,7 @@ inline constexpr std::size_t run_batch_scenarios_max = 64;
 inline constexpr std::uint64_t run_batch_bytes_max = 1u << 20;
 inline constexpr std::uint64_t run_poses_at_once_max = 128; ///< Poses read in one call.
 /// Shorter runs would gain less from support points than it costs to make them.
-inline constexpr std::uint64_t run_planes_scenarios_min = 300'000;
+inline constexpr std::uint64_t run_planes_scenarios_min = 3'000'000;
 
 // Mesh files.
 /// Uncompressed size of an array in an NPZ file.
