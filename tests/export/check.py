@@ -224,12 +224,12 @@ def check_series(out, scenes, first, last):
     """A series of VTP files: A stands once, B moves, and contacts are those of the run."""
     cdctl("extract", out, f"{first}-{last}", "--as", "vtp", "--out", scenes)
     scenarios = range(first, last + 1)
-    expected = {"a.vtp", "scenarios.pvd"} | {f"{n}-{i}.vtp" for n in ("b", "contacts") for i in scenarios}
+    expected = {"a.vtp", "scenarios.pvd"} | {f"{n}-{i}.vtp" for n in ("_odd__b", "contacts") for i in scenarios}
     check({path.name for path in scenes.iterdir()} == expected, "a series has other files")
     steps = collections.defaultdict(list)
     for each in xml.etree.ElementTree.parse(scenes / "scenarios.pvd").iter("DataSet"):
         steps[int(each.get("timestep"))].append(each.get("file"))
-    check(steps == {i: ["a.vtp", f"b-{i}.vtp", f"contacts-{i}.vtp"] for i in scenarios}, "scenarios.pvd")
+    check(steps == {i: ["a.vtp", f"_odd__b-{i}.vtp", f"contacts-{i}.vtp"] for i in scenarios}, "scenarios.pvd")
     for i in scenarios:
         corners = [mesh_of(out, 0)[0], world(mesh_of(out, 1)[0], i)]
         for body, file in enumerate(steps[i][:2]):
