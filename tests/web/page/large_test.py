@@ -3,7 +3,8 @@ import time
 
 from page_case import PageTest
 
-# The goals of the viewer. The first one is for an idle machine; it is multiplied, since tests run on busy ones.
+# Time limits in seconds for the viewer. The limit for loading the meshes is three times the goal for an
+# idle machine, because tests run on busy machines.
 IN_HAND_SECONDS_MAX = 1
 BUSY_FACTOR = 3
 FIRST_FRAME_SECONDS_MAX = 5

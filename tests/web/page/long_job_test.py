@@ -21,7 +21,7 @@ class LongJobs(PageTest):
     def test_a_search_goes_on_until_the_next_contact_of_a_sparse_job(self):
         cluster = self.start_cluster("sparse")
         cluster.add_worker("one")
-        # B flies 400,000 steps towards A and meets it at the end.
+        # B moves towards A in 400,000 steps. Only the last scenarios are in contact.
         job = self.run_job(cluster, "sparse", "{ x = [-40000, 0, 400001] }")
         self.browser.open(f"{cluster.page}#/jobs/{job}/0")
         self.browser.scenario(0)

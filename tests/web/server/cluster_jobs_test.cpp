@@ -1,5 +1,6 @@
-// Proves that a search through the results of a cluster's job says how far it looked, so that it
-// can go on from there, and that the parts by which it searches are those of the job's groups.
+// Proves that a search for the next contact in a cluster's job reports the last scenario that it
+// read, so that the page can continue from there. Also proves that the search finds parts by the
+// names that the job's groups have.
 #include "web/server/cluster/cluster_jobs.hpp"
 
 #include "common/core/errors.hpp"

@@ -118,7 +118,8 @@ TEST(PlaneBounds, ASmallerEpsPartsWhatTouches) {
     }
     without.support.sets = sets;
     for (SeededRandom random : seeds(100)) {
-        // The spheres overlap by less than what few points of each leave out.
+        // The spheres overlap, but by less than eps, so the hulls of their support points
+        // can be apart.
         const Pose turned = make_pose(random, 1);
         const Vec3 direction = turned.translation().normalized();
         const PosePair poses{Pose{}, Pose::from_quaternion(turned.quaternion(), 1.99 * direction)};
