@@ -17,18 +17,24 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// Computes M(q) / q.q in doubles. Each entry errs by at most 10 u, so the bound of 16 u in
 /// `quaternion_entry_error` has room. An exact power of two scales q so that its largest component
-/// is in [0.5, 1). An entry of M sums at most four products, each at most n = q.q, so its error is
+/// is in [0.5, 1]. An entry of M sums at most four products, each at most n = q.q, so its error is
 /// at most 5 u n. The relative error of n is at most 4 u; the division adds u, and entries are at
 /// most 1. Underflow in the scaling is below 2^-1000.
 Mat3 rotation_of(const Quaternion& given) {
     const double largest =
         std::max({std::abs(given.w), std::abs(given.x), std::abs(given.y), std::abs(given.z)});
+    // The scaling is exact, so it may be left out where it would do nothing useful.
     int exponent = 0;
-    std::frexp(largest, &exponent);
-    const double w = std::ldexp(given.w, -exponent);
-    const double x = std::ldexp(given.x, -exponent);
-    const double y = std::ldexp(given.y, -exponent);
-    const double z = std::ldexp(given.z, -exponent);
+    if (!(largest >= 0.5 && largest <= 1)) {
+        std::frexp(largest, &exponent);
+    }
+    const auto scaled = [exponent](double value) {
+        return exponent == 0 ? value : std::ldexp(value, -exponent);
+    };
+    const double w = scaled(given.w);
+    const double x = scaled(given.x);
+    const double y = scaled(given.y);
+    const double z = scaled(given.z);
     const double n = w * w + x * x + y * y + z * z;
     Mat3 m;
     m << w * w + x * x - y * y - z * z, 2 * (x * y - w * z), 2 * (x * z + w * y), //
@@ -167,7 +173,26 @@ bool operator==(const Pose& left, const Pose& right) {
                                             : left.quaternion_ == right.quaternion_;
 }
 
+namespace {
+
+/// Returns the map of B's pose alone.
+RelativePose relative_to_world(const Pose& b) {
+    RelativePose relative;
+    relative.rotation = b.rotation();
+    relative.rotation_error = relative.rotation.allFinite() ? b.rotation_error() : infinity;
+    relative.translation = b.translation();
+    relative.translation_error = relative.translation.allFinite() ? 0 : infinity;
+    relative.skew = bound(skew_of(b));
+    return relative;
+}
+
+} // namespace
+
 RelativePose relative_pose(const PosePair& poses) {
+    static const Pose world;
+    if (poses.a == world) {
+        return relative_to_world(poses.b);
+    }
     const BoundedMatrix a = inverse_of(poses.a);
     const BoundedMatrix b = linear_part(poses.b);
     const Vec3 offset = poses.b.translation() - poses.a.translation();
