@@ -15,17 +15,20 @@ namespace {
 
 std::shared_ptr<const ObbTree> tree_of(const std::shared_ptr<const Mesh>& mesh, unsigned threads) {
     ThreadPool pool(threads);
-    return std::make_shared<const ObbTree>(build_tree(mesh, {}, pool));
+    ObbTree tree = build_tree(mesh, {}, pool);
+    tree.prepare_planes(&pool);
+    return std::make_shared<const ObbTree>(std::move(tree));
 }
 
-/// Returns the bytes that a search descends through: the wide tree with its triangles if there is
-/// one, else the binary tree and the mesh's triangles.
+/// Returns the bytes that a search descends through: the wide tree with its triangles and support
+/// points if there is one, else the binary tree and the mesh's triangles.
 std::uint64_t bytes_of(const TreeView& view) {
     const TriangleBlocks& blocks = view.wide.triangles;
     if (!view.wide.nodes.empty()) {
         return view.wide.nodes.size_bytes() + blocks.floats.size_bytes() +
                blocks.doubles.size_bytes() + blocks.vertex_begin.size_bytes() +
-               blocks.corners.size_bytes() + blocks.ids.size_bytes();
+               blocks.corners.size_bytes() + blocks.ids.size_bytes() +
+               view.wide.support.sets.size_bytes() + view.wide.support.columns.size_bytes();
     }
     return view.nodes.size_bytes() + view.vertices.size_bytes() + view.triangles.size_bytes() +
            view.triangle_ids.size_bytes();

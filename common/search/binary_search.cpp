@@ -187,7 +187,8 @@ void BinarySearch::add_candidates(const TreeView& a, const TreeView& b, const No
 }
 
 bool BinarySearch::decide_any(const TreeView& a, const TreeView& b) {
-    const bool touch = contacts_.touches(triangles_of(a), triangles_of(b), candidates_);
+    const bool touch =
+        contacts_.find_touch(triangles_of(a), triangles_of(b), candidates_).has_value();
     candidates_.clear();
     return touch;
 }

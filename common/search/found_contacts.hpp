@@ -7,7 +7,9 @@
 #include "common/search/search_options.hpp"
 #include "common/tree/query_statistics.hpp"
 
+#include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -31,12 +33,12 @@ class FoundContacts {
              std::span<const std::uint32_t> ids_b,
              std::span<const Candidate> candidates);
 
-    /// Returns whether any candidate pair touches; adds no contact.
+    /// Returns the position of a candidate pair that touches, if there is one; adds no contact.
     template <class Triangles>
-    [[nodiscard]] bool
-    touches(const Triangles& a, const Triangles& b, std::span<const Candidate> candidates) {
+    [[nodiscard]] std::optional<std::size_t>
+    find_touch(const Triangles& a, const Triangles& b, std::span<const Candidate> candidates) {
         triangle_tests_ += candidates.size();
-        return test_.find_touch(a, b, candidates).has_value();
+        return test_.find_touch(a, b, candidates);
     }
 
     /// Returns the number of added contacts, kept or not.

@@ -47,7 +47,11 @@ bool WideSearch::any(const TreeView& a, const TreeView& b) {
     expects_contact_ = false;
     while (!descent_.is_done() && !is_stopped_ && !expects_contact_) {
         const auto found = next_candidates(a.wide, b.wide, candidates_at_once_for_any);
-        expects_contact_ = contacts_.touches(a.wide.triangles, b.wide.triangles, found);
+        const auto touch = contacts_.find_touch(a.wide.triangles, b.wide.triangles, found);
+        if (touch) {
+            descent_.note_contact(a.wide, b.wide, found[*touch]);
+            expects_contact_ = true;
+        }
         poll_stop();
     }
     return expects_contact_;

@@ -7,10 +7,19 @@ namespace {
 /// More steps part hardly more pairs than opening their nodes does.
 constexpr std::uint32_t plane_steps = 3;
 
+/// A pair that no plane parted is tried again under each such pose among near ones.
+constexpr std::uint32_t retry_period = 8;
+
 } // namespace
 
-void PlaneStack::reset(const PlanePose& pose, const WideView& a, const WideView& b) {
+void PlaneStack::reset(const PlanePose& pose, const WideView& a, const WideView& b, bool is_near) {
     pose_ = pose;
+    if (!kept_) {
+        kept_.emplace();
+    }
+    if (!is_near) {
+        kept_->forget();
+    }
     a_.emplace(a);
     b_.emplace(b);
     pairs_.clear();
@@ -20,11 +29,27 @@ void PlaneStack::push_roots() {
     pairs_.push_back({{0, 0}, first_normal(pose_)});
 }
 
+/// Tries to part a pair, unless that failed lately. Sets the pair's normal to the last one tried.
+bool PlaneStack::is_apart(Waiting& pair) {
+    const auto [kept, is_known] = kept_->of(pair.nodes);
+    if (is_known) {
+        pair.normal = kept.normal;
+        if (kept.failures > 0 && ++kept.failures % retry_period != 0) {
+            return false;
+        }
+    }
+    const bool is_apart =
+        separate(pose_, *a_, pair.nodes.a, *b_, pair.nodes.b, plane_steps, pair.normal);
+    kept.normal = pair.normal;
+    kept.failures = is_apart ? 0 : 1;
+    return is_apart;
+}
+
 std::optional<WidePair> PlaneStack::next() {
     while (!pairs_.empty()) {
         Waiting pair = pairs_.back();
         pairs_.pop_back();
-        if (!separate(pose_, *a_, pair.nodes.a, *b_, pair.nodes.b, plane_steps, pair.normal)) {
+        if (!is_apart(pair)) {
             normal_ = pair.normal;
             return pair.nodes;
         }

@@ -1,6 +1,7 @@
 // The pairs of nodes of a descent that planes may part.
 #pragma once
 
+#include "common/tree/neighbours/kept_normals.hpp"
 #include "common/tree/planes/plane_kernel.hpp"
 #include "common/tree/wide/pair_buckets.hpp"
 
@@ -11,11 +12,13 @@
 
 namespace cd {
 
-/// A stack of pairs of nodes, each with the normal that its parents' plane had. Keeps its memory.
+/// A stack of pairs of nodes, each with the normal that its parents' plane had, or its own plane
+/// under the last pose, if that is near. Keeps its memory.
 class PlaneStack {
   public:
     /// Forgets all pairs and takes other trees, which have support points and outlive the calls.
-    void reset(const PlanePose& pose, const WideView& a, const WideView& b);
+    /// Keeps normals if the pose is near the last one and the trees are the same.
+    void reset(const PlanePose& pose, const WideView& a, const WideView& b, bool is_near);
     void push_roots();
     void clear() { pairs_.clear(); }
     [[nodiscard]] std::size_t size() const { return pairs_.size(); }
@@ -34,11 +37,14 @@ class PlaneStack {
         PlaneNormal normal;
     };
 
+    [[nodiscard]] bool is_apart(Waiting& pair);
+
     PlanePose pose_;
     std::optional<PlaneBody> a_;
     std::optional<PlaneBody> b_;
     std::vector<Waiting> pairs_;
     PlaneNormal normal_{}; ///< Of the pair that `next` returned last.
+    std::optional<KeptNormals> kept_;
 };
 
 } // namespace cd

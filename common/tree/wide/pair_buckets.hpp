@@ -13,6 +13,8 @@ namespace cd {
 struct WidePair {
     std::uint32_t a = 0;
     std::uint32_t b = 0;
+
+    friend bool operator==(const WidePair&, const WidePair&) = default;
 };
 
 /// A priority queue of pairs of boxes that overlap. The rank of a pair is computed as follows: on

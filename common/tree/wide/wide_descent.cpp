@@ -78,14 +78,15 @@ void WideDescent::start(const WideView& a, const WideView& b, Aim aim) {
     is_for_all_ = aim == Aim::All || aim == Aim::AllUnlikely;
     walk_.leaves_at_once = is_for_all_ ? wide_leaves_max - wide_batch_max : leaves_for_first;
     has_planes_ = aim != Aim::All && !a.support.sets.empty() && !b.support.sets.empty();
-    const std::uint32_t dive_length = has_planes_ ? dive_visits_before_planes : dive_visits;
-    dive_visits_left_ = aim == Aim::LikelyFirst ? dive_length : 0;
+    last_.move_to(b_to_a_, a, b);
     planes_.clear();
     if (has_planes_) {
-        planes_.reset(plane_pose(b_to_a_, a.support, b.support, error_scale_), a, b);
+        planes_.reset(
+            plane_pose(b_to_a_, a.support, b.support, error_scale_), a, b, last_.is_near());
     }
-    if (dive_visits_left_ > 0) {
-        walk_.ranked.push({0, 0}, 0);
+    dive_ = {};
+    if (aim == Aim::LikelyFirst) {
+        begin_dive();
     } else if (has_planes_) {
         planes_.push_roots();
     } else {
@@ -103,7 +104,7 @@ std::span<Candidate> WideDescent::next(std::size_t wanted) {
     walk_.candidates_wanted = wanted;
     walk_.visits_left = visits_at_once;
     while (!is_done() && walk_.visits_left > 0 && walk_.candidate_count < wanted) {
-        if (dive_visits_left_ > 0) {
+        if (dive_.visits_left > 0) {
             dive();
             continue;
         }
@@ -120,16 +121,45 @@ std::span<Candidate> WideDescent::next(std::size_t wanted) {
     return {candidates_.get(), walk_.candidate_count};
 }
 
-/// Visits the most promising pairs. Then begins again at the roots with planes, or without support
-/// points moves the remaining ones to `waiting_`, the most promising last.
-void WideDescent::dive() {
-    walk_.visits_left = dive_visits_left_;
-    walk_wide_ranked(pose_, walk_);
-    dive_visits_left_ = walk_.visits_left;
-    walk_.visits_left = visits_at_once;
-    if (dive_visits_left_ > 0) {
-        return;
+/// Begins with the most promising pairs: those of the last contacts, or else the roots.
+void WideDescent::begin_dive() {
+    const auto places = last_.places();
+    dive_.is_near_last = !places.empty();
+    if (dive_.is_near_last) {
+        dive_.visits_left = static_cast<std::uint32_t>(places.size()) * dive_visits_near_last;
+        for (std::size_t i = places.size(); i > 0; --i) {
+            walk_.ranked.push(places[i - 1], 0);
+        }
+    } else {
+        dive_at_roots();
     }
+}
+
+void WideDescent::dive_at_roots() {
+    walk_.ranked.clear();
+    walk_.ranked.push({0, 0}, 0);
+    dive_.visits_left = has_planes_ ? dive_visits_before_planes : dive_visits;
+    dive_.is_near_last = false;
+}
+
+/// Visits the most promising pairs.
+void WideDescent::dive() {
+    walk_.visits_left = dive_.visits_left;
+    walk_wide_ranked(pose_, walk_);
+    dive_.visits_left = walk_.visits_left;
+    walk_.visits_left = visits_at_once;
+    if (dive_.is_near_last) {
+        if (dive_.visits_left == 0 || walk_.ranked.size() == 0) {
+            dive_at_roots();
+        }
+    } else if (dive_.visits_left == 0) {
+        end_dive();
+    }
+}
+
+/// Begins again at the roots with planes, or without support points moves the remaining pairs to
+/// `waiting_`, the most promising last.
+void WideDescent::end_dive() {
     if (has_planes_) {
         walk_.ranked.clear();
         planes_.push_roots();

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "common/geometry/pose.hpp"
+#include "common/tree/neighbours/last_contacts.hpp"
 #include "common/tree/planes/plane_stack.hpp"
 #include "common/tree/wide/wide_kernel.hpp"
 #include "common/tree/wide/wide_tree.hpp"
@@ -34,7 +35,8 @@ class WideDescent {
                      ///< and goes on like All after the first candidate.
         First,       ///< Finds a first contact that may not exist: like All, but yields candidates
                      ///< sooner, and goes on with planes.
-        LikelyFirst, ///< Finds a likely first contact: visits the most promising pairs of nodes
+        LikelyFirst, ///< Finds a likely first contact: looks near the last contacts, if the pose
+                     ///< is near the last one; then visits the most promising pairs of nodes
                      ///< (`PairBuckets`) one by one, and goes on like First after `dive_visits`.
     };
 
@@ -43,15 +45,23 @@ class WideDescent {
     static constexpr std::uint32_t dive_visits = 16;
     /// The same before planes, which find a contact later than boxes would.
     static constexpr std::uint32_t dive_visits_before_planes = 24;
+    /// The same near the last contacts.
+    static constexpr std::uint32_t dive_visits_near_last = 8;
 
     /// Begins a descent at the roots. The trees have nodes and outlive the descent.
     void start(const WideView& a, const WideView& b, Aim aim = Aim::All);
     [[nodiscard]] bool is_done() const {
-        return walk_.waiting_count + walk_.leaf_count + walk_.ranked.size() + planes_.size() == 0;
+        return !dive_.is_near_last &&
+               walk_.waiting_count + walk_.leaf_count + walk_.ranked.size() + planes_.size() == 0;
     }
     /// Returns more candidates, as slots of the triangle blocks: about `wanted`, or fewer (even
     /// none) after much work. The candidates are valid until the next call.
     [[nodiscard]] std::span<Candidate> next(std::size_t wanted);
+    /// Notes that a candidate of the last call of `next` touches, for later descents. Takes the
+    /// trees of the last call of `start`.
+    void note_contact(const WideView& a, const WideView& b, const Candidate& candidate) {
+        last_.add(a, b, candidate);
+    }
 
     /// Returns the number of box tests since `restart` was called.
     [[nodiscard]] std::uint64_t box_tests() const { return walk_.box_tests; }
@@ -59,12 +69,21 @@ class WideDescent {
     [[nodiscard]] std::uint64_t visits() const { return walk_.visits; }
 
   private:
+    void begin_dive();
+    void dive_at_roots();
     void dive();
+    void end_dive();
     void part();
     void leave_planes();
     void grow();
 
-    std::uint32_t dive_visits_left_ = 0;
+    /// Visits of the most promising pairs.
+    struct Dive {
+        std::uint32_t visits_left = 0;
+        bool is_near_last = false; ///< Visits pairs near the last contacts.
+    };
+
+    Dive dive_;
     bool has_planes_ = false; ///< Both trees have support points.
     bool is_for_all_ = true;  ///< The aim is All.
     RelativePose b_to_a_;
@@ -72,6 +91,7 @@ class WideDescent {
     WidePose pose_;
     WideWalk walk_;
     PlaneStack planes_;
+    LastContacts last_;
     // Arrays, because a vector would initialise elements that are written before they are read.
     std::unique_ptr<WidePair[]> waiting_;
     std::unique_ptr<Candidate[]> candidates_;

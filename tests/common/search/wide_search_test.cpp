@@ -89,6 +89,75 @@ TEST(WideSearch, AnExpectedContactChangesNoAnswer) {
     EXPECT_LT(contacts, 180u);
 }
 
+/// The next pose of a sweep: mostly near the last one, now and then far from it.
+Pose next_pose(std::mt19937_64& random, const Pose& last) {
+    if (random() % 20 == 0) {
+        return make_pose(random, 1.5);
+    }
+    const Pose step = make_pose(random, 0.02);
+    const Quaternion turn{1,
+                          uniform(random, -0.02, 0.02),
+                          uniform(random, -0.02, 0.02),
+                          uniform(random, -0.02, 0.02)};
+    return Pose::from_quaternion(turn * last.quaternion(),
+                                 last.translation() + 0.01 * step.translation());
+}
+
+TEST(WideSearch, EarlierPosesChangeNoAnswer) {
+    std::uint64_t contacts = 0;
+    std::uint64_t poses_tried = 0;
+    for (SeededRandom random : seeds(6)) {
+        ObbTree torus = make_tree(make_torus(1, 0.3, 60, 30));
+        ObbTree box = make_tree(make_gridded_box(Vec3(1, 0.5, 0.25), 12));
+        for (const bool has_planes : {false, true}) {
+            if (has_planes) {
+                torus.prepare_planes();
+                box.prepare_planes();
+            }
+            WideSearch any(PosePair{});
+            WideSearch all(PosePair{});
+            Pose pose = make_pose(random, 1.5);
+            for (int i = 0; i < 300; ++i) {
+                pose = next_pose(random, pose);
+                // Other trees than those of the last pose come between, in no order.
+                const bool is_swapped = random() % 30 == 0;
+                const TreeView a = (is_swapped ? box : torus).view();
+                const TreeView b = (is_swapped ? torus : box).view();
+                const PosePair poses{Pose{}, pose};
+                WideSearch fresh(poses);
+                fresh.collect(a, b);
+                any.restart(poses);
+                all.restart(poses);
+                all.collect(a, b);
+                ASSERT_EQ(any.any(a, b), fresh.contacts().count() > 0);
+                ASSERT_EQ(all.contacts().count(), fresh.contacts().count());
+                contacts += fresh.contacts().count() > 0 ? 1 : 0;
+                ++poses_tried;
+            }
+        }
+    }
+    EXPECT_GT(contacts, poses_tried / 10);
+    EXPECT_LT(contacts, poses_tried * 9 / 10);
+}
+
+TEST(WideSearch, ContactsOfASweepAreFoundSooner) {
+    std::mt19937_64 random(8);
+    const ObbTree soup = make_tree(make_triangle_soup(random, 4000, 0.1));
+    WideSearch kept(PosePair{});
+    std::uint64_t with_memory = 0;
+    std::uint64_t alone = 0;
+    for (int i = 0; i < 50; ++i) {
+        const PosePair poses{Pose{}, translation_pose(1.2 + 0.0005 * i, 0.1, 0.02)};
+        WideSearch fresh(poses);
+        kept.restart(poses);
+        ASSERT_TRUE(fresh.any(soup.view(), soup.view()));
+        ASSERT_TRUE(kept.any(soup.view(), soup.view()));
+        alone += fresh.report().statistics.box_tests;
+        with_memory += kept.report().statistics.box_tests;
+    }
+    EXPECT_LT(with_memory, alone * 3 / 4);
+}
+
 } // namespace
 
 } // namespace cd::tests

@@ -1,0 +1,56 @@
+// Where the last contacts were, for poses that follow each other closely.
+#pragma once
+
+#include "common/geometry/pose.hpp"
+#include "common/pair/triangle_pair.hpp"
+#include "common/tree/wide/pair_buckets.hpp"
+#include "common/tree/wide/wide_node.hpp"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace cd {
+
+/// The pairs of nodes in which the last descents found contacts, and whether they are worth a look:
+/// neighbouring poses mostly touch in the same places.
+class LastContacts {
+  public:
+    static constexpr std::size_t places_max = 2;
+
+    /// Takes the next pose and trees. The pose is near if no point of B moves by more than a tenth
+    /// of B's size, and the trees have as many nodes as before. Else forgets all places.
+    void move_to(const RelativePose& b_to_a, const WideView& a, const WideView& b);
+    [[nodiscard]] bool is_near() const { return is_near_; }
+
+    /// Notes a contact, as slots of the trees that `move_to` took last, if the pose is near: single
+    /// poses and searches that change trees need no places.
+    void add(const WideView& a, const WideView& b, const Candidate& contact);
+
+    /// Returns pairs of nodes directly above leaves, that of the last contact first.
+    [[nodiscard]] std::span<const WidePair> places() const { return {places_.data(), count_}; }
+
+  private:
+    /// The parents of a tree's leaves, found when first asked for.
+    class Parents {
+      public:
+        [[nodiscard]] std::uint32_t of(const WideView& tree, std::uint32_t block);
+
+      private:
+        const WideNode* nodes_ = nullptr; ///< The tree; another one there costs time, no answer.
+        std::vector<std::uint32_t> of_block_;
+    };
+
+    RelativePose pose_{};
+    std::size_t nodes_a_ = 0; ///< Number of nodes; 0 at first.
+    std::size_t nodes_b_ = 0;
+    bool is_near_ = false;
+    Parents parents_a_;
+    Parents parents_b_;
+    std::array<WidePair, places_max> places_{};
+    std::size_t count_ = 0;
+};
+
+} // namespace cd
