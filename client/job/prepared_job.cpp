@@ -7,6 +7,7 @@
 #include "client/poses/pose_file.hpp"
 #include "client/trees/body_trees.hpp"
 #include "common/core/errors.hpp"
+#include "common/core/limits/client.hpp"
 #include "common/core/words.hpp"
 #include "common/geometry/topology.hpp"
 #include "common/job/poses/made_poses.hpp"
@@ -63,6 +64,9 @@ Status import_bodies(PreparedJob& job, bool quiet) {
 TreeUse tree_use(const PreparedJob& job, Trees trees) {
     TreeUse use;
     if (trees == Trees::Always) {
+        const auto* const random = std::get_if<RandomPoses>(&job.spec.poses);
+        const std::uint64_t scenarios = job.poses ? job.poses->count() : random->count;
+        use.makes_points = scenarios >= limits::run_points_scenarios_min;
         use.searches_exactly = job.query.tolerance == 0;
         use.searches_cuts = !use.searches_exactly;
         use.settles = true;
@@ -186,18 +190,22 @@ Result<PreparedJob> prepare_job(
                  job.spec.limit_pairs,
                  std::move(ignored),
                  job.spec.maps};
+    // Only random poses need trees.
     const bool makes_poses = !given.poses && std::holds_alternative<RandomPoses>(job.spec.poses);
+    if (given.poses) {
+        job.grid = given.poses->grid() ? std::optional(*given.poses->grid()) : std::nullopt;
+        job.poses = std::move(given.poses);
+        job.labels = std::move(given.labels);
+    } else if (!makes_poses) {
+        CD_TRY(make_poses(job, pool, quiet));
+    }
     if (trees == Trees::Always || makes_poses) {
         const SlowNote note("building trees of " + job.names[0] + " and " + job.names[1] + "...",
                             quiet);
         get_trees(job, trees, cache, pool);
     }
-    if (given.poses) {
-        job.grid = given.poses->grid() ? std::optional(*given.poses->grid()) : std::nullopt;
-        job.poses = std::move(given.poses);
-        job.labels = std::move(given.labels);
-    } else if (Status made = make_poses(job, pool, quiet); !made) {
-        return made.error();
+    if (makes_poses) {
+        CD_TRY(make_poses(job, pool, quiet));
     }
     describe(job);
     check_points(job);

@@ -55,18 +55,6 @@ deliver(std::vector<DoneScenario> results, const RunObserver& observer, ResultMe
     return Done{};
 }
 
-/// Returns the two trees with support points. Points of a tree that is both bodies' are made once.
-std::array<ObbTree, 2> with_planes(const ObbTree& a, const ObbTree& b, ThreadPool& pool) {
-    std::array<ObbTree, 2> trees{a, b};
-    trees[0].prepare_planes(&pool);
-    if (&a == &b) {
-        trees[1] = trees[0];
-    } else {
-        trees[1].prepare_planes(&pool);
-    }
-    return trees;
-}
-
 /// Reads a few of a job's poses, evenly spread, and skips those that cannot be read.
 std::vector<PosePair> some_poses(PoseSource& source) {
     const std::uint64_t count = std::min(source.count(), cost_poses_max);
@@ -89,8 +77,8 @@ Clock::duration cost_time_after(double seconds) {
 
 } // namespace
 
-Result<RunOutcome> run_locally(const ObbTree& tree_a,
-                               const ObbTree& tree_b,
+Result<RunOutcome> run_locally(const ObbTree& a,
+                               const ObbTree& b,
                                PoseSource& poses,
                                const Query& query,
                                ThreadPool& pool,
@@ -100,10 +88,6 @@ Result<RunOutcome> run_locally(const ObbTree& tree_a,
     auto progress_due = start;
     ResultMerger merger = std::move(options.done).value_or(ResultMerger(poses.count()));
     const PairStage first_stage = options.first_stage;
-    const bool uses_planes = !(query.tolerance > 0) && poses.count() - merger.summary().merged() >=
-                                                           options.planes_scenarios_min;
-    const auto [a, b] =
-        uses_planes ? with_planes(tree_a, tree_b, pool) : std::array<ObbTree, 2>{tree_a, tree_b};
     std::atomic<bool> ended = false;
     const ScenarioRunner runner(
         a, b, query, first_stage, [&ended] { return ended.load(std::memory_order_relaxed); });

@@ -3,7 +3,6 @@
 
 #include "client/local/done_scenario.hpp"
 #include "common/core/host/thread_pool.hpp"
-#include "common/core/limits/client.hpp"
 #include "common/core/result.hpp"
 #include "common/job/poses/pose_source.hpp"
 #include "common/job/query.hpp"
@@ -43,9 +42,6 @@ struct LocalRunOptions {
     PairStage first_stage = PairStage::Float;
     /// Results of an earlier run for the first scenarios, which are not run again.
     std::optional<ResultMerger> done;
-    /// Runs of at least this many scenarios make support points, which part bodies that nearly
-    /// touch.
-    std::uint64_t planes_scenarios_min = limits::run_planes_scenarios_min;
 };
 
 /// Runs every scenario of `poses` on the pool's threads with a `ScenarioRunner`. Results and digest

@@ -3,7 +3,6 @@
 #include "common/core/limits/client.hpp"
 
 #include <algorithm>
-#include <iterator>
 #include <utility>
 
 namespace cd {
@@ -13,51 +12,12 @@ namespace {
 using namespace std::chrono_literals;
 
 /// While this many scenarios wait for each thread, no more are wanted.
-constexpr std::uint64_t waiting_enough = 256;
+constexpr std::uint64_t waiting_enough = 2 * limits::run_batch_scenarios_max;
 constexpr std::uint64_t block_scenarios = 512; ///< Scenarios to add at a time.
 /// How long a thread should run one batch.
-constexpr std::chrono::steady_clock::duration batch_time = 250us;
-
-std::uint64_t bytes_of(const DoneScenario& done) {
-    const ScenarioResult& result = done.result;
-    return sizeof done + done.record.size() + done.found.size() * sizeof(ContactPair) +
-           result.pairs.size() * sizeof(ContactPair) +
-           (result.points.size() + result.point_origins.size()) * sizeof(Vec3) +
-           result.point_offsets.size() * sizeof(std::uint32_t);
-}
+constexpr std::chrono::steady_clock::duration batch_time = 1ms;
 
 } // namespace
-
-bool ResultQueue::is_full() const {
-    return bytes_ >= limits::run_bytes_ahead_max;
-}
-
-void ResultQueue::add(std::vector<DoneScenario>& results, std::uint64_t bytes) {
-    for (DoneScenario& done : results) {
-        const std::uint64_t slot = done.result.index - next_;
-        if (slot >= waiting_.size()) {
-            waiting_.resize(slot + 1);
-        }
-        waiting_[slot] = std::move(done);
-    }
-    bytes_ += bytes;
-}
-
-std::vector<DoneScenario> ResultQueue::take() {
-    std::vector<DoneScenario> taken;
-    while (is_next_here() && taken.size() < limits::run_taken_at_once_max) {
-        bytes_taken_ += bytes_of(*waiting_.front());
-        taken.push_back(std::move(*waiting_.front()));
-        waiting_.pop_front();
-        ++next_;
-    }
-    return taken;
-}
-
-void ResultQueue::release_taken() {
-    bytes_ -= bytes_taken_;
-    bytes_taken_ = 0;
-}
 
 OrderedRun::OrderedRun(const ScenarioRunner& runner,
                        std::atomic<bool>& ended,
@@ -66,6 +26,7 @@ OrderedRun::OrderedRun(const ScenarioRunner& runner,
     : runner_(runner),
       ended_(ended),
       thread_count_(pool.size()),
+      waiting_(limits::run_batch_scenarios_max),
       done_(first),
       added_(first),
       threads_left_(pool.size()) {
@@ -96,7 +57,7 @@ std::uint64_t OrderedRun::wanted_now() const {
 void OrderedRun::add(std::vector<Scenario> scenarios) {
     const std::lock_guard lock(mutex_);
     added_ += scenarios.size();
-    std::move(scenarios.begin(), scenarios.end(), std::back_inserter(waiting_));
+    waiting_.add(std::move(scenarios));
     work_came_.notify_all();
 }
 
@@ -141,57 +102,53 @@ bool OrderedRun::refill(Batch& batch) {
         // While waiting results reach their bound, only the scenario due next is run, since without
         // it no result can be taken.
         return stopping_ ||
-               (!waiting_.empty() && (!done_.is_full() || waiting_.front().index == done_.next()));
+               (!waiting_.empty() && (!done_.is_full() || waiting_.first() == done_.next()));
     });
     if (stopping_) {
         return false;
     }
     const std::size_t share = waiting_.size() / (2 * std::size_t{thread_count_}) + 1;
-    const auto end = waiting_.begin() +
-                     static_cast<std::ptrdiff_t>(std::min({batch.size, share, waiting_.size()}));
-    batch.waiting.assign(std::move_iterator(waiting_.begin()), std::move_iterator(end));
-    waiting_.erase(waiting_.begin(), end);
+    batch.waiting = waiting_.take(std::min(batch.size, share));
     return true;
 }
 
 void OrderedRun::run_some(ScenarioSession& session, Batch& batch) {
     const auto start = std::chrono::steady_clock::now();
     std::chrono::steady_clock::duration spent{};
-    batch.ran = 0;
-    while (batch.ran < batch.waiting.size() && spent < 4 * batch_time &&
-           batch.bytes < limits::run_batch_bytes_max) {
-        ScenarioRun run = session.run(batch.waiting[batch.ran++]);
-        spent = std::chrono::steady_clock::now() - start;
+    std::uint64_t bytes = 0;
+    std::size_t ran = 0;
+    batch.done.clear();
+    batch.done.reserve(batch.waiting.size());
+    while (ran < batch.waiting.size() && spent < 4 * batch_time &&
+           bytes < limits::run_batch_bytes_max) {
+        ScenarioRun run = session.run(batch.waiting[ran]);
         if (run.is_stopped) {
-            continue; // Nobody waits for a result of a run that has ended.
+            break; // The run has ended, and nobody waits for its results.
         }
+        ++ran;
         batch.statistics += {run.statistics, run.inside};
-        DoneScenario done =
-            done_scenario(std::move(run.result),
-                          runner_.query().maps ? std::move(run.found) : std::vector<ContactPair>());
-        batch.bytes += bytes_of(done);
-        batch.done.push_back(std::move(done));
+        batch.done.push_back(done_scenario(std::move(run.result),
+                                           runner_.query().maps ? std::move(run.found)
+                                                                : std::vector<ContactPair>()));
+        bytes += bytes_of(batch.done.back());
+        spent = std::chrono::steady_clock::now() - start;
     }
-    const auto fits = batch_time * batch.ran / std::max(spent, 1ns);
+    batch.waiting.erase(batch.waiting.begin(),
+                        batch.waiting.begin() + static_cast<std::ptrdiff_t>(ran));
+    const auto fits = batch_time * std::max<std::size_t>(ran, 1) / std::max(spent, 1ns);
     batch.size =
         std::clamp<std::size_t>(static_cast<std::size_t>(fits), 1, limits::run_batch_scenarios_max);
 }
 
 void OrderedRun::hand_over(Batch& batch) {
-    const auto not_run = batch.waiting.begin() + static_cast<std::ptrdiff_t>(batch.ran);
     const std::lock_guard lock(mutex_);
-    if (not_run != batch.waiting.end()) {
-        // Threads take scenarios in order, so the ones not run are consecutive in `waiting_`.
-        const auto position = std::ranges::lower_bound(
-            waiting_, not_run->index, std::ranges::less(), &Scenario::index);
-        waiting_.insert(position, not_run, batch.waiting.end());
+    if (!batch.waiting.empty()) {
+        waiting_.give_back(std::move(batch.waiting));
         work_came_.notify_all();
     }
-    done_.add(batch.done, batch.bytes);
+    done_.add(std::move(batch.done));
     statistics_ += batch.statistics;
-    batch.done.clear();
     batch.statistics = {};
-    batch.bytes = 0;
     if (done_.is_next_here() || wanted_now() > 0) {
         state_changed_.notify_one();
     }

@@ -2,8 +2,9 @@
 #pragma once
 
 #include "client/local/done_scenario.hpp"
+#include "client/local/result_queue.hpp"
+#include "client/local/waiting_scenarios.hpp"
 #include "common/core/host/thread_pool.hpp"
-#include "common/job/result/result.hpp"
 #include "common/job/run_scenario.hpp"
 #include "common/job/scenario.hpp"
 #include "common/job/statistics.hpp"
@@ -12,44 +13,15 @@
 #include <chrono>
 #include <condition_variable>
 #include <cstdint>
-#include <deque>
 #include <mutex>
-#include <optional>
 #include <vector>
 
 namespace cd {
 
-/// Holds results until all results with lower indices are taken.
-class ResultQueue {
-  public:
-    /// `first` is the index of the first result to take.
-    explicit ResultQueue(std::uint64_t first) : next_(first) {}
-
-    /// Returns the index of the next result to take.
-    [[nodiscard]] std::uint64_t next() const { return next_; }
-    [[nodiscard]] bool is_next_here() const { return !waiting_.empty() && waiting_.front(); }
-    /// True if the waiting results and the results that the last `take` returned have at least
-    /// `limits::run_bytes_ahead_max` bytes together.
-    [[nodiscard]] bool is_full() const;
-
-    void add(std::vector<DoneScenario>& results, std::uint64_t bytes);
-    /// Takes the next results in order, at most `limits::run_taken_at_once_max`.
-    [[nodiscard]] std::vector<DoneScenario> take();
-    /// Stops counting the bytes of the results that the last `take` returned.
-    void release_taken();
-
-  private:
-    /// Slot i holds the result of scenario `next_` + i, or nothing until that result is added.
-    std::deque<std::optional<DoneScenario>> waiting_;
-    std::uint64_t next_ = 0;
-    std::uint64_t bytes_ = 0;
-    std::uint64_t bytes_taken_ = 0; ///< The part of `bytes_` that the last `take` returned.
-};
-
 /// Runs scenarios, which are added in order, on pool threads; results are taken in that order.
 ///
-/// Threads exchange scenarios and results in batches of a fraction of a millisecond, so that short
-/// scenarios do not cost a wakeup each, and long ones do not wait for each other. Results that are
+/// Threads exchange scenarios and results in batches of a few milliseconds, so that short scenarios
+/// do not cost a wakeup each, and long ones do not wait for each other. Results that are
 /// not yet taken are bounded in number and bytes.
 class OrderedRun {
   public:
@@ -80,12 +52,10 @@ class OrderedRun {
   private:
     /// Scenarios that a thread has taken, and results that it has not handed over yet.
     struct Batch {
-        std::vector<Scenario> waiting;
-        std::size_t ran = 0; ///< Number of `waiting` scenarios that were run.
+        std::vector<Scenario> waiting; ///< After `run_some`, the ones that were not run.
         std::vector<DoneScenario> done;
         JobStatistics statistics;
-        std::uint64_t bytes = 0; ///< Size of `done` in bytes.
-        std::size_t size = 1;    ///< Number of scenarios to take next.
+        std::size_t size = 1; ///< Number of scenarios to take next.
     };
 
     [[nodiscard]] std::uint64_t wanted_now() const;
@@ -101,7 +71,7 @@ class OrderedRun {
     std::mutex mutex_;
     std::condition_variable work_came_;
     std::condition_variable state_changed_;
-    std::deque<Scenario> waiting_; ///< Scenarios not yet taken by a thread, ascending.
+    WaitingScenarios waiting_;
     ResultQueue done_;
     std::uint64_t added_ = 0; ///< Index of the next scenario to be added.
     JobStatistics statistics_;

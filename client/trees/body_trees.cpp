@@ -33,6 +33,21 @@ class Body {
         cache_.keep(TreeForm::Wide, *wide_);
     }
 
+    /// Adds support points to the wide form, if it has nodes.
+    void need_points(bool makes_them) {
+        if (!has_wide_nodes()) {
+            return;
+        }
+        if (auto cached = cache_.find_points(*wide_)) {
+            wide_ = std::move(cached);
+        } else if (makes_them) {
+            ObbTree tree = *wide_;
+            tree.prepare_planes(&pool_);
+            wide_ = std::make_shared<const ObbTree>(std::move(tree));
+            cache_.keep_points(*wide_);
+        }
+    }
+
     void need_binary() {
         shows_binary_ = true;
         if (binary_) {
@@ -90,6 +105,9 @@ make_body_trees(const std::array<std::shared_ptr<const Mesh>, 2>& meshes,
     }
     if (use.searches_exactly) {
         std::ranges::for_each(bodies, &Body::need_wide);
+        for (Body& body : bodies) {
+            body.need_points(use.makes_points);
+        }
     }
     // A search uses the binary trees if a body has no wide nodes.
     if (use.searches_cuts || !std::ranges::all_of(bodies, &Body::has_wide_nodes) ||

@@ -1,6 +1,7 @@
 #include "client/trees/tree_cache.hpp"
 
 #include "client/trees/demo_vehicles.hpp"
+#include "common/tree/support_file.hpp"
 #include "common/tree/tree_file.hpp"
 
 #include <algorithm>
@@ -16,6 +17,11 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view binary_suffix = ".binary-tree";
 constexpr std::string_view wide_suffix = ".wide-tree";
+constexpr std::string_view points_suffix = ".points";
+
+constexpr std::string_view suffix_of(TreeForm form) {
+    return form == TreeForm::Binary ? binary_suffix : wide_suffix;
+}
 
 /// True if a file's name has one of the suffixes, also while the file is being written.
 bool ends_with(const fs::path& path, std::span<const std::string_view> suffixes) {
@@ -83,9 +89,25 @@ std::string default_tree_cache() {
     return cache ? (*cache / "trees").string() : no_tree_cache;
 }
 
-fs::path TreeCache::path_of(TreeForm form, const Sha256& key) const {
-    return folder_ /
-           (to_hex(key) + std::string(form == TreeForm::Binary ? binary_suffix : wide_suffix));
+fs::path TreeCache::path_of(const Sha256& key, std::string_view suffix) const {
+    return folder_ / (to_hex(key) + std::string(suffix));
+}
+
+/// Returns what was read from a file, or null, with a warning of what happens `otherwise` if the
+/// file exists.
+std::shared_ptr<const ObbTree> TreeCache::used(const Result<std::shared_ptr<const ObbTree>>& tree,
+                                               const fs::path& path,
+                                               const char* otherwise) {
+    if (tree) {
+        // Marks the file as just used, which fails harmlessly in a read-only folder.
+        std::error_code ignored;
+        fs::last_write_time(path, fs::file_time_type::clock::now(), ignored);
+        return tree.value();
+    }
+    if (tree.error().code != ErrorCode::NotFound) {
+        warnings_.push_back("warning: " + std::string(otherwise) + ": " + tree.error().detail);
+    }
+    return nullptr;
 }
 
 std::shared_ptr<const ObbTree> TreeCache::find(TreeForm form,
@@ -94,39 +116,54 @@ std::shared_ptr<const ObbTree> TreeCache::find(TreeForm form,
         return nullptr;
     }
     const Sha256 key = tree_key(mesh->hash(), BuildOptions{});
-    const fs::path path = path_of(form, key);
-    const auto tree = form == TreeForm::Binary ? read_tree_file(path, mesh, key)
-                                               : read_wide_tree_file(path, mesh, key);
-    if (tree) {
-        // Marks the file as just used, which fails harmlessly in a read-only folder.
-        std::error_code ignored;
-        fs::last_write_time(path, fs::file_time_type::clock::now(), ignored);
-        return tree.value();
-    }
-    if (tree.error().code != ErrorCode::NotFound) {
-        warnings_.push_back("warning: a tree is built anew: " + tree.error().detail);
-    }
-    return nullptr;
+    const fs::path path = path_of(key, suffix_of(form));
+    return used(form == TreeForm::Binary ? read_tree_file(path, mesh, key)
+                                         : read_wide_tree_file(path, mesh, key),
+                path,
+                "a tree is built anew");
 }
 
-void TreeCache::keep(TreeForm form, const ObbTree& tree) {
+std::shared_ptr<const ObbTree> TreeCache::find_points(const ObbTree& tree) {
+    if (folder_.empty()) {
+        return nullptr;
+    }
+    const Sha256 key = tree_key(tree.mesh().hash(), BuildOptions{});
+    const fs::path path = path_of(key, points_suffix);
+    return used(read_support_file(path, tree, key), path, "kept support points are not used");
+}
+
+void TreeCache::keep(const ObbTree& tree, std::string_view suffix, const Write& write) {
     if (folder_.empty()) {
         return;
     }
     const Sha256 key = tree_key(tree.mesh().hash(), BuildOptions{});
-    const fs::path path = path_of(form, key);
+    const fs::path path = path_of(key, suffix);
     Status kept = make_directories(folder_);
     if (kept) {
-        // Syncing costs more than rebuilding a tree that was lost in a power failure.
-        kept = form == TreeForm::Binary
-                   ? write_tree_file(path, tree, key, Durability::Unsynced)
-                   : write_wide_tree_file(path, tree, key, Durability::Unsynced);
+        kept = write(path, key);
     }
     if (kept) {
-        keep_within(folder_, std::array{binary_suffix, wide_suffix}, bytes_max_, path);
+        keep_within(
+            folder_, std::array{binary_suffix, wide_suffix, points_suffix}, bytes_max_, path);
     } else {
         warnings_.push_back("warning: a tree is not kept for later runs: " + kept.error().detail);
     }
+}
+
+// Syncing would cost more than rebuilding a tree that was lost in a power failure.
+
+void TreeCache::keep(TreeForm form, const ObbTree& tree) {
+    keep(tree, suffix_of(form), [&](const fs::path& path, const Sha256& key) {
+        return form == TreeForm::Binary
+                   ? write_tree_file(path, tree, key, Durability::Unsynced)
+                   : write_wide_tree_file(path, tree, key, Durability::Unsynced);
+    });
+}
+
+void TreeCache::keep_points(const ObbTree& tree) {
+    keep(tree, points_suffix, [&](const fs::path& path, const Sha256& key) {
+        return write_support_file(path, tree, key, Durability::Unsynced);
+    });
 }
 
 std::vector<std::string> TreeCache::take_warnings() {

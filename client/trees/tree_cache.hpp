@@ -1,11 +1,14 @@
 // A bounded folder of trees kept between runs.
 #pragma once
 
+#include "common/core/files/hash.hpp"
 #include "common/core/limits/client.hpp"
+#include "common/core/result.hpp"
 #include "common/tree/obb_tree.hpp"
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <span>
 #include <string>
@@ -36,9 +39,9 @@ void keep_within(const std::filesystem::path& folder,
 /// a tolerance need.
 enum class TreeForm : std::uint8_t { Binary, Wide };
 
-/// A cache with one file for each form of a mesh's tree, named by a hash of everything that decides
-/// its bytes. Processes may share a folder. Problems give warnings, never errors: an unusable file
-/// counts as missing, and a tree that cannot be written is not kept.
+/// A cache with one file for each form of a mesh's tree and one for its support points, named by a
+/// hash of everything that decides its bytes. Processes may share a folder. Problems give warnings,
+/// never errors: an unusable file counts as missing, and a tree that cannot be written is not kept.
 class TreeCache {
   public:
     /// An empty path disables the cache. The folder is created by the first `keep`.
@@ -53,11 +56,23 @@ class TreeCache {
     /// least recently used files until the folder is within its bound.
     void keep(TreeForm form, const ObbTree& tree);
 
+    /// Returns `tree`, whose wide form has nodes, with its support points; null if the points are
+    /// not cached.
+    [[nodiscard]] std::shared_ptr<const ObbTree> find_points(const ObbTree& tree);
+    /// Writes the support points of a tree as `keep` writes a form.
+    void keep_points(const ObbTree& tree);
+
     /// Returns the warnings since the last call of `take_warnings`, one line each.
     [[nodiscard]] std::vector<std::string> take_warnings();
 
   private:
-    [[nodiscard]] std::filesystem::path path_of(TreeForm form, const Sha256& key) const;
+    [[nodiscard]] std::filesystem::path path_of(const Sha256& key, std::string_view suffix) const;
+    [[nodiscard]] std::shared_ptr<const ObbTree>
+    used(const Result<std::shared_ptr<const ObbTree>>& tree,
+         const std::filesystem::path& path,
+         const char* otherwise);
+    using Write = std::function<Status(const std::filesystem::path& path, const Sha256& key)>;
+    void keep(const ObbTree& tree, std::string_view suffix, const Write& write);
 
     std::filesystem::path folder_;
     std::uint64_t bytes_max_;

@@ -1,7 +1,6 @@
 #include "common/job/run_scenario.hpp"
 
 #include "common/core/limits/engine.hpp"
-#include "common/job/poses/pose_order.hpp"
 #include "common/job/settle.hpp"
 #include "common/job/tolerance.hpp"
 
@@ -271,13 +270,6 @@ ScenarioRun ScenarioRunner::run(const Scenario& scenario) const {
 
 ScenarioRun ScenarioSession::run(const Scenario& scenario) {
     return runner_.run_with_kept(scenario, kept_);
-}
-
-bool ScenarioSession::run_all(std::span<const Scenario> scenarios, const OnRun& done) {
-    const std::vector<std::uint32_t> order = coherent_order(scenarios);
-    return std::all_of(order.begin(), order.end(), [&](std::uint32_t which) {
-        return done(which, run(scenarios[which]));
-    });
 }
 
 ScenarioRun

@@ -12,7 +12,6 @@
 #include "common/tree/obb_tree.hpp"
 #include "common/tree/wire/subtree_block.hpp"
 
-#include <functional>
 #include <memory>
 #include <span>
 #include <utility>
@@ -118,7 +117,7 @@ class ScenarioRunner {
 };
 
 /// Runs scenarios on one thread. The session reuses memory, so that after a few scenarios only
-/// results allocate.
+/// results allocate. It is fastest if neighbouring poses follow each other.
 class ScenarioSession {
   public:
     /// The runner outlives the session.
@@ -126,13 +125,6 @@ class ScenarioSession {
 
     /// Runs one scenario; the result is that of `ScenarioRunner::run`.
     [[nodiscard]] ScenarioRun run(const Scenario& scenario);
-
-    /// Receives the run of `scenarios[place]`. Returns false to end `run_all`.
-    using OnRun = std::function<bool(std::size_t place, ScenarioRun run)>;
-    /// Runs each scenario once, in `coherent_order`, because consecutive scenarios then read memory
-    /// that the processor has cached. The results equal those of `run`. Returns true unless `done`
-    /// returned false.
-    bool run_all(std::span<const Scenario> scenarios, const OnRun& done);
 
   private:
     const ScenarioRunner& runner_;

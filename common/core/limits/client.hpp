@@ -11,14 +11,13 @@ namespace cd::limits {
 inline constexpr std::uint64_t run_scenarios_ahead_max = 16384;
 /// Size of the results that wait for their turn; with more, no poses are read.
 inline constexpr std::uint64_t run_bytes_ahead_max = 256u << 20;
-inline constexpr std::size_t run_taken_at_once_max = 256; ///< Results taken in one call.
 /// Number of results that a thread adds to the queue of results together.
-inline constexpr std::size_t run_batch_scenarios_max = 64;
+inline constexpr std::size_t run_batch_scenarios_max = 1024;
 /// Size of the results that a thread adds to the queue of results together.
 inline constexpr std::uint64_t run_batch_bytes_max = 1u << 20;
 inline constexpr std::uint64_t run_poses_at_once_max = 128; ///< Poses read in one call.
 /// Shorter runs would gain less from support points than it costs to make them.
-inline constexpr std::uint64_t run_planes_scenarios_min = 3'000'000;
+inline constexpr std::uint64_t run_points_scenarios_min = 100'000;
 
 // Mesh files.
 /// Uncompressed size of an array in an NPZ file.

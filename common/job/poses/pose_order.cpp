@@ -5,7 +5,7 @@
 
 #include <algorithm>
 #include <array>
-#include <numeric>
+#include <utility>
 
 namespace cd {
 
@@ -61,15 +61,17 @@ std::vector<std::uint32_t> coherent_order(std::span<const Scenario> scenarios) {
             high[k] = std::max(high[k], each[k]);
         }
     }
-    std::vector<std::uint64_t> curve(points.size());
-    std::transform(points.begin(), points.end(), curve.begin(), [&](const Coordinates& each) {
-        return curve_of(each, low, high);
-    });
-    std::vector<std::uint32_t> order(points.size());
-    std::iota(order.begin(), order.end(), 0u);
-    std::stable_sort(order.begin(), order.end(), [&](std::uint32_t i, std::uint32_t j) {
-        return curve[i] < curve[j];
-    });
+    std::vector<std::pair<std::uint64_t, std::uint32_t>> along; // Place on the curve, index.
+    along.reserve(points.size());
+    for (const Coordinates& each : points) {
+        along.emplace_back(curve_of(each, low, high), static_cast<std::uint32_t>(along.size()));
+    }
+    std::ranges::sort(along);
+    std::vector<std::uint32_t> order;
+    order.reserve(along.size());
+    for (const auto& [place, index] : along) {
+        order.push_back(index);
+    }
     return order;
 }
 

@@ -90,11 +90,15 @@ TEST_F(LocalRun, TheDigestDoesNotDependOnThreads) {
 }
 
 TEST_F(LocalRun, TheDigestDoesNotDependOnSupportPoints) {
+    const ObbTree boxes_a = a_;
+    const ObbTree boxes_b = b_;
     for (const Level level : {Level::Any, Level::Pairs}) {
         query_.level = level;
-        options_.planes_scenarios_min = limits::run_planes_scenarios_min;
+        a_ = boxes_a;
+        b_ = boxes_b;
         const auto boxes = run(2, {});
-        options_.planes_scenarios_min = scenarios;
+        a_.prepare_planes();
+        b_.prepare_planes();
         const auto planes = run(2, {});
         ASSERT_TRUE(boxes);
         ASSERT_TRUE(planes);

@@ -249,5 +249,44 @@ TEST_F(BodyTreesTest, AKeptBinaryTreeIsCollapsedInsteadOfBuilt) {
     EXPECT_EQ(files().size(), 2u);
 }
 
+TEST_F(BodyTreesTest, ALongJobMakesPointsWhichShorterOnesFind) {
+    const auto makes_and_has = [&](bool makes, const fs::path& folder) {
+        TreeCache cache(folder);
+        const Trees trees =
+            make_body_trees({closed_, open_}, {.makes_points = makes}, cache, pool_);
+        EXPECT_THAT(cache.take_warnings(), IsEmpty());
+        const bool has = !trees[0]->view().wide.support.sets.empty();
+        EXPECT_EQ(!trees[1]->view().wide.support.sets.empty(), has);
+        expect_forms(trees, false, true);
+        return has;
+    };
+    EXPECT_FALSE(makes_and_has(false, folder_));
+    EXPECT_EQ(files().size(), 2u);
+    EXPECT_TRUE(makes_and_has(true, folder_));
+    EXPECT_EQ(files().size(), 4u);
+    EXPECT_TRUE(makes_and_has(false, folder_));
+    EXPECT_TRUE(makes_and_has(true, fs::path())) << "without a cache";
+    for (const Trees& trees : make({huge_, huge_}, {.makes_points = true})) {
+        EXPECT_TRUE(trees[0]->view().wide.support.sets.empty());
+    }
+}
+
+TEST_F(BodyTreesTest, DamagedPointsAreAWarningAndAreMadeAgain) {
+    TreeCache cache(folder_);
+    const auto make_trees = [&] {
+        return make_body_trees({closed_, closed_}, {.makes_points = true}, cache, pool_);
+    };
+    static_cast<void>(make_trees());
+    const std::vector<fs::path> all = files();
+    const auto points =
+        std::ranges::find(all, ".points", [](const fs::path& file) { return file.extension(); });
+    ASSERT_NE(points, all.end());
+    write_text(*points, "damaged");
+    EXPECT_FALSE(make_trees()[0]->view().wide.support.sets.empty());
+    EXPECT_THAT(cache.take_warnings(), ElementsAre(HasSubstr("support points are not used")));
+    EXPECT_FALSE(make_trees()[0]->view().wide.support.sets.empty());
+    EXPECT_THAT(cache.take_warnings(), IsEmpty());
+}
+
 } // namespace
 } // namespace cd::tests
