@@ -38,6 +38,21 @@ class Jobs(PageTest):
         facts = self.click_space(self.scenes.many(), "many")
         self.assertAlmostEqual(facts["poseSpace"]["width"], 1 / 128)
 
+    def test_a_panel_without_a_neighbour_takes_the_row(self):
+        """A job without contact has no histogram: nothing is left empty beside the pose space."""
+        poses = self.scenes.poses("far", "x,y", [(9 + i % 7, i) for i in range(70)])
+        folder = self.scenes.run("far", *self.scenes.bodies(), "--poses", poses, "--level", "count")
+        self.open(folder, "#/jobs/folder")
+        self.browser.wait("the pose space", lambda f: f["screen"] == "job" and f.get("poseSpace"))
+        self.browser.picture("job-no-contact-light")
+        rows = self.browser.driver.execute_script(
+            "return [...document.querySelectorAll('.two')].map(row => [...row.children].map(one =>"
+            " [one.getBoundingClientRect().width, row.getBoundingClientRect().width]))"
+        )
+        self.assertEqual([len(row) for row in rows], [1, 1])
+        for ((panel, row),) in rows:
+            self.assertAlmostEqual(panel, row, 0)
+
     def test_strip_opens_the_scenario_that_is_clicked(self):
         self.open(self.scenes.drive(), "#/jobs/folder")
         self.browser.wait("the job", lambda f: f["screen"] == "job")
