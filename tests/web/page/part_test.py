@@ -12,6 +12,14 @@ JOB = (
 )
 
 
+# Bodies of two named parts and of one, along a line on which B meets both parts of A.
+TWO_PARTS = (
+    'name = "parts"\nunit = "m"\n[a]\nmesh = "a.obj"\n[b]\nmesh = "b.obj"\n'
+    "[poses]\ngrid = {{ z = [-1, 3.5, 40] }}\n"
+    '[query]\nlevel = "{level}"\nmaps = true\n[output]\nformats = ["csv", "csv-pairs"]\n'
+)
+
+
 class Parts(PageTest):
     def job(self):
         """A job whose A is one part of two boxes, apart from each other: triangles 0 to 11, and 12 to 23."""
@@ -85,13 +93,55 @@ class Parts(PageTest):
         self.assertTrue(all(one in triangles for one in facts["highlighted"][0]))
         self.assertEqual(facts["errors"], [])
 
-    def test_a_group_on_a_master_leads_to_its_next_contact(self):
-        cluster = self.start_cluster("groups")
+    def open_on_a_master(self, name, job):
+        """Runs a job to its end on a cluster, and opens its page."""
+        cluster = self.start_cluster(name)
         cluster.add_worker("one")
-        cluster.run("cdctl", "submit", self.job(), "--master", cluster.address)
+        cluster.run("cdctl", "submit", job, "--master", cluster.address)
         cluster.run("cdctl", "watch", "last", "--master", cluster.address)
         self.browser.open(f"{cluster.page}#/jobs/{cluster.job()}")
+
+    def test_a_group_on_a_master_leads_to_its_next_contact(self):
+        self.open_on_a_master("groups", self.job())
         facts = self.follow_group("both")
         self.assertEqual(facts["parts"], ["both", "probe"])
         self.browser.press("n")
         self.browser.wait("the next contact", lambda f: f["scenario"] > facts["scenario"])
+
+    def two_parts(self, level):
+        self.scenes.bodies()
+        return self.scenes.job(f"parts_{level}", TWO_PARTS.format(level=level))
+
+    def with_upper(self):
+        """The scenarios in which the upper part of A is in contact, which a job with lists of pairs tells."""
+        folder = self.scenes.run("parts_contacts", self.two_parts("contacts"))
+        found = [n for n, (a, _) in sorted(pairs_by_scenario(folder).items()) if max(a) >= 12]
+        self.assertGreater(min(found), min(pairs_by_scenario(folder)))
+        return found
+
+    def assert_steps_are_of_the_group(self):
+        """From a group of the open page, n and p go through the group's scenarios and no others."""
+        expected = self.with_upper()
+        worst = self.follow_group("upper")["scenario"]
+        for key, following in (("n", expected[expected.index(worst) + 1 :]), ("p", expected[-2::-1])):
+            for one in following:
+                self.browser.press(key)
+                facts = self.browser.scenario(one)
+                self.assertEqual(facts["parts"], ["upper", "probe"])
+                self.assertTrue(all(triangle >= 12 for triangle in facts["highlighted"][0]))
+            self.browser.press(key)
+            self.browser.wait_text("no contact after" if key == "n" else "no contact before")
+
+    def test_at_level_count_the_steps_are_of_the_group(self):
+        """Where records list no pairs, the scenarios in contact are run again to find those of the group."""
+        folder = self.scenes.run("parts_count", self.two_parts("count"))
+        self.open(folder, "#/jobs/folder")
+        self.assert_steps_are_of_the_group()
+        self.browser.go("#/jobs/folder/3?part=a/no such part")
+        self.browser.scenario(3)
+        self.browser.press("n")
+        self.browser.wait_text("the body has no part 'no such part'")
+
+    def test_on_a_master_at_level_count_the_steps_are_of_the_group(self):
+        self.open_on_a_master("counted", self.two_parts("count"))
+        self.assert_steps_are_of_the_group()

@@ -15,6 +15,18 @@ export class ApiError extends Error {
     ) {
         super(text);
     }
+
+    /** Whether the same request may be answered a little later. */
+    get isBusy(): boolean {
+        return this.status === 503;
+    }
+}
+
+const busyWait = 300; // Milliseconds.
+
+/** Waits before a busy server is asked again. */
+export function pause(): Promise<void> {
+    return new Promise((resolve) => setTimeout(resolve, busyWait));
 }
 
 const storageName = "cdcluster.key";

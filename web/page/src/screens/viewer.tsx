@@ -1,5 +1,6 @@
 import { useCallback, useEffect, useMemo, useRef, useState } from "preact/hooks";
 import type { PartNames } from "../base/part_name";
+import { getParts } from "../base/parts";
 import { forgetNotes, goTo, noteLink, noteLinkSoon, type Route, scenarioLink } from "../base/route";
 import { bodyNames, type Job, type Source } from "../base/types";
 import { fileName, grouped, shellWord } from "../base/words";
@@ -130,10 +131,11 @@ function JobViewer({ source, route, report, job }: ScreenProps & { job: Job }) {
         return () => clearTimeout(timer);
     }, [isPlaying, contacts, scenario]);
 
-    const find: FindNext = (by, signal, tell) =>
+    const partsOfBodies = async () => model?.parts ?? Promise.all([getParts(job.job, 0), getParts(job.job, 1)]);
+    const find: FindNext = (step, signal, tell) =>
         report && model
-            ? nextHeldContact(route.job, report.scenarios, scenario, by, state, model.parts)
-            : nextContact(route.job, scenario, by, state, signal, tell);
+            ? nextHeldContact({ job, from: scenario, step }, report.scenarios, state, model.parts)
+            : nextContact({ job, from: scenario, step, signal, tell }, state, partsOfBodies);
     const openFound = (found: number) => {
         noteLink(linkHere());
         goTo(linkTo(found, state.camera));

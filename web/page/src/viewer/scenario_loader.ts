@@ -1,5 +1,5 @@
 /** Gets scenarios one at a time; while one is under way only the last wish is remembered. */
-import { ApiError, getArray, getJson, isAbort } from "../base/api";
+import { ApiError, getArray, getJson, isAbort, pause } from "../base/api";
 import type { Scenario } from "../base/types";
 
 export interface Contacts {
@@ -11,8 +11,6 @@ export interface Contacts {
     /** Whether the server left out pairs or points beyond its limit. */
     isCut: boolean;
 }
-
-const busyWait = 300; // Milliseconds until a busy server is asked again.
 
 export class ScenarioLoader {
     private wanted: number | null = null;
@@ -50,8 +48,8 @@ export class ScenarioLoader {
                 if (isAbort(error) || this.stop.signal.aborted) {
                     break;
                 }
-                if (error instanceof ApiError && error.status === 503) {
-                    await new Promise((resolve) => setTimeout(resolve, busyWait));
+                if (error instanceof ApiError && error.isBusy) {
+                    await pause();
                 } else {
                     this.wanted = this.wanted === scenario ? null : this.wanted;
                     this.fail(scenario, error);

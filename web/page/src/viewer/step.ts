@@ -1,7 +1,21 @@
 /** The next scenario in contact, of the chosen parts. */
-import { getArray, getJson } from "../base/api";
+import { ApiError, getArray, getJson, pause } from "../base/api";
 import type { BodyParts } from "../base/parts";
+import type { Job, Scenario } from "../base/types";
 import type { ViewState } from "./view_state";
+
+/** The parts of A and B that are wanted; an empty name stands for all. */
+type Wanted = Pick<ViewState, "partA" | "partB">;
+type PartsOfBodies = readonly [BodyParts, BodyParts];
+
+/** One search: from a scenario, up (1) or down (-1), until `signal` ends it; `tell` hears how far it came. */
+export interface Search {
+    job: Job;
+    from: number;
+    step: 1 | -1;
+    signal: AbortSignal;
+    tell: (scenario: number) => void;
+}
 
 interface Found {
     index: number | null;
@@ -9,24 +23,23 @@ interface Found {
     searched_to: number | null;
 }
 
-/** Searches until `signal` ends it; `tell` hears how far it came. Returns null at the job's end. */
-export async function nextContact(
-    job: string,
-    from: number,
-    step: 1 | -1,
-    state: ViewState,
-    signal: AbortSignal,
-    tell: (scenario: number) => void,
-): Promise<number | null> {
+const isAny = ({ partA, partB }: Wanted) => !partA && !partB;
+
+function path(job: string, rest: string): string {
+    return `jobs/${encodeURIComponent(job)}/scenarios/${rest}`;
+}
+
+/** Lets the server look through the records. Returns null at the job's end. */
+async function nextRecorded({ job, from, step, signal, tell }: Search, wanted: Wanted): Promise<number | null> {
     const query = new URLSearchParams({ from: String(from), step: String(step) });
-    if (state.partA) {
-        query.set("part_a", state.partA);
+    if (wanted.partA) {
+        query.set("part_a", wanted.partA);
     }
-    if (state.partB) {
-        query.set("part_b", state.partB);
+    if (wanted.partB) {
+        query.set("part_b", wanted.partB);
     }
     for (;;) {
-        const found = await getJson<Found>(`jobs/${encodeURIComponent(job)}/scenarios/next?${query}`, signal);
+        const found = await getJson<Found>(path(job.job, `next?${query}`), signal);
         if (found.index !== null || found.searched_to === null) {
             return found.index;
         }
@@ -35,25 +48,77 @@ export async function nextContact(
     }
 }
 
+/** Whether rows of pairs have one of both wanted parts. */
+function hasPairOf(pairs: ArrayLike<number>, { partA, partB }: Wanted, parts: PartsOfBodies): boolean {
+    for (let i = 0; i + 2 < pairs.length; i += 3) {
+        if (parts[0].isOf(pairs[i], partA) && parts[1].isOf(pairs[i + 1], partB)) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/** Asks again as long as the server is busy. */
+async function patiently<T>(ask: () => Promise<T>): Promise<T> {
+    for (;;) {
+        try {
+            return await ask();
+        } catch (error) {
+            if (!(error instanceof ApiError && error.isBusy)) {
+                throw error;
+            }
+            await pause();
+        }
+    }
+}
+
+/** Whether a scenario, run again, has a pair of both wanted parts; true also where that cannot be told. */
+async function mayHave({ job, signal }: Search, scenario: number, wanted: Wanted, parts: PartsOfBodies) {
+    const one = await patiently(() => getJson<Scenario>(path(job.job, String(scenario)), signal));
+    if (one.exact_pairs === 0) {
+        return one.draw_note !== "";
+    }
+    const pairs = await patiently(() => getArray(path(job.job, `${scenario}/pairs`), signal));
+    return pairs.cut || hasPairOf(pairs.values, wanted, parts);
+}
+
+/** Returns the next scenario in contact, null at the job's end. */
+export async function nextContact(
+    search: Search,
+    wanted: Wanted,
+    getParts: () => Promise<PartsOfBodies>,
+): Promise<number | null> {
+    const { level } = search.job;
+    if (isAny(wanted) || level === "pairs" || level === "contacts") {
+        return nextRecorded(search, wanted);
+    }
+    // The records have no pairs: each scenario in contact is run again.
+    const parts = await getParts();
+    [wanted.partA, wanted.partB].forEach((part, body) => {
+        if (part && !parts[body].names.includes(part)) {
+            throw new Error(`the body has no part '${part}'`);
+        }
+    });
+    for (let from = search.from; ; search.tell(from)) {
+        const found = await nextRecorded({ ...search, from }, { partA: "", partB: "" });
+        if (found === null || (await mayHave(search, found, wanted, parts))) {
+            return found;
+        }
+        from = found;
+    }
+}
+
 /** As `nextContact`, of the scenarios of a report, which are all in contact. */
 export async function nextHeldContact(
-    job: string,
+    { job, from, step }: Pick<Search, "job" | "from" | "step">,
     scenarios: readonly number[],
-    from: number,
-    step: 1 | -1,
-    state: ViewState,
-    parts: readonly [BodyParts, BodyParts],
+    wanted: Wanted,
+    parts: PartsOfBodies,
 ): Promise<number | null> {
     const beyond = scenarios.filter((one) => (one - from) * step > 0).sort((a, b) => (a - b) * step);
     for (const scenario of beyond) {
-        if (!state.partA && !state.partB) {
+        if (isAny(wanted) || hasPairOf((await getArray(path(job.job, `${scenario}/pairs`))).values, wanted, parts)) {
             return scenario;
-        }
-        const { values } = await getArray(`jobs/${encodeURIComponent(job)}/scenarios/${scenario}/pairs`);
-        for (let i = 0; i + 2 < values.length; i += 3) {
-            if (parts[0].isOf(values[i], state.partA) && parts[1].isOf(values[i + 1], state.partB)) {
-                return scenario;
-            }
         }
     }
     return null;
