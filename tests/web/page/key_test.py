@@ -17,8 +17,8 @@ class Keys(PageTest):
     keyboard_test.py and long_job_test.py."""
 
     rows = [
-        "n, p", "← →", "space", "h", "g", "x", "l", "s", "[ ]", "f", "c",
-        "shift ← → ↑ ↓", "shift W A S D", "+ −", "enter", "esc", "drag, wheel", "click", "?",
+        "n, p", "← →", "esc", "space", "h", "g", "x", "l", "s", "[ ]", "f", "c",
+        "shift ← → ↑ ↓", "shift W A S D", "+ −", "enter", "drag, wheel", "click", "?",
     ]  # fmt: skip
 
     def setUp(self):

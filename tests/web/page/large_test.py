@@ -1,6 +1,8 @@
 """Tests the viewer with many triangles."""
 import time
 
+from selenium.webdriver.common.keys import Keys
+
 from page_case import PageTest
 
 # Time limits in seconds for the viewer. The limit for loading the meshes is three times the goal for an
@@ -41,12 +43,34 @@ class Large(PageTest):
         self.assertIn("8 000 001 triangles: above 8 000 000 this page does not draw", text)
         self.assertIn("The exports have it all: cdctl extract", text)
         self.browser.wait_text("cross, 1 pair")  # All else on the page works.
+        self.browser.wait_text("B in A's frame")
         self.assertEqual(self.browser.driver.find_elements("css selector", ".stage canvas"), [])
+        self.assert_only_what_needs_no_drawing()
         self.browser.picture("viewer-too-large-light")
         self.browser.collect()
         asked = [url for _, url in self.browser.addresses[before:]]
         self.assertTrue(any("/scenarios/0" in url for url in asked))
         self.assertFalse(any("/meshes/" in url for url in asked))
+
+    def assert_only_what_needs_no_drawing(self):
+        """What acts on a drawing is left out, with its keys; the steps from scenario to scenario stay."""
+        named = "return [...document.querySelectorAll(arguments[0])].map(one => one.ariaLabel ?? one.textContent)"
+        shown = self.browser.driver.execute_script(named, ".viewer :is(button, input, select)")
+        steps = ["scenario", "‹ previous contact", "next contact ›", "scenario, 0 to 0", "copy link", "?"]
+        self.assertEqual(shown[:-1], steps)
+        self.assertIn("cdctl extract", shown[-1])
+        link = self.browser.link()
+        for key in "hgxlsfc ":
+            self.browser.press(key)
+        self.browser.press("n")
+        self.browser.wait_text("no contact after this scenario")
+        self.browser.wait_frames()
+        self.assertEqual(self.browser.link(), link)
+        self.browser.press("?")
+        keys = self.browser.wait_text("Keys of the viewer")
+        self.assertIn("next and previous scenario in contact", keys)
+        self.assertNotIn("ghost", keys)
+        self.browser.press(Keys.ESCAPE)
 
     def test_eight_million_triangles_are_drawn(self):
         """The limit itself is still drawn."""

@@ -32,6 +32,11 @@ export function compose(second: Pose, first: Pose): Pose {
     return result;
 }
 
+/** Returns the pose of B in A's frame, of both poses in the world. */
+export function relativePose({ pose_a, pose_b }: { pose_a: Pose; pose_b: Pose }): Pose {
+    return compose(inverse(pose_a), pose_b);
+}
+
 export interface Placement {
     x: number;
     y: number;

@@ -3,13 +3,14 @@ import type { PartNames } from "../base/part_name";
 import { getParts } from "../base/parts";
 import { forgetNotes, goTo, noteLink, noteLinkSoon, type Route, scenarioLink } from "../base/route";
 import { bodyNames, type Job, type Source } from "../base/types";
-import { fileName, grouped, shellWord } from "../base/words";
+import { grouped, shellWord } from "../base/words";
 import { usePolled, useTitle } from "../ui/hooks";
 import { KeyHelp, useKeys, viewerKeys } from "../ui/keys";
-import { Command, Name, Notice } from "../ui/small";
+import { Command, Notice } from "../ui/small";
 import { type Bounds, CopyLink, ViewControls } from "../viewer/controls";
 import { ContactLegend, HeatLegend } from "../viewer/legend";
 import { type Model, trianglesMax } from "../viewer/model";
+import { Picture } from "../viewer/picture";
 import { PartPairs, Picked, PoseText } from "../viewer/side";
 import { Scrub, ViewerHead } from "../viewer/scrub";
 import { Trust } from "../viewer/status";
@@ -21,7 +22,6 @@ import { type Pick, readParts, readState, type ViewState, writeState } from "../
 import { useViewerFacts } from "../viewer/viewer_facts";
 
 const playPause = 60; // Milliseconds between the scenarios of a replay.
-const dragPixels = 4;
 const turnStep = Math.PI / 24;
 const moveStep = 0.05; // Of the distance between eye and target.
 
@@ -109,6 +109,7 @@ function JobViewer({ source, route, report, job }: ScreenProps & { job: Job }) {
     // As it is seen: with the camera, unless whoever opens the scenario anew would see it so.
     const linkHere = () => linkTo(scenario, state.camera ?? viewer?.ownView ?? null);
     const isTooLarge = trianglesOf(job) > trianglesMax;
+    const draws = !isTooLarge && drawing.error === "";
     useEffect(() => {
         if (model || isTooLarge) {
             noteLinkSoon(linkHere);
@@ -156,11 +157,7 @@ function JobViewer({ source, route, report, job }: ScreenProps & { job: Job }) {
             change({ clip: { ...state.clip, at } });
         }
     };
-    const keys: Record<string, () => void> = {
-        n: () => search.start(1),
-        p: () => search.start(-1),
-        ArrowRight: () => move(place + 1),
-        ArrowLeft: () => move(place - 1),
+    const drawingKeys: Record<string, () => void> = {
         " ": () => setPlaying(!isPlaying),
         h: () => change({ mode: state.mode === "heat" || !job.maps ? "contacts" : "heat" }),
         g: () => change({ ghost: state.ghost === "a" ? "b" : state.ghost === "b" ? "none" : "a" }),
@@ -182,26 +179,20 @@ function JobViewer({ source, route, report, job }: ScreenProps & { job: Job }) {
         D: () => viewer?.stage.move(moveStep, 0),
         "+": () => viewer?.stage.approach(0.85),
         "-": () => viewer?.stage.approach(1 / 0.85),
+    };
+    const keys: Record<string, () => void> = {
+        n: () => search.start(1),
+        p: () => search.start(-1),
+        ArrowRight: () => move(place + 1),
+        ArrowLeft: () => move(place - 1),
+        ...(draws ? drawingKeys : {}),
         Escape: search.stop,
         "?": () => setHelps(true),
     };
-    const pick = (found: Pick | null | undefined) =>
-        setState((old) => ((found ?? null) === null && old.pick === null ? old : { ...old, pick: found ?? null }));
+    const pick = (found: Pick | null) =>
+        setState((old) => (found === null && old.pick === null ? old : { ...old, pick: found }));
     useKeys(keys, report?.root);
 
-    const down = useRef<[number, number]>([0, 0]);
-    const click = (event: MouseEvent) => {
-        const moved = Math.hypot(event.clientX - down.current[0], event.clientY - down.current[1]);
-        if (viewer && moved < dragPixels) {
-            pick(viewer.pickAt(event.offsetX, event.offsetY, event.shiftKey));
-        }
-    };
-    // The wheel moves a report on, unless the viewer was clicked before.
-    const leaveWheel = (event: WheelEvent) => {
-        if (report && (report.root.getRootNode() as ShadowRoot).activeElement !== canvas.current) {
-            event.stopPropagation();
-        }
-    };
     const run = job.folder ? shellWord(job.folder) : source.kind === "folder" ? shellWord(source.name) : job.job;
     const error = modelError || drawing.error || scenarioError || (state.mode === "heat" ? heatError : "");
     return (
@@ -223,62 +214,54 @@ function JobViewer({ source, route, report, job }: ScreenProps & { job: Job }) {
                 move={move}
                 search={search}
                 isPlaying={isPlaying}
-                play={setPlaying}
+                play={draws ? setPlaying : null}
             >
                 <CopyLink
                     address={() => location.href.split("#")[0] + linkTo(scenario, viewer?.view ?? state.camera)}
                 />
-                <button type="button" onClick={() => void viewer?.stage.save(`${job.name || route.job}-${scenario}`)} disabled={!viewer}>
-                    PNG
-                </button>
+                {draws && (
+                    <button type="button" onClick={() => void viewer?.stage.save(`${job.name || route.job}-${scenario}`)} disabled={!viewer}>
+                        PNG
+                    </button>
+                )}
                 <button type="button" class="quiet" onClick={() => setHelps(true)} title="keys">
                     ?
                 </button>
             </Scrub>
             <div class="stage-row">
-                <div class="stage" onWheelCapture={leaveWheel}>
-                    {isTooLarge ? (
+                {isTooLarge ? (
+                    <div class="stage">
                         <p class="wait">
                             {grouped(trianglesOf(job))} triangles: above {grouped(trianglesMax)} this page does not draw.
                             The exports have it all: <code>cdctl extract {run} {String(scenario)} --out case</code>
                         </p>
-                    ) : (
+                    </div>
+                ) : (
+                    <Picture
+                        job={job}
+                        scenario={scenario}
+                        contacts={contacts}
+                        canvas={canvas}
+                        viewer={viewer}
+                        waits={!viewer && !error}
+                        root={report?.root}
+                        pick={pick}
+                    />
+                )}
+                <aside class="side">
+                    {draws && (
                         <>
-                            <canvas
-                                ref={canvas}
-                                tabIndex={0}
-                                role="img"
-                                aria-label={`scenario ${scenario}: ${contacts?.scenario.class ?? ""}, ${contacts?.scenario.count ?? 0} pairs`}
-                                onKeyDown={(event) => {
-                                    if (event.key === "Enter") {
-                                        pick(viewer?.pickMiddle(event.shiftKey));
-                                    }
-                                }}
-                                onPointerDown={(event) => {
-                                    down.current = [event.clientX, event.clientY];
-                                }}
-                                onClick={click}
+                            <ViewControls
+                                state={state}
+                                bounds={bounds}
+                                hasMap={job.maps}
+                                change={change}
+                                fit={fit}
+                                goToContact={goToContact}
                             />
-                            <span class="cross-hair" aria-hidden="true" />
-                            {!viewer && !error && <p class="wait over">reading {grouped(trianglesOf(job))} triangles…</p>}
-                            <div class="corner">
-                                <span class="swatch a" /> A <Name text={fileName(job.bodies[0].file)} />{" "}
-                                <span class="swatch b" /> B <Name text={fileName(job.bodies[1].file)} />
-                                <span class="note">drawn in single precision</span>
-                            </div>
+                            {state.mode === "heat" && heat ? <HeatLegend heat={heat} job={job} /> : <ContactLegend />}
                         </>
                     )}
-                </div>
-                <aside class="side">
-                    <ViewControls
-                        state={state}
-                        bounds={bounds}
-                        hasMap={job.maps}
-                        change={change}
-                        fit={fit}
-                        goToContact={goToContact}
-                    />
-                    {state.mode === "heat" && heat ? <HeatLegend heat={heat} job={job} /> : <ContactLegend />}
                     {state.pick && model && (
                         <Picked
                             pick={state.pick}
@@ -297,16 +280,14 @@ function JobViewer({ source, route, report, job }: ScreenProps & { job: Job }) {
                             choose={(partA, partB) => change({ partA, partB })}
                         />
                     )}
-                    {contacts && viewer && (
-                        <PoseText job={job} contacts={contacts} relative={viewer.relativePose(contacts.scenario)} />
-                    )}
+                    {contacts && <PoseText job={job} contacts={contacts} />}
                     <section aria-label="as a case of its own">
                         <h2>as a case of its own</h2>
                         <Command text={`cdctl extract ${run} ${scenario} --out case`} />
                     </section>
                 </aside>
             </div>
-            {helps && <KeyHelp title="Keys of the viewer" keys={viewerKeys} close={() => setHelps(false)} />}
+            {helps && <KeyHelp title="Keys of the viewer" keys={viewerKeys(draws)} close={() => setHelps(false)} />}
         </div>
     );
 }

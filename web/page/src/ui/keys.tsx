@@ -2,9 +2,13 @@ import { useEffect, useRef } from "preact/hooks";
 
 type KeyTable = readonly (readonly [string, string])[];
 
-export const viewerKeys: KeyTable = [
+const stepKeys: KeyTable = [
     ["n, p", "next and previous scenario in contact"],
     ["← →", "previous and next scenario"],
+    ["esc", "end a search for the next contact"],
+];
+
+const drawingKeys: KeyTable = [
     ["space", "play, stop"],
     ["h", "heat map, contacts"],
     ["g", "ghost: A, B, none"],
@@ -18,11 +22,14 @@ export const viewerKeys: KeyTable = [
     ["shift W A S D", "move up, left, down, right"],
     ["+ −", "nearer, farther"],
     ["enter", "in the picture: pick the triangle in its middle; with shift: of the ghost"],
-    ["esc", "end a search for the next contact"],
     ["drag, wheel", "turn, zoom; with the right button or two fingers: move"],
     ["click", "pick a triangle; with shift: of the ghost"],
-    ["?", "these keys"],
 ];
+
+/** The keys of the viewer; those that act on the drawing only where it draws. */
+export function viewerKeys(draws: boolean): KeyTable {
+    return [...stepKeys, ...(draws ? drawingKeys : []), ["?", "these keys"]];
+}
 
 export const jobKeys: KeyTable = [
     ["tab", "from one part of the page to the next"],

@@ -48,10 +48,11 @@ export function Scrub(props: {
     move: (place: number) => void;
     search: ContactSearch;
     isPlaying: boolean;
-    play: (isPlaying: boolean) => void;
+    /** Null where nothing is drawn that could be played. */
+    play: ((isPlaying: boolean) => void) | null;
     children: ComponentChildren;
 }) {
-    const { scenarios, search, isPlaying } = props;
+    const { scenarios, search, isPlaying, play } = props;
     const last = scenarios.count - 1;
     return (
         <div class="scrub">
@@ -69,9 +70,11 @@ export function Scrub(props: {
                 value={props.place}
                 onInput={(event) => props.move(Number(event.currentTarget.value))}
             />
-            <button type="button" onClick={() => props.play(!isPlaying)} title="space" aria-pressed={isPlaying}>
-                {isPlaying ? "stop" : "play"}
-            </button>
+            {play && (
+                <button type="button" onClick={() => play(!isPlaying)} title="space" aria-pressed={isPlaying}>
+                    {isPlaying ? "stop" : "play"}
+                </button>
+            )}
             {props.children}
             <span class="note" aria-live="polite">
                 {search.said}

@@ -1,6 +1,6 @@
 import { useMemo } from "preact/hooks";
 import type { BodyParts } from "../base/parts";
-import { placementKeys, placementOf, isAngle } from "../base/pose";
+import { isAngle, placementKeys, placementOf, relativePose } from "../base/pose";
 import type { Job, Pose } from "../base/types";
 import { counted, grouped, percent, short } from "../base/words";
 import { Name } from "../ui/small";
@@ -141,7 +141,8 @@ function MatrixTable({ pose, title }: { pose: Pose; title: string }) {
 }
 
 /** Where B is in A's frame, as numbers and as matrices with all digits. */
-export function PoseText({ job, contacts, relative }: { job: Job; contacts: Contacts; relative: Pose }) {
+export function PoseText({ job, contacts }: { job: Job; contacts: Contacts }) {
+    const relative = relativePose(contacts.scenario);
     const placement = placementOf(relative);
     const said = placementKeys
         .filter((key) => key !== "distance" && (!isAngle(key) || Math.abs(placement[key]) > 1e-9))

@@ -1,9 +1,9 @@
 import { Box3, Matrix4, Sphere, Vector3 } from "three";
 import type { Rgb } from "../base/classes";
 import type { BodyParts } from "../base/parts";
-import { apply, compose, inverse } from "../base/pose";
+import { apply, inverse, relativePose } from "../base/pose";
 import { styleColour } from "../base/theme";
-import type { Pose, Scenario, Vec3 } from "../base/types";
+import type { Pose, Vec3 } from "../base/types";
 import { BodyView } from "./body_view";
 import { ContactsView, type Highlight, highlightsOf } from "./contacts_view";
 import { heatBytes } from "./heat";
@@ -53,16 +53,11 @@ export class Viewer {
         this.stage.setBackground(styleColour("--stage", this.canvas));
     }
 
-    /** Returns the pose of B in A's frame. */
-    relativePose(scenario: Scenario): Pose {
-        return compose(inverse(scenario.pose_a), scenario.pose_b);
-    }
-
     show(contacts: Contacts, state: ViewState): void {
         this.contacts = contacts;
         this.matrices = [
             this.bodies[0].place(identity, this.origin),
-            this.bodies[1].place(this.relativePose(contacts.scenario), this.origin),
+            this.bodies[1].place(relativePose(contacts.scenario), this.origin),
         ];
         this.stage.setRadius(this.centreOfB().length() + this.bodies[1].radius + this.bodies[0].radius);
         this.refreshContacts(state);
