@@ -16,14 +16,15 @@ class Large(PageTest):
     def test_a_million_triangles(self):
         """A million triangles are in hand and drawn within the goals, and can be picked."""
         begin = time.monotonic()
-        folder = self.scenes.million()
+        folder, triangles = self.scenes.million()
         made = time.monotonic() - begin
         self.open(folder, "#/jobs/folder/0")
         facts = self.browser.scenario(0)
-        self.assertEqual(facts["trianglesDrawn"][0], 1_000_000)
+        self.assertGreaterEqual(triangles, 1_000_000)
+        self.assertEqual(facts["trianglesDrawn"][0], triangles)
         data, frame = facts["meshMilliseconds"] / 1000, facts["firstFrameMilliseconds"] / 1000
         self.assertGreater(min(data, frame), 0)
-        print(f"1 000 000 triangles: data in hand {data:.2f} s, first frame {frame:.2f} s later (made in {made:.1f} s)")
+        print(f"{triangles} triangles: data in hand {data:.2f} s, first frame {frame:.2f} s later (made in {made:.1f} s)")
         self.assertLess(data, BUSY_FACTOR * IN_HAND_SECONDS_MAX)
         self.assertLess(data + frame, FIRST_FRAME_SECONDS_MAX)
         begin = time.monotonic()
