@@ -16,12 +16,18 @@
 // write a file and to find it again (mapped and checked). For the wide form also: the first search
 // of the mesh against itself, in a tree just found and in the one just built.
 //
-// The third table has a row per tree: nodes and depth of A's tree, the share of its triangles under
-// the largest distribution root, bytes per triangle (nodes and order), N_b and N_p per scenario,
-// C_b (processor time of a descent without triangle tests over N_b) and C_p (the remaining time
-// over N_p), the paper's cost N_b C_b + N_p C_p with the first row's C_b and C_p, and the digest,
-// which must be equal in all rows. All rows but the last search the paper's binary tree. The last
-// row searches the wide tree, whose box tests differ: only its own C_b and C_p tell its cost.
+// The third table measures support points, a row per mesh: the same times of a build with the wide
+// tree and of its points, in turn, on one thread and on two; the median share of a build that the
+// points take; the mean eps of nodes whose points are chosen, and the root's, as shares of the
+// body's radius; and bytes a triangle.
+//
+// The fourth table has a row per tree: nodes and depth of A's tree, the share of its triangles
+// under the largest distribution root, bytes per triangle (nodes and order), N_b and N_p per
+// scenario, C_b (processor time of a descent without triangle tests over N_b) and C_p (the
+// remaining time over N_p), the paper's cost N_b C_b + N_p C_p with the first row's C_b and C_p,
+// and the digest, which must be equal in all rows. All rows but the last search the paper's binary
+// tree. The last row searches the wide tree, whose box tests differ: only its own C_b and C_p tell
+// its cost.
 #include "bench/posed_trees.hpp"
 #include "client/trees/tree_cache.hpp"
 #include "common/core/host/thread_pool.hpp"
@@ -162,6 +168,56 @@ void print_kept_times(const std::string& name, const MeshPointer& mesh, std::siz
     found_searches.print();
     built_searches.print();
     std::printf("\n");
+    std::fflush(stdout);
+}
+
+double median(std::vector<double> values) {
+    std::sort(values.begin(), values.end());
+    return values[values.size() / 2];
+}
+
+/// Prints times of a build and of the points, and the points' share of both.
+void print_points_share(const MeshPointer& mesh, unsigned threads, std::size_t rounds) {
+    ThreadPool pool(threads);
+    Times builds;
+    Times points;
+    std::vector<double> wall_shares;
+    std::vector<double> processor_shares;
+    for (std::size_t round = 0; round < rounds; ++round) {
+        std::optional<ObbTree> tree;
+        builds.add([&] { tree = build_tree(mesh, {}, pool); });
+        points.add([&] { tree->prepare_planes(&pool); });
+        wall_shares.push_back(points.wall.back() / builds.wall.back());
+        processor_shares.push_back(points.processor.back() / builds.processor.back());
+    }
+    builds.print();
+    points.print();
+    std::printf(" %.1f %% | %.1f %% |", 100 * median(wall_shares), 100 * median(processor_shares));
+}
+
+void print_points(const std::string& name, const MeshPointer& mesh, std::size_t rounds) {
+    std::printf("| %s | %zu |", name.c_str(), mesh->triangles().size());
+    print_points_share(mesh, 1, rounds);
+    print_points_share(mesh, 2, rounds);
+    ThreadPool pool;
+    ObbTree tree = build_tree(mesh, {}, pool);
+    tree.prepare_planes(&pool);
+    const SupportView support = tree.view().wide.support;
+    if (support.sets.empty()) {
+        std::printf(" no wide tree | | |\n");
+        return;
+    }
+    double sum = 0;
+    double chosen = 0;
+    for (const SupportSet& set : support.sets) {
+        sum += set.is_chosen ? static_cast<double>(set.eps) : 0;
+        chosen += set.is_chosen ? 1 : 0;
+    }
+    std::printf(" %.3g | %.3g | %.2f |\n",
+                sum / std::max(chosen, 1.0) / support.radius,
+                static_cast<double>(support.sets.front().eps) / support.radius,
+                static_cast<double>(support.sets.size_bytes() + support.columns.size_bytes()) /
+                    static_cast<double>(mesh->triangles().size()));
     std::fflush(stdout);
 }
 
@@ -307,6 +363,15 @@ int compare(const Options& options) {
     print_kept_times(options.bodies.a, scene->a, options.rounds);
     if (scene->b != scene->a) {
         print_kept_times(options.bodies.b, scene->b, options.rounds);
+    }
+    std::printf(
+        "\n| mesh | triangles | build ms, 1 thread | processor ms | points ms | processor ms | "
+        "share | processor share | build ms, 2 threads | processor ms | points ms | processor ms | "
+        "share | processor share | mean eps/radius | root eps/radius | bytes/triangle "
+        "|\n|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n");
+    print_points(options.bodies.a, scene->a, options.rounds);
+    if (scene->b != scene->a) {
+        print_points(options.bodies.b, scene->b, options.rounds);
     }
     std::printf("\n%zu scenarios, distribution depth %u\n\n"
                 "| tree | nodes | depth | largest root | bytes/triangle | N_b | N_p | C_b ns | C_p "

@@ -1,7 +1,6 @@
 // Proves that support points span the vertices below each node within eps.
 #include "common/tree/planes/support_points.hpp"
 
-#include "common/tree/planes/hull_choice.hpp"
 #include "common/tree/planes/simplex.hpp"
 #include "tests/support/brink_boxes.hpp"
 #include "tests/support/rounds.hpp"
@@ -111,68 +110,6 @@ TEST(SupportPoints, AreEqualForAnyNumberOfThreads) {
     EXPECT_TRUE(same_bytes(alone.view().columns, together.view().columns));
     EXPECT_EQ(alone.view().radius, together.view().radius);
     EXPECT_TRUE(alone.view().sets[0].is_chosen);
-}
-
-std::vector<FloatPoint> any_points(std::mt19937_64& random, std::size_t kind) {
-    std::vector<FloatPoint> points;
-    const std::size_t count = 1 + random() % 600;
-    for (std::size_t i = 0; i < count; ++i) {
-        Vec3 point(uniform(random, -1, 1), uniform(random, -1, 1), uniform(random, -1, 1));
-        if (kind == 1) {
-            point.normalize();
-        } else if (kind == 2) {
-            point.z() = 0.5; // A plane.
-        } else if (kind == 3) {
-            point = point.x() * Vec3(1, 0.5, 0.25); // A line.
-        } else if (kind == 4) {
-            point = Vec3(0.25, 0.5, 0.75);
-        }
-        points.push_back({static_cast<float>(point.x()),
-                          static_cast<float>(point.y()),
-                          static_cast<float>(point.z())});
-    }
-    return points;
-}
-
-TEST(HullChoice, BoundsHowFarPointsAreFromTheHullOfTheChosenOnes) {
-    for (SeededRandom random : seeds(60)) {
-        const auto points = any_points(random, random.seed % 5);
-        const std::size_t most = 26 + random() % 60;
-        const double wanted = random() % 2 == 0 ? 0 : 0.01;
-        const HullChoice choice = choose_hull(points, most, wanted, 2);
-        EXPECT_LE(choice.numbers.size(), std::max<std::size_t>(26, most));
-        if (choice.numbers.size() < most) {
-            EXPECT_LE(choice.eps, std::max(wanted, 1e-9));
-        }
-        std::vector<Vec3> all;
-        std::vector<Vec3> chosen;
-        for (const FloatPoint& point : points) {
-            all.emplace_back(point[0], point[1], point[2]);
-        }
-        for (const std::uint32_t number : choice.numbers) {
-            chosen.push_back(all[number]);
-        }
-        for (int i = 0; i < 200; ++i) {
-            const Vec3 direction = any_direction(random);
-            EXPECT_LE(reach_of(all, direction), reach_of(chosen, direction) + choice.eps);
-        }
-    }
-}
-
-TEST(HullChoice, ManyPointsOfASphereLeaveLittleOut) {
-    std::mt19937_64 random(1);
-    std::vector<FloatPoint> points;
-    for (int i = 0; i < 4000; ++i) {
-        const Vec3 point = any_direction(random);
-        points.push_back({static_cast<float>(point.x()),
-                          static_cast<float>(point.y()),
-                          static_cast<float>(point.z())});
-    }
-    const double of_32 = choose_hull(points, 32, 0, 1).eps;
-    const double of_128 = choose_hull(points, 128, 0, 1).eps;
-    EXPECT_LT(of_32, 0.25);
-    EXPECT_LT(of_128, 0.06);
-    EXPECT_GT(of_128, 0.01);
 }
 
 TEST(NearestOfSimplex, IsNoFartherThanAnyCombination) {
