@@ -32,7 +32,8 @@ double diagonal_of(const WideNode& box) {
 } // namespace
 
 void LastContacts::move_to(const RelativePose& b_to_a, const WideView& a, const WideView& b) {
-    constexpr double near_share = 0.1;
+    // Smaller shares lose the memory at the ends of a grid's rows.
+    constexpr double near_share = 0.4;
     const WideNode& root = b.nodes.front();
     is_near_ = nodes_a_ == a.nodes.size() && nodes_b_ == b.nodes.size() &&
                motion_between(pose_, b_to_a, root) <= near_share * diagonal_of(root);

@@ -20,8 +20,8 @@ class LastContacts {
   public:
     static constexpr std::size_t places_max = 2;
 
-    /// Takes the next pose and trees. The pose is near if no point of B moves by more than a tenth
-    /// of B's size, and the trees have as many nodes as before. Else forgets all places.
+    /// Takes the next pose and trees. The pose is near if no point of B moves by more than 0.4 of
+    /// B's size, and the trees have as many nodes as before. Else forgets all places.
     void move_to(const RelativePose& b_to_a, const WideView& a, const WideView& b);
     [[nodiscard]] bool is_near() const { return is_near_; }
 

@@ -86,11 +86,11 @@ TEST(LastContacts, PosesAreNearIfNoPointMovesFar) {
     last.move_to(moved({5, 0, 0}), of_a, of_b);
     EXPECT_FALSE(last.is_near());
     const double diagonal = std::hypot(1, 0.5, 0.25);
-    EXPECT_TRUE(is_near_after(moved({5 + 0.09 * diagonal, 0, 0}), of_b));
-    EXPECT_FALSE(is_near_after(moved({5 + 0.2 * diagonal, 0, 0}), of_b));
-    EXPECT_TRUE(is_near_after(moved({5 + 0.2 * diagonal, 0, 0}, 0.1), of_b));
-    EXPECT_FALSE(is_near_after(moved({5 + 0.2 * diagonal, 0, 0}, 0.1 + std::numbers::pi), of_b));
-    EXPECT_FALSE(is_near_after(moved({5 + 0.2 * diagonal, 0, 0}, 0.1 + std::numbers::pi),
+    EXPECT_TRUE(is_near_after(moved({5 + 0.35 * diagonal, 0, 0}), of_b));
+    EXPECT_FALSE(is_near_after(moved({5 + 0.8 * diagonal, 0, 0}), of_b));
+    EXPECT_TRUE(is_near_after(moved({5 + 0.8 * diagonal, 0, 0}, 0.1), of_b));
+    EXPECT_FALSE(is_near_after(moved({5 + 0.8 * diagonal, 0, 0}, 0.1 + std::numbers::pi), of_b));
+    EXPECT_FALSE(is_near_after(moved({5 + 0.8 * diagonal, 0, 0}, 0.1 + std::numbers::pi),
                                other.view().wide));
     EXPECT_FALSE(
         is_near_after(moved({std::numeric_limits<double>::quiet_NaN(), 0, 0}), other.view().wide));
