@@ -55,6 +55,16 @@ def decode_png(data):
     return rows
 
 
+# Lets a page hear of a new address later.
+SLOW_ADDRESS = """
+addEventListener("hashchange", (event) => {
+    if (event.isTrusted) {
+        event.stopImmediatePropagation();
+        setTimeout(() => dispatchEvent(new HashChangeEvent("hashchange")), %d);
+    }
+});
+"""
+
 # Lets a page read other JSON than the server sent.
 LIE = """(() => {
     const ask = window.fetch;
@@ -110,12 +120,19 @@ class Browser:
             "Emulation.setEmulatedMedia", {"features": [{"name": "prefers-color-scheme", "value": scheme}]}
         )
 
-    @contextlib.contextmanager
     def lie(self, path, change):
         """Pages that are opened within the block read other JSON from addresses that end with `path`: `change`, a
         statement in JavaScript, alters the value `json`."""
-        source = {"source": LIE % (json.dumps(path), change)}
-        script = self.driver.execute_cdp_cmd("Page.addScriptToEvaluateOnNewDocument", source)
+        return self.prepared(LIE % (json.dumps(path), change))
+
+    def slow_address(self, milliseconds):
+        """Pages that are opened within the block hear of a new address so much later."""
+        return self.prepared(SLOW_ADDRESS % milliseconds)
+
+    @contextlib.contextmanager
+    def prepared(self, script):
+        """Pages that are opened within the block run a script before their own."""
+        script = self.driver.execute_cdp_cmd("Page.addScriptToEvaluateOnNewDocument", {"source": script})
         try:
             yield
         finally:

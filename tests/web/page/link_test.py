@@ -74,6 +74,16 @@ class Links(PageTest):
         self.browser.driver.forward()
         self.browser.scenario(after)
 
+    def test_a_link_is_followed_while_the_last_view_is_noted(self):
+        """What a view notes in the address does not replace a link that was followed in the meantime."""
+        with self.browser.slow_address(600):
+            self.open(self.scenes.drive(), "#/jobs/folder/3")
+            self.browser.scenario(3)
+            self.browser.press("+")  # The new camera is noted in the address after 200 ms.
+            self.browser.go("#/jobs/folder/3?ghost=a")
+            self.browser.wait("the ghost", lambda f: f["ghost"] == "a")
+            self.assertEqual(self.browser.link(), "#/jobs/folder/3?ghost=a")
+
     def test_key_leaves_the_address_and_serves_other_tabs(self):
         server = self.open(self.scenes.drive())
         self.browser.wait("the job", lambda facts: facts["screen"] == "job")

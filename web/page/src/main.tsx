@@ -4,7 +4,7 @@ import "./app.css";
 import { answerFrom, getJson, getText, messageOf, takeKey } from "./base/api";
 import { publishFacts, tellFacts } from "./base/facts";
 import { HeldAnswers } from "./base/held";
-import { forgetNotes, jobLink, noteLink, parseRoute, type Route, scenarioLink } from "./base/route";
+import { forgetNotes, jobLink, noteLink, parseRoute, readRoute, type Route, scenarioLink } from "./base/route";
 import { startTheme } from "./base/theme";
 import type { Source } from "./base/types";
 import { ClusterScreen } from "./screens/cluster";
@@ -20,8 +20,8 @@ function homeOf(source: Source): string {
 
 /** What the address names, and a function that reads it again. */
 function useRoute(): [Route, () => void] {
-    const [route, setRoute] = useState(() => parseRoute(location.hash));
-    const read = () => setRoute(parseRoute(location.hash));
+    const [route, setRoute] = useState(readRoute);
+    const read = () => setRoute(readRoute());
     const first = useRef(location.hash);
     useEffect(() => {
         if (location.hash !== first.current) {
@@ -40,13 +40,13 @@ function useRoute(): [Route, () => void] {
 
 /** The screen that the address names, below the bar. */
 function Screens({ source }: { source: Source }) {
-    const [route, readRoute] = useRoute();
+    const [route, readAgain] = useRoute();
     useEffect(() => tellFacts("route", () => ({ screen: route.screen, link: location.hash })), [route]);
     const isHome = location.hash.replace(/^#\/?/, "") === "";
     useEffect(() => {
         if (isHome) {
             noteLink(homeOf(source));
-            readRoute();
+            readAgain();
         }
     }, [isHome]);
     return (

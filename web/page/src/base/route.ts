@@ -58,6 +58,8 @@ export function scenarioLink(job: string, scenario: number, query: Query = {}): 
     return `#/jobs/${encodeURIComponent(job)}/${scenario}${queryText(query)}`;
 }
 
+/** The address that the page shows; null at first. The browser tells of a new one a little later. */
+let shown: string | null = null;
 let timer = 0;
 let waiting: (() => string) | null = null;
 
@@ -67,10 +69,22 @@ export function goTo(link: string): void {
     location.hash = link;
 }
 
-/** Changes the address without a step in the browser's history and without a new screen. */
+/** Reads the address that the page shows from now on. */
+export function readRoute(): Route {
+    shown = location.hash;
+    return parseRoute(shown);
+}
+
+/**
+ * Changes the address without a step in the browser's history and without a new screen; not if the address
+ * is already another one than that of the view.
+ */
 export function noteLink(link: string): void {
     forgetNotes();
-    history.replaceState(null, "", link);
+    if (shown === null || location.hash === shown) {
+        history.replaceState(null, "", link);
+        shown = location.hash;
+    }
 }
 
 /**
