@@ -25,6 +25,10 @@ double motion_between(const RelativePose& from, const RelativePose& to, const Wi
     return shift.norm() + std::sqrt(turn.squaredNorm() * square);
 }
 
+bool are_same(std::span<const WideNode> left, std::span<const WideNode> right) {
+    return left.data() == right.data() && left.size() == right.size();
+}
+
 double diagonal_of(const WideNode& box) {
     return 255 * std::hypot(box.steps[0], box.steps[1], box.steps[2]);
 }
@@ -35,20 +39,20 @@ void LastContacts::move_to(const RelativePose& b_to_a, const WideView& a, const 
     // Smaller shares lose the memory at the ends of a grid's rows.
     constexpr double near_share = 0.4;
     const WideNode& root = b.nodes.front();
-    is_near_ = nodes_a_ == a.nodes.size() && nodes_b_ == b.nodes.size() &&
+    is_near_ = are_same(nodes_a_, a.nodes) && are_same(nodes_b_, b.nodes) &&
                motion_between(pose_, b_to_a, root) <= near_share * diagonal_of(root);
     if (!is_near_) {
         count_ = 0;
     }
     pose_ = b_to_a;
-    nodes_a_ = a.nodes.size();
-    nodes_b_ = b.nodes.size();
+    nodes_a_ = a.nodes;
+    nodes_b_ = b.nodes;
 }
 
 std::uint32_t LastContacts::Parents::of(const WideView& tree, std::uint32_t block) {
     const std::size_t blocks = tree.triangles.vertex_begin.size() - 1;
-    if (nodes_ != tree.nodes.data() || of_block_.size() != blocks) {
-        nodes_ = tree.nodes.data();
+    if (!are_same(nodes_, tree.nodes) || of_block_.size() != blocks) {
+        nodes_ = tree.nodes;
         of_block_.assign(blocks, 0);
         for (std::uint32_t parent = 0; parent < tree.nodes.size(); ++parent) {
             const WideNode& node = tree.nodes[parent];

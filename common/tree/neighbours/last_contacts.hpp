@@ -21,7 +21,9 @@ class LastContacts {
     static constexpr std::size_t places_max = 2;
 
     /// Takes the next pose and trees. The pose is near if no point of B moves by more than 0.4 of
-    /// B's size, and the trees have as many nodes as before. Else forgets all places.
+    /// B's size, and the trees are those of the last call. Else forgets all places. A tree is
+    /// known by the address and number of its nodes. A later tree may have both, too; then places
+    /// are still within bounds, and cost time but no answer.
     void move_to(const RelativePose& b_to_a, const WideView& a, const WideView& b);
     [[nodiscard]] bool is_near() const { return is_near_; }
 
@@ -39,13 +41,13 @@ class LastContacts {
         [[nodiscard]] std::uint32_t of(const WideView& tree, std::uint32_t block);
 
       private:
-        const WideNode* nodes_ = nullptr; ///< The tree; another one there costs time, no answer.
+        std::span<const WideNode> nodes_; ///< The tree.
         std::vector<std::uint32_t> of_block_;
     };
 
     RelativePose pose_{};
-    std::size_t nodes_a_ = 0; ///< Number of nodes; 0 at first.
-    std::size_t nodes_b_ = 0;
+    std::span<const WideNode> nodes_a_; ///< Only compared, since the tree may be gone.
+    std::span<const WideNode> nodes_b_;
     bool is_near_ = false;
     Parents parents_a_;
     Parents parents_b_;

@@ -71,6 +71,7 @@ TEST(LastContacts, PosesAreNearIfNoPointMovesFar) {
     const ObbTree a = make_tree(make_torus(1, 0.3, 30, 15));
     const ObbTree b = make_tree(make_gridded_box(Vec3(1, 0.5, 0.25), 3));
     const ObbTree other = make_tree(make_gridded_box(Vec3(1, 0.5, 0.25), 4));
+    const ObbTree twin = make_tree(make_gridded_box(Vec3(1, 0.5, 0.25), 3));
     const WideView& of_a = a.view().wide;
     const WideView& of_b = b.view().wide;
     LastContacts last;
@@ -90,6 +91,10 @@ TEST(LastContacts, PosesAreNearIfNoPointMovesFar) {
     EXPECT_FALSE(is_near_after(moved({5 + 0.8 * diagonal, 0, 0}), of_b));
     EXPECT_TRUE(is_near_after(moved({5 + 0.8 * diagonal, 0, 0}, 0.1), of_b));
     EXPECT_FALSE(is_near_after(moved({5 + 0.8 * diagonal, 0, 0}, 0.1 + std::numbers::pi), of_b));
+    EXPECT_TRUE(is_near_after(moved({5 + 0.8 * diagonal, 0, 0}, 0.1 + std::numbers::pi), of_b));
+    ASSERT_EQ(twin.view().wide.nodes.size(), of_b.nodes.size());
+    EXPECT_FALSE(
+        is_near_after(moved({5 + 0.8 * diagonal, 0, 0}, 0.1 + std::numbers::pi), twin.view().wide));
     EXPECT_FALSE(is_near_after(moved({5 + 0.8 * diagonal, 0, 0}, 0.1 + std::numbers::pi),
                                other.view().wide));
     EXPECT_FALSE(
