@@ -37,15 +37,17 @@ void note_undecided(const ContactSearch& search, ScenarioResult& result) {
     }
 }
 
-void find_any(std::span<const SubtreePair> pairs, ContactSearch& search, ScenarioResult& result) {
-    const bool touches = std::any_of(pairs.begin(), pairs.end(), [&](const SubtreePair& pair) {
-        return search.any(pair.a, pair.b);
-    });
-    if (touches) {
-        result.kind = ScenarioClass::Contact;
-    } else {
+/// Returns the index of the first pair found to touch.
+std::optional<std::size_t>
+find_any(std::span<const SubtreePair> pairs, ContactSearch& search, ScenarioResult& result) {
+    const auto touching = std::ranges::find_if(
+        pairs, [&](const SubtreePair& pair) { return search.any(pair.a, pair.b); });
+    if (touching == pairs.end()) {
         note_undecided(search, result);
+        return std::nullopt;
     }
+    result.kind = ScenarioClass::Contact;
+    return static_cast<std::size_t>(touching - pairs.begin());
 }
 
 ScenarioResult
@@ -170,6 +172,7 @@ ScenarioRun run_on_subtrees(KeptSearch& kept,
                             const RunOptions& options) {
     ScenarioRun run;
     run.result = empty_result(scenario, query);
+    kept.touching.reset();
     if (pairs.empty()) {
         if (query.level == Level::Contacts) {
             run.result.point_offsets.push_back(0);
@@ -186,7 +189,7 @@ ScenarioRun run_on_subtrees(KeptSearch& kept,
     bool is_whole = true;
     switch (query.level) {
     case Level::Any:
-        find_any(pairs, search, run.result);
+        kept.touching = find_any(pairs, search, run.result);
         break;
     case Level::Count:
         find_count(pairs, scenario, query, search, run);

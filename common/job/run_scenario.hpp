@@ -12,7 +12,9 @@
 #include "common/tree/obb_tree.hpp"
 #include "common/tree/wire/subtree_block.hpp"
 
+#include <cstddef>
 #include <memory>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -63,6 +65,8 @@ struct RunOptions {
 /// A contact search whose memory further scenarios of one query reuse.
 struct KeptSearch {
     std::unique_ptr<ContactSearch> search; ///< Created by the first scenario with a pair.
+    /// Index of the pair in which the last run at `level any` found a contact; empty without one.
+    std::optional<std::size_t> touching;
 };
 
 /// Runs a scenario as the overload without `kept` does, but reuses the search in `kept`. All calls

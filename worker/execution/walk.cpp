@@ -1,9 +1,11 @@
 #include "worker/execution/walk.hpp"
 
+#include "common/core/limits/engine.hpp"
 #include "common/job/run_scenario.hpp"
 
 #include <algorithm>
 #include <chrono>
+#include <optional>
 #include <utility>
 
 namespace cd {
@@ -39,10 +41,43 @@ class Walker {
           used_a_(walk.a->root_count()),
           used_b_of_its_own_(walk.b->root_count()),
           used_b_(walk.job->tree_a == walk.job->tree_b ? used_a_ : used_b_of_its_own_),
+          expects_touch_(can_expect_touch(walk)),
           map_(walk.job->parts) {}
 
     /// Runs a scenario, or records that it waits for subtrees. Returns false if stopped.
     bool run(std::size_t which, const Scenario& scenario, const RunOptions& options) {
+        ++scenario_;
+        if (touching_ && gather({&*touching_, 1})) {
+            const ScenarioRun run =
+                run_on_subtrees(kept_, pairs_, scenario, walk_.job->query, options);
+            if (run.is_stopped || run.result.kind == ScenarioClass::Contact) {
+                return add(run);
+            }
+            walked_.finished.statistics += run.statistics;
+        }
+        return run_on_roots(which, scenario, options);
+    }
+
+    [[nodiscard]] Walked take() {
+        walked_.finished.map = map_.take();
+        used_a_.append_keys(walk_.job->tree_a, walked_.used);
+        used_b_of_its_own_.append_keys(walk_.job->tree_b, walked_.used);
+        return std::move(walked_);
+    }
+
+  private:
+    /// Returns whether a contact below one pair of roots is the whole answer: at `level any`
+    /// without a tolerance, for trees that never have too many colliding roots, which would be a
+    /// failure.
+    static bool can_expect_touch(const Walk& walk) {
+        const Query& query = walk.job->query;
+        return query.level == Level::Any && query.tolerance == 0 &&
+               std::uint64_t{walk.a->root_count()} * walk.b->root_count() <= limits::root_pairs_max;
+    }
+
+    /// Finds the colliding roots and runs the scenario, or records that it waits for subtrees.
+    /// Returns false if stopped.
+    bool run_on_roots(std::size_t which, const Scenario& scenario, const RunOptions& options) {
         Result<CollidingRoots> roots =
             colliding_roots(walk_.a->top(), walk_.b->top(), scenario.poses);
         FinishedScenarios& finished = walked_.finished;
@@ -56,27 +91,27 @@ class Walker {
             return true;
         }
         const ScenarioRun run = run_on_subtrees(kept_, pairs_, scenario, walk_.job->query, options);
+        touching_.reset();
+        if (expects_touch_ && kept_.touching) {
+            touching_ = roots.value().pairs[*kept_.touching];
+        }
+        return add(run);
+    }
+
+    /// Adds a scenario's result. Returns false if stopped.
+    bool add(const ScenarioRun& run) {
         if (run.is_stopped) {
             return false;
         }
-        finished.add(encode_result(run.result));
-        finished.statistics += run.statistics;
+        walked_.finished.add(encode_result(run.result));
+        walked_.finished.statistics += run.statistics;
         map_.add(run.result, run.found);
         return true;
     }
 
-    [[nodiscard]] Walked take() {
-        walked_.finished.map = map_.take();
-        used_a_.append_keys(walk_.job->tree_a, walked_.used);
-        used_b_of_its_own_.append_keys(walk_.job->tree_b, walked_.used);
-        return std::move(walked_);
-    }
-
-  private:
     /// Collects the subtrees of the pairs. Returns false if a subtree is missing.
     bool gather(std::span<const RootPair> pairs) {
         pairs_.clear();
-        ++scenario_;
         std::uint64_t found = 0;
         for (const RootPair& pair : pairs) {
             const Subtree* const a = walk_.a->at(pair.a).get();
@@ -95,7 +130,11 @@ class Walker {
     const Walk& walk_;
     UsedRoots used_a_;
     UsedRoots used_b_of_its_own_;
-    UsedRoots& used_b_; ///< `used_a_` if both bodies use one tree.
+    UsedRoots& used_b_;  ///< `used_a_` if both bodies use one tree.
+    bool expects_touch_; ///< Sets `touching_`.
+    /// The pair of roots that touched last. Under a neighbouring pose it mostly touches again. Then
+    /// the scenario spares the descent of the upper trees, which costs several times as much.
+    std::optional<RootPair> touching_;
     std::uint32_t scenario_ = 0;
     std::vector<SubtreePair> pairs_;
     KeptSearch kept_;

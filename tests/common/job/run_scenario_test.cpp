@@ -5,6 +5,7 @@
 
 #include "common/search/brute_force.hpp"
 #include "tests/common/job/in_parts.hpp"
+#include "tests/support/rounds.hpp"
 #include "tests/support/scenarios.hpp"
 #include "tests/support/trees.hpp"
 
@@ -18,6 +19,17 @@
 namespace cd::tests {
 
 namespace {
+
+/// Returns the wide subtrees of a cut, with support points where wanted.
+std::vector<Subtree> wide_parts(const ObbTree& tree, std::uint32_t depth, bool has_points) {
+    std::vector<Subtree> parts;
+    for (const std::uint32_t node : cut_nodes(tree, depth)) {
+        const Subtree binary = extract_subtree(tree, node);
+        const WideTree wide = WideTree::of_part(binary.view());
+        parts.emplace_back(has_points ? wide.with_support() : wide);
+    }
+    return parts;
+}
 
 ScenarioClass class_at(const ObbTree& a, const ObbTree& b, const Pose& pose, Level level) {
     return run_scenario(a, b, make_scenario({Pose{}, pose}), query_of(level)).result.kind;
@@ -57,6 +69,54 @@ TEST(RunScenario, PartsGiveTheSameRecordAsTheWhole) {
     }
     EXPECT_GT(in_contact, 15);
     EXPECT_LT(in_contact, 55);
+}
+
+/// One search goes from pair to pair of subtrees and from pose to pose. Half of the rounds have
+/// subtrees with support points.
+TEST(RunScenario, ASearchKeptAlongASweepFindsInPartsWhatTheWholeHas) {
+    const ObbTree torus = make_tree(make_torus(1, 0.3, 60, 30));
+    const ObbTree box = make_tree(make_gridded_box(Vec3(1, 0.5, 0.25), 12));
+    int in_contact = 0;
+    int runs = 0;
+    for (SeededRandom random : seeds(8)) {
+        const std::array<std::uint32_t, 2> depths{static_cast<std::uint32_t>(random() % 5),
+                                                  static_cast<std::uint32_t>(random() % 5)};
+        const bool has_points = random() % 2 == 0;
+        const std::vector<Subtree> parts_a = wide_parts(torus, depths[0], has_points);
+        const std::vector<Subtree> parts_b = wide_parts(box, depths[1], has_points);
+        const TreeTop top_a = cut_tree(torus, depths[0]);
+        const TreeTop top_b = cut_tree(box, depths[1]);
+        for (const Level level : {Level::Any, Level::Pairs}) {
+            const Query query = query_of(level);
+            KeptSearch kept;
+            Vec3 place(uniform(random, 1.75, 1.85), 0, 0);
+            for (std::uint64_t i = 0; i < 60; ++i) {
+                place += 0.02 * make_pose(random, 1).translation();
+                const Scenario scenario =
+                    make_scenario({Pose{}, translation_pose(place.x(), place.y(), place.z())}, i);
+                std::vector<SubtreePair> pairs;
+                const auto roots = colliding_roots(top_a, top_b, scenario.poses).value();
+                for (const RootPair& pair : roots.pairs) {
+                    pairs.push_back({parts_a[pair.a].view(), parts_b[pair.b].view()});
+                }
+                std::shuffle(pairs.begin(), pairs.end(), random);
+                ScenarioResult found = run_on_subtrees(kept, pairs, scenario, query).result;
+                ASSERT_EQ(kept.touching.has_value(), found.kind == ScenarioClass::Contact);
+                if (kept.touching) {
+                    const SubtreePair touching = pairs[*kept.touching];
+                    ASSERT_EQ(run_on_subtrees({&touching, 1}, scenario, query).result.kind,
+                              found.kind);
+                    ++in_contact;
+                }
+                (void)Settler(torus, box, query.ignored).settle(scenario, found);
+                ASSERT_EQ(encode_result(found),
+                          encode_result(run_scenario(torus, box, scenario, query).result));
+                runs += level == Level::Any ? 1 : 0;
+            }
+        }
+    }
+    EXPECT_GT(in_contact, runs / 10);
+    EXPECT_LT(in_contact, runs * 9 / 10);
 }
 
 TEST(RunScenario, EachLevelContainsWhatItPromises) {

@@ -1,0 +1,163 @@
+// Proves that a descent answers each scenario of a sweep as a descent of that scenario alone does,
+// and that it spares work where the same subtrees touch again.
+#include "worker/execution/walk.hpp"
+
+#include "common/job/result/result.hpp"
+#include "common/job/run_scenario.hpp"
+#include "tests/support/scenarios.hpp"
+#include "tests/worker/cut_body.hpp"
+#include "worker/cache/subtree_cache.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstring>
+#include <memory>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace cd::tests {
+
+namespace {
+
+struct SweepQuery {
+    Level level = Level::Any;
+    SubtreeForm form = SubtreeForm::Wide;
+    double tolerance = 0;
+};
+
+/// A torus, cut in 16, and a box that moves into its wall in small steps, cut in 64.
+class Sweep {
+  public:
+    explicit Sweep(const SweepQuery& wanted)
+        : torus_(cut_body(make_torus(1, 0.3, 60, 30), 4, wanted.form)),
+          box_(cut_body(make_gridded_box(Vec3(1.2, 0.3, 0.2), 12), 6, wanted.form)),
+          held_torus_(held(torus_)),
+          held_box_(held(box_)) {
+        auto job = std::make_shared<WorkerJob>();
+        job->tree_a = TreeId{1};
+        job->tree_b = TreeId{2};
+        job->query.level = wanted.level;
+        job->query.tolerance = wanted.tolerance;
+        job_ = std::move(job);
+    }
+
+    /// Returns the records of scenarios [begin, end) of 100, which one descent runs.
+    [[nodiscard]] Walked walk_over(std::size_t begin, std::size_t end) const {
+        return walk_over(begin, end, held_torus_, held_box_);
+    }
+    /// Returns the same if the worker lacks one of the box's subtrees.
+    [[nodiscard]] Walked walk_without(RootIndex root, std::size_t begin, std::size_t end) const {
+        PartialObbTree box = held_box_;
+        box.empty(root);
+        return walk_over(begin, end, held_torus_, std::move(box));
+    }
+    /// Returns whole trees' answers to all scenarios at `level any`.
+    [[nodiscard]] std::vector<ScenarioClass> classes() const {
+        std::vector<ScenarioClass> classes;
+        for (const Scenario& scenario : scenarios()) {
+            classes.push_back(
+                run_scenario(torus_.tree, box_.tree, scenario, query_of(Level::Any)).result.kind);
+        }
+        return classes;
+    }
+
+  private:
+    static std::vector<Scenario> scenarios() {
+        std::vector<Scenario> all;
+        for (std::uint64_t i = 0; i < 100; ++i) {
+            const double place = 2.13 - 0.023 * static_cast<double>(i);
+            all.push_back(make_scenario({Pose{}, translation_pose(place, 0.1, 0.05)}, i));
+        }
+        return all;
+    }
+    static PartialObbTree held(const CutBody& body) {
+        PartialObbTree tree(body.top.root_count());
+        tree.set_top(std::make_shared<const TreeTop>(body.top));
+        for (RootIndex root = 0; root < body.top.root_count(); ++root) {
+            const OpenedBlock opened = open_block(body.block(root)).value();
+            tree.fill(root, std::get<std::shared_ptr<const Subtree>>(opened));
+        }
+        return tree;
+    }
+    [[nodiscard]] Walked
+    walk_over(std::size_t begin, std::size_t end, PartialObbTree a, PartialObbTree b) const {
+        const Walk part{job_,
+                        TaskScenarios(scenarios()),
+                        begin,
+                        end,
+                        std::make_shared<const PartialObbTree>(std::move(a)),
+                        std::make_shared<const PartialObbTree>(std::move(b)),
+                        std::make_shared<const DroppedScenarios>()};
+        ScenarioClock clock(JobId{1});
+        return walk(part, {}, clock);
+    }
+
+    CutBody torus_;
+    CutBody box_;
+    PartialObbTree held_torus_;
+    PartialObbTree held_box_;
+    std::shared_ptr<const WorkerJob> job_;
+};
+
+std::vector<ScenarioResult> results_of(const FinishedScenarios& finished) {
+    std::vector<ScenarioResult> results;
+    std::span<const std::byte> left = finished.records;
+    while (!left.empty()) {
+        std::uint32_t size = 0;
+        std::memcpy(&size, left.data(), sizeof(size));
+        results.push_back(decode_result(left.subspan(sizeof(size), size)).value());
+        left = left.subspan(sizeof(size) + size);
+    }
+    return results;
+}
+
+} // namespace
+
+TEST(Walk, AnswersEachScenarioOfASweepAsIfItWereAlone) {
+    for (const SweepQuery& query : {SweepQuery{},
+                                    SweepQuery{.form = SubtreeForm::Binary},
+                                    SweepQuery{.form = SubtreeForm::Binary, .tolerance = 0.1},
+                                    SweepQuery{.level = Level::Pairs}}) {
+        const Sweep sweep(query);
+        const Walked together = sweep.walk_over(0, 100);
+        FinishedScenarios alone;
+        for (std::size_t i = 0; i < 100; ++i) {
+            const FinishedScenarios one = sweep.walk_over(i, i + 1).finished;
+            alone.records.insert(alone.records.end(), one.records.begin(), one.records.end());
+            alone.statistics += one.statistics;
+        }
+        EXPECT_EQ(together.finished.count, 100u);
+        EXPECT_EQ(together.left, 0u);
+        EXPECT_EQ(together.finished.records, alone.records);
+        if (query.level == Level::Any && query.tolerance == 0) {
+            EXPECT_LT(together.finished.statistics.box_tests, alone.statistics.box_tests * 3 / 4);
+        } else if (query.tolerance > 0) {
+            EXPECT_EQ(together.finished.statistics.box_tests, alone.statistics.box_tests);
+        }
+    }
+}
+
+TEST(Walk, AContactUnderCachedSubtreesNeedsNoOthers) {
+    const Sweep sweep({});
+    const std::vector<ScenarioClass> classes = sweep.classes();
+    EXPECT_GT(std::ranges::count(classes, ScenarioClass::Contact), 10);
+    EXPECT_GT(std::ranges::count(classes, ScenarioClass::Separate), 10);
+    std::size_t waiting_alone = 0;
+    std::size_t waiting_together = 0;
+    for (RootIndex root = 0; root < 64; root += 8) {
+        for (std::size_t i = 0; i < 100; ++i) {
+            waiting_alone += sweep.walk_without(root, i, i + 1).waiting.size();
+        }
+        const Walked together = sweep.walk_without(root, 0, 100);
+        waiting_together += together.waiting.size();
+        EXPECT_EQ(together.finished.count + together.waiting.size(), 100u);
+        for (const ScenarioResult& result : results_of(together.finished)) {
+            EXPECT_EQ(result.kind, classes[result.index]);
+        }
+    }
+    EXPECT_LT(waiting_together, waiting_alone);
+}
+
+} // namespace cd::tests
