@@ -42,19 +42,18 @@ WideSearch::next_candidates(const WideView& a, const WideView& b, std::size_t wa
 
 bool WideSearch::any(const TreeView& a, const TreeView& b) {
     CD_CHECK(!a.wide.nodes.empty() && !b.wide.nodes.empty());
-    using Aim = WideDescent::Aim;
-    descent_.start(a.wide, b.wide, expects_contact_ ? Aim::LikelyFirst : Aim::First);
-    expects_contact_ = false;
-    while (!descent_.is_done() && !is_stopped_ && !expects_contact_) {
+    descent_.start(a.wide, b.wide, WideDescent::Aim::Any);
+    bool touches = false;
+    while (!descent_.is_done() && !is_stopped_ && !touches) {
         const auto found = next_candidates(a.wide, b.wide, candidates_at_once_for_any);
-        const auto touch = contacts_.find_touch(a.wide.triangles, b.wide.triangles, found);
-        if (touch) {
+        if (const auto touch = contacts_.find_touch(a.wide.triangles, b.wide.triangles, found)) {
             descent_.note_contact(a.wide, b.wide, found[*touch]);
-            expects_contact_ = true;
+            touches = true;
         }
         poll_stop();
     }
-    return expects_contact_;
+    descent_.note_answer(touches);
+    return touches;
 }
 
 void WideSearch::collect(const TreeView& a, const TreeView& b) {

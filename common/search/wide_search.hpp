@@ -9,7 +9,7 @@
 
 namespace cd {
 
-/// Searches wide trees, without a tolerance. If the last call of `any` found a contact, `any` looks
+/// Searches wide trees, without a tolerance. If earlier answers make a contact likely, `any` looks
 /// at the most promising boxes first; else it begins with planes. So does `collect` if its last
 /// call found none.
 class WideSearch final : public ContactSearch {
@@ -35,8 +35,7 @@ class WideSearch final : public ContactSearch {
     std::span<const IgnoredRange> ignored_;
     StopCheck stop_;
     FoundContacts contacts_;
-    bool expects_contact_ = true; ///< The last answer of `any`; true at first.
-    bool expects_none_ = true;    ///< The last call of `collect` found no contact; true at first.
+    bool expects_none_ = true; ///< The last call of `collect` found no contact; true at first.
     bool is_stopped_ = false;
 };
 

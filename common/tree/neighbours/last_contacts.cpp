@@ -83,4 +83,15 @@ void LastContacts::add(const WideView& a, const WideView& b, const Candidate& co
     std::rotate(places_.begin(), at, at + 1);
 }
 
+void LastContacts::note_answer(bool touches) {
+    has_touched_ = touches;
+    lately_ = std::clamp(lately_ + (touches ? 1 : -1), 0, lately_max);
+}
+
+bool LastContacts::expects_contact() const {
+    // Looking for a contact in vain costs less than finding one by planes.
+    constexpr int likely = 3;
+    return is_near_ ? has_touched_ : lately_ >= likely;
+}
+
 } // namespace cd

@@ -19,6 +19,7 @@ namespace cd {
 class LastContacts {
   public:
     static constexpr std::size_t places_max = 2;
+    static constexpr int lately_max = 8;
 
     /// Takes the next pose and trees. The pose is near if no point of B moves by more than 0.4 of
     /// B's size, and the trees are those of the last call. Else forgets all places. A tree is
@@ -30,6 +31,12 @@ class LastContacts {
     /// Notes a contact, as slots of the trees that `move_to` took last, if the pose is near: single
     /// poses and searches that change trees need no places.
     void add(const WideView& a, const WideView& b, const Candidate& contact);
+
+    /// Notes whether the bodies touch in the pose that `move_to` took last.
+    void note_answer(bool touches);
+    /// Returns whether a contact is likely: a near pose mostly has the last answer, another one
+    /// that of most poses lately. True at first.
+    [[nodiscard]] bool expects_contact() const;
 
     /// Returns pairs of nodes directly above leaves, that of the last contact first.
     [[nodiscard]] std::span<const WidePair> places() const { return {places_.data(), count_}; }
@@ -49,6 +56,8 @@ class LastContacts {
     std::span<const WideNode> nodes_a_; ///< Only compared, since the tree may be gone.
     std::span<const WideNode> nodes_b_;
     bool is_near_ = false;
+    bool has_touched_ = true; ///< The last answer.
+    int lately_ = lately_max; ///< Rises with each contact, and falls with each other answer.
     Parents parents_a_;
     Parents parents_b_;
     std::array<WidePair, places_max> places_{};

@@ -70,6 +70,10 @@ void WideDescent::start(const WideView& a, const WideView& b, Aim aim) {
     // After NaN or overflow, no pair counts as apart.
     pose_.absolute_margin = absolute < 0x1p100 ? static_cast<float>(absolute) + 0x1p-120F
                                                : std::numeric_limits<float>::infinity();
+    last_.move_to(b_to_a_, a, b);
+    if (aim == Aim::Any) {
+        aim = last_.expects_contact() ? Aim::LikelyFirst : Aim::First;
+    }
     walk_.a = body_of(a);
     walk_.b = body_of(b);
     walk_.waiting_count = 0;
@@ -78,7 +82,6 @@ void WideDescent::start(const WideView& a, const WideView& b, Aim aim) {
     is_for_all_ = aim == Aim::All || aim == Aim::AllUnlikely;
     walk_.leaves_at_once = is_for_all_ ? wide_leaves_max - wide_batch_max : leaves_for_first;
     has_planes_ = aim != Aim::All && !a.support.sets.empty() && !b.support.sets.empty();
-    last_.move_to(b_to_a_, a, b);
     planes_.clear();
     if (has_planes_) {
         planes_.reset(

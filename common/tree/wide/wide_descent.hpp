@@ -38,6 +38,7 @@ class WideDescent {
         LikelyFirst, ///< Finds a likely first contact: looks near the last contacts, if the pose
                      ///< is near the last one; then visits the most promising pairs of nodes
                      ///< (`PairBuckets`) one by one, and goes on like First after `dive_visits`.
+        Any,         ///< LikelyFirst if the answers noted before make a contact likely, else First.
     };
 
     /// Number of visits of most promising pairs in LikelyFirst. These visits find nearly all
@@ -62,6 +63,8 @@ class WideDescent {
     void note_contact(const WideView& a, const WideView& b, const Candidate& candidate) {
         last_.add(a, b, candidate);
     }
+    /// Notes whether the bodies touch under the present pose, for later descents.
+    void note_answer(bool touches) { last_.note_answer(touches); }
 
     /// Returns the number of box tests since `restart` was called.
     [[nodiscard]] std::uint64_t box_tests() const { return walk_.box_tests; }

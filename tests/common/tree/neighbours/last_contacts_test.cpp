@@ -102,6 +102,28 @@ TEST(LastContacts, PosesAreNearIfNoPointMovesFar) {
     EXPECT_FALSE(is_near_after(moved({0, 0, 0}), other.view().wide));
 }
 
+TEST(LastContacts, ANearPoseExpectsTheLastAnswerAndAnotherOneMostAnswers) {
+    const ObbTree tree = make_tree(make_torus(1, 0.3, 30, 15));
+    const WideView& view = tree.view().wide;
+    LastContacts last;
+    EXPECT_TRUE(last.expects_contact());
+    double x = 0;
+    const auto expects_after = [&](bool touches, double step) {
+        last.note_answer(touches);
+        last.move_to(moved({x += step, 0, 0}), view, view);
+        return last.expects_contact();
+    };
+    last.move_to(moved({x, 0, 0}), view, view);
+    EXPECT_FALSE(expects_after(false, 0.01));
+    EXPECT_TRUE(expects_after(true, 0.01));
+    EXPECT_TRUE(expects_after(false, 5)) << "most answers are contacts";
+    for (int i = 0; i < 10; ++i) {
+        last.note_answer(false);
+    }
+    EXPECT_FALSE(expects_after(true, 5)) << "most answers are none";
+    EXPECT_TRUE(expects_after(true, 0.01));
+}
+
 } // namespace
 
 } // namespace cd::tests
