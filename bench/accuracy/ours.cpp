@@ -96,13 +96,14 @@ class Certified final : public PairEngine {
 
     [[nodiscard]] SharedPoints shared_points(const PairGroup& group, const Candidate& c) override {
         TrianglePairTest test(group.poses);
-        const Corners a = group.a.corners_at(c.a);
-        const Corners b = group.b.corners_at(c.b);
-        if (test.classify(a, b) == PairClass::Separate) {
-            return {};
+        const PairCorners pair{group.a.corners_at(c.a), group.b.corners_at(c.b)};
+        SharedPoints found;
+        if (test.classify(pair.a, pair.b) != PairClass::Separate) {
+            test.shared_points({&pair, 1}, [&](const Vec3& origin, std::span<const Vec3> points) {
+                found = {origin, {points.begin(), points.end()}};
+            });
         }
-        const auto points = test.shared_points(a, b);
-        return {test.point_origin(a), {points.begin(), points.end()}};
+        return found;
     }
 
   private:

@@ -17,4 +17,10 @@ using Triangle = std::array<std::uint32_t, 3>;
 /// The corners of a triangle, in its body's coordinates.
 using Corners = std::array<Vec3, 3>;
 
+/// The corners of a pair's triangles, each in its body's coordinates.
+struct PairCorners {
+    Corners a;
+    Corners b;
+};
+
 } // namespace cd

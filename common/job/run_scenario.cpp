@@ -81,16 +81,23 @@ void find_count(std::span<const SubtreePair> pairs,
 /// Computes the shared points of each pair. Returns false if `stop` ended the computation.
 bool add_shared_points(FoundContacts& found, const StopCheck& stop, ScenarioResult& result) {
     constexpr std::size_t pairs_between_stop_checks = 1024;
-    result.point_offsets.push_back(0);
-    for (std::size_t i = 0; i < result.pairs.size(); ++i) {
-        if (stop && i % pairs_between_stop_checks == 0 && stop()) {
-            return false;
-        }
-        const PairCorners& corners = found.corners()[i];
-        result.point_origins.push_back(found.test().point_origin(corners.a));
-        const std::span<const Vec3> points = found.test().shared_points(corners.a, corners.b);
+    const auto receive = [&](const Vec3& origin, std::span<const Vec3> points) {
+        result.point_origins.push_back(origin);
         result.points.insert(result.points.end(), points.begin(), points.end());
         result.point_offsets.push_back(static_cast<std::uint32_t>(result.points.size()));
+    };
+    auto rest = std::span(found.corners()).first(result.pairs.size());
+    result.point_offsets.reserve(rest.size() + 1);
+    result.point_origins.reserve(rest.size());
+    result.points.reserve(2 * rest.size()); // Nearly all pairs share a segment.
+    result.point_offsets.push_back(0);
+    while (!rest.empty()) {
+        if (stop && stop()) {
+            return false;
+        }
+        const auto now = rest.first(std::min(rest.size(), pairs_between_stop_checks));
+        found.test().shared_points(now, receive);
+        rest = rest.subspan(now.size());
     }
     return true;
 }

@@ -191,12 +191,9 @@ template std::optional<std::size_t> TrianglePairTest::find_touch(const TriangleB
                                                                  const TriangleBlocks&,
                                                                  std::span<const Candidate>);
 
-std::span<const Vec3> TrianglePairTest::shared_points(const Corners& a, const Corners& b) {
-    return state_->points.points(a, b);
-}
-
-Vec3 TrianglePairTest::point_origin(const Corners& a) {
-    return state_->points.origin(a);
+void TrianglePairTest::shared_points(std::span<const PairCorners> pairs,
+                                     const PointReceiver& receive) {
+    state_->points.for_each(pairs, receive);
 }
 
 const PairStatistics& TrianglePairTest::statistics() const {

@@ -7,6 +7,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -114,13 +115,13 @@ class TrianglePairTest {
     [[nodiscard]] std::optional<std::size_t>
     find_touch(const Triangles& a, const Triangles& b, std::span<const Candidate> candidates);
 
-    /// Returns the corners of the set of shared points of two triangles, correctly rounded,
-    /// relative to `point_origin(a)`: see SharedPoints. Valid until the next call.
-    [[nodiscard]] std::span<const Vec3> shared_points(const Corners& a, const Corners& b);
+    /// Receives a pair's origin and shared points, which are valid during the call.
+    using PointReceiver = std::function<void(const Vec3& origin, std::span<const Vec3> points)>;
 
-    /// Returns the first corner of A in the world, correctly rounded: `shared_points` are relative
-    /// to this point.
-    [[nodiscard]] Vec3 point_origin(const Corners& a);
+    /// Passes to `receive`, for each pair in order, an origin, which is the first corner of A in
+    /// the world, and the corners of the set of shared points, relative to that origin. Both are
+    /// correctly rounded: see SharedPoints.
+    void shared_points(std::span<const PairCorners> pairs, const PointReceiver& receive);
 
     [[nodiscard]] const PairStatistics& statistics() const;
 

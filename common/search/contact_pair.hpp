@@ -21,12 +21,6 @@ struct ContactPair {
     friend auto operator<=>(const ContactPair&, const ContactPair&) = default;
 };
 
-/// The corners of a pair's triangles, each in its body's coordinates.
-struct PairCorners {
-    Corners a;
-    Corners b;
-};
-
 /// Sorts pairs in ascending order. Keeps scratch memory between calls; one thread at a time may use
 /// a sorter.
 class PairSorter {

@@ -11,6 +11,7 @@
 #include "common/pair/triangle_pair.hpp"
 #include "tests/corpus/fingerprint.hpp"
 #include "tests/corpus/pairs.hpp"
+#include "tests/support/pair_points.hpp"
 #include "tests/support/shapes.hpp"
 
 #include <array>
@@ -118,10 +119,11 @@ std::vector<FloatVerdict> verdicts_of(const PosePair& poses, const Batch& batch,
 
 std::uint64_t hash_of_points(TrianglePairTest& test, const Corners& a, const Corners& b) {
     Fingerprint hash;
-    for (const double coordinate : test.point_origin(a)) {
+    const auto [origin, points] = points_of(test, a, b);
+    for (const double coordinate : origin) {
         hash.add(coordinate);
     }
-    for (const Vec3& point : test.shared_points(a, b)) {
+    for (const Vec3& point : points) {
         for (const double coordinate : point) {
             hash.add(coordinate);
         }

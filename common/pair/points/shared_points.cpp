@@ -1,9 +1,13 @@
 #include "common/pair/points/shared_points.hpp"
 
+#include <algorithm>
+#include <array>
+
 namespace cd {
 
 void SharedPoints::restart(const PosePair& poses) {
     poses_ = poses;
+    together_.reset();
     fast_.reset();
     finder_.reset();
     exact_.reset();
@@ -77,6 +81,37 @@ std::span<const Vec3> SharedPoints::points(const Corners& a, const Corners& b) {
     ++statistics_.points_exact;
     points_ = exact().points(a, b, from);
     return points_;
+}
+
+const CrossingPoints* SharedPoints::together(std::span<const PairCorners> pairs) {
+    if (path_ == Path::Exact) {
+        return nullptr;
+    }
+    if (!together_) {
+        together_.emplace(poses_);
+    }
+    if (!together_->pays()) {
+        return nullptr;
+    }
+    together_->compute(pairs);
+    return &*together_;
+}
+
+void SharedPoints::for_each(std::span<const PairCorners> pairs, const Receiver& receive) {
+    while (!pairs.empty()) {
+        const auto now = pairs.first(std::min(pairs.size(), CrossingPoints::pairs_max));
+        const CrossingPoints* const found = together(now);
+        for (std::size_t i = 0; i < now.size(); ++i) {
+            if (found != nullptr && found->is_proven(i)) {
+                ++statistics_.points_together;
+                receive(found->origin(i), found->ends(i));
+            } else {
+                const Vec3 from = origin(now[i].a);
+                receive(from, points(now[i].a, now[i].b));
+            }
+        }
+        pairs = pairs.subspan(now.size());
+    }
 }
 
 } // namespace cd

@@ -3,11 +3,13 @@
 
 #include "common/geometry/pose.hpp"
 #include "common/geometry/types.hpp"
+#include "common/pair/points/crossing/crossing_points.hpp"
 #include "common/pair/points/double_double_points.hpp"
 #include "common/pair/points/exact_points.hpp"
 #include "common/pair/points/shared_corners.hpp"
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
@@ -15,8 +17,10 @@
 namespace cd {
 
 /// Counts the pairs whose points, and the triangles whose origin, each path computed: `fast` is
-/// double-double, `exact` is integers.
+/// double-double, `exact` is integers. Pairs that double-double computed together with others count
+/// as `points_together` alone.
 struct PointStatistics {
+    std::uint64_t points_together = 0;
     std::uint64_t points_fast = 0;
     std::uint64_t points_exact = 0;
     std::uint64_t origins_fast = 0;
@@ -27,11 +31,15 @@ struct PointStatistics {
 /// rationals that they denote. Each result is rounded once, to the nearest finite double (ties to
 /// even; see `nearest_double`): the same bits on every host.
 ///
-/// Double-double runs first, with an error bound that shows whether the rounding is certain. For
+/// Double-double runs first, with an error bound that shows whether the rounding is certain: for
+/// crossing pairs in a batch with one pair per SIMD lane, for others one by one. For
 /// touching and coplanar pairs, integers of few words find the shared corners. If that does not
 /// suffice, integers compute everything. Not thread-safe.
 class SharedPoints {
   public:
+    /// Receives a pair's origin and points, which are valid during the call.
+    using Receiver = std::function<void(const Vec3& origin, std::span<const Vec3> points)>;
+
     /// `Exact` skips double-double; the results are the same.
     enum class Path : std::uint8_t { Any, Exact };
 
@@ -55,6 +63,10 @@ class SharedPoints {
     /// exact points: distinct corners may round to equal ones.
     [[nodiscard]] std::span<const Vec3> points(const Corners& a, const Corners& b);
 
+    /// Passes the origin and points of each pair to `receive`, in order: much faster than one by
+    /// one.
+    void for_each(std::span<const PairCorners> pairs, const Receiver& receive);
+
     [[nodiscard]] const PointStatistics& statistics() const { return statistics_; }
 
   private:
@@ -63,9 +75,12 @@ class SharedPoints {
     [[nodiscard]] std::optional<std::span<const Vec3>>
     fast_points(const Corners& a, const Corners& b, const Vec3& origin);
     [[nodiscard]] Vec3 offset();
+    /// Computes at most `CrossingPoints::pairs_max` pairs; returns null if that does not pay.
+    [[nodiscard]] const CrossingPoints* together(std::span<const PairCorners> pairs);
 
     PosePair poses_;
     Path path_;
+    std::optional<CrossingPoints> together_;
     std::optional<DoubleDoublePoints> fast_;
     std::optional<SharedCornerFinder> finder_;
     std::optional<ExactPoints> exact_;

@@ -4,6 +4,7 @@
 
 #include "tests/support/hard_pairs.hpp"
 #include "tests/support/oracle.hpp"
+#include "tests/support/pair_points.hpp"
 #include "tests/support/rounds.hpp"
 #include "tests/support/shapes.hpp"
 
@@ -76,7 +77,7 @@ TEST(TrianglePair, NumbersOfEveryMagnitudeAreDecidedExactly) {
         TrianglePairTest test(c.poses);
         ASSERT_EQ(test.classify(c.a, c.b), expected);
         if (expected != PairClass::Separate) {
-            for (const Vec3& point : test.shared_points(c.a, c.b)) {
+            for (const Vec3& point : points_of(test, c.a, c.b).points) {
                 EXPECT_TRUE(point.allFinite());
             }
         }
@@ -98,10 +99,9 @@ TEST(TrianglePair, SharedPointsLieOnBothTriangles) {
             if (kind == PairClass::Separate) {
                 continue;
             }
-            const std::span<const Vec3> points = test.shared_points(c.a, c.b);
+            const auto [origin, points] = points_of(test, c.a, c.b);
             ASSERT_FALSE(points.empty());
             ASSERT_LE(points.size(), 6u);
-            const Vec3 origin = test.point_origin(c.a);
             Corners a;
             Corners b;
             for (std::size_t i = 0; i < 3; ++i) {
@@ -163,7 +163,7 @@ TEST(TrianglePair, SharedPointsAreThoseOfTheIntersection) {
         SCOPED_TRACE(c.what);
         TrianglePairTest test(PosePair{});
         ASSERT_EQ(test.classify(c.a, c.b), c.kind);
-        const auto points = test.shared_points(c.a, c.b);
+        const auto points = points_of(test, c.a, c.b).points;
         ASSERT_EQ(points.size(), c.points);
         const auto [least, most] =
             std::ranges::minmax(points, {}, [](const Vec3& p) { return p.x(); });

@@ -1,22 +1,13 @@
 // SIMD kernel of DoubleTrianglePairs, compiled for every target; plain values in and out.
 #pragma once
 
+#include "common/pair/stages/double_batch/corners_of_many.hpp"
 #include "common/pair/stages/float/rounded_poses.hpp"
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 
 namespace cd {
-
-/// The unposed corners of eight pairs, by corner, axis and pair.
-struct CornersOfMany {
-    static constexpr std::size_t pairs = 8;
-    using Triangles = std::array<std::array<std::array<double, pairs>, 3>, 3>;
-
-    alignas(64) Triangles a;
-    alignas(64) Triangles b;
-};
 
 /// Marks a pair that doubles leave undecided.
 inline constexpr std::uint8_t undecided_pair = 4;

@@ -5,18 +5,6 @@
 
 namespace cd {
 
-namespace {
-
-void put(CornersOfMany::Triangles& to, std::size_t place, const Corners& corners) {
-    for (std::size_t i = 0; i < 3; ++i) {
-        for (std::size_t k = 0; k < 3; ++k) {
-            to[i][k][place] = corners[i][static_cast<int>(k)];
-        }
-    }
-}
-
-} // namespace
-
 DoubleTrianglePairs::DoubleTrianglePairs(const PosePair& poses, double bound_scale)
     : poses_(poses),
       bound_scale_(bound_scale),
@@ -25,8 +13,7 @@ DoubleTrianglePairs::DoubleTrianglePairs(const PosePair& poses, double bound_sca
 
 void DoubleTrianglePairs::add(const Corners& a, const Corners& b) {
     CD_CHECK(count_ < pairs_max);
-    put(corners_.a, count_, a);
-    put(corners_.b, count_, b);
+    corners_.set(count_, a, b);
     ++count_;
 }
 

@@ -4,27 +4,20 @@
 #include "common/pair/points/double_double_points.hpp"
 
 #include "common/pair/points/exact_points.hpp"
-#include "tests/support/brink_boxes.hpp"
-#include "tests/support/clipping_oracle.hpp"
-#include "tests/support/hard_pairs.hpp"
-#include "tests/support/rounds.hpp"
+#include "tests/common/pair/points/middle_pairs.hpp"
 #include "tests/support/shapes.hpp"
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-#include <limits>
 #include <map>
 #include <string>
-#include <vector>
 
 namespace cd::tests {
 
 namespace {
 
 /// Returns the fast path's own answer, if it has one.
-std::optional<std::vector<Vec3>>
-fast_points(const PosedPair& c, double bound_scale, const Vec3& origin) {
+std::optional<PairPoints> fast_points(const PosedPair& c, double bound_scale, const Vec3& origin) {
     DoubleDoublePoints fast(c.poses, bound_scale);
     if (!fast.take(c.a, c.b, origin)) {
         return std::nullopt;
@@ -36,36 +29,8 @@ fast_points(const PosedPair& c, double bound_scale, const Vec3& origin) {
                      ? fast.at(*corners, [&] { return ExactPoints(c.poses).offset(c.a, origin); })
                      : std::nullopt;
     }
-    return points ? std::optional(std::vector<Vec3>(points->begin(), points->end())) : std::nullopt;
-}
-
-/// Returns the midpoint of two adjacent doubles that is nearest to a number.
-Rational middle_near(const Rational& exact) {
-    const auto nearest = exact.convert_to<double>();
-    const double towards = Rational(nearest) < exact ? std::numeric_limits<double>::infinity()
-                                                     : -std::numeric_limits<double>::infinity();
-    return (Rational(nearest) + Rational(std::nextafter(nearest, towards))) / 2;
-}
-
-PosedPair moved(PosedPair c, const Vec3& by) {
-    c.poses = {with_translation(c.poses.a, by), with_translation(c.poses.b, by)};
-    return c;
-}
-
-/// Translates the pair, by far less than a coordinate's ulp, so that a component of one of its
-/// points, relative to the origin, is near a midpoint.
-PosedPair brought_to_middle(const PosedPair& c, const Vec3& origin, std::mt19937_64& random) {
-    const std::vector<RationalPoint> points = clipping_oracle_points(c.a, c.b, c.poses);
-    if (points.empty()) {
-        return c;
-    }
-    const RationalPoint& point = points[random() % points.size()];
-    const std::size_t k = random() % 3;
-    const auto axis = static_cast<Eigen::Index>(k);
-    const Rational value = point[k] - Rational(origin[axis]);
-    Vec3 by = Vec3::Zero();
-    by[axis] = Rational(middle_near(value) - value).convert_to<double>();
-    return moved(c, by);
+    return points ? std::optional(PairPoints{origin, {points->begin(), points->end()}})
+                  : std::nullopt;
 }
 
 /// Makes touching pairs on a lattice, turned together.
@@ -112,31 +77,10 @@ std::map<std::string, PairMaker> makers() {
 
 /// Returns the number of wrong answers.
 int wrong_answers(const PairMaker& make, double bound_scale, std::uint64_t rounds) {
-    int wrong = 0;
-    for (SeededRandom random : seeds(rounds)) {
-        const PosedPair base = make(random);
-        const std::optional<Vec3> origin = DoubleDoublePoints(base.poses).origin(base.a);
-        if (!origin) {
-            continue;
-        }
-        const PosedPair c = brought_to_middle(base, *origin, random);
-        const auto points = fast_points(c, bound_scale, *origin);
-        if (!points || points->empty()) {
-            continue;
-        }
-        const std::vector<RationalPoint> expected = clipping_oracle_points(c.a, c.b, c.poses);
-        bool is_right = points->size() == expected.size();
-        for (std::size_t i = 0; is_right && i < expected.size(); ++i) {
-            for (std::size_t k = 0; k < 3; ++k) {
-                const auto axis = static_cast<Eigen::Index>(k);
-                is_right =
-                    is_right && is_nearest_double((*points)[i][axis],
-                                                  expected[i][k] - Rational((*origin)[axis]));
-            }
-        }
-        wrong += is_right ? 0 : 1;
-    }
-    return wrong;
+    const auto answer = [&](const PosedPair& c, const Vec3& origin) {
+        return fast_points(c, bound_scale, origin);
+    };
+    return wrong_answers_of(make, answer, rounds);
 }
 
 } // namespace
