@@ -165,10 +165,11 @@ def show_diff(cdctl, meshes, root, out):
 
 
 def show_million(browser, cdctl, root, times):
-    server = View(cdctl, Scenes(cdctl, root).million())
+    folder, _ = Scenes(cdctl, root).million()
+    server = View(cdctl, folder)
     try:
         browser.open(server.url)
-        times.append(("a torus x a box", *time_page(browser, server)))
+        times.append(("a generated car x a box", *time_page(browser, server)))
     finally:
         browser.leave()
         server.close()

@@ -3,8 +3,8 @@ import base64
 import csv
 import json
 import math
-import struct
 import re
+import struct
 import subprocess
 import unittest
 
