@@ -340,6 +340,15 @@ std::optional<Scene> make_scene(const Options& options) {
     return scene;
 }
 
+/// Prints a row for each of the two bodies; one if they are the same.
+template <class Print>
+void print_each(const Options& options, const Scene& scene, const Print& print) {
+    print(options.bodies.a, scene.a, options.rounds);
+    if (scene.b != scene.a) {
+        print(options.bodies.b, scene.b, options.rounds);
+    }
+}
+
 int compare(const Options& options) {
     std::optional<Scene> scene = make_scene(options);
     if (!scene) {
@@ -349,10 +358,7 @@ int compare(const Options& options) {
         "| mesh | triangles | connections ms | processor ms | build ms, 1 thread | processor "
         "ms | 2 threads | processor ms | with the wide tree, 1 thread | processor ms | 2 "
         "threads | processor ms |\n|---|---|---|---|---|---|---|---|---|---|---|---|\n");
-    print_build_times(options.bodies.a, scene->a, options.rounds);
-    if (scene->b != scene->a) {
-        print_build_times(options.bodies.b, scene->b, options.rounds);
-    }
+    print_each(options, *scene, print_build_times);
     std::printf(
         "\n| mesh | triangles | binary MB | keep ms | processor ms | find ms | processor ms | wide "
         "MB "
@@ -360,19 +366,13 @@ int compare(const Options& options) {
         "| built | processor ms "
         "|\n|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|"
         "\n");
-    print_kept_times(options.bodies.a, scene->a, options.rounds);
-    if (scene->b != scene->a) {
-        print_kept_times(options.bodies.b, scene->b, options.rounds);
-    }
+    print_each(options, *scene, print_kept_times);
     std::printf(
         "\n| mesh | triangles | build ms, 1 thread | processor ms | points ms | processor ms | "
         "share | processor share | build ms, 2 threads | processor ms | points ms | processor ms | "
         "share | processor share | mean eps/radius | root eps/radius | bytes/triangle "
         "|\n|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n");
-    print_points(options.bodies.a, scene->a, options.rounds);
-    if (scene->b != scene->a) {
-        print_points(options.bodies.b, scene->b, options.rounds);
-    }
+    print_each(options, *scene, print_points);
     std::printf("\n%zu scenarios, distribution depth %u\n\n"
                 "| tree | nodes | depth | largest root | bytes/triangle | N_b | N_p | C_b ns | C_p "
                 "ns | cost ms | digest |\n|---|---|---|---|---|---|---|---|---|---|---|\n",

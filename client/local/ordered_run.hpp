@@ -20,8 +20,8 @@ namespace cd {
 
 /// Runs scenarios, which are added in order, on pool threads; results are taken in that order.
 ///
-/// Threads exchange scenarios and results in batches of a few milliseconds, so that short scenarios
-/// do not cost a wakeup each, and long ones do not wait for each other. Results that are
+/// Threads exchange scenarios and results in batches of about a millisecond, so that short
+/// scenarios do not cost a wakeup each, and long ones do not wait for each other. Results that are
 /// not yet taken are bounded in number and bytes.
 class OrderedRun {
   public:

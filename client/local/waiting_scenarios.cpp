@@ -54,7 +54,7 @@ std::vector<Scenario> WaitingScenarios::take(std::size_t count) {
         taken.assign(std::move_iterator(begin), std::move_iterator(end));
         block.begin += taken.size();
     }
-    if (block.size() == 0 || block.scenarios.empty()) {
+    if (block.size() == 0) {
         blocks_.pop_front();
     }
     size_ -= taken.size();

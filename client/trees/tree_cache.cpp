@@ -140,6 +140,7 @@ void TreeCache::keep(const ObbTree& tree, std::string_view suffix, const Write& 
     const fs::path path = path_of(key, suffix);
     Status kept = make_directories(folder_);
     if (kept) {
+        // Files are not synced: that costs more than rebuilding a tree lost in a power failure.
         kept = write(path, key);
     }
     if (kept) {
@@ -149,8 +150,6 @@ void TreeCache::keep(const ObbTree& tree, std::string_view suffix, const Write& 
         warnings_.push_back("warning: a tree is not kept for later runs: " + kept.error().detail);
     }
 }
-
-// Syncing would cost more than rebuilding a tree that was lost in a power failure.
 
 void TreeCache::keep(TreeForm form, const ObbTree& tree) {
     keep(tree, suffix_of(form), [&](const fs::path& path, const Sha256& key) {

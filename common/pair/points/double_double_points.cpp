@@ -8,8 +8,6 @@ namespace cd {
 
 namespace {
 
-constexpr double side_error_least = 0x1p-900; // Far above the effect of underflow.
-
 constexpr std::size_t next(std::size_t corner) {
     return (corner + 1) % 3;
 }

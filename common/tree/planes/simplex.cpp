@@ -134,7 +134,6 @@ NearestOfSimplex nearest_of_simplex(const std::array<Vec3, 4>& corners, std::siz
     }
     for (std::size_t i = 0; i < count; ++i) {
         nearest.point += nearest.weights[i] * corners[i];
-        nearest.corners += nearest.weights[i] > 0 ? 1 : 0;
     }
     return nearest;
 }

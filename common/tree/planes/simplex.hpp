@@ -12,7 +12,6 @@ namespace cd {
 struct NearestOfSimplex {
     std::array<double, 4> weights{}; ///< Not negative; their sum is 1 within 2^-48.
     Vec3 point = Vec3::Zero();       ///< The combination.
-    std::size_t corners = 0;         ///< Number of positive weights.
 };
 
 /// Returns the combination of `count` corners, 1 to 4, that is nearest to the origin, approximately

@@ -87,19 +87,27 @@ std::optional<std::vector<Message>> answer(const Message& message) {
     return std::nullopt;
 }
 
+RemoteReader reader_of(const FakeMaster& master, asio::io_context& context) {
+    const auto open = [&master] {
+        return Connection::open(master.address(), false, [] { return false; });
+    };
+    return RemoteReader(context.get_executor(), open, {}, 1);
+}
+
+PagedJob sampled_job() {
+    PagedJob job;
+    job.status.job = JobId{1};
+    job.status.summary.total = total;
+    return job;
+}
+
 } // namespace
 
 TEST(RemoteReader, ASampleTakesAFewRoundTrips) {
     FakeMaster master(answer);
     asio::io_context context;
-    RemoteReader reader(
-        context.get_executor(),
-        [&] { return Connection::open(master.address(), false, [] { return false; }); },
-        {},
-        1);
-    PagedJob job;
-    job.status.job = JobId{1};
-    job.status.summary.total = total;
+    RemoteReader reader = reader_of(master, context);
+    const PagedJob job = sampled_job();
     ScenarioChoice choice;
     choice.sample = sample;
 
@@ -141,14 +149,8 @@ TEST(RemoteReader, OtherScenariosThanThoseOfTheSampleAreRefused) {
         return given;
     });
     asio::io_context context;
-    RemoteReader reader(
-        context.get_executor(),
-        [&] { return Connection::open(master.address(), false, [] { return false; }); },
-        {},
-        1);
-    PagedJob job;
-    job.status.job = JobId{1};
-    job.status.summary.total = total;
+    RemoteReader reader = reader_of(master, context);
+    const PagedJob job = sampled_job();
     ScenarioChoice choice;
     choice.sample = sample;
     const auto records = reader.records(job.status.job, total);

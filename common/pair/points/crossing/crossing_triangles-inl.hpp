@@ -268,7 +268,6 @@ HWY_INLINE Cut cut(const Posed& own, const Posed& other, const Bounds& bounds, M
         above[i] = hn::Gt(found.sides[i].high, bound);
         proven = hn::And(proven, hn::Gt(hn::Abs(found.sides[i].high), bound));
     }
-    constexpr double side_error_least = 0x1p-900; // Far above the effect of underflow.
     proven = hn::And(proven, hn::Ge(found.side_error, set(side_error_least * bounds.scale)));
     const M first_to_second = hn::Xor(above[0], above[1]);
     const M second_to_third = hn::Xor(above[1], above[2]);

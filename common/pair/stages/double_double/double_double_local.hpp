@@ -16,6 +16,10 @@ namespace cd {
 inline constexpr double local_length_least = 0x1p-200;
 inline constexpr double local_length_most = 0x1p200;
 
+/// The least error of a side (`LocalHalf::side_error`) for which the bounds hold: far above the
+/// effect of underflow.
+inline constexpr double side_error_least = 0x1p-900;
+
 /// A body's pose in double-double, with bounds.
 struct LocalMap {
     /// A row of the linear part that is known exactly and has at most one nonzero entry.

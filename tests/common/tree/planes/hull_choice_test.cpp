@@ -38,7 +38,8 @@ Long3 nearest_combination(std::vector<Long3>& vectors) {
             }
         }
         const auto n = static_cast<Eigen::Index>(some.size());
-        // The weights w have sum 1, and the combination is perpendicular to their flat.
+        // Solves for weights of sum 1 whose combination of the points is perpendicular to each
+        // difference of two points: the nearest place to the origin on their affine hull.
         Eigen::Matrix<long double, Eigen::Dynamic, Eigen::Dynamic> rows(n, n);
         LongX right = LongX::Zero(n);
         right[0] = 1;
