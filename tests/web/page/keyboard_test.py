@@ -12,6 +12,14 @@ class Keyboard(PageTest):
     def strip(self, what, condition):
         return self.browser.wait(what, lambda f: f.get("strip") and condition(f["strip"]))["strip"]
 
+    def step_right(self, times):
+        """Moves the mark of the strip by one bin at a time, each step once the last is seen; returns its scenario."""
+        mark = -1
+        for _ in range(times):
+            self.browser.press(Keys.ARROW_RIGHT)
+            mark = self.strip("a further mark", lambda s, last=mark: s["mark"] > last)["mark"]
+        return mark
+
     def chord(self, key):
         chord = ActionChains(self.browser.driver).key_down(Keys.SHIFT).send_keys(key).key_up(Keys.SHIFT)
         chord.perform()
@@ -21,9 +29,7 @@ class Keyboard(PageTest):
         total = 21 * 17 * 9
         self.strip("all scenarios", lambda s: (s["first"], s["end"]) == (0, total))
         self.focus("canvas.strip")
-        for _ in range(10):
-            self.browser.press(Keys.ARROW_RIGHT)
-        mark = self.strip("a mark", lambda s: s["mark"] > 10)["mark"]
+        mark = self.step_right(10)
         for times in range(1, 6):
             self.browser.press("+")
             now = self.strip("half of them", lambda s, t=times: s["end"] - s["first"] <= total / 2**t + 1)
@@ -39,10 +45,8 @@ class Keyboard(PageTest):
         self.open(self.scenes.drive(), "#/jobs/folder?from=40&to=43")
         self.strip("a window", lambda s: (s["first"], s["end"]) == (40, 44))
         self.focus("canvas.strip")
-        for _ in range(5):
-            self.browser.press(Keys.ARROW_RIGHT)
-        now = self.strip("a further mark", lambda s: s["mark"] == 44)
-        self.assertTrue(now["first"] <= 44 < now["end"])
+        self.assertEqual(self.step_right(5), 44)
+        now = self.strip("a window about the mark", lambda s: s["first"] <= 44 < s["end"])
         self.assertEqual(now["end"] - now["first"], 4)
         self.browser.press(Keys.ENTER)
         self.browser.scenario(44)
