@@ -58,6 +58,8 @@ class FolderRun {
 
     /// Adds the next result. Errors: Io.
     [[nodiscard]] Status add(const DoneScenario& done) { return recorder_->add(done); }
+    /// Adds the next results, as `add` does one.
+    [[nodiscard]] Status add(const DoneBlock& done) { return recorder_->add(done); }
     /// Writes buffered results to the disk if `timing::record_flush_period` has passed. Errors: Io.
     [[nodiscard]] Status keep_if_due() { return recorder_->flush_if_due(); }
     /// Writes buffered results to the disk. Errors: Io.

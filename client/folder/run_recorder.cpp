@@ -49,6 +49,19 @@ Status RunRecorder::add(const DoneScenario& done) {
     return records_.is_full() ? flush() : flush_if_due();
 }
 
+Status RunRecorder::add(const DoneBlock& done) {
+    if (maps_) {
+        return done.for_each([&](const DoneScenario& one) { return add(one); });
+    }
+    if (records_.is_full(done.size())) {
+        CD_TRY(flush());
+    }
+    first_waiting_ = waiting_ == 0 ? done.first() : first_waiting_;
+    waiting_ += done.size();
+    records_.add_run(done.first(), done.size(), done.records());
+    return flush_if_due();
+}
+
 Status RunRecorder::flush_if_due() {
     const bool is_due = std::chrono::steady_clock::now() - flushed_ >= period_;
     return is_due ? flush() : Status(Done{});

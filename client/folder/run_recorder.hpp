@@ -1,6 +1,7 @@
 // Writes results to the disk during a run.
 #pragma once
 
+#include "client/local/done_block.hpp"
 #include "client/local/done_scenario.hpp"
 #include "common/core/result.hpp"
 #include "common/core/timing/client.hpp"
@@ -32,6 +33,8 @@ class RunRecorder {
 
     /// Adds the next result. Errors: Io.
     [[nodiscard]] Status add(const DoneScenario& done);
+    /// Adds the next results. Errors: Io.
+    [[nodiscard]] Status add(const DoneBlock& done);
     /// Writes buffered results if the period has passed. Errors: Io.
     [[nodiscard]] Status flush_if_due();
     /// Writes buffered results. Errors: Io.

@@ -30,7 +30,10 @@ double seconds_since(Clock::time_point start) {
 Status feed(OrderedRun& run, PoseSource& poses, std::uint64_t& fed) {
     const auto end = Clock::now() + timing::progress_period;
     while (fed < poses.count() && Clock::now() < end) {
-        const std::uint64_t wanted = std::min(run.wanted(), limits::run_poses_at_once_max);
+        // A grid's poses are evaluated at once; others may have to be searched for.
+        const std::uint64_t at_once =
+            poses.grid() == nullptr ? limits::run_poses_at_once_max : UINT64_MAX;
+        const std::uint64_t wanted = std::min(run.wanted(), at_once);
         if (wanted == 0) {
             break;
         }
@@ -42,14 +45,17 @@ Status feed(OrderedRun& run, PoseSource& poses, std::uint64_t& fed) {
 }
 
 /// Passes results to the observer and the merger. Errors: Interrupted; the observer's.
-Status
-deliver(std::vector<DoneScenario> results, const RunObserver& observer, ResultMerger& merger) {
-    for (const DoneScenario& done : results) {
-        if (observer.stopped()) {
-            return interrupted();
-        }
-        CD_TRY(observer.result(done));
-        const auto outcome = merger.add(done.result, done.digest);
+Status deliver(const DoneBlock& results, const RunObserver& observer, ResultMerger& merger) {
+    if (observer.stopped()) {
+        return interrupted();
+    }
+    if (results.empty()) {
+        return Done{};
+    }
+    CD_TRY(observer.results(results));
+    for (std::size_t i = 0; i < results.size(); ++i) {
+        const auto outcome =
+            merger.add(results.first() + i, results.facts()[i], results.digests()[i]);
         CD_CHECK(outcome == ResultMerger::Outcome::Added);
     }
     return Done{};
@@ -102,8 +108,7 @@ Result<RunOutcome> run_locally(const ObbTree& a,
             observer.progress(merger.summary(), seconds_since(start));
             progress_due = Clock::now() + timing::progress_period;
         }
-        auto results = run.take(timing::progress_period, fed < poses.count());
-        CD_TRY(deliver(std::move(results), observer, merger));
+        CD_TRY(deliver(run.take(timing::progress_period, fed < poses.count()), observer, merger));
     }
     RunOutcome outcome{
         merger.summary(), merger.digest(), seconds_since(start), run.statistics(), {}};

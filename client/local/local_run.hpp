@@ -1,7 +1,7 @@
 // Runs a job in this process, with the code that the cluster runs.
 #pragma once
 
-#include "client/local/done_scenario.hpp"
+#include "client/local/done_block.hpp"
 #include "common/core/host/thread_pool.hpp"
 #include "common/core/result.hpp"
 #include "common/job/poses/pose_source.hpp"
@@ -20,8 +20,8 @@ namespace cd {
 
 /// Callbacks of a run, all called on the thread that called `run_locally`.
 struct RunObserver {
-    /// Takes each result, in the submitted order. An error that it returns ends the run.
-    std::function<Status(const DoneScenario&)> result;
+    /// Takes the results, in the submitted order. An error that it returns ends the run.
+    std::function<Status(const DoneBlock&)> results;
     /// Takes the summary so far, a few times a second or more often.
     std::function<void(const Summary&, double seconds)> progress;
     /// If it returns true, the run ends with the error Interrupted.

@@ -1,7 +1,7 @@
 // Runs scenarios on the threads of a pool and returns the results in order.
 #pragma once
 
-#include "client/local/done_scenario.hpp"
+#include "client/local/done_block.hpp"
 #include "client/local/result_queue.hpp"
 #include "client/local/waiting_scenarios.hpp"
 #include "common/core/host/thread_pool.hpp"
@@ -44,7 +44,7 @@ class OrderedRun {
 
     /// Waits for the next results in order. Returns none after the period, or, if `may_add`, when
     /// scenarios are wanted. The results returned count as waiting until the next call of `take`.
-    [[nodiscard]] std::vector<DoneScenario> take(std::chrono::milliseconds period, bool may_add);
+    [[nodiscard]] DoneBlock take(std::chrono::milliseconds period, bool may_add);
 
     /// Returns the statistics of all scenarios taken so far, and possibly of some more.
     [[nodiscard]] JobStatistics statistics();
@@ -53,7 +53,7 @@ class OrderedRun {
     /// Scenarios that a thread has taken, and results that it has not handed over yet.
     struct Batch {
         std::vector<Scenario> waiting; ///< After `run_some`, the ones that were not run.
-        std::vector<DoneScenario> done;
+        DoneBlock done;
         JobStatistics statistics;
         std::size_t size = 1; ///< Number of scenarios to take next.
     };
@@ -61,6 +61,7 @@ class OrderedRun {
     [[nodiscard]] std::uint64_t wanted_now() const;
     void work();
     [[nodiscard]] bool refill(Batch& batch);
+    [[nodiscard]] bool run_next(ScenarioSession& session, const Scenario& scenario, Batch& batch);
     void run_some(ScenarioSession& session, Batch& batch);
     void hand_over(Batch& batch);
 

@@ -1,11 +1,10 @@
 // Holds results until all results with lower indices are taken.
 #pragma once
 
-#include "client/local/done_scenario.hpp"
+#include "client/local/done_block.hpp"
 
 #include <cstdint>
 #include <map>
-#include <vector>
 
 namespace cd {
 
@@ -23,25 +22,18 @@ class ResultQueue {
     /// `limits::run_bytes_ahead_max` bytes together.
     [[nodiscard]] bool is_full() const;
 
-    /// Adds results, if any. Their indices are consecutive and new.
-    void add(std::vector<DoneScenario> results);
-    /// Takes the next results in order, as many as were added together.
-    [[nodiscard]] std::vector<DoneScenario> take();
+    /// Adds results, if any. Their indices are new.
+    void add(DoneBlock results);
+    /// Takes the next results in order, as many as were added together; none if they are not here.
+    [[nodiscard]] DoneBlock take();
     /// Stops counting the bytes of the results that the last `take` returned.
     void release_taken();
 
   private:
-    struct Block {
-        std::vector<DoneScenario> results;
-        std::uint64_t bytes = 0;
-    };
-    std::map<std::uint64_t, Block> waiting_; ///< By the index of the first result.
+    std::map<std::uint64_t, DoneBlock> waiting_; ///< By the index of the first result.
     std::uint64_t next_ = 0;
     std::uint64_t bytes_ = 0;
     std::uint64_t bytes_taken_ = 0; ///< The part of `bytes_` that the last `take` returned.
 };
-
-/// Returns the approximate size of a result in memory.
-[[nodiscard]] std::uint64_t bytes_of(const DoneScenario& done);
 
 } // namespace cd

@@ -12,13 +12,12 @@ namespace cd {
 
 namespace {
 
-ScenarioResult empty_result(const Scenario& scenario, const Query& query) {
-    ScenarioResult result;
+/// Starts a result without contacts.
+void begin_result(const Scenario& scenario, const Query& query, ScenarioResult& result) {
     result.index = scenario.index;
     result.body_a = scenario.body_a;
     result.body_b = scenario.body_b;
     result.level = query.level;
-    return result;
 }
 
 /// Sets the number of pairs found, including pairs not kept, and the class that they determine.
@@ -103,7 +102,7 @@ bool add_shared_points(FoundContacts& found, const StopCheck& stop, ScenarioResu
 }
 
 /// Returns how many pairs the search has to keep: `limit_pairs`, or, for a map or without that
-/// limit, one more than a record can hold, which `within_limit` then turns into a failure.
+/// limit, one more than a record can hold, which `fail_above_limit` then turns into a failure.
 std::uint64_t pairs_worth_keeping(const Query& query) {
     if (query.limit_pairs != 0 && !query.maps) {
         return query.limit_pairs;
@@ -166,7 +165,8 @@ ScenarioRun stopped_run(const Scenario& scenario, const Query& query) {
 } // namespace
 
 ScenarioResult failed_result(const Scenario& scenario, const Query& query, const Error& why) {
-    ScenarioResult result = empty_result(scenario, query);
+    ScenarioResult result;
+    begin_result(scenario, query, result);
     result.kind = ScenarioClass::Failed;
     result.failure = "scenario " + std::to_string(scenario.index) + ": " + why.detail;
     return result;
@@ -178,7 +178,7 @@ ScenarioRun run_on_subtrees(KeptSearch& kept,
                             const Query& query,
                             const RunOptions& options) {
     ScenarioRun run;
-    run.result = empty_result(scenario, query);
+    begin_result(scenario, query, run.result);
     kept.touching.reset();
     if (pairs.empty()) {
         if (query.level == Level::Contacts) {
@@ -211,7 +211,7 @@ ScenarioRun run_on_subtrees(KeptSearch& kept,
         return stopped_run(scenario, query);
     }
     run.statistics = report.statistics;
-    run.result = within_limit(std::move(run.result), limits::result_record_bytes_max);
+    fail_above_limit(run.result, limits::result_record_bytes_max);
     return run;
 }
 
@@ -270,8 +270,10 @@ ScenarioRun ScenarioRunner::run_with_kept(const Scenario& scenario, KeptSearch& 
         const RelativePose* const b_to_a = cut_a_ ? nullptr : kept.search->report().b_to_a;
         run.inside = settler_.settle(scenario, run.result, {run.found, options_.stop, b_to_a});
     }
-    // If `stop` has ended `settle`, the class is meaningless.
-    return is_stopped() ? stopped_run(scenario, query_) : run;
+    if (is_stopped()) { // If `stop` has ended `settle`, the class is meaningless.
+        return stopped_run(scenario, query_);
+    }
+    return run;
 }
 
 ScenarioRun ScenarioRunner::run(const Scenario& scenario) const {

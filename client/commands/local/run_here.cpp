@@ -43,11 +43,13 @@ RunReport report_of(const LocalJob& local, const LocalOutcome& outcome) {
     return report;
 }
 
-/// Runs scenarios with a progress line. Passes each result to `take`; calls `tick` periodically.
+using TakeBlock = std::function<Status(const DoneBlock&)>;
+
+/// Runs scenarios with a progress line. Passes all results to `take`; calls `tick` periodically.
 Result<RunOutcome> run_with_progress(const LocalJob& local,
                                      PoseSource& poses,
                                      LocalRunOptions options,
-                                     const ReuseMerge::Take& take,
+                                     const TakeBlock& take,
                                      const std::function<void()>& tick) {
     ProgressPrinter progress(ProgressPrinter::style_for(local.command.quiet));
     options.first_stage = local.command.host.first_stage.value_or(PairStage::Float);
@@ -78,7 +80,7 @@ Result<RunOutcome> run_with_progress(const LocalJob& local,
 Result<LocalOutcome> run_rest(const LocalJob& local,
                               ReusedResults& reused,
                               ResultMerger merger,
-                              const ReuseMerge::Take& take,
+                              const TakeBlock& take,
                               const std::function<void()>& tick) {
     const std::uint64_t first = merger.summary().merged();
     const auto rest = reused.rest(*local.job.poses, first);
@@ -87,15 +89,16 @@ Result<LocalOutcome> run_rest(const LocalJob& local,
         *rest,
         first,
         [&](const DoneScenario& done) -> Status {
-            CD_TRY(take(done));
+            CD_TRY(take(block_of(done)));
             static_cast<void>(merger.add(done.result, done.digest));
             return Done{};
         },
         &InterruptGuard::has_come);
     LocalOutcome outcome;
     if (rest->count() != 0) {
+        const auto add = [&](const DoneScenario& done) { return merge.add(done); };
         outcome = {CD_TRY(run_with_progress(
-            local, *rest, {}, [&](const DoneScenario& done) { return merge.add(done); }, tick))};
+            local, *rest, {}, [&](const DoneBlock& done) { return done.for_each(add); }, tick))};
     }
     CD_TRY(merge.finish());
     outcome.summary = merger.summary();
@@ -111,7 +114,7 @@ Result<LocalOutcome> run_rest(const LocalJob& local,
 Result<LocalOutcome> run_or_reuse(const LocalJob& local,
                                   std::optional<ResultMerger> done,
                                   const std::function<void(std::uint64_t)>& count_reused,
-                                  const ReuseMerge::Take& take,
+                                  const TakeBlock& take,
                                   const std::function<void()>& tick) {
     if (local.earlier == nullptr) {
         LocalRunOptions options;
@@ -141,7 +144,10 @@ Result<int> run_without_folder(const LocalJob& local) {
         local,
         std::nullopt,
         [](std::uint64_t) {},
-        [&](const DoneScenario& done) { return sink.add(done.result, done.found); },
+        [&](const DoneBlock& results) {
+            return results.for_each(
+                [&](const DoneScenario& done) { return sink.add(done.result, done.found); });
+        },
         [] {});
     if (!outcome) {
         return without_results(outcome.error());
@@ -194,7 +200,7 @@ Result<int> run_into_folder(const LocalJob& local) {
         local,
         std::move(done),
         [&](std::uint64_t reused) { run.set_reused(reused); },
-        [&](const DoneScenario& result) { return ticked ? run.add(result) : ticked; },
+        [&](const DoneBlock& results) { return ticked ? run.add(results) : ticked; },
         [&] { ticked = ticked ? run.keep_if_due() : ticked; });
     if (!outcome) {
         return keep_results(local, run, outcome.error());

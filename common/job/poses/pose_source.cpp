@@ -63,6 +63,61 @@ class ListSource : public PoseSource {
     std::vector<Scenario> scenarios_;
 };
 
+/// Goes through the poses of a grid in order, without a division for each.
+class GridWalk {
+  public:
+    GridWalk(const Grid& grid, std::uint64_t number) : grid_(grid) {
+        for (std::size_t i = 3; i-- > 0;) {
+            turn_[i] = number % turns_in(grid.rotation[i]);
+            number /= turns_in(grid.rotation[i]);
+        }
+        for (std::size_t i = 3; i-- > 0;) {
+            place_[i] = number % grid.position[i].count;
+            number /= grid.position[i].count;
+        }
+        move();
+    }
+
+    [[nodiscard]] Pose pose() const {
+        Quaternion turned;
+        for (std::size_t i = 3; i-- > 0;) { // Yaw is applied last.
+            if (!grid_.rotation[i].empty()) {
+                turned = turned * grid_.rotation[i][turn_[i]];
+            }
+        }
+        return Pose::from_quaternion(turned, translation_);
+    }
+
+    /// Goes to the next pose, and from the last to the first.
+    void next() {
+        for (std::size_t i = 3; i-- > 0;) { // Yaw varies fastest.
+            if (++turn_[i] < turns_in(grid_.rotation[i])) {
+                return;
+            }
+            turn_[i] = 0;
+        }
+        for (std::size_t i = 3; i-- > 0;) {
+            if (++place_[i] < grid_.position[i].count) {
+                break;
+            }
+            place_[i] = 0;
+        }
+        move();
+    }
+
+  private:
+    void move() {
+        for (std::size_t i = 0; i < 3; ++i) {
+            translation_[static_cast<Eigen::Index>(i)] = grid_.position[i].at(place_[i]);
+        }
+    }
+
+    const Grid& grid_;
+    std::array<std::uint64_t, 3> turn_{};  ///< Numbers of the roll, pitch and yaw angle.
+    std::array<std::uint64_t, 3> place_{}; ///< Numbers on the axes x, y and z.
+    Vec3 translation_;
+};
+
 class GridSource : public PoseSource {
   public:
     explicit GridSource(Grid grid) : grid_(std::move(grid)), count_(grid_.count()) {}
@@ -73,8 +128,11 @@ class GridSource : public PoseSource {
         CD_CHECK(first <= count_);
         CD_CHECK(count <= count_ - first);
         std::vector<Scenario> scenarios(count);
+        GridWalk walk(grid_, first);
         for (std::uint64_t i = 0; i < count; ++i) {
-            scenarios[i] = scenario_on(grid_, first + i);
+            scenarios[i].index = first + i;
+            scenarios[i].poses.b = walk.pose();
+            walk.next();
         }
         return scenarios;
     }
@@ -134,22 +192,7 @@ std::uint64_t Grid::count() const {
 
 Pose Grid::at(std::uint64_t number) const {
     CD_CHECK(number < count());
-    std::uint64_t rest = number;
-    // Yaw is applied last and varies fastest.
-    Quaternion turned;
-    for (std::size_t i = 3; i-- > 0;) {
-        const std::uint64_t turns = turns_in(rotation[i]);
-        if (!rotation[i].empty()) {
-            turned = turned * rotation[i][rest % turns];
-        }
-        rest /= turns;
-    }
-    Vec3 translation;
-    for (std::size_t i = 3; i-- > 0;) {
-        translation[static_cast<Eigen::Index>(i)] = position[i].at(rest % position[i].count);
-        rest /= position[i].count;
-    }
-    return Pose::from_quaternion(turned, translation);
+    return GridWalk(*this, number).pose();
 }
 
 Scenario scenario_on(const Grid& grid, std::uint64_t number) {

@@ -131,8 +131,17 @@ void RecordWriter::add(std::uint64_t scenario, std::span<const std::byte> record
     put_bytes(waiting_, record);
 }
 
-bool RecordWriter::is_full() const {
-    return count_ == block_records_max || waiting_.size() >= block_bytes_enough;
+void RecordWriter::add_run(std::uint64_t first,
+                           std::uint64_t count,
+                           std::span<const std::byte> records) {
+    CD_CHECK(!is_full(count));
+    first_ = count_ == 0 ? first : first_;
+    count_ += count;
+    put_bytes(waiting_, records);
+}
+
+bool RecordWriter::is_full(std::uint64_t count) const {
+    return count_ + count > block_records_max || waiting_.size() >= block_bytes_enough;
 }
 
 Status RecordWriter::flush() {

@@ -63,8 +63,12 @@ class RecordWriter {
     /// Buffers the canonical record of a scenario, which comes after all scenarios added before,
     /// until `flush`.
     void add(std::uint64_t scenario, std::span<const std::byte> record);
-    /// Returns true if a whole block is buffered. Then `flush` must precede the next `add`.
-    [[nodiscard]] bool is_full() const;
+    /// Buffers the records of `count` scenarios from `first` on, each preceded by its length as
+    /// u32. The scenarios come after all added before, and the records fit beside those buffered.
+    void add_run(std::uint64_t first, std::uint64_t count, std::span<const std::byte> records);
+    /// Returns true if the records of `count` more scenarios do not fit into the block that is
+    /// buffered. Then `flush` must precede their `add`.
+    [[nodiscard]] bool is_full(std::uint64_t count = 1) const;
     /// Writes the buffered records as one block. Errors: Io.
     [[nodiscard]] Status flush();
     /// Removes the blocks that hold `scenario` or a later one. Requires that the file's scenarios

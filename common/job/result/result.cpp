@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <utility>
 
 namespace cd {
 
@@ -17,6 +18,8 @@ constexpr std::uint8_t version = 2;
 constexpr std::uint8_t flag_surfaces_only = 1;
 constexpr std::uint8_t flag_insides_skipped = 2;
 constexpr std::size_t head_bytes = 28;
+constexpr std::uint64_t pair_bytes = 2 * sizeof(std::uint32_t) + 1;
+constexpr std::uint64_t point_bytes = 3 * sizeof(double);
 /// The intersection of two triangles is at most a hexagon.
 constexpr std::uint32_t points_of_pair_max = 6;
 
@@ -70,6 +73,23 @@ void put_shared_points(ByteWriter& out, const ScenarioResult& result) {
     put_points(out, result.points);
 }
 
+/// Returns the exact number of bytes of a record.
+std::uint64_t bytes_of_record(const ScenarioResult& result) {
+    const std::uint64_t bound = result.kind == ScenarioClass::Undecided ? sizeof(double) : 0;
+    if (result.kind == ScenarioClass::Failed) {
+        return head_bytes + sizeof(std::uint32_t) + result.failure.size();
+    }
+    if (result.level < Level::Pairs) {
+        return head_bytes + bound;
+    }
+    const std::uint64_t pairs = sizeof(std::uint32_t) + pair_bytes * result.pairs.size();
+    const std::uint64_t points =
+        result.level < Level::Contacts
+            ? 0
+            : result.pairs.size() + point_bytes * (result.pairs.size() + result.points.size());
+    return head_bytes + bound + pairs + points;
+}
+
 Error bad(const char* what) {
     return {ErrorCode::BadFrame, std::string("result record: ") + what};
 }
@@ -94,6 +114,26 @@ void put_head(ByteWriter& out, const ScenarioResult& result) {
     put(result.pair_count);
     CD_CHECK(to == head.data() + head.size());
     out.put_array(std::span<const std::uint8_t>(head));
+}
+
+/// Writes a record without its length.
+void put_body(ByteWriter& out, const ScenarioResult& result) {
+    put_head(out, result);
+    if (result.kind == ScenarioClass::Undecided) {
+        out.put(canonical(result.distance_bound));
+    }
+    if (result.kind == ScenarioClass::Failed) {
+        out.put_text(result.failure);
+        return;
+    }
+    if (result.level >= Level::Pairs) {
+        CD_CHECK(result.pairs.size() <= UINT32_MAX);
+        out.put(static_cast<std::uint32_t>(result.pairs.size()));
+        put_pairs(out, result.pairs);
+    }
+    if (result.level >= Level::Contacts) {
+        put_shared_points(out, result);
+    }
 }
 
 Status get_head(ByteReader& in, ScenarioResult& result) {
@@ -220,23 +260,17 @@ std::string_view to_text(ScenarioClass value) {
 
 Bytes encode_result(const ScenarioResult& result) {
     ByteWriter out;
-    put_head(out, result);
-    if (result.kind == ScenarioClass::Undecided) {
-        out.put(canonical(result.distance_bound));
-    }
-    if (result.kind == ScenarioClass::Failed) {
-        out.put_text(result.failure);
-        return out.take();
-    }
-    if (result.level >= Level::Pairs) {
-        CD_CHECK(result.pairs.size() <= UINT32_MAX);
-        out.put(static_cast<std::uint32_t>(result.pairs.size()));
-        put_pairs(out, result.pairs);
-    }
-    if (result.level >= Level::Contacts) {
-        put_shared_points(out, result);
-    }
+    put_body(out, result);
     return out.take();
+}
+
+void put_record(ByteWriter& out, const ScenarioResult& result) {
+    const std::uint64_t bytes = bytes_of_record(result);
+    CD_CHECK(bytes <= UINT32_MAX);
+    out.put(static_cast<std::uint32_t>(bytes));
+    const std::size_t begin = out.size();
+    put_body(out, result);
+    CD_CHECK(out.size() - begin == bytes);
 }
 
 Result<ScenarioResult> decode_result(std::span<const std::byte> bytes) {
@@ -268,16 +302,14 @@ Result<ScenarioResult> decode_result(std::span<const std::byte> bytes) {
     return result;
 }
 
-ScenarioResult within_limit(ScenarioResult result, std::uint64_t bytes_max) {
+void fail_above_limit(ScenarioResult& result, std::uint64_t bytes_max) {
     // Upper bound on the size of a record's head and counts.
     constexpr std::uint64_t fixed_bytes = 64;
-    constexpr std::uint64_t pair_bytes = 2 * sizeof(std::uint32_t) + 1;
-    constexpr std::uint64_t point_bytes = 3 * sizeof(double);
     const std::uint64_t bytes = fixed_bytes + pair_bytes * result.pairs.size() +
                                 point_bytes * (result.point_origins.size() + result.points.size()) +
                                 sizeof(std::uint32_t) * result.point_offsets.size();
     if (bytes <= bytes_max) {
-        return result;
+        return;
     }
     ScenarioResult failed;
     failed.index = result.index;
@@ -287,7 +319,7 @@ ScenarioResult within_limit(ScenarioResult result, std::uint64_t bytes_max) {
     failed.kind = ScenarioClass::Failed;
     failed.failure = std::to_string(result.pair_count) +
                      " pairs are too many for one result; set limit_pairs, or ask for level count";
-    return failed;
+    result = std::move(failed);
 }
 
 Sha256 digest_of(const ScenarioResult& result) {

@@ -77,16 +77,18 @@ struct ScenarioResult {
 /// -0 is stored as 0, and a NaN (a point that left the range of double) as the one quiet NaN.
 /// The caller guarantees the rules that `decode_result` checks.
 [[nodiscard]] Bytes encode_result(const ScenarioResult& result);
+/// Appends the canonical record to `out`, after its length as u32.
+void put_record(ByteWriter& out, const ScenarioResult& result);
 
 /// Decodes a record. Encoding the result gives equal bytes again. The bytes are untrusted:
 /// everything is checked (classes and levels in range and consistent, pairs strictly ascending,
 /// counts that fit, numbers in canonical form). Errors: BadFrame.
 [[nodiscard]] Result<ScenarioResult> decode_result(std::span<const std::byte> bytes);
 
-/// Returns the result, or, if its record could exceed `bytes_max` bytes, a failed result with that
-/// reason. All code that runs a scenario calls this, so that one process and a cluster give equal
+/// Replaces the result by a failed one with that reason if its record could exceed `bytes_max`
+/// bytes. All code that runs a scenario calls this, so that one process and a cluster give equal
 /// answers.
-[[nodiscard]] ScenarioResult within_limit(ScenarioResult result, std::uint64_t bytes_max);
+void fail_above_limit(ScenarioResult& result, std::uint64_t bytes_max);
 
 /// Returns SHA-256 of the canonical record.
 [[nodiscard]] Sha256 digest_of(const ScenarioResult& result);

@@ -60,9 +60,12 @@ class FolderRunTest : public testing::Test {
         LocalRunOptions options;
         options.done = std::move(done.value());
         std::uint64_t taken = 0;
-        const RunObserver observer{[&](const DoneScenario& result) {
-                                       return taken++ < results_max ? run.add(result)
-                                                                    : Status(interrupted());
+        const auto add = [&](const DoneScenario& result) {
+            return taken++ < results_max ? run.add(result) : Status(interrupted());
+        };
+        const RunObserver observer{[&](const DoneBlock& results) {
+                                       return results_max == UINT64_MAX ? run.add(results)
+                                                                        : results.for_each(add);
                                    },
                                    [](const Summary&, double) {},
                                    [] { return false; }};
@@ -348,6 +351,30 @@ TEST_F(FolderRunTest, ResultsAreOnTheDiskWhenThePeriodIsOverOrABlockIsFull) {
     EXPECT_EQ(later.value().kept(), 0u);
     add(later.value(), 4095);
     EXPECT_EQ(later.value().kept(), 4096u);
+
+    DoneBlock block;
+    for (std::uint64_t i = 4096; i < 4096 + 3000; ++i) {
+        done.result.index = i;
+        block.add(done.result);
+    }
+    ASSERT_TRUE(later.value().add(block));
+    EXPECT_EQ(later.value().kept(), 4096u);
+    DoneBlock next;
+    for (std::uint64_t i = 7096; i < 9000; ++i) {
+        done.result.index = i;
+        next.add(done.result);
+    }
+    ASSERT_TRUE(later.value().add(next));
+    EXPECT_EQ(later.value().kept(), 7096u);
+    ASSERT_TRUE(later.value().finish());
+    const auto records = RecordFile::open(folder_ / "long" / "records");
+    ASSERT_TRUE(records);
+    std::uint64_t seen = 0;
+    ASSERT_TRUE(records.value().for_each([&](const KeptRecord& record) {
+        EXPECT_EQ(record.result.index, seen++);
+        return Status(Done{});
+    }));
+    EXPECT_EQ(seen, 9000u);
 }
 
 TEST_F(FolderRunTest, EachFormatIsTakenOnce) {

@@ -29,8 +29,8 @@ class LocalRun : public testing::Test {
     [[nodiscard]] Result<RunOutcome> run(unsigned threads, RunObserver observer) {
         ThreadPool pool(threads);
         const auto poses = make_list_source(make_scenarios());
-        if (!observer.result) {
-            observer.result = [](const DoneScenario&) { return Status(Done{}); };
+        if (!observer.results) {
+            observer.results = [](const DoneBlock&) { return Status(Done{}); };
         }
         if (!observer.progress) {
             observer.progress = [](const Summary&, double) {};
@@ -54,20 +54,17 @@ TEST_F(LocalRun, EveryResultComesOnceInOrder) {
     std::uint64_t next = 0;
     std::uint64_t contacts = 0;
     const auto list = make_scenarios();
+    const auto check = [&](const DoneScenario& done) {
+        const ScenarioResult& result = done.result;
+        EXPECT_EQ(result.index, next);
+        EXPECT_EQ(done.record, encode_result(result));
+        EXPECT_EQ(done.digest, digest_of(run_scenario(a_, b_, list[next], query_).result));
+        ++next;
+        contacts += result.pair_count == 0 ? 0 : 1;
+        return Status(Done{});
+    };
     const auto outcome =
-        run(3,
-            {[&](const DoneScenario& done) {
-                 const ScenarioResult& result = done.result;
-                 EXPECT_EQ(result.index, next);
-                 EXPECT_EQ(done.record, encode_result(result));
-                 EXPECT_EQ(digest_of(result),
-                           digest_of(run_scenario(a_, b_, list[next], query_).result));
-                 ++next;
-                 contacts += result.pair_count == 0 ? 0 : 1;
-                 return Status(Done{});
-             },
-             {},
-             {}});
+        run(3, {[&](const DoneBlock& results) { return results.for_each(check); }, {}, {}});
     ASSERT_TRUE(outcome) << outcome.error().detail;
     EXPECT_EQ(next, scenarios);
     EXPECT_TRUE(outcome.value().summary.is_complete());
@@ -138,21 +135,21 @@ TEST_F(LocalRun, UnderAToleranceNoCostIsTold) {
 TEST_F(LocalRun, AnInterruptEndsIt) {
     std::uint64_t seen = 0;
     const auto outcome = run(2,
-                             {[&](const DoneScenario&) {
+                             {[&](const DoneBlock&) {
                                   ++seen;
                                   return Status(Done{});
                               },
                               {},
-                              [&] { return seen >= 10; }});
+                              [&] { return seen >= 2; }});
     ASSERT_FALSE(outcome);
     EXPECT_EQ(outcome.error().code, ErrorCode::Interrupted);
-    EXPECT_EQ(seen, 10u);
+    EXPECT_EQ(seen, 2u);
 }
 
 TEST_F(LocalRun, AWriterThatFailsEndsIt) {
     const auto outcome = run(2,
-                             {[](const DoneScenario& done) {
-                                  return done.result.index == 5
+                             {[](const DoneBlock& results) {
+                                  return results.first() + results.size() > 5
                                              ? Status(Error{ErrorCode::Io, "disk full"})
                                              : Status(Done{});
                               },
@@ -182,7 +179,7 @@ TEST_F(LocalRun, PosesThatCannotBeReadEndIt) {
                                      poses,
                                      query_,
                                      pool,
-                                     {[](const DoneScenario&) { return Status(Done{}); },
+                                     {[](const DoneBlock&) { return Status(Done{}); },
                                       [](const Summary&, double) {},
                                       [] { return false; }});
     ASSERT_FALSE(outcome);

@@ -32,10 +32,12 @@ class Ordered : public testing::Test {
     /// Takes the remaining results and checks each.
     static void take_all(OrderedRun& run, std::uint64_t end, std::uint64_t& taken) {
         while (taken < end) {
-            for (const DoneScenario& done : run.take(std::chrono::milliseconds(100), false)) {
-                ASSERT_EQ(done.result.index, taken++);
-                ASSERT_EQ(done.digest, digest_of(done.result));
-            }
+            const DoneBlock block = run.take(std::chrono::milliseconds(100), false);
+            ASSERT_TRUE(block.for_each([&](const DoneScenario& done) {
+                EXPECT_EQ(done.result.index, taken++);
+                EXPECT_EQ(done.digest, digest_of(done.result));
+                return Status(Done{});
+            }));
         }
     }
 

@@ -14,12 +14,14 @@ namespace cd::tests {
 
 namespace {
 
-std::vector<DoneScenario> results(std::uint64_t first, std::uint64_t count) {
-    std::vector<DoneScenario> list(count);
+DoneBlock results(std::uint64_t first, std::uint64_t count) {
+    DoneBlock block;
+    ScenarioResult result;
     for (std::uint64_t i = 0; i < count; ++i) {
-        list[i].result.index = first + i;
+        result.index = first + i;
+        block.add(result);
     }
-    return list;
+    return block;
 }
 
 TEST(ResultQueue, ResultsComeBackInOrder) {
@@ -37,9 +39,9 @@ TEST(ResultQueue, ResultsComeBackInOrder) {
         for (const auto& [begin, count] : pieces) {
             queue.add(results(begin, count));
             while (queue.is_next_here()) {
-                for (const DoneScenario& done : queue.take()) {
-                    ASSERT_EQ(done.result.index, taken++);
-                }
+                const DoneBlock block = queue.take();
+                ASSERT_EQ(block.first(), taken);
+                taken += block.size();
                 ASSERT_EQ(queue.next(), taken);
             }
             EXPECT_TRUE(queue.take().empty());
@@ -50,10 +52,11 @@ TEST(ResultQueue, ResultsComeBackInOrder) {
 
 TEST(ResultQueue, TakenResultsCountUntilTheyAreReleased) {
     ResultQueue queue(0);
-    DoneScenario large;
-    large.record.resize(limits::run_bytes_ahead_max);
-    std::vector<DoneScenario> one;
-    one.push_back(std::move(large));
+    ScenarioResult large;
+    large.kind = ScenarioClass::Failed;
+    large.failure.resize(limits::run_bytes_ahead_max);
+    DoneBlock one;
+    one.add(large);
     queue.add(std::move(one));
     EXPECT_TRUE(queue.is_full());
     EXPECT_EQ(queue.take().size(), 1u);

@@ -85,6 +85,7 @@ TEST(Grid, RangesReadOneByOneEqualTheWhole) {
         const auto run = source->read(first, count);
         ASSERT_TRUE(run);
         for (std::uint64_t i = 0; i < count; ++i) {
+            EXPECT_EQ(run.value()[i], scenario_on(*source->grid(), first + i));
             EXPECT_EQ(run.value()[i], whole.value()[first + i]);
             EXPECT_EQ(run.value()[i].index, first + i);
             EXPECT_EQ(run.value()[i].poses.a, Pose{});

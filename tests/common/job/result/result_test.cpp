@@ -251,8 +251,10 @@ TEST(Result, ARecordOverTheLimitIsAFailureThatSaysSo) {
     result.pair_count = result.pairs.size();
     const std::uint64_t size = encode_result(result).size();
 
-    EXPECT_EQ(within_limit(result, size + 64).kind, ScenarioClass::Cross);
-    const ScenarioResult failed = within_limit(result, size - 1);
+    ScenarioResult failed = result;
+    fail_above_limit(failed, size + 64);
+    EXPECT_EQ(failed.kind, ScenarioClass::Cross);
+    fail_above_limit(failed, size - 1);
     EXPECT_EQ(failed.kind, ScenarioClass::Failed);
     EXPECT_EQ(failed.index, 7u);
     EXPECT_NE(failed.failure.find("1000 pairs"), std::string::npos);
