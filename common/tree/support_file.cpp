@@ -47,7 +47,8 @@ Result<SupportView> support_of(const SectionFile& file, const WideView& tree) {
         all_sets.value(),
         all_columns.value(),
         {static_cast<float>(n[0]), static_cast<float>(n[1]), static_cast<float>(n[2])},
-        n[3]};
+        n[3],
+        next_support_id()};
     const bool fits = support.sets.size() == tree.nodes.size() &&
                       std::ranges::all_of(support.sets, [&](const SupportSet& set) {
                           return is_in_bounds(set, support, tree);

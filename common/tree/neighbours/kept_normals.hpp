@@ -1,7 +1,7 @@
 // Normals of planes between pairs of nodes, kept from pose to pose.
 #pragma once
 
-#include "common/tree/planes/plane_kernel.hpp"
+#include "common/tree/planes/plane_proof.hpp"
 #include "common/tree/wide/pair_buckets.hpp"
 
 #include <cstddef>
@@ -18,6 +18,7 @@ class KeptNormals {
     struct Outcome {
         WidePair nodes;
         PlaneNormal normal{}; ///< The last one tried.
+        PlaneProof proof;     ///< By `normal`, if it parted the pair.
         /// Number of consecutive poses in which no plane was found or none was searched for.
         std::uint32_t failures = 0;
         std::uint32_t age = 0; ///< The table's when the outcome was written; 0: never.

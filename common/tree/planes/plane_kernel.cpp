@@ -265,13 +265,13 @@ HWY_INLINE Support support_of(const PlaneBody& body, std::uint32_t node, const f
                                     : support_of_children(body, body.nodes[node], direction);
 }
 
-bool part(const PlanePose& pose,
-          const PlaneBody& a,
-          std::uint32_t node_a,
-          const PlaneBody& b,
-          std::uint32_t node_b,
-          std::uint32_t steps,
-          float* n) {
+float part(const PlanePose& pose,
+           const PlaneBody& a,
+           std::uint32_t node_a,
+           const PlaneBody& b,
+           std::uint32_t node_b,
+           std::uint32_t steps,
+           float* n) {
     const float* r = pose.rotation.data();
     const float* s = pose.translation.data();
     // 1.002 covers (6), and the other factor the length of n and the roundings of this sum.
@@ -286,7 +286,7 @@ bool part(const PlanePose& pose,
         const Support of_b = support_of(b, node_b, back);
         const float gap = (dot(n, s) - of_b.reach) - of_a.reach;
         if (gap > needed) {
-            return true;
+            return gap - needed;
         }
         float apart[3]; // From A's support point to B's.
         for (std::size_t i = 0; i < 3; ++i) {
@@ -300,13 +300,13 @@ bool part(const PlanePose& pose,
         }
         const float length = std::sqrt(dot(next, next));
         if (!(square > 0x1p-100F) || !(length > 0.5F) || !(length < 2)) {
-            return false; // The support points coincide, or numbers overflow.
+            return 0; // The support points coincide, or numbers overflow.
         }
         for (std::size_t i = 0; i < 3; ++i) {
             n[i] = next[i] / length;
         }
         if (step >= steps) {
-            return false;
+            return 0;
         }
     }
 }
@@ -335,7 +335,8 @@ PlaneBody::PlaneBody(const WideView& tree)
       columns(tree.support.columns.data()),
       floats(tree.triangles.floats.empty() ? nullptr : tree.triangles.floats.data()),
       doubles(tree.triangles.doubles.empty() ? nullptr : tree.triangles.doubles.data()),
-      center(tree.support.center) {}
+      center(tree.support.center),
+      id(tree.support.id) {}
 
 PlanePose plane_pose(const RelativePose& b_to_a,
                      const SupportView& a,
@@ -375,13 +376,13 @@ PlaneNormal first_normal(const PlanePose& pose) {
                : PlaneNormal{1, 0, 0};
 }
 
-bool separate(const PlanePose& pose,
-              const PlaneBody& a,
-              std::uint32_t node_a,
-              const PlaneBody& b,
-              std::uint32_t node_b,
-              std::uint32_t steps,
-              PlaneNormal& normal) {
+float separate(const PlanePose& pose,
+               const PlaneBody& a,
+               std::uint32_t node_a,
+               const PlaneBody& b,
+               std::uint32_t node_b,
+               std::uint32_t steps,
+               PlaneNormal& normal) {
     return HWY_DYNAMIC_DISPATCH(part)(pose, a, node_a, b, node_b, steps, normal.data());
 }
 

@@ -34,6 +34,7 @@ struct PlaneBody {
     const float* floats; ///< See TriangleBlocks for the layout of the vertices.
     const double* doubles;
     std::array<float, 3> center;
+    std::uint64_t id; ///< `SupportView::id`.
 };
 
 /// A unit vector from A to B in A's coordinates.
@@ -44,15 +45,16 @@ using PlaneNormal = std::array<float, 3>;
 
 /// Tries to find a plane between two nodes, first with `normal`, then with at most `steps` - 1
 /// improved ones (Chung and Wang, Quick collision detection of polytopes in virtual environments,
-/// VRST 1996). Returns true if a plane proves that no point of A's node touches B's. `normal`
-/// becomes the last one that was tried or would be tried next. Both nodes have points.
-[[nodiscard]] bool separate(const PlanePose& pose,
-                            const PlaneBody& a,
-                            std::uint32_t node_a,
-                            const PlaneBody& b,
-                            std::uint32_t node_b,
-                            std::uint32_t steps,
-                            PlaneNormal& normal);
+/// VRST 1996). If a plane proves that no point of A's node touches B's, returns by how much its gap
+/// exceeds what the proof needs, else 0. `normal` becomes the last one that was tried or would be
+/// tried next. Both nodes have points.
+[[nodiscard]] float separate(const PlanePose& pose,
+                             const PlaneBody& a,
+                             std::uint32_t node_a,
+                             const PlaneBody& b,
+                             std::uint32_t node_b,
+                             std::uint32_t steps,
+                             PlaneNormal& normal);
 
 /// Returns the index of the point that is farthest along a direction. `columns` has `count` first
 /// coordinates, then as many second and third ones; `count` is a multiple of `support_padding`.

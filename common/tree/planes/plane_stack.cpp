@@ -17,7 +17,9 @@ void PlaneStack::reset(const PlanePose& pose, const WideView& a, const WideView&
     if (!kept_) {
         kept_.emplace();
     }
-    if (!is_near) {
+    // Proofs hold for the trees that they were made for, and for no later ones at their addresses.
+    const bool has_same_trees = a_ && a_->id == a.support.id && b_->id == b.support.id;
+    if (!is_near || !has_same_trees) {
         kept_->forget();
     }
     a_.emplace(a);
@@ -37,9 +39,16 @@ bool PlaneStack::is_apart(Waiting& pair) {
         if (kept.failures > 0 && ++kept.failures % retry_period != 0) {
             return false;
         }
+        if (kept.failures == 0 && kept.proof.holds(pose_, pair.normal)) {
+            return true;
+        }
     }
-    const bool is_apart =
+    const float slack =
         separate(pose_, *a_, pair.nodes.a, *b_, pair.nodes.b, plane_steps, pair.normal);
+    const bool is_apart = slack > 0;
+    if (is_apart) {
+        kept.proof = PlaneProof(pose_, *b_, pair.nodes.b, pair.normal, slack);
+    }
     kept.normal = pair.normal;
     kept.failures = is_apart ? 0 : 1;
     return is_apart;

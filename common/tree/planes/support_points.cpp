@@ -3,6 +3,7 @@
 #include "common/tree/planes/hull_choice.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <limits>
 #include <span>
@@ -186,6 +187,11 @@ std::vector<float> Maker::take_columns() {
 }
 
 } // namespace
+
+std::uint64_t next_support_id() {
+    static std::atomic<std::uint64_t> last = 0;
+    return ++last;
+}
 
 SupportPoints::SupportPoints(const WideView& tree, ThreadPool* pool) : sets_(tree.nodes.size()) {
     Maker maker(tree, sets_);

@@ -25,7 +25,7 @@ class SupportPoints {
     explicit SupportPoints(const WideView& tree, ThreadPool* pool = nullptr);
 
     /// Valid while this object lives.
-    [[nodiscard]] SupportView view() const { return {sets_, columns_, center_, radius_}; }
+    [[nodiscard]] SupportView view() const { return {sets_, columns_, center_, radius_, id_}; }
     [[nodiscard]] std::uint64_t memory_bytes() const {
         return sets_.size() * sizeof(SupportSet) + columns_.size() * sizeof(float);
     }
@@ -35,6 +35,7 @@ class SupportPoints {
     std::vector<float> columns_;
     std::array<float, 3> center_{};
     double radius_ = 0;
+    std::uint64_t id_ = next_support_id();
 };
 
 } // namespace cd

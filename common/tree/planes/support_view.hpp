@@ -35,6 +35,11 @@ struct SupportView {
     std::span<const float> columns;
     std::array<float, 3> center{}; ///< The origin of points; a point of the body's coordinates.
     double radius = 0;             ///< Bounds the distance of each vertex from `center`.
+    /// Names the points: no other points that this process makes or reads have the same number.
+    std::uint64_t id = 0;
 };
+
+/// Returns the next `SupportView::id`.
+[[nodiscard]] std::uint64_t next_support_id();
 
 } // namespace cd

@@ -3,6 +3,7 @@
 // ones planes part what touches.
 #include "common/search/wide_search.hpp"
 #include "common/tree/planes/plane_kernel.hpp"
+#include "common/tree/planes/plane_proof.hpp"
 #include "common/tree/planes/support_points.hpp"
 #include "tests/common/tree/exact_box.hpp"
 #include "tests/support/rounds.hpp"
@@ -11,7 +12,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <optional>
+#include <random>
 #include <vector>
 
 namespace cd::tests {
@@ -57,8 +61,8 @@ std::optional<PlaneNormal>
 parted(const WideView& a, const WideView& b, const PosePair& poses, double error_scale) {
     const PlanePose pose = plane_pose(relative_pose(poses), a.support, b.support, error_scale);
     PlaneNormal normal = first_normal(pose);
-    return separate(pose, PlaneBody(a), 0, PlaneBody(b), 0, 8, normal) ? std::optional(normal)
-                                                                       : std::nullopt;
+    return separate(pose, PlaneBody(a), 0, PlaneBody(b), 0, 8, normal) > 0 ? std::optional(normal)
+                                                                           : std::nullopt;
 }
 
 struct Counts {
@@ -82,6 +86,96 @@ Counts part_all(std::size_t category, std::uint64_t rounds, double error_scale) 
         }
     }
     return counts;
+}
+
+/// Moves B outwards, in the world.
+PosePair moved_by(const TouchingBodies& bodies, double length) {
+    return {bodies.poses.a,
+            Pose::from_matrix(bodies.poses.b.rotation(),
+                              bodies.poses.b.translation() + length * bodies.outwards)};
+}
+
+/// Parts bodies at some distance, and asks whether the plane's proof holds nearer, down to where
+/// they nearly touch.
+Counts hold_all(std::size_t category, std::uint64_t rounds, double error_scale) {
+    Counts counts;
+    for (SeededRandom random : seeds(rounds)) {
+        const TouchingBodies bodies = make_touching(category, random);
+        const PlaneTrees trees(bodies);
+        const WideView a = trees.a.view().wide;
+        const WideView b = trees.b.view().wide;
+        if (a.nodes.empty() || b.nodes.empty()) {
+            continue;
+        }
+        const auto plane_at = [&](const PosePair& poses) {
+            return plane_pose(relative_pose(poses), a.support, b.support, error_scale);
+        };
+        std::uniform_real_distribution<double> digits(1, 6);
+        const double gap = std::pow(10, -digits(random)) * (a.support.radius + b.support.radius);
+        const PlanePose apart = plane_at(moved_by(bodies, gap));
+        PlaneNormal normal = first_normal(apart);
+        const float slack = separate(apart, PlaneBody(a), 0, PlaneBody(b), 0, 8, normal);
+        if (!(slack > 0)) {
+            continue;
+        }
+        const PlaneProof proof(apart, PlaneBody(b), 0, normal, slack);
+        for (const double share : {0.0, 1e-4, 0.1, 0.5, 1.0}) {
+            PosePair nearer = moved_by(bodies, share * gap);
+            if (random() % 2 == 0) {
+                const double sine = 1e-3 * gap / b.support.radius;
+                const Quaternion turn{1, sine, -sine, 0.5 * sine};
+                const Mat3 turned = Pose::from_quaternion(turn, Vec3::Zero()).rotation();
+                nearer.b = Pose::from_matrix(turned * nearer.b.rotation(), nearer.b.translation());
+            }
+            if (proof.holds(plane_at(nearer), normal)) {
+                ++counts.parted;
+                counts.wrong += exact_gap(bodies.a, bodies.b, nearer, normal) <= 0 ? 1 : 0;
+            }
+        }
+    }
+    return counts;
+}
+
+TEST(PlaneBounds, AProofThatHoldsLeavesAGapInExactTerms) {
+    std::size_t held = 0;
+    for (std::size_t category = 0; category < touching_categories; ++category) {
+        SCOPED_TRACE(touching_category(category));
+        const Counts counts = hold_all(category, 40, 1);
+        EXPECT_EQ(counts.wrong, 0u);
+        held += counts.parted;
+    }
+    EXPECT_GT(held, 300u);
+}
+
+TEST(PlaneBounds, ProofsWithoutMarginsHoldWhereBodiesTouch) {
+    std::size_t wrong = 0;
+    for (std::size_t category = 0; category < touching_categories; ++category) {
+        wrong += hold_all(category, 40, 0).wrong;
+    }
+    EXPECT_GT(wrong, 5u);
+}
+
+TEST(PlaneBounds, NoProofOutlivesItsTree) {
+    ObbTree small = make_tree(make_sphere(3));
+    ObbTree large = make_tree(scaled(make_sphere(3), 2));
+    small.prepare_planes();
+    large.prepare_planes();
+    TreeView a = small.view();
+    std::vector<WideNode> nodes(a.wide.nodes.begin(), a.wide.nodes.end());
+    ASSERT_EQ(nodes.size(), large.view().wide.nodes.size());
+    a.wide.nodes = nodes;
+    const PosePair poses{Pose{}, Pose::from_matrix(Mat3::Identity(), Vec3(2.5, 0, 0))};
+    WideSearch search(poses);
+    for (int i = 0; i < 3; ++i) {
+        search.restart(poses);
+        EXPECT_FALSE(search.any(a, small.view()));
+    }
+    // Another tree at the same address.
+    a = large.view();
+    std::ranges::copy(a.wide.nodes, nodes.begin());
+    a.wide.nodes = nodes;
+    search.restart(poses);
+    EXPECT_TRUE(search.any(a, small.view()));
 }
 
 TEST(PlaneBounds, EveryPlaneLeavesAGapInExactTerms) {

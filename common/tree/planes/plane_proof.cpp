@@ -1,0 +1,67 @@
+// Why `holds` proves what it says. With the names of plane_kernel.cpp, and 0 and 1 for the poses of
+// the proof and of the question: `separate` has found that
+//     min (m0 q) + n s0 - max (n p) - needed0 = slack > 0, with m = R'n.
+// For each q of B's node, q = c + (q - c) with |q - c| <= radius, so that
+//     m1 q = m0 q - (m0 - m1) q >= m0 q - (m0 - m1) c - |m0 - m1| radius.
+// So the gap under pose 1 exceeds needed0 if
+//     n s1 - (n s0 - slack) - (m0 - m1) c - |m0 - m1| radius > 0.
+// All but needed0's own margin, which pose 0 has used up, is the same under both poses. Pose 1 adds
+// the error of m1, (12.7 u + 3.1 r) Q, and of s1, 1.8 abs + u |s|. This computation adds for each
+// pose 3.1 u |s| for n s, and below 4 u (P + 2 Q + |s|) for its sums; and 16 u Q for
+// d = m0 - m1, d c and |d| radius, as |d| < 2.1. Two margins of each pose are more than all that.
+#include "common/tree/planes/plane_proof.hpp"
+
+#include <cmath>
+#include <cstddef>
+
+namespace cd {
+
+namespace {
+
+float dot(const float* x, const float* y) {
+    return x[0] * y[0] + x[1] * y[1] + x[2] * y[2];
+}
+
+/// Returns a normal in B's coordinates, as `separate` does.
+PlaneNormal turned_by(const PlanePose& pose, const PlaneNormal& n) {
+    const auto& r = pose.rotation;
+    return {r[0] * n[0] + r[3] * n[1] + r[6] * n[2],
+            r[1] * n[0] + r[4] * n[1] + r[7] * n[2],
+            r[2] * n[0] + r[5] * n[1] + r[8] * n[2]};
+}
+
+} // namespace
+
+PlaneProof::PlaneProof(const PlanePose& pose,
+                       const PlaneBody& b,
+                       std::uint32_t node_b,
+                       const PlaneNormal& normal,
+                       float slack)
+    : turned_(turned_by(pose, normal)),
+      needed_(dot(normal.data(), pose.translation.data()) - slack + 2 * pose.margin) {
+    const WideNode& box = b.nodes[node_b];
+    float square = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+        center_[k] = static_cast<float>(box.origin[k] - static_cast<double>(b.center[k]));
+    }
+    for (std::size_t k = 0; k < 3; ++k) {
+        const float half = 127.5F * box.steps[k];
+        square += half * half;
+        for (std::size_t c = 0; c < 3; ++c) {
+            center_[c] += half * box.columns[c][k];
+        }
+    }
+    // The box's axes are orthonormal but for the rounding of floats.
+    radius_ = 1.001F * std::sqrt(square);
+}
+
+bool PlaneProof::holds(const PlanePose& pose, const PlaneNormal& normal) const {
+    const PlaneNormal turned = turned_by(pose, normal);
+    const PlaneNormal change{
+        turned_[0] - turned[0], turned_[1] - turned[1], turned_[2] - turned[2]};
+    const float moved =
+        dot(change.data(), center_.data()) + std::sqrt(dot(change.data(), change.data())) * radius_;
+    return dot(normal.data(), pose.translation.data()) - needed_ - moved > 2 * pose.margin;
+}
+
+} // namespace cd
