@@ -1,6 +1,5 @@
 // Measures meshes on their way to the workers. Cuts the trees of meshes and prints the size of
-// their blocks, in the forms for exact jobs and for jobs with a tolerance, and the time to encode a
-// subtree and to decode it for a search.
+// their blocks, in either form, and the time to encode a subtree and to decode it for a search.
 //
 //   tree_blocks_bench MESH... [--depths 12,6] [--rounds 5] [--binary]
 //
@@ -206,7 +205,7 @@ int main(int argc, char** argv) {
     app.add_option("meshes", options.meshes, "mesh files")->required();
     app.add_option("--depths", options.depths, "distribution depths")->delimiter(',');
     app.add_option("--rounds", options.rounds, "of each measurement")->check(CLI::PositiveNumber);
-    app.add_flag("--binary", options.is_binary, "the form that jobs under a tolerance need");
+    app.add_flag("--binary", options.is_binary, "the form of bodies that a wide tree cannot hold");
     CLI11_PARSE(app, argc, argv);
     return cd::run(options) ? 0 : 1;
 }

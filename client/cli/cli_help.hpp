@@ -13,8 +13,8 @@ Examples:
   cdctl run job.toml --master 127.0.0.1:7600          on the cluster
   cdctl inspect car.obj                               size, parts, closed or not
 
-Triangles only, exactly: no hulls, and no tolerance unless you ask for one. A pose maps B's
-coordinates into A's frame: x_A = R x_B + t.
+Triangles only, exactly: no hulls, and no tolerance. A pose maps B's coordinates into A's
+frame: x_A = R x_B + t.
 
 Exit codes: 0 done; 1 done, and contacts found (only with --fail-on); 2 wrong usage or input;
 3 incomplete (failed, cancelled); 4 master unreachable; 5 refused; 130 and 143 ended by a signal.
@@ -30,7 +30,6 @@ Examples:
   cdctl run --a a.stl --b b.stl --poses - -o csv < poses.csv > scenarios.csv
   cdctl run job.toml --level count --fail-on cross || echo 'it clashes'
   cdctl run job.toml --dry-run                        checks inputs, estimates time and size
-  cdctl run job.toml --tolerance 0.05                 also finds near misses; slower
   cdctl run out                                       runs a results folder again
   cdctl run job.toml --reuse out --out new            runs only the poses that out lacks
 
@@ -46,8 +45,8 @@ A job.toml has the keys name, unit, and the tables
              rigid_tolerance = 1e-5. A .csv names its columns: x,y,z,qx,qy,qz,qw, or some of
              x, y, z, roll_deg, pitch_deg, yaw_deg (or _rad), or m00 to m23
   [query]    level = "any" | "count" | "pairs" | "contacts", limit_pairs = 10_000,
-             tolerance = 0.05, ignore = [["wheel_*", "ground"]]: parts of a with
-             parts of b; or "a/wheel_*", with the body's name; \ before / * ? [ in names;
+             ignore = [["wheel_*", "ground"]]: parts of a with parts of b;
+             or "a/wheel_*", with the body's name; \ before / * ? [ in names;
              maps = true: from level count on, map.csv and map.npz say in how many scenarios each
              triangle was in contact, and groups.csv each pair of parts, also at level count
   [output]   dir = "out", formats = ["csv", "csv-pairs", "npz", "json", "text", "vtp", "glb"]
@@ -58,13 +57,6 @@ A job.toml has the keys name, unit, and the tables
              depth: where a body's tree is cut into the blocks that travel; auto: into blocks
              of some 64 KiB
              hints = false: with earliest-finish, workers do not hear ahead what they will need
-
-A tolerance above 0 does not descend below boxes whose diameters sum to at most that length.
-No contact is missed: `separate` is still proven, and all else is `undecided`, with an upper
-bound for the distance of the bodies. Use it to find near misses, not for speed: at
-level any it took 0.9 to 25 times the time of exact on four pairs of bodies of five
-(bench/accuracy/RESULTS.md). It fixes the distribution depths. With --fail-on,
-undecided scenarios give exit code 3 if no contact was proven.
 
 If a run into a folder is interrupted or killed, the same command resumes it. A finished
 folder has summary.json, run.json, records (all results), the formats, and inputs/.

@@ -74,11 +74,6 @@ void add_query(CLI::App& verb, JobOptions& job) {
     add("--name", job.name, "NAME", "The job's name");
     add("--level", query.level, "LEVEL", "any, count, pairs (default) or contacts")
         ->check(one_of({level_names.begin(), level_names.end()}));
-    add("--tolerance",
-        query.tolerance,
-        "LENGTH",
-        "Find near misses: boxes this small stay undecided; 0 is exact and faster")
-        ->check(CLI::NonNegativeNumber);
     add("--limit-pairs", query.limit_pairs, "N", "Keep so many pairs a scenario; 0 keeps all");
     verb.add_flag(
         "--maps", query.maps, "Count the contacts of each triangle; needs level count or above");

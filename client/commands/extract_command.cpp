@@ -91,6 +91,9 @@ Result<int> perform(const ExtractCommand& command) {
     ThreadPool pool(command.threads);
     auto [run, job, map] =
         CD_TRY(open_run_at_hand(command.run, command.master, command.tree_cache, {}, pool));
+    if (command.as == "case") {
+        CD_TRY(check_exact(run.manifest()));
+    }
     const Range range = CD_TRY(parse_range(command.scenarios, job.poses->count()));
     const CaseScenarios found = CD_TRY(read_case(run, job, range));
     InterruptGuard::begin_to_flag(); // From here on, a signal must not leave partial files.

@@ -48,6 +48,7 @@ Result<AskedJob> asked_job(const JobOptions& options) {
                          "effect: give the job file");
     }
     auto run = CD_TRY(OpenedRun::open(options.file));
+    CD_TRY(check_exact(run.manifest()));
     auto spec = CD_TRY(run.spec());
     CD_TRY(apply(options, spec));
     return AskedJob{std::move(spec), std::move(run)};

@@ -75,6 +75,7 @@ Result<int> perform(const VerifyCommand& command) {
     ThreadPool pool(command.threads);
     auto [run, job, map] = CD_TRY(open_run_at_hand(
         command.run, command.master, command.tree_cache, {.trees = Trees::Always}, pool));
+    CD_TRY(check_exact(run.manifest()));
     const auto indices = sample(job.poses->count(), command.sample, command.seed);
     const auto [same, different, not_run] = CD_TRY(compare_all(run, job, indices));
     std::printf("%s of %s run again: %s the same, %s different, %s could not be run\n",

@@ -47,7 +47,6 @@ std::vector<std::string> query_changes(const Query& earlier, const Query& later,
         }
     };
     add("level", std::string(to_text(earlier.level)), std::string(to_text(later.level)));
-    add("tolerance", exact_text(earlier.tolerance), exact_text(later.tolerance));
     add("limit_pairs", std::to_string(earlier.limit_pairs), std::to_string(later.limit_pairs));
     if (earlier.ignored != later.ignored) {
         changes.emplace_back("other triangles ignored");
@@ -100,6 +99,10 @@ InputChanges changes_between(const RunManifest& earlier, const RunManifest& late
     changes.are_poses_equal = earlier.poses.count == later.poses.count && earlier.poses.hash &&
                               earlier.poses.hash == later.poses.hash;
     changes.query = query_changes(earlier.query, later.query, QueryUse::Diff);
+    if (earlier.tolerance != later.tolerance) {
+        changes.query.push_back("tolerance " + exact_text(later.tolerance) + ", was " +
+                                exact_text(earlier.tolerance));
+    }
     return changes;
 }
 
@@ -111,6 +114,7 @@ std::string changes_text(const InputChanges& changes) {
 }
 
 Status check_reusable(const RunManifest& earlier, const PreparedJob& job) {
+    CD_TRY(check_exact(earlier));
     std::vector<BodyChange> bodies;
     for (std::size_t i = 0; i < job.meshes.size(); ++i) {
         bodies.push_back(change_between(compared(earlier.bodies[i]), compared(*job.meshes[i])));

@@ -72,7 +72,7 @@ Html RunDocument::verdict() const {
     content += html_table({html_texts(head), html_texts(counts)}, "counts");
     content += paragraph(overview_.digest() ? "Digest " + to_hex(*overview_.digest())
                                             : "No digest, since results are missing.");
-    const auto untested = untested_texts(summary, manifest_.query, manifest_.unit, no_groups_);
+    const auto untested = untested_texts(summary, manifest_.query, no_groups_);
     content += paragraph(untested.empty() ? "Everything that was asked was tested."
                                           : "What was not tested, or not listed:");
     content += untested.empty() ? Html() : html_list(untested);

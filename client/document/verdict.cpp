@@ -47,10 +47,8 @@ std::string verdict_text(const Summary& summary) {
            " of " + counted(summary.total, "scenario") + rest;
 }
 
-std::vector<std::string> untested_texts(const Summary& summary,
-                                        const Query& query,
-                                        const std::string& unit,
-                                        const std::string& no_groups) {
+std::vector<std::string>
+untested_texts(const Summary& summary, const Query& query, const std::string& no_groups) {
     std::vector<std::string> texts;
     const auto add = [&](std::uint64_t count, const std::string& what) {
         if (count != 0) {
@@ -59,9 +57,7 @@ std::vector<std::string> untested_texts(const Summary& summary,
     };
     add(summary.total - summary.merged(), "without a result");
     add(summary.failed, "failed, without an answer");
-    add(summary.undecided,
-        "undecided, since boxes as small as the tolerance of " + exact_text(query.tolerance) + " " +
-            unit + " were left");
+    add(summary.undecided, "undecided, since an earlier version left small boxes untested");
     add(summary.surfaces_only,
         "a body is open, so it was not tested whether one body is inside the other");
     add(summary.insides_skipped,

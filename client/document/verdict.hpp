@@ -12,11 +12,9 @@ namespace cd {
 /// Returns one sentence about whether contacts were found, and in how many scenarios.
 [[nodiscard]] std::string verdict_text(const Summary& summary);
 
-/// Returns a sentence for each thing that the run did not test, or did not list. `unit` is that of
-/// the tolerance; `no_groups` says why the groups are unknown, and is empty if they are known.
-[[nodiscard]] std::vector<std::string> untested_texts(const Summary& summary,
-                                                      const Query& query,
-                                                      const std::string& unit,
-                                                      const std::string& no_groups);
+/// Returns a sentence for each thing that the run did not test, or did not list. `no_groups`
+/// says why the groups are unknown, and is empty if they are known.
+[[nodiscard]] std::vector<std::string>
+untested_texts(const Summary& summary, const Query& query, const std::string& no_groups);
 
 } // namespace cd

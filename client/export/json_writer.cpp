@@ -146,9 +146,6 @@ Status write_summary(const std::filesystem::path& dir,
               {"cut", summary.cut},
               {"seconds", report.execution.seconds},
               {"where", report.execution.where}};
-    if (context.tolerance) {
-        json["tolerance"] = *context.tolerance;
-    }
     if (report.execution.reused != 0) {
         json["reused"] = report.execution.reused;
     }

@@ -33,8 +33,7 @@ struct ExportContext {
     std::string job;
     std::string unit;
     Level level = Level::Pairs;
-    std::vector<ExportBody> bodies;  ///< A result names a body by its index here.
-    std::optional<double> tolerance; ///< In the job's unit; nothing if unknown.
+    std::vector<ExportBody> bodies; ///< A result names a body by its index here.
     /// The contact map counts only the first `map_pairs` pairs of each scenario; 0: all pairs.
     std::uint64_t map_pairs = 0;
     std::uint64_t limit_pairs = 0; ///< A result lists at most this many pairs; 0: all.
@@ -42,7 +41,7 @@ struct ExportContext {
     bool exact_points = false;     ///< NPZ: also points at full precision, relative to origins.
     StopCheck stop;                ///< Once it returns true, writing fails with Interrupted.
 
-    /// Sets level, tolerance, `map_pairs`, `limit_pairs` and `maps` from the query.
+    /// Sets level, `map_pairs`, `limit_pairs` and `maps` from the query.
     void describe(const Query& query);
 };
 

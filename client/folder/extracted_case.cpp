@@ -318,7 +318,6 @@ std::string case_job_text(const PreparedJob& job,
     constexpr double rigid_tolerance = 1e300; // No pose exceeds it: the run accepted these poses.
     spec.poses = PoseFileSpec{"poses.csv", "", columns.of_both_bodies, rigid_tolerance};
     spec.level = job.query.level;
-    spec.tolerance = job.query.tolerance;
     spec.limit_pairs = job.query.limit_pairs;
     spec.maps = job.query.maps;
     spec.ignore = rules;
@@ -343,7 +342,7 @@ std::string expected_text(std::vector<ScenarioResult> results) {
     return json_text(json, 1);
 }
 
-Status check_expressible(const PreparedJob& job, const CaseScenarios& given, bool minimal) {
+Status check_expressible(const PreparedJob& job, const CaseScenarios& given) {
     for (const ScenarioResult& result : given.results) {
         if (result.kind == ScenarioClass::Failed) {
             // A failure's text contains the number of its scenario, which a case would
@@ -358,11 +357,6 @@ Status check_expressible(const PreparedJob& job, const CaseScenarios& given, boo
         return bad_input(
             "the run has no ignore rules that name the parts it passed over: run the job "
             "again into another folder, and extract from there");
-    }
-    if (minimal && job.query.tolerance > 0) {
-        return bad_input(
-            "--minimal goes without a tolerance: what stays undecided depends on all of "
-            "a body's triangles; leave out --minimal");
     }
     return Done{};
 }
@@ -414,7 +408,7 @@ Status write_case(const PreparedJob& job,
                   const CaseOptions& options,
                   const fs::path& dir,
                   ThreadPool& pool) {
-    CD_TRY(check_expressible(job, scenarios, options.minimal));
+    CD_TRY(check_expressible(job, scenarios));
     CD_TRY(check_target(dir));
     std::array<CaseBody, 2> bodies{CaseBody{job.meshes[0], {}}, CaseBody{job.meshes[1], {}}};
     std::vector<ScenarioResult> expected = scenarios.results;

@@ -34,8 +34,8 @@ struct CaseOptions {
 ///
 /// Errors: Io; Interrupted; BadInput for a job that such files cannot express (ignored triangles
 /// that no rule names, poses in several forms), for a failed scenario, and for a folder with the
-/// job.toml of another job; with `minimal` also for a job with a tolerance, if a body keeps no
-/// triangle, and if a result differs from the run's.
+/// job.toml of another job; with `minimal` also if a body keeps no triangle, and if a result
+/// differs from the run's.
 [[nodiscard]] Status write_case(const PreparedJob& job,
                                 const CaseScenarios& scenarios,
                                 const CaseOptions& options,

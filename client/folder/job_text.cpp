@@ -76,7 +76,6 @@ std::string poses_text(const PoseFileSpec& poses) {
 
 std::string query_text(const JobSpec& spec) {
     std::string text = "\n[query]\n" + line("level", toml_quoted(to_text(spec.level)));
-    text += spec.tolerance > 0 ? line("tolerance", number(spec.tolerance)) : "";
     text += spec.limit_pairs > 0 ? line("limit_pairs", std::to_string(spec.limit_pairs)) : "";
     text += spec.maps ? line("maps", "true") : "";
     if (!spec.ignore.empty()) {

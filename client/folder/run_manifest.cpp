@@ -3,6 +3,7 @@
 #include "client/spec/job_file.hpp"
 #include "common/core/errors.hpp"
 #include "common/core/limits/engine.hpp"
+#include "common/core/words.hpp"
 #include "web/status/table.hpp"
 
 #include <nlohmann/json.hpp>
@@ -18,7 +19,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::uint64_t format_version = 1;
+constexpr std::uint64_t format_version = 2;
 /// The version of the canonical record (common/job/result/result.hpp).
 constexpr std::uint64_t record_version = 2;
 constexpr std::array<std::string_view, 3> kind_names{"grid", "file", "random"};
@@ -84,7 +85,6 @@ Json query_json(const Query& query) {
                                          Json::array({range.b_begin, range.b_end})})}});
     }
     return {{"level", to_text(query.level)},
-            {"tolerance", query.tolerance},
             {"limit_pairs", query.limit_pairs},
             {"maps", query.maps},
             {"ignored", std::move(ignored)}};
@@ -257,16 +257,18 @@ Query read_query(const Json& json) {
         throw Refusal{bad_input("the level is not known")};
     }
     query.level = *level;
-    query.tolerance = number_of(json.at("tolerance"));
     query.limit_pairs = value_of<std::uint64_t>(json, "limit_pairs");
     query.maps = value_of<bool>(json, "maps");
-    if (query.tolerance < 0) {
-        throw Refusal{bad_input("the tolerance is negative")};
-    }
     for (const Json& each : json.at("ignored")) {
         query.ignored.push_back(read_ignored(each));
     }
     return query;
+}
+
+/// Returns the text of a job without the key `tolerance`, which earlier versions wrote.
+std::string without_tolerance(std::string job) {
+    const std::size_t line = job.find("\ntolerance = ");
+    return line == std::string::npos ? job : job.erase(line, job.find('\n', line + 1) - line);
 }
 
 std::optional<ManifestReuse> read_reuse(const Json& json) {
@@ -304,10 +306,13 @@ RunManifest read_manifest(const Json& json) {
                       value_or<std::uint64_t>(where, "workers", 0)};
     manifest.name = value_of<std::string>(json, "name");
     manifest.unit = value_of<std::string>(json, "unit");
-    manifest.job = value_or<std::string>(json, "job", "");
+    manifest.job = without_tolerance(value_or<std::string>(json, "job", ""));
     manifest.bodies = read_bodies(json);
     manifest.poses = read_poses(json.at("poses"));
     manifest.query = read_query(json.at("query"));
+    if (json["query"].contains("tolerance")) {
+        manifest.tolerance = number_of(json["query"]["tolerance"]);
+    }
     manifest.outcome.answered = value_or<std::uint64_t>(json, "answered", 0);
     manifest.outcome.digest = read_hash(json, "digest");
     manifest.outcome.map_digest = read_hash(json, "map_digest");
@@ -321,9 +326,8 @@ RunManifest read_manifest(const Json& json) {
 }
 
 bool is_equal(const Query& left, const Query& right) {
-    return left.level == right.level && left.tolerance == right.tolerance &&
-           left.limit_pairs == right.limit_pairs && left.maps == right.maps &&
-           left.ignored == right.ignored;
+    return left.level == right.level && left.limit_pairs == right.limit_pairs &&
+           left.maps == right.maps && left.ignored == right.ignored;
 }
 
 bool has_same_poses(const ManifestPoses& left, const ManifestPoses& right) {
@@ -356,6 +360,9 @@ std::string manifest_json(const RunManifest& manifest) {
               {"map_digest", hash_json(manifest.outcome.map_digest)},
               {"formats", manifest.formats},
               {"files", files_json(manifest.files)}};
+    if (manifest.tolerance > 0) {
+        json["query"]["tolerance"] = manifest.tolerance;
+    }
     if (manifest.outcome.reused) {
         json["reused_from"] = reuse_json(*manifest.outcome.reused);
     }
@@ -376,7 +383,15 @@ bool is_same_job(const RunManifest& left, const RunManifest& right) {
     const bool same_meshes =
         std::ranges::equal(left.bodies, right.bodies, {}, &ManifestBody::mesh, &ManifestBody::mesh);
     return same_meshes && has_same_poses(left.poses, right.poses) &&
-           is_equal(left.query, right.query);
+           is_equal(left.query, right.query) && left.tolerance == right.tolerance;
+}
+
+Status check_exact(const RunManifest& manifest) {
+    return manifest.tolerance > 0
+               ? bad_input("the run had a tolerance of " + exact_text(manifest.tolerance) +
+                           ", which is gone, so no run gives its answers again: run its job file "
+                           "without the key tolerance into another folder")
+               : Status(Done{});
 }
 
 bool reuses_same_run(const RunManifest& left, const RunManifest& right) {

@@ -84,6 +84,8 @@ struct RunManifest {
     std::vector<ManifestBody> bodies;
     ManifestPoses poses;
     Query query;
+    /// Above 0: the run of an earlier version, which left boxes of this size undecided.
+    double tolerance = 0;
     ManifestOutcome outcome;
     std::vector<std::string> formats;
     std::vector<ManifestFile> files; ///< All files of the folder except run.json.
@@ -101,6 +103,9 @@ struct RunManifest {
 /// True if two runs must give equal records, since their meshes, poses and query are equal. Names,
 /// files and threads do not matter.
 [[nodiscard]] bool is_same_job(const RunManifest& left, const RunManifest& right);
+
+/// Refuses a run with a tolerance, since no run gives its answers again. Errors: BadInput.
+[[nodiscard]] Status check_exact(const RunManifest& manifest);
 
 /// True if both runs take results from one earlier run, or both from none.
 [[nodiscard]] bool reuses_same_run(const RunManifest& left, const RunManifest& right);

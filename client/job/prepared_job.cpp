@@ -67,8 +67,6 @@ TreeUse tree_use(const PreparedJob& job, Trees trees) {
         const auto* const random = std::get_if<RandomPoses>(&job.spec.poses);
         const std::uint64_t scenarios = job.poses ? job.poses->count() : random->count;
         use.makes_points = scenarios >= limits::run_points_scenarios_min;
-        use.searches_exactly = job.query.tolerance == 0;
-        use.searches_cuts = !use.searches_exactly;
         use.settles = true;
     }
     return use;
@@ -185,11 +183,7 @@ Result<PreparedJob> prepare_job(
     auto ignored =
         CD_TRY(given.ignored ? Result(std::move(*given.ignored))
                              : resolve_ignored(job.spec, *job.meshes[0], *job.meshes[1]));
-    job.query = {job.spec.level,
-                 job.spec.tolerance,
-                 job.spec.limit_pairs,
-                 std::move(ignored),
-                 job.spec.maps};
+    job.query = {job.spec.level, job.spec.limit_pairs, std::move(ignored), job.spec.maps};
     // Only random poses need trees.
     const bool makes_poses = !given.poses && std::holds_alternative<RandomPoses>(job.spec.poses);
     if (given.poses) {

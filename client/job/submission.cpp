@@ -110,7 +110,6 @@ Result<JobSpec> spec_of(const Submit& submit) {
     auto poses = CD_TRY(poses_of(submit));
     spec.poses = std::move(poses);
     spec.level = submit.query.level;
-    spec.tolerance = submit.query.tolerance;
     spec.limit_pairs = submit.query.limit_pairs;
     spec.maps = submit.query.maps;
     for (const IgnoreLine& line : submit.ignore) {

@@ -112,13 +112,11 @@ Result<RunOutcome> run_locally(const ObbTree& a,
     }
     RunOutcome outcome{
         merger.summary(), merger.digest(), seconds_since(start), run.statistics(), {}};
-    if (!(query.tolerance > 0)) {
-        SearchCostOptions cost;
-        cost.for_any = query.level == Level::Any;
-        cost.first_stage = first_stage;
-        cost.time_max = cost_time_after(outcome.seconds);
-        outcome.cost = measure_search_cost(a.view(), b.view(), some_poses(poses), cost);
-    }
+    SearchCostOptions cost;
+    cost.for_any = query.level == Level::Any;
+    cost.first_stage = first_stage;
+    cost.time_max = cost_time_after(outcome.seconds);
+    outcome.cost = measure_search_cost(a.view(), b.view(), some_poses(poses), cost);
     return outcome;
 }
 

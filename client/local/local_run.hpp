@@ -34,7 +34,7 @@ struct RunOutcome {
     double seconds = 0;       ///< Run time, without import and building of trees.
     JobStatistics statistics; ///< Sum over the scenarios of this run, without `done`.
     /// The cost of this job's searches, measured at some of its poses after the run, in a small
-    /// share of the run's time. Nothing under a tolerance, or if no triangle was tested.
+    /// share of the run's time. Nothing if no triangle was tested.
     std::optional<SearchCost> cost;
 };
 

@@ -295,7 +295,7 @@ std::string summary_text(const RunReport& report, const SummaryStyle& style) {
     note(summary.cut, "cut lists", "limit_pairs was reached; the counts are true");
     note(summary.undecided,
          "undecided   ",
-         "boxes as small as the tolerance were left; pairs are those proven, not all");
+         "an earlier version left small boxes; pairs are those proven, not all");
     if (!report.hint.empty()) {
         text += "  hint          " + report.hint + "\n";
     }

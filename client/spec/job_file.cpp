@@ -7,7 +7,6 @@
 #include "common/core/limits/engine.hpp"
 #include "common/core/limits/master.hpp"
 #include "common/core/words.hpp"
-#include "common/job/tolerance.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -197,14 +196,14 @@ void read_query(const TomlFields& job, JobSpec& spec) {
     if (table == nullptr) {
         return;
     }
-    const TomlFields fields(
-        table, job, "[query]", {"level", "tolerance", "limit_pairs", "maps", "ignore"});
+    if (const toml::node* gone = table->get("tolerance")) {
+        job.refuse(*gone,
+                   "the key tolerance, under which small boxes stayed undecided, is gone, since "
+                   "exact answers are faster: remove it; level \"any\" is the fastest");
+    }
+    const TomlFields fields(table, job, "[query]", {"level", "limit_pairs", "maps", "ignore"});
     if (const auto level = fields.word("level", level_names)) {
         spec.level = level_from_text(*level).value_or(spec.level);
-    }
-    spec.tolerance = fields.number("tolerance").value_or(spec.tolerance);
-    if (const Status allowed = check_tolerance(spec.tolerance); !allowed) {
-        fields.refuse("tolerance", allowed.error().detail);
     }
     spec.limit_pairs = fields.integer("limit_pairs", 0, std::numeric_limits<std::uint32_t>::max())
                            .value_or(spec.limit_pairs);
@@ -249,9 +248,6 @@ void read_depth(const TomlFields& cluster, JobSpec& spec) {
     };
     spec.cluster.set_depth(0, depth("a"));
     spec.cluster.set_depth(1, depth("b"));
-    if (const Status allowed = check_depths(spec); !allowed) {
-        cluster.refuse("depth", allowed.error().detail);
-    }
 }
 
 void read_cluster(const TomlFields& job, JobSpec& spec) {
@@ -303,15 +299,6 @@ void read_job(const toml::table& table, JobSpec& spec) {
 std::string export_name(const JobSpec& spec, std::size_t body) {
     const std::string& name = spec.bodies[body].name;
     return name.empty() ? std::string(1, static_cast<char>('a' + body)) : name;
-}
-
-Status check_depths(const JobSpec& spec) {
-    if (spec.tolerance > 0 && (spec.cluster.depth(0) || spec.cluster.depth(1))) {
-        return bad_input("a tolerance above 0 excludes a distribution depth: what stays undecided "
-                         "depends on where trees are cut, so the meshes alone decide it; leave out "
-                         "depth");
-    }
-    return Done{};
 }
 
 Status check_matching(const ClusterOptions& options) {

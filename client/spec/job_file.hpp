@@ -69,7 +69,6 @@ struct JobSpec {
     std::array<BodySpec, 2> bodies;
     PosesSpec poses = RandomPoses{};
     Level level = Level::Pairs;
-    double tolerance = 0; ///< Tolerance in the job's unit.
     std::uint64_t limit_pairs = 0;
     bool maps = false;
     std::vector<IgnoreRule> ignore;
@@ -87,10 +86,6 @@ struct JobSpec {
 
 /// Returns the name of a body in exports: its name in the job, or else "a" or "b".
 [[nodiscard]] std::string export_name(const JobSpec& spec, std::size_t body);
-
-/// Refuses a distribution depth given together with a tolerance above 0, under which the meshes
-/// alone decide the depths. Errors: BadInput.
-[[nodiscard]] Status check_depths(const JobSpec& spec);
 
 /// Refuses `q` and `claim` for a strategy that ignores them. Errors: BadInput.
 [[nodiscard]] Status check_matching(const ClusterOptions& options);

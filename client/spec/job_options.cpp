@@ -2,7 +2,6 @@
 
 #include "client/base/units.hpp"
 #include "common/core/errors.hpp"
-#include "common/job/tolerance.hpp"
 
 #include <fmt/format.h>
 
@@ -91,8 +90,6 @@ Status apply(const QueryOptions& options, JobSpec& spec) {
         }
         spec.level = *level;
     }
-    replace(spec.tolerance, options.tolerance);
-    CD_TRY(check_tolerance(spec.tolerance));
     replace(spec.limit_pairs, options.limit_pairs);
     if (spec.limit_pairs > std::numeric_limits<std::uint32_t>::max()) {
         return usage("--limit-pairs is at most 4294967295, as in a job file");
@@ -134,7 +131,6 @@ Status apply(const MatchingOptions& options, JobSpec& spec) {
         const auto parsed = CD_TRY(parse_depth(*given));
         spec.cluster.set_depth(static_cast<std::size_t>(body), parsed);
     }
-    CD_TRY(check_depths(spec));
     replace(spec.cluster.q, options.q);
     replace(spec.cluster.v_kb, options.v_kb);
     spec.cluster.claim = spec.cluster.claim || options.claim;

@@ -28,7 +28,6 @@ struct PoseOptions {
 /// Options that override a job file's table [query].
 struct QueryOptions {
     std::string level;
-    std::optional<double> tolerance;
     std::optional<std::uint64_t> limit_pairs;
     bool maps = false;
 };

@@ -103,14 +103,12 @@ make_body_trees(const std::array<std::shared_ptr<const Mesh>, 2>& meshes,
     if (meshes[1]->hash() != meshes[0]->hash()) {
         bodies.emplace_back(meshes[1], cache, pool);
     }
-    if (use.searches_exactly) {
-        std::ranges::for_each(bodies, &Body::need_wide);
-        for (Body& body : bodies) {
-            body.need_points(use.makes_points);
-        }
+    std::ranges::for_each(bodies, &Body::need_wide);
+    for (Body& body : bodies) {
+        body.need_points(use.makes_points);
     }
     // A search uses the binary trees if a body has no wide nodes.
-    if (use.searches_cuts || !std::ranges::all_of(bodies, &Body::has_wide_nodes) ||
+    if (!std::ranges::all_of(bodies, &Body::has_wide_nodes) ||
         (use.settles && std::ranges::all_of(bodies, &Body::is_closed))) {
         std::ranges::for_each(bodies, &Body::need_binary);
     }

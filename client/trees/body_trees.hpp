@@ -12,17 +12,15 @@ namespace cd {
 
 /// How a job uses trees.
 struct TreeUse {
-    bool searches_exactly = true; ///< The job searches without a tolerance: wide form.
-    bool searches_cuts = false;   ///< The job searches under a tolerance: binary form.
-    bool settles = false;         ///< The job detects containment: binary form if both are closed.
+    bool settles = false; ///< The job detects containment: binary form if both are closed.
     /// The job has so many scenarios that making support points pays. Other jobs have them if they
     /// are cached.
     bool makes_points = false;
 };
 
 /// Takes the trees of two meshes from the cache, or builds and caches them. Meshes with equal
-/// hashes share one tree. If a wide tree has no nodes, both trees get the binary form. A job that
-/// searches exactly gets support points with the wide form (`TreeUse::makes_points`).
+/// hashes share one tree, which has the wide form, with support points (`TreeUse::makes_points`).
+/// If a wide tree has no nodes, both trees get the binary form too.
 [[nodiscard]] std::array<std::shared_ptr<const ObbTree>, 2>
 make_body_trees(const std::array<std::shared_ptr<const Mesh>, 2>& meshes,
                 const TreeUse& use,

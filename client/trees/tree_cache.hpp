@@ -35,8 +35,8 @@ void keep_within(const std::filesystem::path& folder,
                  std::uint64_t bytes_max,
                  const std::filesystem::path& newest);
 
-/// The form of a tree: binary as in the paper, or wide (16 children a node), which searches without
-/// a tolerance need.
+/// The form of a tree: binary as in the paper, or wide (16 children a node), which searches
+/// use.
 enum class TreeForm : std::uint8_t { Binary, Wide };
 
 /// A cache with one file for each form of a mesh's tree and one for its support points, named by a

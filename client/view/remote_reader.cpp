@@ -103,7 +103,6 @@ Result<BodyTrees> RemoteReader::trees(const Submit& submit) {
     meshes[0] = CD_TRY(get(hashes.first));
     meshes[1] = hashes.second == hashes.first ? meshes[0] : CD_TRY(get(hashes.second));
     TreeUse use;
-    use.searches_cuts = true; // Some jobs of these meshes may have a tolerance.
     use.settles = true;
     kept_.emplace(hashes, make_body_trees(meshes, use, trees_, building_));
     return kept_->second;

@@ -27,9 +27,6 @@ inline constexpr std::array<std::string_view, 4> level_names{"any", "count", "pa
 
 struct Query {
     Level level = Level::Pairs;
-    /// A length in the job's units. If positive, the search leaves two overlapping boxes undecided
-    /// when the sum of their diameters is at most this. Class separate still means a proof.
-    double tolerance = 0;
     std::uint64_t limit_pairs =
         0; ///< A result lists at most this many pairs, the first in sorted order; 0: all.
     std::vector<IgnoredRange> ignored;

@@ -2,11 +2,11 @@
 
 #include "common/core/limits/engine.hpp"
 #include "common/job/settle.hpp"
-#include "common/job/tolerance.hpp"
 
 #include <algorithm>
 #include <optional>
 #include <string>
+#include <utility>
 
 namespace cd {
 
@@ -28,21 +28,12 @@ void note_found(const FoundContacts& found, ScenarioResult& result) {
     }
 }
 
-/// Sets the class to undecided if the search left boxes undecided. The proven pairs stay.
-void note_undecided(const ContactSearch& search, ScenarioResult& result) {
-    if (const std::optional<double> distance = search.report().undecided_distance) {
-        result.kind = ScenarioClass::Undecided;
-        result.distance_bound = result.pair_count > 0 ? 0 : *distance;
-    }
-}
-
 /// Returns the index of the first pair found to touch.
 std::optional<std::size_t>
 find_any(std::span<const SubtreePair> pairs, ContactSearch& search, ScenarioResult& result) {
     const auto touching = std::ranges::find_if(
         pairs, [&](const SubtreePair& pair) { return search.any(pair.a, pair.b); });
     if (touching == pairs.end()) {
-        note_undecided(search, result);
         return std::nullopt;
     }
     result.kind = ScenarioClass::Contact;
@@ -68,7 +59,6 @@ void find_count(std::span<const SubtreePair> pairs,
     }
     FoundContacts& found = search.contacts();
     note_found(found, run.result);
-    note_undecided(search, run.result);
     if (found.pairs().size() == found.count()) {
         found.sort();
         run.found = found.take_pairs();
@@ -128,7 +118,6 @@ bool find_pairs(std::span<const SubtreePair> pairs,
     ScenarioResult& result = run.result;
     result.pairs = found.take_pairs();
     note_found(found, result);
-    note_undecided(search, result);
     if (query.maps && result.pairs.size() != result.pair_count) {
         result = too_many_for_a_map(found, scenario, query);
         return true;
@@ -148,7 +137,6 @@ SearchOptions search_options(const Query& query, const RunOptions& options) {
     search.keep_pairs = query.level >= Level::Pairs || query.maps || search.only_touches;
     search.keep_corners = query.level == Level::Contacts;
     search.pairs_max = pairs_worth_keeping(query);
-    search.tolerance = query.tolerance;
     search.first_stage = options.first_stage;
     search.decision = options.decision;
     search.stop = options.stop;
@@ -229,45 +217,13 @@ ScenarioRunner::ScenarioRunner(
       b_(b),
       query_(query),
       options_{first_stage, std::move(stop), a.topology().is_closed() && b.topology().is_closed()},
-      settler_(a, b, query.ignored) {
-    if (query.tolerance > 0) {
-        cut_a_ = cut(a);
-        cut_b_ = &a == &b ? cut_a_ : cut(b);
-    }
-}
-
-std::shared_ptr<const ScenarioRunner::CutTree> ScenarioRunner::cut(const ObbTree& tree) {
-    const std::uint32_t depth = tolerance_depth(tree);
-    CutTree cut{cut_tree(tree, depth), {}};
-    for (const std::uint32_t node : cut_nodes(tree, depth)) {
-        cut.subtrees.push_back(extract_subtree(tree, node));
-    }
-    return std::make_shared<const CutTree>(std::move(cut));
-}
-
-ScenarioRun ScenarioRunner::run_on_cuts(const Scenario& scenario, KeptSearch& kept) const {
-    const Result<CollidingRoots> roots = colliding_roots(cut_a_->top, cut_b_->top, scenario.poses);
-    if (!roots) {
-        ScenarioRun failed;
-        failed.result = failed_result(scenario, query_, roots.error());
-        return failed;
-    }
-    std::vector<SubtreePair> pairs;
-    pairs.reserve(roots.value().pairs.size());
-    for (const RootPair& pair : roots.value().pairs) {
-        pairs.push_back({cut_a_->subtrees[pair.a].view(), cut_b_->subtrees[pair.b].view()});
-    }
-    ScenarioRun run = run_on_subtrees(kept, pairs, scenario, query_, options_);
-    run.statistics.box_tests += roots.value().box_tests;
-    return run;
-}
+      settler_(a, b, query.ignored) {}
 
 ScenarioRun ScenarioRunner::run_with_kept(const Scenario& scenario, KeptSearch& kept) const {
     const SubtreePair whole{a_.view(), b_.view()};
-    ScenarioRun run = cut_a_ ? run_on_cuts(scenario, kept)
-                             : run_on_subtrees(kept, {&whole, 1}, scenario, query_, options_);
+    ScenarioRun run = run_on_subtrees(kept, {&whole, 1}, scenario, query_, options_);
     if (!run.is_stopped) {
-        const RelativePose* const b_to_a = cut_a_ ? nullptr : kept.search->report().b_to_a;
+        const RelativePose* const b_to_a = kept.search->report().b_to_a;
         run.inside = settler_.settle(scenario, run.result, {run.found, options_.stop, b_to_a});
     }
     if (is_stopped()) { // If `stop` has ended `settle`, the class is meaningless.

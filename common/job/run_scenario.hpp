@@ -8,15 +8,12 @@
 #include "common/job/settle.hpp"
 #include "common/job/statistics.hpp"
 #include "common/search/contact_search.hpp"
-#include "common/tree/cut.hpp"
 #include "common/tree/obb_tree.hpp"
-#include "common/tree/wire/subtree_block.hpp"
 
 #include <cstddef>
 #include <memory>
 #include <optional>
 #include <span>
-#include <utility>
 #include <vector>
 
 namespace cd {
@@ -49,14 +46,11 @@ struct RunOptions {
 
 /// Finds the contacts under the given pairs of subtrees (paper, 6.4.2, steps 1 to 3). Without pairs
 /// the scenario is separate. The caller keeps the subtrees alive. The result does not depend on the
-/// order of the pairs, nor, without a tolerance, on how the trees are cut.
+/// order of the pairs, nor on how the trees are cut.
 ///
-/// At `level any` the search ends at the first contact, also under a tolerance, and the class is
-/// contact. Without a contact, the class is undecided if any boxes stay undecided, else separate.
-/// At other levels the class is undecided if any boxes stay undecided, with the pairs proven so
-/// far. (Pairs are ignored by triangle, so boxes of ignored pairs may stay undecided as well.)
-/// Otherwise the class is cross if any pair is proper, touch if there are pairs and none is proper,
-/// and separate without pairs; `Settler` refines the class with the whole bodies.
+/// At `level any` the search ends at the first contact, and the class is contact; without one it is
+/// separate. At other levels the class is cross if any pair is proper, touch if there are pairs and
+/// none is proper, and separate without pairs; `Settler` refines it with the whole bodies.
 [[nodiscard]] ScenarioRun run_on_subtrees(std::span<const SubtreePair> pairs,
                                           const Scenario& scenario,
                                           const Query& query,
@@ -81,9 +75,7 @@ struct KeptSearch {
 [[nodiscard]] ScenarioResult
 failed_result(const Scenario& scenario, const Query& query, const Error& why);
 
-/// Runs scenarios of two whole trees as the cluster does: `run_on_subtrees` and `Settler`
-/// (settle.hpp) in one. Under a tolerance the trees are cut at `tolerance_depth` (tolerance.hpp),
-/// and the runner holds a copy of their subtrees.
+/// Runs scenarios of two whole trees: `run_on_subtrees` and `Settler` (settle.hpp) in one.
 class ScenarioRunner {
   public:
     /// The trees and the query outlive the runner.
@@ -101,12 +93,6 @@ class ScenarioRunner {
 
   private:
     friend class ScenarioSession;
-    struct CutTree {
-        TreeTop top;
-        std::vector<Subtree> subtrees; ///< One subtree per distribution root, in order.
-    };
-    [[nodiscard]] static std::shared_ptr<const CutTree> cut(const ObbTree& tree);
-    [[nodiscard]] ScenarioRun run_on_cuts(const Scenario& scenario, KeptSearch& kept) const;
     [[nodiscard]] ScenarioRun run_with_kept(const Scenario& scenario, KeptSearch& kept) const;
     [[nodiscard]] bool is_stopped() const { return options_.stop && options_.stop(); }
 
@@ -115,9 +101,6 @@ class ScenarioRunner {
     const Query& query_;
     RunOptions options_;
     Settler settler_;
-    /// Cut trees of A (`cut_a_`) and B (`cut_b_`); null if the query has no tolerance.
-    std::shared_ptr<const CutTree> cut_a_;
-    std::shared_ptr<const CutTree> cut_b_;
 };
 
 /// Runs scenarios on one thread. The session reuses memory, so that after a few scenarios only

@@ -5,8 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <limits>
 #include <utility>
 
 namespace cd {
@@ -34,50 +32,22 @@ TriangleSpan triangles_of(const TreeView& tree) {
     return {tree.vertices, tree.triangles};
 }
 
-/// Returns half the box's diagonal.
-double radius_of(const ObbNode& node) {
-    double sum = 0;
-    for (const float half : node.half) {
-        sum += static_cast<double>(half) * static_cast<double>(half);
-    }
-    return std::sqrt(sum);
-}
-
-/// Returns an upper bound on the factor by which the pose's exact linear part R lengthens vectors,
-/// or infinity on overflow. |R|^2 is at most the largest row sum of |R'R|.
-double stretch_of(const Pose& pose) {
-    const Mat3 r = pose.rotation();
-    const double reach = r.cwiseAbs().maxCoeff();
-    // An entry of R'R sums three products. In each, both factors may err, and up to three
-    // operations round.
-    const double error = 3 * (2.01 * reach * pose.rotation_error() + 4 * 0x1p-53 * reach * reach);
-    const double square = (r.transpose() * r).cwiseAbs().rowwise().sum().maxCoeff() + 3 * error;
-    const double stretch = std::sqrt(square) * (1 + 0x1p-50);
-    return stretch >= 0 ? stretch : std::numeric_limits<double>::infinity(); // NaN: overflow.
-}
-
 /// Steps of the descent between two polls of `stop`. This number of steps takes a fraction of a
 /// second even if every pair needs exact arithmetic.
 constexpr std::uint32_t steps_between_stop_checks = 1024;
 
 } // namespace
 
-BinarySearch::Placement::Placement(const PosePair& poses, double tolerance)
-    : b_to_a(relative_pose(poses)),
-      boxes(b_to_a),
-      stretch(tolerance > 0 ? stretch_of(poses.a) : 1) {}
+BinarySearch::Placement::Placement(const PosePair& poses)
+    : b_to_a(relative_pose(poses)), boxes(b_to_a) {}
 
 BinarySearch::BinarySearch(const PosePair& poses,
                            std::span<const IgnoredRange> ignored,
                            const SearchOptions& options)
-    : tolerance_(options.tolerance),
-      stop_(options.stop),
-      ignored_(ignored),
-      placement_(poses, tolerance_),
-      contacts_(poses, options) {}
+    : stop_(options.stop), ignored_(ignored), placement_(poses), contacts_(poses, options) {}
 
 void BinarySearch::restart(const PosePair& poses) {
-    placement_ = Placement(poses, tolerance_);
+    placement_ = Placement(poses);
     progress_ = {};
     contacts_.restart(poses);
 }
@@ -91,9 +61,8 @@ bool BinarySearch::must_stop() {
     return progress_.is_stopped;
 }
 
-/// Descends both trees and calls `on_leaves` for each pair of leaves whose boxes may overlap,
-/// except below pairs of boxes that the tolerance leaves undecided. Returns true as soon as
-/// `on_leaves` returns true, and false at the end or on a stop.
+/// Descends both trees and calls `on_leaves` for each pair of leaves whose boxes may overlap.
+/// Returns true as soon as `on_leaves` returns true, and false at the end or on a stop.
 template <class OnLeaves>
 bool BinarySearch::descend(const TreeView& a, const TreeView& b, const OnLeaves& on_leaves) {
     CD_CHECK(!a.nodes.empty());
@@ -112,9 +81,6 @@ bool BinarySearch::descend(const TreeView& a, const TreeView& b, const OnLeaves&
         stack_.pop_back();
         const ObbNode& node_a = a.nodes[now.a];
         const ObbNode& node_b = b.nodes[now.b];
-        if (tolerance_ > 0 && leave_undecided(node_a, node_b)) {
-            continue;
-        }
         if (node_a.is_leaf() && node_b.is_leaf()) {
             if (on_leaves(now)) {
                 return true;
@@ -148,22 +114,6 @@ bool BinarySearch::descend(const TreeView& a, const TreeView& b, const OnLeaves&
         }
     }
     return false;
-}
-
-/// Returns true if two overlapping boxes are so small that the tolerance leaves them undecided. If
-/// true, lowers `undecided_distance` to an upper bound on the distance between their triangles.
-bool BinarySearch::leave_undecided(const ObbNode& a, const ObbNode& b) {
-    if (!(2 * (radius_of(a) + radius_of(b)) <= tolerance_)) {
-        return false;
-    }
-    double distance =
-        placement_.stretch * placement_.boxes.distance_max(a, placement_.boxes.pose(b));
-    if (std::isnan(distance)) { // The poses leave the range of double.
-        distance = std::numeric_limits<double>::infinity();
-    }
-    progress_.undecided_distance =
-        std::min(progress_.undecided_distance.value_or(distance), distance);
-    return true;
 }
 
 /// Adds to `candidates_` each pair of the leaves' triangles whose axis-aligned boxes meet, without
@@ -218,10 +168,7 @@ void BinarySearch::collect(const TreeView& a, const TreeView& b) {
 }
 
 SearchReport BinarySearch::report() const {
-    return {contacts_.statistics(progress_.box_tests),
-            progress_.undecided_distance,
-            progress_.is_stopped,
-            &placement_.b_to_a};
+    return {contacts_.statistics(progress_.box_tests), progress_.is_stopped, &placement_.b_to_a};
 }
 
 } // namespace cd

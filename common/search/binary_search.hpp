@@ -1,4 +1,4 @@
-// The contact search over binary trees, with or without a tolerance.
+// The contact search over binary trees.
 #pragma once
 
 #include "common/geometry/aabb.hpp"
@@ -6,13 +6,12 @@
 #include "common/tree/box_test.hpp"
 
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <vector>
 
 namespace cd {
 
-/// Searches binary trees. Only this search supports a tolerance and can leave boxes undecided.
+/// Searches binary trees, for bodies that a wide tree cannot hold.
 class BinarySearch final : public ContactSearch {
   public:
     /// `ignored` must outlive the search.
@@ -35,13 +34,11 @@ class BinarySearch final : public ContactSearch {
     struct Placement {
         RelativePose b_to_a;
         BoxTest boxes;
-        double stretch; ///< Bound on the norm of A's linear part; 1 without a tolerance.
 
-        Placement(const PosePair& poses, double tolerance);
+        explicit Placement(const PosePair& poses);
     };
     /// Findings and counters of the search since the last `restart()`.
     struct Progress {
-        std::optional<double> undecided_distance; ///< See SearchReport.
         std::uint64_t box_tests = 0;
         std::uint32_t steps_unpolled = 0; ///< Steps of the descent since the last call of `stop_`.
         bool is_stopped = false;
@@ -50,12 +47,10 @@ class BinarySearch final : public ContactSearch {
     template <class OnLeaves>
     bool descend(const TreeView& a, const TreeView& b, const OnLeaves& on_leaves);
     [[nodiscard]] bool must_stop();
-    [[nodiscard]] bool leave_undecided(const ObbNode& a, const ObbNode& b);
     void add_candidates(const TreeView& a, const TreeView& b, const NodePair& leaves);
     [[nodiscard]] bool decide_any(const TreeView& a, const TreeView& b);
     void decide_candidates(const TreeView& a, const TreeView& b);
 
-    double tolerance_;
     StopCheck stop_;
     std::span<const IgnoredRange> ignored_;
     Placement placement_;

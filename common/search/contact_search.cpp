@@ -10,7 +10,7 @@ std::unique_ptr<ContactSearch> make_search(const TreeView& a,
                                            const PosePair& poses,
                                            std::span<const IgnoredRange> ignored,
                                            const SearchOptions& options) {
-    if (!a.wide.nodes.empty() && !b.wide.nodes.empty() && !(options.tolerance > 0)) {
+    if (!a.wide.nodes.empty() && !b.wide.nodes.empty()) {
         return std::make_unique<WideSearch>(poses, ignored, options);
     }
     return std::make_unique<BinarySearch>(poses, ignored, options);

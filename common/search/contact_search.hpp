@@ -10,7 +10,6 @@
 #include "common/tree/query_statistics.hpp"
 
 #include <memory>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -19,9 +18,6 @@ namespace cd {
 /// Statistics and flags of a search since its last `restart`.
 struct SearchReport {
     QueryStatistics statistics;
-    /// Upper bound on the distance between the two bodies in the world, if the tolerance left boxes
-    /// undecided; else nothing. Infinite if the poses are far from rigid. Equal bits on every host.
-    std::optional<double> undecided_distance;
     bool is_stopped = false;              ///< True: a stop ended the search early.
     const RelativePose* b_to_a = nullptr; ///< The relative pose, valid until the next `restart`.
 };
@@ -45,7 +41,7 @@ class ContactSearch {
     /// depend on earlier calls, but the answer never does.
     [[nodiscard]] virtual bool any(const TreeView& a, const TreeView& b) = 0;
 
-    /// Adds every contact of `a` and `b` to `contacts()`, except in boxes that stay undecided.
+    /// Adds every contact of `a` and `b` to `contacts()`.
     virtual void collect(const TreeView& a, const TreeView& b) = 0;
 
     /// Returns the contacts of all calls of `collect` since the last `restart`.
@@ -54,9 +50,8 @@ class ContactSearch {
     [[nodiscard]] virtual SearchReport report() const = 0;
 };
 
-/// Returns a WideSearch if both bodies have a wide tree and there is no tolerance, else a
-/// BinarySearch. All trees passed to the search must have the same form. `ignored` must outlive the
-/// search.
+/// Returns a WideSearch if both bodies have a wide tree, else a BinarySearch. All trees passed to
+/// the search must have the same form. `ignored` must outlive the search.
 [[nodiscard]] std::unique_ptr<ContactSearch> make_search(const TreeView& a,
                                                          const TreeView& b,
                                                          const PosePair& poses,

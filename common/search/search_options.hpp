@@ -18,9 +18,6 @@ struct SearchOptions {
     /// Keeps the corners of each pair for shared points, whose computation may outlive the
     /// subtrees.
     bool keep_corners = false;
-    /// Above 0, two overlapping boxes stay undecided if the sum of their diameters does not exceed
-    /// this length.
-    double tolerance = 0;
     PairStage first_stage = PairStage::Float; ///< Earlier stages are skipped.
     PairDecision decision = PairDecision::Exact;
     StopCheck stop = {}; ///< The search polls this check while it descends.

@@ -72,7 +72,7 @@ void WideSearch::collect(const TreeView& a, const TreeView& b) {
 }
 
 SearchReport WideSearch::report() const {
-    return {contacts_.statistics(descent_.box_tests()), std::nullopt, is_stopped_, &b_to_a_};
+    return {contacts_.statistics(descent_.box_tests()), is_stopped_, &b_to_a_};
 }
 
 } // namespace cd

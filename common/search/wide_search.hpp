@@ -9,7 +9,7 @@
 
 namespace cd {
 
-/// Searches wide trees, without a tolerance. If earlier answers make a contact likely, `any` looks
+/// Searches wide trees. If earlier answers make a contact likely, `any` looks
 /// at the most promising boxes first; else it begins with planes. So does `collect` if its last
 /// call found none.
 class WideSearch final : public ContactSearch {

@@ -178,24 +178,4 @@ bool BoxTest::may_overlap(const ObbNode& a, const PosedBox& b) const {
     return true;
 }
 
-double BoxTest::distance_max(const ObbNode& a, const PosedBox& b) const {
-    // In the notation of the file's head, |x - y| <= |c - Rd - t| + |x - c| + |R (y - d)|. The last
-    // two terms exceed the boxes' radii by less than frame_error_ times the radii. b.error and the
-    // term with A's centre cover the rounding of each component of the first term.
-    double between = 0;
-    double radius_a = 0;
-    double radius_b = 0;
-    for (std::size_t i = 0; i < 3; ++i) {
-        const double half_a = static_cast<double>(a.half[i]);
-        const double apart = b.center[i] - a.center[i];
-        between += apart * apart;
-        radius_a += half_a * half_a;
-        radius_b += b.half[i] * b.half[i];
-    }
-    const double radii = std::sqrt(radius_a) + std::sqrt(radius_b);
-    const double error = frame_error_ * radii + 2 * (b.error + 48 * rounding_ * size_of(a.center));
-    const double distance = (std::sqrt(between) + radii + error) * (1 + 16 * rounding_);
-    return distance >= 0 ? distance : infinity; // NaN: a centre overflowed.
-}
-
 } // namespace cd

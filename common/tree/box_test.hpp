@@ -37,11 +37,6 @@ class BoxTest {
         return may_overlap(a, pose(b));
     }
 
-    /// Returns an upper bound on the distance between any point of box `a` and any point of box
-    /// `b`, in A's body coordinates, in exact terms. The bound is infinite, never NaN, if numbers
-    /// overflow or the pose is too far from rigid.
-    [[nodiscard]] double distance_max(const ObbNode& a, const PosedBox& b) const;
-
   private:
     std::array<double, 9> rotation_{};
     std::array<double, 3> translation_{};

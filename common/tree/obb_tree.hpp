@@ -60,8 +60,8 @@ struct BinaryTree {
 };
 
 /// An immutable tree with its triangles, shared freely between threads. It has one or both of two
-/// forms: the binary tree, which is cut, descended under a tolerance and used for point-in-solid
-/// tests, and the wide tree, which all other searches descend. Copies share the forms.
+/// forms: the binary tree, which is cut and used for point-in-solid tests, and the wide tree,
+/// which searches descend. Copies share the forms.
 class ObbTree {
   public:
     /// Makes a tree in the binary form.

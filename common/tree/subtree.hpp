@@ -11,8 +11,8 @@ namespace cd {
 
 /// The form of a subtree.
 enum class SubtreeForm : std::uint8_t {
-    Binary, ///< The paper's tree, node for node. Results under a tolerance depend on its boxes.
-    Wide,   ///< The tree of exact searches, for bodies that `suits_wide_tree` accepts.
+    Binary, ///< The paper's tree, node for node, for bodies that a wide tree cannot hold.
+    Wide,   ///< The tree of all other searches, for bodies that `suits_wide_tree` accepts.
 };
 
 /// A self-contained subtree with its own vertices and local indices.

@@ -1,7 +1,6 @@
 #include "master/compute/job_geometry.hpp"
 
 #include "common/job/settle.hpp"
-#include "common/job/tolerance.hpp"
 #include "master/geometry/depth_choice.hpp"
 #include "master/journal/job_map.hpp"
 #include "master/submission/pose_spool.hpp"
@@ -24,14 +23,10 @@ StoreResult<JobGeometry> StoredGeometry::prepare(const Submit& submit) {
             return tree->error();
         }
     }
-    const bool is_exact = submit.query.tolerance == 0;
-    const bool is_wide = is_exact && suits_wide_tree(tree_a.value()->view()) &&
-                         suits_wide_tree(tree_b.value()->view());
+    const bool is_wide =
+        suits_wide_tree(tree_a.value()->view()) && suits_wide_tree(tree_b.value()->view());
     const SubtreeForm form = is_wide ? SubtreeForm::Wide : SubtreeForm::Binary;
     const auto depth_of = [&](const ObbTree& tree, const std::optional<std::uint32_t>& given) {
-        if (!is_exact) {
-            return tolerance_depth(tree);
-        }
         return given ? *given : choose_depth(tree, form);
     };
     const std::uint32_t depth_a = depth_of(*tree_a.value(), submit.cluster.depth(0));

@@ -82,10 +82,10 @@ Result<TakenResult> take_record(const JobMaterial& material,
                      "the result of scenario " + std::to_string(result.index) +
                          " has pairs of triangles that the bodies do not have"};
     }
-    if (result.kind == ScenarioClass::Undecided && !(material.query.tolerance > 0)) {
+    if (result.kind == ScenarioClass::Undecided) {
         return Error{ErrorCode::BadFrame,
                      "the result of scenario " + std::to_string(result.index) +
-                         " is undecided, and no tolerance was asked for"};
+                         " is undecided, which no query allows"};
     }
     JobStatistics cost = found->cost;
     cost.inside += material.settler->settle(scenario, result);

@@ -9,7 +9,6 @@ namespace {
 
 void put_query(ByteWriter& out, const Query& query) {
     put_enumeration(out, query.level);
-    out.put(query.tolerance);
     out.put(query.limit_pairs);
     out.put(std::uint64_t{query.ignored.size()});
     for (const IgnoredRange& range : query.ignored) {
@@ -23,7 +22,6 @@ void put_query(ByteWriter& out, const Query& query) {
 
 bool get_query(ByteReader& in, Query& query) {
     const bool is_level = get_enumeration(in, query.level, Level::Contacts);
-    query.tolerance = in.get<double>();
     query.limit_pairs = in.get<std::uint64_t>();
     const auto count = in.get<std::uint64_t>();
     if (!is_level || !may_hold(in, count, 6 * sizeof(std::uint32_t))) {

@@ -4,7 +4,6 @@
 #include "common/core/limits/master.hpp"
 #include "common/core/limits/wire.hpp"
 #include "common/core/printable.hpp"
-#include "common/job/tolerance.hpp"
 #include "master/dispatch/policy/strategies.hpp"
 
 #include <algorithm>
@@ -151,7 +150,6 @@ Status check_submission(const Submit& submit, std::span<const MeshStatus> stored
              check_strategy(cluster.strategy),
              check_range("q", cluster.q, 1, limits::q_max),
              check_range("v_kb", cluster.v_kb, 1, limits::v_kb_max),
-             check_tolerance(submit.query.tolerance),
              check_ignored(submit.query, triangles[0], triangles[1]),
          }) {
         if (!status) {

@@ -38,10 +38,6 @@ Problem problem_of(const Hello& hello) {
     return nullptr;
 }
 
-Problem problem_of(const AddJob& add) {
-    return add.query.tolerance < 0 ? "a negative tolerance" : nullptr;
-}
-
 Problem problem_of_strategy(const std::string& name) {
     return is_strategy_name(name) ? nullptr : "a strategy's name that is none";
 }

@@ -14,7 +14,7 @@ void serialize(Archive& archive, Id<Tag>& id) {
 template <class Archive>
 void serialize(Archive& archive, Query& query) {
     enumeration(archive, query.level, Level::Any, Level::Contacts);
-    archive(query.tolerance, query.limit_pairs, query.ignored, query.maps);
+    archive(query.limit_pairs, query.ignored, query.maps);
 }
 
 template <class Archive>

@@ -91,7 +91,7 @@ struct IgnoreLine {
 /// in PosesPart, and the master answers PosesEnd with Accepted.
 struct Submit {
     std::string name;
-    std::string unit;            ///< Unit of poses, tolerance and results.
+    std::string unit;            ///< Unit of poses and results.
     std::string owner;           ///< Set by the master.
     std::int32_t priority = 0;   ///< Must be 0 in this version.
     std::vector<JobBody> bodies; ///< Two bodies; their meshes must be stored.

@@ -48,8 +48,7 @@ inline constexpr std::array strategies{
 /// Whether the text may name a strategy: 1 to `limits::strategy_name_bytes_max` of a-z, 0-9 and -.
 [[nodiscard]] bool is_strategy_name(std::string_view text);
 
-/// The [cluster] table of a job. With a tolerance, `tolerance_depth` of the trees replaces
-/// `depths`.
+/// The [cluster] table of a job.
 struct ClusterOptions {
     std::string strategy = "earliest-finish"; ///< The name of a strategy.
     /// Distribution depths by body (paper: 12 or 10 for the fixed body, 6 for the moved one).

@@ -48,25 +48,6 @@ TEST_F(Cluster, EveryLevelHasTheDigestOfOneProcess) {
     EXPECT_EQ(run(job, cut).digest, job.digest_in_one_process(cut));
 }
 
-TEST_F(Cluster, UnderAToleranceTheDigestIsThatOfOneProcess) {
-    const Job job = make_job(300);
-    start_worker(1);
-    start_worker(2);
-    for (const double tolerance : {0.3, 0.8}) {
-        for (const Level level : {Level::Any, Level::Count, Level::Contacts}) {
-            Query query = at_level(level);
-            query.tolerance = tolerance;
-            ClusterOptions options; // This test ignores the depths.
-            options.set_depth(0, level == Level::Any ? 3 : 9);
-            const JobStatus status = run(job, query, options);
-            EXPECT_EQ(status.digest, job.digest_in_one_process(query))
-                << to_text(level) << ", tolerance " << tolerance;
-            EXPECT_GT(status.summary.undecided, level == Level::Any ? 0u : 20u);
-            EXPECT_LT(status.summary.undecided, 300u);
-        }
-    }
-}
-
 TEST_F(Cluster, ALimitKeepsTheFirstPairsAndTheirPoints) {
     const Job job = make_job(100);
     start_worker(2);
@@ -147,11 +128,6 @@ TEST_F(Cluster, TheAnalysisModeDoesNotChangeTheDigest) {
             EXPECT_EQ(status.answered_by_master == 0, mode == AnalysisMode::Never);
         }
     }
-    Query tolerant = at_level(Level::Count);
-    tolerant.tolerance = 0.3;
-    ClusterOptions ranges;
-    ranges.analysis = AnalysisMode::Never;
-    EXPECT_EQ(run(job, tolerant, ranges).digest, job.digest_in_one_process(tolerant));
 }
 
 TEST_F(Cluster, TheMapIsThatOfOneProcessThoughWorkersAreKilled) {

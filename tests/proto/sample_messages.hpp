@@ -26,7 +26,6 @@ inline Sha256 some_hash(unsigned first) {
 inline Query some_query() {
     Query query;
     query.level = Level::Contacts;
-    query.tolerance = 0.125;
     query.limit_pairs = 77;
     query.ignored = {{1, 2, 3, 4}, {5, 6, 7, 8, 2, 3}};
     return query;

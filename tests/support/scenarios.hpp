@@ -32,12 +32,10 @@ inline constexpr std::array<Level, 4> levels{
     return scenarios;
 }
 
-[[nodiscard]] inline Query
-query_of(Level level, std::uint64_t limit_pairs = 0, double tolerance = 0) {
+[[nodiscard]] inline Query query_of(Level level, std::uint64_t limit_pairs = 0) {
     Query query;
     query.level = level;
     query.limit_pairs = limit_pairs;
-    query.tolerance = tolerance;
     return query;
 }
 

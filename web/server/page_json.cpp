@@ -66,7 +66,6 @@ Json classes_json(const Summary& summary) {
 
 Json query_json(const Query& query) {
     return {{"level", to_text(query.level)},
-            {"tolerance", query.tolerance},
             {"limit_pairs", query.limit_pairs},
             {"ignored", query.ignored.size()}};
 }

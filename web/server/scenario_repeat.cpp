@@ -14,11 +14,11 @@ namespace {
 
 /// The query whose results are drawn.
 Query drawing_query(const Query& query) {
-    return {Level::Contacts, 0, limits::page_rows_max, query.ignored, false};
+    return {Level::Contacts, limits::page_rows_max, query.ignored, false};
 }
 
 bool is_drawable(const Query& query) {
-    return query.level == Level::Contacts && query.tolerance == 0 && query.limit_pairs == 0;
+    return query.level == Level::Contacts && query.limit_pairs == 0;
 }
 
 std::string answer_text(const ScenarioResult& result) {
@@ -48,6 +48,9 @@ void compare(const ScenarioRun& again, const KeptRecord& record, ScenarioView& v
 std::string reason_not_to_compare(const std::optional<KeptRecord>& record) {
     if (!record) {
         return "it has no result yet";
+    }
+    if (record->result.kind == ScenarioClass::Undecided) {
+        return "an earlier version left it undecided, which no run does again";
     }
     return record->result.kind == ScenarioClass::Failed ? "it failed in the run" : "";
 }

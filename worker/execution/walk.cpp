@@ -66,12 +66,11 @@ class Walker {
     }
 
   private:
-    /// Returns whether a contact below one pair of roots is the whole answer: at `level any`
-    /// without a tolerance, for trees that never have too many colliding roots, which would be a
-    /// failure.
+    /// Returns whether a contact below one pair of roots is the whole answer: at `level any`,
+    /// for trees that never have too many colliding roots, which would be a failure.
     static bool can_expect_touch(const Walk& walk) {
         const Query& query = walk.job->query;
-        return query.level == Level::Any && query.tolerance == 0 &&
+        return query.level == Level::Any &&
                std::uint64_t{walk.a->root_count()} * walk.b->root_count() <= limits::root_pairs_max;
     }
 

@@ -51,8 +51,7 @@ Result<std::shared_ptr<const WorkerJob>> make_worker_job(AddJob add, const Subtr
     if (cache.find(tree_a) == nullptr || cache.find(tree_b) == nullptr) {
         return Error{ErrorCode::BadFrame, name + "names a tree that is not here"};
     }
-    const SubtreeForm form = cache.form_of(tree_a);
-    if (form != cache.form_of(tree_b) || (add.query.tolerance > 0 && form != SubtreeForm::Binary)) {
+    if (cache.form_of(tree_a) != cache.form_of(tree_b)) {
         return Error{ErrorCode::BadFrame,
                      name + "has trees of forms that cannot be tested against each other"};
     }

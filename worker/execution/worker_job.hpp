@@ -43,8 +43,7 @@ struct WorkerJob {
 };
 
 /// Makes a job of the master's message. Errors: BadFrame unless the job has two trees, and for an
-/// unknown tree, trees of different forms, wide trees with a tolerance, an invalid grid, or invalid
-/// parts.
+/// unknown tree, trees of different forms, an invalid grid, or invalid parts.
 [[nodiscard]] Result<std::shared_ptr<const WorkerJob>> make_worker_job(AddJob add,
                                                                        const SubtreeCache& cache);
 

@@ -41,16 +41,26 @@ struct Totals {
     std::vector<double> errors;     ///< Bound minus distance for each pose; 0 for proofs.
 };
 
-CoarseAnswer
-ask_with_tolerance(const ObbTree& a, const ObbTree& b, const PosePair& poses, double tolerance) {
-    SearchOptions options;
-    options.tolerance = tolerance;
-    BinarySearch search(poses, {}, options);
-    if (search.any(a.view(), b.view())) {
-        return {CoarseAnswer::Kind::Contact, 0};
+CoarseAnswer ask_exactly(const ObbTree& a, const ObbTree& b, const PosePair& poses) {
+    BinarySearch search(poses);
+    return search.any(a.view(), b.view()) ? CoarseAnswer{CoarseAnswer::Kind::Contact, 0}
+                                          : CoarseAnswer{};
+}
+
+/// Bounds the distance between any point of box `a` and any point of box `b`.
+double distance_max(const ObbNode& a, const PosedBox& b) {
+    Vec3 between;
+    Vec3 half_a;
+    Vec3 half_b;
+    for (int i = 0; i < 3; ++i) {
+        const auto k = static_cast<std::size_t>(i);
+        between[i] = b.center[k] - a.center[k];
+        half_a[i] = static_cast<double>(a.half[k]);
+        half_b[i] = b.half[k];
     }
-    const auto distance = search.report().undecided_distance;
-    return distance ? CoarseAnswer{CoarseAnswer::Kind::Undecided, *distance} : CoarseAnswer{};
+    // The frames of boxes are orthonormal up to rounding to floats.
+    constexpr double rounding = 0x1p-20;
+    return between.norm() + (1 + rounding) * (half_a.norm() + half_b.norm()) + 2 * b.error;
 }
 
 /// Descends the boxes alone, down to a depth.
@@ -61,7 +71,7 @@ CoarseAnswer ask_cut(const TreeTop& a, const TreeTop& b, const PosePair& poses) 
     for (const RootPair& pair : pairs) {
         const ObbNode& node_a = a.nodes[a.root_nodes[pair.a]];
         const ObbNode& node_b = b.nodes[b.root_nodes[pair.b]];
-        answer.distance = std::min(answer.distance, boxes.distance_max(node_a, boxes.pose(node_b)));
+        answer.distance = std::min(answer.distance, distance_max(node_a, boxes.pose(node_b)));
     }
     return pairs.empty() ? CoarseAnswer{} : answer;
 }
@@ -89,17 +99,10 @@ void judge(const CoarseAnswer& answer, bool touches, double distance, Totals& to
 }
 
 std::vector<Setting>
-settings_for(const ObbTree& a, const ObbTree& b, const CoarseOptions& options, double diagonal) {
+settings_for(const ObbTree& a, const ObbTree& b, const CoarseOptions& options) {
     std::vector<Setting> settings;
-    settings.push_back({"exact", 0, [&a, &b](const PosePair& poses) {
-                            return ask_with_tolerance(a, b, poses, 0);
-                        }});
-    for (const double share : options.tolerances) {
-        const double tolerance = share * diagonal;
-        settings.push_back({"tolerance", share, [&a, &b, tolerance](const PosePair& poses) {
-                                return ask_with_tolerance(a, b, poses, tolerance);
-                            }});
-    }
+    settings.push_back(
+        {"exact", 0, [&a, &b](const PosePair& poses) { return ask_exactly(a, b, poses); }});
     for (const std::uint32_t depth : options.cuts) {
         const auto tops =
             std::make_shared<std::pair<TreeTop, TreeTop>>(cut_tree(a, depth), cut_tree(b, depth));
@@ -149,7 +152,7 @@ void run_coarse(const Scene& scene,
     const ObbTree a = build_tree(scene.a, {}, pool);
     const ObbTree b = build_tree(scene.b, {}, pool);
     const double diagonal = bounding_box(scene.a->vertices()).diagonal();
-    const std::vector<Setting> settings = settings_for(a, b, options, diagonal);
+    const std::vector<Setting> settings = settings_for(a, b, options);
     std::vector<Totals> totals(settings.size());
     for (std::size_t s = 0; s < scene.poses.size(); ++s) {
         const bool touches = !truth[s].empty();

@@ -1,4 +1,4 @@
-// Coarse answers: the time saved by a tolerance or a cut, and the error of the bound.
+// Coarse answers: the time saved by a cut, and the error of the bound.
 #pragma once
 
 #include "bench/accuracy/csv.hpp"
@@ -11,8 +11,7 @@
 namespace cd::bench {
 
 struct CoarseOptions {
-    std::vector<double> tolerances{0.1, 0.03, 0.01, 0.003, 0.001}; ///< Shares of A's diagonal.
-    std::vector<std::uint32_t> cuts{4, 6, 8, 10, 12};              ///< Depths of both trees.
+    std::vector<std::uint32_t> cuts{4, 6, 8, 10, 12}; ///< Depths of both trees.
     std::size_t rounds = 5;
 };
 

@@ -24,7 +24,7 @@ enum class ScenarioClass : std::uint8_t {
     Cross = 2,
     Inside = 3,
     Contact = 4,
-    Undecided = 5,
+    Undecided = 5, ///< Only of earlier versions, under a tolerance: some boxes were not tested.
     Failed = 6,
 };
 

@@ -65,7 +65,7 @@ TEST(CommandLine, WrongUsageIsTwo) {
                                                       {"run", "job.toml", "--fail-on", "love"},
                                                       {"run", "--random", "-3"},
                                                       {"run", "--random", "18446744073709551615"},
-                                                      {"run", "j.toml", "--tolerance", "-1"},
+                                                      {"run", "j.toml", "--tolerance", "1"},
                                                       {"run", "j.toml", "--first-stage", "half"},
                                                       {"demo", "--a", "a.obj"},
                                                       {"get", "tea"},
@@ -161,16 +161,11 @@ TEST(CommandLine, RunTakesMeshesInsteadOfAFile) {
     EXPECT_TRUE(run.master.address.empty());
 }
 
-TEST(CommandLine, AToleranceAndAFirstStageAreRead) {
-    const CommandLine line = parse_command_line(
-        {"run", "job.toml", "--tolerance", "0.05", "--first-stage", "wide-integer"});
+TEST(CommandLine, AFirstStageIsRead) {
+    const CommandLine line =
+        parse_command_line({"run", "job.toml", "--first-stage", "wide-integer"});
     ASSERT_TRUE(line.command) << line.text;
-    const auto& run = std::get<RunCommand>(*line.command);
-    EXPECT_EQ(run.job.query.tolerance, 0.05);
-    EXPECT_EQ(run.host.first_stage, PairStage::WideInteger);
-    const CommandLine submit = parse_command_line({"submit", "job.toml", "--tolerance", "1e-3"});
-    ASSERT_TRUE(submit.command) << submit.text;
-    EXPECT_EQ(std::get<SubmitCommand>(*submit.command).job.query.tolerance, 1e-3);
+    EXPECT_EQ(std::get<RunCommand>(*line.command).host.first_stage, PairStage::WideInteger);
 }
 
 TEST(CommandLine, TreesAreKeptWhereTheOptionOrTheEnvironmentSays) {

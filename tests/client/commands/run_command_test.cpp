@@ -204,24 +204,17 @@ TEST_F(Run, FailOnOfLevelAnyIsForContactsAndInsides) {
     EXPECT_EQ(run(), exit_done);
 }
 
-TEST_F(Run, UnderAToleranceTheRestIsUndecided) {
-    command_.job.query.tolerance = 100;
-    EXPECT_EQ(run(), exit_done) << stderr_;
-    EXPECT_THAT(stdout_, HasSubstr("separate  1    touch 0    cross 0    inside 0    undecided 3"));
-    EXPECT_THAT(stdout_, HasSubstr("boxes as small as the tolerance"));
-    EXPECT_THAT(read("out/scenarios.csv"), HasSubstr("\n1,a,b,undecided,0,0,"));
-    EXPECT_EQ(summary()["tolerance"], 100);
-    command_.fail_on = FailOn{.touch = true};
-    EXPECT_EQ(run(), exit_incomplete) << "whether there is a contact is not known";
-}
-
-TEST_F(Run, AToleranceGoesWithoutDepths) {
-    command_.job.query.tolerance = 0.1;
-    command_.job.cluster.depth_b = "4";
-    EXPECT_EQ(run(), exit_usage);
-    EXPECT_THAT(stderr_, HasSubstr("excludes a distribution depth"));
-    command_.job.query.tolerance = 0;
-    EXPECT_EQ(run(), exit_done);
+TEST(ExitCode, UndecidedScenariosLeaveOpenWhetherThereIsAContact) {
+    Summary summary;
+    summary.total = 2;
+    summary.separate = 1;
+    summary.undecided = 1;
+    EXPECT_EQ(exit_code_of(summary, {}), exit_done);
+    EXPECT_EQ(exit_code_of(summary, FailOn{.undecided = true}), exit_contacts);
+    EXPECT_EQ(exit_code_of(summary, FailOn{.touch = true}), exit_incomplete);
+    summary.touch = 1;
+    summary.separate = 0;
+    EXPECT_EQ(exit_code_of(summary, FailOn{.touch = true}), exit_contacts);
 }
 
 TEST_F(Run, WhatTheStrategyDoesNotLookAtMayNotBeGiven) {

@@ -42,7 +42,7 @@ TEST(Verdict, NamesWhatWasNotTested) {
     Summary summary;
     summary.total = 5;
     summary.separate = 5;
-    EXPECT_THAT(untested_texts(summary, {}, "m", ""), IsEmpty());
+    EXPECT_THAT(untested_texts(summary, {}, ""), IsEmpty());
     summary.separate = 1;
     summary.failed = 1;
     summary.undecided = 1;
@@ -51,13 +51,12 @@ TEST(Verdict, NamesWhatWasNotTested) {
     summary.cut = 1;
     Query query;
     query.level = Level::Count;
-    query.tolerance = 0.5;
     query.limit_pairs = 3;
     query.ignored.push_back({0, 1, 0, 1});
-    EXPECT_THAT(untested_texts(summary, query, "mm", "groups need pairs"),
+    EXPECT_THAT(untested_texts(summary, query, "groups need pairs"),
                 ElementsAre(HasSubstr("2 scenarios: without a result"),
                             HasSubstr("1 scenario: failed"),
-                            HasSubstr("tolerance of 0.5 mm"),
+                            HasSubstr("1 scenario: undecided"),
                             HasSubstr("a body is open"),
                             HasSubstr("parts are ignored and the rest is not closed"),
                             HasSubstr("ends at 3 pairs"),

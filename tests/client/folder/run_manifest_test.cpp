@@ -31,7 +31,6 @@ RunManifest example(PosesKind kind) {
     manifest.bodies = {{{sha256({}), "a", "/m/car.obj", "in", false, "y", true}, {"wheel", "hull"}},
                        {{sha256({}), "post", "/m/post.stl", "mm", true}}};
     manifest.query.level = Level::Contacts;
-    manifest.query.tolerance = 0.1;
     manifest.query.limit_pairs = 7;
     IgnoredRange range;
     range.a_end = 5;
@@ -42,6 +41,7 @@ RunManifest example(PosesKind kind) {
     manifest.poses.count = 6;
     manifest.poses.hash = sha256({});
     if (kind == PosesKind::Grid) {
+        manifest.tolerance = 0.1;
         Grid grid;
         grid.position[0] = {0, 0.1, 3};
         grid.rotation[2] = rotation_axis({0, 30, 2}, 2);
@@ -82,7 +82,7 @@ TEST(RunManifest, PassesOverKeysThatItDoesNotKnowAndRefusesALaterFormat) {
     auto json = nlohmann::json::parse(manifest_json(example(PosesKind::File)));
     json["colour"] = {1, 2};
     EXPECT_TRUE(parse_manifest(json.dump()));
-    json["format"] = 2;
+    json["format"] = 3;
     const auto later = parse_manifest(json.dump());
     ASSERT_FALSE(later);
     EXPECT_THAT(later.error().detail, HasSubstr("use a later cdctl"));
@@ -135,6 +135,30 @@ TEST(RunManifest, AJobIsItsMeshesPosesAndQuery) {
     EXPECT_FALSE(is_same_job(random, other));
 }
 
+TEST(RunManifest, ARunOfAnEarlierVersionUnderAToleranceIsReadAndNotRunAgain) {
+    const RunManifest exact = example(PosesKind::File);
+    auto json = nlohmann::json::parse(manifest_json(exact));
+    json["format"] = 1;
+    json["query"]["tolerance"] = 0.0;
+    const auto without = parse_manifest(json.dump());
+    ASSERT_TRUE(without) << without.error().detail;
+    EXPECT_TRUE(is_same_job(without.value(), exact));
+    EXPECT_TRUE(check_exact(without.value()));
+
+    json["query"]["tolerance"] = 0.25;
+    const std::string job = "name = \"\\ntolerance = 1\"\n[a]\nmesh = \"a.obj\"\n[b]\nmesh = "
+                            "\"b.obj\"\n[poses]\nfile = \"p.csv\"\nrigid_tolerance = 1\n"
+                            "[query]\nlevel = \"count\"\n";
+    json["job"] = job + "tolerance = 0.25\nmaps = true\n";
+    const auto with = parse_manifest(json.dump());
+    ASSERT_TRUE(with) << with.error().detail;
+    EXPECT_EQ(with.value().job, job + "maps = true\n");
+    EXPECT_TRUE(parse_job(with.value().job, "run.json"));
+    EXPECT_FALSE(is_same_job(with.value(), exact));
+    EXPECT_TRUE(is_same_job(with.value(), parse_manifest(manifest_json(with.value())).value()));
+    EXPECT_THAT(check_exact(with.value()).error().detail, HasSubstr("had a tolerance of 0.25"));
+}
+
 TEST(RunManifest, ReusingAnotherRunIsAnotherWayToTheSameJob) {
     const RunManifest one = example(PosesKind::File);
     RunManifest other = one;
@@ -171,7 +195,7 @@ TEST(JobText, IsReadBackToTheSameJob) {
                                    "[b]\nmesh = \"/m/post.stl\"\nunit = \"in\"\nname = \"post\"\n"
                                    "precision = \"float\"\n\n[poses]\n";
     constexpr const char* rest =
-        "\n[query]\nlevel = \"contacts\"\ntolerance = 0.1\nlimit_pairs = 7\nmaps = true\n"
+        "\n[query]\nlevel = \"contacts\"\nlimit_pairs = 7\nmaps = true\n"
         "ignore = [[\"wheel_*\", \"a\\\\*b\"], [\"x\", \"*\"]]\n\n[output]\ndir = \"/out\"\n"
         "formats = [\"json\", \"npz\"]\n";
     constexpr const char* cluster =

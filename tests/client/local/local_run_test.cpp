@@ -125,13 +125,6 @@ TEST_F(LocalRun, StatisticsAreTheSumsOverAllScenarios) {
     }
 }
 
-TEST_F(LocalRun, UnderAToleranceNoCostIsTold) {
-    query_.tolerance = 0.1;
-    const auto outcome = run(1, {});
-    ASSERT_TRUE(outcome);
-    EXPECT_FALSE(outcome.value().cost);
-}
-
 TEST_F(LocalRun, AnInterruptEndsIt) {
     std::uint64_t seen = 0;
     const auto outcome = run(2,

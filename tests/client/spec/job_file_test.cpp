@@ -35,7 +35,6 @@ of = "both"
 rigid_tolerance = 1e-4
 [query]
 level = "contacts"
-tolerance = 0.0
 limit_pairs = 10_000
 ignore = [["wheel_*", "ground"]]
 [output]
@@ -103,7 +102,7 @@ TEST(JobFile, EveryKeyIsRead) {
     ASSERT_EQ(job.ignore.size(), 1u);
     EXPECT_EQ(job.ignore[0].a, "wheel_*");
     EXPECT_EQ(job.ignore[0].b, "ground");
-    EXPECT_EQ(job.ignore[0].line, 19u);
+    EXPECT_EQ(job.ignore[0].line, 18u);
     EXPECT_EQ(job.output.dir, "folder/results");
     EXPECT_EQ(job.output.formats, (std::vector<std::string>{"json", "npz"}));
     EXPECT_EQ(job.cluster.strategy, "lowest");
@@ -204,16 +203,13 @@ TEST(JobFile, UnknownWordsNameThoseThatExist) {
                 HasSubstr("did you mean \"in\"?"));
 }
 
-TEST(JobFile, AToleranceIsALengthAndFixesTheDepths) {
-    const auto spec = parse(minimal + random_poses + "[query]\ntolerance = 0.1\n");
-    ASSERT_TRUE(spec) << spec.error().detail;
-    EXPECT_EQ(spec.value().tolerance, 0.1);
-    EXPECT_THAT(problem_with(random_poses + "[query]\ntolerance = -0.1\n"),
-                HasSubstr(":8: [query]: the tolerance is -0.1"));
-    EXPECT_THAT(problem_with(random_poses + "[query]\ntolerance = inf\n"), HasSubstr("finite"));
-    EXPECT_THAT(problem_with(random_poses + "[query]\ntolerance = 0.1\n[cluster]\n" +
-                             "depth = { a = 9 }\n"),
-                HasSubstr(":10: [cluster]: a tolerance above 0 excludes"));
+TEST(JobFile, AToleranceIsGone) {
+    for (const char* value : {"0.1", "0.0", "\"0.1\""}) {
+        EXPECT_THAT(
+            problem_with(random_poses + "[query]\ntolerance = " + value + "\n"),
+            testing::AllOf(HasSubstr(":8: the job: the key tolerance"),
+                           HasSubstr("is gone, since exact answers are faster: remove it")));
+    }
 }
 
 TEST(JobFile, ExactlyOneSourceOfPosesIsNeeded) {

@@ -218,14 +218,6 @@ TEST_F(BodyTreesTest, InsidesOfClosedBodiesTakeBothForms) {
     EXPECT_EQ(files().size(), 4u);
 }
 
-TEST_F(BodyTreesTest, UnderAToleranceNoWideTreeIsMade) {
-    const TreeUse cut{.searches_exactly = false, .searches_cuts = true, .settles = true};
-    for (const Trees& trees : make({closed_, open_}, cut)) {
-        expect_forms(trees, true, false);
-    }
-    EXPECT_EQ(files().size(), 2u);
-}
-
 TEST_F(BodyTreesTest, WhereOneBodyHasNoWideTreeBothHaveTheBinaryOne) {
     for (const Trees& trees : make({open_, huge_}, {})) {
         expect_forms(trees, true, true);

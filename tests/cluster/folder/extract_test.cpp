@@ -38,7 +38,7 @@ class Extract : public FolderTest {
 };
 
 TEST_F(Extract, AnExtractedCaseGivesTheSameRecords) {
-    // The poses give separate, corner touch, cross and inside; and undecided under a tolerance.
+    // The poses give separate, corner touch, cross and inside.
     write_obj(folder_ / "a.obj", make_box({2, 2, 2}));
     write_obj(folder_ / "b.obj", make_box({1, 1, 1}));
     write_text(
@@ -48,7 +48,7 @@ TEST_F(Extract, AnExtractedCaseGivesTheSameRecords) {
     std::set<std::string> classes;
     for (const std::string query : {"level = \"contacts\"",
                                     "level = \"any\"",
-                                    "level = \"count\"\ntolerance = 100.0",
+                                    "level = \"count\"",
                                     "level = \"pairs\"\nlimit_pairs = 2"}) {
         SCOPED_TRACE(query);
         write_text(folder_ / "job.toml",
@@ -66,9 +66,8 @@ TEST_F(Extract, AnExtractedCaseGivesTheSameRecords) {
             }
         }
     }
-    EXPECT_THAT(
-        classes,
-        testing::IsSupersetOf({"separate", "touch", "cross", "inside", "contact", "undecided"}));
+    EXPECT_THAT(classes,
+                testing::IsSupersetOf({"separate", "touch", "cross", "inside", "contact"}));
     const Ran none = tests::run({cdctl(), "extract", folder_ / "out", "4"});
     EXPECT_EQ(none.exit_code, 2);
     EXPECT_THAT(none.errors, HasSubstr("the run has the scenarios 0 to 3"));
@@ -91,13 +90,6 @@ TEST_F(Extract, ASmallestCaseHasTheRunsContactsUnderNewNumbers) {
     EXPECT_THAT(read_text(folder_ / "case" / "ids.csv"),
                 testing::StartsWith("body,triangle,triangle_in_run\na,0,"));
     expect_the_case_gives_what_it_says();
-
-    write_job(12, "level = \"pairs\"\ntolerance = 100.0");
-    ASSERT_EQ(run({"--out", folder_ / "tolerant"}).exit_code, 0);
-    const Ran refused =
-        tests::run({cdctl(), "extract", folder_ / "tolerant", crossing, "--minimal"});
-    EXPECT_EQ(refused.exit_code, 2);
-    EXPECT_THAT(refused.errors, HasSubstr("--minimal goes without a tolerance"));
 }
 
 TEST_F(Extract, PosesOfAnyFormAreThoseThatWereTested) {
@@ -178,6 +170,53 @@ TEST_F(Extract, AScenarioThatFailedIsRefused) {
     EXPECT_FALSE(fs::exists(folder_ / "case"));
 }
 
+TEST_F(Extract, ARunOfAnEarlierVersionUnderAToleranceIsReadAndNotRunAgain) {
+    write_job(2, "level = \"count\"");
+    ASSERT_EQ(run({"--out", folder_ / "out"}).exit_code, 0);
+    auto records = RecordWriter::create(folder_ / "out" / "records");
+    ASSERT_TRUE(records);
+    for (std::uint64_t i = 0; i < 4; ++i) {
+        ScenarioResult result;
+        result.index = i;
+        result.level = Level::Count;
+        result.kind = i == 1 ? ScenarioClass::Undecided : ScenarioClass::Separate;
+        result.distance_bound = i == 1 ? 0.125 : 0;
+        records.value().add(i, encode_result(result));
+    }
+    ASSERT_TRUE(records.value().finish());
+    auto manifest = read_json(folder_ / "out" / "run.json");
+    std::string job = manifest["job"];
+    manifest["format"] = 1;
+    manifest["query"]["tolerance"] = 0.25;
+    manifest["job"] = job.insert(job.find("[query]") + 8, "tolerance = 0.25\n");
+    write_text(folder_ / "out" / "run.json", manifest.dump());
+
+    const std::string out = folder_ / "out";
+    for (const std::vector<std::string>& words : std::vector<std::vector<std::string>>{
+             {"extract", out, "1"},
+             {"verify", out},
+             {"run", out},
+             {"run", job_, "--reuse", out, "--out", folder_ / "new"}}) {
+        std::vector<std::string> line{cdctl()};
+        line.insert(line.end(), words.begin(), words.end());
+        const Ran refused = tests::run(line);
+        EXPECT_EQ(refused.exit_code, 2) << words[0];
+        EXPECT_THAT(refused.errors, HasSubstr("the run had a tolerance of 0.25")) << words[0];
+    }
+    const Ran other = run({"--out", out});
+    EXPECT_EQ(other.exit_code, 2);
+    EXPECT_THAT(other.errors, HasSubstr("another run"));
+    EXPECT_EQ(extract("1", {"--as", "glb"}).exit_code, 0);
+    const Ran shown = tests::run({cdctl(), "results", out, "-o", "csv"});
+    EXPECT_EQ(shown.exit_code, 0) << shown.errors;
+    EXPECT_THAT(shown.output, HasSubstr(",undecided,0,0,"));
+    EXPECT_THAT(shown.output, HasSubstr(",0.125,"));
+    const Ran diff = tests::run({cdctl(), "diff", out, out});
+    EXPECT_EQ(diff.exit_code, 0) << diff.errors;
+    const Ran report = tests::run({cdctl(), "report", out, "-o", folder_ / "report.html"});
+    EXPECT_EQ(report.exit_code, 0) << report.errors;
+}
+
 TEST_F(Extract, APictureOfEachScenarioIsDrawn) {
     write_obj(folder_ / "a.obj", make_box({2, 2, 2}));
     write_obj(folder_ / "b.obj", make_box({1, 1, 1}));
@@ -200,7 +239,7 @@ TEST_F(Extract, ScenesDoNotDependOnTheRunsLevel) {
     std::set<std::string> scenes;
     for (const char* query : {"level = \"contacts\"",
                               "level = \"any\"",
-                              "level = \"count\"\ntolerance = 100.0",
+                              "level = \"count\"",
                               "level = \"pairs\"\nlimit_pairs = 2"}) {
         SCOPED_TRACE(query);
         write_job_of_file("", query);

@@ -9,7 +9,7 @@ namespace cd::tests {
 
 namespace {
 
-constexpr std::array<std::string_view, 4> known{"level", "tolerance", "limit_pairs", "ignore"};
+constexpr std::array<std::string_view, 4> known{"level", "limit_pairs", "maps", "ignore"};
 
 } // namespace
 
@@ -24,7 +24,7 @@ TEST(Words, AnEditOrTwoSwappedNeighboursFindTheWord) {
 TEST(Words, SomethingElseFindsNothing) {
     EXPECT_EQ(nearest_word("colour", known), std::nullopt);
     EXPECT_EQ(nearest_word(std::string(100'000, 'l'), known), std::nullopt);
-    EXPECT_EQ(suggestion("colour", known), "; known are level, tolerance, limit_pairs, ignore");
+    EXPECT_EQ(suggestion("colour", known), "; known are level, limit_pairs, maps, ignore");
 }
 
 TEST(Words, NumbersAreGroupedByThrees) {

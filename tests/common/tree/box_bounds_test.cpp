@@ -11,7 +11,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 namespace cd::tests {
@@ -134,37 +133,6 @@ int search_triangle_bounds(double error_scale, std::uint64_t rounds) {
     return lost;
 }
 
-/// Returns the exact corners of a box in body coordinates.
-std::vector<ExactVec> corners_of(const ObbNode& node) {
-    const ExactBox box = exact_box(node, Pose{});
-    std::vector<ExactVec> corners;
-    for (unsigned signs = 0; signs < 8; ++signs) {
-        ExactVec corner = box.center;
-        for (unsigned k = 0; k < 3; ++k) {
-            corner = corner + scaled(Rational((signs >> k & 1) != 0 ? 1 : -1), box.edges[k]);
-        }
-        corners.push_back(corner);
-    }
-    return corners;
-}
-
-/// Returns the largest squared distance between points of the two boxes, in A's coordinates.
-Rational squared_distance_max(const ObbNode& a, const ObbNode& b, const PosePair& poses) {
-    // A's rotation is the identity, so only its translation separates its body from the world.
-    Rational farthest = 0;
-    const ExactMat turn = exact_rotation(poses.b);
-    const ExactVec move =
-        exact(poses.b.translation()) + scaled(Rational(-1), exact(poses.a.translation()));
-    for (const ExactVec& y : corners_of(b)) {
-        const ExactVec seen = turn * y + move;
-        for (const ExactVec& x : corners_of(a)) {
-            const ExactVec between = seen + scaled(Rational(-1), x);
-            farthest = std::max(farthest, dot(between, between));
-        }
-    }
-    return farthest;
-}
-
 TEST(BoxBounds, BoxesThatTouchButForRoundingsAreNotLost) {
     const Tally tally = search_touching(1, 1000);
     EXPECT_EQ(tally.lost, 0);
@@ -188,38 +156,7 @@ TEST(BoxBounds, ATriangleSeenFromTheOtherBodyStaysInItsBounds) {
     EXPECT_GT(search_triangle_bounds(0.03, 300), 0);
 }
 
-TEST(BoxBounds, TheLargestDistanceOfTwoBoxesIsBounded) {
-    int exceeded_without_bounds = 0;
-    for (SeededRandom random : seeds(80)) {
-        auto [a, b, poses] = touching_boxes(random);
-        poses.a = translation_pose(0, 0, 0);
-        if (random.seed % 2 == 0) {
-            // The diagonals lie on one line, where the bound is nearly reached.
-            b = a;
-            poses.b = with_translation(Pose{}, Vec3::Zero());
-            Vec3 diagonal = Vec3::Zero();
-            for (std::size_t k = 0; k < 3; ++k) {
-                const Vec3 axis(a.axes[3 * k], a.axes[3 * k + 1], a.axes[3 * k + 2]);
-                diagonal += static_cast<double>(a.half[k]) * axis;
-            }
-            const double stretch = 1 + 0x1p-15;
-            poses.b = Pose::from_matrix(stretch * Mat3::Identity(), 2 * diagonal);
-        }
-        const auto bound = [&](double error_scale) {
-            const BoxTest test(relative_pose(poses), error_scale);
-            return test.distance_max(a, test.pose(b));
-        };
-        const Rational exact_square = squared_distance_max(a, b, poses);
-        const double distance = bound(1);
-        ASSERT_TRUE(std::isfinite(distance));
-        ASSERT_LE(exact_square, Rational(distance) * Rational(distance));
-        const double bare = bound(0);
-        exceeded_without_bounds += exact_square > Rational(bare) * Rational(bare) ? 1 : 0;
-    }
-    EXPECT_GT(exceeded_without_bounds, 5);
-}
-
-TEST(BoxBounds, TheDistanceIsInfiniteNeverNaNWhereNumbersOverflow) {
+TEST(BoxBounds, BoxesMayOverlapWhereNumbersOverflow) {
     std::mt19937_64 random(1);
     const ObbNode node = crooked_node(random, 1, 1);
     const double big = 1.7e308;
@@ -229,8 +166,6 @@ TEST(BoxBounds, TheDistanceIsInfiniteNeverNaNWhereNumbersOverflow) {
           PosePair{Pose{}, Pose::from_matrix(big * Mat3::Identity(), Vec3(1, 2, 3))},
           PosePair{Pose::from_matrix(Mat3::Zero(), Vec3::Zero()), Pose{}}}) {
         const BoxTest test(relative_pose(poses));
-        EXPECT_EQ(test.distance_max(node, test.pose(node)),
-                  std::numeric_limits<double>::infinity());
         EXPECT_TRUE(test.may_overlap(node, node));
     }
 }

@@ -132,7 +132,7 @@ TEST_F(ResultIntake, RefusesWhatWasNotAskedFor) {
     EXPECT_THAT(refusal(other_level), HasSubstr("not of the level or bodies"));
     ScenarioResult undecided = result;
     undecided.kind = ScenarioClass::Undecided;
-    EXPECT_THAT(refusal(undecided), HasSubstr("no tolerance was asked for"));
+    EXPECT_THAT(refusal(undecided), HasSubstr("is undecided, which no query allows"));
 }
 
 TEST_F(ResultIntake, RefusesMoreOrLessThanAnnounced) {

@@ -159,7 +159,6 @@ TEST(Server, InvalidSubmissionsAreRefusedWithAReason) {
     expect_failure(with([](Submit& s) { s.cluster.v_kb = 0; }), "v_kb");
     expect_failure(with([](Submit& s) { s.scenarios = ~0ull; }), "number of scenarios");
     expect_failure(with([](Submit& s) { s.query.ignored = {{0, 1u << 30, 0, 1}}; }), "outside");
-    expect_failure(with([](Submit& s) { s.query.tolerance = -0.5; }), "tolerance");
     expect_failure(with([](Submit& s) { s.poses.axes.resize(5); }), "six axes");
     expect_failure(with([](Submit& s) { s.ignore = {{"wheel", "a\nb"}}; }), "ignored parts");
     expect_failure(with([](Submit& s) {

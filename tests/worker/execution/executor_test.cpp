@@ -135,19 +135,15 @@ TEST(WorkerJob, MismatchedTreeFormsAreRefused) {
     SubtreeCache cache(1u << 20);
     ASSERT_TRUE(cache.add_tree(cut_body(make_sphere(1), 0).add(TreeId{1})));
     ASSERT_TRUE(cache.add_tree(cut_body(make_sphere(1), 0, SubtreeForm::Binary).add(TreeId{2})));
-    const auto is_taken = [&](std::uint64_t a, std::uint64_t b, double tolerance) {
-        Query query;
-        query.tolerance = tolerance;
+    const auto is_taken = [&](std::uint64_t a, std::uint64_t b) {
         return static_cast<bool>(
-            make_worker_job({JobId{1}, {TreeId{a}, TreeId{b}}, query, std::nullopt}, cache));
+            make_worker_job({JobId{1}, {TreeId{a}, TreeId{b}}, {}, std::nullopt}, cache));
     };
-    EXPECT_TRUE(is_taken(1, 1, 0));
-    EXPECT_TRUE(is_taken(2, 2, 0));
-    EXPECT_TRUE(is_taken(2, 2, 0.5));
-    EXPECT_FALSE(is_taken(1, 1, 0.5));
-    EXPECT_FALSE(is_taken(1, 2, 0));
-    EXPECT_FALSE(is_taken(2, 1, 0));
-    EXPECT_FALSE(is_taken(1, 3, 0));
+    EXPECT_TRUE(is_taken(1, 1));
+    EXPECT_TRUE(is_taken(2, 2));
+    EXPECT_FALSE(is_taken(1, 2));
+    EXPECT_FALSE(is_taken(2, 1));
+    EXPECT_FALSE(is_taken(1, 3));
 }
 
 class TaskTest : public testing::Test {

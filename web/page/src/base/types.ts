@@ -142,7 +142,6 @@ export interface Job {
     paused: string;
     unit: string;
     level: string;
-    tolerance: number;
     limit_pairs: number;
     maps: boolean;
     map_pairs: number;

@@ -119,7 +119,6 @@ function posesText(job: Job): string {
 }
 
 function PosesCard({ job }: { job: Job }) {
-    const exact = job.tolerance > 0 ? `tolerance ${short(job.tolerance)} ${job.unit}` : "exact";
     return (
         <div class="card">
             <b class="letter">×</b>
@@ -130,7 +129,7 @@ function PosesCard({ job }: { job: Job }) {
                     {job.poses.of_both_bodies ? ", of both bodies" : ""}
                 </div>
                 <div class="note">
-                    level {job.level}, {exact}
+                    level {job.level}
                     {job.ignored > 0 && `, ${counted(job.ignored, "range")} ignored`}
                 </div>
             </div>
