@@ -6,6 +6,7 @@
 #include "bench/scenarios/vehicle.hpp"
 #include "common/core/host/thread_pool.hpp"
 #include "common/geometry/aabb.hpp"
+#include "common/job/poses/pose_source.hpp"
 #include "common/tree/build/build.hpp"
 #include "tests/support/shapes.hpp"
 
@@ -94,6 +95,44 @@ std::optional<Scene> load_couple(const Couple& couple, const SceneOptions& optio
     return scene;
 }
 
+/// A grid of 10 steps in each of six axes, of a sedan that stands beside the carrier.
+struct Sweep {
+    const char* name;
+    double step;    ///< Metres.
+    double degrees; ///< The step of the angles.
+    double beside;  ///< The middle of the grid along y, metres.
+};
+
+constexpr std::array sweeps{
+    Sweep{"sweep at 1 cm", 0.01, 1, 2.29},
+    Sweep{"sweep at 1 mm", 0.001, 0.1, 2.25},
+};
+
+GridAxis axis_about(double middle, double step) {
+    return {middle - 4.5 * step, middle + 4.5 * step, 10};
+}
+
+/// Takes poses that follow each other in the middle of the grid.
+std::optional<Scene> load_sweep(const Sweep& sweep, const SceneOptions& options) {
+    const auto a = load_model(options.models, {"m113_apc.glb"});
+    const auto b = load_model(options.models, {"sedan.obj"});
+    if (!a || !b) {
+        return std::nullopt;
+    }
+    Grid grid;
+    grid.position = {
+        axis_about(0, sweep.step), axis_about(sweep.beside, sweep.step), axis_about(0, sweep.step)};
+    for (int i = 0; i < 3; ++i) {
+        grid.rotation[static_cast<std::size_t>(i)] = rotation_axis(axis_about(0, sweep.degrees), i);
+    }
+    Scene scene{"scenes", sweep.name, a, b, {}};
+    const std::uint64_t first = (grid.count() - options.poses) / 2;
+    for (std::uint64_t i = 0; i < options.poses; ++i) {
+        scene.poses.push_back(scenario_on(grid, first + i).poses);
+    }
+    return scene;
+}
+
 std::optional<Scene> load_wheel(const SceneOptions& options) {
     const auto wheel = load_model(options.models, {"lugged_wheel.obj"});
     if (!wheel) {
@@ -149,6 +188,9 @@ std::vector<SceneSource> scene_sources(const SceneOptions& options) {
     std::vector<SceneSource> sources;
     for (const Couple& couple : couples) {
         sources.push_back({"scenes", couple.name, 0, [=] { return load_couple(couple, options); }});
+    }
+    for (const Sweep& sweep : sweeps) {
+        sources.push_back({"scenes", sweep.name, 0, [=] { return load_sweep(sweep, options); }});
     }
     sources.push_back({"scenes", "wheel in its grooves", 0, [=] { return load_wheel(options); }});
     sources.push_back({"scenes", "truck x car", 0, [=] {
