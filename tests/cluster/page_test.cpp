@@ -160,7 +160,7 @@ class PageOfAMaster : public MortalCluster {
 
     static constexpr std::uint64_t scenarios_ = 300;
     const Job job_ = make_job(scenarios_);
-    const Query query_{Level::Count, 0, 0, {}, true};
+    const Query query_{Level::Count, 0, {}, true};
 };
 
 class SecuredPageOfAMaster : public PageOfAMaster {
