@@ -126,8 +126,9 @@ std::optional<Scene> load_sweep(const Sweep& sweep, const SceneOptions& options)
         grid.rotation[static_cast<std::size_t>(i)] = rotation_axis(axis_about(0, sweep.degrees), i);
     }
     Scene scene{"scenes", sweep.name, a, b, {}};
-    const std::uint64_t first = (grid.count() - options.poses) / 2;
-    for (std::uint64_t i = 0; i < options.poses; ++i) {
+    const std::uint64_t count = std::min<std::uint64_t>(options.poses, grid.count());
+    const std::uint64_t first = (grid.count() - count) / 2;
+    for (std::uint64_t i = 0; i < count; ++i) {
         scene.poses.push_back(scenario_on(grid, first + i).poses);
     }
     return scene;

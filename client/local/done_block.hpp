@@ -31,8 +31,6 @@ class DoneBlock {
     [[nodiscard]] std::span<const Sha256> digests() const { return digests_; }
     /// Returns the canonical records in order, each preceded by its length as u32.
     [[nodiscard]] std::span<const std::byte> records() const { return records_.bytes(); }
-    /// Returns all pairs of each scenario, in order, if the query asks for maps; else empty.
-    [[nodiscard]] std::span<const std::vector<ContactPair>> found() const { return found_; }
     /// Returns the approximate size in memory.
     [[nodiscard]] std::uint64_t bytes() const;
 
@@ -49,7 +47,7 @@ class DoneBlock {
     std::vector<ScenarioFacts> facts_;
     std::vector<Sha256> digests_;
     ByteWriter records_;
-    std::vector<std::vector<ContactPair>> found_;
+    std::vector<std::vector<ContactPair>> found_; ///< All pairs of each scenario, for maps.
     std::uint64_t found_bytes_ = 0;
 };
 

@@ -30,7 +30,8 @@ double seconds_since(Clock::time_point start) {
 Status feed(OrderedRun& run, PoseSource& poses, std::uint64_t& fed) {
     const auto end = Clock::now() + timing::progress_period;
     while (fed < poses.count() && Clock::now() < end) {
-        // A grid's poses are evaluated at once; others may have to be searched for.
+        // A grid gives many poses quickly. Other sources, such as random poses, may take long, so
+        // this thread reads fewer of them before it reports progress.
         const std::uint64_t at_once =
             poses.grid() == nullptr ? limits::run_poses_at_once_max : UINT64_MAX;
         const std::uint64_t wanted = std::min(run.wanted(), at_once);

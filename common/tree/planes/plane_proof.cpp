@@ -1,14 +1,15 @@
-// Why `holds` proves what it says. With the names of plane_kernel.cpp, and 0 and 1 for the poses of
-// the proof and of the question: `separate` has found that
-//     min (m0 q) + n s0 - max (n p) - needed0 = slack > 0, with m = R'n.
-// For each q of B's node, q = c + (q - c) with |q - c| <= radius, so that
+// Why `holds` is right. The names are those of plane_kernel.cpp. Index 0 stands for the pose under
+// which `separate` found the plane, index 1 for the pose that is asked about; m = R'n. Known is
+//     min (m0 q) + n s0 - max (n p) - needed0 = slack > 0.
+// Let c be the centre of the box of B's node, so that |q - c| <= radius for each of its points q:
 //     m1 q = m0 q - (m0 - m1) q >= m0 q - (m0 - m1) c - |m0 - m1| radius.
-// So the gap under pose 1 exceeds needed0 if
+// Therefore the gap under pose 1 still exceeds needed0 if
 //     n s1 - (n s0 - slack) - (m0 - m1) c - |m0 - m1| radius > 0.
-// All but needed0's own margin, which pose 0 has used up, is the same under both poses. Pose 1 adds
-// the error of m1, (12.7 u + 3.1 r) Q, and of s1, 1.8 abs + u |s|. This computation adds for each
-// pose 3.1 u |s| for n s, and below 4 u (P + 2 Q + |s|) for its sums; and 16 u Q for
-// d = m0 - m1, d c and |d| radius, as |d| < 2.1. Two margins of each pose are more than all that.
+// Rounding: needed0 holds the margin of pose 0, and its other terms do not depend on the pose. Pose
+// 1 adds the error of m1, (12.7 u + 3.1 r) Q, and of s1, 1.8 abs + u |s|. The computation here adds
+// 3.1 u |s| for n s under each pose; below 4 u (P + 2 Q + |s|) for the sums; and below 22 u Q for
+// the rounding of c and for d = m0 - m1, d c and |d| radius, since |d| < 2.1. Twice the margins of
+// both poses exceed the sum of these.
 #include "common/tree/planes/plane_proof.hpp"
 
 #include <cmath>

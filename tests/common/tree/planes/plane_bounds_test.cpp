@@ -70,21 +70,34 @@ struct Counts {
     std::size_t wrong = 0; ///< Parted, but not apart along the plane's normal.
 };
 
-Counts part_all(std::size_t category, std::uint64_t rounds, double error_scale) {
-    Counts counts;
+/// Calls `work` with bodies of a category, their wide trees and the generator.
+template <class Work>
+void for_each_touching(std::size_t category, std::uint64_t rounds, const Work& work) {
     for (SeededRandom random : seeds(rounds)) {
         const TouchingBodies bodies = make_touching(category, random);
         const PlaneTrees trees(bodies);
         const WideView a = trees.a.view().wide;
         const WideView b = trees.b.view().wide;
-        if (a.nodes.empty() || b.nodes.empty()) {
-            continue;
-        }
-        if (const auto normal = parted(a, b, bodies.poses, error_scale)) {
-            ++counts.parted;
-            counts.wrong += exact_gap(bodies.a, bodies.b, bodies.poses, *normal) <= 0 ? 1 : 0;
+        if (!a.nodes.empty() && !b.nodes.empty()) {
+            work(bodies, a, b, random);
         }
     }
+}
+
+Counts part_all(std::size_t category, std::uint64_t rounds, double error_scale) {
+    Counts counts;
+    for_each_touching(category,
+                      rounds,
+                      [&](const TouchingBodies& bodies,
+                          const WideView& a,
+                          const WideView& b,
+                          const SeededRandom&) {
+                          if (const auto normal = parted(a, b, bodies.poses, error_scale)) {
+                              ++counts.parted;
+                              counts.wrong +=
+                                  exact_gap(bodies.a, bodies.b, bodies.poses, *normal) <= 0 ? 1 : 0;
+                          }
+                      });
     return counts;
 }
 
@@ -99,40 +112,41 @@ PosePair moved_by(const TouchingBodies& bodies, double length) {
 /// they nearly touch.
 Counts hold_all(std::size_t category, std::uint64_t rounds, double error_scale) {
     Counts counts;
-    for (SeededRandom random : seeds(rounds)) {
-        const TouchingBodies bodies = make_touching(category, random);
-        const PlaneTrees trees(bodies);
-        const WideView a = trees.a.view().wide;
-        const WideView b = trees.b.view().wide;
-        if (a.nodes.empty() || b.nodes.empty()) {
-            continue;
-        }
-        const auto plane_at = [&](const PosePair& poses) {
-            return plane_pose(relative_pose(poses), a.support, b.support, error_scale);
-        };
-        std::uniform_real_distribution<double> digits(1, 6);
-        const double gap = std::pow(10, -digits(random)) * (a.support.radius + b.support.radius);
-        const PlanePose apart = plane_at(moved_by(bodies, gap));
-        PlaneNormal normal = first_normal(apart);
-        const float slack = separate(apart, PlaneBody(a), 0, PlaneBody(b), 0, 8, normal);
-        if (!(slack > 0)) {
-            continue;
-        }
-        const PlaneProof proof(apart, PlaneBody(b), 0, normal, slack);
-        for (const double share : {0.0, 1e-4, 0.1, 0.5, 1.0}) {
-            PosePair nearer = moved_by(bodies, share * gap);
-            if (random() % 2 == 0) {
-                const double sine = 1e-3 * gap / b.support.radius;
-                const Quaternion turn{1, sine, -sine, 0.5 * sine};
-                const Mat3 turned = Pose::from_quaternion(turn, Vec3::Zero()).rotation();
-                nearer.b = Pose::from_matrix(turned * nearer.b.rotation(), nearer.b.translation());
+    for_each_touching(
+        category,
+        rounds,
+        [&](const TouchingBodies& bodies,
+            const WideView& a,
+            const WideView& b,
+            SeededRandom& random) {
+            const auto plane_at = [&](const PosePair& poses) {
+                return plane_pose(relative_pose(poses), a.support, b.support, error_scale);
+            };
+            std::uniform_real_distribution<double> digits(1, 6);
+            const double gap =
+                std::pow(10, -digits(random)) * (a.support.radius + b.support.radius);
+            const PlanePose apart = plane_at(moved_by(bodies, gap));
+            PlaneNormal normal = first_normal(apart);
+            const float slack = separate(apart, PlaneBody(a), 0, PlaneBody(b), 0, 8, normal);
+            if (!(slack > 0)) {
+                return;
             }
-            if (proof.holds(plane_at(nearer), normal)) {
-                ++counts.parted;
-                counts.wrong += exact_gap(bodies.a, bodies.b, nearer, normal) <= 0 ? 1 : 0;
+            const PlaneProof proof(apart, PlaneBody(b), 0, normal, slack);
+            for (const double share : {0.0, 1e-4, 0.1, 0.5, 1.0}) {
+                PosePair nearer = moved_by(bodies, share * gap);
+                if (random() % 2 == 0) {
+                    const double sine = 1e-3 * gap / b.support.radius;
+                    const Quaternion turn{1, sine, -sine, 0.5 * sine};
+                    const Mat3 turned = Pose::from_quaternion(turn, Vec3::Zero()).rotation();
+                    nearer.b =
+                        Pose::from_matrix(turned * nearer.b.rotation(), nearer.b.translation());
+                }
+                if (proof.holds(plane_at(nearer), normal)) {
+                    ++counts.parted;
+                    counts.wrong += exact_gap(bodies.a, bodies.b, nearer, normal) <= 0 ? 1 : 0;
+                }
             }
-        }
-    }
+        });
     return counts;
 }
 
