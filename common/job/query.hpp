@@ -33,6 +33,9 @@ struct Query {
     /// At `level count` and above: whether the job counts, for each triangle, the scenarios in
     /// which the triangle is in contact.
     bool maps = false;
+    /// Also finds pairs that share no point but are at most this far from each other, in the world
+    /// and in the job's unit. Finite and at least 0.
+    std::optional<double> clearance = std::nullopt;
 };
 
 } // namespace cd

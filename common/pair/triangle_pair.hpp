@@ -22,6 +22,8 @@ enum class PairClass : std::uint8_t {
                ///< triangles have.
     Coplanar = 2, ///< In one plane, overlapping with positive area.
     Proper = 3,   ///< Not coplanar, and the relative interiors share a point.
+    Near = 4,     ///< No shared point, but at most the query's clearance apart. Never an answer of
+                  ///< `TrianglePairTest`.
 };
 
 /// The stages of the decision, roughly cheapest first (docs/exactness.md). A stage proves an answer

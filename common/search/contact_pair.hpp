@@ -1,4 +1,4 @@
-// Pairs of triangles that share a point, and their order.
+// Pairs of triangles that a search finds, and their order.
 #pragma once
 
 #include "common/core/limits/engine.hpp"
@@ -12,7 +12,8 @@
 
 namespace cd {
 
-/// Triangles `a` of A and `b` of B that share a point, by their indices in the meshes.
+/// Triangles `a` of A and `b` of B that share a point or, with class Near, are within the query's
+/// clearance; by their indices in the meshes.
 struct ContactPair {
     std::uint32_t a = 0;
     std::uint32_t b = 0;

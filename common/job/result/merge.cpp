@@ -9,7 +9,8 @@ ScenarioFacts facts_of(const ScenarioResult& result) {
             result.surfaces_only,
             result.insides_skipped,
             result.is_cut(),
-            result.pair_count};
+            result.pair_count,
+            result.near_count};
 }
 
 ResultMerger::ResultMerger(std::uint64_t scenarios) {
@@ -52,6 +53,7 @@ void ResultMerger::remove(std::uint64_t index, const ScenarioFacts& facts) {
     merged_[index] = false;
     --count_of(facts.kind);
     summary_.pairs -= facts.pair_count;
+    summary_.near_pairs -= facts.near_count;
     summary_.surfaces_only -= facts.surfaces_only ? 1 : 0;
     summary_.insides_skipped -= facts.insides_skipped ? 1 : 0;
     summary_.cut -= facts.is_cut ? 1 : 0;
@@ -71,6 +73,8 @@ std::uint64_t& ResultMerger::count_of(ScenarioClass kind) {
         return summary_.contact;
     case ScenarioClass::Undecided:
         return summary_.undecided;
+    case ScenarioClass::Near:
+        return summary_.near;
     case ScenarioClass::Failed:
         break;
     }
@@ -80,6 +84,7 @@ std::uint64_t& ResultMerger::count_of(ScenarioClass kind) {
 void ResultMerger::count(const ScenarioFacts& facts) {
     ++count_of(facts.kind);
     summary_.pairs += facts.pair_count;
+    summary_.near_pairs += facts.near_count;
     summary_.surfaces_only += facts.surfaces_only ? 1 : 0;
     summary_.insides_skipped += facts.insides_skipped ? 1 : 0;
     summary_.cut += facts.is_cut ? 1 : 0;

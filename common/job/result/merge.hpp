@@ -20,13 +20,15 @@ struct Summary {
     std::uint64_t contact = 0; ///< At `level any` only.
     std::uint64_t undecided = 0;
     std::uint64_t failed = 0;
+    std::uint64_t near = 0; ///< With a clearance only.
     std::uint64_t pairs = 0;           ///< Pairs in contact, including those that a limit cut off.
+    std::uint64_t near_pairs = 0;      ///< Pairs of class Near, likewise.
     std::uint64_t surfaces_only = 0;   ///< Scenarios with an open body.
     std::uint64_t insides_skipped = 0; ///< Scenarios with parts whose containment is not decided.
     std::uint64_t cut = 0;             ///< Scenarios whose list of pairs is cut off.
 
     [[nodiscard]] std::uint64_t merged() const {
-        return separate + touch + cross + inside + contact + undecided + failed;
+        return separate + touch + cross + inside + contact + undecided + failed + near;
     }
     /// Scenarios that are merged and not failed.
     [[nodiscard]] std::uint64_t tested() const { return merged() - failed; }
@@ -40,6 +42,7 @@ struct ScenarioFacts {
     bool insides_skipped = false;
     bool is_cut = false;
     std::uint64_t pair_count = 0;
+    std::uint64_t near_count = 0;
 
     friend bool operator==(const ScenarioFacts&, const ScenarioFacts&) = default;
 };

@@ -37,24 +37,6 @@ constexpr int compression_level_tails = 1;
 /// Bytes of a pair in a record: a triangle of A, a triangle of B and a class (result.hpp).
 constexpr std::size_t pair_bytes = 2 * sizeof(std::uint32_t) + 1;
 
-/// Returns the number of bytes before the pairs of a record, or nothing if it has no pairs.
-std::optional<std::size_t> head_with_pairs(std::span<const std::byte> record) {
-    ByteReader in(record);
-    (void)in.get_bytes(1 + sizeof(std::uint64_t) + 2 * sizeof(std::uint32_t));
-    const auto level = in.get<std::uint8_t>();
-    const auto kind = static_cast<ScenarioClass>(in.get<std::uint8_t>());
-    (void)in.get_bytes(1 + sizeof(std::uint64_t));
-    if (kind == ScenarioClass::Undecided) {
-        (void)in.get<double>();
-    }
-    const auto pairs = in.get<std::uint32_t>();
-    if (in.failed() || level < static_cast<std::uint8_t>(Level::Pairs) ||
-        kind == ScenarioClass::Failed || pairs == 0 || pairs > in.remaining() / pair_bytes) {
-        return std::nullopt;
-    }
-    return record.size() - in.remaining();
-}
-
 class Packer {
   public:
     void add(std::span<const std::byte> record);
@@ -67,7 +49,7 @@ class Packer {
 };
 
 void Packer::add(std::span<const std::byte> record) {
-    const std::optional<std::size_t> split = head_with_pairs(record);
+    const std::optional<std::size_t> split = bytes_before_pairs(record);
     const std::span<const std::byte> head = record.first(split.value_or(record.size()));
     put_varint(columns_[lengths], 2 * std::uint64_t{head.size()} + (split ? 1 : 0));
     put_bytes(columns_[heads], head);

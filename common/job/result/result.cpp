@@ -1,6 +1,8 @@
 #include "common/job/result/result.hpp"
 
 #include "common/core/check.hpp"
+#include "common/core/errors.hpp"
+#include "common/job/result/result_sense.hpp"
 
 #include <algorithm>
 #include <array>
@@ -14,17 +16,24 @@ namespace cd {
 
 namespace {
 
-constexpr std::uint8_t version = 2;
+constexpr std::uint8_t version_contacts = 2;
+constexpr std::uint8_t version = 3;
+constexpr std::uint8_t question_contacts = 0;
+constexpr std::uint8_t flag_clearance = 1;
 constexpr std::uint8_t flag_surfaces_only = 1;
 constexpr std::uint8_t flag_insides_skipped = 2;
 constexpr std::size_t head_bytes = 28;
+/// What version 3 adds to the head: the question, the step, more flags and the near pairs' number.
+constexpr std::size_t clearance_bytes = 1 + sizeof(std::uint64_t) + 1 + sizeof(std::uint64_t);
 constexpr std::uint64_t pair_bytes = 2 * sizeof(std::uint32_t) + 1;
 constexpr std::uint64_t point_bytes = 3 * sizeof(double);
 /// The intersection of two triangles is at most a hexagon.
 constexpr std::uint32_t points_of_pair_max = 6;
 
-constexpr std::array<std::string_view, 7> class_names{
-    "separate", "touch", "cross", "inside", "contact", "undecided", "failed"};
+constexpr std::uint32_t points_of_near_pair = 2;
+
+constexpr std::array<std::string_view, 8> class_names{
+    "separate", "touch", "cross", "inside", "contact", "undecided", "failed", "near"};
 
 /// Returns the number in a canonical bit pattern: zero has no sign, and NaN (a point that left the
 /// range of double) has no payload.
@@ -36,15 +45,18 @@ bool is_canonical(double value) {
     return std::bit_cast<std::uint64_t>(value) == std::bit_cast<std::uint64_t>(canonical(value));
 }
 
-void put_points(ByteWriter& out, std::span<const Vec3> points) {
+void put_numbers(ByteWriter& out, std::span<const double> numbers) {
     std::vector<double> values;
-    values.reserve(3 * points.size());
-    for (const Vec3& point : points) {
-        for (int i = 0; i < 3; ++i) {
-            values.push_back(canonical(point[i]));
-        }
+    values.reserve(numbers.size());
+    for (const double number : numbers) {
+        values.push_back(canonical(number));
     }
     out.put_array(std::span<const double>(values));
+}
+
+void put_points(ByteWriter& out, std::span<const Vec3> points) {
+    static_assert(sizeof(Vec3) == 3 * sizeof(double));
+    put_numbers(out, {points.empty() ? nullptr : points.front().data(), 3 * points.size()});
 }
 
 void put_pairs(ByteWriter& out, std::span<const ContactPair> pairs) {
@@ -75,19 +87,21 @@ void put_shared_points(ByteWriter& out, const ScenarioResult& result) {
 
 /// Returns the exact number of bytes of a record.
 std::uint64_t bytes_of_record(const ScenarioResult& result) {
-    const std::uint64_t bound = result.kind == ScenarioClass::Undecided ? sizeof(double) : 0;
+    const std::uint64_t head = head_bytes + (result.has_clearance ? clearance_bytes : 0) +
+                               (result.kind == ScenarioClass::Undecided ? sizeof(double) : 0);
     if (result.kind == ScenarioClass::Failed) {
-        return head_bytes + sizeof(std::uint32_t) + result.failure.size();
+        return head + sizeof(std::uint32_t) + result.failure.size();
     }
     if (result.level < Level::Pairs) {
-        return head_bytes + bound;
+        return head;
     }
     const std::uint64_t pairs = sizeof(std::uint32_t) + pair_bytes * result.pairs.size();
     const std::uint64_t points =
         result.level < Level::Contacts
             ? 0
-            : result.pairs.size() + point_bytes * (result.pairs.size() + result.points.size());
-    return head_bytes + bound + pairs + points;
+            : result.pairs.size() + point_bytes * (result.pairs.size() + result.points.size()) +
+                  sizeof(double) * result.near_distances.size();
+    return head + pairs + points;
 }
 
 Error bad(const char* what) {
@@ -97,13 +111,16 @@ Error bad(const char* what) {
 /// Writes the head of a record in one piece, for speed: at `level count` the head is the whole
 /// record, and the master writes a million records per second.
 void put_head(ByteWriter& out, const ScenarioResult& result) {
-    std::array<std::uint8_t, head_bytes> head;
+    std::array<std::uint8_t, head_bytes + clearance_bytes> head;
     std::uint8_t* to = head.data();
     const auto put = [&](auto value) {
         std::memcpy(to, &value, sizeof value);
         to += sizeof value;
     };
-    put(version);
+    put(result.has_clearance ? version : version_contacts);
+    if (result.has_clearance) {
+        put(question_contacts);
+    }
     put(result.index);
     put(result.body_a);
     put(result.body_b);
@@ -112,8 +129,14 @@ void put_head(ByteWriter& out, const ScenarioResult& result) {
     put(static_cast<std::uint8_t>((result.surfaces_only ? flag_surfaces_only : 0) |
                                   (result.insides_skipped ? flag_insides_skipped : 0)));
     put(result.pair_count);
-    CD_CHECK(to == head.data() + head.size());
-    out.put_array(std::span<const std::uint8_t>(head));
+    if (result.has_clearance) {
+        put(std::uint64_t{0});
+        put(flag_clearance);
+        put(result.near_count);
+    }
+    const auto bytes = static_cast<std::size_t>(to - head.data());
+    CD_CHECK(bytes == head_bytes + (result.has_clearance ? clearance_bytes : 0));
+    out.put_array(std::span<const std::uint8_t>(head).first(bytes));
 }
 
 /// Writes a record without its length.
@@ -133,12 +156,29 @@ void put_body(ByteWriter& out, const ScenarioResult& result) {
     }
     if (result.level >= Level::Contacts) {
         put_shared_points(out, result);
+        put_numbers(out, result.near_distances);
     }
 }
 
+Status get_clearance(ByteReader& in, ScenarioResult& result) {
+    const auto step = in.get<std::uint64_t>();
+    const auto flags = in.get<std::uint8_t>();
+    result.near_count = in.get<std::uint64_t>();
+    if (in.failed()) {
+        return bad("cut short");
+    }
+    if (step != 0 || flags != flag_clearance) {
+        return bad("unknown step or flag");
+    }
+    return Done{};
+}
+
 Status get_head(ByteReader& in, ScenarioResult& result) {
-    if (in.get<std::uint8_t>() != version) {
-        return bad("unknown version");
+    const auto from_version = in.get<std::uint8_t>();
+    result.has_clearance = from_version == version;
+    if ((!result.has_clearance && from_version != version_contacts) ||
+        (result.has_clearance && in.get<std::uint8_t>() != question_contacts)) {
+        return bad("unknown version or question");
     }
     result.index = in.get<std::uint64_t>();
     result.body_a = in.get<std::uint32_t>();
@@ -151,13 +191,16 @@ Status get_head(ByteReader& in, ScenarioResult& result) {
         return bad("cut short");
     }
     if (level > static_cast<std::uint8_t>(Level::Contacts) ||
-        kind > static_cast<std::uint8_t>(ScenarioClass::Failed) || flags > flag_insides_skipped) {
+        kind >= class_names.size() || flags > flag_insides_skipped) {
         return bad("unknown level, class or flag");
     }
     result.level = static_cast<Level>(level);
     result.kind = static_cast<ScenarioClass>(kind);
     result.surfaces_only = (flags & flag_surfaces_only) != 0;
     result.insides_skipped = (flags & flag_insides_skipped) != 0;
+    if (result.has_clearance) {
+        CD_TRY(get_clearance(in, result));
+    }
     if (result.kind == ScenarioClass::Undecided) {
         result.distance_bound = in.get<double>();
         if (in.failed() || !(result.distance_bound >= 0) || !is_canonical(result.distance_bound)) {
@@ -175,10 +218,11 @@ Status get_pairs(ByteReader& in, ScenarioResult& result) {
     if (in.failed()) {
         return bad("pairs cut short");
     }
+    const PairClass last_kind = result.has_clearance ? PairClass::Near : PairClass::Proper;
     result.pairs.reserve(count);
     for (std::size_t i = 0; i < count; ++i) {
         if (kinds[i] < static_cast<std::uint8_t>(PairClass::Touch) ||
-            kinds[i] > static_cast<std::uint8_t>(PairClass::Proper)) {
+            kinds[i] > static_cast<std::uint8_t>(last_kind)) {
             return bad("unknown class of a pair");
         }
         if (i > 0 && !(std::pair(a[i - 1], b[i - 1]) < std::pair(a[i], b[i]))) {
@@ -212,11 +256,12 @@ Status get_shared_points(ByteReader& in, ScenarioResult& result) {
     result.point_offsets.reserve(counts.size() + 1);
     std::uint32_t points = 0;
     result.point_offsets.push_back(points);
-    for (const std::uint8_t count : counts) {
-        if (count > points_of_pair_max) {
-            return bad("too many points of a pair");
+    for (std::size_t i = 0; i < counts.size(); ++i) {
+        const bool is_near = result.pairs[i].kind == PairClass::Near;
+        if (is_near ? counts[i] != points_of_near_pair : counts[i] > points_of_pair_max) {
+            return bad("a number of points that its pair cannot have");
         }
-        points += count;
+        points += counts[i];
         result.point_offsets.push_back(points);
     }
     if (const Status status = get_vectors(in, counts.size(), result.point_origins); !status) {
@@ -225,28 +270,18 @@ Status get_shared_points(ByteReader& in, ScenarioResult& result) {
     return get_vectors(in, points, result.points);
 }
 
-/// Checks that level, class, pairs and distance bound of a result are consistent.
-Status check_sense(const ScenarioResult& result) {
-    const bool is_any = result.level == Level::Any;
-    const bool in_contact =
-        result.kind == ScenarioClass::Touch || result.kind == ScenarioClass::Cross;
-    if (is_any ? in_contact : result.kind == ScenarioClass::Contact) {
-        return bad("a class that its level does not know");
+Status get_near_distances(ByteReader& in, ScenarioResult& result) {
+    const std::vector<double> distances = in.get_array<double>(listed_near_pairs(result));
+    if (in.failed()) {
+        return bad("distances cut short");
     }
-    const bool may_count = in_contact || result.kind == ScenarioClass::Undecided;
-    if ((result.pair_count > 0 && (is_any || !may_count)) ||
-        (result.pair_count == 0 && in_contact) || result.pairs.size() > result.pair_count) {
-        return bad("a number of pairs that does not fit the class");
+    for (const double distance : distances) {
+        // Distances below half the least denormal number round to 0.
+        if (!(distance >= 0) || std::isinf(distance) || !is_canonical(distance)) {
+            return bad("a distance that is none");
+        }
     }
-    if (result.pair_count > 0 && result.distance_bound > 0) {
-        return bad("a distance between bodies in contact");
-    }
-    const bool is_proper = std::any_of(result.pairs.begin(), result.pairs.end(), [](const auto& p) {
-        return p.kind == PairClass::Proper;
-    });
-    if (is_proper && result.kind == ScenarioClass::Touch) {
-        return bad("a touch with a proper pair");
-    }
+    result.near_distances.assign(distances.begin(), distances.end());
     return Done{};
 }
 
@@ -276,29 +311,22 @@ void put_record(ByteWriter& out, const ScenarioResult& result) {
 Result<ScenarioResult> decode_result(std::span<const std::byte> bytes) {
     ByteReader in(bytes);
     ScenarioResult result;
-    if (const Status status = get_head(in, result); !status) {
-        return status.error();
-    }
+    CD_TRY(get_head(in, result));
     if (result.kind == ScenarioClass::Failed) {
         result.failure = in.get_text();
     } else {
         if (result.level >= Level::Pairs) {
-            if (const Status status = get_pairs(in, result); !status) {
-                return status.error();
-            }
+            CD_TRY(get_pairs(in, result));
         }
         if (result.level >= Level::Contacts) {
-            if (const Status status = get_shared_points(in, result); !status) {
-                return status.error();
-            }
+            CD_TRY(get_shared_points(in, result));
+            CD_TRY(get_near_distances(in, result));
         }
     }
     if (!in.complete()) {
         return bad("cut short or bytes left over");
     }
-    if (const Status status = check_sense(result); !status) {
-        return status.error();
-    }
+    CD_TRY(check_sense(result));
     return result;
 }
 
@@ -307,6 +335,7 @@ void fail_above_limit(ScenarioResult& result, std::uint64_t bytes_max) {
     constexpr std::uint64_t fixed_bytes = 64;
     const std::uint64_t bytes = fixed_bytes + pair_bytes * result.pairs.size() +
                                 point_bytes * (result.point_origins.size() + result.points.size()) +
+                                sizeof(double) * result.near_distances.size() +
                                 sizeof(std::uint32_t) * result.point_offsets.size();
     if (bytes <= bytes_max) {
         return;
@@ -316,10 +345,25 @@ void fail_above_limit(ScenarioResult& result, std::uint64_t bytes_max) {
     failed.body_a = result.body_a;
     failed.body_b = result.body_b;
     failed.level = result.level;
+    failed.has_clearance = result.has_clearance;
     failed.kind = ScenarioClass::Failed;
-    failed.failure = std::to_string(result.pair_count) +
+    failed.failure = std::to_string(result.pair_count + result.near_count) +
                      " pairs are too many for one result; set limit_pairs, or ask for level count";
     result = std::move(failed);
+}
+
+std::optional<std::size_t> bytes_before_pairs(std::span<const std::byte> record) {
+    ByteReader in(record);
+    ScenarioResult result;
+    if (!get_head(in, result) || result.level < Level::Pairs ||
+        result.kind == ScenarioClass::Failed) {
+        return std::nullopt;
+    }
+    const auto pairs = in.get<std::uint32_t>();
+    if (in.failed() || pairs == 0 || pairs > in.remaining() / pair_bytes) {
+        return std::nullopt;
+    }
+    return record.size() - in.remaining();
 }
 
 Sha256 digest_of(const ScenarioResult& result) {

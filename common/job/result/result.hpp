@@ -10,6 +10,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -26,6 +27,7 @@ enum class ScenarioClass : std::uint8_t {
     Contact = 4,
     Undecided = 5, ///< Only of earlier versions, under a tolerance: some boxes were not tested.
     Failed = 6,
+    Near = 7, ///< No contact, but a pair of triangles is at most the query's clearance apart.
 };
 
 [[nodiscard]] std::string_view to_text(ScenarioClass value);
@@ -44,6 +46,7 @@ struct ScenarioResult {
     ScenarioClass kind = ScenarioClass::Separate;
     bool surfaces_only = false;   ///< A body is open, so containment is not decided.
     bool insides_skipped = false; ///< Ignored pairs leave parts whose containment is not decided.
+    bool has_clearance = false;   ///< The query has a clearance, so near pairs are in the result.
     /// Number of all pairs in contact, even if `pairs` is cut off; 0 at `level any`. If the class
     /// is Undecided, the number of proven pairs, which need not be all.
     std::uint64_t pair_count = 0;
@@ -51,28 +54,42 @@ struct ScenarioResult {
     /// job's units: 0 if a contact is proven although other boxes stay undecided. May be infinite.
     /// For other classes 0.
     double distance_bound = 0;
-    std::vector<ContactPair> pairs; ///< Sorted; only the first `limit_pairs` if limited.
+    /// Number of all pairs of class Near, even if `pairs` is cut off; 0 at `level any`.
+    std::uint64_t near_count = 0;
+    /// Pairs in contact and near pairs, sorted; only the first `limit_pairs` if limited.
+    std::vector<ContactPair> pairs;
 
     /// At `level contacts`, for each pair in `pairs` the origin of its shared points, in the world.
     std::vector<Vec3> point_origins;
     /// At `level contacts`, `pairs.size() + 1` offsets: pair i has points [offset i, offset i + 1).
     std::vector<std::uint32_t> point_offsets;
-    std::vector<Vec3> points; ///< Shared points, relative to the origin of their pair.
+    /// Points relative to the origin of their pair: shared points, or of a near pair the nearest
+    /// point of A and that of B.
+    std::vector<Vec3> points;
+    /// At `level contacts`, for each near pair in `pairs` the distance of its triangles in the
+    /// world, correctly rounded.
+    std::vector<double> near_distances;
 
     std::string failure; ///< Reason for class Failed, which has no pairs.
 
-    [[nodiscard]] bool is_cut() const { return level >= Level::Pairs && pairs.size() < pair_count; }
+    [[nodiscard]] bool is_cut() const {
+        return level >= Level::Pairs && pairs.size() < pair_count + near_count;
+    }
 };
 
 /// Encodes the canonical record, little-endian. Statistics, times and hosts are never part of it.
 ///
-///     u8 version = 2    u64 index    u32 body_a    u32 body_b    u8 level    u8 class
+///     u8 version: 3 with a clearance, else 2
+///     version 3:        u8 question = 0
+///     u64 index    u32 body_a    u32 body_b    u8 level    u8 class
 ///     u8 flags (bit 0: surfaces only, bit 1: insides skipped; never both)
 ///       u64 pair_count
+///     version 3:        u64 step = 0; u8 more flags (bit 0: clearance); u64 near_count
 ///     class undecided:  f64 distance_bound
 ///     class failed:     u32 length, characters of the reason; the record ends here
 ///     level >= pairs:   u32 n; n x u32 triangles of A; n x u32 triangles of B; n x u8 class
-///     level contacts:   n x u8 points of the pair (at most 6); n x 3 f64 origins; points x 3 f64
+///     level contacts:   n x u8 points of the pair (at most 6; a near pair has 2); n x 3 f64 origins;
+///                       points x 3 f64; version 3: f64 distance of each near pair
 ///
 /// -0 is stored as 0, and a NaN (a point that left the range of double) as the one quiet NaN.
 /// The caller guarantees the rules that `decode_result` checks.
@@ -84,6 +101,10 @@ void put_record(ByteWriter& out, const ScenarioResult& result);
 /// everything is checked (classes and levels in range and consistent, pairs strictly ascending,
 /// counts that fit, numbers in canonical form). Errors: BadFrame.
 [[nodiscard]] Result<ScenarioResult> decode_result(std::span<const std::byte> bytes);
+
+/// Returns the number of bytes before the pairs of a record, or nothing if it has no pairs. The
+/// last four of these bytes are the number of pairs. The bytes are untrusted.
+[[nodiscard]] std::optional<std::size_t> bytes_before_pairs(std::span<const std::byte> record);
 
 /// Replaces the result by a failed one with that reason if its record could exceed `bytes_max`
 /// bytes. All code that runs a scenario calls this, so that one process and a cluster give equal

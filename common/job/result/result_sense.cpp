@@ -1,0 +1,63 @@
+#include "common/job/result/result_sense.hpp"
+
+#include "common/core/errors.hpp"
+
+#include <algorithm>
+#include <string>
+
+namespace cd {
+
+namespace {
+
+Error bad(const char* what) {
+    return {ErrorCode::BadFrame, std::string("result record: ") + what};
+}
+
+/// Checks that the numbers of near pairs fit the class and the pairs.
+Status check_near(const ScenarioResult& result) {
+    const bool is_near = result.kind == ScenarioClass::Near;
+    const bool may_count =
+        result.level != Level::Any && result.kind != ScenarioClass::Separate &&
+        result.kind != ScenarioClass::Undecided && result.kind != ScenarioClass::Failed;
+    const std::uint64_t listed = listed_near_pairs(result);
+    if ((is_near && !result.has_clearance) || (result.near_count > 0 && !may_count) ||
+        (is_near && result.near_count == 0 && result.level != Level::Any) ||
+        listed > result.near_count || result.pairs.size() - listed > result.pair_count) {
+        return bad("a number of near pairs that does not fit the class");
+    }
+    return Done{};
+}
+
+} // namespace
+
+std::uint64_t listed_near_pairs(const ScenarioResult& result) {
+    return static_cast<std::uint64_t>(
+        std::ranges::count(result.pairs, PairClass::Near, &ContactPair::kind));
+}
+
+Status check_sense(const ScenarioResult& result) {
+    const bool is_any = result.level == Level::Any;
+    const bool in_contact =
+        result.kind == ScenarioClass::Touch || result.kind == ScenarioClass::Cross;
+    if (is_any ? in_contact : result.kind == ScenarioClass::Contact) {
+        return bad("a class that its level does not know");
+    }
+    const bool may_count = in_contact || result.kind == ScenarioClass::Undecided;
+    if ((result.pair_count > 0 && (is_any || !may_count)) ||
+        (result.pair_count == 0 && in_contact)) {
+        return bad("a number of pairs that does not fit the class");
+    }
+    CD_TRY(check_near(result));
+    if (result.pair_count > 0 && result.distance_bound > 0) {
+        return bad("a distance between bodies in contact");
+    }
+    const bool is_proper = std::any_of(result.pairs.begin(), result.pairs.end(), [](const auto& p) {
+        return p.kind == PairClass::Proper;
+    });
+    if (is_proper && result.kind == ScenarioClass::Touch) {
+        return bad("a touch with a proper pair");
+    }
+    return Done{};
+}
+
+} // namespace cd
