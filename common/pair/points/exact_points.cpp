@@ -1,5 +1,7 @@
 #include "common/pair/points/exact_points.hpp"
 
+#include "common/pair/numbers/exact_lattice.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -11,7 +13,7 @@ namespace cd {
 namespace {
 
 using Int = ExactInt;
-using Vec = std::array<Int, 3>;
+using Vec = ExactVec;
 
 Vec operator-(const Vec& l, const Vec& r) {
     return {l[0] - r[0], l[1] - r[1], l[2] - r[2]};
@@ -246,42 +248,6 @@ void put_in_order(std::vector<Place>& places, const Shape& a) {
     std::sort(places.begin() + 1, places.end(), before);
 }
 
-/// The corners of two triangles as multiples of 2^exponent.
-struct Lattice {
-    std::array<Vec, 6> corners;
-    int exponent = 0;
-};
-
-Lattice lattice_of(const std::array<Dyadic, 18>& coordinates) {
-    Lattice lattice;
-    bool any = false;
-    for (const Dyadic& value : coordinates) {
-        if (value.mantissa != 0) {
-            lattice.exponent = any ? std::min(lattice.exponent, value.exponent) : value.exponent;
-            any = true;
-        }
-    }
-    for (std::size_t i = 0; i < coordinates.size(); ++i) {
-        const Dyadic& value = coordinates[i];
-        if (value.mantissa != 0) {
-            lattice.corners[i / 3][i % 3] = value.mantissa << (value.exponent - lattice.exponent);
-        }
-    }
-    return lattice;
-}
-
-/// Returns the corner in the world, times the pose's norm.
-std::array<Dyadic, 3> world(const ExactPose& pose, const Vec3& corner) {
-    const std::array<Dyadic, 3> x{
-        to_dyadic(corner.x()), to_dyadic(corner.y()), to_dyadic(corner.z())};
-    std::array<Dyadic, 3> result;
-    for (std::size_t row = 0; row < 3; ++row) {
-        const auto& r = pose.linear[row];
-        result[row] = r[0] * x[0] + r[1] * x[1] + r[2] * x[2] + pose.translation[row];
-    }
-    return result;
-}
-
 } // namespace
 
 ExactPoints::ExactPoints(const PosePair& poses)
@@ -292,7 +258,7 @@ Vec3 ExactPoints::origin(const Corners& a) const {
 }
 
 Vec3 ExactPoints::offset(const Corners& a, const Vec3& origin) const {
-    const std::array<Dyadic, 3> exact = world(a_, a[0]);
+    const std::array<Dyadic, 3> exact = world_corner(a_, a[0]);
     Vec3 rounded;
     for (std::size_t k = 0; k < 3; ++k) {
         const auto axis = static_cast<Eigen::Index>(k);
@@ -305,19 +271,7 @@ Vec3 ExactPoints::offset(const Corners& a, const Vec3& origin) const {
 
 std::vector<Vec3>
 ExactPoints::points(const Corners& a, const Corners& b, const Vec3& origin) const {
-    std::array<Dyadic, 3> shift;
-    for (std::size_t k = 0; k < 3; ++k) {
-        shift[k] = to_dyadic(origin[static_cast<Eigen::Index>(k)]) * norm_;
-    }
-    std::array<Dyadic, 18> coordinates;
-    for (std::size_t i = 0; i < 6; ++i) {
-        const bool of_a = i < 3;
-        const std::array<Dyadic, 3> corner = of_a ? world(a_, a[i]) : world(b_, b[i - 3]);
-        for (std::size_t k = 0; k < 3; ++k) {
-            coordinates[3 * i + k] = corner[k] * (of_a ? b_.norm : a_.norm) - shift[k];
-        }
-    }
-    const Lattice lattice = lattice_of(coordinates);
+    const ExactLattice lattice = exact_lattice(a_, a, b_, b, origin);
     const std::span<const Vec> corners(lattice.corners);
     const Shape shape_a(corners.first(3));
     const Shape shape_b(corners.last(3));

@@ -1,9 +1,8 @@
 #include "common/pair/stages/arbitrary/exact_triangle_pair.hpp"
 
-#include "common/pair/numbers/dyadic.hpp"
+#include "common/pair/numbers/exact_lattice.hpp"
 #include "common/pair/pair_decision.hpp"
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 
@@ -11,7 +10,7 @@ namespace cd {
 
 namespace {
 
-using Vec = std::array<ExactInt, 3>;
+using Vec = ExactVec;
 
 Vec minus(const Vec& l, const Vec& r) {
     return {l[0] - r[0], l[1] - r[1], l[2] - r[2]};
@@ -62,43 +61,6 @@ class ExactSigns {
     const std::array<Vec, 6>& corners_;
 };
 
-/// Returns the posed corners of A, then of B, as integers in one common unit.
-std::array<Vec, 6>
-on_lattice(const Corners& a, const Corners& b, const ExactPose& pose_a, const ExactPose& pose_b) {
-    std::array<Dyadic, 18> coordinates;
-    std::size_t place = 0;
-    const auto map = [&](const Corners& corners, const ExactPose& pose, const Dyadic& other_norm) {
-        for (const Vec3& corner : corners) {
-            const std::array<Dyadic, 3> x{
-                to_dyadic(corner.x()), to_dyadic(corner.y()), to_dyadic(corner.z())};
-            for (std::size_t row = 0; row < 3; ++row) {
-                const auto& r = pose.linear[row];
-                coordinates[place++] =
-                    (r[0] * x[0] + r[1] * x[1] + r[2] * x[2] + pose.translation[row]) * other_norm;
-            }
-        }
-    };
-    map(a, pose_a, pose_b.norm);
-    map(b, pose_b, pose_a.norm);
-
-    int lowest = 0;
-    bool any = false;
-    for (const Dyadic& value : coordinates) {
-        if (value.mantissa != 0) {
-            lowest = any ? std::min(lowest, value.exponent) : value.exponent;
-            any = true;
-        }
-    }
-    std::array<Vec, 6> corners;
-    for (std::size_t i = 0; i < coordinates.size(); ++i) {
-        const Dyadic& value = coordinates[i];
-        if (value.mantissa != 0) {
-            corners[i / 3][i % 3] = value.mantissa << (value.exponent - lowest);
-        }
-    }
-    return corners;
-}
-
 } // namespace
 
 struct ExactTrianglePair::State {
@@ -113,8 +75,8 @@ ExactTrianglePair& ExactTrianglePair::operator=(ExactTrianglePair&&) noexcept = 
 ExactTrianglePair::~ExactTrianglePair() = default;
 
 PairClass ExactTrianglePair::classify(const Corners& a, const Corners& b) const {
-    const std::array<Vec, 6> corners = on_lattice(a, b, state_->a, state_->b);
-    ExactSigns signs(corners);
+    const ExactLattice lattice = exact_lattice(state_->a, a, state_->b, b, Vec3::Zero());
+    ExactSigns signs(lattice.corners);
     return decide_pair(signs);
 }
 
