@@ -158,7 +158,10 @@ ExactWorld exact_world(std::span<const Vec3> a, std::span<const Vec3> b, const P
     const int least = std::min(in_a.exponent, in_b.exponent);
     multiply(in_a.points, shifted(in_b.denominator / common, in_a.exponent - least));
     multiply(in_b.points, shifted(in_a.denominator / common, in_b.exponent - least));
-    return {std::move(in_a.points), std::move(in_b.points)};
+    return {std::move(in_a.points),
+            std::move(in_b.points),
+            least,
+            in_a.denominator / common * in_b.denominator};
 }
 
 std::vector<ExactTriangle> triangles_of(const Mesh& mesh, const std::vector<ExactPoint>& points) {

@@ -17,10 +17,13 @@ using Integer = mpz_class;
 using ExactPoint = std::array<Integer, 3>;
 using ExactTriangle = std::array<ExactPoint, 3>;
 
-/// The points of two bodies, both scaled by one number, which changes no answer about them.
+/// The points of two bodies, both scaled by one number, which changes no answer about them. The
+/// points in the world are these times 2^exponent / denominator.
 struct ExactWorld {
     std::vector<ExactPoint> a;
     std::vector<ExactPoint> b;
+    int exponent = 0;
+    Integer denominator = 1;
 };
 
 /// Applies poses as the contract defines them: doubles are exact rationals; a quaternion q rotates

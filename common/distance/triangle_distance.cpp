@@ -1,0 +1,119 @@
+#include "common/distance/triangle_distance.hpp"
+
+#include "common/distance/exact_distance.hpp"
+#include "common/geometry/triangle_blocks.hpp"
+
+#include <numeric>
+#include <vector>
+
+namespace cd {
+
+std::string_view to_text(DistanceStage stage) {
+    constexpr std::array<std::string_view, distance_stage_count> names{
+        "float", "double", "double-double", "exact"};
+    return names[static_cast<std::size_t>(stage)];
+}
+
+std::uint64_t DistanceStatistics::total() const {
+    return std::accumulate(settled.begin(), settled.end(), std::uint64_t{0});
+}
+
+DistanceStatistics& DistanceStatistics::operator+=(const DistanceStatistics& other) {
+    for (std::size_t i = 0; i < distance_stage_count; ++i) {
+        settled[i] += other.settled[i];
+    }
+    return *this;
+}
+
+struct TriangleDistance::State {
+    PosePair poses;
+    DistanceStage first;
+    std::optional<ExactDistance> exact; ///< Empty until first used.
+    DistanceStatistics statistics;
+    std::vector<std::uint8_t> answers; ///< One per candidate of the last call.
+
+    State(const PosePair& given, DistanceStage first_stage) : poses(given), first(first_stage) {}
+
+    ExactDistance& in_integers() {
+        ++statistics[DistanceStage::Exact];
+        if (!exact) {
+            exact.emplace(poses);
+        }
+        return *exact;
+    }
+};
+
+TriangleDistance::TriangleDistance(const PosePair& poses, DistanceStage first)
+    : state_(std::make_unique<State>(poses, first)) {}
+TriangleDistance::TriangleDistance(TriangleDistance&&) noexcept = default;
+TriangleDistance& TriangleDistance::operator=(TriangleDistance&&) noexcept = default;
+TriangleDistance::~TriangleDistance() = default;
+
+void TriangleDistance::restart(const PosePair& poses) {
+    state_->poses = poses;
+    state_->exact.reset();
+    state_->statistics = {};
+}
+
+bool TriangleDistance::is_within(const Corners& a, const Corners& b, double d) {
+    return state_->in_integers().is_within(a, b, d);
+}
+
+double TriangleDistance::rounded(const Corners& a, const Corners& b) {
+    return state_->in_integers().rounded(a, b);
+}
+
+NearestPoints TriangleDistance::nearest(const Corners& a, const Corners& b) {
+    return state_->in_integers().nearest(a, b);
+}
+
+template <class Triangles>
+std::span<const std::uint8_t> TriangleDistance::within(const Triangles& a,
+                                                       const Triangles& b,
+                                                       std::span<const Candidate> candidates,
+                                                       double d) {
+    std::vector<std::uint8_t>& answers = state_->answers;
+    answers.resize(candidates.size());
+    for (std::size_t i = 0; i < candidates.size(); ++i) {
+        const Candidate& c = candidates[i];
+        answers[i] = is_within(a.corners_at(c.a), b.corners_at(c.b), d) ? 1 : 0;
+    }
+    return answers;
+}
+
+template <class Triangles>
+std::optional<std::size_t> TriangleDistance::find_within(const Triangles& a,
+                                                         const Triangles& b,
+                                                         std::span<const Candidate> candidates,
+                                                         double d) {
+    for (std::size_t i = 0; i < candidates.size(); ++i) {
+        const Candidate& c = candidates[i];
+        if (is_within(a.corners_at(c.a), b.corners_at(c.b), d)) {
+            return i;
+        }
+    }
+    return std::nullopt;
+}
+
+template std::span<const std::uint8_t> TriangleDistance::within(const TriangleSpan&,
+                                                                const TriangleSpan&,
+                                                                std::span<const Candidate>,
+                                                                double);
+template std::span<const std::uint8_t> TriangleDistance::within(const TriangleBlocks&,
+                                                                const TriangleBlocks&,
+                                                                std::span<const Candidate>,
+                                                                double);
+template std::optional<std::size_t> TriangleDistance::find_within(const TriangleSpan&,
+                                                                  const TriangleSpan&,
+                                                                  std::span<const Candidate>,
+                                                                  double);
+template std::optional<std::size_t> TriangleDistance::find_within(const TriangleBlocks&,
+                                                                  const TriangleBlocks&,
+                                                                  std::span<const Candidate>,
+                                                                  double);
+
+const DistanceStatistics& TriangleDistance::statistics() const {
+    return state_->statistics;
+}
+
+} // namespace cd
