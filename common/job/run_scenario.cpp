@@ -4,6 +4,7 @@
 #include "common/job/settle.hpp"
 
 #include <algorithm>
+#include <array>
 #include <optional>
 #include <string>
 #include <utility>
@@ -18,26 +19,60 @@ void begin_result(const Scenario& scenario, const Query& query, ScenarioResult& 
     result.body_a = scenario.body_a;
     result.body_b = scenario.body_b;
     result.level = query.level;
+    result.has_clearance = query.clearance.has_value();
 }
 
 /// Sets the number of pairs found, including pairs not kept, and the class that they determine.
 void note_found(const FoundContacts& found, ScenarioResult& result) {
     result.pair_count = found.count();
+    result.near_count = found.near_count();
     if (result.pair_count > 0) {
         result.kind = found.has_proper() ? ScenarioClass::Cross : ScenarioClass::Touch;
+    } else if (result.near_count > 0) {
+        result.kind = ScenarioClass::Near;
     }
+}
+
+/// Returns the index of the first pair for which `is_found` holds.
+template <class IsFound>
+std::optional<std::size_t> find_first(std::span<const SubtreePair> pairs, const IsFound& is_found) {
+    const auto found = std::ranges::find_if(pairs, is_found);
+    return found == pairs.end() ? std::nullopt
+                                : std::optional(static_cast<std::size_t>(found - pairs.begin()));
 }
 
 /// Returns the index of the first pair found to touch.
 std::optional<std::size_t>
-find_any(std::span<const SubtreePair> pairs, ContactSearch& search, ScenarioResult& result) {
-    const auto touching = std::ranges::find_if(
-        pairs, [&](const SubtreePair& pair) { return search.any(pair.a, pair.b); });
-    if (touching == pairs.end()) {
-        return std::nullopt;
+find_touching(std::span<const SubtreePair> pairs, ContactSearch& search) {
+    return find_first(pairs,
+                      [&](const SubtreePair& pair) { return search.any(pair.a, pair.b); });
+}
+
+/// Returns the index of the first pair found to touch. With a clearance, near pairs are looked for
+/// first: bodies without one need no search for contacts.
+std::optional<std::size_t> find_any(std::span<const SubtreePair> pairs,
+                                    ContactSearch& search,
+                                    ScenarioResult& result) {
+    Nearness nearness = Nearness::Near;
+    std::optional<std::size_t> found;
+    if (result.has_clearance) {
+        found = find_first(pairs, [&](const SubtreePair& pair) {
+            nearness = search.any_near(pair.a, pair.b);
+            return nearness != Nearness::Far;
+        });
+        if (!found) {
+            return std::nullopt;
+        }
     }
-    result.kind = ScenarioClass::Contact;
-    return static_cast<std::size_t>(touching - pairs.begin());
+    if (nearness != Nearness::Contact) {
+        found = find_touching(pairs, search);
+    }
+    if (found) {
+        result.kind = ScenarioClass::Contact;
+    } else if (result.has_clearance) {
+        result.kind = ScenarioClass::Near;
+    }
+    return found;
 }
 
 ScenarioResult
@@ -46,7 +81,8 @@ too_many_for_a_map(const FoundContacts& found, const Scenario& scenario, const Q
         scenario,
         query,
         {ErrorCode::TooLarge,
-         std::to_string(found.count()) + " pairs are too many for a map; leave out maps"});
+         std::to_string(found.count() + found.near_count()) +
+             " pairs are too many for a map; leave out maps"});
 }
 
 void find_count(std::span<const SubtreePair> pairs,
@@ -59,7 +95,8 @@ void find_count(std::span<const SubtreePair> pairs,
     }
     FoundContacts& found = search.contacts();
     note_found(found, run.result);
-    if (found.pairs().size() == found.count()) {
+    const std::uint64_t expected = found.count() + (query.maps ? found.near_count() : 0);
+    if (found.pairs().size() == expected) {
         found.sort();
         run.found = found.take_pairs();
     } else if (query.maps) {
@@ -67,26 +104,55 @@ void find_count(std::span<const SubtreePair> pairs,
     }
 }
 
-/// Computes the shared points of each pair. Returns false if `stop` ended the computation.
-bool add_shared_points(FoundContacts& found, const StopCheck& stop, ScenarioResult& result) {
+void add_points(const Vec3& origin, std::span<const Vec3> points, ScenarioResult& result) {
+    result.point_origins.push_back(origin);
+    result.points.insert(result.points.end(), points.begin(), points.end());
+    result.point_offsets.push_back(static_cast<std::uint32_t>(result.points.size()));
+}
+
+/// Adds the nearest points of a near pair, and its distance.
+void add_nearest_points(TriangleDistance& distance,
+                        const PairCorners& corners,
+                        ScenarioResult& result) {
+    const NearestPoints nearest = distance.nearest(corners.a, corners.b);
+    add_points(nearest.origin, std::array{nearest.of_a, nearest.of_b}, result);
+    result.near_distances.push_back(distance.rounded(corners.a, corners.b));
+}
+
+/// Returns how many of the pairs from `begin` on are contacts, at most `most`.
+std::size_t contacts_from(std::size_t begin, std::size_t most, std::span<const ContactPair> pairs) {
+    const auto rest = pairs.subspan(begin, std::min(most, pairs.size() - begin));
+    const auto near = std::ranges::find(rest, PairClass::Near, &ContactPair::kind);
+    return static_cast<std::size_t>(near - rest.begin());
+}
+
+/// Computes the shared or nearest points of each pair. Returns false if `stop` ended the
+/// computation.
+bool add_all_points(FoundContacts& found, const StopCheck& stop, ScenarioResult& result) {
     constexpr std::size_t pairs_between_stop_checks = 1024;
     const auto receive = [&](const Vec3& origin, std::span<const Vec3> points) {
-        result.point_origins.push_back(origin);
-        result.points.insert(result.points.end(), points.begin(), points.end());
-        result.point_offsets.push_back(static_cast<std::uint32_t>(result.points.size()));
+        add_points(origin, points, result);
     };
-    auto rest = std::span(found.corners()).first(result.pairs.size());
-    result.point_offsets.reserve(rest.size() + 1);
-    result.point_origins.reserve(rest.size());
-    result.points.reserve(2 * rest.size()); // Nearly all pairs share a segment.
+    const auto corners = std::span(found.corners()).first(result.pairs.size());
+    result.point_offsets.reserve(corners.size() + 1);
+    result.point_origins.reserve(corners.size());
+    result.points.reserve(2 * corners.size()); // Nearly all pairs share a segment.
     result.point_offsets.push_back(0);
-    while (!rest.empty()) {
-        if (stop && stop()) {
-            return false;
+    std::size_t next_stop_check = 0;
+    for (std::size_t i = 0; i < corners.size();) {
+        if (i >= next_stop_check) {
+            next_stop_check = i + pairs_between_stop_checks;
+            if (stop && stop()) {
+                return false;
+            }
         }
-        const auto now = rest.first(std::min(rest.size(), pairs_between_stop_checks));
-        found.test().shared_points(now, receive);
-        rest = rest.subspan(now.size());
+        if (result.pairs[i].kind == PairClass::Near) {
+            add_nearest_points(found.distance(), corners[i++], result);
+            continue;
+        }
+        const std::size_t count = contacts_from(i, pairs_between_stop_checks, result.pairs);
+        found.test().shared_points(corners.subspan(i, count), receive);
+        i += count;
     }
     return true;
 }
@@ -118,7 +184,7 @@ bool find_pairs(std::span<const SubtreePair> pairs,
     ScenarioResult& result = run.result;
     result.pairs = found.take_pairs();
     note_found(found, result);
-    if (query.maps && result.pairs.size() != result.pair_count) {
+    if (query.maps && result.pairs.size() != result.pair_count + result.near_count) {
         result = too_many_for_a_map(found, scenario, query);
         return true;
     }
@@ -128,7 +194,7 @@ bool find_pairs(std::span<const SubtreePair> pairs,
     if (query.limit_pairs != 0 && result.pairs.size() > query.limit_pairs) {
         result.pairs.resize(query.limit_pairs);
     }
-    return query.level != Level::Contacts || add_shared_points(found, stop, result);
+    return query.level != Level::Contacts || add_all_points(found, stop, result);
 }
 
 SearchOptions search_options(const Query& query, const RunOptions& options) {
@@ -137,6 +203,7 @@ SearchOptions search_options(const Query& query, const RunOptions& options) {
     search.keep_pairs = query.level >= Level::Pairs || query.maps || search.only_touches;
     search.keep_corners = query.level == Level::Contacts;
     search.pairs_max = pairs_worth_keeping(query);
+    search.clearance = query.clearance;
     search.first_stage = options.first_stage;
     search.decision = options.decision;
     search.stop = options.stop;

@@ -24,7 +24,7 @@ struct ScenarioRun {
     QueryStatistics statistics;
     InsideStatistics inside; ///< Cost of `Settler::settle`; zero from `run_on_subtrees`.
     /// Sorted pairs. If the query has maps: all pairs found. Otherwise, at `level count` with
-    /// `keep_touches`: all pairs if none is proper and the search could keep all. Else empty.
+    /// `keep_touches`: all contacts if none is proper and the search could keep all. Else empty.
     std::vector<ContactPair> found;
     /// True if `stop` ended the run. Then `result` has the class Failed and the reason "stopped".
     bool is_stopped = false;
@@ -50,7 +50,8 @@ struct RunOptions {
 ///
 /// At `level any` the search ends at the first contact, and the class is contact; without one it is
 /// separate. At other levels the class is cross if any pair is proper, touch if there are pairs and
-/// none is proper, and separate without pairs; `Settler` refines it with the whole bodies.
+/// none is proper, and separate without pairs; `Settler` refines it with the whole bodies. With a
+/// clearance the class is near instead of separate if a pair is within the clearance.
 [[nodiscard]] ScenarioRun run_on_subtrees(std::span<const SubtreePair> pairs,
                                           const Scenario& scenario,
                                           const Query& query,

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <iterator>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -74,7 +75,12 @@ bool Settler::is_cross(const PosePair& poses,
                        SettleStatistics& statistics) const {
     std::vector<ContactPair> found;
     std::span<const ContactPair> all = result.pairs;
-    if (all.size() != result.pair_count) {
+    if (result.near_count > 0) { // `penetrates` is given the contacts alone.
+        std::ranges::copy_if(options.touches.empty() ? all : options.touches,
+                             std::back_inserter(found),
+                             [](const ContactPair& pair) { return pair.kind != PairClass::Near; });
+        all = found;
+    } else if (all.size() != result.pair_count) {
         all = options.touches;
     }
     if (all.size() != result.pair_count) {
@@ -86,7 +92,8 @@ bool Settler::is_cross(const PosePair& poses,
 
 bool Settler::is_work(const ScenarioResult& result) const {
     const bool may_change =
-        result.kind == ScenarioClass::Separate || result.kind == ScenarioClass::Touch;
+        result.kind == ScenarioClass::Separate || result.kind == ScenarioClass::Near ||
+        result.kind == ScenarioClass::Touch;
     return may_change && are_closed_;
 }
 
@@ -141,7 +148,7 @@ InsideStatistics Settler::settle(const Scenario& scenario,
         return {};
     }
     // A body inside the other body lies, with its probes, in the other body's box.
-    if (result.kind == ScenarioClass::Separate && !may_be_inside(scenario.poses, options.b_to_a)) {
+    if (result.kind != ScenarioClass::Touch && !may_be_inside(scenario.poses, options.b_to_a)) {
         return {1, 0, {}};
     }
     const Clock::time_point start = Clock::now();

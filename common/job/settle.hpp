@@ -30,10 +30,10 @@ struct SettleOptions {
 ///
 /// If a body is open, only `surfaces_only` is set. For two closed bodies the class becomes:
 ///
-/// - `inside` if nothing touches and some component of one body lies in the other. With ignored
-/// pairs, a triangle lies inside if it lies in the solid bounded by those triangles of the other
-/// body that are not ignored with it. (So a wheel may penetrate the ground that it is ignored with,
-/// and the car may not.) These bounding triangles have to be whole components; otherwise the
+/// - `inside` instead of `separate` or `near` if some component of one body lies in the other. With
+/// ignored pairs, a triangle lies inside if it lies in the solid bounded by those triangles of the
+/// other body that are not ignored with it. (So a wheel may penetrate the ground that it is ignored
+/// with, and the car may not.) These bounding triangles have to be whole components; otherwise the
 /// triangle stays undecided, and `insides_skipped` reports that (see `inside_probes`);
 /// - `cross` instead of `touch` if the bodies penetrate without a proper pair (see `penetrates`,
 /// which documents the effect of ignored pairs).

@@ -1,6 +1,7 @@
 #include "common/search/binary_search.hpp"
 
 #include "common/core/check.hpp"
+#include "common/tree/reach.hpp"
 #include "common/tree/wide/candidates_at_once.hpp"
 
 #include <algorithm>
@@ -38,16 +39,22 @@ constexpr std::uint32_t steps_between_stop_checks = 1024;
 
 } // namespace
 
-BinarySearch::Placement::Placement(const PosePair& poses)
-    : b_to_a(relative_pose(poses)), boxes(b_to_a) {}
+BinarySearch::Placement::Placement(const PosePair& poses, const std::optional<double>& clearance)
+    : b_to_a(relative_pose(poses)),
+      boxes(b_to_a),
+      near_boxes(b_to_a, 1, clearance ? body_reach(poses, *clearance) : 0) {}
 
 BinarySearch::BinarySearch(const PosePair& poses,
                            std::span<const IgnoredRange> ignored,
                            const SearchOptions& options)
-    : stop_(options.stop), ignored_(ignored), placement_(poses), contacts_(poses, options) {}
+    : stop_(options.stop),
+      clearance_(options.clearance),
+      ignored_(ignored),
+      placement_(poses, clearance_),
+      contacts_(poses, options) {}
 
 void BinarySearch::restart(const PosePair& poses) {
-    placement_ = Placement(poses);
+    placement_ = Placement(poses, clearance_);
     progress_ = {};
     contacts_.restart(poses);
 }
@@ -64,10 +71,12 @@ bool BinarySearch::must_stop() {
 /// Descends both trees and calls `on_leaves` for each pair of leaves whose boxes may overlap.
 /// Returns true as soon as `on_leaves` returns true, and false at the end or on a stop.
 template <class OnLeaves>
-bool BinarySearch::descend(const TreeView& a, const TreeView& b, const OnLeaves& on_leaves) {
+bool BinarySearch::descend(const BoxTest& boxes,
+                           const TreeView& a,
+                           const TreeView& b,
+                           const OnLeaves& on_leaves) {
     CD_CHECK(!a.nodes.empty());
     CD_CHECK(!b.nodes.empty());
-    const BoxTest& boxes = placement_.boxes;
     // Keeps the last posed box of B, because one box of B meets many boxes of A in a row.
     std::uint32_t posed_place = 0;
     PosedBox posed = boxes.pose(b.nodes[0]);
@@ -118,12 +127,15 @@ bool BinarySearch::descend(const TreeView& a, const TreeView& b, const OnLeaves&
 
 /// Adds to `candidates_` each pair of the leaves' triangles whose axis-aligned boxes meet, without
 /// ignored pairs.
-void BinarySearch::add_candidates(const TreeView& a, const TreeView& b, const NodePair& leaves) {
+void BinarySearch::add_candidates(const BoxTest& boxes,
+                                  const TreeView& a,
+                                  const TreeView& b,
+                                  const NodePair& leaves) {
     const ObbNode& node_a = a.nodes[leaves.a];
     const ObbNode& node_b = b.nodes[leaves.b];
     bounds_.clear();
     for (std::uint32_t j = node_b.triangles_begin; j < node_b.triangles_end; ++j) {
-        bounds_.push_back(placement_.boxes.bounds(triangles_of(b).corners_at(j)));
+        bounds_.push_back(boxes.bounds(triangles_of(b).corners_at(j)));
     }
     for (std::uint32_t i = node_a.triangles_begin; i < node_a.triangles_end; ++i) {
         const Aabb own = bounding_box(triangles_of(a).corners_at(i));
@@ -144,11 +156,31 @@ bool BinarySearch::decide_any(const TreeView& a, const TreeView& b) {
 }
 
 bool BinarySearch::any(const TreeView& a, const TreeView& b) {
-    const bool touch = descend(a, b, [&](const NodePair& leaves) {
-        add_candidates(a, b, leaves);
+    const BoxTest& boxes = placement_.boxes;
+    const bool touch = descend(boxes, a, b, [&](const NodePair& leaves) {
+        add_candidates(boxes, a, b, leaves);
         return candidates_.size() >= candidates_at_once_for_any && decide_any(a, b);
     });
     return touch || decide_any(a, b);
+}
+
+Nearness BinarySearch::decide_near(const TreeView& a, const TreeView& b) {
+    const auto near = contacts_.find_near(triangles_of(a), triangles_of(b), candidates_);
+    candidates_.clear();
+    return !near ? Nearness::Far : near->touches ? Nearness::Contact : Nearness::Near;
+}
+
+Nearness BinarySearch::any_near(const TreeView& a, const TreeView& b) {
+    const BoxTest& boxes = placement_.near_boxes;
+    Nearness nearness = Nearness::Far;
+    descend(boxes, a, b, [&](const NodePair& leaves) {
+        add_candidates(boxes, a, b, leaves);
+        if (candidates_.size() >= candidates_at_once_for_any) {
+            nearness = decide_near(a, b);
+        }
+        return nearness != Nearness::Far;
+    });
+    return nearness != Nearness::Far ? nearness : decide_near(a, b);
 }
 
 void BinarySearch::decide_candidates(const TreeView& a, const TreeView& b) {
@@ -157,8 +189,9 @@ void BinarySearch::decide_candidates(const TreeView& a, const TreeView& b) {
 }
 
 void BinarySearch::collect(const TreeView& a, const TreeView& b) {
-    descend(a, b, [&](const NodePair& leaves) {
-        add_candidates(a, b, leaves);
+    const BoxTest& boxes = clearance_ ? placement_.near_boxes : placement_.boxes;
+    descend(boxes, a, b, [&](const NodePair& leaves) {
+        add_candidates(boxes, a, b, leaves);
         if (candidates_.size() >= candidates_at_once) {
             decide_candidates(a, b);
         }

@@ -6,6 +6,7 @@
 #include "common/tree/box_test.hpp"
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -21,6 +22,7 @@ class BinarySearch final : public ContactSearch {
 
     void restart(const PosePair& poses) override;
     [[nodiscard]] bool any(const TreeView& a, const TreeView& b) override;
+    [[nodiscard]] Nearness any_near(const TreeView& a, const TreeView& b) override;
     void collect(const TreeView& a, const TreeView& b) override;
     [[nodiscard]] FoundContacts& contacts() override { return contacts_; }
     [[nodiscard]] SearchReport report() const override;
@@ -34,8 +36,9 @@ class BinarySearch final : public ContactSearch {
     struct Placement {
         RelativePose b_to_a;
         BoxTest boxes;
+        BoxTest near_boxes; ///< Counts boxes within the clearance as overlapping.
 
-        explicit Placement(const PosePair& poses);
+        Placement(const PosePair& poses, const std::optional<double>& clearance);
     };
     /// Findings and counters of the search since the last `restart()`.
     struct Progress {
@@ -45,13 +48,21 @@ class BinarySearch final : public ContactSearch {
     };
 
     template <class OnLeaves>
-    bool descend(const TreeView& a, const TreeView& b, const OnLeaves& on_leaves);
+    bool descend(const BoxTest& boxes,
+                 const TreeView& a,
+                 const TreeView& b,
+                 const OnLeaves& on_leaves);
     [[nodiscard]] bool must_stop();
-    void add_candidates(const TreeView& a, const TreeView& b, const NodePair& leaves);
+    void add_candidates(const BoxTest& boxes,
+                        const TreeView& a,
+                        const TreeView& b,
+                        const NodePair& leaves);
     [[nodiscard]] bool decide_any(const TreeView& a, const TreeView& b);
+    [[nodiscard]] Nearness decide_near(const TreeView& a, const TreeView& b);
     void decide_candidates(const TreeView& a, const TreeView& b);
 
     StopCheck stop_;
+    std::optional<double> clearance_;
     std::span<const IgnoredRange> ignored_;
     Placement placement_;
     Progress progress_;

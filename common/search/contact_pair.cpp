@@ -16,17 +16,24 @@ constexpr unsigned kind_bits = 2;
 constexpr unsigned place_bits = 31;
 static_assert(limits::mesh_triangles_max <= std::uint64_t{1} << place_bits);
 
+/// Two bits hold the class: no pair is Separate, so Near takes its number. Each pair occurs once, so
+/// classes never decide the order.
+constexpr std::uint64_t kind_mask = (1u << kind_bits) - 1;
+static_assert((static_cast<std::uint64_t>(PairClass::Near) & kind_mask) ==
+              static_cast<std::uint64_t>(PairClass::Separate));
+
 /// Packs a pair into a key; keys compare like their pairs.
 std::uint64_t key_of(const ContactPair& pair) {
     return (std::uint64_t{pair.a} << place_bits | pair.b) << kind_bits |
-           static_cast<std::uint64_t>(pair.kind);
+           (static_cast<std::uint64_t>(pair.kind) & kind_mask);
 }
 
 ContactPair pair_of(std::uint64_t key) {
     const std::uint64_t places = key >> kind_bits;
+    const auto kind = static_cast<PairClass>(key & kind_mask);
     return {static_cast<std::uint32_t>(places >> place_bits),
             static_cast<std::uint32_t>(places & ((std::uint64_t{1} << place_bits) - 1)),
-            static_cast<PairClass>(key & ((1u << kind_bits) - 1))};
+            kind == PairClass::Separate ? PairClass::Near : kind};
 }
 
 } // namespace

@@ -9,6 +9,7 @@
 #include "common/tree/obb_tree.hpp"
 #include "common/tree/query_statistics.hpp"
 
+#include <cstdint>
 #include <memory>
 #include <span>
 #include <vector>
@@ -20,6 +21,13 @@ struct SearchReport {
     QueryStatistics statistics;
     bool is_stopped = false;              ///< True: a stop ended the search early.
     const RelativePose* b_to_a = nullptr; ///< The relative pose, valid until the next `restart`.
+};
+
+/// How near the nearest pair that a search found is.
+enum class Nearness : std::uint8_t {
+    Far,     ///< No pair is within the clearance.
+    Near,    ///< The pair found is within the clearance and shares no point.
+    Contact, ///< The pair found shares a point.
 };
 
 /// Searches one scenario after another. After a few scenarios the search allocates no memory where
@@ -41,7 +49,12 @@ class ContactSearch {
     /// depend on earlier calls, but the answer never does.
     [[nodiscard]] virtual bool any(const TreeView& a, const TreeView& b) = 0;
 
-    /// Adds every contact of `a` and `b` to `contacts()`.
+    /// Looks for any triangle of `a` that is within the clearance of a triangle of `b`, and says
+    /// how near the first pair found is. If it is Near, other pairs may touch. The options have a
+    /// clearance. Otherwise like `any`.
+    [[nodiscard]] virtual Nearness any_near(const TreeView& a, const TreeView& b) = 0;
+
+    /// Adds every contact of `a` and `b` to `contacts()`, and with a clearance every near pair.
     virtual void collect(const TreeView& a, const TreeView& b) = 0;
 
     /// Returns the contacts of all calls of `collect` since the last `restart`.

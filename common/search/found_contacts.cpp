@@ -12,21 +12,79 @@ namespace {
 /// Below this number of pairs, neither sorting early nor returning memory pays.
 constexpr std::size_t kept_at_least = 1u << 16;
 
+/// Returns the first stage of distances that corresponds to that of contacts.
+DistanceStage first_distance_stage(PairStage stage) {
+    switch (stage) {
+    case PairStage::Float:
+        return DistanceStage::Float;
+    case PairStage::Double:
+        return DistanceStage::Double;
+    case PairStage::Lattice:
+    case PairStage::DoubleDouble:
+        return DistanceStage::DoubleDouble;
+    case PairStage::WideInteger:
+    case PairStage::Arbitrary:
+        break;
+    }
+    return DistanceStage::Exact;
+}
+
 } // namespace
 
 FoundContacts::FoundContacts(const PosePair& poses, const SearchOptions& options)
-    : options_(options), test_(poses, options.first_stage, options.decision) {}
+    : options_(options), test_(poses, options.first_stage, options.decision) {
+    if (options.clearance) {
+        distance_.emplace(poses, first_distance_stage(options.first_stage));
+    }
+}
 
 void FoundContacts::restart(const PosePair& poses) {
     test_.restart(poses);
+    if (distance_) {
+        distance_->restart(poses);
+    }
     if (corners_.capacity() > kept_at_least) {
         corners_ = {};
     }
     pairs_.clear();
     corners_.clear();
     count_ = 0;
+    near_count_ = 0;
     triangle_tests_ = 0;
     has_proper_ = false;
+}
+
+/// Returns for each candidate of class Separate, in order, whether it is within the clearance; none
+/// without a clearance.
+template <class Triangles>
+std::span<const std::uint8_t> FoundContacts::near_among(const Triangles& a,
+                                                        const Triangles& b,
+                                                        std::span<const Candidate> candidates,
+                                                        std::span<const PairClass> kinds) {
+    if (!distance_) {
+        return {};
+    }
+    separate_.clear();
+    for (std::size_t i = 0; i < kinds.size(); ++i) {
+        if (kinds[i] == PairClass::Separate) {
+            separate_.push_back(candidates[i]);
+        }
+    }
+    return distance_->within(a, b, separate_, *options_.clearance);
+}
+
+bool FoundContacts::count_pair(PairClass kind) {
+    if (kind == PairClass::Near) {
+        ++near_count_;
+        return options_.keep_pairs && !options_.only_touches;
+    }
+    ++count_;
+    has_proper_ = has_proper_ || kind == PairClass::Proper;
+    if (has_proper_ && options_.only_touches) {
+        pairs_.clear();
+        return false;
+    }
+    return options_.keep_pairs;
 }
 
 template <class Triangles>
@@ -37,21 +95,21 @@ void FoundContacts::add(const Triangles& a,
                         std::span<const Candidate> candidates) {
     triangle_tests_ += candidates.size();
     const auto kinds = test_.classify(a, b, candidates);
+    const auto near = near_among(a, b, candidates, kinds);
+    std::size_t next_separate = 0;
     for (std::size_t i = 0; i < kinds.size(); ++i) {
-        if (kinds[i] == PairClass::Separate) {
-            continue;
+        PairClass kind = kinds[i];
+        if (kind == PairClass::Separate) {
+            if (near.empty() || near[next_separate++] == 0) {
+                continue;
+            }
+            kind = PairClass::Near;
         }
-        ++count_;
-        has_proper_ = has_proper_ || kinds[i] == PairClass::Proper;
-        if (has_proper_ && options_.only_touches) {
-            pairs_.clear();
-            continue;
-        }
-        if (!options_.keep_pairs) {
+        if (!count_pair(kind)) {
             continue;
         }
         const Candidate& found = candidates[i];
-        pairs_.push_back({ids_a[found.a], ids_b[found.b], kinds[i]});
+        pairs_.push_back({ids_a[found.a], ids_b[found.b], kind});
         if (options_.keep_corners) {
             corners_.push_back({a.corners_at(found.a), b.corners_at(found.b)});
         }

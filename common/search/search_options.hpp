@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <optional>
 
 namespace cd {
 
@@ -15,9 +16,11 @@ struct SearchOptions {
     /// Keeps about twice this number of pairs at a time, and the first `pairs_max` after sorting.
     /// Counts all pairs.
     std::uint64_t pairs_max = std::numeric_limits<std::uint64_t>::max();
-    /// Keeps the corners of each pair for shared points, whose computation may outlive the
-    /// subtrees.
+    /// Keeps the corners of each pair for shared or nearest points, whose computation may outlive
+    /// the subtrees.
     bool keep_corners = false;
+    /// Also finds near pairs: those that share no point but are at most this far apart in the world.
+    std::optional<double> clearance = std::nullopt;
     PairStage first_stage = PairStage::Float; ///< Earlier stages are skipped.
     PairDecision decision = PairDecision::Exact;
     StopCheck stop = {}; ///< The search polls this check while it descends.

@@ -1,6 +1,7 @@
 #include "common/search/wide_search.hpp"
 
 #include "common/core/check.hpp"
+#include "common/tree/reach.hpp"
 #include "common/tree/wide/candidates_at_once.hpp"
 
 #include <algorithm>
@@ -10,15 +11,24 @@ namespace cd {
 WideSearch::WideSearch(const PosePair& poses,
                        std::span<const IgnoredRange> ignored,
                        const SearchOptions& options)
-    : b_to_a_(relative_pose(poses)),
+    : clearance_(options.clearance),
+      b_to_a_(relative_pose(poses)),
       descent_(b_to_a_),
       ignored_(ignored),
       stop_(options.stop),
-      contacts_(poses, options) {}
+      contacts_(poses, options) {
+    if (clearance_) {
+        near_descent_.emplace(b_to_a_);
+        near_descent_->restart(b_to_a_, body_reach(poses, *clearance_));
+    }
+}
 
 void WideSearch::restart(const PosePair& poses) {
     b_to_a_ = relative_pose(poses);
     descent_.restart(b_to_a_);
+    if (clearance_) {
+        near_descent_->restart(b_to_a_, body_reach(poses, *clearance_));
+    }
     contacts_.restart(poses);
     is_stopped_ = false;
 }
@@ -28,9 +38,11 @@ void WideSearch::poll_stop() {
 }
 
 /// Returns the next candidates without ignored pairs.
-std::span<const Candidate>
-WideSearch::next_candidates(const WideView& a, const WideView& b, std::size_t wanted) {
-    std::span<Candidate> found = descent_.next(wanted);
+std::span<const Candidate> WideSearch::next_candidates(WideDescent& descent,
+                                                       const WideView& a,
+                                                       const WideView& b,
+                                                       std::size_t wanted) {
+    std::span<Candidate> found = descent.next(wanted);
     if (!ignored_.empty()) {
         const auto rest = std::ranges::remove_if(found, [&](const Candidate& pair) {
             return is_ignored(ignored_, a.triangles.ids[pair.a], b.triangles.ids[pair.b]);
@@ -45,7 +57,8 @@ bool WideSearch::any(const TreeView& a, const TreeView& b) {
     descent_.start(a.wide, b.wide, WideDescent::Aim::Any);
     bool touches = false;
     while (!descent_.is_done() && !is_stopped_ && !touches) {
-        const auto found = next_candidates(a.wide, b.wide, candidates_at_once_for_any);
+        const auto found = 
+            next_candidates(descent_, a.wide, b.wide, candidates_at_once_for_any);
         if (const auto touch = contacts_.find_touch(a.wide.triangles, b.wide.triangles, found)) {
             descent_.note_contact(a.wide, b.wide, found[*touch]);
             touches = true;
@@ -56,23 +69,44 @@ bool WideSearch::any(const TreeView& a, const TreeView& b) {
     return touches;
 }
 
+Nearness WideSearch::any_near(const TreeView& a, const TreeView& b) {
+    CD_CHECK(near_descent_ && !a.wide.nodes.empty() && !b.wide.nodes.empty());
+    WideDescent& descent = *near_descent_;
+    descent.start(a.wide, b.wide, WideDescent::Aim::Any);
+    Nearness nearness = Nearness::Far;
+    while (!descent.is_done() && !is_stopped_ && nearness == Nearness::Far) {
+        const auto found =
+            next_candidates(descent, a.wide, b.wide, candidates_at_once_for_any);
+        if (const auto near = contacts_.find_near(a.wide.triangles, b.wide.triangles, found)) {
+            descent.note_contact(a.wide, b.wide, found[near->index]);
+            nearness = near->touches ? Nearness::Contact : Nearness::Near;
+        }
+        poll_stop();
+    }
+    descent.note_answer(nearness != Nearness::Far);
+    return nearness;
+}
+
 void WideSearch::collect(const TreeView& a, const TreeView& b) {
     CD_CHECK(!a.wide.nodes.empty() && !b.wide.nodes.empty());
     const TriangleBlocks& of_a = a.wide.triangles;
     const TriangleBlocks& of_b = b.wide.triangles;
     using Aim = WideDescent::Aim;
-    const std::uint64_t before = contacts_.count();
-    descent_.start(a.wide, b.wide, expects_none_ ? Aim::AllUnlikely : Aim::All);
-    while (!descent_.is_done() && !is_stopped_) {
-        const auto found = next_candidates(a.wide, b.wide, candidates_at_once);
+    WideDescent& descent = near_descent_ ? *near_descent_ : descent_;
+    const std::uint64_t before = contacts_.count() + contacts_.near_count();
+    descent.start(a.wide, b.wide, expects_none_ ? Aim::AllUnlikely : Aim::All);
+    while (!descent.is_done() && !is_stopped_) {
+        const auto found = next_candidates(descent, a.wide, b.wide, candidates_at_once);
         contacts_.add(of_a, of_a.ids, of_b, of_b.ids, found);
         poll_stop();
     }
-    expects_none_ = contacts_.count() == before;
+    expects_none_ = contacts_.count() + contacts_.near_count() == before;
 }
 
 SearchReport WideSearch::report() const {
-    return {contacts_.statistics(descent_.box_tests()), is_stopped_, &b_to_a_};
+    const std::uint64_t box_tests =
+        descent_.box_tests() + (near_descent_ ? near_descent_->box_tests() : 0);
+    return {contacts_.statistics(box_tests), is_stopped_, &b_to_a_};
 }
 
 } // namespace cd

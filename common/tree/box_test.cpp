@@ -34,6 +34,10 @@
 // 3 u |v|_1; L multiplies by at most 1.75 and rounds the same way. Together at most
 // 4 (r |d|_1 + translation error) + 48 u (|d|_1 + |t|_1 + |c|_1).
 //
+// Reach: if the points are not the same but x = R y + t + z with |z| <= reach, then alpha has the
+// additional term F z, and L.T differs by L.(F z). All |L| are below 1.006 and |F| below 1 + 2 e, so
+// 1.01 times the reach covers it.
+//
 // Underflow is far below frame_error_ times the least half size of a node. A comparison with NaN or
 // with an infinite bound does not reject. Centres of B beyond 2^1000 get an infinite bound; then T
 // can overflow only if it really is beyond 2^1000, and finite half sizes are below 2^128.
@@ -61,8 +65,8 @@ double size_of(const std::array<double, 3>& v) {
 
 } // namespace
 
-BoxTest::BoxTest(const RelativePose& b_to_a, double error_scale)
-    : rounding_(error_scale * unit_roundoff) {
+BoxTest::BoxTest(const RelativePose& b_to_a, double error_scale, double reach)
+    : reach_(1.01 * reach), rounding_(error_scale * unit_roundoff) {
     for (std::size_t i = 0; i < 3; ++i) {
         for (std::size_t k = 0; k < 3; ++k) {
             rotation_[3 * i + k] = b_to_a.rotation(static_cast<int>(i), static_cast<int>(k));
@@ -96,7 +100,7 @@ PosedBox BoxTest::pose(const ObbNode& b) const {
     const double center_size = size_of(b.center);
     posed.error = frame_error_ * (posed.half[0] + posed.half[1] + posed.half[2]) +
                   4 * (rotation_error_ * center_size + translation_error_) +
-                  48 * rounding_ * (center_size + translation_size_);
+                  48 * rounding_ * (center_size + translation_size_) + reach_;
     if (!(center_size + translation_size_ < center_max)) {
         posed.error = infinity;
     }
@@ -116,7 +120,7 @@ Aabb BoxTest::bounds(const Corners& b) const {
     }
     // The error is that of T at the head of this file, without F; growing the box rounds once more.
     double error = rotation_error_ * size + translation_error_ +
-                   12 * rounding_ * (size + translation_size_) + underflow;
+                   12 * rounding_ * (size + translation_size_) + reach_ + underflow;
     if (!(size + translation_size_ < center_max) || !(frame_error_ < infinity)) {
         error = infinity;
     }

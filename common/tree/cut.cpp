@@ -2,6 +2,7 @@
 
 #include "common/core/limits/engine.hpp"
 #include "common/tree/box_test.hpp"
+#include "common/tree/reach.hpp"
 
 #include <algorithm>
 #include <functional>
@@ -55,8 +56,11 @@ bool opens_a(const ObbNode& a, const ObbNode& b) {
 /// numbers.
 class TopDescent {
   public:
-    TopDescent(const TreeTop& a, const TreeTop& b, const PosePair& poses)
-        : a_(a), b_(b), boxes_(relative_pose(poses)), posed_(boxes_.pose(b.nodes[0])) {}
+    TopDescent(const TreeTop& a, const TreeTop& b, const PosePair& poses, double clearance)
+        : a_(a),
+          b_(b),
+          boxes_(relative_pose(poses), 1, body_reach(poses, clearance)),
+          posed_(boxes_.pose(b.nodes[0])) {}
 
     /// Returns the pairs of leaves of the upper trees whose boxes may overlap. Errors: TooLarge.
     [[nodiscard]] Result<std::vector<RootPair>> leaf_pairs() {
@@ -162,8 +166,11 @@ TreeTop make_tree_top(std::vector<ObbNode> nodes) {
     return top;
 }
 
-Result<CollidingRoots> colliding_roots(const TreeTop& a, const TreeTop& b, const PosePair& poses) {
-    TopDescent descent(a, b, poses);
+Result<CollidingRoots> colliding_roots(const TreeTop& a,
+                                       const TreeTop& b,
+                                       const PosePair& poses,
+                                       double clearance) {
+    TopDescent descent(a, b, poses, clearance);
     Result<std::vector<RootPair>> pairs = descent.leaf_pairs();
     if (!pairs) {
         return pairs.error();

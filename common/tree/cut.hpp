@@ -66,12 +66,12 @@ struct CollidingRoots {
     std::uint64_t box_tests = 0; ///< Number of box pairs that were tested.
 };
 
-/// Descends both upper trees together. Each contact of the scenario lies under exactly one returned
-/// pair, so the pairs' contacts together are the answer, without duplicates; no pair means no
-/// contact. The pairs are sorted and depend only on the arguments. Errors: TooLarge if there are
+/// Descends both upper trees together. Each pair of triangles that is at most `clearance` apart in
+/// the world, which is a contact without a clearance, lies under exactly one returned pair. So the
+/// answers of the pairs together are the answer, without duplicates; no pair means none. The pairs are sorted and depend only on the arguments. Errors: TooLarge if there are
 /// more than `limits::root_pairs_max` pairs.
 [[nodiscard]] Result<CollidingRoots>
-colliding_roots(const TreeTop& a, const TreeTop& b, const PosePair& poses);
+colliding_roots(const TreeTop& a, const TreeTop& b, const PosePair& poses, double clearance = 0);
 
 /// Returns the distinct roots of body A in a list of pairs, ascending.
 [[nodiscard]] std::vector<RootIndex> roots_of_a(std::span<const RootPair> pairs);

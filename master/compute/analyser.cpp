@@ -24,7 +24,8 @@ Analysis analyse_uncounted(const AnalysisInput& input, const Scenario& scenario)
     Analysis analysis;
     analysis.scenario = scenario;
     // The root of an upper tree is the whole body's box, so this descent includes the broad phase.
-    Result<CollidingRoots> roots = colliding_roots(*input.top_a, *input.top_b, scenario.poses);
+    Result<CollidingRoots> roots = colliding_roots(
+        *input.top_a, *input.top_b, scenario.poses, input.query.clearance.value_or(0));
     if (!roots) {
         analysis.finished = failed_result(scenario, input.query, roots.error());
         return analysis;

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <cstdint>
+#include <cstdlib>
 #include <optional>
 #include <random>
 
@@ -53,6 +54,13 @@ class SeedRange {
 /// Returns the first seeds: `for (SeededRandom random : seeds(40))`.
 [[nodiscard]] inline SeedRange seeds(std::uint64_t count, std::uint64_t first = 0) {
     return {first, first + count};
+}
+
+/// Returns `count` times the environment variable CD_ROUNDS, or `count` without one: a long run by
+/// hand raises the rounds of a test.
+[[nodiscard]] inline std::uint64_t raised(std::uint64_t count) {
+    const char* const factor = std::getenv("CD_ROUNDS");
+    return factor == nullptr ? count : count * std::strtoull(factor, nullptr, 10);
 }
 
 /// Calls `work` with each SIMD target of this host in use, then restores the best one.

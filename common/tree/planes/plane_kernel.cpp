@@ -28,6 +28,9 @@
 // (5) The two sums of the gap: 2.1 u (P + 1.02 Q + |s|).
 // Together below 41 u P + (54 u + 3.1 r) Q + 8 u |s| + 1.8 abs. `margin` is this bound.
 // (6) |R'n| <= (1 + 1.6 skew) |n|, and skew is below 2^-10.
+// (7) If y is within a distance z of x, that is x = R y + t + v with |v| <= z, then n v is at most
+//     |n| z. So the gap has to exceed z as well; its roundings to a float and in the sums cost
+//     below 4 u z.
 // Underflow costs less than 2^-120.
 //
 // Overflow: coordinates of a wide tree are below 2^50. If |s| is beyond 2^100, or a bound is
@@ -276,7 +279,7 @@ float part(const PlanePose& pose,
     const float* s = pose.translation.data();
     // 1.002 covers (6), and the other factor the length of n and the roundings of this sum.
     const float needed =
-        1.00001F * (a.sets[node_a].eps + 1.002F * b.sets[node_b].eps + pose.margin);
+        1.00001F * (a.sets[node_a].eps + 1.002F * b.sets[node_b].eps + pose.margin + pose.reach);
     for (std::uint32_t step = 1;; ++step) {
         const Support of_a = support_of(a, node_a, n);
         const float m[3] = {r[0] * n[0] + r[3] * n[1] + r[6] * n[2],
@@ -341,7 +344,8 @@ PlaneBody::PlaneBody(const WideView& tree)
 PlanePose plane_pose(const RelativePose& b_to_a,
                      const SupportView& a,
                      const SupportView& b,
-                     double error_scale) {
+                     double error_scale,
+                     double reach) {
     constexpr double u = 0x1p-24;
     constexpr double pose_error_max = 0x1p-10;
     const Vec3 c(a.center[0], a.center[1], a.center[2]);
@@ -360,11 +364,12 @@ PlanePose plane_pose(const RelativePose& b_to_a,
     const double absolute = b_to_a.translation_error + r * sizes +
                             0x1p-49 * (sizes + b_to_a.translation.norm() + c.norm());
     const double margin = error_scale * (41 * u * a.radius + (54 * u + 3.1 * r) * b.radius +
-                                         8 * u * s.norm() + 1.8 * absolute);
+                                         8 * u * s.norm() + 1.8 * absolute + 8 * u * reach);
     const bool is_bounded = r <= pose_error_max && b_to_a.skew <= pose_error_max &&
-                            s.norm() < 0x1p100 && margin < 0x1p100;
+                            s.norm() < 0x1p100 && margin < 0x1p100 && reach < 0x1p100;
     pose.margin = is_bounded ? static_cast<float>(margin) + 0x1p-120F
                              : std::numeric_limits<float>::infinity();
+    pose.reach = is_bounded ? static_cast<float>(reach) : 0;
     return pose;
 }
 

@@ -15,14 +15,16 @@ struct PlanePose {
     std::array<float, 9> rotation{}; ///< Row-major.
     std::array<float, 3> translation{};
     float margin = 0; ///< A length; infinite if nothing can be proven.
+    float reach = 0;  ///< Nodes that are at most this far apart do not count as apart.
 };
 
 /// Returns the pose for trees with support points. `error_scale` multiplies the margin: a smaller
-/// scale than 1 lets tests show that the margin is needed.
+/// scale than 1 lets tests show that the margin is needed. `reach` is a length in A's coordinates.
 [[nodiscard]] PlanePose plane_pose(const RelativePose& b_to_a,
                                    const SupportView& a,
                                    const SupportView& b,
-                                   double error_scale = 1);
+                                   double error_scale = 1,
+                                   double reach = 0);
 
 /// A body as `separate` reads it.
 struct PlaneBody {
@@ -45,8 +47,8 @@ using PlaneNormal = std::array<float, 3>;
 
 /// Tries to find a plane between two nodes, first with `normal`, then with at most `steps` - 1
 /// improved ones (Chung and Wang, Quick collision detection of polytopes in virtual environments,
-/// VRST 1996). If a plane proves that no point of A's node touches B's, returns by how much its gap
-/// exceeds what the proof needs, else 0. `normal` becomes the last one that was tried or would be
+/// VRST 1996). If a plane proves that no point of A's node is within the pose's reach of B's, returns
+/// by how much its gap exceeds what the proof needs, else 0. `normal` becomes the last one that was tried or would be
 /// tried next. Both nodes have points.
 [[nodiscard]] float separate(const PlanePose& pose,
                              const PlaneBody& a,

@@ -28,7 +28,7 @@ class PlaneProof {
     PlaneNormal turned_{};          ///< The normal in B's coordinates.
     std::array<float, 3> center_{}; ///< Of the box of B's node, relative to B's centre.
     float radius_ = 0;              ///< Bounds the distance of the node's points from `center_`.
-    float needed_ = 0;              ///< The node's least distance along the normal, less `slack`.
+    float needed_ = 0; ///< The node's least distance along the normal, less slack and reach.
 };
 
 } // namespace cd

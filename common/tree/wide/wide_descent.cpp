@@ -13,6 +13,9 @@ namespace {
 
 /// The margins that wide_kernel.cpp derives hold only up to this rotation error and skew.
 constexpr double pose_error_max = 0x1p-10;
+/// The same for the reach: the factor is that of (9).
+constexpr double wide_reach_max = 0x1p50;
+constexpr double wide_reach_factor = 1 + 0x1p-17;
 /// One call of `next` makes at most about this many visits, which take less than a millisecond.
 constexpr std::uint32_t visits_at_once = 4096;
 /// A search for a first contact sets this many pairs of leaves aside before it visits them, fewer
@@ -39,8 +42,9 @@ WideDescent::WideDescent(const RelativePose& b_to_a, double error_scale)
     restart(b_to_a);
 }
 
-void WideDescent::restart(const RelativePose& b_to_a) {
+void WideDescent::restart(const RelativePose& b_to_a, double reach) {
     b_to_a_ = b_to_a;
+    reach_ = reach;
     for (std::size_t i = 0; i < 3; ++i) {
         for (std::size_t k = 0; k < 3; ++k) {
             const double entry = b_to_a.rotation(static_cast<int>(i), static_cast<int>(k));
@@ -68,8 +72,9 @@ void WideDescent::start(const WideView& a, const WideView& b, Aim aim) {
         error_scale_ * 4.1 *
         (3 * b_to_a_.rotation_error * b.extent + b_to_a_.translation_error + 0x1p-49 * reach);
     // After NaN or overflow, no pair counts as apart.
-    pose_.absolute_margin = absolute < 0x1p100 ? static_cast<float>(absolute) + 0x1p-120F
-                                               : std::numeric_limits<float>::infinity();
+    pose_.absolute_margin = absolute < 0x1p100 && reach_ < wide_reach_max
+                                ? static_cast<float>(absolute + wide_reach_factor * reach_) + 0x1p-120F
+                                : std::numeric_limits<float>::infinity();
     last_.move_to(b_to_a_, a, b);
     if (aim == Aim::Any) {
         aim = last_.expects_contact() ? Aim::LikelyFirst : Aim::First;
@@ -85,7 +90,7 @@ void WideDescent::start(const WideView& a, const WideView& b, Aim aim) {
     planes_.clear();
     if (has_planes_) {
         planes_.reset(
-            plane_pose(b_to_a_, a.support, b.support, error_scale_), a, b, last_.is_near());
+            plane_pose(b_to_a_, a.support, b.support, error_scale_, reach_), a, b, last_.is_near());
     }
     dive_ = {};
     if (aim == Aim::LikelyFirst) {

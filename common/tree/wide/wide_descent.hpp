@@ -25,8 +25,9 @@ class WideDescent {
     /// scale is at least 1; tests use less to show that the margins are needed.
     explicit WideDescent(const RelativePose& b_to_a, double error_scale = 1);
 
-    /// Forgets all pairs and counters, and takes another pose. Keeps scratch memory.
-    void restart(const RelativePose& b_to_a);
+    /// Forgets all pairs and counters, and takes another pose. Keeps scratch memory. Then never
+    /// skips a pair of triangles that is at most `reach` apart in A's coordinates and in B's.
+    void restart(const RelativePose& b_to_a, double reach = 0);
 
     /// Selects the order of the descent.
     enum class Aim : std::uint8_t {
@@ -91,6 +92,7 @@ class WideDescent {
     bool is_for_all_ = true;  ///< The aim is All.
     RelativePose b_to_a_;
     double error_scale_;
+    double reach_ = 0;
     WidePose pose_;
     WideWalk walk_;
     PlaneStack planes_;

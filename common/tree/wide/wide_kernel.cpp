@@ -37,9 +37,14 @@
 // (8) All errors are below 128 u (|w| + E_a + E_b) + 6 (r + s) (|w| + E_a + E_b) + 4 abs. `margin`
 //     is this bound and covers its own roundings and those of |w|. Underflow costs less than 2^-148
 //     of a length or an entry, in steps below 2^-20; the margin is at least 255 * 2^-17 steps.
+// (9) Reach. If the points are not the same but x = R y + t + z, then alpha and beta each differ by
+//     z in their frame: F z, or G R^-1 z. Both are at most as long as the reach times 1 + 2 u, so
+//     intervals that are this much wider, and still apart, prove that the points are farther apart.
+//     A margin takes four roundings, and the sums with it err by below 12 u of it: `restart` adds
+//     the reach times 1 + 128 u.
 //
-// Overflow: coordinates of a wide tree are below 2^50, so that boxes share a point only where |w|
-// is below 2^55; steps are within [2^-70, 2^45]. Then all that is made of an interval stays below
+// Overflow: coordinates of a wide tree are below 2^50, so that boxes are within a reach of
+// 2^50 only where |w| is below 2^55; steps are within [2^-70, 2^45]. Then all that is made of an interval stays below
 // 2^127 or is a margin. So any other overflow belongs to boxes that are apart. An infinite margin
 // and a comparison with NaN both count as no separation.
 #include "common/tree/wide/wide_kernel.hpp"

@@ -154,7 +154,7 @@ TEST(PlaneBounds, AProofThatHoldsLeavesAGapInExactTerms) {
     std::size_t held = 0;
     for (std::size_t category = 0; category < touching_categories; ++category) {
         SCOPED_TRACE(touching_category(category));
-        const Counts counts = hold_all(category, 40, 1);
+        const Counts counts = hold_all(category, raised(40), 1);
         EXPECT_EQ(counts.wrong, 0u);
         held += counts.parted;
     }
@@ -196,7 +196,7 @@ TEST(PlaneBounds, EveryPlaneLeavesAGapInExactTerms) {
     on_every_target([](SimdTarget) {
         for (std::size_t category = 0; category < touching_categories; ++category) {
             SCOPED_TRACE(touching_category(category));
-            EXPECT_EQ(part_all(category, 12, 1).wrong, 0u);
+            EXPECT_EQ(part_all(category, raised(12), 1).wrong, 0u);
         }
     });
 }

@@ -2,7 +2,9 @@
 // point at the border of a box. Also proves that they are needed: with smaller margins such pairs
 // are lost.
 
+#include "common/distance/triangle_distance.hpp"
 #include "common/pair/triangle_pair.hpp"
+#include "common/tree/reach.hpp"
 #include "common/tree/wide/wide_descent.hpp"
 #include "tests/common/tree/exact_box.hpp"
 #include "tests/support/brink_boxes.hpp"
@@ -29,12 +31,15 @@ struct Brink {
     PosePair poses;
     std::uint32_t triangle_a = 0;
     std::uint32_t triangle_b = 0;
+    Vec3 outwards = Vec3::Zero(); ///< From A to B in the world: along it they are apart elsewhere.
+    double clearance = 0;         ///< The distance of the two corners.
 };
 
 bool is_kept(const Brink& brink, double error_scale) {
     const WideView a = brink.a.view().wide;
     const WideView b = brink.b.view().wide;
     WideDescent descent(relative_pose(brink.poses), error_scale);
+    descent.restart(relative_pose(brink.poses), body_reach(brink.poses, brink.clearance));
     for (descent.start(a, b); !descent.is_done();) {
         for (const Candidate& pair : descent.next(256)) {
             if (a.triangles.ids[pair.a] == brink.triangle_a &&
@@ -251,9 +256,10 @@ std::optional<Brink> corner_on_corner(std::mt19937_64& random, double far, int b
         return std::nullopt;
     }
     if (random() % 2 == 0) {
-        return Brink{tree, make_tree(large), {turn_small.pose, *pose}, last / 3, first / 3};
+        return Brink{
+            tree, make_tree(large), {turn_small.pose, *pose}, last / 3, first / 3, outwards};
     }
-    return Brink{make_tree(large), tree, {*pose, turn_small.pose}, first / 3, last / 3};
+    return Brink{make_tree(large), tree, {*pose, turn_small.pose}, first / 3, last / 3, -outwards};
 }
 
 /// A small body's corner touches a large one's triangle on the border of its box.
@@ -278,6 +284,23 @@ std::optional<Brink> corner_on_plane(std::mt19937_64& random) {
         return Brink{make_tree(small), make_tree(large->mesh), {turn.pose, *pose}, 0, 2};
     }
     return Brink{make_tree(large->mesh), make_tree(small), {*pose, turn.pose}, 2, 0};
+}
+
+/// Moves the bodies apart by a share of the smaller body's size. Leaves out those whose corners are
+/// then farther apart than that, because of rounding.
+Brinks moved_apart(const Brinks& brinks, double share) {
+    Brinks moved;
+    for (Brink brink : brinks) {
+        brink.clearance = share;
+        const Vec3 translation = brink.poses.b.translation() + share * brink.outwards;
+        brink.poses.b = with_translation(brink.poses.b, translation);
+        if (TriangleDistance(brink.poses).is_within(brink.a.mesh().corners(brink.triangle_a),
+                                                    brink.b.mesh().corners(brink.triangle_b),
+                                                    brink.clearance)) {
+            moved.push_back(std::move(brink));
+        }
+    }
+    return moved;
 }
 
 /// Bodies that touch in one point. Made once for all targets.
@@ -318,6 +341,21 @@ TEST(WideBounds, BodiesThatTouchAtTheBrinkAreNotLostButSomeAreWithSmallerMargins
         // ends on a whole step: margins of 0 would suffice here, but not less.
         EXPECT_GT(lost_of(all.far, -0.02), 5u);
     });
+}
+
+TEST(WideBounds, CornersAsFarApartAsTheReachAreNotLostButSomeAreWithSmallerMargins) {
+    const Brinks touching =
+        brinks_of(600, [](auto& random) { return corner_on_corner(random, 0, 10); });
+    for (const double share : {1e-3, 0.1}) {
+        const Brinks brinks = moved_apart(touching, share);
+        EXPECT_GT(brinks.size(), 100u);
+        on_every_target([&](SimdTarget target) {
+            EXPECT_EQ(lost_of(brinks, 1), 0u);
+            if (target == SimdTarget::Avx512 || target == SimdTarget::Avx2) {
+                EXPECT_GT(lost_of(brinks, 0), 0u);
+            }
+        });
+    }
 }
 
 } // namespace
