@@ -34,7 +34,10 @@ decoded_parts(const ObbTree& tree, std::uint32_t depth, SubtreeForm form) {
                                                  std::mt19937_64& random) {
     const std::vector<Subtree> parts_a = decoded_parts(a, depths[0], form);
     const std::vector<Subtree> parts_b = decoded_parts(b, depths[1], form);
-    auto roots = colliding_roots(cut_tree(a, depths[0]), cut_tree(b, depths[1]), scenario.poses)
+    auto roots = colliding_roots(cut_tree(a, depths[0]),
+                                 cut_tree(b, depths[1]),
+                                 scenario.poses,
+                                 query.clearance.value_or(0))
                      .value()
                      .pairs;
     std::shuffle(roots.begin(), roots.end(), random);
