@@ -1,5 +1,7 @@
 #include "common/distance/triangle_distance.hpp"
 
+#include "common/distance/double_distance.hpp"
+#include "common/distance/double_double_distance.hpp"
 #include "common/distance/exact_distance.hpp"
 #include "common/geometry/triangle_blocks.hpp"
 
@@ -28,13 +30,28 @@ DistanceStatistics& DistanceStatistics::operator+=(const DistanceStatistics& oth
 struct TriangleDistance::State {
     PosePair poses;
     DistanceStage first;
-    std::optional<ExactDistance> exact; ///< Empty until first used.
+    std::optional<DoubleDistance> in_double;              ///< Empty until first used.
+    std::optional<DoubleDoubleDistance> in_double_double; ///< Empty until first used.
+    std::optional<ExactDistance> exact;                   ///< Empty until first used.
     DistanceStatistics statistics;
     std::vector<std::uint8_t> answers; ///< One per candidate of the last call.
 
     State(const PosePair& given, DistanceStage first_stage) : poses(given), first(first_stage) {}
 
-    ExactDistance& in_integers() {
+    [[nodiscard]] DoublePair look_at(const Corners& a, const Corners& b) {
+        if (!in_double) {
+            in_double.emplace(poses);
+        }
+        return first <= DistanceStage::Double ? in_double->look_at(a, b) : in_double->choose(a, b);
+    }
+    [[nodiscard]] DistanceBounds<DoubleDouble>
+    look_closer(const Corners& a, const Corners& b, const DoublePair& pair) {
+        if (!in_double_double) {
+            in_double_double.emplace(poses);
+        }
+        return in_double_double->bounds(a, b, pair.near_a, pair.feature);
+    }
+    [[nodiscard]] ExactDistance& in_integers() {
         ++statistics[DistanceStage::Exact];
         if (!exact) {
             exact.emplace(poses);
@@ -51,16 +68,37 @@ TriangleDistance::~TriangleDistance() = default;
 
 void TriangleDistance::restart(const PosePair& poses) {
     state_->poses = poses;
+    state_->in_double.reset();
+    state_->in_double_double.reset();
     state_->exact.reset();
     state_->statistics = {};
 }
 
 bool TriangleDistance::is_within(const Corners& a, const Corners& b, double d) {
-    return state_->in_integers().is_within(a, b, d);
+    State& s = *state_;
+    if (s.first < DistanceStage::Exact) {
+        const DoublePair pair = s.look_at(a, b);
+        if (const auto proven = pair.is_within(d)) {
+            ++s.statistics[DistanceStage::Double];
+            return *proven;
+        }
+        if (const auto proven = cd::is_within(s.look_closer(a, b, pair), d)) {
+            ++s.statistics[DistanceStage::DoubleDouble];
+            return *proven;
+        }
+    }
+    return s.in_integers().is_within(a, b, d);
 }
 
 double TriangleDistance::rounded(const Corners& a, const Corners& b) {
-    return state_->in_integers().rounded(a, b);
+    State& s = *state_;
+    if (s.first < DistanceStage::Exact) {
+        if (const auto proven = cd::rounded(s.look_closer(a, b, s.look_at(a, b)))) {
+            ++s.statistics[DistanceStage::DoubleDouble];
+            return *proven;
+        }
+    }
+    return s.in_integers().rounded(a, b);
 }
 
 NearestPoints TriangleDistance::nearest(const Corners& a, const Corners& b) {

@@ -54,6 +54,8 @@ class DistanceOracle {
   public:
     DistanceOracle(const Corners& a, const Corners& b, const PosePair& poses);
 
+    /// The square of the distance.
+    [[nodiscard]] const mpq_class& square() const { return square_; }
     [[nodiscard]] bool share_a_point() const { return square_ == 0; }
     [[nodiscard]] bool is_within(double d) const;
     [[nodiscard]] double rounded() const { return rounded_; }
