@@ -107,11 +107,6 @@ void classify_from(
     }
 }
 
-template <class T>
-BlockSource<T> blocks_of(const FloatPairBody& body, const T* vertices) {
-    return {vertices, body.vertex_begin, body.corners};
-}
-
 /// Calls `classify_from` with each body's kind.
 void classify_all(const FloatPairPose& pose,
                   const FloatPairBody& a,
@@ -120,22 +115,9 @@ void classify_all(const FloatPairPose& pose,
                   std::size_t count,
                   std::uint8_t* verdicts) {
     const Batch batch{candidates, count, verdicts};
-    const auto with_a = [&](const auto& from_a) {
-        if (b.kind == FloatPairBody::Kind::FloatBlocks) {
-            classify_from(pose, from_a, blocks_of(b, b.floats), b.reach, batch);
-        } else {
-            classify_from(pose, from_a, blocks_of(b, b.doubles), b.reach, batch);
-        }
-    };
-    switch (a.kind) {
-    case FloatPairBody::Kind::FloatBlocks:
-        return with_a(blocks_of(a, a.floats));
-    case FloatPairBody::Kind::DoubleBlocks:
-        return with_a(blocks_of(a, a.doubles));
-    case FloatPairBody::Kind::Mesh:
-        return classify_from(
-            pose, MeshSource{a.doubles, a.triangles}, MeshSource{b.doubles, b.triangles}, 0, batch);
-    }
+    with_sources(a, b, [&](const auto& from_a, const auto& from_b, double reach) {
+        classify_from(pose, from_a, from_b, reach, batch);
+    });
 }
 
 } // namespace HWY_NAMESPACE

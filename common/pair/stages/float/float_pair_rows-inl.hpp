@@ -1,5 +1,5 @@
 // Reads one candidate's corners per SIMD lane, as rows of edges and differences.
-// float_pair_signs-inl.hpp turns the rows into columns. Compiled for every target.
+// float_pair_columns-inl.hpp turns the rows into columns. Compiled for every target.
 
 // Highway's include guard: once per target.
 #if defined(CD_FLOAT_PAIR_ROWS_INL_HPP) == defined(HWY_TARGET_TOGGLE)
@@ -79,6 +79,32 @@ struct MeshSource {
                 vertices + 3 * std::size_t{t[2]}};
     }
 };
+
+template <class T>
+BlockSource<T> blocks_of(const FloatPairBody& body, const T* vertices) {
+    return {vertices, body.vertex_begin, body.corners};
+}
+
+/// Calls `use(a, b, reach)` with the sources of both bodies. `reach` bounds every |coordinate| of
+/// B's blocks; 0 for a mesh.
+template <class Use>
+void with_sources(const FloatPairBody& a, const FloatPairBody& b, const Use& use) {
+    const auto with_a = [&](const auto& from_a) {
+        if (b.kind == FloatPairBody::Kind::FloatBlocks) {
+            use(from_a, blocks_of(b, b.floats), b.reach);
+        } else {
+            use(from_a, blocks_of(b, b.doubles), b.reach);
+        }
+    };
+    switch (a.kind) {
+    case FloatPairBody::Kind::FloatBlocks:
+        return with_a(blocks_of(a, a.floats));
+    case FloatPairBody::Kind::DoubleBlocks:
+        return with_a(blocks_of(a, a.doubles));
+    case FloatPairBody::Kind::Mesh:
+        return use(MeshSource{a.doubles, a.triangles}, MeshSource{b.doubles, b.triangles}, 0.0);
+    }
+}
 
 /// Candidates alternate between A's and B's triangle numbers.
 constexpr std::size_t candidate_step = 2;
