@@ -3,8 +3,10 @@
 #include "common/distance/double_distance.hpp"
 #include "common/distance/double_double_distance.hpp"
 #include "common/distance/exact_distance.hpp"
+#include "common/distance/float_distance.hpp"
 #include "common/geometry/triangle_blocks.hpp"
 
+#include <algorithm>
 #include <numeric>
 #include <vector>
 
@@ -27,17 +29,41 @@ DistanceStatistics& DistanceStatistics::operator+=(const DistanceStatistics& oth
     return *this;
 }
 
+/// Calls with fewer candidates skip the float stage, which costs as much for a few pairs as for
+/// many.
+constexpr std::size_t float_distances_min = 4;
+
 struct TriangleDistance::State {
     PosePair poses;
     DistanceStage first;
+    std::optional<FloatDistance> in_float;                ///< Empty until first used.
     std::optional<DoubleDistance> in_double;              ///< Empty until first used.
     std::optional<DoubleDoubleDistance> in_double_double; ///< Empty until first used.
     std::optional<ExactDistance> exact;                   ///< Empty until first used.
     DistanceStatistics statistics;
+    std::vector<NearVerdict> verdicts; ///< One per candidate of the last call.
     std::vector<std::uint8_t> answers; ///< One per candidate of the last call.
 
     State(const PosePair& given, DistanceStage first_stage) : poses(given), first(first_stage) {}
 
+    /// Returns the float verdict of each candidate, and counts the proven ones. All are Unknown if
+    /// floats are skipped.
+    template <class Triangles>
+    std::span<const NearVerdict> float_verdicts(const Triangles& a,
+                                                const Triangles& b,
+                                                std::span<const Candidate> candidates,
+                                                double d) {
+        verdicts.assign(candidates.size(), NearVerdict::Unknown);
+        if (first <= DistanceStage::Float && candidates.size() >= float_distances_min) {
+            if (!in_float) {
+                in_float.emplace(poses);
+            }
+            in_float->decide(a, b, candidates, d, verdicts);
+            const auto unknown = std::count(verdicts.begin(), verdicts.end(), NearVerdict::Unknown);
+            statistics[DistanceStage::Float] += verdicts.size() - static_cast<std::size_t>(unknown);
+        }
+        return verdicts;
+    }
     [[nodiscard]] DoublePair look_at(const Corners& a, const Corners& b) {
         if (!in_double) {
             in_double.emplace(poses);
@@ -68,6 +94,7 @@ TriangleDistance::~TriangleDistance() = default;
 
 void TriangleDistance::restart(const PosePair& poses) {
     state_->poses = poses;
+    state_->in_float.reset();
     state_->in_double.reset();
     state_->in_double_double.reset();
     state_->exact.reset();
@@ -110,11 +137,15 @@ std::span<const std::uint8_t> TriangleDistance::within(const Triangles& a,
                                                        const Triangles& b,
                                                        std::span<const Candidate> candidates,
                                                        double d) {
+    const std::span<const NearVerdict> verdicts = state_->float_verdicts(a, b, candidates, d);
     std::vector<std::uint8_t>& answers = state_->answers;
     answers.resize(candidates.size());
     for (std::size_t i = 0; i < candidates.size(); ++i) {
         const Candidate& c = candidates[i];
-        answers[i] = is_within(a.corners_at(c.a), b.corners_at(c.b), d) ? 1 : 0;
+        const bool is_near = verdicts[i] == NearVerdict::Unknown
+                                 ? is_within(a.corners_at(c.a), b.corners_at(c.b), d)
+                                 : verdicts[i] == NearVerdict::Near;
+        answers[i] = is_near ? 1 : 0;
     }
     return answers;
 }
@@ -124,9 +155,15 @@ std::optional<std::size_t> TriangleDistance::find_within(const Triangles& a,
                                                          const Triangles& b,
                                                          std::span<const Candidate> candidates,
                                                          double d) {
+    const std::span<const NearVerdict> verdicts = state_->float_verdicts(a, b, candidates, d);
+    const auto near = std::find(verdicts.begin(), verdicts.end(), NearVerdict::Near);
+    if (near != verdicts.end()) {
+        return static_cast<std::size_t>(near - verdicts.begin());
+    }
     for (std::size_t i = 0; i < candidates.size(); ++i) {
         const Candidate& c = candidates[i];
-        if (is_within(a.corners_at(c.a), b.corners_at(c.b), d)) {
+        if (verdicts[i] == NearVerdict::Unknown &&
+            is_within(a.corners_at(c.a), b.corners_at(c.b), d)) {
             return i;
         }
     }

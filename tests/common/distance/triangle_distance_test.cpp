@@ -3,6 +3,7 @@
 // the environment variable CD_ROUNDS.
 #include "common/distance/triangle_distance.hpp"
 
+#include "tests/common/pair/pair_batch.hpp"
 #include "tests/support/distance_oracle.hpp"
 #include "tests/support/distance_pairs.hpp"
 #include "tests/support/rounds.hpp"
@@ -15,6 +16,7 @@
 #include <cctype>
 #include <cstdlib>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace cd::tests {
@@ -93,6 +95,89 @@ TEST_P(TriangleDistanceTest, AllAnswersAreExactWhateverTheFirstStage) {
         }
     }
     EXPECT_GT(apart, 5);
+}
+
+/// The pairs of a kind, under the poses of the first one, that share no point.
+struct SpanPairs {
+    PosePair poses;
+    Batch batch;
+    std::vector<DistanceOracle> exact;
+
+    SpanPairs(std::mt19937_64& random, const PairMaker& make) {
+        for (int i = 0; i < 60; ++i) {
+            const PosedPair c = make(random);
+            poses = i == 0 ? c.poses : poses;
+            DistanceOracle oracle(c.a, c.b, poses);
+            if (!oracle.share_a_point()) {
+                batch.add(c.a, c.b);
+                exact.push_back(std::move(oracle));
+            }
+        }
+    }
+};
+
+void expect_true_batch(const SpanPairs& pairs, TriangleDistance& distance, double d) {
+    const auto a = pairs.batch.a();
+    const auto b = pairs.batch.b();
+    const auto answers = distance.within(a, b, pairs.batch.candidates, d);
+    ASSERT_EQ(answers.size(), pairs.exact.size());
+    bool any = false;
+    for (std::size_t i = 0; i < answers.size(); ++i) {
+        ASSERT_EQ(answers[i] != 0, pairs.exact[i].is_within(d)) << i;
+        any = any || answers[i] != 0;
+    }
+    const auto found = distance.find_within(a, b, pairs.batch.candidates, d);
+    ASSERT_EQ(found.has_value(), any);
+    ASSERT_TRUE(!found || pairs.exact[*found].is_within(d));
+}
+
+TEST_P(TriangleDistanceTest, BatchesAreExactOnEveryTarget) {
+    std::mt19937_64 random(7);
+    const SpanPairs pairs(random, distance_pair_makers().at(GetParam()));
+    for (std::size_t i = 0; i < pairs.exact.size(); i += 13) {
+        for (const double d : bounds_around(random, pairs.exact[i].rounded())) {
+            TriangleDistance exactly(pairs.poses, DistanceStage::Exact);
+            expect_true_batch(pairs, exactly, d);
+            on_every_target([&](SimdTarget) {
+                TriangleDistance distance(pairs.poses);
+                expect_true_batch(pairs, distance, d);
+            });
+        }
+    }
+}
+
+TEST(TriangleDistance, RestartForgetsThePoses) {
+    std::mt19937_64 random(8);
+    TriangleDistance reused({});
+    for (int i = 0; i < 50; ++i) {
+        const PosedPair c{random_corners(random, 1),
+                          random_corners(random, 1),
+                          {make_pose(random, 5), make_matrix_pose(random, 5)}};
+        if (DistanceOracle(c.a, c.b, c.poses).share_a_point()) {
+            continue;
+        }
+        reused.restart(c.poses);
+        EXPECT_EQ(reused.statistics().total(), 0u);
+        const double rounded = reused.rounded(c.a, c.b);
+        EXPECT_EQ(rounded, TriangleDistance(c.poses, DistanceStage::Exact).rounded(c.a, c.b));
+        EXPECT_TRUE(reused.is_within(c.a, c.b, rounded * (1 + 1e-15)));
+        EXPECT_FALSE(reused.is_within(c.a, c.b, rounded * (1 - 1e-15)));
+    }
+}
+
+TEST(TriangleDistance, CheapStagesDecideOrdinaryPairs) {
+    std::mt19937_64 random(9);
+    const SpanPairs pairs(random, distance_pair_makers().at("apart under two quaternions"));
+    TriangleDistance distance(pairs.poses);
+    const auto all = pairs.exact.size();
+    static_cast<void>(distance.within(pairs.batch.a(), pairs.batch.b(), pairs.batch.candidates, 1));
+    EXPECT_EQ(distance.statistics()[DistanceStage::Float], all);
+    for (std::size_t i = 0; i < all; ++i) {
+        static_cast<void>(
+            distance.rounded(pairs.batch.a().corners_at(pairs.batch.candidates[i].a),
+                             pairs.batch.b().corners_at(pairs.batch.candidates[i].b)));
+    }
+    EXPECT_EQ(distance.statistics()[DistanceStage::DoubleDouble], all);
 }
 
 INSTANTIATE_TEST_SUITE_P(,
