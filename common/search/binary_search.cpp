@@ -42,7 +42,8 @@ constexpr std::uint32_t steps_between_stop_checks = 1024;
 BinarySearch::Placement::Placement(const PosePair& poses, const std::optional<double>& clearance)
     : b_to_a(relative_pose(poses)),
       boxes(b_to_a),
-      near_boxes(b_to_a, 1, clearance ? body_reach(poses, *clearance) : 0) {}
+      near_boxes(b_to_a, 1, clearance ? body_reach(poses, *clearance) : 0),
+      reach_per_length(body_reach(poses, 1)) {}
 
 BinarySearch::BinarySearch(const PosePair& poses,
                            std::span<const IgnoredRange> ignored,
@@ -51,12 +52,19 @@ BinarySearch::BinarySearch(const PosePair& poses,
       clearance_(options.clearance),
       ignored_(ignored),
       placement_(poses, clearance_),
-      contacts_(poses, options) {}
+      contacts_(poses, options) {
+    if (options.nearest_up_to) {
+        nearest_.emplace(poses, distance_stage(options.first_stage), *options.nearest_up_to);
+    }
+}
 
 void BinarySearch::restart(const PosePair& poses) {
     placement_ = Placement(poses, clearance_);
     progress_ = {};
     contacts_.restart(poses);
+    if (nearest_) {
+        nearest_->restart(poses);
+    }
 }
 
 /// Returns whether the descent must end; polls `stop_` once in `steps_between_stop_checks` calls.
@@ -198,6 +206,25 @@ void BinarySearch::collect(const TreeView& a, const TreeView& b) {
         return false;
     });
     decide_candidates(a, b);
+}
+
+/// Adds the candidates to the nearest pair, and lowers the reach of the boxes accordingly.
+void BinarySearch::narrow(const TreeView& a, const TreeView& b) {
+    constexpr double more_than_rounding = 1 + 0x1p-50;
+    nearest_->add(triangles_of(a), a.triangle_ids, triangles_of(b), b.triangle_ids, candidates_);
+    candidates_.clear();
+    placement_.near_boxes.set_reach(more_than_rounding * placement_.reach_per_length *
+                                    nearest_->bound());
+}
+
+void BinarySearch::find_nearest(const TreeView& a, const TreeView& b) {
+    CD_CHECK(nearest_);
+    narrow(a, b);
+    descend(placement_.near_boxes, a, b, [&](const NodePair& leaves) {
+        add_candidates(placement_.near_boxes, a, b, leaves);
+        narrow(a, b);
+        return false;
+    });
 }
 
 SearchReport BinarySearch::report() const {

@@ -24,6 +24,8 @@ class BinarySearch final : public ContactSearch {
     [[nodiscard]] bool any(const TreeView& a, const TreeView& b) override;
     [[nodiscard]] Nearness any_near(const TreeView& a, const TreeView& b) override;
     void collect(const TreeView& a, const TreeView& b) override;
+    void find_nearest(const TreeView& a, const TreeView& b) override;
+    [[nodiscard]] NearestFound& nearest() override { return *nearest_; }
     [[nodiscard]] FoundContacts& contacts() override { return contacts_; }
     [[nodiscard]] SearchReport report() const override;
 
@@ -37,6 +39,7 @@ class BinarySearch final : public ContactSearch {
         RelativePose b_to_a;
         BoxTest boxes;
         BoxTest near_boxes; ///< Counts boxes within the clearance as overlapping.
+        double reach_per_length; ///< `body_reach` of the length 1.
 
         Placement(const PosePair& poses, const std::optional<double>& clearance);
     };
@@ -60,6 +63,7 @@ class BinarySearch final : public ContactSearch {
     [[nodiscard]] bool decide_any(const TreeView& a, const TreeView& b);
     [[nodiscard]] Nearness decide_near(const TreeView& a, const TreeView& b);
     void decide_candidates(const TreeView& a, const TreeView& b);
+    void narrow(const TreeView& a, const TreeView& b);
 
     StopCheck stop_;
     std::optional<double> clearance_;
@@ -67,6 +71,7 @@ class BinarySearch final : public ContactSearch {
     Placement placement_;
     Progress progress_;
     FoundContacts contacts_;
+    std::optional<NearestFound> nearest_; ///< Empty unless the options ask for it.
     std::vector<NodePair> stack_;
     std::vector<Aabb> bounds_;          ///< Boxes of one leaf's triangles of B, in A's coordinates.
     std::vector<Candidate> candidates_; ///< Triangle pairs to be decided, by index in the trees.

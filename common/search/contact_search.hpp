@@ -4,6 +4,7 @@
 #include "common/geometry/pose.hpp"
 #include "common/search/contact_pair.hpp"
 #include "common/search/found_contacts.hpp"
+#include "common/search/nearest_found.hpp"
 #include "common/search/search_options.hpp"
 #include "common/tree/ignored_range.hpp"
 #include "common/tree/obb_tree.hpp"
@@ -56,6 +57,13 @@ class ContactSearch {
 
     /// Adds every contact of `a` and `b` to `contacts()`, and with a clearance every near pair.
     virtual void collect(const TreeView& a, const TreeView& b) = 0;
+
+    /// Finds the nearest pair of `a` and `b`, unless `nearest()` has a nearer one already. No
+    /// triangles of the bodies touch.
+    virtual void find_nearest(const TreeView& a, const TreeView& b) = 0;
+
+    /// Returns the nearest pair of all calls of `find_nearest` since the last `restart`.
+    [[nodiscard]] virtual NearestFound& nearest() = 0;
 
     /// Returns the contacts of all calls of `collect` since the last `restart`.
     [[nodiscard]] virtual FoundContacts& contacts() = 0;

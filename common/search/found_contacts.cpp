@@ -12,29 +12,13 @@ namespace {
 /// Below this number of pairs, neither sorting early nor returning memory pays.
 constexpr std::size_t kept_at_least = 1u << 16;
 
-/// Returns the first stage of distances that corresponds to that of contacts.
-DistanceStage first_distance_stage(PairStage stage) {
-    switch (stage) {
-    case PairStage::Float:
-        return DistanceStage::Float;
-    case PairStage::Double:
-        return DistanceStage::Double;
-    case PairStage::Lattice:
-    case PairStage::DoubleDouble:
-        return DistanceStage::DoubleDouble;
-    case PairStage::WideInteger:
-    case PairStage::Arbitrary:
-        break;
-    }
-    return DistanceStage::Exact;
-}
 
 } // namespace
 
 FoundContacts::FoundContacts(const PosePair& poses, const SearchOptions& options)
     : options_(options), test_(poses, options.first_stage, options.decision) {
     if (options.clearance) {
-        distance_.emplace(poses, first_distance_stage(options.first_stage));
+        distance_.emplace(poses, distance_stage(options.first_stage));
     }
 }
 

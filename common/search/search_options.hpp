@@ -2,6 +2,7 @@
 #pragma once
 
 #include "common/core/host/stop_check.hpp"
+#include "common/distance/triangle_distance.hpp"
 #include "common/pair/triangle_pair.hpp"
 
 #include <cstdint>
@@ -21,9 +22,28 @@ struct SearchOptions {
     bool keep_corners = false;
     /// Also finds near pairs: those that share no point but are at most this far apart in the world.
     std::optional<double> clearance = std::nullopt;
+    /// Prepares the search for `find_nearest`, which finds no pair that is farther apart than this.
+    std::optional<double> nearest_up_to = std::nullopt;
     PairStage first_stage = PairStage::Float; ///< Earlier stages are skipped.
     PairDecision decision = PairDecision::Exact;
     StopCheck stop = {}; ///< The search polls this check while it descends.
 };
+
+/// Returns the first stage of distances that corresponds to a first stage of contacts.
+[[nodiscard]] constexpr DistanceStage distance_stage(PairStage stage) {
+    switch (stage) {
+    case PairStage::Float:
+        return DistanceStage::Float;
+    case PairStage::Double:
+        return DistanceStage::Double;
+    case PairStage::Lattice:
+    case PairStage::DoubleDouble:
+        return DistanceStage::DoubleDouble;
+    case PairStage::WideInteger:
+    case PairStage::Arbitrary:
+        break;
+    }
+    return DistanceStage::Exact;
+}
 
 } // namespace cd

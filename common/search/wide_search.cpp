@@ -17,20 +17,37 @@ WideSearch::WideSearch(const PosePair& poses,
       ignored_(ignored),
       stop_(options.stop),
       contacts_(poses, options) {
-    if (clearance_) {
+    if (options.nearest_up_to) {
+        nearest_.emplace(poses, distance_stage(options.first_stage), *options.nearest_up_to);
+    }
+    if (clearance_ || nearest_) {
         near_descent_.emplace(b_to_a_);
-        near_descent_->restart(b_to_a_, body_reach(poses, *clearance_));
+        place_near(poses);
     }
 }
 
 void WideSearch::restart(const PosePair& poses) {
     b_to_a_ = relative_pose(poses);
     descent_.restart(b_to_a_);
-    if (clearance_) {
-        near_descent_->restart(b_to_a_, body_reach(poses, *clearance_));
-    }
     contacts_.restart(poses);
+    if (nearest_) {
+        nearest_->restart(poses);
+    }
+    if (near_descent_) {
+        place_near(poses);
+    }
     is_stopped_ = false;
+}
+
+void WideSearch::place_near(const PosePair& poses) {
+    reach_per_length_ = body_reach(poses, 1);
+    near_descent_->restart(b_to_a_, clearance_ ? body_reach(poses, *clearance_) : 0);
+}
+
+/// Returns the reach that finds every pair which may change the answer.
+double WideSearch::nearest_reach() const {
+    constexpr double more_than_rounding = 1 + 0x1p-50;
+    return more_than_rounding * reach_per_length_ * nearest_->bound();
 }
 
 void WideSearch::poll_stop() {
@@ -101,6 +118,21 @@ void WideSearch::collect(const TreeView& a, const TreeView& b) {
         poll_stop();
     }
     expects_none_ = contacts_.count() + contacts_.near_count() == before;
+}
+
+void WideSearch::find_nearest(const TreeView& a, const TreeView& b) {
+    CD_CHECK(nearest_ && !a.wide.nodes.empty() && !b.wide.nodes.empty());
+    const TriangleBlocks& of_a = a.wide.triangles;
+    const TriangleBlocks& of_b = b.wide.triangles;
+    WideDescent& descent = *near_descent_;
+    descent.set_reach(nearest_reach());
+    descent.start(a.wide, b.wide, WideDescent::Aim::LikelyFirst);
+    while (!descent.is_done() && !is_stopped_) {
+        const auto found = next_candidates(descent, a.wide, b.wide, candidates_at_once_for_nearest);
+        nearest_->add(of_a, of_a.ids, of_b, of_b.ids, found);
+        descent.set_reach(nearest_reach());
+        poll_stop();
+    }
 }
 
 SearchReport WideSearch::report() const {

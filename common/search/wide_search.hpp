@@ -24,6 +24,8 @@ class WideSearch final : public ContactSearch {
     [[nodiscard]] bool any(const TreeView& a, const TreeView& b) override;
     [[nodiscard]] Nearness any_near(const TreeView& a, const TreeView& b) override;
     void collect(const TreeView& a, const TreeView& b) override;
+    void find_nearest(const TreeView& a, const TreeView& b) override;
+    [[nodiscard]] NearestFound& nearest() override { return *nearest_; }
     [[nodiscard]] FoundContacts& contacts() override { return contacts_; }
     [[nodiscard]] SearchReport report() const override;
 
@@ -32,17 +34,21 @@ class WideSearch final : public ContactSearch {
                                                              const WideView& a,
                                                              const WideView& b,
                                                              std::size_t wanted);
+    void place_near(const PosePair& poses);
+    [[nodiscard]] double nearest_reach() const;
     void poll_stop();
 
     std::optional<double> clearance_;
+    double reach_per_length_ = 1; ///< Of `near_descent_`: `body_reach` of the length 1.
     RelativePose b_to_a_;
     WideDescent descent_; ///< Finds contacts.
-    /// Finds pairs within the clearance; empty without one. Other pairs are likely than for
-    /// contacts, so this descent has its own memory of earlier poses.
+    /// Finds near or nearest pairs; empty unless the options ask for them. Other pairs are likely
+    /// than for contacts, so this descent has its own memory of earlier poses.
     std::optional<WideDescent> near_descent_;
     std::span<const IgnoredRange> ignored_;
     StopCheck stop_;
     FoundContacts contacts_;
+    std::optional<NearestFound> nearest_; ///< Empty unless the options ask for it.
     bool expects_none_ = true; ///< The last call of `collect` found no pair; true at first.
     bool is_stopped_ = false;
 };

@@ -25,6 +25,9 @@ class BoxTest {
     /// in A's coordinates, count as overlapping.
     explicit BoxTest(const RelativePose& b_to_a, double error_scale = 1, double reach = 0);
 
+    /// Changes the reach. Boxes that were posed before keep the reach they had.
+    void set_reach(double reach) { reach_ = 1.01 * reach; }
+
     [[nodiscard]] PosedBox pose(const ObbNode& b) const;
 
     /// Returns a box in A's body coordinates that encloses all points within `reach` of a triangle

@@ -29,8 +29,7 @@
 // Together below 41 u P + (54 u + 3.1 r) Q + 8 u |s| + 1.8 abs. `margin` is this bound.
 // (6) |R'n| <= (1 + 1.6 skew) |n|, and skew is below 2^-10.
 // (7) If y is within a distance z of x, that is x = R y + t + v with |v| <= z, then n v is at most
-//     |n| z. So the gap has to exceed z as well; its roundings to a float and in the sums cost
-//     below 4 u z.
+//     |n| z. So the gap has to exceed z as well; the factor of `needed` covers its roundings.
 // Underflow costs less than 2^-120.
 //
 // Overflow: coordinates of a wide tree are below 2^50. If |s| is beyond 2^100, or a bound is
@@ -364,12 +363,12 @@ PlanePose plane_pose(const RelativePose& b_to_a,
     const double absolute = b_to_a.translation_error + r * sizes +
                             0x1p-49 * (sizes + b_to_a.translation.norm() + c.norm());
     const double margin = error_scale * (41 * u * a.radius + (54 * u + 3.1 * r) * b.radius +
-                                         8 * u * s.norm() + 1.8 * absolute + 8 * u * reach);
+                                         8 * u * s.norm() + 1.8 * absolute);
     const bool is_bounded = r <= pose_error_max && b_to_a.skew <= pose_error_max &&
-                            s.norm() < 0x1p100 && margin < 0x1p100 && reach < 0x1p100;
+                            s.norm() < 0x1p100 && margin < 0x1p100;
     pose.margin = is_bounded ? static_cast<float>(margin) + 0x1p-120F
                              : std::numeric_limits<float>::infinity();
-    pose.reach = is_bounded ? static_cast<float>(reach) : 0;
+    pose.reach = static_cast<float>(reach);
     return pose;
 }
 

@@ -5,7 +5,7 @@
 //     m1 q = m0 q - (m0 - m1) q >= m0 q - (m0 - m1) c - |m0 - m1| radius.
 // Therefore the gap under pose 1 still exceeds needed0 if
 //     n s1 - (n s0 - slack) - (m0 - m1) c - |m0 - m1| radius > 0.
-// needed0 holds the reach of pose 0; that of pose 1 takes its place.
+// needed0 holds the reach of pose 0 with the factor of `separate`; that of pose 1 takes its place.
 // Rounding: needed0 holds the margin of pose 0, and its other terms do not depend on the pose. Pose
 // 1 adds the error of m1, (12.7 u + 3.1 r) Q, and of s1, 1.8 abs + u |s|. The computation here adds
 // 3.1 u |s| for n s under each pose; below 4 u (P + 2 Q + |s|) for the sums; and below 22 u Q for
@@ -19,6 +19,8 @@
 namespace cd {
 
 namespace {
+
+constexpr float reach_factor = 1.00001F;
 
 float dot(const float* x, const float* y) {
     return x[0] * y[0] + x[1] * y[1] + x[2] * y[2];
@@ -40,7 +42,8 @@ PlaneProof::PlaneProof(const PlanePose& pose,
                        const PlaneNormal& normal,
                        float slack)
     : turned_(turned_by(pose, normal)),
-      needed_(dot(normal.data(), pose.translation.data()) - slack + 2 * pose.margin - pose.reach) {
+      needed_(dot(normal.data(), pose.translation.data()) - slack + 2 * pose.margin -
+              reach_factor * pose.reach) {
     const WideNode& box = b.nodes[node_b];
     float square = 0;
     for (std::size_t k = 0; k < 3; ++k) {
@@ -64,7 +67,7 @@ bool PlaneProof::holds(const PlanePose& pose, const PlaneNormal& normal) const {
     const float moved =
         dot(change.data(), center_.data()) + std::sqrt(dot(change.data(), change.data())) * radius_;
     return dot(normal.data(), pose.translation.data()) - needed_ - moved >
-           2 * pose.margin + pose.reach;
+           2 * pose.margin + reach_factor * pose.reach;
 }
 
 } // namespace cd

@@ -19,6 +19,8 @@ class PlaneStack {
     /// Forgets all pairs and takes other trees, which have support points and outlive the calls.
     /// Keeps normals if the pose is near the last one and the trees are the same.
     void reset(const PlanePose& pose, const WideView& a, const WideView& b, bool is_near);
+    /// Changes the reach of the pose (PlanePose::reach) to a smaller one.
+    void set_reach(float reach) { pose_.reach = reach; }
     void push_roots();
     void clear() { pairs_.clear(); }
     [[nodiscard]] std::size_t size() const { return pairs_.size(); }

@@ -66,15 +66,28 @@ void WideDescent::restart(const RelativePose& b_to_a, double reach) {
     walk_.visits = 0;
 }
 
+void WideDescent::set_margin() {
+    // After NaN or overflow, no pair counts as apart.
+    const double margin = absolute_margin_ + wide_reach_factor * reach_;
+    pose_.absolute_margin = margin < 0x1p100 && reach_ < wide_reach_max
+                                ? static_cast<float>(margin) + 0x1p-120F
+                                : std::numeric_limits<float>::infinity();
+}
+
+void WideDescent::set_reach(double reach) {
+    reach_ = reach;
+    set_margin();
+    if (has_planes_) {
+        planes_.set_reach(static_cast<float>(reach));
+    }
+}
+
 void WideDescent::start(const WideView& a, const WideView& b, Aim aim) {
     const double reach = 3 * (a.extent + b.extent) + b_to_a_.translation.cwiseAbs().sum();
-    const double absolute =
+    absolute_margin_ =
         error_scale_ * 4.1 *
         (3 * b_to_a_.rotation_error * b.extent + b_to_a_.translation_error + 0x1p-49 * reach);
-    // After NaN or overflow, no pair counts as apart.
-    pose_.absolute_margin = absolute < 0x1p100 && reach_ < wide_reach_max
-                                ? static_cast<float>(absolute + wide_reach_factor * reach_) + 0x1p-120F
-                                : std::numeric_limits<float>::infinity();
+    set_margin();
     last_.move_to(b_to_a_, a, b);
     if (aim == Aim::Any) {
         aim = last_.expects_contact() ? Aim::LikelyFirst : Aim::First;

@@ -50,6 +50,9 @@ class WideDescent {
     /// The same near the last contacts.
     static constexpr std::uint32_t dive_visits_near_last = 8;
 
+    /// Changes the reach; during a descent only to a smaller one.
+    void set_reach(double reach);
+
     /// Begins a descent at the roots. The trees have nodes and outlive the descent.
     void start(const WideView& a, const WideView& b, Aim aim = Aim::All);
     [[nodiscard]] bool is_done() const {
@@ -73,6 +76,7 @@ class WideDescent {
     [[nodiscard]] std::uint64_t visits() const { return walk_.visits; }
 
   private:
+    void set_margin();
     void begin_dive();
     void dive_at_roots();
     void dive();
@@ -93,6 +97,7 @@ class WideDescent {
     RelativePose b_to_a_;
     double error_scale_;
     double reach_ = 0;
+    double absolute_margin_ = 0; ///< Without the reach.
     WidePose pose_;
     WideWalk walk_;
     PlaneStack planes_;
