@@ -2,11 +2,13 @@
 
 #include "common/core/check.hpp"
 #include "common/distance/exact_features.hpp"
+#include "common/distance/exact_optimum.hpp"
 #include "common/pair/numbers/exact_lattice.hpp"
 #include "common/pair/points/exact_points.hpp"
 
 #include <cmath>
 #include <cstdint>
+#include <utility>
 
 namespace cd {
 
@@ -25,6 +27,13 @@ std::uint64_t root_of(Wide square) {
         ++root;
     }
     return root;
+}
+
+ExactSquare least_square(const ExactLattice& lattice, std::size_t likely) {
+    if (auto square = square_if_nearest(lattice.corners, likely)) {
+        return *std::move(square);
+    }
+    return ExactFeatures(lattice.corners).least();
 }
 
 double rounded_of(const ExactSquare& square, const ExactLattice& lattice, const Dyadic& norm) {
@@ -52,9 +61,12 @@ Vec3 ExactDistance::nearby(const Corners& a) const {
     return corner.allFinite() ? corner : Vec3::Zero();
 }
 
-bool ExactDistance::is_within(const Corners& a, const Corners& b, double d) const {
+bool ExactDistance::is_within(const Corners& a,
+                              const Corners& b,
+                              double d,
+                              std::size_t likely) const {
     const ExactLattice lattice = exact_lattice(a_, a, b_, b, nearby(a));
-    const ExactSquare square = ExactFeatures(lattice.corners).least();
+    const ExactSquare square = least_square(lattice, likely);
     // Compares n / d' with the square of d in units of the lattice, which are scaled by the norm.
     const Dyadic bound = to_dyadic(d) * norm_;
     const int shift = 2 * (bound.exponent - lattice.exponent);
@@ -64,17 +76,17 @@ bool ExactDistance::is_within(const Corners& a, const Corners& b, double d) cons
     return left <= right;
 }
 
-double ExactDistance::rounded(const Corners& a, const Corners& b) const {
+double ExactDistance::rounded(const Corners& a, const Corners& b, std::size_t likely) const {
     const ExactLattice lattice = exact_lattice(a_, a, b_, b, nearby(a));
-    return rounded_of(ExactFeatures(lattice.corners).least(), lattice, norm_);
+    return rounded_of(least_square(lattice, likely), lattice, norm_);
 }
 
-NearestPoints ExactDistance::nearest(const Corners& a, const Corners& b) const {
+NearestPoints ExactDistance::nearest(const Corners& a, const Corners& b, std::size_t likely) const {
     NearestPoints points;
     points.origin = ExactPoints(poses_).origin(a);
     const ExactLattice lattice = exact_lattice(a_, a, b_, b, points.origin);
     const ExactFeatures features(lattice.corners);
-    const double least = rounded_of(features.least(), lattice, norm_);
+    const double least = rounded_of(least_square(lattice, likely), lattice, norm_);
     std::size_t number = 0;
     for (; number < feature::count; ++number) {
         const auto square = features.square(number);

@@ -1,25 +1,19 @@
 #include "common/distance/exact_features.hpp"
 
+#include "common/distance/exact_vectors.hpp"
+
 #include <utility>
 
 namespace cd {
 
 namespace {
 
+using exact_vectors::cross;
+using exact_vectors::dot;
+using exact_vectors::minus;
+
 constexpr std::size_t next(std::size_t corner) {
     return (corner + 1) % 3;
-}
-
-ExactVec minus(const ExactVec& l, const ExactVec& r) {
-    return {l[0] - r[0], l[1] - r[1], l[2] - r[2]};
-}
-
-ExactVec cross(const ExactVec& l, const ExactVec& r) {
-    return {l[1] * r[2] - l[2] * r[1], l[2] * r[0] - l[0] * r[2], l[0] * r[1] - l[1] * r[0]};
-}
-
-ExactInt dot(const ExactVec& l, const ExactVec& r) {
-    return l[0] * r[0] + l[1] * r[1] + l[2] * r[2];
 }
 
 /// Returns (p w + direction by) / w.

@@ -103,33 +103,39 @@ void TriangleDistance::restart(const PosePair& poses) {
 
 bool TriangleDistance::is_within(const Corners& a, const Corners& b, double d) {
     State& s = *state_;
-    if (s.first < DistanceStage::Exact) {
-        const DoublePair pair = s.look_at(a, b);
-        if (const auto proven = pair.is_within(d)) {
-            ++s.statistics[DistanceStage::Double];
-            return *proven;
-        }
-        if (const auto proven = cd::is_within(s.look_closer(a, b, pair), d)) {
-            ++s.statistics[DistanceStage::DoubleDouble];
-            return *proven;
-        }
+    if (s.first == DistanceStage::Exact) {
+        return s.in_integers().is_within(a, b, d, 0);
     }
-    return s.in_integers().is_within(a, b, d);
+    const DoublePair pair = s.look_at(a, b);
+    if (const auto proven = pair.is_within(d)) {
+        ++s.statistics[DistanceStage::Double];
+        return *proven;
+    }
+    if (const auto proven = cd::is_within(s.look_closer(a, b, pair), d)) {
+        ++s.statistics[DistanceStage::DoubleDouble];
+        return *proven;
+    }
+    return s.in_integers().is_within(a, b, d, pair.feature);
 }
 
 double TriangleDistance::rounded(const Corners& a, const Corners& b) {
     State& s = *state_;
-    if (s.first < DistanceStage::Exact) {
-        if (const auto proven = cd::rounded(s.look_closer(a, b, s.look_at(a, b)))) {
-            ++s.statistics[DistanceStage::DoubleDouble];
-            return *proven;
-        }
+    if (s.first == DistanceStage::Exact) {
+        return s.in_integers().rounded(a, b, 0);
     }
-    return s.in_integers().rounded(a, b);
+    const DoublePair pair = s.look_at(a, b);
+    if (const auto proven = cd::rounded(s.look_closer(a, b, pair))) {
+        ++s.statistics[DistanceStage::DoubleDouble];
+        return *proven;
+    }
+    return s.in_integers().rounded(a, b, pair.feature);
 }
 
 NearestPoints TriangleDistance::nearest(const Corners& a, const Corners& b) {
-    return state_->in_integers().nearest(a, b);
+    State& s = *state_;
+    const bool skips_doubles = s.first == DistanceStage::Exact;
+    const std::size_t likely = skips_doubles ? 0 : s.look_at(a, b).feature;
+    return s.in_integers().nearest(a, b, likely);
 }
 
 template <class Triangles>
