@@ -7,6 +7,7 @@
 #include "client/picture/body_picture.hpp"
 
 #include <algorithm>
+#include <map>
 #include <utility>
 
 namespace cd {
@@ -17,14 +18,21 @@ constexpr Colour touch_colour{240, 200, 0};
 constexpr Colour mark_colour{0, 0, 0};
 
 Colour colour_of(PairClass kind) {
-    return kind == PairClass::Proper ? contact_colour : touch_colour;
+    return kind == PairClass::Proper ? contact_colour
+           : kind == PairClass::Near ? near_colour
+                                     : touch_colour;
+}
+
+/// Returns a number that is larger for worse classes.
+int badness(PairClass kind) {
+    return kind == PairClass::Near ? 0 : static_cast<int>(kind);
 }
 
 std::uint8_t component(const Colour& colour, std::uint64_t number) {
     return number == 0 ? colour.red : number == 1 ? colour.green : colour.blue;
 }
 
-/// Returns the triangles of one body, ascending, each once with its last class.
+/// Returns the triangles of one body, ascending, each once with its worst class.
 std::vector<SceneContact> contacts_of(const std::vector<ContactPair>& pairs,
                                       std::uint32_t ContactPair::*triangle) {
     std::vector<SceneContact> contacts;
@@ -32,7 +40,8 @@ std::vector<SceneContact> contacts_of(const std::vector<ContactPair>& pairs,
         contacts.push_back({pair.*triangle, pair.kind});
     }
     std::ranges::sort(contacts, [](const SceneContact& left, const SceneContact& right) {
-        return std::pair(left.triangle, right.kind) < std::pair(right.triangle, left.kind);
+        return std::pair(left.triangle, badness(right.kind)) <
+               std::pair(right.triangle, badness(left.kind));
     });
     const auto rest = std::ranges::unique(contacts, {}, &SceneContact::triangle);
     contacts.erase(rest.begin(), rest.end());
@@ -46,6 +55,12 @@ void place(SceneBody& body, const Pose& pose) {
 }
 
 void add_marks(const ContactPair& pair, const std::vector<Vec3>& points, ContactScene& scene) {
+    if (pair.kind == PairClass::Near) {
+        for (const Vec3& point : points) {
+            scene.gaps.push_back({pair, point});
+        }
+        return;
+    }
     if (points.size() == 1) {
         scene.dots.push_back({pair, points[0]});
     }
@@ -70,12 +85,12 @@ struct ContactCells {
     std::vector<Vec3> points;
     std::vector<Cell> cells;
 
-    void add_marks(const std::vector<SceneMark>& marks, std::size_t points_each) {
+    void add_marks(const std::vector<SceneMark>& marks, std::size_t points_each, Colour colour) {
         for (std::size_t i = 0; i < marks.size(); ++i) {
             points.push_back(marks[i].point);
             if (i % points_each == 0) {
                 const ContactPair& pair = marks[i].pair;
-                cells.push_back({pair.kind, pair.a, pair.b, mark_colour});
+                cells.push_back({pair.kind, pair.a, pair.b, colour});
             }
         }
     }
@@ -107,6 +122,7 @@ VtpArray cell_array(const char* name, const ContactCells& all, NumberOf number_o
 constexpr std::size_t proper_material = 2; ///< After the materials of the two bodies.
 constexpr std::size_t touch_material = 3;
 constexpr std::size_t mark_material = 4;
+constexpr std::size_t near_material = 5; ///< Only in a scene with near pairs.
 
 GlbPrimitive
 triangles_of(const Mesh& mesh, std::vector<std::uint32_t> triangles, std::size_t material) {
@@ -119,25 +135,32 @@ triangles_of(const Mesh& mesh, std::vector<std::uint32_t> triangles, std::size_t
                                         })};
 }
 
-/// Returns a body's mesh: its triangles without contact, and those in contact by class.
+/// Returns the material of a triangle in a pair.
+std::size_t material_of(PairClass kind) {
+    return kind == PairClass::Proper ? proper_material
+           : kind == PairClass::Near ? near_material
+                                     : touch_material;
+}
+
+/// Returns a body's mesh: its triangles in no pair, and those in pairs by class.
 GlbMesh glb_body(const SceneBody& body, std::size_t number) {
     std::vector<std::uint32_t> rest;
-    std::vector<std::uint32_t> proper;
-    std::vector<std::uint32_t> touching;
+    std::map<std::size_t, std::vector<std::uint32_t>> in_pairs{
+        {proper_material, {}}, {touch_material, {}}}; // By material.
     auto contact = body.contacts.begin();
     for (std::uint32_t i = 0; i < body.mesh->triangles().size(); ++i) {
         if (contact == body.contacts.end() || contact->triangle != i) {
             rest.push_back(i);
             continue;
         }
-        (contact->kind == PairClass::Proper ? proper : touching).push_back(i);
+        in_pairs[material_of(contact->kind)].push_back(i);
         ++contact;
     }
-    return {body.name,
-            body.points,
-            {triangles_of(*body.mesh, std::move(rest), number),
-             triangles_of(*body.mesh, std::move(proper), proper_material),
-             triangles_of(*body.mesh, std::move(touching), touch_material)}};
+    GlbMesh mesh{body.name, body.points, {triangles_of(*body.mesh, std::move(rest), number)}};
+    for (auto& [material, triangles] : in_pairs) {
+        mesh.primitives.push_back(triangles_of(*body.mesh, std::move(triangles), material));
+    }
+    return mesh;
 }
 
 std::vector<Vec3> points_of(const std::vector<SceneMark>& marks) {
@@ -148,10 +171,13 @@ std::vector<Vec3> points_of(const std::vector<SceneMark>& marks) {
     return points;
 }
 
-GlbMesh glb_marks(const char* name, const std::vector<Vec3>& points, GlbPrimitive::Mode mode) {
+GlbMesh glb_marks(const char* name,
+                  const std::vector<Vec3>& points,
+                  GlbPrimitive::Mode mode,
+                  std::size_t material = mark_material) {
     return {name,
             points,
-            {{mode, mark_material, make_numbers<std::uint32_t>(points.size(), [](std::uint64_t i) {
+            {{mode, material, make_numbers<std::uint32_t>(points.size(), [](std::uint64_t i) {
                   return i;
               })}}};
 }
@@ -161,7 +187,7 @@ GlbMesh glb_marks(const char* name, const std::vector<Vec3>& points, GlbPrimitiv
 ContactScene make_contact_scene(std::array<SceneBody, 2> bodies,
                                 const Scenario& scenario,
                                 const ScenarioResult& result) {
-    ContactScene scene{std::move(bodies), {}, {}};
+    ContactScene scene{std::move(bodies), {}, {}, {}};
     place(scene.bodies[0], scenario.poses.a);
     place(scene.bodies[1], scenario.poses.b);
     scene.bodies[0].contacts = contacts_of(result.pairs, &ContactPair::a);
@@ -194,18 +220,18 @@ Status write_scene_contacts(const ContactScene& scene,
                             const std::filesystem::path& path,
                             const StopCheck& stop) {
     ContactCells all;
-    all.add_marks(scene.dots, 1);
-    all.add_marks(scene.segments, 2);
+    all.add_marks(scene.dots, 1, mark_colour);
+    all.add_marks(scene.segments, 2, mark_colour);
+    all.add_marks(scene.gaps, 2, near_colour);
     all.add_triangles(scene.bodies[0], true);
     all.add_triangles(scene.bodies[1], false);
     const std::uint64_t dots = scene.dots.size();
-    const std::uint64_t segments = scene.segments.size() / 2;
+    const std::uint64_t lines = (scene.segments.size() + scene.gaps.size()) / 2;
     VtpData data;
     data.points = coordinates(all.points, NpyType::F8);
     data.dots = consecutive_cells(dots, 1);
-    data.lines = consecutive_cells(segments, 2, dots);
-    data.triangles =
-        consecutive_cells(all.cells.size() - dots - segments, 3, dots + scene.segments.size());
+    data.lines = consecutive_cells(lines, 2, dots);
+    data.triangles = consecutive_cells(all.cells.size() - dots - lines, 3, dots + 2 * lines);
     using Cell = ContactCells::Cell;
     data.cell_arrays = {
         {"colour",
@@ -227,18 +253,22 @@ Status write_scene_glb(const ContactScene& scene,
     const auto& [a, b] = scene.bodies;
     const std::vector<Vec3> ends = points_of(scene.segments);
     const std::vector<Vec3> dots = points_of(scene.dots);
-    return write_glb({metres,
-                      {{a.name, body_colours[0]},
-                       {b.name, body_colours[1]},
-                       {"proper contact", contact_colour},
-                       {"touch or coplanar", touch_colour},
-                       {"shared", mark_colour}},
-                      {glb_body(a, 0),
-                       glb_body(b, 1),
-                       glb_marks("segments", ends, GlbPrimitive::Mode::Lines),
-                       glb_marks("points", dots, GlbPrimitive::Mode::Dots)}},
-                     path,
-                     stop);
+    const std::vector<Vec3> gaps = points_of(scene.gaps);
+    GlbScene glb{metres,
+                 {{a.name, body_colours[0]},
+                  {b.name, body_colours[1]},
+                  {"proper contact", contact_colour},
+                  {"touch or coplanar", touch_colour},
+                  {"shared", mark_colour}},
+                 {glb_body(a, 0),
+                  glb_body(b, 1),
+                  glb_marks("segments", ends, GlbPrimitive::Mode::Lines),
+                  glb_marks("points", dots, GlbPrimitive::Mode::Dots)}};
+    if (!gaps.empty()) {
+        glb.materials.push_back({"near", near_colour});
+        glb.meshes.push_back(glb_marks("gaps", gaps, GlbPrimitive::Mode::Lines, near_material));
+    }
+    return write_glb(glb, path, stop);
 }
 
 } // namespace cd

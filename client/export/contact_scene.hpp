@@ -18,7 +18,8 @@
 
 namespace cd {
 
-/// A triangle in contact. If it is in several pairs: the class that comes last in `PairClass`.
+/// A triangle of a pair. If it is in several pairs: the worst class, which is the last of near,
+/// touch, coplanar, proper.
 struct SceneContact {
     std::uint32_t triangle = 0;
     PairClass kind = PairClass::Touch;
@@ -31,7 +32,8 @@ struct SceneBody {
     std::vector<SceneContact> contacts; ///< By ascending triangles.
 };
 
-/// A point that a pair of triangles shares, or an end of such a segment.
+/// A point that a pair of triangles shares, or an end of a segment: of a shared one, or of that
+/// between the nearest points of a near pair.
 struct SceneMark {
     ContactPair pair;
     Vec3 point;
@@ -40,7 +42,8 @@ struct SceneMark {
 struct ContactScene {
     std::array<SceneBody, 2> bodies;
     std::vector<SceneMark> dots;     ///< Of the pairs that share a single point.
-    std::vector<SceneMark> segments; ///< Two for each segment; areas have their outline.
+    std::vector<SceneMark> segments; ///< Two for each shared segment; areas have their outline.
+    std::vector<SceneMark> gaps;     ///< Two for each near pair, the point of A first.
 };
 
 /// Places the bodies. `result` is the scenario's, at `level contacts`.

@@ -11,7 +11,8 @@ namespace {
 
 class ScenariosCsvWriter final : public ResultWriter {
   public:
-    ScenariosCsvWriter(const ExportContext& context, OutputFile file) : file_(std::move(file)) {
+    ScenariosCsvWriter(const ExportContext& context, OutputFile file)
+        : file_(std::move(file)), has_near_(context.clearance.has_value()) {
         for (const ExportBody& body : context.bodies) {
             names_.push_back(csv_field(body.name));
         }
@@ -31,6 +32,10 @@ class ScenariosCsvWriter final : public ResultWriter {
                  ",");
         if (result.level != Level::Any) {
             row_.add(result.pair_count);
+        }
+        row_.add(has_near_ ? "," : "");
+        if (has_near_ && result.level != Level::Any) {
+            row_.add(result.near_count);
         }
         row_.add(",", yes_or_no[result.is_cut() ? 1 : 0], ",");
         if (result.kind == ScenarioClass::Undecided) {
@@ -52,17 +57,20 @@ class ScenariosCsvWriter final : public ResultWriter {
     }
 
   private:
-    [[nodiscard]] std::string_view header_once() {
-        const bool first = !has_header_;
+    [[nodiscard]] std::string header_once() {
+        if (has_header_) {
+            return {};
+        }
         has_header_ = true;
-        return first ? "scenario,body_a,body_b,class,count,cut,distance_bound,surfaces_only,"
-                       "insides_skipped,failure\n"
-                     : "";
+        return std::string("scenario,body_a,body_b,class,count,") +
+               (has_near_ ? "near_count," : "") +
+               "cut,distance_bound,surfaces_only,insides_skipped,failure\n";
     }
 
     OutputFile file_;
     std::vector<std::string> names_; ///< Names of the bodies as CSV fields.
     TextBuffer row_;
+    bool has_near_;
     bool has_header_ = false;
 };
 

@@ -14,7 +14,7 @@ namespace cd {
 
 namespace {
 
-/// Grey for triangles that are never in contact; then colours of the map viridis
+/// Grey for triangles that are in no pair of any scenario; then colours of the map viridis
 /// (https://bids.github.io/colormap/), evenly spaced, for growing numbers of scenarios.
 constexpr std::array<Colour, 16> heat_colours{{{150, 150, 150},
                                                {0x44, 0x01, 0x54},
@@ -67,14 +67,15 @@ std::array<Heat, heat_colours.size()> by_colour(const std::vector<std::uint64_t>
 }
 
 /// Returns a material's name, which serves as the legend: "17 to 32 of 1 000 scenarios".
-std::string legend(const Heat& heat, std::uint64_t tested, std::uint64_t map_pairs) {
+std::string legend(const Heat& heat, std::uint64_t tested, const ExportContext& context) {
     const std::string numbers = heat.least == heat.most
                                     ? grouped(heat.most)
                                     : grouped(heat.least) + " to " + grouped(heat.most);
-    const std::string of =
-        map_pairs == 0 ? "" : ", of the first " + grouped(map_pairs) + " pairs a scenario";
-    return heat.most == 0 ? "never in contact" + of
-                          : numbers + " of " + grouped(tested) + " scenarios" + of;
+    const std::string of = context.map_pairs == 0 ? ""
+                                                  : ", of the first " + grouped(context.map_pairs) +
+                                                        " pairs a scenario";
+    const std::string never = context.clearance ? "never near or in contact" : "never in contact";
+    return heat.most == 0 ? never + of : numbers + " of " + grouped(tested) + " scenarios" + of;
 }
 
 NumberArray corners_of(const Mesh& mesh, const std::vector<std::uint32_t>& triangles) {
@@ -104,8 +105,7 @@ Status write_glb_bodies(const ContactMap& map,
             mesh.primitives.push_back({GlbPrimitive::Mode::Triangles,
                                        scene.materials.size(),
                                        corners_of(*body.mesh, heat.triangles)});
-            scene.materials.push_back(
-                {legend(heat, tested, context.map_pairs), heat_colours[colour]});
+            scene.materials.push_back({legend(heat, tested, context), heat_colours[colour]});
         }
         scene.meshes.push_back(std::move(mesh));
         const std::string name = body_file_name(context.bodies, i) + ".glb";

@@ -31,6 +31,9 @@ class JsonWriter final : public ResultWriter {
         if (result.level != Level::Any) {
             line["count"] = result.pair_count;
         }
+        if (context_.clearance && result.level != Level::Any) {
+            line["near_count"] = result.near_count;
+        }
         line["surfaces_only"] = result.surfaces_only;
         line["insides_skipped"] = result.insides_skipped;
         if (result.kind == ScenarioClass::Undecided) {
@@ -61,6 +64,9 @@ class JsonWriter final : public ResultWriter {
         line["pairs"] = std::move(pairs);
         if (result.level == Level::Contacts) {
             line["points"] = std::move(points);
+        }
+        if (result.level == Level::Contacts && result.has_clearance) {
+            line["distances"] = pair_distances(result);
         }
     }
 
@@ -146,6 +152,11 @@ Status write_summary(const std::filesystem::path& dir,
               {"cut", summary.cut},
               {"seconds", report.execution.seconds},
               {"where", report.execution.where}};
+    if (context.clearance) {
+        json["clearance"] = *context.clearance;
+        json["near"] = summary.near;
+        json["near_pairs"] = summary.near_pairs;
+    }
     if (report.execution.reused != 0) {
         json["reused"] = report.execution.reused;
     }

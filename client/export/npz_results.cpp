@@ -9,50 +9,89 @@ namespace cd {
 
 namespace {
 
+/// What a job must have or ask for so that the archive has an array.
+enum class NpzNeed : std::uint8_t {
+    Nothing,
+    Pairs,     ///< `level pairs` or above.
+    Contacts,  ///< `level contacts`.
+    Exact,     ///< `level contacts`, and exact points.
+    Clearance, ///< A clearance.
+    Distances, ///< `level contacts`, and a clearance.
+};
+
 /// An array of results.npz; docs/formats.md describes each.
 struct NpzColumn {
     const char* name;
     NpyType type;
     std::uint64_t columns = 0; ///< Columns of an array of rows; 0: the array has one dimension.
+    NpzNeed need = NpzNeed::Nothing;
 };
 
-/// The arrays in the order of the archive. Each higher level adds arrays at the end.
-constexpr std::array<NpzColumn, 15> columns{{{"index", NpyType::U8},
-                                             {"body_a", NpyType::U4},
-                                             {"body_b", NpyType::U4},
-                                             {"class", NpyType::U1},
-                                             {"count", NpyType::U8},
-                                             {"distance_bound", NpyType::F8},
-                                             {"surfaces_only", NpyType::U1},
-                                             {"insides_skipped", NpyType::U1},
-                                             {"offsets", NpyType::U8},
-                                             {"pairs", NpyType::U4, 2},
-                                             {"pair_class", NpyType::U1},
-                                             {"point_offsets", NpyType::U8},
-                                             {"points_world", NpyType::F8, 3},
-                                             {"point_origins", NpyType::F8, 3},
-                                             {"points", NpyType::F8, 3}}};
-constexpr std::size_t offsets = 8; ///< The first array that `level pairs` adds.
+/// The arrays in the order of the archive.
+constexpr std::array<NpzColumn, 17> columns{
+    {{"index", NpyType::U8},
+     {"body_a", NpyType::U4},
+     {"body_b", NpyType::U4},
+     {"class", NpyType::U1},
+     {"count", NpyType::U8},
+     {"distance_bound", NpyType::F8},
+     {"surfaces_only", NpyType::U1},
+     {"insides_skipped", NpyType::U1},
+     {"offsets", NpyType::U8, 0, NpzNeed::Pairs},
+     {"pairs", NpyType::U4, 2, NpzNeed::Pairs},
+     {"pair_class", NpyType::U1, 0, NpzNeed::Pairs},
+     {"point_offsets", NpyType::U8, 0, NpzNeed::Contacts},
+     {"points_world", NpyType::F8, 3, NpzNeed::Contacts},
+     {"point_origins", NpyType::F8, 3, NpzNeed::Exact},
+     {"points", NpyType::F8, 3, NpzNeed::Exact},
+     {"near_count", NpyType::U8, 0, NpzNeed::Clearance},
+     {"pair_distance", NpyType::F8, 0, NpzNeed::Distances}}};
+constexpr std::size_t offsets = 8;
 constexpr std::size_t pairs = 9;
 constexpr std::size_t pair_class = 10;
-constexpr std::size_t point_offsets = 11; ///< The first array that `level contacts` adds.
+constexpr std::size_t point_offsets = 11;
 constexpr std::size_t points_world = 12;
-constexpr std::size_t point_origins = 13; ///< The first array that exact points add.
+constexpr std::size_t point_origins = 13;
 constexpr std::size_t points = 14;
+constexpr std::size_t near_count = 15;
+constexpr std::size_t pair_distance = 16;
+
+/// The place of an array that the archive does not have.
+constexpr std::size_t no_place = columns.size();
+
+bool is_met(NpzNeed need, const ExportContext& context) {
+    const bool has_contacts = context.level == Level::Contacts;
+    switch (need) {
+    case NpzNeed::Nothing:
+        break;
+    case NpzNeed::Pairs:
+        return context.level >= Level::Pairs;
+    case NpzNeed::Contacts:
+        return has_contacts;
+    case NpzNeed::Exact:
+        return has_contacts && context.exact_points;
+    case NpzNeed::Clearance:
+        return context.clearance.has_value();
+    case NpzNeed::Distances:
+        return has_contacts && context.clearance.has_value();
+    }
+    return true;
+}
 
 class NpzResults final : public ResultWriter {
   public:
     NpzResults(const ExportContext& context, const std::filesystem::path& path)
-        : file_(path, context.stop),
-          count_(context.level < Level::Pairs       ? offsets
-                 : context.level != Level::Contacts ? point_offsets
-                 : context.exact_points             ? columns.size()
-                                                    : point_origins) {
-        for (std::size_t i = 0; i < count_; ++i) {
-            file_.add_array(columns[i].name, columns[i].type, columns[i].columns);
+        : file_(path, context.stop) {
+        places_.fill(no_place);
+        std::size_t place = 0;
+        for (std::size_t i = 0; i < columns.size(); ++i) {
+            if (is_met(columns[i].need, context)) {
+                file_.add_array(columns[i].name, columns[i].type, columns[i].columns);
+                places_[i] = place++;
+            }
         }
         for (const std::size_t array : {offsets, point_offsets}) {
-            if (array < count_) {
+            if (has(array)) {
                 put(array, std::uint64_t{0});
             }
         }
@@ -67,13 +106,19 @@ class NpzResults final : public ResultWriter {
         put(5, result.distance_bound);
         put(6, static_cast<std::uint8_t>(result.surfaces_only ? 1 : 0));
         put(7, static_cast<std::uint8_t>(result.insides_skipped ? 1 : 0));
-        if (count_ > offsets) {
+        if (has(near_count)) {
+            put(near_count, result.near_count);
+        }
+        if (has(offsets)) {
             add_pairs(result);
         }
-        if (count_ > point_offsets) {
+        if (has(point_offsets)) {
             add_points(result);
         }
-        if (count_ > point_origins) {
+        if (has(pair_distance)) {
+            append(pair_distance, pair_distances(result));
+        }
+        if (has(point_origins)) {
             append(point_origins, numbers_of(result.point_origins));
             append(points, numbers_of(result.points));
         }
@@ -83,6 +128,9 @@ class NpzResults final : public ResultWriter {
     Status finish() override { return status_ ? file_.finish() : status_; }
 
   private:
+    /// True if the archive has an array of `columns`.
+    [[nodiscard]] bool has(std::size_t array) const { return places_[array] != no_place; }
+
     /// Adds a scenario's pairs; scenario i has the pairs [offsets[i], offsets[i + 1]).
     void add_pairs(const ScenarioResult& result) {
         std::vector<std::uint32_t> triangles;
@@ -121,15 +169,15 @@ class NpzResults final : public ResultWriter {
 
     template <class T>
     void append(std::size_t array, const std::vector<T>& values) {
-        status_ = status_ ? file_.append(array, std::span<const T>(values)) : status_;
+        status_ = status_ ? file_.append(places_[array], std::span<const T>(values)) : status_;
     }
     template <class T>
     void put(std::size_t array, T value) {
-        status_ = status_ ? file_.append(array, std::span<const T>(&value, 1)) : status_;
+        status_ = status_ ? file_.append(places_[array], std::span<const T>(&value, 1)) : status_;
     }
 
     NpzWriter file_;
-    std::size_t count_; ///< How many of `columns` are written.
+    std::array<std::size_t, columns.size()> places_{}; ///< In the archive, of each of `columns`.
     std::uint64_t pairs_end_ = 0;
     std::uint64_t points_end_ = 0;
     Status status_ = Done{};

@@ -35,6 +35,7 @@ void ExportContext::describe(const Query& query) {
     map_pairs = query.maps ? 0 : query.limit_pairs;
     limit_pairs = query.limit_pairs;
     maps = query.maps;
+    clearance = query.clearance;
 }
 
 std::string body_file_name(const std::vector<ExportBody>& bodies, std::size_t body) {
@@ -59,8 +60,19 @@ std::string_view pair_class_name(PairClass kind) {
         return "coplanar";
     case PairClass::Proper:
         return "proper";
+    case PairClass::Near:
+        return "near";
     }
     return "unknown";
+}
+
+std::vector<double> pair_distances(const ScenarioResult& result) {
+    std::vector<double> distances;
+    auto near = result.near_distances.begin();
+    for (const ContactPair& pair : result.pairs) {
+        distances.push_back(pair.kind == PairClass::Near ? *near++ : 0);
+    }
+    return distances;
 }
 
 } // namespace cd

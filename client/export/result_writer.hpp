@@ -39,9 +39,11 @@ struct ExportContext {
     std::uint64_t limit_pairs = 0; ///< A result lists at most this many pairs; 0: all.
     bool maps = false;             ///< The job has a contact map also at `level count`.
     bool exact_points = false;     ///< NPZ: also points at full precision, relative to origins.
-    StopCheck stop;                ///< Once it returns true, writing fails with Interrupted.
+    /// With a clearance, files also have what is known of near pairs.
+    std::optional<double> clearance = std::nullopt;
+    StopCheck stop; ///< Once it returns true, writing fails with Interrupted.
 
-    /// Sets level, `map_pairs`, `limit_pairs` and `maps` from the query.
+    /// Sets level, `map_pairs`, `limit_pairs`, `maps` and `clearance` from the query.
     void describe(const Query& query);
 };
 
@@ -66,7 +68,8 @@ class ResultWriter {
 /// Writes results.jsonl: a line with a JSON object for each scenario.
 [[nodiscard]] std::unique_ptr<ResultWriter> make_json_writer(const ExportContext& context,
                                                              OutputFile file);
-/// Writes scenarios.csv. distance_bound is empty unless the class is undecided.
+/// Writes scenarios.csv. distance_bound is empty unless the class is undecided. With a clearance it
+/// has the column near_count.
 [[nodiscard]] std::unique_ptr<ResultWriter> make_scenarios_csv_writer(const ExportContext& context,
                                                                       OutputFile file);
 /// Writes pairs.csv from `level pairs` on, and points.csv at `level contacts`; else no file.
@@ -76,7 +79,8 @@ make_pairs_csv_writer(const ExportContext& context, const std::filesystem::path&
 [[nodiscard]] std::unique_ptr<ResultWriter> make_npz_writer(const ExportContext& context,
                                                             const std::filesystem::path& dir);
 
-/// Writes contacts.vtp at `level contacts`, with a point for each shared point; else no file.
+/// Writes contacts.vtp at `level contacts`, with a point for each shared point and a line for each
+/// near pair; else no file.
 /// docs/exports.md describes its arrays. Errors: Io naming the file.
 [[nodiscard]] Result<std::unique_ptr<ResultWriter>>
 make_vtp_writer(const ExportContext& context, const std::filesystem::path& dir);
@@ -118,7 +122,7 @@ make_vtp_writer(const ExportContext& context, const std::filesystem::path& dir);
                                    const ExportContext& context,
                                    const RunReport& report);
 
-/// Returns the name of a pair's class in exports: touch, coplanar or proper.
+/// Returns the name of a pair's class in exports: touch, coplanar, proper or near.
 [[nodiscard]] std::string_view pair_class_name(PairClass kind);
 
 /// Calls `function(point)` for each shared point of a result's pair, in world coordinates.
@@ -131,5 +135,9 @@ void for_each_point(const ScenarioResult& result, std::size_t pair, const Functi
         function(Vec3(result.point_origins[pair] + result.points[i]));
     }
 }
+
+/// Returns for each pair of a result at `level contacts` the distance of its triangles: 0 for pairs
+/// in contact.
+[[nodiscard]] std::vector<double> pair_distances(const ScenarioResult& result);
 
 } // namespace cd

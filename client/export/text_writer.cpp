@@ -31,6 +31,7 @@ class TextWriter final : public ResultWriter {
         if (result.level != Level::Any && result.kind != ScenarioClass::Failed) {
             text += result.kind == ScenarioClass::Undecided ? "  at least " : "  ";
             text += counted(result.pair_count, "pair");
+            text += result.has_clearance ? ", " + grouped(result.near_count) + " near" : "";
         }
         text += std::string(result.is_cut() ? ", the first " + grouped(result.pairs.size()) : "") +
                 (result.kind == ScenarioClass::Undecided
@@ -39,8 +40,10 @@ class TextWriter final : public ResultWriter {
                 (result.surfaces_only ? "  surfaces only" : "") +
                 (result.insides_skipped ? "  containment not tested" : "") +
                 (result.failure.empty() ? "" : "  " + result.failure) + "\n";
+        const std::vector<double> distances =
+            result.near_distances.empty() ? std::vector<double>() : pair_distances(result);
         for (std::size_t i = 0; i < result.pairs.size(); ++i) {
-            text += pair_text(result, i);
+            text += pair_text(result, i, distances);
         }
         return file_.write(text);
     }
@@ -48,11 +51,16 @@ class TextWriter final : public ResultWriter {
     Status finish() override { return file_.commit(); }
 
   private:
-    [[nodiscard]] std::string pair_text(const ScenarioResult& result, std::size_t number) {
+    [[nodiscard]] std::string pair_text(const ScenarioResult& result,
+                                        std::size_t number,
+                                        const std::vector<double>& distances) {
         const ContactPair& pair = result.pairs[number];
         std::string text = "    A " + triangle_text(parts_[result.body_a], pair.a) + "  B " +
                            triangle_text(parts_[result.body_b], pair.b) + "  " +
                            std::string(pair_class_name(pair.kind));
+        if (pair.kind == PairClass::Near && !distances.empty()) {
+            text += "  " + exact_text(distances[number]) + " apart";
+        }
         for_each_point(result, number, [&](const Vec3& point) {
             text += "  " + exact_text(point.x()) + " " + exact_text(point.y()) + " " +
                     exact_text(point.z());

@@ -6,6 +6,7 @@
 #include "common/core/errors.hpp"
 
 #include <array>
+#include <optional>
 #include <utility>
 
 namespace cd {
@@ -26,18 +27,27 @@ constexpr std::array<PointColumn, 5> columns{{{"Points", NpyType::F8},
                                               {"triangle_a", NpyType::U4},
                                               {"triangle_b", NpyType::U4}}};
 
+/// The type of the numbers of points in lines.
+constexpr NpyType line_end_type = NpyType::I8;
+
 /// Writes contacts.vtp: spools the columns, since a VTP file begins with the number of its points.
 class VtpContacts final : public ResultWriter {
   public:
     VtpContacts(const ExportContext& context,
                 std::filesystem::path path,
-                std::vector<ArraySpool> spools)
-        : path_(std::move(path)), stop_(context.stop), spools_(std::move(spools)) {}
+                std::vector<ArraySpool> spools,
+                std::optional<ArraySpool> line_ends)
+        : path_(std::move(path)),
+          stop_(context.stop),
+          spools_(std::move(spools)),
+          line_ends_(std::move(line_ends)) {}
 
     Status add(const ScenarioResult& result) override {
         Status status = Done{};
         for (std::size_t i = 0; i < result.pairs.size(); ++i) {
+            const bool is_line = line_ends_ && result.pairs[i].kind == PairClass::Near;
             for_each_point(result, i, [&](const Vec3& point) {
+                status = status && is_line ? line_ends_->append(points_) : status;
                 status = status ? add_point(result, result.pairs[i], point) : status;
             });
         }
@@ -52,13 +62,20 @@ class VtpContacts final : public ResultWriter {
             data.point_arrays.push_back({columns[i].name, std::move(numbers)});
         }
         data.dots = consecutive_cells(data.points.count / 3, 1);
+        if (line_ends_) {
+            data.lines.connectivity = CD_TRY(line_ends_->finish());
+            data.lines.ends = make_numbers<std::int64_t>(
+                data.lines.connectivity.count / 2, [](std::uint64_t i) { return 2 * (i + 1); });
+        }
         CD_TRY(write_vtp(data, path_, stop_));
         spools_.clear(); // Removes their files: from here on the folder may be moved.
+        line_ends_.reset();
         return Done{};
     }
 
   private:
     Status add_point(const ScenarioResult& result, const ContactPair& pair, const Vec3& point) {
+        ++points_;
         CD_TRY(spools_[0].append(std::span<const double>(point.data(), 3)));
         CD_TRY(spools_[1].append(static_cast<std::uint8_t>(pair.kind)));
         CD_TRY(spools_[2].append(static_cast<std::int64_t>(result.index)));
@@ -69,6 +86,9 @@ class VtpContacts final : public ResultWriter {
     std::filesystem::path path_;
     StopCheck stop_;
     std::vector<ArraySpool> spools_; ///< One for each of `columns`.
+    /// With a clearance, the numbers of the two points of each near pair.
+    std::optional<ArraySpool> line_ends_;
+    std::int64_t points_ = 0;
 };
 
 /// Writes nothing: below `level contacts` there are no points.
@@ -113,8 +133,12 @@ Result<std::unique_ptr<ResultWriter>> make_vtp_writer(const ExportContext& conte
         auto spool = CD_TRY(ArraySpool::create(path, column.type));
         spools.push_back(std::move(spool));
     }
+    std::optional<ArraySpool> line_ends;
+    if (context.clearance) {
+        line_ends = CD_TRY(ArraySpool::create(path, line_end_type));
+    }
     return std::unique_ptr<ResultWriter>(
-        std::make_unique<VtpContacts>(context, path, std::move(spools)));
+        std::make_unique<VtpContacts>(context, path, std::move(spools), std::move(line_ends)));
 }
 
 Status write_vtp_bodies(const ContactMap& map,

@@ -22,8 +22,9 @@ struct PictureSize {
 /// The colours of bodies A and B in pictures and scenes.
 inline constexpr std::array<Colour, 2> body_colours{{{150, 170, 200}, {225, 190, 120}}};
 
-/// The colour of triangles in contact.
+/// The colours of triangles in contact, and of triangles that are only near.
 inline constexpr Colour contact_colour{224, 32, 32};
+inline constexpr Colour near_colour{240, 140, 40};
 
 /// A body in a picture. The mesh must outlive the drawing.
 struct PicturedBody {

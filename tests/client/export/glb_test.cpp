@@ -3,6 +3,7 @@
 #include "client/export/glb_file.hpp"
 #include "client/export/result_writer.hpp"
 #include "client/import/mesh_import.hpp"
+#include "tests/support/near_results.hpp"
 #include "tests/support/process.hpp"
 #include "tests/support/shapes.hpp"
 
@@ -212,6 +213,34 @@ TEST_F(Glb, ASceneHasBothBodiesWhereTheyStand) {
         counts.push_back(json["accessors"][primitive["indices"].get<std::size_t>()]["count"]);
     }
     EXPECT_THAT(counts, testing::ElementsAre(27, 3, 6)) << "of B: 9 in peace, 1 proper, 2 touching";
+}
+
+TEST_F(Glb, AMapWithAClearanceCountsNearTriangles) {
+    context_.clearance = 0.5;
+    ASSERT_TRUE(write_glb_bodies({}, 10, folder_.path(), context_));
+    const auto json = json_of(folder_.path() / "b.glb");
+    EXPECT_EQ(json["materials"][0]["name"], "never near or in contact");
+}
+
+TEST_F(Glb, ASceneHasNearTrianglesAndGapsInAMaterialOfTheirOwn) {
+    const auto box = context_.bodies[1].mesh;
+    const ContactScene scene =
+        make_contact_scene({SceneBody{"a", box, {}, {}}, SceneBody{"b", box, {}, {}}},
+                           Scenario(),
+                           near_results(Level::Contacts)[1]);
+    ASSERT_TRUE(write_scene_glb(scene, 1, folder_.path() / "s.glb", {}));
+    const auto json = json_of(folder_.path() / "s.glb");
+    ASSERT_EQ(json["materials"].size(), 6u);
+    EXPECT_EQ(json["materials"][5]["name"], "near");
+    const auto& primitives = json["meshes"][0]["primitives"];
+    ASSERT_EQ(primitives.size(), 2u) << "10 triangles in no pair, 2 near";
+    EXPECT_EQ(primitives[1]["material"], 5);
+    EXPECT_EQ(json["accessors"][primitives[1]["indices"].get<std::size_t>()]["count"], 6);
+    const auto& gaps = json["meshes"].back();
+    EXPECT_EQ(gaps["name"], "gaps");
+    EXPECT_EQ(gaps["primitives"][0]["material"], 5);
+    EXPECT_EQ(gaps["primitives"][0]["mode"], 1);
+    EXPECT_EQ(json["accessors"][gaps["primitives"][0]["indices"].get<std::size_t>()]["count"], 4);
 }
 
 } // namespace cd::tests
