@@ -74,7 +74,7 @@ Status write_pictures(const PreparedJob& job,
                                      *job.meshes[scenario.body_b],
                                      scenario.poses,
                                      found.results[i].pairs);
-        const Image image = draw_contacts(bodies);
+        const Image image = draw_contacts(bodies, {}, gap_lines(found.results[i]));
         const std::filesystem::path path = dir / (std::to_string(first + i) + ".png");
         CD_TRY(write_png(image, path));
     }

@@ -74,6 +74,7 @@ Result<RunReport> fetched_report(Connection& connection,
                                  std::uint64_t fetched) {
     RunReport report = report_of(status, query.level);
     report.limit_pairs = query.limit_pairs;
+    report.clearance = query.clearance;
     report.maps_all_pairs = query.maps;
     report.execution.where = workers_text(connection);
     report.execution.fetched = fetched;

@@ -193,6 +193,7 @@ RunReport empty_report(const Query& query) {
     RunReport report;
     report.level = query.level;
     report.limit_pairs = query.limit_pairs;
+    report.clearance = query.clearance;
     report.maps_all_pairs = query.maps;
     if (query.maps) {
         report.map.emplace();

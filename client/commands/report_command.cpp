@@ -187,7 +187,8 @@ Result<int> perform(const ReportCommand& command) {
                         {names_of_bodies(manifest),
                          overview.summary().tested(),
                          manifest.query.limit_pairs,
-                         overview.groups().left_out()}));
+                         overview.groups().left_out(),
+                         manifest.query.clearance.has_value()}));
     return exit_code_of(overview.summary(), command.fail_on, statuses.has_news());
 }
 

@@ -4,6 +4,7 @@
 #include "common/core/words.hpp"
 #include "common/geometry/aabb.hpp"
 #include "common/geometry/pose.hpp"
+#include "common/job/result/severity.hpp"
 
 #include <fmt/format.h>
 
@@ -24,28 +25,22 @@ struct CellLook {
     const char* colour;
     const char* word;
 };
-constexpr std::array<CellLook, 6> cell_looks{{{"#ffffff", "no scenario"},
-                                              {"#7fbf7f", "separate"},
-                                              {"#9a9a9a", "not tested, or failed"},
-                                              {"#c9a0dc", "undecided"},
-                                              {"#f2c230", "touch"},
-                                              {"#c8201e", "cross, inside or contact"}}};
+constexpr std::array<CellLook, 10> cell_looks{{{"#ffffff", "no scenario"},
+                                               {"#c4c4c4", "not tested"},
+                                               {"#7fbf7f", "separate"},
+                                               {"#c9a0dc", "undecided"},
+                                               {"#f08c28", "near"},
+                                               {"#f2d230", "touch"},
+                                               {"#dc5a32", "contact"},
+                                               {"#c8201e", "cross"},
+                                               {"#92245c", "inside"},
+                                               {"#3c4046", "failed"}}};
 
+/// Returns the place of a class of `RunOverview::classes` in `cell_looks`.
 std::uint8_t rank_of(std::uint8_t kind) {
-    switch (static_cast<ScenarioClass>(kind)) {
-    case ScenarioClass::Separate:
-        return 1;
-    case ScenarioClass::Undecided:
-        return 3;
-    case ScenarioClass::Touch:
-        return 4;
-    case ScenarioClass::Cross:
-    case ScenarioClass::Inside:
-    case ScenarioClass::Contact:
-        return 5;
-    default:
-        return 2;
-    }
+    return kind == RunOverview::no_result
+               ? 1
+               : static_cast<std::uint8_t>(1 + severity(static_cast<ScenarioClass>(kind)));
 }
 
 /// Returns the cell of a value, if `count` values are spread evenly over `cells` cells.

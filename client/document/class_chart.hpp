@@ -20,8 +20,7 @@ struct ChartAxis {
     std::string high;
 };
 
-/// Cells of scenarios; the worst class in a cell counts: first contact, then undecided, then
-/// without a result, then separate.
+/// Cells of scenarios. A cell shows the worst of its classes (`severity`).
 class ClassChart {
   public:
     /// Makes a strip in the order of the scenarios. `classes` are as in `RunOverview`.

@@ -22,6 +22,14 @@ std::string regions_text(const Group& group) {
                                  : grouped(group.regions[0]) + " / " + grouped(group.regions[1]);
 }
 
+/// The column of near pairs, behind that of pairs in contact.
+constexpr std::ptrdiff_t near_column = 6;
+
+std::string worst_text(const Group& group, const std::string& label) {
+    return label + ", " + counted(group.worst_pairs, "pair") +
+           (group.near.worst_pairs == 0 ? "" : ", " + grouped(group.near.worst_pairs) + " near");
+}
+
 /// Returns a class of the style sheet for a cell of the matrix: darker for a larger share of the
 /// largest.
 std::string shade_of(std::uint64_t count, std::uint64_t most) {
@@ -102,7 +110,8 @@ Html GroupSections::matrix() const {
         lines += Html::element("tr", line);
     }
     Html content = paragraph("In how many scenarios a part of A (rows) and a part of B (columns) "
-                             "are in contact.");
+                             "are in contact" +
+                             std::string(manifest_.query.clearance ? " or near." : "."));
     content += Html::element("table", lines, {{"class", "numbers"}});
     if (of_a.size() > rows.size() || of_b.size() > columns.size()) {
         content += paragraph("Only the parts in most scenarios are shown; groups.csv has all.");
@@ -138,8 +147,11 @@ std::vector<Html> GroupSections::row_of(const JudgedGroup& judged, bool has_stat
                                    grouped(group.scenarios),
                                    share_of(judged),
                                    grouped(group.pairs),
-                                   label(group.worst) + ", " + counted(group.worst_pairs, "pair"),
+                                   worst_text(group, label(group.worst)),
                                    regions_text(group)};
+    if (manifest_.query.clearance) {
+        cells.insert(cells.begin() + near_column, grouped(group.near.pairs));
+    }
     if (is_of_file()) {
         cells.push_back(group.episodes.count == 0 ? "-" : grouped(group.episodes.count));
         cells.push_back(label(group.episodes.first.front().first));
@@ -167,6 +179,9 @@ Html GroupSections::table() const {
         judged, [](const JudgedGroup& each) { return each.status != GroupStatus::Unjudged; });
     std::vector<std::string> head{
         "part of A", "part of B", "class", "scenarios", "share", "pairs", "worst", "regions A / B"};
+    if (manifest_.query.clearance) {
+        head.insert(head.begin() + near_column, "near pairs");
+    }
     if (is_of_file()) {
         head.insert(head.end(), {"episodes", "first", "last"});
     }
@@ -188,8 +203,10 @@ Html GroupSections::table() const {
                                  " of triangles are in no group, since there are too many groups.",
                              "warning");
     }
+    const std::string state = manifest_.query.clearance ? "in contact or near" : "in contact";
     content += paragraph("Severity is the number of pairs of triangles, not a depth. A region is a "
-                         "connected set of triangles in contact in any scenario.");
+                         "connected set of triangles " +
+                         state + " in any scenario.");
     if (manifest_.query.level == Level::Count) {
         content += paragraph("Pairs were summed where the scenarios ran, by named part. So regions "
                              "and episodes are unknown, and contact is touch or, without a pair "

@@ -14,7 +14,7 @@ namespace {
 
 constexpr PictureSize small_size{480, 300};
 
-/// Calls `take` with the number of each result's scenario and the bodies to be pictured.
+/// Calls `take` with each result and the bodies to be pictured.
 template <class Take>
 Status for_each_scenario(const PreparedJob& job,
                          const std::vector<ScenarioResult>& results,
@@ -25,7 +25,7 @@ Status for_each_scenario(const PreparedJob& job,
             return interrupted();
         }
         const auto scenario = CD_TRY(job.poses->read(result.index, 1));
-        CD_TRY(take(result.index,
+        CD_TRY(take(result,
                     pictured(*job.meshes[result.body_a],
                              *job.meshes[result.body_b],
                              scenario.front().poses,
@@ -51,10 +51,12 @@ Status ReportPictures::draw(const PreparedJob& job,
     for (const auto& mesh : job.meshes) {
         bodies_.push_back(CD_TRY(png_within_limit(draw_parts(*mesh, small_size))));
     }
-    return for_each_scenario(job, results, stop, [&](std::uint64_t, const auto& bodies) -> Status {
-        scenarios_.push_back(CD_TRY(png_within_limit(draw_contacts(bodies, small_size))));
-        return Done{};
-    });
+    return for_each_scenario(
+        job, results, stop, [&](const ScenarioResult& result, const auto& bodies) -> Status {
+            const Image image = draw_contacts(bodies, small_size, gap_lines(result));
+            scenarios_.push_back(CD_TRY(png_within_limit(image)));
+            return Done{};
+        });
 }
 
 Status write_pictures(const std::filesystem::path& folder,
@@ -66,8 +68,9 @@ Status write_pictures(const std::filesystem::path& folder,
         CD_TRY(write_png(draw_parts(*job.meshes[i]), folder / (i == 0 ? "a.png" : "b.png")));
     }
     return for_each_scenario(
-        job, results, stop, [&](std::uint64_t number, const auto& bodies) -> Status {
-            return write_png(draw_contacts(bodies), folder / (std::to_string(number) + ".png"));
+        job, results, stop, [&](const ScenarioResult& result, const auto& bodies) -> Status {
+            return write_png(draw_contacts(bodies, {}, gap_lines(result)),
+                             folder / (std::to_string(result.index) + ".png"));
         });
 }
 

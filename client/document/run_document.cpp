@@ -53,7 +53,10 @@ Html RunDocument::verdict() const {
     const Summary& summary = overview_.summary();
     const bool is_clean = summary.separate == summary.total;
     Html content = Html::element("h1", short_name(manifest_.name));
-    content += paragraph(verdict_text(summary), is_clean ? "verdict good" : "verdict bad");
+    const std::optional<double>& clearance = manifest_.query.clearance;
+    const std::string distance = clearance ? exact_text(*clearance) + " " + manifest_.unit : "";
+    content +=
+        paragraph(verdict_text(summary, distance), is_clean ? "verdict good" : "verdict bad");
     std::vector<std::string> head{"separate", "touch", "cross", "inside"};
     std::vector<std::string> counts{grouped(summary.separate),
                                     grouped(summary.touch),
@@ -63,12 +66,20 @@ Html RunDocument::verdict() const {
         head = {"separate", "contact", "inside"};
         counts = {grouped(summary.separate), grouped(summary.contact), grouped(summary.inside)};
     }
+    if (clearance) {
+        head.emplace_back("near");
+        counts.push_back(grouped(summary.near));
+    }
     head.insert(head.end(), {"undecided", "failed", "tested", "pairs of triangles"});
     counts.insert(counts.end(),
                   {grouped(summary.undecided),
                    grouped(summary.failed),
                    grouped(summary.tested()) + " of " + grouped(summary.total),
                    manifest_.query.level == Level::Any ? "not counted" : grouped(summary.pairs)});
+    if (clearance && manifest_.query.level != Level::Any) {
+        head.emplace_back("near pairs");
+        counts.push_back(grouped(summary.near_pairs));
+    }
     content += html_table({html_texts(head), html_texts(counts)}, "counts");
     content += paragraph(overview_.digest() ? "Digest " + to_hex(*overview_.digest())
                                             : "No digest, since results are missing.");
@@ -141,6 +152,7 @@ Html RunDocument::worst() {
         std::string words =
             names_.label_of(result.index) + ", " + std::string(to_text(result.kind));
         words += result.level == Level::Any ? "" : ", " + counted(result.pair_count, "pair");
+        words += result.near_count == 0 ? "" : ", " + grouped(result.near_count) + " near";
         words += is_unmarked(result) ? "; not marked, since running it again failed or took more "
                                        "than " +
                                            std::to_string(timing::report_run_max.count()) + " s"
@@ -149,11 +161,17 @@ Html RunDocument::worst() {
                           Html::text(words + part_pairs_of(result)),
                           "scenario " + std::to_string(result.index));
     }
-    std::string about = manifest_.query.level == Level::Any
-                            ? "The first scenarios in contact."
-                            : "The scenarios with most pairs of triangles in contact.";
+    const bool has_clearance = manifest_.query.clearance.has_value();
+    std::string about = std::string("The worst scenarios") +
+                        (has_clearance ? " in contact or near" : "") + ": " +
+                        (manifest_.query.level == Level::Any
+                             ? "the first ones of the worst class."
+                             : "by class, and then by the number of pairs of triangles.");
     if (!std::ranges::all_of(worst, is_unmarked)) {
         about += " Triangles in contact are red, pale where they are hidden.";
+        about += has_clearance ? " Triangles that are only near are orange. Where it is known, a "
+                                 "line joins the nearest points of two near triangles."
+                               : "";
     }
     if (manifest_.query.level < Level::Pairs) {
         about +=

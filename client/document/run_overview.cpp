@@ -1,6 +1,7 @@
 #include "client/document/run_overview.hpp"
 
 #include "common/core/errors.hpp"
+#include "common/job/result/severity.hpp"
 #include "web/server/scenario_repeat.hpp"
 
 #include <algorithm>
@@ -55,6 +56,9 @@ Status RunOverview::add_pairs_to_worst(const PreparedJob& job,
         }
         if (again.drawn != nullptr) {
             result.pairs = again.drawn->pairs;
+            result.point_origins = again.drawn->point_origins;
+            result.point_offsets = again.drawn->point_offsets;
+            result.points = again.drawn->points;
         }
     }
     return Done{};
@@ -63,7 +67,7 @@ Status RunOverview::add_pairs_to_worst(const PreparedJob& job,
 void RunOverview::add(const ScenarioResult& result) {
     classes_[result.index] = static_cast<std::uint8_t>(result.kind);
     groups_.add(result);
-    if (is_contact(result.kind)) {
+    if (is_hit(result.kind)) {
         add_to_worst(result);
     }
     if (result.kind == ScenarioClass::Failed && failures_.size() < failures_max) {
@@ -72,10 +76,10 @@ void RunOverview::add(const ScenarioResult& result) {
 }
 
 void RunOverview::add_to_worst(const ScenarioResult& result) {
-    const auto has_fewer = [&](const ScenarioResult& each) {
-        return each.pair_count < result.pair_count;
+    const auto is_better = [&](const ScenarioResult& each) {
+        return badness_of(each) < badness_of(result);
     };
-    const auto place = std::ranges::find_if(worst_, has_fewer);
+    const auto place = std::ranges::find_if(worst_, is_better);
     if (place == worst_.end() && worst_.size() == worst_max) {
         return;
     }

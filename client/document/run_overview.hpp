@@ -39,7 +39,7 @@ class RunOverview {
                                                   std::uint64_t scenarios,
                                                   const StopCheck& stop);
 
-    /// Runs the worst scenarios again, as the page does, and gives them the pairs so found. For
+    /// Runs the worst scenarios again, as the page does, and gives them pairs and points. For
     /// runs below `level pairs`, whose records list none. `job` has trees. A scenario whose run
     /// fails or takes longer than `run_max` remains without pairs. Errors: from reading poses;
     /// Interrupted.
@@ -52,8 +52,8 @@ class RunOverview {
     [[nodiscard]] const std::optional<Sha256>& digest() const { return digest_; }
     /// The class of each scenario, as `ScenarioClass` or `no_result`.
     [[nodiscard]] const std::vector<std::uint8_t>& classes() const { return classes_; }
-    /// The scenarios in contact with most pairs, those with most first; at `level any` the first
-    /// ones in contact. Their pairs are those of the records, or of `add_pairs_to_worst`.
+    /// The worst scenarios in contact or near (`Badness`), the worst first, and among equal ones
+    /// the first. Their pairs are those of the records, or of `add_pairs_to_worst`.
     [[nodiscard]] const std::vector<ScenarioResult>& worst() const { return worst_; }
     [[nodiscard]] const std::vector<FailedScenario>& failures() const { return failures_; }
     [[nodiscard]] GroupSum& groups() { return groups_; }

@@ -31,19 +31,30 @@ std::string kinds_text(const Summary& summary) {
 
 } // namespace
 
-std::string verdict_text(const Summary& summary) {
+std::string verdict_text(const Summary& summary, const std::string& clearance) {
     const std::uint64_t contacts = contacts_of(summary);
     const std::uint64_t open = summary.total - summary.tested() + summary.undecided;
     const std::string rest = open == 0 ? "." : "; " + grouped(open) + " have no answer.";
     if (contacts != 0) {
         return "The bodies are in contact in " + grouped(contacts) + " of " +
-               counted(summary.total, "scenario") + " (" + kinds_text(summary) + ")" + rest;
+               counted(summary.total, "scenario") + " (" + kinds_text(summary) + ")" +
+               (summary.near == 0 ? ""
+                                  : ", and at most " + clearance + " apart in " +
+                                        grouped(summary.near) + " more") +
+               rest;
     }
+    if (summary.near != 0) {
+        return std::string(open == 0 ? "No contact" : "No contact was found") +
+               ", but the bodies are at most " + clearance + " apart in " + grouped(summary.near) +
+               " of " + counted(summary.total, "scenario") + rest;
+    }
+    const std::string separate =
+        clearance.empty() ? "separate" : "more than " + clearance + " apart";
     if (open == 0) {
-        return "No contact: the bodies are separate in all of " +
+        return "No contact: the bodies are " + separate + " in all of " +
                counted(summary.total, "scenario") + ".";
     }
-    return "No contact was found: the bodies are separate in " + grouped(summary.separate) +
+    return "No contact was found: the bodies are " + separate + " in " + grouped(summary.separate) +
            " of " + counted(summary.total, "scenario") + rest;
 }
 

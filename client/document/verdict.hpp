@@ -9,8 +9,9 @@
 
 namespace cd {
 
-/// Returns one sentence about whether contacts were found, and in how many scenarios.
-[[nodiscard]] std::string verdict_text(const Summary& summary);
+/// Returns one sentence about whether contacts were found, and in how many scenarios. `clearance`
+/// is that of the query with its unit, such as "0.005 m", or empty.
+[[nodiscard]] std::string verdict_text(const Summary& summary, const std::string& clearance = "");
 
 /// Returns a sentence for each thing that the run did not test, or did not list. `no_groups`
 /// says why the groups are unknown, and is empty if they are known.

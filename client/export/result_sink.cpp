@@ -120,7 +120,8 @@ Status ResultSink::write_map(const ContactMap& map) const {
 }
 
 GroupsOrigin ResultSink::groups_origin() const {
-    GroupsOrigin origin{{}, tested_, context_.limit_pairs, groups_.left_out()};
+    GroupsOrigin origin{
+        {}, tested_, context_.limit_pairs, groups_.left_out(), context_.clearance.has_value()};
     for (const ExportBody& body : context_.bodies) {
         origin.bodies.push_back(body.name);
     }

@@ -20,7 +20,7 @@ using Json = nlohmann::json;
 
 Summary classes_of(const Json& json) {
     Summary summary;
-    const std::array<std::pair<const char*, std::uint64_t*>, 12> counts{
+    const std::array<std::pair<const char*, std::uint64_t*>, 14> counts{
         {{"total", &summary.total},
          {"separate", &summary.separate},
          {"touch", &summary.touch},
@@ -29,6 +29,8 @@ Summary classes_of(const Json& json) {
          {"contact", &summary.contact},
          {"undecided", &summary.undecided},
          {"failed", &summary.failed},
+         {"near", &summary.near},
+         {"near_pairs", &summary.near_pairs},
          {"pairs", &summary.pairs},
          {"surfaces_only", &summary.surfaces_only},
          {"insides_skipped", &summary.insides_skipped},
@@ -44,6 +46,9 @@ RunReport report_of(const Json& json) {
     report.summary = classes_of(json);
     report.level = level_from_text(json.value("level", "")).value_or(Level::Pairs);
     report.limit_pairs = json.value("limit_pairs", std::uint64_t{0});
+    if (json.contains("clearance")) {
+        report.clearance = json["clearance"].get<double>();
+    }
     report.execution.seconds = json.value("seconds", 0.0);
     report.execution.resumed_at =
         std::min(json.value("resumed_at", std::uint64_t{0}), report.summary.merged());
@@ -90,10 +95,11 @@ write_exports(const OpenedRun& run, const SinkOptions& options, const ExportCont
     report.digest = merger.digest();
     report.level = run.manifest().query.level;
     report.limit_pairs = run.manifest().query.limit_pairs;
+    report.clearance = run.manifest().query.clearance;
     report.maps_all_pairs = run.manifest().query.maps;
     report.map = std::move(map);
     report.most_touched = sink.groups().most_touched();
-    report.summary_file = (run.dir() / "summary.json").string();
+    report.folder.summary_file = (run.dir() / "summary.json").string();
     return report;
 }
 

@@ -244,7 +244,7 @@ Status FolderRun::finish(RunReport& report,
     CD_TRY(sink.finish(report.map));
     report.most_touched = sink.groups().most_touched();
     CD_TRY(finish_inputs());
-    report.inputs_are_too_large = wants_inputs_ && !keeps_inputs_;
+    report.folder.inputs_are_too_large = wants_inputs_ && !keeps_inputs_;
     CD_TRY(write_summary(folder_.out(), context, report));
     manifest_.origin.ended =
         manifest_.origin.ended.empty() ? iso_time(unix_seconds()) : manifest_.origin.ended;
@@ -252,7 +252,7 @@ Status FolderRun::finish(RunReport& report,
     manifest_.outcome.digest = report.digest;
     manifest_.outcome.map_digest =
         report.map ? std::optional(digest_of(*report.map)) : std::optional<Sha256>();
-    report.summary_file = (folder_.dir() / "summary.json").string();
+    report.folder.summary_file = (folder_.dir() / "summary.json").string();
     const Status committed = folder_.commit(manifest_);
     is_finished_ = committed.has_value();
     return committed;

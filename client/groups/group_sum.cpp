@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <span>
+#include <tuple>
 #include <utility>
 
 namespace cd {
@@ -27,6 +28,13 @@ void sort_each_once(std::vector<std::uint32_t>& numbers) {
 bool has_proper(std::span<const ContactPair> pairs) {
     return std::ranges::any_of(
         pairs, [](const ContactPair& pair) { return pair.kind == PairClass::Proper; });
+}
+
+/// Returns the class of a group after one more scenario.
+ScenarioClass class_with(const Group& group, bool is_cross) {
+    return is_cross || group.kind == ScenarioClass::Cross ? ScenarioClass::Cross
+           : group.pairs != 0                             ? ScenarioClass::Touch
+                                                          : ScenarioClass::Near;
 }
 
 /// Extends the last episode by a scenario, or begins a new one.
@@ -118,10 +126,11 @@ void GroupSum::note_pair(const ScenarioResult& result,
     if (sum.stamp != stamp_) {
         sum.stamp = stamp_;
         sum.pairs_here = 0;
+        sum.near_here = 0;
         sum.is_proper_here = false;
         here_.push_back(number);
     }
-    ++sum.pairs_here;
+    ++(pair.kind == PairClass::Near ? sum.near_here : sum.pairs_here);
     sum.is_proper_here = sum.is_proper_here || pair.kind == PairClass::Proper;
     std::uint32_t& last_of_a = bodies_[result.body_a].last_group[pair.a];
     std::uint32_t& last_of_b = bodies_[result.body_b].last_group[pair.b];
@@ -192,13 +201,15 @@ void GroupSum::add(const ScenarioResult& result) {
         Group& group = sum.group;
         ++group.scenarios;
         group.pairs += sum.pairs_here;
-        if (sum.pairs_here > group.worst_pairs) {
+        group.near.pairs += sum.near_here;
+        if (std::pair(sum.pairs_here, sum.near_here) >
+            std::pair(group.worst_pairs, group.near.worst_pairs)) {
             group.worst_pairs = sum.pairs_here;
+            group.near.worst_pairs = sum.near_here;
             group.worst = result.index;
         }
-        if (sum.is_proper_here || all_cross) {
-            group.kind = ScenarioClass::Cross;
-        }
+        const bool is_cross = sum.is_proper_here || (all_cross && sum.pairs_here != 0);
+        group.kind = class_with(group, is_cross);
         add_to(group.episodes, result.index);
     }
     limit_triangles();
@@ -273,7 +284,8 @@ std::vector<Group> GroupSum::groups() const {
         count_regions(body, groups);
     }
     std::ranges::stable_sort(groups, [](const Group& left, const Group& right) {
-        return std::pair(left.scenarios, left.pairs) > std::pair(right.scenarios, right.pairs);
+        return std::tuple(left.scenarios, left.pairs, left.near.pairs) >
+               std::tuple(right.scenarios, right.pairs, right.near.pairs);
     });
     return groups;
 }

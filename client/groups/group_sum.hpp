@@ -1,4 +1,4 @@
-// Groups of contacts: pairs of parts that are in contact in at least one scenario.
+// Groups of contacts: pairs of parts that are in contact, or near, in at least one scenario.
 #pragma once
 
 #include "client/groups/body_parts.hpp"
@@ -18,7 +18,7 @@
 
 namespace cd {
 
-/// A run of consecutive scenarios in which a group is in contact.
+/// A run of consecutive scenarios in which a group is in contact or near.
 struct Episode {
     std::uint64_t first = 0;
     std::uint64_t last = 0;
@@ -28,31 +28,43 @@ struct Episode {
 
 /// The episodes of a group.
 struct GroupEpisodes {
-    std::uint64_t count = 0;      ///< 0 if unknown. Then `first` spans all scenarios with contact.
+    std::uint64_t count = 0;      ///< 0 if unknown. Then `first` spans all scenarios of the group.
     std::uint64_t last = 0;       ///< The last scenario of the last episode.
     std::vector<Episode> first{}; ///< The first `limits::group_episodes_max` episodes.
 
     friend bool operator==(const GroupEpisodes&, const GroupEpisodes&) = default;
 };
 
-/// A part of A and a part of B that are in contact, by the listed pairs of triangles or, at `level
-/// count`, by sums over all pairs.
+/// Numbers of a group's near pairs.
+struct GroupNear {
+    std::uint64_t pairs = 0;       ///< In all scenarios.
+    std::uint64_t worst_pairs = 0; ///< In the group's worst scenario.
+
+    friend bool operator==(const GroupNear&, const GroupNear&) = default;
+};
+
+/// A part of A and a part of B that are in contact or near, by the listed pairs of triangles or, at
+/// `level count`, by sums over all pairs.
 struct Group {
     std::uint32_t body_a = 0; ///< Index of body A in the job's list of bodies.
     std::uint32_t body_b = 1;
     std::string part_a; ///< Name of the part (`BodyParts`).
     std::string part_b;
-    std::uint64_t scenarios = 0;   ///< Number of scenarios with contact.
-    std::uint64_t pairs = 0;       ///< Number of pairs in contact in all scenarios.
-    std::uint64_t worst = 0;       ///< The first scenario with most pairs.
-    std::uint64_t worst_pairs = 0; ///< Number of its pairs.
+    std::uint64_t scenarios = 0; ///< Number of scenarios with a contact or a near pair.
+    std::uint64_t pairs = 0;     ///< Number of pairs in contact in all scenarios.
+    /// The first scenario with most pairs in contact, and among such scenarios with most near
+    /// pairs.
+    std::uint64_t worst = 0;
+    std::uint64_t worst_pairs = 0; ///< Number of its pairs in contact.
     /// Cross if a pair is proper, or if a scenario's class is Cross without any proper pair; else
-    /// Touch. In sums Cross if a pair is proper, else Contact, which leaves open what it is.
+    /// Touch; Near if no pair is in contact. In sums Contact in place of Touch, which leaves open
+    /// what it is.
     ScenarioClass kind = ScenarioClass::Touch;
     /// On A's part and on B's part, the number of regions: connected sets of triangles in contact
-    /// in any scenario. Zeros if they are too many to count, or unknown.
+    /// or near in any scenario. Zeros if they are too many to count, or unknown.
     std::array<std::uint64_t, 2> regions{};
     GroupEpisodes episodes;
+    GroupNear near;
 
     friend bool operator==(const Group&, const Group&) = default;
 };
@@ -61,7 +73,7 @@ struct Group {
 /// names.
 [[nodiscard]] bool is_same(const Group& left, const Group& right);
 
-/// A part and the number of scenarios in which it is in contact.
+/// A part and the number of scenarios in which it is in contact or near.
 struct TouchedPart {
     std::string part;
     std::uint64_t scenarios = 0;
@@ -90,8 +102,8 @@ class GroupSum {
     /// Number of pairs of triangles in no group, since there are too many groups.
     [[nodiscard]] std::uint64_t left_out() const { return left_out_; }
 
-    /// Returns the `count` parts in contact in most scenarios, most first. Leaves out parts never
-    /// in contact, bodies with a single part, and bodies whose parts are pieces.
+    /// Returns the `count` parts in contact or near in most scenarios, most first. Leaves out parts
+    /// that never are, bodies with a single part, and bodies whose parts are pieces.
     [[nodiscard]] std::vector<TouchedPart> most_touched(std::size_t count = 3) const;
     [[nodiscard]] const BodyParts& parts(std::size_t body);
     [[nodiscard]] std::size_t bodies() const { return meshes_.size(); }
@@ -109,9 +121,10 @@ class GroupSum {
         std::array<std::uint32_t, 2> part{};
         Group group;
         std::uint64_t stamp = 0;      ///< `stamp_` of the last result with the group.
-        std::uint64_t pairs_here = 0; ///< Number of pairs in that result.
+        std::uint64_t pairs_here = 0; ///< Number of pairs in contact in that result.
+        std::uint64_t near_here = 0;  ///< Number of near pairs in that result.
         bool is_proper_here = false;  ///< A pair in that result is proper.
-        /// Triangles in contact of A and of B, with repetitions; the first `sorted` ascend.
+        /// Triangles of the pairs, of A and of B, with repetitions; the first `sorted` ascend.
         std::array<std::vector<std::uint32_t>, 2> touched;
         std::array<std::size_t, 2> sorted{};
     };

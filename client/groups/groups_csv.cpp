@@ -5,6 +5,7 @@
 #include "common/core/words.hpp"
 
 #include <algorithm>
+#include <string>
 #include <string_view>
 #include <utility>
 
@@ -12,9 +13,17 @@ namespace cd {
 
 namespace {
 
-constexpr std::string_view groups_header =
-    "body_a,part_a,body_b,part_b,class,scenarios,share,pairs,worst,worst_pairs,regions_a,regions_b,"
-    "episodes,first,last,status,note\n";
+std::string header_of(const GroupsOrigin& origin) {
+    return std::string("body_a,part_a,body_b,part_b,class,scenarios,share,pairs,") +
+           (origin.has_near ? "near," : "") + "worst,worst_pairs," +
+           (origin.has_near ? "worst_near," : "") +
+           "regions_a,regions_b,episodes,first,last,status,note\n";
+}
+
+/// Returns a field and its comma; nothing if the run has no clearance.
+std::string near_field(const GroupsOrigin& origin, std::uint64_t count) {
+    return origin.has_near ? std::to_string(count) + "," : "";
+}
 
 Status add_row(RowFile& file, const GroupRow& row, const GroupsOrigin& origin) {
     const Group& group = row.group;
@@ -27,7 +36,9 @@ Status add_row(RowFile& file, const GroupRow& row, const GroupsOrigin& origin) {
     CD_TRY(file.add(to_text(group.kind), ",", group.scenarios, ","));
     const bool has_share = origin.limit_pairs == 0 && !row.is_gone;
     CD_TRY(file.add(has_share ? exact_text(share) : "", ",", group.pairs, ","));
+    CD_TRY(file.add(near_field(origin, group.near.pairs)));
     CD_TRY(file.add(group.worst, ",", group.worst_pairs, ","));
+    CD_TRY(file.add(near_field(origin, group.near.worst_pairs)));
     CD_TRY(file.add(group.regions[0], ",", group.regions[1], ",", group.episodes.count, ","));
     CD_TRY(file.add(group.episodes.first.front().first, ",", group.episodes.last, ","));
     return file.add(csv_field(row.status), ",", csv_field(row.note), "\n");
@@ -46,12 +57,13 @@ std::vector<GroupRow> rows_of(const GroupSum& sum) {
 Status write_groups_csv(const std::filesystem::path& path,
                         const std::vector<GroupRow>& rows,
                         const GroupsOrigin& origin) {
-    auto file = CD_TRY(RowFile::create(path, groups_header));
+    auto file = CD_TRY(RowFile::create(path, header_of(origin)));
     for (const GroupRow& row : rows) {
         CD_TRY(add_row(file, row, origin));
     }
     if (origin.left_out != 0) {
-        CD_TRY(file.add(",*,,*,,,,", origin.left_out, ",,,,,,,,,\n"));
+        const std::string_view rest = origin.has_near ? ",,,,,,,,,,,\n" : ",,,,,,,,,\n";
+        CD_TRY(file.add(",*,,*,,,,", origin.left_out, rest));
     }
     return file.commit();
 }

@@ -28,10 +28,12 @@ struct GroupsOrigin {
     std::uint64_t tested = 0;        ///< Number of scenarios that were tested.
     std::uint64_t limit_pairs = 0;   ///< Maximum number of pairs in a result; 0: all.
     std::uint64_t left_out = 0;      ///< As `GroupSum::left_out`.
+    bool has_near = false;           ///< The run has a clearance.
 };
 
 /// Writes groups.csv (docs/report.md). Shares are empty if results do not list all pairs. Pairs in
-/// no group make up a last row with the parts `*`. Errors: Io naming the file.
+/// no group make up a last row with the parts `*`. With a clearance the columns near and worst_near
+/// count near pairs. Errors: Io naming the file.
 [[nodiscard]] Status write_groups_csv(const std::filesystem::path& path,
                                       const std::vector<GroupRow>& rows,
                                       const GroupsOrigin& origin);

@@ -76,7 +76,15 @@ void draw_marks(std::span<const PosedBody> bodies, Rasteriser& picture) {
         for (const std::uint32_t triangle : body.body->contacts) {
             picture.mark(body.corners(body.triangles()[triangle]), contact_colour);
         }
+        for (const std::uint32_t triangle : body.body->near) {
+            picture.mark(body.corners(body.triangles()[triangle]), near_colour);
+        }
     }
+}
+
+void sort_triangles_once(std::vector<std::uint32_t>& numbers) {
+    std::ranges::sort(numbers);
+    numbers.erase(std::ranges::unique(numbers).begin(), numbers.end());
 }
 
 Viewpoint best_viewpoint(std::span<const PosedBody> bodies, const Aabb& scene) {
@@ -105,12 +113,17 @@ pictured(const Mesh& a, const Mesh& b, const PosePair& poses, std::span<const Co
     std::vector<PicturedBody> bodies{{&a, poses.a, body_colours[0], {}},
                                      {&b, poses.b, body_colours[1], {}}};
     for (const ContactPair& pair : pairs) {
-        bodies[0].contacts.push_back(pair.a);
-        bodies[1].contacts.push_back(pair.b);
+        const auto list =
+            pair.kind == PairClass::Near ? &PicturedBody::near : &PicturedBody::contacts;
+        (bodies[0].*list).push_back(pair.a);
+        (bodies[1].*list).push_back(pair.b);
     }
     for (PicturedBody& body : bodies) {
-        std::ranges::sort(body.contacts);
-        body.contacts.erase(std::ranges::unique(body.contacts).begin(), body.contacts.end());
+        sort_triangles_once(body.contacts);
+        sort_triangles_once(body.near);
+        std::erase_if(body.near, [&](std::uint32_t triangle) {
+            return std::ranges::binary_search(body.contacts, triangle);
+        });
     }
     return bodies;
 }
@@ -128,12 +141,27 @@ Image draw_parts(const Mesh& mesh, PictureSize size) {
     return picture.image();
 }
 
-Image draw_contacts(std::span<const PicturedBody> pictured_bodies, PictureSize size) {
+std::vector<GapLine> gap_lines(const ScenarioResult& result) {
+    std::vector<GapLine> lines;
+    for (std::size_t i = 0; i < result.pairs.size() && i + 1 < result.point_offsets.size(); ++i) {
+        if (result.pairs[i].kind == PairClass::Near) {
+            const Vec3* const ends = &result.points[result.point_offsets[i]];
+            const Vec3& origin = result.point_origins[i];
+            lines.push_back({origin + ends[0], origin + ends[1]});
+        }
+    }
+    return lines;
+}
+
+Image draw_contacts(std::span<const PicturedBody> pictured_bodies,
+                    PictureSize size,
+                    std::span<const GapLine> lines) {
     const std::vector<PosedBody> bodies = posed(pictured_bodies);
     const Aabb scene = box_of(bodies);
-    const bool has_contacts = std::ranges::any_of(
-        pictured_bodies, [](const PicturedBody& body) { return !body.contacts.empty(); });
-    const Viewpoint eye = has_contacts ? best_viewpoint(bodies, scene) : front_right();
+    const bool has_marks = std::ranges::any_of(pictured_bodies, [](const PicturedBody& body) {
+        return !body.contacts.empty() || !body.near.empty();
+    });
+    const Viewpoint eye = has_marks ? best_viewpoint(bodies, scene) : front_right();
     Rasteriser picture(size.width, size.height, samples, eye, scene);
     for (const PosedBody& body : bodies) {
         for (const Triangle& triangle : body.triangles()) {
@@ -141,6 +169,9 @@ Image draw_contacts(std::span<const PicturedBody> pictured_bodies, PictureSize s
         }
     }
     draw_marks(bodies, picture);
+    for (const GapLine& line : lines) {
+        picture.mark_line(line[0], line[1], gap_colour);
+    }
     return picture.image();
 }
 

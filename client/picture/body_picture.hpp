@@ -4,6 +4,7 @@
 #include "client/picture/image.hpp"
 #include "common/geometry/mesh.hpp"
 #include "common/geometry/pose.hpp"
+#include "common/job/result/result.hpp"
 #include "common/search/contact_pair.hpp"
 
 #include <array>
@@ -25,6 +26,8 @@ inline constexpr std::array<Colour, 2> body_colours{{{150, 170, 200}, {225, 190,
 /// The colours of triangles in contact, and of triangles that are only near.
 inline constexpr Colour contact_colour{224, 32, 32};
 inline constexpr Colour near_colour{240, 140, 40};
+/// The colour of lines between the nearest points of near triangles.
+inline constexpr Colour gap_colour{110, 45, 0};
 
 /// A body in a picture. The mesh must outlive the drawing.
 struct PicturedBody {
@@ -32,7 +35,11 @@ struct PicturedBody {
     Pose pose; ///< Pose in the world.
     Colour colour;
     std::vector<std::uint32_t> contacts; ///< Triangles in contact.
+    std::vector<std::uint32_t> near{};   ///< Triangles that are only near.
 };
+
+/// A line from the nearest point of A to that of B, in the world.
+using GapLine = std::array<Vec3, 2>;
 
 /// Returns two bodies in their poses, with the triangles of the pairs marked.
 [[nodiscard]] std::vector<PicturedBody>
@@ -41,8 +48,14 @@ pictured(const Mesh& a, const Mesh& b, const PosePair& poses, std::span<const Co
 /// Draws a mesh from the front, the right and above; eight colours take turns for its parts.
 [[nodiscard]] Image draw_parts(const Mesh& mesh, PictureSize size = {});
 
-/// Draws bodies with their contacts, from the one of 26 directions (to the faces, edges and corners
-/// of a cube) that shows most contacts; from the front right and above if none shows any.
-[[nodiscard]] Image draw_contacts(std::span<const PicturedBody> bodies, PictureSize size = {});
+/// Returns the lines of a result's near pairs; none below `level contacts`.
+[[nodiscard]] std::vector<GapLine> gap_lines(const ScenarioResult& result);
+
+/// Draws bodies with their contacts and near triangles, from the one of 26 directions (to the
+/// faces, edges and corners of a cube) that shows most of them; from the front right and above if
+/// none shows any. Lines are drawn into the picture.
+[[nodiscard]] Image draw_contacts(std::span<const PicturedBody> bodies,
+                                  PictureSize size = {},
+                                  std::span<const GapLine> lines = {});
 
 } // namespace cd

@@ -153,7 +153,27 @@ void Rasteriser::draw(const Corners& world, Colour colour) {
 }
 
 void Rasteriser::mark(const Corners& world, Colour colour) {
-    const std::array<Point, 3> corners{project(world[0]), project(world[1]), project(world[2])};
+    mark({project(world[0]), project(world[1]), project(world[2])}, colour);
+}
+
+void Rasteriser::mark_line(const Vec3& from, const Vec3& to, Colour colour) {
+    const Point a = project(from);
+    const Point b = project(to);
+    const double x = b[0] - a[0];
+    const double y = b[1] - a[1];
+    const double length = std::sqrt(x * x + y * y);
+    if (!(length > 0)) {
+        return; // The eye sees a point.
+    }
+    const double across = samples_ / length; // One pixel to each side.
+    const auto beside = [&](const Point& point, double side) {
+        return Point{point[0] - side * across * y, point[1] + side * across * x, point[2]};
+    };
+    mark({beside(a, -1), beside(a, 1), beside(b, 1)}, colour);
+    mark({beside(a, -1), beside(b, 1), beside(b, -1)}, colour);
+}
+
+void Rasteriser::mark(const std::array<Point, 3>& corners, Colour colour) {
     fill(corners, colour, marked_, whole_);
     const Region bounds = bounds_of(corners);
     marks_.left = std::clamp(std::floor(bounds.left), 0.0, marks_.left);

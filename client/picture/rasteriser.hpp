@@ -32,6 +32,8 @@ class Rasteriser {
     void draw(const Corners& world, Colour colour);
     /// Marks a triangle: in full where it is in sight, and faintly where it is hidden.
     void mark(const Corners& world, Colour colour);
+    /// Marks a line, two pixels wide.
+    void mark_line(const Vec3& from, const Vec3& to, Colour colour);
 
     /// Hides the marks made so far behind triangles, whose vertices are in world coordinates, as
     /// `draw` does, but without drawing the triangles.
@@ -59,6 +61,7 @@ class Rasteriser {
     [[nodiscard]] bool shows_mark(std::size_t sample) const;
     [[nodiscard]] static Region bounds_of(const std::array<Point, 3>& corners);
     [[nodiscard]] Point project(const Vec3& world) const;
+    void mark(const std::array<Point, 3>& corners, Colour colour);
     [[nodiscard]] std::uint8_t sides_of_marks(const Point& point) const;
     void fill(const std::array<Point, 3>& corners,
               Colour colour,

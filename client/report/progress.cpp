@@ -42,6 +42,7 @@ std::string progress_text(const ProgressState& state, bool with_bar) {
         state.seconds > 0 ? static_cast<double>(done - state.resumed) / state.seconds : 0;
     const std::uint64_t contacts = summary.touch + summary.cross + summary.inside + summary.contact;
     text += "   " + rate_text(rate) + "/s   contact " + grouped(contacts);
+    text += summary.near == 0 ? "" : "   near " + grouped(summary.near);
     if (rate > 0 && done < summary.total && !state.note.stands_still) {
         const auto left =
             static_cast<std::uint64_t>(std::ceil(static_cast<double>(summary.total - done) / rate));

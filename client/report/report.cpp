@@ -141,13 +141,15 @@ std::string most_touched_text(const RunReport& report) {
     return text.empty() ? text : text + first_pairs_text(report) + "\n";
 }
 
-std::string classes_text(const Summary& summary, Level level, bool colours) {
+/// Lists the classes. Near scenarios are listed if the query has a clearance.
+std::string classes_text(const RunReport& report, bool colours) {
+    const Summary& summary = report.summary;
     std::string text = "  " + coloured("separate  " + grouped(summary.separate), green, colours);
     const auto add = [&](const std::string& name, std::uint64_t count, const char* colour) {
         const std::string part = name + " " + grouped(count);
         text += "    " + coloured(part, colour, colours && count != 0);
     };
-    if (level == Level::Any) {
+    if (report.level == Level::Any) {
         add("contact", summary.contact, red);
         add("inside", summary.inside, red);
     } else {
@@ -155,6 +157,10 @@ std::string classes_text(const Summary& summary, Level level, bool colours) {
         add("cross", summary.cross, red);
         text += summary.pairs == 0 ? "" : " (" + counted(summary.pairs, "pair") + ")";
         add("inside", summary.inside, red);
+    }
+    if (report.clearance || summary.near + summary.near_pairs != 0) {
+        add("near", summary.near, yellow);
+        text += summary.near_pairs == 0 ? "" : " (" + counted(summary.near_pairs, "pair") + ")";
     }
     if (summary.undecided != 0) {
         add("undecided", summary.undecided, yellow);
@@ -257,7 +263,7 @@ std::string warnings_text(const RunReport& report) {
     if (!report.map_withdrawn.empty()) {
         text += "  map           withdrawn: " + report.map_withdrawn + "; run the job again\n";
     }
-    if (report.inputs_are_too_large) {
+    if (report.folder.inputs_are_too_large) {
         text +=
             "  inputs        not kept, since they are too large: opening the folder again needs "
             "their files\n";
@@ -278,7 +284,7 @@ std::string summary_text(const RunReport& report, const SummaryStyle& style) {
         (rate < 100 ? fixed_text(rate, 1) : grouped(static_cast<std::uint64_t>(whole_rate))) +
         " scenarios/s" + (report.execution.where.empty() ? "" : ", " + report.execution.where) +
         "\n";
-    text += classes_text(summary, report.level, style.colours);
+    text += classes_text(report, style.colours);
     if (report.execution.reused != 0) {
         text += "  reused        " + grouped(report.execution.reused) + " of " +
                 counted(summary.total, "result") + " of an earlier run\n";
@@ -310,8 +316,8 @@ std::string summary_text(const RunReport& report, const SummaryStyle& style) {
         text += "  digest        " + to_short_hex(*report.digest) + "\n";
     }
     text += warnings_text(report);
-    if (!report.summary_file.empty()) {
-        const auto folder = std::filesystem::path(report.summary_file).parent_path();
+    if (!report.folder.summary_file.empty()) {
+        const auto folder = std::filesystem::path(report.folder.summary_file).parent_path();
         text += "  open it: cdctl view " + shell_word(folder.string()) + "\n";
     }
     return text;

@@ -60,20 +60,26 @@ struct RunExecution {
     std::vector<std::uint32_t> depths;
 };
 
+/// What the summary says about the results folder.
+struct FolderNote {
+    std::string summary_file;          ///< Path of summary.json; may be empty.
+    bool inputs_are_too_large = false; ///< The folder has no copy of the inputs.
+};
+
 /// The outcome of a run, for the summary.
 struct RunReport {
     Summary summary;
     Level level = Level::Pairs;
-    std::uint64_t limit_pairs = 0; ///< Maximum number of pairs in a result; 0: all.
-    bool maps_all_pairs = false;   ///< The contact map also counts pairs beyond `limit_pairs`.
-    std::optional<Sha256> digest;  ///< Nothing while scenarios are missing.
+    std::uint64_t limit_pairs = 0;   ///< Maximum number of pairs in a result; 0: all.
+    std::optional<double> clearance; ///< Of the query, in the job's unit.
+    bool maps_all_pairs = false;     ///< The contact map also counts pairs beyond `limit_pairs`.
+    std::optional<Sha256> digest;    ///< Nothing while scenarios are missing.
     RunExecution execution;
     std::optional<ContactMap> map;         ///< The job's contact map, if there is one.
     std::string map_withdrawn;             ///< Why a map that was asked for is missing; or empty.
     std::vector<TouchedPart> most_touched; ///< Parts in most scenarios, by the listed pairs.
     std::string hint;                      ///< A line about poses without contact; may be empty.
-    std::string summary_file;              ///< Path of summary.json; may be empty.
-    bool inputs_are_too_large = false;     ///< The results folder has no copy of the inputs.
+    FolderNote folder;
 };
 
 /// Options of the summary.

@@ -14,7 +14,7 @@ namespace {
 
 /// The query whose results are drawn.
 Query drawing_query(const Query& query) {
-    return {Level::Contacts, limits::page_rows_max, query.ignored, false};
+    return {Level::Contacts, limits::page_rows_max, query.ignored, false, query.clearance};
 }
 
 bool is_drawable(const Query& query) {
@@ -22,7 +22,8 @@ bool is_drawable(const Query& query) {
 }
 
 std::string answer_text(const ScenarioResult& result) {
-    return std::string(to_text(result.kind)) + " with " + counted(result.pair_count, "pair");
+    return std::string(to_text(result.kind)) + " with " + counted(result.pair_count, "pair") +
+           (result.has_clearance ? " and " + counted(result.near_count, "near pair") : "");
 }
 
 ScenarioRun run(const ObbTree& a,
@@ -80,6 +81,7 @@ ScenarioView repeat_scenario(const ObbTree& a,
         view.result->point_origins = {};
         view.result->point_offsets = {};
         view.result->points = {};
+        view.result->near_distances = {};
     }
     std::optional<ScenarioRun> again;
     if (view.verify_note.empty()) {

@@ -31,6 +31,7 @@ RunReport report_of(const LocalJob& local, const LocalOutcome& outcome) {
     report.summary = outcome.summary;
     report.level = local.job.query.level;
     report.limit_pairs = local.job.query.limit_pairs;
+    report.clearance = local.job.query.clearance;
     report.maps_all_pairs = local.job.query.maps;
     report.digest = outcome.digest;
     report.execution.seconds = outcome.seconds;

@@ -20,7 +20,10 @@ using testing::Not;
 constexpr auto separate = static_cast<std::uint8_t>(ScenarioClass::Separate);
 constexpr auto touch = static_cast<std::uint8_t>(ScenarioClass::Touch);
 constexpr auto cross = static_cast<std::uint8_t>(ScenarioClass::Cross);
+constexpr auto inside = static_cast<std::uint8_t>(ScenarioClass::Inside);
+constexpr auto contact = static_cast<std::uint8_t>(ScenarioClass::Contact);
 constexpr auto undecided = static_cast<std::uint8_t>(ScenarioClass::Undecided);
+constexpr auto near_class = static_cast<std::uint8_t>(ScenarioClass::Near);
 constexpr auto failed_class = static_cast<std::uint8_t>(ScenarioClass::Failed);
 
 /// A part of the markup: a cell without its height and its class.
@@ -51,25 +54,32 @@ TEST(ClassChart, AStripShowsTheWorstOfEachBin) {
     EXPECT_EQ(chart.columns(), 512u);
     EXPECT_EQ(chart.rows(), 1u);
     EXPECT_THAT(svg(chart),
-                HasSubstr(cell("1.25", "0.00", "1.25") + " height=\"28.00\" class=\"k5\""));
+                HasSubstr(cell("1.25", "0.00", "1.25") + " height=\"28.00\" class=\"k7\""));
     EXPECT_THAT(svg(chart),
-                HasSubstr(cell("638.75", "0.00", "1.25") + " height=\"28.00\" class=\"k4\""));
+                HasSubstr(cell("638.75", "0.00", "1.25") + " height=\"28.00\" class=\"k5\""));
     EXPECT_THAT(svg(chart), HasSubstr(">1023</text>"));
 }
 
 TEST(ClassChart, ClassesHaveAnOrder) {
-    const std::vector<std::uint8_t> order{
-        separate, RunOverview::no_result, undecided, touch, cross};
+    const std::vector<std::uint8_t> order{RunOverview::no_result,
+                                          separate,
+                                          undecided,
+                                          near_class,
+                                          touch,
+                                          contact,
+                                          cross,
+                                          inside,
+                                          failed_class};
     for (std::size_t i = 1; i < order.size(); ++i) {
-        std::vector<std::uint8_t> classes(1024, separate);
+        std::vector<std::uint8_t> classes(1024, RunOverview::no_result);
         classes[0] = order[i];
         classes[1] = order[i - 1];
         EXPECT_THAT(svg(ClassChart::strip(classes)),
                     HasSubstr(cell("0.00", "0.00", "1.25") + " height=\"28.00\" class=\"k" +
                               std::to_string(i + 1) + "\""));
     }
-    EXPECT_EQ(svg(ClassChart::strip({failed_class})),
-              svg(ClassChart::strip({RunOverview::no_result})));
+    EXPECT_THAT(svg(ClassChart::strip({near_class, touch})), HasSubstr(">near</text>"));
+    EXPECT_THAT(svg(ClassChart::strip({touch, cross})), Not(HasSubstr(">near</text>")));
 }
 
 TEST(ClassChart, AGridIsAMapOverItsLongestAxes) {
@@ -80,7 +90,7 @@ TEST(ClassChart, AGridIsAMapOverItsLongestAxes) {
     EXPECT_EQ(chart.columns(), 8u);
     EXPECT_EQ(chart.rows(), 4u);
     EXPECT_THAT(svg(chart),
-                HasSubstr(cell("560.00", "200.00", "80.00") + " height=\"100.00\" class=\"k5\""));
+                HasSubstr(cell("560.00", "200.00", "80.00") + " height=\"100.00\" class=\"k7\""));
     EXPECT_THAT(svg(chart), HasSubstr(">x [m]</text>"));
     EXPECT_THAT(svg(chart), HasSubstr(">y [m]</text>"));
     EXPECT_TRUE(is_plane(grid));
@@ -110,7 +120,7 @@ TEST(ClassChart, PosesAreAMapOverWhereBMovesMost) {
     EXPECT_THAT(text, HasSubstr(">y [mm]</text>"));
     EXPECT_THAT(text, HasSubstr(">z [mm]</text>"));
     EXPECT_THAT(text, Not(HasSubstr(">x [mm]</text>")));
-    EXPECT_THAT(text, HasSubstr(cell("633.33", "0.00", "6.67") + " height=\"4.17\" class=\"k5\""));
+    EXPECT_THAT(text, HasSubstr(cell("633.33", "0.00", "6.67") + " height=\"4.17\" class=\"k7\""));
     const auto stopped =
         ClassChart::of_poses(*poses, "mm", {separate, touch, cross}, [] { return true; });
     ASSERT_FALSE(stopped);

@@ -86,6 +86,37 @@ TEST(RunOverview, FindsTheWorstScenariosAndEveryClass) {
     }
 }
 
+TEST(RunOverview, TheWorstAreOrderedByClassThenByPairs) {
+    const TemporaryFolder folder;
+    const auto of = [](std::uint64_t index, ScenarioClass kind, std::uint64_t pairs) {
+        ScenarioResult result;
+        result.index = index;
+        result.level = Level::Count;
+        result.has_clearance = true;
+        result.kind = kind;
+        (kind == ScenarioClass::Near ? result.near_count : result.pair_count) = pairs;
+        return result;
+    };
+    const std::vector<ScenarioResult> results{of(0, ScenarioClass::Near, 3),
+                                              of(1, ScenarioClass::Touch, 9),
+                                              of(2, ScenarioClass::Near, 70),
+                                              of(3, ScenarioClass::Separate, 0),
+                                              of(4, ScenarioClass::Cross, 2),
+                                              of(5, ScenarioClass::Inside, 0),
+                                              of(6, ScenarioClass::Near, 70)};
+    const auto box = share(make_box({1, 1, 1}));
+    const auto overview =
+        RunOverview::read(records_of(folder, results), GroupSum({box, box}), 7, {});
+    ASSERT_TRUE(overview) << overview.error().detail;
+    std::vector<std::uint64_t> worst;
+    for (const ScenarioResult& result : overview.value().worst()) {
+        worst.push_back(result.index);
+    }
+    EXPECT_EQ(worst, (std::vector<std::uint64_t>{5, 4, 1, 2, 6, 0}));
+    EXPECT_EQ(overview.value().summary().near, 3u);
+    EXPECT_EQ(overview.value().summary().near_pairs, 143u);
+}
+
 TEST(RunOverview, NamesTheFirstFailures) {
     const TemporaryFolder folder;
     std::vector<ScenarioResult> results(RunOverview::failures_max + 5);

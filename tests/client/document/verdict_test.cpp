@@ -38,6 +38,30 @@ TEST(Verdict, IsCleanOnlyIfEverythingWasTested) {
     EXPECT_THAT(verdict_text(summary), HasSubstr("in 4 of 5 scenarios; 1 have no answer."));
 }
 
+TEST(Verdict, SaysWhichBodiesAreOnlyNear) {
+    Summary summary;
+    summary.total = 1200;
+    summary.separate = 1195;
+    summary.near = 5;
+    EXPECT_EQ(verdict_text(summary, "0.005 m"),
+              "No contact, but the bodies are at most 0.005 m apart in 5 of 1 200 scenarios.");
+    summary.cross = 2;
+    summary.separate = 1190;
+    EXPECT_EQ(verdict_text(summary, "0.005 m"),
+              "The bodies are in contact in 2 of 1 200 scenarios (cross 2), and at most 0.005 m "
+              "apart in 5 more; 3 have no answer.");
+    summary.cross = 0;
+    EXPECT_THAT(verdict_text(summary, "0.005 m"), HasSubstr("No contact was found, but"));
+    summary.near = 0;
+    summary.separate = 1200;
+    EXPECT_EQ(verdict_text(summary, "0.005 m"),
+              "No contact: the bodies are more than 0.005 m apart in all of 1 200 scenarios.");
+    summary.separate = 1199;
+    EXPECT_EQ(verdict_text(summary, "0.005 m"),
+              "No contact was found: the bodies are more than 0.005 m apart in 1 199 of 1 200 "
+              "scenarios; 1 have no answer.");
+}
+
 TEST(Verdict, NamesWhatWasNotTested) {
     Summary summary;
     summary.total = 5;

@@ -1,6 +1,7 @@
 // Proves that every format stores near pairs with their distances, and only with a clearance.
 #include "client/export/contact_scene.hpp"
 #include "client/export/result_sink.hpp"
+#include "client/folder/folder_exports.hpp"
 #include "tests/support/near_results.hpp"
 #include "tests/support/npz_arrays.hpp"
 #include "tests/support/process.hpp"
@@ -68,6 +69,9 @@ TEST_F(NearExport, CsvCountsAndListsNearPairs) {
               "0,a,b,separate,0,0,0,,0,0,\n"
               "1,a,b,near,0,2,0,,0,0,\n"
               "2,a,b,touch,1,3,1,,0,0,\n");
+    EXPECT_THAT(text_of("groups.csv"),
+                HasSubstr(",scenarios,share,pairs,near,worst,worst_pairs,worst_near,regions_a,"));
+    EXPECT_THAT(text_of("groups.csv"), HasSubstr("whole,touch,2,0.6666666666666666,1,3,2,1,1,"));
     EXPECT_EQ(text_of("pairs.csv"),
               "scenario,triangle_a,triangle_b,class,part_a,part_b\n"
               "1,0,5,near,,\n"
@@ -182,6 +186,11 @@ TEST_F(NearExport, TheSummaryHasTheClearanceAndTheNearScenarios) {
     EXPECT_EQ(summary["clearance"], 0.25);
     EXPECT_EQ(summary["near"], 2);
     EXPECT_EQ(summary["near_pairs"], 40);
+    const auto read = read_summary(dir_ / "summary.json");
+    ASSERT_TRUE(read) << read.error().detail;
+    EXPECT_EQ(read.value().clearance, 0.25);
+    EXPECT_EQ(read.value().summary.near, 2u);
+    EXPECT_EQ(read.value().summary.near_pairs, 40u);
     context_.clearance.reset();
     ASSERT_TRUE(write_summary(dir_, context_, report));
     for (const char* key : {"clearance", "near", "near_pairs"}) {

@@ -84,30 +84,38 @@ Group slow_group(const std::vector<ScenarioResult>& results,
     Group group;
     group.part_a = parts.first;
     group.part_b = parts.second;
+    group.kind = ScenarioClass::Near;
     std::array<std::set<std::uint32_t>, 2> touched;
     std::vector<Episode> episodes;
     for (const ScenarioResult& result : results) {
         std::uint64_t pairs = 0;
+        std::uint64_t near = 0;
         for (const ContactPair& pair : result.pairs) {
             if (of_a.name(of_a.part_of(pair.a)) != parts.first ||
                 of_b.name(of_b.part_of(pair.b)) != parts.second) {
                 continue;
             }
-            ++pairs;
+            ++(pair.kind == PairClass::Near ? near : pairs);
             touched[0].insert(pair.a);
             touched[1].insert(pair.b);
             if (pair.kind == PairClass::Proper) {
                 group.kind = ScenarioClass::Cross;
             }
         }
-        if (pairs == 0) {
+        if (pairs + near == 0) {
             continue;
         }
         ++group.scenarios;
         group.pairs += pairs;
+        group.near.pairs += near;
+        if (pairs != 0 && group.kind == ScenarioClass::Near) {
+            group.kind = ScenarioClass::Touch;
+        }
         group.episodes.last = result.index;
-        if (pairs > group.worst_pairs) {
+        if (pairs > group.worst_pairs ||
+            (pairs == group.worst_pairs && near > group.near.worst_pairs)) {
             group.worst_pairs = pairs;
+            group.near.worst_pairs = near;
             group.worst = result.index;
         }
         if (!episodes.empty() && episodes.back().last + 1 == result.index) {
@@ -151,7 +159,9 @@ std::vector<ScenarioResult> random_results(SeededRandom& random, const Mesh& a, 
         for (std::uint64_t k = 0; k < count; ++k) {
             pairs[{static_cast<std::uint32_t>(random() % a.triangles().size()),
                    static_cast<std::uint32_t>(random() % b.triangles().size())}] =
-                random() % 20 == 0 ? PairClass::Proper : PairClass::Touch;
+                random() % 20 == 0  ? PairClass::Proper
+                : random() % 2 == 0 ? PairClass::Near
+                                    : PairClass::Touch;
         }
         ScenarioResult result = result_of(index, {}, ScenarioClass::Touch);
         for (const auto& [key, kind] : pairs) {
@@ -282,6 +292,19 @@ TEST(GroupSum, AGroupBesideACrossingOneMayTouch) {
     ASSERT_EQ(groups.size(), 2u);
     EXPECT_EQ(groups[0].kind, ScenarioClass::Touch);
     EXPECT_EQ(groups[1].kind, ScenarioClass::Cross);
+}
+
+TEST(GroupSum, NearPairsBesideACrossingStayNear) {
+    const auto mesh = share(two_parts());
+    GroupSum sum({mesh, mesh});
+    sum.add(
+        result_of(0, {{0, 0, PairClass::Touch}, {6, 6, PairClass::Near}}, ScenarioClass::Cross));
+    const auto groups = sum.groups();
+    ASSERT_EQ(groups.size(), 2u);
+    EXPECT_EQ(groups[0].kind, ScenarioClass::Cross);
+    EXPECT_EQ(groups[1].kind, ScenarioClass::Near);
+    EXPECT_EQ(groups[1].pairs, 0u);
+    EXPECT_EQ(groups[1].near.pairs, 1u);
 }
 
 TEST(GroupSum, ARunWithoutContactHasNoGroups) {

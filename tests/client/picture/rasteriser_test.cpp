@@ -4,12 +4,14 @@
 
 #include "client/picture/body_picture.hpp"
 #include "common/core/files/hash.hpp"
+#include "tests/support/near_results.hpp"
 #include "tests/support/process.hpp"
 #include "tests/support/shapes.hpp"
 
 #include <gtest/gtest.h>
 #include <png.h>
 
+#include <algorithm>
 #include <array>
 #include <random>
 #include <set>
@@ -182,6 +184,35 @@ TEST(BodyPicture, TheSamePixelsEverywhere) {
     const Image image = draw_contacts(bodies, {120, 75});
     const std::span<const Colour> pixels(image.pixels);
     EXPECT_EQ(to_hex(sha256(std::as_bytes(pixels))).substr(0, 16), "29a4ffd3a53070bd");
+}
+
+TEST(BodyPicture, NearTrianglesAndLinesHaveColoursOfTheirOwn) {
+    const Mesh box = make_box({1, 1, 1});
+    const auto count = [](const Image& image, const Colour& colour) {
+        return std::ranges::count(image.pixels, colour);
+    };
+    const std::vector<ContactPair> pairs{
+        {0, 4, PairClass::Near}, {1, 4, PairClass::Proper}, {1, 5, PairClass::Near}};
+    const auto bodies = pictured(box, box, {Pose{}, translation_pose(1.5, 0, 0)}, pairs);
+    EXPECT_EQ(bodies[0].contacts, std::vector<std::uint32_t>{1});
+    EXPECT_EQ(bodies[0].near, std::vector<std::uint32_t>{0}) << "1 is in contact, which is worse";
+    EXPECT_EQ(bodies[1].near, std::vector<std::uint32_t>{5});
+    const Image plain = draw_contacts(bodies, {120, 75});
+    EXPECT_GT(count(plain, near_colour), 0);
+    EXPECT_EQ(count(plain, gap_colour), 0);
+    const std::vector<GapLine> lines{{Vec3(0.5, 0, 0.6), Vec3(1, 0, 0.6)},
+                                     {Vec3(0.5, 0, 0.6), Vec3(0.5, 0, 0.6)}};
+    EXPECT_GT(count(draw_contacts(bodies, {120, 75}, lines), gap_colour), 0);
+}
+
+TEST(BodyPicture, LinesJoinTheNearestPointsOfNearPairs) {
+    const auto results = near_results(Level::Contacts);
+    EXPECT_TRUE(gap_lines(results[0]).empty());
+    const std::vector<GapLine> lines = gap_lines(results[2]);
+    ASSERT_EQ(lines.size(), 1u) << "of the near pair, not of the touching one";
+    EXPECT_EQ(lines[0][1], Vec3(0, 0.0625, 0));
+    EXPECT_EQ(gap_lines(results[1])[1][1], Vec3(20.25, 0, 0)) << "in the world";
+    EXPECT_TRUE(gap_lines(near_results(Level::Pairs)[1]).empty());
 }
 
 TEST(BodyPicture, PartsHaveColoursOfTheirOwn) {

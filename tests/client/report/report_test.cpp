@@ -113,6 +113,18 @@ TEST(Report, TheSummaryCoversEveryScenario) {
             to_short_hex(sha256({})) + "\n");
 }
 
+TEST(Report, TheSummaryCountsNearScenariosOfAClearance) {
+    RunReport report;
+    report.summary = example_summary();
+    EXPECT_THAT(summary_text(report), Not(HasSubstr("near")));
+    report.clearance = 0.005;
+    EXPECT_THAT(summary_text(report), HasSubstr("inside 100    near 0    failed 0"));
+    report.summary.near = 12;
+    report.summary.near_pairs = 3'400;
+    EXPECT_THAT(summary_text(report), HasSubstr("inside 100    near 12 (3 400 pairs)    failed 0"));
+    EXPECT_THAT(summary_text(report, {true, false}), HasSubstr("\x1b[33mnear 12\x1b[0m"));
+}
+
 TEST(Report, WhatWasNotTestedIsNotCalledDone) {
     RunReport report;
     report.summary = example_summary();
@@ -138,7 +150,7 @@ TEST(Report, AQuietRunWarnsAllTheSame) {
         return testing::internal::GetCapturedStderr();
     };
     EXPECT_EQ(told(true), "");
-    report.inputs_are_too_large = true;
+    report.folder.inputs_are_too_large = true;
     report.map_withdrawn = "workers differ";
     EXPECT_EQ(told(true),
               "  map           withdrawn: workers differ; run the job again\n"
@@ -153,11 +165,11 @@ TEST(Report, TheSummaryTellsOfPreparationResumptionAndItsFile) {
     report.execution.seconds = 0.04;
     report.execution.prepare_seconds = 1.14;
     report.execution.resumed_at = 99'000;
-    report.summary_file = "out/summary.json";
+    report.folder.summary_file = "out/summary.json";
     const std::string text = summary_text(report);
     EXPECT_THAT(text, testing::StartsWith("done in 0.04 s (1.1 s to read and build)      25 000 "));
     EXPECT_THAT(text, testing::EndsWith("  open it: cdctl view out\n"));
-    report.summary_file = "my out/summary.json";
+    report.folder.summary_file = "my out/summary.json";
     EXPECT_THAT(summary_text(report), testing::EndsWith("  open it: cdctl view 'my out'\n"));
 }
 
@@ -273,6 +285,10 @@ TEST(Progress, WhatWasDoneBeforeIsNoPartOfTheRate) {
     state.summary.separate = 60;
     state.resumed = 50;
     EXPECT_EQ(progress_text(state, false), "j-1  60%  60/100   10/s   contact 0   ETA 0:04");
+    state.summary.near = 12;
+    state.summary.separate -= 12;
+    EXPECT_EQ(progress_text(state, false),
+              "j-1  60%  60/100   10/s   contact 0   near 12   ETA 0:04");
 }
 
 TEST(Progress, AJobThatStandsStillShowsNoTimeLeft) {
