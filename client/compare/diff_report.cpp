@@ -64,7 +64,8 @@ std::string outcomes_text(const ScenarioCounts& counts) {
 }
 
 std::string counts_text(const GroupCounts& counts) {
-    return counted(counts.scenarios, "scenario") + ", " + counted(counts.pairs, "pair");
+    return counted(counts.scenarios, "scenario") + ", " + counted(counts.pairs, "pair") +
+           (counts.near == 0 ? "" : ", " + counted(counts.near, "near pair"));
 }
 
 std::string group_text(const ChangedGroup& group) {
@@ -128,9 +129,9 @@ std::string triangles_text(const DiffReport& report) {
     std::string text;
     for (const BodyTriangles& each : report.triangles) {
         text += (text.empty() ? "  triangles     " : "                ") + each.body +
-                ": in contact " + grouped(each.counts.in_both) + " in both, " +
-                grouped(each.counts.only_earlier) + " only in OLD, " +
-                grouped(each.counts.only_later) + " only in NEW\n";
+                (report.has_near ? ": in contact or near " : ": in contact ") +
+                grouped(each.counts.in_both) + " in both, " + grouped(each.counts.only_earlier) +
+                " only in OLD, " + grouped(each.counts.only_later) + " only in NEW\n";
     }
     return text;
 }
@@ -165,8 +166,12 @@ Json inputs_json(const DiffReport& report) {
 }
 
 Json group_json(const DiffReport& report, const ChangedGroup& group) {
-    const auto counts = [](const GroupCounts& sums) {
-        return Json{{"scenarios", sums.scenarios}, {"pairs", sums.pairs}};
+    const auto counts = [&](const GroupCounts& sums) {
+        Json json{{"scenarios", sums.scenarios}, {"pairs", sums.pairs}};
+        if (report.has_near) {
+            json["near"] = sums.near;
+        }
+        return json;
     };
     return {{"state", to_text(group.state)},
             {"body_a", report.bodies[group.body_a]},

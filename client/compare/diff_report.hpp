@@ -26,6 +26,7 @@ struct DiffReport {
     ScenarioCounts scenarios;
     std::vector<std::string> bodies; ///< Names of the bodies in the later run.
     bool has_groups = false;         ///< The groups of both runs are known.
+    bool has_near = false;           ///< A run has a clearance.
     bool lists_are_cut = false;      ///< `limit_pairs` may have cut lists of pairs.
     bool has_lasting_names = true;   ///< As in `GroupDiff`.
     bool are_sums_comparable = true; ///< As in `GroupDiff`.

@@ -17,11 +17,12 @@ struct Sums {
     GroupCounts tested;
     GroupCounts rest;
     std::uint64_t worst = 0;
-    std::uint64_t worst_pairs = 0;
+    GroupCounts worst_counts; ///< Of `worst`.
 
     [[nodiscard]] bool exist() const { return tested.scenarios + rest.scenarios != 0; }
     [[nodiscard]] GroupCounts all() const {
-        return {tested.scenarios + rest.scenarios, tested.pairs + rest.pairs};
+        return {
+            tested.scenarios + rest.scenarios, tested.pairs + rest.pairs, tested.near + rest.near};
     }
 };
 
@@ -40,10 +41,11 @@ void collect(const GroupSum& sum,
              GroupTable& table) {
     for (const Group& group : sum.groups()) {
         Sums& sums = table[{group.body_a, group.body_b, group.part_a, group.part_b}].*run;
-        sums.*counts = {group.scenarios, group.pairs};
-        if (group.worst_pairs > sums.worst_pairs) {
+        sums.*counts = {group.scenarios, group.pairs, group.near.pairs};
+        const GroupCounts worst{1, group.worst_pairs, group.near.worst_pairs};
+        if (worst > sums.worst_counts) {
             sums.worst = group.worst;
-            sums.worst_pairs = group.worst_pairs;
+            sums.worst_counts = worst;
         }
     }
 }
@@ -97,7 +99,8 @@ void GroupDiff::add(const PairedResult& pair) {
             return run.tested.add(*result);
         }
         run.rest.add(*result);
-        run.rest_is_in_contact = run.rest_is_in_contact || result->pair_count != 0;
+        run.rest_is_in_contact =
+            run.rest_is_in_contact || result->pair_count + result->near_count != 0;
     };
     add_to(earlier_, pair.was);
     add_to(later_, pair.is);

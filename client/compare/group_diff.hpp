@@ -19,13 +19,13 @@ namespace cd {
 /// scenarios that both runs tested. If a run has sums only over all of its scenarios, and the other
 /// run did not test all of these that are in contact, groups of both runs are not comparable.
 enum class GroupState : std::uint8_t {
-    New,           ///< In contact in no scenario of the earlier run.
-    Grown,         ///< In more scenarios, or in as many with more pairs.
-    Shrunk,        ///< In fewer scenarios, or in as many with fewer pairs.
+    New,           ///< In contact or near in no scenario of the earlier run.
+    Grown,         ///< In more scenarios, or in as many with more pairs, or more near ones.
+    Shrunk,        ///< In fewer scenarios, or in as many with fewer pairs, or fewer near ones.
     Resolved,      ///< In none, and all scenarios of the earlier run that had it were tested again.
     NotComparable, ///< Not in the later run, or in neither sum; some scenario was not tested again.
                    ///< Or sums cover other scenarios.
-    Unchanged,     ///< Equal scenarios and pairs.
+    Unchanged,     ///< Equal scenarios, pairs and near pairs.
 };
 
 inline constexpr std::size_t group_states = 6;
@@ -35,6 +35,7 @@ inline constexpr std::size_t group_states = 6;
 struct GroupCounts {
     std::uint64_t scenarios = 0;
     std::uint64_t pairs = 0;
+    std::uint64_t near = 0; ///< Near pairs.
 
     friend auto operator<=>(const GroupCounts&, const GroupCounts&) = default;
 };
@@ -47,8 +48,8 @@ struct ChangedGroup {
     std::string part_b;
     GroupCounts earlier; ///< For New and NotComparable over all scenarios, not only common ones.
     GroupCounts later;
-    std::uint64_t worst = 0; ///< A scenario of most pairs: of the later run, or of the earlier one
-                             ///< if the group is not in the later one.
+    std::uint64_t worst = 0; ///< A worst scenario (`Group`): of the later run, or of the earlier
+                             ///< one if the group is not in the later one.
 
     friend bool operator==(const ChangedGroup&, const ChangedGroup&) = default;
 };
@@ -83,7 +84,7 @@ class GroupDiff {
     struct Run {
         GroupSum tested;                 ///< Over the scenarios that both runs tested.
         GroupSum rest;                   ///< Over the other scenarios of the run.
-        bool rest_is_in_contact = false; ///< A scenario of the rest is in contact.
+        bool rest_is_in_contact = false; ///< A scenario of the rest has pairs.
         bool has_sums = false;           ///< The run lists no pairs.
     };
     [[nodiscard]] static Status add_sums(Run& run, const PartContacts* sums);

@@ -9,8 +9,6 @@ namespace cd {
 namespace {
 
 constexpr std::size_t no_result = outcome_kinds - 1;
-constexpr std::string_view header =
-    "scenario,scenario_old,body_a,body_b,class_old,class,count_old,count,change\n";
 
 std::size_t outcome_of(const ScenarioResult* result) {
     return result == nullptr ? no_result : static_cast<std::size_t>(result->kind);
@@ -26,14 +24,24 @@ bool is_of_level_any(const ScenarioResult& was, const ScenarioResult& is) {
     return was.level == Level::Any || is.level == Level::Any;
 }
 
-bool has_same_class(const ScenarioResult& was, const ScenarioResult& is) {
-    return was.kind == is.kind || (is_of_level_any(was, is) && is_surface_contact(was.kind) &&
-                                   is_surface_contact(is.kind));
+/// Returns a result's class as the other run could tell it: only with a clearance, near is told
+/// from separate.
+ScenarioClass class_told(const ScenarioResult& result, const ScenarioResult& other) {
+    return result.kind == ScenarioClass::Near && !other.has_clearance ? ScenarioClass::Separate
+                                                                      : result.kind;
 }
 
-void add_count(TextBuffer& row, const ScenarioResult* result) {
+bool has_same_class(const ScenarioResult& was, const ScenarioResult& is) {
+    return class_told(was, is) == class_told(is, was) ||
+           (is_of_level_any(was, is) && is_surface_contact(was.kind) &&
+            is_surface_contact(is.kind));
+}
+
+void add_count(TextBuffer& row,
+               const ScenarioResult* result,
+               std::uint64_t ScenarioResult::*count) {
     if (result != nullptr && result->level != Level::Any) {
-        row.add(result->pair_count);
+        row.add(result->*count);
     }
 }
 
@@ -63,6 +71,12 @@ std::string_view ScenarioDiff::change_of(const PairedResult& pair) const {
     if (!is_of_level_any(was, is) && was.pair_count != is.pair_count) {
         return "count";
     }
+    if (was.has_clearance != is.has_clearance) {
+        return "";
+    }
+    if (!is_of_level_any(was, is) && was.near_count != is.near_count) {
+        return "near";
+    }
     return options_.compares_pairs && was.level == is.level && was.pairs != is.pairs ? "pairs" : "";
 }
 
@@ -85,7 +99,7 @@ Status ScenarioDiff::add(const PairedResult& pair) {
 Status ScenarioDiff::write(const PairedResult& pair, std::string_view change) {
     const ScenarioResult& some = pair.is != nullptr ? *pair.is : *pair.was;
     TextBuffer row;
-    row.add(has_header_ ? "" : header,
+    row.add(header_once(),
             *pair.later,
             ",",
             *pair.earlier,
@@ -98,19 +112,33 @@ Status ScenarioDiff::write(const PairedResult& pair, std::string_view change) {
             ",",
             outcome_name(outcome_of(pair.is)),
             ",");
-    has_header_ = true;
-    add_count(row, pair.was);
+    add_count(row, pair.was, &ScenarioResult::pair_count);
     row.add(",");
-    add_count(row, pair.is);
+    add_count(row, pair.is, &ScenarioResult::pair_count);
+    if (options_.has_near) {
+        row.add(",");
+        add_count(row, pair.was, &ScenarioResult::near_count);
+        row.add(",");
+        add_count(row, pair.is, &ScenarioResult::near_count);
+    }
     row.add(",", change, "\n");
     return csv_->write(row.text());
+}
+
+/// Returns the header of the file before its first row, and nothing later.
+std::string ScenarioDiff::header_once() {
+    if (std::exchange(has_header_, true)) {
+        return {};
+    }
+    return std::string("scenario,scenario_old,body_a,body_b,class_old,class,count_old,count,") +
+           (options_.has_near ? "near_old,near," : "") + "change\n";
 }
 
 Status ScenarioDiff::finish() {
     if (!csv_) {
         return Done{};
     }
-    CD_TRY(csv_->write(has_header_ ? "" : header));
+    CD_TRY(csv_->write(header_once()));
     return csv_->commit();
 }
 

@@ -22,10 +22,11 @@ struct ScenarioDiffOptions {
     /// compared without their pairs in any case.
     bool compares_pairs = false;
     std::vector<std::string> bodies; ///< Names of the later run's bodies.
+    bool has_near = false;           ///< A run has a clearance.
 };
 
 /// The kinds of outcome of a scenario: the classes by their number, then "none".
-inline constexpr std::size_t outcome_kinds = 8;
+inline constexpr std::size_t outcome_kinds = 9;
 /// Returns the name of a class, or "none" for a missing result.
 [[nodiscard]] std::string_view outcome_name(std::size_t outcome);
 
@@ -41,9 +42,11 @@ struct ScenarioCounts {
 };
 
 /// Counts changed scenarios, and writes a CSV row for each: scenario, scenario_old, body_a, body_b,
-/// class_old, class, count_old, count, change (class, count or pairs: the first that differs). A
-/// count is empty at level any, and for a missing result. Classes of level any equal the classes of
-/// other levels that they stand for.
+/// class_old, class, count_old, count, change (class, count, near or pairs: the first that
+/// differs). With a clearance it has near_old and near before the change. A count is empty at level
+/// any, and for a missing result. Classes of level any equal the classes of other levels that they
+/// stand for. If only one of the results has a clearance, its class near equals separate, and near
+/// pairs are not compared.
 class ScenarioDiff {
   public:
     /// `csv` may be nothing.
@@ -59,6 +62,7 @@ class ScenarioDiff {
   private:
     [[nodiscard]] std::string_view change_of(const PairedResult& pair) const;
     [[nodiscard]] Status write(const PairedResult& pair, std::string_view change);
+    [[nodiscard]] std::string header_once();
 
     std::optional<OutputFile> csv_;
     ScenarioDiffOptions options_;

@@ -36,6 +36,10 @@ struct Compared {
     [[nodiscard]] Level least_level() const {
         return std::min(earlier.job.query.level, later.job.query.level);
     }
+    /// True if a run has a clearance.
+    [[nodiscard]] bool has_near() const {
+        return earlier.job.query.clearance || later.job.query.clearance;
+    }
     /// True if the groups of both runs are known.
     [[nodiscard]] bool have_groups() const {
         return check_groups(earlier.job.query, earlier.map) &&
@@ -79,7 +83,9 @@ Result<std::optional<OutputFile>> csv_file(const DiffCommand& command) {
 Status write_groups(const DiffReport& report, const fs::path& dir) {
     auto file = CD_TRY(RowFile::create(dir / "diff_groups.csv",
                                        "state,body_a,part_a,body_b,part_b,scenarios_old,scenarios,"
-                                       "pairs_old,pairs,worst\n"));
+                                       "pairs_old,pairs," +
+                                           std::string(report.has_near ? "near_old,near," : "") +
+                                           "worst\n"));
     for (const ChangedGroup& group : report.groups) {
         if (group.state == GroupState::Unchanged) {
             continue;
@@ -101,9 +107,11 @@ Status write_groups(const DiffReport& report, const fs::path& dir) {
                         group.earlier.pairs,
                         ",",
                         group.later.pairs,
-                        ",",
-                        group.worst,
-                        "\n"));
+                        ","));
+        if (report.has_near) {
+            CD_TRY(file.add(group.earlier.near, ",", group.later.near, ","));
+        }
+        CD_TRY(file.add(group.worst, "\n"));
     }
     return file.commit();
 }
@@ -189,6 +197,7 @@ report_of(const Compared& runs, MatchedBy matched_by, bool has_triangles, Differ
     report.scenarios = found.scenarios.counts();
     report.bodies = body_names(runs.later);
     report.has_groups = runs.have_groups();
+    report.has_near = runs.has_near();
     if (report.has_groups) {
         report.lists_are_cut =
             runs.earlier.job.query.limit_pairs != 0 || runs.later.job.query.limit_pairs != 0;
@@ -275,7 +284,7 @@ Result<int> perform(const DiffCommand& command) {
     const bool compares_pairs =
         runs.inputs.query.empty() && runs.has_equal_mesh(0) && runs.has_equal_mesh(1);
     Differences found{
-        ScenarioDiff(std::move(csv), {compares_pairs, body_names(later)}),
+        ScenarioDiff(std::move(csv), {compares_pairs, body_names(later), runs.has_near()}),
         GroupDiff(meshes_of(earlier), meshes_of(later), part_kind(runs.least_level())),
         {}};
     CD_TRY(compare(runs, matched, found));

@@ -298,6 +298,41 @@ TEST_F(Diff, LevelAnyEqualsTheClassesThatItStandsFor) {
     EXPECT_EQ(scenarios_->counts().changed, 1u);
 }
 
+TEST_F(Diff, NearPairsAreComparedIfBothRunsHaveAClearance) {
+    compare({near_with(0, {{0, 0}}), near_with(1, {{0, 0}}), near_with(2, {})},
+            {near_with(0, {{0, 0}, {1, 0}}), near_with(1, {{0, 0}}), near_with(2, {{0, 1}})},
+            3);
+    EXPECT_EQ(scenarios_->counts().changed, 2u);
+    EXPECT_EQ(scenarios_->counts().outcomes[0][7], 1u) << "separate was, near is";
+    EXPECT_EQ(outcome_name(7), "near");
+    EXPECT_EQ(outcome_name(8), "none");
+    EXPECT_EQ(
+        states(),
+        (States{{"hood x post", "unchanged"}, {"sill x post", "new"}, {"hood x lamp", "new"}}));
+
+    compare({result_with(0, {}), result_with(1, {}), result_with(2, {})},
+            {near_with(0, {{0, 0}}), near_with(1, {}), near_with(2, {})},
+            3);
+    EXPECT_EQ(scenarios_->counts().changed, 0u) << "only one run can tell near from separate";
+}
+
+TEST_F(Diff, RowsCountNearPairsOfAClearance) {
+    RecordFile earlier = write_records(folder_ / "earlier", {near_with(0, {{0, 0}})});
+    RecordFile later = write_records(folder_ / "later", {near_with(0, {{0, 0}, {0, 1}})});
+    auto file = OutputFile::create(folder_ / "diff.csv");
+    ASSERT_TRUE(file);
+    ScenarioDiff diff(std::move(file.value()), {true, {"a", "b"}, true});
+    ASSERT_TRUE(for_each_pair(
+        {earlier, 1}, {later, 1}, ScenarioMatch::by_index(1), {}, [&](const PairedResult& pair) {
+            return diff.add(pair);
+        }));
+    ASSERT_TRUE(diff.finish());
+    EXPECT_EQ(read_text(folder_ / "diff.csv"),
+              "scenario,scenario_old,body_a,body_b,class_old,class,count_old,count,near_old,near,"
+              "change\n"
+              "0,0,a,b,near,near,0,0,1,2,near\n");
+}
+
 TEST_F(Diff, ARecordBeyondTheScenariosIsAnError) {
     RecordFile records = write_records(folder_ / "records", {result_with(5, {})});
     const Status read = for_each_pair(

@@ -25,6 +25,20 @@ namespace cd::tests {
     return result;
 }
 
+/// Makes a result of a query with a clearance, whose pairs are all near.
+[[nodiscard]] inline ScenarioResult near_with(std::uint64_t index, std::vector<ContactPair> pairs) {
+    ScenarioResult result;
+    result.index = index;
+    result.has_clearance = true;
+    result.kind = pairs.empty() ? ScenarioClass::Separate : ScenarioClass::Near;
+    for (ContactPair& pair : pairs) {
+        pair.kind = PairClass::Near;
+    }
+    result.near_count = pairs.size();
+    result.pairs = std::move(pairs);
+    return result;
+}
+
 [[nodiscard]] inline ScenarioResult failed(std::uint64_t index) {
     ScenarioResult result;
     result.index = index;
