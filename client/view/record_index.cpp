@@ -3,6 +3,7 @@
 #include "common/core/errors.hpp"
 #include "common/core/limits/web.hpp"
 #include "common/core/words.hpp"
+#include "common/job/result/severity.hpp"
 #include "web/server/page_source.hpp"
 
 #include <algorithm>
@@ -28,6 +29,8 @@ std::uint64_t& count_of_class(Summary& summary, ScenarioClass kind) {
         return summary.contact;
     case ScenarioClass::Undecided:
         return summary.undecided;
+    case ScenarioClass::Near:
+        return summary.near;
     case ScenarioClass::Failed:
         break;
     }
@@ -37,6 +40,7 @@ std::uint64_t& count_of_class(Summary& summary, ScenarioClass kind) {
 void count(Summary& summary, const ScenarioResult& result) {
     ++count_of_class(summary, result.kind);
     summary.pairs += result.pair_count;
+    summary.near_pairs += result.near_count;
     summary.surfaces_only += result.surfaces_only ? 1 : 0;
     summary.insides_skipped += result.insides_skipped ? 1 : 0;
     summary.cut += result.is_cut() ? 1 : 0;
@@ -87,7 +91,7 @@ Result<RecordIndex> RecordIndex::read(const RecordFile& records,
             if (result.index < scenarios) {
                 index.classes_[result.index] = static_cast<std::uint8_t>(result.kind);
                 index.counts_[result.index] = static_cast<std::uint32_t>(std::min<std::uint64_t>(
-                    result.pair_count, std::numeric_limits<std::uint32_t>::max()));
+                    pairs_of_class(result), std::numeric_limits<std::uint32_t>::max()));
                 count(index.summary_, result);
             }
         }
@@ -100,15 +104,18 @@ Result<RecordIndex> RecordIndex::read(const RecordFile& records,
 }
 
 std::vector<std::uint64_t> RecordIndex::worst(std::size_t count) const {
+    const auto badness = [&](std::uint64_t scenario) {
+        return Badness{severity(static_cast<ScenarioClass>(classes_[scenario])), counts_[scenario]};
+    };
     std::vector<std::uint64_t> worst;
     for (std::uint64_t scenario = 0; scenario < classes_.size(); ++scenario) {
-        if (!is_contact(static_cast<ScenarioClass>(classes_[scenario]))) {
+        if (!is_hit(static_cast<ScenarioClass>(classes_[scenario]))) {
             continue;
         }
-        const auto has_fewer = [&](std::uint64_t each) {
-            return counts_[each] < counts_[scenario];
+        const auto is_better = [&](std::uint64_t each) {
+            return badness(each) < badness(scenario);
         };
-        const auto place = std::ranges::find_if(worst, has_fewer);
+        const auto place = std::ranges::find_if(worst, is_better);
         if (place != worst.end() || worst.size() < count) {
             worst.insert(place, scenario);
             worst.resize(std::min(worst.size(), count));
@@ -117,13 +124,13 @@ std::vector<std::uint64_t> RecordIndex::worst(std::size_t count) const {
     return worst;
 }
 
-std::optional<std::uint64_t> RecordIndex::next_contact(
-    std::uint64_t from, bool is_backwards, const std::function<bool(std::uint64_t)>& fits) const {
+std::optional<std::uint64_t>
+RecordIndex::next(const NextContact& wanted, const std::function<bool(std::uint64_t)>& fits) const {
     const std::uint64_t total = classes_.size();
-    std::uint64_t scenario = std::min(from, is_backwards ? total : total - 1);
-    while (is_backwards ? scenario > 0 : scenario + 1 < total) {
-        scenario += is_backwards ? std::uint64_t(-1) : 1;
-        if (is_contact(static_cast<ScenarioClass>(classes_[scenario])) && fits(scenario)) {
+    std::uint64_t scenario = std::min(wanted.from, wanted.is_backwards ? total : total - 1);
+    while (wanted.is_backwards ? scenario > 0 : scenario + 1 < total) {
+        scenario += wanted.is_backwards ? std::uint64_t(-1) : 1;
+        if (wanted.has_class(classes_[scenario]) && fits(scenario)) {
             return scenario;
         }
     }

@@ -7,6 +7,7 @@
 #include "common/job/result/contact_map.hpp"
 #include "common/job/result/merge.hpp"
 #include "common/job/result/record_file.hpp"
+#include "web/server/page_request.hpp"
 
 #include <cstdint>
 #include <functional>
@@ -26,21 +27,19 @@ class RecordIndex {
                                                   const StopCheck& stop = {});
 
     [[nodiscard]] std::uint8_t class_of(std::uint64_t scenario) const { return classes_[scenario]; }
-    /// Returns a scenario's number of pairs, at most 2^32 - 1.
+    /// Returns a scenario's number of pairs (`pairs_of_class`), at most 2^32 - 1.
     [[nodiscard]] std::uint32_t count_of(std::uint64_t scenario) const { return counts_[scenario]; }
     [[nodiscard]] const Summary& summary() const { return summary_; }
     /// The map of all listed pairs; empty below `level pairs`.
     [[nodiscard]] const ContactMap& map() const { return map_; }
 
-    /// Returns at most `count` scenarios in contact: those with most pairs, the worst first; of
-    /// equal ones the first.
+    /// Returns at most `count` scenarios in contact or near: the worst ones (`Badness`), the worst
+    /// first; of equal ones the first.
     [[nodiscard]] std::vector<std::uint64_t> worst(std::size_t count) const;
-    /// Returns the nearest scenario after `from`, or before it, that is in contact and that `fits`;
-    /// nothing if there is none.
+    /// Returns the nearest scenario after `wanted.from`, or before it, that has a wanted class and
+    /// that `fits`; nothing if there is none.
     [[nodiscard]] std::optional<std::uint64_t>
-    next_contact(std::uint64_t from,
-                 bool is_backwards,
-                 const std::function<bool(std::uint64_t)>& fits) const;
+    next(const NextContact& wanted, const std::function<bool(std::uint64_t)>& fits) const;
 
   private:
     std::vector<std::uint8_t> classes_;

@@ -75,7 +75,9 @@ GroupsView groups_view(const std::vector<Group>& groups, std::uint64_t tested) {
                              group.pairs,
                              group.worst,
                              group.worst_pairs,
-                             group.kind});
+                             group.kind,
+                             group.near.pairs,
+                             group.near.worst_pairs});
     }
     return view;
 }
@@ -261,7 +263,7 @@ Result<NextFound> ViewedRun::next(const NextContact& wanted) {
         status = record ? Status(Done{}) : record.error();
         return !record || (record.value() && filter.passes(record.value()->result));
     };
-    const auto found = index_.next_contact(wanted.from, wanted.is_backwards, fits);
+    const auto found = index_.next(wanted, fits);
     return status ? Result(NextFound{found, std::nullopt}) : status.error();
 }
 

@@ -46,15 +46,15 @@ class ViewedRun {
     [[nodiscard]] Result<std::vector<TriangleContacts>> map(std::uint64_t body) const;
     /// Returns the parts of a body as the groups name them. Errors: NotFound for another body.
     [[nodiscard]] Result<std::shared_ptr<const NamedParts>> parts(std::uint64_t body) const;
-    /// Returns the scenarios in contact with most pairs, as `RecordIndex::worst`.
+    /// Returns the worst scenarios in contact or near, as `RecordIndex::worst`.
     [[nodiscard]] std::vector<std::uint64_t> worst(std::size_t count) const {
         return index_.worst(count);
     }
     /// Runs a scenario again. `stop` ends it.
     [[nodiscard]] Result<std::shared_ptr<const ScenarioView>> scenario(std::uint64_t number,
                                                                        const StopCheck& stop);
-    /// Finds the next scenario in contact. Errors: BadInput if parts are asked for that the run
-    /// does not have, or if the run lists no pairs.
+    /// Finds the next scenario in contact or near, as asked for. Errors: BadInput if parts are
+    /// asked for that the run does not have, or if the run lists no pairs.
     [[nodiscard]] Result<NextFound> next(const NextContact& wanted);
     /// Returns the mesh of a body; null if no body has it.
     [[nodiscard]] std::shared_ptr<const Mesh> mesh(const Sha256& mesh) const;

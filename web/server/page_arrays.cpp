@@ -62,7 +62,7 @@ BoundedArray pairs_npy(const ScenarioResult& result) {
         rows.insert(rows.end(), {pair.a, pair.b, static_cast<std::uint32_t>(pair.kind)});
     }
     return {npy(NpyType::U4, {count, 3}, std::span<const std::uint32_t>(rows)),
-            count < result.pair_count};
+            count < result.pair_count + result.near_count};
 }
 
 BoundedArray points_npy(const ScenarioResult& result) {

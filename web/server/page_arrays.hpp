@@ -30,7 +30,8 @@ struct BoundedArray {
 };
 /// Encodes the listed pairs as u4 (m,3): triangle of A, triangle of B, class.
 [[nodiscard]] BoundedArray pairs_npy(const ScenarioResult& result);
-/// Encodes shared points as f8 (k,4): position of the pair in the list; x, y, z in the world.
+/// Encodes shared points, and the nearest points of near pairs, as f8 (k,4): position of the pair
+/// in the list; x, y, z in the world.
 [[nodiscard]] BoundedArray points_npy(const ScenarioResult& result);
 
 } // namespace cd

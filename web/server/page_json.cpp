@@ -6,6 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -59,6 +60,8 @@ Json classes_json(const Summary& summary) {
             {"contact", summary.contact},
             {"undecided", summary.undecided},
             {"failed", summary.failed},
+            {"near", summary.near},
+            {"near_pairs", summary.near_pairs},
             {"surfaces_only", summary.surfaces_only},
             {"insides_skipped", summary.insides_skipped},
             {"cut", summary.cut}};
@@ -67,7 +70,8 @@ Json classes_json(const Summary& summary) {
 Json query_json(const Query& query) {
     return {{"level", to_text(query.level)},
             {"limit_pairs", query.limit_pairs},
-            {"ignored", query.ignored.size()}};
+            {"ignored", query.ignored.size()},
+            {"clearance", or_null(query.clearance)}};
 }
 
 Json body_json(const BodyView& body) {
@@ -128,22 +132,36 @@ Json group_json(const GroupView& group) {
             {"pairs", group.pairs},
             {"worst", group.worst},
             {"worst_pairs", group.worst_pairs},
-            {"class", to_text(group.worst_class)}};
+            {"class", to_text(group.worst_class)},
+            {"near", group.near},
+            {"worst_near", group.worst_near}};
 }
 
 void add_result(Json& json, const ScenarioView& scenario) {
     const ScenarioResult none;
     const ScenarioResult& result = scenario.result ? *scenario.result : none;
+    const std::uint64_t pairs = result.pair_count + result.near_count;
     const bool is_bounded =
         result.kind == ScenarioClass::Undecided && std::isfinite(result.distance_bound);
     json.update(Json{{"class", scenario.result ? Json(to_text(result.kind)) : Json()},
                      {"count", result.pair_count},
+                     {"near_count", result.near_count},
                      {"listed", scenario.listed},
-                     {"cut", result.level >= Level::Pairs && scenario.listed < result.pair_count},
+                     {"cut", result.level >= Level::Pairs && scenario.listed < pairs},
                      {"surfaces_only", result.surfaces_only},
                      {"insides_skipped", result.insides_skipped},
                      {"distance_bound", is_bounded ? Json(result.distance_bound) : Json()},
                      {"failure", result.failure}});
+}
+
+/// Returns the least distance of a near pair; nothing if there is none, or perhaps a lesser one
+/// that is not listed.
+std::optional<double> least_distance(const ScenarioView& scenario) {
+    if (scenario.drawn == nullptr || scenario.drawn->is_cut() ||
+        scenario.drawn->near_distances.empty()) {
+        return std::nullopt;
+    }
+    return *std::ranges::min_element(scenario.drawn->near_distances);
 }
 
 } // namespace
@@ -222,6 +240,7 @@ std::string scenario_json(std::uint64_t number, const ScenarioView& scenario) {
     json["verify_note"] = scenario.verify_note;
     json["draw_note"] = scenario.draw_note;
     json["exact_pairs"] = scenario.drawn != nullptr ? scenario.drawn->pairs.size() : 0;
+    json["least_distance"] = or_null(least_distance(scenario));
     return compact(json);
 }
 

@@ -3,6 +3,7 @@
 #include "common/core/errors.hpp"
 #include "common/core/limits/web.hpp"
 #include "common/core/words.hpp"
+#include "common/job/result/result.hpp"
 
 #include <algorithm>
 #include <array>
@@ -108,9 +109,20 @@ Result<ScenarioChoice> choice_of(const Parameters& parameters) {
     return choice;
 }
 
+Result<NextContact::Kind> next_kind_of(const Parameters& parameters) {
+    const std::string* const text = find(parameters, "class");
+    if (text == nullptr || *text == "contact") {
+        return NextContact::Kind::Contact;
+    }
+    if (*text != "near" && *text != "either") {
+        return bad_input("the parameter 'class' is contact, near or either");
+    }
+    return *text == "near" ? NextContact::Kind::Near : NextContact::Kind::Either;
+}
+
 Result<NextContact> next_of(const Parameters& parameters) {
-    CD_TRY(allow_only(parameters,
-                      std::array<std::string_view, 4>{"from", "step", "part_a", "part_b"}));
+    CD_TRY(allow_only(
+        parameters, std::array<std::string_view, 5>{"from", "step", "part_a", "part_b", "class"}));
     NextContact next;
     next.from = CD_TRY(number_of(parameters, "from"));
     const std::string* const step = find(parameters, "step");
@@ -122,6 +134,7 @@ Result<NextContact> next_of(const Parameters& parameters) {
     const std::string* const part_b = find(parameters, "part_b");
     next.part_a = part_a == nullptr ? "" : *part_a;
     next.part_b = part_b == nullptr ? "" : *part_b;
+    next.kind = CD_TRY(next_kind_of(parameters));
     return next;
 }
 
@@ -183,6 +196,12 @@ Status parse_job(std::span<const std::string_view> path,
 }
 
 } // namespace
+
+bool NextContact::has_class(std::uint8_t value) const {
+    const auto scenario = static_cast<ScenarioClass>(value);
+    return (kind != Kind::Near && is_contact(scenario)) ||
+           (kind != Kind::Contact && scenario == ScenarioClass::Near);
+}
 
 Status ScenarioChoice::check(std::uint64_t total, std::uint64_t count_max) const {
     if (sample > limits::page_sample_max) {

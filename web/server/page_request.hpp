@@ -3,6 +3,7 @@
 
 #include "common/core/files/hash.hpp"
 #include "common/core/result.hpp"
+#include "common/pair/triangle_pair.hpp"
 #include "proto/messages/client_messages.hpp"
 
 #include <cstdint>
@@ -46,12 +47,23 @@ struct ScenarioChoice {
     [[nodiscard]] Status check(std::uint64_t total, std::uint64_t count_max) const;
 };
 
-/// Describes the next scenario in contact after or before a scenario.
+/// Describes the next scenario in contact, or near, after or before a scenario.
 struct NextContact {
+    enum class Kind : std::uint8_t { Contact, Near, Either };
+
     std::uint64_t from = 0;
     bool is_backwards = false;
-    std::string part_a; ///< Only scenarios in which this part of A is in contact; empty: any part.
-    std::string part_b;
+    /// Only scenarios with such a pair of this part of A; empty: any part.
+    std::string part_a = {};
+    std::string part_b = {};
+    Kind kind = Kind::Contact;
+
+    /// True if a scenario of this class may be meant. `value` is a `ScenarioClass` or `no_class`.
+    [[nodiscard]] bool has_class(std::uint8_t value) const;
+    /// True if a pair of this class makes a scenario of its parts.
+    [[nodiscard]] bool has_pair(PairClass value) const {
+        return kind == Kind::Either || (kind == Kind::Near) == (value == PairClass::Near);
+    }
 };
 
 struct PageRequest {

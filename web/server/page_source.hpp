@@ -39,7 +39,8 @@ class PageSource {
     virtual void classes(const std::string& id,
                          const ScenarioChoice& choice,
                          Take<std::vector<std::uint8_t>> take) = 0;
-    /// Each scenario's number of pairs; 0 if it is unknown, 2^32 - 1 if it is larger.
+    /// Each scenario's number of pairs (`pairs_of_class`); 0 if it is unknown, 2^32 - 1 if it is
+    /// larger.
     virtual void counts(const std::string& id,
                         const ScenarioChoice& choice,
                         Take<std::vector<std::uint32_t>> take) = 0;

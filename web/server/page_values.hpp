@@ -90,17 +90,19 @@ struct RunView {
     std::string folder;
 };
 
-/// Scenarios in which two parts are in contact.
+/// Scenarios in which two parts are in contact or near.
 struct GroupView {
     std::string part_a;
     std::string part_b;
     std::uint64_t scenarios = 0;
     double share = 0; ///< Of the tested scenarios.
     std::uint64_t pairs = 0;
-    std::uint64_t worst = 0;       ///< The scenario with most pairs of the two parts.
-    std::uint64_t worst_pairs = 0; ///< Pairs in it.
-    /// Cross, Touch, or Contact if it is unknown which.
+    std::uint64_t worst = 0;       ///< The worst scenario of the two parts.
+    std::uint64_t worst_pairs = 0; ///< Pairs in contact in it.
+    /// Cross, Touch, Contact if it is unknown which, or Near.
     ScenarioClass worst_class = ScenarioClass::Touch;
+    std::uint64_t near = 0;       ///< Near pairs in all scenarios.
+    std::uint64_t worst_near = 0; ///< Near pairs in the worst scenario.
 };
 
 struct GroupsView {

@@ -26,6 +26,7 @@ Result<std::optional<std::uint32_t>> number_of(const NamedParts& parts, const st
 Result<PartFilter> PartFilter::make(const PartsOfBodies& parts, const NextContact& wanted) {
     PartFilter filter;
     filter.parts_ = parts;
+    filter.next_ = wanted;
     filter.wanted_ = {CD_TRY(number_of(*parts[0], wanted.part_a)),
                       CD_TRY(number_of(*parts[1], wanted.part_b))};
     return filter;
@@ -42,7 +43,7 @@ bool PartFilter::has(std::size_t body, std::uint32_t triangle) const {
 
 bool PartFilter::passes(const ScenarioResult& result) const {
     return is_empty() || std::ranges::any_of(result.pairs, [&](const ContactPair& pair) {
-               return has(0, pair.a) && has(1, pair.b);
+               return next_.has_pair(pair.kind) && has(0, pair.a) && has(1, pair.b);
            });
 }
 

@@ -1,4 +1,4 @@
-// Selects the scenarios in which two parts are in contact.
+// Selects the scenarios in which two parts are in contact or near.
 #pragma once
 
 #include "common/core/result.hpp"
@@ -27,13 +27,14 @@ class PartFilter {
 
     /// True if the filter passes all results.
     [[nodiscard]] bool is_empty() const { return !wanted_[0] && !wanted_[1]; }
-    /// True if the result lists a pair of triangles of both parts.
+    /// True if the result lists a pair of triangles of both parts that the search means.
     [[nodiscard]] bool passes(const ScenarioResult& result) const;
 
   private:
     [[nodiscard]] bool has(std::size_t body, std::uint32_t triangle) const;
 
     PartsOfBodies parts_;
+    NextContact next_;
     std::array<std::optional<std::uint32_t>, 2> wanted_; ///< Number of the part; nothing: any.
 };
 

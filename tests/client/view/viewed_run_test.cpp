@@ -4,6 +4,7 @@
 #include "client/view/viewed_run.hpp"
 
 #include "client/folder/folder_exports.hpp"
+#include "common/job/result/severity.hpp"
 #include "common/job/run_scenario.hpp"
 #include "tests/client/view/viewed_scene.hpp"
 
@@ -90,14 +91,14 @@ TEST_F(ViewedRecords, ClassesCountsAndMapAreThoseOfTheRecords) {
     EXPECT_FALSE(viewed->poses({1, scenarios}));
 }
 
-TEST_F(ViewedRecords, TheWorstScenariosHaveMostPairs) {
+TEST_F(ViewedRecords, TheWorstScenariosAreTheWorstByClassThenByPairs) {
     for (const std::string level : {"any", "pairs"}) {
         const auto viewed = view("level = \"" + level + "\"\n");
         auto results = records();
         std::erase_if(results, [](const ScenarioResult& result) {
             return !touches(result) && result.kind != ScenarioClass::Contact;
         });
-        std::ranges::stable_sort(results, std::greater(), &ScenarioResult::pair_count);
+        std::ranges::stable_sort(results, std::greater(), badness_of);
         ASSERT_GT(results.size(), 20u);
         for (const std::size_t count : {std::size_t{0}, std::size_t{20}, results.size() + 1}) {
             std::vector<std::uint64_t> expected;
@@ -265,6 +266,48 @@ TEST_F(ViewedRecords, AWrongRecordIsTold) {
     EXPECT_EQ(shown->verified, false);
     EXPECT_THAT(shown->verify_note, HasSubstr("a second run here"));
     EXPECT_NE(shown->drawn, nullptr);
+}
+
+TEST_F(ViewedRecords, NearScenariosAreFoundAndCounted) {
+    view("level = \"pairs\"\n");
+    const auto before = records();
+    std::vector<std::uint64_t> free;
+    for (const ScenarioResult& result : before) {
+        if (result.kind == ScenarioClass::Separate) {
+            free.push_back(result.index);
+        }
+    }
+    ASSERT_GT(free.size(), 3u);
+    const auto make_near = [](std::uint64_t pairs) {
+        return [pairs](ScenarioResult& result) {
+            result.has_clearance = true;
+            result.kind = ScenarioClass::Near;
+            result.near_count = pairs;
+            result.pairs = {{0, 0, PairClass::Near}};
+        };
+    };
+    change(free[1], make_near(4));
+    change(free[3], make_near(6));
+    const auto viewed = open();
+    using Kind = NextContact::Kind;
+    EXPECT_EQ(viewed->next({0, false, "", "", Kind::Near}).value().scenario, free[1]);
+    EXPECT_EQ(viewed->next({free[1], false, "left", "", Kind::Near}).value().scenario, free[3]);
+    EXPECT_FALSE(viewed->next({0, false, "right", "", Kind::Near}).value().scenario);
+    EXPECT_NE(viewed->next({0, false, "", "", Kind::Contact}).value().scenario, free[1]);
+    const JobView job = viewed->view("folder");
+    EXPECT_EQ(job.row.status.summary.near, 2u);
+    EXPECT_EQ(job.row.status.summary.near_pairs, 10u);
+    EXPECT_EQ(viewed->counts({free[3], 1}).value(), std::vector<std::uint32_t>{6});
+    ASSERT_TRUE(job.groups);
+    std::uint64_t near = 0;
+    for (const GroupView& group : job.groups->rows) {
+        near += group.near;
+    }
+    EXPECT_EQ(near, 2u) << "the lists have one near pair each";
+    const auto worst = viewed->worst(scenarios);
+    ASSERT_GT(worst.size(), 2u);
+    EXPECT_EQ(worst[worst.size() - 2], free[3]) << "after all contacts, by near pairs";
+    EXPECT_EQ(worst.back(), free[1]);
 }
 
 TEST_F(ViewedRecords, WhatAnEarlierVersionLeftUndecidedIsDrawnAndNotCompared) {

@@ -60,6 +60,31 @@ TEST(PageRequests, ARangeASampleAndASearchAreRead) {
     EXPECT_EQ(next.part_a, "a/b c");
     EXPECT_EQ(next.part_b, "d e");
     EXPECT_FALSE(parsed("jobs/j/scenarios/next?from=0").next.is_backwards);
+    EXPECT_EQ(next.kind, NextContact::Kind::Contact);
+    EXPECT_EQ(parsed("jobs/j/scenarios/next?from=9&class=near").next.kind, NextContact::Kind::Near);
+    EXPECT_EQ(parsed("jobs/j/scenarios/next?from=9&class=either").next.kind,
+              NextContact::Kind::Either);
+    EXPECT_FALSE(parse_page_request("/api/v1/jobs/j/scenarios/next?from=9&class=cross"));
+}
+
+TEST(PageRequests, ASearchMeansScenariosAndPairsOfItsClass) {
+    NextContact wanted;
+    const auto has = [&](ScenarioClass kind) {
+        return wanted.has_class(static_cast<std::uint8_t>(kind));
+    };
+    EXPECT_TRUE(has(ScenarioClass::Inside));
+    EXPECT_FALSE(has(ScenarioClass::Near));
+    EXPECT_FALSE(wanted.has_pair(PairClass::Near));
+    wanted.kind = NextContact::Kind::Near;
+    EXPECT_FALSE(has(ScenarioClass::Touch));
+    EXPECT_TRUE(has(ScenarioClass::Near));
+    EXPECT_TRUE(wanted.has_pair(PairClass::Near));
+    EXPECT_FALSE(wanted.has_pair(PairClass::Touch));
+    wanted.kind = NextContact::Kind::Either;
+    EXPECT_TRUE(has(ScenarioClass::Near) && has(ScenarioClass::Contact));
+    EXPECT_TRUE(wanted.has_pair(PairClass::Near) && wanted.has_pair(PairClass::Proper));
+    EXPECT_FALSE(has(ScenarioClass::Separate) || has(ScenarioClass::Failed));
+    EXPECT_FALSE(wanted.has_class(255)) << "without a result";
 }
 
 TEST(PageRequests, OtherTargetsAreNoRoutes) {

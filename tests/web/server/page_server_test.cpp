@@ -4,6 +4,7 @@
 
 #include "common/core/files/npy_header.hpp"
 #include "common/core/limits/web.hpp"
+#include "tests/support/near_results.hpp"
 #include "web/server/page_assets.hpp"
 
 #include <gmock/gmock.h>
@@ -36,7 +37,9 @@ class FakeSource final : public PageSource {
             view.row = row_;
             view.bodies = {{.body = {.name = "a"}}, {.body = {.name = "b"}}};
             view.poses.random = RandomPoses{.seed = UINT64_MAX};
-            view.groups = GroupsView{{{"left", "right", 3}}, 1};
+            view.groups =
+                GroupsView{{{.part_a = "left", .part_b = "right", .scenarios = 3, .near = 8}}, 1};
+            view.query.clearance = 0.25;
             return view;
         });
     }
@@ -194,6 +197,9 @@ TEST_F(PageAnswers, ValuesBecomeJson) {
     EXPECT_EQ(job.at("bodies").at(1).at("name"), "b");
     EXPECT_TRUE(job.at("bodies").at(1).at("closed").is_null());
     EXPECT_EQ(job.at("groups").at(0).at("scenarios"), 3);
+    EXPECT_EQ(job.at("groups").at(0).at("near"), 8);
+    EXPECT_EQ(job.at("clearance"), 0.25);
+    EXPECT_EQ(job.at("near"), 0);
     EXPECT_EQ(job.at("poses").at("seed"), "18446744073709551615") << "above 2^53";
     const auto found = of_job("/scenarios/next?from=3").json();
     EXPECT_EQ(found.at("index"), 4);
@@ -258,6 +264,31 @@ TEST_F(PageAnswers, AScenarioTellsItsRecordAndWhatIsDrawn) {
     view.drawn = std::make_shared<const ScenarioResult>(result);
     EXPECT_EQ(of_job("/scenarios/3/pairs").header("X-Cut"), "true");
     EXPECT_EQ(of_job("/scenarios/3/points").header("X-Cut"), "true");
+}
+
+TEST_F(PageAnswers, AScenarioTellsItsNearPairs) {
+    ScenarioView& view = *source_.view_;
+    ScenarioResult result = near_results(Level::Contacts)[2];
+    view.result = result;
+    view.listed = 2;
+    view.drawn = std::make_shared<const ScenarioResult>(result);
+    auto json = of_job("/scenarios/3").json();
+    EXPECT_EQ(json.at("count"), 1);
+    EXPECT_EQ(json.at("near_count"), 3);
+    EXPECT_EQ(json.at("cut"), true) << "four pairs, of which two are listed";
+    EXPECT_TRUE(json.at("least_distance").is_null()) << "a pair that is not listed may be nearer";
+    EXPECT_EQ(of_job("/scenarios/3/pairs").header("X-Cut"), "true");
+    result = near_results(Level::Contacts)[1];
+    view.result = result;
+    view.drawn = std::make_shared<const ScenarioResult>(result);
+    json = of_job("/scenarios/3").json();
+    EXPECT_EQ(json.at("class"), "near");
+    EXPECT_EQ(json.at("cut"), false);
+    EXPECT_EQ(json.at("least_distance"), 0.125);
+    EXPECT_THAT(of_job("/scenarios/3/pairs").values<std::uint32_t>(),
+                ElementsAre(0, 5, 4, 7, 2, 4));
+    EXPECT_EQ(of_job("/scenarios/3/pairs").header("X-Cut"), "");
+    EXPECT_THAT(of_job("/scenarios/3/points").shape(), ElementsAre(4, 4));
 }
 
 TEST_F(PageAnswers, EachKindOfRefusalHasItsStatusAndItsReason) {

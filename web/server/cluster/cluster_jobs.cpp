@@ -6,6 +6,7 @@
 #include "common/geometry/aabb.hpp"
 #include "common/geometry/part_runs.hpp"
 #include "common/job/result/packed_map.hpp"
+#include "common/job/result/severity.hpp"
 #include "web/server/part_filter.hpp"
 #include "web/server/scenario_repeat.hpp"
 
@@ -197,7 +198,7 @@ counts_of(const RecordReader& records, const PagedJob& job, const ScenarioChoice
     CD_TRY(for_each_chosen(
         records, job, choice, [&](std::uint64_t place, const ScenarioResult& each) -> Status {
             counts[place] = static_cast<std::uint32_t>(std::min<std::uint64_t>(
-                each.pair_count, std::numeric_limits<std::uint32_t>::max()));
+                pairs_of_class(each), std::numeric_limits<std::uint32_t>::max()));
             return Done{};
         }));
     return counts;
@@ -259,7 +260,8 @@ Result<NextFound> next_of(ClusterReader& reader,
         const ScenarioChoice choice{window.first, window.count};
         CD_TRY(records(choice, [&](std::uint64_t, const ScenarioResult& result) {
             const bool is_better = !found || wanted.is_backwards;
-            if (is_better && is_contact(result.kind) && filter.passes(result)) {
+            const auto kind = static_cast<std::uint8_t>(result.kind);
+            if (is_better && wanted.has_class(kind) && filter.passes(result)) {
                 found = result.index;
             }
             return Status(Done{});
