@@ -1,4 +1,5 @@
 /** Tests of the page's parts that need no browser: `npm test`. */
+import { cssColour, isContact, isHit, letterOf, nameOf, numberOf, severity, shownOrder, untested } from "./src/base/classes";
 import { HeldAnswers } from "./src/base/held";
 import { parseMesh } from "./src/base/mesh";
 import { parseNpy } from "./src/base/npy";
@@ -18,10 +19,11 @@ import { addRows, bestCoordinates } from "./src/job/poses";
 import { Results } from "./src/job/results";
 import { scenariosOfSlice, windowsOf } from "./src/job/slice";
 import { panned, worstInBins, zoomed } from "./src/job/strip";
-import { highlightsOf } from "./src/viewer/contacts_view";
+import { highlightsOf, shapesOf } from "./src/viewer/contacts_view";
 import { heatByte } from "./src/viewer/heat";
 import { nearestTriangle } from "./src/viewer/pick";
 import { Scenarios } from "./src/viewer/scenarios";
+import { hasPairOf } from "./src/viewer/step";
 import { readState, startState, writeState } from "./src/viewer/view_state";
 
 let failures = 0;
@@ -117,12 +119,13 @@ const seen = {
     partA: "a/b, c&d=#?",
     partB: "\u202e<img>",
     pick: { body: 1 as const, triangle: 12 },
+    seek: "near" as const,
 };
 const link = scenarioLink("j-1", 7, writeState(seen, van.bodies));
 const all = { ...van, hasA: () => true };
 same("a link holds all that is seen", readState(parseRoute(link).query, all), seen);
 same("a plain view has a plain link", scenarioLink("j-1", 7, writeState(startState, van.bodies)), "#/jobs/j-1/7");
-const wrong = new URLSearchParams("mode=x&clip=w:1&cam=1,2&pick=c:1&ghost=q");
+const wrong = new URLSearchParams("mode=x&clip=w:1&cam=1,2&pick=c:1&ghost=q&seek=x");
 same("values that mean nothing are ignored", readState(wrong, all), startState);
 same("a part that A lacks is one of B", readState(new URLSearchParams("part=post"), van).partB, "post");
 same("of two parts the second is of B", readState(new URLSearchParams("part=x&with=x"), all).partB, "x");
@@ -141,7 +144,16 @@ const results = new Results(0, 8, kinds, new Uint32Array([0, 4, 9, 0, 1, 70, 0, 
 same("number of episodes", episodesOf(results).count, 3);
 same("episodes", episodesOf(results).listed.map((one) => [one.first, one.last, one.worst]), [[1, 2, 2], [4, 5, 5], [7, 7, 7]]);
 same("the worst of bins", [...worstInBins(results, 0, 8)], [0, 1, 2, 3, 4, 5, 6, 7]);
-same("the worst of all", results.worst(), 5);
+same("the worst of all", results.worst(), 7);
+const order = [untested, 0, 5, 7, 1, 4, 2, 3, 6];
+same("classes from best to worst", [...order].sort((a, b) => severity(a) - severity(b)), order);
+same("severities differ", new Set(order.map(severity)).size, order.length);
+const approach = new Results(0, 6, new Uint8Array([0, 7, 7, 2, 0, 7]), new Uint32Array([0, 3, 5, 1, 0, 2]));
+same("episodes of near and contact", episodesOf(approach).listed.map((one) => [one.first, one.last, one.worst]), [[1, 3, 3], [5, 5, 5]]);
+same("the worst near scenario", [approach.isWorse(2, 1), approach.isWorse(3, 2)], [true, true]);
+same("near is no contact", [isContact(7), isHit(7), isHit(0), isHit(5)], [false, true, false, false]);
+same("each class has a letter, a colour and a name", [letterOf(7), nameOf(7), numberOf("near"), new Set(order.map(cssColour)).size], ["N", "near", 7, 9]);
+same("all classes are shown", [...shownOrder].sort(), [0, 1, 2, 3, 4, 5, 6, 7]);
 same("a sample", new Results(0, 100, kinds, null).scenarioAt(3), 37);
 same("histogram", binsOf(new Uint32Array([0, 1, 2, 3, 4])).map((bin) => bin.count), [1, 2, 1]);
 
@@ -208,7 +220,7 @@ function strokesOf(kind: number): string {
     traceGlyph({ moveTo: note("to"), lineTo: note("line"), arc: note("arc"), rect: note("rect") }, kind, 0, 0, 1);
     return strokes.join(";");
 }
-same("each class has its sign", new Set([0, 1, 2, 3, 4, 5, 6, 255].map(strokesOf)).size, 8);
+same("each class has its sign", new Set([0, 1, 2, 3, 4, 5, 6, 7, 255].map(strokesOf)).size, 9);
 
 // Wilson's interval: 10 of 100 is 5.5 % to 17.4 %.
 same("wilson", wilson(10, 100).map((share) => share.toFixed(3)), ["0.055", "0.174"]);
@@ -220,6 +232,20 @@ same("heat", [heatByte(0, 9), heatByte(1, 9), heatByte(9, 9), heatByte(1, 1)], [
 const pairs = new Uint32Array([4, 7, 1, 4, 8, 3, 5, 8, 2]);
 same("highlights", highlightsOf(pairs, () => true).map((one) => [...one]), [[[4, 3], [5, 2]], [[7, 1], [8, 3]]]);
 same("a part alone", highlightsOf(pairs, (a) => a === 5).map((one) => [...one]), [[[5, 2]], [[8, 2]]]);
+
+// Near pairs: better than contacts; their two points are a gap, not a shared segment.
+const mixed = new Uint32Array([4, 7, 4, 4, 8, 1, 5, 8, 4]);
+same("near highlights", highlightsOf(mixed, () => true).map((one) => [...one]), [[[4, 1], [5, 4]], [[7, 4], [8, 1]]]);
+const gapPoints = new Float64Array([0, 1, 1, 1, 0, 1, 1, 2, 1, 5, 5, 5, 2, 0, 0, 0, 2, 0, 0, 1]);
+const shapesIn = (kindOf: (pair: number) => number | null) => shapesOf(gapPoints, (point) => point, kindOf);
+same("gaps", shapesIn((pair) => mixed[3 * pair + 2]), { segments: [], points: [5, 5, 5], gaps: [1, 1, 1, 1, 1, 2, 0, 0, 0, 0, 0, 1] });
+same("a gap that is not shown", shapesIn((pair) => (pair === 2 ? 4 : null)).gaps, [0, 0, 0, 0, 0, 1]);
+same("shared segments", shapesIn(() => 3).segments.length, 12);
+const wholeBody = [parts, parts] as const;
+const soughtIn = (seek: "contact" | "near" | "either", one: Uint32Array) =>
+    hasPairOf(one, { partA: "", partB: "piece 2", seek }, wholeBody);
+same("pairs that are sought", (["contact", "near", "either"] as const).map((seek) => soughtIn(seek, new Uint32Array([9, 0, 4]))), [false, true, true]);
+same("contacts that are sought", soughtIn("near", new Uint32Array([9, 0, 1])), false);
 
 // Picks: parallel triangles at z = 1, 2, 3.
 const corners = new Float32Array([1, 2, 3].flatMap((z) => [-1, -1, z, 3, -1, z, -1, 3, z]));

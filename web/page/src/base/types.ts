@@ -102,6 +102,9 @@ export interface Group {
     worst: number;
     worst_pairs: number;
     class: string;
+    /** Near pairs in all scenarios, and in the worst one. */
+    near: number;
+    worst_near: number;
 }
 
 export interface Poses {
@@ -131,7 +134,9 @@ export interface Job {
     contact: number;
     undecided: number;
     failed: number;
+    near: number;
     pairs: number;
+    near_pairs: number;
     surfaces_only: number;
     insides_skipped: number;
     cut: number;
@@ -143,6 +148,8 @@ export interface Job {
     unit: string;
     level: string;
     limit_pairs: number;
+    /** Null in a job that does not ask for near pairs. */
+    clearance: number | null;
     maps: boolean;
     map_pairs: number;
     where: string;
@@ -165,6 +172,7 @@ export interface Scenario {
     index: number;
     class: string | null;
     count: number;
+    near_count: number;
     listed: number;
     cut: boolean;
     surfaces_only: boolean;
@@ -180,4 +188,6 @@ export interface Scenario {
     /** Why nothing is drawn; empty if pairs are. */
     draw_note: string;
     exact_pairs: number;
+    /** The least distance of a near pair; null if there is none, or if not all are listed. */
+    least_distance: number | null;
 }

@@ -1,5 +1,5 @@
 import { useMemo } from "preact/hooks";
-import { isContact } from "../base/classes";
+import { isHit } from "../base/classes";
 import { scenarioLink } from "../base/route";
 import type { Job } from "../base/types";
 import { counted, grouped } from "../base/words";
@@ -15,13 +15,13 @@ export interface Episode {
 
 const shownMax = 1000;
 
-/** Returns how many runs of consecutive scenarios are in contact, and the first of them. */
+/** Returns how many runs of consecutive scenarios are in contact or near, and the first of them. */
 export function episodesOf(results: Results): { count: number; listed: Episode[] } {
     const listed: Episode[] = [];
     let count = 0;
     let open: Episode | null = null;
     results.classes.forEach((kind, i) => {
-        if (!isContact(kind)) {
+        if (!isHit(kind)) {
             open = null;
         } else if (open) {
             open.last = results.first + i;
@@ -37,18 +37,19 @@ export function episodesOf(results: Results): { count: number; listed: Episode[]
     return { count, listed };
 }
 
-/** Episodes of a trajectory: where contacts begin and end. */
+/** Episodes of a trajectory: where contacts begin and end; in a job with a clearance also what is near. */
 export function Episodes({ job, results }: { job: Job; results: Results }) {
     const isShown = job.poses.kind === "file" && results.isExact;
     const episodes = useMemo(() => (isShown ? episodesOf(results) : null), [results, isShown]);
     if (!episodes) {
         return null;
     }
+    const state = job.clearance === null ? "in contact" : "in contact or near";
     const link = (scenario: number) => <a href={scenarioLink(job.job, scenario)}>#{grouped(scenario)}</a>;
     return (
         <Panel
             title="episodes"
-            note={`${counted(episodes.count, "run")} of consecutive scenarios in contact${
+            note={`${counted(episodes.count, "run")} of consecutive scenarios ${state}${
                 episodes.count > shownMax ? `; the first ${grouped(shownMax)} are listed` : ""
             }`}
         >
@@ -56,7 +57,7 @@ export function Episodes({ job, results }: { job: Job; results: Results }) {
                 caption="episodes"
                 rows={episodes.listed}
                 rowKey={(one) => String(one.first)}
-                empty="no scenario is in contact"
+                empty={`no scenario is ${state}`}
                 columns={[
                     { key: "first", title: "first", cell: (e) => link(e.first), value: (e) => e.first, isNumber: true },
                     { key: "last", title: "last", cell: (e) => link(e.last), value: (e) => e.last, isNumber: true },

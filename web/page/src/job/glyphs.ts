@@ -1,12 +1,12 @@
 /** A sign for each class of scenarios, so that classes differ without their colours, too. */
-import { untested } from "../base/classes";
+import { near, untested } from "../base/classes";
 
 /** What a sign is traced into: the path of a canvas. */
 export type Path = Pick<CanvasPath, "moveTo" | "lineTo" | "arc" | "rect">;
 
 /**
  * Adds the sign of a class, of radius `r`, to a path: a dot for separate, a ring for touch, X for cross,
- * a square for inside, a stroke for contact, a bar for undecided, a triangle for failed.
+ * a square for inside, a stroke for contact, a bar for undecided, two bars for near, a triangle for failed.
  */
 export function traceGlyph(path: Path, kind: number, x: number, y: number, r: number): void {
     if (kind === 0 || kind === untested || kind === 1) {
@@ -25,6 +25,11 @@ export function traceGlyph(path: Path, kind: number, x: number, y: number, r: nu
     } else if (kind === 5) {
         path.moveTo(x - r, y);
         path.lineTo(x + r, y);
+    } else if (kind === near) {
+        for (const side of [-0.5, 0.5]) {
+            path.moveTo(x + side * r, y - r);
+            path.lineTo(x + side * r, y + r);
+        }
     } else {
         path.moveTo(x, y - r);
         path.lineTo(x + r, y + r);

@@ -36,6 +36,14 @@ function worstLink(job: Job, { a, b, worst }: Group): string {
     return scenarioLink(job.job, worst, { part: writePart(0, a, bodies), with: writePart(1, b, bodies) });
 }
 
+const nearColumn: Column<Group> = {
+    key: "near",
+    title: "near pairs",
+    cell: (g) => grouped(g.near),
+    value: (g) => g.near,
+    isNumber: true,
+};
+
 function columnsOf(job: Job): Column<Group>[] {
     return [
         { key: "a", title: "part of A", cell: (g) => <Name text={g.a} />, value: (g) => g.a },
@@ -50,27 +58,29 @@ function columnsOf(job: Job): Column<Group>[] {
                     <ClassMark kind={numberOf(g.class)} /> #{grouped(g.worst)}
                 </a>
             ),
-            value: (g) => g.worst_pairs,
+            value: (g) => g.worst_pairs + g.worst_near,
             isNumber: true,
         },
+        ...(job.clearance === null ? [] : [nearColumn]),
     ];
 }
 
-/** The pairs of parts that are in contact in some scenario. */
+/** The pairs of parts that are in contact, or near, in some scenario. */
 export function Groups({ job, groups }: { job: Job; groups: Group[] }) {
     const total = job.groups_total ?? groups.length;
     const isCut = total > groups.length;
+    const title = job.clearance === null ? "parts in contact" : "parts in contact or near";
     return (
         <Panel
-            title="parts in contact"
+            title={title}
             note={isCut ? `the ${grouped(groups.length)} in most poses, of ${grouped(total)}` : ""}
         >
             <Table
-                caption="parts in contact"
+                caption={title}
                 columns={columnsOf(job)}
                 rows={groups}
                 rowKey={(group) => `${group.a}\n${group.b}`}
-                empty="no part is in contact"
+                empty={job.clearance === null ? "no part is in contact" : "no part is in contact or near"}
             />
         </Panel>
     );

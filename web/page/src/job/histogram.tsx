@@ -1,4 +1,5 @@
 import { useMemo } from "preact/hooks";
+import type { Job } from "../base/types";
 import { compact, counted, grouped } from "../base/words";
 import { Panel } from "../ui/small";
 import type { Results } from "./results";
@@ -26,8 +27,8 @@ export function binsOf(counts: Uint32Array): Bin[] {
     return bins;
 }
 
-/** How many pairs scenarios in contact have, both axes logarithmic. */
-export function Histogram({ results }: { results: Results }) {
+/** How many pairs scenarios have: near pairs those that are near, both axes logarithmic. */
+export function Histogram({ job, results }: { job: Job; results: Results }) {
     const bins = useMemo(() => (results.counts ? binsOf(results.counts) : []), [results]);
     if (bins.length === 0) {
         return null;
@@ -38,7 +39,7 @@ export function Histogram({ results }: { results: Results }) {
     return (
         <Panel
             title="pairs a scenario"
-            note={`scenarios in contact, both axes logarithmic${results.isExact ? "" : ", of the sample"}`}
+            note={`scenarios in contact${job.clearance === null ? "" : " or near"}, both axes logarithmic${results.isExact ? "" : ", of the sample"}`}
         >
             <svg
                 class="histogram"

@@ -1,5 +1,5 @@
 import { useEffect, useMemo, useState } from "preact/hooks";
-import { classNames } from "../base/classes";
+import { classNames, near, shownOrder } from "../base/classes";
 import { tellFacts } from "../base/facts";
 import { forgetNotes, jobLink, noteLinkSoon, type Route, scenarioLink } from "../base/route";
 import type { Body, Job, Source } from "../base/types";
@@ -24,6 +24,15 @@ function contactsOf(job: Job): number {
     return job.touch + job.cross + job.inside + job.contact;
 }
 
+/** What the verdict says of scenarios that are only near; empty without a clearance. */
+function nearText(job: Job): string {
+    if (job.clearance === null) {
+        return "";
+    }
+    const apart = `at most ${short(job.clearance, 6)} ${job.unit} apart`;
+    return ` In ${counted(job.near, "scenario")} without contact the bodies are ${apart}, with ${counted(job.near_pairs, "near pair")}.`;
+}
+
 function Verdict({ job }: { job: Job }) {
     const contacts = contactsOf(job);
     const all = job.done === job.scenarios ? "" : ` tested so far, of ${grouped(job.scenarios)}`;
@@ -40,16 +49,21 @@ function Verdict({ job }: { job: Job }) {
                     : `${grouped(contacts)} of ${counted(job.done, "scenario")}${all} ${
                           contacts === 1 ? "is" : "are"
                       } in contact (${percent(contacts / Math.max(1, job.done))}), with ${counted(job.pairs, "pair")} of triangles.`}
+                {nearText(job)}
             </p>
             <p class="counts">
-                {classNames.map((name, kind) => (
-                    <ClassCount
-                        key={name}
-                        kind={kind}
-                        count={job[name]}
-                        always={name === "separate" || name === "cross" || name === "failed"}
-                    />
-                ))}
+                {shownOrder.map((kind) => {
+                    const name = classNames[kind];
+                    const always = name === "separate" || name === "cross" || name === "failed";
+                    return (
+                        <ClassCount
+                            key={name}
+                            kind={kind}
+                            count={job[name]}
+                            always={always || (kind === near && job.clearance !== null)}
+                        />
+                    );
+                })}
                 {job.digest && (
                     <span class="count">
                         digest <code title={job.digest}>{job.digest.slice(0, 16)}</code>
@@ -130,6 +144,7 @@ function PosesCard({ job }: { job: Job }) {
                 </div>
                 <div class="note">
                     level {job.level}
+                    {job.clearance !== null && `, clearance ${short(job.clearance, 6)} ${job.unit}`}
                     {job.ignored > 0 && `, ${counted(job.ignored, "range")} ignored`}
                 </div>
             </div>
@@ -239,11 +254,11 @@ export function JobScreen({ source, route }: { source: Source; route: Route }) {
                 <>
                     <div class="two">
                         <PoseSpace source={source} job={job} results={results} view={view} change={change} />
-                        {job.groups ? <Groups job={job} groups={job.groups} /> : <Histogram results={results} />}
+                        {job.groups ? <Groups job={job} groups={job.groups} /> : <Histogram job={job} results={results} />}
                     </div>
                     <Strip source={source} job={job} results={results} view={view} change={change} />
                     <div class="two">
-                        {job.groups && <Histogram results={results} />}
+                        {job.groups && <Histogram job={job} results={results} />}
                         <Episodes job={job} results={results} />
                     </div>
                 </>

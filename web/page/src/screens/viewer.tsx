@@ -12,7 +12,7 @@ import { ContactLegend, HeatLegend } from "../viewer/legend";
 import { type Model, trianglesMax } from "../viewer/model";
 import { Picture } from "../viewer/picture";
 import { PartPairs, Picked, PoseText } from "../viewer/side";
-import { Scrub, ViewerHead } from "../viewer/scrub";
+import { Scrub, soughtName, ViewerHead } from "../viewer/scrub";
 import { Trust } from "../viewer/status";
 import { Scenarios } from "../viewer/scenarios";
 import { nextContact, nextHeldContact } from "../viewer/step";
@@ -141,7 +141,12 @@ function JobViewer({ source, route, report, job }: ScreenProps & { job: Job }) {
         noteLink(linkHere());
         goTo(linkTo(found, state.camera));
     };
-    const search = useContactSearch(find, openFound, job.done === job.scenarios, [route, scenario, state, isPlaying]);
+    const search = useContactSearch(find, openFound, job.done === job.scenarios, soughtName(state.seek), [
+        route,
+        scenario,
+        state,
+        isPlaying,
+    ]);
     const fit = () => {
         change({ camera: null });
         viewer?.fit(false);
@@ -213,6 +218,8 @@ function JobViewer({ source, route, report, job }: ScreenProps & { job: Job }) {
                 place={place}
                 move={move}
                 search={search}
+                seek={state.seek}
+                chooseSeek={job.clearance === null ? null : (seek) => change({ seek })}
                 isPlaying={isPlaying}
                 play={draws ? setPlaying : null}
             >
@@ -259,7 +266,7 @@ function JobViewer({ source, route, report, job }: ScreenProps & { job: Job }) {
                                 fit={fit}
                                 goToContact={goToContact}
                             />
-                            {state.mode === "heat" && heat ? <HeatLegend heat={heat} job={job} /> : <ContactLegend />}
+                            {state.mode === "heat" && heat ? <HeatLegend heat={heat} job={job} /> : <ContactLegend hasNear={job.clearance !== null} />}
                         </>
                     )}
                     {state.pick && model && (

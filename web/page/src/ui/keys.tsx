@@ -3,7 +3,7 @@ import { useEffect, useRef } from "preact/hooks";
 type KeyTable = readonly (readonly [string, string])[];
 
 const stepKeys: KeyTable = [
-    ["n, p", "next and previous scenario in contact"],
+    ["n, p", "next and previous scenario in contact, or what else is chosen"],
     ["← →", "previous and next scenario"],
     ["esc", "end a search for the next contact"],
 ];

@@ -14,17 +14,24 @@ import {
 import { LineMaterial } from "three/addons/lines/LineMaterial.js";
 import { LineSegments2 } from "three/addons/lines/LineSegments2.js";
 import { LineSegmentsGeometry } from "three/addons/lines/LineSegmentsGeometry.js";
-import { colourOf } from "../base/classes";
+import { colourOf, near } from "../base/classes";
 import { apply } from "../base/pose";
 import type { Pose, Vec3 } from "../base/types";
 import { makeMaterial } from "./body_view";
 
+/** Classes of pairs. */
 export const proper = 3;
+export const nearPair = 4;
 
-/** The triangles of one body in contact, each with the worst class of its pairs. */
+/** Returns how bad a class of pairs is; near is better than all others. */
+function badness(kind: number): number {
+    return kind === nearPair ? 0 : kind;
+}
+
+/** The triangles of one body in contact or near, each with the worst class of its pairs. */
 export type Highlight = Map<number, number>;
 
-/** Returns the triangles in contact of A and of B, of the pairs that `isShown` allows. */
+/** Returns the triangles of A and of B in pairs that `isShown` allows. */
 export function highlightsOf(
     pairs: Uint32Array,
     isShown: (a: number, b: number) => boolean,
@@ -36,14 +43,25 @@ export function highlightsOf(
         }
         both.forEach((highlight, body) => {
             const triangle = pairs[i + body];
-            highlight.set(triangle, Math.max(pairs[i + 2], highlight.get(triangle) ?? 0));
+            const before = highlight.get(triangle);
+            if (before === undefined || badness(pairs[i + 2]) > badness(before)) {
+                highlight.set(triangle, pairs[i + 2]);
+            }
         });
     }
     return both;
 }
 
-function trianglesOf(highlight: Highlight, isProper: boolean): number[] {
-    return [...highlight].flatMap(([triangle, kind]) => ((kind === proper) === isProper ? [triangle] : []));
+/** How a triangle is drawn; the later ones are drawn over the earlier. */
+type Look = "near" | "touch" | "proper";
+const looks: readonly Look[] = ["near", "touch", "proper"];
+
+function lookOf(kind: number): Look {
+    return kind === proper ? "proper" : kind === nearPair ? "near" : "touch";
+}
+
+function trianglesOf(highlight: Highlight, look: Look): number[] {
+    return [...highlight].flatMap(([triangle, kind]) => (lookOf(kind) === look ? [triangle] : []));
 }
 
 export function pickCorners(corners: Float32Array, triangles: readonly number[]): Float32Array {
@@ -65,11 +83,20 @@ export function edgesOf(corners: Float32Array): Float32Array {
 interface Shapes {
     segments: number[];
     points: number[];
+    /** The segments between the nearest points of near pairs. */
+    gaps: number[];
 }
 
-/** Sorts the points of each pair: one is a point, two a segment, more a convex polygon. */
-function shapesOf(points: Float64Array, place: (point: Vec3) => Vec3, isShown: (pair: number) => boolean): Shapes {
-    const shapes: Shapes = { segments: [], points: [] };
+/**
+ * Sorts the points of each pair: one is a point, two a segment, more a convex polygon; the two of a near
+ * pair are a gap. `kindOf` gives a pair's class, or null for a pair that is not shown.
+ */
+export function shapesOf(
+    points: Float64Array,
+    place: (point: Vec3) => Vec3,
+    kindOf: (pair: number) => number | null,
+): Shapes {
+    const shapes: Shapes = { segments: [], points: [], gaps: [] };
     for (let first = 0; first < points.length; ) {
         const pair = points[first];
         let end = first;
@@ -78,7 +105,12 @@ function shapesOf(points: Float64Array, place: (point: Vec3) => Vec3, isShown: (
             corners.push(place([points[end + 1], points[end + 2], points[end + 3]]));
         }
         first = end;
-        if (!isShown(pair)) {
+        const kind = kindOf(pair);
+        if (kind === null) {
+            continue;
+        }
+        if (kind === nearPair) {
+            shapes.gaps.push(...corners.flat());
             continue;
         }
         if (corners.length === 1) {
@@ -97,22 +129,30 @@ interface Drawn {
     material: { dispose(): void };
 }
 
-/** The triangles in contact, and the points that they share. Made anew for each scenario. */
+/** The triangles in contact or near, what they share, and gaps. Made anew for each scenario. */
 export class ContactsView {
     readonly group = new Group();
     readonly lines = new Group();
     private readonly red: MeshLambertMaterial;
     private readonly yellow: MeshLambertMaterial;
+    private readonly orange: MeshLambertMaterial;
     private readonly outline = new LineBasicMaterial({ color: 0x5a4500 });
     private readonly segment = new LineMaterial({ color: 0x000000, linewidth: 2.5 });
+    private readonly gap = new LineMaterial({ color: 0xa84e00, linewidth: 3.5 });
     private readonly dot = new PointsMaterial({ color: 0x000000, size: 7, sizeAttenuation: false });
 
     constructor() {
         this.red = makeMaterial(colourOf(2));
         this.yellow = makeMaterial(colourOf(1));
+        this.orange = makeMaterial(colourOf(near));
         this.red.emissive.copy(this.red.color).multiplyScalar(0.45);
         this.yellow.emissive.copy(this.yellow.color).multiplyScalar(0.35);
+        this.orange.emissive.copy(this.orange.color).multiplyScalar(0.35);
         this.group.add(this.lines);
+    }
+
+    private get materials() {
+        return [this.red, this.yellow, this.orange, this.outline, this.segment, this.gap, this.dot];
     }
 
     private clear(): void {
@@ -124,16 +164,17 @@ export class ContactsView {
         }
     }
 
-    /** Shows the triangles in contact of one body; touching ones are yellow with an outline. */
+    /** Shows triangles of one body; touching ones are yellow and near ones orange, with an outline. */
     private addBody(corners: Float32Array, highlight: Highlight, matrix: Matrix4): void {
-        for (const isProper of [false, true]) {
-            const chosen = pickCorners(corners, trianglesOf(highlight, isProper));
+        const materials = { near: this.orange, touch: this.yellow, proper: this.red };
+        for (const look of looks) {
+            const chosen = pickCorners(corners, trianglesOf(highlight, look));
             if (chosen.length === 0) {
                 continue;
             }
             const geometry = new BufferGeometry().setAttribute("position", new BufferAttribute(chosen, 3));
-            this.addPlaced(new DrawnMesh(geometry, isProper ? this.red : this.yellow), matrix);
-            if (!isProper) {
+            this.addPlaced(new DrawnMesh(geometry, materials[look]), matrix);
+            if (look !== "proper") {
                 const edges = new BufferGeometry().setAttribute(
                     "position",
                     new BufferAttribute(edgesOf(chosen), 3),
@@ -159,17 +200,26 @@ export class ContactsView {
         bodies.forEach((corners, i) => this.addBody(corners, highlights[i], matrices[i]));
     }
 
-    /** Adds the shared points; `fromWorld` leads into A's frame, `origin` is subtracted in double. */
-    addPoints(points: Float64Array, fromWorld: Pose, origin: Vec3, isShown: (pair: number) => boolean): void {
-        const place = (point: Vec3) => apply(fromWorld, point).map((value, i) => value - origin[i]) as Vec3;
-        const shapes = shapesOf(points, place, isShown);
-        if (shapes.segments.length > 0) {
-            const geometry = new LineSegmentsGeometry().setPositions(new Float32Array(shapes.segments));
-            const drawn = new LineSegments2(geometry, this.segment);
-            drawn.frustumCulled = false;
-            drawn.renderOrder = 4;
-            this.lines.add(drawn);
+    private addLines(ends: readonly number[], material: LineMaterial): void {
+        if (ends.length === 0) {
+            return;
         }
+        const geometry = new LineSegmentsGeometry().setPositions(new Float32Array(ends));
+        const drawn = new LineSegments2(geometry, material);
+        drawn.frustumCulled = false;
+        drawn.renderOrder = 4;
+        this.lines.add(drawn);
+    }
+
+    /**
+     * Adds the points of pairs (`shapesOf`); `fromWorld` leads into A's frame, `origin` is subtracted in
+     * double. Returns the number of gaps.
+     */
+    addPoints(points: Float64Array, fromWorld: Pose, origin: Vec3, kindOf: (pair: number) => number | null): number {
+        const place = (point: Vec3) => apply(fromWorld, point).map((value, i) => value - origin[i]) as Vec3;
+        const shapes = shapesOf(points, place, kindOf);
+        this.addLines(shapes.segments, this.segment);
+        this.addLines(shapes.gaps, this.gap);
         if (shapes.points.length > 0) {
             const positions = new BufferAttribute(new Float32Array(shapes.points), 3);
             const drawn = new Points(new BufferGeometry().setAttribute("position", positions), this.dot);
@@ -177,16 +227,17 @@ export class ContactsView {
             drawn.renderOrder = 5;
             this.lines.add(drawn);
         }
+        return shapes.gaps.length / 6;
     }
 
     clip(planes: Plane[]): void {
-        for (const material of [this.red, this.yellow, this.outline, this.segment, this.dot]) {
+        for (const material of this.materials) {
             material.clippingPlanes = planes;
         }
     }
 
     dispose(): void {
         this.clear();
-        [this.red, this.yellow, this.outline, this.segment, this.dot].forEach((material) => material.dispose());
+        this.materials.forEach((material) => material.dispose());
     }
 }

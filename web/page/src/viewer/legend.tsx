@@ -1,4 +1,4 @@
-import { cssColour } from "../base/classes";
+import { cssColour, near } from "../base/classes";
 import type { Job } from "../base/types";
 import { grouped, percent } from "../base/words";
 import { viridisAt } from "./heat";
@@ -14,10 +14,15 @@ function ticksOf(most: number): number[] {
     return most > 1 ? [...ticks, most] : ticks;
 }
 
+/** What makes a triangle count in the heat map. */
+function stateOf(job: Job): string {
+    return job.clearance === null ? "in contact" : "in contact or near";
+}
+
 /** The colours of the heat map with counts and shares. */
 export function HeatLegend({ heat, job }: { heat: Heat; job: Job }) {
     if (heat.most === 0) {
-        return <p class="note">no triangle was in contact</p>;
+        return <p class="note">no triangle was {stateOf(job)}</p>;
     }
     const [width, height] = [264, 10];
     const position = (count: number) => (heat.most <= 1 ? 0 : (Math.log(count) / Math.log(heat.most)) * width);
@@ -59,14 +64,15 @@ export function HeatLegend({ heat, job }: { heat: Heat; job: Job }) {
                 ))}
             </svg>
             <figcaption class="note">
-                scenarios in which a triangle is in contact, logarithmic
+                scenarios in which a triangle is {stateOf(job)}, logarithmic
                 {job.map_pairs > 0 && `, of the first ${grouped(job.map_pairs)} pairs`}; plain: never
             </figcaption>
         </figure>
     );
 }
 
-export function ContactLegend() {
+/** The colours of triangles and lines; with `hasNear` also those of near pairs. */
+export function ContactLegend({ hasNear }: { hasNear: boolean }) {
     return (
         <ul class="legend plain">
             <li>
@@ -88,6 +94,14 @@ export function ContactLegend() {
                 </svg>
                 what they share
             </li>
+            {hasNear && (
+                <li>
+                    <svg viewBox="0 0 14 12" aria-hidden="true">
+                        <path d="M1 11 7 1l6 10z" fill={cssColour(near)} class="outlined" />
+                    </svg>
+                    near: the line joins the nearest points
+                </li>
+            )}
         </ul>
     );
 }

@@ -44,7 +44,7 @@ export function Picture({ job, scenario, contacts, canvas, viewer, waits, root, 
                 ref={canvas}
                 tabIndex={0}
                 role="img"
-                aria-label={`scenario ${scenario}: ${contacts?.scenario.class ?? ""}, ${contacts?.scenario.count ?? 0} pairs`}
+                aria-label={`scenario ${scenario}: ${contacts?.scenario.class ?? ""}, ${contacts?.scenario.count ?? 0} pairs${contacts?.scenario.near_count ? `, ${contacts.scenario.near_count} near` : ""}`}
                 onKeyDown={(event) => {
                     if (event.key === "Enter") {
                         pick(viewer?.pickMiddle(event.shiftKey) ?? null);

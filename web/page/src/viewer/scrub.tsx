@@ -6,6 +6,7 @@ import type { Contacts } from "./scenario_loader";
 import type { Scenarios } from "./scenarios";
 import { ScenarioStatus } from "./status";
 import type { ContactSearch } from "./use_search";
+import type { Seek } from "./view_state";
 
 /** The job's name, the scenario's number, and what came of it. */
 export function ViewerHead(props: {
@@ -40,6 +41,26 @@ export function ViewerHead(props: {
     );
 }
 
+/** The word for what a search finds. */
+export function soughtName(seek: Seek): string {
+    return { contact: "contact", near: "near scenario", either: "contact or near scenario" }[seek];
+}
+
+/** Chooses what a search finds. */
+function SeekChoice({ seek, choose }: { seek: Seek; choose: (seek: Seek) => void }) {
+    return (
+        <select
+            aria-label="what previous and next find"
+            value={seek}
+            onChange={(event) => choose(event.currentTarget.value as Seek)}
+        >
+            <option value="contact">contacts</option>
+            <option value="near">near</option>
+            <option value="either">both</option>
+        </select>
+    );
+}
+
 /** Goes through the scenarios: by contacts, by a slider, by itself. */
 export function Scrub(props: {
     scenarios: Scenarios;
@@ -47,6 +68,9 @@ export function Scrub(props: {
     place: number;
     move: (place: number) => void;
     search: ContactSearch;
+    seek: Seek;
+    /** Null in a job that knows no near scenarios. */
+    chooseSeek: ((seek: Seek) => void) | null;
     isPlaying: boolean;
     /** Null where nothing is drawn that could be played. */
     play: ((isPlaying: boolean) => void) | null;
@@ -57,11 +81,12 @@ export function Scrub(props: {
     return (
         <div class="scrub">
             <button type="button" onClick={() => search.start(-1)} title="p">
-                ‹ previous contact
+                ‹ previous {soughtName(props.seek)}
             </button>
             <button type="button" onClick={() => search.start(1)} title="n">
-                next contact ›
+                next {soughtName(props.seek)} ›
             </button>
+            {props.chooseSeek && <SeekChoice seek={props.seek} choose={props.chooseSeek} />}
             <input
                 type="range"
                 aria-label={props.isInReport ? "scenarios of this report" : `scenario, 0 to ${last}`}

@@ -4,6 +4,7 @@ import { isAngle, placementKeys, placementOf, relativePose } from "../base/pose"
 import type { Job, Pose } from "../base/types";
 import { counted, grouped, percent, short } from "../base/words";
 import { Name } from "../ui/small";
+import { nearPair } from "./contacts_view";
 import type { Heat, Model } from "./model";
 import type { Contacts } from "./scenario_loader";
 import type { Pick, ViewState } from "./view_state";
@@ -12,6 +13,8 @@ interface PartPair {
     a: string;
     b: string;
     count: number;
+    /** How many of `count` are near pairs. */
+    near: number;
 }
 
 const shownMax = 100;
@@ -23,10 +26,12 @@ export function partPairsOf(pairs: Uint32Array, parts: readonly [BodyParts, Body
         const [a, b] = [0, 1].map((body) => parts[body].nameOf(pairs[i + body]));
         const key = `${a.length}:${a}${b}`;
         const pair = found.get(key);
+        const isNear = pairs[i + 2] === nearPair ? 1 : 0;
         if (pair) {
             pair.count += 1;
+            pair.near += isNear;
         } else {
-            found.set(key, { a, b, count: 1 });
+            found.set(key, { a, b, count: 1, near: isNear });
         }
     }
     return [...found.values()].sort((one, other) => other.count - one.count);
@@ -44,10 +49,11 @@ export function PartPairs(props: {
     if (all.length === 0 && !state.partA && !state.partB) {
         return null;
     }
+    const title = all.some((pair) => pair.near > 0) ? "parts in contact or near here" : "parts in contact here";
     const isChosen = (pair: PartPair) => state.partA === pair.a && state.partB === pair.b;
     return (
-        <section aria-label="parts in contact here">
-            <h2>parts in contact here</h2>
+        <section aria-label={title}>
+            <h2>{title}</h2>
             <ul class="pairs">
                 {all.slice(0, shownMax).map((pair) => (
                     <li key={`${pair.a}\n${pair.b}`}>
@@ -59,7 +65,10 @@ export function PartPairs(props: {
                             <span>
                                 <Name text={pair.a} /> <i>×</i> <Name text={pair.b} />
                             </span>
-                            <b>{grouped(pair.count)}</b>
+                            <b>
+                                {grouped(pair.count)}
+                                {pair.near > 0 && <i> ({grouped(pair.near)} near)</i>}
+                            </b>
                         </button>
                     </li>
                 ))}

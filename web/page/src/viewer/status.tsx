@@ -43,7 +43,11 @@ export function ScenarioStatus({ job, contacts }: { job: Job; contacts: Contacts
     const { scenario } = contacts;
     const kind = numberOf(scenario.class);
     const count = scenario.class !== null && scenario.count > 0 ? counted(scenario.count, "pair") : "";
+    const nearCount = scenario.near_count > 0 ? counted(scenario.near_count, "near pair") : "";
     const said = [
+        scenario.least_distance !== null
+            ? `nearest triangles ${short(scenario.least_distance, 6)} ${job.unit} apart`
+            : "",
         kind === 3 ? "one body is inside the other: g changes the ghost" : "",
         scenario.id !== null ? `id ${scenario.id}` : "",
         scenario.time !== null ? `t ${short(scenario.time, 6)}` : "",
@@ -61,6 +65,7 @@ export function ScenarioStatus({ job, contacts }: { job: Job; contacts: Contacts
                 <ClassMark kind={kind} />
                 <b>{scenario.class ?? "no result yet"}</b>
                 {count && `, ${count}`}
+                {nearCount && `, ${nearCount}`}
             </span>
             {scenario.verified === true && (
                 <span class="verified" title="run again, the record has the same bytes">

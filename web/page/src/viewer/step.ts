@@ -1,11 +1,13 @@
-/** The next scenario in contact, of the chosen parts. */
+/** The next scenario in contact or near, of the chosen parts. */
 import { ApiError, getArray, getJson, pause } from "../base/api";
+import { near, numberOf } from "../base/classes";
 import type { BodyParts } from "../base/parts";
 import type { Job, Scenario } from "../base/types";
+import { nearPair } from "./contacts_view";
 import type { ViewState } from "./view_state";
 
-/** The parts of A and B that are wanted; an empty name stands for all. */
-type Wanted = Pick<ViewState, "partA" | "partB">;
+/** What is sought, and the parts of A and B that are wanted; an empty name stands for all. */
+type Wanted = Pick<ViewState, "partA" | "partB" | "seek">;
 type PartsOfBodies = readonly [BodyParts, BodyParts];
 
 /** One search: from a scenario, up (1) or down (-1), until `signal` ends it; `tell` hears how far it came. */
@@ -32,6 +34,9 @@ function path(job: string, rest: string): string {
 /** Lets the server look through the records. Returns null at the job's end. */
 async function nextRecorded({ job, from, step, signal, tell }: Search, wanted: Wanted): Promise<number | null> {
     const query = new URLSearchParams({ from: String(from), step: String(step) });
+    if (wanted.seek !== "contact") {
+        query.set("class", wanted.seek);
+    }
     if (wanted.partA) {
         query.set("part_a", wanted.partA);
     }
@@ -48,10 +53,11 @@ async function nextRecorded({ job, from, step, signal, tell }: Search, wanted: W
     }
 }
 
-/** Whether rows of pairs have one of both wanted parts. */
-function hasPairOf(pairs: ArrayLike<number>, { partA, partB }: Wanted, parts: PartsOfBodies): boolean {
+/** Whether rows of pairs have a sought one of both wanted parts. */
+export function hasPairOf(pairs: ArrayLike<number>, { partA, partB, seek }: Wanted, parts: PartsOfBodies): boolean {
     for (let i = 0; i + 2 < pairs.length; i += 3) {
-        if (parts[0].isOf(pairs[i], partA) && parts[1].isOf(pairs[i + 1], partB)) {
+        const fits = seek === "either" || (pairs[i + 2] === nearPair) === (seek === "near");
+        if (fits && parts[0].isOf(pairs[i], partA) && parts[1].isOf(pairs[i + 1], partB)) {
             return true;
         }
     }
@@ -82,7 +88,7 @@ async function mayHave({ job, signal }: Search, scenario: number, wanted: Wanted
     return pairs.cut || hasPairOf(pairs.values, wanted, parts);
 }
 
-/** Returns the next scenario in contact, null at the job's end. */
+/** Returns the next scenario that is sought, null at the job's end. */
 export async function nextContact(
     search: Search,
     wanted: Wanted,
@@ -92,7 +98,7 @@ export async function nextContact(
     if (isAny(wanted) || level === "pairs" || level === "contacts") {
         return nextRecorded(search, wanted);
     }
-    // The records have no pairs: each scenario in contact is run again.
+    // The records have no pairs: each scenario of the sought class is run again.
     const parts = await getParts();
     [wanted.partA, wanted.partB].forEach((part, body) => {
         if (part && !parts[body].names.includes(part)) {
@@ -100,7 +106,7 @@ export async function nextContact(
         }
     });
     for (let from = search.from; ; search.tell(from)) {
-        const found = await nextRecorded({ ...search, from }, { partA: "", partB: "" });
+        const found = await nextRecorded({ ...search, from }, { ...wanted, partA: "", partB: "" });
         if (found === null || (await mayHave(search, found, wanted, parts))) {
             return found;
         }
@@ -108,7 +114,16 @@ export async function nextContact(
     }
 }
 
-/** As `nextContact`, of the scenarios of a report, which are all in contact. */
+/** Whether a scenario of a report, which is in contact or near, is of the sought class. */
+async function isSought(job: Job, scenario: number, { seek }: Wanted): Promise<boolean> {
+    if (job.clearance === null || seek === "either") {
+        return true;
+    }
+    const one = await getJson<Scenario>(path(job.job, String(scenario)));
+    return (numberOf(one.class) === near) === (seek === "near");
+}
+
+/** As `nextContact`, of the scenarios of a report, which are all in contact or near. */
 export async function nextHeldContact(
     { job, from, step }: Pick<Search, "job" | "from" | "step">,
     scenarios: readonly number[],
@@ -117,6 +132,9 @@ export async function nextHeldContact(
 ): Promise<number | null> {
     const beyond = scenarios.filter((one) => (one - from) * step > 0).sort((a, b) => (a - b) * step);
     for (const scenario of beyond) {
+        if (!(await isSought(job, scenario, wanted))) {
+            continue;
+        }
         if (isAny(wanted) || hasPairOf((await getArray(path(job.job, `${scenario}/pairs`))).values, wanted, parts)) {
             return scenario;
         }

@@ -4,7 +4,7 @@ import { grouped } from "../base/words";
 
 type Step = 1 | -1;
 
-/** Looks for the next scenario in contact until `signal` ends it; null at the end of the job. */
+/** Looks for the next scenario that is sought until `signal` ends it; null at the end of the job. */
 export type FindNext = (by: Step, signal: AbortSignal, tell: (scenario: number) => void) => Promise<number | null>;
 
 export interface ContactSearch {
@@ -15,13 +15,14 @@ export interface ContactSearch {
 }
 
 /**
- * Searches for the next scenario in contact, and opens it. A search ends when something in `seen`
- * changes.
+ * Searches for the next scenario, and opens it. `sought` says what is sought, for messages. A search ends
+ * when something in `seen` changes.
  */
 export function useContactSearch(
     find: FindNext,
     open: (scenario: number) => void,
     isOver: boolean,
+    sought: string,
     seen: readonly unknown[],
 ): ContactSearch {
     const [said, say] = useState("");
@@ -55,7 +56,7 @@ export function useContactSearch(
                 say("");
                 open(found);
             } else {
-                say(`no contact ${by > 0 ? "after" : "before"} this scenario${isOver ? "" : " so far"}`);
+                say(`no ${sought} ${by > 0 ? "after" : "before"} this scenario${isOver ? "" : " so far"}`);
             }
         } catch (error) {
             if (running.current === mine) {

@@ -3,6 +3,8 @@ import { type PartNames, readPart, writePart } from "../base/part_name";
 
 export type Mode = "contacts" | "heat";
 export type Ghost = "a" | "b" | "none";
+/** What a search for the next scenario finds. */
+export type Seek = "contact" | "near" | "either";
 export type ClipAxis = "x" | "y" | "z";
 
 export interface Clip {
@@ -28,6 +30,7 @@ export interface ViewState {
     partA: string;
     partB: string;
     pick: Pick | null;
+    seek: Seek;
 }
 
 export const startState: ViewState = {
@@ -40,6 +43,7 @@ export const startState: ViewState = {
     partA: "",
     partB: "",
     pick: null,
+    seek: "contact",
 };
 
 function numbersOf(text: string | null, count: number): number[] | null {
@@ -81,6 +85,7 @@ export function isSameView(one: ViewState, other: ViewState): boolean {
 /** Reads a link. Values that mean nothing are ignored. */
 export function readState(query: URLSearchParams, names: PartNames): ViewState {
     const ghost = query.get("ghost");
+    const seek = query.get("seek");
     const [partA, partB] = readParts(query, names);
     return {
         mode: query.get("mode") === "heat" ? "heat" : "contacts",
@@ -92,6 +97,7 @@ export function readState(query: URLSearchParams, names: PartNames): ViewState {
         partA,
         partB,
         pick: readPick(query.get("pick")),
+        seek: seek === "near" || seek === "either" ? seek : "contact",
     };
 }
 
@@ -128,6 +134,9 @@ export function writeState(state: ViewState, bodies: readonly [string, string]):
     }
     if (state.pick) {
         query.pick = `${state.pick.body === 0 ? "a" : "b"}:${state.pick.triangle}`;
+    }
+    if (state.seek !== startState.seek) {
+        query.seek = state.seek;
     }
     return query;
 }

@@ -25,6 +25,8 @@ const identity: Pose = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0];
 export class Viewer {
     readonly stage: Stage;
     readonly bodies: [BodyView, BodyView];
+    /** How many lines between nearest points are drawn. */
+    gaps = 0;
     private readonly contactsView = new ContactsView();
     private readonly mark = new PickMark();
     private readonly origin: Vec3;
@@ -85,8 +87,8 @@ export class Viewer {
         this.highlights = highlightsOf(pairs, isShown);
         const corners = [this.bodies[0].corners, this.bodies[1].corners] as const;
         this.contactsView.show(corners, this.highlights, this.matrices);
-        this.contactsView.addPoints(points, inverse(scenario.pose_a), this.origin, (pair) =>
-            isShown(pairs[3 * pair], pairs[3 * pair + 1]),
+        this.gaps = this.contactsView.addPoints(points, inverse(scenario.pose_a), this.origin, (pair) =>
+            isShown(pairs[3 * pair], pairs[3 * pair + 1]) ? pairs[3 * pair + 2] : null,
         );
     }
 

@@ -42,6 +42,7 @@ export function useViewerFacts(values: {
                     pick: state.pick,
                     trianglesDrawn: viewer?.bodies.map((body) => body.triangles) ?? [0, 0],
                     highlighted: viewer?.highlighted ?? [[], []],
+                    gaps: viewer?.gaps ?? 0,
                     shaChecked: model?.meshes.map((mesh) => mesh.checked),
                     meshMilliseconds: model?.milliseconds,
                     firstFrameMilliseconds: drawing.firstFrame.current,
