@@ -7,8 +7,8 @@
 // each kind the mean over the poses of their least times, the median, and mean counts. `near?` asks
 // whether any pair is within the clearance, `near` collects all such pairs and contacts, `distance`
 // finds the nearest pair where no pair touches. Rows of poses in contact and of others are apart.
-#include "bench/accuracy/timing.hpp"
 #include "bench/posed_trees.hpp"
+#include "bench/timed_work.hpp"
 #include "common/search/wide_search.hpp"
 
 #include <algorithm>

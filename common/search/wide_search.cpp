@@ -126,7 +126,7 @@ void WideSearch::find_nearest(const TreeView& a, const TreeView& b) {
     const TriangleBlocks& of_b = b.wide.triangles;
     WideDescent& descent = *near_descent_;
     descent.set_reach(nearest_reach());
-    descent.start(a.wide, b.wide, WideDescent::Aim::LikelyFirst);
+    descent.start(a.wide, b.wide, WideDescent::Aim::Nearest);
     while (!descent.is_done() && !is_stopped_) {
         const auto found = next_candidates(descent, a.wide, b.wide, candidates_at_once_for_nearest);
         nearest_->add(of_a, of_a.ids, of_b, of_b.ids, found);

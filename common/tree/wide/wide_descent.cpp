@@ -3,6 +3,7 @@
 #include "common/geometry/simd_target.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -72,6 +73,7 @@ void WideDescent::set_margin() {
     pose_.absolute_margin = margin < 0x1p100 && reach_ < wide_reach_max
                                 ? static_cast<float>(margin) + 0x1p-120F
                                 : std::numeric_limits<float>::infinity();
+    pose_.reach = static_cast<float>(reach_);
 }
 
 void WideDescent::set_reach(double reach) {
@@ -99,13 +101,21 @@ void WideDescent::start(const WideView& a, const WideView& b, Aim aim) {
     walk_.leaf_count = 0;
     is_for_all_ = aim == Aim::All || aim == Aim::AllUnlikely;
     walk_.leaves_at_once = is_for_all_ ? wide_leaves_max - wide_batch_max : leaves_for_first;
-    has_planes_ = aim != Aim::All && !a.support.sets.empty() && !b.support.sets.empty();
+    is_nearest_ = aim == Aim::Nearest;
+    const auto size = static_cast<float>(std::min(a.extent + b.extent, 0x1p50));
+    pose_.rank_base = static_cast<std::int32_t>(std::bit_cast<std::uint32_t>(size * size) >> 23) -
+                      (PairBuckets::count - 2);
+    has_planes_ = aim != Aim::All && !is_nearest_ && !a.support.sets.empty() && !b.support.sets.empty();
     planes_.clear();
     if (has_planes_) {
         planes_.reset(
             plane_pose(b_to_a_, a.support, b.support, error_scale_, reach_), a, b, last_.is_near());
     }
     dive_ = {};
+    if (is_nearest_) {
+        walk_.ranked.push({0, 0}, 0);
+        return;
+    }
     if (aim == Aim::LikelyFirst) {
         begin_dive();
     } else if (has_planes_) {
@@ -125,6 +135,10 @@ std::span<Candidate> WideDescent::next(std::size_t wanted) {
     walk_.candidates_wanted = wanted;
     walk_.visits_left = visits_at_once;
     while (!is_done() && walk_.visits_left > 0 && walk_.candidate_count < wanted) {
+        if (is_nearest_) {
+            walk_wide_nearest(pose_, walk_);
+            continue;
+        }
         if (dive_.visits_left > 0) {
             dive();
             continue;

@@ -39,6 +39,7 @@ class WideDescent {
         LikelyFirst, ///< Finds a likely first contact: looks near the last contacts, if the pose
                      ///< is near the last one; then visits the most promising pairs of nodes
                      ///< (`PairBuckets`) one by one, and goes on like First after `dive_visits`.
+        Nearest,     ///< Finds all pairs within a reach that shrinks: nearest boxes first.
         Any,         ///< LikelyFirst if the answers noted before make a contact likely, else First.
     };
 
@@ -94,6 +95,7 @@ class WideDescent {
     Dive dive_;
     bool has_planes_ = false; ///< Both trees have support points.
     bool is_for_all_ = true;  ///< The aim is All.
+    bool is_nearest_ = false; ///< The aim is Nearest.
     RelativePose b_to_a_;
     double error_scale_;
     double reach_ = 0;

@@ -42,6 +42,11 @@
 //     intervals that are this much wider, and still apart, prove that the points are farther apart.
 //     A margin takes four roundings, and the sums with it err by below 12 u of it: `restart` adds
 //     the reach times 1 + 128 u.
+// (10) Gaps. The gap of two intervals on an axis, less the reach that widens one of them, bounds
+//     from below the displacement along that axis: the error bound of (8) has room for one more
+//     rounding of the interval's end. The difference, the product with the step, the sum with the
+//     reach and the sum of three squares err by below 10 u, the frame by 6 u. So the sum of squares,
+//     times 1 - 2^-14, is at most the square of the distance.
 //
 // Overflow: coordinates of a wide tree are below 2^50, so that boxes are within a reach of
 // 2^50 only where |w| is below 2^55; steps are within [2^-70, 2^45]. Then all that is made of an interval stays below
@@ -146,7 +151,7 @@ HWY_INLINE Rows rows_of(const Visit& visit, std::uint64_t& box_tests) {
 
 /// Processes the first `count` visits and writes the pairs of children that may overlap to `to`.
 /// Returns the number of these pairs.
-template <bool kBothLeaves>
+template <bool kBothLeaves, Rating kRating>
 HWY_INLINE std::size_t
 look_at(const WidePose& pose, WideWalk& walk, Visit* visits, std::size_t count, std::uint32_t* to) {
     std::size_t left[wide_batch_max];
@@ -154,7 +159,8 @@ look_at(const WidePose& pose, WideWalk& walk, Visit* visits, std::size_t count, 
     std::size_t written = 0;
     for (std::size_t i = 0; i < left_count; ++i) {
         const Rows rows = rows_of(visits[left[i]], walk.box_tests);
-        written += pair_up(rows.one, rows.others, rows.one_is_a, to + 2 * written);
+        written += pair_up<kRating>(
+            rows.one, rows.others, rows.one_is_a, pose, to + 2 * written);
     }
     return written;
 }
@@ -194,11 +200,12 @@ HWY_INLINE void visit_inner(const WidePose& pose, WideWalk& walk, Visit* visits)
     const WidePair* now = walk.waiting + walk.waiting_count;
     const std::size_t inner = meet_inner(pose, walk, now, count, visits);
     auto* to = reinterpret_cast<std::uint32_t*>(walk.waiting + walk.waiting_count);
-    walk.waiting_count += look_at<false>(pose, walk, visits, inner, to);
+    walk.waiting_count += look_at<false, Rating::None>(pose, walk, visits, inner, to);
     count_visits(walk, inner);
 }
 
 /// Visits one batch of the pairs of leaves.
+template <Rating kRating>
 HWY_INLINE void visit_leaves(const WidePose& pose, WideWalk& walk, Visit* visits) {
     const std::size_t count = std::min(walk.leaf_count, wide_batch_max);
     walk.leaf_count -= count;
@@ -207,31 +214,41 @@ HWY_INLINE void visit_leaves(const WidePose& pose, WideWalk& walk, Visit* visits
         meet(pose, walk.a.nodes[now.a], walk.b.nodes[now.b], now, visits[i].meeting);
     }
     auto* to = reinterpret_cast<std::uint32_t*>(walk.candidates + walk.candidate_count);
-    walk.candidate_count += look_at<true>(pose, walk, visits, count, to);
+    walk.candidate_count += look_at<true, kRating>(pose, walk, visits, count, to);
     count_visits(walk, count);
 }
 
 /// Visits the most promising pair.
+template <Rating kRating>
 HWY_INLINE void visit_ranked(const WidePose& pose, WideWalk& walk, Visit& visit) {
     const WidePair now = walk.ranked.pop();
     const std::size_t inner = meet_inner(pose, walk, &now, 1, &visit);
     std::size_t left = 0;
     if (see_both<false>(pose, walk, &visit, inner, &left) > 0) {
         const Rows rows = rows_of(visit, walk.box_tests);
-        rank_pairs(rows.one, rows.others, rows.one_is_a, walk.ranked);
+        rank_pairs<kRating>(rows.one, rows.others, rows.one_is_a, pose, walk.ranked);
     }
     count_visits(walk, inner);
     if (walk.leaf_count > 0) {
-        visit_leaves(pose, walk, &visit);
+        visit_leaves<kRating == Rating::Gap ? Rating::Gap : Rating::None>(pose, walk, &visit);
+    }
+}
+
+template <Rating kRating>
+HWY_INLINE void walk_by_rank(const WidePose& pose, WideWalk& walk) {
+    Visit visit;
+    while (walk.visits_left > 0 && walk.candidate_count < walk.candidates_wanted &&
+           walk.ranked.size() > 0) {
+        visit_ranked<kRating>(pose, walk, visit);
     }
 }
 
 void walk_ranked(const WidePose& pose, WideWalk& walk) {
-    Visit visit;
-    while (walk.visits_left > 0 && walk.candidate_count < walk.candidates_wanted &&
-           walk.ranked.size() > 0) {
-        visit_ranked(pose, walk, visit);
-    }
+    walk_by_rank<Rating::Overlap>(pose, walk);
+}
+
+void walk_nearest(const WidePose& pose, WideWalk& walk) {
+    walk_by_rank<Rating::Gap>(pose, walk);
 }
 
 void walk_all(const WidePose& pose, WideWalk& walk) {
@@ -240,7 +257,7 @@ void walk_all(const WidePose& pose, WideWalk& walk) {
            walk.waiting_count + wide_pairs_slack <= walk.waiting_room) {
         if (walk.leaf_count >= walk.leaves_at_once ||
             (walk.waiting_count == 0 && walk.leaf_count > 0)) {
-            visit_leaves(pose, walk, visits);
+            visit_leaves<Rating::None>(pose, walk, visits);
         } else if (walk.waiting_count > 0) {
             visit_inner(pose, walk, visits);
         } else {
@@ -259,6 +276,7 @@ namespace cd {
 
 HWY_EXPORT(walk_all);
 HWY_EXPORT(walk_ranked);
+HWY_EXPORT(walk_nearest);
 
 void walk_wide(const WidePose& pose, WideWalk& walk) {
     HWY_DYNAMIC_DISPATCH(walk_all)(pose, walk);
@@ -266,6 +284,10 @@ void walk_wide(const WidePose& pose, WideWalk& walk) {
 
 void walk_wide_ranked(const WidePose& pose, WideWalk& walk) {
     HWY_DYNAMIC_DISPATCH(walk_ranked)(pose, walk);
+}
+
+void walk_wide_nearest(const WidePose& pose, WideWalk& walk) {
+    HWY_DYNAMIC_DISPATCH(walk_nearest)(pose, walk);
 }
 
 } // namespace cd

@@ -22,7 +22,11 @@ struct WidePose {
     alignas(16)
         std::array<std::array<float, 4>, 3> rows{}; ///< Rows of `rotation`. The fourth entry is 0.
     float relative_margin = 0; ///< Relative to the sum of the sizes and the distance of two nodes.
-    float absolute_margin = 0; ///< A length.
+    float absolute_margin = 0; ///< A length; includes the reach.
+    float reach = 0; ///< Pairs of children that are farther apart are of no interest.
+    /// The binary exponent, as a float stores it, of the square of a distance with rank 0 in a
+    /// descent for the nearest pair. Each larger exponent is the next rank.
+    std::int32_t rank_base = 0;
 };
 
 /// The most pairs of nodes that are visited together.
@@ -73,5 +77,9 @@ void walk_wide(const WidePose& pose, WideWalk& walk);
 /// Visits the pairs in `ranked` singly, the most promising first, until one of the conditions of
 /// `walk_wide` holds. Sets no leaves aside.
 void walk_wide_ranked(const WidePose& pose, WideWalk& walk);
+
+/// Does the same, but the nearest pairs come first: their rank is that of a lower bound of the
+/// distance of their boxes.
+void walk_wide_nearest(const WidePose& pose, WideWalk& walk);
 
 } // namespace cd

@@ -36,6 +36,9 @@ struct RowSide {
     std::uint32_t found;   ///< Bit mask of the children that may overlap the other node.
 };
 
+/// Makes a square of a gap a lower bound: (10) of wide_kernel.cpp.
+constexpr float gap_square_factor = 1 - 0x1p-14F;
+
 /// The rank of pairs of children for each row and lane, as pair_buckets.hpp defines it.
 struct Ranks {
     alignas(64) std::int32_t of[children][children];
@@ -48,11 +51,32 @@ HWY_INLINE V distance_ratio(V low, V high, V other_low, V other_high) {
     return hn::Div(apart, hn::Add(hn::Sub(high, low), hn::Sub(other_high, other_low)));
 }
 
+/// What `find_rows` computes beside the pairs that may overlap.
+enum class Rating {
+    None,
+    Overlap, ///< Ranks by how far boxes overlap (PairBuckets).
+    Gap, ///< Ranks by a lower bound on the boxes' distance (WidePose::rank_base). Pairs beyond
+         ///< the reach are left out, also if they are so on no single axis.
+};
+
+/// Adds to `square` the square of the gap between two intervals on one axis, as a length; `low` and
+/// `high` are wider by `reach`.
+HWY_INLINE V
+add_gap(V square, V low, V high, V other_low, V other_high, float step, float reach) {
+    const Floats d;
+    const V apart = hn::Max(hn::Sub(low, other_high), hn::Sub(other_low, high));
+    const V gap = hn::Max(hn::MulAdd(apart, hn::Set(d, step), hn::Set(d, reach)), hn::Zero(d));
+    return hn::MulAdd(gap, gap, square);
+}
+
 /// Writes to `found`, for each found child of `one` in turn, the mask of the children of `others`
-/// that may overlap that child. If `kRanked`, writes the ranks of these pairs as well.
-template <bool kRanked>
-HWY_INLINE void
-find_rows(const RowSide& one, const RowSide& others, std::uint32_t* found, Ranks* ranks) {
+/// that may overlap that child. Writes the ranks of these pairs as well, if there is a rating.
+template <Rating kRating>
+HWY_INLINE void find_rows(const RowSide& one,
+                          const RowSide& others,
+                          const WidePose& pose,
+                          std::uint32_t* found,
+                          Ranks* ranks) {
     const Floats d;
     const hn::RebindToSigned<Floats> di;
     const auto own = [](const WideNode::Bytes& bytes, std::size_t i)
@@ -75,6 +99,8 @@ find_rows(const RowSide& one, const RowSide& others, std::uint32_t* found, Ranks
             const auto i = static_cast<std::size_t>(__builtin_ctz(rest));
             M apart = hn::FirstN(d, 0);
             V ratio = hn::Zero(d);
+            V square_in_one = hn::Zero(d);
+            V square_in_others = hn::Zero(d);
             HWY_UNROLL(3)
             for (std::size_t k = 0; k < 3; ++k) {
                 const V own_low = own(one.children.low[k], i);
@@ -85,13 +111,38 @@ find_rows(const RowSide& one, const RowSide& others, std::uint32_t* found, Ranks
                     hn::Or(hn::Gt(seen_low[k], own_high), hn::Lt(seen_high[k], own_low));
                 const M in_others = hn::Or(hn::Lt(high[k], one_low), hn::Gt(low[k], one_high));
                 apart = hn::Or(apart, hn::Or(in_one, in_others));
-                if constexpr (kRanked) {
+                if constexpr (kRating == Rating::Gap) {
+                    const float step_one = one.children.node->steps[k];
+                    const float step_others = others.children.node->steps[k];
+                    square_in_one = add_gap(square_in_one,
+                                            seen_low[k],
+                                            seen_high[k],
+                                            own_low,
+                                            own_high,
+                                            step_one,
+                                            pose.reach);
+                    square_in_others = add_gap(square_in_others,
+                                               one_low,
+                                               one_high,
+                                               low[k],
+                                               high[k],
+                                               step_others,
+                                               pose.reach);
+                }
+                if constexpr (kRating == Rating::Overlap) {
                     ratio = hn::Max(ratio,
                                     distance_ratio(seen_low[k], seen_high[k], own_low, own_high));
                     ratio = hn::Max(ratio, distance_ratio(low[k], high[k], one_low, one_high));
                 }
             }
-            if constexpr (kRanked) {
+            if constexpr (kRating == Rating::Gap) {
+                const V square = hn::Mul(hn::Max(square_in_one, square_in_others),
+                                         hn::Set(d, gap_square_factor));
+                apart = hn::Or(apart, hn::Gt(square, hn::Set(d, pose.reach * pose.reach)));
+                const auto exponents = hn::ShiftRight<23>(hn::BitCast(di, square));
+                hn::Store(hn::Sub(exponents, hn::Set(di, pose.rank_base)), di, ranks->of[row] + lane);
+            }
+            if constexpr (kRating == Rating::Overlap) {
                 const V scaled = hn::Mul(ratio, hn::Set(d, float{PairBuckets::count}));
                 hn::Store(hn::ConvertTo(di, scaled), di, ranks->of[row] + lane);
             }
@@ -140,10 +191,16 @@ HWY_INLINE std::size_t append(bool is_of_a,
 }
 
 /// Writes the pairs of children that may overlap, row by row of `one`. Returns their number.
+template <Rating kRating>
 HWY_INLINE std::size_t
-pair_up(const RowSide& one, const RowSide& others, bool one_is_a, std::uint32_t* to) {
+pair_up(const RowSide& one,
+        const RowSide& others,
+        bool one_is_a,
+        const WidePose& pose,
+        std::uint32_t* to) {
     std::uint32_t found[children];
-    find_rows<false>(one, others, found, nullptr);
+    Ranks ranks;
+    find_rows<kRating>(one, others, pose, found, &ranks);
     std::size_t count = 0;
     std::size_t row = 0;
     for (std::uint32_t rest = one.found; rest != 0; rest &= rest - 1) {
@@ -158,11 +215,15 @@ pair_up(const RowSide& one, const RowSide& others, bool one_is_a, std::uint32_t*
 }
 
 /// Pushes the pairs of children that may overlap to the queue, by their ranks.
-HWY_INLINE void
-rank_pairs(const RowSide& one, const RowSide& others, bool one_is_a, PairBuckets& to) {
+template <Rating kRating>
+HWY_INLINE void rank_pairs(const RowSide& one,
+                           const RowSide& others,
+                           bool one_is_a,
+                           const WidePose& pose,
+                           PairBuckets& to) {
     std::uint32_t found[children];
     Ranks ranks;
-    find_rows<true>(one, others, found, &ranks);
+    find_rows<kRating>(one, others, pose, found, &ranks);
     std::size_t row = 0;
     for (std::uint32_t rest = one.found; rest != 0; rest &= rest - 1, ++row) {
         const std::uint32_t own =
