@@ -61,8 +61,12 @@ std::optional<double> rounded(const DistanceBounds<DoubleDouble>& bounds) {
         return std::nullopt;
     }
     const double least = beyond(bounds.lower, bounds.error);
-    const double greatest = beyond(bounds.upper, -bounds.error);
+    const double greatest = most_rounded(bounds);
     return least == greatest ? std::optional(least) : std::nullopt;
+}
+
+double most_rounded(const DistanceBounds<DoubleDouble>& bounds) {
+    return beyond(bounds.upper, -bounds.error);
 }
 
 } // namespace cd

@@ -35,4 +35,7 @@ class DoubleDoubleDistance {
 /// differently.
 [[nodiscard]] std::optional<double> rounded(const DistanceBounds<DoubleDouble>& bounds);
 
+/// Returns a number that no distance within the proven bounds rounds to more than.
+[[nodiscard]] double most_rounded(const DistanceBounds<DoubleDouble>& bounds);
+
 } // namespace cd

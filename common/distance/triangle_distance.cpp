@@ -2,9 +2,12 @@
 
 #include "common/distance/double_distance.hpp"
 #include "common/distance/double_double_distance.hpp"
+#include "common/distance/double_double_nearest.hpp"
 #include "common/distance/exact_distance.hpp"
 #include "common/distance/float_distance.hpp"
 #include "common/geometry/triangle_blocks.hpp"
+#include "common/pair/points/exact_points.hpp"
+#include "common/pair/points/shared_points.hpp"
 
 #include <algorithm>
 #include <numeric>
@@ -39,12 +42,15 @@ struct TriangleDistance::State {
     std::optional<FloatDistance> in_float;                ///< Empty until first used.
     std::optional<DoubleDistance> in_double;              ///< Empty until first used.
     std::optional<DoubleDoubleDistance> in_double_double; ///< Empty until first used.
+    std::optional<DoubleDoubleNearest> nearest;           ///< Empty until first used.
+    SharedPoints origins;                                 ///< Computes origins alone.
     std::optional<ExactDistance> exact;                   ///< Empty until first used.
     DistanceStatistics statistics;
     std::vector<NearVerdict> verdicts; ///< One per candidate of the last call.
     std::vector<std::uint8_t> answers; ///< One per candidate of the last call.
 
-    State(const PosePair& given, DistanceStage first_stage) : poses(given), first(first_stage) {}
+    State(const PosePair& given, DistanceStage first_stage)
+        : poses(given), first(first_stage), origins(given) {}
 
     /// Returns the float verdict of each candidate, and counts the proven ones. All are Unknown if
     /// floats are skipped.
@@ -77,6 +83,15 @@ struct TriangleDistance::State {
         }
         return in_double_double->bounds(a, b, pair.near_a, pair.feature);
     }
+    [[nodiscard]] std::optional<NearestPoints>
+    nearest_in_double_double(const Corners& a, const Corners& b, std::size_t likely) {
+        if (!nearest) {
+            nearest.emplace(poses);
+        }
+        const Vec3 origin = origins.origin(a);
+        return nearest->nearest(
+            a, b, origin, likely, [&] { return ExactPoints(poses).offset(a, origin); });
+    }
     [[nodiscard]] ExactDistance& in_integers() {
         ++statistics[DistanceStage::Exact];
         if (!exact) {
@@ -97,6 +112,8 @@ void TriangleDistance::restart(const PosePair& poses) {
     state_->in_float.reset();
     state_->in_double.reset();
     state_->in_double_double.reset();
+    state_->nearest.reset();
+    state_->origins.restart(poses);
     state_->exact.reset();
     state_->statistics = {};
 }
@@ -133,8 +150,14 @@ double TriangleDistance::rounded(const Corners& a, const Corners& b) {
 
 NearestPoints TriangleDistance::nearest(const Corners& a, const Corners& b) {
     State& s = *state_;
-    const bool skips_doubles = s.first == DistanceStage::Exact;
-    const std::size_t likely = skips_doubles ? 0 : s.look_at(a, b).feature;
+    if (s.first == DistanceStage::Exact) {
+        return s.in_integers().nearest(a, b, 0);
+    }
+    const std::size_t likely = s.look_at(a, b).feature;
+    if (const auto proven = s.nearest_in_double_double(a, b, likely)) {
+        ++s.statistics[DistanceStage::DoubleDouble];
+        return *proven;
+    }
     return s.in_integers().nearest(a, b, likely);
 }
 

@@ -298,29 +298,39 @@ bool DistanceOracle::is_within(double d) const {
     return square_ <= mpq_class(d) * mpq_class(d);
 }
 
-double DistanceOracle::coordinate(const WeightedPoint& point, std::size_t k, double from) const {
+mpq_class DistanceOracle::coordinate(const WeightedPoint& point, std::size_t k) const {
     mpq_class value(point.p[k], point.weight);
     value.canonicalize();
-    return oracle_nearest(value * unit_ - mpq_class(from));
+    return value * unit_;
 }
 
-NearestPoints DistanceOracle::nearest() const {
+OracleNearest DistanceOracle::exact_nearest() const {
     CD_CHECK(!share_a_point());
-    NearestPoints points;
-    for (std::size_t i = 0; i < feature::count; ++i) {
-        const auto found = oracle_feature(a_, b_, i);
+    OracleNearest nearest;
+    for (; nearest.feature < feature::count; ++nearest.feature) {
+        const auto found = oracle_feature(a_, b_, nearest.feature);
         if (!found || oracle_nearest_root(fraction(found->square) * unit_ * unit_) != rounded_) {
             continue;
         }
-        points.feature = static_cast<std::uint8_t>(i);
         for (std::size_t k = 0; k < 3; ++k) {
-            const auto axis = static_cast<Eigen::Index>(k);
-            const double from = coordinate({a_[0], 1}, k, 0);
-            points.origin[axis] = from;
-            points.of_a[axis] = coordinate(found->of_a, k, from);
-            points.of_b[axis] = coordinate(found->of_b, k, from);
+            nearest.points[0][k] = coordinate(found->of_a, k);
+            nearest.points[1][k] = coordinate(found->of_b, k);
         }
         break;
+    }
+    return nearest;
+}
+
+NearestPoints DistanceOracle::nearest() const {
+    const OracleNearest exact = exact_nearest();
+    NearestPoints points;
+    points.feature = static_cast<std::uint8_t>(exact.feature);
+    for (std::size_t k = 0; k < 3; ++k) {
+        const auto axis = static_cast<Eigen::Index>(k);
+        const double from = oracle_nearest(coordinate({a_[0], 1}, k));
+        points.origin[axis] = from;
+        points.of_a[axis] = oracle_nearest(exact.points[0][k] - mpq_class(from));
+        points.of_b[axis] = oracle_nearest(exact.points[1][k] - mpq_class(from));
     }
     return points;
 }

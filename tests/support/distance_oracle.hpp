@@ -49,6 +49,12 @@ oracle_feature(const ExactTriangle& a, const ExactTriangle& b, std::size_t numbe
 /// Returns the finite double nearest to the square root of a number, ties to even.
 [[nodiscard]] double oracle_nearest_root(const mpq_class& square);
 
+/// The nearest points of A and B in the world, and their feature.
+struct OracleNearest {
+    std::size_t feature = 0;
+    std::array<std::array<mpq_class, 3>, 2> points;
+};
+
 /// Answers what TriangleDistance answers, about one pair. Takes some 100 microseconds.
 class DistanceOracle {
   public:
@@ -60,10 +66,12 @@ class DistanceOracle {
     [[nodiscard]] bool is_within(double d) const;
     [[nodiscard]] double rounded() const { return rounded_; }
     /// The triangles must share no point.
+    [[nodiscard]] OracleNearest exact_nearest() const;
+    /// Rounds `exact_nearest`.
     [[nodiscard]] NearestPoints nearest() const;
 
   private:
-    [[nodiscard]] double coordinate(const WeightedPoint& point, std::size_t k, double from) const;
+    [[nodiscard]] mpq_class coordinate(const WeightedPoint& point, std::size_t k) const;
 
     ExactTriangle a_;
     ExactTriangle b_;
