@@ -10,6 +10,7 @@
 #include "common/pair/points/shared_points.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <numeric>
 #include <vector>
 
@@ -48,6 +49,9 @@ struct TriangleDistance::State {
     DistanceStatistics statistics;
     std::vector<NearVerdict> verdicts; ///< One per candidate of the last call.
     std::vector<std::uint8_t> answers; ///< One per candidate of the last call.
+    std::vector<float> lower;
+    std::vector<float> upper;
+    std::vector<TriangleDistance::Bounds> bounds; ///< One per candidate of the last call.
 
     State(const PosePair& given, DistanceStage first_stage)
         : poses(given), first(first_stage), origins(given) {}
@@ -215,6 +219,31 @@ template std::optional<std::size_t> TriangleDistance::find_within(const Triangle
                                                                   const TriangleBlocks&,
                                                                   std::span<const Candidate>,
                                                                   double);
+
+template <class Triangles>
+std::span<const TriangleDistance::Bounds> TriangleDistance::bounds(
+    const Triangles& a, const Triangles& b, std::span<const Candidate> candidates) {
+    State& s = *state_;
+    s.bounds.assign(candidates.size(), {0, std::numeric_limits<float>::infinity()});
+    if (s.first > DistanceStage::Float) {
+        return s.bounds;
+    }
+    if (!s.in_float) {
+        s.in_float.emplace(s.poses);
+    }
+    s.lower.resize(candidates.size());
+    s.upper.resize(candidates.size());
+    s.in_float->bound(a, b, candidates, s.lower, s.upper);
+    for (std::size_t i = 0; i < candidates.size(); ++i) {
+        s.bounds[i] = {s.lower[i], s.upper[i]};
+    }
+    return s.bounds;
+}
+
+template std::span<const TriangleDistance::Bounds> TriangleDistance::bounds(
+    const TriangleSpan&, const TriangleSpan&, std::span<const Candidate>);
+template std::span<const TriangleDistance::Bounds> TriangleDistance::bounds(
+    const TriangleBlocks&, const TriangleBlocks&, std::span<const Candidate>);
 
 const DistanceStatistics& TriangleDistance::statistics() const {
     return state_->statistics;

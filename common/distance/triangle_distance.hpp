@@ -88,6 +88,17 @@ class TriangleDistance {
                                                          std::span<const Candidate> candidates,
                                                          double d);
 
+    /// Numbers between which a distance is; 0 and infinity if nothing is proven.
+    struct Bounds {
+        float lower;
+        float upper;
+    };
+    /// Returns bounds of the distance of each candidate, in floats, in order, valid until the next
+    /// call. `Triangles` is TriangleSpan or TriangleBlocks.
+    template <class Triangles>
+    [[nodiscard]] std::span<const Bounds>
+    bounds(const Triangles& a, const Triangles& b, std::span<const Candidate> candidates);
+
     [[nodiscard]] const DistanceStatistics& statistics() const;
 
   private:

@@ -225,6 +225,7 @@ void BinarySearch::find_nearest(const TreeView& a, const TreeView& b) {
         narrow(a, b);
         return false;
     });
+    nearest_->settle();
 }
 
 SearchReport BinarySearch::report() const {

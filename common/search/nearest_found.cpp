@@ -10,41 +10,45 @@
 
 namespace cd {
 
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+} // namespace
+
 NearestFound::NearestFound(const PosePair& poses, DistanceStage first, double up_to)
     : distance_(poses, first), up_to_(up_to) {}
 
 void NearestFound::restart(const PosePair& poses) {
     distance_.restart(poses);
     triangle_tests_ = 0;
+    upper_ = infinity;
+    open_.clear();
     if (const auto last = std::exchange(best_, std::nullopt)) {
-        add_pair(last->a, last->b, last->corners);
+        decide(*last);
     }
 }
 
 double NearestFound::bound() const {
     // A distance that is a little larger than the best one may still round to it.
-    const double best = best_ ? best_->distance : std::numeric_limits<double>::infinity();
-    return std::min(up_to_, std::nextafter(best, std::numeric_limits<double>::infinity()));
+    const double best = std::min(upper_, best_ ? best_->distance : infinity);
+    return std::min(up_to_, std::nextafter(best, infinity));
 }
 
-void NearestFound::add_pair(std::uint32_t a, std::uint32_t b, const PairCorners& corners) {
+/// Makes the pair the best one if it is.
+void NearestFound::decide(const NearestPair& pair) {
     const double within = bound();
-    if (std::isfinite(within) && !distance_.is_within(corners.a, corners.b, within)) {
+    const Corners& a = pair.corners.a;
+    const Corners& b = pair.corners.b;
+    if (std::isfinite(within) && !distance_.is_within(a, b, within)) {
         return;
     }
-    const double distance = distance_.rounded(corners.a, corners.b);
-    if (!best_ || std::tie(distance, a, b) < std::tie(best_->distance, best_->a, best_->b)) {
-        best_ = NearestPair{distance, a, b, corners};
+    const double distance = distance_.rounded(a, b);
+    if (!best_ || std::tie(distance, pair.a, pair.b) <
+                      std::tie(best_->distance, best_->a, best_->b)) {
+        best_ = pair;
+        best_->distance = distance;
     }
-}
-
-template <class Triangles>
-void NearestFound::add_pair(const Triangles& a,
-                            std::span<const std::uint32_t> ids_a,
-                            const Triangles& b,
-                            std::span<const std::uint32_t> ids_b,
-                            const Candidate& pair) {
-    add_pair(ids_a[pair.a], ids_b[pair.b], {a.corners_at(pair.a), b.corners_at(pair.b)});
 }
 
 template <class Triangles>
@@ -54,16 +58,36 @@ void NearestFound::add(const Triangles& a,
                        std::span<const std::uint32_t> ids_b,
                        std::span<const Candidate> candidates) {
     triangle_tests_ += candidates.size();
-    if (!std::isfinite(bound()) && !candidates.empty()) {
-        add_pair(a, ids_a, b, ids_b, candidates.front());
-        candidates = candidates.subspan(1);
+    const auto bounds = distance_.bounds(a, b, candidates);
+    for (const TriangleDistance::Bounds& pair : bounds) {
+        upper_ = std::min(upper_, double{pair.upper});
     }
-    const auto within = distance_.within(a, b, candidates, bound());
     for (std::size_t i = 0; i < candidates.size(); ++i) {
-        if (within[i] != 0) {
-            add_pair(a, ids_a, b, ids_b, candidates[i]);
+        const auto [lower, upper] = bounds[i];
+        const Candidate& pair = candidates[i];
+        if (double{lower} > bound()) {
+            continue;
+        }
+        open_.push_back({double{lower},
+                         ids_a[pair.a],
+                         ids_b[pair.b],
+                         {a.corners_at(pair.a), b.corners_at(pair.b)}});
+        if (upper == std::numeric_limits<float>::infinity()) {
+            decide(open_.back());
+            open_.pop_back();
         }
     }
+}
+
+void NearestFound::settle() {
+    std::ranges::sort(open_, std::ranges::less(), &NearestPair::distance);
+    for (const NearestPair& pair : open_) {
+        if (pair.distance > bound()) {
+            break;
+        }
+        decide(pair);
+    }
+    open_.clear();
 }
 
 template void NearestFound::add(const TriangleSpan&,

@@ -7,6 +7,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <span>
 #include <vector>
@@ -43,6 +44,10 @@ class NearestFound {
              std::span<const std::uint32_t> ids_b,
              std::span<const Candidate> candidates);
 
+    /// Decides the candidates that bounds in floats leave open. `best` and `points_of` are right
+    /// after this call.
+    void settle();
+
     /// Returns a distance such that farther pairs cannot change the answer: their distance would
     /// round to more than the best one.
     [[nodiscard]] double bound() const;
@@ -55,17 +60,14 @@ class NearestFound {
     [[nodiscard]] std::uint64_t triangle_tests() const { return triangle_tests_; }
 
   private:
-    void add_pair(std::uint32_t a, std::uint32_t b, const PairCorners& corners);
-    template <class Triangles>
-    void add_pair(const Triangles& a,
-                  std::span<const std::uint32_t> ids_a,
-                  const Triangles& b,
-                  std::span<const std::uint32_t> ids_b,
-                  const Candidate& pair);
+    void decide(const NearestPair& pair);
 
     TriangleDistance distance_;
     double up_to_;
     std::optional<NearestPair> best_;
+    double upper_ = std::numeric_limits<double>::infinity(); ///< Of the least distance, in floats.
+    /// Candidates that are not decided. Their `distance` is a lower bound.
+    std::vector<NearestPair> open_;
     std::uint64_t triangle_tests_ = 0;
 };
 

@@ -133,6 +133,7 @@ void WideSearch::find_nearest(const TreeView& a, const TreeView& b) {
         descent.set_reach(nearest_reach());
         poll_stop();
     }
+    nearest_->settle();
 }
 
 SearchReport WideSearch::report() const {

@@ -105,7 +105,7 @@ void WideDescent::start(const WideView& a, const WideView& b, Aim aim) {
     const auto size = static_cast<float>(std::min(a.extent + b.extent, 0x1p50));
     pose_.rank_base = static_cast<std::int32_t>(std::bit_cast<std::uint32_t>(size * size) >> 23) -
                       (PairBuckets::count - 2);
-    has_planes_ = aim != Aim::All && !is_nearest_ && !a.support.sets.empty() && !b.support.sets.empty();
+    has_planes_ = aim != Aim::All && !a.support.sets.empty() && !b.support.sets.empty();
     planes_.clear();
     if (has_planes_) {
         planes_.reset(
@@ -113,7 +113,7 @@ void WideDescent::start(const WideView& a, const WideView& b, Aim aim) {
     }
     dive_ = {};
     if (is_nearest_) {
-        walk_.ranked.push({0, 0}, 0);
+        dive_at_roots();
         return;
     }
     if (aim == Aim::LikelyFirst) {
@@ -135,10 +135,6 @@ std::span<Candidate> WideDescent::next(std::size_t wanted) {
     walk_.candidates_wanted = wanted;
     walk_.visits_left = visits_at_once;
     while (!is_done() && walk_.visits_left > 0 && walk_.candidate_count < wanted) {
-        if (is_nearest_) {
-            walk_wide_nearest(pose_, walk_);
-            continue;
-        }
         if (dive_.visits_left > 0) {
             dive();
             continue;
@@ -151,9 +147,17 @@ std::span<Candidate> WideDescent::next(std::size_t wanted) {
             grow();
         }
         walk_.waiting = waiting_.get();
-        walk_wide(pose_, walk_);
+        walk();
     }
     return {candidates_.get(), walk_.candidate_count};
+}
+
+void WideDescent::walk() {
+    if (is_nearest_) {
+        walk_wide_within(pose_, walk_);
+    } else {
+        walk_wide(pose_, walk_);
+    }
 }
 
 /// Begins with the most promising pairs: those of the last contacts, or else the roots.
@@ -173,14 +177,20 @@ void WideDescent::begin_dive() {
 void WideDescent::dive_at_roots() {
     walk_.ranked.clear();
     walk_.ranked.push({0, 0}, 0);
-    dive_.visits_left = has_planes_ ? dive_visits_before_planes : dive_visits;
+    dive_.visits_left = is_nearest_   ? dive_visits_for_nearest
+                        : has_planes_ ? dive_visits_before_planes
+                                      : dive_visits;
     dive_.is_near_last = false;
 }
 
 /// Visits the most promising pairs.
 void WideDescent::dive() {
     walk_.visits_left = dive_.visits_left;
-    walk_wide_ranked(pose_, walk_);
+    if (is_nearest_) {
+        walk_wide_nearest(pose_, walk_);
+    } else {
+        walk_wide_ranked(pose_, walk_);
+    }
     dive_.visits_left = walk_.visits_left;
     walk_.visits_left = visits_at_once;
     if (dive_.is_near_last) {
@@ -224,7 +234,7 @@ void WideDescent::part() {
     } else {
         waiting_[walk_.waiting_count++] = *pair;
     }
-    walk_wide(pose_, walk_);
+    walk();
     planes_.push_children({waiting_.get(), walk_.waiting_count});
     walk_.waiting_count = 0;
     walk_.visits_left = visits_left - 1;

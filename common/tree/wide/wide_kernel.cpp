@@ -194,13 +194,14 @@ HWY_INLINE std::size_t meet_inner(
 }
 
 /// Visits one batch of the waiting pairs.
+template <Rating kRating>
 HWY_INLINE void visit_inner(const WidePose& pose, WideWalk& walk, Visit* visits) {
     const std::size_t count = std::min(walk.waiting_count, wide_batch_max);
     walk.waiting_count -= count;
     const WidePair* now = walk.waiting + walk.waiting_count;
     const std::size_t inner = meet_inner(pose, walk, now, count, visits);
     auto* to = reinterpret_cast<std::uint32_t*>(walk.waiting + walk.waiting_count);
-    walk.waiting_count += look_at<false, Rating::None>(pose, walk, visits, inner, to);
+    walk.waiting_count += look_at<false, kRating>(pose, walk, visits, inner, to);
     count_visits(walk, inner);
 }
 
@@ -251,19 +252,28 @@ void walk_nearest(const WidePose& pose, WideWalk& walk) {
     walk_by_rank<Rating::Gap>(pose, walk);
 }
 
-void walk_all(const WidePose& pose, WideWalk& walk) {
+template <Rating kRating>
+HWY_INLINE void walk_in_batches(const WidePose& pose, WideWalk& walk) {
     Visit visits[wide_batch_max];
     while (walk.visits_left > 0 && walk.candidate_count < walk.candidates_wanted &&
            walk.waiting_count + wide_pairs_slack <= walk.waiting_room) {
         if (walk.leaf_count >= walk.leaves_at_once ||
             (walk.waiting_count == 0 && walk.leaf_count > 0)) {
-            visit_leaves<Rating::None>(pose, walk, visits);
+            visit_leaves<kRating>(pose, walk, visits);
         } else if (walk.waiting_count > 0) {
-            visit_inner(pose, walk, visits);
+            visit_inner<kRating>(pose, walk, visits);
         } else {
             return;
         }
     }
+}
+
+void walk_all(const WidePose& pose, WideWalk& walk) {
+    walk_in_batches<Rating::None>(pose, walk);
+}
+
+void walk_within(const WidePose& pose, WideWalk& walk) {
+    walk_in_batches<Rating::Gap>(pose, walk);
 }
 
 } // namespace HWY_NAMESPACE
@@ -275,11 +285,16 @@ HWY_AFTER_NAMESPACE();
 namespace cd {
 
 HWY_EXPORT(walk_all);
+HWY_EXPORT(walk_within);
 HWY_EXPORT(walk_ranked);
 HWY_EXPORT(walk_nearest);
 
 void walk_wide(const WidePose& pose, WideWalk& walk) {
     HWY_DYNAMIC_DISPATCH(walk_all)(pose, walk);
+}
+
+void walk_wide_within(const WidePose& pose, WideWalk& walk) {
+    HWY_DYNAMIC_DISPATCH(walk_within)(pose, walk);
 }
 
 void walk_wide_ranked(const WidePose& pose, WideWalk& walk) {

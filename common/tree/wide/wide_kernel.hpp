@@ -74,6 +74,10 @@ struct WideWalk {
 /// the waiting pairs lack room for `wide_pairs_slack` more.
 void walk_wide(const WidePose& pose, WideWalk& walk);
 
+/// Does the same, but leaves out pairs of children whose boxes are farther apart than the reach,
+/// also if they are so on no single axis.
+void walk_wide_within(const WidePose& pose, WideWalk& walk);
+
 /// Visits the pairs in `ranked` singly, the most promising first, until one of the conditions of
 /// `walk_wide` holds. Sets no leaves aside.
 void walk_wide_ranked(const WidePose& pose, WideWalk& walk);
