@@ -14,7 +14,7 @@
 // alone. `within` is the whole decision, `rounded` the rounded distance.
 #include "bench/posed_trees.hpp"
 #include "bench/timed_work.hpp"
-#include "common/distance/float_distance.hpp"
+#include "common/distance/stages/float/float_distance.hpp"
 #include "common/distance/triangle_distance.hpp"
 #include "common/geometry/simd_target.hpp"
 #include "common/geometry/triangle_blocks.hpp"

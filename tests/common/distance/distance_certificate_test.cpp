@@ -2,8 +2,8 @@
 // needed: the exact distance is always within them, and is not if they are scaled down.
 #include "common/distance/distance_certificate.hpp"
 
-#include "common/distance/double_distance.hpp"
-#include "common/distance/double_double_distance.hpp"
+#include "common/distance/stages/double/double_distance.hpp"
+#include "common/distance/stages/double_double/double_double_distance.hpp"
 #include "tests/support/distance_oracle.hpp"
 #include "tests/support/distance_pairs.hpp"
 #include "tests/support/rounds.hpp"

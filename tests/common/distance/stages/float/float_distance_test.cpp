@@ -1,6 +1,6 @@
 // Proves that what floats prove about distances is true, also around their error bounds, from
 // blocks of either precision and on every SIMD target, and that the error bounds are needed.
-#include "common/distance/float_distance.hpp"
+#include "common/distance/stages/float/float_distance.hpp"
 
 #include "tests/support/block_pairs.hpp"
 #include "tests/support/distance_oracle.hpp"

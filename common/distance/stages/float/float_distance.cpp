@@ -1,4 +1,4 @@
-#include "common/distance/float_distance.hpp"
+#include "common/distance/stages/float/float_distance.hpp"
 
 #include "common/core/check.hpp"
 #include "common/geometry/simd_target.hpp"

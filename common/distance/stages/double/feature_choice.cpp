@@ -1,4 +1,4 @@
-#include "common/distance/feature_choice.hpp"
+#include "common/distance/stages/double/feature_choice.hpp"
 
 #include "common/distance/nearest_points.hpp"
 

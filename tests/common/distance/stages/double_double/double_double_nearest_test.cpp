@@ -1,9 +1,9 @@
 // Proves that the error bounds of nearest points in double-double are sufficient and needed: on
 // pairs with a coordinate as near the midpoint of two doubles as a translation can bring it, its
 // answers are right, and become wrong if its bounds are scaled down.
-#include "common/distance/double_double_nearest.hpp"
+#include "common/distance/stages/double_double/double_double_nearest.hpp"
 
-#include "common/distance/double_distance.hpp"
+#include "common/distance/stages/double/double_distance.hpp"
 #include "common/pair/points/exact_points.hpp"
 #include "tests/support/brink_boxes.hpp"
 #include "tests/support/distance_oracle.hpp"

@@ -1,8 +1,8 @@
-#include "common/distance/exact_distance.hpp"
+#include "common/distance/stages/exact/exact_distance.hpp"
 
 #include "common/core/check.hpp"
-#include "common/distance/exact_features.hpp"
-#include "common/distance/exact_optimum.hpp"
+#include "common/distance/stages/exact/exact_features.hpp"
+#include "common/distance/stages/exact/exact_optimum.hpp"
 #include "common/pair/numbers/exact_lattice.hpp"
 #include "common/pair/points/exact_points.hpp"
 

@@ -1,6 +1,6 @@
-#include "common/distance/double_distance.hpp"
+#include "common/distance/stages/double/double_distance.hpp"
 
-#include "common/distance/feature_choice.hpp"
+#include "common/distance/stages/double/feature_choice.hpp"
 #include "common/pair/stages/double_double/double_double_local.hpp"
 
 #include <algorithm>

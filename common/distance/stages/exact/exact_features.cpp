@@ -1,6 +1,6 @@
-#include "common/distance/exact_features.hpp"
+#include "common/distance/stages/exact/exact_features.hpp"
 
-#include "common/distance/exact_vectors.hpp"
+#include "common/distance/stages/exact/exact_vectors.hpp"
 
 #include <utility>
 

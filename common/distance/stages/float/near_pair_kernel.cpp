@@ -35,7 +35,7 @@
 // where |z| is at least 2^-50, which a lower bound requires, and beside the square of u M in an
 // upper bound. Sizes beyond 2^38 are not used; NaN fails that test. Shares may then still overflow,
 // but are in [0, 1] whatever they are computed from.
-#include "common/distance/near_pair_kernel.hpp"
+#include "common/distance/stages/float/near_pair_kernel.hpp"
 
 #include "common/geometry/highway_targets.hpp"
 
@@ -44,10 +44,10 @@
 #include <limits>
 
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "common/distance/near_pair_kernel.cpp"
+#define HWY_TARGET_INCLUDE "common/distance/stages/float/near_pair_kernel.cpp"
 #include <hwy/foreach_target.h>
 // The headers below are compiled for every target.
-#include "common/distance/near_pair_proofs-inl.hpp"
+#include "common/distance/stages/float/near_pair_proofs-inl.hpp"
 #include "common/pair/stages/float/float_pair_columns-inl.hpp"
 #include "common/pair/stages/float/float_pair_rows-inl.hpp"
 

@@ -1,6 +1,6 @@
 // Proves that a feature is taken for the nearest exactly if its distance is the least, and that the
 // nearest one is recognised.
-#include "common/distance/exact_optimum.hpp"
+#include "common/distance/stages/exact/exact_optimum.hpp"
 
 #include "tests/support/distance_oracle.hpp"
 #include "tests/support/distance_pairs.hpp"

@@ -1,7 +1,7 @@
 // Proves in integers that a proposed feature is the nearest, which is cheaper than to try them all.
 #pragma once
 
-#include "common/distance/exact_features.hpp"
+#include "common/distance/stages/exact/exact_features.hpp"
 
 #include <array>
 #include <cstddef>

@@ -2,7 +2,7 @@
 // or gives none.
 #pragma once
 
-#include "common/distance/near_pair_kernel.hpp"
+#include "common/distance/stages/float/near_pair_kernel.hpp"
 #include "common/geometry/pose.hpp"
 #include "common/geometry/triangle_blocks.hpp"
 #include "common/pair/stages/float/float_pair_kernel.hpp"

@@ -9,7 +9,7 @@
 #define CD_NEAR_PAIR_PROOFS_INL_HPP
 #endif
 
-#include "common/distance/near_pair_kernel.hpp"
+#include "common/distance/stages/float/near_pair_kernel.hpp"
 #include "common/pair/stages/float/float_pair_columns-inl.hpp"
 #include "common/pair/stages/float/float_pair_rows-inl.hpp"
 

@@ -1,4 +1,4 @@
-#include "common/distance/double_double_distance.hpp"
+#include "common/distance/stages/double_double/double_double_distance.hpp"
 
 #include <algorithm>
 #include <cmath>

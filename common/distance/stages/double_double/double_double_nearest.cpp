@@ -1,7 +1,7 @@
-#include "common/distance/double_double_nearest.hpp"
+#include "common/distance/stages/double_double/double_double_nearest.hpp"
 
-#include "common/distance/double_double_distance.hpp"
-#include "common/distance/feature_frame.hpp"
+#include "common/distance/stages/double_double/double_double_distance.hpp"
+#include "common/distance/stages/double_double/feature_frame.hpp"
 #include "common/pair/stages/double_double/double_double_places.hpp"
 
 #include <algorithm>
