@@ -89,8 +89,8 @@ TEST(DistanceCertificate, BoundsThatAreScaledDownAreCaught) {
 }
 
 TEST(DistanceCertificate, AnyFeatureMayBeProposed) {
+    std::size_t number = 0;
     const Judged judged = judged_pairs(4, [&](const PosedPair& c) {
-        static std::size_t number = 0;
         const DoublePair pair = DoubleDistance(c.poses).choose(c.a, c.b);
         number = (number + 1) % feature::count;
         return DoubleDoubleDistance(c.poses).bounds(c.a, c.b, pair.near_a, number);

@@ -64,7 +64,8 @@ constexpr std::size_t near_pairs_at_once = 256;
 class NearBlock {
   public:
     HWY_INLINE void add(const std::uint32_t* candidate) {
-        std::memcpy(numbers_ + candidate_step * count_, candidate, sizeof(*candidate) * 2);
+        std::memcpy(
+            numbers_ + candidate_step * count_, candidate, sizeof(*candidate) * candidate_step);
         ++count_;
     }
     HWY_INLINE void pad() {
