@@ -47,11 +47,14 @@ ExactLattice exact_lattice(const ExactPose& pose_a,
     std::array<Dyadic, 18> coordinates;
     std::size_t place = 0;
     const auto map = [&](const Corners& corners, const ExactPose& pose, const Dyadic& other_norm) {
+        std::array<Dyadic, 3> from;
+        for (std::size_t k = 0; k < 3; ++k) {
+            from[k] = to_dyadic(origin[static_cast<Eigen::Index>(k)]) * pose.norm;
+        }
         for (const Vec3& corner : corners) {
             const std::array<Dyadic, 3> exact = world_corner(pose, corner);
             for (std::size_t k = 0; k < 3; ++k) {
-                const Dyadic from = to_dyadic(origin[static_cast<Eigen::Index>(k)]) * pose.norm;
-                coordinates[place++] = (exact[k] - from) * other_norm;
+                coordinates[place++] = (exact[k] - from[k]) * other_norm;
             }
         }
     };
