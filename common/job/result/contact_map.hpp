@@ -1,6 +1,6 @@
 // Contact maps (heat maps): the number of scenarios in which each triangle, and each part, is in
-// contact. Workers sum these numbers where scenarios run, so that a job has maps and groups of
-// contacts without sending pairs.
+// contact or, under a clearance, near. Workers sum these numbers where scenarios run, so that a job
+// has maps and groups of contacts without sending pairs.
 #pragma once
 
 #include "common/core/files/hash.hpp"
@@ -16,7 +16,7 @@
 
 namespace cd {
 
-/// A triangle's index in its mesh, with the number of scenarios in which it is in contact.
+/// A triangle's index in its mesh, with the number of scenarios in which it is in contact or near.
 struct TriangleContacts {
     std::uint32_t triangle = 0;
     std::uint64_t scenarios = 0;
@@ -25,7 +25,8 @@ struct TriangleContacts {
 };
 
 struct ContactMap {
-    /// The triangles of A ([0]) and of B ([1]) that are in contact in any scenario, ascending.
+    /// The triangles of A ([0]) and of B ([1]) that are in contact or near in any scenario,
+    /// ascending.
     std::array<std::vector<TriangleContacts>, 2> bodies;
     PartContacts parts = {}; ///< Empty if they were not summed.
 
@@ -35,9 +36,9 @@ struct ContactMap {
     friend bool operator==(const ContactMap&, const ContactMap&) = default;
 };
 
-/// Sums the contacts of a thread's or a task's scenarios. Memory: one number per touched triangle
-/// of each scenario, or a few numbers per distinct touched triangle, whichever is less; and
-/// `PartContactSum`.
+/// Sums the contacts and near pairs of a thread's or a task's scenarios. Memory: one number per
+/// touched triangle of each scenario, or a few numbers per distinct touched triangle, whichever is
+/// less; and `PartContactSum`.
 class ContactMapSum {
   public:
     /// Sums contacts by part if `parts` is not null.

@@ -13,6 +13,8 @@ namespace cd {
 namespace {
 
 constexpr int compression_level = 3;
+constexpr std::uint64_t flag_proper = 1;
+constexpr std::uint64_t flag_near = 2;
 
 // ---- Writing ------------------------------------------------------------------------------------
 
@@ -40,12 +42,16 @@ void put_pairs(ByteWriter& out, const std::vector<PartPairContacts>& pairs) {
         a = pair.a;
         next_b = std::uint64_t{pair.b} + 1;
         put_varint(out, pair.scenarios - 1);
-        put_varint(out, pair.pairs - pair.scenarios);
-        put_varint(out, pair.worst_pairs - 1);
+        put_varint(out, pair.pairs + pair.near - pair.scenarios);
+        put_varint(out, pair.worst_pairs + pair.worst_near - 1);
         put_varint(out, pair.first);
         put_varint(out, pair.worst - pair.first);
         put_varint(out, pair.last - pair.first);
-        put_varint(out, pair.has_proper ? 1 : 0);
+        put_varint(out, (pair.has_proper ? flag_proper : 0) | (pair.near > 0 ? flag_near : 0));
+        if (pair.near > 0) {
+            put_varint(out, pair.near - 1);
+            put_varint(out, pair.worst_near);
+        }
     }
 }
 
@@ -122,6 +128,25 @@ class NumberReader {
     bool has_failed_ = false;
 };
 
+/// Reads which of the pairs of triangles are near, after `pairs` and `worst_pairs` were read as the
+/// numbers of all. Returns false for numbers that contradict each other.
+bool get_near(NumberReader& in, PartPairContacts& pair) {
+    const std::uint64_t flags = in.get(flag_proper | flag_near);
+    pair.has_proper = (flags & flag_proper) != 0;
+    if ((flags & flag_near) != 0) {
+        pair.near = in.get(pair.pairs - 1) + 1;
+        pair.worst_near = in.get(std::min(pair.near, pair.worst_pairs));
+        pair.pairs -= pair.near;
+        pair.worst_pairs -= pair.worst_near;
+    }
+    const auto has_most = [&](std::uint64_t all, std::uint64_t most) {
+        return most <= all && (all == 0 || (all - 1) / pair.scenarios < most);
+    };
+    return has_most(pair.pairs, pair.worst_pairs) &&
+           (pair.pairs > 0 || has_most(pair.near, pair.worst_near)) &&
+           (pair.pairs > 0 || !pair.has_proper);
+}
+
 /// Reads what is counted of a pair of parts. Returns false for numbers that contradict each other.
 bool get_counts(NumberReader& in, std::uint64_t scenarios, PartPairContacts& pair) {
     if (scenarios == 0) {
@@ -137,9 +162,7 @@ bool get_counts(NumberReader& in, std::uint64_t scenarios, PartPairContacts& pai
     const std::uint64_t last = in.get(after);
     pair.worst = pair.first + worst;
     pair.last = pair.first + last;
-    pair.has_proper = in.get(1) == 1;
-    const bool has_worst = (pair.pairs - 1) / pair.scenarios < pair.worst_pairs;
-    return !in.has_failed() && has_worst && worst <= last && last >= pair.scenarios - 1;
+    return get_near(in, pair) && !in.has_failed() && worst <= last && last >= pair.scenarios - 1;
 }
 
 std::optional<std::vector<PartPairContacts>> get_pairs(ByteReader& bytes, std::uint64_t scenarios) {
@@ -188,9 +211,9 @@ std::optional<PartContacts> get_parts(ByteReader& in, std::uint64_t scenarios) {
 }
 
 /// A bound on the bytes of the sums by part: a part's step takes at most 3 bytes, its count 6, and
-/// each of the nine numbers of a pair of parts 10.
+/// each of the eleven numbers of a pair of parts 10.
 constexpr std::uint64_t parts_bytes_max =
-    2 * 9 * (std::uint64_t{limits::parts_max} + 1) + 90 * limits::groups_max + 40;
+    2 * 9 * (std::uint64_t{limits::parts_max} + 1) + 110 * limits::groups_max + 40;
 
 } // namespace
 

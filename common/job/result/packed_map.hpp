@@ -14,9 +14,11 @@ namespace cd {
 /// Packs a map. Writes for each body, A first, the number of touched triangles, the step from each
 /// triangle to the next minus 1, and each triangle's number of scenarios minus 1; then for each
 /// body its parts likewise. Then come the number of pairs of parts, and for each: the step of its
-/// part of A, that of its part of B (minus 1 if the part of A stays), scenarios - 1, pairs -
-/// scenarios, worst pairs - 1, first, worst - first, last - first, and 1 if it has a proper pair,
-/// else 0; then the number of pairs left out. All numbers are varints, compressed together.
+/// part of A, that of its part of B (minus 1 if the part of A stays), scenarios - 1, its pairs of
+/// triangles (in contact or near) - scenarios, those of the worst scenario - 1, first, worst -
+/// first, last - first, flags (bit 0: it has a proper pair; bit 1: it has near pairs), and with bit
+/// 1 the number of near pairs - 1 and that of the worst scenario; then the number of pairs left
+/// out. All numbers are varints, compressed together.
 [[nodiscard]] Bytes pack_map(const ContactMap& map);
 
 struct ContactMapBounds {

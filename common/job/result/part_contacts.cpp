@@ -18,10 +18,13 @@ void merge(PartPairContacts& sum, const PartPairContacts& other) {
     const bool is_first = sum.scenarios == 0;
     sum.scenarios += other.scenarios;
     sum.pairs += other.pairs;
-    if (other.worst_pairs > sum.worst_pairs ||
-        (other.worst_pairs == sum.worst_pairs && other.worst < sum.worst)) {
+    sum.near += other.near;
+    const auto most = std::tie(sum.worst_pairs, sum.worst_near);
+    const auto others_most = std::tie(other.worst_pairs, other.worst_near);
+    if (others_most > most || (others_most == most && other.worst < sum.worst)) {
         sum.worst = other.worst;
         sum.worst_pairs = other.worst_pairs;
+        sum.worst_near = other.worst_near;
     }
     sum.first = is_first ? other.first : std::min(sum.first, other.first);
     sum.last = std::max(sum.last, other.last);
@@ -29,6 +32,11 @@ void merge(PartPairContacts& sum, const PartPairContacts& other) {
 }
 
 } // namespace
+
+void PartContactSum::PairSum::count(PairClass kind) {
+    ++(kind == PairClass::Near ? near_here : pairs_here);
+    has_proper_here = has_proper_here || kind == PairClass::Proper;
+}
 
 std::uint32_t PartContactSum::find(std::uint32_t a, std::uint32_t b) {
     if (are_too_many_) {
@@ -52,10 +60,10 @@ std::uint32_t PartContactSum::find(std::uint32_t a, std::uint32_t b) {
 void PartContactSum::leave_out() {
     are_too_many_ = true;
     for (const PairSum& pair : pairs_) {
-        left_out_ += pair.sum.pairs;
+        left_out_ += pair.sum.pairs + pair.sum.near;
     }
     for (const std::uint32_t number : here_) {
-        left_out_ += pairs_[number].pairs_here;
+        left_out_ += pairs_[number].pairs_here + pairs_[number].near_here;
     }
     here_.clear();
     pairs_ = {};
@@ -74,6 +82,7 @@ void PartContactSum::begin_in_scenario(std::uint32_t number) {
     PairSum& pair = pairs_[number];
     pair.stamp = stamp_;
     pair.pairs_here = 0;
+    pair.near_here = 0;
     pair.has_proper_here = false;
     here_.push_back(number);
 }
@@ -106,9 +115,7 @@ void PartContactSum::add(std::uint64_t scenario, std::span<const ContactPair> pa
             ++left_out_;
             continue;
         }
-        ++pairs_[number].pairs_here;
-        pairs_[number].has_proper_here =
-            pairs_[number].has_proper_here || pair.kind == PairClass::Proper;
+        pairs_[number].count(pair.kind);
     }
     end_scenario(scenario);
 }
@@ -125,7 +132,9 @@ void PartContactSum::end_scenario(std::uint64_t scenario) {
                pair.pairs_here,
                scenario,
                scenario,
-               pair.has_proper_here});
+               pair.has_proper_here,
+               pair.near_here,
+               pair.near_here});
     }
     here_.clear();
 }
@@ -144,7 +153,7 @@ void PartContactSum::add(const PartContacts& contacts) {
         if (const std::uint32_t number = find(pair.a, pair.b); number != no_pair) {
             merge(pairs_[number].sum, pair);
         } else {
-            left_out_ += pair.pairs;
+            left_out_ += pair.pairs + pair.near;
         }
     }
 }

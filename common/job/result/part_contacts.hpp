@@ -1,5 +1,6 @@
-// Sums of contacts by part: in how many scenarios each part, and each pair of parts, is in contact.
-// Workers sum them with contact maps, so that a job has groups of contacts without sending pairs.
+// Sums of contacts by part: in how many scenarios each part, and each pair of parts, is in contact
+// or, under a clearance, near. Workers sum them with contact maps, so that a job has groups of
+// contacts without sending pairs.
 #pragma once
 
 #include "common/geometry/part_runs.hpp"
@@ -14,7 +15,8 @@
 
 namespace cd {
 
-/// A part's number (`named_parts`), with the number of scenarios in which the part is in contact.
+/// A part's number (`named_parts`), with the number of scenarios in which the part is in contact or
+/// near.
 struct PartScenarios {
     std::uint32_t part = 0;
     std::uint64_t scenarios = 0;
@@ -22,27 +24,31 @@ struct PartScenarios {
     friend bool operator==(const PartScenarios&, const PartScenarios&) = default;
 };
 
-/// The contacts of a part of A with a part of B, over at least one scenario.
+/// The contacts and near pairs of a part of A with a part of B, over at least one scenario.
 struct PartPairContacts {
     std::uint32_t a = 0; ///< Number of the part of A.
     std::uint32_t b = 0;
-    std::uint64_t scenarios = 0;   ///< Number of scenarios with contact.
-    std::uint64_t pairs = 0;       ///< Number of pairs of triangles in contact in all scenarios.
-    std::uint64_t worst = 0;       ///< The first scenario with most pairs.
-    std::uint64_t worst_pairs = 0; ///< Number of its pairs.
-    std::uint64_t first = 0;       ///< The first scenario with contact.
+    std::uint64_t scenarios = 0; ///< Number of scenarios with a contact or a near pair.
+    std::uint64_t pairs = 0;     ///< Number of pairs of triangles in contact in all scenarios.
+    /// The first scenario with most pairs in contact, and among such scenarios with most near
+    /// pairs.
+    std::uint64_t worst = 0;
+    std::uint64_t worst_pairs = 0; ///< Number of its pairs in contact.
+    std::uint64_t first = 0;       ///< The first scenario with a contact or a near pair.
     std::uint64_t last = 0;
-    bool has_proper = false; ///< Triangles go through each other.
+    bool has_proper = false;      ///< Triangles go through each other.
+    std::uint64_t near = 0;       ///< Number of pairs of class Near in all scenarios.
+    std::uint64_t worst_near = 0; ///< Number of near pairs in `worst`.
 
     friend bool operator==(const PartPairContacts&, const PartPairContacts&) = default;
 };
 
 struct PartContacts {
-    /// The parts of A ([0]) and of B ([1]) that are in contact in any scenario, ascending.
+    /// The parts of A ([0]) and of B ([1]) that are in contact or near in any scenario, ascending.
     std::array<std::vector<PartScenarios>, 2> parts = {};
     std::vector<PartPairContacts> pairs = {}; ///< Ascending by the part of A, then that of B.
-    /// Number of pairs of triangles in all scenarios if more than `limits::groups_max` pairs of
-    /// parts are in contact. `pairs` is empty then. Else 0.
+    /// Number of pairs of triangles, in contact or near, in all scenarios if these are of more than
+    /// `limits::groups_max` pairs of parts. `pairs` is empty then. Else 0.
     std::uint64_t left_out = 0;
 
     [[nodiscard]] bool empty() const { return parts[0].empty() && parts[1].empty(); }
@@ -75,8 +81,11 @@ class PartContactSum {
     struct PairSum {
         PartPairContacts sum;
         std::uint64_t stamp = 0;
-        std::uint64_t pairs_here = 0;
+        std::uint64_t pairs_here = 0; ///< Pairs in contact.
+        std::uint64_t near_here = 0;
         bool has_proper_here = false;
+
+        void count(PairClass kind);
     };
 
     /// Returns the index in `pairs_`, or `no_pair` if there are too many.

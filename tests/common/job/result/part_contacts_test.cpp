@@ -54,18 +54,28 @@ std::vector<OneScenario> some_scenarios(SeededRandom& random) {
         for (std::uint64_t i = random() % 3 == 0 ? 0 : random() % 50; i > 0; --i) {
             pairs.emplace(random() % triangles, random() % triangles);
         }
+        const std::uint64_t near_of_10 = random() % 2 == 0 ? 0 : random() % 11;
         for (const auto& [a, b] : pairs) {
-            scenario.pairs.push_back(
-                {a, b, random() % 30 == 0 ? PairClass::Proper : PairClass::Touch});
+            const bool is_near = random() % 10 < near_of_10;
+            const PairClass meeting = random() % 30 == 0 ? PairClass::Proper : PairClass::Touch;
+            scenario.pairs.push_back({a, b, is_near ? PairClass::Near : meeting});
         }
     }
     return scenarios;
 }
 
+/// The numbers of pairs in contact and of near pairs.
+struct PairNumbers {
+    std::uint64_t contact = 0;
+    std::uint64_t near = 0;
+
+    friend auto operator<=>(const PairNumbers&, const PairNumbers&) = default;
+};
+
 /// Counts straight from the definitions.
 PartContacts slow_sums(const BodyPartRuns& parts, const std::vector<OneScenario>& scenarios) {
     std::array<std::map<std::uint32_t, std::set<std::uint64_t>>, 2> of_parts;
-    std::map<std::pair<std::uint32_t, std::uint32_t>, std::map<std::uint64_t, std::uint64_t>> pairs;
+    std::map<std::pair<std::uint32_t, std::uint32_t>, std::map<std::uint64_t, PairNumbers>> pairs;
     std::set<std::pair<std::uint32_t, std::uint32_t>> proper;
     for (const OneScenario& scenario : scenarios) {
         for (const ContactPair& pair : scenario.pairs) {
@@ -73,7 +83,8 @@ PartContacts slow_sums(const BodyPartRuns& parts, const std::vector<OneScenario>
             const std::uint32_t b = parts[1].runs()[parts[1].run_of(pair.b)].part;
             of_parts[0][a].insert(scenario.index);
             of_parts[1][b].insert(scenario.index);
-            ++pairs[{a, b}][scenario.index];
+            PairNumbers& numbers = pairs[{a, b}][scenario.index];
+            ++(pair.kind == PairClass::Near ? numbers.near : numbers.contact);
             if (pair.kind == PairClass::Proper) {
                 proper.emplace(a, b);
             }
@@ -87,13 +98,17 @@ PartContacts slow_sums(const BodyPartRuns& parts, const std::vector<OneScenario>
     }
     for (const auto& [key, in] : pairs) {
         PartPairContacts sum{key.first, key.second, in.size()};
-        for (const auto& [scenario, count] : in) {
-            sum.pairs += count;
-            if (count > sum.worst_pairs) {
-                sum.worst_pairs = count;
+        PairNumbers most;
+        for (const auto& [scenario, numbers] : in) {
+            sum.pairs += numbers.contact;
+            sum.near += numbers.near;
+            if (numbers > most) {
+                most = numbers;
                 sum.worst = scenario;
             }
         }
+        sum.worst_pairs = most.contact;
+        sum.worst_near = most.near;
         sum.first = in.begin()->first;
         sum.last = in.rbegin()->first;
         sum.has_proper = proper.contains(key);
@@ -121,9 +136,14 @@ Bytes packed(std::vector<std::uint64_t> numbers) {
 void expect_sound(const PartContacts& sums, std::uint64_t scenarios) {
     for (const PartPairContacts& pair : sums.pairs) {
         EXPECT_TRUE(pair.scenarios > 0 && pair.scenarios <= scenarios);
-        EXPECT_GE(pair.pairs, pair.scenarios);
-        EXPECT_LE(pair.worst_pairs, pair.pairs - (pair.scenarios - 1));
-        EXPECT_GE(pair.worst_pairs, (pair.pairs - 1) / pair.scenarios + 1);
+        const std::uint64_t all = pair.pairs + pair.near;
+        EXPECT_GE(all, pair.scenarios);
+        EXPECT_LE(pair.worst_pairs + pair.worst_near, all - (pair.scenarios - 1));
+        EXPECT_LE(pair.worst_pairs, pair.pairs);
+        EXPECT_LE(pair.worst_near, pair.near);
+        const std::uint64_t most = pair.pairs > 0 ? pair.worst_pairs : pair.worst_near;
+        EXPECT_GE(most, ((pair.pairs > 0 ? pair.pairs : pair.near) - 1) / pair.scenarios + 1);
+        EXPECT_TRUE(pair.pairs > 0 || !pair.has_proper);
         EXPECT_TRUE(pair.first <= pair.worst && pair.worst <= pair.last);
         EXPECT_LT(pair.last, limits::scenarios_max);
     }
@@ -134,6 +154,29 @@ void expect_sound(const PartContacts& sums, std::uint64_t scenarios) {
 }
 
 } // namespace
+
+TEST(PartContacts, NearPairsCountApartAndWeighLessThanContacts) {
+    const PartRuns one = PartRuns::create({{0, 0}}).value();
+    const auto parts = std::make_shared<const BodyPartRuns>(BodyPartRuns{one, one});
+    PartContactSum sum(parts);
+    sum.add(3, std::vector<ContactPair>{{0, 0, PairClass::Near}, {0, 1, PairClass::Near}});
+    EXPECT_EQ(sum.sums().pairs.at(0), (PartPairContacts{0, 0, 1, 0, 3, 0, 3, 3, false, 2, 2}));
+    sum.add(5, std::vector<ContactPair>{{0, 0, PairClass::Touch}});
+    EXPECT_EQ(sum.sums().pairs.at(0), (PartPairContacts{0, 0, 2, 1, 5, 1, 3, 5, false, 2, 0}));
+    sum.add(4, std::vector<ContactPair>{{0, 0, PairClass::Proper}, {7, 1, PairClass::Near}});
+    EXPECT_EQ(sum.sums().pairs.at(0), (PartPairContacts{0, 0, 3, 2, 4, 1, 3, 5, true, 3, 1}));
+    EXPECT_EQ(sum.sums().parts[0].at(0), (PartScenarios{0, 3}));
+    EXPECT_EQ(packed_and_unpacked(sum.sums(), 3), sum.sums());
+}
+
+TEST(PartContacts, WithoutNearPairsArePackedAsBeforeTheyWereKnown) {
+    const PartRuns one = PartRuns::create({{0, 0}}).value();
+    PartContactSum sum(std::make_shared<const BodyPartRuns>(BodyPartRuns{one, one}));
+    sum.add(3, std::vector<ContactPair>{{0, 0, PairClass::Touch}, {0, 1, PairClass::Proper}});
+    const Bytes bytes = pack_map({{}, sum.sums()});
+    EXPECT_EQ(decompress(bytes, 100).value(),
+              decompress(packed({1, 0, 0, 1, 0, 0, 1, 0, 0, 0, 1, 1, 3, 0, 0, 1, 0}), 100).value());
+}
 
 TEST(PartContacts, AreThoseOfASlowCountInAnyOrderAndGrouping) {
     for (SeededRandom random : seeds(300)) {
@@ -221,9 +264,29 @@ TEST(PartContacts, RefuseNumbersThatContradictEachOther) {
     EXPECT_FALSE(are_sums({1, 0, 1, 1, 0, 1, 1, 0, 0, 1, 4, 1, 10, 0, 1, 1, 0})) << "worst: few";
     EXPECT_FALSE(are_sums({1, 0, 1, 1, 0, 1, 1, 0, 0, 1, 4, 4, 10, 2, 1, 1, 0})) << "worst: late";
     EXPECT_FALSE(are_sums({1, 0, 1, 1, 0, 1, 1, 0, 0, 1, 4, 4, 10, 0, 0, 1, 0})) << "last";
-    EXPECT_FALSE(are_sums({1, 0, 1, 1, 0, 1, 1, 0, 0, 1, 4, 4, 10, 0, 1, 2, 0})) << "proper";
+    EXPECT_FALSE(are_sums({1, 0, 1, 1, 0, 1, 1, 0, 0, 1, 4, 4, 10, 0, 1, 4, 0})) << "flags";
     EXPECT_FALSE(are_sums({1, limits::parts_max + 1, 1, 1, 0, 1, 0, 0})) << "a part";
     EXPECT_FALSE(are_sums({0, 0, limits::groups_max + 1, 0})) << "pairs of parts";
+}
+
+TEST(PartContacts, RefuseNearPairsThatContradictTheOthers) {
+    // One pair of parts in two scenarios with six pairs, at most five in one scenario, and then
+    // flags, near pairs - 1 and near pairs of the worst scenario.
+    const auto are_sums = [](std::uint64_t flags, std::uint64_t near, std::uint64_t worst_near) {
+        const std::vector<std::uint64_t> numbers{
+            1, 0, 1, 1, 0, 1, 1, 0, 0, 1, 4, 4, 10, 0, 1, flags, near, worst_near, 0};
+        const auto map = unpack_map(packed(numbers), {9, 9, 3});
+        EXPECT_TRUE(map || map.error().code == ErrorCode::BadFrame);
+        return static_cast<bool>(map);
+    };
+    EXPECT_TRUE(are_sums(3, 1, 1)) << "four in contact, all of them in the worst";
+    EXPECT_TRUE(are_sums(2, 5, 5)) << "all are near";
+    EXPECT_FALSE(are_sums(3, 5, 5)) << "proper without a contact";
+    EXPECT_FALSE(are_sums(2, 6, 5)) << "more near pairs than pairs";
+    EXPECT_FALSE(are_sums(2, 1, 3)) << "more of them in one scenario than in all";
+    EXPECT_FALSE(are_sums(2, 4, 5)) << "a worst without the only contact";
+    EXPECT_FALSE(are_sums(2, 1, 0)) << "more contacts in one scenario than in all";
+    EXPECT_FALSE(are_sums(0, 0, 0)) << "numbers behind the last one";
 }
 
 TEST(PartContacts, ArbitraryBytesDoNoHarm) {
