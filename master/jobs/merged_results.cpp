@@ -16,12 +16,24 @@ MergedResults::PackedFacts MergedResults::pack(const ScenarioFacts& facts) {
             facts.is_cut};
 }
 
-ScenarioFacts MergedResults::unpack(const PackedFacts& facts) {
+ScenarioFacts MergedResults::facts_of(std::uint64_t scenario) const {
+    const PackedFacts& facts = facts_.at(scenario);
     return {static_cast<ScenarioClass>(facts.kind),
             facts.surfaces_only != 0,
             facts.insides_skipped != 0,
             facts.is_cut != 0,
-            facts.pair_count};
+            facts.pair_count,
+            scenario < near_counts_.size() ? near_counts_[scenario] : 0};
+}
+
+void MergedResults::set_near_count(std::uint64_t scenario, std::uint64_t count) {
+    if (scenario >= near_counts_.size()) {
+        if (count == 0) {
+            return; // Jobs without a clearance need no list.
+        }
+        near_counts_.resize(scenario + 1);
+    }
+    near_counts_[scenario] = count;
 }
 
 std::uint32_t MergedResults::number_of(const std::shared_ptr<const Author>& author) {
@@ -49,6 +61,7 @@ void MergedResults::restore(std::uint64_t scenario,
         author_numbers_.resize(scenario + 1);
     }
     facts_[scenario] = pack(facts);
+    set_near_count(scenario, facts.near_count);
     author_numbers_[scenario] = number_of(author);
 }
 
@@ -76,7 +89,7 @@ std::vector<std::uint64_t> MergedResults::withdraw(InstanceId process) {
 }
 
 void MergedResults::withdraw_one(std::uint64_t scenario) {
-    merger_.remove(scenario, unpack(facts_.at(scenario)));
+    merger_.remove(scenario, facts_of(scenario));
     author_numbers_[scenario] = 0;
 }
 
@@ -86,7 +99,7 @@ std::shared_ptr<const Author> MergedResults::author_of(std::uint64_t scenario) c
 
 bool MergedResults::is_failed_by_master(std::uint64_t scenario) const {
     return has(scenario) && author_numbers_.at(scenario) == 0 &&
-           unpack(facts_.at(scenario)).kind == ScenarioClass::Failed;
+           facts_of(scenario).kind == ScenarioClass::Failed;
 }
 
 std::set<InstanceId> MergedResults::processes() const {
@@ -118,6 +131,7 @@ void MergedResults::close() {
     contributors_ = processes();
     merger_.close();
     facts_ = {};
+    near_counts_ = {};
     author_numbers_.resize(std::min(author_numbers_.size(), limits::authors_kept_max));
     author_numbers_.shrink_to_fit();
     numbers_ = {};

@@ -16,7 +16,7 @@
 namespace cd {
 
 /// Merges the results of a job and keeps the author of each. Takes 12 bytes per scenario in
-/// addition to the merger.
+/// addition to the merger, and 8 more if a result has near pairs.
 class MergedResults {
   public:
     using Outcome = ResultMerger::Outcome;
@@ -67,7 +67,7 @@ class MergedResults {
     void close();
 
   private:
-    /// `ScenarioFacts` in 8 bytes.
+    /// `ScenarioFacts` without the number of near pairs, in 8 bytes.
     struct PackedFacts {
         std::uint64_t pair_count : 56;
         std::uint64_t kind : 4;
@@ -76,11 +76,14 @@ class MergedResults {
         std::uint64_t is_cut : 1;
     };
     [[nodiscard]] static PackedFacts pack(const ScenarioFacts& facts);
-    [[nodiscard]] static ScenarioFacts unpack(const PackedFacts& facts);
+    /// Returns the facts of a merged scenario.
+    [[nodiscard]] ScenarioFacts facts_of(std::uint64_t scenario) const;
+    void set_near_count(std::uint64_t scenario, std::uint64_t count);
     [[nodiscard]] std::uint32_t number_of(const std::shared_ptr<const Author>& author);
 
     ResultMerger merger_;
     std::vector<PackedFacts> facts_;
+    std::vector<std::uint64_t> near_counts_;    ///< Zeros behind the end.
     std::vector<std::uint32_t> author_numbers_; ///< Per scenario, index in `authors_`; 0: none.
     std::vector<std::shared_ptr<const Author>> authors_{nullptr};
     std::unordered_map<const Author*, std::uint32_t> numbers_; ///< Author's index in `authors_`.

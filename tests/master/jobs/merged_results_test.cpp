@@ -21,18 +21,21 @@ Sha256 digest(std::uint64_t number) {
 }
 
 ScenarioFacts facts(std::uint64_t number) {
-    return {static_cast<ScenarioClass>(number % 7),
+    return {static_cast<ScenarioClass>(number % 8),
             number % 2 == 0,
             number % 3 == 0,
             number % 5 == 0,
-            number << 40};
+            number << 40,
+            number % 4 == 1 ? number << 44 : 0};
 }
 
 void expect_equal(const Summary& one, const Summary& other) {
     EXPECT_EQ(one.merged(), other.merged());
     EXPECT_EQ(one.failed, other.failed);
     EXPECT_EQ(one.separate, other.separate);
+    EXPECT_EQ(one.near, other.near);
     EXPECT_EQ(one.pairs, other.pairs);
+    EXPECT_EQ(one.near_pairs, other.near_pairs);
     EXPECT_EQ(one.surfaces_only, other.surfaces_only);
     EXPECT_EQ(one.insides_skipped, other.insides_skipped);
     EXPECT_EQ(one.cut, other.cut);
