@@ -4,6 +4,7 @@
 #include "common/tree/ignored_range.hpp"
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <string_view>
@@ -31,11 +32,16 @@ struct Query {
         0; ///< A result lists at most this many pairs, the first in sorted order; 0: all.
     std::vector<IgnoredRange> ignored;
     /// At `level count` and above: whether the job counts, for each triangle, the scenarios in
-    /// which the triangle is in contact.
+    /// which the triangle is in contact or near.
     bool maps = false;
     /// Also finds pairs that share no point but are at most this far from each other, in the world
-    /// and in the job's unit. Finite and at least 0.
+    /// and in the job's unit (`is_clearance`).
     std::optional<double> clearance = std::nullopt;
 };
+
+/// Whether a number may be a query's clearance: it is finite and at least 0.
+[[nodiscard]] inline bool is_clearance(double value) {
+    return std::isfinite(value) && value >= 0;
+}
 
 } // namespace cd

@@ -41,8 +41,16 @@ Problem problem_of(const Hello& hello) {
 Problem problem_of_strategy(const std::string& name) {
     return is_strategy_name(name) ? nullptr : "a strategy's name that is none";
 }
+Problem problem_of(const Query& query) {
+    const bool is_good = !query.clearance || is_clearance(*query.clearance);
+    return is_good ? nullptr : "a clearance that is negative or not finite";
+}
+Problem problem_of(const AddJob& job) {
+    return problem_of(job.query);
+}
 Problem problem_of(const Submit& submit) {
-    return problem_of_strategy(submit.cluster.strategy);
+    const Problem problem = problem_of(submit.query);
+    return problem != nullptr ? problem : problem_of_strategy(submit.cluster.strategy);
 }
 Problem problem_of(const JobDescription& description) {
     return problem_of(description.submit);

@@ -14,7 +14,7 @@ void serialize(Archive& archive, Id<Tag>& id) {
 template <class Archive>
 void serialize(Archive& archive, Query& query) {
     enumeration(archive, query.level, Level::Any, Level::Contacts);
-    archive(query.limit_pairs, query.ignored, query.maps);
+    archive(query.limit_pairs, query.ignored, query.maps, query.clearance);
 }
 
 template <class Archive>
@@ -30,7 +30,7 @@ void serialize(Archive& archive, JobStatistics& s) {
 template <class Archive>
 void serialize(Archive& archive, Summary& s) {
     archive(s.total, s.separate, s.touch, s.cross, s.inside, s.contact, s.undecided, s.failed);
-    archive(s.pairs, s.surfaces_only, s.insides_skipped, s.cut);
+    archive(s.near, s.pairs, s.near_pairs, s.surfaces_only, s.insides_skipped, s.cut);
 }
 
 template <class Archive>

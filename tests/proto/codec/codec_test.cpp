@@ -26,15 +26,15 @@ namespace {
 using testing::HasSubstr;
 using Messages = std::initializer_list<Message>;
 
-// Bytes that version 10 writes for `sample_messages`. A change here is a new protocol version.
+// Bytes that this version writes for `sample_messages`. A change here is a new protocol version.
 struct Golden {
     std::string_view name;
     std::size_t bytes;
     std::string_view hash;
 };
 constexpr std::array<Golden, std::variant_size_v<Message>> golden{{
-    {"hello", 95, "b21970e9a3f95596"},
-    {"welcome", 116, "218c622d8677b6fa"},
+    {"hello", 95, "6134c4581f934737"},
+    {"welcome", 116, "4e07d093a8f1a9a1"},
     {"failure", 17, "b9807aeea9fe9795"},
     {"heartbeat", 105, "83c163ab958245e5"},
     {"add tree", 81, "396e36e8490fc0d5"},
@@ -51,14 +51,14 @@ constexpr std::array<Golden, std::variant_size_v<Message>> golden{{
     {"meshes missing", 40, "6a083ddafa5d3162"},
     {"mesh part", 133, "2325c9eac764b872"},
     {"mesh stored", 32, "ae216c2ef5247a37"},
-    {"submit", 505, "bfd58189bfd9dccd"},
+    {"submit", 514, "95afa02c94865bd7"},
     {"poses part", 153, "1c2dc9b035676d8e"},
     {"poses end", 0, "e3b0c44298fc1c14"},
     {"accepted", 8, "35be322d094f9d15"},
     {"watch", 8, "f0a0278e4372459c"},
-    {"job status", 541, "f70eda492da339b4"},
+    {"job status", 557, "4f74cc6d3aac9b37"},
     {"status query", 0, "e3b0c44298fc1c14"},
-    {"cluster status", 985, "49736fa76d6e5379"},
+    {"cluster status", 1001, "cdf56ec3cc6b5dab"},
     {"results query", 32, "73e200e2b048c86d"},
     {"results part", 106, "152ae6c9b2d9f303"},
     {"cancel", 17, "6450d3157de527b9"},
@@ -69,7 +69,7 @@ constexpr std::array<Golden, std::variant_size_v<Message>> golden{{
     {"peer fetched", 21, "81af26b24d9034b4"},
     {"explain", 16, "609f0a17cfd7829b"},
     {"explained", 230, "cc3c00c98726d102"},
-    {"add job", 164, "08d9eafb3ff858fb"},
+    {"add job", 173, "ea80ff908cb3a0cf"},
     {"remove job", 8, "d86e8112f3c4c444"},
     {"results kept", 32, "85f896738b831cb7"},
     {"holding", 72, "e1381bfba176d2ec"},
@@ -86,7 +86,7 @@ constexpr std::array<Golden, std::variant_size_v<Message>> golden{{
     {"contact map query", 9, "39c4bda09747729a"},
     {"contact map", 55, "46a208d4be794e94"},
     {"job query", 8, "6cc16abd70eefb90"},
-    {"job description", 521, "7e0acb040c06912f"},
+    {"job description", 530, "5ae5cac6934cc38b"},
     {"mesh query", 40, "f7d21511aea24080"},
     {"mesh bytes", 116, "fccdf5c70818c47b"},
     {"poses query", 32, "f1efd35118dc9d45"},
@@ -354,6 +354,21 @@ TEST(Codec, ATimeOfComputingIsOneThatCanBeAddedUp) {
     }
     for (const double seconds : {-1.0, 1.0001e7, 1.7e308, std::nan("")}) {
         EXPECT_FALSE(is_taken_with(results, 1234.5678, seconds)) << seconds;
+    }
+}
+
+TEST(Codec, AClearanceIsFiniteAndNotNegative) {
+    AddJob add;
+    Submit submit;
+    add.query.clearance = submit.query.clearance = 1234.5678;
+    for (const Message& message : Messages{add, submit, JobDescription{JobId{8}, 9, submit}}) {
+        for (const double clearance : {0.0, 5e-324, 1.7e308}) {
+            EXPECT_TRUE(is_taken_with(message, 1234.5678, clearance)) << clearance;
+        }
+        for (const double clearance :
+             {-5e-324, -1.0, std::nan(""), std::numeric_limits<double>::infinity()}) {
+            EXPECT_FALSE(is_taken_with(message, 1234.5678, clearance)) << clearance;
+        }
     }
 }
 
