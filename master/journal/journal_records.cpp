@@ -7,6 +7,19 @@ namespace cd {
 
 namespace {
 
+template <class T>
+void put_optional(ByteWriter& out, const std::optional<T>& value) {
+    out.put(value.has_value());
+    if (value) {
+        out.put(*value);
+    }
+}
+
+template <class T>
+std::optional<T> get_optional(ByteReader& in) {
+    return in.get<std::uint8_t>() != 0 ? std::optional(in.get<T>()) : std::nullopt;
+}
+
 void put_query(ByteWriter& out, const Query& query) {
     put_enumeration(out, query.level);
     out.put(query.limit_pairs);
@@ -18,6 +31,7 @@ void put_query(ByteWriter& out, const Query& query) {
         }
     }
     out.put(query.maps);
+    put_optional(out, query.clearance);
 }
 
 bool get_query(ByteReader& in, Query& query) {
@@ -40,20 +54,8 @@ bool get_query(ByteReader& in, Query& query) {
         query.ignored.push_back(range);
     }
     query.maps = in.get<std::uint8_t>() != 0;
-    return true;
-}
-
-template <class T>
-void put_optional(ByteWriter& out, const std::optional<T>& value) {
-    out.put(value.has_value());
-    if (value) {
-        out.put(*value);
-    }
-}
-
-template <class T>
-std::optional<T> get_optional(ByteReader& in) {
-    return in.get<std::uint8_t>() != 0 ? std::optional(in.get<T>()) : std::nullopt;
+    query.clearance = get_optional<double>(in);
+    return !query.clearance || is_clearance(*query.clearance);
 }
 
 void put_cluster(ByteWriter& out, const ClusterOptions& cluster) {

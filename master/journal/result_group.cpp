@@ -25,17 +25,19 @@ void put_row(ByteWriter& out, const ResultRow& row, std::uint64_t before) {
                       (row.facts.insides_skipped ? flag_insides_skipped : 0);
     out.put(static_cast<std::uint8_t>(flags));
     put_varint(out, row.facts.pair_count);
+    put_varint(out, row.facts.near_count);
     put_hash(out, row.digest);
 }
 
 bool get_row(ByteReader& in, ResultRow& row, std::uint64_t before) {
     const auto step = get_varint(in);
     const auto length = get_varint(in);
-    const bool is_class = get_enumeration(in, row.facts.kind, ScenarioClass::Failed);
+    const bool is_class = get_enumeration(in, row.facts.kind, ScenarioClass::Near);
     const auto flags = in.get<std::uint8_t>();
     const auto pairs = get_varint(in);
+    const auto near = get_varint(in);
     row.digest = get_hash(in);
-    if (!step || !length || !pairs || !is_class || flags > flags_all) {
+    if (!step || !length || !pairs || !near || !is_class || flags > flags_all) {
         return false;
     }
     row.scenario = before + static_cast<std::uint64_t>(unzigzag(*step));
@@ -44,6 +46,7 @@ bool get_row(ByteReader& in, ResultRow& row, std::uint64_t before) {
     row.facts.insides_skipped = (flags & flag_insides_skipped) != 0;
     row.facts.is_cut = (flags & flag_cut) != 0;
     row.facts.pair_count = *pairs;
+    row.facts.near_count = *near;
     return !in.failed();
 }
 

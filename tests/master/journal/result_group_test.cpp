@@ -16,9 +16,11 @@ ResultGroup some_group() {
     ResultGroup group;
     group.begin = 100;
     for (std::uint64_t i = 0; i < 6; ++i) {
-        const ScenarioFacts facts{ScenarioClass::Cross, i % 2 == 0, i % 3 == 1, false, i};
+        const ScenarioFacts facts{
+            ScenarioClass::Cross, i % 2 == 0, i % 3 == 1, false, i, i % 2 == 0 ? i << 40 : 0};
         group.rows.push_back({1000 - 70 * i, 20 + i, facts, some_hash(static_cast<int>(i))});
     }
+    group.rows.back().facts.kind = ScenarioClass::Near;
     group.maps = {Bytes(3, std::byte{1}), Bytes()};
     group.authors = {{2, 77}, {1, 0}, {3, 77}};
     group.remarks = {{Kind::Disputed, 930, some_hash(8), 78},
