@@ -56,6 +56,43 @@ bool are_triangles_of(const JobMaterial& material, std::span<const ContactPair> 
     });
 }
 
+/// Returns what is wrong with the level, bodies or clearance of a decoded result; null if nothing.
+const char*
+problem_of_question(const Query& query, const Scenario& scenario, const ScenarioResult& result) {
+    if (result.level != query.level || result.body_a != scenario.body_a ||
+        result.body_b != scenario.body_b) {
+        return "is not of the level or bodies asked for";
+    }
+    if (result.has_clearance != query.clearance.has_value()) {
+        return result.has_clearance ? "has a clearance that was not asked for"
+                                    : "lacks the clearance asked for";
+    }
+    return result.kind == ScenarioClass::Undecided ? "is undecided, which no query allows"
+                                                   : nullptr;
+}
+
+/// Returns what is wrong with the pairs and numbers of a decoded result; null if nothing.
+const char* problem_of_pairs(const JobMaterial& material, const ScenarioResult& result) {
+    const std::uint64_t pairs_max = std::uint64_t{material.a->mesh().triangles().size()} *
+                                    material.b->mesh().triangles().size();
+    if (result.pair_count > pairs_max || result.near_count > pairs_max - result.pair_count) {
+        return "has more pairs than the bodies";
+    }
+    if (!are_triangles_of(material, result.pairs)) {
+        return "has pairs of triangles that the bodies do not have";
+    }
+    const std::span<const IgnoredRange> ignored = material.query.ignored;
+    if (!ignored.empty() && std::ranges::any_of(result.pairs, [&](const ContactPair& pair) {
+            return is_ignored(ignored, pair.a, pair.b);
+        })) {
+        return "has pairs of ignored triangles";
+    }
+    const bool is_far = std::ranges::any_of(result.near_distances, [&](double distance) {
+        return distance > *material.query.clearance;
+    });
+    return is_far ? "has pairs farther apart than the clearance" : nullptr;
+}
+
 Result<TakenResult> take_record(const JobMaterial& material,
                                 const TaskIndex& scenarios,
                                 std::span<const std::byte> bytes) {
@@ -71,21 +108,11 @@ Result<TakenResult> take_record(const JobMaterial& material,
                          ", which is not in the task"};
     }
     const Scenario& scenario = found->placed.scenario;
-    if (result.level != material.query.level || result.body_a != scenario.body_a ||
-        result.body_b != scenario.body_b) {
+    const char* problem = problem_of_question(material.query, scenario, result);
+    problem = problem != nullptr ? problem : problem_of_pairs(material, result);
+    if (problem != nullptr) {
         return Error{ErrorCode::BadFrame,
-                     "the result of scenario " + std::to_string(result.index) +
-                         " is not of the level or bodies asked for"};
-    }
-    if (!are_triangles_of(material, result.pairs)) {
-        return Error{ErrorCode::BadFrame,
-                     "the result of scenario " + std::to_string(result.index) +
-                         " has pairs of triangles that the bodies do not have"};
-    }
-    if (result.kind == ScenarioClass::Undecided) {
-        return Error{ErrorCode::BadFrame,
-                     "the result of scenario " + std::to_string(result.index) +
-                         " is undecided, which no query allows"};
+                     "the result of scenario " + std::to_string(result.index) + " " + problem};
     }
     JobStatistics cost = found->cost;
     cost.inside += material.settler->settle(scenario, result);
@@ -95,7 +122,7 @@ Result<TakenResult> take_record(const JobMaterial& material,
 }
 
 /// Checks that the sums by part can be those of the results: parts and scenarios must exist, and
-/// each of the `scenarios` with contacts must be counted for parts of both bodies.
+/// each of the `scenarios` with pairs must be counted for parts of both bodies.
 Status check_parts(const BodyPartRuns& bodies,
                    std::span<const TakenResult> results,
                    std::uint64_t scenarios,
@@ -125,7 +152,7 @@ Status check_parts(const BodyPartRuns& bodies,
     return std::ranges::all_of(contacts.pairs, is_right) ? Status(Done{}) : wrong;
 }
 
-/// Checks that each of the `scenarios` with contacts marks triangles of both bodies.
+/// Checks that each of the `scenarios` with pairs marks triangles of both bodies.
 Status check_triangles(std::uint64_t scenarios, const ContactMap& map) {
     for (const auto& body : map.bodies) {
         std::uint64_t sum = 0;
@@ -139,14 +166,14 @@ Status check_triangles(std::uint64_t scenarios, const ContactMap& map) {
     return Done{};
 }
 
-/// Unpacks and checks the map of a message: it must be about its scenarios with contacts alone, and
+/// Unpacks and checks the map of a message: it must be about its scenarios with pairs alone, and
 /// have what is asked for.
 Result<ContactMap> checked_map(const JobMaterial& material,
                                std::span<const TakenResult> results,
                                std::span<const std::byte> packed) {
     const auto scenarios = static_cast<std::uint64_t>(
         std::count_if(results.begin(), results.end(), [](const TakenResult& one) {
-            return one.result.pair_count > 0;
+            return one.result.pair_count > 0 || one.result.near_count > 0;
         }));
     ContactMapBounds bounds{0, 0, scenarios};
     if (material.query.maps) {

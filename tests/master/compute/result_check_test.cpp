@@ -1,6 +1,6 @@
 // Proves that the master accepts only results a worker could rightly send: of the task's scenarios,
-// at the requested level and bodies, with existing triangles; that it settles them and counts their
-// cost.
+// at the requested level, clearance and bodies, with pairs that the query can have; that it settles
+// them and counts their cost.
 #include "master/compute/result_check.hpp"
 
 #include "common/job/result/packed_map.hpp"
@@ -73,6 +73,29 @@ class ResultIntake : public testing::Test {
         return refusal(message_of({result}));
     }
 
+    /// Changes the query of the task's job.
+    void ask(const std::function<void(Query&)>& change) {
+        JobMaterial material = *material_;
+        change(material.query);
+        material_ = std::make_shared<const JobMaterial>(std::move(material));
+        task_.material = material_;
+    }
+
+    /// Returns a result at level contacts of scenario 0 with one near pair.
+    [[nodiscard]] static ScenarioResult near_result(double distance) {
+        ScenarioResult result;
+        result.level = Level::Contacts;
+        result.has_clearance = true;
+        result.kind = ScenarioClass::Near;
+        result.near_count = 1;
+        result.pairs = {{0, 0, PairClass::Near}};
+        result.point_origins = {Vec3(0, 0, 0)};
+        result.point_offsets = {0, 2};
+        result.points = {Vec3(0, 0, 0), Vec3(0, 0, 1)};
+        result.near_distances = {distance};
+        return result;
+    }
+
     std::shared_ptr<const JobMaterial> material_;
     TaskContent task_;
 };
@@ -133,6 +156,89 @@ TEST_F(ResultIntake, RefusesWhatWasNotAskedFor) {
     ScenarioResult undecided = result;
     undecided.kind = ScenarioClass::Undecided;
     EXPECT_THAT(refusal(undecided), HasSubstr("is undecided, which no query allows"));
+}
+
+TEST_F(ResultIntake, RefusesMorePairsThanTheBodiesHave) {
+    const std::uint64_t triangles = material_->a->mesh().triangles().size();
+    ScenarioResult result = result_of(0);
+    result.pair_count = triangles * triangles;
+    EXPECT_EQ(refusal(result), "taken");
+    ++result.pair_count;
+    EXPECT_THAT(refusal(result), HasSubstr("more pairs than the bodies"));
+    result.pair_count = std::uint64_t{1} << 60;
+    EXPECT_THAT(refusal(result), HasSubstr("more pairs than the bodies"));
+}
+
+TEST_F(ResultIntake, RefusesPairsThatAreIgnored) {
+    const ScenarioResult result = result_of(0);
+    const ContactPair ignored = result.pairs.back();
+    ask([&](Query& query) {
+        query.ignored = {{ignored.a, ignored.a + 1, ignored.b, ignored.b + 1}};
+    });
+    EXPECT_THAT(refusal(result), HasSubstr("pairs of ignored triangles"));
+    ScenarioResult others = result;
+    others.pairs.pop_back();
+    --others.pair_count;
+    EXPECT_EQ(refusal(others), "taken");
+}
+
+TEST_F(ResultIntake, AResultHasAClearanceIfTheQueryHas) {
+    ScenarioResult without = result_of(0);
+    ScenarioResult with = without;
+    with.has_clearance = true;
+    EXPECT_EQ(refusal(without), "taken");
+    EXPECT_THAT(refusal(with), HasSubstr("a clearance that was not asked for"));
+    ScenarioResult failed = without;
+    failed.kind = ScenarioClass::Failed;
+    failed.pairs.clear();
+    failed.pair_count = 0;
+    EXPECT_EQ(refusal(failed), "taken");
+
+    ask([](Query& query) { query.clearance = 0.25; });
+    EXPECT_EQ(refusal(with), "taken");
+    EXPECT_THAT(refusal(without), HasSubstr("lacks the clearance"));
+    EXPECT_THAT(refusal(failed), HasSubstr("lacks the clearance"));
+    failed.has_clearance = true;
+    EXPECT_EQ(refusal(failed), "taken");
+}
+
+TEST_F(ResultIntake, NearPairsAreOfTheBodiesAndWithinTheClearance) {
+    ask([](Query& query) {
+        query.level = Level::Contacts;
+        query.clearance = 0.25;
+    });
+    const ScenarioResult near = near_result(0.25);
+    EXPECT_EQ(refusal(near), "taken");
+    EXPECT_THAT(refusal(near_result(0.250001)), HasSubstr("farther apart than the clearance"));
+    const std::uint64_t triangles = material_->a->mesh().triangles().size();
+    ScenarioResult wrong = near;
+    wrong.pairs[0].b = static_cast<std::uint32_t>(triangles);
+    EXPECT_THAT(refusal(wrong), HasSubstr("triangles that the bodies do not have"));
+    wrong = near;
+    wrong.near_count = triangles * triangles + 1;
+    EXPECT_THAT(refusal(wrong), HasSubstr("more pairs than the bodies"));
+    wrong.near_count = ~std::uint64_t{0};
+    EXPECT_THAT(refusal(wrong), HasSubstr("more pairs than the bodies"));
+    ask([](Query& query) { query.ignored = {{0, 1, 0, 1}}; });
+    EXPECT_THAT(refusal(near), HasSubstr("pairs of ignored triangles"));
+}
+
+TEST_F(ResultIntake, AMapHasToMarkScenariosThatAreOnlyNear) {
+    ask([](Query& query) {
+        query.level = Level::Count;
+        query.maps = true;
+        query.clearance = 0.25;
+    });
+    ScenarioResult near = near_result(0);
+    near.level = Level::Count;
+    near.pairs.clear();
+    ContactMap map;
+    map.bodies[0] = map.bodies[1] = {{0, 1}};
+    Results results = message_of({near});
+    results.map = pack_map(map);
+    EXPECT_EQ(refusal(results), "taken");
+    results.map = pack_map({});
+    EXPECT_THAT(refusal(results), HasSubstr("lacks scenarios"));
 }
 
 TEST_F(ResultIntake, RefusesMoreOrLessThanAnnounced) {
