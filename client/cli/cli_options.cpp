@@ -74,6 +74,10 @@ void add_query(CLI::App& verb, JobOptions& job) {
     add("--name", job.name, "NAME", "The job's name");
     add("--level", query.level, "LEVEL", "any, count, pairs (default) or contacts")
         ->check(one_of({level_names.begin(), level_names.end()}));
+    add("--clearance",
+        query.clearance,
+        "X",
+        "Also find what is at most this far apart, in the job's unit");
     add("--limit-pairs", query.limit_pairs, "N", "Keep so many pairs a scenario; 0 keeps all");
     verb.add_flag(
         "--maps", query.maps, "Count the contacts of each triangle; needs level count or above");

@@ -47,6 +47,10 @@ std::vector<std::string> query_changes(const Query& earlier, const Query& later,
         }
     };
     add("level", std::string(to_text(earlier.level)), std::string(to_text(later.level)));
+    const auto clearance_text = [](const Query& query) {
+        return query.clearance ? exact_text(*query.clearance) : "none";
+    };
+    add("clearance", clearance_text(earlier), clearance_text(later));
     add("limit_pairs", std::to_string(earlier.limit_pairs), std::to_string(later.limit_pairs));
     if (earlier.ignored != later.ignored) {
         changes.emplace_back("other triangles ignored");

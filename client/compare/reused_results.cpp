@@ -12,8 +12,8 @@ namespace {
 
 /// True if a result is what a run of the same scenario gives, its part of a contact map included.
 bool is_reusable(const ScenarioResult& result, bool has_maps) {
-    const bool lists_all =
-        result.pair_count == 0 || (result.level >= Level::Pairs && !result.is_cut());
+    const bool has_pairs = result.pair_count > 0 || result.near_count > 0;
+    const bool lists_all = !has_pairs || (result.level >= Level::Pairs && !result.is_cut());
     return result.kind != ScenarioClass::Failed && (!has_maps || lists_all);
 }
 

@@ -116,15 +116,17 @@ std::string poses_text(const std::vector<Scenario>& scenarios, const PoseColumns
 
 // ---- The smallest meshes ------------------------------------------------------------------------
 
-/// Returns a box in world coordinates that surely contains the points after `pose`.
-Aabb posed_box(std::span<const Vec3> points, const Pose& pose) {
+/// Returns a box in world coordinates that surely contains all points at most `reach` from the
+/// given points after `pose`.
+Aabb posed_box(std::span<const Vec3> points, const Pose& pose, double reach = 0) {
     Aabb box;
     for (const Vec3& point : points) {
         box.add(pose.apply(point));
     }
     // The margin is far above the rounding error of `apply`. A box that is too large is harmless:
     // the case then keeps triangles that it does not need.
-    const double margin = 1e-9 * (box.min.cwiseAbs().maxCoeff() + box.max.cwiseAbs().maxCoeff());
+    const double rounding = 1e-9 * (box.min.cwiseAbs().maxCoeff() + box.max.cwiseAbs().maxCoeff());
+    const double margin = rounding + (1 + 1e-9) * reach;
     box.min.array() -= margin;
     box.max.array() += margin;
     return box;
@@ -146,17 +148,18 @@ std::vector<Part> remaining_parts(const Mesh& mesh, const std::vector<std::uint3
     return parts;
 }
 
-/// Makes a mesh of the triangles of `mesh` whose boxes overlap the box of `other` at one or more of
-/// the poses. `name` is "a" or "b", for errors.
+/// Makes a mesh of the triangles of `mesh` whose boxes are at most `reach` from the box of `other`
+/// at one or more of the poses. `name` is "a" or "b", for errors.
 Result<CaseBody> part_that_meets(const Mesh& mesh,
                                  const Mesh& other,
                                  const std::vector<PosePair>& poses, // `a` is the pose of `mesh`.
+                                 double reach,
                                  const char* name,
                                  const StopCheck& stop) {
     CaseBody body;
     std::vector<Aabb> boxes;
     for (const PosePair& pose : poses) {
-        boxes.push_back(posed_box(other.vertices(), pose.b));
+        boxes.push_back(posed_box(other.vertices(), pose.b, reach));
     }
     MeshArrays arrays;
     std::vector<std::uint32_t> vertex_ids(mesh.vertices().size(), UINT32_MAX);
@@ -202,8 +205,9 @@ Result<std::array<CaseBody, 2>> smallest_bodies(const PreparedJob& job,
         poses.push_back(scenario.poses);
         swapped.push_back({scenario.poses.b, scenario.poses.a});
     }
-    auto a = CD_TRY(part_that_meets(*job.meshes[0], *job.meshes[1], poses, "a", stop));
-    auto b = CD_TRY(part_that_meets(*job.meshes[1], *job.meshes[0], swapped, "b", stop));
+    const double reach = job.query.clearance.value_or(0);
+    auto a = CD_TRY(part_that_meets(*job.meshes[0], *job.meshes[1], poses, reach, "a", stop));
+    auto b = CD_TRY(part_that_meets(*job.meshes[1], *job.meshes[0], swapped, reach, "b", stop));
     return std::array<CaseBody, 2>{std::move(a), std::move(b)};
 }
 
@@ -213,9 +217,10 @@ Status check_smallest(const ScenarioResult& smallest,
                       const std::vector<ContactPair>& pairs,
                       const ScenarioResult& of_run) {
     const std::string name = "scenario " + std::to_string(of_run.index);
-    if (smallest.pair_count != of_run.pair_count || pairs != of_run.pairs) {
+    if (smallest.pair_count != of_run.pair_count || smallest.near_count != of_run.near_count ||
+        pairs != of_run.pairs) {
         return bad_input("the smallest meshes of " + name +
-                         " do not have the run's contacts; `cdctl verify` tells whether the run is "
+                         " do not have the run's pairs; `cdctl verify` tells whether the run is "
                          "right");
     }
     const bool insides_matter =
@@ -320,6 +325,7 @@ std::string case_job_text(const PreparedJob& job,
     spec.level = job.query.level;
     spec.limit_pairs = job.query.limit_pairs;
     spec.maps = job.query.maps;
+    spec.clearance = job.query.clearance;
     spec.ignore = rules;
     return job_text(spec);
 }

@@ -76,6 +76,7 @@ std::string poses_text(const PoseFileSpec& poses) {
 
 std::string query_text(const JobSpec& spec) {
     std::string text = "\n[query]\n" + line("level", toml_quoted(to_text(spec.level)));
+    text += spec.clearance ? line("clearance", number(*spec.clearance)) : "";
     text += spec.limit_pairs > 0 ? line("limit_pairs", std::to_string(spec.limit_pairs)) : "";
     text += spec.maps ? line("maps", "true") : "";
     if (!spec.ignore.empty()) {

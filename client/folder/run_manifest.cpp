@@ -20,8 +20,11 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::uint64_t format_version = 2;
-/// The version of the canonical record (common/job/result/result.hpp).
-constexpr std::uint64_t record_version = 2;
+/// Returns the version of the canonical records (common/job/result/result.hpp). A program that does
+/// not know a clearance refuses a folder with version 3.
+std::uint64_t record_version(const Query& query) {
+    return query.clearance ? 3 : 2;
+}
 constexpr std::array<std::string_view, 3> kind_names{"grid", "file", "random"};
 
 std::string_view to_text(PosesKind kind) {
@@ -84,10 +87,14 @@ Json query_json(const Query& query) {
                             Json::array({Json::array({range.a_begin, range.a_end}),
                                          Json::array({range.b_begin, range.b_end})})}});
     }
-    return {{"level", to_text(query.level)},
-            {"limit_pairs", query.limit_pairs},
-            {"maps", query.maps},
-            {"ignored", std::move(ignored)}};
+    Json json{{"level", to_text(query.level)},
+              {"limit_pairs", query.limit_pairs},
+              {"maps", query.maps},
+              {"ignored", std::move(ignored)}};
+    if (query.clearance) {
+        json["clearance"] = *query.clearance;
+    }
+    return json;
 }
 
 Json where_json(const ManifestPlace& where) {
@@ -259,6 +266,12 @@ Query read_query(const Json& json) {
     query.level = *level;
     query.limit_pairs = value_of<std::uint64_t>(json, "limit_pairs");
     query.maps = value_of<bool>(json, "maps");
+    if (json.contains("clearance")) {
+        query.clearance = number_of(json["clearance"]);
+        if (!is_clearance(*query.clearance)) {
+            throw Refusal{bad_input("the clearance is out of range")};
+        }
+    }
     for (const Json& each : json.at("ignored")) {
         query.ignored.push_back(read_ignored(each));
     }
@@ -288,11 +301,12 @@ RunManifest read_manifest(const Json& json) {
                                 ", and this program reads " + std::to_string(format_version) +
                                 "; use a later cdctl")};
     }
-    if (value_of<std::uint64_t>(json, "record_version") != record_version) {
+    RunManifest manifest;
+    manifest.query = read_query(json.at("query"));
+    if (value_of<std::uint64_t>(json, "record_version") != record_version(manifest.query)) {
         throw Refusal{
             bad_input("its records are of another version; use the cdctl that wrote them")};
     }
-    RunManifest manifest;
     manifest.origin.program = value_or<std::string>(json, "program", "");
     manifest.origin.commit = value_or<std::string>(json, "commit", "");
     manifest.origin.command = value_or<std::string>(json, "command", "");
@@ -309,7 +323,6 @@ RunManifest read_manifest(const Json& json) {
     manifest.job = without_tolerance(value_or<std::string>(json, "job", ""));
     manifest.bodies = read_bodies(json);
     manifest.poses = read_poses(json.at("poses"));
-    manifest.query = read_query(json.at("query"));
     if (json["query"].contains("tolerance")) {
         manifest.tolerance = number_of(json["query"]["tolerance"]);
     }
@@ -327,7 +340,8 @@ RunManifest read_manifest(const Json& json) {
 
 bool is_equal(const Query& left, const Query& right) {
     return left.level == right.level && left.limit_pairs == right.limit_pairs &&
-           left.maps == right.maps && left.ignored == right.ignored;
+           left.maps == right.maps && left.ignored == right.ignored &&
+           left.clearance == right.clearance;
 }
 
 bool has_same_poses(const ManifestPoses& left, const ManifestPoses& right) {
@@ -341,7 +355,7 @@ bool has_same_poses(const ManifestPoses& left, const ManifestPoses& right) {
 
 std::string manifest_json(const RunManifest& manifest) {
     Json json{{"format", format_version},
-              {"record_version", record_version},
+              {"record_version", record_version(manifest.query)},
               {"program", manifest.origin.program},
               {"commit", manifest.origin.commit},
               {"command", manifest.origin.command},

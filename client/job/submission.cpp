@@ -112,6 +112,7 @@ Result<JobSpec> spec_of(const Submit& submit) {
     spec.level = submit.query.level;
     spec.limit_pairs = submit.query.limit_pairs;
     spec.maps = submit.query.maps;
+    spec.clearance = submit.query.clearance;
     for (const IgnoreLine& line : submit.ignore) {
         spec.ignore.push_back({line.a, line.b});
     }

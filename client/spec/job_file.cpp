@@ -201,13 +201,18 @@ void read_query(const TomlFields& job, JobSpec& spec) {
                    "the key tolerance, under which small boxes stayed undecided, is gone, since "
                    "exact answers are faster: remove it; level \"any\" is the fastest");
     }
-    const TomlFields fields(table, job, "[query]", {"level", "limit_pairs", "maps", "ignore"});
+    const TomlFields fields(
+        table, job, "[query]", {"level", "clearance", "limit_pairs", "maps", "ignore"});
     if (const auto level = fields.word("level", level_names)) {
         spec.level = level_from_text(*level).value_or(spec.level);
     }
     spec.limit_pairs = fields.integer("limit_pairs", 0, std::numeric_limits<std::uint32_t>::max())
                            .value_or(spec.limit_pairs);
     spec.maps = fields.boolean("maps").value_or(spec.maps);
+    spec.clearance = fields.number("clearance");
+    if (spec.clearance && !is_clearance(*spec.clearance)) {
+        fields.refuse("clearance", "clearance is a length of at least 0, in the job's unit");
+    }
     read_ignore(fields, spec);
 }
 

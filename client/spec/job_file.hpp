@@ -71,6 +71,7 @@ struct JobSpec {
     Level level = Level::Pairs;
     std::uint64_t limit_pairs = 0;
     bool maps = false;
+    std::optional<double> clearance; ///< `Query::clearance`, in the job's unit.
     std::vector<IgnoreRule> ignore;
     OutputSpec output;
     ClusterOptions cluster;

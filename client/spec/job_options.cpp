@@ -95,6 +95,10 @@ Status apply(const QueryOptions& options, JobSpec& spec) {
         return usage("--limit-pairs is at most 4294967295, as in a job file");
     }
     spec.maps = spec.maps || options.maps;
+    if (options.clearance && !is_clearance(*options.clearance)) {
+        return usage("--clearance is a finite length of at least 0, in the job's unit");
+    }
+    spec.clearance = options.clearance ? options.clearance : spec.clearance;
     return check_maps(spec);
 }
 

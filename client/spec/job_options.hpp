@@ -30,6 +30,7 @@ struct QueryOptions {
     std::string level;
     std::optional<std::uint64_t> limit_pairs;
     bool maps = false;
+    std::optional<double> clearance;
 };
 
 /// Options that override a job file's table [output].

@@ -79,6 +79,25 @@ TEST_F(ReusedResultsTest, OfAJobWithMapsOnlyThoseThatListAllPairsAre) {
     EXPECT_EQ(reused({counted, inside}, 2, query), (std::vector<bool>{false, true}));
 }
 
+TEST_F(ReusedResultsTest, OfAJobWithMapsNearPairsAreListed) {
+    ScenarioResult near = result_with(0, {{1, 1, PairClass::Near}});
+    near.has_clearance = true;
+    near.kind = ScenarioClass::Near;
+    near.pair_count = 0;
+    near.near_count = 2;
+    Query query;
+    query.limit_pairs = 1;
+    query.clearance = 0.5;
+    EXPECT_EQ(reused({near}, 1, query), std::vector<bool>{true});
+    query.maps = true;
+    EXPECT_EQ(reused({near}, 1, query), std::vector<bool>{false}) << "the list is cut";
+    near.near_count = 1;
+    EXPECT_EQ(reused({near}, 1, query), std::vector<bool>{true});
+    query.level = near.level = Level::Count;
+    near.pairs.clear();
+    EXPECT_EQ(reused({near}, 1, query), std::vector<bool>{false}) << "no pair is known";
+}
+
 TEST_F(ReusedResultsTest, TheyAndTheRestComeInOrderFromTheFirstThatIsWanted) {
     // The earlier run has the poses in another order, and some twice.
     constexpr std::uint64_t count = 20'000;

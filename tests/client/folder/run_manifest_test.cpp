@@ -40,8 +40,12 @@ RunManifest example(PosesKind kind) {
     manifest.poses.kind = kind;
     manifest.poses.count = 6;
     manifest.poses.hash = sha256({});
-    if (kind == PosesKind::Grid) {
+    if (kind == PosesKind::Random) {
+        manifest.query.clearance = 0.005;
+    } else if (kind == PosesKind::Grid) {
         manifest.tolerance = 0.1;
+    }
+    if (kind == PosesKind::Grid) {
         Grid grid;
         grid.position[0] = {0, 0.1, 3};
         grid.rotation[2] = rotation_axis({0, 30, 2}, 2);
@@ -72,6 +76,7 @@ TEST(RunManifest, GivesBackWhatWasSaid) {
         EXPECT_EQ(manifest_json(parsed.value()), manifest_json(manifest));
         EXPECT_TRUE(is_same_job(parsed.value(), manifest));
         EXPECT_EQ(parsed.value().poses.grid, manifest.poses.grid);
+        EXPECT_EQ(parsed.value().query.clearance, manifest.query.clearance);
         EXPECT_EQ(parsed.value().where.workers, manifest.where.workers);
         EXPECT_EQ(JobBody(parsed.value().bodies[0]), JobBody(manifest.bodies[0]));
         EXPECT_TRUE(parsed.value().is_complete());
@@ -111,6 +116,25 @@ TEST(RunManifest, EveryKeyThatIsMissingOrOfAnotherTypeIsRefusedOrDoesNoHarm) {
     }
 }
 
+TEST(RunManifest, OnlyAProgramThatKnowsAClearanceReadsItsRecords) {
+    auto without = nlohmann::json::parse(manifest_json(example(PosesKind::File)));
+    EXPECT_EQ(without["record_version"], 2);
+    EXPECT_FALSE(without["query"].contains("clearance"));
+    auto with = nlohmann::json::parse(manifest_json(example(PosesKind::Random)));
+    EXPECT_EQ(with["record_version"], 3);
+    for (nlohmann::json* const json : {&without, &with}) {
+        (*json)["record_version"] = 5 - (*json)["record_version"].get<int>();
+        const auto parsed = parse_manifest(json->dump());
+        ASSERT_FALSE(parsed);
+        EXPECT_THAT(parsed.error().detail, HasSubstr("records are of another version"));
+    }
+    with["record_version"] = 3;
+    with["query"]["clearance"] = -0.5;
+    const auto negative = parse_manifest(with.dump());
+    ASSERT_FALSE(negative);
+    EXPECT_THAT(negative.error().detail, HasSubstr("clearance is out of range"));
+}
+
 TEST(RunManifest, AJobIsItsMeshesPosesAndQuery) {
     const RunManifest one = example(PosesKind::File);
     RunManifest other = one;
@@ -119,6 +143,9 @@ TEST(RunManifest, AJobIsItsMeshesPosesAndQuery) {
     other.where.threads = 64;
     EXPECT_TRUE(is_same_job(one, other));
     other.query.level = Level::Pairs;
+    EXPECT_FALSE(is_same_job(one, other));
+    other = one;
+    other.query.clearance = 0.0;
     EXPECT_FALSE(is_same_job(one, other));
     other = one;
     other.bodies[1].mesh.bytes[0] ^= std::byte{1};
@@ -195,7 +222,7 @@ TEST(JobText, IsReadBackToTheSameJob) {
                                    "[b]\nmesh = \"/m/post.stl\"\nunit = \"in\"\nname = \"post\"\n"
                                    "precision = \"float\"\n\n[poses]\n";
     constexpr const char* rest =
-        "\n[query]\nlevel = \"contacts\"\nlimit_pairs = 7\nmaps = true\n"
+        "\n[query]\nlevel = \"contacts\"\nclearance = 0.005\nlimit_pairs = 7\nmaps = true\n"
         "ignore = [[\"wheel_*\", \"a\\\\*b\"], [\"x\", \"*\"]]\n\n[output]\ndir = \"/out\"\n"
         "formats = [\"json\", \"npz\"]\n";
     constexpr const char* cluster =

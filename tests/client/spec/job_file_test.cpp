@@ -9,6 +9,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <filesystem>
 #include <limits>
 #include <sstream>
@@ -36,6 +37,7 @@ rigid_tolerance = 1e-4
 [query]
 level = "contacts"
 limit_pairs = 10_000
+clearance = 5e-3
 ignore = [["wheel_*", "ground"]]
 [output]
 dir = "results"
@@ -99,10 +101,11 @@ TEST(JobFile, EveryKeyIsRead) {
     EXPECT_EQ(poses.rigid_tolerance, 1e-4);
     EXPECT_EQ(job.level, Level::Contacts);
     EXPECT_EQ(job.limit_pairs, 10'000u);
+    EXPECT_EQ(job.clearance, 0.005);
     ASSERT_EQ(job.ignore.size(), 1u);
     EXPECT_EQ(job.ignore[0].a, "wheel_*");
     EXPECT_EQ(job.ignore[0].b, "ground");
-    EXPECT_EQ(job.ignore[0].line, 18u);
+    EXPECT_EQ(job.ignore[0].line, 19u);
     EXPECT_EQ(job.output.dir, "folder/results");
     EXPECT_EQ(job.output.formats, (std::vector<std::string>{"json", "npz"}));
     EXPECT_EQ(job.cluster.strategy, "lowest");
@@ -119,6 +122,7 @@ TEST(JobFile, WhatIsLeftOutHasADefault) {
     ASSERT_TRUE(spec) << spec.error().detail;
     EXPECT_EQ(spec.value().name, "job");
     EXPECT_EQ(spec.value().level, Level::Pairs);
+    EXPECT_FALSE(spec.value().clearance);
     EXPECT_TRUE(spec.value().output.dir.empty());
     const auto& random = std::get<RandomPoses>(spec.value().poses);
     EXPECT_EQ(random.count, 10u);
@@ -187,6 +191,22 @@ TEST(JobFile, ValuesOutOfRangeAreRefused) {
     }
     EXPECT_THAT(problem_with("[poses]\nunit = \"km\"\ngrid = { z = [0, 1e306, 2] }\n"),
                 HasSubstr("z is too long"));
+}
+
+TEST(JobFile, AClearanceIsALengthOfAtLeastZero) {
+    const std::string query = random_poses + "[query]\nclearance = ";
+    for (const char* length : {"0", "0.0", "1", "2.5", "1e300"}) {
+        EXPECT_EQ(problem_with(query + length + "\n"), "none") << length;
+    }
+    for (const char* length : {"-0.001", "-1"}) {
+        EXPECT_THAT(problem_with(query + length + "\n"),
+                    HasSubstr(":8: [query]: clearance is a length of at least 0"))
+            << length;
+    }
+    for (const char* length : {"nan", "inf", "\"1\"", "true"}) {
+        EXPECT_THAT(problem_with(query + length + "\n"), HasSubstr(":8: [query]: \"clearance\""))
+            << length;
+    }
 }
 
 TEST(JobFile, UnknownWordsNameThoseThatExist) {
@@ -296,6 +316,20 @@ TEST(JobOptions, OptionsThatDoNotFitAreRefused) {
     EXPECT_TRUE(make_job_spec(options));
     options.file = "job.toml";
     EXPECT_THAT(make_job_spec(options).error().detail, HasSubstr("names the meshes"));
+}
+
+TEST(JobOptions, AClearanceOverridesThatOfTheFile) {
+    const TemporaryFolder folder;
+    JobOptions options;
+    options.file = (folder / "job.toml").string();
+    write_text(options.file, minimal + random_poses + "[query]\nclearance = 0.25\n");
+    EXPECT_EQ(make_job_spec(options).value().clearance, 0.25);
+    options.query.clearance = 0.0;
+    EXPECT_EQ(make_job_spec(options).value().clearance, 0.0);
+    for (const double none : {-1.0, HUGE_VAL, std::nan("")}) {
+        options.query.clearance = none;
+        EXPECT_THAT(make_job_spec(options).error().detail, HasSubstr("--clearance is a finite"));
+    }
 }
 
 TEST(JobFile, ABufferThatTheMasterRefusesIsRefusedHere) {
