@@ -4,6 +4,7 @@
 #include "client/base/slow_note.hpp"
 #include "client/base/units.hpp"
 #include "client/import/mesh_import.hpp"
+#include "client/job/clearance_warning.hpp"
 #include "client/poses/pose_file.hpp"
 #include "client/trees/body_trees.hpp"
 #include "common/core/errors.hpp"
@@ -207,6 +208,9 @@ Result<PreparedJob> prepare_job(
     }
     describe(job);
     check_points(job);
+    if (auto warning = clearance_warning(job)) {
+        job.warnings.push_back(std::move(*warning));
+    }
     return job;
 }
 
