@@ -22,12 +22,13 @@ struct MasterOptions {
 
 /// What gives exit code 1.
 struct FailOn {
+    bool near = false;  ///< Near, or contact of any kind.
     bool touch = false; ///< Contact of any kind.
     bool cross = false; ///< Cross or inside.
     bool undecided = false;
     bool news = false; ///< A group that the baseline does not have and nobody approved.
 
-    [[nodiscard]] bool any() const { return touch || cross || undecided || news; }
+    [[nodiscard]] bool any() const { return near || touch || cross || undecided || news; }
     friend bool operator==(const FailOn&, const FailOn&) = default;
 };
 

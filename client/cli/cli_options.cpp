@@ -214,16 +214,17 @@ void add_quiet(CLI::App& verb, bool& quiet) {
 void add_fail_on(CLI::App& verb, FailOn& fail_on, bool has_baseline) {
     const auto set = [&fail_on](const std::vector<std::string>& words) {
         for (const std::string& word : words) {
-            bool& flag = word == "touch"       ? fail_on.touch
+            bool& flag = word == "near"        ? fail_on.near
+                         : word == "touch"     ? fail_on.touch
                          : word == "cross"     ? fail_on.cross
                          : word == "undecided" ? fail_on.undecided
                                                : fail_on.news;
             flag = true;
         }
     };
-    std::vector<std::string> words{"touch", "cross", "undecided"};
-    std::string help =
-        "Exit with 1 on touch (or worse), cross (or inside), undecided; commas join several";
+    std::vector<std::string> words{"near", "touch", "cross", "undecided"};
+    std::string help = "Exit with 1 on near (or worse; needs a clearance), touch (or worse), cross "
+                       "(or inside), undecided; commas join several";
     if (has_baseline) {
         words.emplace_back("new");
         help += "; new: a group that --baseline lacks and nobody approved";

@@ -45,8 +45,9 @@ template <class Command>
 /// `FailOn::news`.
 [[nodiscard]] int exit_code_of(const Summary& summary, FailOn fail_on, bool has_news = false);
 
-/// Refuses at `level any` to fail on cross alone, since that level does not tell touch from cross,
-/// and without groups (`asks_for_groups`) to fail on new ones. Errors: BadInput.
-[[nodiscard]] Status check_fail_on(FailOn fail_on, Level level, bool maps = false);
+/// Refuses at `level any` to fail on cross alone, since that level does not tell touch from cross;
+/// without a clearance to fail on near; and without groups (`asks_for_groups`) to fail on new ones.
+/// Errors: BadInput.
+[[nodiscard]] Status check_fail_on(FailOn fail_on, const Query& query);
 
 } // namespace cd

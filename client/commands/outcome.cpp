@@ -16,7 +16,8 @@ int exit_code_of(const Summary& summary, FailOn fail_on, bool has_news) {
     }
     const std::uint64_t worst = summary.cross + summary.inside;
     const std::uint64_t any = worst + summary.touch + summary.contact;
-    if ((fail_on.touch && any != 0) || (fail_on.cross && worst != 0) ||
+    const bool is_near = summary.near != 0 || any != 0;
+    if ((fail_on.near && is_near) || (fail_on.touch && any != 0) || (fail_on.cross && worst != 0) ||
         (fail_on.undecided && summary.undecided != 0) || (fail_on.news && has_news)) {
         return exit_contacts;
     }
@@ -24,12 +25,16 @@ int exit_code_of(const Summary& summary, FailOn fail_on, bool has_news) {
     return fail_on.any() && summary.undecided != 0 ? exit_incomplete : exit_done;
 }
 
-Status check_fail_on(FailOn fail_on, Level level, bool maps) {
-    if (fail_on.cross && !fail_on.touch && level == Level::Any) {
+Status check_fail_on(FailOn fail_on, const Query& query) {
+    if (fail_on.near && !query.clearance) {
+        return bad_input("--fail-on near needs a clearance: give --clearance, or the key clearance "
+                         "in the job file's table [query]");
+    }
+    if (fail_on.cross && !fail_on.touch && !fail_on.near && query.level == Level::Any) {
         return bad_input(
             "--fail-on cross needs level count or more: any does not tell touch from cross");
     }
-    if (fail_on.news && level < Level::Pairs && !maps) {
+    if (fail_on.news && query.level < Level::Pairs && !query.maps) {
         return bad_input("--fail-on new is about groups, which need level pairs or contacts, or "
                          "level count with maps = true");
     }

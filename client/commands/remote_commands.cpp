@@ -23,9 +23,22 @@ int print(const std::string& text) {
     return exit_done;
 }
 
-/// Guesses the level, which a job's status lacks: only `level any` finds the class `contact`.
+/// Guesses the level, which a job's status lacks: only `level any` finds the class `contact`, or
+/// near scenarios without counting their pairs.
 Level level_of(const Summary& summary) {
-    return summary.contact != 0 ? Level::Any : Level::Pairs;
+    const bool is_any = summary.contact != 0 || (summary.near != 0 && summary.near_pairs == 0);
+    return is_any ? Level::Any : Level::Pairs;
+}
+
+/// Returns the query by which a job's end is judged. A status tells no clearance, so the master is
+/// asked for the job if `fail_on` needs to know.
+Result<Query> judged_query(Connection& connection, const JobStatus& status, FailOn fail_on) {
+    if (fail_on.near) {
+        return CD_TRY(connection.job_description(status.job)).submit.query;
+    }
+    Query query;
+    query.level = level_of(status.summary);
+    return query;
 }
 
 } // namespace
@@ -44,7 +57,8 @@ Result<int> perform(const WatchCommand& command) {
         print(summary_text(report_of(status, level), {colours_wanted(stdout), command.statistics}));
     }
     CD_TRY(check_done(status, id));
-    CD_TRY(check_fail_on(command.fail_on, level));
+    const Query query = CD_TRY(judged_query(*connection, status, command.fail_on));
+    CD_TRY(check_fail_on(command.fail_on, query));
     return exit_code_of(status.summary, command.fail_on);
 }
 

@@ -151,7 +151,7 @@ Result<int> perform(const ReportCommand& command) {
     auto at_hand = CD_TRY(open_run_at_hand(
         command.run, command.master, command.tree_cache, {.trees = trees, .map = true}, pool));
     const RunManifest& manifest = at_hand.run.manifest();
-    CD_TRY(check_fail_on(command.fail_on, manifest.query.level, manifest.query.maps));
+    CD_TRY(check_fail_on(command.fail_on, manifest.query));
     auto judge = CD_TRY(
         Judge::open(command.judge, command.fail_on, command.master, command.tree_cache, pool));
     InterruptGuard::begin_to_flag(); // From here on, a signal must not leave partial files.

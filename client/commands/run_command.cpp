@@ -229,7 +229,7 @@ Result<int> run_job(const RunCommand& command) {
                               cache,
                               pool,
                               command.quiet));
-    CD_TRY(check_fail_on(command.fail_on, job.spec.level, job.spec.maps));
+    CD_TRY(check_fail_on(command.fail_on, job.query));
     ::malloc_trim(0); // Returns the memory that importing and building have freed.
     print_header(job, command.quiet);
     std::optional<EarlierRun> earlier;

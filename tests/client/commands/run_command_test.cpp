@@ -148,6 +148,48 @@ TEST_F(Run, FailOnDecidesBetweenZeroAndOne) {
     EXPECT_EQ(run(), exit_done);
 }
 
+TEST_F(Run, FailOnNearIsForNearAndContact) {
+    Summary summary;
+    summary.total = 2;
+    summary.separate = 1;
+    summary.near = 1;
+    EXPECT_EQ(exit_code_of(summary, {.near = true}), exit_contacts);
+    EXPECT_EQ(exit_code_of(summary, {.touch = true}), exit_done);
+    EXPECT_EQ(exit_code_of(summary, {}), exit_done);
+    summary.near = 0;
+    summary.separate = 2;
+    EXPECT_EQ(exit_code_of(summary, {.near = true}), exit_done);
+    for (std::uint64_t Summary::*const worse :
+         {&Summary::touch, &Summary::cross, &Summary::inside, &Summary::contact}) {
+        Summary one;
+        one.total = one.*worse = 1;
+        EXPECT_EQ(exit_code_of(one, {.near = true}), exit_contacts);
+    }
+}
+
+TEST_F(Run, FailOnNearNeedsAClearance) {
+    write("poses.csv", "x,y,z,qx,qy,qz,qw\n0,9,0,0,0,0,1\n");
+    command_.fail_on = FailOn{.near = true};
+    EXPECT_EQ(run(), exit_usage);
+    EXPECT_THAT(stderr_, HasSubstr("--fail-on near needs a clearance"));
+    command_.job.query.clearance = 7.5;
+    EXPECT_EQ(run(), exit_done);
+    command_.job.query.clearance = 8.5; // B's corner is 8 above A's.
+    EXPECT_EQ(run(), exit_contacts);
+    command_.fail_on = FailOn{.touch = true};
+    EXPECT_EQ(run(), exit_done);
+}
+
+TEST_F(Run, ALargeClearanceIsWarnedOf) {
+    command_.job.query.clearance = 0.5;
+    EXPECT_EQ(run(), exit_done);
+    EXPECT_EQ(stderr_, "");
+    command_.job.query.clearance = 2;
+    EXPECT_EQ(run(), exit_done);
+    EXPECT_THAT(stderr_,
+                HasSubstr("warning: the clearance of 2 m exceeds most triangles of a.obj"));
+}
+
 TEST_F(Run, FailOnUndecidedIsNoOpenQuestion) {
     Summary summary;
     summary.total = 2;
