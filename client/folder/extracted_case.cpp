@@ -342,6 +342,9 @@ std::string expected_text(std::vector<ScenarioResult> results) {
                         {"class", to_text(results[i].kind)},
                         {"count", results[i].pair_count},
                         {"record_sha256", to_hex(digest_of(results[i]))}});
+        if (results[i].has_clearance) {
+            list.back()["near_count"] = results[i].near_count;
+        }
     }
     const nlohmann::ordered_json json{{"digest", to_hex(*merger.digest())},
                                       {"scenarios", std::move(list)}};

@@ -29,6 +29,7 @@ class SceneRunner {
         : trees_(make_body_trees(job.meshes, {}, cache, pool)), of_run_(job.query) {
         query_.level = Level::Contacts;
         query_.ignored = job.query.ignored;
+        query_.clearance = job.query.clearance;
         options_.stop = stop;
     }
 
@@ -58,7 +59,8 @@ class SceneRunner {
                                 known.kind != ScenarioClass::Undecided &&
                                 known.kind != ScenarioClass::Failed;
         return !says_pairs ||
-               (drawn.pair_count == known.pair_count && known.pairs.size() <= drawn.pairs.size() &&
+               (drawn.pair_count == known.pair_count && drawn.near_count == known.near_count &&
+                known.pairs.size() <= drawn.pairs.size() &&
                 std::ranges::equal(known.pairs, std::span(drawn.pairs).first(known.pairs.size())));
     }
 
