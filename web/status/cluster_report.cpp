@@ -141,6 +141,9 @@ Table jobs_table(const ClusterStatus& status) {
     table.add("seconds", "TIME", Seconds, &Job::seconds);
     table.add("scenarios_per_second", "RATE", Rate, &Job::scenarios_per_second);
     table.add("digest", "DIGEST", Text, digest);
+    table.add_wide("near", "NEAR", Count, [](const Job& job) { return job.summary.near; });
+    table.add_wide(
+        "near_pairs", "NEAR PAIRS", Count, [](const Job& job) { return job.summary.near_pairs; });
     table.add_wide("answered_by_master", "BY MASTER", Count, &Job::answered_by_master);
     table.add_wide("box_tests", "BOX TESTS", Count, in_search(&QueryStatistics::box_tests));
     table.add_wide(

@@ -191,6 +191,16 @@ TEST_F(Status, OneJobIsOneObject) {
     EXPECT_EQ(json["depths"], nlohmann::json::array()) << "not known yet";
 }
 
+TEST_F(Status, AJobTellsHowManyScenariosAndPairsAreNear) {
+    before_.jobs[0].summary.near = 8;
+    before_.jobs[0].summary.near_pairs = 900;
+    before_.jobs[0].summary.touch = 1;
+    const auto json = nlohmann::json::parse(job_json(before_.jobs[0]));
+    EXPECT_EQ(json["near"], 8);
+    EXPECT_EQ(json["near_pairs"], 900);
+    EXPECT_EQ(json["contact"], 1);
+}
+
 TEST_F(Status, AJobTellsWhatTravelledForIt) {
     before_.jobs[0].traffic = {{1, 2, 3, 4, 5, 6}, 7};
     before_.jobs[0].depths = {8, 6};
