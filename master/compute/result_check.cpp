@@ -1,6 +1,7 @@
 #include "master/compute/result_check.hpp"
 
 #include "common/core/limits/engine.hpp"
+#include "common/core/limits/master.hpp"
 #include "common/job/result/packed_map.hpp"
 #include "common/job/result/packed_records.hpp"
 #include "common/job/settle.hpp"
@@ -73,8 +74,9 @@ problem_of_question(const Query& query, const Scenario& scenario, const Scenario
 
 /// Returns what is wrong with the pairs and numbers of a decoded result; null if nothing.
 const char* problem_of_pairs(const JobMaterial& material, const ScenarioResult& result) {
-    const std::uint64_t pairs_max = std::uint64_t{material.a->mesh().triangles().size()} *
-                                    material.b->mesh().triangles().size();
+    const std::uint64_t pairs_max = std::min(std::uint64_t{material.a->mesh().triangles().size()} *
+                                                 material.b->mesh().triangles().size(),
+                                             limits::result_pairs_max);
     if (result.pair_count > pairs_max || result.near_count > pairs_max - result.pair_count) {
         return "has more pairs than the bodies";
     }

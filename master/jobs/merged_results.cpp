@@ -8,7 +8,7 @@
 namespace cd {
 
 MergedResults::PackedFacts MergedResults::pack(const ScenarioFacts& facts) {
-    CD_CHECK(facts.pair_count >> 56 == 0);
+    CD_CHECK(facts.pair_count <= limits::result_pairs_max);
     return {facts.pair_count,
             static_cast<std::uint64_t>(facts.kind),
             facts.surfaces_only,

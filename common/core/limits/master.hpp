@@ -68,6 +68,9 @@ inline constexpr std::uint64_t scenarios_running_max = 1ull << 28;
 inline constexpr std::uint64_t results_ended_kept_max = 1ull << 27;
 /// For so many first scenarios of an ended job, the master keeps which worker process answered.
 inline constexpr std::size_t authors_kept_max = 1u << 18;
+/// Pairs that a result may count, so that the count has 56 bits. Bodies with more pairs of
+/// triangles never have so many in contact or near.
+inline constexpr std::uint64_t result_pairs_max = (1ull << 56) - 1;
 /// Size of a job's grid, in memory and in the journal.
 inline constexpr std::size_t grid_bytes_max = 8u << 20;
 /// A larger grid is dropped from memory when its job ends.
