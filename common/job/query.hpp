@@ -26,6 +26,13 @@ inline constexpr std::array<std::string_view, 4> level_names{"any", "count", "pa
 [[nodiscard]] std::string_view to_text(Level level);
 [[nodiscard]] std::optional<Level> level_from_text(std::string_view text);
 
+/// What a job asks of every scenario. The numbers are part of the wire format and of stored
+/// results.
+enum class Question : std::uint8_t {
+    Contacts = 0, ///< Which triangles touch, or are near, in the detail of the level.
+    Distance = 1, ///< How far the bodies are from each other, at level any.
+};
+
 struct Query {
     Level level = Level::Pairs;
     std::uint64_t limit_pairs =
@@ -37,6 +44,10 @@ struct Query {
     /// Also finds pairs that share no point but are at most this far from each other, in the world
     /// and in the job's unit (`is_clearance`).
     std::optional<double> clearance = std::nullopt;
+    Question question = Question::Contacts;
+    /// Bodies that are farther apart than this, in the world, get no distance (`is_clearance`); only
+    /// with Question::Distance.
+    std::optional<double> up_to = std::nullopt;
 };
 
 /// Whether a number may be a query's clearance: it is finite and at least 0.

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <optional>
 #include <string>
 #include <utility>
@@ -20,6 +21,7 @@ void begin_result(const Scenario& scenario, const Query& query, ScenarioResult& 
     result.body_b = scenario.body_b;
     result.level = query.level;
     result.has_clearance = query.clearance.has_value();
+    result.question = query.question;
 }
 
 /// Sets the number of pairs found, including pairs not kept, and the class that they determine.
@@ -73,6 +75,31 @@ std::optional<std::size_t> find_any(std::span<const SubtreePair> pairs,
         result.kind = ScenarioClass::Near;
     }
     return found;
+}
+
+/// Finds the nearest pair, unless the bodies touch.
+std::optional<std::size_t> find_distance(std::span<const SubtreePair> pairs,
+                                         ContactSearch& search,
+                                         ScenarioResult& result) {
+    if (const auto touching = find_touching(pairs, search)) {
+        result.kind = ScenarioClass::Contact;
+        return touching;
+    }
+    for (const SubtreePair& pair : pairs) {
+        search.find_nearest(pair.a, pair.b);
+    }
+    NearestFound& found = search.nearest();
+    if (const std::optional<NearestPair>& best = found.best()) {
+        const NearestPoints points = found.points_of(*best);
+        result.nearest = NearestWitness{best->distance,
+                                        best->a,
+                                        best->b,
+                                        points.feature,
+                                        points.origin,
+                                        points.of_a,
+                                        points.of_b};
+    }
+    return std::nullopt;
 }
 
 ScenarioResult
@@ -204,6 +231,9 @@ SearchOptions search_options(const Query& query, const RunOptions& options) {
     search.keep_corners = query.level == Level::Contacts;
     search.pairs_max = pairs_worth_keeping(query);
     search.clearance = query.clearance;
+    if (query.question == Question::Distance) {
+        search.nearest_up_to = query.up_to.value_or(std::numeric_limits<double>::infinity());
+    }
     search.first_stage = options.first_stage;
     search.decision = options.decision;
     search.stop = options.stop;
@@ -251,7 +281,9 @@ ScenarioRun run_on_subtrees(KeptSearch& kept,
     bool is_whole = true;
     switch (query.level) {
     case Level::Any:
-        kept.touching = find_any(pairs, search, run.result);
+        kept.touching = query.question == Question::Distance
+                            ? find_distance(pairs, search, run.result)
+                            : find_any(pairs, search, run.result);
         break;
     case Level::Count:
         find_count(pairs, scenario, query, search, run);

@@ -73,6 +73,11 @@ struct CollidingRoots {
 [[nodiscard]] Result<CollidingRoots>
 colliding_roots(const TreeTop& a, const TreeTop& b, const PosePair& poses, double clearance = 0);
 
+/// Returns an upper bound on the distance in the world of two bodies' nearest triangles: every box
+/// of an upper tree holds a triangle, so the bound is the least of the greatest distances of two
+/// boxes. May be infinite.
+[[nodiscard]] double distance_bound(const TreeTop& a, const TreeTop& b, const PosePair& poses);
+
 /// Returns the distinct roots of body A in a list of pairs, ascending.
 [[nodiscard]] std::vector<RootIndex> roots_of_a(std::span<const RootPair> pairs);
 [[nodiscard]] std::vector<RootIndex> roots_of_b(std::span<const RootPair> pairs);

@@ -3,6 +3,7 @@
 #include "common/core/check.hpp"
 #include "common/core/limits/engine.hpp"
 #include "common/job/packed_scenarios.hpp"
+#include "common/job/query_roots.hpp"
 #include "common/job/run_scenario.hpp"
 #include "common/job/settle.hpp"
 #include "master/dispatch/cost_model.hpp"
@@ -24,8 +25,7 @@ Analysis analyse_uncounted(const AnalysisInput& input, const Scenario& scenario)
     Analysis analysis;
     analysis.scenario = scenario;
     // The root of an upper tree is the whole body's box, so this descent includes the broad phase.
-    Result<CollidingRoots> roots = colliding_roots(
-        *input.top_a, *input.top_b, scenario.poses, input.query.clearance.value_or(0));
+    Result<CollidingRoots> roots = query_roots(*input.top_a, *input.top_b, scenario.poses, input.query);
     if (!roots) {
         analysis.finished = failed_result(scenario, input.query, roots.error());
         return analysis;

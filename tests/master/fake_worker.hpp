@@ -5,6 +5,7 @@
 #include "common/core/limits/engine.hpp"
 #include "common/job/packed_scenarios.hpp"
 #include "common/job/poses/pose_source.hpp"
+#include "common/job/query_roots.hpp"
 #include "common/job/result/contact_map.hpp"
 #include "common/job/result/packed_map.hpp"
 #include "common/job/result/packed_records.hpp"
@@ -218,8 +219,10 @@ class FakeWorker {
         }
         WorkUnit batch{range.task, range.job, 0, range.count, pack_scenarios(scenarios), {0}, {}};
         for (const Scenario& scenario : scenarios) {
-            const auto roots = colliding_roots(
-                *trees_.at(job.trees[0]).top, *trees_.at(job.trees[1]).top, scenario.poses);
+            const auto roots = query_roots(*trees_.at(job.trees[0]).top,
+                                           *trees_.at(job.trees[1]).top,
+                                           scenario.poses,
+                                           job.query);
             const std::vector<RootPair>& pairs = roots.value().pairs;
             batch.pairs.insert(batch.pairs.end(), pairs.begin(), pairs.end());
             batch.pair_offsets.push_back(static_cast<std::uint32_t>(batch.pairs.size()));

@@ -1,6 +1,7 @@
 #include "worker/execution/walk.hpp"
 
 #include "common/core/limits/engine.hpp"
+#include "common/job/query_roots.hpp"
 #include "common/job/run_scenario.hpp"
 
 #include <algorithm>
@@ -78,10 +79,7 @@ class Walker {
     /// Returns false if stopped.
     bool run_on_roots(std::size_t which, const Scenario& scenario, const RunOptions& options) {
         Result<CollidingRoots> roots =
-            colliding_roots(walk_.a->top(),
-                            walk_.b->top(),
-                            scenario.poses,
-                            walk_.job->query.clearance.value_or(0));
+            query_roots(walk_.a->top(), walk_.b->top(), scenario.poses, walk_.job->query);
         FinishedScenarios& finished = walked_.finished;
         if (!roots) {
             finished.add(encode_result(failed_result(scenario, walk_.job->query, roots.error())));

@@ -2,6 +2,7 @@
 
 #include "common/core/check.hpp"
 #include "common/core/errors.hpp"
+#include "common/job/result/canonical_numbers.hpp"
 #include "common/job/result/result_sense.hpp"
 
 #include <algorithm>
@@ -18,13 +19,14 @@ namespace {
 
 constexpr std::uint8_t version_contacts = 2;
 constexpr std::uint8_t version = 3;
-constexpr std::uint8_t question_contacts = 0;
 constexpr std::uint8_t flag_clearance = 1;
 constexpr std::uint8_t flag_surfaces_only = 1;
 constexpr std::uint8_t flag_insides_skipped = 2;
 constexpr std::size_t head_bytes = 28;
-/// What version 3 adds to the head: the question, the step, more flags and the near pairs' number.
-constexpr std::size_t clearance_bytes = 1 + sizeof(std::uint64_t) + 1 + sizeof(std::uint64_t);
+/// What version 3 adds to the head: the question and the step.
+constexpr std::size_t question_bytes = 1 + sizeof(std::uint64_t);
+/// What version 3 adds for contacts: more flags and the near pairs' number.
+constexpr std::size_t clearance_bytes = 1 + sizeof(std::uint64_t);
 constexpr std::uint64_t pair_bytes = 2 * sizeof(std::uint32_t) + 1;
 constexpr std::uint64_t point_bytes = 3 * sizeof(double);
 /// The intersection of two triangles is at most a hexagon.
@@ -34,30 +36,6 @@ constexpr std::uint32_t points_of_near_pair = 2;
 
 constexpr std::array<std::string_view, 8> class_names{
     "separate", "touch", "cross", "inside", "contact", "undecided", "failed", "near"};
-
-/// Returns the number in a canonical bit pattern: zero has no sign, and NaN (a point that left the
-/// range of double) has no payload.
-double canonical(double value) {
-    return std::isnan(value) ? std::numeric_limits<double>::quiet_NaN() : value + 0.0;
-}
-
-bool is_canonical(double value) {
-    return std::bit_cast<std::uint64_t>(value) == std::bit_cast<std::uint64_t>(canonical(value));
-}
-
-void put_numbers(ByteWriter& out, std::span<const double> numbers) {
-    std::vector<double> values;
-    values.reserve(numbers.size());
-    for (const double number : numbers) {
-        values.push_back(canonical(number));
-    }
-    out.put_array(std::span<const double>(values));
-}
-
-void put_points(ByteWriter& out, std::span<const Vec3> points) {
-    static_assert(sizeof(Vec3) == 3 * sizeof(double));
-    put_numbers(out, {points.empty() ? nullptr : points.front().data(), 3 * points.size()});
-}
 
 void put_pairs(ByteWriter& out, std::span<const ContactPair> pairs) {
     std::vector<std::uint32_t> triangles(2 * pairs.size());
@@ -85,12 +63,25 @@ void put_shared_points(ByteWriter& out, const ScenarioResult& result) {
     put_points(out, result.points);
 }
 
+std::uint8_t version_of(const ScenarioResult& result) {
+    return result.has_clearance || result.question != Question::Contacts ? version
+                                                                         : version_contacts;
+}
+
+std::size_t bytes_of_head(const ScenarioResult& result) {
+    return head_bytes + (version_of(result) == version ? question_bytes : 0) +
+           (result.has_clearance ? clearance_bytes : 0);
+}
+
 /// Returns the exact number of bytes of a record.
 std::uint64_t bytes_of_record(const ScenarioResult& result) {
-    const std::uint64_t head = head_bytes + (result.has_clearance ? clearance_bytes : 0) +
+    const std::uint64_t head = bytes_of_head(result) +
                                (result.kind == ScenarioClass::Undecided ? sizeof(double) : 0);
     if (result.kind == ScenarioClass::Failed) {
         return head + sizeof(std::uint32_t) + result.failure.size();
+    }
+    if (result.question == Question::Distance) {
+        return head + bytes_of_witness(result.nearest);
     }
     if (result.level < Level::Pairs) {
         return head;
@@ -111,15 +102,15 @@ Error bad(const char* what) {
 /// Writes the head of a record in one piece, for speed: at `level count` the head is the whole
 /// record, and the master writes a million records per second.
 void put_head(ByteWriter& out, const ScenarioResult& result) {
-    std::array<std::uint8_t, head_bytes + clearance_bytes> head;
+    std::array<std::uint8_t, head_bytes + question_bytes + clearance_bytes> head;
     std::uint8_t* to = head.data();
     const auto put = [&](auto value) {
         std::memcpy(to, &value, sizeof value);
         to += sizeof value;
     };
-    put(result.has_clearance ? version : version_contacts);
-    if (result.has_clearance) {
-        put(question_contacts);
+    put(version_of(result));
+    if (version_of(result) == version) {
+        put(static_cast<std::uint8_t>(result.question));
     }
     put(result.index);
     put(result.body_a);
@@ -129,13 +120,15 @@ void put_head(ByteWriter& out, const ScenarioResult& result) {
     put(static_cast<std::uint8_t>((result.surfaces_only ? flag_surfaces_only : 0) |
                                   (result.insides_skipped ? flag_insides_skipped : 0)));
     put(result.pair_count);
-    if (result.has_clearance) {
+    if (version_of(result) == version) {
         put(std::uint64_t{0});
+    }
+    if (result.has_clearance) {
         put(flag_clearance);
         put(result.near_count);
     }
     const auto bytes = static_cast<std::size_t>(to - head.data());
-    CD_CHECK(bytes == head_bytes + (result.has_clearance ? clearance_bytes : 0));
+    CD_CHECK(bytes == bytes_of_head(result));
     out.put_array(std::span<const std::uint8_t>(head).first(bytes));
 }
 
@@ -147,6 +140,10 @@ void put_body(ByteWriter& out, const ScenarioResult& result) {
     }
     if (result.kind == ScenarioClass::Failed) {
         out.put_text(result.failure);
+        return;
+    }
+    if (result.question == Question::Distance) {
+        put_witness(out, result.nearest);
         return;
     }
     if (result.level >= Level::Pairs) {
@@ -161,25 +158,31 @@ void put_body(ByteWriter& out, const ScenarioResult& result) {
 }
 
 Status get_clearance(ByteReader& in, ScenarioResult& result) {
-    const auto step = in.get<std::uint64_t>();
     const auto flags = in.get<std::uint8_t>();
     result.near_count = in.get<std::uint64_t>();
     if (in.failed()) {
         return bad("cut short");
     }
-    if (step != 0 || flags != flag_clearance) {
-        return bad("unknown step or flag");
+    return flags == flag_clearance ? Status(Done{}) : bad("unknown flag");
+}
+
+/// Reads version and question. Contacts have version 3 only with a clearance.
+Status get_question(ByteReader& in, ScenarioResult& result) {
+    const auto from_version = in.get<std::uint8_t>();
+    if (from_version == version_contacts) {
+        return Done{};
     }
+    const auto question = in.get<std::uint8_t>();
+    if (from_version != version || question > static_cast<std::uint8_t>(Question::Distance)) {
+        return bad("unknown version or question");
+    }
+    result.question = static_cast<Question>(question);
+    result.has_clearance = result.question == Question::Contacts;
     return Done{};
 }
 
 Status get_head(ByteReader& in, ScenarioResult& result) {
-    const auto from_version = in.get<std::uint8_t>();
-    result.has_clearance = from_version == version;
-    if ((!result.has_clearance && from_version != version_contacts) ||
-        (result.has_clearance && in.get<std::uint8_t>() != question_contacts)) {
-        return bad("unknown version or question");
-    }
+    CD_TRY(get_question(in, result));
     result.index = in.get<std::uint64_t>();
     result.body_a = in.get<std::uint32_t>();
     result.body_b = in.get<std::uint32_t>();
@@ -198,6 +201,9 @@ Status get_head(ByteReader& in, ScenarioResult& result) {
     result.kind = static_cast<ScenarioClass>(kind);
     result.surfaces_only = (flags & flag_surfaces_only) != 0;
     result.insides_skipped = (flags & flag_insides_skipped) != 0;
+    if (version_of(result) == version && in.get<std::uint64_t>() != 0) {
+        return bad("unknown step");
+    }
     if (result.has_clearance) {
         CD_TRY(get_clearance(in, result));
     }
@@ -233,21 +239,6 @@ Status get_pairs(ByteReader& in, ScenarioResult& result) {
     return Done{};
 }
 
-Status get_vectors(ByteReader& in, std::size_t count, std::vector<Vec3>& vectors) {
-    const auto values = in.get_array<double>(3 * count);
-    if (in.failed()) {
-        return bad("points cut short");
-    }
-    if (!std::all_of(values.begin(), values.end(), is_canonical)) {
-        return bad("a number that is not in canonical form");
-    }
-    vectors.reserve(count);
-    for (std::size_t i = 0; i < values.size(); i += 3) {
-        vectors.emplace_back(values[i], values[i + 1], values[i + 2]);
-    }
-    return Done{};
-}
-
 Status get_shared_points(ByteReader& in, ScenarioResult& result) {
     const auto counts = in.get_array<std::uint8_t>(result.pairs.size());
     if (in.failed()) {
@@ -264,10 +255,10 @@ Status get_shared_points(ByteReader& in, ScenarioResult& result) {
         points += counts[i];
         result.point_offsets.push_back(points);
     }
-    if (const Status status = get_vectors(in, counts.size(), result.point_origins); !status) {
+    if (const Status status = get_points(in, counts.size(), result.point_origins); !status) {
         return status;
     }
-    return get_vectors(in, points, result.points);
+    return get_points(in, points, result.points);
 }
 
 Status get_near_distances(ByteReader& in, ScenarioResult& result) {
@@ -276,12 +267,30 @@ Status get_near_distances(ByteReader& in, ScenarioResult& result) {
         return bad("distances cut short");
     }
     for (const double distance : distances) {
-        // Distances below half the least denormal number round to 0.
-        if (!(distance >= 0) || std::isinf(distance) || !is_canonical(distance)) {
+        if (!is_distance(distance)) {
             return bad("a distance that is none");
         }
     }
     result.near_distances.assign(distances.begin(), distances.end());
+    return Done{};
+}
+
+/// Reads what follows the head.
+Status get_body(ByteReader& in, ScenarioResult& result) {
+    if (result.kind == ScenarioClass::Failed) {
+        result.failure = in.get_text();
+        return Done{};
+    }
+    if (result.question == Question::Distance) {
+        return get_witness(in, result.nearest);
+    }
+    if (result.level >= Level::Pairs) {
+        CD_TRY(get_pairs(in, result));
+    }
+    if (result.level >= Level::Contacts) {
+        CD_TRY(get_shared_points(in, result));
+        CD_TRY(get_near_distances(in, result));
+    }
     return Done{};
 }
 
@@ -312,17 +321,7 @@ Result<ScenarioResult> decode_result(std::span<const std::byte> bytes) {
     ByteReader in(bytes);
     ScenarioResult result;
     CD_TRY(get_head(in, result));
-    if (result.kind == ScenarioClass::Failed) {
-        result.failure = in.get_text();
-    } else {
-        if (result.level >= Level::Pairs) {
-            CD_TRY(get_pairs(in, result));
-        }
-        if (result.level >= Level::Contacts) {
-            CD_TRY(get_shared_points(in, result));
-            CD_TRY(get_near_distances(in, result));
-        }
-    }
+    CD_TRY(get_body(in, result));
     if (!in.complete()) {
         return bad("cut short or bytes left over");
     }
@@ -346,6 +345,7 @@ void fail_above_limit(ScenarioResult& result, std::uint64_t bytes_max) {
     failed.body_b = result.body_b;
     failed.level = result.level;
     failed.has_clearance = result.has_clearance;
+    failed.question = result.question;
     failed.kind = ScenarioClass::Failed;
     failed.failure = std::to_string(result.pair_count + result.near_count) +
                      " pairs are too many for one result; set limit_pairs, or ask for level count";

@@ -6,6 +6,7 @@
 #include "common/core/result.hpp"
 #include "common/geometry/types.hpp"
 #include "common/job/query.hpp"
+#include "common/job/result/nearest_witness.hpp"
 #include "common/search/contact_pair.hpp"
 
 #include <cstddef>
@@ -70,6 +71,11 @@ struct ScenarioResult {
     /// world, correctly rounded.
     std::vector<double> near_distances;
 
+    Question question = Question::Contacts;
+    /// With Question::Distance, unless the bodies touch or are farther apart than the query's
+    /// `up_to`.
+    std::optional<NearestWitness> nearest;
+
     std::string failure; ///< Reason for class Failed, which has no pairs.
 
     [[nodiscard]] bool is_cut() const {
@@ -79,17 +85,21 @@ struct ScenarioResult {
 
 /// Encodes the canonical record, little-endian. Statistics, times and hosts are never part of it.
 ///
-///     u8 version: 3 with a clearance, else 2
-///     version 3:        u8 question = 0
+///     u8 version: 3 with a clearance or another question than contacts, else 2
+///     version 3:        u8 question
 ///     u64 index    u32 body_a    u32 body_b    u8 level    u8 class
 ///     u8 flags (bit 0: surfaces only, bit 1: insides skipped; never both)
 ///       u64 pair_count
-///     version 3:        u64 step = 0; u8 more flags (bit 0: clearance); u64 near_count
+///     version 3:        u64 step = 0
+///     version 3, question contacts: u8 more flags (bit 0: clearance); u64 near_count
 ///     class undecided:  f64 distance_bound
 ///     class failed:     u32 length, characters of the reason; the record ends here
 ///     level >= pairs:   u32 n; n x u32 triangles of A; n x u32 triangles of B; n x u8 class
 ///     level contacts:   n x u8 points of the pair (at most 6; a near pair has 2); n x 3 f64 origins;
 ///                       points x 3 f64; version 3: f64 distance of each near pair
+///     question distance, whose level is any: u8 1 if there is a distance, else 0; if 1: f64
+///                       distance; u32 triangle of A; u32 triangle of B; u8 feature; 3 f64 origin;
+///                       3 f64 point of A; 3 f64 point of B
 ///
 /// -0 is stored as 0, and a NaN (a point that left the range of double) as the one quiet NaN.
 /// The caller guarantees the rules that `decode_result` checks.

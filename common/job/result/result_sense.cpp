@@ -28,6 +28,21 @@ Status check_near(const ScenarioResult& result) {
     return Done{};
 }
 
+/// Checks that a distance fits level and class.
+Status check_distance(const ScenarioResult& result) {
+    if (result.question != Question::Distance) {
+        return Done{};
+    }
+    const bool may_have_distance =
+        result.kind == ScenarioClass::Separate || result.kind == ScenarioClass::Inside;
+    const bool has_none =
+        result.kind == ScenarioClass::Contact || result.kind == ScenarioClass::Failed;
+    if (result.level != Level::Any || !(may_have_distance || (has_none && !result.nearest))) {
+        return bad("a distance that does not fit the level or class");
+    }
+    return Done{};
+}
+
 } // namespace
 
 std::uint64_t listed_near_pairs(const ScenarioResult& result) {
@@ -48,6 +63,7 @@ Status check_sense(const ScenarioResult& result) {
         return bad("a number of pairs that does not fit the class");
     }
     CD_TRY(check_near(result));
+    CD_TRY(check_distance(result));
     if (result.pair_count > 0 && result.distance_bound > 0) {
         return bad("a distance between bodies in contact");
     }
