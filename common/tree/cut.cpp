@@ -2,6 +2,7 @@
 
 #include "common/core/limits/engine.hpp"
 #include "common/tree/box_test.hpp"
+#include "common/tree/build/build_fit.hpp"
 #include "common/tree/reach.hpp"
 
 #include <algorithm>
@@ -121,6 +122,8 @@ class BoundDescent {
   public:
     BoundDescent(const TreeTop& a, const TreeTop& b, const PosePair& poses)
         : a_(a), b_(b), poses_(poses), boxes_(relative_pose(poses)), near_(boxes_) {
+        // Covers the frames of boxes and, by 1.5 times, the skew.
+        stretch_ = 1 + 2 * relative_pose(poses).skew + 8 * axes_error_max;
         visit({0, 0});
     }
 
@@ -148,8 +151,7 @@ class BoundDescent {
     }
 
   private:
-    /// Adds a pair, and returns the greatest distance of its boxes. Frames of boxes and a relative
-    /// pose that is nearly rigid lengthen a vector by less than a hundredth.
+    /// Adds a pair, and returns the greatest distance of its boxes.
     double visit(const RootPair& nodes) {
         const ObbNode& a = a_.nodes[nodes.a];
         const PosedBox b = boxes_.pose(b_.nodes[nodes.b]);
@@ -164,7 +166,7 @@ class BoundDescent {
             half_b += b.half[i] * b.half[i];
         }
         const double most =
-            1.01 * (std::sqrt(between) + std::sqrt(half_a) + std::sqrt(half_b)) + 2 * b.error;
+            stretch_ * (std::sqrt(between) + std::sqrt(half_a) + std::sqrt(half_b)) + 2 * b.error;
         bound_ = std::min(bound_, most);
         waiting_.push_back(nodes);
         return most;
@@ -176,6 +178,7 @@ class BoundDescent {
     BoxTest boxes_;
     BoxTest near_;
     std::vector<RootPair> waiting_;
+    double stretch_; ///< At least the factor by which a box of B and the frames lengthen a vector.
     double bound_ = std::numeric_limits<double>::infinity();
 };
 

@@ -72,7 +72,7 @@ TEST(DistanceScenario, PartsGiveTheSameRecordAsTheWhole) {
         with_distance += whole.nearest ? 1 : 0;
     }
     EXPECT_GT(classes[ScenarioClass::Separate], 20);
-    EXPECT_GT(classes[ScenarioClass::Contact], 10);
+    EXPECT_GT(classes[ScenarioClass::Contact], 4);
     EXPECT_GT(with_distance, 20u);
 }
 
