@@ -37,6 +37,13 @@ DistanceStatistics& DistanceStatistics::operator+=(const DistanceStatistics& oth
 /// many.
 constexpr std::size_t float_distances_min = 4;
 
+/// The bounds of the candidates of the last call.
+struct FloatBounds {
+    std::vector<float> lower;
+    std::vector<float> upper;
+    std::vector<TriangleDistance::Bounds> both;
+};
+
 struct TriangleDistance::State {
     PosePair poses;
     DistanceStage first;
@@ -49,9 +56,7 @@ struct TriangleDistance::State {
     DistanceStatistics statistics;
     std::vector<NearVerdict> verdicts; ///< One per candidate of the last call.
     std::vector<std::uint8_t> answers; ///< One per candidate of the last call.
-    std::vector<float> lower;
-    std::vector<float> upper;
-    std::vector<TriangleDistance::Bounds> bounds; ///< One per candidate of the last call.
+    FloatBounds bounds;
 
     State(const PosePair& given, DistanceStage first_stage)
         : poses(given), first(first_stage), origins(given) {}
@@ -224,20 +229,21 @@ template <class Triangles>
 std::span<const TriangleDistance::Bounds> TriangleDistance::bounds(
     const Triangles& a, const Triangles& b, std::span<const Candidate> candidates) {
     State& s = *state_;
-    s.bounds.assign(candidates.size(), {0, std::numeric_limits<float>::infinity()});
+    FloatBounds& bounds = s.bounds;
+    bounds.both.assign(candidates.size(), {0, std::numeric_limits<float>::infinity()});
     if (s.first > DistanceStage::Float) {
-        return s.bounds;
+        return bounds.both;
     }
     if (!s.in_float) {
         s.in_float.emplace(s.poses);
     }
-    s.lower.resize(candidates.size());
-    s.upper.resize(candidates.size());
-    s.in_float->bound(a, b, candidates, s.lower, s.upper);
+    bounds.lower.resize(candidates.size());
+    bounds.upper.resize(candidates.size());
+    s.in_float->bound(a, b, candidates, bounds.lower, bounds.upper);
     for (std::size_t i = 0; i < candidates.size(); ++i) {
-        s.bounds[i] = {s.lower[i], s.upper[i]};
+        bounds.both[i] = {bounds.lower[i], bounds.upper[i]};
     }
-    return s.bounds;
+    return bounds.both;
 }
 
 template std::span<const TriangleDistance::Bounds> TriangleDistance::bounds(

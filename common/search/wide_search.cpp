@@ -1,7 +1,7 @@
 #include "common/search/wide_search.hpp"
 
 #include "common/core/check.hpp"
-#include "common/tree/reach.hpp"
+#include "common/geometry/reach.hpp"
 #include "common/tree/wide/candidates_at_once.hpp"
 
 #include <algorithm>

@@ -3,7 +3,7 @@
 #include "common/core/limits/engine.hpp"
 #include "common/tree/box_test.hpp"
 #include "common/tree/build/build_fit.hpp"
-#include "common/tree/reach.hpp"
+#include "common/geometry/reach.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -11,8 +11,7 @@
 namespace cd {
 
 /// Numbers of merged scenarios of a job, by class (docs/formats.md).
-struct Summary {
-    std::uint64_t total = 0; ///< Scenarios of the job, merged or not.
+struct ClassCounts {
     std::uint64_t separate = 0;
     std::uint64_t touch = 0;
     std::uint64_t cross = 0;
@@ -21,6 +20,11 @@ struct Summary {
     std::uint64_t undecided = 0;
     std::uint64_t failed = 0;
     std::uint64_t near = 0; ///< With a clearance only.
+};
+
+/// What is known of a job's merged scenarios.
+struct Summary : ClassCounts {
+    std::uint64_t total = 0;           ///< Scenarios of the job, merged or not.
     std::uint64_t pairs = 0;           ///< Pairs in contact, including those that a limit cut off.
     std::uint64_t near_pairs = 0;      ///< Pairs of class Near, likewise.
     std::uint64_t surfaces_only = 0;   ///< Scenarios with an open body.

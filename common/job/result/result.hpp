@@ -39,15 +39,20 @@ enum class ScenarioClass : std::uint8_t {
            kind == ScenarioClass::Inside || kind == ScenarioClass::Contact;
 }
 
-struct ScenarioResult {
+/// What a result says before its numbers and lists.
+struct ScenarioHead {
     std::uint64_t index = 0;
     std::uint32_t body_a = 0;
     std::uint32_t body_b = 1;
+    Question question = Question::Contacts;
     Level level = Level::Pairs;
     ScenarioClass kind = ScenarioClass::Separate;
     bool surfaces_only = false;   ///< A body is open, so containment is not decided.
     bool insides_skipped = false; ///< Ignored pairs leave parts whose containment is not decided.
     bool has_clearance = false;   ///< The query has a clearance, so near pairs are in the result.
+};
+
+struct ScenarioResult : ScenarioHead {
     /// Number of all pairs in contact, even if `pairs` is cut off; 0 at `level any`. If the class
     /// is Undecided, the number of proven pairs, which need not be all.
     std::uint64_t pair_count = 0;
@@ -71,7 +76,6 @@ struct ScenarioResult {
     /// world, correctly rounded.
     std::vector<double> near_distances;
 
-    Question question = Question::Contacts;
     /// With Question::Distance, unless the bodies touch or are farther apart than the query's
     /// `up_to`.
     std::optional<NearestWitness> nearest;

@@ -35,7 +35,7 @@ WideBody body_of(const WideView& tree) {
 } // namespace
 
 WideDescent::WideDescent(const RelativePose& b_to_a, double error_scale)
-    : error_scale_(error_scale) {
+    : margins_{error_scale, 0, 0} {
     // This call precedes the kernel's first one, so that a setting of the target takes effect.
     static_cast<void>(simd_target());
     walk_.waiting_room = 2 * wide_pairs_slack;
@@ -45,7 +45,7 @@ WideDescent::WideDescent(const RelativePose& b_to_a, double error_scale)
 
 void WideDescent::restart(const RelativePose& b_to_a, double reach) {
     b_to_a_ = b_to_a;
-    reach_ = reach;
+    margins_.reach = reach;
     for (std::size_t i = 0; i < 3; ++i) {
         for (std::size_t k = 0; k < 3; ++k) {
             const double entry = b_to_a.rotation(static_cast<int>(i), static_cast<int>(k));
@@ -57,7 +57,7 @@ void WideDescent::restart(const RelativePose& b_to_a, double reach) {
     }
     const double error = b_to_a.rotation_error + b_to_a.skew;
     pose_.relative_margin = b_to_a.rotation_error <= pose_error_max && b_to_a.skew <= pose_error_max
-                                ? static_cast<float>(error_scale_ * 1.01 * (0x1p-17 + 6 * error))
+                                ? static_cast<float>(margins_.error_scale * 1.01 * (0x1p-17 + 6 * error))
                                 : std::numeric_limits<float>::infinity();
     walk_.waiting_count = 0;
     walk_.ranked.clear();
@@ -69,25 +69,25 @@ void WideDescent::restart(const RelativePose& b_to_a, double reach) {
 
 void WideDescent::set_margin() {
     // After NaN or overflow, no pair counts as apart.
-    const double margin = absolute_margin_ + wide_reach_factor * reach_;
-    pose_.absolute_margin = margin < 0x1p100 && reach_ < wide_reach_max
+    const double margin = margins_.absolute + wide_reach_factor * margins_.reach;
+    pose_.absolute_margin = margin < 0x1p100 && margins_.reach < wide_reach_max
                                 ? static_cast<float>(margin) + 0x1p-120F
                                 : std::numeric_limits<float>::infinity();
-    pose_.reach = static_cast<float>(reach_);
+    pose_.reach = static_cast<float>(margins_.reach);
 }
 
 void WideDescent::set_reach(double reach) {
-    reach_ = reach;
+    margins_.reach = reach;
     set_margin();
-    if (has_planes_) {
+    if (course_.has_planes) {
         planes_.set_reach(static_cast<float>(reach));
     }
 }
 
 void WideDescent::start(const WideView& a, const WideView& b, Aim aim) {
     const double reach = 3 * (a.extent + b.extent) + b_to_a_.translation.cwiseAbs().sum();
-    absolute_margin_ =
-        error_scale_ * 4.1 *
+    margins_.absolute =
+        margins_.error_scale * 4.1 *
         (3 * b_to_a_.rotation_error * b.extent + b_to_a_.translation_error + 0x1p-49 * reach);
     set_margin();
     last_.move_to(b_to_a_, a, b);
@@ -99,26 +99,26 @@ void WideDescent::start(const WideView& a, const WideView& b, Aim aim) {
     walk_.waiting_count = 0;
     walk_.ranked.clear();
     walk_.leaf_count = 0;
-    is_for_all_ = aim == Aim::All || aim == Aim::AllUnlikely;
-    walk_.leaves_at_once = is_for_all_ ? wide_leaves_max - wide_batch_max : leaves_for_first;
-    is_nearest_ = aim == Aim::Nearest;
+    course_.is_for_all = aim == Aim::All || aim == Aim::AllUnlikely;
+    walk_.leaves_at_once = course_.is_for_all ? wide_leaves_max - wide_batch_max : leaves_for_first;
+    course_.is_nearest = aim == Aim::Nearest;
     const auto size = static_cast<float>(std::min(a.extent + b.extent, 0x1p50));
     pose_.rank_base = static_cast<std::int32_t>(std::bit_cast<std::uint32_t>(size * size) >> 23) -
                       (PairBuckets::count - 2);
-    has_planes_ = aim != Aim::All && !a.support.sets.empty() && !b.support.sets.empty();
+    course_.has_planes = aim != Aim::All && !a.support.sets.empty() && !b.support.sets.empty();
     planes_.clear();
-    if (has_planes_) {
+    if (course_.has_planes) {
         planes_.reset(
-            plane_pose(b_to_a_, a.support, b.support, error_scale_, reach_), a, b, last_.is_near());
+            plane_pose(b_to_a_, a.support, b.support, margins_.error_scale, margins_.reach), a, b, last_.is_near());
     }
     dive_ = {};
-    if (is_nearest_) {
+    if (course_.is_nearest) {
         dive_at_roots();
         return;
     }
     if (aim == Aim::LikelyFirst) {
         begin_dive();
-    } else if (has_planes_) {
+    } else if (course_.has_planes) {
         planes_.push_roots();
     } else {
         waiting_[walk_.waiting_count++] = {0, 0};
@@ -153,7 +153,7 @@ std::span<Candidate> WideDescent::next(std::size_t wanted) {
 }
 
 void WideDescent::walk() {
-    if (is_nearest_) {
+    if (course_.is_nearest) {
         walk_wide_within(pose_, walk_);
     } else {
         walk_wide(pose_, walk_);
@@ -177,8 +177,8 @@ void WideDescent::begin_dive() {
 void WideDescent::dive_at_roots() {
     walk_.ranked.clear();
     walk_.ranked.push({0, 0}, 0);
-    dive_.visits_left = is_nearest_   ? dive_visits_for_nearest
-                        : has_planes_ ? dive_visits_before_planes
+    dive_.visits_left = course_.is_nearest   ? dive_visits_for_nearest
+                        : course_.has_planes ? dive_visits_before_planes
                                       : dive_visits;
     dive_.is_near_last = false;
 }
@@ -186,7 +186,7 @@ void WideDescent::dive_at_roots() {
 /// Visits the most promising pairs.
 void WideDescent::dive() {
     walk_.visits_left = dive_.visits_left;
-    if (is_nearest_) {
+    if (course_.is_nearest) {
         walk_wide_nearest(pose_, walk_);
     } else {
         walk_wide_ranked(pose_, walk_);
@@ -205,7 +205,7 @@ void WideDescent::dive() {
 /// Begins again at the roots with planes, or without support points moves the remaining pairs to
 /// `waiting_`, the most promising last.
 void WideDescent::end_dive() {
-    if (has_planes_) {
+    if (course_.has_planes) {
         walk_.ranked.clear();
         planes_.push_roots();
         return;
@@ -238,7 +238,7 @@ void WideDescent::part() {
     planes_.push_children({waiting_.get(), walk_.waiting_count});
     walk_.waiting_count = 0;
     walk_.visits_left = visits_left - 1;
-    if (is_for_all_ && walk_.candidate_count > 0) {
+    if (course_.is_for_all && walk_.candidate_count > 0) {
         leave_planes();
     }
 }

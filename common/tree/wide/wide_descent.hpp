@@ -96,14 +96,23 @@ class WideDescent {
         bool is_near_last = false; ///< Visits pairs near the last contacts.
     };
 
+    /// How a descent goes on, from its aim and the trees.
+    struct Course {
+        bool has_planes = false; ///< Both trees have support points.
+        bool is_for_all = true;  ///< The aim is All.
+        bool is_nearest = false; ///< The aim is Nearest.
+    };
+
+    struct Margins {
+        double error_scale = 1;
+        double reach = 0;
+        double absolute = 0; ///< A length, without the reach.
+    };
+
     Dive dive_;
-    bool has_planes_ = false; ///< Both trees have support points.
-    bool is_for_all_ = true;  ///< The aim is All.
-    bool is_nearest_ = false; ///< The aim is Nearest.
+    Course course_;
     RelativePose b_to_a_;
-    double error_scale_;
-    double reach_ = 0;
-    double absolute_margin_ = 0; ///< Without the reach.
+    Margins margins_;
     WidePose pose_;
     WideWalk walk_;
     PlaneStack planes_;

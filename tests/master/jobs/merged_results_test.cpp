@@ -92,7 +92,9 @@ TEST(MergedResults, RestoredResultsCanBeWithdrawn) {
     MergedResults results(std::move(merged));
     results.restore(1, facts(1), author(5));
     EXPECT_EQ(results.withdraw(5), std::vector<std::uint64_t>{1});
-    expect_equal(results.summary(), Summary{.total = 3});
+    Summary none;
+    none.total = 3;
+    expect_equal(results.summary(), none);
     EXPECT_EQ(results.marks(), nullptr);
 }
 

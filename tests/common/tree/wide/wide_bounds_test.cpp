@@ -4,7 +4,7 @@
 
 #include "common/distance/triangle_distance.hpp"
 #include "common/pair/triangle_pair.hpp"
-#include "common/tree/reach.hpp"
+#include "common/geometry/reach.hpp"
 #include "common/tree/wide/wide_descent.hpp"
 #include "tests/common/tree/exact_box.hpp"
 #include "tests/support/brink_boxes.hpp"

@@ -1,4 +1,4 @@
-#include "common/tree/reach.hpp"
+#include "common/geometry/reach.hpp"
 
 #include <algorithm>
 #include <cmath>
