@@ -237,7 +237,8 @@ Status GroupSum::add(const PartContacts& contacts) {
         group.pairs = pair.pairs;
         group.worst = pair.worst;
         group.worst_pairs = pair.worst_pairs;
-        group.kind = pair.has_proper ? ScenarioClass::Cross : ScenarioClass::Contact;
+        group.near = {pair.near, pair.worst_near};
+        group.kind = class_of(pair);
         group.episodes = {0, pair.last, {{pair.first, pair.last}}};
     }
     left_out_ += contacts.left_out;

@@ -33,6 +33,12 @@ void merge(PartPairContacts& sum, const PartPairContacts& other) {
 
 } // namespace
 
+ScenarioClass class_of(const PartPairContacts& pair) {
+    return pair.has_proper   ? ScenarioClass::Cross
+           : pair.pairs == 0 ? ScenarioClass::Near
+                             : ScenarioClass::Contact;
+}
+
 void PartContactSum::PairSum::count(PairClass kind) {
     ++(kind == PairClass::Near ? near_here : pairs_here);
     has_proper_here = has_proper_here || kind == PairClass::Proper;

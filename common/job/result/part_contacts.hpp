@@ -4,6 +4,7 @@
 #pragma once
 
 #include "common/geometry/part_runs.hpp"
+#include "common/job/result/result.hpp"
 #include "common/search/contact_pair.hpp"
 
 #include <array>
@@ -42,6 +43,10 @@ struct PartPairContacts {
 
     friend bool operator==(const PartPairContacts&, const PartPairContacts&) = default;
 };
+
+/// Returns the class of a pair of parts: Cross if triangles go through each other, Near if none are
+/// in contact, else Contact, which leaves open whether they cross.
+[[nodiscard]] ScenarioClass class_of(const PartPairContacts& pair);
 
 struct PartContacts {
     /// The parts of A ([0]) and of B ([1]) that are in contact or near in any scenario, ascending.

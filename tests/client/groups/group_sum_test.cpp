@@ -219,7 +219,7 @@ TEST(GroupSum, SumsByPartGiveTheGroupsThatListsGive) {
         ASSERT_TRUE(of_sums.add(map.take().parts));
         std::vector<Group> expected = of_lists.groups();
         for (Group& group : expected) { // What sums do not know.
-            group.kind = group.kind == ScenarioClass::Cross ? group.kind : ScenarioClass::Contact;
+            group.kind = group.kind == ScenarioClass::Touch ? ScenarioClass::Contact : group.kind;
             group.regions = {};
             const std::uint64_t last = group.episodes.last;
             group.episodes = {0, last, {{group.episodes.first.front().first, last}}};

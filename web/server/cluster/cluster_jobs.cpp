@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <tuple>
 #include <utility>
 
 namespace cd {
@@ -83,7 +84,8 @@ groups_view(const ContactMapAnswer& sums, const BodyTrees& trees, const PagedJob
     }
     std::vector<PartPairContacts> pairs = map.value().parts.pairs;
     std::ranges::stable_sort(pairs, [](const auto& left, const auto& right) {
-        return std::pair(left.scenarios, left.pairs) > std::pair(right.scenarios, right.pairs);
+        return std::tuple(left.scenarios, left.pairs, left.near) >
+               std::tuple(right.scenarios, right.pairs, right.near);
     });
     GroupsView view;
     view.total = pairs.size();
@@ -102,7 +104,9 @@ groups_view(const ContactMapAnswer& sums, const BodyTrees& trees, const PagedJob
                              pair.pairs,
                              pair.worst,
                              pair.worst_pairs,
-                             pair.has_proper ? ScenarioClass::Cross : ScenarioClass::Contact});
+                             class_of(pair),
+                             pair.near,
+                             pair.worst_near});
     }
     return view;
 }
