@@ -79,6 +79,9 @@ TEST_F(JobFolder, ResultsWritesTheFolderThatRunWrites) {
     write_text(folder_ / "named.csv", "id,t,x\nfirst,0.1,3\n\"a, b\",0.2,1\n");
     const std::vector<std::array<std::string, 2>> jobs{
         {"random = { n = 50, seed = 3 }", "level = \"contacts\""},
+        {"random = { n = 40, seed = 4 }", "level = \"contacts\"\nclearance = 0.125"},
+        {"grid = { x = [-3, 3, 9], yaw_deg = [0, 90, 4] }",
+         "level = \"count\"\nclearance = 0.25\nmaps = true"},
         {"file = \"poses.csv\"", "level = \"pairs\"\nlimit_pairs = 3"},
         {"file = \"poses.csv\"\nunit = \"mm\"", "level = \"any\""},
         {"file = \"named.csv\"", "level = \"count\""},
