@@ -143,6 +143,13 @@ class Scenes:
             "drive", *self.bodies(), "--poses", poses, "--level", "contacts", "--formats", "csv,csv-pairs"
         )
 
+    def approach(self):
+        """A small box beside a large one: free, 3 and 4 cm away, crossing, free, 2 cm away; 5 cm are near."""
+        rows = [(x,) for x in (2, 1.33, 1.34, 1.2, 2, 1.32)]
+        poses = self.poses("approach", "x", rows)
+        near = ["--clearance", 0.05, "--level", "contacts", "--formats", "csv,csv-pairs"]
+        return self.run("approach", *self.bodies(), "--poses", poses, *near)
+
     def random(self):
         return self.run("random", *self.bodies(), "--random", 300, "--seed", 1, "--level", "contacts")
 
