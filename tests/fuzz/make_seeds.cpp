@@ -155,6 +155,29 @@ Bytes columns_of(std::span<const std::byte> packed) {
     return out.take();
 }
 
+struct AskedScenario {
+    std::string name;
+    Scenario scenario;
+    Query query;
+};
+
+/// Returns a scenario in contact at each level, and one that is near at each level.
+std::vector<AskedScenario> asked_scenarios() {
+    std::vector<AskedScenario> all;
+    for (const bool is_near : {false, true}) {
+        for (const Level level : {Level::Any, Level::Count, Level::Pairs, Level::Contacts}) {
+            AskedScenario& asked = all.emplace_back();
+            asked.name = (is_near ? "near_" : "") + std::string(to_text(level));
+            asked.scenario.index = all.size() - 1;
+            asked.scenario.poses.b =
+                Pose::from_matrix(Mat3::Identity(), {is_near ? 2.45 : 0.9, 0.1, 0.05});
+            asked.query.level = level;
+            asked.query.clearance = is_near ? std::optional(0.25) : std::nullopt;
+        }
+    }
+    return all;
+}
+
 void add_blocks_and_records(Seeds& seeds) {
     const ObbTree a = tests::make_tree(tests::make_torus(1.0, 0.4, 8, 6));
     const ObbTree b = tests::make_tree(tests::make_sphere(1));
@@ -178,17 +201,12 @@ void add_blocks_and_records(Seeds& seeds) {
     const tests::TemporaryFolder folder;
     const auto store = ResultStore::create(folder / "segment", JobId{7}, 1000);
     std::size_t header = 0;
-    for (const Level level : {Level::Any, Level::Count, Level::Pairs, Level::Contacts}) {
-        Query query;
-        query.level = level;
-        Scenario scenario;
-        scenario.index = static_cast<std::uint64_t>(level);
-        scenario.poses.b = Pose::from_matrix(Mat3::Identity(), {0.9, 0.1, 0.05});
-        const Bytes record = encode_result(run_scenario(a, b, scenario, query).result);
-        seeds.add("result", std::string(to_text(level)), record);
+    for (const AskedScenario& asked : asked_scenarios()) {
+        const Bytes record = encode_result(run_scenario(a, b, asked.scenario, asked.query).result);
+        seeds.add("result", asked.name, record);
         records.put(static_cast<std::uint32_t>(record.size()));
         put_bytes(records, record);
-        const StoredRecord stored{scenario.index, record};
+        const StoredRecord stored{asked.scenario.index, record};
         need(store->write({&stored, 1}).has_value());
         store->commit();
         header = header != 0 ? header : store->end() - record.size() - 3 * sizeof(std::uint64_t);
@@ -202,6 +220,9 @@ void add_blocks_and_records(Seeds& seeds) {
     map.parts.pairs = {{0, 0, 2, 2, 17, 1, 17, 19, true}, {0, 3, 299, 1000, 400, 9, 0, 400, false}};
     seeds.add("map", "of_two_bodies", decompress(pack_map(map), 100).value());
     seeds.add("map", "compressed", pack_map(map));
+    map.parts.pairs.back().near = 77;
+    map.parts.pairs.back().worst_near = 70;
+    seeds.add("map", "with_near_pairs", decompress(pack_map(map), 100).value());
     const Bytes segment = bytes_of(std::string_view(read_file(folder / "segment")).substr(header));
     seeds.add("segment", "records", marked(0, segment));
     seeds.add("segment", "summed_up", marked(1, segment));
@@ -223,6 +244,8 @@ void add_rows(Seeds& seeds) {
     ResultGroup group;
     group.begin = 100;
     group.rows = {{4, 20, {}, tests::some_hash(1)}, {9, 300, {}, tests::some_hash(2)}};
+    group.rows.back().facts.kind = ScenarioClass::Near;
+    group.rows.back().facts.near_count = 1000;
     group.authors = {{1, 7}, {1, 0}};
     group.remarks = {{Remark::Kind::Disputed, 4, tests::some_hash(3), 8},
                      {Remark::Kind::Settled, 4, tests::some_hash(3), 8},
@@ -510,6 +533,9 @@ void add_folders(Seeds& seeds) {
     manifest.poses.random = RandomPoses{4, 1, 0.1, 0.2};
     manifest.files = {{"records", 12}};
     seeds.add("run_json", "random", manifest_json(manifest));
+    manifest.query.clearance = 0.005;
+    seeds.add("run_json", "clearance", manifest_json(manifest));
+    manifest.query.clearance.reset();
     manifest.poses = {};
     manifest.poses.count = 4;
     manifest.poses.kind = PosesKind::Grid;
