@@ -133,7 +133,7 @@ TEST(DistanceScenario, FewRootsOfBodiesFarApartAreNamed) {
     const PosePair poses{Pose{}, translation_pose(10, 0, 0)};
     const auto roots = query_roots(top, top, poses, distance_query()).value().pairs;
     EXPECT_FALSE(roots.empty());
-    EXPECT_LT(roots.size(), std::size_t{top.root_count()} * top.root_count() / 50);
+    EXPECT_LT(roots.size(), std::size_t{top.root_count()} * top.root_count() / 10);
     Query ignoring = distance_query();
     ignoring.ignored = {{0, 1, 0, 1}};
     EXPECT_EQ(query_roots(top, top, poses, ignoring).value().pairs.size(),
