@@ -30,8 +30,7 @@ class Near(PageTest):
         self.browser.wait_text("nearest triangles 0.03 m apart")
         x, y = facts["pointPixels"][0]
         # Beside the line and its ends: the triangles are seen through the walls of A.
-        left, top, width, height = self.browser.box(".stage canvas")
-        step = height / 60
+        step = self.browser.box(".stage canvas")[3] / 60
         around = [self.browser.colour(x + i * step, y + j * step) for i in (-1, 0, 1) for j in (-1, 0, 1)]
         self.assertTrue(any(is_orange(colour) for colour in around), around)
         self.browser.picture("viewer-near-light")
@@ -43,10 +42,12 @@ class Near(PageTest):
         self.browser.press("n")
         self.browser.scenario(3)
         self.browser.go("#/jobs/folder/0?seek=near")
+        self.browser.scenario(0)
         for expected in (1, 2, 5):
             self.browser.press("n")
             self.browser.scenario(expected)
         self.browser.go("#/jobs/folder/1?seek=either")
+        self.browser.scenario(1)
         for expected in (2, 3, 5):
             self.browser.press("n")
             self.browser.scenario(expected)
