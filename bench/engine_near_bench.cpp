@@ -61,7 +61,9 @@ std::vector<Kind> kinds_of(const PosedTrees& trees, const Options& options) {
                          {},
                          {}});
     };
-    const auto tests = [](ContactSearch& search) { return search.report().statistics.triangle_tests; };
+    const auto tests = [](ContactSearch& search) {
+        return search.report().statistics.triangle_tests;
+    };
     add("touch?", {}, [=](ContactSearch& search) {
         const double answer = search.any(a, b) ? 1 : 0;
         return Found{answer, tests(search)};
@@ -122,14 +124,15 @@ void print(const Kind& kind, const Kind& touching, bool touch) {
         sum += s;
     }
     std::sort(seconds.begin(), seconds.end());
-    std::printf("%-10s %-8s %5.0f poses  mean %9.2f us  median %9.2f us  answer %12.5g  tests %9.1f\n",
-                kind.name.c_str(),
-                touch ? "contact" : "apart",
-                count,
-                1e6 * sum / count,
-                1e6 * seconds[seconds.size() / 2],
-                answers / count,
-                tests / count);
+    std::printf(
+        "%-10s %-8s %5.0f poses  mean %9.2f us  median %9.2f us  answer %12.5g  tests %9.1f\n",
+        kind.name.c_str(),
+        touch ? "contact" : "apart",
+        count,
+        1e6 * sum / count,
+        1e6 * seconds[seconds.size() / 2],
+        answers / count,
+        tests / count);
 }
 
 int run(const Options& options) {

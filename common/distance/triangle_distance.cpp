@@ -246,10 +246,10 @@ std::span<const TriangleDistance::Bounds> TriangleDistance::bounds(
     return bounds.both;
 }
 
-template std::span<const TriangleDistance::Bounds> TriangleDistance::bounds(
-    const TriangleSpan&, const TriangleSpan&, std::span<const Candidate>);
-template std::span<const TriangleDistance::Bounds> TriangleDistance::bounds(
-    const TriangleBlocks&, const TriangleBlocks&, std::span<const Candidate>);
+template std::span<const TriangleDistance::Bounds>
+TriangleDistance::bounds(const TriangleSpan&, const TriangleSpan&, std::span<const Candidate>);
+template std::span<const TriangleDistance::Bounds>
+TriangleDistance::bounds(const TriangleBlocks&, const TriangleBlocks&, std::span<const Candidate>);
 
 const DistanceStatistics& TriangleDistance::statistics() const {
     return state_->statistics;

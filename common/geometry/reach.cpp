@@ -16,8 +16,8 @@ struct SquareFactors {
     double most;
 };
 
-/// Bounds the eigenvalues of M'M by Gershgorin's circles. An entry of M'M has three products and two
-/// sums, so it errs by at most 3.1 u times the larger of the two diagonal entries.
+/// Bounds the eigenvalues of M'M by Gershgorin's circles. An entry of M'M has three products and
+/// two sums, so it errs by at most 3.1 u times the larger of the two diagonal entries.
 SquareFactors square_factors(const Mat3& m) {
     const Mat3 square = m.transpose() * m;
     const double error = 16 * unit_roundoff * square.diagonal().maxCoeff();

@@ -45,8 +45,8 @@ struct Query {
     /// and in the job's unit (`is_clearance`).
     std::optional<double> clearance = std::nullopt;
     Question question = Question::Contacts;
-    /// Bodies that are farther apart than this, in the world, get no distance (`is_clearance`); only
-    /// with Question::Distance.
+    /// Bodies that are farther apart than this, in the world, get no distance (`is_clearance`);
+    /// only with Question::Distance.
     std::optional<double> up_to = std::nullopt;
 };
 

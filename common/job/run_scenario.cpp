@@ -44,17 +44,15 @@ std::optional<std::size_t> find_first(std::span<const SubtreePair> pairs, const 
 }
 
 /// Returns the index of the first pair found to touch.
-std::optional<std::size_t>
-find_touching(std::span<const SubtreePair> pairs, ContactSearch& search) {
-    return find_first(pairs,
-                      [&](const SubtreePair& pair) { return search.any(pair.a, pair.b); });
+std::optional<std::size_t> find_touching(std::span<const SubtreePair> pairs,
+                                         ContactSearch& search) {
+    return find_first(pairs, [&](const SubtreePair& pair) { return search.any(pair.a, pair.b); });
 }
 
 /// Returns the index of the first pair found to touch. With a clearance, near pairs are looked for
 /// first: bodies without one need no search for contacts.
-std::optional<std::size_t> find_any(std::span<const SubtreePair> pairs,
-                                    ContactSearch& search,
-                                    ScenarioResult& result) {
+std::optional<std::size_t>
+find_any(std::span<const SubtreePair> pairs, ContactSearch& search, ScenarioResult& result) {
     Nearness nearness = Nearness::Near;
     std::optional<std::size_t> found;
     if (result.has_clearance) {
@@ -78,9 +76,8 @@ std::optional<std::size_t> find_any(std::span<const SubtreePair> pairs,
 }
 
 /// Finds the nearest pair, unless the bodies touch.
-std::optional<std::size_t> find_distance(std::span<const SubtreePair> pairs,
-                                         ContactSearch& search,
-                                         ScenarioResult& result) {
+std::optional<std::size_t>
+find_distance(std::span<const SubtreePair> pairs, ContactSearch& search, ScenarioResult& result) {
     if (const auto touching = find_touching(pairs, search)) {
         result.kind = ScenarioClass::Contact;
         return touching;
@@ -104,12 +101,11 @@ std::optional<std::size_t> find_distance(std::span<const SubtreePair> pairs,
 
 ScenarioResult
 too_many_for_a_map(const FoundContacts& found, const Scenario& scenario, const Query& query) {
-    return failed_result(
-        scenario,
-        query,
-        {ErrorCode::TooLarge,
-         std::to_string(found.count() + found.near_count()) +
-             " pairs are too many for a map; leave out maps"});
+    return failed_result(scenario,
+                         query,
+                         {ErrorCode::TooLarge,
+                          std::to_string(found.count() + found.near_count()) +
+                              " pairs are too many for a map; leave out maps"});
 }
 
 void find_count(std::span<const SubtreePair> pairs,

@@ -91,9 +91,9 @@ bool Settler::is_cross(const PosePair& poses,
 }
 
 bool Settler::is_work(const ScenarioResult& result) const {
-    const bool may_change =
-        result.kind == ScenarioClass::Separate || result.kind == ScenarioClass::Near ||
-        result.kind == ScenarioClass::Touch;
+    const bool may_change = result.kind == ScenarioClass::Separate ||
+                            result.kind == ScenarioClass::Near ||
+                            result.kind == ScenarioClass::Touch;
     return may_change && are_closed_;
 }
 

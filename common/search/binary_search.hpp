@@ -38,7 +38,7 @@ class BinarySearch final : public ContactSearch {
     struct Placement {
         RelativePose b_to_a;
         BoxTest boxes;
-        BoxTest near_boxes; ///< Counts boxes within the clearance as overlapping.
+        BoxTest near_boxes;      ///< Counts boxes within the clearance as overlapping.
         double reach_per_length; ///< `body_reach` of the length 1.
 
         Placement(const PosePair& poses, const std::optional<double>& clearance);
@@ -51,10 +51,8 @@ class BinarySearch final : public ContactSearch {
     };
 
     template <class OnLeaves>
-    bool descend(const BoxTest& boxes,
-                 const TreeView& a,
-                 const TreeView& b,
-                 const OnLeaves& on_leaves);
+    bool
+    descend(const BoxTest& boxes, const TreeView& a, const TreeView& b, const OnLeaves& on_leaves);
     [[nodiscard]] bool must_stop();
     void add_candidates(const BoxTest& boxes,
                         const TreeView& a,

@@ -16,8 +16,8 @@ constexpr unsigned kind_bits = 2;
 constexpr unsigned place_bits = 31;
 static_assert(limits::mesh_triangles_max <= std::uint64_t{1} << place_bits);
 
-/// Two bits hold the class: no pair is Separate, so Near takes its number. Each pair occurs once, so
-/// classes never decide the order.
+/// Two bits hold the class: no pair is Separate, so Near takes its number. Each pair occurs once,
+/// so classes never decide the order.
 constexpr std::uint64_t kind_mask = (1u << kind_bits) - 1;
 static_assert((static_cast<std::uint64_t>(PairClass::Near) & kind_mask) ==
               static_cast<std::uint64_t>(PairClass::Separate));

@@ -12,7 +12,6 @@ namespace {
 /// Below this number of pairs, neither sorting early nor returning memory pays.
 constexpr std::size_t kept_at_least = 1u << 16;
 
-
 } // namespace
 
 FoundContacts::FoundContacts(const PosePair& poses, const SearchOptions& options)

@@ -17,7 +17,8 @@
 namespace cd {
 
 /// Decides candidates, counts the contacts and near pairs among them, and keeps the pairs that the
-/// options ask for. Keeps scratch memory between scenarios; one thread at a time may use an instance.
+/// options ask for. Keeps scratch memory between scenarios; one thread at a time may use an
+/// instance.
 class FoundContacts {
   public:
     FoundContacts(const PosePair& poses, const SearchOptions& options);
@@ -26,7 +27,8 @@ class FoundContacts {
     void restart(const PosePair& poses);
 
     /// Decides candidates of two bodies, each a TriangleSpan or TriangleBlocks, and adds the
-    /// contacts and near pairs. `ids_a` and `ids_b` map the candidates' indices to triangles of the meshes.
+    /// contacts and near pairs. `ids_a` and `ids_b` map the candidates' indices to triangles of the
+    /// meshes.
     template <class Triangles>
     void add(const Triangles& a,
              std::span<const std::uint32_t> ids_a,

@@ -44,8 +44,8 @@ void NearestFound::decide(const NearestPair& pair) {
         return;
     }
     const double distance = distance_.rounded(a, b);
-    if (!best_ || std::tie(distance, pair.a, pair.b) <
-                      std::tie(best_->distance, best_->a, best_->b)) {
+    if (!best_ ||
+        std::tie(distance, pair.a, pair.b) < std::tie(best_->distance, best_->a, best_->b)) {
         best_ = pair;
         best_->distance = distance;
     }

@@ -35,8 +35,8 @@ class NearestFound {
     /// it is mostly among the nearest ones of a neighbouring pose.
     void restart(const PosePair& poses);
 
-    /// Adds candidates of two bodies, each a TriangleSpan or TriangleBlocks. `ids_a` and `ids_b` map
-    /// the candidates' indices to triangles of the meshes.
+    /// Adds candidates of two bodies, each a TriangleSpan or TriangleBlocks. `ids_a` and `ids_b`
+    /// map the candidates' indices to triangles of the meshes.
     template <class Triangles>
     void add(const Triangles& a,
              std::span<const std::uint32_t> ids_a,

@@ -20,7 +20,8 @@ struct SearchOptions {
     /// Keeps the corners of each pair for shared or nearest points, whose computation may outlive
     /// the subtrees.
     bool keep_corners = false;
-    /// Also finds near pairs: those that share no point but are at most this far apart in the world.
+    /// Also finds near pairs: those that share no point but are at most this far apart in the
+    /// world.
     std::optional<double> clearance = std::nullopt;
     /// Prepares the search for `find_nearest`, which finds no pair that is farther apart than this.
     std::optional<double> nearest_up_to = std::nullopt;

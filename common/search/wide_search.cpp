@@ -74,8 +74,7 @@ bool WideSearch::any(const TreeView& a, const TreeView& b) {
     descent_.start(a.wide, b.wide, WideDescent::Aim::Any);
     bool touches = false;
     while (!descent_.is_done() && !is_stopped_ && !touches) {
-        const auto found = 
-            next_candidates(descent_, a.wide, b.wide, candidates_at_once_for_any);
+        const auto found = next_candidates(descent_, a.wide, b.wide, candidates_at_once_for_any);
         if (const auto touch = contacts_.find_touch(a.wide.triangles, b.wide.triangles, found)) {
             descent_.note_contact(a.wide, b.wide, found[*touch]);
             touches = true;
@@ -92,8 +91,7 @@ Nearness WideSearch::any_near(const TreeView& a, const TreeView& b) {
     descent.start(a.wide, b.wide, WideDescent::Aim::Any);
     Nearness nearness = Nearness::Far;
     while (!descent.is_done() && !is_stopped_ && nearness == Nearness::Far) {
-        const auto found =
-            next_candidates(descent, a.wide, b.wide, candidates_at_once_for_any);
+        const auto found = next_candidates(descent, a.wide, b.wide, candidates_at_once_for_any);
         if (const auto near = contacts_.find_near(a.wide.triangles, b.wide.triangles, found)) {
             descent.note_contact(a.wide, b.wide, found[near->index]);
             nearness = near->touches ? Nearness::Contact : Nearness::Near;

@@ -30,10 +30,8 @@ class WideSearch final : public ContactSearch {
     [[nodiscard]] SearchReport report() const override;
 
   private:
-    [[nodiscard]] std::span<const Candidate> next_candidates(WideDescent& descent,
-                                                             const WideView& a,
-                                                             const WideView& b,
-                                                             std::size_t wanted);
+    [[nodiscard]] std::span<const Candidate>
+    next_candidates(WideDescent& descent, const WideView& a, const WideView& b, std::size_t wanted);
     void place_near(const PosePair& poses);
     [[nodiscard]] double nearest_reach() const;
     void poll_stop();

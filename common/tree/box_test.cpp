@@ -35,8 +35,8 @@
 // 4 (r |d|_1 + translation error) + 48 u (|d|_1 + |t|_1 + |c|_1).
 //
 // Reach: if the points are not the same but x = R y + t + z with |z| <= reach, then alpha has the
-// additional term F z, and L.T differs by L.(F z). All |L| are below 1.006 and |F| below 1 + 2 e, so
-// 1.01 times the reach covers it.
+// additional term F z, and L.T differs by L.(F z). All |L| are below 1.006 and |F| below 1 + 2 e,
+// so 1.01 times the reach covers it.
 //
 // Underflow is far below frame_error_ times the least half size of a node. A comparison with NaN or
 // with an infinite bound does not reject. Centres of B beyond 2^1000 get an infinite bound; then T

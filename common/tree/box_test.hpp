@@ -31,11 +31,13 @@ class BoxTest {
     [[nodiscard]] PosedBox pose(const ObbNode& b) const;
 
     /// Returns a box in A's body coordinates that encloses all points within `reach` of a triangle
-    /// of B, in exact terms. The box is all of space, or NaN on an axis, if numbers overflow or the pose is too far from rigid.
+    /// of B, in exact terms. The box is all of space, or NaN on an axis, if numbers overflow or the
+    /// pose is too far from rigid.
     [[nodiscard]] Aabb bounds(const Corners& b) const;
 
     /// Returns false only if boxes `a` and `b` have no point in common and are farther apart than
-    /// `reach`, in exact terms, under the true poses. Returns true if numbers overflow or the pose is too far from rigid.
+    /// `reach`, in exact terms, under the true poses. Returns true if numbers overflow or the pose
+    /// is too far from rigid.
     [[nodiscard]] bool may_overlap(const ObbNode& a, const PosedBox& b) const;
     [[nodiscard]] bool may_overlap(const ObbNode& a, const ObbNode& b) const {
         return may_overlap(a, pose(b));
@@ -47,7 +49,7 @@ class BoxTest {
     double translation_size_ = 0; ///< Sum of the absolute values of the translation's components.
     double rotation_error_ = 0;
     double translation_error_ = 0;
-    double reach_ = 0; ///< What the reach adds to any projection.
+    double reach_ = 0;       ///< What the reach adds to any projection.
     double frame_error_ = 0; ///< Error per unit of B's half sizes, derived in box_test.cpp.
     double rounding_;        ///< Bound on each rounding: the unit roundoff times `error_scale`.
 };

@@ -1,9 +1,9 @@
 #include "common/tree/cut.hpp"
 
 #include "common/core/limits/engine.hpp"
+#include "common/geometry/reach.hpp"
 #include "common/tree/box_test.hpp"
 #include "common/tree/build/build_fit.hpp"
-#include "common/geometry/reach.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -234,10 +234,8 @@ TreeTop make_tree_top(std::vector<ObbNode> nodes) {
     return top;
 }
 
-Result<CollidingRoots> colliding_roots(const TreeTop& a,
-                                       const TreeTop& b,
-                                       const PosePair& poses,
-                                       double clearance) {
+Result<CollidingRoots>
+colliding_roots(const TreeTop& a, const TreeTop& b, const PosePair& poses, double clearance) {
     TopDescent descent(a, b, poses, clearance);
     Result<std::vector<RootPair>> pairs = descent.leaf_pairs();
     if (!pairs) {

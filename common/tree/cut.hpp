@@ -68,8 +68,9 @@ struct CollidingRoots {
 
 /// Descends both upper trees together. Each pair of triangles that is at most `clearance` apart in
 /// the world, which is a contact without a clearance, lies under exactly one returned pair. So the
-/// answers of the pairs together are the answer, without duplicates; no pair means none. The pairs are sorted and depend only on the arguments. Errors: TooLarge if there are
-/// more than `limits::root_pairs_max` pairs.
+/// answers of the pairs together are the answer, without duplicates; no pair means none. The pairs
+/// are sorted and depend only on the arguments. Errors: TooLarge if there are more than
+/// `limits::root_pairs_max` pairs.
 [[nodiscard]] Result<CollidingRoots>
 colliding_roots(const TreeTop& a, const TreeTop& b, const PosePair& poses, double clearance = 0);
 

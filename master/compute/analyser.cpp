@@ -25,7 +25,8 @@ Analysis analyse_uncounted(const AnalysisInput& input, const Scenario& scenario)
     Analysis analysis;
     analysis.scenario = scenario;
     // The root of an upper tree is the whole body's box, so this descent includes the broad phase.
-    Result<CollidingRoots> roots = query_roots(*input.top_a, *input.top_b, scenario.poses, input.query);
+    Result<CollidingRoots> roots =
+        query_roots(*input.top_a, *input.top_b, scenario.poses, input.query);
     if (!roots) {
         analysis.finished = failed_result(scenario, input.query, roots.error());
         return analysis;

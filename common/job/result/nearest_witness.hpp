@@ -17,8 +17,8 @@ struct NearestWitness {
     double distance = 0; ///< In the world, correctly rounded.
     std::uint32_t a = 0; ///< Triangles of the meshes.
     std::uint32_t b = 0;
-    std::uint8_t feature = 0; ///< Between which features the points are (nearest_points.hpp).
-    Vec3 origin = Vec3::Zero(); ///< In the world.
+    std::uint8_t feature = 0;    ///< Between which features the points are (nearest_points.hpp).
+    Vec3 origin = Vec3::Zero();  ///< In the world.
     Vec3 point_a = Vec3::Zero(); ///< The nearest point of A, relative to the origin.
     Vec3 point_b = Vec3::Zero();
 

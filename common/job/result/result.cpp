@@ -75,8 +75,8 @@ std::size_t bytes_of_head(const ScenarioResult& result) {
 
 /// Returns the exact number of bytes of a record.
 std::uint64_t bytes_of_record(const ScenarioResult& result) {
-    const std::uint64_t head = bytes_of_head(result) +
-                               (result.kind == ScenarioClass::Undecided ? sizeof(double) : 0);
+    const std::uint64_t head =
+        bytes_of_head(result) + (result.kind == ScenarioClass::Undecided ? sizeof(double) : 0);
     if (result.kind == ScenarioClass::Failed) {
         return head + sizeof(std::uint32_t) + result.failure.size();
     }
@@ -193,8 +193,8 @@ Status get_head(ByteReader& in, ScenarioResult& result) {
     if (in.failed()) {
         return bad("cut short");
     }
-    if (level > static_cast<std::uint8_t>(Level::Contacts) ||
-        kind >= class_names.size() || flags > flag_insides_skipped) {
+    if (level > static_cast<std::uint8_t>(Level::Contacts) || kind >= class_names.size() ||
+        flags > flag_insides_skipped) {
         return bad("unknown level, class or flag");
     }
     result.level = static_cast<Level>(level);

@@ -99,7 +99,8 @@ struct ScenarioResult : ScenarioHead {
 ///     class undecided:  f64 distance_bound
 ///     class failed:     u32 length, characters of the reason; the record ends here
 ///     level >= pairs:   u32 n; n x u32 triangles of A; n x u32 triangles of B; n x u8 class
-///     level contacts:   n x u8 points of the pair (at most 6; a near pair has 2); n x 3 f64 origins;
+///     level contacts:   n x u8 points of the pair (at most 6; a near pair has 2); n x 3 f64
+///     origins;
 ///                       points x 3 f64; version 3: f64 distance of each near pair
 ///     question distance, whose level is any: u8 1 if there is a distance, else 0; if 1: f64
 ///                       distance; u32 triangle of A; u32 triangle of B; u8 feature; 3 f64 origin;

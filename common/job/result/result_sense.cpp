@@ -16,9 +16,9 @@ Error bad(const char* what) {
 /// Checks that the numbers of near pairs fit the class and the pairs.
 Status check_near(const ScenarioResult& result) {
     const bool is_near = result.kind == ScenarioClass::Near;
-    const bool may_count =
-        result.level != Level::Any && result.kind != ScenarioClass::Separate &&
-        result.kind != ScenarioClass::Undecided && result.kind != ScenarioClass::Failed;
+    const bool may_count = result.level != Level::Any && result.kind != ScenarioClass::Separate &&
+                           result.kind != ScenarioClass::Undecided &&
+                           result.kind != ScenarioClass::Failed;
     const std::uint64_t listed = listed_near_pairs(result);
     if ((is_near && !result.has_clearance) || (result.near_count > 0 && !may_count) ||
         (is_near && result.near_count == 0 && result.level != Level::Any) ||

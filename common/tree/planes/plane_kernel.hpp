@@ -47,9 +47,9 @@ using PlaneNormal = std::array<float, 3>;
 
 /// Tries to find a plane between two nodes, first with `normal`, then with at most `steps` - 1
 /// improved ones (Chung and Wang, Quick collision detection of polytopes in virtual environments,
-/// VRST 1996). If a plane proves that no point of A's node is within the pose's reach of B's, returns
-/// by how much its gap exceeds what the proof needs, else 0. `normal` becomes the last one that was tried or would be
-/// tried next. Both nodes have points.
+/// VRST 1996). If a plane proves that no point of A's node is within the pose's reach of B's,
+/// returns by how much its gap exceeds what the proof needs, else 0. `normal` becomes the last one
+/// that was tried or would be tried next. Both nodes have points.
 [[nodiscard]] float separate(const PlanePose& pose,
                              const PlaneBody& a,
                              std::uint32_t node_a,

@@ -56,9 +56,10 @@ void WideDescent::restart(const RelativePose& b_to_a, double reach) {
         pose_.translation[i] = b_to_a.translation[static_cast<int>(i)];
     }
     const double error = b_to_a.rotation_error + b_to_a.skew;
-    pose_.relative_margin = b_to_a.rotation_error <= pose_error_max && b_to_a.skew <= pose_error_max
-                                ? static_cast<float>(margins_.error_scale * 1.01 * (0x1p-17 + 6 * error))
-                                : std::numeric_limits<float>::infinity();
+    pose_.relative_margin =
+        b_to_a.rotation_error <= pose_error_max && b_to_a.skew <= pose_error_max
+            ? static_cast<float>(margins_.error_scale * 1.01 * (0x1p-17 + 6 * error))
+            : std::numeric_limits<float>::infinity();
     walk_.waiting_count = 0;
     walk_.ranked.clear();
     planes_.clear();
@@ -109,7 +110,10 @@ void WideDescent::start(const WideView& a, const WideView& b, Aim aim) {
     planes_.clear();
     if (course_.has_planes) {
         planes_.reset(
-            plane_pose(b_to_a_, a.support, b.support, margins_.error_scale, margins_.reach), a, b, last_.is_near());
+            plane_pose(b_to_a_, a.support, b.support, margins_.error_scale, margins_.reach),
+            a,
+            b,
+            last_.is_near());
     }
     dive_ = {};
     if (course_.is_nearest) {
@@ -179,7 +183,7 @@ void WideDescent::dive_at_roots() {
     walk_.ranked.push({0, 0}, 0);
     dive_.visits_left = course_.is_nearest   ? dive_visits_for_nearest
                         : course_.has_planes ? dive_visits_before_planes
-                                      : dive_visits;
+                                             : dive_visits;
     dive_.is_near_last = false;
 }
 

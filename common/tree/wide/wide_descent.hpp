@@ -48,8 +48,8 @@ class WideDescent {
     static constexpr std::uint32_t dive_visits = 16;
     /// The same before planes, which find a contact later than boxes would.
     static constexpr std::uint32_t dive_visits_before_planes = 24;
-    /// The same of a descent for the nearest pair: fewer find no good upper bound, with which planes
-    /// part little.
+    /// The same of a descent for the nearest pair: fewer find no good upper bound, with which
+    /// planes part little.
     static constexpr std::uint32_t dive_visits_for_nearest = 256;
     /// The same near the last contacts.
     static constexpr std::uint32_t dive_visits_near_last = 8;

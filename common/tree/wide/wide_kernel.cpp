@@ -45,13 +45,13 @@
 // (10) Gaps. The gap of two intervals on an axis, less the reach that widens one of them, bounds
 //     from below the displacement along that axis: the error bound of (8) has room for one more
 //     rounding of the interval's end. The difference, the product with the step, the sum with the
-//     reach and the sum of three squares err by below 10 u, the frame by 6 u. So the sum of squares,
-//     times 1 - 2^-14, is at most the square of the distance.
+//     reach and the sum of three squares err by below 10 u, the frame by 6 u. So the sum of
+//     squares, times 1 - 2^-14, is at most the square of the distance.
 //
 // Overflow: coordinates of a wide tree are below 2^50, so that boxes are within a reach of
-// 2^50 only where |w| is below 2^55; steps are within [2^-70, 2^45]. Then all that is made of an interval stays below
-// 2^127 or is a margin. So any other overflow belongs to boxes that are apart. An infinite margin
-// and a comparison with NaN both count as no separation.
+// 2^50 only where |w| is below 2^55; steps are within [2^-70, 2^45]. Then all that is made of an
+// interval stays below 2^127 or is a margin. So any other overflow belongs to boxes that are apart.
+// An infinite margin and a comparison with NaN both count as no separation.
 #include "common/tree/wide/wide_kernel.hpp"
 
 #include "common/geometry/highway_targets.hpp"
@@ -159,8 +159,7 @@ look_at(const WidePose& pose, WideWalk& walk, Visit* visits, std::size_t count, 
     std::size_t written = 0;
     for (std::size_t i = 0; i < left_count; ++i) {
         const Rows rows = rows_of(visits[left[i]], walk.box_tests);
-        written += pair_up<kRating>(
-            rows.one, rows.others, rows.one_is_a, pose, to + 2 * written);
+        written += pair_up<kRating>(rows.one, rows.others, rows.one_is_a, pose, to + 2 * written);
     }
     return written;
 }

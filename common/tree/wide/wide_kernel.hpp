@@ -23,7 +23,7 @@ struct WidePose {
         std::array<std::array<float, 4>, 3> rows{}; ///< Rows of `rotation`. The fourth entry is 0.
     float relative_margin = 0; ///< Relative to the sum of the sizes and the distance of two nodes.
     float absolute_margin = 0; ///< A length; includes the reach.
-    float reach = 0; ///< Pairs of children that are farther apart are of no interest.
+    float reach = 0;           ///< Pairs of children that are farther apart are of no interest.
     /// The binary exponent, as a float stores it, of the square of a distance with rank 0 in a
     /// descent for the nearest pair. Each larger exponent is the next rank.
     std::int32_t rank_base = 0;

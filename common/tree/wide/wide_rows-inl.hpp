@@ -55,14 +55,13 @@ HWY_INLINE V distance_ratio(V low, V high, V other_low, V other_high) {
 enum class Rating {
     None,
     Overlap, ///< Ranks by how far boxes overlap (PairBuckets).
-    Gap, ///< Ranks by a lower bound on the boxes' distance (WidePose::rank_base). Pairs beyond
-         ///< the reach are left out, also if they are so on no single axis.
+    Gap,     ///< Ranks by a lower bound on the boxes' distance (WidePose::rank_base). Pairs beyond
+             ///< the reach are left out, also if they are so on no single axis.
 };
 
 /// Adds to `square` the square of the gap between two intervals on one axis, as a length; `low` and
 /// `high` are wider by `reach`.
-HWY_INLINE V
-add_gap(V square, V low, V high, V other_low, V other_high, float step, float reach) {
+HWY_INLINE V add_gap(V square, V low, V high, V other_low, V other_high, float step, float reach) {
     const Floats d;
     const V apart = hn::Max(hn::Sub(low, other_high), hn::Sub(other_low, high));
     const V gap = hn::Max(hn::MulAdd(apart, hn::Set(d, step), hn::Set(d, reach)), hn::Zero(d));
@@ -140,7 +139,8 @@ HWY_INLINE void find_rows(const RowSide& one,
                                          hn::Set(d, gap_square_factor));
                 apart = hn::Or(apart, hn::Gt(square, hn::Set(d, pose.reach * pose.reach)));
                 const auto exponents = hn::ShiftRight<23>(hn::BitCast(di, square));
-                hn::Store(hn::Sub(exponents, hn::Set(di, pose.rank_base)), di, ranks->of[row] + lane);
+                hn::Store(
+                    hn::Sub(exponents, hn::Set(di, pose.rank_base)), di, ranks->of[row] + lane);
             }
             if constexpr (kRating == Rating::Overlap) {
                 const V scaled = hn::Mul(ratio, hn::Set(d, float{PairBuckets::count}));
@@ -192,12 +192,11 @@ HWY_INLINE std::size_t append(bool is_of_a,
 
 /// Writes the pairs of children that may overlap, row by row of `one`. Returns their number.
 template <Rating kRating>
-HWY_INLINE std::size_t
-pair_up(const RowSide& one,
-        const RowSide& others,
-        bool one_is_a,
-        const WidePose& pose,
-        std::uint32_t* to) {
+HWY_INLINE std::size_t pair_up(const RowSide& one,
+                               const RowSide& others,
+                               bool one_is_a,
+                               const WidePose& pose,
+                               std::uint32_t* to) {
     std::uint32_t found[children];
     Ranks ranks;
     find_rows<kRating>(one, others, pose, found, &ranks);

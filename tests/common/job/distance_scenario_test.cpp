@@ -49,8 +49,8 @@ TEST(DistanceScenario, PartsGiveTheSameRecordAsTheWhole) {
         const ObbTree& a = trees[random() % trees.size()];
         const ObbTree& b = trees[random() % trees.size()];
         const Pose pose_a = make_pose(random, 0.2);
-        const PosePair poses{pose_a,
-                             random() % 2 == 0 ? make_pose(random, 4) : make_matrix_pose(random, 4)};
+        const PosePair poses{
+            pose_a, random() % 2 == 0 ? make_pose(random, 4) : make_matrix_pose(random, 4)};
         const Scenario scenario = make_scenario(poses, 17);
         const bool is_wide = suits_wide_tree(a.view()) && suits_wide_tree(b.view());
         const Query query = random() % 3 == 0 ? distance_query(0.5) : distance_query();

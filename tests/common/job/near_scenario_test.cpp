@@ -152,8 +152,8 @@ TEST(NearScenario, AMapHasAllPairs) {
     const ObbTree sphere = make_tree(make_sphere(2));
     Query query = near_query(Level::Count, 0.1);
     query.maps = true;
-    const ScenarioRun run = run_scenario(
-        sphere, sphere, make_scenario({Pose{}, translation_pose(1.9, 0, 0)}), query);
+    const ScenarioRun run =
+        run_scenario(sphere, sphere, make_scenario({Pose{}, translation_pose(1.9, 0, 0)}), query);
     EXPECT_EQ(run.found.size(), run.result.pair_count + run.result.near_count);
     EXPECT_GT(run.result.near_count, 0u);
     EXPECT_GT(run.result.pair_count, 0u);

@@ -88,9 +88,9 @@ TEST(NearestSearch, AgreesWithAllPairsOnRandomSoups) {
         const Mesh b = make_triangle_soup(random, 40, 0.2);
         const double far = std::pow(10, uniform(random, 0, 3));
         const bool is_quaternion = random() % 2 == 0;
-        const PosePair poses{
-            make_pose(random, 1),
-            is_quaternion ? make_pose(random, far) : make_matrix_pose(random, far)};
+        const PosePair poses{make_pose(random, 1),
+                             is_quaternion ? make_pose(random, far)
+                                           : make_matrix_pose(random, far)};
         apart += expect_agreement(a, b, poses) ? 1 : 0;
     }
     EXPECT_GT(apart, 10);
@@ -114,8 +114,7 @@ TEST(NearestSearch, AgreesWithAllPairsWhereBodiesNearlyTouch) {
             for (const double share : {0.0, 1e-6, 0.1}) {
                 PosePair poses = bodies.poses;
                 poses.b = Pose::from_matrix(poses.b.rotation(),
-                                            poses.b.translation() +
-                                                share * size * bodies.outwards);
+                                            poses.b.translation() + share * size * bodies.outwards);
                 apart += expect_agreement(bodies.a, bodies.b, poses) ? 1 : 0;
             }
         }

@@ -3,8 +3,8 @@
 // are lost.
 
 #include "common/distance/triangle_distance.hpp"
-#include "common/pair/triangle_pair.hpp"
 #include "common/geometry/reach.hpp"
+#include "common/pair/triangle_pair.hpp"
 #include "common/tree/wide/wide_descent.hpp"
 #include "tests/common/tree/exact_box.hpp"
 #include "tests/support/brink_boxes.hpp"
@@ -294,9 +294,10 @@ Brinks moved_apart(const Brinks& brinks, double share) {
         brink.clearance = share;
         const Vec3 translation = brink.poses.b.translation() + share * brink.outwards;
         brink.poses.b = with_translation(brink.poses.b, translation);
-        if (TriangleDistance(brink.poses).is_within(brink.a.mesh().corners(brink.triangle_a),
-                                                    brink.b.mesh().corners(brink.triangle_b),
-                                                    brink.clearance)) {
+        if (TriangleDistance(brink.poses)
+                .is_within(brink.a.mesh().corners(brink.triangle_a),
+                           brink.b.mesh().corners(brink.triangle_b),
+                           brink.clearance)) {
             moved.push_back(std::move(brink));
         }
     }
