@@ -45,7 +45,7 @@ inline JobStatus some_job_status() {
     status.job = JobId{9};
     status.name = "wheel in arch";
     status.state = JobState::Cancelled;
-    status.summary = {11, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 46, 47, 48};
+    status.summary = {{1, 2, 3, 4, 5, 6, 7, 8}, 11, 9, 10, 46, 47, 48};
     status.digest = some_hash(3);
     status.seconds = 1.5;
     status.scenarios_per_second = 2.5;
