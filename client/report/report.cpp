@@ -126,8 +126,9 @@ std::string map_text(const RunReport& report) {
     }
     const auto& [a, b] = report.map->bodies;
     return "  map           " + counted(a.size(), "triangle") + " of A and " + grouped(b.size()) +
-           " of B were in contact" + (report.maps_all_pairs ? "" : first_pairs_text(report)) +
-           "; digest " + to_short_hex(digest_of(*report.map)) + "\n";
+           " of B were in contact" + (report.clearance ? " or near" : "") +
+           (report.maps_all_pairs ? "" : first_pairs_text(report)) + "; digest " +
+           to_short_hex(digest_of(*report.map)) + "\n";
 }
 
 /// Names the parts most in contact, with shares, or with counts if not all pairs are listed.

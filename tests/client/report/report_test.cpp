@@ -190,6 +190,8 @@ TEST(Report, CutListsGiveNoShareOfTriangles) {
     report.maps_all_pairs = true; // Counts by part stay limited.
     text = summary_text(report);
     EXPECT_THAT(text, HasSubstr("1 triangle of A and 0 of B were in contact; digest "));
+    report.clearance = 0.01;
+    EXPECT_THAT(summary_text(report), HasSubstr("0 of B were in contact or near; digest "));
     EXPECT_THAT(text, HasSubstr("door 7, of the first 3 pairs a scenario"));
 }
 
