@@ -200,7 +200,8 @@ TEST(BodyPicture, NearTrianglesAndLinesHaveColoursOfTheirOwn) {
     const Image plain = draw_contacts(bodies, {120, 75});
     EXPECT_GT(count(plain, near_colour), 0);
     EXPECT_EQ(count(plain, gap_colour), 0);
-    const std::vector<GapLine> lines{{Vec3(0.5, 0, 0.6), Vec3(1, 0, 0.6)},
+    // The view is along x, between the boxes.
+    const std::vector<GapLine> lines{{Vec3(0.75, -0.5, -0.7), Vec3(0.75, 0.5, 0.7)},
                                      {Vec3(0.5, 0, 0.6), Vec3(0.5, 0, 0.6)}};
     EXPECT_GT(count(draw_contacts(bodies, {120, 75}, lines), gap_colour), 0);
 }
