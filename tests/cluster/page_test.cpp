@@ -224,6 +224,8 @@ TEST_F(PageOfAMaster, TheMasterAndCdctlShowTheSameJob) {
             {"pairs", pair.pairs},
             {"worst", pair.worst},
             {"worst_pairs", pair.worst_pairs},
+            {"near", pair.near},
+            {"worst_near", pair.worst_near},
             {"class", pair.has_proper ? "cross" : "contact"}};
         EXPECT_THAT(described["groups"], testing::Contains(expected));
     }

@@ -61,7 +61,11 @@ class Report(PageTest):
         self.browser.open(self.report(folder))
         facts = self.browser.wait("the worst scenario", lambda f: f.get("scenario") is not None)
         pairs = pairs_by_scenario(folder)
-        self.assertEqual(facts["highlighted"], [sorted(one) for one in pairs[facts["scenario"]]])
+
+        def touching(scenario):  # A body inside another one touches nothing.
+            return [sorted(one) for one in pairs.get(scenario, ([], []))]
+
+        self.assertEqual(facts["highlighted"], touching(facts["scenario"]))
         self.browser.click(*self.middle())
         self.assertEqual(self.ask("document.title"), "cdcluster: grid")
         self.assertLessEqual(self.browser.overflow(), 0)
@@ -75,7 +79,7 @@ class Report(PageTest):
         for _ in held[1:]:
             self.browser.press("n")
             facts = self.browser.wait("the next scenario", lambda f: f["scenario"] > seen[-1])
-            self.assertEqual(facts["highlighted"], [sorted(one) for one in pairs[facts["scenario"]]])
+            self.assertEqual(facts["highlighted"], touching(facts["scenario"]))
             self.assertEqual(facts["verified"], True)
             seen.append(facts["scenario"])
         self.assertEqual(seen, held)
