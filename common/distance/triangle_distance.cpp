@@ -10,6 +10,7 @@
 #include "common/pair/points/shared_points.hpp"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <numeric>
 #include <vector>
@@ -37,13 +38,6 @@ DistanceStatistics& DistanceStatistics::operator+=(const DistanceStatistics& oth
 /// many.
 constexpr std::size_t float_distances_min = 4;
 
-/// The bounds of the candidates of the last call.
-struct FloatBounds {
-    std::vector<float> lower;
-    std::vector<float> upper;
-    std::vector<TriangleDistance::Bounds> both;
-};
-
 struct TriangleDistance::State {
     PosePair poses;
     DistanceStage first;
@@ -54,9 +48,9 @@ struct TriangleDistance::State {
     SharedPoints origins;                                 ///< Computes origins alone.
     std::optional<ExactDistance> exact;                   ///< Empty until first used.
     DistanceStatistics statistics;
-    std::vector<NearVerdict> verdicts; ///< One per candidate of the last call.
-    std::vector<std::uint8_t> answers; ///< One per candidate of the last call.
-    FloatBounds bounds;
+    std::vector<NearVerdict> verdicts;        ///< One per candidate of the last call.
+    std::vector<std::uint8_t> answers;        ///< One per candidate of the last call.
+    std::array<std::vector<float>, 2> bounds; ///< Lower and upper ones of the last candidates.
 
     State(const PosePair& given, DistanceStage first_stage)
         : poses(given), first(first_stage), origins(given) {}
@@ -226,29 +220,25 @@ template std::optional<std::size_t> TriangleDistance::find_within(const Triangle
                                                                   double);
 
 template <class Triangles>
-std::span<const TriangleDistance::Bounds> TriangleDistance::bounds(
-    const Triangles& a, const Triangles& b, std::span<const Candidate> candidates) {
+TriangleDistance::Bounds TriangleDistance::bounds(const Triangles& a,
+                                                  const Triangles& b,
+                                                  std::span<const Candidate> candidates) {
     State& s = *state_;
-    FloatBounds& bounds = s.bounds;
-    bounds.both.assign(candidates.size(), {0, std::numeric_limits<float>::infinity()});
-    if (s.first > DistanceStage::Float) {
-        return bounds.both;
+    auto& [lower, upper] = s.bounds;
+    lower.assign(candidates.size(), 0);
+    upper.assign(candidates.size(), std::numeric_limits<float>::infinity());
+    if (s.first <= DistanceStage::Float) {
+        if (!s.in_float) {
+            s.in_float.emplace(s.poses);
+        }
+        s.in_float->bound(a, b, candidates, lower, upper);
     }
-    if (!s.in_float) {
-        s.in_float.emplace(s.poses);
-    }
-    bounds.lower.resize(candidates.size());
-    bounds.upper.resize(candidates.size());
-    s.in_float->bound(a, b, candidates, bounds.lower, bounds.upper);
-    for (std::size_t i = 0; i < candidates.size(); ++i) {
-        bounds.both[i] = {bounds.lower[i], bounds.upper[i]};
-    }
-    return bounds.both;
+    return {lower, upper};
 }
 
-template std::span<const TriangleDistance::Bounds>
+template TriangleDistance::Bounds
 TriangleDistance::bounds(const TriangleSpan&, const TriangleSpan&, std::span<const Candidate>);
-template std::span<const TriangleDistance::Bounds>
+template TriangleDistance::Bounds
 TriangleDistance::bounds(const TriangleBlocks&, const TriangleBlocks&, std::span<const Candidate>);
 
 const DistanceStatistics& TriangleDistance::statistics() const {

@@ -88,15 +88,16 @@ class TriangleDistance {
                                                          std::span<const Candidate> candidates,
                                                          double d);
 
-    /// Numbers between which a distance is; 0 and infinity if nothing is proven.
+    /// Numbers between which the distance of each candidate is, in order; 0 and infinity where
+    /// nothing is proven.
     struct Bounds {
-        float lower;
-        float upper;
+        std::span<const float> lower;
+        std::span<const float> upper;
     };
-    /// Returns bounds of the distance of each candidate, in floats, in order, valid until the next
-    /// call. `Triangles` is TriangleSpan or TriangleBlocks.
+    /// Returns bounds of the distance of each candidate in floats, valid until the next call.
+    /// `Triangles` is TriangleSpan or TriangleBlocks.
     template <class Triangles>
-    [[nodiscard]] std::span<const Bounds>
+    [[nodiscard]] Bounds
     bounds(const Triangles& a, const Triangles& b, std::span<const Candidate> candidates);
 
     [[nodiscard]] const DistanceStatistics& statistics() const;

@@ -58,21 +58,20 @@ void NearestFound::add(const Triangles& a,
                        std::span<const std::uint32_t> ids_b,
                        std::span<const Candidate> candidates) {
     triangle_tests_ += candidates.size();
-    const auto bounds = distance_.bounds(a, b, candidates);
-    for (const TriangleDistance::Bounds& pair : bounds) {
-        upper_ = std::min(upper_, double{pair.upper});
+    const auto [lower, upper] = distance_.bounds(a, b, candidates);
+    for (const float each : upper) {
+        upper_ = std::min(upper_, double{each});
     }
     for (std::size_t i = 0; i < candidates.size(); ++i) {
-        const auto [lower, upper] = bounds[i];
         const Candidate& pair = candidates[i];
-        if (double{lower} > bound()) {
+        if (double{lower[i]} > bound()) {
             continue;
         }
-        open_.push_back({double{lower},
+        open_.push_back({double{lower[i]},
                          ids_a[pair.a],
                          ids_b[pair.b],
                          {a.corners_at(pair.a), b.corners_at(pair.b)}});
-        if (upper == std::numeric_limits<float>::infinity()) {
+        if (upper[i] == std::numeric_limits<float>::infinity()) {
             decide(open_.back());
             open_.pop_back();
         }

@@ -1,4 +1,4 @@
-// Rules that the parts of a result obey together.
+// Checks that the fields of a result are consistent with each other.
 #pragma once
 
 #include "common/core/result.hpp"

@@ -1,6 +1,7 @@
 #include "common/pair/points/exact_points.hpp"
 
 #include "common/pair/numbers/exact_lattice.hpp"
+#include "common/pair/numbers/exact_vectors.hpp"
 
 #include <algorithm>
 #include <array>
@@ -15,17 +16,9 @@ namespace {
 using Int = ExactInt;
 using Vec = ExactVec;
 
-Vec operator-(const Vec& l, const Vec& r) {
-    return {l[0] - r[0], l[1] - r[1], l[2] - r[2]};
-}
-
-Vec cross(const Vec& l, const Vec& r) {
-    return {l[1] * r[2] - l[2] * r[1], l[2] * r[0] - l[0] * r[2], l[0] * r[1] - l[1] * r[0]};
-}
-
-Int dot(const Vec& l, const Vec& r) {
-    return l[0] * r[0] + l[1] * r[1] + l[2] * r[2];
-}
+using exact_vectors::cross;
+using exact_vectors::dot;
+using exact_vectors::minus;
 
 bool is_zero(const Vec& v) {
     return v[0] == 0 && v[1] == 0 && v[2] == 0;
@@ -102,7 +95,7 @@ struct Shape {
     std::size_t drop = 0; ///< See `axis_to_drop`.
 
     explicit Shape(std::span<const Vec> given) {
-        normal = cross(given[1] - given[0], given[2] - given[0]);
+        normal = cross(minus(given[1], given[0]), minus(given[2], given[0]));
         if (!is_zero(normal)) {
             corners.assign(given.begin(), given.end());
             drop = axis_to_drop(normal);
@@ -122,7 +115,7 @@ struct Shape {
     [[nodiscard]] const Vec& to(std::size_t edge) const {
         return corners[(edge + 1) % corners.size()];
     }
-    [[nodiscard]] Int side(const Vec& point) const { return dot(normal, point - corners[0]); }
+    [[nodiscard]] Int side(const Vec& point) const { return dot(normal, minus(point, corners[0])); }
 };
 
 /// Tests whether a point in the plane of a triangle with area is in the triangle.
@@ -145,7 +138,7 @@ bool contains(const Shape& shape, const Place& point) {
     if (shape.corners.size() == 1) {
         return is_zero(offset);
     }
-    const Vec along = shape.corners[1] - shape.corners[0];
+    const Vec along = minus(shape.corners[1], shape.corners[0]);
     const Int place = dot(along, offset);
     return is_zero(cross(along, offset)) && place >= 0 && place <= point.w * dot(along, along);
 }
@@ -209,8 +202,8 @@ class Search {
     }
 
     void add_crossing_of_lines(const Vec& p, const Vec& q, const Vec& r, const Vec& s) {
-        const Vec normal = cross(q - p, s - r);
-        if (!is_zero(normal) && dot(normal, r - p) == 0) {
+        const Vec normal = cross(minus(q, p), minus(s, r));
+        if (!is_zero(normal) && dot(normal, minus(r, p)) == 0) {
             add_crossing_in_plane(p, q, r, s, axis_to_drop(normal));
         }
     }

@@ -40,6 +40,7 @@
 #include "common/geometry/highway_targets.hpp"
 #include "common/tree/planes/support_view.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -368,7 +369,7 @@ PlanePose plane_pose(const RelativePose& b_to_a,
                             s.norm() < 0x1p100 && margin < 0x1p100;
     pose.margin = is_bounded ? static_cast<float>(margin) + 0x1p-120F
                              : std::numeric_limits<float>::infinity();
-    pose.reach = static_cast<float>(reach);
+    pose.reach = static_cast<float>(std::min(reach, 0x1p100));
     return pose;
 }
 

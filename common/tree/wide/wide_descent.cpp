@@ -74,14 +74,14 @@ void WideDescent::set_margin() {
     pose_.absolute_margin = margin < 0x1p100 && margins_.reach < wide_reach_max
                                 ? static_cast<float>(margin) + 0x1p-120F
                                 : std::numeric_limits<float>::infinity();
-    pose_.reach = static_cast<float>(margins_.reach);
+    pose_.reach = static_cast<float>(std::min(margins_.reach, 0x1p100));
 }
 
 void WideDescent::set_reach(double reach) {
     margins_.reach = reach;
     set_margin();
     if (course_.has_planes) {
-        planes_.set_reach(static_cast<float>(reach));
+        planes_.set_reach(pose_.reach);
     }
 }
 

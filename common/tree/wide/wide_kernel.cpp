@@ -37,11 +37,11 @@
 // (8) All errors are below 128 u (|w| + E_a + E_b) + 6 (r + s) (|w| + E_a + E_b) + 4 abs. `margin`
 //     is this bound and covers its own roundings and those of |w|. Underflow costs less than 2^-148
 //     of a length or an entry, in steps below 2^-20; the margin is at least 255 * 2^-17 steps.
-// (9) Reach. If the points are not the same but x = R y + t + z, then alpha and beta each differ by
-//     z in their frame: F z, or G R^-1 z. Both are at most as long as the reach times 1 + 2 u, so
-//     intervals that are this much wider, and still apart, prove that the points are farther apart.
-//     A margin takes four roundings, and the sums with it err by below 12 u of it: `restart` adds
-//     the reach times 1 + 128 u.
+// (9) Reach. Two points within the reach satisfy x = R y + t + z, where |z| is at most the reach in
+//     the coordinates of each body. Then alpha differs by F z and beta by G R^-1 z, each at most as
+//     long as the reach times 1 + 2 u. So if intervals that are wider by this length are apart, the
+//     points are farther apart than the reach. A margin takes four roundings, and sums with it err
+//     by below 12 u of it: `set_margin` adds the reach times 1 + 128 u.
 // (10) Gaps. The gap of two intervals on an axis, less the reach that widens one of them, bounds
 //     from below the displacement along that axis: the error bound of (8) has room for one more
 //     rounding of the interval's end. The difference, the product with the step, the sum with the

@@ -45,7 +45,7 @@ std::optional<bool> is_within(const DistanceBounds<DoubleDouble>& bounds, double
     if (!bounds.are_proven) {
         return std::nullopt;
     }
-    // The differences err by this much, relative to both numbers.
+    // Adds the rounding error of `bound - d`, which is relative to the sum of both magnitudes.
     const double error =
         bounds.error + 1.01 * double_double_error * (std::abs(bounds.lower.high) + d);
     if (beyond(bounds.lower - DoubleDouble{d, 0}, error) > 0) {

@@ -1,6 +1,6 @@
 #include "common/distance/stages/exact/exact_features.hpp"
 
-#include "common/distance/stages/exact/exact_vectors.hpp"
+#include "common/pair/numbers/exact_vectors.hpp"
 
 #include <utility>
 

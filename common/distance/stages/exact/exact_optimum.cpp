@@ -1,6 +1,6 @@
 #include "common/distance/stages/exact/exact_optimum.hpp"
 
-#include "common/distance/stages/exact/exact_vectors.hpp"
+#include "common/pair/numbers/exact_vectors.hpp"
 
 #include <algorithm>
 #include <span>
