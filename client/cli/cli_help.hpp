@@ -187,7 +187,7 @@ Examples:
   cdctl token create --role submitter --credential admin.pem)";
 
 inline constexpr const char* verify_help =
-    R"(Runs a sample of a run's scenarios again here and compares.
+    R"(Runs a sample of a run's scenarios again here, decided by integers alone, and compares.
 Examples:
   cdctl verify out
   cdctl verify out --sample 100000 --seed 7
