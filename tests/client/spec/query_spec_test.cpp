@@ -146,9 +146,10 @@ TEST(AskedLevel, IsWrittenAsItIsRead) {
     ASSERT_TRUE(spec) << spec.error().detail;
     const std::string text = job_text(spec.value());
     EXPECT_THAT(text, HasSubstr("\n[query]\nlevel = \"distance\"\nup_to = 0.25\n"));
-    const auto again = parse_job(text, "folder/job.toml");
+    const auto again = parse_job(text, "job.toml");
     ASSERT_TRUE(again) << again.error().detail;
     EXPECT_EQ(again.value().query.question, Question::Distance);
+    EXPECT_EQ(again.value().query.up_to, 0.25);
     EXPECT_EQ(job_text(again.value()), text);
 }
 
