@@ -13,10 +13,13 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <random>
 #include <set>
 #include <span>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace cd::tests {
 namespace {
@@ -214,6 +217,46 @@ TEST(BodyPicture, LinesJoinTheNearestPointsOfNearPairs) {
     EXPECT_EQ(lines[0][1], Vec3(0, 0.0625, 0));
     EXPECT_EQ(gap_lines(results[1])[1][1], Vec3(20.25, 0, 0)) << "in the world";
     EXPECT_TRUE(gap_lines(near_results(Level::Pairs)[1]).empty());
+}
+
+/// Makes a square plate of this half width across an axis.
+Mesh plate(int axis, double height, double size) {
+    std::vector<Vec3> corners;
+    for (const Corners& triangle : square(height, size)) {
+        for (const Vec3& corner : triangle) {
+            Vec3& turned = corners.emplace_back();
+            for (int k = 0; k < 3; ++k) {
+                turned[(axis + 1 + k) % 3] = corner[k];
+            }
+        }
+    }
+    return make_soup(std::move(corners));
+}
+
+TEST(BodyPicture, AGapIsSeenFromItsSide) {
+    constexpr std::array<ContactPair, 2> pairs{{{0, 0, PairClass::Near}, {1, 1, PairClass::Near}}};
+    for (int axis = 0; axis < 3; ++axis) {
+        const Mesh low = plate(axis, 0, 1);
+        const Mesh high = plate(axis, 0.1, 0.5);
+        const auto bodies = pictured(low, high, PosePair{}, pairs);
+        const Vec3 along = Vec3::Unit(axis);
+        const std::array<GapLine, 2> lines{{{Vec3::Zero(), 0.1 * along}, {-along, along}}};
+        const auto cosine = [&](std::span<const GapLine> of) {
+            const Vec3 eye = viewpoint_of(bodies, of).towards_eye;
+            return std::abs(eye.dot(along)) / eye.norm();
+        };
+        EXPECT_LE(cosine(lines), std::sqrt(0.5) + 1e-6) << "at least 45 degrees; axis " << axis;
+        EXPECT_GT(cosine({}), 0.99) << "most is seen from where the gap is not seen";
+    }
+}
+
+TEST(BodyPicture, ContactsAreLookedForWhateverIsNear) {
+    constexpr std::array<ContactPair, 2> pairs{{{0, 0, PairClass::Touch}, {1, 1, PairClass::Near}}};
+    const Mesh low = plate(2, 0, 1);
+    const Mesh high = plate(2, 0.1, 0.5);
+    const auto bodies = pictured(low, high, PosePair{}, pairs);
+    const std::array<GapLine, 1> lines{{{Vec3(0, 0, 0), Vec3(0, 0, 0.1)}}};
+    EXPECT_EQ(viewpoint_of(bodies, lines).towards_eye, viewpoint_of(bodies, {}).towards_eye);
 }
 
 TEST(BodyPicture, PartsHaveColoursOfTheirOwn) {
