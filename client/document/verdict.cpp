@@ -31,6 +31,10 @@ std::string kinds_text(const Summary& summary) {
 
 } // namespace
 
+std::string level_word(const Query& query) {
+    return query.question == Question::Distance ? "distance" : std::string(to_text(query.level));
+}
+
 std::string verdict_text(const Summary& summary, const std::string& clearance) {
     const std::uint64_t contacts = contacts_of(summary);
     const std::uint64_t open = summary.total - summary.tested() + summary.undecided;
@@ -81,8 +85,7 @@ untested_texts(const Summary& summary, const Query& query, const std::string& no
                            "file below).");
     }
     if (query.level < Level::Pairs) {
-        texts.push_back("The run lists no pairs of triangles (level " +
-                        std::string(to_text(query.level)) + ").");
+        texts.push_back("The run lists no pairs of triangles (level " + level_word(query) + ").");
     }
     if (!no_groups.empty()) {
         texts.push_back("The groups are unknown: " + no_groups + ".");
