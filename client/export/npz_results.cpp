@@ -66,7 +66,7 @@ constexpr std::size_t point_origins = 13;
 constexpr std::size_t points = 14;
 constexpr std::size_t near_count = 15;
 constexpr std::size_t pair_distance = 16;
-constexpr std::size_t distance = 17;
+constexpr std::size_t nearest_distance = 17;
 constexpr std::size_t witness = 18;
 constexpr std::size_t witness_feature = 19;
 constexpr std::size_t nearest_points = 20;
@@ -144,7 +144,7 @@ class NpzResults final : public ResultWriter {
             append(point_origins, numbers_of(result.point_origins));
             append(points, numbers_of(result.points));
         }
-        if (has(distance)) {
+        if (has(nearest_distance)) {
             add_nearest(result);
         }
         return status_;
@@ -191,7 +191,7 @@ class NpzResults final : public ResultWriter {
         const NearestWitness nearest =
             result.nearest.value_or(NearestWitness{nan, 0, 0, 0, none, none, none});
         const auto [a, b] = witness_points(nearest);
-        put(distance, nearest.distance);
+        put(nearest_distance, nearest.distance);
         append(witness, std::vector<std::uint32_t>{nearest.a, nearest.b});
         put(witness_feature, nearest.feature);
         append(nearest_points, numbers_of({a, b}));
