@@ -5,6 +5,7 @@
 #include "client/document/report_style.hpp"
 #include "client/document/verdict.hpp"
 #include "client/report/report.hpp"
+#include "client/spec/query_spec.hpp"
 #include "common/core/errors.hpp"
 #include "common/core/limits/client.hpp"
 #include "common/core/printable.hpp"
@@ -256,7 +257,7 @@ Html RunDocument::how_it_ran() const {
     add("master", where.master);
     add("job", where.job);
     add("workers", where.master.empty() ? "" : grouped(where.workers));
-    add("level", level_word(manifest_.query));
+    add("level", std::string(asked_level(manifest_.query)));
     add("poses",
         counted(manifest_.poses.count, "scenario") +
             (manifest_.poses.file.empty() ? "" : " of " + manifest_.poses.file));

@@ -1,5 +1,6 @@
 #include "client/document/verdict.hpp"
 
+#include "client/spec/query_spec.hpp"
 #include "common/core/words.hpp"
 
 #include <array>
@@ -30,10 +31,6 @@ std::string kinds_text(const Summary& summary) {
 }
 
 } // namespace
-
-std::string level_word(const Query& query) {
-    return query.question == Question::Distance ? "distance" : std::string(to_text(query.level));
-}
 
 std::string verdict_text(const Summary& summary, const std::string& clearance) {
     const std::uint64_t contacts = contacts_of(summary);
@@ -85,7 +82,8 @@ untested_texts(const Summary& summary, const Query& query, const std::string& no
                            "file below).");
     }
     if (query.level < Level::Pairs) {
-        texts.push_back("The run lists no pairs of triangles (level " + level_word(query) + ").");
+        texts.push_back("The run lists no pairs of triangles (level " +
+                        std::string(asked_level(query)) + ").");
     }
     if (!no_groups.empty()) {
         texts.push_back("The groups are unknown: " + no_groups + ".");

@@ -9,9 +9,6 @@
 
 namespace cd {
 
-/// Returns a query's level as a job file names it.
-[[nodiscard]] std::string level_word(const Query& query);
-
 /// Returns one sentence about whether contacts were found, and in how many scenarios. `clearance`
 /// is that of the query with its unit, such as "0.005 m", or empty.
 [[nodiscard]] std::string verdict_text(const Summary& summary, const std::string& clearance = "");
