@@ -51,10 +51,10 @@ TEST_F(DistanceFolder, KeepsItsQuestionAndIsTrue) {
 }
 
 TEST_F(DistanceFolder, TheOptionIsTheKey) {
-    write_distance_job("up_to = 0.5");
+    write_distance_job("up_to = 0.001");
     const auto of_keys = run_into("keys");
     write_job(9, "level = \"any\"");
-    const auto of_options = run_into("options", {"--level", "distance", "--up-to", "0.5"});
+    const auto of_options = run_into("options", {"--level", "distance", "--up-to", "0.001"});
     EXPECT_EQ(of_options["digest"], of_keys["digest"]);
     EXPECT_NE(run_into("any")["digest"], of_keys["digest"]);
     EXPECT_NE(run_into("all", {"--level", "distance"})["digest"], of_keys["digest"]);
