@@ -1,5 +1,5 @@
 """Distances of ours and the peers: what distances_report measured, as a page."""
-from tables import (figure, figures_table, fixed, in_order, known, number, select, show, table, total)
+from tables import figure, figures_table, in_order, known, number, select, show, table, total
 
 TITLE = "Distances: ours and the peers"
 FILES = ("distances", "pairs")
@@ -31,22 +31,30 @@ def wrong_of_ours(data):
     return total(data["distances"], "ours_wrong") + total(select(data["pairs"], engine=OURS), "unequal")
 
 
+def theirs(row):
+    """The ratio of a peer's times to ours, and how many of its answers are not ours."""
+    if not row:
+        return "-"
+    if row["ending"] != "done":
+        return row["ending"]
+    wrong = " / ".join(show(number(row, c)) for c in ("unequal", "off", "wrong"))
+    return f"{show(known(row, 'ratio'))} ({wrong})"
+
+
 def scenes_section(data):
+    """A row a scene and kind of poses, a column an engine."""
+    peers = [name for name in in_order(data["distances"], "engine") if name != OURS]
     rows = []
-    for row in data["distances"]:
-        is_ours = row["engine"] == OURS
-        rows.append([row["scene"], row["poses_are"], row["engine"], show(number(row, "poses")),
-                     show(known(row, "mean_us")), show(known(row, "median_us")),
-                     "" if is_ours else show(known(row, "ratio")),
-                     *("" if is_ours or row["ending"] != "done" else show(number(row, c))
-                       for c in ("unequal", "off", "wrong")),
-                     "" if row["ending"] == "done" else row["ending"]])
-    note = ("Times of a pose, us; the ratio to ours is a median over the poses. Poses whose answer is not "
-            "ours: unequal by a bit; off by more than 1e-12 of the largest coordinate; wrong by more than "
-            "1 % of the distance, or about contact.")
-    return f"## Scenes\n{note}\n\n" + table(
-        ["scene", "poses", "engine", "count", "mean", "median", "times ours", "unequal", "off", "wrong",
-         "ending"], rows)
+    for ours in select(data["distances"], engine=OURS):
+        where = {"scene": ours["scene"], "poses_are": ours["poses_are"]}
+        rows.append([ours["scene"], ours["poses_are"], show(number(ours, "poses")),
+                     f"{show(known(ours, 'mean_us'))} / {show(known(ours, 'median_us'))}",
+                     *(theirs(next(iter(select(data["distances"], engine=peer, **where)), None))
+                       for peer in peers)])
+    note = ("Ours: mean and median of a pose. Others: median over the poses of the ratio to ours; in "
+            "brackets, the poses whose answer is unequal to ours by a bit; off by more than 1e-12 of the "
+            "largest coordinate; wrong by more than 1 % of the distance, or about contact.")
+    return f"## Scenes\n{note}\n\n" + table(["scene", "poses", "count", f"{OURS}, us", *peers], rows)
 
 
 def pairs_section(data):
@@ -56,8 +64,8 @@ def pairs_section(data):
         count = total(mine, "pairs")
         worst = max(mine, key=lambda row: number(row, "wrong") / number(row, "pairs"))
         rows.append([engine, show(count),
-                     *(fixed(1e6 * total(mine, c) / count, 0) for c in ("unequal", "off", "wrong")),
-                     f"{worst['kind']}: {fixed(100 * number(worst, 'wrong') / number(worst, 'pairs'), 0)} %"
+                     *(show(round(1e6 * total(mine, c) / count)) for c in ("unequal", "off", "wrong")),
+                     f"{worst['kind']}: {show(round(100 * number(worst, 'wrong') / number(worst, 'pairs')))} %"
                      if total(mine, "wrong") else ""])
     kinds = len(in_order(data["pairs"], "kind"))
     note = (f"Single pairs of triangles that share no point, {kinds} kinds, against the exact oracle; "
