@@ -40,7 +40,8 @@ class SceneRunner {
                                              const ScenarioResult& known) {
         const SubtreePair whole{trees_[0]->view(), trees_[1]->view()};
         const Query& query = known.nearest ? of_run_ : query_;
-        ScenarioRun done = run_on_subtrees(kept_, {&whole, 1}, scenario, query, options_);
+        KeptSearch& kept = known.nearest ? nearest_ : contacts_;
+        ScenarioRun done = run_on_subtrees(kept, {&whole, 1}, scenario, query, options_);
         if (done.is_stopped) {
             return interrupted();
         }
@@ -76,7 +77,8 @@ class SceneRunner {
     const Query& of_run_;
     Query query_;
     RunOptions options_;
-    KeptSearch kept_;
+    KeptSearch contacts_; ///< Searches of `query_`.
+    KeptSearch nearest_;  ///< Searches of `of_run_`.
 };
 
 /// Writes the files of a series for ParaView.

@@ -93,6 +93,24 @@ TEST_F(DistanceFolder, ACaseGivesTheDistanceAgain) {
     }
 }
 
+TEST_F(DistanceFolder, ScenesShowContactsAndNearestPairs) {
+    write_distance_job();
+    run_into("out");
+    const auto summary = read_json(folder_ / "out" / "summary.json");
+    const auto count = summary["total"].get<std::uint64_t>();
+    ASSERT_GT(summary["separate"].get<std::uint64_t>(), 0u);
+    ASSERT_LT(summary["separate"].get<std::uint64_t>(), count);
+    // The first scenarios are apart, those in the middle in contact.
+    for (const std::uint64_t first : {std::uint64_t{0}, count / 2}) {
+        const std::string range = std::to_string(first) + "-" + std::to_string(count - 1);
+        const std::string scenes = folder_ / ("from_" + std::to_string(first));
+        const Ran made = tests::run(
+            command("extract", folder_ / "out", {range, "--as", "vtp", "--out", scenes}));
+        EXPECT_EQ(made.exit_code, 0) << made.errors;
+        EXPECT_TRUE(std::filesystem::exists(std::filesystem::path(scenes) / "scenarios.pvd"));
+    }
+}
+
 TEST_F(DistanceFolder, KeysThatDoNotGoWithItEndTheRunWithTheirLine) {
     write_distance_job("clearance = 0.1");
     const Ran clearance = run({});
