@@ -28,7 +28,7 @@ struct Options {
     std::string only;
 };
 
-std::vector<DistanceEngine> all_engines(std::vector<std::string>& missing) {
+std::vector<DistanceEngine> all_engines([[maybe_unused]] std::vector<std::string>& missing) {
     std::vector<DistanceEngine> engines;
     engines.push_back(our_distances());
 #ifdef CD_PEER_FCL
