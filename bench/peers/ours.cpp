@@ -13,13 +13,6 @@ namespace cd::bench {
 
 namespace {
 
-std::shared_ptr<const ObbTree> tree_of(const std::shared_ptr<const Mesh>& mesh, unsigned threads) {
-    ThreadPool pool(threads);
-    ObbTree tree = build_tree(mesh, {}, pool);
-    tree.prepare_planes(&pool);
-    return std::make_shared<const ObbTree>(std::move(tree));
-}
-
 /// Returns the bytes that a search descends through: the wide tree with its triangles and support
 /// points if there is one, else the binary tree and the mesh's triangles.
 std::uint64_t bytes_of(const TreeView& view) {
@@ -43,8 +36,8 @@ class OurMeshes final : public MeshEngine {
         : a_(std::move(a)), b_(std::move(b)) {}
 
     void load(const std::shared_ptr<const Mesh>& a, const std::shared_ptr<const Mesh>& b) override {
-        a_ = tree_of(a, 1);
-        b_ = tree_of(b, 1);
+        a_ = build_ours(a, 1);
+        b_ = build_ours(b, 1);
         keeping_.reset();
         counting_.reset();
     }
@@ -115,8 +108,12 @@ std::vector<Engine> our_mesh_engines() {
     return engines;
 }
 
-void build_ours(const std::shared_ptr<const Mesh>& mesh, unsigned threads) {
-    static_cast<void>(tree_of(mesh, threads));
+std::shared_ptr<const ObbTree> build_ours(const std::shared_ptr<const Mesh>& mesh,
+                                          unsigned threads) {
+    ThreadPool pool(threads);
+    ObbTree tree = build_tree(mesh, {}, pool);
+    tree.prepare_planes(&pool);
+    return std::make_shared<const ObbTree>(std::move(tree));
 }
 
 } // namespace cd::bench

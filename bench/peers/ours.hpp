@@ -2,6 +2,7 @@
 #pragma once
 
 #include "bench/peers/engines/engine.hpp"
+#include "common/tree/obb_tree.hpp"
 
 #include <memory>
 #include <vector>
@@ -11,7 +12,8 @@ namespace cd::bench {
 /// Returns the product as this host runs it, then limited to narrower SIMD.
 [[nodiscard]] std::vector<Engine> our_mesh_engines();
 
-/// Builds a mesh's search structure on so many threads, and discards it.
-void build_ours(const std::shared_ptr<const Mesh>& mesh, unsigned threads);
+/// Builds a mesh's tree on so many threads, with support points, as jobs do.
+std::shared_ptr<const ObbTree> build_ours(const std::shared_ptr<const Mesh>& mesh,
+                                          unsigned threads);
 
 } // namespace cd::bench

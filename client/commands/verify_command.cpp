@@ -1,4 +1,4 @@
-// The verb `verify`: repeats a sample of a run's scenarios here, in integers.
+// The verb `verify`: runs a sample of a run's scenarios again on this machine, in exact integers.
 #include "client/base/exit_code.hpp"
 #include "client/base/interrupt.hpp"
 #include "client/commands/commands.hpp"

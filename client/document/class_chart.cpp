@@ -111,14 +111,6 @@ for_each_origin(PoseSource& poses, std::uint64_t count, const StopCheck& stop, c
     return Done{};
 }
 
-Html svg_text(double x, double y, const char* anchor, const std::string& text) {
-    return Html::element("text",
-                         text,
-                         {{"x", fmt::format("{:.1f}", x)},
-                          {"y", fmt::format("{:.1f}", y)},
-                          {"text-anchor", anchor}});
-}
-
 Html rectangle(double x, double y, double width, double height, std::uint8_t rank) {
     return Html::element("rect",
                          Html(),

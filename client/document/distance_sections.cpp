@@ -15,14 +15,6 @@ constexpr std::size_t bars_max = 20;
 constexpr double width = 640;
 constexpr double height = 160;
 
-Html label(double x, double y, const char* anchor, const std::string& text) {
-    return Html::element("text",
-                         text,
-                         {{"x", fmt::format("{:.1f}", x)},
-                          {"y", fmt::format("{:.1f}", y)},
-                          {"text-anchor", anchor}});
-}
-
 /// Returns a bar's rectangle and number; `most` is the count of the highest bar.
 Html bar_of(const DistanceBar& bar, std::size_t place, double step, std::size_t most) {
     const double tall = height * static_cast<double>(bar.count) / static_cast<double>(most);
@@ -35,7 +27,7 @@ Html bar_of(const DistanceBar& bar, std::size_t place, double step, std::size_t 
                                   {"height", fmt::format("{:.1f}", tall)},
                                   {"fill", "#5b7fa6"}});
     if (bar.count != 0) {
-        drawing += label(left + step / 2, height - tall - 3, "middle", grouped(bar.count));
+        drawing += svg_text(left + step / 2, height - tall - 3, "middle", grouped(bar.count));
     }
     return drawing;
 }
@@ -57,9 +49,9 @@ Html chart_of(const std::vector<DistanceBar>& bars, const std::string& unit) {
                               {"y1", fmt::format("{:.0f}", height)},
                               {"y2", fmt::format("{:.0f}", height)},
                               {"stroke", "#555"}});
-    drawing += label(0, height + 16, "start", fmt::format("{:.4g}", bars.front().from));
-    drawing += label(width / 2, height + 16, "middle", "distance [" + unit + "]");
-    drawing += label(width, height + 16, "end", fmt::format("{:.4g}", bars.back().to));
+    drawing += svg_text(0, height + 16, "start", fmt::format("{:.4g}", bars.front().from));
+    drawing += svg_text(width / 2, height + 16, "middle", "distance [" + unit + "]");
+    drawing += svg_text(width, height + 16, "end", fmt::format("{:.4g}", bars.back().to));
     return Html::element(
         "svg",
         drawing,

@@ -4,6 +4,8 @@
 #include "common/core/files/hash.hpp"
 #include "common/core/printable.hpp"
 
+#include <fmt/format.h>
+
 #include <cstdint>
 
 namespace cd {
@@ -128,6 +130,14 @@ Html html_table(const std::vector<std::vector<Html>>& rows, std::string_view kin
         lines += i == 0 ? Html::element("thead", line) : line;
     }
     return Html::element("table", lines, {{"class", std::string(kind)}});
+}
+
+Html svg_text(double x, double y, const char* anchor, const std::string& text) {
+    return Html::element("text",
+                         text,
+                         {{"x", fmt::format("{:.1f}", x)},
+                          {"y", fmt::format("{:.1f}", y)},
+                          {"text-anchor", anchor}});
 }
 
 Html html_figure(const std::string& png, const Html& caption, const std::string& alternative) {

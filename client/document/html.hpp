@@ -59,6 +59,9 @@ class Html {
 /// Makes a table: rows of cells, of which the first row is the head.
 [[nodiscard]] Html html_table(const std::vector<std::vector<Html>>& rows, std::string_view kind);
 
+/// Makes a text of an SVG drawing at a point. `anchor` is the value of the attribute text-anchor.
+[[nodiscard]] Html svg_text(double x, double y, const char* anchor, const std::string& text);
+
 /// Makes a figure of a PNG file, or of a note where there is no room for the picture (`png` is
 /// empty).
 [[nodiscard]] Html

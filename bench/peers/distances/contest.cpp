@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
-#include <utility>
+#include <stdexcept>
 
 namespace cd::bench {
 
@@ -22,9 +22,9 @@ class Lane {
         : options_(options),
           seconds_(scene.poses.size()),
           found_(scene.poses.size()),
-          child_(options.cpu, [this, &scene, meshes = meshes_of(engine)](std::uint32_t turn) {
-              take(scene, *meshes, static_cast<Turn>(turn));
-          }) {}
+          meshes_(engine.make_meshes()),
+          child_(options.cpu,
+                 [this, &scene](std::uint32_t turn) { take(scene, static_cast<Turn>(turn)); }) {}
 
     void take_turn(Turn turn) {
         outcome_.ending = child_.take_turn(turn, options_.limit);
@@ -51,17 +51,14 @@ class Lane {
     }
 
   private:
-    static std::shared_ptr<DistanceMeshes> meshes_of(const DistanceEngine& engine) {
-        return engine.make_meshes();
-    }
-
-    void take(const Scene& scene, DistanceMeshes& meshes, Turn turn) {
+    /// Runs in the child.
+    void take(const Scene& scene, Turn turn) {
         if (turn == Load) {
-            meshes.load(scene.a, scene.b);
+            meshes_->load(scene.a, scene.b);
             return;
         }
         for (std::size_t p = 0; p < scene.poses.size(); ++p) {
-            seconds_[p] = seconds_of([&] { found_[p] = meshes.distance(scene.poses[p]); });
+            seconds_[p] = seconds_of([&] { found_[p] = meshes_->distance(scene.poses[p]); });
         }
     }
 
@@ -70,6 +67,7 @@ class Lane {
     SharedArray<MeshDistance> found_;
     std::vector<std::vector<double>> rounds_;
     DistanceOutcome outcome_;
+    std::unique_ptr<DistanceMeshes> meshes_;
     TurnTaker child_;
 };
 
@@ -108,10 +106,9 @@ void judge(const Scene& scene,
         const double coordinate = std::max(largest_coordinate(*scene.a, scene.poses[p].a),
                                            largest_coordinate(*scene.b, scene.poses[p].b));
         const double truth = ours.found[p].distance;
-        (truth == 0 ? outcome.in_contact : outcome.apart)
-            .add(std::max(outcome.found[p].distance, 0.0), truth, coordinate);
-        outcome.ours_wrong +=
-            contradicts_ours(scene, p, outcome.found[p], truth, is_ours) ? 1u : 0u;
+        DistanceErrors& errors = truth == 0 ? outcome.in_contact : outcome.apart;
+        errors.add(std::max(outcome.found[p].distance, 0.0), truth, coordinate);
+        errors.ours_wrong += contradicts_ours(scene, p, outcome.found[p], truth, is_ours) ? 1u : 0u;
     }
 }
 
@@ -144,7 +141,10 @@ std::vector<DistanceOutcome> run_distance_contest(const Scene& scene,
         outcomes.push_back(lane->outcome());
     }
     const DistanceOutcome ours = outcomes.front();
-    for (std::size_t i = 0; i < outcomes.size() && ours.ending == Ending::Done; ++i) {
+    if (ours.ending != Ending::Done) {
+        throw std::runtime_error("our engine did not come through " + scene.name);
+    }
+    for (std::size_t i = 0; i < outcomes.size(); ++i) {
         judge(scene, ours, engines[i].is_ours, outcomes[i]);
     }
     return outcomes;

@@ -24,6 +24,8 @@ struct DistanceErrors {
     std::uint64_t off = 0;     ///< By more than 1e-12 of the largest coordinate in the world.
     std::uint64_t wrong = 0;   ///< By more than 1 %, or contact where there is none, or none.
     double worst = 0;          ///< The largest difference.
+    /// Poses in which the pair of triangles that the engine names contradicts ours.
+    std::uint64_t ours_wrong = 0;
 
     void add(double theirs, double truth, double coordinate);
 };
@@ -33,14 +35,14 @@ struct DistanceOutcome {
     Ending ending = Ending::Done;
     std::vector<double> pose_seconds; ///< Medians over the rounds; empty after a crash.
     std::vector<MeshDistance> found;
-    DistanceErrors apart;         ///< In the poses without contact.
-    DistanceErrors in_contact;    ///< In the others.
-    std::uint64_t ours_wrong = 0; ///< Poses in which a pair of triangles contradicts ours.
+    DistanceErrors apart;      ///< In the poses without contact.
+    DistanceErrors in_contact; ///< In the others.
 };
 
 /// Every engine measures the distance in every pose. Engines alternate; the first one is ours. The
 /// oracle judges the pair of triangles that each engine names: no pair may be nearer than ours, and
-/// our own pair is as far apart as we say.
+/// our own pair is as far apart as we say. Throws if our engine does not finish: without its
+/// answers there is no report.
 [[nodiscard]] std::vector<DistanceOutcome>
 run_distance_contest(const Scene& scene,
                      std::span<const DistanceEngine> engines,

@@ -82,6 +82,7 @@ void add_scene(const SceneSource& source,
         const std::vector<double> base = in_poses(ours.pose_seconds, ours, in_contact);
         for (std::size_t i = 0; i < engines.size() && !base.empty(); ++i) {
             const DistanceOutcome& outcome = outcomes[i];
+            const DistanceErrors& errors = in_contact ? outcome.in_contact : outcome.apart;
             std::vector<std::string> row{source.name,
                                          in_contact ? "contact" : "apart",
                                          engines[i].name,
@@ -89,8 +90,8 @@ void add_scene(const SceneSource& source,
                                          cell(std::uint64_t{base.size()})};
             for (const auto& cells :
                  {cells_of_times(in_poses(outcome.pose_seconds, ours, in_contact), base),
-                  cells_of(in_contact ? outcome.in_contact : outcome.apart),
-                  std::vector{cell(outcome.ours_wrong)}}) {
+                  cells_of(errors),
+                  std::vector{cell(errors.ours_wrong)}}) {
                 row.insert(row.end(), cells.begin(), cells.end());
             }
             csv.row(row);

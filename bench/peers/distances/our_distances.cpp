@@ -1,32 +1,23 @@
 #include "bench/peers/distances/distance_engine.hpp"
-#include "common/core/host/thread_pool.hpp"
+#include "bench/peers/ours.hpp"
 #include "common/distance/triangle_distance.hpp"
 #include "common/search/contact_search.hpp"
 #include "common/search/nearest_found.hpp"
-#include "common/tree/build/build.hpp"
 
 #include <limits>
-#include <optional>
-#include <utility>
+#include <memory>
 
 namespace cd::bench {
 
 namespace {
-
-ObbTree tree_of(const std::shared_ptr<const Mesh>& mesh) {
-    ThreadPool pool(1);
-    ObbTree tree = build_tree(mesh, {}, pool);
-    tree.prepare_planes(&pool);
-    return tree;
-}
 
 /// The search that jobs run: whether the bodies touch, then the nearest pair of those that do not.
 class OurDistanceMeshes final : public DistanceMeshes {
   public:
     void load(const std::shared_ptr<const Mesh>& a, const std::shared_ptr<const Mesh>& b) override {
         search_.reset();
-        a_.emplace(tree_of(a));
-        b_.emplace(tree_of(b));
+        a_ = build_ours(a, 1);
+        b_ = build_ours(b, 1);
     }
 
     MeshDistance distance(const PosePair& poses) override {
@@ -47,8 +38,8 @@ class OurDistanceMeshes final : public DistanceMeshes {
     }
 
   private:
-    std::optional<ObbTree> a_;
-    std::optional<ObbTree> b_;
+    std::shared_ptr<const ObbTree> a_;
+    std::shared_ptr<const ObbTree> b_;
     std::unique_ptr<ContactSearch> search_; ///< Reused from pose to pose, as jobs do.
 };
 

@@ -1,5 +1,5 @@
-// Proves that users ask for a distance as for a level, in a job file and on the command line, and
-// that keys which do not go together with it are refused where they stand.
+// Proves that `level = "distance"` is read from job files and from the command line, and that keys
+// which conflict with it are refused with their line.
 #include "client/spec/query_spec.hpp"
 
 #include "client/folder/job_text.hpp"

@@ -83,7 +83,7 @@ class Parts(PageTest):
 
     def test_a_report_knows_the_pieces(self):
         self.job()
-        # So few that the viewer holds all scenarios, and not only those of the worst class.
+        # The report holds all scenarios of so short a job, not only those of the worst class.
         folder = self.scenes.run("few", self.scenes.job("few", JOB.replace("40]", "16]")))
         path = self.root / "pieces.html"
         subprocess.run([self.bin / "cdctl", "report", folder, "--3d", "-o", path], check=True, capture_output=True)

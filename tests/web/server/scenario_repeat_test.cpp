@@ -1,5 +1,5 @@
-// Proves that a scenario of the question of the distance is verified, and drawn with its nearest
-// pair.
+// Proves that repeating a scenario of a distance job gives the same record, and that the page gets
+// its nearest pair to draw.
 #include "web/server/scenario_repeat.hpp"
 
 #include "common/job/run_scenario.hpp"
