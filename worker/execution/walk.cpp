@@ -79,7 +79,7 @@ class Walker {
     /// Returns false if stopped.
     bool run_on_roots(std::size_t which, const Scenario& scenario, const RunOptions& options) {
         Result<CollidingRoots> roots =
-            query_roots(walk_.a->top(), walk_.b->top(), scenario.poses, walk_.job->query);
+            query_roots(walk_.a->top(), walk_.b->top(), scenario, walk_.job->query);
         FinishedScenarios& finished = walked_.finished;
         if (!roots) {
             finished.add(encode_result(failed_result(scenario, walk_.job->query, roots.error())));
