@@ -23,7 +23,7 @@ struct Street : DispatchStage {
             return std::make_shared<const DispatchTree>(DispatchTree{id, triangles, bytes});
         };
         const auto one = tree(car, {100, 300});
-        const DispatchTrees trees({tree(wall, {50, 60, 70}), one, one, tree(sign, {5})});
+        const DispatchTrees trees({tree(wall, {50, 60, 70}), one, one, tree(sign, {5, 6})});
         for (const auto& each : trees.distinct()) {
             plan.add_tree(*each);
         }
@@ -105,7 +105,7 @@ TEST(DispatchTrees, FillingACacheCostsEachTreeOnce) {
     Street street("earliest-finish");
     street.join(1);
     EXPECT_DOUBLE_EQ(street.blocks.costs_of(*street.job).all,
-                     6 * 6400 / limits::link_bytes_per_second_start + 6 * timing::block_seconds);
+                     7 * 6400 / limits::link_bytes_per_second_start + 7 * timing::block_seconds);
 }
 
 TEST(DispatchTrees, TheTreesOfAClosedJobGoUnlessAnotherHasThem) {
