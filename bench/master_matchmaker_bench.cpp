@@ -46,7 +46,7 @@ class Midway {
         options.strategy = strategy;
         options.q = 1u << 16; // Buffers never fill, so that a decision sends no batch.
         options.v_kb = 1u << 22;
-        (void)dispatcher_.job_opened(job, options, tree(1), tree(2));
+        (void)dispatcher_.job_opened(job, options, {tree(1), tree(2)});
         for (std::uint64_t id = 1; id <= workers; ++id) {
             (void)dispatcher_.worker_joined(WorkerId{id}, {"w", 8});
             (void)dispatcher_.scenario_analysed(job, scenario(roots_per_tree));

@@ -102,7 +102,7 @@ class Check {
         if (job.submit.grid) {
             return;
         }
-        const auto spool = PoseSpool::open(path, job.submit.scenarios);
+        const auto spool = PoseSpool::open(path, job.submit.scenarios, job.submit.bodies.size());
         note(spool ? spool.value()->verify() : Status(spool.error()));
     }
 

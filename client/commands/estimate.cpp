@@ -300,7 +300,7 @@ estimate_run(const PreparedJob& job, ThreadPool& pool, const EstimateOptions& op
     const double read_seconds = seconds_since(start) / reads;
 
     const auto end = start + options.time_max;
-    const ScenarioRunner runner(*job.trees[0], *job.trees[1], job.query, options.first_stage);
+    const ScenarioRunner runner(TreesByBody(job.trees), job.query, options.first_stage);
     double spent = 0;
     for (int pass = 0; pass < passes_max && spent < warm_seconds; ++pass) {
         run_samples(runner, pool, pass == 0 ? end : Clock::time_point::max(), samples);

@@ -55,7 +55,7 @@ compare(OpenedRun& run, PreparedJob& job, const ScenarioRunner& runner, std::uin
 Result<Counts>
 compare_all(OpenedRun& run, PreparedJob& job, const std::vector<std::uint64_t>& indices) {
     // Integers decide every candidate: a wrong bound of the faster stages cannot repeat itself.
-    const ScenarioRunner runner(*job.trees[0], *job.trees[1], job.query, PairStage::WideInteger);
+    const ScenarioRunner runner(TreesByBody(job.trees), job.query, PairStage::WideInteger);
     Counts counts;
     for (const std::uint64_t index : indices) {
         const auto outcome = CD_TRY(compare(run, job, runner, index));

@@ -46,8 +46,7 @@ Status RunOverview::add_pairs_to_worst(const PreparedJob& job,
         const auto scenarios = CD_TRY(job.poses->read(result.index, 1));
         const auto until = std::chrono::steady_clock::now() + run_max;
         const ScenarioView again = repeat_scenario(
-            *job.trees[result.body_a],
-            *job.trees[result.body_b],
+            TreesByBody(job.trees),
             job.query,
             scenarios.front(),
             std::nullopt, // Without the record, it is run once, for its pairs alone.

@@ -62,17 +62,22 @@ Status deliver(const DoneBlock& results, const RunObserver& observer, ResultMerg
     return Done{};
 }
 
-/// Reads a few of a job's poses, evenly spread, and skips those that cannot be read.
-std::vector<PosePair> some_poses(PoseSource& source) {
+/// Reads a few of a job's scenarios, evenly spread, and skips those that cannot be read and those
+/// of other bodies than the first.
+std::vector<Scenario> some_scenarios(PoseSource& source) {
     const std::uint64_t count = std::min(source.count(), cost_poses_max);
-    std::vector<PosePair> poses;
+    std::vector<Scenario> some;
     for (std::uint64_t i = 0; i < count; ++i) {
         const auto read = source.read(source.count() / count * i, 1);
-        if (read) {
-            poses.push_back(read.value().front().poses);
+        if (!read) {
+            continue;
+        }
+        const Scenario& next = read.value().front();
+        if (some.empty() || (next.body_a == some[0].body_a && next.body_b == some[0].body_b)) {
+            some.push_back(next);
         }
     }
-    return poses;
+    return some;
 }
 
 /// Returns the time limit for measuring the cost of searches, after a run of `seconds`.
@@ -82,10 +87,24 @@ Clock::duration cost_time_after(double seconds) {
     return std::chrono::duration_cast<Clock::duration>(std::min(share, most));
 }
 
+std::optional<SearchCost>
+measured_cost(const TreesByBody& trees, PoseSource& source, const SearchCostOptions& options) {
+    const std::vector<Scenario> some = some_scenarios(source);
+    if (some.empty()) {
+        return std::nullopt;
+    }
+    std::vector<PosePair> poses;
+    for (const Scenario& scenario : some) {
+        poses.push_back(scenario.poses);
+    }
+    const TreeView a = trees.a_of(some.front()).view();
+    const TreeView b = trees.b_of(some.front()).view();
+    return measure_search_cost(a, b, poses, options);
+}
+
 } // namespace
 
-Result<RunOutcome> run_locally(const ObbTree& a,
-                               const ObbTree& b,
+Result<RunOutcome> run_locally(const TreesByBody& trees,
                                PoseSource& poses,
                                const Query& query,
                                ThreadPool& pool,
@@ -97,7 +116,7 @@ Result<RunOutcome> run_locally(const ObbTree& a,
     const PairStage first_stage = options.first_stage;
     std::atomic<bool> ended = false;
     const ScenarioRunner runner(
-        a, b, query, first_stage, [&ended] { return ended.load(std::memory_order_relaxed); });
+        trees, query, first_stage, [&ended] { return ended.load(std::memory_order_relaxed); });
     std::uint64_t fed = merger.summary().merged();
     OrderedRun run(runner, ended, pool, fed);
     while (!merger.summary().is_complete()) {
@@ -117,7 +136,7 @@ Result<RunOutcome> run_locally(const ObbTree& a,
     cost.for_any = query.level == Level::Any;
     cost.first_stage = first_stage;
     cost.time_max = cost_time_after(outcome.seconds);
-    outcome.cost = measure_search_cost(a.view(), b.view(), some_poses(poses), cost);
+    outcome.cost = measured_cost(trees, poses, cost);
     return outcome;
 }
 

@@ -9,8 +9,8 @@
 #include "common/job/result/merge.hpp"
 #include "common/job/result/result.hpp"
 #include "common/job/statistics.hpp"
+#include "common/job/trees_by_body.hpp"
 #include "common/search/search_cost.hpp"
-#include "common/tree/obb_tree.hpp"
 
 #include <cstdint>
 #include <functional>
@@ -34,7 +34,8 @@ struct RunOutcome {
     double seconds = 0;       ///< Run time, without import and building of trees.
     JobStatistics statistics; ///< Sum over the scenarios of this run, without `done`.
     /// The cost of this job's searches, measured at some of its poses after the run, in a small
-    /// share of the run's time. Nothing if no triangle was tested.
+    /// share of the run's time: of the bodies of its first scenario. Nothing if no triangle was
+    /// tested.
     std::optional<SearchCost> cost;
 };
 
@@ -47,8 +48,7 @@ struct LocalRunOptions {
 /// Runs every scenario of `poses` on the pool's threads with a `ScenarioRunner`. Results and digest
 /// are equal for any number of threads. Results that wait for a lower index are bounded in number
 /// and bytes. Errors: from reading `poses`; the observer's; Interrupted.
-[[nodiscard]] Result<RunOutcome> run_locally(const ObbTree& a,
-                                             const ObbTree& b,
+[[nodiscard]] Result<RunOutcome> run_locally(const TreesByBody& trees,
                                              PoseSource& poses,
                                              const Query& query,
                                              ThreadPool& pool,

@@ -21,6 +21,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <map>
 #include <optional>
 #include <set>
 
@@ -53,6 +54,17 @@ std::string user_name() {
         found != nullptr;
     return is_known ? escaped(std::string(found->pw_name)).substr(0, 100)
                     : std::to_string(::geteuid());
+}
+
+/// Numbers the meshes of a job's bodies, and returns the number of each body's mesh.
+std::vector<std::uint32_t> mesh_numbers(const Submit& submit) {
+    std::map<Sha256, std::uint32_t> numbers;
+    std::vector<std::uint32_t> of_bodies;
+    for (const JobBody& body : submit.bodies) {
+        const auto next = static_cast<std::uint32_t>(numbers.size());
+        of_bodies.push_back(numbers.try_emplace(body.mesh, next).first->second);
+    }
+    return of_bodies;
 }
 
 Hello make_hello() {
@@ -303,12 +315,13 @@ struct Connection::State {
     asio::awaitable<Result<JobId>>
     submit(Submit submit, PoseSource* poses, const PoseLabels& labels) {
         channel->send(submit);
+        const std::vector<std::uint32_t> trees = mesh_numbers(submit);
         for (std::uint64_t sent = 0; poses != nullptr && sent < submit.scenarios;) {
             const auto window = read_window(*poses, sent, submit.scenarios - sent);
             if (!window) {
                 co_return window.error();
             }
-            for (Bytes& run : pack_in_order(window.value())) {
+            for (Bytes& run : pack_in_order(window.value(), trees)) {
                 if (const Status status = co_await make_room(); !status) {
                     co_return status.error();
                 }

@@ -104,7 +104,8 @@ Result<BodyTrees> RemoteReader::trees(const Submit& submit) {
     meshes[1] = hashes.second == hashes.first ? meshes[0] : CD_TRY(get(hashes.second));
     TreeUse use;
     use.settles = true;
-    kept_.emplace(hashes, make_body_trees(meshes, use, trees_, building_));
+    const auto made = make_body_trees(meshes, use, trees_, building_);
+    kept_.emplace(hashes, BodyTrees(made.begin(), made.end()));
     return kept_->second;
 }
 

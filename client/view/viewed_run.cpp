@@ -243,8 +243,8 @@ Result<std::shared_ptr<const ScenarioView>> ViewedRun::scenario(std::uint64_t nu
     }
     const auto record = CD_TRY(find_record(number));
     const auto scenarios = CD_TRY(read_poses(number, 1));
-    ScenarioView view = repeat_scenario(
-        *job_.trees[0], *job_.trees[1], job_.query, scenarios.front(), record, stop);
+    ScenarioView view =
+        repeat_scenario(TreesByBody(job_.trees), job_.query, scenarios.front(), record, stop);
     add_label(job_.labels, number, view);
     return std::make_shared<const ScenarioView>(std::move(view));
 }

@@ -28,6 +28,9 @@ const char* query_problem(const Query& query) {
     if (query.up_to && !is_clearance(*query.up_to)) {
         return "an up_to that is negative or not finite";
     }
+    if (!are_in_order(query.ignored)) {
+        return "ignored parts whose bodies are not in order";
+    }
     if (query.question != Question::Distance) {
         return query.up_to ? "an up_to without the question of the distance" : nullptr;
     }

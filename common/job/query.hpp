@@ -37,7 +37,7 @@ struct Query {
     Level level = Level::Pairs;
     std::uint64_t limit_pairs =
         0; ///< A result lists at most this many pairs, the first in sorted order; 0: all.
-    std::vector<IgnoredRange> ignored;
+    std::vector<IgnoredRange> ignored; ///< In order (`are_in_order`).
     /// At `level count` and above: whether the job counts, for each triangle, the scenarios in
     /// which the triangle is in contact or near.
     bool maps = false;
@@ -56,8 +56,9 @@ struct Query {
 }
 
 /// Returns what no job may ask in this query: a clearance or an up_to that is no length, an up_to
-/// of contacts, or a distance with a level above any, a clearance, maps or limit_pairs. Null if
-/// there is nothing. All that read a query from bytes that others wrote call this.
+/// of contacts, a distance with a level above any, a clearance, maps or limit_pairs, or ignored
+/// ranges that are not in order. Null if there is nothing. All that read a query from bytes that
+/// others wrote call this.
 [[nodiscard]] const char* query_problem(const Query& query);
 
 } // namespace cd

@@ -8,19 +8,21 @@ namespace cd {
 namespace {
 
 /// Returns how far apart in the world triangles may be that matter for the answer.
-double reach_of(const TreeTop& a, const TreeTop& b, const PosePair& poses, const Query& query) {
+double reach_of(const TreeTop& a, const TreeTop& b, const Scenario& scenario, const Query& query) {
     if (query.question == Question::Contacts) {
         return query.clearance.value_or(0);
     }
     const double up_to = query.up_to.value_or(std::numeric_limits<double>::infinity());
-    return query.ignored.empty() ? std::min(up_to, distance_bound(a, b, poses)) : up_to;
+    return ignored_of(query.ignored, scenario.body_a, scenario.body_b).empty()
+               ? std::min(up_to, distance_bound(a, b, scenario.poses))
+               : up_to;
 }
 
 } // namespace
 
 Result<CollidingRoots>
-query_roots(const TreeTop& a, const TreeTop& b, const PosePair& poses, const Query& query) {
-    return colliding_roots(a, b, poses, reach_of(a, b, poses, query));
+query_roots(const TreeTop& a, const TreeTop& b, const Scenario& scenario, const Query& query) {
+    return colliding_roots(a, b, scenario.poses, reach_of(a, b, scenario, query));
 }
 
 } // namespace cd

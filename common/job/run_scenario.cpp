@@ -2,6 +2,7 @@
 
 #include "common/core/limits/engine.hpp"
 #include "common/job/settle.hpp"
+#include "common/search/contact_search.hpp"
 
 #include <algorithm>
 #include <array>
@@ -267,11 +268,13 @@ ScenarioRun run_on_subtrees(KeptSearch& kept,
         }
         return run;
     }
+    const auto ignored = ignored_of(query.ignored, scenario.body_a, scenario.body_b);
     if (kept.search) {
+        kept.search->ignore(ignored);
         kept.search->restart(scenario.poses);
     } else {
         kept.search = make_search(
-            pairs[0].a, pairs[0].b, scenario.poses, query.ignored, search_options(query, options));
+            pairs[0].a, pairs[0].b, scenario.poses, ignored, search_options(query, options));
     }
     ContactSearch& search = *kept.search;
     bool is_whole = true;
@@ -306,33 +309,41 @@ ScenarioRun run_on_subtrees(std::span<const SubtreePair> pairs,
     return run_on_subtrees(search, pairs, scenario, query, options);
 }
 
-ScenarioRunner::ScenarioRunner(
-    const ObbTree& a, const ObbTree& b, const Query& query, PairStage first_stage, StopCheck stop)
-    : a_(a),
-      b_(b),
+ScenarioRunner::ScenarioRunner(TreesByBody trees,
+                               const Query& query,
+                               PairStage first_stage,
+                               StopCheck stop)
+    : trees_(std::move(trees)),
       query_(query),
-      options_{first_stage, std::move(stop), a.topology().is_closed() && b.topology().is_closed()},
-      settler_(a, b, query.ignored) {}
+      options_{{{first_stage, stop, false}, {first_stage, stop, true}}},
+      settler_(trees_, query.ignored) {}
 
 ScenarioRun ScenarioRunner::run_with_kept(const Scenario& scenario, KeptSearch& kept) const {
-    const SubtreePair whole{a_.view(), b_.view()};
-    ScenarioRun run = run_on_subtrees(kept, {&whole, 1}, scenario, query_, options_);
+    const ObbTree& a = trees_.a_of(scenario);
+    const ObbTree& b = trees_.b_of(scenario);
+    const bool are_closed = a.topology().is_closed() && b.topology().is_closed();
+    const RunOptions& options = options_[are_closed ? 1 : 0];
+    const SubtreePair whole{a.view(), b.view()};
+    ScenarioRun run = run_on_subtrees(kept, {&whole, 1}, scenario, query_, options);
     if (!run.is_stopped) {
         const RelativePose* const b_to_a = kept.search->report().b_to_a;
-        run.inside = settler_.settle(scenario, run.result, {run.found, options_.stop, b_to_a});
+        run.inside = settler_.settle(scenario, run.result, {run.found, options.stop, b_to_a});
     }
-    if (is_stopped()) { // If `stop` has ended `settle`, the class is meaningless.
+    if (options.stop && options.stop()) { // If it has ended `settle`, the class is meaningless.
         return stopped_run(scenario, query_);
     }
     return run;
 }
 
 ScenarioRun ScenarioRunner::run(const Scenario& scenario) const {
-    return ScenarioSession(*this).run(scenario);
+    KeptSearch search;
+    return run_with_kept(scenario, search);
 }
 
 ScenarioRun ScenarioSession::run(const Scenario& scenario) {
-    return runner_.run_with_kept(scenario, kept_);
+    const TreesByBody& trees = runner_.trees_;
+    KeptSearch& search = kept_.of(&trees.a_of(scenario), &trees.b_of(scenario));
+    return runner_.run_with_kept(scenario, search);
 }
 
 ScenarioRun

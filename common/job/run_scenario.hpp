@@ -2,18 +2,19 @@
 #pragma once
 
 #include "common/core/host/stop_check.hpp"
+#include "common/job/kept_searches.hpp"
 #include "common/job/query.hpp"
 #include "common/job/result/result.hpp"
 #include "common/job/scenario.hpp"
 #include "common/job/settle.hpp"
 #include "common/job/statistics.hpp"
-#include "common/search/contact_search.hpp"
+#include "common/job/trees_by_body.hpp"
 #include "common/tree/obb_tree.hpp"
 
+#include <array>
 #include <cstddef>
-#include <memory>
-#include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace cd {
@@ -57,15 +58,8 @@ struct RunOptions {
                                           const Query& query,
                                           const RunOptions& options = {});
 
-/// A contact search whose memory further scenarios of one query reuse.
-struct KeptSearch {
-    std::unique_ptr<ContactSearch> search; ///< Created by the first scenario with a pair.
-    /// Index of the pair in which the last run at `level any` found a contact; empty without one.
-    std::optional<std::size_t> touching;
-};
-
 /// Runs a scenario as the overload without `kept` does, but reuses the search in `kept`. All calls
-/// with one `kept` share the query, the options and the form of the trees (wide or binary).
+/// with one `kept` share the query, the options and the two trees; the bodies may differ.
 [[nodiscard]] ScenarioRun run_on_subtrees(KeptSearch& kept,
                                           std::span<const SubtreePair> pairs,
                                           const Scenario& scenario,
@@ -76,15 +70,21 @@ struct KeptSearch {
 [[nodiscard]] ScenarioResult
 failed_result(const Scenario& scenario, const Query& query, const Error& why);
 
-/// Runs scenarios of two whole trees: `run_on_subtrees` and `Settler` (settle.hpp) in one.
+/// Runs scenarios on whole trees: `run_on_subtrees` and `Settler` (settle.hpp) in one.
 class ScenarioRunner {
   public:
     /// The trees and the query outlive the runner.
+    ScenarioRunner(TreesByBody trees,
+                   const Query& query,
+                   PairStage first_stage = PairStage::Float,
+                   StopCheck stop = {});
+    /// Runs scenarios of the bodies 0 and 1.
     ScenarioRunner(const ObbTree& a,
                    const ObbTree& b,
                    const Query& query,
                    PairStage first_stage = PairStage::Float,
-                   StopCheck stop = {});
+                   StopCheck stop = {})
+        : ScenarioRunner(TreesByBody(a, b), query, first_stage, std::move(stop)) {}
 
     [[nodiscard]] const Query& query() const { return query_; }
 
@@ -95,17 +95,16 @@ class ScenarioRunner {
   private:
     friend class ScenarioSession;
     [[nodiscard]] ScenarioRun run_with_kept(const Scenario& scenario, KeptSearch& kept) const;
-    [[nodiscard]] bool is_stopped() const { return options_.stop && options_.stop(); }
 
-    const ObbTree& a_;
-    const ObbTree& b_;
+    TreesByBody trees_;
     const Query& query_;
-    RunOptions options_;
+    std::array<RunOptions, 2> options_; ///< [1]: for scenarios of two closed bodies.
     Settler settler_;
 };
 
 /// Runs scenarios on one thread. The session reuses memory, so that after a few scenarios only
-/// results allocate. It is fastest if neighbouring poses follow each other.
+/// results allocate. It is fastest if scenarios of the same trees and neighbouring poses follow
+/// each other.
 class ScenarioSession {
   public:
     /// The runner outlives the session.
@@ -116,7 +115,7 @@ class ScenarioSession {
 
   private:
     const ScenarioRunner& runner_;
-    KeptSearch kept_;
+    KeptSearches<const ObbTree*> kept_;
 };
 
 /// Runs one scenario in a `ScenarioRunner` made for it.

@@ -10,10 +10,17 @@ namespace cd {
 struct Scenario {
     std::uint64_t index = 0;  ///< Index in the job as submitted, from 0.
     std::uint32_t body_a = 0; ///< Index of body A in the job's list of bodies.
-    std::uint32_t body_b = 1;
+    std::uint32_t body_b = 1; ///< Is above `body_a`.
     PosePair poses;
 
     friend bool operator==(const Scenario&, const Scenario&) = default;
 };
+
+/// Whether a scenario of a job with so many bodies may have these two: both exist, and A comes
+/// before B.
+[[nodiscard]] inline bool
+are_bodies_of_job(std::uint32_t body_a, std::uint32_t body_b, std::uint64_t bodies) {
+    return body_a < body_b && body_b < bodies;
+}
 
 } // namespace cd

@@ -51,28 +51,50 @@ std::vector<ContactPair> search_again(const ObbTree& a,
 
 } // namespace
 
-Settler::Settler(const ObbTree& a, const ObbTree& b, std::vector<IgnoredRange> ignored)
-    : a_(a),
-      b_(b),
-      ignored_(std::move(ignored)),
-      are_closed_(a.topology().is_closed() && b.topology().is_closed()) {}
+Settler::Settler(TreesByBody trees, std::vector<IgnoredRange> ignored)
+    : trees_(std::move(trees)), ignored_(std::move(ignored)) {
+    for (const ObbTree* tree : trees_.all()) {
+        of_trees_.try_emplace(tree);
+    }
+    for (const IgnoredRange& range : ignored_) {
+        of_pairs_.try_emplace({range.body_a, range.body_b});
+        of_pairs_.try_emplace({range.body_b, range.body_a});
+    }
+}
 
-const Settler::Probes& Settler::probes() const {
-    std::call_once(once_, [this] {
-        probes_ = {inside_probes(a_, b_, ignored_), inside_probes(b_, a_, swapped(ignored_))};
+bool Settler::are_closed(std::uint32_t body_a, std::uint32_t body_b) const {
+    return trees_.of(body_a).topology().is_closed() && trees_.of(body_b).topology().is_closed();
+}
+
+const InsideProbes& Settler::probes(std::uint32_t inner, std::uint32_t outer) const {
+    const ObbTree& tree = trees_.of(inner);
+    const auto of_pair = of_pairs_.find({inner, outer});
+    LazyProbes& lazy = of_pair == of_pairs_.end() ? of_trees_.at(&tree) : of_pair->second;
+    std::call_once(lazy.once, [&] {
+        const auto [a, b] = std::minmax(inner, outer);
+        const auto ignored = ignored_of(ignored_, a, b);
+        const ObbTree& outer_tree = trees_.of(outer);
+        lazy.probes = inner == a ? inside_probes(tree, outer_tree, ignored)
+                                 : inside_probes(tree, outer_tree, swapped(ignored));
     });
-    return probes_;
+    return lazy.probes;
 }
 
-bool Settler::is_inside(const PosePair& poses, SettleStatistics& statistics) const {
-    return contains_component(a_, poses.a, b_, poses.b, probes().of_b, statistics) ||
-           contains_component(b_, poses.b, a_, poses.a, probes().of_a, statistics);
+bool Settler::is_inside(const Scenario& scenario, SettleStatistics& statistics) const {
+    const ObbTree& a = trees_.a_of(scenario);
+    const ObbTree& b = trees_.b_of(scenario);
+    const PosePair& poses = scenario.poses;
+    return contains_component(a, poses.a, b, poses.b, probes_of_b(scenario), statistics) ||
+           contains_component(b, poses.b, a, poses.a, probes_of_a(scenario), statistics);
 }
 
-bool Settler::is_cross(const PosePair& poses,
+bool Settler::is_cross(const Scenario& scenario,
                        const ScenarioResult& result,
                        const SettleOptions& options,
                        SettleStatistics& statistics) const {
+    const ObbTree& a = trees_.a_of(scenario);
+    const ObbTree& b = trees_.b_of(scenario);
+    const auto ignored = ignored_in(scenario);
     std::vector<ContactPair> found;
     std::span<const ContactPair> all = result.pairs;
     if (result.near_count > 0) { // `penetrates` is given the contacts alone.
@@ -84,23 +106,25 @@ bool Settler::is_cross(const PosePair& poses,
         all = options.touches;
     }
     if (all.size() != result.pair_count) {
-        found = search_again(a_, b_, poses, ignored_, options.stop, statistics);
+        found = search_again(a, b, scenario.poses, ignored, options.stop, statistics);
         all = found;
     }
-    return penetrates(a_, b_, poses, all, ignored_, statistics, options.stop);
+    return penetrates(a, b, scenario.poses, all, ignored, statistics, options.stop);
 }
 
 bool Settler::is_work(const ScenarioResult& result) const {
     const bool may_change = result.kind == ScenarioClass::Separate ||
                             result.kind == ScenarioClass::Near ||
                             result.kind == ScenarioClass::Touch;
-    return may_change && are_closed_;
+    return may_change && are_closed(result.body_a, result.body_b);
 }
 
-bool Settler::may_be_inside(const PosePair& poses, const RelativePose* b_to_a) const {
-    const BoxTest boxes(b_to_a != nullptr ? *b_to_a : relative_pose(poses));
-    const ObbNode& box_a = a_.nodes()[0];
-    const PosedBox box_b = boxes.pose(b_.nodes()[0]);
+bool Settler::may_be_inside(const Scenario& scenario, const RelativePose* b_to_a) const {
+    const ObbTree& a = trees_.a_of(scenario);
+    const ObbTree& b = trees_.b_of(scenario);
+    const BoxTest boxes(b_to_a != nullptr ? *b_to_a : relative_pose(scenario.poses));
+    const ObbNode& box_a = a.nodes()[0];
+    const PosedBox box_b = boxes.pose(b.nodes()[0]);
     if (!boxes.may_overlap(box_a, box_b)) {
         return false;
     }
@@ -112,10 +136,10 @@ bool Settler::may_be_inside(const PosePair& poses, const RelativePose* b_to_a) c
         });
     };
     return may_hold_any(
-               probes().of_b,
-               b_,
+               probes_of_b(scenario),
+               b,
                [&](const ObbNode& point) { return boxes.may_overlap(box_a, boxes.pose(point)); }) ||
-           may_hold_any(probes().of_a, a_, [&](const ObbNode& point) {
+           may_hold_any(probes_of_a(scenario), a, [&](const ObbNode& point) {
                return boxes.may_overlap(point, box_b);
            });
 }
@@ -125,10 +149,10 @@ SettleStatistics Settler::settle_closed(const Scenario& scenario,
                                         const SettleOptions& options) const {
     SettleStatistics work;
     if (result.kind == ScenarioClass::Touch) {
-        if (is_cross(scenario.poses, result, options, work)) {
+        if (is_cross(scenario, result, options, work)) {
             result.kind = ScenarioClass::Cross;
         }
-    } else if (is_inside(scenario.poses, work)) {
+    } else if (is_inside(scenario, work)) {
         result.kind = ScenarioClass::Inside;
     }
     return work;
@@ -141,14 +165,15 @@ InsideStatistics Settler::settle(const Scenario& scenario,
     if (result.kind == ScenarioClass::Failed) {
         return {};
     }
-    result.surfaces_only = !are_closed_;
-    result.insides_skipped =
-        are_closed_ && !ignored_.empty() && !(probes().of_a.are_all && probes().of_b.are_all);
+    const bool is_closed = are_closed(scenario.body_a, scenario.body_b);
+    result.surfaces_only = !is_closed;
+    result.insides_skipped = is_closed && !ignored_in(scenario).empty() &&
+                             !(probes_of_a(scenario).are_all && probes_of_b(scenario).are_all);
     if (!is_work(result)) {
         return {};
     }
     // A body inside the other body lies, with its probes, in the other body's box.
-    if (result.kind != ScenarioClass::Touch && !may_be_inside(scenario.poses, options.b_to_a)) {
+    if (result.kind != ScenarioClass::Touch && !may_be_inside(scenario, options.b_to_a)) {
         return {1, 0, {}};
     }
     const Clock::time_point start = Clock::now();

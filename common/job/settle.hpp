@@ -6,12 +6,16 @@
 #include "common/job/result/result.hpp"
 #include "common/job/scenario.hpp"
 #include "common/job/statistics.hpp"
+#include "common/job/trees_by_body.hpp"
 #include "common/search/contact_pair.hpp"
 #include "common/solid/inside_probes.hpp"
 #include "common/tree/obb_tree.hpp"
 
+#include <cstdint>
+#include <map>
 #include <mutex>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace cd {
@@ -26,9 +30,11 @@ struct SettleOptions {
 };
 
 /// Refines the class of results of `run_on_subtrees` with the whole bodies (docs/formats.md).
-/// The pairs of a result name triangles of these bodies. One settler serves all scenarios of a job.
+/// The pairs of a result name triangles of the scenario's two bodies. One settler serves all
+/// scenarios of a job.
 ///
-/// If a body is open, only `surfaces_only` is set. For two closed bodies the class becomes:
+/// If one of the two bodies is open, only `surfaces_only` is set. For two closed bodies the class
+/// becomes:
 ///
 /// - `inside` instead of `separate` or `near` if some component of one body lies in the other. With
 /// ignored pairs, a triangle lies inside if it lies in the solid bounded by those triangles of the
@@ -44,8 +50,11 @@ struct SettleOptions {
 /// and contact at `level any` and undecided are complete answers.
 class Settler {
   public:
-    /// The trees outlive the settler.
-    Settler(const ObbTree& a, const ObbTree& b, std::vector<IgnoredRange> ignored);
+    /// The trees outlive the settler. The ignored ranges are in order (`are_in_order`).
+    Settler(TreesByBody trees, std::vector<IgnoredRange> ignored);
+    /// Settles scenarios of the bodies 0 and 1.
+    Settler(const ObbTree& a, const ObbTree& b, std::vector<IgnoredRange> ignored)
+        : Settler(TreesByBody(a, b), std::move(ignored)) {}
 
     /// Settles a result and returns the cost. The code that merges results calls this once per
     /// result; any number of threads may call it at once. If a few box tests decide, no time is
@@ -58,29 +67,42 @@ class Settler {
     [[nodiscard]] bool is_work(const ScenarioResult& result) const;
 
   private:
-    struct Probes {
-        InsideProbes of_a;
-        InsideProbes of_b;
+    /// Probes that are made on first use.
+    struct LazyProbes {
+        std::once_flag once;
+        InsideProbes probes;
     };
-    [[nodiscard]] const Probes& probes() const;
+    [[nodiscard]] bool are_closed(std::uint32_t body_a, std::uint32_t body_b) const;
+    /// Returns the triangles of two bodies that are ignored with each other.
+    [[nodiscard]] std::span<const IgnoredRange> ignored_in(const Scenario& scenario) const {
+        return ignored_of(ignored_, scenario.body_a, scenario.body_b);
+    }
+    /// Returns the probes of a body in another body.
+    [[nodiscard]] const InsideProbes& probes(std::uint32_t inner, std::uint32_t outer) const;
+    [[nodiscard]] const InsideProbes& probes_of_a(const Scenario& scenario) const {
+        return probes(scenario.body_a, scenario.body_b);
+    }
+    [[nodiscard]] const InsideProbes& probes_of_b(const Scenario& scenario) const {
+        return probes(scenario.body_b, scenario.body_a);
+    }
     /// Returns false only if neither body can lie in the other: their boxes are apart, or no probe
     /// of either body is in the box of the other body.
-    [[nodiscard]] bool may_be_inside(const PosePair& poses, const RelativePose* b_to_a) const;
+    [[nodiscard]] bool may_be_inside(const Scenario& scenario, const RelativePose* b_to_a) const;
     [[nodiscard]] SettleStatistics settle_closed(const Scenario& scenario,
                                                  ScenarioResult& result,
                                                  const SettleOptions& options) const;
-    [[nodiscard]] bool is_inside(const PosePair& poses, SettleStatistics& statistics) const;
-    [[nodiscard]] bool is_cross(const PosePair& poses,
+    [[nodiscard]] bool is_inside(const Scenario& scenario, SettleStatistics& statistics) const;
+    [[nodiscard]] bool is_cross(const Scenario& scenario,
                                 const ScenarioResult& result,
                                 const SettleOptions& options,
                                 SettleStatistics& statistics) const;
 
-    const ObbTree& a_;
-    const ObbTree& b_;
+    TreesByBody trees_;
     std::vector<IgnoredRange> ignored_;
-    bool are_closed_;
-    mutable std::once_flag once_;
-    mutable Probes probes_; ///< Made on first use.
+    /// The probes of each tree in any body with which it ignores no triangles.
+    mutable std::map<const ObbTree*, LazyProbes> of_trees_;
+    /// The probes of a body in another one, for bodies that ignore triangles with each other.
+    mutable std::map<std::pair<std::uint32_t, std::uint32_t>, LazyProbes> of_pairs_;
 };
 
 } // namespace cd

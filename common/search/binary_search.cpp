@@ -67,6 +67,13 @@ void BinarySearch::restart(const PosePair& poses) {
     }
 }
 
+void BinarySearch::ignore(std::span<const IgnoredRange> ignored) {
+    ignored_ = ignored;
+    if (nearest_) {
+        nearest_->forget_ignored(ignored);
+    }
+}
+
 /// Returns whether the descent must end; polls `stop_` once in `steps_between_stop_checks` calls.
 bool BinarySearch::must_stop() {
     if (stop_ && ++progress_.steps_unpolled >= steps_between_stop_checks) {

@@ -45,6 +45,10 @@ class ContactSearch {
     /// the next call of `any` expects again.
     virtual void restart(const PosePair& poses) = 0;
 
+    /// Replaces the ignored ranges for what follows; call `restart` afterwards. They outlive the
+    /// search, or are replaced.
+    virtual void ignore(std::span<const IgnoredRange> ignored) = 0;
+
     /// Returns whether any triangle of `a` touches a triangle of `b`. Adds nothing to `contacts()`.
     /// A search may expect its last answer again and try the likely boxes first, so the statistics
     /// depend on earlier calls, but the answer never does.
@@ -72,7 +76,7 @@ class ContactSearch {
 };
 
 /// Returns a WideSearch if both bodies have a wide tree, else a BinarySearch. All trees passed to
-/// the search must have the same form. `ignored` must outlive the search.
+/// the search must have the same form. `ignored` must outlive the search, unless it is replaced.
 [[nodiscard]] std::unique_ptr<ContactSearch> make_search(const TreeView& a,
                                                          const TreeView& b,
                                                          const PosePair& poses,

@@ -29,6 +29,12 @@ void NearestFound::restart(const PosePair& poses) {
     }
 }
 
+void NearestFound::forget_ignored(std::span<const IgnoredRange> ignored) {
+    if (best_ && is_ignored(ignored, best_->a, best_->b)) {
+        best_.reset();
+    }
+}
+
 double NearestFound::bound() const {
     // A distance that is a little larger than the best one may still round to it.
     const double best = std::min(upper_, best_ ? best_->distance : infinity);

@@ -4,6 +4,7 @@
 #include "common/distance/triangle_distance.hpp"
 #include "common/geometry/pose.hpp"
 #include "common/pair/triangle_pair.hpp"
+#include "common/tree/ignored_range.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -34,6 +35,8 @@ class NearestFound {
     /// Takes other poses of the same bodies. The pair found last becomes the first candidate, since
     /// it is mostly among the nearest ones of a neighbouring pose.
     void restart(const PosePair& poses);
+    /// Forgets the pair found last if it is ignored.
+    void forget_ignored(std::span<const IgnoredRange> ignored);
 
     /// Adds candidates of two bodies, each a TriangleSpan or TriangleBlocks. `ids_a` and `ids_b`
     /// map the candidates' indices to triangles of the meshes.

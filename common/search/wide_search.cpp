@@ -39,6 +39,13 @@ void WideSearch::restart(const PosePair& poses) {
     is_stopped_ = false;
 }
 
+void WideSearch::ignore(std::span<const IgnoredRange> ignored) {
+    ignored_ = ignored;
+    if (nearest_) {
+        nearest_->forget_ignored(ignored);
+    }
+}
+
 void WideSearch::place_near(const PosePair& poses) {
     reach_per_length_ = body_reach(poses, 1);
     near_descent_->restart(b_to_a_, clearance_ ? body_reach(poses, *clearance_) : 0);

@@ -21,6 +21,7 @@ class WideSearch final : public ContactSearch {
                         const SearchOptions& options = {});
 
     void restart(const PosePair& poses) override;
+    void ignore(std::span<const IgnoredRange> ignored) override;
     [[nodiscard]] bool any(const TreeView& a, const TreeView& b) override;
     [[nodiscard]] Nearness any_near(const TreeView& a, const TreeView& b) override;
     void collect(const TreeView& a, const TreeView& b) override;

@@ -22,4 +22,12 @@ struct IgnoredRange {
 [[nodiscard]] bool
 is_ignored(std::span<const IgnoredRange> ignored, std::uint32_t a, std::uint32_t b);
 
+/// Whether the ranges of a job are in order: each names body A before body B, and the pairs of
+/// bodies ascend.
+[[nodiscard]] bool are_in_order(std::span<const IgnoredRange> ignored);
+
+/// Returns the ranges of a pair of bodies, from the ranges of a job, which are in order.
+[[nodiscard]] std::span<const IgnoredRange>
+ignored_of(std::span<const IgnoredRange> ignored, std::uint32_t body_a, std::uint32_t body_b);
+
 } // namespace cd

@@ -25,8 +25,9 @@ Analysis analyse_uncounted(const AnalysisInput& input, const Scenario& scenario)
     Analysis analysis;
     analysis.scenario = scenario;
     // The root of an upper tree is the whole body's box, so this descent includes the broad phase.
-    Result<CollidingRoots> roots =
-        query_roots(*input.top_a, *input.top_b, scenario.poses, input.query);
+    const TreeTop& top_a = *input.tops.at(scenario.body_a);
+    const TreeTop& top_b = *input.tops.at(scenario.body_b);
+    Result<CollidingRoots> roots = query_roots(top_a, top_b, scenario, input.query);
     if (!roots) {
         analysis.finished = failed_result(scenario, input.query, roots.error());
         return analysis;
@@ -39,8 +40,7 @@ Analysis analyse_uncounted(const AnalysisInput& input, const Scenario& scenario)
         analysis.pairs = std::move(roots.value().pairs);
         analysis.roots_a = roots_of_a(analysis.pairs);
         analysis.roots_b = roots_of_b(analysis.pairs);
-        analysis.predicted_ns =
-            predicted_ns(meeting_size(*input.top_a, *input.top_b, analysis.pairs));
+        analysis.predicted_ns = predicted_ns(meeting_size(top_a, top_b, analysis.pairs));
     }
     return analysis;
 }

@@ -9,8 +9,8 @@
 #include "common/job/query.hpp"
 #include "common/job/result/result.hpp"
 #include "common/job/statistics.hpp"
+#include "common/job/trees_by_body.hpp"
 #include "common/tree/cut.hpp"
-#include "common/tree/obb_tree.hpp"
 #include "master/base/instance_id.hpp"
 
 #include <cstdint>
@@ -39,14 +39,12 @@ struct Analysis {
     JobStatistics cost; ///< Cost of the analysis, and of settling `finished`.
 };
 
-/// Inputs of a job's analysis: the bodies' trees, with the upper trees of their cuts.
+/// Inputs of a job's analysis.
 struct AnalysisInput {
-    std::shared_ptr<const ObbTree> a;
-    std::shared_ptr<const ObbTree> b;
-    std::shared_ptr<const TreeTop> top_a;
-    std::shared_ptr<const TreeTop> top_b;
+    BodyTrees trees;
+    std::vector<std::shared_ptr<const TreeTop>> tops; ///< The upper tree of each body's cut.
     Query query;
-    std::shared_ptr<const Settler> settler; ///< Settles scenarios; made for trees `a` and `b`.
+    std::shared_ptr<const Settler> settler; ///< Settles scenarios; made for `trees`.
     std::shared_ptr<OrderedPoses> poses;    ///< Several threads may call `read` at once.
     /// In a simulation without trees, replaces the descent and sets `bytes`. Thread-safe.
     std::function<Analysis(const Scenario&)> sketch = nullptr;

@@ -5,62 +5,110 @@
 #include "master/journal/job_map.hpp"
 #include "master/submission/pose_spool.hpp"
 
+#include <algorithm>
+#include <map>
+#include <optional>
+
 namespace cd {
 
 namespace {
 
-std::shared_ptr<const TreeTop> top_of(const std::shared_ptr<const CutGeometry>& cut) {
-    return {cut, &cut->top()};
+using Cuts = std::vector<std::shared_ptr<const CutGeometry>>;
+
+/// Returns the tree of each body; bodies of one mesh share it.
+Result<BodyTrees> load_trees(GeometryStore& store, const Submit& submit) {
+    std::map<Sha256, std::shared_ptr<const ObbTree>> of_meshes;
+    BodyTrees trees;
+    for (const JobBody& body : submit.bodies) {
+        std::shared_ptr<const ObbTree>& tree = of_meshes[body.mesh];
+        if (tree == nullptr) {
+            const auto loaded = store.tree(body.mesh);
+            if (!loaded) {
+                return loaded.error();
+            }
+            tree = loaded.value();
+        }
+        trees.push_back(tree);
+    }
+    return trees;
+}
+
+/// Returns the cut of each body; bodies of one mesh and depth share it.
+StoreResult<Cuts>
+load_cuts(GeometryStore& store, const Submit& submit, const BodyTrees& trees, SubtreeForm form) {
+    std::map<std::pair<Sha256, std::optional<std::uint32_t>>, Cuts::value_type> known;
+    Cuts cuts;
+    for (std::size_t body = 0; body < trees.size(); ++body) {
+        const Sha256& mesh = submit.bodies[body].mesh;
+        const std::optional<std::uint32_t> depth = submit.cluster.depth(body);
+        Cuts::value_type& cut = known[{mesh, depth}];
+        if (cut == nullptr) {
+            const auto made =
+                store.cut(mesh, depth ? *depth : choose_depth(*trees[body], form), form);
+            if (!made) {
+                return made.is_unwritten() ? StoreResult<Cuts>::unwritten(made.error())
+                                           : StoreResult<Cuts>(made.error());
+            }
+            cut = made.value();
+        }
+        cuts.push_back(cut);
+    }
+    return cuts;
 }
 
 } // namespace
 
 StoreResult<JobGeometry> StoredGeometry::prepare(const Submit& submit) {
-    const auto tree_a = store_.tree(submit.bodies[0].mesh);
-    const auto tree_b = store_.tree(submit.bodies[1].mesh);
-    for (const auto* tree : {&tree_a, &tree_b}) {
-        if (!*tree) {
-            return tree->error();
-        }
+    const Result<BodyTrees> trees = load_trees(store_, submit);
+    if (!trees) {
+        return trees.error();
     }
-    const bool is_wide =
-        suits_wide_tree(tree_a.value()->view()) && suits_wide_tree(tree_b.value()->view());
+    const bool is_wide = std::ranges::all_of(
+        trees.value(), [](const auto& tree) { return suits_wide_tree(tree->view()); });
     const SubtreeForm form = is_wide ? SubtreeForm::Wide : SubtreeForm::Binary;
-    const auto depth_of = [&](const ObbTree& tree, const std::optional<std::uint32_t>& given) {
-        return given ? *given : choose_depth(tree, form);
-    };
-    const std::uint32_t depth_a = depth_of(*tree_a.value(), submit.cluster.depth(0));
-    const std::uint32_t depth_b = depth_of(*tree_b.value(), submit.cluster.depth(1));
-    const auto cut_a = store_.cut(submit.bodies[0].mesh, depth_a, form);
-    const auto cut_b = store_.cut(submit.bodies[1].mesh, depth_b, form);
-    for (const auto* cut : {&cut_a, &cut_b}) {
-        if (!*cut) {
-            return cut->is_unwritten() ? StoreResult<JobGeometry>::unwritten(cut->error())
-                                       : StoreResult<JobGeometry>(cut->error());
-        }
+    const StoreResult<Cuts> cuts = load_cuts(store_, submit, trees.value(), form);
+    if (!cuts) {
+        return cuts.is_unwritten() ? StoreResult<JobGeometry>::unwritten(cuts.error())
+                                   : StoreResult<JobGeometry>(cuts.error());
     }
-    const std::shared_ptr<const ObbTree> a = tree_a.value();
-    const std::shared_ptr<const ObbTree> b = tree_b.value();
-    const auto settler = std::make_shared<const Settler>(*a, *b, submit.query.ignored);
-    return JobGeometry{
-        cut_a.value(),
-        cut_b.value(),
-        {a, b, top_of(cut_a.value()), top_of(cut_b.value()), submit.query, settler, nullptr},
-        std::make_shared<const JobMaterial>(JobMaterial{
-            a,
-            b,
-            submit.query,
-            settler,
-            sums_contacts(submit.query) ? body_part_runs(a->mesh(), b->mesh()) : nullptr})};
+    JobGeometry made;
+    JobMaterial material;
+    material.trees = trees.value();
+    material.query = submit.query;
+    material.settler =
+        std::make_shared<const Settler>(TreesByBody(material.trees), submit.query.ignored);
+    if (sums_contacts(submit)) {
+        material.parts = body_part_runs(material.trees[0]->mesh(), material.trees[1]->mesh());
+    }
+    made.analysis.trees = material.trees;
+    made.analysis.query = submit.query;
+    made.analysis.settler = material.settler;
+    for (const auto& cut : cuts.value()) {
+        made.cuts.push_back(cut);
+        made.analysis.tops.emplace_back(cut, &cut->top());
+    }
+    made.material = std::make_shared<const JobMaterial>(std::move(material));
+    return made;
 }
 
-DispatchTree dispatch_tree(TreeId id, const Cut& cut) {
-    DispatchTree tree{id, {}, {}};
-    for (RootIndex root = 0; root < cut.root_count(); ++root) {
-        tree.root_triangles.push_back(cut.triangles_under(root));
-        tree.root_bytes.push_back(cut.compressed_bytes(root));
+DispatchTrees dispatch_trees(std::span<const TreeId> ids,
+                             std::span<const std::shared_ptr<const Cut>> cuts) {
+    std::map<TreeId, std::shared_ptr<const DispatchTree>> known;
+    std::vector<DispatchTrees::Tree> by_body;
+    for (std::size_t body = 0; body < ids.size(); ++body) {
+        DispatchTrees::Tree& shared = known[ids[body]];
+        if (shared == nullptr) {
+            const Cut& cut = *cuts[body];
+            DispatchTree tree{ids[body], {}, {}};
+            for (RootIndex root = 0; root < cut.root_count(); ++root) {
+                tree.root_triangles.push_back(cut.triangles_under(root));
+                tree.root_bytes.push_back(cut.compressed_bytes(root));
+            }
+            shared = std::make_shared<const DispatchTree>(std::move(tree));
+        }
+        by_body.push_back(shared);
     }
-    return tree;
+    return DispatchTrees(std::move(by_body));
 }
 
 Result<std::shared_ptr<OrderedPoses>>
@@ -72,7 +120,8 @@ open_poses(const Submit& submit, const std::filesystem::path& path, PoseCheck ch
         }
         return std::make_shared<OrderedPoses>(grid.value());
     }
-    Result<std::unique_ptr<PoseSpool>> spool = PoseSpool::open(path, submit.scenarios);
+    Result<std::unique_ptr<PoseSpool>> spool =
+        PoseSpool::open(path, submit.scenarios, submit.bodies.size());
     if (!spool) {
         return spool.error();
     }

@@ -14,15 +14,15 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <span>
 #include <utility>
 #include <vector>
 
 namespace cd {
 
-/// Cuts of a job's two bodies, and the inputs of its analysis and of its result checks.
+/// The cut of each body of a job, and the inputs of its analysis and of its result checks.
 struct JobGeometry {
-    std::shared_ptr<const Cut> cut_a;
-    std::shared_ptr<const Cut> cut_b;
+    std::vector<std::shared_ptr<const Cut>> cuts;
     AnalysisInput analysis; ///< Without the poses.
     std::shared_ptr<const JobMaterial> material;
 };
@@ -59,8 +59,9 @@ class StoredGeometry final : public Geometry {
     GeometryStore& store_;
 };
 
-/// Returns the dispatcher's description of a cut.
-[[nodiscard]] DispatchTree dispatch_tree(TreeId id, const Cut& cut);
+/// Returns the dispatcher's description of the cuts of a job's bodies, which have these ids.
+[[nodiscard]] DispatchTrees dispatch_trees(std::span<const TreeId> ids,
+                                           std::span<const std::shared_ptr<const Cut>> cuts);
 
 /// Whether `open_poses` verifies the whole pose file at once. With AsRead it verifies nothing: each
 /// later read verifies the poses that it reads.

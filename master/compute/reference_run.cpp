@@ -15,7 +15,8 @@ Result<ReferenceResult> reference_result(const JobMaterial& material,
     if (!read) {
         return read.error();
     }
-    const ScenarioRunner runner(*material.a, *material.b, material.query, PairStage::Float, stop);
+    const ScenarioRunner runner(
+        TreesByBody(material.trees), material.query, PairStage::Float, stop);
     ScenarioRun run;
     run.is_stopped = stop();
     if (!run.is_stopped) {
@@ -32,7 +33,7 @@ Result<ReferenceResult> reference_result(const JobMaterial& material,
 Result<ContactMap> reference_map(const JobMaterial& material,
                                  OrderedPoses& poses,
                                  std::span<const std::uint64_t> scenarios) {
-    const ScenarioRunner runner(*material.a, *material.b, material.query);
+    const ScenarioRunner runner(TreesByBody(material.trees), material.query);
     ScenarioSession session(runner);
     ContactMapSum sum(material.parts);
     for (const std::uint64_t scenario : scenarios) {

@@ -49,9 +49,12 @@ class TaskIndex {
     std::unordered_map<std::uint64_t, const Analysis*> analyses_;
 };
 
-bool are_triangles_of(const JobMaterial& material, std::span<const ContactPair> pairs) {
-    const std::size_t count_a = material.a->mesh().triangles().size();
-    const std::size_t count_b = material.b->mesh().triangles().size();
+/// Whether the pairs of a result have triangles of its bodies.
+bool are_triangles_of(const JobMaterial& material,
+                      const ScenarioResult& result,
+                      std::span<const ContactPair> pairs) {
+    const std::uint64_t count_a = material.triangles_of(result.body_a);
+    const std::uint64_t count_b = material.triangles_of(result.body_b);
     return std::all_of(pairs.begin(), pairs.end(), [&](const ContactPair& pair) {
         return pair.a < count_a && pair.b < count_b;
     });
@@ -78,16 +81,16 @@ problem_of_question(const Query& query, const Scenario& scenario, const Scenario
 
 /// Returns what is wrong with the pairs and numbers of a decoded result; null if nothing.
 const char* problem_of_pairs(const JobMaterial& material, const ScenarioResult& result) {
-    const std::uint64_t pairs_max = std::min(std::uint64_t{material.a->mesh().triangles().size()} *
-                                                 material.b->mesh().triangles().size(),
-                                             limits::result_pairs_max);
+    const std::uint64_t pairs_max =
+        std::min(material.triangles_of(result.body_a) * material.triangles_of(result.body_b),
+                 limits::result_pairs_max);
     if (result.pair_count > pairs_max || result.near_count > pairs_max - result.pair_count) {
         return "has more pairs than the bodies";
     }
-    if (!are_triangles_of(material, result.pairs)) {
+    if (!are_triangles_of(material, result, result.pairs)) {
         return "has pairs of triangles that the bodies do not have";
     }
-    const std::span<const IgnoredRange> ignored = material.query.ignored;
+    const auto ignored = ignored_of(material.query.ignored, result.body_a, result.body_b);
     if (!ignored.empty() && std::ranges::any_of(result.pairs, [&](const ContactPair& pair) {
             return is_ignored(ignored, pair.a, pair.b);
         })) {
@@ -103,19 +106,20 @@ const char* problem_of_pairs(const JobMaterial& material, const ScenarioResult& 
 /// triangles separate bodies may have none, since all pairs may be ignored.
 const char* problem_of_distance(const JobMaterial& material, const ScenarioResult& result) {
     const Query& query = material.query;
+    const auto ignored = ignored_of(query.ignored, result.body_a, result.body_b);
     if (!result.nearest) {
         const bool is_apart =
             result.kind == ScenarioClass::Separate || result.kind == ScenarioClass::Inside;
-        const bool needs_one = query.question == Question::Distance && is_apart && !query.up_to &&
-                               query.ignored.empty();
+        const bool needs_one =
+            query.question == Question::Distance && is_apart && !query.up_to && ignored.empty();
         return needs_one ? "lacks the distance" : nullptr;
     }
     const NearestWitness& nearest = *result.nearest;
     const ContactPair pair{nearest.a, nearest.b, PairClass::Near};
-    if (!are_triangles_of(material, {&pair, 1})) {
+    if (!are_triangles_of(material, result, {&pair, 1})) {
         return "has a distance of triangles that the bodies do not have";
     }
-    if (is_ignored(query.ignored, nearest.a, nearest.b)) {
+    if (is_ignored(ignored, nearest.a, nearest.b)) {
         return "has a distance of ignored triangles";
     }
     return query.up_to && nearest.distance > *query.up_to ? "has a distance above up_to" : nullptr;
@@ -212,8 +216,8 @@ Result<ContactMap> checked_map(const JobMaterial& material,
         }));
     ContactMapBounds bounds{0, 0, scenarios};
     if (material.query.maps) {
-        bounds.triangles_a = material.a->mesh().triangles().size();
-        bounds.triangles_b = material.b->mesh().triangles().size();
+        bounds.triangles_a = material.triangles_of(0); // A job with maps has two bodies.
+        bounds.triangles_b = material.triangles_of(1);
     }
     Result<ContactMap> map = unpack_map(packed, bounds);
     if (!map) {

@@ -7,7 +7,7 @@
 #include "common/geometry/part_runs.hpp"
 #include "common/job/poses/ordered_poses.hpp"
 #include "common/job/query.hpp"
-#include "common/tree/obb_tree.hpp"
+#include "common/job/trees_by_body.hpp"
 #include "master/base/position_set.hpp"
 #include "master/compute/analyser.hpp"
 #include "master/compute/placed_scenario.hpp"
@@ -22,12 +22,15 @@ namespace cd {
 
 /// Inputs for checking and settling the results of a job.
 struct JobMaterial {
-    std::shared_ptr<const ObbTree> a;
-    std::shared_ptr<const ObbTree> b;
+    BodyTrees trees;
     Query query;
-    std::shared_ptr<const Settler> settler; ///< Settles results; made for trees `a` and `b`.
+    std::shared_ptr<const Settler> settler; ///< Settles results; made for `trees`.
     /// The parts by which contacts are summed; null if they are not (`sums_contacts`).
     std::shared_ptr<const BodyPartRuns> parts = {};
+
+    [[nodiscard]] std::uint64_t triangles_of(std::uint32_t body) const {
+        return trees[body]->mesh().triangles().size();
+    }
 };
 
 /// Scenarios that were sent without analysis.

@@ -11,7 +11,10 @@ AnalysedScenario analysed_scenario(Analysis analysis) {
             std::move(analysis.roots_a),
             std::move(analysis.roots_b),
             analysis.bytes,
-            analysis.predicted_ns};
+            analysis.predicted_ns,
+            {},
+            analysis.scenario.body_a,
+            analysis.scenario.body_b};
 }
 
 } // namespace

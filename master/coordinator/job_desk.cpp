@@ -125,8 +125,7 @@ Result<ContactMapAnswer> JobDesk::contact_map(const ContactMapQuery& query) cons
         return Error{ErrorCode::Refused, "the job is not done, so it has no map"};
     }
     return ContactMapAnswer{job->id,
-                            query.only_parts ? sums_contacts(job->submit.query)
-                                             : job->submit.query.maps,
+                            query.only_parts ? sums_contacts(job->submit) : job->submit.query.maps,
                             job->map.withdrawn(),
                             query.only_parts ? job->map.packed_parts() : job->map.packed()};
 }

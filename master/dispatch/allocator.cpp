@@ -80,7 +80,7 @@ bool Allocator::allocate_one(DispatchJob& job, Actions& actions) {
     queue_.note_served(job.id);
     scenario.where = Whereabouts::Buffered;
     scenario.at = {proxy->id(), {}};
-    MissingOfJob missing = blocks_.hold(job, scenario, *proxy);
+    MissingBlocks missing = blocks_.hold(job, scenario, *proxy);
     proxy->buffers.add(job.id, position, scenario.weight);
     // Loops because, in matching by time, a batch takes only a part of the buffer.
     while (job.policy->is_full(*proxy, job) && job.policy->has_room_for_task(*proxy, job)) {

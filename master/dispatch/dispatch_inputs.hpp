@@ -29,6 +29,8 @@ struct AnalysedScenario {
     std::uint64_t predicted_ns = 0;
     /// Losses of the scenario before its analysis: in ranges, or before a restart of the master.
     Losses losses = {};
+    std::uint32_t body_a = 0; ///< Index in the job's list of bodies.
+    std::uint32_t body_b = 1;
 };
 
 /// Positions in a job's hand-out order that may go out without analysis.

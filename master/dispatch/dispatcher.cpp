@@ -95,16 +95,13 @@ Actions Dispatcher::worker_heard(WorkerId worker) {
 
 // ---- Jobs ---------------------------------------------------------------------------------------
 
-Actions
-Dispatcher::job_opened(JobId job, const ClusterOptions& options, DispatchTree a, DispatchTree b) {
+Actions Dispatcher::job_opened(JobId job, const ClusterOptions& options, DispatchTrees trees) {
     CD_CHECK(options.q > 0);
-    parts().plan.add_tree(a);
-    parts().plan.add_tree(b);
-    parts().queue.open(job,
-                       options,
-                       std::move(a),
-                       std::move(b),
-                       make_policy(options, parts().context, options_.strategies));
+    for (const auto& tree : trees.distinct()) {
+        parts().plan.add_tree(*tree);
+    }
+    parts().queue.open(
+        job, options, std::move(trees), make_policy(options, parts().context, options_.strategies));
     return {};
 }
 
@@ -158,12 +155,11 @@ Actions Dispatcher::job_closed(JobId job_id) {
         queue.leave(proxy->buffers.take(job_id).scenarios.size());
         proxy->tasks.forget_positions(job_id);
     }
-    const TreeId tree_a = job->a.tree;
-    const TreeId tree_b = job->b.tree;
+    const DispatchTrees trees = job->trees;
     queue.close(job_id);
-    for (const TreeId tree : {tree_a, tree_b}) {
-        if (!queue.is_tree_used(tree)) {
-            parts().plan.remove_tree(tree);
+    for (const auto& tree : trees.distinct()) {
+        if (!queue.is_tree_used(tree->tree)) {
+            parts().plan.remove_tree(tree->tree);
         }
     }
     return settled({});

@@ -44,7 +44,7 @@ class Dispatcher : public DispatchView {
     Actions worker_silent(WorkerId worker);
     Actions worker_heard(WorkerId worker);
 
-    Actions job_opened(JobId job, const ClusterOptions& options, DispatchTree a, DispatchTree b);
+    Actions job_opened(JobId job, const ClusterOptions& options, DispatchTrees trees);
     Actions scenario_analysed(JobId job, AnalysedScenario scenario);
     /// No more scenarios arrive for now: workers about to run dry get the scenarios in their
     /// buffers.

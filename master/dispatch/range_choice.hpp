@@ -10,8 +10,8 @@ namespace cd {
 struct MissingCosts {
     std::optional<double> matched; ///< For each scenario, at the worker chosen by matching.
     std::optional<double> any;     ///< For each scenario, at an average worker.
-    double all = 0;                ///< Time to fill every cache with both trees, in total.
-    bool all_fits = false;         ///< True if both trees fit into every worker's cache.
+    double all = 0;                ///< Time to fill every cache with the job's trees, in total.
+    bool all_fits = false;         ///< True if the trees fit into every worker's cache.
 };
 
 /// Inputs of the choice. Times are seconds of one thread.
@@ -28,7 +28,7 @@ struct RangeCosts {
 /// True if ranges cost less than analysis on the master. The descent of the upper trees costs
 /// equally much in both cases. Analysis adds the time for matching, and idle workers if the master
 /// cannot feed them all. Ranges add the blocks that workers miss without matching, in total at most
-/// the filling of every cache, if both trees fit. False while `missing` is unknown.
+/// the filling of every cache, if the job's trees fit. False while `missing` is unknown.
 [[nodiscard]] bool prefers_ranges(const RangeCosts& costs);
 
 } // namespace cd

@@ -132,9 +132,9 @@ PositionSet TaskTable::answer_in(DispatchJob& job,
     proxy.tasks.note_answers(found.count(), pace_.now());
     if (task->is_analysed) {
         for (const std::uint64_t position : found.list()) {
-            const ScenarioRoots& roots = job.at(position).roots;
-            plan_.arrived(proxy.slot(), job.a.tree, roots.a);
-            plan_.arrived(proxy.slot(), job.b.tree, roots.b);
+            for (const TreeRoots& side : job.at(position).roots) {
+                plan_.arrived(proxy.slot(), side.tree, side.roots);
+            }
         }
     }
     return found;

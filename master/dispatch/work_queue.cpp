@@ -11,11 +11,10 @@ namespace cd {
 
 void WorkQueue::open(JobId job,
                      const ClusterOptions& options,
-                     DispatchTree a,
-                     DispatchTree b,
+                     DispatchTrees trees,
                      std::unique_ptr<MatchingPolicy> policy) {
     const bool is_new =
-        jobs_.try_emplace(job, job, options, std::move(a), std::move(b), std::move(policy)).second;
+        jobs_.try_emplace(job, job, options, std::move(trees), std::move(policy)).second;
     CD_CHECK(is_new);
 }
 
@@ -36,7 +35,7 @@ const DispatchJob* WorkQueue::find(JobId job) const {
 }
 
 bool WorkQueue::is_tree_used(TreeId tree) const {
-    return std::ranges::any_of(jobs_, [&](const auto& job) { return job.second.uses(tree); });
+    return std::ranges::any_of(jobs_, [&](const auto& job) { return job.second.trees.have(tree); });
 }
 
 bool WorkQueue::add(DispatchJob& job, std::uint64_t position, DispatchScenario scenario) {

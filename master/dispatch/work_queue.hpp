@@ -25,8 +25,7 @@ class WorkQueue {
     /// Adds a job, whose id must be new.
     void open(JobId job,
               const ClusterOptions& options,
-              DispatchTree a,
-              DispatchTree b,
+              DispatchTrees trees,
               std::unique_ptr<MatchingPolicy> policy);
     /// Drops an open job, its waiting scenarios and suspects. Buffers and tasks must have none of
     /// its scenarios.

@@ -64,19 +64,19 @@ void JobStart::open(MasterJob& job, const JobGeometry& made) {
     work.analysis_input.poses = job.run->poses;
     work.material = made.material;
     work.todo = PositionQueue(job.run->poses->count(), std::exchange(job.run->losses_before, {}));
-    work.trees = {parts_.trees.acquire(submit.bodies[0].mesh, made.cut_a),
-                  parts_.trees.acquire(submit.bodies[1].mesh, made.cut_b)};
-    job.tally.depths = {made.cut_a->depth(), made.cut_b->depth()};
+    job.tally.depths.clear();
+    for (std::size_t body = 0; body < made.cuts.size(); ++body) {
+        work.trees.push_back(parts_.trees.acquire(submit.bodies[body].mesh, made.cuts[body]));
+        job.tally.depths.push_back(made.cuts[body]->depth());
+    }
     const std::vector<AddTree> in_use = parts_.trees.messages();
     for (auto& [id, worker] : parts_.workers.all()) {
         if (worker.is_settled && !worker.is_quarantined) {
             worker.send(worker.supply.add_kept(in_use));
         }
     }
-    parts_.dispatch.act(parts_.dispatch->job_opened(job.id,
-                                                    submit.cluster,
-                                                    dispatch_tree(work.trees[0], *made.cut_a),
-                                                    dispatch_tree(work.trees[1], *made.cut_b)));
+    parts_.dispatch.act(
+        parts_.dispatch->job_opened(job.id, submit.cluster, dispatch_trees(work.trees, made.cuts)));
     started_(job);
     parts_.life.end_if_complete(job); // The job may have no scenarios, or none left.
 }

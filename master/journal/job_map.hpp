@@ -2,17 +2,17 @@
 #pragma once
 
 #include "common/core/files/bytes.hpp"
-#include "common/job/query.hpp"
 #include "common/job/result/contact_map.hpp"
+#include "proto/messages/client_messages.hpp"
 
 #include <string>
 
 namespace cd {
 
 /// True if contacts of a job are summed: by triangle and part with maps, else by part where results
-/// list pairs.
-[[nodiscard]] inline bool sums_contacts(const Query& query) {
-    return query.maps || query.level >= Level::Pairs;
+/// list pairs. Sums are of two bodies, so a job with more has none.
+[[nodiscard]] inline bool sums_contacts(const Submit& submit) {
+    return submit.bodies.size() <= 2 && (submit.query.maps || submit.query.level >= Level::Pairs);
 }
 
 class JobMap {

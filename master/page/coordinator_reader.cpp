@@ -92,12 +92,12 @@ Result<LabelledScenarios> CoordinatorReader::poses(JobId job, const ScenarioChoi
 
 Result<BodyTrees> CoordinatorReader::trees(const Submit& submit) {
     BodyTrees trees;
-    for (std::size_t i = 0; i < trees.size(); ++i) {
-        auto tree = coordinator_.parts().store->tree(submit.bodies[i].mesh);
+    for (const JobBody& body : submit.bodies) {
+        auto tree = coordinator_.parts().store->tree(body.mesh);
         if (!tree) {
             return tree.error();
         }
-        trees[i] = std::move(tree.value());
+        trees.push_back(std::move(tree.value()));
     }
     return trees;
 }

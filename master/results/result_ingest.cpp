@@ -138,7 +138,7 @@ void ResultIngest::late_checked(Hand hand) {
 
 void ResultIngest::take_in(const Hand& hand) {
     const MasterJob* job = parts_.jobs.find_running(hand->job());
-    if (job != nullptr && sums_contacts(job->submit.query) && hand->taken) {
+    if (job != nullptr && sums_contacts(job->submit) && hand->taken) {
         TakenResults& taken = hand->taken.value();
         std::vector<std::uint64_t> fresh = new_scenarios(*job, taken.results);
         if (fresh.empty()) {

@@ -12,15 +12,41 @@ namespace {
 
 constexpr std::uint64_t magic = 0x32'53'4f'50'44'43'00'00; // "\0\0CDPOS2"
 
-/// Checks the run that begins at position `first` of a job with so many scenarios. `came` tells
-/// which indices of the run's window earlier runs had, and is set for the run's own.
-Status check_run(const PackedScenarios& run,
-                 std::uint64_t first,
-                 std::uint64_t scenarios,
-                 std::vector<bool>& came) {
+} // namespace
+
+Result<std::unique_ptr<PoseSpool>> PoseSpool::create(const std::filesystem::path& directory,
+                                                     std::uint64_t scenarios,
+                                                     std::uint64_t bodies) {
+    if (scenarios > limits::scenarios_max) {
+        return Error{ErrorCode::TooLarge,
+                     "a job of " + std::to_string(scenarios) + " scenarios; at most " +
+                         std::to_string(limits::scenarios_max) + " are allowed"};
+    }
+    if (const Status status = make_directories(directory); !status) {
+        return status.error();
+    }
+    auto file = SpoolFile::create(directory / "poses", {{magic}, scenarios});
+    if (!file) {
+        return file.error();
+    }
+    return std::unique_ptr<PoseSpool>(new PoseSpool(std::move(file.value()), bodies));
+}
+
+Result<std::unique_ptr<PoseSpool>>
+PoseSpool::open(const std::filesystem::path& path, std::uint64_t scenarios, std::uint64_t bodies) {
+    auto file = SpoolFile::open(path, {{magic}, scenarios});
+    if (!file) {
+        return file.error();
+    }
+    return std::unique_ptr<PoseSpool>(new PoseSpool(std::move(file.value()), bodies));
+}
+
+Status PoseSpool::check_run(const PackedScenarios& run,
+                            std::uint64_t first,
+                            std::vector<bool>& came) const {
     const std::uint64_t window = first - first % limits::order_window_scenarios;
     if (first == window) {
-        came.assign(std::min(scenarios - window, limits::order_window_scenarios), false);
+        came.assign(std::min(file_.scenarios() - window, limits::order_window_scenarios), false);
     }
     for (std::uint64_t i = 0; i < run.count(); ++i) {
         const Result<Scenario> scenario = run.at(i);
@@ -37,42 +63,15 @@ Status check_run(const PackedScenarios& run,
         if (came[index - window]) {
             return Error{ErrorCode::BadInput, name + " comes a second time"};
         }
-        if (body_a != 0 || body_b != 1) {
+        if (!are_bodies_of_job(body_a, body_b, bodies_)) {
             return Error{ErrorCode::BadInput,
                          name + " names bodies " + std::to_string(body_a) + " and " +
-                             std::to_string(body_b) + "; the job has 0 and 1"};
+                             std::to_string(body_b) + "; the job has 0 to " +
+                             std::to_string(bodies_ - 1) + ", and A comes before B"};
         }
         came[index - window] = true;
     }
     return Done{};
-}
-
-} // namespace
-
-Result<std::unique_ptr<PoseSpool>> PoseSpool::create(const std::filesystem::path& directory,
-                                                     std::uint64_t scenarios) {
-    if (scenarios > limits::scenarios_max) {
-        return Error{ErrorCode::TooLarge,
-                     "a job of " + std::to_string(scenarios) + " scenarios; at most " +
-                         std::to_string(limits::scenarios_max) + " are allowed"};
-    }
-    if (const Status status = make_directories(directory); !status) {
-        return status.error();
-    }
-    auto file = SpoolFile::create(directory / "poses", {{magic}, scenarios});
-    if (!file) {
-        return file.error();
-    }
-    return std::unique_ptr<PoseSpool>(new PoseSpool(std::move(file.value())));
-}
-
-Result<std::unique_ptr<PoseSpool>> PoseSpool::open(const std::filesystem::path& path,
-                                                   std::uint64_t scenarios) {
-    auto file = SpoolFile::open(path, {{magic}, scenarios});
-    if (!file) {
-        return file.error();
-    }
-    return std::unique_ptr<PoseSpool>(new PoseSpool(std::move(file.value())));
 }
 
 Status PoseSpool::append(const Bytes& packed) {
@@ -95,7 +94,7 @@ Status PoseSpool::append(const Bytes& packed) {
                          std::to_string(due) + " come together"};
     }
     std::vector<bool> came = came_;
-    if (Status sound = check_run(run.value(), before, file_.scenarios(), came); !sound) {
+    if (Status sound = check_run(run.value(), before, came); !sound) {
         return sound;
     }
     if (Status written = file_.append(packed); !written) {
@@ -118,8 +117,7 @@ Status PoseSpool::verify() const {
         if (!found) {
             return found.error();
         }
-        const Status sound =
-            check_run(found.value(), number * limits::pose_run_scenarios, file_.scenarios(), came);
+        const Status sound = check_run(found.value(), number * limits::pose_run_scenarios, came);
         if (!sound) {
             return file_.damaged(sound.error().detail);
         }

@@ -19,19 +19,20 @@ namespace cd {
 /// as the client packed them. Any thread may call any member; all block for the disk.
 class PoseSpool final : public PoseRuns {
   public:
-    /// Creates a file in `directory`, which is made if missing, for `scenarios` scenarios.
-    /// Errors: TooLarge over `limits::scenarios_max`; Io.
+    /// Creates a file in `directory`, which is made if missing, for `scenarios` scenarios of a job
+    /// with `bodies` bodies. Errors: TooLarge over `limits::scenarios_max`; Io.
     [[nodiscard]] static Result<std::unique_ptr<PoseSpool>>
-    create(const std::filesystem::path& directory, std::uint64_t scenarios);
+    create(const std::filesystem::path& directory, std::uint64_t scenarios, std::uint64_t bodies);
     /// Opens a sealed file. Errors: Io naming a file that is damaged or has another number of
     /// scenarios.
-    [[nodiscard]] static Result<std::unique_ptr<PoseSpool>> open(const std::filesystem::path& path,
-                                                                 std::uint64_t scenarios);
+    [[nodiscard]] static Result<std::unique_ptr<PoseSpool>>
+    open(const std::filesystem::path& path, std::uint64_t scenarios, std::uint64_t bodies);
 
     /// Appends the next run, packed by `pack_scenarios`: `limits::pose_run_scenarios` scenarios, or
     /// all that are left. Each has an index in the run's window that is not used yet. An error
     /// leaves the file unchanged. Errors: as `unpack_scenarios`; BadInput for another number of
-    /// scenarios, an index that is used or outside the window, or unknown bodies; Io.
+    /// scenarios, an index that is used or outside the window, or bodies that the job cannot have
+    /// (`are_bodies_of_job`); Io.
     [[nodiscard]] Status append(const Bytes& packed);
 
     /// Finishes the file after the last scenarios and renames it to `path`, which is in its folder.
@@ -46,11 +47,16 @@ class PoseSpool final : public PoseRuns {
     [[nodiscard]] Result<PackedScenarios> run(std::uint64_t number) const override;
 
   private:
-    explicit PoseSpool(SpoolFile file) : file_(std::move(file)) {}
+    PoseSpool(SpoolFile file, std::uint64_t bodies) : file_(std::move(file)), bodies_(bodies) {}
     [[nodiscard]] std::uint64_t count_locked() const;
+    /// Checks the run that begins at position `first`. `came` tells which indices of the run's
+    /// window earlier runs had, and is set for the run's own.
+    [[nodiscard]] Status
+    check_run(const PackedScenarios& run, std::uint64_t first, std::vector<bool>& came) const;
 
     mutable std::mutex mutex_;
     SpoolFile file_;
+    std::uint64_t bodies_; ///< Number of the job's bodies.
     /// For each index of the current window: true if its scenario has been appended.
     std::vector<bool> came_;
 };

@@ -4,10 +4,13 @@
 #include "common/core/limits/master.hpp"
 #include "common/core/limits/wire.hpp"
 #include "common/core/printable.hpp"
+#include "common/job/scenario.hpp"
 #include "master/dispatch/policy/strategies.hpp"
 
-#include <algorithm>
-#include <array>
+#include <map>
+#include <set>
+#include <utility>
+#include <vector>
 
 namespace cd {
 
@@ -17,27 +20,30 @@ Error bad(const std::string& text) {
     return {ErrorCode::BadInput, text};
 }
 
-Status check_range(const char* name, std::uint64_t value, std::uint64_t min, std::uint64_t max) {
+Status
+check_range(const std::string& name, std::uint64_t value, std::uint64_t min, std::uint64_t max) {
     if (value < min || value > max) {
-        return bad(std::string(name) + " is " + std::to_string(value) + " and may be " +
-                   std::to_string(min) + " to " + std::to_string(max));
+        return bad(name + " is " + std::to_string(value) + " and may be " + std::to_string(min) +
+                   " to " + std::to_string(max));
     }
     return Done{};
 }
 
-Status check_ignored(const Query& query, std::uint64_t triangles_a, std::uint64_t triangles_b) {
+/// Checks the ignored parts of a job whose bodies have so many triangles.
+Status check_ignored(const Query& query, std::span<const std::uint64_t> triangles) {
     if (query.ignored.size() > limits::ignored_ranges_max) {
         return Error{ErrorCode::TooLarge,
                      std::to_string(query.ignored.size()) + " pairs of ignored parts; at most " +
                          std::to_string(limits::ignored_ranges_max) + " are taken"};
     }
     for (const IgnoredRange& range : query.ignored) {
-        if (range.body_a != 0 || range.body_b != 1) {
+        if (!are_bodies_of_job(range.body_a, range.body_b, triangles.size())) {
             return bad("ignored parts of bodies " + std::to_string(range.body_a) + " and " +
-                       std::to_string(range.body_b) + "; the job has 0 and 1");
+                       std::to_string(range.body_b) + "; the job has 0 to " +
+                       std::to_string(triangles.size() - 1) + ", and A comes before B");
         }
-        if (range.a_begin > range.a_end || range.a_end > triangles_a ||
-            range.b_begin > range.b_end || range.b_end > triangles_b) {
+        if (range.a_begin > range.a_end || range.a_end > triangles[range.body_a] ||
+            range.b_begin > range.b_end || range.b_end > triangles[range.body_b]) {
             return bad("a pair of ignored parts is outside the meshes");
         }
     }
@@ -100,11 +106,72 @@ Status check_texts(const Submit& submit) {
     return Done{};
 }
 
+/// Checks the number of bodies, and what only jobs with two bodies may have.
+Status check_bodies(const Submit& submit) {
+    const std::size_t bodies = submit.bodies.size();
+    if (bodies < 2) {
+        return bad("a job has at least two bodies, not " + std::to_string(bodies));
+    }
+    if (bodies > limits::bodies_max) {
+        return Error{ErrorCode::TooLarge,
+                     "a job of " + std::to_string(bodies) + " bodies; at most " +
+                         std::to_string(limits::bodies_max) + " are taken"};
+    }
+    if (submit.cluster.depths.size() > bodies) {
+        return bad("more distribution depths than bodies");
+    }
+    if (bodies > 2 && (submit.grid || submit.query.maps)) {
+        return bad(submit.grid ? "a grid of poses is of two bodies" : "maps are of two bodies");
+    }
+    return Done{};
+}
+
+/// Returns the number of triangles of each body. Errors: NotFound for a mesh that is not stored;
+/// TooLarge for too many meshes.
+Result<std::vector<std::uint64_t>> triangles_of_bodies(const Submit& submit,
+                                                       std::span<const MeshStatus> stored) {
+    std::map<Sha256, std::uint64_t> known;
+    for (const MeshStatus& mesh : stored) {
+        known.emplace(mesh.mesh, mesh.triangles);
+    }
+    std::set<Sha256> meshes;
+    std::vector<std::uint64_t> triangles;
+    for (const JobBody& body : submit.bodies) {
+        const auto found = known.find(body.mesh);
+        if (found == known.end()) {
+            return Error{ErrorCode::NotFound,
+                         "mesh " + to_short_hex(body.mesh) +
+                             " is not stored here; upload it before the job"};
+        }
+        triangles.push_back(found->second);
+        meshes.insert(body.mesh);
+    }
+    if (meshes.size() > limits::body_meshes_max) {
+        return Error{ErrorCode::TooLarge,
+                     "bodies of " + std::to_string(meshes.size()) + " meshes; at most " +
+                         std::to_string(limits::body_meshes_max) + " are taken"};
+    }
+    return triangles;
+}
+
+Status check_depths(const Submit& submit) {
+    for (std::size_t body = 0; body < submit.cluster.depths.size(); ++body) {
+        Status in_range = check_range("the distribution depth of body " + submit.bodies[body].name,
+                                      submit.cluster.depth(body).value_or(0),
+                                      0,
+                                      limits::distribution_depth_max);
+        if (!in_range) {
+            return in_range;
+        }
+    }
+    return Done{};
+}
+
 } // namespace
 
 Status check_submission(const Submit& submit, std::span<const MeshStatus> stored) {
-    if (submit.bodies.size() != 2) {
-        return bad("a job has two bodies, not " + std::to_string(submit.bodies.size()));
+    if (const Status bodies = check_bodies(submit); !bodies) {
+        return bodies;
     }
     if (const Status texts = check_texts(submit); !texts) {
         return texts;
@@ -124,20 +191,11 @@ Status check_submission(const Submit& submit, std::span<const MeshStatus> stored
                      "a grid of " + std::to_string(submit.grid->size()) + " bytes; at most " +
                          std::to_string(limits::grid_bytes_max) + " are taken"};
     }
-    std::array<std::uint64_t, 2> triangles{};
-    for (std::size_t body = 0; body < 2; ++body) {
-        const auto mesh = std::find_if(stored.begin(), stored.end(), [&](const MeshStatus& status) {
-            return status.mesh == submit.bodies[body].mesh;
-        });
-        if (mesh == stored.end()) {
-            return Error{ErrorCode::NotFound,
-                         "mesh " + to_short_hex(submit.bodies[body].mesh) +
-                             " is not stored here; upload it before the job"};
-        }
-        triangles[body] = mesh->triangles;
+    const Result<std::vector<std::uint64_t>> triangles = triangles_of_bodies(submit, stored);
+    if (!triangles) {
+        return triangles.error();
     }
     const ClusterOptions& cluster = submit.cluster;
-    const auto depth_max = limits::distribution_depth_max;
     if (submit.scenarios > limits::client_scenarios_max) {
         return Error{ErrorCode::TooLarge,
                      "the number of scenarios is " + std::to_string(submit.scenarios) +
@@ -145,12 +203,11 @@ Status check_submission(const Submit& submit, std::span<const MeshStatus> stored
                          " are taken: split the job into several, one after the other"};
     }
     for (const Status& status : {
-             check_range("the distribution depth of A", cluster.depth(0).value_or(0), 0, depth_max),
-             check_range("the distribution depth of B", cluster.depth(1).value_or(0), 0, depth_max),
+             check_depths(submit),
              check_strategy(cluster.strategy),
              check_range("q", cluster.q, 1, limits::q_max),
              check_range("v_kb", cluster.v_kb, 1, limits::v_kb_max),
-             check_ignored(submit.query, triangles[0], triangles[1]),
+             check_ignored(submit.query, triangles.value()),
          }) {
         if (!status) {
             return status;

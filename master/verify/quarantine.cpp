@@ -11,7 +11,7 @@
 namespace cd {
 
 void withdraw_map(MasterJob& job, const std::string& why) {
-    if (sums_contacts(job.submit.query)) {
+    if (sums_contacts(job.submit)) {
         job.map.withdraw(why);
     }
 }

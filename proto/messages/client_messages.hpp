@@ -94,7 +94,7 @@ struct Submit {
     std::string unit;            ///< Unit of poses and results.
     std::string owner;           ///< Set by the master.
     std::int32_t priority = 0;   ///< Must be 0 in this version.
-    std::vector<JobBody> bodies; ///< Two bodies; their meshes must be stored.
+    std::vector<JobBody> bodies; ///< At least two bodies; their meshes must be stored.
     Query query;
     ClusterOptions cluster;
     PosesOrigin poses;

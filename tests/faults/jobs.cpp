@@ -133,7 +133,7 @@ struct Known {
         for (const Scenario& scenario : scenarios) {
             const ScenarioRun run = run_scenario(*a, *b, scenario, submit.query);
             digests.push_back(digest_of(run.result));
-            if (sums_contacts(submit.query)) {
+            if (sums_contacts(submit)) {
                 pairs.push_back(submit.query.maps ? run.found : run.result.pairs);
             }
         }

@@ -219,10 +219,8 @@ class FakeWorker {
         }
         WorkUnit batch{range.task, range.job, 0, range.count, pack_scenarios(scenarios), {0}, {}};
         for (const Scenario& scenario : scenarios) {
-            const auto roots = query_roots(*trees_.at(job.trees[0]).top,
-                                           *trees_.at(job.trees[1]).top,
-                                           scenario.poses,
-                                           job.query);
+            const auto roots = query_roots(
+                *trees_.at(job.trees[0]).top, *trees_.at(job.trees[1]).top, scenario, job.query);
             const std::vector<RootPair>& pairs = roots.value().pairs;
             batch.pairs.insert(batch.pairs.end(), pairs.begin(), pairs.end());
             batch.pair_offsets.push_back(static_cast<std::uint32_t>(batch.pairs.size()));

@@ -31,12 +31,9 @@ std::string answer_text(const ScenarioResult& result) {
            (result.nearest ? " at distance " + exact_text(result.nearest->distance) : "");
 }
 
-ScenarioRun run(const ObbTree& a,
-                const ObbTree& b,
-                const Query& query,
-                const Scenario& scenario,
-                const StopCheck& stop) {
-    return ScenarioRunner(a, b, query, PairStage::Float, stop).run(scenario);
+ScenarioRun
+run(const TreesByBody& trees, const Query& query, const Scenario& scenario, const StopCheck& stop) {
+    return ScenarioRunner(trees, query, PairStage::Float, stop).run(scenario);
 }
 
 void compare(const ScenarioRun& again, const KeptRecord& record, ScenarioView& view) {
@@ -70,8 +67,7 @@ std::string reason_not_to_draw(const ScenarioRun& run) {
 
 } // namespace
 
-ScenarioView repeat_scenario(const ObbTree& a,
-                             const ObbTree& b,
+ScenarioView repeat_scenario(const TreesByBody& trees,
                              const Query& query,
                              const Scenario& scenario,
                              const std::optional<KeptRecord>& record,
@@ -90,14 +86,14 @@ ScenarioView repeat_scenario(const ObbTree& a,
     }
     std::optional<ScenarioRun> again;
     if (view.verify_note.empty()) {
-        again = run(a, b, query, scenario, stop);
+        again = run(trees, query, scenario, stop);
         compare(*again, *record, view);
     }
     if (!again && query.question == Question::Distance) {
-        again = run(a, b, query, scenario, stop);
+        again = run(trees, query, scenario, stop);
     }
     if (!again || (!again->is_stopped && !is_drawable(query, again->result))) {
-        again = run(a, b, drawing_query(query), scenario, stop);
+        again = run(trees, drawing_query(query), scenario, stop);
     }
     view.draw_note = reason_not_to_draw(*again);
     if (view.draw_note.empty()) {

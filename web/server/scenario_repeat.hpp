@@ -5,7 +5,7 @@
 #include "common/job/query.hpp"
 #include "common/job/result/record_file.hpp"
 #include "common/job/scenario.hpp"
-#include "common/tree/obb_tree.hpp"
+#include "common/job/trees_by_body.hpp"
 #include "web/server/page_values.hpp"
 
 #include <optional>
@@ -17,8 +17,7 @@ namespace cd {
 /// With the question of the distance, bodies that share no point are drawn with their nearest pair.
 /// `record` is the stored result; without one, or if it says Failed, nothing is compared. After
 /// `stop`, the view has no contacts and says so, and that it was not verified.
-[[nodiscard]] ScenarioView repeat_scenario(const ObbTree& a,
-                                           const ObbTree& b,
+[[nodiscard]] ScenarioView repeat_scenario(const TreesByBody& trees,
                                            const Query& query,
                                            const Scenario& scenario,
                                            const std::optional<KeptRecord>& record,

@@ -30,14 +30,31 @@ Result<TaskScenarios> scenarios_of(const WorkUnit& unit, std::shared_ptr<const W
     if (list.value().size() != unit.count) {
         return bad_task(unit.task, "does not have the number of scenarios that it announces");
     }
+    if (!std::ranges::all_of(list.value(), [&](const Scenario& scenario) {
+            return are_bodies_of_job(scenario.body_a, scenario.body_b, job->trees.size());
+        })) {
+        return bad_task(unit.task, "names a body that the job does not have");
+    }
     return TaskScenarios(std::move(list.value()));
 }
 
-bool has_roots(const WorkUnit& unit, const WorkerJob& job, const SubtreeCache& cache) {
-    const std::uint32_t roots_a = cache.find(job.tree_a)->root_count();
-    const std::uint32_t roots_b = cache.find(job.tree_b)->root_count();
-    return std::ranges::all_of(unit.pairs,
-                               [&](RootPair pair) { return pair.a < roots_a && pair.b < roots_b; });
+/// Whether the trees of each scenario have the roots that an analysed unit lists for it.
+bool has_roots(const WorkUnit& unit,
+               const TaskScenarios& scenarios,
+               const WorkerJob& job,
+               const SubtreeCache& cache) {
+    for (std::size_t i = 0; i + 1 < unit.pair_offsets.size(); ++i) {
+        const Scenario scenario = scenarios.at(i);
+        const std::uint32_t roots_a = cache.find(job.tree_a(scenario))->root_count();
+        const std::uint32_t roots_b = cache.find(job.tree_b(scenario))->root_count();
+        const std::uint32_t begin = unit.pair_offsets[i];
+        const auto pairs = std::span(unit.pairs).subspan(begin, unit.pair_offsets[i + 1] - begin);
+        if (!std::ranges::all_of(
+                pairs, [&](RootPair pair) { return pair.a < roots_a && pair.b < roots_b; })) {
+            return false;
+        }
+    }
+    return true;
 }
 
 std::vector<std::shared_ptr<const Subtree>>
@@ -54,14 +71,15 @@ subtrees_of(const SubtreeCache& cache, TreeId tree, std::span<const RootIndex> r
 
 Result<Task>
 Task::make(WorkUnit unit, std::shared_ptr<const WorkerJob> job, const SubtreeCache& cache) {
-    if (!has_roots(unit, *job, cache)) {
-        return bad_task(unit.task, "names a root that its tree does not have");
-    }
     auto scenarios = scenarios_of(unit, job);
     if (!scenarios) {
         return scenarios.error();
     }
-    Task task(unit.task, std::move(job), std::move(scenarios.value()));
+    if (!has_roots(unit, scenarios.value(), *job, cache)) {
+        return bad_task(unit.task, "names a root that its tree does not have");
+    }
+    std::set<TreeId> trees = scenarios.value().trees(*job);
+    Task task(unit.task, std::move(job), std::move(scenarios.value()), std::move(trees));
     if (unit.is_analysed()) {
         task.pairs_ = TaskPairs(std::move(unit.pair_offsets), std::move(unit.pairs));
     } else {
@@ -70,21 +88,26 @@ Task::make(WorkUnit unit, std::shared_ptr<const WorkerJob> job, const SubtreeCac
     return task;
 }
 
-Task::Task(TaskId id, std::shared_ptr<const WorkerJob> job, TaskScenarios scenarios)
+Task::Task(TaskId id,
+           std::shared_ptr<const WorkerJob> job,
+           TaskScenarios scenarios,
+           std::set<TreeId> trees)
     : id_(id),
       job_(std::move(job)),
       scenarios_(std::move(scenarios)),
+      trees_(std::move(trees)),
       unanswered_(scenarios_.size()) {}
 
 std::vector<SubtreeKey> Task::roots_of(std::size_t scenario) const {
+    const Scenario of = scenarios_.at(scenario);
     std::vector<SubtreeKey> keys;
     for (const RootIndex root : roots_of_a(pairs_.of(scenario))) {
-        keys.push_back({job_->tree_a, root});
+        keys.push_back({job_->tree_a(of), root});
     }
     for (const RootIndex root : roots_of_b(pairs_.of(scenario))) {
-        keys.push_back({job_->tree_b, root});
+        keys.push_back({job_->tree_b(of), root});
     }
-    // Both bodies may use one mesh.
+    // Both bodies may share a tree.
     std::sort(keys.begin(), keys.end());
     keys.erase(std::unique(keys.begin(), keys.end()), keys.end());
     return keys;
@@ -99,8 +122,8 @@ ReadyScenario Task::ready(std::size_t scenario, const SubtreeCache& cache) const
     ready.pairs.assign(pairs.begin(), pairs.end());
     ready.roots_a = roots_of_a(pairs);
     ready.roots_b = roots_of_b(pairs);
-    ready.subtrees_a = subtrees_of(cache, job_->tree_a, ready.roots_a);
-    ready.subtrees_b = subtrees_of(cache, job_->tree_b, ready.roots_b);
+    ready.subtrees_a = subtrees_of(cache, job_->tree_a(ready.scenario), ready.roots_a);
+    ready.subtrees_b = subtrees_of(cache, job_->tree_b(ready.scenario), ready.roots_b);
     return ready;
 }
 
@@ -113,13 +136,11 @@ Walk Task::next_walk(SubtreeCache& cache, unsigned threads) {
         std::clamp(fits, 1.0, static_cast<double>(limits::walk_scenarios_max)));
     const std::size_t begin = walked_;
     walked_ += std::min({unwalked, share, most});
-    return {job_,
-            scenarios_,
-            begin,
-            walked_,
-            cache.snapshot(job_->tree_a),
-            cache.snapshot(job_->tree_b),
-            answered_elsewhere_};
+    Walk walk{job_, scenarios_, begin, walked_, {}, answered_elsewhere_};
+    for (const TreeId tree : trees_) {
+        walk.trees.emplace(tree, cache.snapshot(tree));
+    }
+    return walk;
 }
 
 void Task::keep_first(std::size_t count) {

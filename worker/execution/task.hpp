@@ -24,14 +24,17 @@ namespace cd {
 /// scenario; otherwise descents of the upper trees find the roots.
 class Task {
   public:
-    /// Checks a work unit and makes its task. Errors: BadFrame for a root that its tree lacks,
-    /// positions outside the grid, invalid poses, or a wrong number of poses.
+    /// Checks a work unit and makes its task. Errors: BadFrame for a body that the job lacks, a
+    /// root that its tree lacks, positions outside the grid, invalid poses, or a wrong number of
+    /// poses.
     [[nodiscard]] static Result<Task>
     make(WorkUnit unit, std::shared_ptr<const WorkerJob> job, const SubtreeCache& cache);
 
     [[nodiscard]] TaskId id() const { return id_; }
     [[nodiscard]] const WorkerJob& job() const { return *job_; }
     [[nodiscard]] std::size_t scenario_count() const { return scenarios_.size(); }
+    /// The trees of the scenarios' bodies, ascending.
+    [[nodiscard]] const std::set<TreeId>& trees() const { return trees_; }
 
     // ---- Scenarios whose roots are known ----------------------------------------------------
     /// The distinct subtrees that a scenario needs, ascending.
@@ -80,11 +83,15 @@ class Task {
     [[nodiscard]] std::optional<Results> take_results() { return results_.take(id_, *job_); }
 
   private:
-    Task(TaskId id, std::shared_ptr<const WorkerJob> job, TaskScenarios scenarios);
+    Task(TaskId id,
+         std::shared_ptr<const WorkerJob> job,
+         TaskScenarios scenarios,
+         std::set<TreeId> trees);
 
     TaskId id_;
     std::shared_ptr<const WorkerJob> job_;
     TaskScenarios scenarios_;
+    std::set<TreeId> trees_; ///< The trees of the scenarios' bodies.
     std::uint64_t unanswered_ = 0;
     std::shared_ptr<std::atomic<bool>> abandoned_ = std::make_shared<std::atomic<bool>>(false);
     std::shared_ptr<DroppedScenarios> answered_elsewhere_ = std::make_shared<DroppedScenarios>();

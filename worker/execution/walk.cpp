@@ -37,20 +37,15 @@ class UsedRoots {
 
 class Walker {
   public:
-    explicit Walker(const Walk& walk)
-        : walk_(walk),
-          used_a_(walk.a->root_count()),
-          used_b_of_its_own_(walk.b->root_count()),
-          used_b_(walk.job->tree_a == walk.job->tree_b ? used_a_ : used_b_of_its_own_),
-          expects_touch_(can_expect_touch(walk)),
-          map_(walk.job->parts) {}
+    explicit Walker(const Walk& walk) : walk_(walk), map_(walk.job->parts) {}
 
     /// Runs a scenario, or records that it waits for subtrees. Returns false if stopped.
     bool run(std::size_t which, const Scenario& scenario, const RunOptions& options) {
         ++scenario_;
+        turn_to(scenario);
         if (touching_ && gather({&*touching_, 1})) {
             const ScenarioRun run =
-                run_on_subtrees(kept_, pairs_, scenario, walk_.job->query, options);
+                run_on_subtrees(*search_, pairs_, scenario, walk_.job->query, options);
             if (run.is_stopped || run.result.kind == ScenarioClass::Contact) {
                 return add(run);
             }
@@ -61,25 +56,50 @@ class Walker {
 
     [[nodiscard]] Walked take() {
         walked_.finished.map = map_.take();
-        used_a_.append_keys(walk_.job->tree_a, walked_.used);
-        used_b_of_its_own_.append_keys(walk_.job->tree_b, walked_.used);
+        for (const auto& [tree, roots] : used_) {
+            roots.append_keys(tree, walked_.used);
+        }
         return std::move(walked_);
     }
 
   private:
+    /// The tree of one of a scenario's bodies.
+    struct Side {
+        TreeId id;
+        const PartialObbTree* tree = nullptr;
+        UsedRoots* used = nullptr;
+    };
+
+    /// Turns to the trees of a scenario's bodies, which are mostly those of the scenario before.
+    void turn_to(const Scenario& scenario) {
+        const TreeId a = walk_.job->tree_a(scenario);
+        const TreeId b = walk_.job->tree_b(scenario);
+        if (search_ != nullptr && a == a_.id && b == b_.id) {
+            return;
+        }
+        a_ = side_of(a);
+        b_ = side_of(b);
+        search_ = &kept_.of(a, b);
+        touching_.reset();
+    }
+
+    [[nodiscard]] Side side_of(TreeId id) {
+        const PartialObbTree* const tree = walk_.trees.at(id).get();
+        return {id, tree, &used_.try_emplace(id, tree->root_count()).first->second};
+    }
+
     /// Returns whether a contact below one pair of roots is the whole answer: at `level any`,
     /// for trees that never have too many colliding roots, which would be a failure.
-    static bool can_expect_touch(const Walk& walk) {
-        const Query& query = walk.job->query;
-        return query.level == Level::Any &&
-               std::uint64_t{walk.a->root_count()} * walk.b->root_count() <= limits::root_pairs_max;
+    [[nodiscard]] bool can_expect_touch() const {
+        const std::uint64_t pairs = std::uint64_t{a_.tree->root_count()} * b_.tree->root_count();
+        return walk_.job->query.level == Level::Any && pairs <= limits::root_pairs_max;
     }
 
     /// Finds the colliding roots and runs the scenario, or records that it waits for subtrees.
     /// Returns false if stopped.
     bool run_on_roots(std::size_t which, const Scenario& scenario, const RunOptions& options) {
         Result<CollidingRoots> roots =
-            query_roots(walk_.a->top(), walk_.b->top(), scenario.poses, walk_.job->query);
+            query_roots(a_.tree->top(), b_.tree->top(), scenario, walk_.job->query);
         FinishedScenarios& finished = walked_.finished;
         if (!roots) {
             finished.add(encode_result(failed_result(scenario, walk_.job->query, roots.error())));
@@ -90,10 +110,11 @@ class Walker {
             walked_.waiting.push_back({which, std::move(roots.value().pairs)});
             return true;
         }
-        const ScenarioRun run = run_on_subtrees(kept_, pairs_, scenario, walk_.job->query, options);
+        const ScenarioRun run =
+            run_on_subtrees(*search_, pairs_, scenario, walk_.job->query, options);
         touching_.reset();
-        if (expects_touch_ && kept_.touching) {
-            touching_ = roots.value().pairs[*kept_.touching];
+        if (search_->touching && can_expect_touch()) {
+            touching_ = roots.value().pairs[*search_->touching];
         }
         return add(run);
     }
@@ -114,13 +135,13 @@ class Walker {
         pairs_.clear();
         std::uint64_t found = 0;
         for (const RootPair& pair : pairs) {
-            const Subtree* const a = walk_.a->at(pair.a).get();
-            const Subtree* const b = walk_.b->at(pair.b).get();
+            const Subtree* const a = a_.tree->at(pair.a).get();
+            const Subtree* const b = b_.tree->at(pair.b).get();
             if (a == nullptr || b == nullptr) {
                 return false;
             }
-            found += used_a_.add(pair.a, scenario_) ? 1 : 0;
-            found += used_b_.add(pair.b, scenario_) ? 1 : 0;
+            found += a_.used->add(pair.a, scenario_) ? 1 : 0;
+            found += b_.used->add(pair.b, scenario_) ? 1 : 0;
             pairs_.push_back({a->view(), b->view()});
         }
         walked_.found += found;
@@ -128,21 +149,34 @@ class Walker {
     }
 
     const Walk& walk_;
-    UsedRoots used_a_;
-    UsedRoots used_b_of_its_own_;
-    UsedRoots& used_b_;  ///< `used_a_` if both bodies use one tree.
-    bool expects_touch_; ///< Sets `touching_`.
-    /// The pair of roots that touched last. Under a neighbouring pose it mostly touches again. Then
-    /// the scenario spares the descent of the upper trees, which costs several times as much.
+    std::map<TreeId, UsedRoots> used_;
+    KeptSearches<TreeId> kept_;
+    // The trees of the last scenario's bodies, and their search in `kept_`.
+    Side a_;
+    Side b_;
+    KeptSearch* search_ = nullptr;
+    /// The pair of their roots that touched last. Under a neighbouring pose it mostly touches
+    /// again. Then the scenario spares the descent of the upper trees, which costs several times as
+    /// much.
     std::optional<RootPair> touching_;
     std::uint32_t scenario_ = 0;
     std::vector<SubtreePair> pairs_;
-    KeptSearch kept_;
     ContactMapSum map_;
     Walked walked_;
 };
 
 } // namespace
+
+std::set<TreeId> TaskScenarios::trees(const WorkerJob& job) const {
+    if (list_ == nullptr) { // A grid has poses of the bodies 0 and 1.
+        return {job.trees[0], job.trees[1]};
+    }
+    std::set<TreeId> trees;
+    for (const Scenario& scenario : *list_) {
+        trees.insert({job.tree_a(scenario), job.tree_b(scenario)});
+    }
+    return trees;
+}
 
 Scenario TaskScenarios::at(std::size_t which) const {
     if (list_ != nullptr) {

@@ -12,7 +12,9 @@
 #include "worker/execution/worker_job.hpp"
 
 #include <cstdint>
+#include <map>
 #include <memory>
+#include <set>
 #include <vector>
 
 namespace cd {
@@ -29,6 +31,8 @@ class TaskScenarios {
 
     [[nodiscard]] std::size_t size() const { return size_; }
     [[nodiscard]] Scenario at(std::size_t which) const;
+    /// The trees of the scenarios' bodies.
+    [[nodiscard]] std::set<TreeId> trees(const WorkerJob& job) const;
 
   private:
     std::shared_ptr<const std::vector<Scenario>> list_; ///< Null: the grid gives the scenarios.
@@ -37,15 +41,14 @@ class TaskScenarios {
     std::size_t size_ = 0;
 };
 
-/// Input of one descent: some of a range's scenarios, and snapshots of the trees that stay valid
+/// Input of one descent: some of a range's scenarios, and snapshots of their trees that stay valid
 /// while the cache changes.
 struct Walk {
     std::shared_ptr<const WorkerJob> job;
     TaskScenarios scenarios;
     std::size_t begin = 0; ///< First position in the task.
     std::size_t end = 0;   ///< One past the last position in the task.
-    std::shared_ptr<const PartialObbTree> a;
-    std::shared_ptr<const PartialObbTree> b;
+    std::map<TreeId, std::shared_ptr<const PartialObbTree>> trees;
     std::shared_ptr<const DroppedScenarios> answered_elsewhere;
 };
 

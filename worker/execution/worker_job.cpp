@@ -20,13 +20,14 @@ bool DroppedScenarios::contains(std::uint64_t scenario) const {
 
 namespace {
 
-/// Returns the parts of two bodies; null if the list is empty. Errors: BadFrame.
-Result<std::shared_ptr<const BodyPartRuns>> parts_of(std::vector<std::vector<PartRun>> lists) {
+/// Returns the parts of a job's two bodies; null if the list is empty. Errors: BadFrame.
+Result<std::shared_ptr<const BodyPartRuns>> parts_of(std::vector<std::vector<PartRun>> lists,
+                                                     std::size_t bodies) {
     if (lists.empty()) {
         return std::shared_ptr<const BodyPartRuns>();
     }
     auto parts = std::make_shared<BodyPartRuns>();
-    if (lists.size() != parts->size()) {
+    if (lists.size() != parts->size() || bodies != parts->size()) {
         return Error{ErrorCode::BadFrame, "parts of other than two bodies"};
     }
     for (std::size_t i = 0; i < lists.size(); ++i) {
@@ -43,23 +44,25 @@ Result<std::shared_ptr<const BodyPartRuns>> parts_of(std::vector<std::vector<Par
 
 Result<std::shared_ptr<const WorkerJob>> make_worker_job(AddJob add, const SubtreeCache& cache) {
     const std::string name = "job " + std::to_string(add.job.value) + " ";
-    if (add.trees.size() != 2) {
+    if (add.trees.size() < 2) {
         return Error{ErrorCode::BadFrame,
-                     name + "has " + std::to_string(add.trees.size()) + " bodies instead of two"};
+                     name + "has " + std::to_string(add.trees.size()) + " bodies"};
     }
-    const auto [tree_a, tree_b] = std::pair(add.trees[0], add.trees[1]);
-    if (cache.find(tree_a) == nullptr || cache.find(tree_b) == nullptr) {
-        return Error{ErrorCode::BadFrame, name + "names a tree that is not here"};
+    for (const TreeId tree : add.trees) {
+        if (cache.find(tree) == nullptr) {
+            return Error{ErrorCode::BadFrame, name + "names a tree that is not here"};
+        }
+        if (cache.form_of(tree) != cache.form_of(add.trees[0])) {
+            return Error{ErrorCode::BadFrame,
+                         name + "has trees of forms that cannot be tested against each other"};
+        }
     }
-    if (cache.form_of(tree_a) != cache.form_of(tree_b)) {
-        return Error{ErrorCode::BadFrame,
-                     name + "has trees of forms that cannot be tested against each other"};
-    }
-    auto parts = parts_of(std::move(add.parts));
+    auto parts = parts_of(std::move(add.parts), add.trees.size());
     if (!parts) {
         return Error{ErrorCode::BadFrame, name + "has " + parts.error().detail};
     }
-    WorkerJob job{add.job, tree_a, tree_b, std::move(add.query), {}, std::move(parts.value())};
+    WorkerJob job{
+        add.job, std::move(add.trees), std::move(add.query), {}, std::move(parts.value())};
     if (add.grid) {
         Result<Grid> grid = decode_grid(*add.grid);
         if (!grid) {

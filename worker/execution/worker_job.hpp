@@ -1,18 +1,21 @@
-// A job at a worker: its trees, its query, and its grid of poses if it has one.
+// A job at a worker: the trees of its bodies, its query, and its grid of poses if it has one.
 #pragma once
 
 #include "common/geometry/part_runs.hpp"
 #include "common/job/poses/pose_source.hpp"
 #include "common/job/query.hpp"
+#include "common/job/scenario.hpp"
 #include "proto/messages/work_messages.hpp"
 #include "worker/cache/subtree_cache.hpp"
 
+#include <algorithm>
 #include <atomic>
 #include <cstdint>
 #include <memory>
 #include <mutex>
 #include <optional>
 #include <set>
+#include <vector>
 
 namespace cd {
 
@@ -31,19 +34,23 @@ class DroppedScenarios {
 
 struct WorkerJob {
     JobId id;
-    TreeId tree_a;
-    TreeId tree_b;
+    std::vector<TreeId> trees; ///< The tree of each body.
     Query query;
     std::optional<Grid> grid;
     std::shared_ptr<const BodyPartRuns> parts; ///< Null: contacts are not summed by part.
     /// Scenarios that need no answer from any task.
     std::shared_ptr<DroppedScenarios> dropped = std::make_shared<DroppedScenarios>();
 
-    [[nodiscard]] bool uses(TreeId tree) const { return tree_a == tree || tree_b == tree; }
+    [[nodiscard]] TreeId tree_a(const Scenario& scenario) const { return trees[scenario.body_a]; }
+    [[nodiscard]] TreeId tree_b(const Scenario& scenario) const { return trees[scenario.body_b]; }
+    [[nodiscard]] bool uses(TreeId tree) const {
+        return std::ranges::find(trees, tree) != trees.end();
+    }
 };
 
-/// Makes a job of the master's message. Errors: BadFrame unless the job has two trees, and for an
-/// unknown tree, trees of different forms, an invalid grid, or invalid parts.
+/// Makes a job of the master's message. Errors: BadFrame for fewer than two bodies, an unknown
+/// tree, trees of different forms, an invalid grid, invalid parts, or parts of other than two
+/// bodies.
 [[nodiscard]] Result<std::shared_ptr<const WorkerJob>> make_worker_job(AddJob add,
                                                                        const SubtreeCache& cache);
 

@@ -172,16 +172,16 @@ void BlockInbox::need(Token token, JobId job, std::vector<SubtreeKey> roots) {
     fetcher_.add(token, job, std::move(roots));
 }
 
-void BlockInbox::need_tops(const WorkerJob& job) {
-    for (const TreeId tree : {job.tree_a, job.tree_b}) {
+void BlockInbox::need_tops(JobId job, const std::set<TreeId>& trees) {
+    for (const TreeId tree : trees) {
         if (fetcher_.want_top(tree)) {
-            traffic_.missed(job.id, {tree, top_root});
+            traffic_.missed(job, {tree, top_root});
         }
     }
 }
 
-bool BlockInbox::has_tops(const WorkerJob& job) const {
-    return cache_.find(job.tree_a)->has_top() && cache_.find(job.tree_b)->has_top();
+bool BlockInbox::has_tops(const std::set<TreeId>& trees) const {
+    return std::ranges::all_of(trees, [&](TreeId tree) { return cache_.find(tree)->has_top(); });
 }
 
 void BlockInbox::found(JobId job, const Walked& walked) {

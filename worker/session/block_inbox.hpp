@@ -13,6 +13,7 @@
 
 #include <map>
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -44,7 +45,9 @@ class BlockInbox {
     [[nodiscard]] Status add_tree(const AddTree& add);
     /// Removes the tree and its blocks. Requires that no scenario needs the tree.
     void remove_tree(TreeId tree);
-    void add_job(const WorkerJob& job) { traffic_.job_added(job.id, {job.tree_a, job.tree_b}); }
+    void add_job(const WorkerJob& job) {
+        traffic_.job_added(job.id, {job.trees.begin(), job.trees.end()});
+    }
     void remove_job(JobId job) { traffic_.job_removed(job); }
     /// Queues the hinted subtrees. Errors: BadFrame for an unknown job, tree or subtree.
     [[nodiscard]] Status hint(const Hint& hint);
@@ -57,9 +60,9 @@ class BlockInbox {
     /// blocks stay cached until `release`.
     void need(Token token, JobId job, std::vector<SubtreeKey> roots);
     void release(Token token) { fetcher_.finished(token); }
-    /// Requests the upper trees of both bodies, which the worker descends for the job's ranges.
-    void need_tops(const WorkerJob& job);
-    [[nodiscard]] bool has_tops(const WorkerJob& job) const;
+    /// Requests upper trees, which the worker descends for a range of the job.
+    void need_tops(JobId job, const std::set<TreeId>& trees);
+    [[nodiscard]] bool has_tops(const std::set<TreeId>& trees) const;
     /// Marks cached blocks that a descent needed as just used, and counts them as hits of the job.
     void found(JobId job, const Walked& walked);
     /// Returns the job's traffic since the last call for this job.

@@ -87,7 +87,7 @@ Status TaskRunner::add(WorkUnit unit) {
             wait_for_subtrees(task, scenario);
         }
     } else {
-        blocks_.need_tops(task.job());
+        blocks_.need_tops(task.job().id, task.trees());
     }
     hub_.settle_soon();
     return Done{};
@@ -192,7 +192,7 @@ bool TaskRunner::start_next() {
 
 Task* TaskRunner::next_to_walk() {
     for (auto& [id, task] : book_.tasks()) {
-        if (task.has_unwalked() && blocks_.has_tops(task.job())) {
+        if (task.has_unwalked() && blocks_.has_tops(task.trees())) {
             return &task;
         }
     }

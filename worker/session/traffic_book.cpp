@@ -4,8 +4,8 @@
 
 namespace cd {
 
-void TrafficBook::job_added(JobId job, const std::array<TreeId, 2>& trees) {
-    jobs_.try_emplace(job, Job{trees, {}});
+void TrafficBook::job_added(JobId job, std::set<TreeId> trees) {
+    jobs_.try_emplace(job, Job{std::move(trees), {}});
 }
 
 void TrafficBook::job_removed(JobId job) {
@@ -15,7 +15,7 @@ void TrafficBook::job_removed(JobId job) {
 
 void TrafficBook::tree_removed(TreeId tree) {
     std::erase_if(asked_by_, [&](const auto& entry) { return entry.first.tree == tree; });
-    std::erase_if(jobs_, [&](const auto& job) { return job.second.uses(tree); });
+    std::erase_if(jobs_, [&](const auto& job) { return job.second.trees.contains(tree); });
 }
 
 void TrafficBook::add(JobId job, const BlockTraffic& traffic) {
@@ -53,7 +53,7 @@ void TrafficBook::hinted(JobId job, const SubtreeKey& key) {
 void TrafficBook::evicted(TreeId tree) {
     ++total_.evictions;
     for (auto& [id, job] : jobs_) {
-        job.traffic.evictions += job.uses(tree) ? 1 : 0;
+        job.traffic.evictions += job.trees.contains(tree) ? 1 : 0;
     }
 }
 

@@ -5,16 +5,17 @@
 #include "proto/messages/work_messages.hpp"
 #include "worker/cache/subtree_cache.hpp"
 
-#include <array>
 #include <cstdint>
 #include <map>
+#include <set>
 
 namespace cd {
 
 /// Counts blocks per job. A block counts once per arrival, for the job that requested it last.
 class TrafficBook {
   public:
-    void job_added(JobId job, const std::array<TreeId, 2>& trees);
+    /// `trees`: those of the job's bodies.
+    void job_added(JobId job, std::set<TreeId> trees);
     void job_removed(JobId job);
     /// Removes the jobs that use the tree, and the requests for its blocks.
     void tree_removed(TreeId tree);
@@ -38,10 +39,8 @@ class TrafficBook {
 
   private:
     struct Job {
-        std::array<TreeId, 2> trees;
+        std::set<TreeId> trees;
         BlockTraffic traffic; ///< Counted since `take` was last called for the job.
-
-        [[nodiscard]] bool uses(TreeId tree) const { return trees[0] == tree || trees[1] == tree; }
     };
 
     /// Adds to the total, and to the job if it is known.

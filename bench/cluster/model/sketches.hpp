@@ -104,10 +104,10 @@ class SketchGeometry final : public Geometry {
         : workload_(workload), analyse_(std::move(analyse)) {}
 
     [[nodiscard]] StoreResult<JobGeometry> prepare(const Submit& /*submit*/) override {
-        JobGeometry geometry{std::make_shared<SketchCut>(workload_.trees[0]),
-                             std::make_shared<SketchCut>(workload_.trees[1]),
-                             {},
-                             nullptr};
+        JobGeometry geometry;
+        for (const auto& tree : workload_.trees) {
+            geometry.cuts.push_back(std::make_shared<SketchCut>(tree));
+        }
         geometry.analysis.sketch = analyse_;
         return geometry;
     }

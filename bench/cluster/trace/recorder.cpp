@@ -156,8 +156,7 @@ double search_binary(const CutBody& a,
 
 AnalysisInput analysis_input(const CutBody& a, const CutBody& b) {
     AnalysisInput input;
-    input.top_a = std::make_shared<const TreeTop>(a.top);
-    input.top_b = std::make_shared<const TreeTop>(b.top);
+    input.tops = {std::make_shared<const TreeTop>(a.top), std::make_shared<const TreeTop>(b.top)};
     return input;
 }
 
@@ -380,7 +379,7 @@ Result<Trace> record_trace(const std::shared_ptr<const ObbTree>& a,
     whole.fill(trace);
     const auto results = measure_result_costs(
         std::make_shared<const JobMaterial>(JobMaterial{
-            a, b, {}, std::make_shared<const Settler>(*a, *b, std::vector<IgnoredRange>())}),
+            {a, b}, {}, std::make_shared<const Settler>(*a, *b, std::vector<IgnoredRange>())}),
         depths.front().analyses(),
         depths.front().records(),
         options.scratch / "journal",

@@ -62,8 +62,7 @@ Result<RunOutcome> run_with_progress(const LocalJob& local,
             tick();
         },
         &InterruptGuard::has_come};
-    auto outcome = run_locally(*local.job.trees[0],
-                               *local.job.trees[1],
+    auto outcome = run_locally(TreesByBody(local.job.trees),
                                poses,
                                local.job.query,
                                local.pool,

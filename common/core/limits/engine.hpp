@@ -11,6 +11,8 @@ inline constexpr std::uint64_t mesh_vertices_max = 1ull << 31;
 inline constexpr std::uint64_t mesh_triangles_max = 1ull << 31;
 inline constexpr std::uint64_t mesh_bytes_max = 8ull << 30;
 inline constexpr std::uint32_t parts_max = 1u << 20;
+inline constexpr std::size_t bodies_max = 16'384;    ///< Bodies of a job.
+inline constexpr std::size_t body_meshes_max = 4096; ///< Different meshes of a job's bodies.
 inline constexpr std::uint32_t distribution_depth_max = 20;
 inline constexpr std::uint64_t subtree_block_bytes_max = 1ull << 30;
 /// A message of blocks gets no further block once its blocks have this size in total.
@@ -24,7 +26,10 @@ inline constexpr unsigned wide_tree_depth_max = 100;
 inline constexpr std::uint64_t scenarios_max = 1ull << 40; ///< Scenarios of a job.
 /// Colliding pairs of distribution roots of one scenario; a scenario with more fails.
 inline constexpr std::uint32_t root_pairs_max = 1u << 22;
-/// With more ignored pairs of parts than this, no scenario is tested for class `inside`.
+/// Searches that a thread keeps for further scenarios of their pairs of trees.
+inline constexpr std::size_t searches_kept_max = 16;
+/// With more ignored pairs of parts of two bodies than this, no scenario is tested for class
+/// `inside`.
 inline constexpr std::size_t inside_ignored_max = 4096;
 /// Two triangles of a body are of one kind if they are ignored with the same parts of the other
 /// body. With more kinds than this, it is not decided whether the body is inside the other.

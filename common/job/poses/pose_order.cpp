@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 #include <utility>
+#include <vector>
 
 namespace cd {
 
@@ -75,11 +77,18 @@ std::vector<std::uint32_t> coherent_order(std::span<const Scenario> scenarios) {
     return order;
 }
 
-std::vector<Bytes> pack_in_order(std::span<const Scenario> window) {
+std::vector<Bytes> pack_in_order(std::span<const Scenario> window,
+                                 std::span<const std::uint32_t> trees) {
+    std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<Scenario>> by_trees;
+    for (const Scenario& scenario : window) {
+        by_trees[{trees[scenario.body_a], trees[scenario.body_b]}].push_back(scenario);
+    }
     std::vector<Scenario> ordered;
     ordered.reserve(window.size());
-    for (const std::uint32_t submitted : coherent_order(window)) {
-        ordered.push_back(window[submitted]);
+    for (const auto& [pair, scenarios] : by_trees) {
+        for (const std::uint32_t submitted : coherent_order(scenarios)) {
+            ordered.push_back(scenarios[submitted]);
+        }
     }
     std::vector<Bytes> runs;
     for (std::span<const Scenario> rest = ordered; !rest.empty();) {

@@ -7,18 +7,20 @@
 #include "master/dispatch/workers/cluster_pace.hpp"
 #include "master/dispatch/workers/worker_pool.hpp"
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
 
 namespace cd {
 
-/// Blocks of a job's two trees that a worker lacks.
-struct MissingOfJob {
-    BlockPlan::Missing a;
-    BlockPlan::Missing b;
+/// Blocks of a scenario's two trees that a worker lacks.
+struct MissingBlocks {
+    std::array<BlockPlan::Missing, 2> of_trees;
 
-    [[nodiscard]] bool is_nothing() const { return a.roots.empty() && b.roots.empty(); }
+    [[nodiscard]] bool is_nothing() const {
+        return of_trees[0].roots.empty() && of_trees[1].roots.empty();
+    }
     /// Adds actions that announce the blocks to the worker. Empties both lists of roots.
     void hint(const WorkerProxy& proxy, const DispatchJob& job, Actions& actions);
 };
@@ -31,9 +33,9 @@ class BlockNeeds {
 
     /// Marks the scenario's blocks as held by the worker, and measures the time to fetch the
     /// missing ones. Returns the missing blocks, which now count as under way.
-    MissingOfJob hold(DispatchJob& job, DispatchScenario& scenario, WorkerProxy& proxy);
+    MissingBlocks hold(DispatchJob& job, DispatchScenario& scenario, WorkerProxy& proxy);
     /// Like `hold`, but measures nothing.
-    MissingOfJob hold_roots(const DispatchJob& job, const ScenarioRoots& roots, WorkerProxy& proxy);
+    MissingBlocks hold_roots(const ScenarioRoots& roots, WorkerProxy& proxy);
     /// Marks blocks as held by a worker that requests them for ranges, and measures their transfer.
     void hold_wanted(WorkQueue& queue,
                      WorkerProxy& proxy,
@@ -44,10 +46,10 @@ class BlockNeeds {
 
   private:
     /// Time to fetch the scenario's missing blocks, averaged over all workers.
-    [[nodiscard]] double seconds_with_any(const DispatchJob& job, const DispatchScenario& scenario);
-    /// Fraction of both trees' roots that the worker does not hold.
+    [[nodiscard]] double seconds_with_any(const DispatchScenario& scenario);
+    /// Fraction of the job's roots, over all its trees, that the worker does not hold.
     [[nodiscard]] double missing_share(const WorkerProxy& proxy, const DispatchJob& job) const;
-    [[nodiscard]] double seconds_of(const MissingOfJob& missing, const WorkerProxy& proxy) const;
+    [[nodiscard]] double seconds_of(const MissingBlocks& missing, const WorkerProxy& proxy) const;
 
     BlockPlan& plan_;
     const WorkerPool& pool_;

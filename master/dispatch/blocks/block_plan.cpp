@@ -87,7 +87,7 @@ BlockPlan::Missing
 BlockPlan::hold(std::uint32_t slot, TreeId id, std::span<const WeightedRoot> roots) {
     const auto found = trees_.find(id);
     CD_CHECK(found != trees_.end());
-    Missing missing;
+    Missing missing{id, {}, 0};
     for (const WeightedRoot& root : roots) {
         hold_root(slot, found->second, root.root, missing);
     }
@@ -98,7 +98,7 @@ BlockPlan::Missing
 BlockPlan::hold(std::uint32_t slot, TreeId id, std::span<const RootIndex> roots) {
     const auto found = trees_.find(id);
     CD_CHECK(found != trees_.end());
-    Missing missing;
+    Missing missing{id, {}, 0};
     for (const RootIndex root : roots) {
         hold_root(slot, found->second, root, missing);
     }

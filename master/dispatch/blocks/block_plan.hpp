@@ -56,8 +56,9 @@ class BlockPlan {
     [[nodiscard]] const PlannedTree& tree(TreeId tree) const;
 
     // ---- Blocks -------------------------------------------------------------------------------
-    /// Blocks that a worker lacks and must receive.
+    /// Blocks of a tree that a worker lacks and must receive.
     struct Missing {
+        TreeId tree;
         std::vector<RootIndex> roots; ///< In the order passed to `hold`.
         std::uint64_t bytes = 0;
     };

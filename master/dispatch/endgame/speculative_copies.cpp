@@ -21,8 +21,8 @@ bool SpeculativeCopies::copy(const WorkerProxy& from, WorkerProxy& helper, Actio
             const DispatchJob& job = context_.queue.at(task.job);
             // A copy of an analysed task has one scenario.
             const std::uint64_t first = copied.runs().front().first;
-            const bool fetches = task.is_analysed &&
-                                 !blocks_.hold_roots(job, job.at(first).roots, helper).is_nothing();
+            const bool fetches =
+                task.is_analysed && !blocks_.hold_roots(job.at(first).roots, helper).is_nothing();
             tasks_.send_copy({from.id(), id}, helper, copied, fetches, actions);
             return true;
         }

@@ -28,17 +28,25 @@ auto& unanswered_one(Scenarios& scenarios, std::uint64_t position) {
     return found->second;
 }
 
-std::vector<WeightedRoot> with_triangles(const DispatchTree& tree,
-                                         std::span<const RootIndex> roots) {
-    std::vector<WeightedRoot> with;
-    with.reserve(roots.size());
+TreeRoots with_triangles(const DispatchTree& tree, std::span<const RootIndex> roots) {
+    TreeRoots with{tree.tree, {}};
+    with.roots.reserve(roots.size());
     for (const RootIndex root : roots) {
-        with.push_back({root, tree.root_triangles.at(root)});
+        with.roots.push_back({root, tree.root_triangles.at(root)});
     }
     return with;
 }
 
 } // namespace
+
+std::uint64_t
+held_triangles(const BlockPlan& plan, std::uint32_t slot, const ScenarioRoots& roots) {
+    std::uint64_t held = 0;
+    for (const TreeRoots& side : roots) {
+        held += plan.tree(side.tree).held.held(slot, side.roots);
+    }
+    return held;
+}
 
 bool DispatchScenario::is_lost_for_good() const {
     return losses.count() >= losses_max();
@@ -108,14 +116,9 @@ std::vector<PositionRange> UnsentPositions::take_all() {
 
 DispatchJob::DispatchJob(JobId job,
                          const ClusterOptions& job_options,
-                         DispatchTree tree_a,
-                         DispatchTree tree_b,
+                         DispatchTrees job_trees,
                          std::unique_ptr<MatchingPolicy> matching)
-    : id(job),
-      options(job_options),
-      a(std::move(tree_a)),
-      b(std::move(tree_b)),
-      policy(std::move(matching)) {}
+    : id(job), options(job_options), trees(std::move(job_trees)), policy(std::move(matching)) {}
 DispatchJob::~DispatchJob() = default;
 
 DispatchScenario& DispatchJob::at(std::uint64_t position) {
@@ -128,7 +131,8 @@ const DispatchScenario& DispatchJob::at(std::uint64_t position) const {
 
 DispatchScenario DispatchJob::scenario_of(const AnalysedScenario& analysed) const {
     DispatchScenario scenario;
-    scenario.roots = {with_triangles(a, analysed.roots_a), with_triangles(b, analysed.roots_b)};
+    scenario.roots = {with_triangles(trees.of(analysed.body_a), analysed.roots_a),
+                      with_triangles(trees.of(analysed.body_b), analysed.roots_b)};
     scenario.weight = {analysed.bytes,
                        analysed.predicted_ns != 0 ? analysed.predicted_ns
                                                   : limits::scenario_ns_unknown};

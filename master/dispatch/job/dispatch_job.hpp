@@ -4,6 +4,7 @@
 #include "common/core/id.hpp"
 #include "common/tree/root_holders.hpp"
 #include "master/base/instance_id.hpp"
+#include "master/dispatch/blocks/block_plan.hpp"
 #include "master/dispatch/dispatch_inputs.hpp"
 #include "master/dispatch/dispatch_tree.hpp"
 #include "master/dispatch/job/job_meters.hpp"
@@ -11,6 +12,7 @@
 #include "master/dispatch/workers/worker_tasks.hpp"
 #include "proto/messages/cluster_options.hpp"
 
+#include <array>
 #include <cstdint>
 #include <deque>
 #include <memory>
@@ -22,11 +24,18 @@ namespace cd {
 
 class MatchingPolicy;
 
-/// Roots of both trees that a scenario touches, ascending, each with its triangle count.
-struct ScenarioRoots {
-    std::vector<WeightedRoot> a;
-    std::vector<WeightedRoot> b;
+/// Roots of a tree that a scenario touches, ascending, each with its triangle count.
+struct TreeRoots {
+    TreeId tree;
+    std::vector<WeightedRoot> roots;
 };
+
+/// The roots of body A's tree, then of body B's, which may be the same tree.
+using ScenarioRoots = std::array<TreeRoots, 2>;
+
+/// Returns the triangles of a scenario's roots that the worker at a slot holds, over both trees.
+[[nodiscard]] std::uint64_t
+held_triangles(const BlockPlan& plan, std::uint32_t slot, const ScenarioRoots& roots);
 
 /// State of an unanswered scenario.
 enum class Whereabouts : std::uint8_t {
@@ -93,8 +102,7 @@ struct RangeTotals {
 struct DispatchJob {
     DispatchJob(JobId job,
                 const ClusterOptions& job_options,
-                DispatchTree tree_a,
-                DispatchTree tree_b,
+                DispatchTrees job_trees,
                 std::unique_ptr<MatchingPolicy> matching);
     ~DispatchJob();
     DispatchJob(const DispatchJob&) = delete;
@@ -103,14 +111,12 @@ struct DispatchJob {
     /// Returns the scenario at a position, which must be analysed and unanswered.
     [[nodiscard]] DispatchScenario& at(std::uint64_t position);
     [[nodiscard]] const DispatchScenario& at(std::uint64_t position) const;
-    [[nodiscard]] bool uses(TreeId tree) const { return a.tree == tree || b.tree == tree; }
     /// Makes the scenario's entry, in the state Waiting. Does not add it.
     [[nodiscard]] DispatchScenario scenario_of(const AnalysedScenario& analysed) const;
 
     JobId id;
     ClusterOptions options;
-    DispatchTree a;
-    DispatchTree b;
+    DispatchTrees trees;
     std::unique_ptr<MatchingPolicy> policy;
     /// All unanswered analysed scenarios, by position.
     std::unordered_map<std::uint64_t, DispatchScenario> scenarios;

@@ -21,13 +21,10 @@ bool BestMatchPull::can_pull(const WorkerProxy& proxy, const DispatchJob& job) c
 
 std::vector<std::size_t> BestMatchPull::pulled(const WorkerProxy& proxy,
                                                const DispatchJob& job) const {
-    const RootHolders& held_a = context().plan.tree(job.a.tree).held;
-    const RootHolders& held_b = context().plan.tree(job.b.tree).held;
     std::vector<std::uint64_t> scores;
     scores.reserve(job.waiting.size());
     for (const std::uint64_t position : job.waiting) {
-        const ScenarioRoots& roots = job.at(position).roots;
-        scores.push_back(held_a.held(proxy.slot(), roots.a) + held_b.held(proxy.slot(), roots.b));
+        scores.push_back(held_triangles(context().plan, proxy.slot(), job.at(position).roots));
     }
     std::vector<std::size_t> taken = most_similar(scores, job.options.q);
     // Paper, 6.4.3: a task ends as soon as it exceeds V kB.

@@ -54,7 +54,9 @@ class HeldSums {
     std::uint64_t blocks_touched_ = 0;
 };
 
-double bytes_of_memory(const PlannedTree& a, const PlannedTree& b) {
+double bytes_of_memory(const BlockPlan& plan, const ScenarioRoots& roots) {
+    const PlannedTree& a = plan.tree(roots[0].tree);
+    const PlannedTree& b = plan.tree(roots[1].tree);
     const auto memory = static_cast<double>((a.triangles_total + b.triangles_total) *
                                             limits::wide_bytes_per_triangle);
     return memory > 0 ? static_cast<double>(a.bytes_total + b.bytes_total) / memory : 0;
@@ -62,20 +64,19 @@ double bytes_of_memory(const PlannedTree& a, const PlannedTree& b) {
 
 } // namespace
 
-WorkerProxy* EarliestFinish::would_choose(const DispatchJob& job,
+WorkerProxy* EarliestFinish::would_choose(const DispatchJob& /*job*/,
                                           const DispatchScenario& scenario) const {
     const WorkerPool& pool = context().pool;
     const BlockPlan& plan = context().plan;
-    const PlannedTree& a = plan.tree(job.a.tree);
-    const PlannedTree& b = plan.tree(job.b.tree);
     const std::size_t workers = pool.in_order().size();
-    HeldSums sums(a.held.sum_count());
-    sums.add(a, scenario.roots.a, workers);
-    sums.add(b, scenario.roots.b, workers);
+    HeldSums sums(plan.tree(scenario.roots[0].tree).held.sum_count());
+    for (const TreeRoots& side : scenario.roots) {
+        sums.add(plan.tree(side.tree), side.roots, workers);
+    }
 
     ScenarioNeeds needs;
     needs.cost_ns = scenario.weight.cost_ns;
-    needs.bytes_of_memory = bytes_of_memory(a, b);
+    needs.bytes_of_memory = bytes_of_memory(plan, scenario.roots);
     const WorkerProxy* excluded = context().reserved();
     WorkerProxy* best = nullptr;
     double best_seconds = 0;
@@ -149,14 +150,14 @@ std::uint64_t EarliestFinish::enough(const DispatchJob& /*job*/) const {
 }
 
 FinishTerms EarliestFinish::finish_on(const WorkerProxy& proxy,
-                                      const DispatchJob& job,
+                                      const DispatchJob& /*job*/,
                                       const DispatchScenario& scenario) const {
-    const PlannedTree& a = context().plan.tree(job.a.tree);
-    const PlannedTree& b = context().plan.tree(job.b.tree);
+    const BlockPlan& plan = context().plan;
     ScenarioNeeds needs;
     needs.cost_ns = scenario.weight.cost_ns;
-    needs.bytes_of_memory = bytes_of_memory(a, b);
-    const auto add = [&](const PlannedTree& tree, std::span<const WeightedRoot> roots) {
+    needs.bytes_of_memory = bytes_of_memory(plan, scenario.roots);
+    for (const auto& [id, roots] : scenario.roots) {
+        const PlannedTree& tree = plan.tree(id);
         for (const WeightedRoot& root : roots) {
             const std::uint64_t bytes = tree.bytes_of(root.root);
             if (!tree.held.holds(proxy.slot(), root.root)) {
@@ -166,10 +167,8 @@ FinishTerms EarliestFinish::finish_on(const WorkerProxy& proxy,
                 needs.coming_bytes += bytes;
             }
         }
-    };
-    add(a, scenario.roots.a);
-    add(b, scenario.roots.b);
-    return estimate_finish(context().pace.powers_of(proxy, context().plan), needs);
+    }
+    return estimate_finish(context().pace.powers_of(proxy, plan), needs);
 }
 
 bool ends_with_long_ones(const WorkQueue& queue, const WorkerProxy& proxy, const DispatchJob& job) {

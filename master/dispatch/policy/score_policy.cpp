@@ -25,11 +25,11 @@ WorkerProxy* ScorePolicy::would_choose(const DispatchJob& job,
     if (candidates_.empty()) {
         return nullptr;
     }
-    const RootHolders& holders_a = context().plan.tree(job.a.tree).held;
-    const RootHolders& holders_b = context().plan.tree(job.b.tree).held;
-    held_triangles_.assign(holders_a.sum_count(), 0);
-    holders_a.add_held(scenario.roots.a, held_triangles_);
-    holders_b.add_held(scenario.roots.b, held_triangles_);
+    const BlockPlan& plan = context().plan;
+    held_triangles_.assign(plan.tree(scenario.roots[0].tree).held.sum_count(), 0);
+    for (const TreeRoots& side : scenario.roots) {
+        plan.tree(side.tree).held.add_held(side.roots, held_triangles_);
+    }
     WorkerProxy* best = nullptr;
     double best_worth = 0;
     for (WorkerCandidate& candidate : candidates_) {

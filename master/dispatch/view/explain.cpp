@@ -8,10 +8,12 @@ namespace cd {
 
 namespace {
 
-std::uint64_t sum_of(std::span<const WeightedRoot> roots) {
+std::uint64_t triangles_of(const ScenarioRoots& roots) {
     std::uint64_t sum = 0;
-    for (const WeightedRoot& root : roots) {
-        sum += root.weight;
+    for (const TreeRoots& side : roots) {
+        for (const WeightedRoot& root : side.roots) {
+            sum += root.weight;
+        }
     }
     return sum;
 }
@@ -55,9 +57,8 @@ WorkerScore score_of(const MatchingContext& context,
     score.may_take = job.policy->may_take(proxy, job);
     score.scenarios = proxy.scenarios();
     score.load = static_cast<double>(proxy.buffers.of(job.id).scenarios.size()) / job.options.q;
-    score.held_triangles = context.plan.tree(job.a.tree).held.held(proxy.slot(), roots.a) +
-                           context.plan.tree(job.b.tree).held.held(proxy.slot(), roots.b);
-    score.missing_triangles = sum_of(roots.a) + sum_of(roots.b) - score.held_triangles;
+    score.held_triangles = held_triangles(context.plan, proxy.slot(), roots);
+    score.missing_triangles = triangles_of(roots) - score.held_triangles;
     const FinishTerms terms = job.policy->finish_on(proxy, job, scenario);
     score.backlog = terms.backlog;
     score.coming = terms.coming;

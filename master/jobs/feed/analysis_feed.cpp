@@ -79,7 +79,9 @@ std::uint64_t AnalysisFeed::hand_out(MasterJob& job, AnalysedBlock& block) {
                                   std::move(analysis.roots_b),
                                   analysis.bytes,
                                   analysis.predicted_ns,
-                                  block.losses};
+                                  block.losses,
+                                  analysis.scenario.body_a,
+                                  analysis.scenario.body_b};
         job.work()->open.add(std::move(analysis));
         parts_.dispatch.act(parts_.dispatch->scenario_analysed(job.id, std::move(scenario)));
         if (!job.is_running()) { // The last missing scenario was given up, which ended the job.

@@ -70,8 +70,8 @@ class FolderRunTest : public testing::Test {
                                    [](const Summary&, double) {},
                                    [] { return false; }};
         ThreadPool pool(1);
-        const auto outcome = run_locally(
-            *job.trees[0], *job.trees[1], *job.poses, job.query, pool, observer, options);
+        const auto outcome =
+            run_locally(TreesByBody(job.trees), *job.poses, job.query, pool, observer, options);
         if (!outcome) {
             const Status kept = run.keep();
             return kept ? outcome.error() : kept.error();

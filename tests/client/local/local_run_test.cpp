@@ -38,7 +38,7 @@ class LocalRun : public testing::Test {
         if (!observer.stopped) {
             observer.stopped = [] { return false; };
         }
-        return run_locally(a_, b_, *poses, query_, pool, observer, options_);
+        return run_locally({a_, b_}, *poses, query_, pool, observer, options_);
     }
 
     ThreadPool build_pool_{1};
@@ -167,8 +167,7 @@ TEST_F(LocalRun, PosesThatCannotBeReadEndIt) {
     };
     Broken poses;
     ThreadPool pool(2);
-    const auto outcome = run_locally(a_,
-                                     b_,
+    const auto outcome = run_locally({a_, b_},
                                      poses,
                                      query_,
                                      pool,

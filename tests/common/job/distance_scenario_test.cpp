@@ -130,14 +130,16 @@ TEST(DistanceScenario, BodiesBeyondTheLimitHaveNoDistance) {
 TEST(DistanceScenario, FewRootsOfBodiesFarApartAreNamed) {
     const ObbTree sphere = make_tree(make_sphere(4));
     const TreeTop top = cut_tree(sphere, 8);
-    const PosePair poses{Pose{}, translation_pose(10, 0, 0)};
-    const auto roots = query_roots(top, top, poses, distance_query()).value().pairs;
+    const Scenario scenario = make_scenario({Pose{}, translation_pose(10, 0, 0)});
+    const auto roots = query_roots(top, top, scenario, distance_query()).value().pairs;
     EXPECT_FALSE(roots.empty());
     EXPECT_LT(roots.size(), std::size_t{top.root_count()} * top.root_count() / 10);
     Query ignoring = distance_query();
     ignoring.ignored = {{0, 1, 0, 1}};
-    EXPECT_EQ(query_roots(top, top, poses, ignoring).value().pairs.size(),
+    EXPECT_EQ(query_roots(top, top, scenario, ignoring).value().pairs.size(),
               std::size_t{top.root_count()} * top.root_count());
+    ignoring.ignored = {{0, 1, 0, 1, 1, 2}}; // Of other bodies.
+    EXPECT_EQ(query_roots(top, top, scenario, ignoring).value().pairs, roots);
 }
 
 } // namespace cd::tests

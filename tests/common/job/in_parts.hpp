@@ -35,9 +35,8 @@ decoded_parts(const ObbTree& tree, std::uint32_t depth, SubtreeForm form) {
                                                  std::mt19937_64& random) {
     const std::vector<Subtree> parts_a = decoded_parts(a, depths[0], form);
     const std::vector<Subtree> parts_b = decoded_parts(b, depths[1], form);
-    auto roots = query_roots(cut_tree(a, depths[0]), cut_tree(b, depths[1]), scenario.poses, query)
-                     .value()
-                     .pairs;
+    auto roots =
+        query_roots(cut_tree(a, depths[0]), cut_tree(b, depths[1]), scenario, query).value().pairs;
     std::shuffle(roots.begin(), roots.end(), random);
     std::vector<SubtreePair> parts;
     for (const RootPair& pair : roots) {

@@ -49,6 +49,19 @@ TEST(Query, AskedForContactsHasALevelAndAClearanceButNoUpTo) {
     }
 }
 
+TEST(Query, IgnoredPartsAreInTheOrderOfTheirBodies) {
+    EXPECT_EQ(problem_with({},
+                           [](Query& q) {
+                               q.ignored = {{0, 1, 0, 1, 0, 2}, {0, 1, 0, 1, 1, 2}};
+                           }),
+              "none");
+    EXPECT_EQ(problem_with({},
+                           [](Query& q) {
+                               q.ignored = {{0, 1, 0, 1, 1, 2}, {0, 1, 0, 1, 0, 2}};
+                           }),
+              "ignored parts whose bodies are not in order");
+}
+
 TEST(Query, AskedForADistanceHasAnUpToAndIgnoredTrianglesAlone) {
     EXPECT_EQ(query_problem(distance_query()), nullptr);
     EXPECT_EQ(problem_with(distance_query(), [](Query& q) { q.ignored = {{0, 1, 0, 1}}; }), "none");

@@ -46,11 +46,14 @@ class AnalyserTest : public testing::Test {
   protected:
     AnalysisInput make_input(const Mesh& a, const Mesh& b, std::uint32_t depth) {
         AnalysisInput input;
-        input.a = std::make_shared<const ObbTree>(build_tree(share(a), BuildOptions{}, pool_));
-        input.b = std::make_shared<const ObbTree>(build_tree(share(b), BuildOptions{}, pool_));
-        input.top_a = std::make_shared<const TreeTop>(cut_tree(*input.a, depth));
-        input.top_b = std::make_shared<const TreeTop>(cut_tree(*input.b, depth));
-        input.settler = std::make_shared<const Settler>(*input.a, *input.b, input.query.ignored);
+        for (const Mesh& mesh : {a, b}) {
+            input.trees.push_back(
+                std::make_shared<const ObbTree>(build_tree(share(mesh), BuildOptions{}, pool_)));
+            input.tops.push_back(
+                std::make_shared<const TreeTop>(cut_tree(*input.trees.back(), depth)));
+        }
+        input.settler =
+            std::make_shared<const Settler>(TreesByBody(input.trees), input.query.ignored);
         return input;
     }
     static std::vector<Scenario> make_scenarios(std::uint64_t count, double reach) {
@@ -84,14 +87,14 @@ ScenarioResult finish(const AnalysisInput& input, const Analysis& analysis, std:
     if (analysis.finished) {
         return *analysis.finished;
     }
-    const auto nodes_a = cut_nodes(*input.a, depth);
-    const auto nodes_b = cut_nodes(*input.b, depth);
+    const auto nodes_a = cut_nodes(*input.trees[0], depth);
+    const auto nodes_b = cut_nodes(*input.trees[1], depth);
     std::vector<Subtree> kept;
     kept.reserve(2 * analysis.pairs.size());
     std::vector<SubtreePair> pairs;
     for (const RootPair& pair : analysis.pairs) {
-        kept.push_back(extract_subtree(*input.a, nodes_a[pair.a]));
-        kept.push_back(extract_subtree(*input.b, nodes_b[pair.b]));
+        kept.push_back(extract_subtree(*input.trees[0], nodes_a[pair.a]));
+        kept.push_back(extract_subtree(*input.trees[1], nodes_b[pair.b]));
         pairs.push_back({kept[kept.size() - 2].view(), kept.back().view()});
     }
     ScenarioResult result = run_on_subtrees(pairs, analysis.scenario, input.query).result;
@@ -110,7 +113,7 @@ TEST_F(AnalyserTest, AnalysisAndSubtreesTogetherAreTheWholeAnswer) {
         const Analysis analysis = analyse(input, scenario);
         const ScenarioResult result = finish(input, analysis, depth);
         const ScenarioResult expected =
-            run_scenario(*input.a, *input.b, scenario, input.query).result;
+            run_scenario(*input.trees[0], *input.trees[1], scenario, input.query).result;
         ASSERT_EQ(encode_result(result), encode_result(expected)) << scenario.index;
         ASSERT_EQ(analysis.finished.has_value(), analysis.pairs.empty());
         EXPECT_GT(analysis.bytes, 0u);

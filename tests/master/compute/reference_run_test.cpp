@@ -19,7 +19,7 @@ class ReferenceRun : public testing::Test {
             return std::make_shared<const ObbTree>(build_tree(share(mesh), {}, pool_));
         };
         material_ = std::make_shared<const JobMaterial>(
-            JobMaterial{tree(reference().a), tree(reference().b), {}, nullptr});
+            JobMaterial{{tree(reference().a), tree(reference().b)}, {}, nullptr});
         poses_ = ordered(reference().scenarios);
     }
 

@@ -23,13 +23,12 @@ using testing::HasSubstr;
 class ResultIntake : public testing::Test {
   protected:
     ResultIntake() {
-        ThreadPool pool(1);
         const auto box = std::make_shared<const ObbTree>(
-            build_tree(share(make_gridded_box(Vec3(2, 2, 2), 2)), BuildOptions{}, pool));
+            build_tree(share(make_gridded_box(Vec3(2, 2, 2), 2)), BuildOptions{}, pool_));
         Query query;
         query.level = Level::Pairs;
         material_ = std::make_shared<const JobMaterial>(JobMaterial{
-            box, box, query, std::make_shared<const Settler>(*box, *box, query.ignored)});
+            {box, box}, query, std::make_shared<const Settler>(*box, *box, query.ignored)});
         task_.job = JobId{1};
         task_.material = material_;
         for (const double height : {2.0, 1.0}) { // One on the other, and one in the other.
@@ -44,7 +43,7 @@ class ResultIntake : public testing::Test {
 
     /// Returns the result as a worker computes it.
     [[nodiscard]] ScenarioResult result_of(std::size_t scenario) const {
-        const SubtreePair whole{material_->a->view(), material_->b->view()};
+        const SubtreePair whole{material_->trees[0]->view(), material_->trees[1]->view()};
         return run_on_subtrees({&whole, 1}, task_.analyses[scenario]->scenario, material_->query)
             .result;
     }
@@ -108,6 +107,7 @@ class ResultIntake : public testing::Test {
         task_.analyses[0] = std::make_shared<const Analysis>(std::move(apart));
     }
 
+    ThreadPool pool_{1};
     std::shared_ptr<const JobMaterial> material_;
     TaskContent task_;
 };
@@ -123,8 +123,10 @@ TEST_F(ResultIntake, SettlesAndCountsWhatAWorkerFound) {
     EXPECT_TRUE(taken.value().map.empty());
     for (std::size_t i = 0; i < 2; ++i) {
         const TakenResult& one = taken.value().results[i];
-        const ScenarioRun whole = run_scenario(
-            *material_->a, *material_->b, task_.analyses[i]->scenario, material_->query);
+        const ScenarioRun whole = run_scenario(*material_->trees[0],
+                                               *material_->trees[1],
+                                               task_.analyses[i]->scenario,
+                                               material_->query);
         EXPECT_EQ(one.result.kind, whole.result.kind);
         EXPECT_EQ(one.record, encode_result(whole.result));
         EXPECT_EQ(one.digest, digest_of(whole.result));
@@ -137,7 +139,8 @@ TEST_F(ResultIntake, SettlesAndCountsWhatAWorkerFound) {
 }
 
 TEST_F(ResultIntake, RefusesTrianglesThatTheBodiesDoNotHave) {
-    const auto triangles = static_cast<std::uint32_t>(material_->a->mesh().triangles().size());
+    const auto triangles =
+        static_cast<std::uint32_t>(material_->trees[0]->mesh().triangles().size());
     ScenarioResult result = result_of(0);
     ASSERT_FALSE(result.pairs.empty());
     ScenarioResult beyond_a = result;
@@ -170,8 +173,45 @@ TEST_F(ResultIntake, RefusesWhatWasNotAskedFor) {
     EXPECT_THAT(refusal(undecided), HasSubstr("is undecided, which no query allows"));
 }
 
+TEST_F(ResultIntake, ChecksAResultByItsOwnBodies) {
+    const auto small = std::make_shared<const ObbTree>(
+        build_tree(share(make_box(Vec3(1, 1, 1))), BuildOptions{}, pool_));
+    JobMaterial material = *material_;
+    material.trees.insert(material.trees.begin(), small); // Bodies 1 and 2 are the boxes now.
+    const auto all = static_cast<std::uint32_t>(material.triangles_of(1));
+    material.query.ignored = {{0, 12, 0, all, 0, 2}};
+    material.settler =
+        std::make_shared<const Settler>(TreesByBody(material.trees), material.query.ignored);
+    material_ = std::make_shared<const JobMaterial>(material);
+    task_.material = material_;
+    const auto of_bodies = [&](std::uint32_t a, std::uint32_t b) {
+        Analysis analysis = *task_.analyses[0];
+        analysis.scenario.body_a = a;
+        analysis.scenario.body_b = b;
+        task_.analyses[0] = std::make_shared<const Analysis>(std::move(analysis));
+        const SubtreePair whole{material.trees[a]->view(), material.trees[b]->view()};
+        return run_on_subtrees({&whole, 1}, task_.analyses[0]->scenario, material.query).result;
+    };
+    const ScenarioResult of_boxes = of_bodies(1, 2);
+    ASSERT_GT(of_boxes.pair_count, 0u);
+    EXPECT_EQ(refusal(of_boxes), "taken");
+    ScenarioResult of_others = of_boxes;
+    of_others.body_a = 0;
+    EXPECT_THAT(refusal(of_others), HasSubstr("not of the level or bodies"));
+    of_bodies(0, 2);
+    of_others.pairs.resize(1);
+    of_others.pair_count = 1;
+    of_others.pairs[0].a = 12; // The small box has 12 triangles.
+    EXPECT_THAT(refusal(of_others), HasSubstr("triangles that the bodies do not have"));
+    of_others.pairs[0].a = 5;
+    EXPECT_THAT(refusal(of_others), HasSubstr("ignored triangles"));
+    of_bodies(0, 1);
+    of_others.body_b = 1;
+    EXPECT_EQ(refusal(of_others), "taken");
+}
+
 TEST_F(ResultIntake, RefusesMorePairsThanTheBodiesHave) {
-    const std::uint64_t triangles = material_->a->mesh().triangles().size();
+    const std::uint64_t triangles = material_->trees[0]->mesh().triangles().size();
     ScenarioResult result = result_of(0);
     result.pair_count = triangles * triangles;
     EXPECT_EQ(refusal(result), "taken");
@@ -222,7 +262,7 @@ TEST_F(ResultIntake, NearPairsAreOfTheBodiesAndWithinTheClearance) {
     const ScenarioResult near = near_result(0.25);
     EXPECT_EQ(refusal(near), "taken");
     EXPECT_THAT(refusal(near_result(0.250001)), HasSubstr("farther apart than the clearance"));
-    const std::uint64_t triangles = material_->a->mesh().triangles().size();
+    const std::uint64_t triangles = material_->trees[0]->mesh().triangles().size();
     ScenarioResult wrong = near;
     wrong.pairs[0].b = static_cast<std::uint32_t>(triangles);
     EXPECT_THAT(refusal(wrong), HasSubstr("triangles that the bodies do not have"));
@@ -261,7 +301,8 @@ TEST_F(ResultIntake, ADistanceIsOfTheBodiesAndNotAboveUpTo) {
     ASSERT_TRUE(result.nearest);
     EXPECT_EQ(result.nearest->distance, 0.5);
     EXPECT_EQ(refusal(result), "taken");
-    const auto triangles = static_cast<std::uint32_t>(material_->a->mesh().triangles().size());
+    const auto triangles =
+        static_cast<std::uint32_t>(material_->trees[0]->mesh().triangles().size());
     ScenarioResult wrong = result;
     wrong.nearest->a = triangles;
     EXPECT_THAT(refusal(wrong), HasSubstr("triangles that the bodies do not have"));
@@ -288,7 +329,8 @@ TEST_F(ResultIntake, BodiesApartHaveADistanceUnlessTheyMayBeBeyondUpTo) {
     EXPECT_EQ(refusal(touching), "taken");
     ask([](Query& query) { query.up_to = 0.25; });
     EXPECT_EQ(refusal(without), "taken");
-    const auto triangles = static_cast<std::uint32_t>(material_->a->mesh().triangles().size());
+    const auto triangles =
+        static_cast<std::uint32_t>(material_->trees[0]->mesh().triangles().size());
     ask([&](Query& query) {
         query.up_to.reset();
         query.ignored = {{0, triangles, 0, triangles}};
@@ -348,7 +390,7 @@ TEST_F(ResultIntake, AMapHasToBeThatOfItsScenarios) {
     query.level = Level::Count;
     query.maps = true;
     material_ = std::make_shared<const JobMaterial>(
-        JobMaterial{material_->a, material_->b, query, material_->settler});
+        JobMaterial{material_->trees, query, material_->settler});
     task_.material = material_;
     const auto taken = take_results(task_, with_map(right));
     ASSERT_TRUE(taken) << taken.error().detail;
@@ -357,7 +399,7 @@ TEST_F(ResultIntake, AMapHasToBeThatOfItsScenarios) {
     EXPECT_THAT(refusal(message_of({result_of(0), result_of(1)})), HasSubstr("a map"));
     ContactMap wrong = right;
     wrong.bodies[1].back().triangle =
-        static_cast<std::uint32_t>(material_->b->mesh().triangles().size());
+        static_cast<std::uint32_t>(material_->trees[1]->mesh().triangles().size());
     EXPECT_THAT(refusal(with_map(wrong)), HasSubstr("contradicts"));
     wrong = right;
     wrong.bodies[0].front().scenarios = 3;
@@ -373,8 +415,7 @@ TEST_F(ResultIntake, SumsByPartHaveToBeThoseOfTheScenarios) {
     query.maps = true;
     const PartRuns halves = PartRuns::create({{0, 1}, {20, 0}}).value();
     material_ = std::make_shared<const JobMaterial>(
-        JobMaterial{material_->a,
-                    material_->b,
+        JobMaterial{material_->trees,
                     query,
                     material_->settler,
                     std::make_shared<const BodyPartRuns>(BodyPartRuns{halves, halves})});
@@ -382,7 +423,7 @@ TEST_F(ResultIntake, SumsByPartHaveToBeThoseOfTheScenarios) {
     ContactMapSum sum(material_->parts);
     std::vector<ScenarioResult> results;
     for (const auto& analysis : task_.analyses) {
-        const SubtreePair whole{material_->a->view(), material_->b->view()};
+        const SubtreePair whole{material_->trees[0]->view(), material_->trees[1]->view()};
         const ScenarioRun run = run_on_subtrees({&whole, 1}, analysis->scenario, query);
         sum.add(run.result, run.found);
         results.push_back(run.result);
@@ -416,8 +457,7 @@ TEST_F(ResultIntake, SumsByPartHaveToBeThoseOfTheScenarios) {
 TEST_F(ResultIntake, WrongSumsOfListedPairsAreMadeAnew) {
     const PartRuns halves = PartRuns::create({{0, 1}, {20, 0}}).value();
     material_ = std::make_shared<const JobMaterial>(
-        JobMaterial{material_->a,
-                    material_->b,
+        JobMaterial{material_->trees,
                     material_->query,
                     material_->settler,
                     std::make_shared<const BodyPartRuns>(BodyPartRuns{halves, halves})});

@@ -22,8 +22,9 @@ class Explanations : public testing::Test {
     }
     void start() {
         board_.find(job)->run->work = std::make_unique<JobWork>();
-        (void)dispatcher_.job_opened(
-            job, board_.at(job).submit.cluster, {TreeId{1}, {100}, {6400}}, {TreeId{2}, {1}, {64}});
+        (void)dispatcher_.job_opened(job,
+                                     board_.at(job).submit.cluster,
+                                     {{TreeId{1}, {100}, {6400}}, {TreeId{2}, {1}, {64}}});
     }
     void answer(std::uint64_t scenario, WorkerId worker) {
         const auto author = std::make_shared<const Author>(Author{7, worker, "sim", {}});

@@ -26,7 +26,7 @@ struct DispatchStage : DispatchParts {
         const DispatchTree b{TreeId{2}, {1}, {64}};
         plan.add_tree(a);
         plan.add_tree(b);
-        queue.open(JobId{id}, options, a, b, make_policy(options, context));
+        queue.open(JobId{id}, options, {a, b}, make_policy(options, context));
         return queue.at(JobId{id});
     }
     DispatchJob& open(std::string_view strategy, std::uint32_t q = 2, std::uint64_t id = 1) {

@@ -31,10 +31,10 @@ class ByTime : public testing::Test {
         ClusterOptions options;
         options.strategy = "earliest-finish";
         options.hints = hints;
-        keep(dispatcher_.job_opened(job,
-                                    options,
-                                    {tree_a, {100, 100, 100, 100}, std::vector(4, block_bytes)},
-                                    {tree_b, {1}, {1}}));
+        keep(dispatcher_.job_opened(
+            job,
+            options,
+            {{tree_a, {100, 100, 100, 100}, std::vector(4, block_bytes)}, {tree_b, {1}, {1}}}));
         feed(0, 0); // More input may come.
     }
     void join(WorkerId worker, double weight = 1, std::uint64_t cache_bytes = 0) {
@@ -251,7 +251,7 @@ TEST_F(ByTime, BatchesGrowWhereTheyCostMoreThanTheirWork) {
         ClusterOptions options;
         options.strategy = "earliest-finish";
         (void)dispatcher.worker_joined(worker_1, {"w", 1});
-        (void)dispatcher.job_opened(job, options, {tree_a, {100}, {1}}, {tree_b, {1}, {1}});
+        (void)dispatcher.job_opened(job, options, {{tree_a, {100}, {1}}, {tree_b, {1}, {1}}});
         std::vector<SendUnit> batches;
         const auto keep_batches = [&](const Actions& actions) {
             for (const Action& action : actions) {
@@ -357,7 +357,7 @@ class TimedRun {
             act(dispatcher_.worker_joined(WorkerId{i + 1}, {"w", 1, weight}));
         }
         act(dispatcher_.job_opened(
-            job, options, {tree_a, std::vector<std::uint32_t>(50, 10), {}}, {tree_b, {1}, {}}));
+            job, options, {{tree_a, std::vector<std::uint32_t>(50, 10), {}}, {tree_b, {1}, {}}}));
         for (std::uint64_t index = 0; index < scenarios; ++index) {
             const double seconds = 1e-4 * static_cast<double>(1 + random() % 100);
             seconds_.push_back(seconds);

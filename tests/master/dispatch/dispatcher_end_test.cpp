@@ -43,7 +43,7 @@ class EndRun {
         }
         ClusterOptions options;
         options.strategy = way_ == Way::Places ? "best-match" : "earliest-finish";
-        act(dispatcher_.job_opened(job, options, {TreeId{1}, {1}, {}}, {TreeId{2}, {1}, {}}));
+        act(dispatcher_.job_opened(job, options, {{TreeId{1}, {1}, {}}, {TreeId{2}, {1}, {}}}));
         if (way_ == Way::Places) {
             act(dispatcher_.positions_given(job, {{0, seconds.size()}}, 0));
         }
@@ -317,7 +317,7 @@ TEST(AtTheEndOfLargeClusters, AnUnansweredRecallBlocksNoOtherHelp) {
     }
     ClusterOptions options;
     options.strategy = "earliest-finish";
-    act(dispatcher.job_opened(job, options, {TreeId{1}, {1}, {}}, {TreeId{2}, {1}, {}}));
+    act(dispatcher.job_opened(job, options, {{TreeId{1}, {1}, {}}, {TreeId{2}, {1}, {}}}));
     constexpr std::uint64_t predicted_ns = 10'000'000'000;
     for (std::uint64_t i = 0; i < workers; ++i) {
         act(dispatcher.scenario_analysed(job, {i, {0}, {0}, 100, predicted_ns}));
@@ -345,7 +345,7 @@ TEST(AtTheEndOfPaperModes, NothingIsAskedBackOrCopied) {
         options.strategy = strategy;
         options.q = 5;
         Actions actions =
-            dispatcher.job_opened(job, options, {TreeId{1}, {1}, {}}, {TreeId{2}, {1}, {}});
+            dispatcher.job_opened(job, options, {{TreeId{1}, {1}, {}}, {TreeId{2}, {1}, {}}});
         const auto keep = [&](const Actions& more) {
             actions.insert(actions.end(), more.begin(), more.end());
         };

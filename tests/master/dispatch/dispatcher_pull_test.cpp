@@ -19,7 +19,7 @@ class Pulling : public testing::Test {
         options.q = q;
         options.claim = claim;
         options.v_kb = v_kb;
-        keep(dispatcher_.job_opened(job, options, {TreeId{1}, {5, 7, 9, 11}}, {TreeId{2}, {2}}));
+        keep(dispatcher_.job_opened(job, options, {{TreeId{1}, {5, 7, 9, 11}}, {TreeId{2}, {2}}}));
     }
     void join(std::uint64_t worker) { keep(dispatcher_.worker_joined(WorkerId{worker}, {"w", 1})); }
     void feed(std::vector<RootIndex> roots_of_each) {

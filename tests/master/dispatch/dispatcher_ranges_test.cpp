@@ -39,7 +39,7 @@ std::vector<SendUnit> ranges_in(const Actions& actions) {
 class DispatcherRanges : public testing::Test {
   protected:
     void open(JobId job, std::uint64_t trees) {
-        (void)dispatcher_.job_opened(job, {}, tree(trees, 10), tree(trees + 1, 10));
+        (void)dispatcher_.job_opened(job, {}, {tree(trees, 10), tree(trees + 1, 10)});
     }
     void TearDown() override { dispatcher_.check_invariants(); }
     /// The worker answers positions of a task.
@@ -196,7 +196,7 @@ TEST_F(DispatcherRanges, MissingBlocksAreMeasured) {
 class RangeRun {
   public:
     explicit RangeRun(std::uint64_t seed) : random_(seed) {
-        (void)dispatcher_.job_opened(job_1, {}, tree(1, 4), tree(2, 4));
+        (void)dispatcher_.job_opened(job_1, {}, {tree(1, 4), tree(2, 4)});
     }
 
     void run() {

@@ -93,7 +93,7 @@ class Simulation {
         DispatchTree a{TreeId{below(3)}, std::vector<std::uint32_t>(8, 3)};
         DispatchTree b{TreeId{10 + job.value}, std::vector<std::uint32_t>(5, 2)};
         jobs_[job].total = 20 + below(60);
-        do_actions(dispatcher_.job_opened(job, options, std::move(a), std::move(b)));
+        do_actions(dispatcher_.job_opened(job, options, {std::move(a), std::move(b)}));
     }
 
     void random_event() {

@@ -21,10 +21,10 @@ class Driver {
         keep(dispatcher.worker_joined(worker, {"w", threads, 1, 0, process}));
     }
     void open(JobId job, ClusterOptions options) {
-        keep(dispatcher.job_opened(job,
-                                   options,
-                                   {TreeId{10 * job.value}, {5, 7, 9, 11}},
-                                   {TreeId{10 * job.value + 1}, {2, 3}}));
+        keep(dispatcher.job_opened(
+            job,
+            options,
+            {{TreeId{10 * job.value}, {5, 7, 9, 11}}, {TreeId{10 * job.value + 1}, {2, 3}}}));
     }
     void feed(JobId job, std::uint64_t first, std::uint64_t count, RootIndex root = 0) {
         for (std::uint64_t index = first; index < first + count; ++index) {

@@ -153,7 +153,7 @@ TEST(Server, InvalidSubmissionsAreRefusedWithAReason) {
     expect_failure(with([](Submit& s) { s.name = "a\nb"; }), "job's name is not printable");
     expect_failure({MeshPart{Sha256{}, "x\x1b[2J", 100, 0, Bytes(100)}},
                    "mesh's name is not printable");
-    expect_failure(with([](Submit& s) { s.cluster.set_depth(0, 21); }), "depth of A");
+    expect_failure(with([](Submit& s) { s.cluster.set_depth(0, 21); }), "depth of body a");
     expect_failure(with([](Submit& s) { s.cluster.q = 0; }), "q is 0");
     expect_failure(with([](Submit& s) { s.cluster.strategy = "fastest"; }), "has best-match, ");
     expect_failure(with([](Submit& s) { s.cluster.v_kb = 0; }), "v_kb");

@@ -26,7 +26,7 @@ class DrawnDistance : public testing::Test {
         const ScenarioRun first =
             ScenarioRunner(tree_, tree_, query_, PairStage::Float, {}).run(scenario);
         const KeptRecord record{encode_result(first.result), first.result};
-        return repeat_scenario(tree_, tree_, query_, scenario, record, {});
+        return repeat_scenario({tree_, tree_}, query_, scenario, record, {});
     }
 
     const ObbTree tree_ = make_tree(make_box({1, 1, 1}));

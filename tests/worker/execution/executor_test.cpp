@@ -11,6 +11,7 @@
 #include <atomic>
 #include <latch>
 #include <optional>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -146,6 +147,20 @@ TEST(WorkerJob, MismatchedTreeFormsAreRefused) {
     EXPECT_FALSE(is_taken(1, 3));
 }
 
+TEST(WorkerJob, HasAtLeastTwoBodiesAndPartsOfTwoOnly) {
+    SubtreeCache cache(1u << 20);
+    ASSERT_TRUE(cache.add_tree(cut_body(make_sphere(1), 0).add(TreeId{1})));
+    const auto is_taken = [&](std::size_t bodies, std::vector<std::vector<PartRun>> parts) {
+        const std::vector<TreeId> trees(bodies, TreeId{1});
+        return static_cast<bool>(
+            make_worker_job({JobId{1}, trees, {}, std::nullopt, std::move(parts)}, cache));
+    };
+    EXPECT_FALSE(is_taken(1, {}));
+    EXPECT_TRUE(is_taken(2, {{{0, 0}}, {{0, 0}}}));
+    EXPECT_TRUE(is_taken(5, {}));
+    EXPECT_FALSE(is_taken(5, {{{0, 0}}, {{0, 0}}}));
+}
+
 class TaskTest : public testing::Test {
   protected:
     void SetUp() override { ASSERT_TRUE(cache_.add_tree(body_.add(TreeId{1}))); }
@@ -211,6 +226,37 @@ TEST_F(TaskTest, OfARangeThatDoesNotExistIsRefused) {
     const std::vector<Scenario> one(1);
     EXPECT_EQ(refusal({TaskId{1}, JobId{1}, 0, 1, pack_scenarios(one), {}, {}}, std::nullopt), "");
     EXPECT_NE(refusal({TaskId{1}, JobId{1}, 0, 2, pack_scenarios(one), {}, {}}, std::nullopt), "");
+}
+
+TEST_F(TaskTest, ATaskHasTheTreesOfItsScenariosBodies) {
+    const CutBody cut = cut_body(make_sphere(3), 3);
+    ASSERT_TRUE(cache_.add_tree(cut.add(TreeId{2})));
+    ASSERT_TRUE(cache_.add_tree(cut_body(make_box(Vec3(1, 1, 1)), 0).add(TreeId{3})));
+    const auto job = make_worker_job(
+        {JobId{1}, {TreeId{1}, TreeId{2}, TreeId{3}, TreeId{2}}, {}, std::nullopt}, cache_);
+    ASSERT_TRUE(job) << job.error().detail;
+    const auto task_of = [&](std::uint32_t a, std::uint32_t b, std::vector<RootPair> pairs) {
+        const std::vector<Scenario> one{{0, a, b, {}}};
+        WorkUnit unit{TaskId{1}, JobId{1}, 0, 1, pack_scenarios(one), {}, {}};
+        if (!pairs.empty()) {
+            unit.pair_offsets = {0, static_cast<std::uint32_t>(pairs.size())};
+            unit.pairs = std::move(pairs);
+        }
+        return Task::make(std::move(unit), job.value(), cache_);
+    };
+    const RootIndex last = cut.top.root_count() - 1;
+    const auto task = task_of(1, 3, {{0, last}, {last, last}});
+    ASSERT_TRUE(task) << task.error().detail;
+    EXPECT_EQ(task.value().trees(), std::set{TreeId{2}});
+    EXPECT_EQ(task.value().roots_of(0),
+              (std::vector<SubtreeKey>{{TreeId{2}, 0}, {TreeId{2}, last}}));
+    EXPECT_EQ(task_of(0, 1, {}).value().trees(), (std::set{TreeId{1}, TreeId{2}}));
+    EXPECT_TRUE(task_of(0, 1, {{0, last}}));
+    EXPECT_FALSE(task_of(0, 2, {{0, last}})) << "body 2 has one root";
+    EXPECT_FALSE(task_of(1, 3, {{0, last + 1}}));
+    EXPECT_FALSE(task_of(0, 4, {})) << "the job has four bodies";
+    EXPECT_FALSE(task_of(1, 1, {}));
+    EXPECT_FALSE(task_of(2, 1, {}));
 }
 
 } // namespace cd::tests

@@ -1,9 +1,12 @@
 // Proves that a descent answers each scenario of a sweep as a descent of that scenario alone does,
-// and that it spares work where the same subtrees touch again.
+// that it spares work where the same subtrees touch again, and that it finds the trees of the
+// scenario's bodies.
 #include "worker/execution/walk.hpp"
 
 #include "common/job/result/result.hpp"
 #include "common/job/run_scenario.hpp"
+#include "common/job/settle.hpp"
+#include "tests/support/many_bodies.hpp"
 #include "tests/support/scenarios.hpp"
 #include "tests/worker/cut_body.hpp"
 #include "worker/cache/subtree_cache.hpp"
@@ -12,7 +15,9 @@
 
 #include <algorithm>
 #include <cstring>
+#include <map>
 #include <memory>
+#include <set>
 #include <span>
 #include <utility>
 #include <vector>
@@ -26,6 +31,17 @@ struct SweepQuery {
     SubtreeForm form = SubtreeForm::Wide;
 };
 
+/// Returns a tree of which the worker holds all blocks.
+PartialObbTree held(const CutBody& body) {
+    PartialObbTree tree(body.top.root_count());
+    tree.set_top(std::make_shared<const TreeTop>(body.top));
+    for (RootIndex root = 0; root < body.top.root_count(); ++root) {
+        const OpenedBlock opened = open_block(body.block(root)).value();
+        tree.fill(root, std::get<std::shared_ptr<const Subtree>>(opened));
+    }
+    return tree;
+}
+
 /// A torus, cut in 16, and a box that moves into its wall in small steps, cut in 64.
 class Sweep {
   public:
@@ -35,8 +51,7 @@ class Sweep {
           held_torus_(held(torus_)),
           held_box_(held(box_)) {
         auto job = std::make_shared<WorkerJob>();
-        job->tree_a = TreeId{1};
-        job->tree_b = TreeId{2};
+        job->trees = {TreeId{1}, TreeId{2}};
         job->query.level = wanted.level;
         job_ = std::move(job);
     }
@@ -70,23 +85,14 @@ class Sweep {
         }
         return all;
     }
-    static PartialObbTree held(const CutBody& body) {
-        PartialObbTree tree(body.top.root_count());
-        tree.set_top(std::make_shared<const TreeTop>(body.top));
-        for (RootIndex root = 0; root < body.top.root_count(); ++root) {
-            const OpenedBlock opened = open_block(body.block(root)).value();
-            tree.fill(root, std::get<std::shared_ptr<const Subtree>>(opened));
-        }
-        return tree;
-    }
     [[nodiscard]] Walked
     walk_over(std::size_t begin, std::size_t end, PartialObbTree a, PartialObbTree b) const {
         const Walk part{job_,
                         TaskScenarios(scenarios()),
                         begin,
                         end,
-                        std::make_shared<const PartialObbTree>(std::move(a)),
-                        std::make_shared<const PartialObbTree>(std::move(b)),
+                        {{TreeId{1}, std::make_shared<const PartialObbTree>(std::move(a))},
+                         {TreeId{2}, std::make_shared<const PartialObbTree>(std::move(b))}},
                         std::make_shared<const DroppedScenarios>()};
         ScenarioClock clock(JobId{1});
         return walk(part, {}, clock);
@@ -153,6 +159,48 @@ TEST(Walk, AContactUnderCachedSubtreesNeedsNoOthers) {
         }
     }
     EXPECT_LT(waiting_together, waiting_alone);
+}
+
+TEST(Walk, ScenariosOfManyBodiesHaveTheRecordsOfOneProcess) {
+    const ManyBodies job = make_many_bodies(6);
+    std::map<const ObbTree*, TreeId> ids;
+    std::map<TreeId, std::shared_ptr<const PartialObbTree>> trees;
+    auto worker_job = std::make_shared<WorkerJob>();
+    for (const auto& tree : job.trees) {
+        const TreeId next{ids.size() + 1};
+        const TreeId id = ids.try_emplace(tree.get(), next).first->second;
+        worker_job->trees.push_back(id);
+        if (id == next) {
+            trees.emplace(id,
+                          std::make_shared<const PartialObbTree>(held(cut_body(tree->mesh(), 4))));
+        }
+    }
+    ASSERT_EQ(trees.size(), 3u);
+    worker_job->query.level = Level::Any;
+    worker_job->query.ignored = {{0, 300, 0, 512, 1, 3}};
+    const Walk part{worker_job,
+                    TaskScenarios(job.scenarios),
+                    0,
+                    job.scenarios.size(),
+                    trees,
+                    std::make_shared<const DroppedScenarios>()};
+    ScenarioClock clock(JobId{1});
+    const Walked walked = walk(part, {}, clock);
+    const std::vector<ScenarioResult> results = results_of(walked.finished);
+    ASSERT_EQ(results.size(), job.scenarios.size());
+    const TreesByBody whole(job.trees);
+    const Settler settler(whole, worker_job->query.ignored);
+    const ScenarioRunner runner(whole, worker_job->query);
+    for (std::size_t i = 0; i < results.size(); ++i) {
+        ScenarioResult settled = results[i];
+        (void)settler.settle(job.scenarios[i], settled);
+        EXPECT_EQ(encode_result(settled), encode_result(runner.run(job.scenarios[i]).result));
+    }
+    std::set<TreeId> used;
+    for (const SubtreeKey& key : walked.used) {
+        used.insert(key.tree);
+    }
+    EXPECT_EQ(used.size(), 3u);
 }
 
 } // namespace cd::tests

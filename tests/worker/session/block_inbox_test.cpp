@@ -24,8 +24,7 @@ struct Inbox : HubStage {
         EXPECT_TRUE(blocks.add_tree(bodies().b.add(tree_b)));
         WorkerJob known;
         known.id = job;
-        known.tree_a = tree_a;
-        known.tree_b = tree_b;
+        known.trees = {tree_a, tree_b};
         blocks.add_job(known);
     }
     /// Delivers the block, and waits until it is open.
@@ -113,17 +112,15 @@ TEST_F(Inbox, PendingRequestsAreRepeatedOverTheNextConnection) {
 }
 
 TEST_F(Inbox, UpperTreesAreRequestedOnce) {
-    WorkerJob both;
-    both.id = job;
-    both.tree_a = both.tree_b = tree_a;
-    blocks.need_tops(both);
-    blocks.need_tops(both);
+    blocks.need_tops(job, {tree_a});
+    blocks.need_tops(job, {tree_a});
     EXPECT_THAT(blocks.settle(), IsEmpty());
     ASSERT_EQ(master.sent.size(), 1u);
     EXPECT_THAT(master.all<WantSubtrees>().at(0).roots, ElementsAre(top_root));
-    EXPECT_FALSE(blocks.has_tops(both));
+    EXPECT_FALSE(blocks.has_tops({tree_a}));
     deliver(top_root);
-    EXPECT_TRUE(blocks.has_tops(both));
+    EXPECT_TRUE(blocks.has_tops({tree_a}));
+    EXPECT_FALSE(blocks.has_tops({tree_a, tree_b}));
 }
 
 TEST_F(Inbox, TheCacheOutlivesTheSession) {

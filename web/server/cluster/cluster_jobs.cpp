@@ -127,6 +127,9 @@ filter_of(ClusterReader& reader, const PagedJob& job, const NextContact& wanted)
                          "its level is " +
                          std::string(to_text(description.submit.query.level)));
     }
+    if (description.submit.bodies.size() != 2) {
+        return bad_input("parts are looked for in jobs with two bodies only");
+    }
     const auto trees = CD_TRY(reader.trees(description.submit));
     return PartFilter::make({shared_parts(*trees[0]), shared_parts(*trees[1])}, wanted);
 }
@@ -314,7 +317,7 @@ Result<ScenarioInputs> inputs_of(ClusterReader& reader,
 
 std::shared_ptr<const ScenarioView> run_again(const ScenarioInputs& inputs, const StopCheck& stop) {
     ScenarioView view = repeat_scenario(
-        *inputs.trees[0], *inputs.trees[1], inputs.query, inputs.scenario, inputs.record, stop);
+        TreesByBody(inputs.trees), inputs.query, inputs.scenario, inputs.record, stop);
     add_label(inputs.labels, 0, view);
     return std::make_shared<const ScenarioView>(std::move(view));
 }

@@ -5,11 +5,10 @@
 #include "common/job/poses/labelled_scenarios.hpp"
 #include "common/job/result/result.hpp"
 #include "common/job/scenario.hpp"
-#include "common/tree/obb_tree.hpp"
+#include "common/job/trees_by_body.hpp"
 #include "proto/messages/client_messages.hpp"
 #include "web/server/page_source.hpp"
 
-#include <array>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -29,8 +28,6 @@ template <class Query>
 [[nodiscard]] Query query_of(JobId job, const ScenarioChoice& choice) {
     return {job, choice.sample == 0 ? choice.first : 0, choice.size(), choice.sample};
 }
-
-using BodyTrees = std::array<std::shared_ptr<const ObbTree>, 2>;
 
 class ClusterReader {
   public:

@@ -3,6 +3,7 @@
 
 #include "common/job/poses/pose_order.hpp"
 
+#include "common/job/packed_scenarios.hpp"
 #include "tests/support/scenarios.hpp"
 
 #include <gtest/gtest.h>
@@ -10,6 +11,7 @@
 #include <algorithm>
 #include <numeric>
 #include <random>
+#include <utility>
 
 namespace cd::tests {
 
@@ -86,6 +88,36 @@ TEST(CoherentOrder, KeepsTheOrderOfEqualPoses) {
     std::vector<std::uint32_t> all(scenarios.size());
     std::iota(all.begin(), all.end(), 0u);
     EXPECT_EQ(coherent_order(scenarios), all);
+}
+
+TEST(PackInOrder, TheTreesOfTheBodiesComeBeforeTheCurve) {
+    std::mt19937_64 random(4);
+    std::vector<Scenario> scenarios = grid(random, 4);
+    for (std::uint64_t i = 0; i < scenarios.size(); ++i) {
+        scenarios[i].index = i;
+        scenarios[i].body_a = static_cast<std::uint32_t>(random() % 2);
+        scenarios[i].body_b = 2 + static_cast<std::uint32_t>(random() % 2);
+    }
+    const std::vector<std::uint32_t> trees{0, 1, 2, 1}; // Bodies 1 and 3 have one mesh.
+    const std::vector<Bytes> runs = pack_in_order(scenarios, trees);
+    ASSERT_EQ(runs.size(), 1u);
+    const auto packed = unpack_scenarios(runs[0], scenarios.size()).value();
+    std::vector<Scenario> expected;
+    for (const auto& [a, b] :
+         {std::pair(0, 3), std::pair(0, 2), std::pair(1, 3), std::pair(1, 2)}) {
+        std::vector<Scenario> of_pair;
+        for (const Scenario& scenario : scenarios) {
+            if (scenario.body_a == static_cast<std::uint32_t>(a) &&
+                scenario.body_b == static_cast<std::uint32_t>(b)) {
+                of_pair.push_back(scenario);
+            }
+        }
+        ASSERT_FALSE(of_pair.empty());
+        for (const std::uint32_t next : coherent_order(of_pair)) {
+            expected.push_back(of_pair[next]);
+        }
+    }
+    EXPECT_EQ(packed, expected);
 }
 
 } // namespace cd::tests

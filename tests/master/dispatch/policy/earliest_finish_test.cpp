@@ -28,10 +28,11 @@ class EarliestFinishes : public testing::Test, protected DispatchStage {
 TEST_F(EarliestFinishes, AHolderIsAwaitedAsLongAsTheTransferWouldTake) {
     pace.add_transfer(one_, 6400, 0.1);
     const DispatchScenario wanted = scenario(job_);
-    blocks.hold_roots(job_, wanted.roots, two_);
+    blocks.hold_roots(wanted.roots, two_);
     two_.tasks.note_answers(0, 0);
-    plan.arrived(two_.slot(), job_.a.tree, wanted.roots.a);
-    plan.arrived(two_.slot(), job_.b.tree, wanted.roots.b);
+    for (const TreeRoots& side : wanted.roots) {
+        plan.arrived(two_.slot(), side.tree, side.roots);
+    }
     EXPECT_EQ(policy_.would_choose(job_, wanted), &two_);
     two_.buffers.add(job_.id, 77, {0, 90'000'000});
     EXPECT_EQ(policy_.would_choose(job_, wanted), &two_);

@@ -27,7 +27,8 @@ class Twins {
           slow_(options, options.seed),
           triangles_a_(random_triangles(40)),
           triangles_b_(random_triangles(23)) {
-        keep(dispatcher_.job_opened(job, options, {tree_a, triangles_a_}, {tree_b, triangles_b_}));
+        keep(
+            dispatcher_.job_opened(job, options, {{tree_a, triangles_a_}, {tree_b, triangles_b_}}));
         feed(); // More input follows, and no worker gets part of a buffer.
         for (int i = 0; i < 3; ++i) {
             join();

@@ -14,17 +14,20 @@ namespace {
 /// The two lists of the paper's Table 1: a scenario's roots with their triangles. (The first list's
 /// column BB3 is empty in print.)
 ScenarioRoots table_1(int scenario) {
+    const auto roots = [](std::vector<WeightedRoot> a, std::vector<WeightedRoot> b) {
+        return ScenarioRoots{{{TreeId{1}, std::move(a)}, {TreeId{2}, std::move(b)}}};
+    };
     switch (scenario) {
     case 1:
-        return {{{4, 1}, {5, 4}}, {{0, 2}, {2, 14}, {3, 6}}};
+        return roots({{4, 1}, {5, 4}}, {{0, 2}, {2, 14}, {3, 6}});
     case 2:
-        return {{{1, 11}, {3, 1}, {4, 1}}, {{0, 2}, {1, 1}, {2, 14}, {3, 6}}};
+        return roots({{1, 11}, {3, 1}, {4, 1}}, {{0, 2}, {1, 1}, {2, 14}, {3, 6}});
     case 3:
-        return {{{0, 1}, {1, 11}, {3, 1}, {5, 4}}, {{2, 14}, {3, 6}}};
+        return roots({{0, 1}, {1, 11}, {3, 1}, {5, 4}}, {{2, 14}, {3, 6}});
     case 4:
-        return {{}, {{1, 1}}};
+        return roots({}, {{1, 1}});
     default:
-        return {{{1, 11}, {3, 1}, {4, 1}}, {{1, 1}, {3, 6}}};
+        return roots({{1, 11}, {3, 1}, {4, 1}}, {{1, 1}, {3, 6}});
     }
 }
 
@@ -41,12 +44,12 @@ class Cluster : public DispatchParts {
         options.seed = seed;
         plan.add_tree(a_);
         plan.add_tree(b_);
-        queue.open(job_id, options, a_, b_, make_policy(options, context));
+        queue.open(job_id, options, {a_, b_}, make_policy(options, context));
         for (std::uint64_t i = 0; i < allocated.size(); ++i) {
             WorkerProxy& proxy = pool.add(WorkerId{i + 1}, {"w", 1});
             plan.join(proxy.slot());
             for (const int scenario : allocated[i]) {
-                blocks.hold_roots(job(), table_1(scenario), proxy);
+                blocks.hold_roots(table_1(scenario), proxy);
             }
         }
     }
@@ -60,9 +63,7 @@ class Cluster : public DispatchParts {
     /// Triangles of a scenario of the table that the worker holds.
     [[nodiscard]] std::uint64_t score(std::uint64_t worker, int scenario) const {
         const std::uint32_t slot = pool.find(WorkerId{worker})->slot();
-        const ScenarioRoots roots = table_1(scenario);
-        return plan.tree(a_.tree).held.held(slot, roots.a) +
-               plan.tree(b_.tree).held.held(slot, roots.b);
+        return held_triangles(plan, slot, table_1(scenario));
     }
     /// The worker that gets a scenario of the table; 0: none.
     [[nodiscard]] std::uint64_t pick(int scenario) {

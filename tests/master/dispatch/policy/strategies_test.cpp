@@ -85,7 +85,8 @@ TEST(Strategies, AnotherOneIsAPolicyAndALine) {
     ClusterOptions options;
     options.strategy = "newest";
     options.q = 1;
-    (void)dispatcher.job_opened(JobId{1}, options, {TreeId{1}, {1}, {64}}, {TreeId{2}, {1}, {64}});
+    (void)dispatcher.job_opened(
+        JobId{1}, options, {{TreeId{1}, {1}, {64}}, {TreeId{2}, {1}, {64}}});
     const AnalysedScenario scenario{0, {0}, {0}, 100, 1'000'000};
     EXPECT_EQ(dispatcher.explain(JobId{1}, scenario).why, "it joined last");
     const Actions actions = dispatcher.scenario_analysed(JobId{1}, scenario);

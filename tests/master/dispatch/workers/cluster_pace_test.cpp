@@ -33,7 +33,7 @@ TEST(ClusterPace, PowersHaveWhatIsLeftOfTransfersAndCache) {
     DispatchStage stage;
     const DispatchJob& job = stage.open("earliest-finish");
     WorkerProxy& one = stage.join(1, {"w", 1, 1, 1000 * limits::wide_bytes_per_triangle});
-    stage.plan.hold(one.slot(), job.a.tree, std::vector<RootIndex>{0, 1, 2, 3});
+    stage.plan.hold(one.slot(), job.trees.of(0).tree, std::vector<RootIndex>{0, 1, 2, 3});
     one.add_transfer(0, 3);
     stage.pace.time_is(1);
     EXPECT_EQ(stage.pace.powers_of(one, stage.plan).room_bytes,

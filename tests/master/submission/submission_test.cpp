@@ -1,0 +1,96 @@
+// Proves which bodies a submission may have: how many, of how many meshes, and what only two bodies
+// may have; and that ignored parts are of its bodies.
+#include "master/submission/submission.hpp"
+
+#include "common/core/limits/engine.hpp"
+
+#include <gmock/gmock.h>
+
+#include <functional>
+
+namespace cd::tests {
+namespace {
+
+using testing::HasSubstr;
+
+Sha256 mesh_of(std::uint64_t number) {
+    Sha256 hash;
+    for (std::size_t i = 0; i < sizeof(number); ++i) {
+        hash.bytes[i] = static_cast<std::byte>(number >> (8 * i));
+    }
+    return hash;
+}
+
+/// A job with so many bodies, of so many meshes in turn, each of 100 triangles and more.
+struct Bodies {
+    explicit Bodies(std::size_t bodies, std::size_t meshes = 1) {
+        for (std::uint64_t mesh = 0; mesh < meshes; ++mesh) {
+            MeshStatus status;
+            status.mesh = mesh_of(mesh);
+            status.triangles = 100 + mesh;
+            stored.push_back(status);
+        }
+        for (std::size_t body = 0; body < bodies; ++body) {
+            submit.bodies.push_back({mesh_of(body % meshes), "b" + std::to_string(body)});
+        }
+    }
+    /// Returns why the master refuses the job; empty if it takes it.
+    [[nodiscard]] std::string refusal(const std::function<void(Submit&)>& change = [](Submit&) {
+    }) const {
+        Submit changed = submit;
+        change(changed);
+        const Status checked = check_submission(changed, stored);
+        return checked ? "" : checked.error().detail;
+    }
+
+    Submit submit;
+    std::vector<MeshStatus> stored;
+};
+
+TEST(Submission, HasAtLeastTwoBodiesAndNotTooMany) {
+    EXPECT_THAT(Bodies(1).refusal(), HasSubstr("at least two bodies, not 1"));
+    EXPECT_EQ(Bodies(2).refusal(), "");
+    EXPECT_EQ(Bodies(5, 3).refusal(), "");
+    EXPECT_EQ(Bodies(limits::bodies_max, limits::body_meshes_max).refusal(), "");
+    EXPECT_THAT(Bodies(limits::bodies_max + 1).refusal(), HasSubstr("16385 bodies"));
+    EXPECT_THAT(Bodies(limits::bodies_max, limits::body_meshes_max + 1).refusal(),
+                HasSubstr("4097 meshes"));
+}
+
+TEST(Submission, OfManyBodiesHasStoredMeshesAndDepthsOfItsBodies) {
+    const Bodies five(5, 3);
+    EXPECT_THAT(five.refusal([](Submit& job) { job.bodies[4].mesh = mesh_of(9); }),
+                HasSubstr("not stored"));
+    EXPECT_EQ(five.refusal([](Submit& job) { job.cluster.set_depth(4, 12); }), "");
+    EXPECT_THAT(five.refusal([](Submit& job) { job.cluster.set_depth(4, 21); }),
+                HasSubstr("depth of body b4 is 21"));
+    EXPECT_THAT(five.refusal([](Submit& job) { job.cluster.set_depth(5, 12); }),
+                HasSubstr("more distribution depths than bodies"));
+}
+
+TEST(Submission, OfManyBodiesHasNoGridAndNoMaps) {
+    const auto with_grid = [](Submit& job) {
+        job.grid = Bytes(3);
+        job.poses.kind = PosesKind::Grid;
+    };
+    const auto with_maps = [](Submit& job) { job.query.maps = true; };
+    EXPECT_EQ(Bodies(2).refusal(with_grid), "");
+    EXPECT_EQ(Bodies(2).refusal(with_maps), "");
+    EXPECT_THAT(Bodies(3).refusal(with_grid), HasSubstr("a grid of poses is of two bodies"));
+    EXPECT_THAT(Bodies(3).refusal(with_maps), HasSubstr("maps are of two bodies"));
+}
+
+TEST(Submission, IgnoresPartsOfItsBodies) {
+    const Bodies five(5, 3); // Bodies 2 and 3 have 102 and 100 triangles.
+    const auto ignoring = [](const IgnoredRange& range) {
+        return [range](Submit& job) { job.query.ignored = {range}; };
+    };
+    EXPECT_EQ(five.refusal(ignoring({0, 102, 0, 100, 2, 3})), "");
+    EXPECT_THAT(five.refusal(ignoring({0, 102, 0, 101, 2, 3})), HasSubstr("outside the meshes"));
+    EXPECT_THAT(five.refusal(ignoring({0, 1, 0, 1, 3, 2})), HasSubstr("bodies 3 and 2"));
+    EXPECT_THAT(five.refusal(ignoring({0, 1, 0, 1, 2, 2})), HasSubstr("bodies 2 and 2"));
+    EXPECT_THAT(five.refusal(ignoring({0, 1, 0, 1, 4, 5})), HasSubstr("the job has 0 to 4"));
+}
+
+} // namespace
+} // namespace cd::tests
