@@ -13,6 +13,7 @@ LAYERS = {
     "common/geometry": ["common/core"],
     "common/pair": ["common/core", "common/geometry"],
     "common/distance": ["common/core", "common/geometry", "common/pair"],
+    "common/scene": ["common/core", "common/geometry"],
     "common/tree": ["common/core", "common/geometry", "common/pair"],
     "common/search": ["common/core", "common/distance", "common/geometry", "common/pair", "common/tree"],
     "common/solid": ["common/core", "common/distance", "common/geometry", "common/pair", "common/search", "common/tree"],
@@ -119,7 +120,7 @@ DOORS = {
     r"CLI/": ["common/core/host/daemon_options.cpp", "master/config.cpp", "worker/config.cpp", "client"],
     r"toml\+\+/": ["common/core/host/daemon_options.cpp", "client"],
     r"nlohmann/": ["client", "web"],
-    r"hwy/": ["common/geometry", "common/pair", "common/distance", "common/tree", "common/search/contact_pair"],
+    r"hwy/": ["common/geometry", "common/pair", "common/distance", "common/scene", "common/tree", "common/search/contact_pair"],
     r"fcl/": [],
 }
 # So many .cpp files of the programs and of proto/ may see these, through any number of headers. Each
