@@ -1,6 +1,7 @@
 #include "client/folder/job_text.hpp"
 
 #include "client/spec/query_spec.hpp"
+#include "client/spec/toml_text.hpp"
 #include "common/core/words.hpp"
 
 #include <array>
@@ -120,22 +121,6 @@ std::string cluster_text(const ClusterOptions& options) {
 }
 
 } // namespace
-
-std::string toml_quoted(std::string_view text) {
-    constexpr std::string_view digits = "0123456789abcdef";
-    std::string quoted = "\"";
-    for (const char c : text) {
-        const auto code = static_cast<unsigned char>(c);
-        if (c == '"' || c == '\\') {
-            quoted += std::string("\\") + c;
-        } else if (code < 0x20 || code == 0x7f) {
-            quoted += std::string("\\u00") + digits[code >> 4] + digits[code & 0xf];
-        } else {
-            quoted += c;
-        }
-    }
-    return quoted + "\"";
-}
 
 std::string job_text(const JobSpec& spec) {
     std::string text = line("name", toml_quoted(spec.name)) + line("unit", toml_quoted(spec.unit));

@@ -177,6 +177,10 @@ void check_points(PreparedJob& job) {
 
 Result<PreparedJob> prepare_job(
     JobSpec spec, Trees trees, TreeCache& cache, ThreadPool& pool, bool quiet, JobInputs given) {
+    if (spec.scene) {
+        return bad_input(spec.file,
+                         "a job with [bodies] is checked by `cdctl job check`, and not yet run");
+    }
     PreparedJob job;
     job.spec = std::move(spec);
     job.meshes = std::move(given.meshes);
@@ -212,18 +216,7 @@ Result<PreparedJob> prepare_job(
 }
 
 Result<ImportOptions> import_options(const JobSpec& spec, std::size_t body) {
-    const BodySpec& given = spec.bodies[body];
-    const std::string& unit = given.unit.empty() ? spec.unit : given.unit;
-    const auto factor = unit_factor(unit, spec.unit);
-    if (!factor) {
-        return bad_input("unit \"" + unit + "\" is not known");
-    }
-    ImportOptions options{*factor};
-    options.declared_unit_to = given.unit.empty() ? spec.unit : "";
-    options.is_y_up = given.up == "y";
-    options.rounds_to_float = given.rounds_to_float;
-    options.is_stopped = &InterruptGuard::has_come;
-    return options;
+    return import_options(spec.bodies[body], spec.unit);
 }
 
 ExportContext export_context(const PreparedJob& job) {

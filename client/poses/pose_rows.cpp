@@ -1,5 +1,6 @@
 #include "client/poses/pose_rows.hpp"
 
+#include "client/spec/poses_spec.hpp"
 #include "common/core/errors.hpp"
 
 #include <Eigen/LU>
@@ -14,7 +15,6 @@ namespace cd {
 
 namespace {
 
-constexpr double quaternion_off_max = 1e-3;
 constexpr double matrix_off_max = 1e-5;
 constexpr double warn_above = 1e-9;
 constexpr std::uint64_t rows_at_once = 4096;
