@@ -63,6 +63,13 @@ std::uint64_t PairSet::add_except(std::span<const std::uint32_t> left,
     return add_pairs(left, right, &except);
 }
 
+void PairSet::remove(BodyPair pair) {
+    CD_CHECK(pair.a < bodies_);
+    CD_CHECK(pair.b < bodies_);
+    bits_[pair.a * row_words_ + pair.b / word_bits] &= ~bit_of(pair.b);
+    bits_[pair.b * row_words_ + pair.a / word_bits] &= ~bit_of(pair.a);
+}
+
 std::uint64_t PairSet::add_pairs(std::span<const std::uint32_t> left,
                                  std::span<const std::uint32_t> right,
                                  const PairSet* except) {

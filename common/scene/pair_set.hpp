@@ -31,6 +31,8 @@ class PairSet {
     std::uint64_t add_except(std::span<const std::uint32_t> left,
                              std::span<const std::uint32_t> right,
                              const PairSet& except);
+    /// Removes a pair, which need not be in the set.
+    void remove(BodyPair pair);
 
   private:
     using Words = std::vector<std::uint64_t>;

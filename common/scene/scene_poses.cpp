@@ -38,20 +38,12 @@ std::vector<std::uint32_t> present_bodies(const PosesOfStep& poses) {
 
 } // namespace
 
-StepCoverage& StepCoverage::operator+=(const StepCoverage& other) {
-    tested += other.tested;
-    apart += other.apart;
-    ignored += other.ignored;
-    fixed += other.fixed;
-    absent += other.absent;
-    return *this;
-}
-
 ScenePoses::ScenePoses(Scene scene, std::unique_ptr<StepPoses> poses)
     : scene_(std::move(scene)), poses_(std::move(poses)), absences_(scene_.bodies.size(), 0) {
     CD_CHECK(scene_.ignored.bodies() == scene_.bodies.size());
     CD_CHECK(scene_.reach >= 0);
     const std::vector<std::uint32_t> fixed = fixed_bodies(scene_);
+    ignored_pairs_ = scene_.ignored.count();
     fixed_pairs_ = pairs_among(fixed.size()) - scene_.ignored.count_among(fixed);
 }
 
@@ -63,6 +55,7 @@ ScenePoses::create(Scene scene, std::unique_ptr<StepPoses> poses, const StopChec
 }
 
 Status ScenePoses::count_steps(const StopCheck& stop) {
+    StepIndex index;
     for (std::uint64_t number = 0; number < poses_->steps(); ++number) {
         if (stop && stop()) {
             return interrupted();
@@ -71,12 +64,11 @@ Status ScenePoses::count_steps(const StopCheck& stop) {
         if (!step) {
             return step.error();
         }
-        index_.add_step(step.value().pairs.size());
-        coverage_.push_back(covered_by(step.value()));
-        if (index_.count() > limits::scenarios_max) {
+        index.add_step(covered_by(step.value()));
+        if (index.count() > limits::scenarios_max) {
             return Error{ErrorCode::TooLarge,
                          "the steps up to " + std::to_string(number) + " have " +
-                             grouped(index_.count()) + " pairs to test; a job has at most " +
+                             grouped(index.count()) + " pairs to test; a job has at most " +
                              grouped(limits::scenarios_max) +
                              ": test fewer steps, or ignore pairs by [rules]"};
         }
@@ -84,7 +76,8 @@ Status ScenePoses::count_steps(const StopCheck& stop) {
             absences_[body] += step.value().poses[body] ? 0 : 1;
         }
     }
-    index_.set_times(poses_->times());
+    index.set_times(poses_->times());
+    index_ = std::make_shared<const StepIndex>(std::move(index));
     return Done{};
 }
 
@@ -94,7 +87,8 @@ StepCoverage ScenePoses::covered_by(const Step& step) const {
     StepCoverage coverage;
     coverage.tested = step.pairs.size();
     coverage.absent = pairs_among(step.poses.size()) - pairs;
-    coverage.ignored = scene_.ignored.count_among(present);
+    coverage.ignored =
+        present.size() == step.poses.size() ? ignored_pairs_ : scene_.ignored.count_among(present);
     coverage.fixed = step.number == 0 ? 0 : fixed_pairs_;
     coverage.apart = pairs - coverage.tested - coverage.ignored - coverage.fixed;
     return coverage;
@@ -139,14 +133,14 @@ bool ScenePoses::is_tested(std::uint64_t step, BodyPair pair) const {
 }
 
 Result<std::vector<Scenario>> ScenePoses::read(std::uint64_t first, std::uint64_t count) {
-    CD_CHECK(first <= index_.count());
-    CD_CHECK(count <= index_.count() - first);
+    CD_CHECK(first <= index_->count());
+    CD_CHECK(count <= index_->count() - first);
     const std::lock_guard lock(mutex_);
     std::vector<Scenario> scenarios;
     scenarios.reserve(count);
     while (scenarios.size() < count) {
         const std::uint64_t next = first + scenarios.size();
-        const std::uint64_t number = index_.step_of(next);
+        const std::uint64_t number = index_->step_of(next);
         if (!kept_ || kept_->number != number) {
             auto step = read_step(number);
             if (!step) {
@@ -154,12 +148,12 @@ Result<std::vector<Scenario>> ScenePoses::read(std::uint64_t first, std::uint64_
             }
             kept_ = std::move(step.value());
         }
-        if (kept_->pairs.size() != index_.end_of(number) - index_.first_of(number)) {
+        if (kept_->pairs.size() != index_->end_of(number) - index_->first_of(number)) {
             return Error{ErrorCode::Io, "the poses have changed since they were first read"};
         }
-        const std::uint64_t end = std::min(index_.end_of(number), first + count);
+        const std::uint64_t end = std::min(index_->end_of(number), first + count);
         for (std::uint64_t index = next; index < end; ++index) {
-            const BodyPair pair = kept_->pairs[index - index_.first_of(number)];
+            const BodyPair pair = kept_->pairs[index - index_->first_of(number)];
             scenarios.push_back(
                 {index, pair.a, pair.b, {*kept_->poses[pair.a], *kept_->poses[pair.b]}});
         }

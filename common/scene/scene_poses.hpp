@@ -52,19 +52,6 @@ struct Scene {
     double reach = 0; ///< Pairs that are at most this far apart in the world are tested; finite.
 };
 
-/// What became of the pairs of bodies of a step. Each pair counts once.
-struct StepCoverage {
-    std::uint64_t tested = 0;  ///< Their boxes come within reach: the step's scenarios.
-    std::uint64_t apart = 0;   ///< Their boxes show that they are farther apart than the reach.
-    std::uint64_t ignored = 0; ///< Both are present, and the rules ignore the pair.
-    std::uint64_t fixed = 0;   ///< Both are fixed and not ignored; step 0 has decided the pair.
-    std::uint64_t absent = 0;  ///< One of them is absent.
-
-    [[nodiscard]] std::uint64_t total() const { return tested + apart + ignored + fixed + absent; }
-    StepCoverage& operator+=(const StepCoverage& other);
-    friend bool operator==(const StepCoverage&, const StepCoverage&) = default;
-};
-
 /// The scenarios of a scene, in the order (step, a, b) with a < b. A step has those pairs of bodies
 /// that are not ignored, are present, and whose world boxes, grown by half the reach, overlap.
 /// Pairs of two fixed bodies are tested at step 0 alone.
@@ -77,13 +64,12 @@ class ScenePoses final : public PoseSource {
     [[nodiscard]] static Result<std::unique_ptr<ScenePoses>>
     create(Scene scene, std::unique_ptr<StepPoses> poses, const StopCheck& stop = {});
 
-    [[nodiscard]] std::uint64_t count() const override { return index_.count(); }
+    [[nodiscard]] std::uint64_t count() const override { return index_->count(); }
     [[nodiscard]] Result<std::vector<Scenario>> read(std::uint64_t first,
                                                      std::uint64_t count) override;
 
-    [[nodiscard]] const StepIndex& index() const { return index_; }
-    /// Returns what became of the pairs of each step.
-    [[nodiscard]] std::span<const StepCoverage> coverage() const { return coverage_; }
+    /// Returns the steps: their scenarios, and what became of all pairs of bodies.
+    [[nodiscard]] const std::shared_ptr<const StepIndex>& steps() const { return index_; }
     /// Returns at how many steps each body is absent.
     [[nodiscard]] std::span<const std::uint64_t> absences() const { return absences_; }
 
@@ -106,9 +92,9 @@ class ScenePoses final : public PoseSource {
 
     Scene scene_;
     std::unique_ptr<StepPoses> poses_;
-    std::uint64_t fixed_pairs_ = 0; ///< Pairs of fixed bodies that are not ignored.
-    StepIndex index_;
-    std::vector<StepCoverage> coverage_;
+    std::uint64_t ignored_pairs_ = 0; ///< Pairs that are ignored.
+    std::uint64_t fixed_pairs_ = 0;   ///< Pairs of fixed bodies that are not ignored.
+    std::shared_ptr<const StepIndex> index_;
     std::vector<std::uint64_t> absences_;
     std::mutex mutex_;         ///< Guards `poses_` and `kept_`.
     std::optional<Step> kept_; ///< The step that was read last.

@@ -7,6 +7,20 @@
 
 namespace cd {
 
+StepCoverage& StepCoverage::operator+=(const StepCoverage& other) {
+    tested += other.tested;
+    apart += other.apart;
+    ignored += other.ignored;
+    fixed += other.fixed;
+    absent += other.absent;
+    return *this;
+}
+
+void StepIndex::add_step(const StepCoverage& coverage) {
+    ends_.push_back(count() + coverage.tested);
+    coverage_.push_back(coverage);
+}
+
 void StepIndex::set_times(std::vector<double> times) {
     CD_CHECK(times.empty() || times.size() == ends_.size());
     times_ = std::move(times);

@@ -172,11 +172,11 @@ TEST(ScenePoses, AreThoseOfAllPairsByBruteForce) {
         ASSERT_TRUE(read);
         EXPECT_EQ(read.value(), expected.scenarios);
         for (std::uint64_t i = 0; i < poses->count(); ++i) {
-            EXPECT_EQ(poses->index().step_of(i), expected.steps[i]);
+            EXPECT_EQ(poses->steps()->step_of(i), expected.steps[i]);
         }
-        ASSERT_EQ(poses->coverage().size(), expected.coverage.size());
+        ASSERT_EQ(poses->steps()->coverage().size(), expected.coverage.size());
         for (std::size_t step = 0; step < expected.coverage.size(); ++step) {
-            EXPECT_EQ(poses->coverage()[step], expected.coverage[step]) << step;
+            EXPECT_EQ(poses->steps()->coverage()[step], expected.coverage[step]) << step;
             all += expected.coverage[step];
         }
     }
@@ -206,7 +206,7 @@ TEST(ScenePoses, HaveEachPairInContact) {
                 }
                 ++contacts;
                 EXPECT_TRUE(std::ranges::any_of(scenarios.value(), [&](const Scenario& scenario) {
-                    return poses->index().step_of(scenario.index) == step &&
+                    return poses->steps()->step_of(scenario.index) == step &&
                            scenario.body_a == pair.a && scenario.body_b == pair.b;
                 }));
             }
@@ -238,8 +238,8 @@ TEST(ScenePoses, TestFixedBodiesAtTheFirstStepAlone) {
     const std::optional<Pose> here(Pose{});
     scene.steps = {{here, here, here}, {here, here, here}};
     const auto poses = open(scene);
-    EXPECT_EQ(poses->coverage()[0], (StepCoverage{3, 0, 0, 0, 0}));
-    EXPECT_EQ(poses->coverage()[1], (StepCoverage{2, 0, 0, 1, 0}));
+    EXPECT_EQ(poses->steps()->coverage()[0], (StepCoverage{3, 0, 0, 0, 0}));
+    EXPECT_EQ(poses->steps()->coverage()[1], (StepCoverage{2, 0, 0, 1, 0}));
     EXPECT_EQ(poses->count(), 5u);
 }
 
@@ -252,7 +252,7 @@ TEST(ScenePoses, CountTheStepsAtWhichABodyIsAbsent) {
     EXPECT_EQ(poses->absences()[0], 0u);
     EXPECT_EQ(poses->absences()[1], 2u);
     EXPECT_EQ(poses->count(), 1u);
-    EXPECT_EQ(poses->index().step_of(0), 1u);
+    EXPECT_EQ(poses->steps()->step_of(0), 1u);
 }
 
 TEST(ScenePoses, ReachFindsBoxesThatAreJustSoFarApart) {

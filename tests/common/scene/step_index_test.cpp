@@ -15,7 +15,7 @@ TEST(StepIndex, FindsTheStepOfEachScenario) {
         for (std::uint64_t step = 0; step < 20; ++step) {
             const std::uint64_t scenarios = random() % 3;
             EXPECT_EQ(index.count(), expected.size());
-            index.add_step(scenarios);
+            index.add_step({scenarios, 1, 2, 3, 4});
             EXPECT_EQ(index.first_of(step), expected.size());
             expected.insert(expected.end(), scenarios, step);
             EXPECT_EQ(index.end_of(step), expected.size());
@@ -29,8 +29,8 @@ TEST(StepIndex, FindsTheStepOfEachScenario) {
 
 TEST(StepIndex, HasTheGivenTimesOrCountsTheSteps) {
     StepIndex index;
-    index.add_step(1);
-    index.add_step(0);
+    index.add_step({1});
+    index.add_step({0});
     EXPECT_EQ(index.time_of(1), 1.0);
     index.set_times({0.5, 2.25});
     EXPECT_EQ(index.time_of(0), 0.5);
