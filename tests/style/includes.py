@@ -64,6 +64,7 @@ ORDERED = {
         "spec": ["messages"],
         "trees": [],
         "poses": [],
+        "scene": [],
         "report": ["messages", "web/status"],
         "export": ["web/status"],
         "job": ["messages"],
