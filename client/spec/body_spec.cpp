@@ -48,8 +48,9 @@ Result<ImportOptions> import_options(const BodySpec& body, const std::string& jo
     return options;
 }
 
-Error
-error_in_job(const std::filesystem::path& job, std::uint32_t line, const std::string& detail) {
+Error error_in_job(const std::filesystem::path& job,
+                   std::uint32_t line,
+                   const std::string& detail) {
     return bad_input(job.string() + (line == 0 ? "" : ":" + std::to_string(line)) + ": " + detail);
 }
 
