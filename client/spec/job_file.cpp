@@ -186,6 +186,7 @@ void read_job(const toml::table& table, JobSpec& spec) {
     spec.unit = job.word("unit", unit_names()).value_or(spec.unit);
     if (job.has("bodies")) {
         spec.scene = read_scene(job, spec.unit, spec.file);
+        spec.poses = spec.scene->poses ? spec.scene->poses->file : PoseFileSpec{};
     } else {
         read_two_bodies(job, spec);
     }
@@ -199,6 +200,17 @@ void read_job(const toml::table& table, JobSpec& spec) {
 std::string export_name(const JobSpec& spec, std::size_t body) {
     const std::string& name = spec.bodies[body].name;
     return name.empty() ? std::string(1, static_cast<char>('a' + body)) : name;
+}
+
+std::vector<BodySpec*> meshes_of(JobSpec& spec) {
+    if (!spec.scene) {
+        return {&spec.bodies[0], &spec.bodies[1]};
+    }
+    std::vector<BodySpec*> meshes;
+    for (SceneBodySpec& body : spec.scene->bodies) {
+        meshes.push_back(&body.mesh);
+    }
+    return meshes;
 }
 
 Status check_scene_query(const Query& query) {

@@ -37,9 +37,10 @@ struct OutputSpec {
 struct JobSpec {
     std::string name;
     std::string unit = "m";
-    std::array<BodySpec, 2> bodies;  ///< Not used with `scene`.
-    PosesSpec poses = RandomPoses{}; ///< Not used with `scene`.
-    std::optional<SceneSpec> scene;  ///< The bodies, poses and rules of a job with [bodies].
+    std::array<BodySpec, 2> bodies; ///< Not used with `scene`.
+    /// With `scene` the file of its [poses], whose path may be empty.
+    PosesSpec poses = RandomPoses{};
+    std::optional<SceneSpec> scene; ///< The bodies, poses and rules of a job with [bodies].
     Query query; ///< Without `Query::ignored`, which follows from `ignore` and the meshes.
     std::vector<IgnoreRule> ignore;
     OutputSpec output;
@@ -56,6 +57,9 @@ struct JobSpec {
 
 /// Returns the name of a body in exports: its name in the job, or else "a" or "b".
 [[nodiscard]] std::string export_name(const JobSpec& spec, std::size_t body);
+
+/// Returns the mesh files that a job names: those of two bodies, or of the entries of [bodies].
+[[nodiscard]] std::vector<BodySpec*> meshes_of(JobSpec& spec);
 
 /// Refuses what a scene cannot ask: distances without `up_to`. Errors: BadInput.
 [[nodiscard]] Status check_scene_query(const Query& query);

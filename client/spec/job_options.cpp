@@ -158,18 +158,6 @@ Status check_no_depths(const MatchingOptions& options) {
                        "[bodies]");
 }
 
-/// Returns the mesh files that a job names.
-std::vector<BodySpec*> meshes_of(JobSpec& spec) {
-    if (!spec.scene) {
-        return {&spec.bodies[0], &spec.bodies[1]};
-    }
-    std::vector<BodySpec*> meshes;
-    for (SceneBodySpec& body : spec.scene->bodies) {
-        meshes.push_back(&body.mesh);
-    }
-    return meshes;
-}
-
 } // namespace
 
 Status apply(const JobOptions& options, JobSpec& spec) {
