@@ -1,5 +1,9 @@
 #include "client/spec/toml_text.hpp"
 
+#include "common/core/words.hpp"
+
+#include <cstddef>
+
 namespace cd {
 
 std::string toml_quoted(std::string_view text) {
@@ -16,6 +20,17 @@ std::string toml_quoted(std::string_view text) {
         }
     }
     return quoted + "\"";
+}
+
+std::string toml_number(double value) {
+    constexpr std::size_t integer_digits = 15;
+    const std::string text = exact_text(value);
+    const bool is_whole = text.find_first_of(".e") == std::string::npos;
+    return is_whole && text.size() > integer_digits ? text + ".0" : text;
+}
+
+std::string toml_line(std::string_view key, const std::string& value) {
+    return std::string(key) + " = " + value + "\n";
 }
 
 } // namespace cd

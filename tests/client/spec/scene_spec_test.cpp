@@ -2,6 +2,7 @@
 // the line and what to write instead.
 #include "client/spec/scene_spec.hpp"
 
+#include "client/folder/job_text.hpp"
 #include "client/spec/job_file.hpp"
 #include "client/spec/job_options.hpp"
 #include "tests/support/process.hpp"
@@ -250,6 +251,36 @@ TEST(SceneSpec, ARuleIsWrittenAsAJobFileHasIt) {
     const auto spec = parse(two + "[rules]\norder = [" + rule_text(rule) + "]\n");
     ASSERT_TRUE(spec) << spec.error().detail;
     EXPECT_EQ(spec.value().scene->rules.order.front().one, rule.one);
+}
+
+TEST(SceneSpec, IsWrittenAsAJobFileThatGivesItAgain) {
+    const auto spec = parse(good);
+    ASSERT_TRUE(spec) << spec.error().detail;
+    const std::string text = job_text(spec.value());
+    const auto again = parse_job(text, "job.toml");
+    ASSERT_TRUE(again) << again.error().detail << "\n" << text;
+    EXPECT_EQ(job_text(again.value()), text);
+    const SceneSpec& before = *spec.value().scene;
+    const SceneSpec& after = *again.value().scene;
+    ASSERT_EQ(after.bodies.size(), before.bodies.size());
+    for (std::size_t i = 0; i < before.bodies.size(); ++i) {
+        EXPECT_EQ(after.bodies[i].name, before.bodies[i].name);
+        EXPECT_EQ(after.bodies[i].group, before.bodies[i].group);
+        EXPECT_EQ(after.bodies[i].count, before.bodies[i].count);
+        EXPECT_EQ(after.bodies[i].is_split, before.bodies[i].is_split);
+        EXPECT_EQ(after.bodies[i].pose, before.bodies[i].pose);
+        EXPECT_EQ(after.bodies[i].poses.has_value(), before.bodies[i].poses.has_value());
+        EXPECT_EQ(after.bodies[i].mesh.unit, before.bodies[i].mesh.unit);
+        EXPECT_EQ(after.bodies[i].mesh.up, before.bodies[i].mesh.up);
+        EXPECT_EQ(after.bodies[i].mesh.rounds_to_float, before.bodies[i].mesh.rounds_to_float);
+    }
+    EXPECT_EQ(after.poses->body_order, before.poses->body_order);
+    EXPECT_EQ(after.poses->nan_is_absent, before.poses->nan_is_absent);
+    EXPECT_EQ(after.poses->file.length_factor, before.poses->file.length_factor);
+    EXPECT_EQ(after.poses->file.rigid_tolerance, before.poses->file.rigid_tolerance);
+    EXPECT_EQ(after.rules.learn, before.rules.learn);
+    ASSERT_EQ(after.rules.order.size(), before.rules.order.size());
+    EXPECT_EQ(after.rules.order[1].other, before.rules.order[1].other);
 }
 
 TEST(SceneSpec, OptionsHoldForAllBodies) {
