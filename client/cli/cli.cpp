@@ -75,6 +75,13 @@ class Verbs {
         add_quiet(*run, run->quiet);
         add_output(*run, run->output, {"text", "json", "csv"});
 
+        CLI::App* jobs = app_.add_subcommand("job", job_help);
+        jobs->require_subcommand(1);
+        auto check = add<CheckCommand>("check", check_help, jobs);
+        check.add("file", check->file, "FILE", "A job file with [bodies]")->required();
+        add_quiet(*check, check->quiet);
+        add_output(*check, check->output, {"text", "csv"});
+
         auto demo = add<DemoCommand>("demo", demo_help);
         demo.add("--scenarios", demo->scenarios, "N", "How many")
             ->check(CLI::Range(std::uint64_t{1}, limits::scenarios_max))

@@ -76,6 +76,13 @@ struct RunCommand {
     std::string output = "text"; ///< Format for stdout: text, json or csv.
 };
 
+/// The verb `job check`.
+struct CheckCommand {
+    std::string file; ///< A job file with [bodies].
+    bool quiet = false;
+    std::string output = "text"; ///< text, csv
+};
+
 struct DemoCommand {
     std::uint64_t scenarios = 1000;
     std::string a; ///< Mesh of A; empty: the demo draws on its two vehicles.
@@ -245,6 +252,7 @@ struct VersionCommand {
 };
 
 using Command = std::variant<RunCommand,
+                             CheckCommand,
                              DemoCommand,
                              SubmitCommand,
                              WatchCommand,

@@ -94,6 +94,27 @@ Examples:
   cdctl submit job.toml
   job=$(cdctl submit job.toml -o name) && cdctl watch "$job")";
 
+inline constexpr const char* job_help =
+    R"(Checks job files.
+Examples:
+  cdctl job check scene.toml)";
+
+inline constexpr const char* check_help =
+    R"(Checks a job with [bodies] and says which pairs of bodies it tests; runs nothing.
+Examples:
+  cdctl job check scene.toml
+  cdctl job check scene.toml -o csv > coverage.csv
+
+Reads meshes and poses, expands instances, parts and rules, and pairs the bodies' boxes at each
+step. It prints the bodies; for each rule how many pairs of bodies it names, and about how many
+it decides, since later rules win; and what becomes of the pairs at all steps:
+  tested    their boxes come within reach of the clearance or up_to: a scenario each
+  apart     their boxes show that they are farther apart
+  ignored   by the rules
+  fixed     neither body moves: step 0 has tested them
+  absent    one of them is absent at the step
+csv has a row of these for each step. docs/scenes.md has all.)";
+
 inline constexpr const char* watch_help =
     R"(Follows a job to its end.
 Examples:

@@ -9,6 +9,7 @@ namespace cd {
 
 /// Runs a verb and returns its exit code. An error ends the verb; `execute` turns it into a code.
 [[nodiscard]] Result<int> perform(const RunCommand& command);
+[[nodiscard]] Result<int> perform(const CheckCommand& command);
 [[nodiscard]] Result<int> perform(const DemoCommand& command);
 [[nodiscard]] Result<int> perform(const SubmitCommand& command);
 [[nodiscard]] Result<int> perform(const WatchCommand& command);

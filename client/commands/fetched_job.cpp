@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <map>
 #include <optional>
 #include <vector>
 
@@ -121,10 +122,13 @@ Status FetchedJob::prepare(const std::filesystem::path& tree_cache) {
     labels_ = submit.poses.labels;
     JobInputs inputs;
     const MeshCache meshes(tree_cache);
-    inputs.meshes[0] = CD_TRY(get_mesh(connection, submit.bodies[0].mesh, meshes));
-    inputs.meshes[1] = inputs.meshes[0];
-    if (submit.bodies[1].mesh != submit.bodies[0].mesh) {
-        inputs.meshes[1] = CD_TRY(get_mesh(connection, submit.bodies[1].mesh, meshes));
+    std::map<Sha256, std::shared_ptr<const Mesh>> known;
+    for (const JobBody& body : submit.bodies) {
+        std::shared_ptr<const Mesh>& mesh = known[body.mesh];
+        if (mesh == nullptr) {
+            mesh = CD_TRY(get_mesh(connection, body.mesh, meshes));
+        }
+        inputs.meshes.push_back(mesh);
     }
     if (!submit.grid) {
         inputs.poses = std::make_unique<RemotePoses>(connection, id, submit.scenarios);

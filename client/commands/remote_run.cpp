@@ -259,6 +259,7 @@ Result<int> run_on_master(const RunCommand& command,
 Result<int> perform(const SubmitCommand& command) {
     const InterruptGuard interrupts(InterruptGuard::First::EndsProcess);
     auto spec = CD_TRY(make_job_spec(command.job));
+    CD_TRY(check_two_bodies(spec));
     auto connection = CD_TRY(open_master_for_job(command.master));
     ThreadPool pool(command.threads);
     TreeCache cache(tree_cache_folder(command.tree_cache));

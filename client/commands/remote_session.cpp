@@ -13,13 +13,14 @@
 #include "web/status/job_id.hpp"
 
 #include <algorithm>
-#include <array>
 #include <chrono>
 #include <cstdio>
 #include <functional>
 #include <optional>
+#include <set>
 #include <thread>
 #include <utility>
+#include <vector>
 
 namespace cd {
 
@@ -112,8 +113,13 @@ std::string workers_text(Connection& connection) {
 }
 
 Result<JobId> send_job(Connection& connection, PreparedJob& job, bool quiet) {
-    const std::array<NamedMesh, 2> meshes{NamedMesh{job.names[0], job.meshes[0]},
-                                          NamedMesh{job.names[1], job.meshes[1]}};
+    std::vector<NamedMesh> meshes;
+    std::set<Sha256> known;
+    for (std::size_t body = 0; body < job.meshes.size(); ++body) {
+        if (known.insert(job.meshes[body]->hash()).second) {
+            meshes.push_back({job.names[body], job.meshes[body]});
+        }
+    }
     CD_TRY(connection.upload(
         meshes, [quiet](const NamedMesh& mesh, std::uint64_t bytes, std::uint64_t total) {
             if (!quiet && bytes == 0) {

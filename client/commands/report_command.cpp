@@ -117,7 +117,7 @@ add_pairs(RunAtHand& run, RunOverview& overview, const std::string& cache, Threa
         return Done{};
     }
     const SlowNote note("running the worst scenarios again for their pictures...", false);
-    if (run.job.trees[0] == nullptr) {
+    if (run.job.trees.empty()) {
         TreeCache trees(tree_cache_folder(cache));
         run.job.trees = make_body_trees(run.job.meshes, TreeUse{.settles = true}, trees, pool);
     }

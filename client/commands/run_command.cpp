@@ -39,6 +39,7 @@ struct AskedJob {
 Result<AskedJob> asked_job(const JobOptions& options) {
     if (!is_folder(options.file)) {
         auto spec = CD_TRY(make_job_spec(options));
+        CD_TRY(check_two_bodies(spec));
         return AskedJob{std::move(spec), std::nullopt};
     }
     CD_TRY(check_no_inputs(options));
@@ -144,6 +145,13 @@ Status check_size(const RunCommand& command, const PreparedJob& job, ThreadPool&
 
 } // namespace
 
+Status check_two_bodies(const JobSpec& spec) {
+    return spec.scene ? Status(bad_input(spec.file,
+                                         "jobs with [bodies] are checked by `cdctl job check`; "
+                                         "this version does not run them"))
+                      : Status(Done{});
+}
+
 FolderRunOptions folder_options(const FolderFlags& flags) {
     FolderRunOptions options;
     options.folder = {flags.overwrite, flags.fresh};
@@ -197,7 +205,7 @@ Result<int> perform(const RunCommand& command) {
 }
 
 Status add_hint(const PreparedJob& job, RunReport& report) {
-    if (report.summary.separate != report.summary.total) {
+    if (job.scene || report.summary.separate != report.summary.total) {
         return Done{};
     }
     report.hint = CD_TRY(nearness_hint(

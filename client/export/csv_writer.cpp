@@ -14,6 +14,7 @@ class ScenariosCsvWriter final : public ResultWriter {
   public:
     ScenariosCsvWriter(const ExportContext& context, OutputFile file)
         : file_(std::move(file)),
+          steps_(context.steps),
           has_near_(context.clearance.has_value()),
           has_distance_(context.has_distance()) {
         for (const ExportBody& body : context.bodies) {
@@ -24,15 +25,9 @@ class ScenariosCsvWriter final : public ResultWriter {
     Status add(const ScenarioResult& result) override {
         const std::string_view yes_or_no[] = {"0", "1"}; // NOLINT(modernize-avoid-c-arrays)
         row_.clear();
-        row_.add(header_once(),
-                 result.index,
-                 ",",
-                 std::string_view(names_[result.body_a]),
-                 ",",
-                 std::string_view(names_[result.body_b]),
-                 ",",
-                 to_text(result.kind),
-                 ",");
+        row_.add(header_once());
+        add_key(result);
+        row_.add(",", to_text(result.kind), ",");
         if (result.level != Level::Any) {
             row_.add(result.pair_count);
         }
@@ -63,6 +58,18 @@ class ScenariosCsvWriter final : public ResultWriter {
     }
 
   private:
+    /// Adds the scenario and its bodies, and of a scene before all the step and its time.
+    void add_key(const ScenarioResult& result) {
+        const std::string_view body_a = names_[result.body_a];
+        const std::string_view body_b = names_[result.body_b];
+        if (!steps_) {
+            row_.add(result.index, ",", body_a, ",", body_b);
+            return;
+        }
+        const std::uint64_t step = steps_->step_of(result.index);
+        row_.add(step, ",", steps_->time_of(step), ",", body_a, ",", body_b, ",", result.index);
+    }
+
     /// Adds a comma before each column of the distance and the nearest points.
     void add_nearest(const std::optional<NearestWitness>& nearest) {
         if (!nearest) {
@@ -80,8 +87,8 @@ class ScenariosCsvWriter final : public ResultWriter {
             return {};
         }
         has_header_ = true;
-        return std::string("scenario,body_a,body_b,class,count,") +
-               (has_near_ ? "near_count," : "") +
+        return std::string(steps_ ? "step,time,body_a,body_b,scenario" : "scenario,body_a,body_b") +
+               ",class,count," + (has_near_ ? "near_count," : "") +
                (has_distance_ ? "distance,triangle_a,triangle_b,ax,ay,az,bx,by,bz," : "") +
                "cut,distance_bound,surfaces_only,insides_skipped,failure\n";
     }
@@ -89,6 +96,7 @@ class ScenariosCsvWriter final : public ResultWriter {
     OutputFile file_;
     std::vector<std::string> names_; ///< Names of the bodies as CSV fields.
     TextBuffer row_;
+    std::shared_ptr<const StepIndex> steps_; ///< Null for a job of two bodies.
     bool has_near_;
     bool has_distance_;
     bool has_header_ = false;

@@ -71,9 +71,10 @@ std::string legend(const Heat& heat, std::uint64_t tested, const ExportContext& 
     const std::string numbers = heat.least == heat.most
                                     ? grouped(heat.most)
                                     : grouped(heat.least) + " to " + grouped(heat.most);
-    const std::string of = context.map_pairs == 0 ? ""
-                                                  : ", of the first " + grouped(context.map_pairs) +
-                                                        " pairs a scenario";
+    const std::string of =
+        context.map_pairs() == 0
+            ? ""
+            : ", of the first " + grouped(context.map_pairs()) + " pairs a scenario";
     const std::string never = context.clearance ? "never near or in contact" : "never in contact";
     return heat.most == 0 ? never + of : numbers + " of " + grouped(tested) + " scenarios" + of;
 }

@@ -44,6 +44,11 @@ class JsonWriter final : public ResultWriter {
                   {"body_a", context_.bodies[result.body_a].name},
                   {"body_b", context_.bodies[result.body_b].name},
                   {"class", to_text(result.kind)}};
+        if (context_.steps) {
+            const std::uint64_t step = context_.steps->step_of(result.index);
+            line["step"] = step;
+            line["time"] = context_.steps->time_of(step);
+        }
         if (result.level != Level::Any) {
             line["count"] = result.pair_count;
         }

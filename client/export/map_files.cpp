@@ -36,8 +36,8 @@ write_csv(const ContactMap& map, const std::filesystem::path& path, const Export
 Status
 write_npz(const ContactMap& map, const std::filesystem::path& path, const ExportContext& context) {
     NpzWriter file(path, context.stop);
-    if (context.map_pairs != 0) {
-        const std::array<std::uint64_t, 1> pairs{context.map_pairs};
+    if (context.map_pairs() != 0) {
+        const std::array<std::uint64_t, 1> pairs{context.map_pairs()};
         const std::size_t array = file.add_array("first_pairs", NpyType::U8);
         CD_TRY(file.append(array, std::span<const std::uint64_t>(pairs)));
     }
@@ -54,9 +54,9 @@ write_npz(const ContactMap& map, const std::filesystem::path& path, const Export
 } // namespace
 
 std::string map_column_name(const ExportContext& context) {
-    return context.map_pairs == 0
+    return context.map_pairs() == 0
                ? "scenarios"
-               : "scenarios_of_first_" + std::to_string(context.map_pairs) + "_pairs";
+               : "scenarios_of_first_" + std::to_string(context.map_pairs()) + "_pairs";
 }
 
 Status write_map_files(const ContactMap& map,

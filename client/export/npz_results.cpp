@@ -21,6 +21,7 @@ enum class NpzNeed : std::uint8_t {
     Distances, ///< `level contacts`, and a clearance.
     Nearest,   ///< The question of the distance.
     Offsets,   ///< That question, and exact points.
+    Steps,     ///< A scene.
 };
 
 /// An array of results.npz; docs/formats.md describes each.
@@ -33,7 +34,7 @@ struct NpzColumn {
 };
 
 /// The arrays in the order of the archive.
-constexpr std::array<NpzColumn, 23> columns{
+constexpr std::array<NpzColumn, 24> columns{
     {{"index", NpyType::U8},
      {"body_a", NpyType::U4},
      {"body_b", NpyType::U4},
@@ -56,7 +57,8 @@ constexpr std::array<NpzColumn, 23> columns{
      {"feature", NpyType::U1, 0, NpzNeed::Nearest},
      {"witness_points", NpyType::F8, 3, NpzNeed::Nearest, 2},
      {"witness_origin", NpyType::F8, 3, NpzNeed::Offsets},
-     {"witness_offsets", NpyType::F8, 3, NpzNeed::Offsets, 2}}};
+     {"witness_offsets", NpyType::F8, 3, NpzNeed::Offsets, 2},
+     {"step", NpyType::U8, 0, NpzNeed::Steps}}};
 constexpr std::size_t offsets = 8;
 constexpr std::size_t pairs = 9;
 constexpr std::size_t pair_class = 10;
@@ -72,6 +74,7 @@ constexpr std::size_t witness_feature = 19;
 constexpr std::size_t nearest_points = 20;
 constexpr std::size_t witness_origin = 21;
 constexpr std::size_t witness_offsets = 22;
+constexpr std::size_t scene_step = 23;
 
 /// The place of an array that the archive does not have.
 constexpr std::size_t no_place = columns.size();
@@ -95,6 +98,8 @@ bool is_met(NpzNeed need, const ExportContext& context) {
         return context.has_distance();
     case NpzNeed::Offsets:
         return context.has_distance() && context.exact_points;
+    case NpzNeed::Steps:
+        return context.steps != nullptr;
     }
     return true;
 }
@@ -102,7 +107,7 @@ bool is_met(NpzNeed need, const ExportContext& context) {
 class NpzResults final : public ResultWriter {
   public:
     NpzResults(const ExportContext& context, const std::filesystem::path& path)
-        : file_(path, context.stop) {
+        : file_(path, context.stop), steps_(context.steps) {
         places_.fill(no_place);
         std::size_t place = 0;
         for (std::size_t i = 0; i < columns.size(); ++i) {
@@ -146,6 +151,9 @@ class NpzResults final : public ResultWriter {
         }
         if (has(nearest_distance)) {
             add_nearest(result);
+        }
+        if (has(scene_step)) {
+            put(scene_step, steps_->step_of(result.index));
         }
         return status_;
     }
@@ -219,6 +227,7 @@ class NpzResults final : public ResultWriter {
     }
 
     NpzWriter file_;
+    std::shared_ptr<const StepIndex> steps_;           ///< Null for a job of two bodies.
     std::array<std::size_t, columns.size()> places_{}; ///< In the archive, of each of `columns`.
     std::uint64_t pairs_end_ = 0;
     std::uint64_t points_end_ = 0;

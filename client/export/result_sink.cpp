@@ -73,6 +73,12 @@ Result<ResultSink> ResultSink::open(SinkOptions options, const ExportContext& co
             }
         }
     }
+    if (context.steps) {
+        const bool writes = !to.dir.empty() && sink.has_format("csv");
+        auto log = CD_TRY(
+            SceneLog::open(context, writes ? std::optional(to.dir) : std::nullopt, to.learn));
+        sink.scene_.emplace(std::move(log));
+    }
     if (sink.uses_stdout()) {
         sink.writers_.push_back(make_row_writer(to.output, context, OutputFile::standard_output()));
     }
@@ -98,6 +104,9 @@ Status ResultSink::add(const ScenarioResult& result, std::span<const ContactPair
     }
     for (const auto& writer : writers_) {
         CD_TRY(writer->add(result));
+    }
+    if (scene_) {
+        CD_TRY(scene_->add(result));
     }
     return Done{};
 }
@@ -138,6 +147,9 @@ GroupsOrigin ResultSink::groups_origin() const {
 Status ResultSink::finish(const std::optional<ContactMap>& map) {
     for (const auto& writer : writers_) {
         CD_TRY(writer->finish());
+    }
+    if (scene_) {
+        CD_TRY(scene_->finish());
     }
     const bool has_sums = context_.level == Level::Count && map.has_value();
     if (has_sums) {

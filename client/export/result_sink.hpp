@@ -2,6 +2,7 @@
 #pragma once
 
 #include "client/export/result_writer.hpp"
+#include "client/export/scene_log.hpp"
 #include "client/groups/group_sum.hpp"
 #include "client/groups/groups_csv.hpp"
 #include "client/report/report.hpp"
@@ -24,6 +25,8 @@ struct SinkOptions {
     std::filesystem::path dir; ///< Folder of the files; empty: no files.
     std::vector<std::string> formats;
     std::string output = "text"; ///< Format for stdout: json, csv or records-text; text: none.
+    /// Of a scene, the step whose pairs in contact become rules to paste.
+    std::optional<std::uint64_t> learn = std::nullopt;
 };
 
 class ResultSink {
@@ -47,7 +50,11 @@ class ResultSink {
     /// Returns the groups of all results added; at `level count` after `finish`.
     [[nodiscard]] const GroupSum& groups() const { return groups_; }
     /// Returns what all results added tell; parts at `level count` after `finish`.
-    [[nodiscard]] RunFindings findings() const { return {groups_.most_touched(), least_}; }
+    [[nodiscard]] RunFindings findings() const {
+        return {groups_.most_touched(),
+                least_,
+                scene_ ? std::optional(scene_->findings()) : std::nullopt};
+    }
     [[nodiscard]] bool uses_stdout() const { return options_.output != "text"; }
 
   private:
@@ -66,6 +73,7 @@ class ResultSink {
     ContactMapSum waiting_;    ///< Sum over the latest results, not yet in `map_`.
     ContactMapTotal map_;
     std::optional<LeastDistance> least_;
+    std::optional<SceneLog> scene_; ///< Nothing for a job of two bodies.
 };
 
 /// Prints the summary to stdout, or to stderr if stdout carries results; in the latter case,

@@ -32,7 +32,6 @@ std::string plain_file_name(const std::string& name) {
 
 void ExportContext::describe(const Query& query) {
     level = query.level;
-    map_pairs = query.maps ? 0 : query.limit_pairs;
     limit_pairs = query.limit_pairs;
     maps = query.maps;
     clearance = query.clearance;

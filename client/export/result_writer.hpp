@@ -9,6 +9,7 @@
 #include "common/job/query.hpp"
 #include "common/job/result/contact_map.hpp"
 #include "common/job/result/result.hpp"
+#include "common/scene/step_index.hpp"
 
 #include <cstdint>
 #include <filesystem>
@@ -26,6 +27,7 @@ struct ExportBody {
     std::string file; ///< Name of the mesh file, for display.
     std::shared_ptr<const Mesh> mesh;
     bool is_rounded = false; ///< Coordinates were rounded to floats on request.
+    bool is_fixed = false;   ///< In a scene: its pose is the same at all steps.
 };
 
 /// What exports say about the job besides its results.
@@ -34,21 +36,23 @@ struct ExportContext {
     std::string unit;
     Level level = Level::Pairs;
     std::vector<ExportBody> bodies; ///< A result names a body by its index here.
-    /// The contact map counts only the first `map_pairs` pairs of each scenario; 0: all pairs.
-    std::uint64_t map_pairs = 0;
-    std::uint64_t limit_pairs = 0; ///< A result lists at most this many pairs; 0: all.
-    bool maps = false;             ///< The job has a contact map also at `level count`.
-    bool exact_points = false;     ///< NPZ: also points at full precision, relative to origins.
+    std::uint64_t limit_pairs = 0;  ///< A result lists at most this many pairs; 0: all.
+    bool maps = false;              ///< The job has a contact map also at `level count`.
+    bool exact_points = false;      ///< NPZ: also points at full precision, relative to origins.
     /// With a clearance, files also have what is known of near pairs.
     std::optional<double> clearance = std::nullopt;
     /// With the question of the distance, files also have the nearest points.
     Question question = Question::Contacts;
     std::optional<double> up_to = std::nullopt; ///< Bodies farther apart have no distance.
+    /// Of a scene, the steps of its scenarios; null for a job of two bodies.
+    std::shared_ptr<const StepIndex> steps = nullptr;
     StopCheck stop; ///< Once it returns true, writing fails with Interrupted.
 
     /// Sets from the query what the context has of it.
     void describe(const Query& query);
     [[nodiscard]] bool has_distance() const { return question == Question::Distance; }
+    /// The contact map counts only so many first pairs of each scenario; 0: all pairs.
+    [[nodiscard]] std::uint64_t map_pairs() const { return maps ? 0 : limit_pairs; }
 };
 
 /// The interface of the writers, one for each format. A writer buffers a bounded number of results.
@@ -72,9 +76,10 @@ class ResultWriter {
 /// Writes results.jsonl: a line with a JSON object for each scenario.
 [[nodiscard]] std::unique_ptr<ResultWriter> make_json_writer(const ExportContext& context,
                                                              OutputFile file);
-/// Writes scenarios.csv. distance_bound is empty unless the class is undecided. With a clearance it
-/// has the column near_count; with the question of the distance columns of the nearest points,
-/// empty without a distance.
+/// Writes scenarios.csv. Of a scene, the step, its time and the bodies are the first columns.
+/// distance_bound is empty unless the class is undecided. With a clearance it has the column
+/// near_count; with the question of the distance columns of the nearest points, empty without a
+/// distance.
 [[nodiscard]] std::unique_ptr<ResultWriter> make_scenarios_csv_writer(const ExportContext& context,
                                                                       OutputFile file);
 /// Writes pairs.csv from `level pairs` on, and points.csv at `level contacts`; else no file.

@@ -28,14 +28,16 @@ std::string point_text(const Vec3& point) {
 class TextWriter final : public ResultWriter {
   public:
     TextWriter(const ExportContext& context, OutputFile file)
-        : up_to_(context.up_to), file_(std::move(file)) {
+        : steps_(context.steps), up_to_(context.up_to), file_(std::move(file)) {
         for (const ExportBody& body : context.bodies) {
             parts_.emplace_back(body.mesh);
+            names_.push_back(valid_utf8(body.name));
         }
     }
 
     Status add(const ScenarioResult& result) override {
-        std::string text = std::to_string(result.index) + "  " + std::string(to_text(result.kind));
+        std::string text = std::to_string(result.index) + "  " + place_text(result) +
+                           std::string(to_text(result.kind));
         if (result.level != Level::Any && result.kind != ScenarioClass::Failed) {
             text += result.kind == ScenarioClass::Undecided ? "  at least " : "  ";
             text += counted(result.pair_count, "pair");
@@ -59,6 +61,13 @@ class TextWriter final : public ResultWriter {
     Status finish() override { return file_.commit(); }
 
   private:
+    /// Names the step and the bodies of a scene's result; empty for a job of two bodies.
+    [[nodiscard]] std::string place_text(const ScenarioResult& result) const {
+        return steps_ ? "step " + std::to_string(steps_->step_of(result.index)) + "  " +
+                            names_[result.body_a] + "  " + names_[result.body_b] + "  "
+                      : "";
+    }
+
     [[nodiscard]] std::string pair_text(const ScenarioResult& result,
                                         std::size_t number,
                                         const std::vector<double>& distances) {
@@ -88,7 +97,9 @@ class TextWriter final : public ResultWriter {
         return text;
     }
 
-    std::vector<PartFinder> parts_; ///< Finds the parts of each body.
+    std::vector<PartFinder> parts_;          ///< Finds the parts of each body.
+    std::vector<std::string> names_;         ///< Of each body.
+    std::shared_ptr<const StepIndex> steps_; ///< Null for a job of two bodies.
     std::optional<double> up_to_;
     OutputFile file_;
 };

@@ -109,7 +109,7 @@ Status write_body(const std::shared_ptr<const Mesh>& mesh,
                                make_numbers<std::int64_t>(scenarios.size(), [&](std::uint64_t i) {
                                    return scenarios[i];
                                })}};
-    if (context.map_pairs == 0) {
+    if (context.map_pairs() == 0) {
         const double all = tested == 0 ? 1 : static_cast<double>(tested);
         map.push_back(
             {"share", make_numbers<double>(scenarios.size(), [&scenarios, all](std::uint64_t i) {

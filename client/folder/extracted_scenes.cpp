@@ -73,7 +73,7 @@ class SceneRunner {
                 std::ranges::equal(known.pairs, std::span(drawn.pairs).first(known.pairs.size())));
     }
 
-    std::array<std::shared_ptr<const ObbTree>, 2> trees_;
+    std::vector<std::shared_ptr<const ObbTree>> trees_;
     const Query& of_run_;
     Query query_;
     RunOptions options_;

@@ -17,6 +17,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <set>
 #include <variant>
 
 namespace cd {
@@ -70,7 +71,8 @@ Result<RunManifest> manifest_of(const PreparedJob& job) {
     spec.output.dir = "."; // The folder that holds run.json.
     manifest.job = job_text(spec);
     for (std::size_t i = 0; i < job.meshes.size(); ++i) {
-        ManifestBody body{body_of(spec, i, job.meshes[i]->hash())};
+        ManifestBody body{body_of(job, i)};
+        body.file = absolute_path(body.file);
         for (const Part& part : job.meshes[i]->parts()) {
             body.parts.push_back(part.name);
         }
@@ -90,8 +92,12 @@ std::uint64_t bytes_beside_poses(const PreparedJob& job) {
     const auto bytes = [](const Mesh& mesh) {
         return mesh.vertices().size() * sizeof(Vec3) + mesh.triangles().size() * sizeof(Triangle);
     };
-    return label_bytes(job.labels) + bytes(*job.meshes[0]) +
-           (job.meshes[0]->hash() == job.meshes[1]->hash() ? 0 : bytes(*job.meshes[1]));
+    std::uint64_t sum = label_bytes(job.labels);
+    std::set<Sha256> known;
+    for (const auto& mesh : job.meshes) {
+        sum += known.insert(mesh->hash()).second ? bytes(*mesh) : 0;
+    }
+    return sum;
 }
 
 std::uint64_t input_bytes(const PreparedJob& job) {
@@ -105,11 +111,23 @@ std::string absolute_path(const fs::path& path) {
 }
 
 void make_paths_absolute(JobSpec& spec) {
-    for (BodySpec& body : spec.bodies) {
-        body.path = absolute_path(body.path);
+    for (BodySpec* body : meshes_of(spec)) {
+        body->path = absolute_path(body->path);
     }
-    if (auto* file = std::get_if<PoseFileSpec>(&spec.poses)) {
+    if (auto* file = std::get_if<PoseFileSpec>(&spec.poses);
+        file != nullptr && !file->path.empty()) {
         file->path = absolute_path(file->path);
+    }
+    if (!spec.scene) {
+        return;
+    }
+    for (SceneBodySpec& body : spec.scene->bodies) {
+        if (body.poses) {
+            body.poses->path = absolute_path(body.poses->path);
+        }
+    }
+    if (spec.scene->poses) {
+        spec.scene->poses->file.path = absolute_path(spec.scene->poses->file.path);
     }
 }
 

@@ -1,6 +1,8 @@
 #include "client/folder/job_text.hpp"
 
+#include "client/folder/scene_text.hpp"
 #include "client/spec/query_spec.hpp"
+#include "client/spec/toml_text.hpp"
 #include "common/core/words.hpp"
 
 #include <array>
@@ -10,41 +12,21 @@ namespace cd {
 
 namespace {
 
-std::string line(std::string_view key, const std::string& value) {
-    return std::string(key) + " = " + value + "\n";
-}
-
-/// Writes a number in TOML, as a float if it is too large for an integer of TOML.
-std::string number(double value) {
-    constexpr std::size_t integer_digits = 15;
-    const std::string text = exact_text(value);
-    const bool is_whole = text.find_first_of(".e") == std::string::npos;
-    return is_whole && text.size() > integer_digits ? text + ".0" : text;
-}
-
-template <class Range, class Write>
-std::string list(const Range& range, const Write& write) {
-    std::string text;
-    for (const auto& each : range) {
-        text += (text.empty() ? "" : ", ") + write(each);
-    }
-    return "[" + text + "]";
-}
-
 std::string body_text(const BodySpec& body, std::string_view key) {
     std::string text =
-        "\n[" + std::string(key) + "]\n" + line("mesh", toml_quoted(body.path.string()));
-    text += body.unit.empty() ? "" : line("unit", toml_quoted(body.unit));
-    text += body.name.empty() ? "" : line("name", toml_quoted(body.name));
-    text += body.up.empty() ? "" : line("up", toml_quoted(body.up));
-    return text + (body.rounds_to_float ? line("precision", toml_quoted("float")) : "");
+        "\n[" + std::string(key) + "]\n" + toml_line("mesh", toml_quoted(body.path.string()));
+    text += body.unit.empty() ? "" : toml_line("unit", toml_quoted(body.unit));
+    text += body.name.empty() ? "" : toml_line("name", toml_quoted(body.name));
+    text += body.up.empty() ? "" : toml_line("up", toml_quoted(body.up));
+    return text + (body.rounds_to_float ? toml_line("precision", toml_quoted("float")) : "");
 }
 
 std::string poses_text(const RandomPoses& random) {
-    return line("random",
-                "{ n = " + std::to_string(random.count) +
-                    ", seed = " + std::to_string(random.seed) + ", penetration = [" +
-                    number(random.penetration_min) + ", " + number(random.penetration_max) + "] }");
+    return toml_line("random",
+                     "{ n = " + std::to_string(random.count) +
+                         ", seed = " + std::to_string(random.seed) + ", penetration = [" +
+                         toml_number(random.penetration_min) + ", " +
+                         toml_number(random.penetration_max) + "] }");
 }
 
 std::string poses_text(const GridSpec& grid) {
@@ -58,41 +40,48 @@ std::string poses_text(const GridSpec& grid) {
         const GridAxis& axis = grid.axes[i];
         if (axis != GridAxis{}) {
             axes += (axes.empty() ? " " : ", ") + std::string(keys[i]) + " = [" +
-                    number(axis.first) + ", " + number(axis.last) + ", " +
+                    toml_number(axis.first) + ", " + toml_number(axis.last) + ", " +
                     std::to_string(axis.count) + "]";
         }
     }
-    return line("grid", "{" + axes + " }") +
-           (grid.unit.empty() ? "" : line("unit", toml_quoted(grid.unit)));
+    return toml_line("grid", "{" + axes + " }") +
+           (grid.unit.empty() ? "" : toml_line("unit", toml_quoted(grid.unit)));
 }
 
 std::string poses_text(const PoseFileSpec& poses) {
-    std::string text = line("file", toml_quoted(poses.path.string()));
-    text += poses.unit.empty() ? "" : line("unit", toml_quoted(poses.unit));
-    text += poses.quat_order.empty() ? "" : line("quat_order", toml_quoted(poses.quat_order));
-    text += poses.of_both_bodies ? line("of", toml_quoted("both")) : "";
-    return text +
-           (poses.rigid_tolerance ? line("rigid_tolerance", number(*poses.rigid_tolerance)) : "");
+    std::string text = toml_line("file", toml_quoted(poses.path.string()));
+    text += poses.unit.empty() ? "" : toml_line("unit", toml_quoted(poses.unit));
+    text += poses.quat_order.empty() ? "" : toml_line("quat_order", toml_quoted(poses.quat_order));
+    text += poses.of_both_bodies ? toml_line("of", toml_quoted("both")) : "";
+    return text + (poses.rigid_tolerance
+                       ? toml_line("rigid_tolerance", toml_number(*poses.rigid_tolerance))
+                       : "");
+}
+
+std::string two_bodies_text(const JobSpec& spec) {
+    return body_text(spec.bodies[0], "a") + body_text(spec.bodies[1], "b") + "\n[poses]\n" +
+           std::visit([](const auto& poses) { return poses_text(poses); }, spec.poses);
 }
 
 std::string query_text(const JobSpec& spec) {
     const Query& query = spec.query;
-    std::string text = "\n[query]\n" + line("level", toml_quoted(asked_level(query)));
-    text += query.clearance ? line("clearance", number(*query.clearance)) : "";
-    text += query.up_to ? line("up_to", number(*query.up_to)) : "";
-    text += query.limit_pairs > 0 ? line("limit_pairs", std::to_string(query.limit_pairs)) : "";
-    text += query.maps ? line("maps", "true") : "";
+    std::string text = "\n[query]\n" + toml_line("level", toml_quoted(asked_level(query)));
+    text += query.clearance ? toml_line("clearance", toml_number(*query.clearance)) : "";
+    text += query.up_to ? toml_line("up_to", toml_number(*query.up_to)) : "";
+    text +=
+        query.limit_pairs > 0 ? toml_line("limit_pairs", std::to_string(query.limit_pairs)) : "";
+    text += query.maps ? toml_line("maps", "true") : "";
     if (!spec.ignore.empty()) {
-        text += line("ignore", list(spec.ignore, [](const IgnoreRule& rule) {
-                         return "[" + toml_quoted(rule.a) + ", " + toml_quoted(rule.b) + "]";
-                     }));
+        text += toml_line("ignore", toml_list(spec.ignore, [](const IgnoreRule& rule) {
+                              return "[" + toml_quoted(rule.a) + ", " + toml_quoted(rule.b) + "]";
+                          }));
     }
     return text;
 }
 
 std::string output_text(const OutputSpec& output) {
-    return "\n[output]\n" + line("dir", toml_quoted(output.dir.string())) +
-           line("formats", list(output.formats, toml_quoted));
+    return "\n[output]\n" + toml_line("dir", toml_quoted(output.dir.string())) +
+           toml_line("formats", toml_list(output.formats, toml_quoted));
 }
 
 std::string cluster_text(const ClusterOptions& options) {
@@ -103,44 +92,28 @@ std::string cluster_text(const ClusterOptions& options) {
     };
     std::string text;
     if (options.strategy != usual.strategy) {
-        text += line("strategy", toml_quoted(options.strategy));
+        text += toml_line("strategy", toml_quoted(options.strategy));
     }
     if (options.depth(0) || options.depth(1)) {
-        text += line("depth", "{ a = " + depth(0) + ", b = " + depth(1) + " }");
+        text += toml_line("depth", "{ a = " + depth(0) + ", b = " + depth(1) + " }");
     }
-    text += options.q == usual.q ? "" : line("q", std::to_string(options.q));
-    text += options.v_kb == usual.v_kb ? "" : line("v_kb", std::to_string(options.v_kb));
-    text += options.claim ? line("claim", "true") : "";
-    text += options.seed == usual.seed ? "" : line("seed", std::to_string(options.seed));
+    text += options.q == usual.q ? "" : toml_line("q", std::to_string(options.q));
+    text += options.v_kb == usual.v_kb ? "" : toml_line("v_kb", std::to_string(options.v_kb));
+    text += options.claim ? toml_line("claim", "true") : "";
+    text += options.seed == usual.seed ? "" : toml_line("seed", std::to_string(options.seed));
     if (options.analysis != usual.analysis) {
-        text += line("analysis", toml_quoted(to_text(options.analysis)));
+        text += toml_line("analysis", toml_quoted(to_text(options.analysis)));
     }
-    text += options.hints ? "" : line("hints", "false");
+    text += options.hints ? "" : toml_line("hints", "false");
     return text.empty() ? text : "\n[cluster]\n" + text;
 }
 
 } // namespace
 
-std::string toml_quoted(std::string_view text) {
-    constexpr std::string_view digits = "0123456789abcdef";
-    std::string quoted = "\"";
-    for (const char c : text) {
-        const auto code = static_cast<unsigned char>(c);
-        if (c == '"' || c == '\\') {
-            quoted += std::string("\\") + c;
-        } else if (code < 0x20 || code == 0x7f) {
-            quoted += std::string("\\u00") + digits[code >> 4] + digits[code & 0xf];
-        } else {
-            quoted += c;
-        }
-    }
-    return quoted + "\"";
-}
-
 std::string job_text(const JobSpec& spec) {
-    std::string text = line("name", toml_quoted(spec.name)) + line("unit", toml_quoted(spec.unit));
-    text += body_text(spec.bodies[0], "a") + body_text(spec.bodies[1], "b") + "\n[poses]\n";
-    text += std::visit([](const auto& poses) { return poses_text(poses); }, spec.poses);
+    std::string text =
+        toml_line("name", toml_quoted(spec.name)) + toml_line("unit", toml_quoted(spec.unit));
+    text += spec.scene ? scene_text(*spec.scene) : two_bodies_text(spec);
     return text + query_text(spec) + (spec.output.dir.empty() ? "" : output_text(spec.output)) +
            cluster_text(spec.cluster);
 }

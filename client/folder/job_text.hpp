@@ -4,7 +4,6 @@
 #include "client/spec/job_file.hpp"
 
 #include <string>
-#include <string_view>
 
 namespace cd {
 
@@ -12,8 +11,5 @@ namespace cd {
 /// their default. A grid whose axes are unknown becomes a comment; the text is then not a valid job
 /// file.
 [[nodiscard]] std::string job_text(const JobSpec& spec);
-
-/// Quotes a text as a TOML string.
-[[nodiscard]] std::string toml_quoted(std::string_view text);
 
 } // namespace cd

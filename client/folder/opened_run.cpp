@@ -11,6 +11,8 @@
 #include "common/job/poses/poses_hash.hpp"
 #include "common/job/scenario_file.hpp"
 
+#include <map>
+
 namespace cd {
 
 namespace {
@@ -150,13 +152,14 @@ bool is_folder(const std::string& argument) {
 
 Result<JobInputs> read_inputs(const OpenedRun& run) {
     JobInputs inputs;
-    for (std::size_t body = 0; body < inputs.meshes.size(); ++body) {
-        const auto& bodies = run.manifest().bodies;
-        if (body == 1 && bodies[1].mesh == bodies[0].mesh) {
-            inputs.meshes[1] = inputs.meshes[0];
-            continue;
+    const auto& bodies = run.manifest().bodies;
+    std::map<Sha256, std::shared_ptr<const Mesh>> known;
+    for (std::size_t body = 0; body < bodies.size(); ++body) {
+        std::shared_ptr<const Mesh>& mesh = known[bodies[body].mesh];
+        if (mesh == nullptr) {
+            mesh = CD_TRY(run.mesh(body));
         }
-        inputs.meshes[body] = CD_TRY(run.mesh(body));
+        inputs.meshes.push_back(mesh);
     }
     inputs.poses = CD_TRY(run.kept_poses());
     if (inputs.poses) {

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <set>
 #include <vector>
 
 namespace cd {
@@ -36,7 +37,11 @@ std::optional<std::string> clearance_warning(const PreparedJob& job) {
     if (!job.query.clearance || job.query.level < Level::Pairs) {
         return std::nullopt;
     }
+    std::set<const Mesh*> known;
     for (std::size_t i = 0; i < job.meshes.size(); ++i) {
+        if (!known.insert(job.meshes[i].get()).second) {
+            continue;
+        }
         const double edge = median_edge(*job.meshes[i]);
         if (*job.query.clearance > edge) {
             return fmt::format("warning: the clearance of {0} {1} exceeds most triangles of {2} "

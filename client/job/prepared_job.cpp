@@ -6,7 +6,10 @@
 #include "client/import/mesh_import.hpp"
 #include "client/job/clearance_warning.hpp"
 #include "client/poses/pose_file.hpp"
+#include "client/scene/prepared_scene.hpp"
+#include "client/scene/scene_check.hpp"
 #include "client/trees/body_trees.hpp"
+#include "common/core/check.hpp"
 #include "common/core/errors.hpp"
 #include "common/core/limits/client.hpp"
 #include "common/core/words.hpp"
@@ -33,33 +36,37 @@ std::string declared_unit(const DeclaredFrame& declared) {
     return declared.metres > 0 ? exact_text(declared.metres) + " m" : "";
 }
 
-Status import_bodies(PreparedJob& job, bool quiet) {
-    for (std::size_t i = 0; i < 2; ++i) {
+/// How each body's mesh file was interpreted, for messages.
+using BodyNotes = std::array<std::vector<std::string>, 2>;
+
+/// Imports the meshes of two bodies, unless the job has them.
+Result<BodyNotes> import_bodies(PreparedJob& job, bool quiet) {
+    BodyNotes notes;
+    for (const BodySpec& body : job.spec.bodies) {
+        job.names.push_back(name_of(body));
+    }
+    for (std::size_t i = job.meshes.size(); i < 2; ++i) {
         const BodySpec& body = job.spec.bodies[i];
         const BodySpec& first = job.spec.bodies[0];
-        job.names[i] = name_of(body);
-        if (job.meshes[i]) {
-            continue;
-        }
         if (i == 1 && body.path == first.path && body.unit == first.unit && body.up == first.up &&
             body.rounds_to_float == first.rounds_to_float) {
-            job.meshes[1] = job.meshes[0];
-            job.notes[1] = job.notes[0];
+            job.meshes.push_back(job.meshes[0]);
+            notes[1] = notes[0];
             job.spec.bodies[1].declared_unit = first.declared_unit;
             continue;
         }
         const auto options = CD_TRY(import_options(job.spec, i));
         const SlowNote note("reading " + body.path.filename().string() + "...", quiet);
         auto imported = CD_TRY(import_mesh(body.path, options));
-        job.meshes[i] = imported.mesh;
-        job.notes[i] = import_notes(imported, body.unit, options.is_y_up);
+        notes[i] = import_notes(imported, body.unit, options.is_y_up);
         job.spec.bodies[i].declared_unit =
             body.unit.empty() ? declared_unit(imported.declared) : "";
         for (const std::string& warning : imported.warnings) {
             job.warnings.push_back("warning: " + warning);
         }
+        job.meshes.push_back(std::move(imported.mesh));
     }
-    return Done{};
+    return notes;
 }
 
 TreeUse tree_use(const PreparedJob& job, Trees trees) {
@@ -144,16 +151,16 @@ Status make_poses(PreparedJob& job, ThreadPool& pool, bool quiet) {
     return Done{};
 }
 
-void describe(PreparedJob& job) {
+void describe(PreparedJob& job, const BodyNotes& notes) {
     std::array<BodyLine, 2> lines;
     for (std::size_t i = 0; i < 2; ++i) {
         lines[i] = describe_body(job.names[i], job.spec.unit, *job.meshes[i]);
-        lines[i].notes = job.notes[i];
+        lines[i].notes = notes[i];
         if (i == 1 && job.meshes[1] == job.meshes[0]) {
             lines[1].closed = lines[0].closed;
         } else {
-            lines[i].closed = job.trees[i] ? job.trees[i]->topology().is_closed()
-                                           : analyse_topology(*job.meshes[i]).is_closed();
+            lines[i].closed = job.trees.empty() ? analyse_topology(*job.meshes[i]).is_closed()
+                                                : job.trees[i]->topology().is_closed();
         }
     }
     if (auto warning = unit_warning(lines[0], lines[1])) {
@@ -173,14 +180,47 @@ void check_points(PreparedJob& job) {
     }
 }
 
+/// Prepares a job with [bodies].
+Result<PreparedJob>
+prepare_bodies(PreparedJob job, Trees trees, TreeCache& cache, ThreadPool& pool, bool quiet) {
+    auto scene = CD_TRY(prepare_scene(job.spec, quiet, &InterruptGuard::has_come));
+    for (const NamedBody& body : scene.scene.bodies) {
+        job.names.push_back(body.name);
+        job.meshes.push_back(scene.scene.meshes[body.mesh]);
+    }
+    for (const std::string& warning : scene.warnings) {
+        job.warnings.push_back("warning: " + warning);
+    }
+    job.query = job.spec.query;
+    job.query.ignored = scene.ignored;
+    job.zeros = scene.zeros;
+    job.header = check_text(job.spec, scene);
+    job.scene = JobScene{scene.scene, scene.are_fixed, scene.poses->steps()};
+    job.poses = std::move(scene.poses);
+    if (trees == Trees::Always) {
+        const SlowNote note(
+            "building trees of " + counted(scene.scene.bodies.size(), "instance") + "...", quiet);
+        get_trees(job, trees, cache, pool);
+    }
+    check_points(job);
+    if (auto warning = clearance_warning(job)) {
+        job.warnings.push_back(std::move(*warning));
+    }
+    return job;
+}
+
 } // namespace
 
 Result<PreparedJob> prepare_job(
     JobSpec spec, Trees trees, TreeCache& cache, ThreadPool& pool, bool quiet, JobInputs given) {
     PreparedJob job;
     job.spec = std::move(spec);
+    if (job.spec.scene) {
+        CD_CHECK(given.meshes.empty());
+        return prepare_bodies(std::move(job), trees, cache, pool, quiet);
+    }
     job.meshes = std::move(given.meshes);
-    CD_TRY(import_bodies(job, quiet));
+    const auto notes = CD_TRY(import_bodies(job, quiet));
     auto ignored =
         CD_TRY(given.ignored ? Result(std::move(*given.ignored))
                              : resolve_ignored(job.spec, *job.meshes[0], *job.meshes[1]));
@@ -203,7 +243,7 @@ Result<PreparedJob> prepare_job(
     if (makes_poses) {
         CD_TRY(make_poses(job, pool, quiet));
     }
-    describe(job);
+    describe(job, notes);
     check_points(job);
     if (auto warning = clearance_warning(job)) {
         job.warnings.push_back(std::move(*warning));
@@ -212,18 +252,12 @@ Result<PreparedJob> prepare_job(
 }
 
 Result<ImportOptions> import_options(const JobSpec& spec, std::size_t body) {
-    const BodySpec& given = spec.bodies[body];
-    const std::string& unit = given.unit.empty() ? spec.unit : given.unit;
-    const auto factor = unit_factor(unit, spec.unit);
-    if (!factor) {
-        return bad_input("unit \"" + unit + "\" is not known");
-    }
-    ImportOptions options{*factor};
-    options.declared_unit_to = given.unit.empty() ? spec.unit : "";
-    options.is_y_up = given.up == "y";
-    options.rounds_to_float = given.rounds_to_float;
-    options.is_stopped = &InterruptGuard::has_come;
-    return options;
+    return import_options(spec.bodies[body], spec.unit);
+}
+
+const BodySpec& body_spec(const PreparedJob& job, std::size_t body) {
+    return job.scene ? job.spec.scene->bodies[job.scene->bodies.bodies[body].entry].mesh
+                     : job.spec.bodies[body];
 }
 
 ExportContext export_context(const PreparedJob& job) {
@@ -234,12 +268,14 @@ ExportContext export_context(const PreparedJob& job) {
     context.exact_points = job.spec.output.exact_points;
     context.stop = &InterruptGuard::has_come;
     for (std::size_t i = 0; i < job.meshes.size(); ++i) {
-        const BodySpec& body = job.spec.bodies[i];
-        context.bodies.push_back({export_name(job.spec, i),
+        const BodySpec& body = body_spec(job, i);
+        context.bodies.push_back({job.scene ? job.names[i] : export_name(job.spec, i),
                                   body.path.filename().string(),
                                   job.meshes[i],
-                                  body.rounds_to_float});
+                                  body.rounds_to_float,
+                                  job.scene && job.scene->are_fixed[i]});
     }
+    context.steps = job.scene ? job.scene->steps : nullptr;
     return context;
 }
 

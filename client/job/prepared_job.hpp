@@ -4,6 +4,7 @@
 #include "client/export/result_writer.hpp"
 #include "client/import/imported_mesh.hpp"
 #include "client/report/report.hpp"
+#include "client/scene/scene_bodies.hpp"
 #include "client/spec/job_file.hpp"
 #include "client/trees/tree_cache.hpp"
 #include "common/core/host/thread_pool.hpp"
@@ -11,9 +12,11 @@
 #include "common/job/poses/pose_labels.hpp"
 #include "common/job/poses/pose_source.hpp"
 #include "common/job/query.hpp"
+#include "common/scene/step_index.hpp"
 #include "common/tree/obb_tree.hpp"
 
 #include <array>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
@@ -21,16 +24,23 @@
 
 namespace cd {
 
+/// What a job with [bodies] has besides its meshes and scenarios.
+struct JobScene {
+    SceneBodies bodies;
+    std::vector<bool> are_fixed; ///< For each body, whether it has one pose at all steps.
+    std::shared_ptr<const StepIndex> steps;
+};
+
 struct PreparedJob {
     JobSpec spec;
-    std::array<std::string, 2> names;                  ///< Names of the bodies in messages.
-    std::array<std::shared_ptr<const Mesh>, 2> meshes; ///< Equal if both bodies name one file.
-    std::array<std::vector<std::string>, 2>
-        notes; ///< How each mesh file was interpreted, for messages.
-    std::array<std::shared_ptr<const ObbTree>, 2> trees; ///< Null if the job needs no trees.
+    std::vector<std::string> names;                    ///< Names of the bodies in messages.
+    std::vector<std::shared_ptr<const Mesh>> meshes;   ///< By body; equal for one file.
+    std::vector<std::shared_ptr<const ObbTree>> trees; ///< By body; empty if none are needed.
     Query query;
     std::optional<Grid> grid; ///< Set if the poses are a grid; submitted in place of poses.
     std::unique_ptr<PoseSource> poses;
+    /// The bodies, rules and steps of a job with [bodies].
+    std::optional<JobScene> scene;
     PoseLabels labels;                 ///< Ids and times of all poses, if their file has them.
     std::vector<std::string> zeros;    ///< Columns missing in the pose file, which count as 0.
     std::vector<std::string> warnings; ///< Warnings of one line each.
@@ -43,14 +53,15 @@ enum class Trees : std::uint8_t { Always, ForPosesOnly };
 
 /// Inputs in memory, which replace the files that the job names.
 struct JobInputs {
-    std::array<std::shared_ptr<const Mesh>, 2> meshes;  ///< If null, the file is imported.
+    std::vector<std::shared_ptr<const Mesh>> meshes{};  ///< By body; empty: files are imported.
     std::unique_ptr<PoseSource> poses;                  ///< If null, poses are opened or generated.
     PoseLabels labels{};                                ///< Labels of `poses`.
     std::optional<std::vector<IgnoredRange>> ignored{}; ///< If nothing, the job's rules apply.
 };
 
 /// Imports the meshes, resolves ignored triangles, opens or generates the poses, and gets the trees
-/// in the forms that the job needs. The result is bit-identical for any number of threads and any
+/// in the forms that the job needs. A job with [bodies] is prepared from its files alone (`given`
+/// is empty), as by `prepare_scene`. The result is bit-identical for any number of threads and any
 /// cache content. Unless `quiet`, a line on stderr names each step longer than half a second.
 /// Errors: BadInput, NotFound and Io, each naming the file.
 [[nodiscard]] Result<PreparedJob> prepare_job(JobSpec spec,
@@ -62,6 +73,9 @@ struct JobInputs {
 
 /// Returns the options to import a body's file. Errors: BadInput for an unknown unit.
 [[nodiscard]] Result<ImportOptions> import_options(const JobSpec& spec, std::size_t body);
+
+/// Returns how a body's mesh file is read.
+[[nodiscard]] const BodySpec& body_spec(const PreparedJob& job, std::size_t body);
 
 [[nodiscard]] ExportContext export_context(const PreparedJob& job);
 /// Returns the names of the bodies' files, without endings (`body_file_name`).

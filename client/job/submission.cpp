@@ -60,15 +60,15 @@ Result<PosesSpec> poses_of(const Submit& submit) {
 
 } // namespace
 
-JobBody body_of(const JobSpec& spec, std::size_t body, const Sha256& mesh) {
-    const BodySpec& given = spec.bodies[body];
+JobBody body_of(const PreparedJob& job, std::size_t body) {
+    const BodySpec& given = body_spec(job, body);
     JobBody told;
-    told.mesh = mesh;
-    told.name = export_name(spec, body);
+    told.mesh = job.meshes[body]->hash();
+    told.name = job.scene ? job.names[body] : export_name(job.spec, body);
     told.file = given.path.string();
     told.is_unit_given = !given.unit.empty();
     told.unit = told.is_unit_given            ? given.unit
-                : given.declared_unit.empty() ? spec.unit
+                : given.declared_unit.empty() ? job.spec.unit
                                               : given.declared_unit;
     told.up = given.up;
     told.rounds_to_float = given.rounds_to_float;
@@ -80,7 +80,7 @@ Submit submission_of(const PreparedJob& job) {
     submit.name = escaped(job.spec.name);
     submit.unit = job.spec.unit;
     for (std::size_t body = 0; body < job.meshes.size(); ++body) {
-        submit.bodies.push_back(body_of(job.spec, body, job.meshes[body]->hash()));
+        submit.bodies.push_back(body_of(job, body));
         submit.bodies.back().name = escaped(submit.bodies.back().name);
         submit.bodies.back().file = escaped(submit.bodies.back().file);
     }

@@ -10,7 +10,7 @@ namespace cd {
 
 /// Describes a body for a master or a manifest. Its unit is the one given in the job, else the one
 /// that the mesh file declares, else the job's.
-[[nodiscard]] JobBody body_of(const JobSpec& spec, std::size_t body, const Sha256& mesh);
+[[nodiscard]] JobBody body_of(const PreparedJob& job, std::size_t body);
 
 /// Converts a job to a submission. Names are escaped, since they may be file names.
 [[nodiscard]] Submit submission_of(const PreparedJob& job);

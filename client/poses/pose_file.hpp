@@ -1,7 +1,9 @@
 // Poses from files: CSV with named columns, NumPy arrays, TUM trajectories, standard input.
 #pragma once
 
-#include "client/spec/job_file.hpp"
+#include "client/poses/pose_rows.hpp"
+#include "client/spec/poses_spec.hpp"
+#include "client/spec/scene_spec.hpp"
 #include "common/core/result.hpp"
 #include "common/job/poses/pose_labels.hpp"
 #include "common/job/poses/pose_source.hpp"
@@ -32,5 +34,19 @@ struct OpenedPoses {
 /// with max|R'R - I| > 1e-5 or det <= 0 (`rigid_tolerance` replaces 1e-3 and 1e-5). A warning
 /// counts the poses off by more than 1e-9. TooLarge if memory does not suffice.
 [[nodiscard]] Result<OpenedPoses> open_pose_file(const PoseFileSpec& spec);
+
+/// Rows of poses that have all been checked.
+struct OpenedTable {
+    PoseTable table;
+    std::vector<std::string> warnings = {}; ///< A sentence each, naming the file.
+};
+
+/// Opens a file of the poses of many bodies, with a row for each step, and checks all of them.
+///
+/// Formats: `.csv`, or `-` for CSV on standard input, with the columns `step`, `body` and those of
+/// a pose (scene_csv.hpp); `.npy` and `.npz` with a second axis of bodies, named by `body_order`,
+/// and else as for `open_pose_file`. With `nan_is_absent` a body is absent where all its numbers
+/// are NaN. Errors: as `open_pose_file`; BadInput for bodies that do not fit `body_order`.
+[[nodiscard]] Result<OpenedTable> open_scene_poses(const ScenePosesSpec& spec);
 
 } // namespace cd

@@ -1,5 +1,7 @@
 #include "client/poses/pose_rows.hpp"
 
+#include "client/spec/poses_spec.hpp"
+#include "common/core/check.hpp"
 #include "common/core/errors.hpp"
 
 #include <Eigen/LU>
@@ -14,7 +16,6 @@ namespace cd {
 
 namespace {
 
-constexpr double quaternion_off_max = 1e-3;
 constexpr double matrix_off_max = 1e-5;
 constexpr double warn_above = 1e-9;
 constexpr std::uint64_t rows_at_once = 4096;
@@ -87,6 +88,12 @@ std::string describe(PoseLayout layout, double off, double allowed) {
         "{} {:.3g}, more than {:.3g}; --rigid-tolerance allows more", what, off, allowed);
 }
 
+/// True if all numbers of a pose are NaN, and the table says that its body is then absent.
+bool is_absent(const PoseTable& table, std::span<const double> numbers) {
+    return table.nan_is_absent &&
+           std::ranges::all_of(numbers, [](double number) { return std::isnan(number); });
+}
+
 class TableSource final : public PoseSource {
   public:
     explicit TableSource(PoseTable table) : table_(std::move(table)) {}
@@ -96,39 +103,20 @@ class TableSource final : public PoseSource {
     [[nodiscard]] Result<std::vector<Scenario>> read(std::uint64_t first,
                                                      std::uint64_t count) override {
         const std::lock_guard lock(mutex_);
-        const auto numbers = CD_TRY(table_.rows->read(first, count));
-        const std::size_t size = numbers_of(table_.layout);
-        std::span<const double> rest = numbers;
-        // Checks each row again, since the file may have changed since `check_rows`.
-        for (std::size_t i = 0; i < rest.size(); i += size) {
-            const auto off =
-                distance_from_rigid(rest.subspan(i, size), table_.layout, table_.length_factor);
-            if (!off) {
-                const std::uint64_t pose = first * (table_.of_both_bodies ? 2 : 1) + i / size;
-                return bad_input(fmt::format(
-                    "{}: {}: {}", table_.name, place_of_pose(table_, pose), off.error().detail));
-            }
-        }
+        const auto poses = CD_TRY(poses_of_rows(table_, first, count));
+        const std::size_t each = table_.poses_each();
         std::vector<Scenario> scenarios(count);
         for (std::uint64_t i = 0; i < count; ++i) {
             scenarios[i].index = first + i;
-            if (table_.of_both_bodies) {
-                scenarios[i].poses.a = next_pose(rest);
+            if (each == 2) {
+                scenarios[i].poses.a = *poses[2 * i];
             }
-            scenarios[i].poses.b = next_pose(rest);
+            scenarios[i].poses.b = *poses[each * i + each - 1];
         }
         return scenarios;
     }
 
   private:
-    /// Makes a pose from the first numbers of the span, and removes them from it.
-    [[nodiscard]] Pose next_pose(std::span<const double>& numbers) const {
-        const std::size_t size = numbers_of(table_.layout);
-        const auto pose = to_pose(numbers.first(size), table_.layout, table_.length_factor);
-        numbers = numbers.subspan(size);
-        return pose;
-    }
-
     PoseTable table_;
     std::mutex mutex_; ///< Guards the position in the file.
 };
@@ -152,14 +140,15 @@ std::string place_of_pose(const PoseTable& table, std::uint64_t pose) {
     if (pose < table.lines.size()) {
         return fmt::format("line {}", table.lines[pose]);
     }
-    return table.of_both_bodies
-               ? fmt::format("row {}, body {}", pose / 2, pose % 2 == 0 ? 'a' : 'b')
-               : fmt::format("row {}", pose);
+    const std::size_t each = table.poses_each();
+    return table.bodies.empty()
+               ? fmt::format("row {}", pose)
+               : fmt::format("row {}, body {}", pose / each, table.bodies[pose % each]);
 }
 
 Result<RigidityReport> check_rows(const PoseTable& table, std::optional<double> rigid_tolerance) {
     const std::size_t size = numbers_of(table.layout);
-    const std::size_t poses = table.of_both_bodies ? 2 : 1;
+    const std::size_t poses = table.poses_each();
     const double allowed =
         rigid_tolerance.value_or(is_quaternion(table.layout) ? quaternion_off_max : matrix_off_max);
     RigidityReport report;
@@ -168,8 +157,11 @@ Result<RigidityReport> check_rows(const PoseTable& table, std::optional<double> 
         const auto numbers = CD_TRY(table.rows->read(first, count));
         for (std::uint64_t i = 0; i < count * poses; ++i) {
             const std::uint64_t pose = first * poses + i;
-            const auto off = distance_from_rigid(
-                std::span(numbers).subspan(i * size, size), table.layout, table.length_factor);
+            const auto given = std::span(numbers).subspan(i * size, size);
+            if (is_absent(table, given)) {
+                continue;
+            }
+            const auto off = distance_from_rigid(given, table.layout, table.length_factor);
             if (off && table.from_angles) {
                 continue;
             }
@@ -191,7 +183,36 @@ Result<RigidityReport> check_rows(const PoseTable& table, std::optional<double> 
     return report;
 }
 
+std::vector<std::string> both_bodies() {
+    return {"a", "b"};
+}
+
+Result<std::vector<std::optional<Pose>>>
+poses_of_rows(const PoseTable& table, std::uint64_t first, std::uint64_t count) {
+    const auto numbers = CD_TRY(table.rows->read(first, count));
+    const std::size_t size = numbers_of(table.layout);
+    std::vector<std::optional<Pose>> poses;
+    poses.reserve(count * table.poses_each());
+    for (std::size_t i = 0; i < numbers.size(); i += size) {
+        const auto given = std::span(numbers).subspan(i, size);
+        if (is_absent(table, given)) {
+            poses.emplace_back();
+            continue;
+        }
+        const auto off = distance_from_rigid(given, table.layout, table.length_factor);
+        if (!off) {
+            const std::uint64_t pose = first * table.poses_each() + i / size;
+            return bad_input(fmt::format(
+                "{}: {}: {}", table.name, place_of_pose(table, pose), off.error().detail));
+        }
+        poses.emplace_back(to_pose(given, table.layout, table.length_factor));
+    }
+    return poses;
+}
+
 std::unique_ptr<PoseSource> make_table_source(PoseTable table) {
+    CD_CHECK(table.poses_each() <= 2);
+    CD_CHECK(!table.nan_is_absent);
     return std::make_unique<TableSource>(std::move(table));
 }
 

@@ -24,21 +24,28 @@ enum class PoseLayout : std::uint8_t {
 
 [[nodiscard]] std::size_t numbers_of(PoseLayout layout);
 
-/// Rows with one pose each (B's in A's frame), or two (A's, then B's, in the world).
+/// Returns the names of the bodies of rows that have poses of both: a and b.
+[[nodiscard]] std::vector<std::string> both_bodies();
+
+/// Rows with one pose each (B's in A's frame), or with one for each of several bodies, in the
+/// world.
 struct PoseTable {
     std::unique_ptr<NpyRows> rows;
     PoseLayout layout = PoseLayout::Matrix44;
-    bool of_both_bodies = false;
+    std::vector<std::string> bodies = {}; ///< Names of the bodies of a row; empty: one pose, of B.
     bool from_angles = false; ///< Quaternions computed from angles; any norm is accepted.
     std::vector<std::string> zeros = {};   ///< Columns missing in the file, which count as 0.
     std::vector<std::uint64_t> lines = {}; ///< Line of each pose in a text file; else empty.
-    double length_factor = 1; ///< Factor from the file's unit of translations to the job's.
-    PoseLabels labels = {};   ///< Ids and times of all rows, if the file has them.
-    std::string name = {};    ///< Name of the file.
+    double length_factor = 1;   ///< Factor from the file's unit of translations to the job's.
+    PoseLabels labels = {};     ///< Ids and times of all rows, if the file has them.
+    std::string name = {};      ///< Name of the file.
+    bool nan_is_absent = false; ///< A pose of which all numbers are NaN is that of an absent body.
+
+    [[nodiscard]] std::size_t poses_each() const { return bodies.empty() ? 1 : bodies.size(); }
 };
 
 /// Names a pose's place in its file: "line 2" in a text file, else "row 0", or "row 0, body a" if
-/// rows have poses of both bodies. Poses are numbered across rows.
+/// rows have poses of several bodies. Poses are numbered across rows.
 [[nodiscard]] std::string place_of_pose(const PoseTable& table, std::uint64_t pose);
 
 /// What `check_rows` finds in rows that it accepts.
@@ -53,7 +60,14 @@ struct RigidityReport {
 [[nodiscard]] Result<RigidityReport> check_rows(const PoseTable& table,
                                                 std::optional<double> rigid_tolerance);
 
-/// Makes a source of the scenarios in rows, which `check_rows` must have accepted.
+/// Reads the poses of rows [first, first + count), which must exist, row by row: nothing for an
+/// absent body. `check_rows` must have accepted the rows; they are checked again, since a file may
+/// have changed. Errors: Io; BadInput naming the file and the place.
+[[nodiscard]] Result<std::vector<std::optional<Pose>>>
+poses_of_rows(const PoseTable& table, std::uint64_t first, std::uint64_t count);
+
+/// Makes a source of the scenarios in rows, which `check_rows` must have accepted. Rows have one
+/// pose, or those of both bodies.
 [[nodiscard]] std::unique_ptr<PoseSource> make_table_source(PoseTable table);
 
 } // namespace cd

@@ -1,6 +1,7 @@
 #include "client/report/report.hpp"
 
 #include "client/base/shell_word.hpp"
+#include "client/scene/coverage_text.hpp"
 #include "common/core/words.hpp"
 #include "common/geometry/aabb.hpp"
 #include "web/status/table.hpp"
@@ -150,6 +151,31 @@ std::string least_text(const RunReport& report) {
                      grouped(report.findings.least->scenario) + "\n";
 }
 
+/// Says what became of the pairs of bodies, and when bodies are in contact; empty for two bodies.
+std::string scene_text(const RunReport& report) {
+    const std::optional<SceneFindings>& scene = report.findings.scene;
+    if (!scene) {
+        return {};
+    }
+    std::string text = "  coverage      " + counted(scene->steps, "step") + ": " +
+                       coverage_line(scene->coverage) + ", " + grouped(report.summary.failed) +
+                       " failed\n  episodes      " + grouped(scene->episodes);
+    if (scene->worst) {
+        const EpisodeFound& worst = *scene->worst;
+        text += "; the worst, " + std::string(to_text(worst.worst)) + ", of " + worst.body_a +
+                " and " + worst.body_b + " in steps " + grouped(worst.first_step) + " to " +
+                grouped(worst.last_step);
+    }
+    text += "\n";
+    if (scene->learned_step) {
+        text += "  learned       " +
+                std::string(scene->learned.empty() ? "no pair" : "these pairs") +
+                " in contact at step " + grouped(*scene->learned_step) +
+                (scene->learned.empty() ? "\n" : ", as [rules] order has them:\n") + scene->learned;
+    }
+    return text;
+}
+
 /// Lists the classes. Near scenarios are listed if the query has a clearance.
 std::string classes_text(const RunReport& report, bool colours) {
     const Summary& summary = report.summary;
@@ -295,6 +321,7 @@ std::string summary_text(const RunReport& report, const SummaryStyle& style) {
         "\n";
     text += classes_text(report, style.colours);
     text += least_text(report);
+    text += scene_text(report);
     if (report.execution.reused != 0) {
         text += "  reused        " + grouped(report.execution.reused) + " of " +
                 counted(summary.total, "result") + " of an earlier run\n";

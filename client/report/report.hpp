@@ -8,6 +8,7 @@
 #include "common/job/result/merge.hpp"
 #include "common/job/result/result.hpp"
 #include "common/job/statistics.hpp"
+#include "common/scene/step_index.hpp"
 #include "common/search/search_cost.hpp"
 #include "proto/messages/traffic.hpp"
 
@@ -73,11 +74,33 @@ struct LeastDistance {
     std::string unit; ///< The job's unit.
 };
 
+/// An episode (body_episodes.hpp) by the names of its bodies.
+struct EpisodeFound {
+    std::string body_a;
+    std::string body_b;
+    std::uint64_t first_step = 0;
+    std::uint64_t last_step = 0;
+    ScenarioClass worst = ScenarioClass::Contact;
+};
+
+/// What the results of a scene tell about its steps.
+struct SceneFindings {
+    std::uint64_t steps = 0;
+    StepCoverage coverage; ///< Summed over all steps.
+    std::uint64_t episodes = 0;
+    std::optional<EpisodeFound> worst; ///< Of equally bad episodes, the one that ended first.
+    /// The step of which `learned` lists the pairs in contact as rules, a line each, if the job
+    /// asks.
+    std::optional<std::uint64_t> learned_step;
+    std::string learned;
+};
+
 /// What a run's results, all in all, tell.
 struct RunFindings {
     std::vector<TouchedPart> most_touched; ///< Parts in most scenarios, by the listed pairs.
     /// With the question of the distance; of equal distances the first scenario.
     std::optional<LeastDistance> least;
+    std::optional<SceneFindings> scene; ///< Of a job with many bodies.
 };
 
 /// The outcome of a run, for the summary.

@@ -10,7 +10,6 @@
 #include "common/core/words.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 namespace cd {
@@ -20,163 +19,28 @@ namespace {
 constexpr std::array<std::string_view, 7> format_names{
     "text", "json", "csv", "csv-pairs", "npz", "vtp", "glb"};
 constexpr std::string_view depth_auto = "auto";
-constexpr std::array<std::string_view, 2> up_axes{"y", "z"};
-constexpr std::array<std::string_view, 2> quat_orders{"xyzw", "wxyz"};
-constexpr std::array<std::string_view, 2> pose_owners{"b", "both"};
-/// "auto": floats if they hold every coordinate, else doubles.
-constexpr std::array<std::string_view, 2> precision_names{"auto", "float"};
 
-std::filesystem::path beside(const std::filesystem::path& job, const std::string& path) {
-    return path == "-" ? std::filesystem::path(path) : job.parent_path() / path;
-}
-
-void read_body(const TomlFields& job,
-               std::string_view key,
-               const std::filesystem::path& file,
-               BodySpec& body) {
+BodySpec read_body(const TomlFields& job, std::string_view key, const std::filesystem::path& file) {
     const toml::table* table = job.table(key);
     if (table == nullptr) {
         job.refuse(key, "the table [" + std::string(key) + "] with its mesh is missing");
     }
     const TomlFields fields(
         table, job, "[" + std::string(key) + "]", {"mesh", "unit", "name", "up", "precision"});
-    const auto mesh = fields.text("mesh");
-    if (!mesh || mesh->empty()) {
-        fields.refuse("mesh", "the key \"mesh\" with the file's name is missing");
-    }
-    body.path = beside(file, *mesh);
-    body.unit = fields.word("unit", unit_names()).value_or("");
+    BodySpec body = read_mesh(fields, file);
     body.name = fields.text("name").value_or("");
-    body.up = fields.word("up", up_axes).value_or("");
-    body.rounds_to_float = fields.word("precision", precision_names) == "float";
-}
-
-GridAxis read_axis(const TomlFields& grid, std::string_view key) {
-    const auto numbers = grid.numbers(key, 3, "[first, last, count]");
-    if (!numbers) {
-        return {};
-    }
-    const double count = (*numbers)[2];
-    if (count < 1 || count != std::floor(count) ||
-        count > static_cast<double>(limits::scenarios_max)) {
-        grid.refuse(key, std::string(key) + ": the count has to be a whole number of at least 1");
-    }
-    return {(*numbers)[0], (*numbers)[1], static_cast<std::uint64_t>(count)};
-}
-
-/// Bounds the angles of one axis, which become quaternions in memory.
-constexpr std::uint64_t grid_angles_max = 1u << 20;
-
-GridSpec read_grid(const TomlFields& parent, const toml::table* table, double length_factor) {
-    constexpr std::array<std::string_view, 3> positions{"x", "y", "z"};
-    constexpr std::array<std::string_view, 3> angles{"roll_deg", "pitch_deg", "yaw_deg"};
-    const TomlFields fields(
-        table, parent, "[poses] grid", {"x", "y", "z", "roll_deg", "pitch_deg", "yaw_deg"});
-    GridSpec spec;
-    spec.axes.resize(positions.size() + angles.size());
-    for (std::size_t i = 0; i < 3; ++i) {
-        const GridAxis axis = read_axis(fields, positions[i]);
-        spec.axes[i] = axis;
-        spec.grid.position[i] = {axis.first * length_factor, axis.last * length_factor, axis.count};
-        const GridAxis degrees = read_axis(fields, angles[i]);
-        spec.axes[i + 3] = degrees;
-        for (const auto& [key, tested] :
-             {std::pair(positions[i], spec.grid.position[i]), std::pair(angles[i], degrees)}) {
-            const double reach = (tested.last - tested.first) * static_cast<double>(tested.count);
-            if (!std::isfinite(reach)) {
-                fields.refuse(key, std::string(key) + " is too long for numbers of 64 bits");
-            }
-        }
-        if (degrees.count > grid_angles_max) {
-            fields.refuse(angles[i], "more than " + grouped(grid_angles_max) + " angles");
-        }
-        spec.grid.rotation[i] = rotation_axis(degrees, static_cast<int>(i));
-    }
-    if (spec.grid.count() > limits::scenarios_max) {
-        fields.refuse("x", "the grid has more than " + grouped(limits::scenarios_max) + " poses");
-    }
-    return spec;
-}
-
-RandomPoses read_random(const TomlFields& parent, const toml::table* table) {
-    const TomlFields fields(table, parent, "[poses] random", {"n", "seed", "penetration"});
-    RandomPoses random;
-    random.count = fields.integer("n", 1, limits::scenarios_max).value_or(random.count);
-    random.seed =
-        fields.integer("seed", 0, std::numeric_limits<std::int64_t>::max()).value_or(random.seed);
-    if (const auto range = fields.numbers("penetration", 2, "[least, most]")) {
-        random.penetration_min = (*range)[0];
-        random.penetration_max = (*range)[1];
-        if (!is_penetration(random)) {
-            fields.refuse("penetration",
-                          "penetration has to be [least, most] with 0 <= least <= most <= 1");
-        }
-    }
-    return random;
-}
-
-PoseFileSpec
-read_pose_file(const TomlFields& poses, const std::string& name, const std::filesystem::path& job) {
-    if (name.empty()) {
-        poses.refuse("file", "file is empty; give the name of a file with poses");
-    }
-    PoseFileSpec file;
-    file.path = beside(job, name);
-    file.quat_order = poses.word("quat_order", quat_orders).value_or("");
-    file.of_both_bodies = poses.word("of", pose_owners) == "both";
-    file.rigid_tolerance = poses.number("rigid_tolerance");
-    if (file.rigid_tolerance && *file.rigid_tolerance < 0) {
-        poses.refuse("rigid_tolerance", "rigid_tolerance is negative");
-    }
-    return file;
-}
-
-void read_poses(const TomlFields& job, JobSpec& spec) {
-    const toml::table* table = job.table("poses");
-    if (table == nullptr) {
-        job.refuse("poses", "the table [poses] is missing; it has a file, a grid or random");
-    }
-    const TomlFields fields(
-        table,
-        job,
-        "[poses]",
-        {"file", "grid", "random", "unit", "quat_order", "of", "rigid_tolerance"});
-    const auto file = fields.text("file");
-    const toml::table* grid = fields.table("grid");
-    const toml::table* random = fields.table("random");
-    const int sources = (file ? 1 : 0) + (grid != nullptr ? 1 : 0) + (random != nullptr ? 1 : 0);
-    if (sources != 1) {
-        fields.refuse("", "exactly one of file, grid and random is needed");
-    }
-    const std::string unit = fields.word("unit", unit_names()).value_or("");
-    const double factor = unit_factor(unit.empty() ? spec.unit : unit, spec.unit).value_or(1);
-    if (file) {
-        PoseFileSpec poses = read_pose_file(fields, *file, spec.file);
-        poses.length_factor = factor;
-        poses.unit = unit;
-        spec.poses = std::move(poses);
-        return;
-    }
-    for (const std::string_view key : {"quat_order", "of", "rigid_tolerance"}) {
-        if (fields.has(key)) {
-            fields.refuse(key, std::string(key) + " belongs to poses from a file");
-        }
-    }
-    if (grid != nullptr) {
-        GridSpec poses = read_grid(fields, grid, factor);
-        poses.unit = unit;
-        spec.poses = std::move(poses);
-    } else if (fields.has("unit")) {
-        fields.refuse("unit", "unit belongs to poses from a file or a grid");
-    } else {
-        spec.poses = read_random(fields, random);
-    }
+    return body;
 }
 
 void read_ignore(const TomlFields& query, JobSpec& spec) {
     const toml::array* rules = query.array("ignore");
     if (rules == nullptr) {
         return;
+    }
+    if (spec.scene) {
+        query.refuse("ignore",
+                     "ignore is for two bodies; with [bodies] write [rules] order = [{ ignore = "
+                     "[\"body/part\", \"other/part\"] }]");
     }
     for (const toml::node& node : *rules) {
         const toml::array* rule = node.as_array();
@@ -222,6 +86,9 @@ void read_query(const TomlFields& job, JobSpec& spec) {
     if (const auto conflict = conflict_in(query)) {
         fields.refuse(conflict->key, std::string(conflict->reason));
     }
+    if (const Status scene = check_scene_query(query); spec.scene && !scene) {
+        fields.refuse("level", scene.error().detail);
+    }
     read_ignore(fields, spec);
 }
 
@@ -253,6 +120,11 @@ void read_depth(const TomlFields& cluster, JobSpec& spec) {
     const toml::table* table = cluster.says("depth", depth_auto) ? nullptr : cluster.table("depth");
     if (table == nullptr) {
         return;
+    }
+    if (spec.scene) {
+        cluster.refuse("depth",
+                       "depth is for two bodies; with [bodies] leave it out, and each tree is cut "
+                       "into blocks of some 64 KiB");
     }
     const TomlFields fields(table, cluster, "[cluster] depth", {"a", "b"});
     const auto depth = [&](std::string_view key) -> std::optional<std::uint32_t> {
@@ -290,19 +162,34 @@ void read_cluster(const TomlFields& job, JobSpec& spec) {
         fields.integer("seed", 0, std::numeric_limits<std::int64_t>::max()).value_or(options.seed);
 }
 
-void read_job(const toml::table& table, JobSpec& spec) {
-    const TomlFields job(table,
-                         spec.file.string(),
-                         "the job",
-                         {"name", "unit", "a", "b", "poses", "query", "output", "cluster"});
-    spec.name = job.text("name").value_or(spec.file.stem().string());
-    spec.unit = job.word("unit", unit_names()).value_or(spec.unit);
-    read_body(job, "a", spec.file, spec.bodies[0]);
-    read_body(job, "b", spec.file, spec.bodies[1]);
+void read_two_bodies(const TomlFields& job, JobSpec& spec) {
+    if (job.has("rules")) {
+        job.refuse("rules",
+                   "[rules] is for a job with [bodies]; with [a] and [b] write [query] ignore = "
+                   "[[\"part of a\", \"part of b\"]]");
+    }
+    spec.bodies[0] = read_body(job, "a", spec.file);
+    spec.bodies[1] = read_body(job, "b", spec.file);
     if (const std::string name = export_name(spec, 0); name == export_name(spec, 1)) {
         job.refuse("b", "both bodies have the name \"" + name + "\"; exports need two names");
     }
-    read_poses(job, spec);
+    spec.poses = read_poses(job, spec.unit, spec.file);
+}
+
+void read_job(const toml::table& table, JobSpec& spec) {
+    const TomlFields job(
+        table,
+        spec.file.string(),
+        "the job",
+        {"name", "unit", "a", "b", "bodies", "poses", "rules", "query", "output", "cluster"});
+    spec.name = job.text("name").value_or(spec.file.stem().string());
+    spec.unit = job.word("unit", unit_names()).value_or(spec.unit);
+    if (job.has("bodies")) {
+        spec.scene = read_scene(job, spec.unit, spec.file);
+        spec.poses = spec.scene->poses ? spec.scene->poses->file : PoseFileSpec{};
+    } else {
+        read_two_bodies(job, spec);
+    }
     read_query(job, spec);
     read_output(job, spec);
     read_cluster(job, spec);
@@ -313,6 +200,25 @@ void read_job(const toml::table& table, JobSpec& spec) {
 std::string export_name(const JobSpec& spec, std::size_t body) {
     const std::string& name = spec.bodies[body].name;
     return name.empty() ? std::string(1, static_cast<char>('a' + body)) : name;
+}
+
+std::vector<BodySpec*> meshes_of(JobSpec& spec) {
+    if (!spec.scene) {
+        return {&spec.bodies[0], &spec.bodies[1]};
+    }
+    std::vector<BodySpec*> meshes;
+    for (SceneBodySpec& body : spec.scene->bodies) {
+        meshes.push_back(&body.mesh);
+    }
+    return meshes;
+}
+
+Status check_scene_query(const Query& query) {
+    if (query.question == Question::Distance && !query.up_to) {
+        return bad_input("with [bodies], level distance needs up_to: pairs of bodies that are "
+                         "farther apart get no distance");
+    }
+    return Done{};
 }
 
 Status check_matching(const ClusterOptions& options) {
@@ -337,11 +243,6 @@ Result<std::optional<std::uint32_t>> parse_depth(std::string_view text) {
                          std::string(text) + "\"");
     }
     return depth;
-}
-
-bool is_penetration(const RandomPoses& random) {
-    return 0 <= random.penetration_min && random.penetration_min <= random.penetration_max &&
-           random.penetration_max <= 1;
 }
 
 void keep_each_once(std::vector<std::string>& formats) {

@@ -1,8 +1,10 @@
 // The description of a job, from job.toml or the command line.
 #pragma once
 
+#include "client/spec/body_spec.hpp"
+#include "client/spec/poses_spec.hpp"
+#include "client/spec/scene_spec.hpp"
 #include "common/core/result.hpp"
-#include "common/job/poses/pose_source.hpp"
 #include "common/job/query.hpp"
 #include "proto/messages/cluster_options.hpp"
 
@@ -13,40 +15,9 @@
 #include <span>
 #include <string>
 #include <string_view>
-#include <variant>
 #include <vector>
 
 namespace cd {
-
-struct BodySpec {
-    std::filesystem::path path;
-    std::string unit;    ///< Unit of coordinates; empty: the mesh file's, or else the job's.
-    std::string name;    ///< If empty: in messages the file's name, in exports `export_name`.
-    std::string up = {}; ///< "y": the file's y becomes z; "z" or empty: no turn.
-    bool rounds_to_float = false; ///< Round coordinates to floats.
-    /// The unit that the mesh file declares, if `unit` is empty; set when the file is read.
-    std::string declared_unit = {};
-};
-
-/// Poses in a file. The path "-" means standard input.
-struct PoseFileSpec {
-    std::filesystem::path path;
-    std::string quat_order;                ///< "xyzw", "wxyz", or empty if columns have names.
-    bool of_both_bodies = false;           ///< If false, the poses are B's in A's frame.
-    std::optional<double> rigid_tolerance; ///< As in `check_rows`; nothing: the default.
-    double length_factor = 1;              ///< Factor from the file's unit to the job's.
-    std::string unit = {};                 ///< Unit of translations; empty: the job's.
-};
-
-/// Poses on a grid: `grid` as tested, `axes` as written in the job.
-struct GridSpec {
-    Grid grid;
-    /// The axes x, y, z, then roll, pitch, yaw in degrees; empty if unknown.
-    std::vector<GridAxis> axes = {};
-    std::string unit = {}; ///< Unit of the axes x, y and z; empty: the job's.
-};
-
-using PosesSpec = std::variant<PoseFileSpec, GridSpec, RandomPoses>;
 
 /// Excludes the triangle pairs whose parts match the patterns `a` (in A) and `b` (in B). Patterns
 /// use shell wildcards. The body's name and a slash may precede the part's name; a backslash
@@ -66,8 +37,10 @@ struct OutputSpec {
 struct JobSpec {
     std::string name;
     std::string unit = "m";
-    std::array<BodySpec, 2> bodies;
+    std::array<BodySpec, 2> bodies; ///< Not used with `scene`.
+    /// With `scene` the file of its [poses], whose path may be empty.
     PosesSpec poses = RandomPoses{};
+    std::optional<SceneSpec> scene; ///< The bodies, poses and rules of a job with [bodies].
     Query query; ///< Without `Query::ignored`, which follows from `ignore` and the meshes.
     std::vector<IgnoreRule> ignore;
     OutputSpec output;
@@ -85,14 +58,17 @@ struct JobSpec {
 /// Returns the name of a body in exports: its name in the job, or else "a" or "b".
 [[nodiscard]] std::string export_name(const JobSpec& spec, std::size_t body);
 
+/// Returns the mesh files that a job names: those of two bodies, or of the entries of [bodies].
+[[nodiscard]] std::vector<BodySpec*> meshes_of(JobSpec& spec);
+
+/// Refuses what a scene cannot ask: distances without `up_to`. Errors: BadInput.
+[[nodiscard]] Status check_scene_query(const Query& query);
+
 /// Refuses `q` and `claim` for a strategy that ignores them. Errors: BadInput.
 [[nodiscard]] Status check_matching(const ClusterOptions& options);
 
 /// Parses a distribution depth: a number, or "auto", which gives nothing. Errors: BadInput.
 [[nodiscard]] Result<std::optional<std::uint32_t>> parse_depth(std::string_view text);
-
-/// True if the least and most penetration are in order and within 0 to 1.
-[[nodiscard]] bool is_penetration(const RandomPoses& random);
 
 /// Removes repeated formats.
 void keep_each_once(std::vector<std::string>& formats);

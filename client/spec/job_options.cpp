@@ -150,15 +150,27 @@ Status apply(const MatchingOptions& options, JobSpec& spec) {
     return check_matching(spec.cluster);
 }
 
+/// Refuses distribution depths for a scene, since they are for two bodies. Errors: BadInput.
+Status check_no_depths(const MatchingOptions& options) {
+    return options.depth_a.empty() && options.depth_b.empty()
+               ? Status(Done{})
+               : usage("--depth-a and --depth-b are for two bodies; leave them out for a job with "
+                       "[bodies]");
+}
+
 } // namespace
 
 Status apply(const JobOptions& options, JobSpec& spec) {
     spec.name = options.name.empty() ? spec.name : options.name;
-    for (BodySpec& body : spec.bodies) {
-        body.rounds_to_float =
-            options.precision.empty() ? body.rounds_to_float : options.precision == "float";
+    for (BodySpec* body : meshes_of(spec)) {
+        body->rounds_to_float =
+            options.precision.empty() ? body->rounds_to_float : options.precision == "float";
     }
     CD_TRY(apply(options.query, spec.query));
+    if (spec.scene) {
+        CD_TRY(check_scene_query(spec.query));
+        CD_TRY(check_no_depths(options.cluster));
+    }
     CD_TRY(apply(options.output, spec.output));
     if (!spec.output.dir.empty()) {
         CD_TRY(check_map_formats(spec.output.formats, spec.query.level, spec.query.maps));

@@ -4,6 +4,7 @@
 #include "common/tree/wide/wide_tree.hpp"
 
 #include <algorithm>
+#include <map>
 #include <utility>
 #include <vector>
 
@@ -93,27 +94,43 @@ class Body {
 
 } // namespace
 
-std::array<std::shared_ptr<const ObbTree>, 2>
-make_body_trees(const std::array<std::shared_ptr<const Mesh>, 2>& meshes,
+std::vector<std::shared_ptr<const ObbTree>>
+make_body_trees(const std::vector<std::shared_ptr<const Mesh>>& meshes,
                 const TreeUse& use,
                 TreeCache& cache,
                 ThreadPool& pool) {
-    std::vector<Body> bodies;
-    bodies.emplace_back(meshes[0], cache, pool);
-    if (meshes[1]->hash() != meshes[0]->hash()) {
-        bodies.emplace_back(meshes[1], cache, pool);
+    std::vector<Body> distinct;
+    std::map<Sha256, std::size_t> numbers;
+    std::vector<std::size_t> number_of; // For each body, that of its mesh.
+    for (const auto& mesh : meshes) {
+        const auto [known, is_new] = numbers.try_emplace(mesh->hash(), distinct.size());
+        if (is_new) {
+            distinct.emplace_back(mesh, cache, pool);
+        }
+        number_of.push_back(known->second);
     }
-    std::ranges::for_each(bodies, &Body::need_wide);
-    for (Body& body : bodies) {
+    std::ranges::for_each(distinct, &Body::need_wide);
+    for (Body& body : distinct) {
         body.need_points(use.makes_points);
     }
+    const auto closed = std::ranges::count_if(
+        number_of, [&](std::size_t number) { return distinct[number].is_closed(); });
     // A search uses the binary trees if a body has no wide nodes.
-    if (!std::ranges::all_of(bodies, &Body::has_wide_nodes) ||
-        (use.settles && std::ranges::all_of(bodies, &Body::is_closed))) {
-        std::ranges::for_each(bodies, &Body::need_binary);
+    const bool all_need_binary = !std::ranges::all_of(distinct, &Body::has_wide_nodes);
+    for (Body& body : distinct) {
+        if (all_need_binary || (use.settles && closed >= 2 && body.is_closed())) {
+            body.need_binary();
+        }
     }
-    const auto first = bodies.front().tree();
-    return {first, bodies.size() == 1 ? first : bodies.back().tree()};
+    std::vector<std::shared_ptr<const ObbTree>> made;
+    for (const Body& body : distinct) {
+        made.push_back(body.tree());
+    }
+    std::vector<std::shared_ptr<const ObbTree>> trees;
+    for (const std::size_t number : number_of) {
+        trees.push_back(made[number]);
+    }
+    return trees;
 }
 
 } // namespace cd

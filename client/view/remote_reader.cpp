@@ -99,7 +99,7 @@ Result<BodyTrees> RemoteReader::trees(const Submit& submit) {
     const auto get = [&](const Sha256& mesh) {
         return call([&](Connection& connection) { return get_mesh(connection, mesh, meshes_); });
     };
-    std::array<std::shared_ptr<const Mesh>, 2> meshes;
+    std::vector<std::shared_ptr<const Mesh>> meshes(2);
     meshes[0] = CD_TRY(get(hashes.first));
     meshes[1] = hashes.second == hashes.first ? meshes[0] : CD_TRY(get(hashes.second));
     TreeUse use;

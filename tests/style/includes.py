@@ -17,6 +17,7 @@ LAYERS = {
     "common/search": ["common/core", "common/distance", "common/geometry", "common/pair", "common/tree"],
     "common/solid": ["common/core", "common/distance", "common/geometry", "common/pair", "common/search", "common/tree"],
     "common/job": ["common/core", "common/distance", "common/geometry", "common/pair", "common/search", "common/solid", "common/tree"],
+    "common/scene": ["common/core", "common/geometry", "common/job"],
     "proto/identity": [],
     "proto/messages": ["proto/identity"],
     "proto/codec": ["proto/identity", "proto/messages"],
@@ -63,6 +64,7 @@ ORDERED = {
         "spec": ["messages"],
         "trees": [],
         "poses": [],
+        "scene": [],
         "report": ["messages", "web/status"],
         "export": ["web/status"],
         "job": ["messages"],
@@ -119,7 +121,7 @@ DOORS = {
     r"CLI/": ["common/core/host/daemon_options.cpp", "master/config.cpp", "worker/config.cpp", "client"],
     r"toml\+\+/": ["common/core/host/daemon_options.cpp", "client"],
     r"nlohmann/": ["client", "web"],
-    r"hwy/": ["common/geometry", "common/pair", "common/distance", "common/tree", "common/search/contact_pair"],
+    r"hwy/": ["common/geometry", "common/pair", "common/distance", "common/scene", "common/tree", "common/search/contact_pair"],
     r"fcl/": [],
 }
 # So many .cpp files of the programs and of proto/ may see these, through any number of headers. Each

@@ -139,7 +139,9 @@ Error without_results(const Error& error) {
 
 Result<int> run_without_folder(const LocalJob& local) {
     const RunCommand& command = local.command;
-    auto sink = CD_TRY(ResultSink::open({{}, {}, command.output}, export_context(local.job)));
+    SinkOptions options{{}, {}, command.output};
+    options.learn = local.job.spec.scene ? local.job.spec.scene->rules.learn : std::nullopt;
+    auto sink = CD_TRY(ResultSink::open(std::move(options), export_context(local.job)));
     const auto outcome = run_or_reuse(
         local,
         std::nullopt,

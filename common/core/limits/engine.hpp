@@ -48,6 +48,12 @@ inline constexpr std::uint64_t computed_window_scenarios = 16;
 /// Number of windows of random poses that are computed ahead of the run.
 inline constexpr std::uint64_t computed_windows_max = 128;
 
+// Scenes.
+inline constexpr std::size_t scene_bodies_max = 1u << 14; ///< Bodies of a job.
+inline constexpr std::size_t scene_meshes_max = 1u << 12; ///< Different meshes of a job.
+/// Rules of a job, and pairs of ranges of triangles that they ignore.
+inline constexpr std::size_t scene_rules_max = 1u << 16;
+
 // Results.
 /// Size of one scenario's record, small enough for a message.
 inline constexpr std::uint64_t result_record_bytes_max = 1ull << 28;

@@ -1,7 +1,7 @@
 #include "common/job/result/contact_map.hpp"
 
 #include "common/core/files/bytes.hpp"
-#include "common/tree/build/number_sorter.hpp"
+#include "common/geometry/number_sorter.hpp"
 
 #include <algorithm>
 #include <utility>

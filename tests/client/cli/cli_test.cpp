@@ -57,6 +57,19 @@ TEST(CommandLine, WhatJoinsAndLetsJoinIsRead) {
     EXPECT_EQ(token.ttl, "2h");
 }
 
+TEST(CommandLine, ACheckOfAJobIsRead) {
+    const auto line = parse_command_line({"job", "check", "scene.toml", "-o", "csv", "-q"});
+    ASSERT_TRUE(line.command) << line.text;
+    const auto& check = std::get<CheckCommand>(*line.command);
+    EXPECT_EQ(check.file, "scene.toml");
+    EXPECT_EQ(check.output, "csv");
+    EXPECT_TRUE(check.quiet);
+    EXPECT_EQ(parse_command_line({"job"}).exit_code, exit_usage);
+    EXPECT_EQ(parse_command_line({"job", "check"}).exit_code, exit_usage);
+    EXPECT_THAT(parse_command_line({"job", "check", "-h"}).text,
+                StartsWith("Examples:\n  cdctl job"));
+}
+
 TEST(CommandLine, WrongUsageIsTwo) {
     const std::vector<std::vector<std::string>> wrong{{},
                                                       {"rnu"},

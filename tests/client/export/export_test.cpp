@@ -134,7 +134,7 @@ TEST_F(Export, LevelCountHasNoPairs) {
 
 TEST_F(Export, GroupsOfListedPairsHaveNoShare) {
     context_.limit_pairs = 2;
-    context_.map_pairs = 0; // As in a job with maps.
+    context_.maps = true;
     write({"csv"}, Level::Pairs);
     EXPECT_THAT(text_of("groups.csv"), HasSubstr("\na,right,b,whole,touch,1,,1,1,1,1,1,"));
 }

@@ -160,7 +160,7 @@ TEST_F(Vtp, LevelPairsHasNoPoints) {
 }
 
 TEST_F(Vtp, AMapOfListedPairsHasNoShare) {
-    context_.map_pairs = 2;
+    context_.limit_pairs = 2;
     ASSERT_TRUE(write());
     const VtpArrays a = read_vtp(dir_ / "a.vtp");
     EXPECT_FALSE(a.has("share"));

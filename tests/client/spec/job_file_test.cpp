@@ -341,7 +341,7 @@ TEST(JobFile, ABufferThatTheMasterRefusesIsRefusedHere) {
 
 TEST(JobFile, TheJobsOfTheDocumentsAreRead) {
     int jobs = 0;
-    for (const char* page : {"README.md", "docs/job-file.md"}) {
+    for (const char* page : {"README.md", "docs/job-file.md", "docs/scenes.md"}) {
         std::istringstream lines(read_text(std::filesystem::path(CD_SOURCE_DIR) / page));
         std::string line;
         while (std::getline(lines, line)) {
@@ -357,7 +357,7 @@ TEST(JobFile, TheJobsOfTheDocumentsAreRead) {
             ++jobs;
         }
     }
-    EXPECT_EQ(jobs, 2);
+    EXPECT_EQ(jobs, 3);
 }
 
 TEST(JobFile, NamesOfFilesThatAreEmptyAreNamed) {

@@ -175,10 +175,10 @@ TEST_F(TreeCacheTest, AFolderThatMayOnlyBeReadStillGivesItsTrees) {
 
 class BodyTreesTest : public TreeCacheTest {
   protected:
-    using Trees = std::array<std::shared_ptr<const ObbTree>, 2>;
+    using Trees = std::vector<std::shared_ptr<const ObbTree>>;
 
     /// Makes the trees from scratch, from the resulting cache, and without a cache.
-    [[nodiscard]] std::vector<Trees> make(const std::array<std::shared_ptr<const Mesh>, 2>& meshes,
+    [[nodiscard]] std::vector<Trees> make(const std::vector<std::shared_ptr<const Mesh>>& meshes,
                                           const TreeUse& use) {
         fs::remove_all(folder_);
         std::vector<Trees> made;
@@ -196,6 +196,19 @@ class BodyTreesTest : public TreeCacheTest {
         }
     }
 };
+
+TEST_F(BodyTreesTest, BodiesOfOneMeshShareATreeAmongMany) {
+    TreeCache cache{fs::path()};
+    const Trees trees =
+        make_body_trees({open_, closed_, open_, closed_}, {.settles = true}, cache, pool_);
+    ASSERT_EQ(trees.size(), 4u);
+    EXPECT_EQ(trees[0], trees[2]);
+    EXPECT_EQ(trees[1], trees[3]);
+    EXPECT_NE(trees[0], trees[1]);
+    // Two closed bodies may be inside one another; an open one is in none.
+    EXPECT_TRUE(trees[1]->has_binary());
+    EXPECT_FALSE(trees[0]->has_binary());
+}
 
 TEST_F(BodyTreesTest, OpenBodiesOrNoInsidesTakeTheWideFormAlone) {
     for (const Trees& trees : make({closed_, open_}, {.settles = true})) {

@@ -1,4 +1,4 @@
-#include "common/tree/build/number_sorter.hpp"
+#include "common/geometry/number_sorter.hpp"
 
 #include <hwy/contrib/sort/vqsort.h>
 
@@ -12,6 +12,10 @@ NumberSorter::NumberSorter() : scratch_(std::make_unique<Scratch>()) {}
 NumberSorter::~NumberSorter() = default;
 
 void NumberSorter::sort(std::vector<std::uint32_t>& numbers) const {
+    scratch_->sorter(numbers.data(), numbers.size(), hwy::SortAscending());
+}
+
+void NumberSorter::sort(std::vector<std::uint64_t>& numbers) const {
     scratch_->sorter(numbers.data(), numbers.size(), hwy::SortAscending());
 }
 

@@ -1,4 +1,4 @@
-// Sorts 32-bit numbers with SIMD (Highway's VQSort).
+// Sorts numbers with SIMD (Highway's VQSort).
 #pragma once
 
 #include <cstdint>
@@ -15,6 +15,7 @@ class NumberSorter {
 
     /// Sorts ascending.
     void sort(std::vector<std::uint32_t>& numbers) const;
+    void sort(std::vector<std::uint64_t>& numbers) const;
 
   private:
     struct Scratch;

@@ -1,0 +1,68 @@
+#include "client/scene/prepared_scene.hpp"
+
+#include "client/base/slow_note.hpp"
+#include "client/scene/scene_meshes.hpp"
+#include "client/scene/scene_steps.hpp"
+#include "common/core/check.hpp"
+#include "common/core/errors.hpp"
+
+#include <utility>
+
+namespace cd {
+
+namespace {
+
+void append(std::vector<std::string>& to, const std::vector<std::string>& from) {
+    to.insert(to.end(), from.begin(), from.end());
+}
+
+/// Places the bodies of a scene by the boxes of their meshes.
+std::vector<PlacedBody> placed(const SceneBodies& scene, const std::vector<bool>& are_fixed) {
+    std::vector<Aabb> boxes;
+    for (const auto& mesh : scene.meshes) {
+        boxes.push_back(bounding_box(mesh->vertices()));
+    }
+    std::vector<PlacedBody> bodies;
+    for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+        bodies.push_back({boxes[scene.bodies[i].mesh], are_fixed[i]});
+    }
+    return bodies;
+}
+
+} // namespace
+
+double reach_of(const Query& query) {
+    return query.question == Question::Distance ? query.up_to.value_or(0)
+                                                : query.clearance.value_or(0);
+}
+
+Result<PreparedScene> prepare_scene(const JobSpec& spec, bool quiet, const StopCheck& stop) {
+    CD_CHECK(spec.scene.has_value());
+    const SceneSpec& scene = *spec.scene;
+    const auto read = CD_TRY(import_meshes(scene, spec.unit, quiet));
+    PreparedScene prepared;
+    append(prepared.warnings, read.warnings);
+    prepared.scene = CD_TRY(expand_bodies(scene, read.meshes, spec.file));
+    auto rules = CD_TRY(apply_rules(scene.rules, prepared.scene, spec.file));
+    prepared.effects = std::move(rules.effects);
+    prepared.ignored = std::move(rules.ranges);
+    prepared.ignored_pairs = rules.ignored.count();
+    const SlowNote note("reading poses, and pairing the boxes of each step...", quiet);
+    auto steps = CD_TRY(open_steps(scene, prepared.scene, spec.file));
+    append(prepared.warnings, steps.warnings);
+    prepared.zeros = std::move(steps.zeros);
+    prepared.are_fixed = steps.are_fixed;
+    prepared.poses = CD_TRY(ScenePoses::create(
+        {placed(prepared.scene, steps.are_fixed), std::move(rules.ignored), reach_of(spec.query)},
+        std::move(steps.poses),
+        stop));
+    const std::uint64_t count = prepared.poses->steps()->steps();
+    if (scene.rules.learn && *scene.rules.learn >= count) {
+        return bad_input(spec.file,
+                         "[rules] learn = " + std::to_string(*scene.rules.learn) +
+                             ": the steps are 0 to " + std::to_string(count - 1));
+    }
+    return prepared;
+}
+
+} // namespace cd

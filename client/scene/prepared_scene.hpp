@@ -1,0 +1,39 @@
+// A scene whose inputs have been read and checked.
+#pragma once
+
+#include "client/scene/body_rules.hpp"
+#include "client/scene/scene_bodies.hpp"
+#include "client/spec/job_file.hpp"
+#include "common/core/host/stop_check.hpp"
+#include "common/core/result.hpp"
+#include "common/scene/scene_poses.hpp"
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace cd {
+
+struct PreparedScene {
+    SceneBodies scene;
+    std::vector<RuleEffect> effects;   ///< Of each rule.
+    std::uint64_t ignored_pairs = 0;   ///< Pairs of bodies that the rules ignore.
+    std::vector<IgnoredRange> ignored; ///< Ignored parts of other pairs.
+    std::vector<bool> are_fixed;       ///< For each body, whether it has one pose at all steps.
+    std::unique_ptr<ScenePoses> poses; ///< The scenarios of all steps.
+    std::vector<std::string> zeros;    ///< Columns missing in [poses], which count as 0.
+    std::vector<std::string> warnings; ///< A sentence each, naming the file.
+};
+
+/// Returns how far apart bodies may be so that the query asks about them: its clearance or `up_to`,
+/// or 0.
+[[nodiscard]] double reach_of(const Query& query);
+
+/// Imports the meshes of a job with [bodies], makes its bodies, applies its rules, opens its poses
+/// and counts the pairs of all steps. Unless `quiet`, a line on stderr names each step longer than
+/// half a second. Errors: BadInput, NotFound and Io, each naming the file; Interrupted.
+[[nodiscard]] Result<PreparedScene>
+prepare_scene(const JobSpec& spec, bool quiet, const StopCheck& stop = {});
+
+} // namespace cd

@@ -1,0 +1,28 @@
+// Finds the pairs of boxes that overlap: the broad phase of a scene of many bodies.
+#pragma once
+
+#include "common/scene/world_box.hpp"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace cd {
+
+/// Two bodies by their indices, a < b.
+struct BodyPair {
+    std::uint32_t a = 0;
+    std::uint32_t b = 0;
+
+    friend auto operator<=>(const BodyPair&, const BodyPair&) = default;
+};
+
+/// Returns all pairs of boxes that share a point, sorted. At most 2^32 - 1 boxes.
+///
+/// Sorts the boxes by their low ends on one axis, and compares each with those that begin before it
+/// ends (Baraff, Dynamic simulation of non-penetrating rigid bodies, 1992, section 3.3.2), on the
+/// axis where the fewest boxes overlap. It keeps nothing from earlier calls. The time is O(n log n)
+/// and the number of pairs that overlap on that axis.
+[[nodiscard]] std::vector<BodyPair> overlapping_pairs(std::span<const WorldBox> boxes);
+
+} // namespace cd

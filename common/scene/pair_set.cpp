@@ -1,0 +1,110 @@
+#include "common/scene/pair_set.hpp"
+
+#include "common/core/check.hpp"
+
+#include <bit>
+
+namespace cd {
+
+namespace {
+
+constexpr std::size_t word_bits = 64;
+
+std::uint64_t bit_of(std::uint32_t body) {
+    return std::uint64_t{1} << (body % word_bits);
+}
+
+} // namespace
+
+PairSet::PairSet(std::size_t bodies)
+    : bodies_(bodies),
+      row_words_((bodies + word_bits - 1) / word_bits),
+      bits_(bodies * row_words_, 0) {}
+
+const std::uint64_t* PairSet::row(std::uint32_t body) const {
+    CD_CHECK(body < bodies_);
+    return bits_.data() + body * row_words_;
+}
+
+bool PairSet::has(BodyPair pair) const {
+    CD_CHECK(pair.b < bodies_);
+    return (row(pair.a)[pair.b / word_bits] & bit_of(pair.b)) != 0;
+}
+
+std::uint64_t PairSet::count() const {
+    std::uint64_t bits = 0;
+    for (const std::uint64_t word : bits_) {
+        bits += static_cast<std::uint64_t>(std::popcount(word));
+    }
+    return bits / 2;
+}
+
+std::uint64_t PairSet::count_among(std::span<const std::uint32_t> bodies) const {
+    const Words columns = bits_of(bodies);
+    std::uint64_t bits = 0;
+    for (const std::uint32_t body : bodies) {
+        const std::uint64_t* const words = row(body);
+        for (std::size_t i = 0; i < row_words_; ++i) {
+            bits += static_cast<std::uint64_t>(std::popcount(words[i] & columns[i]));
+        }
+    }
+    return bits / 2;
+}
+
+std::uint64_t PairSet::add(std::span<const std::uint32_t> left,
+                           std::span<const std::uint32_t> right) {
+    return add_pairs(left, right, nullptr);
+}
+
+std::uint64_t PairSet::add_except(std::span<const std::uint32_t> left,
+                                  std::span<const std::uint32_t> right,
+                                  const PairSet& except) {
+    CD_CHECK(except.bodies_ == bodies_);
+    return add_pairs(left, right, &except);
+}
+
+void PairSet::remove(BodyPair pair) {
+    CD_CHECK(pair.a < bodies_);
+    CD_CHECK(pair.b < bodies_);
+    bits_[pair.a * row_words_ + pair.b / word_bits] &= ~bit_of(pair.b);
+    bits_[pair.b * row_words_ + pair.a / word_bits] &= ~bit_of(pair.a);
+}
+
+std::uint64_t PairSet::add_pairs(std::span<const std::uint32_t> left,
+                                 std::span<const std::uint32_t> right,
+                                 const PairSet* except) {
+    // Each new pair sets two bits, one in the row of each body.
+    const std::uint64_t of_left = add_to_rows(left, bits_of(right), except);
+    return (of_left + add_to_rows(right, bits_of(left), except)) / 2;
+}
+
+/// Sets the bits of `columns` in the rows, except those on the diagonal and those of `except`.
+/// Returns how many are new.
+std::uint64_t PairSet::add_to_rows(std::span<const std::uint32_t> rows,
+                                   const Words& columns,
+                                   const PairSet* except) {
+    std::uint64_t added = 0;
+    for (const std::uint32_t body : rows) {
+        CD_CHECK(body < bodies_);
+        std::uint64_t* const words = bits_.data() + body * row_words_;
+        for (std::size_t i = 0; i < row_words_; ++i) {
+            std::uint64_t wanted = columns[i] & ~words[i];
+            wanted &= i == body / word_bits ? ~bit_of(body) : ~std::uint64_t{0};
+            wanted &= except != nullptr ? ~except->row(body)[i] : ~std::uint64_t{0};
+            words[i] |= wanted;
+            added += static_cast<std::uint64_t>(std::popcount(wanted));
+        }
+    }
+    return added;
+}
+
+PairSet::Words PairSet::bits_of(std::span<const std::uint32_t> bodies) const {
+    Words words(row_words_, 0);
+    for (const std::uint32_t body : bodies) {
+        CD_CHECK(body < bodies_);
+        words[body / word_bits] |= bit_of(body);
+    }
+    return words;
+}
+
+} // namespace cd
