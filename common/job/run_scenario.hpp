@@ -8,6 +8,7 @@
 #include "common/job/settle.hpp"
 #include "common/job/statistics.hpp"
 #include "common/search/contact_search.hpp"
+#include "common/shots/segment_hit.hpp"
 #include "common/tree/obb_tree.hpp"
 
 #include <cstddef>
@@ -62,6 +63,7 @@ struct KeptSearch {
     std::unique_ptr<ContactSearch> search; ///< Created by the first scenario with a pair.
     /// Index of the pair in which the last run at `level any` found a contact; empty without one.
     std::optional<std::size_t> touching;
+    std::optional<SegmentHit> lines; ///< With Question::Shots; created by the first hit.
 };
 
 /// Runs a scenario as the overload without `kept` does, but reuses the search in `kept`. All calls

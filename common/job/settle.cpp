@@ -94,7 +94,7 @@ bool Settler::is_work(const ScenarioResult& result) const {
     const bool may_change = result.kind == ScenarioClass::Separate ||
                             result.kind == ScenarioClass::Near ||
                             result.kind == ScenarioClass::Touch;
-    return may_change && are_closed_;
+    return may_change && are_closed_ && result.question != Question::Shots;
 }
 
 bool Settler::may_be_inside(const PosePair& poses, const RelativePose* b_to_a) const {
@@ -138,7 +138,7 @@ InsideStatistics Settler::settle(const Scenario& scenario,
                                  ScenarioResult& result,
                                  const SettleOptions& options) const {
     using Clock = std::chrono::steady_clock;
-    if (result.kind == ScenarioClass::Failed) {
+    if (result.kind == ScenarioClass::Failed || result.question == Question::Shots) {
         return {};
     }
     result.surfaces_only = !are_closed_;

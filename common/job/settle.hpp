@@ -26,6 +26,7 @@ struct SettleOptions {
 };
 
 /// Refines the class of results of `run_on_subtrees` with the whole bodies (docs/formats.md).
+/// Results of Question::Shots stay as they are.
 /// The pairs of a result name triangles of these bodies. One settler serves all scenarios of a job.
 ///
 /// If a body is open, only `surfaces_only` is set. For two closed bodies the class becomes:

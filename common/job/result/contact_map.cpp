@@ -67,10 +67,12 @@ struct ContactMapSum::State {
         body.sums = merged(body.sums, counted(body.touched));
         body.touched.clear();
     }
-    /// Counts each triangle in `triangles` once for `body`, and empties that list.
-    void touch(Body& body) {
+    /// Counts each triangle in `triangles` for `body`, and empties that list.
+    void touch(Body& body, Count count) {
         sorter.sort(triangles);
-        triangles.erase(std::unique(triangles.begin(), triangles.end()), triangles.end());
+        if (count == Count::Once) {
+            triangles.erase(std::unique(triangles.begin(), triangles.end()), triangles.end());
+        }
         body.touched.insert(body.touched.end(), triangles.begin(), triangles.end());
         triangles.clear();
         if (body.touched.size() >= std::max(touched_enough, body.sums.size())) {
@@ -94,15 +96,21 @@ ContactMapSum::State& ContactMapSum::state() {
 }
 
 void ContactMapSum::add(const ScenarioResult& result, std::span<const ContactPair> found) {
-    add(found);
-    const std::span<const ContactPair> counted =
-        result.level >= Level::Pairs ? std::span<const ContactPair>(result.pairs) : found;
+    const bool is_shots = result.question == Question::Shots;
+    add(found, is_shots ? Count::EachTime : Count::Once);
+    const std::span<const ContactPair> counted = result.level >= Level::Pairs && !is_shots
+                                                     ? std::span<const ContactPair>(result.pairs)
+                                                     : found;
     if (parts_ != nullptr && !counted.empty()) {
         state().parts.add(result.index, counted);
     }
 }
 
 void ContactMapSum::add(std::span<const ContactPair> pairs) {
+    add(pairs, Count::Once);
+}
+
+void ContactMapSum::add(std::span<const ContactPair> pairs, Count count) {
     if (pairs.empty()) {
         return;
     }
@@ -110,11 +118,11 @@ void ContactMapSum::add(std::span<const ContactPair> pairs) {
     for (const ContactPair& pair : pairs) {
         s.triangles.push_back(pair.a);
     }
-    s.touch(s.bodies[0]);
+    s.touch(s.bodies[0], count);
     for (const ContactPair& pair : pairs) {
         s.triangles.push_back(pair.b);
     }
-    s.touch(s.bodies[1]);
+    s.touch(s.bodies[1], count);
 }
 
 void ContactMapSum::add(const ContactMap& map) {
