@@ -6,6 +6,7 @@
 #include "common/pair/stages/double_double/double_double_local.hpp"
 #include "common/shots/line_hit.hpp"
 
+#include <array>
 #include <optional>
 
 namespace cd {
@@ -25,12 +26,26 @@ class DoubleDoubleDepth {
     [[nodiscard]] std::optional<double> depth(const Corners& a) const;
 
   private:
+    /// The sides of the segment's ends against a triangle's plane.
+    struct Sides {
+        DoubleDouble of_p;
+        DoubleDouble of_q;
+        double error = 0; ///< Bounds the error of each.
+    };
+    [[nodiscard]] std::optional<Sides> sides_in_frame(const Corners& a) const;
+    [[nodiscard]] std::optional<Sides> sides_in_world(const Corners& a) const;
+    void place_in_frame(const Segment& line);
+    void place_in_world(const Segment& line);
+
     LocalMap a_;
     LocalMap b_;
     double bound_scale_;
-    Vec3 origin_ = Vec3::Zero(); ///< A point near the segment, to which corners are relative.
-    std::optional<LocalTriangle> line_; ///< Empty if no segment is selected.
+    bool is_in_frame_; ///< A's pose is rigid, so that the segment is moved into A's coordinates.
     double length_ = 0;
+    std::array<DoubleDoubleVec, 2> ends_; ///< In A's coordinates, if `is_in_frame_`.
+    double end_error_ = 0; ///< Bounds the error of each of their components; infinite if unknown.
+    Vec3 origin_ = Vec3::Zero();        ///< A point near the segment, else.
+    std::optional<LocalTriangle> line_; ///< Relative to `origin_`; empty if that is not finite.
 };
 
 } // namespace cd
