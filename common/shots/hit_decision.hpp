@@ -6,6 +6,7 @@
 #include "common/shots/line_hit.hpp"
 
 #include <array>
+#include <bit>
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
@@ -35,6 +36,9 @@ struct HitDecision {
     std::uint8_t flags = 0; ///< Set if Through.
     bool is_at_p = false;   ///< True if Through, and p is the shared point.
     bool is_at_q = false;   ///< True if Through, and q is the shared point.
+    /// Bit i is set if Through, and the shared point is on the line through v_i and v_i+1: two bits
+    /// for a corner.
+    std::uint8_t edges = 0;
 };
 
 /// Returns the side on which an edge passes a line that meets it, once the line is moved by (eps,
@@ -56,7 +60,7 @@ template <HitSigns Signs>
 [[nodiscard]] HitDecision decide_hit(Signs& signs) {
     const auto [side_p, side_q] = signs.sides();
     if (side_p == 0 && side_q == 0) {
-        return {HitDecision::How::InPlane, 0, false, false};
+        return {HitDecision::How::InPlane};
     }
     if (side_p == side_q) {
         return {};
@@ -64,16 +68,17 @@ template <HitSigns Signs>
     // The sum of the three edges' determinants is d.n, which is the difference of the sides.
     const int facing = side_q > side_p ? 1 : -1;
     std::array<int, 3> sides{};
-    std::size_t zeros = 0;
+    std::uint8_t edges = 0;
     for (std::size_t i = 0; i < 3; ++i) {
         sides[i] = signs.edge(i) * facing;
         if (sides[i] < 0) {
             return {};
         }
-        zeros += sides[i] == 0 ? 1u : 0u;
+        edges |= sides[i] == 0 ? 1u << i : 0u;
     }
-    HitDecision decision{HitDecision::How::Through, 0, side_p == 0, side_q == 0};
+    HitDecision decision{HitDecision::How::Through, 0, side_p == 0, side_q == 0, edges};
     decision.flags = facing > 0 ? hit_flag::back : hit_flag::front;
+    const int zeros = std::popcount(edges);
     decision.flags |= zeros == 0 ? 0 : zeros == 1 ? hit_flag::edge : hit_flag::corner;
     bool crosses = side_q != 0;
     for (std::size_t i = 0; i < 3 && crosses; ++i) {

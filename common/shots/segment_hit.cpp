@@ -9,6 +9,7 @@
 #include "common/shots/stages/integer/integer_hit.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <utility>
 
 namespace cd {
@@ -157,6 +158,44 @@ int order_of(std::uint8_t flags) {
     return (flags & hit_flag::back) != 0 ? 0 : (flags & hit_flag::front) != 0 ? 1 : 2;
 }
 
+bool is_earlier_at_one_place(const LineHit& l, const LineHit& r) {
+    return std::pair(order_of(l.flags), l.triangle) < std::pair(order_of(r.flags), r.triangle);
+}
+
+/// The corner or edge at which a line passes through a triangle: the ends of the edge, the
+/// lexicographically lesser first, or the corner twice. A line meets an edge that it does not lie
+/// in, and a corner, in one point, so hits at one border have one exact depth.
+struct Border {
+    Vec3 from;
+    Vec3 to;
+
+    friend bool operator==(const Border& l, const Border& r) {
+        return l.from == r.from && l.to == r.to;
+    }
+};
+
+/// Returns the border for `HitDecision::edges`; nothing for a point inside.
+std::optional<Border> border_of(std::uint8_t edges, const Corners& a) {
+    switch (edges) {
+    case 0b011:
+        return Border{a[1], a[1]};
+    case 0b110:
+        return Border{a[2], a[2]};
+    case 0b101:
+        return Border{a[0], a[0]};
+    case 0b000:
+        return std::nullopt;
+    default:
+        break;
+    }
+    const auto i = static_cast<std::size_t>(std::countr_zero(edges));
+    const Vec3& from = a[i];
+    const Vec3& to = a[(i + 1) % 3];
+    const bool is_ordered =
+        std::lexicographical_compare(from.begin(), from.end(), to.begin(), to.end());
+    return is_ordered ? Border{from, to} : Border{to, from};
+}
+
 struct ExactlyHit {
     ExactShare share;
     LineHit hit;
@@ -164,9 +203,7 @@ struct ExactlyHit {
 
 bool is_exactly_earlier(const ExactlyHit& l, const ExactlyHit& r) {
     const int order = l.share.compare(r.share);
-    return order != 0 ? order < 0
-                      : std::pair(order_of(l.hit.flags), l.hit.triangle) <
-                            std::pair(order_of(r.hit.flags), r.hit.triangle);
+    return order != 0 ? order < 0 : is_earlier_at_one_place(l.hit, r.hit);
 }
 
 } // namespace
@@ -176,6 +213,7 @@ struct SegmentHit::State {
     HitStatistics statistics;
     std::vector<LineHit> hits;    ///< Of the last line.
     std::vector<ExactlyHit> tied; ///< Hits of the last depth that several hits round to.
+    std::vector<std::optional<Border>> borders; ///< By triangle; empty for other hits.
 
     State(const PosePair& poses, HitStage first) : stages(poses, first) {}
 
@@ -211,6 +249,7 @@ struct SegmentHit::State {
             }
         } else if (made->how == HitDecision::How::Through) {
             hits.push_back({place, made->flags, 0, depth(*made, a, line, length)});
+            borders[place] = border_of(made->edges, a);
         }
     }
 
@@ -230,6 +269,13 @@ struct SegmentHit::State {
     /// Orders hits of one rounded depth by their exact shares, and ranks them.
     void order(std::span<LineHit> alike, std::span<const Corners> a, const Segment& line) {
         statistics.ties += alike.size();
+        const std::optional<Border>& first = borders[alike.front().triangle];
+        if (first && std::all_of(alike.begin(), alike.end(), [&](const LineHit& hit) {
+                return borders[hit.triangle] == first;
+            })) {
+            std::sort(alike.begin(), alike.end(), is_earlier_at_one_place);
+            return;
+        }
         tied.clear();
         for (const LineHit& hit : alike) {
             auto found = stages.made(stages.exact).find(a[hit.triangle], line);
@@ -271,6 +317,7 @@ std::span<const LineHit> SegmentHit::hits(std::span<const Corners> a, const Segm
     const double length = segment_length(line);
     s.stages.made(s.stages.depth).set_line(line, length);
     s.hits.clear();
+    s.borders.assign(a.size(), std::nullopt);
     for (std::size_t i = 0; i < a.size(); ++i) {
         s.add(static_cast<std::uint32_t>(i), a[i], line, length);
     }
