@@ -47,8 +47,8 @@ write_page() { # KIND FOLDER COMMAND
             break
         fi
     done
-    if [[ $1 == answers ]]; then
-        :
+    if [[ $1 == answers || $1 == distances ]]; then
+        : # Pages without pictures.
     elif [[ -n $python ]]; then
         "$python" -B "$root/bench/report/plot.py" "$1" "$2"
     else

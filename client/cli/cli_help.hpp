@@ -46,6 +46,7 @@ A job.toml has the keys name, unit, and the tables
              x, y, z, roll_deg, pitch_deg, yaw_deg (or _rad), or m00 to m23
   [query]    level = "any" | "count" | "pairs" | "contacts", limit_pairs = 10_000,
              clearance = 0.005: also finds what is at most this far apart, in the job's unit;
+             level = "distance": how far the bodies are apart, with up_to = 2.5 if not farther;
              ignore = [["wheel_*", "ground"]]: parts of a with parts of b;
              or "a/wheel_*", with the body's name; \ before / * ? [ in names;
              maps = true: from level count on, map.csv and map.npz say in how many scenarios each
@@ -187,7 +188,7 @@ Examples:
   cdctl token create --role submitter --credential admin.pem)";
 
 inline constexpr const char* verify_help =
-    R"(Runs a sample of a run's scenarios again here and compares.
+    R"(Runs a sample of a run's scenarios again here, decided by integers alone, and compares.
 Examples:
   cdctl verify out
   cdctl verify out --sample 100000 --seed 7

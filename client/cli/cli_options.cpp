@@ -1,6 +1,7 @@
 #include "client/cli/cli_options.hpp"
 
 #include "client/base/units.hpp"
+#include "client/spec/query_spec.hpp"
 #include "client/trees/tree_cache.hpp"
 #include "common/core/limits/client.hpp"
 #include "common/core/limits/engine.hpp"
@@ -72,12 +73,13 @@ void add_query(CLI::App& verb, JobOptions& job) {
     verb.option_defaults()->group("What is asked");
     QueryOptions& query = job.query;
     add("--name", job.name, "NAME", "The job's name");
-    add("--level", query.level, "LEVEL", "any, count, pairs (default) or contacts")
-        ->check(one_of({level_names.begin(), level_names.end()}));
+    add("--level", query.level, "LEVEL", "any, count, pairs (default), contacts or distance")
+        ->check(one_of(words_of(asked_levels)));
     add("--clearance",
         query.clearance,
         "X",
         "Also find what is at most this far apart, in the job's unit");
+    add("--up-to", query.up_to, "X", "With level distance: tell no distance above this");
     add("--limit-pairs", query.limit_pairs, "N", "Keep so many pairs a scenario; 0 keeps all");
     verb.add_flag(
         "--maps", query.maps, "Count the contacts of each triangle; needs level count or above");

@@ -11,6 +11,7 @@
 #include "common/core/errors.hpp"
 #include "common/core/host/stop_check.hpp"
 #include "common/core/words.hpp"
+#include "common/job/result/drawn_witness.hpp"
 
 #include <cstdio>
 #include <filesystem>
@@ -70,11 +71,13 @@ Status write_pictures(const PreparedJob& job,
             return interrupted();
         }
         const Scenario& scenario = found.scenarios[i];
+        ScenarioResult result = found.results[i];
+        list_witness(result);
         const auto bodies = pictured(*job.meshes[scenario.body_a],
                                      *job.meshes[scenario.body_b],
                                      scenario.poses,
-                                     found.results[i].pairs);
-        const Image image = draw_contacts(bodies, {}, gap_lines(found.results[i]));
+                                     result.pairs);
+        const Image image = draw_contacts(bodies, {}, gap_lines(result));
         const std::filesystem::path path = dir / (std::to_string(first + i) + ".png");
         CD_TRY(write_png(image, path));
     }

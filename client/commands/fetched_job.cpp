@@ -145,7 +145,7 @@ Result<RunReport> FetchedJob::print(const std::string& output) {
             return sink.add(done.result);
         }));
     CD_TRY(sink.finish(report.map));
-    report.most_touched = sink.groups().most_touched();
+    report.findings = sink.findings();
     return report;
 }
 

@@ -35,7 +35,7 @@ report_without_folder(const RunCommand& command, const PreparedJob& job, const F
         report.map = sink.map();
     }
     CD_TRY(sink.finish(report.map));
-    report.most_touched = sink.groups().most_touched();
+    report.findings = sink.findings();
     return end_run(command, report, sink.uses_stdout());
 }
 

@@ -83,7 +83,11 @@ make_viewer(const ReportCommand& command, RunAtHand& at_hand, ThreadPool& pool) 
         ViewedRun::open(at_hand.run, at_hand.job, at_hand.map, pool, &InterruptGuard::has_come));
     const auto worst = run->worst(limits::report_viewer_scenarios_max);
     if (worst.empty()) {
-        std::fprintf(stderr, "no scenario is in contact: there is nothing to show in 3D\n");
+        std::fprintf(stderr,
+                     "%s: there is nothing to show in 3D\n",
+                     run->manifest().query.question == Question::Distance
+                         ? "no scenario is in contact or has a distance"
+                         : "no scenario is in contact");
         return viewer;
     }
     viewer.emplace();
@@ -162,7 +166,8 @@ Result<int> perform(const ReportCommand& command) {
     const auto viewer = CD_TRY(make_viewer(command, at_hand, pool));
     CD_TRY(add_pairs(at_hand, overview, command.tree_cache, pool));
     ReportPictures pictures;
-    CD_TRY(pictures.draw(at_hand.job, overview.worst(), &InterruptGuard::has_come));
+    const std::vector<ScenarioResult> pictured = overview.pictured();
+    CD_TRY(pictures.draw(at_hand.job, pictured, &InterruptGuard::has_come));
     RunDocument document(manifest, at_hand.job, overview, statuses, pictures);
     document.set_baseline({command.judge.baseline,
                            judge.has_baseline() ? judge.baseline_digest() : "",
@@ -177,8 +182,7 @@ Result<int> perform(const ReportCommand& command) {
     const std::string html = CD_TRY(document.html(&InterruptGuard::has_come));
     CD_TRY(check_size(html.size(), command));
     if (!command.pictures.empty()) {
-        CD_TRY(write_pictures(
-            command.pictures, at_hand.job, overview.worst(), &InterruptGuard::has_come));
+        CD_TRY(write_pictures(command.pictures, at_hand.job, pictured, &InterruptGuard::has_come));
     }
     CD_TRY(write_report(command.out,
                         html,

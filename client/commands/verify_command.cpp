@@ -1,4 +1,4 @@
-// The verb `verify`: repeats a sample of a run's scenarios here.
+// The verb `verify`: repeats a sample of a run's scenarios here, in integers.
 #include "client/base/exit_code.hpp"
 #include "client/base/interrupt.hpp"
 #include "client/commands/commands.hpp"
@@ -54,7 +54,8 @@ compare(OpenedRun& run, PreparedJob& job, const ScenarioRunner& runner, std::uin
 
 Result<Counts>
 compare_all(OpenedRun& run, PreparedJob& job, const std::vector<std::uint64_t>& indices) {
-    const ScenarioRunner runner(*job.trees[0], *job.trees[1], job.query);
+    // Integers decide every candidate: a wrong bound of the faster stages cannot repeat itself.
+    const ScenarioRunner runner(*job.trees[0], *job.trees[1], job.query, PairStage::WideInteger);
     Counts counts;
     for (const std::uint64_t index : indices) {
         const auto outcome = CD_TRY(compare(run, job, runner, index));

@@ -1,5 +1,6 @@
 #include "client/compare/input_changes.hpp"
 
+#include "client/spec/query_spec.hpp"
 #include "common/core/errors.hpp"
 #include "common/core/words.hpp"
 
@@ -46,11 +47,12 @@ std::vector<std::string> query_changes(const Query& earlier, const Query& later,
             changes.push_back(std::string(name) + " " + is + ", was " + was);
         }
     };
-    add("level", std::string(to_text(earlier.level)), std::string(to_text(later.level)));
-    const auto clearance_text = [](const Query& query) {
-        return query.clearance ? exact_text(*query.clearance) : "none";
+    add("level", std::string(asked_level(earlier)), std::string(asked_level(later)));
+    const auto length_text = [](const std::optional<double>& length) {
+        return length ? exact_text(*length) : "none";
     };
-    add("clearance", clearance_text(earlier), clearance_text(later));
+    add("clearance", length_text(earlier.clearance), length_text(later.clearance));
+    add("up_to", length_text(earlier.up_to), length_text(later.up_to));
     add("limit_pairs", std::to_string(earlier.limit_pairs), std::to_string(later.limit_pairs));
     if (earlier.ignored != later.ignored) {
         changes.emplace_back("other triangles ignored");

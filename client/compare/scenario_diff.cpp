@@ -4,6 +4,8 @@
 #include "common/core/errors.hpp"
 #include "common/core/words.hpp"
 
+#include <bit>
+
 namespace cd {
 
 namespace {
@@ -45,6 +47,23 @@ void add_count(TextBuffer& row,
     }
 }
 
+/// Adds the distance of a result; nothing without one.
+void add_distance(TextBuffer& row, const ScenarioResult* result) {
+    if (result != nullptr && result->nearest) {
+        row.add(result->nearest->distance);
+    }
+}
+
+/// Returns the bits of the distance; nothing without one.
+std::optional<std::uint64_t> distance_bits(const ScenarioResult& result) {
+    return result.nearest ? std::optional(std::bit_cast<std::uint64_t>(result.nearest->distance))
+                          : std::nullopt;
+}
+
+bool answer_for_distance(const ScenarioResult& was, const ScenarioResult& is) {
+    return was.question == Question::Distance && is.question == Question::Distance;
+}
+
 } // namespace
 
 std::string_view outcome_name(std::size_t outcome) {
@@ -70,6 +89,9 @@ std::string_view ScenarioDiff::change_of(const PairedResult& pair) const {
     }
     if (!is_of_level_any(was, is) && was.pair_count != is.pair_count) {
         return "count";
+    }
+    if (answer_for_distance(was, is) && distance_bits(was) != distance_bits(is)) {
+        return "distance";
     }
     if (was.has_clearance != is.has_clearance) {
         return "";
@@ -121,6 +143,12 @@ Status ScenarioDiff::write(const PairedResult& pair, std::string_view change) {
         row.add(",");
         add_count(row, pair.is, &ScenarioResult::near_count);
     }
+    if (options_.has_distance) {
+        row.add(",");
+        add_distance(row, pair.was);
+        row.add(",");
+        add_distance(row, pair.is);
+    }
     row.add(",", change, "\n");
     return csv_->write(row.text());
 }
@@ -131,7 +159,8 @@ std::string ScenarioDiff::header_once() {
         return {};
     }
     return std::string("scenario,scenario_old,body_a,body_b,class_old,class,count_old,count,") +
-           (options_.has_near ? "near_old,near," : "") + "change\n";
+           (options_.has_near ? "near_old,near," : "") +
+           (options_.has_distance ? "distance_old,distance," : "") + "change\n";
 }
 
 Status ScenarioDiff::finish() {

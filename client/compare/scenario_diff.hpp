@@ -23,6 +23,7 @@ struct ScenarioDiffOptions {
     bool compares_pairs = false;
     std::vector<std::string> bodies; ///< Names of the later run's bodies.
     bool has_near = false;           ///< A run has a clearance.
+    bool has_distance = false;       ///< A run asks for the distance.
 };
 
 /// The kinds of outcome of a scenario: the classes by their number, then "none".
@@ -42,11 +43,12 @@ struct ScenarioCounts {
 };
 
 /// Counts changed scenarios, and writes a CSV row for each: scenario, scenario_old, body_a, body_b,
-/// class_old, class, count_old, count, change (class, count, near or pairs: the first that
-/// differs). With a clearance it has near_old and near before the change. A count is empty at level
+/// class_old, class, count_old, count, change (class, count, distance, near or pairs: the first
+/// that differs). Before the change it has, with a clearance, near_old and near; with the question
+/// of the distance distance_old and distance, empty if there is none. A count is empty at level
 /// any, and for a missing result. Classes of level any equal the classes of other levels that they
 /// stand for. If only one of the results has a clearance, its class near equals separate, and near
-/// pairs are not compared.
+/// pairs are not compared. Distances are compared by their bits, if both results answer for them.
 class ScenarioDiff {
   public:
     /// `csv` may be nothing.

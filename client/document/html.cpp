@@ -130,6 +130,16 @@ Html html_table(const std::vector<std::vector<Html>>& rows, std::string_view kin
     return Html::element("table", lines, {{"class", std::string(kind)}});
 }
 
+Html html_figure(const std::string& png, const Html& caption, const std::string& alternative) {
+    Html content =
+        png.empty()
+            ? paragraph("The picture is left out, to keep the report small.")
+            : Html::element(
+                  "img", Html(), {{"src", data_address("image/png", png)}, {"alt", alternative}});
+    content += Html::element("figcaption", caption);
+    return Html::element("figure", content);
+}
+
 std::string base64(std::span<const std::byte> bytes) {
     constexpr std::string_view digits =
         "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";

@@ -59,6 +59,11 @@ class Html {
 /// Makes a table: rows of cells, of which the first row is the head.
 [[nodiscard]] Html html_table(const std::vector<std::vector<Html>>& rows, std::string_view kind);
 
+/// Makes a figure of a PNG file, or of a note where there is no room for the picture (`png` is
+/// empty).
+[[nodiscard]] Html
+html_figure(const std::string& png, const Html& caption, const std::string& alternative);
+
 /// Encodes bytes as Base64 (RFC 4648, section 4).
 [[nodiscard]] std::string base64(std::span<const std::byte> bytes);
 

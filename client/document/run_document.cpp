@@ -5,6 +5,7 @@
 #include "client/document/report_style.hpp"
 #include "client/document/verdict.hpp"
 #include "client/report/report.hpp"
+#include "client/spec/query_spec.hpp"
 #include "common/core/errors.hpp"
 #include "common/core/limits/client.hpp"
 #include "common/core/printable.hpp"
@@ -17,6 +18,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <map>
+#include <span>
 #include <utility>
 #include <variant>
 
@@ -25,17 +27,6 @@ namespace cd {
 namespace {
 
 constexpr std::uint64_t coincidences_at_once = 1u << 16;
-
-/// Makes a figure of a picture, or of a note where there is no room for the picture.
-Html figure(const std::string& png, const Html& caption, const std::string& alternative) {
-    Html content =
-        png.empty()
-            ? paragraph("The picture is left out, to keep the report small.")
-            : Html::element(
-                  "img", Html(), {{"src", data_address("image/png", png)}, {"alt", alternative}});
-    content += Html::element("figcaption", caption);
-    return Html::element("figure", content);
-}
 
 /// True if a result lacks the pairs that its picture would mark.
 bool is_unmarked(const ScenarioResult& result) {
@@ -57,6 +48,8 @@ Html RunDocument::verdict() const {
     const std::string distance = clearance ? exact_text(*clearance) + " " + manifest_.unit : "";
     content +=
         paragraph(verdict_text(summary, distance), is_clean ? "verdict good" : "verdict bad");
+    content +=
+        has_distance() ? paragraph(DistanceSections(names_, manifest_, overview_).least()) : Html();
     std::vector<std::string> head{"separate", "touch", "cross", "inside"};
     std::vector<std::string> counts{grouped(summary.separate),
                                     grouped(summary.touch),
@@ -94,6 +87,15 @@ Html RunDocument::verdict() const {
     return content;
 }
 
+Html RunDocument::distances() const {
+    const DistanceSections sections(names_, manifest_, overview_);
+    const std::span<const std::string> pictures(pictures_.scenarios());
+    Html content =
+        sections.nearest(pictures.subspan(std::min(overview_.worst().size(), pictures.size())));
+    content += sections.histogram();
+    return content;
+}
+
 Html RunDocument::bodies() const {
     Html cards;
     for (std::size_t i = 0; i < job_.meshes.size(); ++i) {
@@ -113,9 +115,9 @@ Html RunDocument::bodies() const {
                                          ", " + short_name(file));
         caption += Html::element("br", Html());
         caption += Html::text(words + ", SHA-256 " + to_short_hex(body.mesh));
-        cards += figure(i < pictures_.bodies().size() ? pictures_.bodies()[i] : "",
-                        caption,
-                        "body " + short_name(body.name));
+        cards += html_figure(i < pictures_.bodies().size() ? pictures_.bodies()[i] : "",
+                             caption,
+                             "body " + short_name(body.name));
     }
     return html_section("Bodies", Html::element("div", cards, {{"class", "cards"}}));
 }
@@ -157,9 +159,9 @@ Html RunDocument::worst() {
                                        "than " +
                                            std::to_string(timing::report_run_max.count()) + " s"
                                      : "";
-        figures += figure(i < pictures_.scenarios().size() ? pictures_.scenarios()[i] : "",
-                          Html::text(words + part_pairs_of(result)),
-                          "scenario " + std::to_string(result.index));
+        figures += html_figure(i < pictures_.scenarios().size() ? pictures_.scenarios()[i] : "",
+                               Html::text(words + part_pairs_of(result)),
+                               "scenario " + std::to_string(result.index));
     }
     const bool has_clearance = manifest_.query.clearance.has_value();
     std::string about = std::string("The worst scenarios") +
@@ -255,7 +257,7 @@ Html RunDocument::how_it_ran() const {
     add("master", where.master);
     add("job", where.job);
     add("workers", where.master.empty() ? "" : grouped(where.workers));
-    add("level", std::string(to_text(manifest_.query.level)));
+    add("level", std::string(asked_level(manifest_.query)));
     add("poses",
         counted(manifest_.poses.count, "scenario") +
             (manifest_.poses.file.empty() ? "" : " of " + manifest_.poses.file));
@@ -273,6 +275,7 @@ Result<std::string> RunDocument::html(const StopCheck& stop) {
     Html body = verdict();
     body += bodies();
     body += worst();
+    body += has_distance() ? distances() : Html();
     body += viewer_ != nullptr ? viewer_->section() : Html();
     GroupSections sections(names_, manifest_, overview_, statuses_);
     body += sections.matrix();

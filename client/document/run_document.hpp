@@ -2,6 +2,7 @@
 #pragma once
 
 #include "client/compare/group_statuses.hpp"
+#include "client/document/distance_sections.hpp"
 #include "client/document/embedded_viewer.hpp"
 #include "client/document/group_sections.hpp"
 #include "client/document/html.hpp"
@@ -45,11 +46,15 @@ class RunDocument {
 
   private:
     [[nodiscard]] Html verdict() const;
+    [[nodiscard]] Html distances() const;
     [[nodiscard]] Html bodies() const;
     [[nodiscard]] Html worst();
     [[nodiscard]] Result<Html> charts(const StopCheck& stop) const;
     [[nodiscard]] Html how_it_ran() const;
 
+    [[nodiscard]] bool has_distance() const {
+        return manifest_.query.question == Question::Distance;
+    }
     [[nodiscard]] std::string part_pairs_of(const ScenarioResult& result);
     [[nodiscard]] Result<Html> coincidence(const StopCheck& stop) const;
 

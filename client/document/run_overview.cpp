@@ -1,6 +1,7 @@
 #include "client/document/run_overview.hpp"
 
 #include "common/core/errors.hpp"
+#include "common/job/result/drawn_witness.hpp"
 #include "common/job/result/severity.hpp"
 #include "web/server/scenario_repeat.hpp"
 
@@ -70,9 +71,31 @@ void RunOverview::add(const ScenarioResult& result) {
     if (is_hit(result.kind)) {
         add_to_worst(result);
     }
+    if (result.nearest) {
+        add_distance(result);
+    }
     if (result.kind == ScenarioClass::Failed && failures_.size() < failures_max) {
         failures_.push_back({result.index, result.failure});
     }
+}
+
+void RunOverview::add_distance(const ScenarioResult& result) {
+    distances_.push_back(result.nearest->distance);
+    const auto is_farther = [&](const ScenarioResult& each) {
+        return each.nearest->distance > result.nearest->distance;
+    };
+    const auto place = std::ranges::find_if(nearest_, is_farther);
+    if (place == nearest_.end() && nearest_.size() == nearest_max) {
+        return;
+    }
+    list_witness(*nearest_.insert(place, result));
+    nearest_.resize(std::min(nearest_.size(), nearest_max));
+}
+
+std::vector<ScenarioResult> RunOverview::pictured() const {
+    std::vector<ScenarioResult> results = worst_;
+    results.insert(results.end(), nearest_.begin(), nearest_.end());
+    return results;
 }
 
 void RunOverview::add_to_worst(const ScenarioResult& result) {

@@ -24,10 +24,12 @@ struct FailedScenario {
     std::string reason;
 };
 
-/// An overview of all results of a run. Memory: `GroupSum`, and 33 bytes a scenario.
+/// An overview of all results of a run. Memory: `GroupSum`, and 33 bytes a scenario,
+/// with distances 41.
 class RunOverview {
   public:
     static constexpr std::size_t worst_max = 10;
+    static constexpr std::size_t nearest_max = 10;
     static constexpr std::size_t failures_max = 20;
     /// The class of a scenario without a result, in `classes`.
     static constexpr std::uint8_t no_result = 255;
@@ -55,6 +57,13 @@ class RunOverview {
     /// The worst scenarios in contact or near (`Badness`), the worst first, and among equal ones
     /// the first. Their pairs are those of the records, or of `add_pairs_to_worst`.
     [[nodiscard]] const std::vector<ScenarioResult>& worst() const { return worst_; }
+    /// The scenarios of least distance, the nearest first, and among equal ones the first. Each
+    /// lists its nearest pair (`list_witness`).
+    [[nodiscard]] const std::vector<ScenarioResult>& nearest() const { return nearest_; }
+    /// All distances, in the order of the records.
+    [[nodiscard]] const std::vector<double>& distances() const { return distances_; }
+    /// The scenarios that a report has pictures of: the worst, then those of least distance.
+    [[nodiscard]] std::vector<ScenarioResult> pictured() const;
     [[nodiscard]] const std::vector<FailedScenario>& failures() const { return failures_; }
     [[nodiscard]] GroupSum& groups() { return groups_; }
     [[nodiscard]] const GroupSum& groups() const { return groups_; }
@@ -64,12 +73,15 @@ class RunOverview {
 
     void add(const ScenarioResult& result);
     void add_to_worst(const ScenarioResult& result);
+    void add_distance(const ScenarioResult& result);
 
     GroupSum groups_;
     Summary summary_;
     std::optional<Sha256> digest_;
     std::vector<std::uint8_t> classes_;
     std::vector<ScenarioResult> worst_;
+    std::vector<ScenarioResult> nearest_;
+    std::vector<double> distances_;
     std::vector<FailedScenario> failures_;
 };
 

@@ -1,5 +1,6 @@
 #include "client/document/verdict.hpp"
 
+#include "client/spec/query_spec.hpp"
 #include "common/core/words.hpp"
 
 #include <array>
@@ -82,7 +83,7 @@ untested_texts(const Summary& summary, const Query& query, const std::string& no
     }
     if (query.level < Level::Pairs) {
         texts.push_back("The run lists no pairs of triangles (level " +
-                        std::string(to_text(query.level)) + ").");
+                        std::string(asked_level(query)) + ").");
     }
     if (!no_groups.empty()) {
         texts.push_back("The groups are unknown: " + no_groups + ".");

@@ -2,6 +2,7 @@
 #include "client/formats/csv_rows.hpp"
 #include "common/core/errors.hpp"
 #include "common/core/words.hpp"
+#include "common/job/result/drawn_witness.hpp"
 
 #include <optional>
 
@@ -12,7 +13,9 @@ namespace {
 class ScenariosCsvWriter final : public ResultWriter {
   public:
     ScenariosCsvWriter(const ExportContext& context, OutputFile file)
-        : file_(std::move(file)), has_near_(context.clearance.has_value()) {
+        : file_(std::move(file)),
+          has_near_(context.clearance.has_value()),
+          has_distance_(context.has_distance()) {
         for (const ExportBody& body : context.bodies) {
             names_.push_back(csv_field(body.name));
         }
@@ -37,6 +40,9 @@ class ScenariosCsvWriter final : public ResultWriter {
         if (has_near_ && result.level != Level::Any) {
             row_.add(result.near_count);
         }
+        if (has_distance_) {
+            add_nearest(result.nearest);
+        }
         row_.add(",", yes_or_no[result.is_cut() ? 1 : 0], ",");
         if (result.kind == ScenarioClass::Undecided) {
             row_.add(result.distance_bound);
@@ -57,6 +63,18 @@ class ScenariosCsvWriter final : public ResultWriter {
     }
 
   private:
+    /// Adds a comma before each column of the distance and the nearest points.
+    void add_nearest(const std::optional<NearestWitness>& nearest) {
+        if (!nearest) {
+            row_.add(",,,,,,,,,");
+            return;
+        }
+        row_.add(",", nearest->distance, ",", nearest->a, ",", nearest->b);
+        for (const Vec3& point : witness_points(*nearest)) {
+            row_.add(",", point.x(), ",", point.y(), ",", point.z());
+        }
+    }
+
     [[nodiscard]] std::string header_once() {
         if (has_header_) {
             return {};
@@ -64,6 +82,7 @@ class ScenariosCsvWriter final : public ResultWriter {
         has_header_ = true;
         return std::string("scenario,body_a,body_b,class,count,") +
                (has_near_ ? "near_count," : "") +
+               (has_distance_ ? "distance,triangle_a,triangle_b,ax,ay,az,bx,by,bz," : "") +
                "cut,distance_bound,surfaces_only,insides_skipped,failure\n";
     }
 
@@ -71,6 +90,7 @@ class ScenariosCsvWriter final : public ResultWriter {
     std::vector<std::string> names_; ///< Names of the bodies as CSV fields.
     TextBuffer row_;
     bool has_near_;
+    bool has_distance_;
     bool has_header_ = false;
 };
 

@@ -1,5 +1,6 @@
 #include "client/export/result_writer.hpp"
 #include "common/geometry/aabb.hpp"
+#include "common/job/result/drawn_witness.hpp"
 #include "web/status/table.hpp"
 
 #include <nlohmann/json.hpp>
@@ -18,6 +19,21 @@ Json points_of(const ScenarioResult& result, std::size_t pair) {
     return points;
 }
 
+/// Adds the distance, null if there is none, and the nearest points.
+void add_nearest(const std::optional<NearestWitness>& nearest, Json& line) {
+    line["distance"] = nearest ? Json(nearest->distance) : Json();
+    if (!nearest) {
+        return;
+    }
+    line["witness"] = {nearest->a, nearest->b};
+    line["feature"] = nearest->feature;
+    Json points = Json::array();
+    for (const Vec3& point : witness_points(*nearest)) {
+        points.push_back({point.x(), point.y(), point.z()});
+    }
+    line["witness_points"] = std::move(points);
+}
+
 class JsonWriter final : public ResultWriter {
   public:
     JsonWriter(const ExportContext& context, OutputFile file)
@@ -33,6 +49,9 @@ class JsonWriter final : public ResultWriter {
         }
         if (context_.clearance && result.level != Level::Any) {
             line["near_count"] = result.near_count;
+        }
+        if (context_.has_distance()) {
+            add_nearest(result.nearest, line);
         }
         line["surfaces_only"] = result.surfaces_only;
         line["insides_skipped"] = result.insides_skipped;
@@ -105,6 +124,15 @@ Json traffic_json(const JobTraffic& traffic) {
             {"result_bytes", traffic.result_bytes}};
 }
 
+/// Adds the question, and the scenario of least distance, both null if there is none.
+void add_least(const ExportContext& context, const RunReport& report, Json& json) {
+    const std::optional<LeastDistance>& least = report.findings.least;
+    json["question"] = "distance";
+    json["up_to"] = context.up_to ? Json(*context.up_to) : Json();
+    json["least_distance"] = least ? Json(least->distance) : Json();
+    json["least_scenario"] = least ? Json(least->scenario) : Json();
+}
+
 Json body_json(const ExportBody& body) {
     const Mesh& mesh = *body.mesh;
     const Vec3 size = bounding_box(mesh.vertices()).size();
@@ -157,6 +185,9 @@ Status write_summary(const std::filesystem::path& dir,
         json["near"] = summary.near;
         json["near_pairs"] = summary.near_pairs;
     }
+    if (context.has_distance()) {
+        add_least(context, report, json);
+    }
     if (report.execution.reused != 0) {
         json["reused"] = report.execution.reused;
     }
@@ -179,7 +210,7 @@ Status write_summary(const std::filesystem::path& dir,
         json["map_withdrawn"] = report.map_withdrawn;
     }
     Json touched = Json::array();
-    for (const auto& part : report.most_touched) {
+    for (const auto& part : report.findings.most_touched) {
         touched.push_back({{"part", part.part}, {"scenarios", part.scenarios}});
     }
     json["most_touched"] = std::move(touched);

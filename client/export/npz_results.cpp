@@ -1,7 +1,9 @@
 #include "client/export/result_writer.hpp"
 #include "client/formats/npz.hpp"
+#include "common/job/result/drawn_witness.hpp"
 
 #include <array>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -17,6 +19,8 @@ enum class NpzNeed : std::uint8_t {
     Exact,     ///< `level contacts`, and exact points.
     Clearance, ///< A clearance.
     Distances, ///< `level contacts`, and a clearance.
+    Nearest,   ///< The question of the distance.
+    Offsets,   ///< That question, and exact points.
 };
 
 /// An array of results.npz; docs/formats.md describes each.
@@ -25,10 +29,11 @@ struct NpzColumn {
     NpyType type;
     std::uint64_t columns = 0; ///< Columns of an array of rows; 0: the array has one dimension.
     NpzNeed need = NpzNeed::Nothing;
+    std::uint64_t rows_each = 1; ///< Above 1: so many rows a scenario, in a dimension of their own.
 };
 
 /// The arrays in the order of the archive.
-constexpr std::array<NpzColumn, 17> columns{
+constexpr std::array<NpzColumn, 23> columns{
     {{"index", NpyType::U8},
      {"body_a", NpyType::U4},
      {"body_b", NpyType::U4},
@@ -45,7 +50,13 @@ constexpr std::array<NpzColumn, 17> columns{
      {"point_origins", NpyType::F8, 3, NpzNeed::Exact},
      {"points", NpyType::F8, 3, NpzNeed::Exact},
      {"near_count", NpyType::U8, 0, NpzNeed::Clearance},
-     {"pair_distance", NpyType::F8, 0, NpzNeed::Distances}}};
+     {"pair_distance", NpyType::F8, 0, NpzNeed::Distances},
+     {"distance", NpyType::F8, 0, NpzNeed::Nearest},
+     {"witness", NpyType::U4, 2, NpzNeed::Nearest},
+     {"feature", NpyType::U1, 0, NpzNeed::Nearest},
+     {"witness_points", NpyType::F8, 3, NpzNeed::Nearest, 2},
+     {"witness_origin", NpyType::F8, 3, NpzNeed::Offsets},
+     {"witness_offsets", NpyType::F8, 3, NpzNeed::Offsets, 2}}};
 constexpr std::size_t offsets = 8;
 constexpr std::size_t pairs = 9;
 constexpr std::size_t pair_class = 10;
@@ -55,6 +66,12 @@ constexpr std::size_t point_origins = 13;
 constexpr std::size_t points = 14;
 constexpr std::size_t near_count = 15;
 constexpr std::size_t pair_distance = 16;
+constexpr std::size_t nearest_distance = 17;
+constexpr std::size_t witness = 18;
+constexpr std::size_t witness_feature = 19;
+constexpr std::size_t nearest_points = 20;
+constexpr std::size_t witness_origin = 21;
+constexpr std::size_t witness_offsets = 22;
 
 /// The place of an array that the archive does not have.
 constexpr std::size_t no_place = columns.size();
@@ -74,6 +91,10 @@ bool is_met(NpzNeed need, const ExportContext& context) {
         return context.clearance.has_value();
     case NpzNeed::Distances:
         return has_contacts && context.clearance.has_value();
+    case NpzNeed::Nearest:
+        return context.has_distance();
+    case NpzNeed::Offsets:
+        return context.has_distance() && context.exact_points;
     }
     return true;
 }
@@ -86,7 +107,8 @@ class NpzResults final : public ResultWriter {
         std::size_t place = 0;
         for (std::size_t i = 0; i < columns.size(); ++i) {
             if (is_met(columns[i].need, context)) {
-                file_.add_array(columns[i].name, columns[i].type, columns[i].columns);
+                file_.add_array(
+                    columns[i].name, columns[i].type, columns[i].columns, columns[i].rows_each);
                 places_[i] = place++;
             }
         }
@@ -121,6 +143,9 @@ class NpzResults final : public ResultWriter {
         if (has(point_origins)) {
             append(point_origins, numbers_of(result.point_origins));
             append(points, numbers_of(result.points));
+        }
+        if (has(nearest_distance)) {
+            add_nearest(result);
         }
         return status_;
     }
@@ -157,6 +182,23 @@ class NpzResults final : public ResultWriter {
             put(point_offsets, points_end_ + result.point_offsets[i]);
         }
         points_end_ += result.points.size();
+    }
+
+    /// Adds the nearest points; NaN, and triangles 0, without a distance.
+    void add_nearest(const ScenarioResult& result) {
+        constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+        const Vec3 none = Vec3::Constant(nan);
+        const NearestWitness nearest =
+            result.nearest.value_or(NearestWitness{nan, 0, 0, 0, none, none, none});
+        const auto [a, b] = witness_points(nearest);
+        put(nearest_distance, nearest.distance);
+        append(witness, std::vector<std::uint32_t>{nearest.a, nearest.b});
+        put(witness_feature, nearest.feature);
+        append(nearest_points, numbers_of({a, b}));
+        if (has(witness_origin)) {
+            append(witness_origin, numbers_of({nearest.origin}));
+            append(witness_offsets, numbers_of({nearest.point_a, nearest.point_b}));
+        }
     }
 
     static std::vector<double> numbers_of(const std::vector<Vec3>& vectors) {

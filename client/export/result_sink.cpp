@@ -90,6 +90,7 @@ Status ResultSink::add(const ScenarioResult& result, std::span<const ContactPair
                          std::to_string(body) + ", and the job has " + std::to_string(bodies));
     }
     groups_.add(result);
+    note_distance(result);
     tested_ += result.kind == ScenarioClass::Failed ? 0 : 1;
     waiting_.add(result, found.empty() ? std::span<const ContactPair>(result.pairs) : found);
     if (waiting_.bytes() >= waiting_bytes_max) {
@@ -99,6 +100,12 @@ Status ResultSink::add(const ScenarioResult& result, std::span<const ContactPair
         CD_TRY(writer->add(result));
     }
     return Done{};
+}
+
+void ResultSink::note_distance(const ScenarioResult& result) {
+    if (result.nearest && (!least_ || result.nearest->distance < least_->distance)) {
+        least_ = LeastDistance{result.nearest->distance, result.index, context_.unit};
+    }
 }
 
 ContactMap ResultSink::map() {

@@ -46,6 +46,8 @@ class ResultSink {
     [[nodiscard]] ContactMap map();
     /// Returns the groups of all results added; at `level count` after `finish`.
     [[nodiscard]] const GroupSum& groups() const { return groups_; }
+    /// Returns what all results added tell; parts at `level count` after `finish`.
+    [[nodiscard]] RunFindings findings() const { return {groups_.most_touched(), least_}; }
     [[nodiscard]] bool uses_stdout() const { return options_.output != "text"; }
 
   private:
@@ -54,6 +56,7 @@ class ResultSink {
     [[nodiscard]] bool has_format(std::string_view format) const;
     [[nodiscard]] Status write_map(const ContactMap& map) const;
     [[nodiscard]] GroupsOrigin groups_origin() const;
+    void note_distance(const ScenarioResult& result);
 
     SinkOptions options_;
     ExportContext context_;
@@ -62,6 +65,7 @@ class ResultSink {
     std::uint64_t tested_ = 0; ///< Results added that are not failures.
     ContactMapSum waiting_;    ///< Sum over the latest results, not yet in `map_`.
     ContactMapTotal map_;
+    std::optional<LeastDistance> least_;
 };
 
 /// Prints the summary to stdout, or to stderr if stdout carries results; in the latter case,

@@ -36,6 +36,8 @@ void ExportContext::describe(const Query& query) {
     limit_pairs = query.limit_pairs;
     maps = query.maps;
     clearance = query.clearance;
+    question = query.question;
+    up_to = query.up_to;
 }
 
 std::string body_file_name(const std::vector<ExportBody>& bodies, std::size_t body) {

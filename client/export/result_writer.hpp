@@ -41,10 +41,14 @@ struct ExportContext {
     bool exact_points = false;     ///< NPZ: also points at full precision, relative to origins.
     /// With a clearance, files also have what is known of near pairs.
     std::optional<double> clearance = std::nullopt;
+    /// With the question of the distance, files also have the nearest points.
+    Question question = Question::Contacts;
+    std::optional<double> up_to = std::nullopt; ///< Bodies farther apart have no distance.
     StopCheck stop; ///< Once it returns true, writing fails with Interrupted.
 
-    /// Sets level, `map_pairs`, `limit_pairs`, `maps` and `clearance` from the query.
+    /// Sets from the query what the context has of it.
     void describe(const Query& query);
+    [[nodiscard]] bool has_distance() const { return question == Question::Distance; }
 };
 
 /// The interface of the writers, one for each format. A writer buffers a bounded number of results.
@@ -69,7 +73,8 @@ class ResultWriter {
 [[nodiscard]] std::unique_ptr<ResultWriter> make_json_writer(const ExportContext& context,
                                                              OutputFile file);
 /// Writes scenarios.csv. distance_bound is empty unless the class is undecided. With a clearance it
-/// has the column near_count.
+/// has the column near_count; with the question of the distance columns of the nearest points,
+/// empty without a distance.
 [[nodiscard]] std::unique_ptr<ResultWriter> make_scenarios_csv_writer(const ExportContext& context,
                                                                       OutputFile file);
 /// Writes pairs.csv from `level pairs` on, and points.csv at `level contacts`; else no file.

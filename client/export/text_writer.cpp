@@ -2,6 +2,9 @@
 #include "client/formats/part_finder.hpp"
 #include "common/core/printable.hpp"
 #include "common/core/words.hpp"
+#include "common/job/result/drawn_witness.hpp"
+
+#include <optional>
 
 namespace cd {
 
@@ -18,9 +21,14 @@ std::string triangle_text(PartFinder& parts, std::uint32_t triangle) {
            std::to_string(triangle - part.triangles_begin) + ")";
 }
 
+std::string point_text(const Vec3& point) {
+    return "  " + exact_text(point.x()) + " " + exact_text(point.y()) + " " + exact_text(point.z());
+}
+
 class TextWriter final : public ResultWriter {
   public:
-    TextWriter(const ExportContext& context, OutputFile file) : file_(std::move(file)) {
+    TextWriter(const ExportContext& context, OutputFile file)
+        : up_to_(context.up_to), file_(std::move(file)) {
         for (const ExportBody& body : context.bodies) {
             parts_.emplace_back(body.mesh);
         }
@@ -37,7 +45,7 @@ class TextWriter final : public ResultWriter {
                 (result.kind == ScenarioClass::Undecided
                      ? "  at most " + exact_text(result.distance_bound) + " apart"
                      : "") +
-                (result.surfaces_only ? "  surfaces only" : "") +
+                nearest_text(result) + (result.surfaces_only ? "  surfaces only" : "") +
                 (result.insides_skipped ? "  containment not tested" : "") +
                 (result.failure.empty() ? "" : "  " + result.failure) + "\n";
         const std::vector<double> distances =
@@ -61,14 +69,27 @@ class TextWriter final : public ResultWriter {
         if (pair.kind == PairClass::Near && !distances.empty()) {
             text += "  " + exact_text(distances[number]) + " apart";
         }
-        for_each_point(result, number, [&](const Vec3& point) {
-            text += "  " + exact_text(point.x()) + " " + exact_text(point.y()) + " " +
-                    exact_text(point.z());
-        });
+        for_each_point(result, number, [&](const Vec3& point) { text += point_text(point); });
         return text + "\n";
     }
 
+    /// Returns the distance with its triangles and points; empty without one.
+    [[nodiscard]] std::string nearest_text(const ScenarioResult& result) {
+        if (!result.nearest) {
+            const bool is_beyond = up_to_ && result.kind == ScenarioClass::Separate;
+            return is_beyond ? "  farther than " + exact_text(*up_to_) + " apart" : "";
+        }
+        std::string text = "  " + exact_text(result.nearest->distance) + " apart  A " +
+                           triangle_text(parts_[result.body_a], result.nearest->a) + "  B " +
+                           triangle_text(parts_[result.body_b], result.nearest->b);
+        for (const Vec3& point : witness_points(*result.nearest)) {
+            text += point_text(point);
+        }
+        return text;
+    }
+
     std::vector<PartFinder> parts_; ///< Finds the parts of each body.
+    std::optional<double> up_to_;
     OutputFile file_;
 };
 

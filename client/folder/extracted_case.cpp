@@ -196,29 +196,50 @@ Result<CaseBody> part_that_meets(const Mesh& mesh,
     return body;
 }
 
-Result<std::array<CaseBody, 2>> smallest_bodies(const PreparedJob& job,
-                                                const std::vector<Scenario>& scenarios,
-                                                const StopCheck& stop) {
+/// Returns how far apart the triangles may be that the scenarios' results depend on.
+double reach_of(const Query& query, std::span<const ScenarioResult> results) {
+    double reach = query.clearance.value_or(0);
+    if (query.question == Question::Distance) {
+        for (const ScenarioResult& result : results) {
+            const double known = result.nearest ? result.nearest->distance : 0;
+            reach = std::max({reach, known, query.up_to.value_or(0)});
+        }
+    }
+    return reach;
+}
+
+Result<std::array<CaseBody, 2>>
+smallest_bodies(const PreparedJob& job, const CaseScenarios& given, const StopCheck& stop) {
     std::vector<PosePair> poses;
     std::vector<PosePair> swapped;
-    for (const Scenario& scenario : scenarios) {
+    for (const Scenario& scenario : given.scenarios) {
         poses.push_back(scenario.poses);
         swapped.push_back({scenario.poses.b, scenario.poses.a});
     }
-    const double reach = job.query.clearance.value_or(0);
+    const double reach = reach_of(job.query, given.results);
     auto a = CD_TRY(part_that_meets(*job.meshes[0], *job.meshes[1], poses, reach, "a", stop));
     auto b = CD_TRY(part_that_meets(*job.meshes[1], *job.meshes[0], swapped, reach, "b", stop));
     return std::array<CaseBody, 2>{std::move(a), std::move(b)};
 }
 
-/// Checks that the smallest meshes give the run's result. `pairs` are the pairs in `smallest`, with
-/// the run's numbers of triangles. Errors: BadInput if a result differs.
-Status check_smallest(const ScenarioResult& smallest,
-                      const std::vector<ContactPair>& pairs,
-                      const ScenarioResult& of_run) {
+/// Gives a result of the smallest meshes the run's numbers of triangles.
+void number_as_in_run(const std::array<CaseBody, 2>& bodies, ScenarioResult& result) {
+    for (ContactPair& pair : result.pairs) {
+        pair.a = bodies[0].ids[pair.a];
+        pair.b = bodies[1].ids[pair.b];
+    }
+    if (result.nearest) {
+        result.nearest->a = bodies[0].ids[result.nearest->a];
+        result.nearest->b = bodies[1].ids[result.nearest->b];
+    }
+}
+
+/// Checks that the smallest meshes give the run's result. `smallest` has the run's numbers of
+/// triangles. Errors: BadInput if a result differs.
+Status check_smallest(const ScenarioResult& smallest, const ScenarioResult& of_run) {
     const std::string name = "scenario " + std::to_string(of_run.index);
     if (smallest.pair_count != of_run.pair_count || smallest.near_count != of_run.near_count ||
-        pairs != of_run.pairs) {
+        smallest.pairs != of_run.pairs || smallest.nearest != of_run.nearest) {
         return bad_input("the smallest meshes of " + name +
                          " do not have the run's pairs; `cdctl verify` tells whether the run is "
                          "right");
@@ -258,14 +279,10 @@ Result<std::vector<ScenarioResult>> run_smallest(const PreparedJob& job,
         if (run.is_stopped) {
             return interrupted();
         }
-        ScenarioResult result = std::move(run.result);
-        std::vector<ContactPair> as_in_run = result.pairs;
-        for (ContactPair& pair : as_in_run) {
-            pair.a = bodies[0].ids[pair.a];
-            pair.b = bodies[1].ids[pair.b];
-        }
-        CD_TRY(check_smallest(result, as_in_run, given.results[i]));
-        results.push_back(std::move(result));
+        ScenarioResult as_in_run = run.result;
+        number_as_in_run(bodies, as_in_run);
+        CD_TRY(check_smallest(as_in_run, given.results[i]));
+        results.push_back(std::move(run.result));
     }
     return results;
 }
@@ -322,10 +339,8 @@ std::string case_job_text(const PreparedJob& job,
     }
     constexpr double rigid_tolerance = 1e300; // No pose exceeds it: the run accepted these poses.
     spec.poses = PoseFileSpec{"poses.csv", "", columns.of_both_bodies, rigid_tolerance};
-    spec.level = job.query.level;
-    spec.limit_pairs = job.query.limit_pairs;
-    spec.maps = job.query.maps;
-    spec.clearance = job.query.clearance;
+    spec.query = job.query;
+    spec.query.ignored.clear();
     spec.ignore = rules;
     return job_text(spec);
 }
@@ -344,6 +359,9 @@ std::string expected_text(std::vector<ScenarioResult> results) {
                         {"record_sha256", to_hex(digest_of(results[i]))}});
         if (results[i].has_clearance) {
             list.back()["near_count"] = results[i].near_count;
+        }
+        if (results[i].nearest) {
+            list.back()["distance"] = results[i].nearest->distance;
         }
     }
     const nlohmann::ordered_json json{{"digest", to_hex(*merger.digest())},
@@ -423,7 +441,7 @@ Status write_case(const PreparedJob& job,
     std::vector<ScenarioResult> expected = scenarios.results;
     CaseRules rules{job.spec.ignore, job.query.ignored};
     if (options.minimal) {
-        bodies = CD_TRY(smallest_bodies(job, scenarios.scenarios, options.stop));
+        bodies = CD_TRY(smallest_bodies(job, scenarios, options.stop));
         rules = rules_for(job, bodies);
         expected = CD_TRY(run_smallest(job, scenarios, bodies, rules.ignored, options.stop, pool));
     }

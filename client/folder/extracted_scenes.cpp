@@ -7,6 +7,7 @@
 #include "client/trees/body_trees.hpp"
 #include "common/core/errors.hpp"
 #include "common/core/files/disk_file.hpp"
+#include "common/job/result/drawn_witness.hpp"
 #include "common/job/run_scenario.hpp"
 
 #include <algorithm>
@@ -22,7 +23,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Runs scenarios of a job for drawing: all pairs, with their points.
+/// Runs scenarios of a job for drawing: all pairs, or the nearest pair of a known distance, with
+/// their points.
 class SceneRunner {
   public:
     SceneRunner(const PreparedJob& job, TreeCache& cache, ThreadPool& pool, const StopCheck& stop)
@@ -37,7 +39,8 @@ class SceneRunner {
     [[nodiscard]] Result<ScenarioResult> run(const Scenario& scenario,
                                              const ScenarioResult& known) {
         const SubtreePair whole{trees_[0]->view(), trees_[1]->view()};
-        ScenarioRun done = run_on_subtrees(kept_, {&whole, 1}, scenario, query_, options_);
+        const Query& query = known.nearest ? of_run_ : query_;
+        ScenarioRun done = run_on_subtrees(kept_, {&whole, 1}, scenario, query, options_);
         if (done.is_stopped) {
             return interrupted();
         }
@@ -49,12 +52,17 @@ class SceneRunner {
                              " has other contacts here than in the run; `cdctl verify` tells "
                              "whether the run is right");
         }
+        list_witness(done.result);
         return std::move(done.result);
     }
 
   private:
-    /// Compares with the run's result, as far as the run's query asked for pairs exactly.
+    /// Compares with the run's result, as far as the run's query asked for pairs exactly, or for
+    /// the distance.
     [[nodiscard]] bool agrees(const ScenarioResult& drawn, const ScenarioResult& known) const {
+        if (known.nearest != drawn.nearest) {
+            return false;
+        }
         const bool says_pairs = of_run_.level != Level::Any &&
                                 known.kind != ScenarioClass::Undecided &&
                                 known.kind != ScenarioClass::Failed;

@@ -57,8 +57,13 @@ RunReport report_of(const Json& json) {
     if (json.contains("digest") && json["digest"].is_string()) {
         report.digest = sha256_from_hex(json["digest"].get<std::string>());
     }
+    if (json.contains("least_distance") && json["least_distance"].is_number()) {
+        report.findings.least = LeastDistance{json["least_distance"].get<double>(),
+                                              json.value("least_scenario", std::uint64_t{0}),
+                                              json.value("unit", "")};
+    }
     for (const Json& part : json.value("most_touched", Json::array())) {
-        report.most_touched.push_back(
+        report.findings.most_touched.push_back(
             {part.value("part", ""), part.value("scenarios", std::uint64_t{0})});
     }
     return report;
@@ -98,7 +103,7 @@ write_exports(const OpenedRun& run, const SinkOptions& options, const ExportCont
     report.clearance = run.manifest().query.clearance;
     report.maps_all_pairs = run.manifest().query.maps;
     report.map = std::move(map);
-    report.most_touched = sink.groups().most_touched();
+    report.findings = sink.findings();
     report.folder.summary_file = (run.dir() / "summary.json").string();
     return report;
 }

@@ -242,7 +242,7 @@ Status FolderRun::finish(RunReport& report,
         report.map = sink.map();
     }
     CD_TRY(sink.finish(report.map));
-    report.most_touched = sink.groups().most_touched();
+    report.findings = sink.findings();
     CD_TRY(finish_inputs());
     report.folder.inputs_are_too_large = wants_inputs_ && !keeps_inputs_;
     CD_TRY(write_summary(folder_.out(), context, report));

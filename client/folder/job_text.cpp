@@ -1,5 +1,6 @@
 #include "client/folder/job_text.hpp"
 
+#include "client/spec/query_spec.hpp"
 #include "common/core/words.hpp"
 
 #include <array>
@@ -75,10 +76,12 @@ std::string poses_text(const PoseFileSpec& poses) {
 }
 
 std::string query_text(const JobSpec& spec) {
-    std::string text = "\n[query]\n" + line("level", toml_quoted(to_text(spec.level)));
-    text += spec.clearance ? line("clearance", number(*spec.clearance)) : "";
-    text += spec.limit_pairs > 0 ? line("limit_pairs", std::to_string(spec.limit_pairs)) : "";
-    text += spec.maps ? line("maps", "true") : "";
+    const Query& query = spec.query;
+    std::string text = "\n[query]\n" + line("level", toml_quoted(asked_level(query)));
+    text += query.clearance ? line("clearance", number(*query.clearance)) : "";
+    text += query.up_to ? line("up_to", number(*query.up_to)) : "";
+    text += query.limit_pairs > 0 ? line("limit_pairs", std::to_string(query.limit_pairs)) : "";
+    text += query.maps ? line("maps", "true") : "";
     if (!spec.ignore.empty()) {
         text += line("ignore", list(spec.ignore, [](const IgnoreRule& rule) {
                          return "[" + toml_quoted(rule.a) + ", " + toml_quoted(rule.b) + "]";

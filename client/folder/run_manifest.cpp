@@ -21,10 +21,12 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::uint64_t format_version = 2;
 /// Returns the version of the canonical records (common/job/result/result.hpp). A program that does
-/// not know a clearance refuses a folder with version 3.
+/// not know a clearance or a distance refuses a folder with version 3.
 std::uint64_t record_version(const Query& query) {
-    return query.clearance ? 3 : 2;
+    return query.clearance || query.question != Question::Contacts ? 3 : 2;
 }
+/// The name of the question of the distance; that of contacts is not written.
+constexpr std::string_view distance_name = "distance";
 constexpr std::array<std::string_view, 3> kind_names{"grid", "file", "random"};
 
 std::string_view to_text(PosesKind kind) {
@@ -93,6 +95,12 @@ Json query_json(const Query& query) {
               {"ignored", std::move(ignored)}};
     if (query.clearance) {
         json["clearance"] = *query.clearance;
+    }
+    if (query.question == Question::Distance) {
+        json["question"] = distance_name;
+    }
+    if (query.up_to) {
+        json["up_to"] = *query.up_to;
     }
     return json;
 }
@@ -257,6 +265,17 @@ IgnoredRange read_ignored(const Json& json) {
     return {end_of(0, 0), end_of(0, 1), end_of(1, 0), end_of(1, 1)};
 }
 
+std::optional<double> read_length(const Json& query, const char* key) {
+    if (!query.contains(key)) {
+        return std::nullopt;
+    }
+    const double length = number_of(query[key]);
+    if (!is_clearance(length)) {
+        throw Refusal{bad_input(std::string("the ") + key + " is out of range")};
+    }
+    return length;
+}
+
 Query read_query(const Json& json) {
     Query query;
     const auto level = level_from_text(value_of<std::string>(json, "level"));
@@ -266,11 +285,16 @@ Query read_query(const Json& json) {
     query.level = *level;
     query.limit_pairs = value_of<std::uint64_t>(json, "limit_pairs");
     query.maps = value_of<bool>(json, "maps");
-    if (json.contains("clearance")) {
-        query.clearance = number_of(json["clearance"]);
-        if (!is_clearance(*query.clearance)) {
-            throw Refusal{bad_input("the clearance is out of range")};
+    query.clearance = read_length(json, "clearance");
+    query.up_to = read_length(json, "up_to");
+    if (json.contains("question")) {
+        if (value_of<std::string>(json, "question") != distance_name) {
+            throw Refusal{bad_input("it has a question that is not known; use a later cdctl")};
         }
+        query.question = Question::Distance;
+    }
+    if (const char* problem = query_problem(query)) {
+        throw Refusal{bad_input(std::string("its query is ") + problem)};
     }
     for (const Json& each : json.at("ignored")) {
         query.ignored.push_back(read_ignored(each));
@@ -341,7 +365,8 @@ RunManifest read_manifest(const Json& json) {
 bool is_equal(const Query& left, const Query& right) {
     return left.level == right.level && left.limit_pairs == right.limit_pairs &&
            left.maps == right.maps && left.ignored == right.ignored &&
-           left.clearance == right.clearance;
+           left.clearance == right.clearance && left.question == right.question &&
+           left.up_to == right.up_to;
 }
 
 bool has_same_poses(const ManifestPoses& left, const ManifestPoses& right) {

@@ -30,8 +30,11 @@ void NpzWriter::remove_spools() {
     }
 }
 
-std::size_t NpzWriter::add_array(const std::string& name, NpyType type, std::uint64_t columns) {
-    Array array{name, type, columns};
+std::size_t NpzWriter::add_array(const std::string& name,
+                                 NpyType type,
+                                 std::uint64_t columns,
+                                 std::uint64_t rows_each) {
+    Array array{name, type, columns, rows_each};
     array.spool = path_.string() + "." + std::to_string(arrays_.size()) + ".part";
     array.file.open(array.spool, std::ios::binary | std::ios::trunc);
     // Leaves room for the header, which `finish` writes once the length is known.
@@ -56,6 +59,16 @@ NpzWriter::append_bytes(std::size_t array, std::span<const std::byte> bytes, std
     return Done{};
 }
 
+std::vector<std::uint64_t> NpzWriter::shape_of(const Array& array) {
+    if (array.columns == 0) {
+        return {array.elements};
+    }
+    const std::uint64_t rows = array.elements / array.columns;
+    return array.rows_each == 1
+               ? std::vector<std::uint64_t>{rows, array.columns}
+               : std::vector<std::uint64_t>{rows / array.rows_each, array.rows_each, array.columns};
+}
+
 Status NpzWriter::finish() {
     const std::filesystem::path temporary = path_.string() + ".part";
     int code = 0;
@@ -68,11 +81,7 @@ Status NpzWriter::finish() {
         return failed("the folder is missing or may not be written to");
     }
     for (Array& array : arrays_) {
-        std::vector<std::uint64_t> shape{array.elements};
-        if (array.columns != 0) {
-            shape = {array.elements / array.columns, array.columns};
-        }
-        const Bytes header = make_npy_header(array.type, shape);
+        const Bytes header = make_npy_header(array.type, shape_of(array));
         array.file.seekp(0);
         array.file.write(reinterpret_cast<const char*>(header.data()), npy_header_bytes);
         array.file.close();

@@ -28,9 +28,13 @@ class NpzWriter {
     /// Removes the spool files.
     ~NpzWriter();
 
-    /// Adds an array of rows of `columns` elements, or of one dimension if `columns` is 0. Returns
-    /// the array's number. An error of the file system is reported by the first `append`.
-    std::size_t add_array(const std::string& name, NpyType type, std::uint64_t columns = 0);
+    /// Adds an array of rows of `columns` elements, or of one dimension if `columns` is 0. Above 1
+    /// `rows_each` makes the shape (N, rows_each, columns). Returns the array's number. An error of
+    /// the file system is reported by the first `append`.
+    std::size_t add_array(const std::string& name,
+                          NpyType type,
+                          std::uint64_t columns = 0,
+                          std::uint64_t rows_each = 1);
 
     /// Appends elements to an array. Errors: Io naming the file, as soon as a write fails.
     template <class T>
@@ -47,6 +51,7 @@ class NpzWriter {
         std::string name;
         NpyType type = NpyType::F8;
         std::uint64_t columns = 0;
+        std::uint64_t rows_each = 1;
         std::filesystem::path spool = {};
         std::ofstream file = {};
         std::uint64_t elements = 0;
@@ -54,6 +59,7 @@ class NpzWriter {
 
     [[nodiscard]] Status
     append_bytes(std::size_t array, std::span<const std::byte> bytes, std::size_t item);
+    [[nodiscard]] static std::vector<std::uint64_t> shape_of(const Array& array);
     [[nodiscard]] bool is_stopped() const { return stop_ && stop_(); }
     void remove_spools();
 

@@ -184,11 +184,8 @@ Result<PreparedJob> prepare_job(
     auto ignored =
         CD_TRY(given.ignored ? Result(std::move(*given.ignored))
                              : resolve_ignored(job.spec, *job.meshes[0], *job.meshes[1]));
-    job.query = {job.spec.level,
-                 job.spec.limit_pairs,
-                 std::move(ignored),
-                 job.spec.maps,
-                 job.spec.clearance};
+    job.query = job.spec.query;
+    job.query.ignored = std::move(ignored);
     // Only random poses need trees.
     const bool makes_poses = !given.poses && std::holds_alternative<RandomPoses>(job.spec.poses);
     if (given.poses) {

@@ -109,10 +109,8 @@ Result<JobSpec> spec_of(const Submit& submit) {
     }
     auto poses = CD_TRY(poses_of(submit));
     spec.poses = std::move(poses);
-    spec.level = submit.query.level;
-    spec.limit_pairs = submit.query.limit_pairs;
-    spec.maps = submit.query.maps;
-    spec.clearance = submit.query.clearance;
+    spec.query = submit.query;
+    spec.query.ignored.clear();
     for (const IgnoreLine& line : submit.ignore) {
         spec.ignore.push_back({line.a, line.b});
     }

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <optional>
 
 namespace cd {
 
@@ -82,9 +84,58 @@ void draw_marks(std::span<const PosedBody> bodies, Rasteriser& picture) {
     }
 }
 
+/// Hides the marks behind the bodies.
+void hide_marks(std::span<const PosedBody> bodies, Rasteriser& picture) {
+    for (const PosedBody& body : bodies) {
+        picture.hide(body.vertices, body.triangles());
+    }
+}
+
 void sort_triangles_once(std::vector<std::uint32_t>& numbers) {
     std::ranges::sort(numbers);
     numbers.erase(std::ranges::unique(numbers).begin(), numbers.end());
+}
+
+/// Returns the shortest line if the bodies are only near, and it has a direction.
+std::optional<GapLine> gap_of(std::span<const PosedBody> bodies, std::span<const GapLine> lines) {
+    const auto is_in_contact = [](const PosedBody& body) { return !body.body->contacts.empty(); };
+    if (lines.empty() || std::ranges::any_of(bodies, is_in_contact)) {
+        return std::nullopt;
+    }
+    const auto length = [](const GapLine& line) { return (line[1] - line[0]).stableNorm(); };
+    const GapLine& gap = *std::ranges::min_element(lines, {}, length);
+    const double shortest = length(gap);
+    return shortest > 0 && std::isfinite(shortest) ? std::optional(gap) : std::nullopt;
+}
+
+/// Returns the sine of the angle between two directions; 0 below 45 degrees.
+double sine_of_large_angle(const Vec3& direction, const GapLine& gap) {
+    constexpr double half = 0.5 * (1 + 1e-9); // Directions to a cube's edges may be at 45 degrees.
+    const double cosine = direction.normalized().dot((gap[1] - gap[0]).stableNormalized());
+    return cosine * cosine <= half ? std::sqrt(1 - cosine * cosine) : 0;
+}
+
+/// Returns the viewpoint of the 26 from which a gap is seen best.
+Viewpoint best_of_gap(std::span<const PosedBody> bodies, const Aabb& scene, const GapLine& gap) {
+    constexpr PictureSize small{160, 100};
+    Viewpoint best = front_right();
+    double most = 0;
+    for (const Viewpoint& eye : viewpoints()) {
+        const double sine = sine_of_large_angle(eye.towards_eye, gap);
+        if (sine == 0) {
+            continue;
+        }
+        Rasteriser picture(small.width, small.height, 1, eye, scene);
+        draw_marks(bodies, picture);
+        picture.mark_line(gap[0], gap[1], gap_colour);
+        hide_marks(bodies, picture);
+        const double seen = sine * static_cast<double>(1 + picture.marks_in_sight());
+        if (seen > most) {
+            most = seen;
+            best = eye;
+        }
+    }
+    return best;
 }
 
 Viewpoint best_viewpoint(std::span<const PosedBody> bodies, const Aabb& scene) {
@@ -94,9 +145,7 @@ Viewpoint best_viewpoint(std::span<const PosedBody> bodies, const Aabb& scene) {
     for (const Viewpoint& eye : viewpoints()) {
         Rasteriser picture(small.width, small.height, 1, eye, scene);
         draw_marks(bodies, picture);
-        for (const PosedBody& body : bodies) {
-            picture.hide(body.vertices, body.triangles());
-        }
+        hide_marks(bodies, picture);
         const std::size_t seen = picture.marks_in_sight();
         if (seen > most) {
             most = seen;
@@ -104,6 +153,17 @@ Viewpoint best_viewpoint(std::span<const PosedBody> bodies, const Aabb& scene) {
         }
     }
     return best;
+}
+
+Viewpoint
+viewpoint_of(std::span<const PosedBody> bodies, const Aabb& scene, std::span<const GapLine> lines) {
+    if (const std::optional<GapLine> gap = gap_of(bodies, lines)) {
+        return best_of_gap(bodies, scene, *gap);
+    }
+    const bool has_marks = std::ranges::any_of(bodies, [](const PosedBody& body) {
+        return !body.body->contacts.empty() || !body.body->near.empty();
+    });
+    return has_marks ? best_viewpoint(bodies, scene) : front_right();
 }
 
 } // namespace
@@ -153,15 +213,17 @@ std::vector<GapLine> gap_lines(const ScenarioResult& result) {
     return lines;
 }
 
+Viewpoint viewpoint_of(std::span<const PicturedBody> bodies, std::span<const GapLine> lines) {
+    const std::vector<PosedBody> in_world = posed(bodies);
+    return viewpoint_of(in_world, box_of(in_world), lines);
+}
+
 Image draw_contacts(std::span<const PicturedBody> pictured_bodies,
                     PictureSize size,
                     std::span<const GapLine> lines) {
     const std::vector<PosedBody> bodies = posed(pictured_bodies);
     const Aabb scene = box_of(bodies);
-    const bool has_marks = std::ranges::any_of(pictured_bodies, [](const PicturedBody& body) {
-        return !body.contacts.empty() || !body.near.empty();
-    });
-    const Viewpoint eye = has_marks ? best_viewpoint(bodies, scene) : front_right();
+    const Viewpoint eye = viewpoint_of(bodies, scene, lines);
     Rasteriser picture(size.width, size.height, samples, eye, scene);
     for (const PosedBody& body : bodies) {
         for (const Triangle& triangle : body.triangles()) {

@@ -14,6 +14,8 @@
 
 namespace cd {
 
+struct Viewpoint;
+
 /// The size of a picture in pixels.
 struct PictureSize {
     unsigned width = 1200;
@@ -51,9 +53,16 @@ pictured(const Mesh& a, const Mesh& b, const PosePair& poses, std::span<const Co
 /// Returns the lines of a result's near pairs; none below `level contacts`.
 [[nodiscard]] std::vector<GapLine> gap_lines(const ScenarioResult& result);
 
-/// Draws bodies with their contacts and near triangles, from the one of 26 directions (to the
-/// faces, edges and corners of a cube) that shows most of them; from the front right and above if
-/// none shows any. Lines are drawn into the picture.
+/// Returns from where `draw_contacts` looks: from the one of 26 directions (to the faces, edges and
+/// corners of a cube) that shows most of the contacts and near triangles; from the front right and
+/// above if none shows any.
+///
+/// Bodies that are only near are seen at an angle of at least 45 degrees to their shortest line, so
+/// that the picture shows the gap. A direction's marks count the more, the larger the angle is.
+[[nodiscard]] Viewpoint viewpoint_of(std::span<const PicturedBody> bodies,
+                                     std::span<const GapLine> lines);
+
+/// Draws bodies with their contacts and near triangles as seen from `viewpoint_of`, and the lines.
 [[nodiscard]] Image draw_contacts(std::span<const PicturedBody> bodies,
                                   PictureSize size = {},
                                   std::span<const GapLine> lines = {});

@@ -134,12 +134,20 @@ std::string map_text(const RunReport& report) {
 /// Names the parts most in contact, with shares, or with counts if not all pairs are listed.
 std::string most_touched_text(const RunReport& report) {
     std::string text;
-    for (const TouchedPart& part : report.most_touched) {
+    for (const TouchedPart& part : report.findings.most_touched) {
         text += (text.empty() ? "  most touched  " : ", ") + part.part + " " +
                 (report.limit_pairs == 0 ? percent(part.scenarios, report.summary.tested())
                                          : grouped(part.scenarios));
     }
     return text.empty() ? text : text + first_pairs_text(report) + "\n";
+}
+
+std::string least_text(const RunReport& report) {
+    return !report.findings.least
+               ? ""
+               : "  least apart   " + length_text(report.findings.least->distance) + " " +
+                     report.findings.least->unit + " in scenario " +
+                     grouped(report.findings.least->scenario) + "\n";
 }
 
 /// Lists the classes. Near scenarios are listed if the query has a clearance.
@@ -286,6 +294,7 @@ std::string summary_text(const RunReport& report, const SummaryStyle& style) {
         " scenarios/s" + (report.execution.where.empty() ? "" : ", " + report.execution.where) +
         "\n";
     text += classes_text(report, style.colours);
+    text += least_text(report);
     if (report.execution.reused != 0) {
         text += "  reused        " + grouped(report.execution.reused) + " of " +
                 counted(summary.total, "result") + " of an earlier run\n";

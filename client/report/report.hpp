@@ -66,6 +66,20 @@ struct FolderNote {
     bool inputs_are_too_large = false; ///< The folder has no copy of the inputs.
 };
 
+/// The scenario in which a run's bodies share no point and are least apart.
+struct LeastDistance {
+    double distance = 0; ///< In the world.
+    std::uint64_t scenario = 0;
+    std::string unit; ///< The job's unit.
+};
+
+/// What a run's results, all in all, tell.
+struct RunFindings {
+    std::vector<TouchedPart> most_touched; ///< Parts in most scenarios, by the listed pairs.
+    /// With the question of the distance; of equal distances the first scenario.
+    std::optional<LeastDistance> least;
+};
+
 /// The outcome of a run, for the summary.
 struct RunReport {
     Summary summary;
@@ -75,10 +89,10 @@ struct RunReport {
     bool maps_all_pairs = false;     ///< The contact map also counts pairs beyond `limit_pairs`.
     std::optional<Sha256> digest;    ///< Nothing while scenarios are missing.
     RunExecution execution;
-    std::optional<ContactMap> map;         ///< The job's contact map, if there is one.
-    std::string map_withdrawn;             ///< Why a map that was asked for is missing; or empty.
-    std::vector<TouchedPart> most_touched; ///< Parts in most scenarios, by the listed pairs.
-    std::string hint;                      ///< A line about poses without contact; may be empty.
+    RunFindings findings;
+    std::optional<ContactMap> map; ///< The job's contact map, if there is one.
+    std::string map_withdrawn;     ///< Why a map that was asked for is missing; or empty.
+    std::string hint;              ///< A line about poses without contact; may be empty.
     FolderNote folder;
 };
 

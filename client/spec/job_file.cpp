@@ -2,6 +2,7 @@
 
 #include "client/base/units.hpp"
 #include "client/formats/output_file.hpp"
+#include "client/spec/query_spec.hpp"
 #include "client/spec/toml_fields.hpp"
 #include "common/core/errors.hpp"
 #include "common/core/limits/engine.hpp"
@@ -191,6 +192,14 @@ void read_ignore(const TomlFields& query, JobSpec& spec) {
     }
 }
 
+std::optional<double> read_length(const TomlFields& query, std::string_view key) {
+    const std::optional<double> length = query.number(key);
+    if (length && !is_clearance(*length)) {
+        query.refuse(key, std::string(key) + " is a length of at least 0, in the job's unit");
+    }
+    return length;
+}
+
 void read_query(const TomlFields& job, JobSpec& spec) {
     const toml::table* table = job.table("query");
     if (table == nullptr) {
@@ -202,16 +211,16 @@ void read_query(const TomlFields& job, JobSpec& spec) {
                    "exact answers are faster: remove it; level \"any\" is the fastest");
     }
     const TomlFields fields(
-        table, job, "[query]", {"level", "clearance", "limit_pairs", "maps", "ignore"});
-    if (const auto level = fields.word("level", level_names)) {
-        spec.level = level_from_text(*level).value_or(spec.level);
-    }
-    spec.limit_pairs = fields.integer("limit_pairs", 0, std::numeric_limits<std::uint32_t>::max())
-                           .value_or(spec.limit_pairs);
-    spec.maps = fields.boolean("maps").value_or(spec.maps);
-    spec.clearance = fields.number("clearance");
-    if (spec.clearance && !is_clearance(*spec.clearance)) {
-        fields.refuse("clearance", "clearance is a length of at least 0, in the job's unit");
+        table, job, "[query]", {"level", "clearance", "up_to", "limit_pairs", "maps", "ignore"});
+    Query& query = spec.query;
+    static_cast<void>(set_asked_level(fields.word("level", asked_levels).value_or("pairs"), query));
+    query.limit_pairs = fields.integer("limit_pairs", 0, std::numeric_limits<std::uint32_t>::max())
+                            .value_or(query.limit_pairs);
+    query.maps = fields.boolean("maps").value_or(query.maps);
+    query.clearance = read_length(fields, "clearance");
+    query.up_to = read_length(fields, "up_to");
+    if (const auto conflict = conflict_in(query)) {
+        fields.refuse(conflict->key, std::string(conflict->reason));
     }
     read_ignore(fields, spec);
 }
@@ -328,16 +337,6 @@ Result<std::optional<std::uint32_t>> parse_depth(std::string_view text) {
                          std::string(text) + "\"");
     }
     return depth;
-}
-
-Status check_maps(const JobSpec& spec) {
-    if (spec.maps && spec.level == Level::Any) {
-        return Error{
-            ErrorCode::BadInput,
-            "maps need level count, pairs or contacts, since level any finds no triangles; "
-            "set another level, or leave out maps"};
-    }
-    return Done{};
 }
 
 bool is_penetration(const RandomPoses& random) {

@@ -68,10 +68,7 @@ struct JobSpec {
     std::string unit = "m";
     std::array<BodySpec, 2> bodies;
     PosesSpec poses = RandomPoses{};
-    Level level = Level::Pairs;
-    std::uint64_t limit_pairs = 0;
-    bool maps = false;
-    std::optional<double> clearance; ///< `Query::clearance`, in the job's unit.
+    Query query; ///< Without `Query::ignored`, which follows from `ignore` and the meshes.
     std::vector<IgnoreRule> ignore;
     OutputSpec output;
     ClusterOptions cluster;
@@ -93,9 +90,6 @@ struct JobSpec {
 
 /// Parses a distribution depth: a number, or "auto", which gives nothing. Errors: BadInput.
 [[nodiscard]] Result<std::optional<std::uint32_t>> parse_depth(std::string_view text);
-
-/// Refuses maps at `level any`. Errors: BadInput.
-[[nodiscard]] Status check_maps(const JobSpec& spec);
 
 /// True if the least and most penetration are in order and within 0 to 1.
 [[nodiscard]] bool is_penetration(const RandomPoses& random);

@@ -1,6 +1,7 @@
 #include "client/spec/job_options.hpp"
 
 #include "client/base/units.hpp"
+#include "client/spec/query_spec.hpp"
 #include "common/core/errors.hpp"
 
 #include <fmt/format.h>
@@ -81,25 +82,33 @@ void replace(T& value, const std::optional<T>& given) {
     value = given.value_or(value);
 }
 
-Status apply(const QueryOptions& options, JobSpec& spec) {
-    if (!options.level.empty()) {
-        const auto level = level_from_text(options.level);
-        if (!level) {
-            return usage(fmt::format(
-                "--level \"{}\" is not one of {}", options.level, fmt::join(level_names, ", ")));
-        }
-        spec.level = *level;
+/// Replaces a length of the job's if the option is given. Errors: BadInput.
+Status replace_length(const char* option,
+                      const std::optional<double>& given,
+                      std::optional<double>& length) {
+    if (given && !is_clearance(*given)) {
+        return usage(std::string(option) + " is a finite length of at least 0, in the job's unit");
     }
-    replace(spec.limit_pairs, options.limit_pairs);
-    if (spec.limit_pairs > std::numeric_limits<std::uint32_t>::max()) {
+    length = given ? given : length;
+    return Done{};
+}
+
+Status apply(const QueryOptions& options, Query& query) {
+    if (!options.level.empty() && !set_asked_level(options.level, query)) {
+        return usage(fmt::format(
+            "--level \"{}\" is not one of {}", options.level, fmt::join(asked_levels, ", ")));
+    }
+    replace(query.limit_pairs, options.limit_pairs);
+    if (query.limit_pairs > std::numeric_limits<std::uint32_t>::max()) {
         return usage("--limit-pairs is at most 4294967295, as in a job file");
     }
-    spec.maps = spec.maps || options.maps;
-    if (options.clearance && !is_clearance(*options.clearance)) {
-        return usage("--clearance is a finite length of at least 0, in the job's unit");
+    query.maps = query.maps || options.maps;
+    CD_TRY(replace_length("--clearance", options.clearance, query.clearance));
+    CD_TRY(replace_length("--up-to", options.up_to, query.up_to));
+    if (const auto conflict = conflict_in(query)) {
+        return usage(std::string(conflict->reason));
     }
-    spec.clearance = options.clearance ? options.clearance : spec.clearance;
-    return check_maps(spec);
+    return check_maps(query);
 }
 
 Status apply(const OutputOptions& options, OutputSpec& output) {
@@ -149,10 +158,10 @@ Status apply(const JobOptions& options, JobSpec& spec) {
         body.rounds_to_float =
             options.precision.empty() ? body.rounds_to_float : options.precision == "float";
     }
-    CD_TRY(apply(options.query, spec));
+    CD_TRY(apply(options.query, spec.query));
     CD_TRY(apply(options.output, spec.output));
     if (!spec.output.dir.empty()) {
-        CD_TRY(check_map_formats(spec.output.formats, spec.level, spec.maps));
+        CD_TRY(check_map_formats(spec.output.formats, spec.query.level, spec.query.maps));
     }
     return apply(options.cluster, spec);
 }

@@ -31,6 +31,7 @@ struct QueryOptions {
     std::optional<std::uint64_t> limit_pairs;
     bool maps = false;
     std::optional<double> clearance;
+    std::optional<double> up_to;
 };
 
 /// Options that override a job file's table [output].

@@ -66,6 +66,12 @@ void FolderSource::counts(const std::string& id,
     answer(id, std::move(take), [this, choice] { return run_->counts(choice); });
 }
 
+void FolderSource::distances(const std::string& id,
+                             const ScenarioChoice& choice,
+                             Take<std::vector<double>> take) {
+    answer(id, std::move(take), [this, choice] { return run_->distances(choice); });
+}
+
 void FolderSource::poses(const std::string& id, const ScenarioChoice& choice, Take<PoseRows> take) {
     answer(id, std::move(take), [this, choice] { return run_->poses(choice); });
 }

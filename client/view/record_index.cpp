@@ -7,6 +7,8 @@
 #include "web/server/page_source.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <cstddef>
 #include <limits>
 #include <mutex>
 #include <utility>
@@ -14,6 +16,8 @@
 namespace cd {
 
 namespace {
+
+constexpr double no_distance = std::numeric_limits<double>::quiet_NaN();
 
 std::uint64_t& count_of_class(Summary& summary, ScenarioClass kind) {
     switch (kind) {
@@ -87,12 +91,8 @@ Result<RecordIndex> RecordIndex::read(const RecordFile& records,
         }
         sums.map.add(map.take());
         for (const KeptRecord& record : read.value()) {
-            const ScenarioResult& result = record.result;
-            if (result.index < scenarios) {
-                index.classes_[result.index] = static_cast<std::uint8_t>(result.kind);
-                index.counts_[result.index] = static_cast<std::uint32_t>(std::min<std::uint64_t>(
-                    pairs_of_class(result), std::numeric_limits<std::uint32_t>::max()));
-                count(index.summary_, result);
+            if (record.result.index < scenarios) {
+                index.add(record.result);
             }
         }
     });
@@ -101,6 +101,37 @@ Result<RecordIndex> RecordIndex::read(const RecordFile& records,
     }
     index.map_ = sums.map.map();
     return index;
+}
+
+void RecordIndex::add(const ScenarioResult& result) {
+    classes_[result.index] = static_cast<std::uint8_t>(result.kind);
+    counts_[result.index] = static_cast<std::uint32_t>(
+        std::min<std::uint64_t>(pairs_of_class(result), std::numeric_limits<std::uint32_t>::max()));
+    count(summary_, result);
+    if (result.nearest) {
+        distances_.resize(classes_.size(), no_distance);
+        distances_[result.index] = result.nearest->distance;
+    }
+}
+
+double RecordIndex::distance_of(std::uint64_t scenario) const {
+    return distances_.empty() ? no_distance : distances_[scenario];
+}
+
+void RecordIndex::add_nearest(std::size_t count, std::vector<std::uint64_t>& worst) const {
+    std::vector<std::uint64_t> apart;
+    for (std::uint64_t scenario = 0; scenario < distances_.size(); ++scenario) {
+        if (!is_hit(static_cast<ScenarioClass>(classes_[scenario])) &&
+            !std::isnan(distances_[scenario])) {
+            apart.push_back(scenario);
+        }
+    }
+    const std::size_t added = std::min(count - worst.size(), apart.size());
+    const auto end = apart.begin() + static_cast<std::ptrdiff_t>(added);
+    std::ranges::partial_sort(apart, end, {}, [&](std::uint64_t scenario) {
+        return std::pair(distances_[scenario], scenario);
+    });
+    worst.insert(worst.end(), apart.begin(), end);
 }
 
 std::vector<std::uint64_t> RecordIndex::worst(std::size_t count) const {
@@ -121,6 +152,7 @@ std::vector<std::uint64_t> RecordIndex::worst(std::size_t count) const {
             worst.resize(std::min(worst.size(), count));
         }
     }
+    add_nearest(count, worst);
     return worst;
 }
 

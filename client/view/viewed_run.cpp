@@ -185,6 +185,15 @@ Result<std::vector<std::uint32_t>> ViewedRun::counts(const ScenarioChoice& choic
     return counts;
 }
 
+Result<std::vector<double>> ViewedRun::distances(const ScenarioChoice& choice) const {
+    CD_TRY(choice.check(count(), limits::page_classes_max));
+    std::vector<double> distances(choice.size());
+    for (std::uint64_t i = 0; i < distances.size(); ++i) {
+        distances[i] = index_.distance_of(choice.at(i, count()));
+    }
+    return distances;
+}
+
 Result<std::vector<Scenario>> ViewedRun::read_poses(std::uint64_t first, std::uint64_t count) {
     const std::scoped_lock lock(mutex_);
     return job_.poses->read(first, count);

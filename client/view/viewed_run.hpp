@@ -41,12 +41,15 @@ class ViewedRun {
     [[nodiscard]] JobRow row(const std::string& id) const;
     [[nodiscard]] Result<std::vector<std::uint8_t>> classes(const ScenarioChoice& choice) const;
     [[nodiscard]] Result<std::vector<std::uint32_t>> counts(const ScenarioChoice& choice) const;
+    /// Each scenario's distance; NaN without one.
+    [[nodiscard]] Result<std::vector<double>> distances(const ScenarioChoice& choice) const;
     [[nodiscard]] Result<PoseRows> poses(const ScenarioChoice& choice);
     /// Returns a body's contact map. Errors: NotFound without a map or a body.
     [[nodiscard]] Result<std::vector<TriangleContacts>> map(std::uint64_t body) const;
     /// Returns the parts of a body as the groups name them. Errors: NotFound for another body.
     [[nodiscard]] Result<std::shared_ptr<const NamedParts>> parts(std::uint64_t body) const;
-    /// Returns the worst scenarios in contact or near, as `RecordIndex::worst`.
+    /// Returns the worst scenarios in contact or near, or the nearest ones, as
+    /// `RecordIndex::worst`.
     [[nodiscard]] std::vector<std::uint64_t> worst(std::size_t count) const {
         return index_.worst(count);
     }

@@ -21,4 +21,19 @@ std::optional<Level> level_from_text(std::string_view text) {
     return std::nullopt;
 }
 
+const char* query_problem(const Query& query) {
+    if (query.clearance && !is_clearance(*query.clearance)) {
+        return "a clearance that is negative or not finite";
+    }
+    if (query.up_to && !is_clearance(*query.up_to)) {
+        return "an up_to that is negative or not finite";
+    }
+    if (query.question != Question::Distance) {
+        return query.up_to ? "an up_to without the question of the distance" : nullptr;
+    }
+    const bool asks_more =
+        query.level != Level::Any || query.clearance || query.maps || query.limit_pairs != 0;
+    return asks_more ? "a distance with a level, clearance, maps or limit_pairs" : nullptr;
+}
+
 } // namespace cd

@@ -57,12 +57,16 @@ bool are_triangles_of(const JobMaterial& material, std::span<const ContactPair> 
     });
 }
 
-/// Returns what is wrong with the level, bodies or clearance of a decoded result; null if nothing.
+/// Returns what is wrong with the level, bodies, question or clearance of a decoded result; null if
+/// nothing.
 const char*
 problem_of_question(const Query& query, const Scenario& scenario, const ScenarioResult& result) {
     if (result.level != query.level || result.body_a != scenario.body_a ||
         result.body_b != scenario.body_b) {
         return "is not of the level or bodies asked for";
+    }
+    if (result.question != query.question) {
+        return "answers another question than the one asked";
     }
     if (result.has_clearance != query.clearance.has_value()) {
         return result.has_clearance ? "has a clearance that was not asked for"
@@ -95,6 +99,37 @@ const char* problem_of_pairs(const JobMaterial& material, const ScenarioResult& 
     return is_far ? "has pairs farther apart than the clearance" : nullptr;
 }
 
+/// Returns what is wrong with the distance of a decoded result; null if nothing. With ignored
+/// triangles separate bodies may have none, since all pairs may be ignored.
+const char* problem_of_distance(const JobMaterial& material, const ScenarioResult& result) {
+    const Query& query = material.query;
+    if (!result.nearest) {
+        const bool is_apart =
+            result.kind == ScenarioClass::Separate || result.kind == ScenarioClass::Inside;
+        const bool needs_one = query.question == Question::Distance && is_apart && !query.up_to &&
+                               query.ignored.empty();
+        return needs_one ? "lacks the distance" : nullptr;
+    }
+    const NearestWitness& nearest = *result.nearest;
+    const ContactPair pair{nearest.a, nearest.b, PairClass::Near};
+    if (!are_triangles_of(material, {&pair, 1})) {
+        return "has a distance of triangles that the bodies do not have";
+    }
+    if (is_ignored(query.ignored, nearest.a, nearest.b)) {
+        return "has a distance of ignored triangles";
+    }
+    return query.up_to && nearest.distance > *query.up_to ? "has a distance above up_to" : nullptr;
+}
+
+/// Returns what is wrong with a decoded result of this scenario; null if nothing.
+const char* problem_of_result(const JobMaterial& material,
+                              const Scenario& scenario,
+                              const ScenarioResult& result) {
+    const char* problem = problem_of_question(material.query, scenario, result);
+    problem = problem != nullptr ? problem : problem_of_pairs(material, result);
+    return problem != nullptr ? problem : problem_of_distance(material, result);
+}
+
 Result<TakenResult> take_record(const JobMaterial& material,
                                 const TaskIndex& scenarios,
                                 std::span<const std::byte> bytes) {
@@ -110,9 +145,7 @@ Result<TakenResult> take_record(const JobMaterial& material,
                          ", which is not in the task"};
     }
     const Scenario& scenario = found->placed.scenario;
-    const char* problem = problem_of_question(material.query, scenario, result);
-    problem = problem != nullptr ? problem : problem_of_pairs(material, result);
-    if (problem != nullptr) {
+    if (const char* problem = problem_of_result(material, scenario, result)) {
         return Error{ErrorCode::BadFrame,
                      "the result of scenario " + std::to_string(result.index) + " " + problem};
     }

@@ -39,9 +39,9 @@ struct TakenResults {
 };
 
 /// Decodes and checks the results of a message, which may be forged, and settles their classes.
-/// Errors: BadFrame or TooLarge for an invalid record, a level, a clearance or bodies that were not
-/// asked for, pairs that the query cannot have, a scenario that is not in the task, or a map that
-/// cannot belong to the results.
+/// Errors: BadFrame or TooLarge for an invalid record, a question, a level, a clearance or bodies
+/// that were not asked for, pairs or a distance that the query cannot have, a scenario that is not
+/// in the task, or a map that cannot belong to the results.
 [[nodiscard]] Result<TakenResults> take_results(const TaskContent& task, const Results& results);
 
 /// `take_results`, or its replacement in a simulation. Any thread may call it.

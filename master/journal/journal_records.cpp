@@ -32,6 +32,8 @@ void put_query(ByteWriter& out, const Query& query) {
     }
     out.put(query.maps);
     put_optional(out, query.clearance);
+    put_enumeration(out, query.question);
+    put_optional(out, query.up_to);
 }
 
 bool get_query(ByteReader& in, Query& query) {
@@ -55,7 +57,9 @@ bool get_query(ByteReader& in, Query& query) {
     }
     query.maps = in.get<std::uint8_t>() != 0;
     query.clearance = get_optional<double>(in);
-    return !query.clearance || is_clearance(*query.clearance);
+    const bool is_question = get_enumeration(in, query.question, Question::Distance);
+    query.up_to = get_optional<double>(in);
+    return is_question && query_problem(query) == nullptr;
 }
 
 void put_cluster(ByteWriter& out, const ClusterOptions& cluster) {

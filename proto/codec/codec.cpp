@@ -41,15 +41,11 @@ Problem problem_of(const Hello& hello) {
 Problem problem_of_strategy(const std::string& name) {
     return is_strategy_name(name) ? nullptr : "a strategy's name that is none";
 }
-Problem problem_of(const Query& query) {
-    const bool is_good = !query.clearance || is_clearance(*query.clearance);
-    return is_good ? nullptr : "a clearance that is negative or not finite";
-}
 Problem problem_of(const AddJob& job) {
-    return problem_of(job.query);
+    return query_problem(job.query);
 }
 Problem problem_of(const Submit& submit) {
-    const Problem problem = problem_of(submit.query);
+    const Problem problem = query_problem(submit.query);
     return problem != nullptr ? problem : problem_of_strategy(submit.cluster.strategy);
 }
 Problem problem_of(const JobDescription& description) {

@@ -15,6 +15,8 @@ template <class Archive>
 void serialize(Archive& archive, Query& query) {
     enumeration(archive, query.level, Level::Any, Level::Contacts);
     archive(query.limit_pairs, query.ignored, query.maps, query.clearance);
+    enumeration(archive, query.question, Question::Contacts, Question::Distance);
+    archive(query.up_to);
 }
 
 template <class Archive>

@@ -18,6 +18,25 @@ namespace cd::tests {
 
 namespace {
 
+Query at_level(Level level, bool maps = false) {
+    Query query;
+    query.level = level;
+    query.maps = maps;
+    return query;
+}
+
+Query with_clearance(Level level, double clearance) {
+    Query query = at_level(level);
+    query.clearance = clearance;
+    return query;
+}
+
+Query of_distance() {
+    Query query = at_level(Level::Any);
+    query.question = Question::Distance;
+    return query;
+}
+
 /// All of it is made before the first simulation, outside of any.
 struct Known {
     TemporaryFolder folder; ///< Stays empty; the files are in memory.
@@ -39,10 +58,12 @@ struct Known {
         torus = upload(in_parts(make_torus(1, 0.4, 12, 8), 5));
         const Sha256 box = upload(make_gridded_box({1, 2, 1}, 3));
         jobs.push_back(grid_job(torus, sphere, {8, 6, 1}));
-        add_list(torus, box, 70, Level::Contacts);
-        add_list(sphere, box, 330, Level::Any);
-        add_list(sphere, sphere, 24, Level::Count);
-        add_list(torus, sphere, 200, Level::Count, true);
+        add_list(torus, box, 70, at_level(Level::Contacts));
+        add_list(sphere, box, 330, at_level(Level::Any));
+        add_list(sphere, sphere, 24, at_level(Level::Count));
+        add_list(torus, sphere, 200, at_level(Level::Count, true));
+        add_list(torus, box, 60, with_clearance(Level::Count, 0.2));
+        add_list(sphere, box, 60, of_distance());
     }
 
     Sha256 upload(const Mesh& mesh) {
@@ -87,12 +108,10 @@ struct Known {
         return make(std::move(submit), std::move(scenarios));
     }
 
-    void add_list(
-        const Sha256& a, const Sha256& b, std::uint64_t count, Level level, bool maps = false) {
+    void add_list(const Sha256& a, const Sha256& b, std::uint64_t count, const Query& query) {
         Submit submit;
         submit.bodies = {{a}, {b}};
-        submit.query.level = level;
-        submit.query.maps = maps;
+        submit.query = query;
         submit.scenarios = count;
         std::vector<Scenario> scenarios;
         for (std::uint64_t index = 0; index < count; ++index) {
@@ -185,6 +204,8 @@ Sha256 digest_of_lost(const KnownJob& job, std::uint64_t index) {
     ScenarioResult result;
     result.index = index;
     result.level = job.submit.query.level;
+    result.question = job.submit.query.question;
+    result.has_clearance = job.submit.query.clearance.has_value();
     result.kind = ScenarioClass::Failed;
     result.failure = "scenario " + std::to_string(index) + ": lost with " +
                      std::to_string(limits::scenario_losses_max) +

@@ -17,7 +17,9 @@ bool concerns(unsigned liar, std::uint64_t scenario) {
 
 /// Returns nothing if a wrong result would be noticed at once.
 std::optional<ScenarioResult> falsified(ScenarioResult truth) {
-    if (truth.level == Level::Any && truth.kind == ScenarioClass::Separate) {
+    if (truth.nearest) {
+        truth.nearest->distance /= 2;
+    } else if (truth.level == Level::Any && truth.kind == ScenarioClass::Separate) {
         truth.kind = ScenarioClass::Contact;
     } else if (truth.pair_count != 0) {
         ++truth.pair_count;

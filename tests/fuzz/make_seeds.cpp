@@ -161,7 +161,8 @@ struct AskedScenario {
     Query query;
 };
 
-/// Returns a scenario in contact at each level, and one that is near at each level.
+/// Returns a scenario in contact at each level, one that is near at each level, and the distance of
+/// bodies in contact and apart.
 std::vector<AskedScenario> asked_scenarios() {
     std::vector<AskedScenario> all;
     for (const bool is_near : {false, true}) {
@@ -174,6 +175,14 @@ std::vector<AskedScenario> asked_scenarios() {
             asked.query.level = level;
             asked.query.clearance = is_near ? std::optional(0.25) : std::nullopt;
         }
+    }
+    for (const bool is_near : {false, true}) {
+        AskedScenario asked = all[is_near ? level_names.size() : 0];
+        asked.name = is_near ? "distance" : "no_distance";
+        asked.scenario.index = all.size();
+        asked.query.question = Question::Distance;
+        asked.query.clearance.reset();
+        all.push_back(asked);
     }
     return all;
 }
@@ -308,10 +317,21 @@ path = "b.obj"
 x = [0, 1, 3]
 yaw = [0, 90, 2]
 )";
+constexpr std::string_view distance_job_text = R"([a]
+mesh = "a.obj"
+[b]
+mesh = "b.obj"
+[poses]
+random = { n = 10 }
+[query]
+level = "distance"
+up_to = 2.5
+)";
 
 void add_files(Seeds& seeds) {
     seeds.add("job_file", "all", job_text);
     seeds.add("job_file", "grid", grid_job_text);
+    seeds.add("job_file", "distance", distance_job_text);
     seeds.add("csv_poses",
               "quaternions",
               "\0x,y,z,qx,qy,qz,qw,id\n# c\n1,2,3,0,0,0,1,7\n1e-3,-2,3,0,0.6,0,0.8,8\n"sv);
@@ -536,6 +556,9 @@ void add_folders(Seeds& seeds) {
     manifest.query.clearance = 0.005;
     seeds.add("run_json", "clearance", manifest_json(manifest));
     manifest.query.clearance.reset();
+    const Query contacts = std::exchange(manifest.query, tests::some_distance_query());
+    seeds.add("run_json", "distance", manifest_json(manifest));
+    manifest.query = contacts;
     manifest.poses = {};
     manifest.poses.count = 4;
     manifest.poses.kind = PosesKind::Grid;

@@ -32,6 +32,15 @@ inline Query some_query() {
     return query;
 }
 
+inline Query some_distance_query() {
+    Query query;
+    query.level = Level::Any;
+    query.ignored = {{1, 2, 3, 4}};
+    query.question = Question::Distance;
+    query.up_to = 2.5;
+    return query;
+}
+
 inline QueryStatistics some_statistics() {
     QueryStatistics statistics;
     statistics.box_tests = 13;
@@ -230,7 +239,7 @@ inline std::vector<Message> sample_messages() {
                   {{WorkerId{1}, "node-1", true, false, 13, 0.5, 14, 15, 1, 2, 3, 4, 5, 6}}},
         AddJob{JobId{2},
                {TreeId{3}, TreeId{4}},
-               some_query(),
+               some_distance_query(),
                some_bytes(9),
                {{{0, 1}, {7, 0}}, {{0, 0}}}},
         RemoveJob{JobId{2}},

@@ -7,8 +7,9 @@ import { readPart, writePart } from "./src/base/part_name";
 import { BodyParts } from "./src/base/parts";
 import { apply, compose, inverse, placementOf } from "./src/base/pose";
 import { jobLink, parseRoute, scenarioLink } from "./src/base/route";
-import type { Vec3 } from "./src/base/types";
+import type { Scenario, Vec3 } from "./src/base/types";
 import { bytesOf, grouped, percent, shellWord } from "./src/base/words";
+import { distanceBinsOf, nearestOf } from "./src/job/distances";
 import { episodesOf } from "./src/job/episodes";
 import { traceGlyph } from "./src/job/glyphs";
 import { Grid, gridCells } from "./src/job/grid";
@@ -24,6 +25,7 @@ import { heatByte } from "./src/viewer/heat";
 import { nearestTriangle } from "./src/viewer/pick";
 import { Scenarios } from "./src/viewer/scenarios";
 import { hasPairOf } from "./src/viewer/step";
+import { distanceText } from "./src/viewer/status";
 import { readState, startState, writeState } from "./src/viewer/view_state";
 
 let failures = 0;
@@ -155,6 +157,18 @@ same("near is no contact", [isContact(7), isHit(7), isHit(0), isHit(5)], [false,
 same("each class has a letter, a colour and a name", [letterOf(7), nameOf(7), numberOf("near"), new Set(order.map(cssColour)).size], ["N", "near", 7, 9]);
 same("all classes are shown", [...shownOrder].sort(), [0, 1, 2, 3, 4, 5, 6, 7]);
 same("a sample", new Results(0, 100, kinds, null).scenarioAt(3), 37);
+const apart = new Results(0, 5, new Uint8Array([0, 0, 4, 3, 0]), null, null, Float64Array.of(0.5, 0.25, NaN, 0.125, 0.25));
+same("the nearest scenarios", nearestOf(apart), [3, 1, 4, 0]);
+same("the two nearest scenarios", nearestOf(apart, 2), [3, 1]);
+same("of equal classes the nearer is worse", [apart.isWorse(1, 0), apart.isWorse(0, 1), apart.isWorse(4, 1)], [true, false, false]);
+same("no distance", [apart.distanceAt(2), approach.distanceAt(0), nearestOf(approach).length], [null, null, 0]);
+same("bins of distances", distanceBinsOf(apart.distances ?? new Float64Array()).flatMap((bin, i) => Array(bin.count).fill(i)), [5, 10, 10, 19]);
+same("no bins without distances", distanceBinsOf(Float64Array.of(NaN)), []);
+const told = (distance: number | null | undefined, least: number | null, up_to: number | null) =>
+    distanceText({ unit: "m", up_to }, { class: "separate", distance, least_distance: least } as Scenario);
+same("a distance is told", told(0.25, 0.25, null), "the bodies are 0.25 m apart");
+same("a bound is told", told(null, null, 2), "more than 2 m apart");
+same("the least distance of near pairs is told", told(undefined, 0.5, null), "nearest triangles 0.5 m apart");
 same("histogram", binsOf(new Uint32Array([0, 1, 2, 3, 4])).map((bin) => bin.count), [1, 2, 1]);
 
 // A grid of 2 x 4: y varies fastest.

@@ -29,6 +29,10 @@ Bytes counts_npy(std::span<const std::uint32_t> counts) {
     return npy(NpyType::U4, {counts.size()}, counts);
 }
 
+Bytes distances_npy(std::span<const double> distances) {
+    return npy(NpyType::F8, {distances.size()}, distances);
+}
+
 Bytes poses_npy(const PoseRows& poses) {
     const std::span<const double> numbers(poses.numbers);
     const std::uint64_t scenarios = numbers.size() / (12 * poses.poses_each);

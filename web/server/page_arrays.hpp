@@ -16,6 +16,8 @@ namespace cd {
 [[nodiscard]] Bytes classes_npy(std::span<const std::uint8_t> classes);
 /// Encodes counts as u4 (n,).
 [[nodiscard]] Bytes counts_npy(std::span<const std::uint32_t> counts);
+/// Encodes distances as f8 (n,).
+[[nodiscard]] Bytes distances_npy(std::span<const double> distances);
 /// Encodes poses as f8 (n,12), or (n,2,12) if there are two a scenario.
 [[nodiscard]] Bytes poses_npy(const PoseRows& poses);
 /// Encodes a body's contact map as u8 (k,2): triangle, scenarios.

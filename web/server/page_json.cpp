@@ -137,6 +137,24 @@ Json group_json(const GroupView& group) {
             {"worst_near", group.worst_near}};
 }
 
+/// Adds what only jobs that ask for the distance have.
+void add_question(Json& json, const Query& query) {
+    if (query.question == Question::Distance) {
+        json["question"] = "distance";
+        json["up_to"] = or_null(query.up_to);
+    }
+}
+
+/// Adds the distance and the nearest triangles of A and B, if the record answers for them.
+void add_distance(Json& json, const ScenarioView& scenario) {
+    if (!scenario.result || scenario.result->question != Question::Distance) {
+        return;
+    }
+    const std::optional<NearestWitness>& nearest = scenario.result->nearest;
+    json["distance"] = nearest ? Json(nearest->distance) : Json();
+    json["witness"] = nearest ? Json{nearest->a, nearest->b} : Json();
+}
+
 void add_result(Json& json, const ScenarioView& scenario) {
     const ScenarioResult none;
     const ScenarioResult& result = scenario.result ? *scenario.result : none;
@@ -207,6 +225,7 @@ std::string job_view_json(const JobView& job) {
     Json json = row_json(job.row);
     json.update(classes_json(status.summary));
     json.update(query_json(job.query));
+    add_question(json, job.query);
     json.update(run_json(job.run));
     json["unit"] = job.unit;
     json["digest"] = status.digest ? Json(to_hex(*status.digest)) : Json();
@@ -241,6 +260,7 @@ std::string scenario_json(std::uint64_t number, const ScenarioView& scenario) {
     json["draw_note"] = scenario.draw_note;
     json["exact_pairs"] = scenario.drawn != nullptr ? scenario.drawn->pairs.size() : 0;
     json["least_distance"] = or_null(least_distance(scenario));
+    add_distance(json, scenario);
     return compact(json);
 }
 

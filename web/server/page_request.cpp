@@ -25,8 +25,10 @@ constexpr std::array<NamedTopic, 4> plain_topics{{{"source", PageTopic::Source},
                                                   {"cluster", PageTopic::Cluster},
                                                   {"history", PageTopic::History},
                                                   {"jobs", PageTopic::Jobs}}};
-constexpr std::array<NamedTopic, 3> array_topics{
-    {{"classes", PageTopic::Classes}, {"counts", PageTopic::Counts}, {"poses", PageTopic::Poses}}};
+constexpr std::array<NamedTopic, 4> array_topics{{{"classes", PageTopic::Classes},
+                                                  {"counts", PageTopic::Counts},
+                                                  {"distances", PageTopic::Distances},
+                                                  {"poses", PageTopic::Poses}}};
 constexpr std::array<NamedTopic, 2> body_topics{
     {{"map", PageTopic::Map}, {"parts", PageTopic::Parts}}};
 constexpr std::array<NamedTopic, 2> contact_topics{

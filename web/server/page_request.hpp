@@ -21,6 +21,7 @@ enum class PageTopic : std::uint8_t {
     Job,
     Classes,
     Counts,
+    Distances,
     Poses,
     Map,
     Parts,
@@ -70,7 +71,7 @@ struct PageRequest {
     PageTopic topic = PageTopic::Source;
     std::string job;          ///< Id of the job, for the topics about one.
     std::uint64_t number = 0; ///< The scenario, or the body of a map or of parts.
-    ScenarioChoice choice;    ///< For classes, counts and poses.
+    ScenarioChoice choice;    ///< For classes, counts, distances and poses.
     NextContact next;
     Sha256 mesh;
 };

@@ -234,6 +234,10 @@ void PageServer::ask(const PageRequest& request, HttpRespond respond) {
         return source_.counts(request.job,
                               request.choice,
                               answering<std::vector<std::uint32_t>>(respond, array(counts_npy)));
+    case PageTopic::Distances:
+        return source_.distances(request.job,
+                                 request.choice,
+                                 answering<std::vector<double>>(respond, array(distances_npy)));
     case PageTopic::Poses:
         return source_.poses(
             request.job, request.choice, answering<PoseRows>(respond, array(poses_npy)));

@@ -44,6 +44,10 @@ class PageSource {
     virtual void counts(const std::string& id,
                         const ScenarioChoice& choice,
                         Take<std::vector<std::uint32_t>> take) = 0;
+    /// Each scenario's distance; NaN without one.
+    virtual void distances(const std::string& id,
+                           const ScenarioChoice& choice,
+                           Take<std::vector<double>> take) = 0;
     virtual void
     poses(const std::string& id, const ScenarioChoice& choice, Take<PoseRows> take) = 0;
     virtual void

@@ -2,6 +2,7 @@
 
 #include "common/core/limits/web.hpp"
 #include "common/core/words.hpp"
+#include "common/job/result/drawn_witness.hpp"
 #include "common/job/run_scenario.hpp"
 
 #include <memory>
@@ -17,13 +18,17 @@ Query drawing_query(const Query& query) {
     return {Level::Contacts, limits::page_rows_max, query.ignored, false, query.clearance};
 }
 
-bool is_drawable(const Query& query) {
-    return query.level == Level::Contacts && query.limit_pairs == 0;
+/// True if a run with the job's query has all that is drawn.
+bool is_drawable(const Query& query, const ScenarioResult& result) {
+    return query.question == Question::Distance
+               ? !is_contact(result.kind) || result.nearest
+               : query.level == Level::Contacts && query.limit_pairs == 0;
 }
 
 std::string answer_text(const ScenarioResult& result) {
     return std::string(to_text(result.kind)) + " with " + counted(result.pair_count, "pair") +
-           (result.has_clearance ? " and " + counted(result.near_count, "near pair") : "");
+           (result.has_clearance ? " and " + counted(result.near_count, "near pair") : "") +
+           (result.nearest ? " at distance " + exact_text(result.nearest->distance) : "");
 }
 
 ScenarioRun run(const ObbTree& a,
@@ -88,11 +93,15 @@ ScenarioView repeat_scenario(const ObbTree& a,
         again = run(a, b, query, scenario, stop);
         compare(*again, *record, view);
     }
-    if (!again || !is_drawable(query)) {
+    if (!again && query.question == Question::Distance) {
+        again = run(a, b, query, scenario, stop);
+    }
+    if (!again || (!again->is_stopped && !is_drawable(query, again->result))) {
         again = run(a, b, drawing_query(query), scenario, stop);
     }
     view.draw_note = reason_not_to_draw(*again);
     if (view.draw_note.empty()) {
+        list_witness(again->result);
         view.drawn = std::make_shared<const ScenarioResult>(std::move(again->result));
     }
     return view;

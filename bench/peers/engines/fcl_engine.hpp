@@ -51,15 +51,40 @@ struct FclPairTest {
 };
 
 template <class Box>
+std::shared_ptr<fcl::BVHModel<Box>> fcl_model(const Mesh& mesh) {
+    using Number = typename Box::S;
+    std::vector<fcl::Vector3<Number>> vertices;
+    for (const Vec3& v : mesh.vertices()) {
+        vertices.push_back(v.cast<Number>());
+    }
+    std::vector<fcl::Triangle> triangles;
+    for (const Triangle& t : mesh.triangles()) {
+        triangles.emplace_back(t[0], t[1], t[2]);
+    }
+    auto model = std::make_shared<fcl::BVHModel<Box>>();
+    model->beginModel();
+    model->addSubModel(vertices, triangles);
+    model->endModel();
+    return model;
+}
+
+template <class Number>
+fcl::Transform3<Number> fcl_transform(const Pose& pose) {
+    fcl::Transform3<Number> to = fcl::Transform3<Number>::Identity();
+    to.linear() = pose.rotation().template cast<Number>();
+    to.translation() = pose.translation().template cast<Number>();
+    return to;
+}
+
+template <class Box>
 class FclMeshEngine final : public MeshEngine {
     using Number = typename Box::S;
     using Model = fcl::BVHModel<Box>;
-    using Vector = fcl::Vector3<Number>;
 
   public:
     void load(const std::shared_ptr<const Mesh>& a, const std::shared_ptr<const Mesh>& b) override {
-        a_ = make_model(*a);
-        b_ = make_model(*b);
+        a_ = fcl_model<Box>(*a);
+        b_ = fcl_model<Box>(*b);
     }
 
     MeshAnswer ask(const PosePair& poses, Level level) override {
@@ -67,7 +92,12 @@ class FclMeshEngine final : public MeshEngine {
         request.num_max_contacts = level == Level::Any ? 1 : ~std::size_t{0};
         request.enable_contact = level == Level::Contacts;
         fcl::CollisionResult<Number> result;
-        fcl::collide(a_.get(), transform(poses.a), b_.get(), transform(poses.b), request, result);
+        fcl::collide(a_.get(),
+                     fcl_transform<Number>(poses.a),
+                     b_.get(),
+                     fcl_transform<Number>(poses.b),
+                     request,
+                     result);
         MeshAnswer answer;
         answer.touches = result.isCollision();
         answer.pair_count = result.numContacts();
@@ -82,29 +112,6 @@ class FclMeshEngine final : public MeshEngine {
     }
 
   private:
-    static std::shared_ptr<Model> make_model(const Mesh& mesh) {
-        std::vector<Vector> vertices;
-        for (const Vec3& v : mesh.vertices()) {
-            vertices.push_back(v.cast<Number>());
-        }
-        std::vector<fcl::Triangle> triangles;
-        for (const Triangle& t : mesh.triangles()) {
-            triangles.emplace_back(t[0], t[1], t[2]);
-        }
-        auto model = std::make_shared<Model>();
-        model->beginModel();
-        model->addSubModel(vertices, triangles);
-        model->endModel();
-        return model;
-    }
-
-    static fcl::Transform3<Number> transform(const Pose& pose) {
-        fcl::Transform3<Number> to = fcl::Transform3<Number>::Identity();
-        to.linear() = pose.rotation().template cast<Number>();
-        to.translation() = pose.translation().template cast<Number>();
-        return to;
-    }
-
     std::shared_ptr<Model> a_;
     std::shared_ptr<Model> b_;
 };

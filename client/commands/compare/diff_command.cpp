@@ -40,6 +40,11 @@ struct Compared {
     [[nodiscard]] bool has_near() const {
         return earlier.job.query.clearance || later.job.query.clearance;
     }
+    /// True if a run asks for the distance.
+    [[nodiscard]] bool has_distance() const {
+        return earlier.job.query.question == Question::Distance ||
+               later.job.query.question == Question::Distance;
+    }
     /// True if the groups of both runs are known.
     [[nodiscard]] bool have_groups() const {
         return check_groups(earlier.job.query, earlier.map) &&
@@ -284,7 +289,8 @@ Result<int> perform(const DiffCommand& command) {
     const bool compares_pairs =
         runs.inputs.query.empty() && runs.has_equal_mesh(0) && runs.has_equal_mesh(1);
     Differences found{
-        ScenarioDiff(std::move(csv), {compares_pairs, body_names(later), runs.has_near()}),
+        ScenarioDiff(std::move(csv),
+                     {compares_pairs, body_names(later), runs.has_near(), runs.has_distance()}),
         GroupDiff(meshes_of(earlier), meshes_of(later), part_kind(runs.least_level())),
         {}};
     CD_TRY(compare(runs, matched, found));

@@ -161,7 +161,7 @@ Result<int> run_without_folder(const LocalJob& local) {
         report.map = sink.map();
     }
     CD_TRY(sink.finish(report.map));
-    report.most_touched = sink.groups().most_touched();
+    report.findings = sink.findings();
     return end_run(command, report, sink.uses_stdout());
 }
 

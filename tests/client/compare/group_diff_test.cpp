@@ -14,6 +14,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <map>
 #include <random>
 
@@ -331,6 +332,33 @@ TEST_F(Diff, RowsCountNearPairsOfAClearance) {
               "scenario,scenario_old,body_a,body_b,class_old,class,count_old,count,near_old,near,"
               "change\n"
               "0,0,a,b,near,near,0,0,1,2,near\n");
+}
+
+TEST_F(Diff, DistancesAreComparedByTheirBits) {
+    const double next = std::nextafter(0.25, 1);
+    RecordFile earlier = write_records(
+        folder_ / "earlier", {apart(0, 0.25), apart(1, 0.25), apart(2, 0.25), apart(3, {})});
+    RecordFile later = write_records(folder_ / "later",
+                                     {apart(0, 0.25), apart(1, next), apart(2, {}), apart(3, {})});
+    auto file = OutputFile::create(folder_ / "diff.csv");
+    ASSERT_TRUE(file);
+    ScenarioDiff diff(std::move(file.value()), {true, {"a", "b"}, false, true});
+    ASSERT_TRUE(for_each_pair(
+        {earlier, 4}, {later, 4}, ScenarioMatch::by_index(4), {}, [&](const PairedResult& pair) {
+            return diff.add(pair);
+        }));
+    ASSERT_TRUE(diff.finish());
+    EXPECT_EQ(diff.counts().changed, 2u);
+    EXPECT_EQ(read_text(folder_ / "diff.csv"),
+              "scenario,scenario_old,body_a,body_b,class_old,class,count_old,count,distance_old,"
+              "distance,change\n"
+              "1,1,a,b,separate,separate,,,0.25,0.25000000000000006,distance\n"
+              "2,2,a,b,separate,separate,,,0.25,,distance\n");
+}
+
+TEST_F(Diff, ADistanceIsNotComparedWithAnotherQuestion) {
+    compare({result_with(0, {})}, {apart(0, 0.25)}, 1);
+    EXPECT_EQ(scenarios_->counts().changed, 0u);
 }
 
 TEST_F(Diff, ARecordBeyondTheScenariosIsAnError) {

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -36,6 +37,18 @@ namespace cd::tests {
     }
     result.near_count = pairs.size();
     result.pairs = std::move(pairs);
+    return result;
+}
+
+/// Makes a result of the question of the distance; without a number there is no distance.
+[[nodiscard]] inline ScenarioResult apart(std::uint64_t index, std::optional<double> distance) {
+    ScenarioResult result;
+    result.index = index;
+    result.question = Question::Distance;
+    result.level = Level::Any;
+    if (distance) {
+        result.nearest = NearestWitness{*distance, 0, 0, 0, {0, 0, 0}, {0, 0, 0}, {1, 0, 0}};
+    }
     return result;
 }
 

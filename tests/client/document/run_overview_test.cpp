@@ -3,6 +3,7 @@
 
 #include "common/job/result/record_file.hpp"
 #include "common/job/run_scenario.hpp"
+#include "tests/support/distance_results.hpp"
 #include "tests/support/process.hpp"
 #include "tests/support/rounds.hpp"
 #include "tests/support/shapes.hpp"
@@ -115,6 +116,30 @@ TEST(RunOverview, TheWorstAreOrderedByClassThenByPairs) {
     EXPECT_EQ(worst, (std::vector<std::uint64_t>{5, 4, 1, 2, 6, 0}));
     EXPECT_EQ(overview.value().summary().near, 3u);
     EXPECT_EQ(overview.value().summary().near_pairs, 143u);
+}
+
+TEST(RunOverview, HasTheLeastDistancesAndAll) {
+    const TemporaryFolder folder;
+    std::vector<ScenarioResult> results = distance_results();
+    for (std::uint64_t i = results.size(); i < 20; ++i) {
+        results.push_back(results[0]);
+        results.back().index = i;
+        results.back().nearest->distance = 1.0 / static_cast<double>(1 + i / 2);
+    }
+    const auto box = share(make_box({1, 1, 1}));
+    const auto read = RunOverview::read(records_of(folder, results), GroupSum({box, box}), 20, {});
+    ASSERT_TRUE(read) << read.error().detail;
+    const RunOverview& overview = read.value();
+    std::vector<std::uint64_t> nearest;
+    for (const ScenarioResult& result : overview.nearest()) {
+        nearest.push_back(result.index);
+        ASSERT_EQ(result.pairs.size(), 1u);
+        EXPECT_EQ(result.pairs[0].kind, PairClass::Near);
+    }
+    EXPECT_EQ(nearest, (std::vector<std::uint64_t>{18, 19, 16, 17, 3, 14, 15, 12, 13, 10}));
+    EXPECT_EQ(overview.distances().size(), 18u) << "all but one in contact and one beyond";
+    EXPECT_EQ(overview.worst().size(), 2u) << "in contact, and inside";
+    EXPECT_EQ(overview.pictured().size(), 12u);
 }
 
 TEST(RunOverview, NamesTheFirstFailures) {

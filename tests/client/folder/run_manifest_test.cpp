@@ -135,6 +135,59 @@ TEST(RunManifest, OnlyAProgramThatKnowsAClearanceReadsItsRecords) {
     EXPECT_THAT(negative.error().detail, HasSubstr("clearance is out of range"));
 }
 
+/// Makes a run whose question is how far the bodies are apart.
+RunManifest distance_example() {
+    RunManifest manifest = example(PosesKind::File);
+    manifest.query.level = Level::Any;
+    manifest.query.limit_pairs = 0;
+    manifest.query.question = Question::Distance;
+    manifest.query.up_to = 2.5;
+    return manifest;
+}
+
+TEST(RunManifest, KeepsTheQuestionOfTheDistance) {
+    RunManifest manifest = distance_example();
+    const auto json = nlohmann::json::parse(manifest_json(manifest));
+    EXPECT_EQ(json["record_version"], 3);
+    EXPECT_EQ(json["query"]["question"], "distance");
+    EXPECT_EQ(json["query"]["up_to"], 2.5);
+    const auto parsed = parse_manifest(json.dump());
+    ASSERT_TRUE(parsed) << parsed.error().detail;
+    EXPECT_EQ(parsed.value().query.question, Question::Distance);
+    EXPECT_EQ(parsed.value().query.up_to, 2.5);
+    EXPECT_TRUE(is_same_job(parsed.value(), manifest));
+    manifest.query.up_to = 2;
+    EXPECT_FALSE(is_same_job(parsed.value(), manifest));
+    manifest.query.up_to.reset();
+    EXPECT_FALSE(nlohmann::json::parse(manifest_json(manifest))["query"].contains("up_to"));
+    RunManifest contacts = manifest;
+    contacts.query.question = Question::Contacts;
+    EXPECT_FALSE(is_same_job(contacts, manifest));
+    EXPECT_FALSE(nlohmann::json::parse(manifest_json(contacts))["query"].contains("question"));
+}
+
+TEST(RunManifest, RefusesQueriesThatNoJobAsks) {
+    const auto json = nlohmann::json::parse(manifest_json(distance_example()));
+    const auto refusal_with = [&](const char* key, const nlohmann::json& value) {
+        auto changed = json;
+        changed["query"][key] = value;
+        const auto parsed = parse_manifest(changed.dump());
+        return parsed ? "taken" : parsed.error().detail;
+    };
+    EXPECT_EQ(refusal_with("up_to", 0), "taken");
+    EXPECT_THAT(refusal_with("up_to", -1), HasSubstr("up_to is out of range"));
+    EXPECT_THAT(refusal_with("question", "shots"), HasSubstr("use a later cdctl"));
+    EXPECT_THAT(refusal_with("level", "pairs"), HasSubstr("a distance with a level"));
+    EXPECT_THAT(refusal_with("clearance", 1), HasSubstr("a distance with a level, clearance"));
+    EXPECT_THAT(refusal_with("maps", true), HasSubstr("maps"));
+    auto old = json;
+    old["record_version"] = 2;
+    EXPECT_THAT(parse_manifest(old.dump()).error().detail,
+                HasSubstr("records are of another version"));
+    old["query"].erase("question");
+    EXPECT_THAT(parse_manifest(old.dump()).error().detail, HasSubstr("an up_to without"));
+}
+
 TEST(RunManifest, AJobIsItsMeshesPosesAndQuery) {
     const RunManifest one = example(PosesKind::File);
     RunManifest other = one;

@@ -13,10 +13,13 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <random>
 #include <set>
 #include <span>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace cd::tests {
 namespace {
@@ -214,6 +217,49 @@ TEST(BodyPicture, LinesJoinTheNearestPointsOfNearPairs) {
     EXPECT_EQ(lines[0][1], Vec3(0, 0.0625, 0));
     EXPECT_EQ(gap_lines(results[1])[1][1], Vec3(20.25, 0, 0)) << "in the world";
     EXPECT_TRUE(gap_lines(near_results(Level::Pairs)[1]).empty());
+}
+
+/// Two rods, one behind the other along an axis. All their triangles are marked, so that most is
+/// seen from an end, where they fill the picture.
+struct TwoRods {
+    explicit TwoRods(int axis, PairClass first) : along(Vec3::Unit(axis)) {
+        Vec3 size = Vec3::Ones();
+        size[axis] = 8;
+        mesh = make_box(size);
+        const Vec3 move = 8.125 * along;
+        for (std::uint32_t i = 0; i < 12; ++i) {
+            pairs.push_back({i, i, i == 0 ? first : PairClass::Near});
+        }
+        bodies =
+            pictured(mesh, mesh, {Pose{}, translation_pose(move.x(), move.y(), move.z())}, pairs);
+        lines = {{Vec3(-along), Vec3(9 * along)}, {Vec3(4 * along), Vec3(4.125 * along)}};
+    }
+
+    /// The cosine of the angle between the view and the axis.
+    [[nodiscard]] double cosine(std::span<const GapLine> of) const {
+        const Vec3 eye = viewpoint_of(bodies, of).towards_eye;
+        return std::abs(eye.dot(along)) / eye.norm();
+    }
+
+    Vec3 along;
+    Mesh mesh = make_box({1, 1, 1});
+    std::vector<ContactPair> pairs;
+    std::vector<PicturedBody> bodies;
+    std::vector<GapLine> lines;
+};
+
+TEST(BodyPicture, AGapIsSeenFromItsSide) {
+    for (int axis = 0; axis < 3; ++axis) {
+        const TwoRods rods(axis, PairClass::Near);
+        EXPECT_LE(rods.cosine(rods.lines), std::sqrt(0.5) + 1e-6) << "at least 45 degrees";
+        EXPECT_GT(rods.cosine({}), 0.99) << "most is seen from where the gap is not";
+    }
+}
+
+TEST(BodyPicture, ContactsAreLookedForWhateverIsNear) {
+    const TwoRods rods(2, PairClass::Touch);
+    EXPECT_EQ(rods.cosine(rods.lines), rods.cosine({}));
+    EXPECT_NE(rods.cosine({}), TwoRods(2, PairClass::Near).cosine(rods.lines));
 }
 
 TEST(BodyPicture, PartsHaveColoursOfTheirOwn) {

@@ -102,7 +102,7 @@ TEST(Report, TheSummaryCoversEveryScenario) {
     report.digest = sha256({});
     report.execution.seconds = 1.718;
     report.execution.where = "2 workers";
-    report.most_touched = {{"front_bumper", 6'100}};
+    report.findings.most_touched = {{"front_bumper", 6'100}};
     EXPECT_EQ(
         summary_text(report),
         "done in 1.72 s      58 207 scenarios/s, 2 workers\n"
@@ -123,6 +123,14 @@ TEST(Report, TheSummaryCountsNearScenariosOfAClearance) {
     report.summary.near_pairs = 3'400;
     EXPECT_THAT(summary_text(report), HasSubstr("inside 100    near 12 (3 400 pairs)    failed 0"));
     EXPECT_THAT(summary_text(report, {true, false}), HasSubstr("\x1b[33mnear 12\x1b[0m"));
+}
+
+TEST(Report, TheSummaryNamesTheScenarioOfLeastDistance) {
+    RunReport report;
+    report.summary = example_summary();
+    EXPECT_THAT(summary_text(report), Not(HasSubstr("apart")));
+    report.findings.least = LeastDistance{0.00123456, 4'711, "m"};
+    EXPECT_THAT(summary_text(report), HasSubstr("\n  least apart   0.00123 m in scenario 4 711\n"));
 }
 
 TEST(Report, WhatWasNotTestedIsNotCalledDone) {
@@ -177,7 +185,7 @@ TEST(Report, CutListsGiveNoShareOfTriangles) {
     RunReport report;
     report.summary = example_summary();
     report.limit_pairs = 3;
-    report.most_touched = {{"front_bumper", 6'100}, {"door", 7}};
+    report.findings.most_touched = {{"front_bumper", 6'100}, {"door", 7}};
     report.map.emplace();
     report.map->bodies[0].push_back({5, 2});
     std::string text = summary_text(report);

@@ -99,9 +99,9 @@ TEST(JobFile, EveryKeyIsRead) {
     EXPECT_EQ(poses.quat_order, "wxyz");
     EXPECT_TRUE(poses.of_both_bodies);
     EXPECT_EQ(poses.rigid_tolerance, 1e-4);
-    EXPECT_EQ(job.level, Level::Contacts);
-    EXPECT_EQ(job.limit_pairs, 10'000u);
-    EXPECT_EQ(job.clearance, 0.005);
+    EXPECT_EQ(job.query.level, Level::Contacts);
+    EXPECT_EQ(job.query.limit_pairs, 10'000u);
+    EXPECT_EQ(job.query.clearance, 0.005);
     ASSERT_EQ(job.ignore.size(), 1u);
     EXPECT_EQ(job.ignore[0].a, "wheel_*");
     EXPECT_EQ(job.ignore[0].b, "ground");
@@ -121,8 +121,8 @@ TEST(JobFile, WhatIsLeftOutHasADefault) {
     const auto spec = parse(minimal + random_poses);
     ASSERT_TRUE(spec) << spec.error().detail;
     EXPECT_EQ(spec.value().name, "job");
-    EXPECT_EQ(spec.value().level, Level::Pairs);
-    EXPECT_FALSE(spec.value().clearance);
+    EXPECT_EQ(spec.value().query.level, Level::Pairs);
+    EXPECT_FALSE(spec.value().query.clearance);
     EXPECT_TRUE(spec.value().output.dir.empty());
     const auto& random = std::get<RandomPoses>(spec.value().poses);
     EXPECT_EQ(random.count, 10u);
@@ -283,7 +283,7 @@ TEST(JobOptions, AJobNeedsNoFile) {
     EXPECT_EQ(spec.value().bodies[1].unit, "mm");
     EXPECT_TRUE(spec.value().bodies[0].rounds_to_float);
     EXPECT_TRUE(spec.value().bodies[1].rounds_to_float);
-    EXPECT_EQ(spec.value().level, Level::Count);
+    EXPECT_EQ(spec.value().query.level, Level::Count);
     EXPECT_EQ(spec.value().output.dir, "here");
     const auto& random = std::get<RandomPoses>(spec.value().poses);
     EXPECT_EQ(random.count, 5u);
@@ -323,9 +323,9 @@ TEST(JobOptions, AClearanceOverridesThatOfTheFile) {
     JobOptions options;
     options.file = (folder / "job.toml").string();
     write_text(options.file, minimal + random_poses + "[query]\nclearance = 0.25\n");
-    EXPECT_EQ(make_job_spec(options).value().clearance, 0.25);
+    EXPECT_EQ(make_job_spec(options).value().query.clearance, 0.25);
     options.query.clearance = 0.0;
-    EXPECT_EQ(make_job_spec(options).value().clearance, 0.0);
+    EXPECT_EQ(make_job_spec(options).value().query.clearance, 0.0);
     for (const double none : {-1.0, HUGE_VAL, std::nan("")}) {
         options.query.clearance = none;
         EXPECT_THAT(make_job_spec(options).error().detail, HasSubstr("--clearance is a finite"));

@@ -12,6 +12,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <map>
 #include <set>
@@ -308,6 +309,39 @@ TEST_F(ViewedRecords, NearScenariosAreFoundAndCounted) {
     ASSERT_GT(worst.size(), 2u);
     EXPECT_EQ(worst[worst.size() - 2], free[3]) << "after all contacts, by near pairs";
     EXPECT_EQ(worst.back(), free[1]);
+}
+
+TEST_F(ViewedRecords, DistancesAreThoseOfTheRecords) {
+    view("level = \"any\"\n");
+    std::vector<std::uint64_t> apart;
+    for (const ScenarioResult& result : records()) {
+        if (result.kind == ScenarioClass::Separate) {
+            apart.push_back(result.index);
+        }
+    }
+    ASSERT_GT(apart.size(), 3u);
+    EXPECT_TRUE(std::isnan(open()->distances({apart[0], 1}).value()[0])) << "no record has one";
+    const auto make_apart = [](double distance) {
+        return [distance](ScenarioResult& result) {
+            result.question = Question::Distance;
+            result.nearest = NearestWitness{distance, 0, 0};
+        };
+    };
+    change(apart[0], make_apart(0.5));
+    change(apart[1], make_apart(0.25));
+    change(apart[2], make_apart(0.5));
+    const auto viewed = open();
+    const auto distances = viewed->distances({0, scenarios}).value();
+    EXPECT_EQ(distances[apart[0]], 0.5);
+    EXPECT_EQ(distances[apart[1]], 0.25);
+    EXPECT_TRUE(std::isnan(distances[apart[3]]));
+    EXPECT_FALSE(viewed->distances({1, scenarios}));
+    const auto worst = viewed->worst(scenarios);
+    ASSERT_GT(worst.size(), 3u);
+    EXPECT_EQ((std::vector<std::uint64_t>(worst.end() - 3, worst.end())),
+              (std::vector<std::uint64_t>{apart[1], apart[0], apart[2]}))
+        << "after all contacts, the nearest first";
+    EXPECT_EQ(viewed->worst(worst.size() - 2).back(), apart[1]);
 }
 
 TEST_F(ViewedRecords, WhatAnEarlierVersionLeftUndecidedIsDrawnAndNotCompared) {

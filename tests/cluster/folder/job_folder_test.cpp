@@ -82,6 +82,7 @@ TEST_F(JobFolder, ResultsWritesTheFolderThatRunWrites) {
         {"random = { n = 40, seed = 4 }", "level = \"contacts\"\nclearance = 0.125"},
         {"grid = { x = [-3, 3, 9], yaw_deg = [0, 90, 4] }",
          "level = \"count\"\nclearance = 0.25\nmaps = true"},
+        {"grid = { x = [-3, 3, 9], yaw_deg = [0, 90, 4] }", "level = \"distance\"\nup_to = 0.5"},
         {"file = \"poses.csv\"", "level = \"pairs\"\nlimit_pairs = 3"},
         {"file = \"poses.csv\"\nunit = \"mm\"", "level = \"any\""},
         {"file = \"named.csv\"", "level = \"count\""},
@@ -93,7 +94,7 @@ TEST_F(JobFolder, ResultsWritesTheFolderThatRunWrites) {
         SCOPED_TRACE(poses);
         write_job(poses, query);
         const bool has_map =
-            query.find("any") == std::string::npos &&
+            query.find("any") == std::string::npos && query.find("distance") == std::string::npos &&
             (query.find("count") == std::string::npos || query.find("maps") != std::string::npos);
         const std::vector<std::string> formats{
             "--formats", std::string("csv,csv-pairs,npz,json") + (has_map ? ",vtp,glb" : "")};

@@ -1,8 +1,12 @@
-// Proves that levels have the names that users write.
+// Proves that levels have the names that users write, and that a query asks one question.
 
 #include "common/job/query.hpp"
 
 #include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <string>
 
 namespace cd::tests {
 
@@ -13,6 +17,53 @@ TEST(Query, LevelsHaveNames) {
     EXPECT_EQ(to_text(Level::Contacts), "contacts");
     EXPECT_EQ(level_from_text("Any"), std::nullopt);
     EXPECT_EQ(level_from_text(""), std::nullopt);
+}
+
+namespace {
+
+Query distance_query() {
+    Query query;
+    query.level = Level::Any;
+    query.question = Question::Distance;
+    return query;
+}
+
+std::string problem_with(Query query, const std::function<void(Query&)>& change) {
+    change(query);
+    const char* problem = query_problem(query);
+    return problem != nullptr ? problem : "none";
+}
+
+} // namespace
+
+TEST(Query, AskedForContactsHasALevelAndAClearanceButNoUpTo) {
+    for (const Level level : {Level::Any, Level::Count, Level::Pairs, Level::Contacts}) {
+        Query query;
+        query.level = level;
+        EXPECT_EQ(query_problem(query), nullptr);
+        EXPECT_EQ(problem_with(query, [](Query& q) { q.clearance = 0.0; }), "none");
+        EXPECT_EQ(problem_with(query, [](Query& q) { q.clearance = -1.0; }),
+                  "a clearance that is negative or not finite");
+        EXPECT_EQ(problem_with(query, [](Query& q) { q.up_to = 1.0; }),
+                  "an up_to without the question of the distance");
+    }
+}
+
+TEST(Query, AskedForADistanceHasAnUpToAndIgnoredTrianglesAlone) {
+    EXPECT_EQ(query_problem(distance_query()), nullptr);
+    EXPECT_EQ(problem_with(distance_query(), [](Query& q) { q.ignored = {{0, 1, 0, 1}}; }), "none");
+    for (const double up_to : {0.0, 5e-324, 1e300}) {
+        EXPECT_EQ(problem_with(distance_query(), [&](Query& q) { q.up_to = up_to; }), "none");
+    }
+    for (const double none : {-1.0, HUGE_VAL, std::nan("")}) {
+        EXPECT_EQ(problem_with(distance_query(), [&](Query& q) { q.up_to = none; }),
+                  "an up_to that is negative or not finite");
+    }
+    const std::string more = "a distance with a level, clearance, maps or limit_pairs";
+    EXPECT_EQ(problem_with(distance_query(), [](Query& q) { q.level = Level::Count; }), more);
+    EXPECT_EQ(problem_with(distance_query(), [](Query& q) { q.clearance = 1; }), more);
+    EXPECT_EQ(problem_with(distance_query(), [](Query& q) { q.maps = true; }), more);
+    EXPECT_EQ(problem_with(distance_query(), [](Query& q) { q.limit_pairs = 1; }), more);
 }
 
 } // namespace cd::tests

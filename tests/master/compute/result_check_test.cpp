@@ -1,6 +1,6 @@
 // Proves that the master accepts only results a worker could rightly send: of the task's scenarios,
-// at the requested level, clearance and bodies, with pairs that the query can have; that it settles
-// them and counts their cost.
+// at the requested question, level, clearance and bodies, with pairs and distances that the query
+// can have; that it settles them and counts their cost.
 #include "master/compute/result_check.hpp"
 
 #include "common/job/result/packed_map.hpp"
@@ -94,6 +94,18 @@ class ResultIntake : public testing::Test {
         result.points = {Vec3(0, 0, 0), Vec3(0, 0, 1)};
         result.near_distances = {distance};
         return result;
+    }
+
+    /// Asks how far apart the bodies are, and moves B away in scenario 0.
+    void ask_for_distance(std::optional<double> up_to) {
+        ask([&](Query& query) {
+            query.level = Level::Any;
+            query.question = Question::Distance;
+            query.up_to = up_to;
+        });
+        Analysis apart = *task_.analyses[0];
+        apart.scenario.poses.b = translation_pose(0, 0, 2.5);
+        task_.analyses[0] = std::make_shared<const Analysis>(std::move(apart));
     }
 
     std::shared_ptr<const JobMaterial> material_;
@@ -221,6 +233,67 @@ TEST_F(ResultIntake, NearPairsAreOfTheBodiesAndWithinTheClearance) {
     EXPECT_THAT(refusal(wrong), HasSubstr("more pairs than the bodies"));
     ask([](Query& query) { query.ignored = {{0, 1, 0, 1}}; });
     EXPECT_THAT(refusal(near), HasSubstr("pairs of ignored triangles"));
+}
+
+TEST_F(ResultIntake, AResultAnswersTheQuestionOfTheQuery) {
+    const ScenarioResult contacts = result_of(0);
+    ask_for_distance(std::nullopt);
+    const ScenarioResult distance = result_of(0);
+    ASSERT_TRUE(distance.nearest);
+    EXPECT_EQ(refusal(distance), "taken");
+    ScenarioResult other = contacts;
+    other.level = Level::Any;
+    other.kind = ScenarioClass::Contact;
+    other.pair_count = 0;
+    EXPECT_THAT(refusal(other), HasSubstr("answers another question"));
+    const Scenario& scenario = task_.analyses[0]->scenario;
+    const Error lost{ErrorCode::Io, "lost"};
+    EXPECT_EQ(refusal(failed_result(scenario, material_->query, lost)), "taken");
+    ask([](Query& query) { query.question = Question::Contacts; });
+    EXPECT_THAT(refusal(distance), HasSubstr("answers another question"));
+    EXPECT_EQ(refusal(other), "taken");
+    EXPECT_EQ(refusal(failed_result(scenario, material_->query, lost)), "taken");
+}
+
+TEST_F(ResultIntake, ADistanceIsOfTheBodiesAndNotAboveUpTo) {
+    ask_for_distance(0.5);
+    const ScenarioResult result = result_of(0);
+    ASSERT_TRUE(result.nearest);
+    EXPECT_EQ(result.nearest->distance, 0.5);
+    EXPECT_EQ(refusal(result), "taken");
+    const auto triangles = static_cast<std::uint32_t>(material_->a->mesh().triangles().size());
+    ScenarioResult wrong = result;
+    wrong.nearest->a = triangles;
+    EXPECT_THAT(refusal(wrong), HasSubstr("triangles that the bodies do not have"));
+    wrong = result;
+    wrong.nearest->b = triangles;
+    EXPECT_THAT(refusal(wrong), HasSubstr("triangles that the bodies do not have"));
+    wrong = result;
+    wrong.nearest->distance = 0.500001;
+    EXPECT_THAT(refusal(wrong), HasSubstr("above up_to"));
+    ask([&](Query& query) {
+        const NearestWitness& of = *result.nearest;
+        query.ignored = {{of.a, of.a + 1, of.b, of.b + 1}};
+    });
+    EXPECT_THAT(refusal(result), HasSubstr("a distance of ignored triangles"));
+}
+
+TEST_F(ResultIntake, BodiesApartHaveADistanceUnlessTheyMayBeBeyondUpTo) {
+    ask_for_distance(std::nullopt);
+    ScenarioResult without = result_of(0);
+    without.nearest.reset();
+    EXPECT_THAT(refusal(without), HasSubstr("lacks the distance"));
+    ScenarioResult touching = without;
+    touching.kind = ScenarioClass::Contact;
+    EXPECT_EQ(refusal(touching), "taken");
+    ask([](Query& query) { query.up_to = 0.25; });
+    EXPECT_EQ(refusal(without), "taken");
+    const auto triangles = static_cast<std::uint32_t>(material_->a->mesh().triangles().size());
+    ask([&](Query& query) {
+        query.up_to.reset();
+        query.ignored = {{0, triangles, 0, triangles}};
+    });
+    EXPECT_EQ(refusal(without), "taken") << "all pairs are ignored";
 }
 
 TEST_F(ResultIntake, AMapHasToMarkScenariosThatAreOnlyNear) {

@@ -37,6 +37,22 @@ TEST(Journal, TheRecordOfAJobHasAllFieldsOfItsSubmission) {
     expect_no_other_length(record, decode_job);
 }
 
+TEST(Journal, TheRecordOfAJobHasItsQuestion) {
+    JobRecord job{JobId{3}, some_submit(), 7};
+    job.submit.query = some_distance_query();
+    const Bytes record = encode_job(job);
+    const auto read = decode_job(record);
+    ASSERT_TRUE(read) << read.error().detail;
+    EXPECT_EQ(read.value().submit.query.question, Question::Distance);
+    EXPECT_EQ(read.value().submit.query.up_to, job.submit.query.up_to);
+    expect_no_other_length(record, decode_job);
+    job.submit.query.up_to = -1;
+    EXPECT_FALSE(decode_job(encode_job(job)));
+    job.submit.query.question = Question::Contacts;
+    job.submit.query.up_to = 1;
+    EXPECT_FALSE(decode_job(encode_job(job)));
+}
+
 TEST(Journal, CommittedEntriesAreRecovered) {
     const TemporaryFolder folder;
     Sha256 cluster;

@@ -51,7 +51,7 @@ constexpr std::array<Golden, std::variant_size_v<Message>> golden{{
     {"meshes missing", 40, "6a083ddafa5d3162"},
     {"mesh part", 133, "2325c9eac764b872"},
     {"mesh stored", 32, "ae216c2ef5247a37"},
-    {"submit", 514, "95afa02c94865bd7"},
+    {"submit", 516, "f3086696060072ec"},
     {"poses part", 153, "1c2dc9b035676d8e"},
     {"poses end", 0, "e3b0c44298fc1c14"},
     {"accepted", 8, "35be322d094f9d15"},
@@ -69,7 +69,7 @@ constexpr std::array<Golden, std::variant_size_v<Message>> golden{{
     {"peer fetched", 21, "81af26b24d9034b4"},
     {"explain", 16, "609f0a17cfd7829b"},
     {"explained", 230, "cc3c00c98726d102"},
-    {"add job", 173, "ea80ff908cb3a0cf"},
+    {"add job", 151, "55f2a5ef0c9c941d"},
     {"remove job", 8, "d86e8112f3c4c444"},
     {"results kept", 32, "85f896738b831cb7"},
     {"holding", 72, "e1381bfba176d2ec"},
@@ -86,7 +86,7 @@ constexpr std::array<Golden, std::variant_size_v<Message>> golden{{
     {"contact map query", 9, "39c4bda09747729a"},
     {"contact map", 55, "46a208d4be794e94"},
     {"job query", 8, "6cc16abd70eefb90"},
-    {"job description", 530, "5ae5cac6934cc38b"},
+    {"job description", 532, "272f1f8f2ba4d1b7"},
     {"mesh query", 40, "f7d21511aea24080"},
     {"mesh bytes", 116, "fccdf5c70818c47b"},
     {"poses query", 32, "f1efd35118dc9d45"},
@@ -370,6 +370,59 @@ TEST(Codec, AClearanceIsFiniteAndNotNegative) {
             EXPECT_FALSE(is_taken_with(message, 1234.5678, clearance)) << clearance;
         }
     }
+}
+
+TEST(Codec, AnUpToIsFiniteAndNotNegative) {
+    AddJob add;
+    Submit submit;
+    add.query = submit.query = some_distance_query();
+    add.query.up_to = submit.query.up_to = 1234.5678;
+    for (const Message& message : Messages{add, submit, JobDescription{JobId{8}, 9, submit}}) {
+        for (const double up_to : {0.0, 5e-324, 1.7e308}) {
+            EXPECT_TRUE(is_taken_with(message, 1234.5678, up_to)) << up_to;
+        }
+        for (const double up_to :
+             {-5e-324, -1.0, std::nan(""), std::numeric_limits<double>::infinity()}) {
+            EXPECT_FALSE(is_taken_with(message, 1234.5678, up_to)) << up_to;
+        }
+    }
+}
+
+/// Returns the first byte in which the messages of two queries differ.
+std::size_t first_difference(const Query& one, const Query& other) {
+    AddJob add;
+    add.query = one;
+    const Bytes bytes = encode_message(add);
+    add.query = other;
+    const Bytes others = encode_message(add);
+    const auto [at, at_other] = std::ranges::mismatch(bytes, others);
+    return static_cast<std::size_t>(at - bytes.begin());
+}
+
+TEST(Codec, AQueryHasAQuestionThatExistsAndAllowsTheRest) {
+    Query contacts;
+    contacts.level = Level::Any;
+    Query distance = contacts;
+    distance.question = Question::Distance;
+    Query counted = contacts;
+    counted.level = Level::Count;
+    Query limited = contacts;
+    limited.limit_pairs = 1;
+    distance.up_to = 2.5;
+    AddJob add;
+    add.query = distance;
+    const Bytes bytes = encode_message(add);
+    const auto refusal_with = [&](const Query& other, std::uint8_t value) {
+        Bytes changed = bytes;
+        changed.at(first_difference(contacts, other)) = std::byte{value};
+        return refusal_of(add, changed);
+    };
+    EXPECT_EQ(refusal_with(distance, 1), "");
+    EXPECT_THAT(refusal_with(distance, 0), HasSubstr("an up_to without the question"));
+    EXPECT_NE(refusal_with(distance, 2), "");
+    EXPECT_EQ(refusal_with(counted, 0), "");
+    EXPECT_THAT(refusal_with(counted, 1), HasSubstr("a distance with a level"));
+    EXPECT_THAT(refusal_with(limited, 1), HasSubstr("limit_pairs"));
 }
 
 TEST(Codec, AWorkerHasNoMoreThreadsThanThereMayBe) {

@@ -150,6 +150,12 @@ class Scenes:
         near = ["--clearance", 0.05, "--level", "contacts", "--formats", "csv,csv-pairs"]
         return self.run("approach", *self.bodies(), "--poses", poses, *near)
 
+    def distances(self):
+        """The poses of `approach`, asked for the distance: 0.7, 0.03, 0.04, contact, 0.7 and 0.02 m."""
+        rows = [(x,) for x in (2, 1.33, 1.34, 1.2, 2, 1.32)]
+        poses = self.poses("distances", "x", rows)
+        return self.run("distances", *self.bodies(), "--poses", poses, "--level", "distance")
+
     def random(self):
         return self.run("random", *self.bodies(), "--random", 300, "--seed", 1, "--level", "contacts")
 

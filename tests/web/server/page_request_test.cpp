@@ -33,6 +33,7 @@ TEST(PageRequests, EachRouteHasItsTopic) {
     EXPECT_EQ(parsed("jobs/j-4f2a").job, "j-4f2a");
     EXPECT_EQ(parsed("jobs/j/classes?sample=7").topic, PageTopic::Classes);
     EXPECT_EQ(parsed("jobs/j/counts?sample=7").topic, PageTopic::Counts);
+    EXPECT_EQ(parsed("jobs/j/distances?sample=7").topic, PageTopic::Distances);
     EXPECT_EQ(parsed("jobs/j/poses?sample=7").topic, PageTopic::Poses);
     EXPECT_EQ(parsed("jobs/j/map/1").topic, PageTopic::Map);
     EXPECT_EQ(parsed("jobs/j/map/1").number, 1u);

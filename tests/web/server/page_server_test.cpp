@@ -62,6 +62,11 @@ class FakeSource final : public PageSource {
                 Take<std::vector<std::uint32_t>> take) override {
         answer(id, std::move(take), [] { return std::vector<std::uint32_t>{7, 8}; });
     }
+    void distances(const std::string& id,
+                   const ScenarioChoice& /*choice*/,
+                   Take<std::vector<double>> take) override {
+        answer(id, std::move(take), [] { return std::vector<double>{0.25, 0.5}; });
+    }
     void poses(const std::string& id, const ScenarioChoice& choice, Take<PoseRows> take) override {
         answer(id, std::move(take), [&] {
             PoseRows rows{choice.sample != 0 ? std::size_t{2} : 1, {}};
@@ -217,6 +222,7 @@ TEST_F(PageAnswers, ArraysAreInNumpysFormat) {
     EXPECT_EQ(classes.header("Cache-Control"), "no-store");
     EXPECT_THAT(of_job("/classes?sample=5").values<std::uint8_t>(), ElementsAre(0, 2, 4, 6, 8));
     EXPECT_THAT(of_job("/counts?sample=2").values<std::uint32_t>(), ElementsAre(7, 8));
+    EXPECT_THAT(of_job("/distances?sample=2").values<double>(), ElementsAre(0.25, 0.5));
     EXPECT_THAT(of_job("/poses?first=0&count=1").shape(), ElementsAre(1, 12));
     EXPECT_THAT(of_job("/poses?first=0&count=1").values<double>(),
                 ElementsAre(1, 0, 0, 1, 0, 1, 0, 2, 0, 0, 1, 3));
@@ -225,6 +231,19 @@ TEST_F(PageAnswers, ArraysAreInNumpysFormat) {
     EXPECT_THAT(of_job("/parts/0").values<std::uint32_t>(), ElementsAre(0, 1, 7, 0));
     EXPECT_THAT(of_job("/map/1").shape(), ElementsAre(1, 2));
     EXPECT_THAT(of_job("/map/1").values<std::uint64_t>(), ElementsAre(5, 6));
+}
+
+TEST_F(PageAnswers, AScenarioTellsItsDistance) {
+    ScenarioView& view = *source_.view_;
+    view.result = ScenarioResult();
+    EXPECT_FALSE(of_job("/scenarios/3").json().contains("distance")) << "the job does not ask";
+    view.result->question = Question::Distance;
+    view.result->level = Level::Any;
+    EXPECT_TRUE(of_job("/scenarios/3").json().at("distance").is_null());
+    view.result->nearest = NearestWitness{0.25, 3, 7};
+    const auto json = of_job("/scenarios/3").json();
+    EXPECT_EQ(json.at("distance"), 0.25);
+    EXPECT_EQ(json.at("witness"), nlohmann::json::parse("[3,7]"));
 }
 
 TEST_F(PageAnswers, AScenarioTellsItsRecordAndWhatIsDrawn) {

@@ -208,6 +208,18 @@ counts_of(const RecordReader& records, const PagedJob& job, const ScenarioChoice
     return counts;
 }
 
+Result<std::vector<double>>
+distances_of(const RecordReader& records, const PagedJob& job, const ScenarioChoice& choice) {
+    CD_TRY(choice.check(job.scenarios(), limits::page_scenarios_max));
+    std::vector<double> distances(choice.size(), std::numeric_limits<double>::quiet_NaN());
+    CD_TRY(for_each_chosen(
+        records, job, choice, [&](std::uint64_t place, const ScenarioResult& each) -> Status {
+            distances[place] = each.nearest ? each.nearest->distance : distances[place];
+            return Done{};
+        }));
+    return distances;
+}
+
 Result<PoseRows>
 poses_of(ClusterReader& reader, const PagedJob& job, const ScenarioChoice& choice) {
     CD_TRY(choice.check(job.scenarios(), limits::page_scenarios_max));

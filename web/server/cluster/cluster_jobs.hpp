@@ -33,6 +33,8 @@ view_of(ClusterReader& reader, const PagedJob& job, const ContactMapAnswer& sums
 classes_of(const RecordReader& records, const PagedJob& job, const ScenarioChoice& choice);
 [[nodiscard]] Result<std::vector<std::uint32_t>>
 counts_of(const RecordReader& records, const PagedJob& job, const ScenarioChoice& choice);
+[[nodiscard]] Result<std::vector<double>>
+distances_of(const RecordReader& records, const PagedJob& job, const ScenarioChoice& choice);
 [[nodiscard]] Result<PoseRows>
 poses_of(ClusterReader& reader, const PagedJob& job, const ScenarioChoice& choice);
 /// Errors: NotFound if the job has no map.

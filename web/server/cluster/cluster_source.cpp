@@ -179,6 +179,14 @@ void ClusterSource::counts(const std::string& id,
     });
 }
 
+void ClusterSource::distances(const std::string& id,
+                              const ScenarioChoice& choice,
+                              Take<std::vector<double>> take) {
+    with_records(id, std::move(take), [choice](const RecordReader& records, const PagedJob& job) {
+        return distances_of(records, job, choice);
+    });
+}
+
 void ClusterSource::poses(const std::string& id,
                           const ScenarioChoice& choice,
                           Take<PoseRows> take) {

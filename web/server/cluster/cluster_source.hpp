@@ -47,6 +47,9 @@ class ClusterSource final : public PageSource {
     void counts(const std::string& id,
                 const ScenarioChoice& choice,
                 Take<std::vector<std::uint32_t>> take) override;
+    void distances(const std::string& id,
+                   const ScenarioChoice& choice,
+                   Take<std::vector<double>> take) override;
     void poses(const std::string& id, const ScenarioChoice& choice, Take<PoseRows> take) override;
     void map(const std::string& id,
              std::uint64_t body,

@@ -150,6 +150,10 @@ export interface Job {
     limit_pairs: number;
     /** Null in a job that does not ask for near pairs. */
     clearance: number | null;
+    /** Only in a job that asks how far the bodies are apart. */
+    question?: "distance";
+    /** Then: bodies farther apart have no distance; null: all that share no point have one. */
+    up_to?: number | null;
     maps: boolean;
     map_pairs: number;
     where: string;
@@ -190,4 +194,11 @@ export interface Scenario {
     exact_pairs: number;
     /** The least distance of a near pair; null if there is none, or if not all are listed. */
     least_distance: number | null;
+    /** Only if the job asks for it; null in contact, or farther apart than asked for. */
+    distance?: number | null;
+}
+
+/** Whether a job asks how far the bodies are apart. */
+export function asksDistance(job: Pick<Job, "question">): boolean {
+    return job.question === "distance";
 }

@@ -1,16 +1,16 @@
-/** Classes and counts of a job's scenarios, all of them or an even sample. */
+/** Classes, counts and distances of a job's scenarios, all of them or an even sample. */
 import { getArray } from "../base/api";
 import { severity, untested } from "../base/classes";
-import type { Job, Source } from "../base/types";
+import { asksDistance, type Job, type Source } from "../base/types";
 
 export const sampleSize = 4096;
-/** Beyond so many scenarios the page asks for a sample of a folder: it keeps 21 bytes of each. */
+/** Beyond so many scenarios the page asks for a sample of a folder: it keeps 21 bytes of each, 29 with distances. */
 export const folderMax = 1 << 24;
 /** So many scenarios a master gives at a time, and a folder the poses of so many. */
 export const masterMax = 65536;
 
 /**
- * What is known of scenarios: element i of `classes` and `counts` is scenario `scenarioAt(i)`. Without
+ * What is known of scenarios: element i of `classes`, `counts` and `distances` is scenario `scenarioAt(i)`. Without
  * `chosen`, these are all of a range, or an even sample of it.
  */
 export class Results {
@@ -23,6 +23,8 @@ export class Results {
         readonly counts: Uint32Array | null,
         /** The scenarios that were chosen. */
         private readonly chosen: Float64Array | null = null,
+        /** NaN where there is none; null in a job that does not ask for distances. */
+        readonly distances: Float64Array | null = null,
     ) {}
 
     get isExact(): boolean {
@@ -47,10 +49,11 @@ export class Results {
         return this.isExact ? this.classes[scenario - this.first] : undefined;
     }
 
-    /** Whether element `a` is worse than element `b`: by class, then by pairs. */
+    /** Whether element `a` is worse than element `b`: by class, then by pairs, then if it is nearer. */
     isWorse(a: number, b: number): boolean {
-        const difference = severity(this.classes[a]) - severity(this.classes[b]);
-        return difference > 0 || (difference === 0 && this.countAt(a) > this.countAt(b));
+        const difference =
+            severity(this.classes[a]) - severity(this.classes[b]) || this.countAt(a) - this.countAt(b);
+        return difference > 0 || (difference === 0 && (this.distanceAt(a) ?? Infinity) < (this.distanceAt(b) ?? Infinity));
     }
 
     /** Returns the worst scenario of all; 0 if there is none. */
@@ -65,6 +68,12 @@ export class Results {
     countAt(element: number): number {
         return this.counts?.[element] ?? 0;
     }
+
+    /** Returns the distance of an element; null without one. */
+    distanceAt(element: number): number | null {
+        const distance = this.distances?.[element] ?? Number.NaN;
+        return Number.isNaN(distance) ? null : distance;
+    }
 }
 
 function windowMax(source: Source): number {
@@ -76,7 +85,7 @@ export function exactMax(source: Source): number {
     return source.kind === "folder" ? folderMax : masterMax;
 }
 
-async function readAll<T extends Uint8Array | Uint32Array>(
+async function readAll<T extends Uint8Array | Uint32Array | Float64Array>(
     path: string,
     first: number,
     into: T,
@@ -107,10 +116,18 @@ export async function loadResults(
     signal: AbortSignal,
 ): Promise<Results> {
     if (!canBeExact(source, first, end)) {
-        const [classes, counts] = await Promise.all(
-            ["classes", "counts"].map((what) => getArray(`${pathOf(job, what)}?sample=${sampleSize}`, signal)),
+        const topics = ["classes", "counts", ...(asksDistance(job) ? ["distances"] : [])];
+        const [classes, counts, distances] = await Promise.all(
+            topics.map((what) => getArray(`${pathOf(job, what)}?sample=${sampleSize}`, signal)),
         );
-        return new Results(0, job.scenarios, classes.values as Uint8Array, counts.values as Uint32Array);
+        return new Results(
+            0,
+            job.scenarios,
+            classes.values as Uint8Array,
+            counts.values as Uint32Array,
+            null,
+            (distances?.values as Float64Array | undefined) ?? null,
+        );
     }
     return readExactly(job, first, end - first, windowMax(source), signal);
 }
@@ -120,7 +137,10 @@ async function readExactly(job: Job, first: number, count: number, step: number,
     const classes = await readAll(pathOf(job, "classes"), first, into, step, signal);
     const counts =
         job.level === "any" ? null : await readAll(pathOf(job, "counts"), first, new Uint32Array(count), step, signal);
-    return new Results(first, first + count, classes, counts);
+    const distances = asksDistance(job)
+        ? await readAll(pathOf(job, "distances"), first, new Float64Array(count).fill(Number.NaN), step, signal)
+        : null;
+    return new Results(first, first + count, classes, counts, null, distances);
 }
 
 /** Reads at most `masterMax` scenarios. */

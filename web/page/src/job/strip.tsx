@@ -3,7 +3,7 @@ import { cssColour, heightOf, nameOf, untested } from "../base/classes";
 import { tellFacts } from "../base/facts";
 import { goTo, scenarioLink } from "../base/route";
 import type { Job, Source } from "../base/types";
-import { grouped } from "../base/words";
+import { grouped, short } from "../base/words";
 import { useReloaded, useTheme } from "../ui/hooks";
 import { Notice, Panel } from "../ui/small";
 import type { JobView } from "./job_view";
@@ -202,9 +202,11 @@ export function Strip(props: {
         }
     };
     const element = bin >= 0 ? worst[bin] : -1;
+    const distance = element >= 0 ? results.distanceAt(element) : null;
+    const apart = distance === null ? "" : `, ${short(distance, 6)} ${job.unit} apart`;
     const said =
         element >= 0
-            ? `#${results.scenarioAt(element)} ${nameOf(results.classes[element])}, the worst of this bin`
+            ? `#${results.scenarioAt(element)} ${nameOf(results.classes[element])}${apart}, the worst of this bin`
             : "drag to zoom, click to open";
     return (
         <Panel

@@ -2,8 +2,9 @@ import { useEffect, useMemo, useState } from "preact/hooks";
 import { classNames, near, shownOrder } from "../base/classes";
 import { tellFacts } from "../base/facts";
 import { forgetNotes, jobLink, noteLinkSoon, type Route, scenarioLink } from "../base/route";
-import type { Body, Job, Source } from "../base/types";
+import { asksDistance, type Body, type Job, type Source } from "../base/types";
 import { bytes, counted, duration, fileName, grouped, percent, rate, shellWord, short } from "../base/words";
+import { Distances } from "../job/distances";
 import { Episodes } from "../job/episodes";
 import { Groups } from "../job/groups";
 import { Histogram } from "../job/histogram";
@@ -48,7 +49,9 @@ function Verdict({ job }: { job: Job }) {
                     ? `No contact in ${counted(job.done, "scenario")}${all}.`
                     : `${grouped(contacts)} of ${counted(job.done, "scenario")}${all} ${
                           contacts === 1 ? "is" : "are"
-                      } in contact (${percent(contacts / Math.max(1, job.done))}), with ${counted(job.pairs, "pair")} of triangles.`}
+                      } in contact (${percent(contacts / Math.max(1, job.done))})${
+                          asksDistance(job) ? "" : `, with ${counted(job.pairs, "pair")} of triangles`
+                      }.`}
                 {nearText(job)}
             </p>
             <p class="counts">
@@ -143,7 +146,8 @@ function PosesCard({ job }: { job: Job }) {
                     {job.poses.of_both_bodies ? ", of both bodies" : ""}
                 </div>
                 <div class="note">
-                    level {job.level}
+                    level {asksDistance(job) ? "distance" : job.level}
+                    {typeof job.up_to === "number" && `, up to ${short(job.up_to, 6)} ${job.unit}`}
                     {job.clearance !== null && `, clearance ${short(job.clearance, 6)} ${job.unit}`}
                     {job.ignored > 0 && `, ${counted(job.ignored, "range")} ignored`}
                 </div>
@@ -257,6 +261,11 @@ export function JobScreen({ source, route }: { source: Source; route: Route }) {
                         {job.groups ? <Groups job={job} groups={job.groups} /> : <Histogram job={job} results={results} />}
                     </div>
                     <Strip source={source} job={job} results={results} view={view} change={change} />
+                    {asksDistance(job) && (
+                        <div class="two">
+                            <Distances job={job} results={results} />
+                        </div>
+                    )}
                     <div class="two">
                         {job.groups && <Histogram job={job} results={results} />}
                         <Episodes job={job} results={results} />

@@ -8,7 +8,7 @@ import { usePolled, useTitle } from "../ui/hooks";
 import { KeyHelp, useKeys, viewerKeys } from "../ui/keys";
 import { Command, Notice } from "../ui/small";
 import { type Bounds, CopyLink, ViewControls } from "../viewer/controls";
-import { ContactLegend, HeatLegend } from "../viewer/legend";
+import { ContactLegend, HeatLegend, nearMeaning } from "../viewer/legend";
 import { type Model, trianglesMax } from "../viewer/model";
 import { Picture } from "../viewer/picture";
 import { PartPairs, Picked, PoseText } from "../viewer/side";
@@ -266,7 +266,7 @@ function JobViewer({ source, route, report, job }: ScreenProps & { job: Job }) {
                                 fit={fit}
                                 goToContact={goToContact}
                             />
-                            {state.mode === "heat" && heat ? <HeatLegend heat={heat} job={job} /> : <ContactLegend hasNear={job.clearance !== null} />}
+                            {state.mode === "heat" && heat ? <HeatLegend heat={heat} job={job} /> : <ContactLegend near={nearMeaning(job)} />}
                         </>
                     )}
                     {state.pick && model && (

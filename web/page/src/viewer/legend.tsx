@@ -1,5 +1,5 @@
 import { cssColour, near } from "../base/classes";
-import type { Job } from "../base/types";
+import { asksDistance, type Job } from "../base/types";
 import { grouped, percent } from "../base/words";
 import { viridisAt } from "./heat";
 import type { Heat } from "./model";
@@ -71,8 +71,17 @@ export function HeatLegend({ heat, job }: { heat: Heat; job: Job }) {
     );
 }
 
-/** The colours of triangles and lines; with `hasNear` also those of near pairs. */
-export function ContactLegend({ hasNear }: { hasNear: boolean }) {
+/** What orange triangles are; empty in a job that has none. */
+export function nearMeaning(job: Job): string {
+    return asksDistance(job)
+        ? "the nearest triangles: the line joins their nearest points"
+        : job.clearance === null
+          ? ""
+          : "near: the line joins the nearest points";
+}
+
+/** The colours of triangles and lines; unless `near` is empty also those of near pairs. */
+export function ContactLegend({ near: meaning }: { near: string }) {
     return (
         <ul class="legend plain">
             <li>
@@ -94,12 +103,12 @@ export function ContactLegend({ hasNear }: { hasNear: boolean }) {
                 </svg>
                 what they share
             </li>
-            {hasNear && (
+            {meaning && (
                 <li>
                     <svg viewBox="0 0 14 12" aria-hidden="true">
                         <path d="M1 11 7 1l6 10z" fill={cssColour(near)} class="outlined" />
                     </svg>
-                    near: the line joins the nearest points
+                    {meaning}
                 </li>
             )}
         </ul>

@@ -1,5 +1,5 @@
 import { numberOf } from "../base/classes";
-import type { Job } from "../base/types";
+import type { Job, Scenario } from "../base/types";
 import { counted, grouped, short } from "../base/words";
 import { ClassMark, Name, Notice } from "../ui/small";
 import type { Model } from "./model";
@@ -38,6 +38,18 @@ export function Trust({ model, contacts }: { model: Model | null; contacts: Cont
     );
 }
 
+/** How far the bodies, or their nearest near triangles, are apart; empty where that is not known. */
+export function distanceText(job: Pick<Job, "unit" | "up_to">, scenario: Scenario): string {
+    const length = (value: number) => `${short(value, 6)} ${job.unit} apart`;
+    if (typeof scenario.distance === "number") {
+        return `the bodies are ${length(scenario.distance)}`;
+    }
+    if (scenario.distance === null) {
+        return scenario.class === "separate" && typeof job.up_to === "number" ? `more than ${length(job.up_to)}` : "";
+    }
+    return scenario.least_distance === null ? "" : `nearest triangles ${length(scenario.least_distance)}`;
+}
+
 /** The scenario's class, count, and what restricts them. */
 export function ScenarioStatus({ job, contacts }: { job: Job; contacts: Contacts }) {
     const { scenario } = contacts;
@@ -45,9 +57,7 @@ export function ScenarioStatus({ job, contacts }: { job: Job; contacts: Contacts
     const count = scenario.class !== null && scenario.count > 0 ? counted(scenario.count, "pair") : "";
     const nearCount = scenario.near_count > 0 ? counted(scenario.near_count, "near pair") : "";
     const said = [
-        scenario.least_distance !== null
-            ? `nearest triangles ${short(scenario.least_distance, 6)} ${job.unit} apart`
-            : "",
+        distanceText(job, scenario),
         kind === 3 ? "one body is inside the other: g changes the ghost" : "",
         scenario.id !== null ? `id ${scenario.id}` : "",
         scenario.time !== null ? `t ${short(scenario.time, 6)}` : "",

@@ -1,0 +1,82 @@
+"""Distances of ours and the peers: what distances_report measured, as a page."""
+from tables import (figure, figures_table, fixed, in_order, known, number, select, show, table, total)
+
+TITLE = "Distances: ours and the peers"
+FILES = ("distances", "pairs")
+PAGE = "RESULTS.md"
+OURS = "cdcluster"
+
+
+def ours_in(data, scene, poses_are):
+    return next(iter(select(data["distances"], scene=scene, poses_are=poses_are, engine=OURS)), None)
+
+
+def figures_section(data):
+    rows = []
+    near = ours_in(data, "drivaer near sedan", "apart")
+    rows.append(figure("distance, drivaer near sedan, median", "<= 150 us", known(near, "median_us"),
+                       "us", lambda v: v <= 150))
+    for engine in in_order(data["distances"], "engine"):
+        row = next(iter(select(data["distances"], scene="drivaer near sedan", poses_are="apart",
+                               engine=engine)), None)
+        if engine != OURS:
+            rows.append(figure(f"the same, {engine}, median of the ratios", ">= 10x",
+                               known(row, "ratio"), "x", lambda v: v >= 10))
+    rows.append(figure("distances of ours that are wrong", "0", wrong_of_ours(data), "",
+                       lambda v: v == 0))
+    return "## Figures\n" + figures_table(rows)
+
+
+def wrong_of_ours(data):
+    return total(data["distances"], "ours_wrong") + total(select(data["pairs"], engine=OURS), "unequal")
+
+
+def scenes_section(data):
+    rows = []
+    for row in data["distances"]:
+        is_ours = row["engine"] == OURS
+        rows.append([row["scene"], row["poses_are"], row["engine"], show(number(row, "poses")),
+                     show(known(row, "mean_us")), show(known(row, "median_us")),
+                     "" if is_ours else show(known(row, "ratio")),
+                     *("" if is_ours or row["ending"] != "done" else show(number(row, c))
+                       for c in ("unequal", "off", "wrong")),
+                     "" if row["ending"] == "done" else row["ending"]])
+    note = ("Times of a pose, us; the ratio to ours is a median over the poses. Poses whose answer is not "
+            "ours: unequal by a bit; off by more than 1e-12 of the largest coordinate; wrong by more than "
+            "1 % of the distance, or about contact.")
+    return f"## Scenes\n{note}\n\n" + table(
+        ["scene", "poses", "engine", "count", "mean", "median", "times ours", "unequal", "off", "wrong",
+         "ending"], rows)
+
+
+def pairs_section(data):
+    rows = []
+    for engine in in_order(data["pairs"], "engine"):
+        mine = select(data["pairs"], engine=engine)
+        count = total(mine, "pairs")
+        worst = max(mine, key=lambda row: number(row, "wrong") / number(row, "pairs"))
+        rows.append([engine, show(count),
+                     *(fixed(1e6 * total(mine, c) / count, 0) for c in ("unequal", "off", "wrong")),
+                     f"{worst['kind']}: {fixed(100 * number(worst, 'wrong') / number(worst, 'pairs'), 0)} %"
+                     if total(mine, "wrong") else ""])
+    kinds = len(in_order(data["pairs"], "kind"))
+    note = (f"Single pairs of triangles that share no point, {kinds} kinds, against the exact oracle; "
+            "answers of a million that are unequal, off or wrong, as above.")
+    return f"## Hard pairs\n{note}\n\n" + table(
+        ["engine", "pairs", "unequal", "off", "wrong", "wrong most often"], rows)
+
+
+def faults(data):
+    """What of ours is wrong, in words."""
+    found = []
+    if wrong_of_ours(data):
+        found.append(f"{show(wrong_of_ours(data))} distances of ours are wrong")
+    if not select(data["distances"], engine=OURS):
+        found.append("ours has no distance of a scene")
+    if not select(data["pairs"], engine=OURS):
+        found.append("ours has no distance of a pair")
+    return found
+
+
+def summary(data):
+    return [figures_section(data), scenes_section(data), pairs_section(data)]

@@ -1,0 +1,62 @@
+#include "client/spec/query_spec.hpp"
+
+#include "common/core/errors.hpp"
+
+namespace cd {
+
+namespace {
+
+constexpr std::string_view distance_word = asked_levels.back();
+
+} // namespace
+
+std::string_view asked_level(const Query& query) {
+    return query.question == Question::Distance ? distance_word : to_text(query.level);
+}
+
+bool set_asked_level(std::string_view word, Query& query) {
+    const bool is_distance = word == distance_word;
+    const auto level = is_distance ? std::optional(Level::Any) : level_from_text(word);
+    if (!level) {
+        return false;
+    }
+    query.level = *level;
+    query.question = is_distance ? Question::Distance : Question::Contacts;
+    return true;
+}
+
+std::optional<QueryConflict> conflict_in(const Query& query) {
+    if (query.question != Question::Distance) {
+        return query.up_to ? std::optional(QueryConflict{
+                                 "up_to",
+                                 "up_to belongs to level distance; set that level, or leave out "
+                                 "up_to"})
+                           : std::nullopt;
+    }
+    if (query.clearance) {
+        return QueryConflict{"clearance",
+                             "level distance tells how far apart the bodies are, whatever is near; "
+                             "leave out clearance, or write up_to, beyond which none is told"};
+    }
+    if (query.limit_pairs != 0) {
+        return QueryConflict{"limit_pairs",
+                             "level distance lists no pairs; leave out limit_pairs, or set another "
+                             "level"};
+    }
+    if (query.maps) {
+        return QueryConflict{"maps",
+                             "level distance finds no contacts that maps could count; leave out "
+                             "maps, or set another level"};
+    }
+    return std::nullopt;
+}
+
+Status check_maps(const Query& query) {
+    if (query.maps && query.level == Level::Any) {
+        return bad_input("maps need level count, pairs or contacts, since level any finds no "
+                         "triangles; set another level, or leave out maps");
+    }
+    return Done{};
+}
+
+} // namespace cd

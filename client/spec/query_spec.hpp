@@ -1,0 +1,38 @@
+// What users write to ask a question.
+#pragma once
+
+#include "common/core/result.hpp"
+#include "common/job/query.hpp"
+
+#include <array>
+#include <optional>
+#include <string_view>
+
+namespace cd {
+
+/// The words of the key `level`: the names of the levels, then that of the distance, which is a
+/// question of its own at level any.
+inline constexpr std::array<std::string_view, 5> asked_levels{
+    "any", "count", "pairs", "contacts", "distance"};
+
+/// Returns the word for what a query asks.
+[[nodiscard]] std::string_view asked_level(const Query& query);
+
+/// Sets the level and the question that `word` stands for. Returns false if it is none of
+/// `asked_levels`.
+[[nodiscard]] bool set_asked_level(std::string_view word, Query& query);
+
+/// A key of [query] that does not go together with the level.
+struct QueryConflict {
+    std::string_view key;
+    std::string_view reason; ///< Also says what to do.
+};
+
+/// Returns the first key that the query may not have: clearance, limit_pairs and maps of a
+/// distance, and up_to of anything else.
+[[nodiscard]] std::optional<QueryConflict> conflict_in(const Query& query);
+
+/// Refuses maps at `level any`. Errors: BadInput.
+[[nodiscard]] Status check_maps(const Query& query);
+
+} // namespace cd
