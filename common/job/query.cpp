@@ -28,7 +28,14 @@ const char* query_problem(const Query& query) {
     if (query.up_to && !is_clearance(*query.up_to)) {
         return "an up_to that is negative or not finite";
     }
+    if (query.first_hits && query.question != Question::Shots) {
+        return "first hits without the question of shots";
+    }
     if (query.question != Question::Distance) {
+        const bool is_level = query.level == Level::Count || query.level == Level::Pairs;
+        if (query.question == Question::Shots && (!is_level || query.clearance)) {
+            return "shots with a clearance, or at another level than count and pairs";
+        }
         return query.up_to ? "an up_to without the question of the distance" : nullptr;
     }
     const bool asks_more =
