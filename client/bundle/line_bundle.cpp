@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <string>
 #include <utility>
 
 namespace cd {
@@ -61,6 +62,8 @@ Result<Mesh> line_mesh(const std::vector<LineEnds>& lines) {
         arrays.vertices.push_back(line.q);
         arrays.triangles.push_back({first, first + 1, first + 1});
     }
+    arrays.precision = precision_of(arrays.vertices);
+    arrays.parts = {{std::string(lines_name), 0, static_cast<std::uint32_t>(lines.size())}};
     return Mesh::create(std::move(arrays));
 }
 

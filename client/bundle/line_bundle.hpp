@@ -7,6 +7,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 namespace cd {
@@ -33,6 +34,9 @@ struct LineEnds {
     Vec3 p;
     Vec3 q;
 };
+
+/// The name of the body of lines in a job, and of its only part.
+inline constexpr std::string_view lines_name = "lines";
 
 /// Makes a mesh of segments: the triangle (p, q, q) of each line, in order. Errors: BadInput for
 /// ends that are not finite, and without lines.

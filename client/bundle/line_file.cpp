@@ -52,6 +52,9 @@ Result<LineEnds> line_of(std::span<const double> numbers, LineForm form, const A
     const Vec3 start(numbers[0], numbers[1], numbers[2]);
     const Vec3 second(numbers[3], numbers[4], numbers[5]);
     if (form == LineForm::Ends) {
+        if (start == second) {
+            return bad_input("a line without a direction: its ends are one point");
+        }
         return LineEnds{start, second};
     }
     const Vec3 end = CD_TRY(end_of_ray(start, second, farthest(start, box)));

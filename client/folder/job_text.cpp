@@ -75,6 +75,48 @@ std::string poses_text(const PoseFileSpec& poses) {
            (poses.rigid_tolerance ? line("rigid_tolerance", number(*poses.rigid_tolerance)) : "");
 }
 
+std::string axis_text(std::string_view key, const GridAxis& axis) {
+    return axis == GridAxis{} ? ""
+                              : line(key,
+                                     "[" + number(axis.first) + ", " + number(axis.last) + ", " +
+                                         std::to_string(axis.count) + "]");
+}
+
+std::string lines_text(const ShotsSpec& shots) {
+    if (!shots.is_grid()) {
+        return line("file", toml_quoted(shots.file.string())) +
+               (shots.form == LineForm::Rays ? line("form", toml_quoted("rays")) : "");
+    }
+    const LineGrid& grid = shots.grid;
+    std::string text =
+        line("spacing", number(grid.spacing)) + line("tile", std::to_string(grid.tile));
+    if (grid.jitter_seed) {
+        text += line("jitter", "{ seed = " + std::to_string(*grid.jitter_seed) + " }");
+    } else if (grid.offset != LineGrid().offset) {
+        text += line("offset", list(grid.offset, number));
+    }
+    return text + axis_text("azimuth_deg", shots.azimuth_deg) +
+           axis_text("elevation_deg", shots.elevation_deg);
+}
+
+std::string shots_text(const ShotsSpec& shots, const Query& query) {
+    return "\n[shots]\n" + lines_text(shots) + (query.first_hits ? line("first", "true") : "");
+}
+
+/// Writes body B and the poses.
+std::string tested_text(const JobSpec& spec) {
+    if (const auto* shots = std::get_if<ShotsSpec>(&spec.poses)) {
+        return shots_text(*shots, spec.query);
+    }
+    std::string text = body_text(spec.bodies[1], "b") + "\n[poses]\n";
+    if (const auto* file = std::get_if<PoseFileSpec>(&spec.poses)) {
+        return text + poses_text(*file);
+    }
+    const auto* grid = std::get_if<GridSpec>(&spec.poses);
+    return text + (grid != nullptr ? poses_text(*grid)
+                                   : poses_text(std::get<RandomPoses>(spec.poses)));
+}
+
 std::string query_text(const JobSpec& spec) {
     const Query& query = spec.query;
     std::string text = "\n[query]\n" + line("level", toml_quoted(asked_level(query)));
@@ -139,8 +181,7 @@ std::string toml_quoted(std::string_view text) {
 
 std::string job_text(const JobSpec& spec) {
     std::string text = line("name", toml_quoted(spec.name)) + line("unit", toml_quoted(spec.unit));
-    text += body_text(spec.bodies[0], "a") + body_text(spec.bodies[1], "b") + "\n[poses]\n";
-    text += std::visit([](const auto& poses) { return poses_text(poses); }, spec.poses);
+    text += body_text(spec.bodies[0], "a") + tested_text(spec);
     return text + query_text(spec) + (spec.output.dir.empty() ? "" : output_text(spec.output)) +
            cluster_text(spec.cluster);
 }

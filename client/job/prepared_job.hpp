@@ -60,6 +60,10 @@ struct JobInputs {
                                               bool quiet = true,
                                               JobInputs given = {});
 
+/// Returns the mesh of the lines of [shots], which is body B, for the mesh of A. Errors: as
+/// `shot_mesh`.
+[[nodiscard]] Result<std::shared_ptr<const Mesh>> lines_of(const ShotsSpec& spec, const Mesh& a);
+
 /// Returns the options to import a body's file. Errors: BadInput for an unknown unit.
 [[nodiscard]] Result<ImportOptions> import_options(const JobSpec& spec, std::size_t body);
 

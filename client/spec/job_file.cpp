@@ -3,6 +3,7 @@
 #include "client/base/units.hpp"
 #include "client/formats/output_file.hpp"
 #include "client/spec/query_spec.hpp"
+#include "client/spec/shots_spec.hpp"
 #include "client/spec/toml_fields.hpp"
 #include "common/core/errors.hpp"
 #include "common/core/limits/engine.hpp"
@@ -294,21 +295,33 @@ void read_job(const toml::table& table, JobSpec& spec) {
     const TomlFields job(table,
                          spec.file.string(),
                          "the job",
-                         {"name", "unit", "a", "b", "poses", "query", "output", "cluster"});
+                         {"name", "unit", "a", "b", "poses", "shots", "query", "output", "cluster"});
     spec.name = job.text("name").value_or(spec.file.stem().string());
     spec.unit = job.word("unit", unit_names()).value_or(spec.unit);
     read_body(job, "a", spec.file, spec.bodies[0]);
-    read_body(job, "b", spec.file, spec.bodies[1]);
-    if (const std::string name = export_name(spec, 0); name == export_name(spec, 1)) {
-        job.refuse("b", "both bodies have the name \"" + name + "\"; exports need two names");
+    const bool are_shots = job.has("shots");
+    if (are_shots) {
+        take_shots(read_shots(job, spec.file, spec.query), spec);
+    } else {
+        read_body(job, "b", spec.file, spec.bodies[1]);
+        read_poses(job, spec);
     }
-    read_poses(job, spec);
+    if (const std::string name = export_name(spec, 0); name == export_name(spec, 1)) {
+        job.refuse(are_shots ? "a" : "b",
+                   "both bodies have the name \"" + name + "\"; exports need two names");
+    }
     read_query(job, spec);
     read_output(job, spec);
     read_cluster(job, spec);
 }
 
 } // namespace
+
+void take_shots(ShotsSpec shots, JobSpec& spec) {
+    spec.bodies[1].name = lines_name;
+    spec.bodies[1].path = shots.file;
+    spec.poses = std::move(shots);
+}
 
 std::string export_name(const JobSpec& spec, std::size_t body) {
     const std::string& name = spec.bodies[body].name;

@@ -1,6 +1,7 @@
 // The description of a job, from job.toml or the command line.
 #pragma once
 
+#include "client/bundle/shot_plan.hpp"
 #include "common/core/result.hpp"
 #include "common/job/poses/pose_source.hpp"
 #include "common/job/query.hpp"
@@ -46,7 +47,8 @@ struct GridSpec {
     std::string unit = {}; ///< Unit of the axes x, y and z; empty: the job's.
 };
 
-using PosesSpec = std::variant<PoseFileSpec, GridSpec, RandomPoses>;
+/// [shots] gives the poses of its bundle, and the bundle is body B.
+using PosesSpec = std::variant<PoseFileSpec, GridSpec, RandomPoses, ShotsSpec>;
 
 /// Excludes the triangle pairs whose parts match the patterns `a` (in A) and `b` (in B). Patterns
 /// use shell wildcards. The body's name and a slash may precede the part's name; a backslash
@@ -81,6 +83,9 @@ struct JobSpec {
 
 /// Parses the text of a job file; `path` is used in messages and for relative paths.
 [[nodiscard]] Result<JobSpec> parse_job(std::string_view text, const std::filesystem::path& path);
+
+/// Makes the lines of [shots] the job's body B, and their bundles its poses.
+void take_shots(ShotsSpec shots, JobSpec& spec);
 
 /// Returns the name of a body in exports: its name in the job, or else "a" or "b".
 [[nodiscard]] std::string export_name(const JobSpec& spec, std::size_t body);

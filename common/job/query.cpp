@@ -22,6 +22,10 @@ std::optional<Level> level_from_text(std::string_view text) {
 }
 
 const char* query_problem(const Query& query) {
+    if (query.question != Question::Contacts && query.question != Question::Distance &&
+        query.question != Question::Shots) {
+        return "an unknown question";
+    }
     if (query.clearance && !is_clearance(*query.clearance)) {
         return "a clearance that is negative or not finite";
     }

@@ -97,7 +97,9 @@ TEST(LineFile, RefusesWhatIsNoLineAndNamesTheRow) {
                 HasSubstr("too short"));
     EXPECT_THAT(refusal_of_rows({1.5e308, 0, 0, 1e308, 0, 0}, LineForm::Rays),
                 HasSubstr("too far away"));
-    EXPECT_EQ(refusal_of_rows({1, 2, 3, 0, 0, 0}, LineForm::Ends), "taken") << "a point";
+    EXPECT_EQ(refusal_of_rows({1, 2, 3, 0, 0, 0}, LineForm::Ends), "taken") << "an end";
+    EXPECT_THAT(refusal_of_rows({0, 0, 0, 1, 0, 0, 1, 2, 3, 1, 2, 3}, LineForm::Ends),
+                HasSubstr("row 1: a line without a direction"));
     EXPECT_THAT(refusal_of_rows({}, LineForm::Ends), HasSubstr("0 lines"));
     const auto odd = read_lines(write_rows({1, 2, 3, 4, 5, 6, 7}, 7), LineForm::Ends, unit_box());
     EXPECT_THAT(odd.error().detail, HasSubstr("(1, 7)"));

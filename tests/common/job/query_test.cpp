@@ -92,4 +92,12 @@ TEST(Query, AskedForShotsHasALevelLimitsAndMapsButNoClearance) {
     }
 }
 
+TEST(Query, HasAQuestionThatExists) {
+    Query query;
+    for (const int question : {2, 4, 255}) {
+        query.question = static_cast<Question>(question);
+        EXPECT_STREQ(query_problem(query), "an unknown question") << question;
+    }
+}
+
 } // namespace cd::tests
