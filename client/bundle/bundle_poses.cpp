@@ -41,6 +41,14 @@ struct TileRange {
     [[nodiscard]] double count() const { return last - first + 1; }
 };
 
+/// Returns the tiles that cover a box, along the bundle's y and z.
+std::array<TileRange, 2>
+tiles_of(const LineGrid& grid, const Quaternion& rotation, const Aabb& box) {
+    const Shadow shadow(Pose::from_quaternion(rotation, Vec3::Zero()).rotation(), 0.5 * box.size());
+    return {TileRange(shadow.low[0], shadow.high[0], grid),
+            TileRange(shadow.low[1], shadow.high[1], grid)};
+}
+
 void add_view(const LineGrid& grid,
               std::uint32_t view,
               const Quaternion& rotation,
@@ -72,6 +80,11 @@ double bundle_reach(const Aabb& box) {
     return std::ldexp(1.0, exponent);
 }
 
+std::uint64_t bundles_in_view(const LineGrid& grid, const ShotView& view, const Aabb& box) {
+    const std::array<TileRange, 2> tiles = tiles_of(grid, view_rotation(view), box);
+    return static_cast<std::uint64_t>(tiles[0].count() * tiles[1].count());
+}
+
 Result<std::vector<BundlePose>>
 bundle_poses(const LineGrid& grid, std::span<const ShotView> views, const Aabb& box) {
     CD_TRY(check_grid(grid));
@@ -82,10 +95,7 @@ bundle_poses(const LineGrid& grid, std::span<const ShotView> views, const Aabb& 
             return bad_input("a direction of lines that is not finite");
         }
         const Quaternion rotation = view_rotation(view);
-        const Shadow shadow(Pose::from_quaternion(rotation, Vec3::Zero()).rotation(),
-                            0.5 * box.size());
-        const std::array<TileRange, 2> tiles{TileRange(shadow.low[0], shadow.high[0], grid),
-                                             TileRange(shadow.low[1], shadow.high[1], grid)};
+        const std::array<TileRange, 2> tiles = tiles_of(grid, rotation, box);
         const double count =
             static_cast<double>(poses.size()) + tiles[0].count() * tiles[1].count();
         if (!(count <= static_cast<double>(limits::bundle_poses_max))) {

@@ -38,6 +38,10 @@ struct BundlePose {
     Pose pose;               ///< From the bundle's coordinates to the world.
 };
 
+/// Returns how many poses `bundle_poses` gives a view of a checked grid, if it gives any.
+[[nodiscard]] std::uint64_t
+bundles_in_view(const LineGrid& grid, const ShotView& view, const Aabb& box);
+
 /// Returns the poses of `make_bundle` that together cover a box, by view, row and column. The
 /// views' planes pass through the box's middle. Errors: BadInput for angles that are not finite,
 /// and for more poses than `limits::bundle_poses_max`.

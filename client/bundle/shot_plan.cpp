@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <utility>
 
@@ -45,6 +46,30 @@ Result<std::vector<BundlePose>> shot_poses(const ShotsSpec& spec, const Aabb& bo
         return std::vector<BundlePose>(1);
     }
     return at_place(spec, bundle_poses(spec.grid, spec.views(), box));
+}
+
+ShotViews::ShotViews(const ShotsSpec& spec, const Aabb& box) {
+    if (!spec.is_grid()) {
+        return;
+    }
+    views_ = spec.views();
+    cell_area_ = spec.grid.spacing * spec.grid.spacing;
+    std::uint64_t begin = 0;
+    for (const ShotView& view : views_) {
+        begins_.push_back(begin);
+        begin += bundles_in_view(spec.grid, view, box);
+    }
+}
+
+std::uint32_t ShotViews::view_of(std::uint64_t scenario) const {
+    const auto next = std::ranges::upper_bound(begins_, scenario);
+    return next == begins_.begin() ? 0 : static_cast<std::uint32_t>(next - begins_.begin() - 1);
+}
+
+Mat3 ShotViews::rotation(std::uint32_t view) const {
+    return views_.empty()
+               ? Mat3(Mat3::Identity())
+               : Pose::from_quaternion(view_rotation(views_[view]), Vec3::Zero()).rotation();
 }
 
 PoseLabels shot_labels(const ShotsSpec& spec, const std::vector<BundlePose>& poses) {

@@ -10,6 +10,7 @@
 #include "common/job/poses/pose_labels.hpp"
 #include "common/job/poses/pose_source.hpp"
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <string>
@@ -40,6 +41,28 @@ struct ShotsSpec {
 /// Returns where the bundle stands in each scenario. Lines of a file have one, in which the
 /// bundle's coordinates are the world's. Errors: BadInput naming the place of [shots].
 [[nodiscard]] Result<std::vector<BundlePose>> shot_poses(const ShotsSpec& spec, const Aabb& box);
+
+/// The directions of a job's lines, by scenario.
+class ShotViews {
+  public:
+    /// One direction, in which the bundle's coordinates are the world's.
+    ShotViews() = default;
+    /// The directions of a job whose body A is in this box, and whose poses are `shot_poses`.
+    ShotViews(const ShotsSpec& spec, const Aabb& box);
+
+    [[nodiscard]] std::size_t count() const { return views_.empty() ? 1 : views_.size(); }
+    /// Returns the number of a scenario's direction.
+    [[nodiscard]] std::uint32_t view_of(std::uint64_t scenario) const;
+    /// Returns the rotation from the bundle's coordinates to the world in a direction.
+    [[nodiscard]] Mat3 rotation(std::uint32_t view) const;
+    /// Returns the area of a line's cell in the plane across the lines; 0 for lines of a file.
+    [[nodiscard]] double cell_area() const { return cell_area_; }
+
+  private:
+    std::vector<ShotView> views_;       ///< Empty for lines of a file.
+    std::vector<std::uint64_t> begins_; ///< The first scenario of each direction.
+    double cell_area_ = 0;
+};
 
 /// Returns ids for the poses of a grid, such as "az=30 el=-15 tile=2,-1"; none for a file.
 [[nodiscard]] PoseLabels shot_labels(const ShotsSpec& spec, const std::vector<BundlePose>& poses);

@@ -15,7 +15,8 @@ class ScenariosCsvWriter final : public ResultWriter {
     ScenariosCsvWriter(const ExportContext& context, OutputFile file)
         : file_(std::move(file)),
           has_near_(context.clearance.has_value()),
-          has_distance_(context.has_distance()) {
+          has_distance_(context.has_distance()),
+          has_hits_(context.question == Question::Shots) {
         for (const ExportBody& body : context.bodies) {
             names_.push_back(csv_field(body.name));
         }
@@ -42,6 +43,9 @@ class ScenariosCsvWriter final : public ResultWriter {
         }
         if (has_distance_) {
             add_nearest(result.nearest);
+        }
+        if (has_hits_) {
+            row_.add(",", result.pair_count);
         }
         row_.add(",", yes_or_no[result.is_cut() ? 1 : 0], ",");
         if (result.kind == ScenarioClass::Undecided) {
@@ -83,6 +87,7 @@ class ScenariosCsvWriter final : public ResultWriter {
         return std::string("scenario,body_a,body_b,class,count,") +
                (has_near_ ? "near_count," : "") +
                (has_distance_ ? "distance,triangle_a,triangle_b,ax,ay,az,bx,by,bz," : "") +
+               (has_hits_ ? "hits," : "") +
                "cut,distance_bound,surfaces_only,insides_skipped,failure\n";
     }
 
@@ -91,6 +96,7 @@ class ScenariosCsvWriter final : public ResultWriter {
     TextBuffer row_;
     bool has_near_;
     bool has_distance_;
+    bool has_hits_;
     bool has_header_ = false;
 };
 

@@ -1,8 +1,10 @@
 #include "client/export/result_sink.hpp"
 
+#include "client/export/shots/shot_writers.hpp"
 #include "client/spec/job_file.hpp"
 #include "common/core/errors.hpp"
 #include "common/core/files/disk_file.hpp"
+#include "common/shots/line_hit.hpp"
 
 #include <algorithm>
 #include <cstdio>
@@ -44,6 +46,21 @@ Result<std::unique_ptr<ResultWriter>> make_writer(const std::string& format,
     return make_row_writer(format, context, std::move(file));
 }
 
+/// Returns the pairs that a map counts, which are those that the result lists; of hits of lines only
+/// those that cross.
+std::vector<ContactPair> counted_pairs(const ScenarioResult& result) {
+    if (result.hits.empty()) {
+        return result.pairs;
+    }
+    std::vector<ContactPair> crossings;
+    for (std::size_t i = 0; i < result.hits.size(); ++i) {
+        if ((result.hits[i].flags & hit_flag::crosses) != 0) {
+            crossings.push_back(result.pairs[i]);
+        }
+    }
+    return crossings;
+}
+
 std::vector<std::shared_ptr<const Mesh>> meshes_of(const ExportContext& context) {
     std::vector<std::shared_ptr<const Mesh>> meshes;
     for (const ExportBody& body : context.bodies) {
@@ -67,16 +84,42 @@ Result<ResultSink> ResultSink::open(SinkOptions options, const ExportContext& co
     if (!to.dir.empty()) {
         CD_TRY(make_directories(to.dir));
         CD_TRY(check_map_formats(to.formats, context.level, context.maps));
-        for (const std::string& format : to.formats) {
-            if (format != "glb") { // Its files are made of the map alone.
-                sink.writers_.push_back(CD_TRY(make_writer(format, context, to.dir)));
-            }
-        }
+        CD_TRY(sink.add_writers());
+    }
+    if (context.has_hits()) {
+        CD_TRY(sink.add_shot_writers());
     }
     if (sink.uses_stdout()) {
         sink.writers_.push_back(make_row_writer(to.output, context, OutputFile::standard_output()));
     }
     return sink;
+}
+
+Status ResultSink::add_writers() {
+    for (const std::string& format : options_.formats) {
+        // The files of a GLB are made of the map alone; hits of lines have files of their own.
+        if (format != "glb" && !(format == "csv-pairs" && context_.has_hits())) {
+            writers_.push_back(CD_TRY(make_writer(format, context_, options_.dir)));
+        }
+    }
+    return Done{};
+}
+
+Status ResultSink::add_shot_writers() {
+    const auto finder = std::make_shared<const PassageFinder>(*context_.bodies[0].mesh);
+    const auto& views = context_.bodies[1].views;
+    shots_.emplace(finder, views ? *views : ShotViews(), context_.unit);
+    if (has_format("npz")) {
+        writers_.push_back(make_shots_npz_writer(context_, options_.dir));
+    }
+    if (has_format("csv-pairs")) {
+        writers_.push_back(CD_TRY(make_shotlines_writer(context_, finder, options_.dir)));
+    }
+    return Done{};
+}
+
+RunFindings ResultSink::findings() const {
+    return {groups_.most_touched(), least_, shots_ ? shots_->parts() : std::vector<ShotPart>()};
 }
 
 Status ResultSink::add(const ScenarioResult& result, std::span<const ContactPair> found) {
@@ -92,7 +135,11 @@ Status ResultSink::add(const ScenarioResult& result, std::span<const ContactPair
     groups_.add(result);
     note_distance(result);
     tested_ += result.kind == ScenarioClass::Failed ? 0 : 1;
-    waiting_.add(result, found.empty() ? std::span<const ContactPair>(result.pairs) : found);
+    if (shots_) {
+        shots_->add(result);
+    }
+    const std::vector<ContactPair> listed = counted_pairs(result);
+    waiting_.add(result, found.empty() ? std::span<const ContactPair>(listed) : found);
     if (waiting_.bytes() >= waiting_bytes_max) {
         map_.add(waiting_.take());
     }

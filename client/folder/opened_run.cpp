@@ -206,6 +206,10 @@ Result<ExportContext> export_context(const OpenedRun& run) {
         context.bodies.push_back(
             {body.name, fs::path(body.file).filename().string(), std::move(mesh)});
     }
+    if (manifest.query.question == Question::Shots) {
+        const auto job = CD_TRY(run.spec());
+        context.bodies[1].views = views_of(job.poses, *context.bodies[0].mesh);
+    }
     return context;
 }
 

@@ -249,6 +249,13 @@ Result<std::shared_ptr<const Mesh>> lines_of(const ShotsSpec& spec, const Mesh& 
     return std::make_shared<const Mesh>(std::move(lines));
 }
 
+std::shared_ptr<const ShotViews> views_of(const PosesSpec& spec, const Mesh& a) {
+    const auto* shots = std::get_if<ShotsSpec>(&spec);
+    return shots == nullptr
+               ? nullptr
+               : std::make_shared<const ShotViews>(*shots, bounding_box(a.vertices()));
+}
+
 Result<ImportOptions> import_options(const JobSpec& spec, std::size_t body) {
     const BodySpec& given = spec.bodies[body];
     const std::string& unit = given.unit.empty() ? spec.unit : given.unit;
@@ -276,7 +283,8 @@ ExportContext export_context(const PreparedJob& job) {
         context.bodies.push_back({export_name(job.spec, i),
                                   body.path.filename().string(),
                                   job.meshes[i],
-                                  body.rounds_to_float});
+                                  body.rounds_to_float,
+                                  i == 1 ? views_of(job.spec.poses, *job.meshes[0]) : nullptr});
     }
     return context;
 }

@@ -64,6 +64,9 @@ struct JobInputs {
 /// `shot_mesh`.
 [[nodiscard]] Result<std::shared_ptr<const Mesh>> lines_of(const ShotsSpec& spec, const Mesh& a);
 
+/// Returns the directions of the lines of [shots] for the mesh of A; null for other poses.
+[[nodiscard]] std::shared_ptr<const ShotViews> views_of(const PosesSpec& spec, const Mesh& a);
+
 /// Returns the options to import a body's file. Errors: BadInput for an unknown unit.
 [[nodiscard]] Result<ImportOptions> import_options(const JobSpec& spec, std::size_t body);
 
