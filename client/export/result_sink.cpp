@@ -4,7 +4,6 @@
 #include "client/spec/job_file.hpp"
 #include "common/core/errors.hpp"
 #include "common/core/files/disk_file.hpp"
-#include "common/shots/line_hit.hpp"
 
 #include <algorithm>
 #include <cstdio>
@@ -44,21 +43,6 @@ Result<std::unique_ptr<ResultWriter>> make_writer(const std::string& format,
     CD_TRY(check_format(format));
     auto file = CD_TRY(OutputFile::create(dir / file_of(format)));
     return make_row_writer(format, context, std::move(file));
-}
-
-/// Returns the pairs that a map counts, which are those that the result lists; of hits of lines only
-/// those that cross.
-std::vector<ContactPair> counted_pairs(const ScenarioResult& result) {
-    if (result.hits.empty()) {
-        return result.pairs;
-    }
-    std::vector<ContactPair> crossings;
-    for (std::size_t i = 0; i < result.hits.size(); ++i) {
-        if ((result.hits[i].flags & hit_flag::crosses) != 0) {
-            crossings.push_back(result.pairs[i]);
-        }
-    }
-    return crossings;
 }
 
 std::vector<std::shared_ptr<const Mesh>> meshes_of(const ExportContext& context) {
@@ -138,8 +122,9 @@ Status ResultSink::add(const ScenarioResult& result, std::span<const ContactPair
     if (shots_) {
         shots_->add(result);
     }
-    const std::vector<ContactPair> listed = counted_pairs(result);
-    waiting_.add(result, found.empty() ? std::span<const ContactPair>(listed) : found);
+    const std::vector<ContactPair> crossings = crossings_of(result);
+    const std::span<const ContactPair> listed = context_.has_hits() ? crossings : result.pairs;
+    waiting_.add(result, found.empty() ? listed : found);
     if (waiting_.bytes() >= waiting_bytes_max) {
         map_.add(waiting_.take());
     }

@@ -1,5 +1,7 @@
 #include "client/export/shots/shot_writers.hpp"
 #include "client/formats/csv_rows.hpp"
+#include "common/core/errors.hpp"
+#include "common/core/words.hpp"
 
 #include <cmath>
 #include <cstdint>

@@ -1,6 +1,7 @@
 #include "common/job/result/contact_map.hpp"
 
 #include "common/core/files/bytes.hpp"
+#include "common/shots/line_hit.hpp"
 #include "common/tree/build/number_sorter.hpp"
 
 #include <algorithm>
@@ -47,6 +48,16 @@ Entries counted(std::span<const std::uint32_t> ascending) {
 }
 
 } // namespace
+
+std::vector<ContactPair> crossings_of(const ScenarioResult& result) {
+    std::vector<ContactPair> crossings;
+    for (std::size_t i = 0; i < result.hits.size(); ++i) {
+        if ((result.hits[i].flags & hit_flag::crosses) != 0) {
+            crossings.push_back(result.pairs[i]);
+        }
+    }
+    return crossings;
+}
 
 // ---- The sum of a task --------------------------------------------------------------------------
 
@@ -98,10 +109,13 @@ ContactMapSum::State& ContactMapSum::state() {
 void ContactMapSum::add(const ScenarioResult& result, std::span<const ContactPair> found) {
     const bool is_shots = result.question == Question::Shots;
     add(found, is_shots ? Count::EachTime : Count::Once);
-    const std::span<const ContactPair> counted = result.level >= Level::Pairs && !is_shots
-                                                     ? std::span<const ContactPair>(result.pairs)
-                                                     : found;
-    if (parts_ != nullptr && !counted.empty()) {
+    if (parts_ == nullptr) {
+        return;
+    }
+    const std::vector<ContactPair> crossings = crossings_of(result);
+    const std::span<const ContactPair> listed = is_shots ? crossings : result.pairs;
+    const std::span<const ContactPair> counted = result.level >= Level::Pairs ? listed : found;
+    if (!counted.empty()) {
         state().parts.add(result.index, counted);
     }
 }
