@@ -80,9 +80,11 @@ double bundle_reach(const Aabb& box) {
     return std::ldexp(1.0, exponent);
 }
 
-std::uint64_t bundles_in_view(const LineGrid& grid, const ShotView& view, const Aabb& box) {
+std::array<std::uint64_t, 2>
+tiles_in_view(const LineGrid& grid, const ShotView& view, const Aabb& box) {
     const std::array<TileRange, 2> tiles = tiles_of(grid, view_rotation(view), box);
-    return static_cast<std::uint64_t>(tiles[0].count() * tiles[1].count());
+    return {static_cast<std::uint64_t>(tiles[0].count()),
+            static_cast<std::uint64_t>(tiles[1].count())};
 }
 
 Result<std::vector<BundlePose>>

@@ -6,6 +6,7 @@
 #include "common/geometry/aabb.hpp"
 #include "common/geometry/pose.hpp"
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -38,9 +39,10 @@ struct BundlePose {
     Pose pose;               ///< From the bundle's coordinates to the world.
 };
 
-/// Returns how many poses `bundle_poses` gives a view of a checked grid, if it gives any.
-[[nodiscard]] std::uint64_t
-bundles_in_view(const LineGrid& grid, const ShotView& view, const Aabb& box);
+/// Returns how many columns and rows of poses `bundle_poses` gives a view of a checked grid, if it
+/// gives any.
+[[nodiscard]] std::array<std::uint64_t, 2>
+tiles_in_view(const LineGrid& grid, const ShotView& view, const Aabb& box);
 
 /// Returns the poses of `make_bundle` that together cover a box, by view, row and column. The
 /// views' planes pass through the box's middle. Errors: BadInput for angles that are not finite,

@@ -53,12 +53,26 @@ ShotViews::ShotViews(const ShotsSpec& spec, const Aabb& box) {
         return;
     }
     views_ = spec.views();
+    tile_ = spec.grid.tile;
     cell_area_ = spec.grid.spacing * spec.grid.spacing;
     std::uint64_t begin = 0;
     for (const ShotView& view : views_) {
         begins_.push_back(begin);
-        begin += bundles_in_view(spec.grid, view, box);
+        tiles_.push_back(tiles_in_view(spec.grid, view, box));
+        begin += tiles_.back()[0] * tiles_.back()[1];
     }
+}
+
+LinePlace ShotViews::size(std::uint32_t view) const {
+    return views_.empty() ? LinePlace{}
+                          : LinePlace{tiles_[view][0] * tile_, tiles_[view][1] * tile_};
+}
+
+LinePlace ShotViews::place_of(std::uint64_t scenario, std::uint32_t line) const {
+    const std::uint32_t view = view_of(scenario);
+    const std::uint64_t bundle = scenario - begins_[view];
+    const std::uint64_t columns = tiles_[view][0];
+    return {bundle % columns * tile_ + line % tile_, bundle / columns * tile_ + line / tile_};
 }
 
 std::uint32_t ShotViews::view_of(std::uint64_t scenario) const {

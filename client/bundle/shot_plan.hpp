@@ -10,6 +10,7 @@
 #include "common/job/poses/pose_labels.hpp"
 #include "common/job/poses/pose_source.hpp"
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
@@ -42,6 +43,12 @@ struct ShotsSpec {
 /// bundle's coordinates are the world's. Errors: BadInput naming the place of [shots].
 [[nodiscard]] Result<std::vector<BundlePose>> shot_poses(const ShotsSpec& spec, const Aabb& box);
 
+/// Where a line is among those of its view: from the left and from below, as its start sees A.
+struct LinePlace {
+    std::uint64_t column = 0;
+    std::uint64_t row = 0;
+};
+
 /// The directions of a job's lines, by scenario.
 class ShotViews {
   public:
@@ -55,12 +62,20 @@ class ShotViews {
     [[nodiscard]] std::uint32_t view_of(std::uint64_t scenario) const;
     /// Returns the rotation from the bundle's coordinates to the world in a direction.
     [[nodiscard]] Mat3 rotation(std::uint32_t view) const;
+    /// Returns a direction; there is none for lines of a file.
+    [[nodiscard]] const ShotView& view(std::uint32_t view) const { return views_[view]; }
+    /// Returns the number of columns and of rows of lines in a direction; 0 for lines of a file.
+    [[nodiscard]] LinePlace size(std::uint32_t view) const;
+    /// Returns where a line of a scenario's bundle is, for lines of a grid.
+    [[nodiscard]] LinePlace place_of(std::uint64_t scenario, std::uint32_t line) const;
     /// Returns the area of a line's cell in the plane across the lines; 0 for lines of a file.
     [[nodiscard]] double cell_area() const { return cell_area_; }
 
   private:
     std::vector<ShotView> views_;       ///< Empty for lines of a file.
     std::vector<std::uint64_t> begins_; ///< The first scenario of each direction.
+    std::vector<std::array<std::uint64_t, 2>> tiles_; ///< Columns and rows of bundles, likewise.
+    std::uint64_t tile_ = 1;                          ///< Lines along a side of a bundle.
     double cell_area_ = 0;
 };
 

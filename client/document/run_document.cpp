@@ -55,7 +55,10 @@ Html RunDocument::verdict() const {
                                     grouped(summary.touch),
                                     grouped(summary.cross),
                                     grouped(summary.inside)};
-    if (manifest_.query.level == Level::Any) {
+    if (manifest_.query.question == Question::Shots) {
+        head = {"separate", "contact"};
+        counts = {grouped(summary.separate), grouped(summary.contact)};
+    } else if (manifest_.query.level == Level::Any) {
         head = {"separate", "contact", "inside"};
         counts = {grouped(summary.separate), grouped(summary.contact), grouped(summary.inside)};
     }
@@ -274,6 +277,8 @@ Html RunDocument::how_it_ran() const {
 Result<std::string> RunDocument::html(const StopCheck& stop) {
     Html body = verdict();
     body += bodies();
+    body += shots_ != nullptr ? shots_->parts() : Html();
+    body += shots_ != nullptr ? shots_->pictures() : Html();
     body += worst();
     body += has_distance() ? distances() : Html();
     body += viewer_ != nullptr ? viewer_->section() : Html();

@@ -4,7 +4,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <set>
+#include <string>
+#include <vector>
 
 namespace cd::tests {
 
@@ -72,6 +75,45 @@ TEST(ShotPlan, TooManyPosesAreRefusedWhereTheLinesAreAskedFor) {
     const auto poses = shot_poses(spec, box_of(Vec3(0, 0, 0), Vec3(1, 1, 1)));
     EXPECT_THAT(poses.error().detail, HasSubstr("job.toml:3: [shots]: "));
     EXPECT_THAT(poses.error().detail, HasSubstr("Take a larger spacing"));
+}
+
+TEST(ShotPlan, ViewsTellWhereALineIs) {
+    const ShotsSpec spec = some_grid();
+    const Aabb box = box_of(Vec3(-1, -2, 0), Vec3(3, 2, 1));
+    const ShotViews views(spec, box);
+    ASSERT_EQ(views.count(), 6u);
+    EXPECT_EQ(views.cell_area(), 0.0625);
+    const std::vector<BundlePose> poses = shot_poses(spec, box).value();
+    const Mesh lines = shot_mesh(spec, box).value();
+    for (std::uint32_t i = 0; i < poses.size(); ++i) {
+        const std::uint32_t view = views.view_of(i);
+        ASSERT_EQ(view, poses[i].view);
+        EXPECT_EQ(views.rotation(view), poses[i].pose.rotation());
+        // Along the axes of the view, a line is as many cells from the first one as its place says.
+        const auto first = static_cast<std::uint32_t>(
+            std::ranges::find(poses, view, &BundlePose::view) - poses.begin());
+        const Vec3 from = poses[first].pose.apply(lines.corners(0)[0]);
+        for (const std::uint32_t line : {0u, 5u, 15u}) {
+            const Vec3 way = views.rotation(view).transpose() *
+                             (poses[i].pose.apply(lines.corners(line)[0]) - from);
+            const LinePlace place = views.place_of(i, line);
+            EXPECT_NEAR(way.y(), 0.25 * static_cast<double>(place.column), 1e-12);
+            EXPECT_NEAR(way.z(), 0.25 * static_cast<double>(place.row), 1e-12);
+            EXPECT_LT(place.column, views.size(view).column);
+            EXPECT_LT(place.row, views.size(view).row);
+        }
+    }
+}
+
+TEST(ShotPlan, LinesOfAFileHaveOneViewWithoutCells) {
+    ShotsSpec spec;
+    spec.file = "rays.npy";
+    const ShotViews views(spec, box_of(Vec3(0, 0, 0), Vec3(1, 1, 1)));
+    EXPECT_EQ(views.count(), 1u);
+    EXPECT_EQ(views.view_of(0), 0u);
+    EXPECT_EQ(views.cell_area(), 0);
+    EXPECT_EQ(views.size(0).column, 0u);
+    EXPECT_EQ(views.rotation(0), Mat3(Mat3::Identity()));
 }
 
 } // namespace cd::tests

@@ -2,13 +2,9 @@
 // passage, and that sums by part are those of the lines.
 #include "client/export/result_sink.hpp"
 #include "client/export/shots/passages.hpp"
-#include "common/job/run_scenario.hpp"
-#include "common/shots/line_hit.hpp"
+#include "tests/support/line_scene.hpp"
 #include "tests/support/npz_arrays.hpp"
 #include "tests/support/process.hpp"
-#include "tests/support/scenarios.hpp"
-#include "tests/support/shapes.hpp"
-#include "tests/support/trees.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -20,7 +16,6 @@
 #include <map>
 #include <sstream>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace cd::tests {
@@ -28,46 +23,15 @@ namespace cd::tests {
 namespace {
 
 using testing::HasSubstr;
-using testing::Not;
 namespace fs = std::filesystem;
 
-void add_part(const Mesh& mesh, const std::string& name, MeshArrays& arrays) {
-    const auto first = static_cast<std::uint32_t>(arrays.vertices.size());
-    const auto begin = static_cast<std::uint32_t>(arrays.triangles.size());
-    arrays.vertices.insert(arrays.vertices.end(), mesh.vertices().begin(), mesh.vertices().end());
-    for (const Triangle& triangle : mesh.triangles()) {
-        arrays.triangles.push_back({triangle[0] + first, triangle[1] + first, triangle[2] + first});
-    }
-    arrays.parts.push_back({name, begin, static_cast<std::uint32_t>(arrays.triangles.size())});
-}
-
-/// Makes two boxes and a plate behind them, seen along x.
-Mesh boxes_and_plate() {
-    MeshArrays arrays;
-    add_part(make_box_between(Vec3(2, 0, 0), Vec3(2.5, 1, 1)), "first", arrays);
-    add_part(make_box_between(Vec3(0, 0, 0), Vec3(1, 1, 1)), "second", arrays);
-    add_part(make_mesh({Vec3(-1, 0, 0), Vec3(-1, 1, 0), Vec3(-1, 1, 1), Vec3(-1, 0, 1)},
-                       {{0, 1, 2}, {0, 2, 3}}),
-             "plate",
-             arrays);
-    return Mesh::create(std::move(arrays)).value();
-}
-
-/// Runs lines from the front through the boxes and the plate. The fifth of nine bundles has 16
-/// lines, which all meet them; the others have none that does.
 class ShotsExport : public testing::Test {
   protected:
     ShotsExport() {
-        spec_.grid.spacing = 0.25;
-        spec_.grid.tile = 4;
-        const Aabb box = bounding_box(a_->vertices());
-        const auto lines = share(shot_mesh(spec_, box).value());
-        context_.bodies = {{"a", "a.obj", a_}, {"lines", "", lines}};
-        context_.bodies[1].views = std::make_shared<const ShotViews>(spec_, box);
+        context_.bodies = {{"a", "a.obj", scene_.a}, {"lines", "", scene_.lines}};
+        context_.bodies[1].views = scene_.views();
         context_.unit = "m";
-        Query query;
-        query.question = Question::Shots;
-        ask(query);
+        ask(shots_query(Level::Pairs));
     }
 
     void ask(const Query& query) {
@@ -75,17 +39,7 @@ class ShotsExport : public testing::Test {
         context_.describe(query);
     }
 
-    [[nodiscard]] std::vector<ScenarioResult> results() const {
-        const ObbTree a = make_tree(*a_);
-        const ObbTree b = make_tree(*context_.bodies[1].mesh);
-        std::vector<ScenarioResult> results;
-        for (const BundlePose& pose : shot_poses(spec_, bounding_box(a_->vertices())).value()) {
-            Scenario scenario = make_scenario({Pose(), pose.pose});
-            scenario.index = results.size();
-            results.push_back(run_scenario(a, b, scenario, query_).result);
-        }
-        return results;
-    }
+    [[nodiscard]] std::vector<ScenarioResult> results() const { return scene_.results(query_); }
 
     RunFindings write(const std::vector<std::string>& formats) {
         auto files = ResultSink::open({dir_, formats}, context_);
@@ -104,8 +58,7 @@ class ShotsExport : public testing::Test {
 
     const TemporaryFolder folder_;
     fs::path dir_ = folder_.path();
-    ShotsSpec spec_;
-    const std::shared_ptr<const Mesh> a_ = share(boxes_and_plate());
+    LineScene scene_;
     ExportContext context_;
     Query query_;
     ContactMap map_;
@@ -114,7 +67,7 @@ class ShotsExport : public testing::Test {
 } // namespace
 
 TEST_F(ShotsExport, ALineIsThickOnlyInClosedParts) {
-    const PassageFinder finder(*a_);
+    const PassageFinder finder(*scene_.a);
     ASSERT_EQ(finder.parts().count(), 3u);
     EXPECT_TRUE(finder.is_closed(0) && finder.is_closed(1));
     EXPECT_FALSE(finder.is_closed(2));
@@ -136,7 +89,7 @@ TEST_F(ShotsExport, ALineIsThickOnlyInClosedParts) {
 }
 
 TEST_F(ShotsExport, NoThicknessIsInventedWhereHitsAreMissing) {
-    const PassageFinder finder(*a_);
+    const PassageFinder finder(*scene_.a);
     query_.limit_pairs = 50;
     for (const Passage& passage : finder.passages(results()[4])) {
         EXPECT_EQ(passage.thickness(), std::nullopt) << "the list is cut";
@@ -166,9 +119,8 @@ TEST_F(ShotsExport, ShotlinesHaveARowForEachPassage) {
 }
 
 TEST_F(ShotsExport, ASlantedPartIsThinnerAlongItsNormal) {
-    spec_.elevation_deg = {45, 45, 1};
-    const Aabb box = bounding_box(a_->vertices());
-    context_.bodies[1].views = std::make_shared<const ShotViews>(spec_, box);
+    scene_.spec.elevation_deg = {45, 45, 1};
+    context_.bodies[1].views = scene_.views();
     write({"csv-pairs"});
     // Each face of a box leans by 45 degrees, whether it is in front or on top.
     std::istringstream rows(text_of("shotlines.csv"));
@@ -255,10 +207,7 @@ TEST_F(ShotsExport, TheMapCountsCrossings) {
 }
 
 TEST_F(ShotsExport, LevelCountHasNoHits) {
-    Query query;
-    query.question = Question::Shots;
-    query.level = Level::Count;
-    ask(query);
+    ask(shots_query(Level::Count));
     EXPECT_TRUE(write({"csv", "csv-pairs", "npz"}).shots.empty());
     EXPECT_FALSE(fs::exists(dir_ / "shotlines.csv"));
     EXPECT_FALSE(fs::exists(dir_ / "shots.npz"));
