@@ -72,8 +72,8 @@ class ShotViews {
     [[nodiscard]] double cell_area() const { return cell_area_; }
 
   private:
-    std::vector<ShotView> views_;       ///< Empty for lines of a file.
-    std::vector<std::uint64_t> begins_; ///< The first scenario of each direction.
+    std::vector<ShotView> views_;                     ///< Empty for lines of a file.
+    std::vector<std::uint64_t> begins_;               ///< The first scenario of each direction.
     std::vector<std::array<std::uint64_t, 2>> tiles_; ///< Columns and rows of bundles, likewise.
     std::uint64_t tile_ = 1;                          ///< Lines along a side of a bundle.
     double cell_area_ = 0;

@@ -104,8 +104,8 @@ Result<std::optional<ShotsSections>> read_lines_of(RunAtHand& run) {
     std::optional<ShotsSections> sections;
     const Query& query = run.job.query;
     if (query.question == Question::Shots && query.level >= Level::Pairs) {
-        sections = CD_TRY(
-            ShotsSections::read(run.run.records(), run.job, &InterruptGuard::has_come));
+        sections =
+            CD_TRY(ShotsSections::read(run.run.records(), run.job, &InterruptGuard::has_come));
     }
     return sections;
 }

@@ -83,8 +83,8 @@ std::vector<std::tuple<std::uint32_t, double, std::uint8_t>> hits_of(const Scena
 
 /// True if the same lines are hit in the same depths, as far as both results list them all.
 bool has_same_hits(const ScenarioResult& was, const ScenarioResult& is) {
-    const bool are_whole = was.level == Level::Pairs && is.level == Level::Pairs &&
-                           !was.is_cut() && !is.is_cut();
+    const bool are_whole =
+        was.level == Level::Pairs && is.level == Level::Pairs && !was.is_cut() && !is.is_cut();
     return !are_whole || hits_of(was) == hits_of(is);
 }
 

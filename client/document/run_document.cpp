@@ -284,7 +284,9 @@ Result<std::string> RunDocument::html(const StopCheck& stop) {
     body += viewer_ != nullptr ? viewer_->section() : Html();
     GroupSections sections(names_, manifest_, overview_, statuses_);
     body += sections.matrix();
-    body += CD_TRY(charts(stop));
+    if (manifest_.query.question != Question::Shots) { // Where bundles stand tells nothing.
+        body += CD_TRY(charts(stop));
+    }
     body += sections.table();
     body += sections.against(baseline_);
     body += html_section("How it ran", how_it_ran());

@@ -17,9 +17,8 @@ constexpr std::size_t parts_max = 100;
 
 } // namespace
 
-Result<ShotsSections> ShotsSections::read(const RecordFile& records,
-                                          const PreparedJob& job,
-                                          const StopCheck& stop) {
+Result<ShotsSections>
+ShotsSections::read(const RecordFile& records, const PreparedJob& job, const StopCheck& stop) {
     const auto finder = std::make_shared<const PassageFinder>(*job.meshes[0]);
     const auto given = views_of(job.spec.poses, *job.meshes[0]);
     const auto views = given ? given : std::make_shared<const ShotViews>();
@@ -58,12 +57,8 @@ Html ShotsSections::parts() const {
     if (parts_.empty()) {
         return html_section("Parts that lines cross", paragraph("No line crosses A."));
     }
-    std::vector<std::vector<Html>> rows{html_texts({"part",
-                                                    "lines",
-                                                    "crossings",
-                                                    "seen area",
-                                                    "mean thickness",
-                                                    "largest thickness"})};
+    std::vector<std::vector<Html>> rows{html_texts(
+        {"part", "lines", "crossings", "seen area", "mean thickness", "largest thickness"})};
     for (const ShotPart& part : std::span(parts_).first(std::min(parts_.size(), parts_max))) {
         const std::string none = part.is_closed ? "" : "open";
         rows.push_back(html_texts({short_name(part.name),

@@ -26,7 +26,7 @@ struct ExportBody {
     std::string name; ///< Name in the job, or else "a" or "b".
     std::string file; ///< Name of the mesh file, for display.
     std::shared_ptr<const Mesh> mesh;
-    bool is_rounded = false; ///< Coordinates were rounded to floats on request.
+    bool is_rounded = false;                     ///< Coordinates were rounded to floats on request.
     std::shared_ptr<const ShotViews> views = {}; ///< Of the body of lines; null for other bodies.
 };
 

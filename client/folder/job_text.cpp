@@ -113,8 +113,8 @@ std::string tested_text(const JobSpec& spec) {
         return text + poses_text(*file);
     }
     const auto* grid = std::get_if<GridSpec>(&spec.poses);
-    return text + (grid != nullptr ? poses_text(*grid)
-                                   : poses_text(std::get<RandomPoses>(spec.poses)));
+    return text +
+           (grid != nullptr ? poses_text(*grid) : poses_text(std::get<RandomPoses>(spec.poses)));
 }
 
 std::string query_text(const JobSpec& spec) {

@@ -251,9 +251,8 @@ Result<std::shared_ptr<const Mesh>> lines_of(const ShotsSpec& spec, const Mesh& 
 
 std::shared_ptr<const ShotViews> views_of(const PosesSpec& spec, const Mesh& a) {
     const auto* shots = std::get_if<ShotsSpec>(&spec);
-    return shots == nullptr
-               ? nullptr
-               : std::make_shared<const ShotViews>(*shots, bounding_box(a.vertices()));
+    return shots == nullptr ? nullptr
+                            : std::make_shared<const ShotViews>(*shots, bounding_box(a.vertices()));
 }
 
 Result<ImportOptions> import_options(const JobSpec& spec, std::size_t body) {

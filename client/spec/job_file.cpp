@@ -292,10 +292,11 @@ void read_cluster(const TomlFields& job, JobSpec& spec) {
 }
 
 void read_job(const toml::table& table, JobSpec& spec) {
-    const TomlFields job(table,
-                         spec.file.string(),
-                         "the job",
-                         {"name", "unit", "a", "b", "poses", "shots", "query", "output", "cluster"});
+    const TomlFields job(
+        table,
+        spec.file.string(),
+        "the job",
+        {"name", "unit", "a", "b", "poses", "shots", "query", "output", "cluster"});
     spec.name = job.text("name").value_or(spec.file.stem().string());
     spec.unit = job.word("unit", unit_names()).value_or(spec.unit);
     read_body(job, "a", spec.file, spec.bodies[0]);

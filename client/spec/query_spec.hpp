@@ -19,8 +19,8 @@ inline constexpr std::array<std::string_view, 5> asked_levels{
 [[nodiscard]] std::string_view asked_level(const Query& query);
 
 /// Sets the level and the question that `word` stands for; the question of shots stays, and with
-/// the word of the distance it has a level that `conflict_in` refuses. Returns false if it is none of
-/// `asked_levels`.
+/// the word of the distance it has a level that `conflict_in` refuses. Returns false if it is none
+/// of `asked_levels`.
 [[nodiscard]] bool set_asked_level(std::string_view word, Query& query);
 
 /// A key of [query] that does not go together with the level.

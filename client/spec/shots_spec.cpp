@@ -119,8 +119,7 @@ void read_file(const TomlFields& shots,
         }
     }
     spec.file = job.parent_path() / name;
-    spec.form =
-        shots.word("form", line_forms) == line_forms[1] ? LineForm::Rays : LineForm::Ends;
+    spec.form = shots.word("form", line_forms) == line_forms[1] ? LineForm::Rays : LineForm::Ends;
 }
 
 } // namespace
@@ -141,8 +140,7 @@ ShotsSpec read_shots(const TomlFields& job, const std::filesystem::path& file, Q
                              "form",
                              "first"});
     ShotsSpec spec;
-    spec.place =
-        file.string() + ":" + std::to_string(table->source().begin.line) + ": [shots]: ";
+    spec.place = file.string() + ":" + std::to_string(table->source().begin.line) + ": [shots]: ";
     if (const auto name = fields.text("file")) {
         read_file(fields, *name, file, spec);
     } else {

@@ -58,10 +58,11 @@ struct Query {
     return std::isfinite(value) && value >= 0;
 }
 
-/// Returns what no job may ask in this query: a question that does not exist, a clearance or an up_to that is no length, an up_to
-/// of contacts, a distance with a level above any, a clearance, maps or limit_pairs, shots at
-/// another level than count and pairs or with a clearance, or first hits of another question. Null
-/// if there is nothing. All that read a query from bytes that others wrote call this.
+/// Returns what no job may ask in this query: a question that does not exist, a clearance or an
+/// up_to that is no length, an up_to of contacts, a distance with a level above any, a clearance,
+/// maps or limit_pairs, shots at another level than count and pairs or with a clearance, or first
+/// hits of another question. Null if there is nothing. All that read a query from bytes that others
+/// wrote call this.
 [[nodiscard]] const char* query_problem(const Query& query);
 
 } // namespace cd

@@ -42,9 +42,8 @@ bool are_ranks_whole(const ScenarioResult& result) {
     const std::vector<std::size_t> order = along_lines(result);
     for (std::size_t k = 0; k < order.size(); ++k) {
         const PairHit& hit = result.hits[order[k]];
-        const bool is_first =
-            k == 0 || result.pairs[order[k - 1]].b != result.pairs[order[k]].b ||
-            result.hits[order[k - 1]].depth != hit.depth;
+        const bool is_first = k == 0 || result.pairs[order[k - 1]].b != result.pairs[order[k]].b ||
+                              result.hits[order[k - 1]].depth != hit.depth;
         const int before = is_first ? -1 : result.hits[order[k - 1]].rank;
         if (is_first ? hit.rank != 0 : hit.rank > before + 1) {
             return false;
@@ -82,15 +81,12 @@ const char* problem_of_hits(const JobMaterial& material, const ScenarioResult& r
 }
 
 std::uint64_t crossed_scenarios(const Query& query, std::span<const TakenResult> results) {
-    return static_cast<std::uint64_t>(
-        std::ranges::count_if(results, [&](const TakenResult& one) {
-            return least_crossings(query, one.result) > 0;
-        }));
+    return static_cast<std::uint64_t>(std::ranges::count_if(
+        results, [&](const TakenResult& one) { return least_crossings(query, one.result) > 0; }));
 }
 
-Status check_crossings(const Query& query,
-                       std::span<const TakenResult> results,
-                       const ContactMap& map) {
+Status
+check_crossings(const Query& query, std::span<const TakenResult> results, const ContactMap& map) {
     std::uint64_t least = 0;
     std::uint64_t most = 0;
     for (const TakenResult& one : results) {

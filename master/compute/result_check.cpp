@@ -228,9 +228,8 @@ Result<ContactMap> checked_map(const JobMaterial& material,
         return map.error();
     }
     if (material.query.maps) {
-        const Status marked = are_shots
-                                  ? check_crossings(material.query, results, map.value())
-                                  : check_triangles(scenarios, map.value());
+        const Status marked = are_shots ? check_crossings(material.query, results, map.value())
+                                        : check_triangles(scenarios, map.value());
         if (!marked) {
             return marked.error();
         }
@@ -239,7 +238,8 @@ Result<ContactMap> checked_map(const JobMaterial& material,
         map.value().parts = {};
         return map;
     }
-    const std::uint64_t counted = are_shots ? crossed_scenarios(material.query, results) : scenarios;
+    const std::uint64_t counted =
+        are_shots ? crossed_scenarios(material.query, results) : scenarios;
     const Status summed = check_parts(*material.parts, results, counted, map.value().parts);
     return summed ? std::move(map) : summed.error();
 }

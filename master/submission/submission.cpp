@@ -70,8 +70,9 @@ Status check_origin(const Submit& submit) {
     }
     const std::size_t axes = are_shots ? shot_axes : grid_axes;
     if (!submit.poses.axes.empty() && submit.poses.axes.size() != axes) {
-        return bad(std::string(are_shots ? "lines have two axes, not " : "a grid has six axes, not ") +
-                   std::to_string(submit.poses.axes.size()));
+        return bad(
+            std::string(are_shots ? "lines have two axes, not " : "a grid has six axes, not ") +
+            std::to_string(submit.poses.axes.size()));
     }
     return Done{};
 }

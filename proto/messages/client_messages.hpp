@@ -63,8 +63,8 @@ enum class PosesKind : std::uint8_t { Grid = 0, File = 1, Random = 2, Shots = 3 
 
 /// The table [shots] of a job, beside its directions and its file.
 struct ShotsOrigin {
-    double spacing = 0;         ///< Between lines of a grid, in the job's unit; 0: lines of a file.
-    std::uint32_t tile = 0;     ///< Lines along a side of a bundle.
+    double spacing = 0;     ///< Between lines of a grid, in the job's unit; 0: lines of a file.
+    std::uint32_t tile = 0; ///< Lines along a side of a bundle.
     std::array<double, 2> offset{}; ///< Of each line in its cell, as shares of the cell's side.
     std::optional<std::uint64_t> jitter_seed = {}; ///< If set, lines lie at random in their cells.
     bool are_rays = false; ///< The file has starts and directions, else both ends.
@@ -76,9 +76,9 @@ struct ShotsOrigin {
 struct PosesOrigin {
     PosesKind kind = PosesKind::File;
     std::optional<RandomPoses> random = {}; ///< For kind Random only.
-    std::string file = {}; ///< Path of poses, "-": standard input; for kind Shots of lines.
-    std::string quat_order = {};            ///< "xyzw" or "wxyz"; empty: the file's own order.
-    bool of_both_bodies = false;            ///< True: the file has poses of A and B, else of B.
+    std::string file = {};       ///< Path of poses, "-": standard input; for kind Shots of lines.
+    std::string quat_order = {}; ///< "xyzw" or "wxyz"; empty: the file's own order.
+    bool of_both_bodies = false; ///< True: the file has poses of A and B, else of B.
     /// How far a matrix or quaternion of the file may be from a rotation; empty: the default.
     std::optional<double> rigid_tolerance = {};
     LabelColumns labels = {}; ///< Labels sent with the poses.

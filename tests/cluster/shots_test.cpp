@@ -68,8 +68,8 @@ TEST_F(Cluster, LinesHaveTheHitsOfOneProcessWhoeverAnalyses) {
     for (const Level level : {Level::Count, Level::Pairs}) {
         for (const AnalysisMode mode : {AnalysisMode::Always, AnalysisMode::Never}) {
             for (const bool first_hits : {false, true}) {
-                SCOPED_TRACE(testing::Message() << to_text(level) << ", " << to_text(mode) << ", "
-                                                << first_hits);
+                SCOPED_TRACE(testing::Message()
+                             << to_text(level) << ", " << to_text(mode) << ", " << first_hits);
                 ClusterOptions options = many_blocks();
                 options.analysis = mode;
                 Query query = shots_query(level);

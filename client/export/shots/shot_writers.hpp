@@ -11,8 +11,8 @@
 namespace cd {
 
 /// Writes shots.npz: every hit of every line; docs/shots.md describes its arrays.
-[[nodiscard]] std::unique_ptr<ResultWriter>
-make_shots_npz_writer(const ExportContext& context, const std::filesystem::path& dir);
+[[nodiscard]] std::unique_ptr<ResultWriter> make_shots_npz_writer(const ExportContext& context,
+                                                                  const std::filesystem::path& dir);
 
 /// Writes shotlines.csv: a row for each passage of a line through a part; docs/shots.md describes
 /// its columns. Errors: Io naming the file.

@@ -39,9 +39,9 @@ struct ContactMapBounds {
 }
 
 /// Unpacks the bytes of `pack_map`. The bytes are untrusted: triangles must ascend and exist in the
-/// meshes, and no triangle and no part may have more scenarios or crossings than `bounds` allows. The sums by
-/// part do not contradict themselves, but their parts and scenarios need not exist. Memory is
-/// bounded by the largest valid map. Errors: BadFrame.
+/// meshes, and no triangle and no part may have more scenarios or crossings than `bounds` allows.
+/// The sums by part do not contradict themselves, but their parts and scenarios need not exist.
+/// Memory is bounded by the largest valid map. Errors: BadFrame.
 [[nodiscard]] Result<ContactMap> unpack_map(std::span<const std::byte> packed,
                                             const ContactMapBounds& bounds);
 

@@ -362,8 +362,7 @@ TEST_F(Diff, HitsAreComparedByLineAndDepth) {
         RecordFile later = write_records(folder_ / "later", {is});
         ScenarioDiff diff(std::nullopt, {false, {"a", "lines"}});
         const auto add = [&](const PairedResult& pair) { return diff.add(pair); };
-        EXPECT_TRUE(
-            for_each_pair({earlier, 1}, {later, 1}, ScenarioMatch::by_index(1), {}, add));
+        EXPECT_TRUE(for_each_pair({earlier, 1}, {later, 1}, ScenarioMatch::by_index(1), {}, add));
         return diff.counts().changed;
     };
     const ScenarioResult was = hits_at({{3, 0, 0.5}, {5, 1, 0.75}});

@@ -94,8 +94,8 @@ TEST(ShotsSpec, TakesThePlaceOfBodyBAndOfThePoses) {
                 HasSubstr("job.toml:5: the job: [shots] takes the place of [b] and [poses]"));
     EXPECT_THAT(problem_with(grid, "[poses]\nrandom = { n = 1 }\n"),
                 HasSubstr("job.toml:5: the job: [shots] takes the place of [b] and [poses]"));
-    const auto named = parse_job("[a]\nmesh = \"a.obj\"\nname = \"lines\"\n[shots]\n" + grid,
-                                 "folder/job.toml");
+    const auto named =
+        parse_job("[a]\nmesh = \"a.obj\"\nname = \"lines\"\n[shots]\n" + grid, "folder/job.toml");
     EXPECT_THAT(named.error().detail, HasSubstr("job.toml:1: the job: both bodies have the name"));
 }
 

@@ -16,8 +16,7 @@ using testing::HasSubstr;
 class ShotsFolder : public FolderTest {
   protected:
     void write_shots(const std::string& shots, const std::string& more = "") {
-        write_text(folder_ / "job.toml",
-                   "[a]\nmesh = \"a.obj\"\n[shots]\n" + shots + more);
+        write_text(folder_ / "job.toml", "[a]\nmesh = \"a.obj\"\n[shots]\n" + shots + more);
     }
     void write_grid(const std::string& more = "") {
         write_shots("spacing = 0.125\ntile = 8\nazimuth_deg = [0, 90, 2]\n", more);
@@ -62,8 +61,7 @@ TEST_F(ShotsFolder, HasHitsAndPassagesInFiles) {
     EXPECT_TRUE(summary["parts_hit"][0]["closed"]);
     EXPECT_GT(summary["parts_hit"][0]["seen_area"], 0);
     run_into("later");
-    const Ran added = tests::run(
-        command("results", folder_ / "later", {"--formats", "csv-pairs"}));
+    const Ran added = tests::run(command("results", folder_ / "later", {"--formats", "csv-pairs"}));
     EXPECT_EQ(added.exit_code, 0) << added.errors;
     EXPECT_EQ(read_text(folder_ / "later" / "shotlines.csv"), lines);
 }

@@ -100,8 +100,7 @@ TEST_F(HitCheck, TakesWhatAWorkerFinds) {
     EXPECT_GE(result.hits.size(), 4u);
     EXPECT_EQ(refusal(result), "taken");
     const Error lost{ErrorCode::Io, "lost"};
-    EXPECT_EQ(refusal(failed_result(task_.analyses[0]->scenario, material_->query, lost)),
-              "taken");
+    EXPECT_EQ(refusal(failed_result(task_.analyses[0]->scenario, material_->query, lost)), "taken");
 }
 
 TEST_F(HitCheck, AHitIsOfALineAndOfATriangleWithinTheLine) {
@@ -127,8 +126,7 @@ TEST_F(HitCheck, RanksOfALineSkipNoNumber) {
     EXPECT_THAT(refusal([](ScenarioResult& r) { r.hits[0].rank = 1; }),
                 HasSubstr("ranks that skip a number"));
     ask([](Query& query) { query.limit_pairs = 1; });
-    EXPECT_EQ(refusal([](ScenarioResult& r) { r.hits[0].rank = 1; }), "taken")
-        << "the list is cut";
+    EXPECT_EQ(refusal([](ScenarioResult& r) { r.hits[0].rank = 1; }), "taken") << "the list is cut";
 }
 
 TEST_F(HitCheck, OfFirstHitsALineHasOneThatCrosses) {

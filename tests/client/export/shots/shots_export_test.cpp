@@ -187,8 +187,9 @@ TEST_F(ShotsExport, PartsHaveTheirAreaAndThickness) {
     EXPECT_FALSE(parts["plate"].is_closed);
     EXPECT_THAT(summary_text(report),
                 HasSubstr("second: crossed 32 times by 16 lines, seen area 1 m^2, thickness 1 m"));
-    EXPECT_THAT(summary_text(report), HasSubstr("plate: crossed 16 times by 16 lines, seen area 1 "
-                                                "m^2, not closed: no thickness"));
+    EXPECT_THAT(summary_text(report),
+                HasSubstr("plate: crossed 16 times by 16 lines, seen area 1 "
+                          "m^2, not closed: no thickness"));
     ASSERT_TRUE(write_summary(dir_, context_, report));
     const auto summary = nlohmann::json::parse(text_of("summary.json"));
     EXPECT_EQ(summary["question"], "shots");
