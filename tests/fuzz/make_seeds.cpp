@@ -347,10 +347,25 @@ level = "distance"
 up_to = 2.5
 )";
 
+constexpr std::string_view shots_job_text = R"([a]
+mesh = "a.obj"
+[shots]
+spacing = 0.25
+tile = 16
+offset = [0.25, 0.5]
+azimuth_deg = [0, 270, 4]
+elevation_deg = [-30, 90, 5]
+first = true
+[query]
+level = "count"
+maps = true
+)";
+
 void add_files(Seeds& seeds) {
     seeds.add("job_file", "all", job_text);
     seeds.add("job_file", "grid", grid_job_text);
     seeds.add("job_file", "distance", distance_job_text);
+    seeds.add("job_file", "shots", shots_job_text);
     seeds.add("csv_poses",
               "quaternions",
               "\0x,y,z,qx,qy,qz,qw,id\n# c\n1,2,3,0,0,0,1,7\n1e-3,-2,3,0,0.6,0,0.8,8\n"sv);
@@ -577,6 +592,8 @@ void add_folders(Seeds& seeds) {
     manifest.query.clearance.reset();
     const Query contacts = std::exchange(manifest.query, tests::some_distance_query());
     seeds.add("run_json", "distance", manifest_json(manifest));
+    manifest.query = tests::some_shots_query();
+    seeds.add("run_json", "shots", manifest_json(manifest));
     manifest.query = contacts;
     manifest.poses = {};
     manifest.poses.count = 4;
