@@ -19,9 +19,9 @@ constexpr std::size_t parts_max = 100;
 
 Result<ShotsSections>
 ShotsSections::read(const RecordFile& records, const PreparedJob& job, const StopCheck& stop) {
-    const auto finder = std::make_shared<const PassageFinder>(*job.meshes[0]);
     const auto given = views_of(job.spec.poses, *job.meshes[0]);
     const auto views = given ? given : std::make_shared<const ShotViews>();
+    const auto finder = make_finder(*job.meshes[0], job.meshes[1], *views);
     ShotSums sums(finder, *views, job.spec.unit);
     ThicknessPictures pictures(finder, views);
     CD_TRY(records.for_each([&](const KeptRecord& record) -> Status {

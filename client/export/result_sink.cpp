@@ -90,9 +90,9 @@ Status ResultSink::add_writers() {
 }
 
 Status ResultSink::add_shot_writers() {
-    const auto finder = std::make_shared<const PassageFinder>(*context_.bodies[0].mesh);
-    const auto& views = context_.bodies[1].views;
-    shots_.emplace(finder, views ? *views : ShotViews(), context_.unit);
+    const ShotViews views = context_.bodies[1].views ? *context_.bodies[1].views : ShotViews();
+    const auto finder = make_finder(*context_.bodies[0].mesh, context_.bodies[1].mesh, views);
+    shots_.emplace(finder, views, context_.unit);
     if (has_format("npz")) {
         writers_.push_back(make_shots_npz_writer(context_, options_.dir));
     }

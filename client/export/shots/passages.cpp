@@ -68,8 +68,34 @@ std::vector<std::size_t> crossings_along_lines(const ScenarioResult& result) {
 
 } // namespace
 
-PassageFinder::PassageFinder(const Mesh& mesh)
-    : parts_(mesh), are_closed_(closed_parts(mesh, parts_)) {}
+PassageFinder::PassageFinder(const Mesh& mesh, std::shared_ptr<const Mesh> lines)
+    : parts_(mesh),
+      are_closed_(closed_parts(mesh, parts_)),
+      boxes_(parts_.count()),
+      lines_(std::move(lines)) {
+    for (std::uint32_t i = 0; i < mesh.triangles().size(); ++i) {
+        for (const Vec3& corner : mesh.corners(i)) {
+            boxes_[parts_.part_of(i)].add(corner);
+        }
+    }
+}
+
+bool PassageFinder::starts_and_ends_outside(std::uint32_t line, std::uint32_t part) const {
+    if (lines_ == nullptr) {
+        return true;
+    }
+    const Aabb& box = boxes_[part];
+    const Corners ends = lines_->corners(line);
+    return std::ranges::none_of(ends, [&](const Vec3& end) {
+        return (end.array() >= box.min.array()).all() && (end.array() <= box.max.array()).all();
+    });
+}
+
+std::shared_ptr<const PassageFinder>
+make_finder(const Mesh& a, const std::shared_ptr<const Mesh>& lines, const ShotViews& views) {
+    const bool is_grid = views.cell_area() > 0;
+    return std::make_shared<const PassageFinder>(a, is_grid ? nullptr : lines);
+}
 
 std::vector<Passage> PassageFinder::passages(const ScenarioResult& result) const {
     std::vector<Passage> passages;
@@ -86,7 +112,7 @@ std::vector<Passage> PassageFinder::passages(const ScenarioResult& result) const
             begun.erase(found);
             continue;
         }
-        if (are_closed_[part] && !result.is_cut()) {
+        if (are_closed_[part] && !result.is_cut() && starts_and_ends_outside(pair.b, part)) {
             begun.emplace(part, passages.size());
         }
         passages.push_back({pair.b, part, crossing, std::nullopt});

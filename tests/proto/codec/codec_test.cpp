@@ -425,6 +425,23 @@ TEST(Codec, AQueryHasAQuestionThatExistsAndAllowsTheRest) {
     EXPECT_THAT(refusal_with(limited, 1), HasSubstr("limit_pairs"));
 }
 
+TEST(Codec, FirstHitsBelongToTheQuestionOfShots) {
+    Query all = some_shots_query();
+    all.first_hits = false;
+    AddJob add;
+    add.query = some_shots_query();
+    const Bytes bytes = encode_message(add);
+    const auto read = decode_message(message_type(add), bytes);
+    ASSERT_TRUE(read) << read.error().detail;
+    EXPECT_EQ(std::get<AddJob>(read.value()).query.question, Question::Shots);
+    EXPECT_TRUE(std::get<AddJob>(read.value()).query.first_hits);
+    Query counted = all;
+    counted.question = Question::Contacts;
+    Bytes changed = bytes;
+    changed.at(first_difference(all, counted)) = std::byte{0};
+    EXPECT_THAT(refusal_of(add, changed), HasSubstr("first hits without the question of shots"));
+}
+
 TEST(Codec, AWorkerHasNoMoreThreadsThanThereMayBe) {
     Hello hello;
     hello.threads = 0xabc;

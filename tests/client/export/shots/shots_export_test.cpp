@@ -104,6 +104,24 @@ TEST_F(ShotsExport, NoThicknessIsInventedWhereHitsAreMissing) {
     }
 }
 
+TEST_F(ShotsExport, ALineThatMayStartInsideAPartHasNoThicknessThere) {
+    // A line of a file from inside the second box, and one from before both boxes.
+    scene_.lines = share(line_mesh({{Vec3(0.5, 0.375, 0.25), Vec3(4, 0.375, 0.25)},
+                                    {Vec3(-0.5, 0.375, 0.25), Vec3(4, 0.375, 0.25)}})
+                             .value());
+    const ObbTree a = make_tree(*scene_.a);
+    const ObbTree b = make_tree(*scene_.lines);
+    const ScenarioResult result = run_scenario(a, b, make_scenario({}), query_).result;
+    const auto finder = make_finder(*scene_.a, scene_.lines, ShotViews());
+    const std::vector<Passage> passages = finder->passages(result);
+    ASSERT_EQ(passages.size(), 4u);
+    EXPECT_EQ(passages[0].thickness(), std::nullopt) << "the second box, left at depth 0.5";
+    EXPECT_EQ(passages[0].in.depth, 0.5);
+    EXPECT_EQ(passages[1].thickness(), 0.5);
+    EXPECT_EQ(passages[2].thickness(), 1.0);
+    EXPECT_EQ(passages[3].thickness(), 0.5);
+}
+
 TEST_F(ShotsExport, ShotlinesHaveARowForEachPassage) {
     write({"csv", "csv-pairs"});
     const std::string text = text_of("shotlines.csv");
