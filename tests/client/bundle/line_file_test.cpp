@@ -50,12 +50,12 @@ std::string refusal_of_rows(const std::vector<double>& numbers, LineForm form) {
 } // namespace
 
 TEST(LineFile, EndsAreTakenLiterally) {
-    const auto path = write_rows({0.1, 0.2, 0.3, 1, 2, 3, 7, 8, 9, 7, 8, 9}, 6);
+    const auto path = write_rows({0.1, 0.2, 0.3, 1, 2, 3, 7, 8, 9, 7, 8, 10}, 6);
     const auto lines = read_lines(path, LineForm::Ends, unit_box()).value();
     ASSERT_EQ(lines.size(), 2u);
     EXPECT_EQ(lines[0].p, Vec3(0.1, 0.2, 0.3));
     EXPECT_EQ(lines[0].q, Vec3(1, 2, 3));
-    EXPECT_EQ(lines[1].q, Vec3(7, 8, 9));
+    EXPECT_EQ(lines[1].q, Vec3(7, 8, 10));
 }
 
 TEST(LineFile, RaysEndBehindTheBox) {
@@ -79,11 +79,11 @@ TEST(LineFile, RaysEndBehindTheBox) {
 TEST(LineFile, ManyRowsAreAllRead) {
     std::vector<double> numbers;
     for (int i = 0; i < 10'000; ++i) {
-        numbers.insert(numbers.end(), {1.0 * i, 0, 0, 0, 1.0 * i, 0});
+        numbers.insert(numbers.end(), {1.0 * i, 0, 0, 0, 1.0 * i, 1});
     }
     const auto lines = read_lines(write_rows(numbers, 6), LineForm::Ends, unit_box()).value();
     ASSERT_EQ(lines.size(), 10'000u);
-    EXPECT_EQ(lines.back().q, Vec3(0, 9999, 0));
+    EXPECT_EQ(lines.back().q, Vec3(0, 9999, 1));
     EXPECT_EQ(line_mesh(lines).value().triangles().size(), 10'000u);
 }
 
