@@ -3,6 +3,8 @@
 #include "common/core/errors.hpp"
 #include "common/core/words.hpp"
 
+#include <Eigen/Geometry>
+
 #include <cmath>
 #include <cstdint>
 #include <optional>
