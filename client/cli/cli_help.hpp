@@ -44,6 +44,9 @@ A job.toml has the keys name, unit, and the tables
              unit = "mm" (of their lengths), quat_order = "xyzw", of = "both",
              rigid_tolerance = 1e-5. A .csv names its columns: x,y,z,qx,qy,qz,qw, or some of
              x, y, z, roll_deg, pitch_deg, yaw_deg (or _rad), or m00 to m23
+  [shots]    lines through a, instead of [b] and [poses]: spacing = 0.01, tile = 64,
+             azimuth_deg = [0, 355, 72], elevation_deg = [-30, 90, 13], jitter = { seed = 1 },
+             first = true: only the first hits; or file = "rays.npy", form = "rays" | "ends"
   [query]    level = "any" | "count" | "pairs" | "contacts", limit_pairs = 10_000,
              clearance = 0.005: also finds what is at most this far apart, in the job's unit;
              level = "distance": how far the bodies are apart, with up_to = 2.5 if not farther;

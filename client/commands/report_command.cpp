@@ -99,6 +99,17 @@ make_viewer(const ReportCommand& command, RunAtHand& at_hand, ThreadPool& pool) 
     return viewer;
 }
 
+/// Reads what lines tell; nothing for a run that lists no hits.
+Result<std::optional<ShotsSections>> read_lines_of(RunAtHand& run) {
+    std::optional<ShotsSections> sections;
+    const Query& query = run.job.query;
+    if (query.question == Question::Shots && query.level >= Level::Pairs) {
+        sections =
+            CD_TRY(ShotsSections::read(run.run.records(), run.job, &InterruptGuard::has_come));
+    }
+    return sections;
+}
+
 /// Begins the sum of a run's groups, or an empty one if they are unknown. Errors: BadInput if they
 /// are unknown, but there is a baseline to compare with.
 Result<GroupSum> groups_begun(const RunAtHand& run, const Judge& judge) {
@@ -178,6 +189,10 @@ Result<int> perform(const ReportCommand& command) {
     }
     if (viewer) {
         document.set_viewer(*viewer);
+    }
+    const std::optional<ShotsSections> shots = CD_TRY(read_lines_of(at_hand));
+    if (shots) {
+        document.set_shots(*shots);
     }
     const std::string html = CD_TRY(document.html(&InterruptGuard::has_come));
     CD_TRY(check_size(html.size(), command));

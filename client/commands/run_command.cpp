@@ -205,7 +205,9 @@ Result<int> perform(const RunCommand& command) {
 }
 
 Status add_hint(const PreparedJob& job, RunReport& report) {
-    if (job.scene || report.summary.separate != report.summary.total) {
+    // Lines may well miss a body; that says nothing about units.
+    if (job.scene || report.summary.separate != report.summary.total ||
+        job.query.question == Question::Shots) {
         return Done{};
     }
     report.hint = CD_TRY(nearness_hint(

@@ -53,6 +53,7 @@ std::vector<std::string> query_changes(const Query& earlier, const Query& later,
     };
     add("clearance", length_text(earlier.clearance), length_text(later.clearance));
     add("up_to", length_text(earlier.up_to), length_text(later.up_to));
+    add("first", earlier.first_hits ? "true" : "false", later.first_hits ? "true" : "false");
     add("limit_pairs", std::to_string(earlier.limit_pairs), std::to_string(later.limit_pairs));
     if (earlier.ignored != later.ignored) {
         changes.emplace_back("other triangles ignored");

@@ -4,7 +4,10 @@
 #include "common/core/errors.hpp"
 #include "common/core/words.hpp"
 
+#include <algorithm>
 #include <bit>
+#include <tuple>
+#include <vector>
 
 namespace cd {
 
@@ -64,6 +67,27 @@ bool answer_for_distance(const ScenarioResult& was, const ScenarioResult& is) {
     return was.question == Question::Distance && is.question == Question::Distance;
 }
 
+bool answer_for_shots(const ScenarioResult& was, const ScenarioResult& is) {
+    return was.question == Question::Shots && is.question == Question::Shots;
+}
+
+/// Returns line, depth and flags of each hit, sorted, so that triangles may have other numbers.
+std::vector<std::tuple<std::uint32_t, double, std::uint8_t>> hits_of(const ScenarioResult& result) {
+    std::vector<std::tuple<std::uint32_t, double, std::uint8_t>> hits;
+    for (std::size_t i = 0; i < result.hits.size(); ++i) {
+        hits.emplace_back(result.pairs[i].b, result.hits[i].depth, result.hits[i].flags);
+    }
+    std::ranges::sort(hits);
+    return hits;
+}
+
+/// True if the same lines are hit in the same depths, as far as both results list them all.
+bool has_same_hits(const ScenarioResult& was, const ScenarioResult& is) {
+    const bool are_whole =
+        was.level == Level::Pairs && is.level == Level::Pairs && !was.is_cut() && !is.is_cut();
+    return !are_whole || hits_of(was) == hits_of(is);
+}
+
 } // namespace
 
 std::string_view outcome_name(std::size_t outcome) {
@@ -98,6 +122,9 @@ std::string_view ScenarioDiff::change_of(const PairedResult& pair) const {
     }
     if (!is_of_level_any(was, is) && was.near_count != is.near_count) {
         return "near";
+    }
+    if (answer_for_shots(was, is) && !has_same_hits(was, is)) {
+        return "hits";
     }
     return options_.compares_pairs && was.level == is.level && was.pairs != is.pairs ? "pairs" : "";
 }

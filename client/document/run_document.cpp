@@ -55,7 +55,10 @@ Html RunDocument::verdict() const {
                                     grouped(summary.touch),
                                     grouped(summary.cross),
                                     grouped(summary.inside)};
-    if (manifest_.query.level == Level::Any) {
+    if (manifest_.query.question == Question::Shots) {
+        head = {"separate", "contact"};
+        counts = {grouped(summary.separate), grouped(summary.contact)};
+    } else if (manifest_.query.level == Level::Any) {
         head = {"separate", "contact", "inside"};
         counts = {grouped(summary.separate), grouped(summary.contact), grouped(summary.inside)};
     }
@@ -274,12 +277,16 @@ Html RunDocument::how_it_ran() const {
 Result<std::string> RunDocument::html(const StopCheck& stop) {
     Html body = verdict();
     body += bodies();
+    body += shots_ != nullptr ? shots_->parts() : Html();
+    body += shots_ != nullptr ? shots_->pictures() : Html();
     body += worst();
     body += has_distance() ? distances() : Html();
     body += viewer_ != nullptr ? viewer_->section() : Html();
     GroupSections sections(names_, manifest_, overview_, statuses_);
     body += sections.matrix();
-    body += CD_TRY(charts(stop));
+    if (manifest_.query.question != Question::Shots) { // Where bundles stand tells nothing.
+        body += CD_TRY(charts(stop));
+    }
     body += sections.table();
     body += sections.against(baseline_);
     body += html_section("How it ran", how_it_ran());

@@ -9,6 +9,7 @@
 #include "client/document/report_pictures.hpp"
 #include "client/document/run_names.hpp"
 #include "client/document/run_overview.hpp"
+#include "client/document/shots_sections.hpp"
 #include "client/folder/run_manifest.hpp"
 #include "client/job/prepared_job.hpp"
 #include "common/core/host/stop_check.hpp"
@@ -40,6 +41,8 @@ class RunDocument {
     void set_no_groups(std::string reason) { no_groups_ = std::move(reason); }
     /// Puts a viewer into the report. It outlives the object.
     void set_viewer(const EmbeddedViewer& viewer) { viewer_ = &viewer; }
+    /// Adds what a run tells of shot lines. It outlives the object.
+    void set_shots(const ShotsSections& shots) { shots_ = &shots; }
     /// Returns the report as an HTML document, below 5 MB without the viewer. Reads all poses.
     /// Errors: from reading poses; Interrupted.
     [[nodiscard]] Result<std::string> html(const StopCheck& stop);
@@ -67,6 +70,7 @@ class RunDocument {
     BaselineNote baseline_;
     std::string no_groups_;
     const EmbeddedViewer* viewer_ = nullptr;
+    const ShotsSections* shots_ = nullptr;
 };
 
 } // namespace cd

@@ -16,7 +16,8 @@ class ScenariosCsvWriter final : public ResultWriter {
         : file_(std::move(file)),
           steps_(context.steps),
           has_near_(context.clearance.has_value()),
-          has_distance_(context.has_distance()) {
+          has_distance_(context.has_distance()),
+          has_hits_(context.question == Question::Shots) {
         for (const ExportBody& body : context.bodies) {
             names_.push_back(csv_field(body.name));
         }
@@ -37,6 +38,9 @@ class ScenariosCsvWriter final : public ResultWriter {
         }
         if (has_distance_) {
             add_nearest(result.nearest);
+        }
+        if (has_hits_) {
+            row_.add(",", result.pair_count);
         }
         row_.add(",", yes_or_no[result.is_cut() ? 1 : 0], ",");
         if (result.kind == ScenarioClass::Undecided) {
@@ -90,6 +94,7 @@ class ScenariosCsvWriter final : public ResultWriter {
         return std::string(steps_ ? "step,time,body_a,body_b,scenario" : "scenario,body_a,body_b") +
                ",class,count," + (has_near_ ? "near_count," : "") +
                (has_distance_ ? "distance,triangle_a,triangle_b,ax,ay,az,bx,by,bz," : "") +
+               (has_hits_ ? "hits," : "") +
                "cut,distance_bound,surfaces_only,insides_skipped,failure\n";
     }
 
@@ -99,6 +104,7 @@ class ScenariosCsvWriter final : public ResultWriter {
     std::shared_ptr<const StepIndex> steps_; ///< Null for a job of two bodies.
     bool has_near_;
     bool has_distance_;
+    bool has_hits_;
     bool has_header_ = false;
 };
 

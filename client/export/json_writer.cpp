@@ -34,6 +34,15 @@ void add_nearest(const std::optional<NearestWitness>& nearest, Json& line) {
     line["witness_points"] = std::move(points);
 }
 
+/// Returns depth, flags and rank of each hit.
+Json hits_json(const std::vector<PairHit>& hits) {
+    Json json = Json::array();
+    for (const PairHit& hit : hits) {
+        json.push_back({hit.depth, hit.flags, hit.rank});
+    }
+    return json;
+}
+
 class JsonWriter final : public ResultWriter {
   public:
     JsonWriter(const ExportContext& context, OutputFile file)
@@ -86,6 +95,9 @@ class JsonWriter final : public ResultWriter {
             points.push_back(points_of(result, i));
         }
         line["pairs"] = std::move(pairs);
+        if (result.question == Question::Shots) {
+            line["hits"] = hits_json(result.hits);
+        }
         if (result.level == Level::Contacts) {
             line["points"] = std::move(points);
         }
@@ -136,6 +148,23 @@ void add_least(const ExportContext& context, const RunReport& report, Json& json
     json["up_to"] = context.up_to ? Json(*context.up_to) : Json();
     json["least_distance"] = least ? Json(least->distance) : Json();
     json["least_scenario"] = least ? Json(least->scenario) : Json();
+}
+
+/// Adds the question, and what lines tell of each part that they cross.
+void add_shots(const RunReport& report, Json& json) {
+    Json parts = Json::array();
+    for (const ShotPart& part : report.findings.shots) {
+        Json row{{"part", part.name},
+                 {"closed", part.is_closed},
+                 {"lines", part.lines},
+                 {"crossings", part.crossings}};
+        row["seen_area"] = part.area ? Json(*part.area) : Json();
+        row["mean_thickness"] = part.thickness ? Json((*part.thickness)[0]) : Json();
+        row["largest_thickness"] = part.thickness ? Json((*part.thickness)[1]) : Json();
+        parts.push_back(std::move(row));
+    }
+    json["question"] = "shots";
+    json["parts_hit"] = std::move(parts);
 }
 
 Json body_json(const ExportBody& body) {
@@ -192,6 +221,9 @@ Status write_summary(const std::filesystem::path& dir,
     }
     if (context.has_distance()) {
         add_least(context, report, json);
+    }
+    if (context.question == Question::Shots) {
+        add_shots(report, json);
     }
     if (report.execution.reused != 0) {
         json["reused"] = report.execution.reused;

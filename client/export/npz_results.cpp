@@ -14,7 +14,7 @@ namespace {
 /// What a job must have or ask for so that the archive has an array.
 enum class NpzNeed : std::uint8_t {
     Nothing,
-    Pairs,     ///< `level pairs` or above.
+    Pairs,     ///< `level pairs` or above, unless shots.npz has the pairs.
     Contacts,  ///< `level contacts`.
     Exact,     ///< `level contacts`, and exact points.
     Clearance, ///< A clearance.
@@ -85,7 +85,7 @@ bool is_met(NpzNeed need, const ExportContext& context) {
     case NpzNeed::Nothing:
         break;
     case NpzNeed::Pairs:
-        return context.level >= Level::Pairs;
+        return context.level >= Level::Pairs && !context.has_hits();
     case NpzNeed::Contacts:
         return has_contacts;
     case NpzNeed::Exact:

@@ -1,5 +1,6 @@
 #include "client/export/result_sink.hpp"
 
+#include "client/export/shots/shot_writers.hpp"
 #include "client/spec/job_file.hpp"
 #include "common/core/errors.hpp"
 #include "common/core/files/disk_file.hpp"
@@ -67,11 +68,10 @@ Result<ResultSink> ResultSink::open(SinkOptions options, const ExportContext& co
     if (!to.dir.empty()) {
         CD_TRY(make_directories(to.dir));
         CD_TRY(check_map_formats(to.formats, context.level, context.maps));
-        for (const std::string& format : to.formats) {
-            if (format != "glb") { // Its files are made of the map alone.
-                sink.writers_.push_back(CD_TRY(make_writer(format, context, to.dir)));
-            }
-        }
+        CD_TRY(sink.add_writers());
+    }
+    if (context.has_hits()) {
+        CD_TRY(sink.add_shot_writers());
     }
     if (context.steps) {
         const bool writes = !to.dir.empty() && sink.has_format("csv");
@@ -83,6 +83,33 @@ Result<ResultSink> ResultSink::open(SinkOptions options, const ExportContext& co
         sink.writers_.push_back(make_row_writer(to.output, context, OutputFile::standard_output()));
     }
     return sink;
+}
+
+Status ResultSink::add_writers() {
+    for (const std::string& format : options_.formats) {
+        // The files of a GLB are made of the map alone; hits of lines have files of their own.
+        if (format != "glb" && !(format == "csv-pairs" && context_.has_hits())) {
+            writers_.push_back(CD_TRY(make_writer(format, context_, options_.dir)));
+        }
+    }
+    return Done{};
+}
+
+Status ResultSink::add_shot_writers() {
+    const ShotViews views = context_.bodies[1].views ? *context_.bodies[1].views : ShotViews();
+    const auto finder = make_finder(*context_.bodies[0].mesh, context_.bodies[1].mesh, views);
+    shots_.emplace(finder, views, context_.unit);
+    if (has_format("npz")) {
+        writers_.push_back(make_shots_npz_writer(context_, options_.dir));
+    }
+    if (has_format("csv-pairs")) {
+        writers_.push_back(CD_TRY(make_shotlines_writer(context_, finder, options_.dir)));
+    }
+    return Done{};
+}
+
+RunFindings ResultSink::findings() const {
+    return {groups_.most_touched(), least_, shots_ ? shots_->parts() : std::vector<ShotPart>()};
 }
 
 Status ResultSink::add(const ScenarioResult& result, std::span<const ContactPair> found) {
@@ -98,7 +125,12 @@ Status ResultSink::add(const ScenarioResult& result, std::span<const ContactPair
     groups_.add(result);
     note_distance(result);
     tested_ += result.kind == ScenarioClass::Failed ? 0 : 1;
-    waiting_.add(result, found.empty() ? std::span<const ContactPair>(result.pairs) : found);
+    if (shots_) {
+        shots_->add(result);
+    }
+    const std::vector<ContactPair> crossings = crossings_of(result);
+    const std::span<const ContactPair> listed = context_.has_hits() ? crossings : result.pairs;
+    waiting_.add(result, found.empty() ? listed : found);
     if (waiting_.bytes() >= waiting_bytes_max) {
         map_.add(waiting_.take());
     }

@@ -3,6 +3,7 @@
 
 #include "client/export/result_writer.hpp"
 #include "client/export/scene_log.hpp"
+#include "client/export/shots/shot_sums.hpp"
 #include "client/groups/group_sum.hpp"
 #include "client/groups/groups_csv.hpp"
 #include "client/report/report.hpp"
@@ -50,16 +51,14 @@ class ResultSink {
     /// Returns the groups of all results added; at `level count` after `finish`.
     [[nodiscard]] const GroupSum& groups() const { return groups_; }
     /// Returns what all results added tell; parts at `level count` after `finish`.
-    [[nodiscard]] RunFindings findings() const {
-        return {groups_.most_touched(),
-                least_,
-                scene_ ? std::optional(scene_->findings()) : std::nullopt};
-    }
+    [[nodiscard]] RunFindings findings() const;
     [[nodiscard]] bool uses_stdout() const { return options_.output != "text"; }
 
   private:
     ResultSink(SinkOptions options, const ExportContext& context);
 
+    [[nodiscard]] Status add_writers();
+    [[nodiscard]] Status add_shot_writers();
     [[nodiscard]] bool has_format(std::string_view format) const;
     [[nodiscard]] Status write_map(const ContactMap& map) const;
     [[nodiscard]] GroupsOrigin groups_origin() const;
@@ -74,6 +73,7 @@ class ResultSink {
     ContactMapTotal map_;
     std::optional<LeastDistance> least_;
     std::optional<SceneLog> scene_; ///< Nothing for a job of two bodies.
+    std::optional<ShotSums> shots_; ///< For results that list hits of lines.
 };
 
 /// Prints the summary to stdout, or to stderr if stdout carries results; in the latter case,

@@ -1,6 +1,7 @@
 // Writes results into files, with one writer per format.
 #pragma once
 
+#include "client/bundle/shot_plan.hpp"
 #include "client/formats/output_file.hpp"
 #include "client/report/report.hpp"
 #include "common/core/host/stop_check.hpp"
@@ -28,6 +29,7 @@ struct ExportBody {
     std::shared_ptr<const Mesh> mesh;
     bool is_rounded = false; ///< Coordinates were rounded to floats on request.
     bool is_fixed = false;   ///< In a scene: its pose is the same at all steps.
+    std::shared_ptr<const ShotViews> views = {}; ///< Of the body of lines; null for other bodies.
 };
 
 /// What exports say about the job besides its results.
@@ -41,7 +43,8 @@ struct ExportContext {
     bool exact_points = false;      ///< NPZ: also points at full precision, relative to origins.
     /// With a clearance, files also have what is known of near pairs.
     std::optional<double> clearance = std::nullopt;
-    /// With the question of the distance, files also have the nearest points.
+    /// With the question of the distance, files also have the nearest points; with that of shots,
+    /// the hits.
     Question question = Question::Contacts;
     std::optional<double> up_to = std::nullopt; ///< Bodies farther apart have no distance.
     /// Of a scene, the steps of its scenarios; null for a job of two bodies.
@@ -53,6 +56,10 @@ struct ExportContext {
     [[nodiscard]] bool has_distance() const { return question == Question::Distance; }
     /// The contact map counts only so many first pairs of each scenario; 0: all pairs.
     [[nodiscard]] std::uint64_t map_pairs() const { return maps ? 0 : limit_pairs; }
+    /// True if results list the hits of lines.
+    [[nodiscard]] bool has_hits() const {
+        return question == Question::Shots && level >= Level::Pairs;
+    }
 };
 
 /// The interface of the writers, one for each format. A writer buffers a bounded number of results.
@@ -78,8 +85,8 @@ class ResultWriter {
                                                              OutputFile file);
 /// Writes scenarios.csv. Of a scene, the step, its time and the bodies are the first columns.
 /// distance_bound is empty unless the class is undecided. With a clearance it has the column
-/// near_count; with the question of the distance columns of the nearest points, empty without a
-/// distance.
+/// near_count; with the question of shots the column hits; with that of the distance columns of the
+/// nearest points, empty without a distance.
 [[nodiscard]] std::unique_ptr<ResultWriter> make_scenarios_csv_writer(const ExportContext& context,
                                                                       OutputFile file);
 /// Writes pairs.csv from `level pairs` on, and points.csv at `level contacts`; else no file.

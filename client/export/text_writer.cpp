@@ -3,6 +3,7 @@
 #include "common/core/printable.hpp"
 #include "common/core/words.hpp"
 #include "common/job/result/drawn_witness.hpp"
+#include "common/shots/line_hit.hpp"
 
 #include <optional>
 
@@ -77,6 +78,11 @@ class TextWriter final : public ResultWriter {
                            std::string(pair_class_name(pair.kind));
         if (pair.kind == PairClass::Near && !distances.empty()) {
             text += "  " + exact_text(distances[number]) + " apart";
+        }
+        if (!result.hits.empty()) {
+            const PairHit& hit = result.hits[number];
+            text += "  at depth " + exact_text(hit.depth) +
+                    ((hit.flags & hit_flag::crosses) != 0 ? "" : ", does not cross");
         }
         for_each_point(result, number, [&](const Vec3& point) { text += point_text(point); });
         return text + "\n";

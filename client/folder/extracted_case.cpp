@@ -370,6 +370,10 @@ std::string expected_text(std::vector<ScenarioResult> results) {
 }
 
 Status check_expressible(const PreparedJob& job, const CaseScenarios& given) {
+    if (job.query.question == Question::Shots) {
+        return bad_input("a case has poses of two bodies, and this run has lines: write a job with "
+                         "one direction of [shots], or draw the scenarios with --as vtp or glb");
+    }
     for (const ScenarioResult& result : given.results) {
         if (result.kind == ScenarioClass::Failed) {
             // A failure's text contains the number of its scenario, which a case would

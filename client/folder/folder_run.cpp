@@ -40,6 +40,8 @@ ManifestPoses poses_of(const PreparedJob& job) {
     } else if (const auto* random = std::get_if<RandomPoses>(&job.spec.poses)) {
         poses.kind = PosesKind::Random;
         poses.random = *random;
+    } else if (std::holds_alternative<ShotsSpec>(job.spec.poses)) {
+        poses.kind = PosesKind::Shots;
     } else if (const auto* file = std::get_if<PoseFileSpec>(&job.spec.poses)) {
         poses.file = absolute_path(file->path);
         poses.quat_order = file->quat_order;
@@ -112,7 +114,10 @@ std::string absolute_path(const fs::path& path) {
 
 void make_paths_absolute(JobSpec& spec) {
     for (BodySpec* body : meshes_of(spec)) {
-        body->path = absolute_path(body->path);
+        body->path = body->path.empty() ? body->path : fs::path(absolute_path(body->path));
+    }
+    if (auto* shots = std::get_if<ShotsSpec>(&spec.poses); shots != nullptr && !shots->is_grid()) {
+        shots->file = absolute_path(shots->file);
     }
     if (auto* file = std::get_if<PoseFileSpec>(&spec.poses);
         file != nullptr && !file->path.empty()) {

@@ -58,8 +58,40 @@ std::string poses_text(const PoseFileSpec& poses) {
                        : "");
 }
 
+std::string axis_text(std::string_view key, const GridAxis& axis) {
+    return axis == GridAxis{} ? ""
+                              : toml_line(key,
+                                     "[" + toml_number(axis.first) + ", " + toml_number(axis.last) + ", " +
+                                         std::to_string(axis.count) + "]");
+}
+
+std::string poses_text(const ShotsSpec& shots) {
+    if (!shots.is_grid()) {
+        return toml_line("file", toml_quoted(shots.file.string())) +
+               (shots.form == LineForm::Rays ? toml_line("form", toml_quoted("rays")) : "");
+    }
+    const LineGrid& grid = shots.grid;
+    std::string text =
+        toml_line("spacing", toml_number(grid.spacing)) + toml_line("tile", std::to_string(grid.tile));
+    if (grid.jitter_seed) {
+        text += toml_line("jitter", "{ seed = " + std::to_string(*grid.jitter_seed) + " }");
+    } else if (grid.offset != LineGrid().offset) {
+        text += toml_line("offset", toml_list(grid.offset, toml_number));
+    }
+    return text + axis_text("azimuth_deg", shots.azimuth_deg) +
+           axis_text("elevation_deg", shots.elevation_deg);
+}
+
+std::string shots_text(const ShotsSpec& shots, const Query& query) {
+    return "\n[shots]\n" + poses_text(shots) + (query.first_hits ? toml_line("first", "true") : "");
+}
+
 std::string two_bodies_text(const JobSpec& spec) {
-    return body_text(spec.bodies[0], "a") + body_text(spec.bodies[1], "b") + "\n[poses]\n" +
+    const std::string a = body_text(spec.bodies[0], "a");
+    if (const auto* shots = std::get_if<ShotsSpec>(&spec.poses)) {
+        return a + shots_text(*shots, spec.query);
+    }
+    return a + body_text(spec.bodies[1], "b") + "\n[poses]\n" +
            std::visit([](const auto& poses) { return poses_text(poses); }, spec.poses);
 }
 

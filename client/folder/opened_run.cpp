@@ -38,6 +38,10 @@ Error changed(const std::string& file) {
                      " has changed since the run; restore the old file, or run the job again");
 }
 
+Result<std::shared_ptr<const Mesh>> changed_lines(const ShotsSpec& shots) {
+    return changed(shots.is_grid() ? "the grid of lines" : shots.file.string());
+}
+
 Error damaged(const fs::path& file, const std::string& what) {
     return {ErrorCode::Io,
             file.string() + " is damaged: " + what + "; run the job again with --fresh"};
@@ -94,6 +98,11 @@ Result<std::shared_ptr<const Mesh>> OpenedRun::mesh(std::size_t body) const {
                          " again, or run the job again with --fresh"};
     }
     const auto job = CD_TRY(spec());
+    if (const auto* shots = std::get_if<ShotsSpec>(&job.poses); shots != nullptr && body == 1) {
+        const auto a = CD_TRY(mesh(0));
+        const auto lines = CD_TRY(lines_of(*shots, *a));
+        return lines->hash() == wanted.mesh ? lines : changed_lines(*shots);
+    }
     return import_again(job, body, wanted.mesh);
 }
 
@@ -199,6 +208,10 @@ Result<ExportContext> export_context(const OpenedRun& run) {
         const ManifestBody& body = manifest.bodies[i];
         context.bodies.push_back(
             {body.name, fs::path(body.file).filename().string(), std::move(mesh)});
+    }
+    if (manifest.query.question == Question::Shots) {
+        const auto job = CD_TRY(run.spec());
+        context.bodies[1].views = views_of(job.poses, *context.bodies[0].mesh);
     }
     return context;
 }

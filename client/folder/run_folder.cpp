@@ -18,12 +18,14 @@ namespace fs = std::filesystem;
 
 constexpr const char* manifest_name = "run.json";
 /// Names of files that a run may write, besides run.json and inputs/meshes.
-constexpr std::array<const char*, 15> result_names{"summary.json",
+constexpr std::array<const char*, 17> result_names{"summary.json",
                                                    "scenarios.csv",
                                                    "groups.csv",
                                                    "pairs.csv",
                                                    "points.csv",
                                                    "results.npz",
+                                                   "shots.npz",
+                                                   "shotlines.csv",
                                                    "results.jsonl",
                                                    "results.txt",
                                                    "contacts.vtp",

@@ -25,9 +25,10 @@ constexpr std::uint64_t format_version = 2;
 std::uint64_t record_version(const Query& query) {
     return query.clearance || query.question != Question::Contacts ? 3 : 2;
 }
-/// The name of the question of the distance; that of contacts is not written.
+/// The names of questions; that of contacts is not written.
 constexpr std::string_view distance_name = "distance";
-constexpr std::array<std::string_view, 3> kind_names{"grid", "file", "random"};
+constexpr std::string_view shots_name = "shots";
+constexpr std::array<std::string_view, 4> kind_names{"grid", "file", "random", "shots"};
 
 std::string_view to_text(PosesKind kind) {
     return kind_names[static_cast<std::size_t>(kind)];
@@ -98,6 +99,10 @@ Json query_json(const Query& query) {
     }
     if (query.question == Question::Distance) {
         json["question"] = distance_name;
+    }
+    if (query.question == Question::Shots) {
+        json["question"] = shots_name;
+        json["first_hits"] = query.first_hits;
     }
     if (query.up_to) {
         json["up_to"] = *query.up_to;
@@ -276,6 +281,13 @@ std::optional<double> read_length(const Json& query, const char* key) {
     return length;
 }
 
+Question read_question(std::string_view name) {
+    if (name != distance_name && name != shots_name) {
+        throw Refusal{bad_input("it has a question that is not known; use a later cdctl")};
+    }
+    return name == shots_name ? Question::Shots : Question::Distance;
+}
+
 Query read_query(const Json& json) {
     Query query;
     const auto level = level_from_text(value_of<std::string>(json, "level"));
@@ -288,10 +300,8 @@ Query read_query(const Json& json) {
     query.clearance = read_length(json, "clearance");
     query.up_to = read_length(json, "up_to");
     if (json.contains("question")) {
-        if (value_of<std::string>(json, "question") != distance_name) {
-            throw Refusal{bad_input("it has a question that is not known; use a later cdctl")};
-        }
-        query.question = Question::Distance;
+        query.question = read_question(value_of<std::string>(json, "question"));
+        query.first_hits = value_or(json, "first_hits", false);
     }
     if (const char* problem = query_problem(query)) {
         throw Refusal{bad_input(std::string("its query is ") + problem)};
@@ -366,7 +376,7 @@ bool is_equal(const Query& left, const Query& right) {
     return left.level == right.level && left.limit_pairs == right.limit_pairs &&
            left.maps == right.maps && left.ignored == right.ignored &&
            left.clearance == right.clearance && left.question == right.question &&
-           left.up_to == right.up_to;
+           left.up_to == right.up_to && left.first_hits == right.first_hits;
 }
 
 bool has_same_poses(const ManifestPoses& left, const ManifestPoses& right) {

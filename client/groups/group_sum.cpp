@@ -5,6 +5,7 @@
 #include "common/core/limits/client.hpp"
 #include "common/core/limits/engine.hpp"
 #include "common/geometry/topology.hpp"
+#include "common/job/result/contact_map.hpp"
 
 #include <algorithm>
 #include <span>
@@ -182,13 +183,15 @@ void GroupSum::limit_triangles() {
 
 void GroupSum::add(const ScenarioResult& result) {
     inside_ += result.kind == ScenarioClass::Inside ? 1 : 0;
-    if (result.pairs.empty()) {
+    const std::vector<ContactPair> crossings = crossings_of(result);
+    const std::vector<ContactPair>& pairs = result.hits.empty() ? result.pairs : crossings;
+    if (pairs.empty()) {
         return;
     }
     find_parts();
     ++stamp_;
     here_.clear();
-    for (const ContactPair& pair : result.pairs) {
+    for (const ContactPair& pair : pairs) {
         if (const auto number = group_of(result, pair)) {
             note_pair(result, pair, *number);
         } else {

@@ -13,6 +13,7 @@
 #include "common/core/errors.hpp"
 #include "common/core/limits/client.hpp"
 #include "common/core/words.hpp"
+#include "common/geometry/aabb.hpp"
 #include "common/geometry/topology.hpp"
 #include "common/job/poses/made_poses.hpp"
 
@@ -36,10 +37,17 @@ std::string declared_unit(const DeclaredFrame& declared) {
     return declared.metres > 0 ? exact_text(declared.metres) + " m" : "";
 }
 
+/// Counts the directions and bundles of lines: "72 azimuths, 13 elevations"; empty for a file.
+std::string views_text(const ShotsSpec& shots) {
+    return shots.is_grid() ? counted(shots.azimuth_deg.count, "azimuth") + ", " +
+                                 counted(shots.elevation_deg.count, "elevation")
+                           : "lines of " + shots.file.filename().string();
+}
+
 /// How each body's mesh file was interpreted, for messages.
 using BodyNotes = std::array<std::vector<std::string>, 2>;
 
-/// Imports the meshes of two bodies, unless the job has them.
+/// Imports the meshes of two bodies, unless the job has them. The lines of [shots] are body B.
 Result<BodyNotes> import_bodies(PreparedJob& job, bool quiet) {
     BodyNotes notes;
     for (const BodySpec& body : job.spec.bodies) {
@@ -48,6 +56,10 @@ Result<BodyNotes> import_bodies(PreparedJob& job, bool quiet) {
     for (std::size_t i = job.meshes.size(); i < 2; ++i) {
         const BodySpec& body = job.spec.bodies[i];
         const BodySpec& first = job.spec.bodies[0];
+        if (const auto* shots = std::get_if<ShotsSpec>(&job.spec.poses); i == 1 && shots) {
+            job.meshes.push_back(CD_TRY(lines_of(*shots, *job.meshes[0])));
+            continue;
+        }
         if (i == 1 && body.path == first.path && body.unit == first.unit && body.up == first.up &&
             body.rounds_to_float == first.rounds_to_float) {
             job.meshes.push_back(job.meshes[0]);
@@ -106,6 +118,9 @@ std::string poses_text(const PosesSpec& spec, const std::vector<std::string>& ze
         return "random, seed " + std::to_string(random->seed) + ", penetration " +
                exact_text(random->penetration_min) + " to " + exact_text(random->penetration_max);
     }
+    if (const auto* shots = std::get_if<ShotsSpec>(&spec)) {
+        return views_text(*shots);
+    }
     const Grid& grid = std::get<GridSpec>(spec).grid;
     constexpr std::array<const char*, 3> positions{"x", "y", "z"};
     constexpr std::array<const char*, 3> angles{"roll", "pitch", "yaw"};
@@ -124,6 +139,20 @@ std::string poses_text(const PosesSpec& spec, const std::vector<std::string>& ze
     return text;
 }
 
+/// Makes the poses of a bundle of lines.
+Status make_shots(PreparedJob& job, const ShotsSpec& spec) {
+    const Aabb box = bounding_box(job.meshes[0]->vertices());
+    const std::vector<BundlePose> poses = CD_TRY(shot_poses(spec, box));
+    std::vector<Scenario> scenarios(poses.size());
+    for (std::size_t i = 0; i < poses.size(); ++i) {
+        scenarios[i].index = i;
+        scenarios[i].poses.b = poses[i].pose;
+    }
+    job.poses = make_list_source(std::move(scenarios));
+    job.labels = shot_labels(spec, poses);
+    return Done{};
+}
+
 Status make_poses(PreparedJob& job, ThreadPool& pool, bool quiet) {
     if (const auto* spec = std::get_if<GridSpec>(&job.spec.poses)) {
         job.grid = spec->grid;
@@ -136,6 +165,9 @@ Status make_poses(PreparedJob& job, ThreadPool& pool, bool quiet) {
                                          pool.size(),
                                          &InterruptGuard::has_come);
         return Done{};
+    }
+    if (const auto* shots = std::get_if<ShotsSpec>(&job.spec.poses)) {
+        return make_shots(job, *shots);
     }
     const auto& spec = std::get<PoseFileSpec>(job.spec.poses);
     const SlowNote note(spec.path == "-" ? std::string("reading poses from standard input...")
@@ -163,7 +195,8 @@ void describe(PreparedJob& job, const BodyNotes& notes) {
                                                 : job.trees[i]->topology().is_closed();
         }
     }
-    if (auto warning = unit_warning(lines[0], lines[1])) {
+    const bool are_shots = job.query.question == Question::Shots;
+    if (auto warning = unit_warning(lines[0], lines[1]); warning && !are_shots) {
         job.warnings.push_back(*warning);
     }
     job.header =
@@ -251,6 +284,17 @@ Result<PreparedJob> prepare_job(
     return job;
 }
 
+Result<std::shared_ptr<const Mesh>> lines_of(const ShotsSpec& spec, const Mesh& a) {
+    Mesh lines = CD_TRY(shot_mesh(spec, bounding_box(a.vertices())));
+    return std::make_shared<const Mesh>(std::move(lines));
+}
+
+std::shared_ptr<const ShotViews> views_of(const PosesSpec& spec, const Mesh& a) {
+    const auto* shots = std::get_if<ShotsSpec>(&spec);
+    return shots == nullptr ? nullptr
+                            : std::make_shared<const ShotViews>(*shots, bounding_box(a.vertices()));
+}
+
 Result<ImportOptions> import_options(const JobSpec& spec, std::size_t body) {
     return import_options(spec.bodies[body], spec.unit);
 }
@@ -273,7 +317,8 @@ ExportContext export_context(const PreparedJob& job) {
                                   body.path.filename().string(),
                                   job.meshes[i],
                                   body.rounds_to_float,
-                                  job.scene && job.scene->are_fixed[i]});
+                                  job.scene && job.scene->are_fixed[i],
+                                  i == 1 ? views_of(job.spec.poses, *job.meshes[0]) : nullptr});
     }
     context.steps = job.scene ? job.scene->steps : nullptr;
     return context;

@@ -71,6 +71,13 @@ struct JobInputs {
                                               bool quiet = true,
                                               JobInputs given = {});
 
+/// Returns the mesh of the lines of [shots], which is body B, for the mesh of A. Errors: as
+/// `shot_mesh`.
+[[nodiscard]] Result<std::shared_ptr<const Mesh>> lines_of(const ShotsSpec& spec, const Mesh& a);
+
+/// Returns the directions of the lines of [shots] for the mesh of A; null for other poses.
+[[nodiscard]] std::shared_ptr<const ShotViews> views_of(const PosesSpec& spec, const Mesh& a);
+
 /// Returns the options to import a body's file. Errors: BadInput for an unknown unit.
 [[nodiscard]] Result<ImportOptions> import_options(const JobSpec& spec, std::size_t body);
 

@@ -10,6 +10,21 @@ namespace cd {
 
 namespace {
 
+void set_origin(const ShotsSpec& spec, PosesOrigin& origin) {
+    ShotsOrigin shots;
+    if (spec.is_grid()) {
+        shots.spacing = spec.grid.spacing;
+        shots.tile = spec.grid.tile;
+        shots.offset = spec.grid.offset;
+        shots.jitter_seed = spec.grid.jitter_seed;
+        origin.axes = {spec.azimuth_deg, spec.elevation_deg};
+    } else {
+        origin.file = escaped(spec.file.string());
+        shots.are_rays = spec.form == LineForm::Rays;
+    }
+    origin.shots = shots;
+}
+
 PosesOrigin origin_of(const PosesSpec& spec) {
     PosesOrigin origin;
     if (const auto* grid = std::get_if<GridSpec>(&spec)) {
@@ -19,6 +34,9 @@ PosesOrigin origin_of(const PosesSpec& spec) {
     } else if (const auto* random = std::get_if<RandomPoses>(&spec)) {
         origin.kind = PosesKind::Random;
         origin.random = *random;
+    } else if (const auto* shots = std::get_if<ShotsSpec>(&spec)) {
+        origin.kind = PosesKind::Shots;
+        set_origin(*shots, origin);
     } else {
         const auto& file = std::get<PoseFileSpec>(spec);
         origin.file = escaped(file.path.string());
@@ -40,6 +58,24 @@ BodySpec spec_of(const JobBody& body, std::size_t number) {
     return spec;
 }
 
+Result<PosesSpec> shots_of(const PosesOrigin& origin) {
+    const bool is_grid = origin.file.empty();
+    if (!origin.shots || (is_grid && origin.axes.size() != 2)) {
+        return Error{ErrorCode::BadFrame, "the job has lines without their directions"};
+    }
+    const ShotsOrigin& shots = *origin.shots;
+    ShotsSpec spec;
+    spec.file = origin.file;
+    spec.form = shots.are_rays ? LineForm::Rays : LineForm::Ends;
+    if (is_grid) {
+        spec.grid = {shots.spacing, shots.tile, shots.offset, shots.jitter_seed};
+        spec.azimuth_deg = origin.axes[0];
+        spec.elevation_deg = origin.axes[1];
+        CD_TRY(check_grid(spec.grid));
+    }
+    return PosesSpec(std::move(spec));
+}
+
 Result<PosesSpec> poses_of(const Submit& submit) {
     const PosesOrigin& origin = submit.poses;
     if (submit.grid) {
@@ -49,6 +85,9 @@ Result<PosesSpec> poses_of(const Submit& submit) {
     }
     if (origin.random) {
         return PosesSpec(*origin.random);
+    }
+    if (origin.kind == PosesKind::Shots) {
+        return shots_of(origin);
     }
     PoseFileSpec file{
         origin.file, origin.quat_order, origin.of_both_bodies, origin.rigid_tolerance};

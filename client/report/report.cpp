@@ -13,6 +13,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
+#include <span>
 
 namespace cd {
 
@@ -176,6 +177,29 @@ std::string scene_text(const RunReport& report) {
     return text;
 }
 
+/// Has a line for each of the parts that most lines cross.
+std::string shots_text(const RunReport& report) {
+    constexpr std::size_t parts_max = 10;
+    const std::vector<ShotPart>& parts = report.findings.shots;
+    std::string text;
+    for (const ShotPart& part : std::span(parts).first(std::min(parts.size(), parts_max))) {
+        text += "  part          " + part.name + ": crossed " + counted(part.crossings, "time") +
+                " by " + counted(part.lines, "line");
+        if (part.area) {
+            text += ", seen area " + length_text(*part.area) + " " + part.unit + "^2";
+        }
+        if (part.thickness) {
+            text += ", thickness " + length_text((*part.thickness)[0]) + " " + part.unit +
+                    " in the mean, at most " + length_text((*part.thickness)[1]) + " " + part.unit;
+        }
+        text += part.is_closed ? "\n" : ", not closed: no thickness\n";
+    }
+    return parts.size() <= parts_max
+               ? text
+               : text + "  part          and " + counted(parts.size() - parts_max, "part") +
+                     " more in summary.json\n";
+}
+
 /// Lists the classes. Near scenarios are listed if the query has a clearance.
 std::string classes_text(const RunReport& report, bool colours) {
     const Summary& summary = report.summary;
@@ -187,6 +211,9 @@ std::string classes_text(const RunReport& report, bool colours) {
     if (report.level == Level::Any) {
         add("contact", summary.contact, red);
         add("inside", summary.inside, red);
+    } else if (summary.contact != 0) { // At other levels only lines are in contact.
+        add("contact", summary.contact, green);
+        text += " (" + counted(summary.pairs, "hit") + ")";
     } else {
         add("touch", summary.touch, yellow);
         add("cross", summary.cross, red);
@@ -322,6 +349,7 @@ std::string summary_text(const RunReport& report, const SummaryStyle& style) {
     text += classes_text(report, style.colours);
     text += least_text(report);
     text += scene_text(report);
+    text += shots_text(report);
     if (report.execution.reused != 0) {
         text += "  reused        " + grouped(report.execution.reused) + " of " +
                 counted(summary.total, "result") + " of an earlier run\n";

@@ -12,6 +12,7 @@
 #include "common/search/search_cost.hpp"
 #include "proto/messages/traffic.hpp"
 
+#include <array>
 #include <cstdint>
 #include <cstdio>
 #include <optional>
@@ -95,12 +96,27 @@ struct SceneFindings {
     std::string learned;
 };
 
+/// What lines tell of a part of A.
+struct ShotPart {
+    std::string name;
+    bool is_closed = false;      ///< Only closed parts have a thickness.
+    std::uint64_t lines = 0;     ///< Number of lines that cross it, over all directions.
+    std::uint64_t crossings = 0; ///< Number of times that they do.
+    std::string unit = {};       ///< The job's unit, of the lengths below.
+    /// The area that lines see, in the mean over all directions; nothing for lines of a file.
+    std::optional<double> area = {};
+    /// The mean and the largest thickness along a line; nothing if no line enters and leaves.
+    std::optional<std::array<double, 2>> thickness = {};
+};
+
 /// What a run's results, all in all, tell.
 struct RunFindings {
     std::vector<TouchedPart> most_touched; ///< Parts in most scenarios, by the listed pairs.
     /// With the question of the distance; of equal distances the first scenario.
     std::optional<LeastDistance> least;
     std::optional<SceneFindings> scene; ///< Of a job with many bodies.
+    /// With hits of lines: the parts that most lines cross first.
+    std::vector<ShotPart> shots = {};
 };
 
 /// The outcome of a run, for the summary.

@@ -3,6 +3,7 @@
 #include "client/base/units.hpp"
 #include "client/formats/output_file.hpp"
 #include "client/spec/query_spec.hpp"
+#include "client/spec/shots_spec.hpp"
 #include "client/spec/toml_fields.hpp"
 #include "common/core/errors.hpp"
 #include "common/core/limits/engine.hpp"
@@ -169,22 +170,40 @@ void read_two_bodies(const TomlFields& job, JobSpec& spec) {
                    "[[\"part of a\", \"part of b\"]]");
     }
     spec.bodies[0] = read_body(job, "a", spec.file);
-    spec.bodies[1] = read_body(job, "b", spec.file);
-    if (const std::string name = export_name(spec, 0); name == export_name(spec, 1)) {
-        job.refuse("b", "both bodies have the name \"" + name + "\"; exports need two names");
+    const bool are_shots = job.has("shots");
+    if (are_shots) {
+        take_shots(read_shots(job, spec.file, spec.query), spec);
+    } else {
+        spec.bodies[1] = read_body(job, "b", spec.file);
+        spec.poses = read_poses(job, spec.unit, spec.file);
     }
-    spec.poses = read_poses(job, spec.unit, spec.file);
+    if (const std::string name = export_name(spec, 0); name == export_name(spec, 1)) {
+        job.refuse(are_shots ? "a" : "b",
+                   "both bodies have the name \"" + name + "\"; exports need two names");
+    }
 }
 
 void read_job(const toml::table& table, JobSpec& spec) {
-    const TomlFields job(
-        table,
-        spec.file.string(),
-        "the job",
-        {"name", "unit", "a", "b", "bodies", "poses", "rules", "query", "output", "cluster"});
+    const TomlFields job(table,
+                         spec.file.string(),
+                         "the job",
+                         {"name",
+                          "unit",
+                          "a",
+                          "b",
+                          "bodies",
+                          "poses",
+                          "rules",
+                          "shots",
+                          "query",
+                          "output",
+                          "cluster"});
     spec.name = job.text("name").value_or(spec.file.stem().string());
     spec.unit = job.word("unit", unit_names()).value_or(spec.unit);
     if (job.has("bodies")) {
+        if (job.has("shots")) {
+            job.refuse("shots", "[shots] is for a job with [a]; leave out [shots], or [bodies]");
+        }
         spec.scene = read_scene(job, spec.unit, spec.file);
         spec.poses = spec.scene->poses ? spec.scene->poses->file : PoseFileSpec{};
     } else {
@@ -196,6 +215,12 @@ void read_job(const toml::table& table, JobSpec& spec) {
 }
 
 } // namespace
+
+void take_shots(ShotsSpec shots, JobSpec& spec) {
+    spec.bodies[1].name = lines_name;
+    spec.bodies[1].path = shots.file;
+    spec.poses = std::move(shots);
+}
 
 std::string export_name(const JobSpec& spec, std::size_t body) {
     const std::string& name = spec.bodies[body].name;

@@ -55,6 +55,9 @@ struct JobSpec {
 /// Parses the text of a job file; `path` is used in messages and for relative paths.
 [[nodiscard]] Result<JobSpec> parse_job(std::string_view text, const std::filesystem::path& path);
 
+/// Makes the lines of [shots] the job's body B, and their bundles its poses.
+void take_shots(ShotsSpec shots, JobSpec& spec);
+
 /// Returns the name of a body in exports: its name in the job, or else "a" or "b".
 [[nodiscard]] std::string export_name(const JobSpec& spec, std::size_t body);
 

@@ -1,6 +1,7 @@
 // The poses of a job's bodies, as the job file gives them.
 #pragma once
 
+#include "client/bundle/shot_plan.hpp"
 #include "common/job/poses/pose_source.hpp"
 
 #include <array>
@@ -39,7 +40,8 @@ struct GridSpec {
     std::string unit = {}; ///< Unit of the axes x, y and z; empty: the job's.
 };
 
-using PosesSpec = std::variant<PoseFileSpec, GridSpec, RandomPoses>;
+/// [shots] gives the poses of its bundle, and the bundle is body B.
+using PosesSpec = std::variant<PoseFileSpec, GridSpec, RandomPoses, ShotsSpec>;
 
 /// Reads the table [poses] of a job with two bodies. `unit` is the job's, `file` the job file.
 /// Throws a `Refusal`.

@@ -8,6 +8,25 @@ namespace {
 
 constexpr std::string_view distance_word = asked_levels.back();
 
+std::optional<QueryConflict> conflict_of_shots(const Query& query) {
+    if (query.level != Level::Count && query.level != Level::Pairs) {
+        return QueryConflict{"level",
+                             "lines of [shots] are asked at level count or pairs; set one of "
+                             "these"};
+    }
+    if (query.clearance) {
+        return QueryConflict{"clearance",
+                             "a line of [shots] hits a triangle or does not, however near it is; "
+                             "leave out clearance, or write [b] and [poses] instead of [shots]"};
+    }
+    if (query.up_to) {
+        return QueryConflict{"up_to",
+                             "up_to belongs to level distance, which lines of [shots] do not have; "
+                             "leave out up_to"};
+    }
+    return std::nullopt;
+}
+
 } // namespace
 
 std::string_view asked_level(const Query& query) {
@@ -21,11 +40,16 @@ bool set_asked_level(std::string_view word, Query& query) {
         return false;
     }
     query.level = *level;
-    query.question = is_distance ? Question::Distance : Question::Contacts;
+    if (query.question != Question::Shots) {
+        query.question = is_distance ? Question::Distance : Question::Contacts;
+    }
     return true;
 }
 
 std::optional<QueryConflict> conflict_in(const Query& query) {
+    if (query.question == Question::Shots) {
+        return conflict_of_shots(query);
+    }
     if (query.question != Question::Distance) {
         return query.up_to ? std::optional(QueryConflict{
                                  "up_to",

@@ -18,8 +18,9 @@ inline constexpr std::array<std::string_view, 5> asked_levels{
 /// Returns the word for what a query asks.
 [[nodiscard]] std::string_view asked_level(const Query& query);
 
-/// Sets the level and the question that `word` stands for. Returns false if it is none of
-/// `asked_levels`.
+/// Sets the level and the question that `word` stands for; the question of shots stays, and with
+/// the word of the distance it has a level that `conflict_in` refuses. Returns false if it is none
+/// of `asked_levels`.
 [[nodiscard]] bool set_asked_level(std::string_view word, Query& query);
 
 /// A key of [query] that does not go together with the level.
@@ -29,7 +30,8 @@ struct QueryConflict {
 };
 
 /// Returns the first key that the query may not have: clearance, limit_pairs and maps of a
-/// distance, and up_to of anything else.
+/// distance, another level than count and pairs and a clearance of shots, and up_to of anything
+/// but a distance.
 [[nodiscard]] std::optional<QueryConflict> conflict_in(const Query& query);
 
 /// Refuses maps at `level any`. Errors: BadInput.

@@ -3,6 +3,7 @@
 
 #include "common/core/limits/engine.hpp"
 #include "common/search/contact_search.hpp"
+#include "common/shots/segment_hit.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -18,6 +19,7 @@ struct KeptSearch {
     std::unique_ptr<ContactSearch> search; ///< Created by the first scenario with a pair.
     /// Index of the pair in which the last run at `level any` found a contact; empty without one.
     std::optional<std::size_t> touching;
+    std::optional<SegmentHit> lines; ///< With Question::Shots; created by the first hit.
 };
 
 /// One search for each pair of trees, of at most `limits::searches_kept_max` pairs: those used

@@ -22,6 +22,10 @@ std::optional<Level> level_from_text(std::string_view text) {
 }
 
 const char* query_problem(const Query& query) {
+    if (query.question != Question::Contacts && query.question != Question::Distance &&
+        query.question != Question::Shots) {
+        return "an unknown question";
+    }
     if (query.clearance && !is_clearance(*query.clearance)) {
         return "a clearance that is negative or not finite";
     }
@@ -31,7 +35,14 @@ const char* query_problem(const Query& query) {
     if (!are_in_order(query.ignored)) {
         return "ignored parts whose bodies are not in order";
     }
+    if (query.first_hits && query.question != Question::Shots) {
+        return "first hits without the question of shots";
+    }
     if (query.question != Question::Distance) {
+        const bool is_level = query.level == Level::Count || query.level == Level::Pairs;
+        if (query.question == Question::Shots && (!is_level || query.clearance)) {
+            return "shots with a clearance, or at another level than count and pairs";
+        }
         return query.up_to ? "an up_to without the question of the distance" : nullptr;
     }
     const bool asks_more =

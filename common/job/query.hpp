@@ -31,6 +31,7 @@ inline constexpr std::array<std::string_view, 4> level_names{"any", "count", "pa
 enum class Question : std::uint8_t {
     Contacts = 0, ///< Which triangles touch, or are near, in the detail of the level.
     Distance = 1, ///< How far the bodies are from each other, at level any.
+    Shots = 3,    ///< Where the lines of body B meet A, at levels count and pairs.
 };
 
 struct Query {
@@ -39,7 +40,7 @@ struct Query {
         0; ///< A result lists at most this many pairs, the first in sorted order; 0: all.
     std::vector<IgnoredRange> ignored; ///< In order (`are_in_order`).
     /// At `level count` and above: whether the job counts, for each triangle, the scenarios in
-    /// which the triangle is in contact or near.
+    /// which the triangle is in contact or near. With Question::Shots it counts the crossings.
     bool maps = false;
     /// Also finds pairs that share no point but are at most this far from each other, in the world
     /// and in the job's unit (`is_clearance`).
@@ -48,6 +49,8 @@ struct Query {
     /// Bodies that are farther apart than this, in the world, get no distance (`is_clearance`);
     /// only with Question::Distance.
     std::optional<double> up_to = std::nullopt;
+    /// Of each line, only the first hit that crosses counts; only with Question::Shots.
+    bool first_hits = false;
 };
 
 /// Whether a number may be a query's clearance: it is finite and at least 0.
@@ -55,10 +58,11 @@ struct Query {
     return std::isfinite(value) && value >= 0;
 }
 
-/// Returns what no job may ask in this query: a clearance or an up_to that is no length, an up_to
-/// of contacts, a distance with a level above any, a clearance, maps or limit_pairs, or ignored
-/// ranges that are not in order. Null if there is nothing. All that read a query from bytes that
-/// others wrote call this.
+/// Returns what no job may ask in this query: a question that does not exist, a clearance or an
+/// up_to that is no length, an up_to of contacts, a distance with a level above any, a clearance,
+/// maps or limit_pairs, shots at another level than count and pairs or with a clearance, first hits
+/// of another question, or ignored ranges that are not in order. Null if there is nothing. All that
+/// read a query from bytes that others wrote call this.
 [[nodiscard]] const char* query_problem(const Query& query);
 
 } // namespace cd

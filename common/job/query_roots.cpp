@@ -9,7 +9,7 @@ namespace {
 
 /// Returns how far apart in the world triangles may be that matter for the answer.
 double reach_of(const TreeTop& a, const TreeTop& b, const Scenario& scenario, const Query& query) {
-    if (query.question == Question::Contacts) {
+    if (query.question != Question::Distance) {
         return query.clearance.value_or(0);
     }
     const double up_to = query.up_to.value_or(std::numeric_limits<double>::infinity());

@@ -1,6 +1,7 @@
 #include "common/job/run_scenario.hpp"
 
 #include "common/core/limits/engine.hpp"
+#include "common/job/run_shots.hpp"
 #include "common/job/settle.hpp"
 #include "common/search/contact_search.hpp"
 
@@ -184,7 +185,8 @@ bool add_all_points(FoundContacts& found, const StopCheck& stop, ScenarioResult&
 /// Returns how many pairs the search has to keep: `limit_pairs`, or, for a map or without that
 /// limit, one more than a record can hold, which `fail_above_limit` then turns into a failure.
 std::uint64_t pairs_worth_keeping(const Query& query) {
-    if (query.limit_pairs != 0 && !query.maps) {
+    const bool is_shots = query.question == Question::Shots; // Ranks need all hits of a line.
+    if (query.limit_pairs != 0 && !query.maps && !is_shots) {
         return query.limit_pairs;
     }
     constexpr std::uint64_t pair_bytes = 2 * sizeof(std::uint32_t) + 1;
@@ -223,9 +225,12 @@ bool find_pairs(std::span<const SubtreePair> pairs,
 
 SearchOptions search_options(const Query& query, const RunOptions& options) {
     SearchOptions search;
-    search.only_touches = query.level == Level::Count && !query.maps && options.keep_touches;
-    search.keep_pairs = query.level >= Level::Pairs || query.maps || search.only_touches;
-    search.keep_corners = query.level == Level::Contacts;
+    const bool is_shots = query.question == Question::Shots;
+    search.only_touches =
+        query.level == Level::Count && !query.maps && !is_shots && options.keep_touches;
+    search.keep_pairs = query.level >= Level::Pairs || query.maps || search.only_touches ||
+                        (is_shots && needs_hits(query));
+    search.keep_corners = query.level == Level::Contacts || (is_shots && needs_hits(query));
     search.pairs_max = pairs_worth_keeping(query);
     search.clearance = query.clearance;
     if (query.question == Question::Distance) {
@@ -235,6 +240,33 @@ SearchOptions search_options(const Query& query, const RunOptions& options) {
     search.decision = options.decision;
     search.stop = options.stop;
     return search;
+}
+
+/// Returns false if `stop` ended a computation after the search.
+bool find_answer(KeptSearch& kept,
+                 std::span<const SubtreePair> pairs,
+                 const Scenario& scenario,
+                 const Query& query,
+                 const RunOptions& options,
+                 ScenarioRun& run) {
+    ContactSearch& search = *kept.search;
+    if (query.question == Question::Shots) {
+        return find_shots(kept, pairs, scenario, query, options, run);
+    }
+    switch (query.level) {
+    case Level::Any:
+        kept.touching = query.question == Question::Distance
+                            ? find_distance(pairs, search, run.result)
+                            : find_any(pairs, search, run.result);
+        break;
+    case Level::Count:
+        find_count(pairs, scenario, query, search, run);
+        break;
+    case Level::Pairs:
+    case Level::Contacts:
+        return find_pairs(pairs, scenario, query, options.stop, search, run);
+    }
+    return true;
 }
 
 ScenarioRun stopped_run(const Scenario& scenario, const Query& query) {
@@ -276,23 +308,8 @@ ScenarioRun run_on_subtrees(KeptSearch& kept,
         kept.search = make_search(
             pairs[0].a, pairs[0].b, scenario.poses, ignored, search_options(query, options));
     }
-    ContactSearch& search = *kept.search;
-    bool is_whole = true;
-    switch (query.level) {
-    case Level::Any:
-        kept.touching = query.question == Question::Distance
-                            ? find_distance(pairs, search, run.result)
-                            : find_any(pairs, search, run.result);
-        break;
-    case Level::Count:
-        find_count(pairs, scenario, query, search, run);
-        break;
-    case Level::Pairs:
-    case Level::Contacts:
-        is_whole = find_pairs(pairs, scenario, query, options.stop, search, run);
-        break;
-    }
-    const SearchReport report = search.report();
+    const bool is_whole = find_answer(kept, pairs, scenario, query, options, run);
+    const SearchReport report = kept.search->report();
     if (report.is_stopped || !is_whole) {
         return stopped_run(scenario, query);
     }

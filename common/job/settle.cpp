@@ -116,7 +116,8 @@ bool Settler::is_work(const ScenarioResult& result) const {
     const bool may_change = result.kind == ScenarioClass::Separate ||
                             result.kind == ScenarioClass::Near ||
                             result.kind == ScenarioClass::Touch;
-    return may_change && are_closed(result.body_a, result.body_b);
+    return may_change && result.question != Question::Shots &&
+           are_closed(result.body_a, result.body_b);
 }
 
 bool Settler::may_be_inside(const Scenario& scenario, const RelativePose* b_to_a) const {
@@ -162,7 +163,7 @@ InsideStatistics Settler::settle(const Scenario& scenario,
                                  ScenarioResult& result,
                                  const SettleOptions& options) const {
     using Clock = std::chrono::steady_clock;
-    if (result.kind == ScenarioClass::Failed) {
+    if (result.kind == ScenarioClass::Failed || result.question == Question::Shots) {
         return {};
     }
     const bool is_closed = are_closed(scenario.body_a, scenario.body_b);

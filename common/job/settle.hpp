@@ -30,8 +30,8 @@ struct SettleOptions {
 };
 
 /// Refines the class of results of `run_on_subtrees` with the whole bodies (docs/formats.md).
-/// The pairs of a result name triangles of the scenario's two bodies. One settler serves all
-/// scenarios of a job.
+/// Results of Question::Shots stay as they are. The pairs of a result name triangles of the
+/// scenario's two bodies. One settler serves all scenarios of a job.
 ///
 /// If one of the two bodies is open, only `surfaces_only` is set. For two closed bodies the class
 /// becomes:

@@ -6,6 +6,7 @@
 #include "common/job/result/packed_records.hpp"
 #include "common/job/settle.hpp"
 #include "master/base/mutation.hpp"
+#include "master/compute/hit_check.hpp"
 
 #include <algorithm>
 #include <optional>
@@ -131,6 +132,9 @@ const char* problem_of_result(const JobMaterial& material,
                               const ScenarioResult& result) {
     const char* problem = problem_of_question(material.query, scenario, result);
     problem = problem != nullptr ? problem : problem_of_pairs(material, result);
+    if (problem == nullptr && result.question == Question::Shots) {
+        return problem_of_hits(material, result);
+    }
     return problem != nullptr ? problem : problem_of_distance(material, result);
 }
 
@@ -210,21 +214,26 @@ Status check_triangles(std::uint64_t scenarios, const ContactMap& map) {
 Result<ContactMap> checked_map(const JobMaterial& material,
                                std::span<const TakenResult> results,
                                std::span<const std::byte> packed) {
-    const auto scenarios = static_cast<std::uint64_t>(
-        std::count_if(results.begin(), results.end(), [](const TakenResult& one) {
-            return one.result.pair_count > 0 || one.result.near_count > 0;
-        }));
+    const bool are_shots = material.query.question == Question::Shots;
+    std::uint64_t pairs = 0;
+    std::uint64_t scenarios = 0;
+    for (const TakenResult& one : results) {
+        pairs += one.result.pair_count + one.result.near_count;
+        scenarios += one.result.pair_count + one.result.near_count > 0 ? 1 : 0;
+    }
     ContactMapBounds bounds{0, 0, scenarios};
     if (material.query.maps) {
         bounds.triangles_a = material.triangles_of(0); // A job with maps has two bodies.
         bounds.triangles_b = material.triangles_of(1);
+        bounds.crossings = are_shots ? std::min(pairs, limits::map_crossings_max) : 0;
     }
     Result<ContactMap> map = unpack_map(packed, bounds);
     if (!map) {
         return map.error();
     }
     if (material.query.maps) {
-        const Status marked = check_triangles(scenarios, map.value());
+        const Status marked = are_shots ? check_crossings(material.query, results, map.value())
+                                        : check_triangles(scenarios, map.value());
         if (!marked) {
             return marked.error();
         }
@@ -233,7 +242,9 @@ Result<ContactMap> checked_map(const JobMaterial& material,
         map.value().parts = {};
         return map;
     }
-    const Status summed = check_parts(*material.parts, results, scenarios, map.value().parts);
+    const std::uint64_t counted =
+        are_shots ? crossed_scenarios(material.query, results) : scenarios;
+    const Status summed = check_parts(*material.parts, results, counted, map.value().parts);
     return summed ? std::move(map) : summed.error();
 }
 

@@ -34,6 +34,7 @@ void put_query(ByteWriter& out, const Query& query) {
     put_optional(out, query.clearance);
     put_enumeration(out, query.question);
     put_optional(out, query.up_to);
+    out.put(query.first_hits);
 }
 
 bool get_query(ByteReader& in, Query& query) {
@@ -57,8 +58,9 @@ bool get_query(ByteReader& in, Query& query) {
     }
     query.maps = in.get<std::uint8_t>() != 0;
     query.clearance = get_optional<double>(in);
-    const bool is_question = get_enumeration(in, query.question, Question::Distance);
+    const bool is_question = get_enumeration(in, query.question, Question::Shots);
     query.up_to = get_optional<double>(in);
+    query.first_hits = in.get<std::uint8_t>() != 0;
     return is_question && query_problem(query) == nullptr;
 }
 
@@ -180,6 +182,26 @@ JobBody get_body(ByteReader& in) {
     return body;
 }
 
+void put_shots(ByteWriter& out, const ShotsOrigin& shots) {
+    out.put(shots.spacing);
+    out.put(shots.tile);
+    out.put(shots.offset[0]);
+    out.put(shots.offset[1]);
+    put_optional(out, shots.jitter_seed);
+    out.put(shots.are_rays);
+}
+
+ShotsOrigin get_shots(ByteReader& in) {
+    ShotsOrigin shots;
+    shots.spacing = in.get<double>();
+    shots.tile = in.get<std::uint32_t>();
+    shots.offset[0] = in.get<double>();
+    shots.offset[1] = in.get<double>();
+    shots.jitter_seed = get_optional<std::uint64_t>(in);
+    shots.are_rays = in.get<std::uint8_t>() != 0;
+    return shots;
+}
+
 void put_origin(ByteWriter& out, const PosesOrigin& origin) {
     put_enumeration(out, origin.kind);
     out.put(origin.random.has_value());
@@ -201,10 +223,12 @@ void put_origin(ByteWriter& out, const PosesOrigin& origin) {
         out.put(axis.last);
         out.put(axis.count);
     }
+    out.put(origin.shots.has_value());
+    put_shots(out, origin.shots.value_or(ShotsOrigin{}));
 }
 
 bool get_origin(ByteReader& in, PosesOrigin& origin) {
-    const bool is_kind = get_enumeration(in, origin.kind, PosesKind::Random);
+    const bool is_kind = get_enumeration(in, origin.kind, PosesKind::Shots);
     const bool is_random = in.get<std::uint8_t>() != 0;
     RandomPoses random;
     random.count = in.get<std::uint64_t>();
@@ -231,6 +255,11 @@ bool get_origin(ByteReader& in, PosesOrigin& origin) {
         axis.last = in.get<double>();
         axis.count = in.get<std::uint64_t>();
         origin.axes.push_back(axis);
+    }
+    const bool is_shots = in.get<std::uint8_t>() != 0;
+    const ShotsOrigin shots = get_shots(in);
+    if (is_shots) {
+        origin.shots = shots;
     }
     return is_kind && are_ids;
 }

@@ -58,6 +58,7 @@ Status check_text(const std::string& what, const std::string& text, std::size_t 
 }
 
 constexpr std::size_t grid_axes = 6;
+constexpr std::size_t shot_axes = 2;
 
 /// Checks the fields that describe the job to people and do not affect its results.
 Status check_origin(const Submit& submit) {
@@ -66,8 +67,18 @@ Status check_origin(const Submit& submit) {
                      std::to_string(submit.ignore.size()) + " lines of ignored parts; at most " +
                          std::to_string(limits::ignored_ranges_max) + " are taken"};
     }
-    if (!submit.poses.axes.empty() && submit.poses.axes.size() != grid_axes) {
-        return bad("a grid has six axes, not " + std::to_string(submit.poses.axes.size()));
+    const bool are_shots = submit.poses.kind == PosesKind::Shots;
+    if (submit.poses.shots.has_value() != are_shots) {
+        return bad("a job tells its lines if its poses are of kind shots, and only then");
+    }
+    if (are_shots && submit.query.question != Question::Shots) {
+        return bad("a job with lines asks for their hits, and not for anything else");
+    }
+    const std::size_t axes = are_shots ? shot_axes : grid_axes;
+    if (!submit.poses.axes.empty() && submit.poses.axes.size() != axes) {
+        return bad(
+            std::string(are_shots ? "lines have two axes, not " : "a grid has six axes, not ") +
+            std::to_string(submit.poses.axes.size()));
     }
     return Done{};
 }

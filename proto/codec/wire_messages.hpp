@@ -15,8 +15,8 @@ template <class Archive>
 void serialize(Archive& archive, Query& query) {
     enumeration(archive, query.level, Level::Any, Level::Contacts);
     archive(query.limit_pairs, query.ignored, query.maps, query.clearance);
-    enumeration(archive, query.question, Question::Contacts, Question::Distance);
-    archive(query.up_to);
+    enumeration(archive, query.question, Question::Contacts, Question::Shots);
+    archive(query.up_to, query.first_hits);
 }
 
 template <class Archive>
@@ -275,10 +275,15 @@ void serialize(Archive& archive, GridAxis& a) {
 }
 
 template <class Archive>
+void serialize(Archive& archive, ShotsOrigin& o) {
+    archive(o.spacing, o.tile, o.offset, o.jitter_seed, o.are_rays);
+}
+
+template <class Archive>
 void serialize(Archive& archive, PosesOrigin& o) {
-    enumeration(archive, o.kind, PosesKind::Grid, PosesKind::Random);
+    enumeration(archive, o.kind, PosesKind::Grid, PosesKind::Shots);
     archive(o.random, o.file, o.quat_order, o.of_both_bodies, o.rigid_tolerance, o.labels);
-    archive(o.unit, o.axes);
+    archive(o.unit, o.axes, o.shots);
 }
 
 template <class Archive>

@@ -14,6 +14,7 @@
 #include "proto/messages/session_messages.hpp"
 #include "proto/messages/traffic.hpp"
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -58,23 +59,35 @@ struct JobBody {
     friend bool operator==(const JobBody&, const JobBody&) = default;
 };
 
-enum class PosesKind : std::uint8_t { Grid = 0, File = 1, Random = 2 };
+enum class PosesKind : std::uint8_t { Grid = 0, File = 1, Random = 2, Shots = 3 };
+
+/// The table [shots] of a job, beside its directions and its file.
+struct ShotsOrigin {
+    double spacing = 0;     ///< Between lines of a grid, in the job's unit; 0: lines of a file.
+    std::uint32_t tile = 0; ///< Lines along a side of a bundle.
+    std::array<double, 2> offset{}; ///< Of each line in its cell, as shares of the cell's side.
+    std::optional<std::uint64_t> jitter_seed = {}; ///< If set, lines lie at random in their cells.
+    bool are_rays = false; ///< The file has starts and directions, else both ends.
+
+    friend bool operator==(const ShotsOrigin&, const ShotsOrigin&) = default;
+};
 
 /// The origin of a job's poses, used when the job is opened again.
 struct PosesOrigin {
     PosesKind kind = PosesKind::File;
     std::optional<RandomPoses> random = {}; ///< For kind Random only.
-    std::string file = {};                  ///< Path for kind File; "-": standard input.
-    std::string quat_order = {};            ///< "xyzw" or "wxyz"; empty: the file's own order.
-    bool of_both_bodies = false;            ///< True: the file has poses of A and B, else of B.
+    std::string file = {};       ///< Path of poses, "-": standard input; for kind Shots of lines.
+    std::string quat_order = {}; ///< "xyzw" or "wxyz"; empty: the file's own order.
+    bool of_both_bodies = false; ///< True: the file has poses of A and B, else of B.
     /// How far a matrix or quaternion of the file may be from a rotation; empty: the default.
     std::optional<double> rigid_tolerance = {};
     LabelColumns labels = {}; ///< Labels sent with the poses.
     /// Unit of the file's translations or of the grid's positions; empty: the job's unit.
     std::string unit = {};
     /// Kind Grid: the axes x, y, z, then roll, pitch, yaw in degrees, as in the job. Empty if
-    /// unknown.
+    /// unknown. Kind Shots: the azimuths and the elevations in degrees.
     std::vector<GridAxis> axes = {};
+    std::optional<ShotsOrigin> shots = {}; ///< For kind Shots only.
 
     friend bool operator==(const PosesOrigin&, const PosesOrigin&) = default;
 };

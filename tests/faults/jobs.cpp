@@ -37,6 +37,25 @@ Query of_distance() {
     return query;
 }
 
+Query of_lines() {
+    Query query = at_level(Level::Count, true);
+    query.question = Question::Shots;
+    return query;
+}
+
+/// Makes a square of lines through the middle.
+Mesh some_lines() {
+    MeshArrays arrays;
+    for (std::uint32_t i = 0; i < 64; ++i) {
+        const double y = (i % 8) / 4.0 - 0.875;
+        const double z = (i / 8) / 4.0 - 0.875;
+        arrays.vertices.emplace_back(4, y, z);
+        arrays.vertices.emplace_back(-4, y, z);
+        arrays.triangles.push_back({2 * i, 2 * i + 1, 2 * i + 1});
+    }
+    return Mesh::create(std::move(arrays)).value();
+}
+
 /// All of it is made before the first simulation, outside of any.
 struct Known {
     TemporaryFolder folder; ///< Stays empty; the files are in memory.
@@ -64,6 +83,7 @@ struct Known {
         add_list(torus, sphere, 200, at_level(Level::Count, true));
         add_list(torus, box, 60, with_clearance(Level::Count, 0.2));
         add_list(sphere, box, 60, of_distance());
+        add_list(torus, upload(some_lines()), 60, of_lines());
     }
 
     Sha256 upload(const Mesh& mesh) {

@@ -107,6 +107,7 @@ ContactMap right_map(const KnownJob& job, const std::set<std::uint64_t>& failed)
     ContactMapSum sum(job.parts);
     ScenarioResult result;
     result.level = job.submit.query.level;
+    result.question = job.submit.query.question;
     for (result.index = 0; result.index < job.pairs.size(); ++result.index) {
         if (!failed.contains(result.index)) {
             const auto& pairs = job.pairs[result.index];

@@ -1,6 +1,7 @@
 // Writes valid inputs of every target as the initial corpus:
 //
 // fuzz_seeds FOLDER
+#include "client/bundle/line_bundle.hpp"
 #include "client/folder/run_manifest.hpp"
 #include "client/formats/npy.hpp"
 #include "client/formats/npz.hpp"
@@ -187,9 +188,27 @@ std::vector<AskedScenario> asked_scenarios() {
     return all;
 }
 
+/// Adds the hits of four lines through a body, of which some pass through vertices.
+void add_shots(Seeds& seeds, const ObbTree& body) {
+    std::vector<LineEnds> ends;
+    for (const double x : {-1.4, -1.0, 0.6, 1.0}) {
+        ends.push_back({Vec3(x, 0, 2), Vec3(x, 0, -2)});
+    }
+    const ObbTree lines = tests::make_tree(line_mesh(ends).value());
+    Query query;
+    query.question = Question::Shots;
+    for (const Level level : {Level::Count, Level::Pairs}) {
+        query.level = level;
+        seeds.add("result",
+                  "shots_" + std::string(to_text(level)),
+                  encode_result(run_scenario(body, lines, Scenario{}, query).result));
+    }
+}
+
 void add_blocks_and_records(Seeds& seeds) {
     const ObbTree a = tests::make_tree(tests::make_torus(1.0, 0.4, 8, 6));
     const ObbTree b = tests::make_tree(tests::make_sphere(1));
+    add_shots(seeds, a);
     for (const std::uint32_t depth : {0u, 2u}) {
         const std::uint32_t root = cut_nodes(a, depth).front();
         const std::string name = "depth_" + std::to_string(depth);
@@ -328,10 +347,25 @@ level = "distance"
 up_to = 2.5
 )";
 
+constexpr std::string_view shots_job_text = R"([a]
+mesh = "a.obj"
+[shots]
+spacing = 0.25
+tile = 16
+offset = [0.25, 0.5]
+azimuth_deg = [0, 270, 4]
+elevation_deg = [-30, 90, 5]
+first = true
+[query]
+level = "count"
+maps = true
+)";
+
 void add_files(Seeds& seeds) {
     seeds.add("job_file", "all", job_text);
     seeds.add("job_file", "grid", grid_job_text);
     seeds.add("job_file", "distance", distance_job_text);
+    seeds.add("job_file", "shots", shots_job_text);
     seeds.add("csv_poses",
               "quaternions",
               "\0x,y,z,qx,qy,qz,qw,id\n# c\n1,2,3,0,0,0,1,7\n1e-3,-2,3,0,0.6,0,0.8,8\n"sv);
@@ -558,6 +592,8 @@ void add_folders(Seeds& seeds) {
     manifest.query.clearance.reset();
     const Query contacts = std::exchange(manifest.query, tests::some_distance_query());
     seeds.add("run_json", "distance", manifest_json(manifest));
+    manifest.query = tests::some_shots_query();
+    seeds.add("run_json", "shots", manifest_json(manifest));
     manifest.query = contacts;
     manifest.poses = {};
     manifest.poses.count = 4;

@@ -41,6 +41,15 @@ inline Query some_distance_query() {
     return query;
 }
 
+inline Query some_shots_query() {
+    Query query;
+    query.level = Level::Count;
+    query.maps = true;
+    query.question = Question::Shots;
+    query.first_hits = true;
+    return query;
+}
+
 inline QueryStatistics some_statistics() {
     QueryStatistics statistics;
     statistics.box_tests = 13;
@@ -139,7 +148,8 @@ inline Submit some_submit() {
                     0.125,
                     {IdKind::Text, true},
                     "mm",
-                    {{-1, 2, 3}}};
+                    {{-1, 2, 3}},
+                    ShotsOrigin{0.5, 64, {0.25, 0.75}, 9, true}};
     submit.scenarios = 1000;
     submit.grid = some_bytes(9);
     submit.retention_seconds = 86400;

@@ -13,10 +13,11 @@ LAYERS = {
     "common/geometry": ["common/core"],
     "common/pair": ["common/core", "common/geometry"],
     "common/distance": ["common/core", "common/geometry", "common/pair"],
+    "common/shots": ["common/core", "common/distance", "common/geometry", "common/pair"],
     "common/tree": ["common/core", "common/geometry", "common/pair"],
     "common/search": ["common/core", "common/distance", "common/geometry", "common/pair", "common/tree"],
     "common/solid": ["common/core", "common/distance", "common/geometry", "common/pair", "common/search", "common/tree"],
-    "common/job": ["common/core", "common/distance", "common/geometry", "common/pair", "common/search", "common/solid", "common/tree"],
+    "common/job": ["common/core", "common/distance", "common/geometry", "common/pair", "common/search", "common/shots", "common/solid", "common/tree"],
     "common/scene": ["common/core", "common/geometry", "common/job"],
     "proto/identity": [],
     "proto/messages": ["proto/identity"],
@@ -61,6 +62,7 @@ ORDERED = {
         "groups": [],
         "picture": [],
         "import": [],
+        "bundle": [],
         "spec": ["messages"],
         "trees": [],
         "poses": [],
@@ -102,7 +104,7 @@ def room_of(path):
 
 # A library may be included only from these files (prefixes of paths).
 DOORS = {
-    r"Eigen/": ["common/geometry", "common/pair", "common/distance", "common/tree", "common/search", "common/solid", "common/job", "client"],
+    r"Eigen/": ["common/geometry", "common/pair", "common/distance", "common/shots", "common/tree", "common/search", "common/solid", "common/job", "client"],
     r"openssl/": ["common/core/files/hash.cpp", "proto/identity/openssl.hpp", "proto/identity/certificate.cpp", "proto/channel/tls.cpp", "proto/channel/stream.cpp"],
     r"sqlite3\.h": ["master/journal/journal_database.cpp"],
     r"xxhash\.h": ["common/core/files/hash.cpp"],

@@ -28,7 +28,7 @@ std::string_view kind_text(PageOrigin::Kind kind) {
 }
 
 std::string_view kind_text(PosesKind kind) {
-    constexpr std::array<std::string_view, 3> names{"grid", "file", "random"};
+    constexpr std::array<std::string_view, 4> names{"grid", "file", "random", "shots"};
     return names[static_cast<std::size_t>(kind)];
 }
 
@@ -142,6 +142,9 @@ void add_question(Json& json, const Query& query) {
     if (query.question == Question::Distance) {
         json["question"] = "distance";
         json["up_to"] = or_null(query.up_to);
+    } else if (query.question == Question::Shots) {
+        json["question"] = "shots";
+        json["first_hits"] = query.first_hits;
     }
 }
 

@@ -34,6 +34,10 @@ inline constexpr std::uint64_t reader_memory_per_file_byte = 512;
 inline constexpr std::uint64_t reader_file_bytes_per_second = 1u << 20;
 inline constexpr int reader_real_seconds_each = 10; ///< Wall clock per second of processor time.
 
+// Bundles of lines.
+inline constexpr std::uint32_t bundle_side_max = 4096;      ///< Lines along a side of a tile.
+inline constexpr std::uint64_t bundle_poses_max = 1u << 24; ///< Poses of one bundle in a job.
+
 // Caches and results folders.
 /// Total size of the trees, and of the meshes, that a cache keeps between runs.
 inline constexpr std::uint64_t tree_cache_bytes_max = 4ull << 30;

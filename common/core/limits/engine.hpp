@@ -24,6 +24,8 @@ inline constexpr unsigned wide_tree_depth_max = 100;
 
 // Queries.
 inline constexpr std::uint64_t scenarios_max = 1ull << 40; ///< Scenarios of a job.
+/// Crossings of lines that a map counts for a triangle.
+inline constexpr std::uint64_t map_crossings_max = 1ull << 42;
 /// Colliding pairs of distribution roots of one scenario; a scenario with more fails.
 inline constexpr std::uint32_t root_pairs_max = 1u << 22;
 /// Searches that a thread keeps for further scenarios of their pairs of trees.

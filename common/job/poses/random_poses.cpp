@@ -1,4 +1,5 @@
 #include "common/core/check.hpp"
+#include "common/core/split_mix.hpp"
 #include "common/geometry/aabb.hpp"
 #include "common/job/poses/made_poses.hpp"
 #include "common/search/contact_search.hpp"
@@ -18,15 +19,6 @@ constexpr int approach_steps = 32;
 constexpr int bisection_steps = 10;
 /// Number of lines tried for one scenario. Bodies that collide on none can hardly collide at all.
 constexpr int lines_max = 64;
-
-/// SplitMix64: Steele, Lea, Flood, Fast splittable pseudorandom number generators (2014).
-std::uint64_t split_mix(std::uint64_t& state) {
-    state += 0x9e3779b97f4a7c15;
-    std::uint64_t z = state;
-    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9;
-    z = (z ^ (z >> 27)) * 0x94d049bb133111eb;
-    return z ^ (z >> 31);
-}
 
 /// The random numbers of one scenario, which depend on the seed and the index alone.
 class Random {

@@ -2,6 +2,7 @@
 
 #include "common/core/files/bytes.hpp"
 #include "common/geometry/number_sorter.hpp"
+#include "common/shots/line_hit.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -48,6 +49,16 @@ Entries counted(std::span<const std::uint32_t> ascending) {
 
 } // namespace
 
+std::vector<ContactPair> crossings_of(const ScenarioResult& result) {
+    std::vector<ContactPair> crossings;
+    for (std::size_t i = 0; i < result.hits.size(); ++i) {
+        if ((result.hits[i].flags & hit_flag::crosses) != 0) {
+            crossings.push_back(result.pairs[i]);
+        }
+    }
+    return crossings;
+}
+
 // ---- The sum of a task --------------------------------------------------------------------------
 
 struct ContactMapSum::Body {
@@ -67,10 +78,12 @@ struct ContactMapSum::State {
         body.sums = merged(body.sums, counted(body.touched));
         body.touched.clear();
     }
-    /// Counts each triangle in `triangles` once for `body`, and empties that list.
-    void touch(Body& body) {
+    /// Counts each triangle in `triangles` for `body`, and empties that list.
+    void touch(Body& body, Count count) {
         sorter.sort(triangles);
-        triangles.erase(std::unique(triangles.begin(), triangles.end()), triangles.end());
+        if (count == Count::Once) {
+            triangles.erase(std::unique(triangles.begin(), triangles.end()), triangles.end());
+        }
         body.touched.insert(body.touched.end(), triangles.begin(), triangles.end());
         triangles.clear();
         if (body.touched.size() >= std::max(touched_enough, body.sums.size())) {
@@ -94,15 +107,24 @@ ContactMapSum::State& ContactMapSum::state() {
 }
 
 void ContactMapSum::add(const ScenarioResult& result, std::span<const ContactPair> found) {
-    add(found);
-    const std::span<const ContactPair> counted =
-        result.level >= Level::Pairs ? std::span<const ContactPair>(result.pairs) : found;
-    if (parts_ != nullptr && !counted.empty()) {
+    const bool is_shots = result.question == Question::Shots;
+    add(found, is_shots ? Count::EachTime : Count::Once);
+    if (parts_ == nullptr) {
+        return;
+    }
+    const std::vector<ContactPair> crossings = crossings_of(result);
+    const std::span<const ContactPair> listed = is_shots ? crossings : result.pairs;
+    const std::span<const ContactPair> counted = result.level >= Level::Pairs ? listed : found;
+    if (!counted.empty()) {
         state().parts.add(result.index, counted);
     }
 }
 
 void ContactMapSum::add(std::span<const ContactPair> pairs) {
+    add(pairs, Count::Once);
+}
+
+void ContactMapSum::add(std::span<const ContactPair> pairs, Count count) {
     if (pairs.empty()) {
         return;
     }
@@ -110,11 +132,11 @@ void ContactMapSum::add(std::span<const ContactPair> pairs) {
     for (const ContactPair& pair : pairs) {
         s.triangles.push_back(pair.a);
     }
-    s.touch(s.bodies[0]);
+    s.touch(s.bodies[0], count);
     for (const ContactPair& pair : pairs) {
         s.triangles.push_back(pair.b);
     }
-    s.touch(s.bodies[1]);
+    s.touch(s.bodies[1], count);
 }
 
 void ContactMapSum::add(const ContactMap& map) {

@@ -36,6 +36,9 @@ struct ContactMap {
     friend bool operator==(const ContactMap&, const ContactMap&) = default;
 };
 
+/// Returns the listed pairs of a result of Question::Shots whose hits cross.
+[[nodiscard]] std::vector<ContactPair> crossings_of(const ScenarioResult& result);
+
 /// Sums the contacts and near pairs of a thread's or a task's scenarios. Memory: one number per
 /// touched triangle of each scenario, or a few numbers per distinct touched triangle, whichever is
 /// less; and `PartContactSum`.
@@ -48,8 +51,9 @@ class ContactMapSum {
     ~ContactMapSum();
 
     /// Adds a result of a job with maps; `found` has all pairs of its scenario, in any order. Each
-    /// triangle in them counts once. From `level pairs` on, the sums by part count the pairs that
-    /// the result lists.
+    /// triangle in them counts once. With Question::Shots `found` has the crossings, and each of
+    /// them counts. From `level pairs` on, the sums by part count the pairs that the result lists,
+    /// of hits of lines those that cross.
     void add(const ScenarioResult& result, std::span<const ContactPair> found);
     /// Adds all pairs of one scenario, in any order, without sums by part.
     void add(std::span<const ContactPair> pairs);
@@ -65,6 +69,9 @@ class ContactMapSum {
     struct Body;
     struct State;
     [[nodiscard]] State& state();
+    /// How often a triangle counts that several pairs of a scenario have.
+    enum class Count : std::uint8_t { Once, EachTime };
+    void add(std::span<const ContactPair> pairs, Count count);
     std::shared_ptr<const BodyPartRuns> parts_;
     std::unique_ptr<State> state_; ///< Null while the sum is empty.
 };

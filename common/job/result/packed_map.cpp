@@ -219,7 +219,8 @@ constexpr std::uint64_t parts_bytes_max =
 
 Result<ContactMap> unpack_map(std::span<const std::byte> packed, const ContactMapBounds& bounds) {
     // A triangle's step takes at most 5 bytes, its count at most 6; a body's header at most 10.
-    static_assert(limits::scenarios_max < std::uint64_t{1} << 42);
+    static_assert(limits::scenarios_max < std::uint64_t{1} << 42 &&
+                  limits::map_crossings_max <= std::uint64_t{1} << 42);
     const std::uint64_t bytes_max =
         11 * (bounds.triangles_a + bounds.triangles_b) + 20 + parts_bytes_max;
     const Result<Bytes> bytes = decompress(packed, bytes_max);
@@ -227,9 +228,9 @@ Result<ContactMap> unpack_map(std::span<const std::byte> packed, const ContactMa
         return bad_map();
     }
     ByteReader in(bytes.value());
-    auto a = get_entries<TriangleContacts>(in, bounds.triangles_a, bounds.scenarios);
-    auto b =
-        a ? get_entries<TriangleContacts>(in, bounds.triangles_b, bounds.scenarios) : std::nullopt;
+    const std::uint64_t most = std::max(bounds.scenarios, bounds.crossings);
+    auto a = get_entries<TriangleContacts>(in, bounds.triangles_a, most);
+    auto b = a ? get_entries<TriangleContacts>(in, bounds.triangles_b, most) : std::nullopt;
     auto parts = b ? get_parts(in, bounds.scenarios) : std::nullopt;
     if (!parts || !in.complete()) {
         return bad_map();

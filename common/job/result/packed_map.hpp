@@ -25,17 +25,23 @@ struct ContactMapBounds {
     std::uint64_t triangles_a = 0; ///< Number of triangles of the mesh of A.
     std::uint64_t triangles_b = 0;
     std::uint64_t scenarios = 0; ///< Number of scenarios that the map sums up.
+    /// With Question::Shots: the most crossings of a triangle, if more than `scenarios`; at most
+    /// `limits::map_crossings_max`.
+    std::uint64_t crossings = 0;
 };
 
-/// The bounds of any map that sums up so many scenarios.
+/// The bounds of any map that sums up so many scenarios, or the crossings in them.
 [[nodiscard]] constexpr ContactMapBounds any_map(std::uint64_t scenarios = limits::scenarios_max) {
-    return {limits::mesh_triangles_max, limits::mesh_triangles_max, scenarios};
+    return {limits::mesh_triangles_max,
+            limits::mesh_triangles_max,
+            scenarios,
+            limits::map_crossings_max};
 }
 
 /// Unpacks the bytes of `pack_map`. The bytes are untrusted: triangles must ascend and exist in the
-/// meshes, and no triangle and no part may have more scenarios than `bounds` allows. The sums by
-/// part do not contradict themselves, but their parts and scenarios need not exist. Memory is
-/// bounded by the largest valid map. Errors: BadFrame.
+/// meshes, and no triangle and no part may have more scenarios or crossings than `bounds` allows.
+/// The sums by part do not contradict themselves, but their parts and scenarios need not exist.
+/// Memory is bounded by the largest valid map. Errors: BadFrame.
 [[nodiscard]] Result<ContactMap> unpack_map(std::span<const std::byte> packed,
                                             const ContactMapBounds& bounds);
 

@@ -92,7 +92,7 @@ std::uint64_t bytes_of_record(const ScenarioResult& result) {
             ? 0
             : result.pairs.size() + point_bytes * (result.pairs.size() + result.points.size()) +
                   sizeof(double) * result.near_distances.size();
-    return head + pairs + points;
+    return head + pairs + points + hit_bytes * result.hits.size();
 }
 
 Error bad(const char* what) {
@@ -151,6 +151,11 @@ void put_body(ByteWriter& out, const ScenarioResult& result) {
         out.put(static_cast<std::uint32_t>(result.pairs.size()));
         put_pairs(out, result.pairs);
     }
+    if (result.question == Question::Shots) {
+        CD_CHECK(result.hits.size() == result.pairs.size());
+        put_hits(out, result.hits);
+        return;
+    }
     if (result.level >= Level::Contacts) {
         put_shared_points(out, result);
         put_numbers(out, result.near_distances);
@@ -173,10 +178,13 @@ Status get_question(ByteReader& in, ScenarioResult& result) {
         return Done{};
     }
     const auto question = in.get<std::uint8_t>();
-    if (from_version != version || question > static_cast<std::uint8_t>(Question::Distance)) {
+    result.question = static_cast<Question>(question);
+    const bool is_known = result.question == Question::Contacts ||
+                          result.question == Question::Distance ||
+                          result.question == Question::Shots;
+    if (from_version != version || !is_known) {
         return bad("unknown version or question");
     }
-    result.question = static_cast<Question>(question);
     result.has_clearance = result.question == Question::Contacts;
     return Done{};
 }
@@ -224,7 +232,9 @@ Status get_pairs(ByteReader& in, ScenarioResult& result) {
     if (in.failed()) {
         return bad("pairs cut short");
     }
-    const PairClass last_kind = result.has_clearance ? PairClass::Near : PairClass::Proper;
+    const PairClass last_kind = result.has_clearance                 ? PairClass::Near
+                                : result.question == Question::Shots ? PairClass::Touch
+                                                                     : PairClass::Proper;
     result.pairs.reserve(count);
     for (std::size_t i = 0; i < count; ++i) {
         if (kinds[i] < static_cast<std::uint8_t>(PairClass::Touch) ||
@@ -287,6 +297,9 @@ Status get_body(ByteReader& in, ScenarioResult& result) {
     if (result.level >= Level::Pairs) {
         CD_TRY(get_pairs(in, result));
     }
+    if (result.question == Question::Shots) {
+        return get_hits(in, result.pairs.size(), result.hits);
+    }
     if (result.level >= Level::Contacts) {
         CD_TRY(get_shared_points(in, result));
         CD_TRY(get_near_distances(in, result));
@@ -335,6 +348,7 @@ void fail_above_limit(ScenarioResult& result, std::uint64_t bytes_max) {
     const std::uint64_t bytes = fixed_bytes + pair_bytes * result.pairs.size() +
                                 point_bytes * (result.point_origins.size() + result.points.size()) +
                                 sizeof(double) * result.near_distances.size() +
+                                hit_bytes * result.hits.size() +
                                 sizeof(std::uint32_t) * result.point_offsets.size();
     if (bytes <= bytes_max) {
         return;

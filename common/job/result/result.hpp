@@ -7,6 +7,7 @@
 #include "common/geometry/types.hpp"
 #include "common/job/query.hpp"
 #include "common/job/result/nearest_witness.hpp"
+#include "common/job/result/pair_hit.hpp"
 #include "common/search/contact_pair.hpp"
 
 #include <cstddef>
@@ -19,7 +20,8 @@
 
 namespace cd {
 
-/// The class of a scenario (docs/formats.md). `level any` reports Contact for Touch and Cross.
+/// The class of a scenario (docs/formats.md). `level any` reports Contact for Touch and Cross, and
+/// Question::Shots for any hit.
 enum class ScenarioClass : std::uint8_t {
     Separate = 0,
     Touch = 1,
@@ -79,6 +81,8 @@ struct ScenarioResult : ScenarioHead {
     /// With Question::Distance, unless the bodies touch or are farther apart than the query's
     /// `up_to`.
     std::optional<NearestWitness> nearest;
+    /// With Question::Shots, for each pair in `pairs` its hit.
+    std::vector<PairHit> hits;
 
     std::string failure; ///< Reason for class Failed, which has no pairs.
 
@@ -102,6 +106,7 @@ struct ScenarioResult : ScenarioHead {
 ///     level contacts:   n x u8 points of the pair (at most 6; a near pair has 2); n x 3 f64
 ///     origins;
 ///                       points x 3 f64; version 3: f64 distance of each near pair
+///     question shots:   at level pairs: n f64 depths; n u8 flags; n u8 ranks
 ///     question distance, whose level is any: u8 1 if there is a distance, else 0; if 1: f64
 ///                       distance; u32 triangle of A; u32 triangle of B; u8 feature; 3 f64 origin;
 ///                       3 f64 point of A; 3 f64 point of B

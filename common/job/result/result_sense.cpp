@@ -43,6 +43,20 @@ Status check_distance(const ScenarioResult& result) {
     return Done{};
 }
 
+/// Checks a record of hits: some make a contact, and none are more than are counted.
+Status check_shots(const ScenarioResult& result) {
+    const bool is_level = result.level == Level::Count || result.level == Level::Pairs;
+    const bool is_class = result.kind == ScenarioClass::Contact
+                              ? result.pair_count > 0
+                              : result.pair_count == 0 && (result.kind == ScenarioClass::Separate ||
+                                                           result.kind == ScenarioClass::Failed);
+    if (!is_level || !is_class || result.pairs.size() > result.pair_count || result.surfaces_only ||
+        result.insides_skipped) {
+        return bad("hits that do not fit the level or class");
+    }
+    return Done{};
+}
+
 } // namespace
 
 std::uint64_t listed_near_pairs(const ScenarioResult& result) {
@@ -51,6 +65,9 @@ std::uint64_t listed_near_pairs(const ScenarioResult& result) {
 }
 
 Status check_sense(const ScenarioResult& result) {
+    if (result.question == Question::Shots) {
+        return check_shots(result);
+    }
     const bool is_any = result.level == Level::Any;
     const bool in_contact =
         result.kind == ScenarioClass::Touch || result.kind == ScenarioClass::Cross;

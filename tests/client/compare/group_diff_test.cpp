@@ -356,6 +356,22 @@ TEST_F(Diff, DistancesAreComparedByTheirBits) {
               "2,2,a,b,separate,separate,,,0.25,,distance\n");
 }
 
+TEST_F(Diff, HitsAreComparedByLineAndDepth) {
+    const auto changed = [&](const ScenarioResult& was, const ScenarioResult& is) {
+        RecordFile earlier = write_records(folder_ / "earlier", {was});
+        RecordFile later = write_records(folder_ / "later", {is});
+        ScenarioDiff diff(std::nullopt, {false, {"a", "lines"}});
+        const auto add = [&](const PairedResult& pair) { return diff.add(pair); };
+        EXPECT_TRUE(for_each_pair({earlier, 1}, {later, 1}, ScenarioMatch::by_index(1), {}, add));
+        return diff.counts().changed;
+    };
+    const ScenarioResult was = hits_at({{3, 0, 0.5}, {5, 1, 0.75}});
+    EXPECT_EQ(changed(was, hits_at({{2, 1, 0.75}, {9, 0, 0.5}})), 0u) << "other triangles";
+    EXPECT_EQ(changed(was, hits_at({{3, 0, 0.5}, {5, 1, std::nextafter(0.75, 1)}})), 1u);
+    EXPECT_EQ(changed(was, hits_at({{3, 0, 0.5}, {5, 2, 0.75}})), 1u) << "another line";
+    EXPECT_EQ(changed(was, hits_at({{3, 0, 0.5}})), 1u);
+}
+
 TEST_F(Diff, ADistanceIsNotComparedWithAnotherQuestion) {
     compare({result_with(0, {})}, {apart(0, 0.25)}, 1);
     EXPECT_EQ(scenarios_->counts().changed, 0u);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "common/job/result/record_file.hpp"
+#include "common/shots/line_hit.hpp"
 
 #include <gtest/gtest.h>
 
@@ -48,6 +49,26 @@ namespace cd::tests {
     result.level = Level::Any;
     if (distance) {
         result.nearest = NearestWitness{*distance, 0, 0, 0, {0, 0, 0}, {0, 0, 0}, {1, 0, 0}};
+    }
+    return result;
+}
+
+/// A hit of a line of B with a triangle of A.
+struct HitAt {
+    std::uint32_t triangle = 0;
+    std::uint32_t line = 0;
+    double depth = 0;
+};
+
+/// Makes a result of shot lines whose hits all enter; they ascend by triangle.
+[[nodiscard]] inline ScenarioResult hits_at(const std::vector<HitAt>& hits) {
+    ScenarioResult result;
+    result.question = Question::Shots;
+    result.kind = hits.empty() ? ScenarioClass::Separate : ScenarioClass::Contact;
+    result.pair_count = hits.size();
+    for (const HitAt& hit : hits) {
+        result.pairs.push_back({hit.triangle, hit.line, PairClass::Touch});
+        result.hits.push_back({hit.depth, hit_flag::crosses | hit_flag::front, 0});
     }
     return result;
 }

@@ -166,6 +166,30 @@ TEST(RunManifest, KeepsTheQuestionOfTheDistance) {
     EXPECT_FALSE(nlohmann::json::parse(manifest_json(contacts))["query"].contains("question"));
 }
 
+TEST(RunManifest, KeepsTheQuestionOfShots) {
+    RunManifest manifest = example(PosesKind::Shots);
+    manifest.query.level = Level::Pairs;
+    manifest.query.clearance.reset();
+    manifest.query.question = Question::Shots;
+    const RunManifest all = manifest;
+    manifest.query.first_hits = true;
+    const auto json = nlohmann::json::parse(manifest_json(manifest));
+    EXPECT_EQ(json["record_version"], 3);
+    EXPECT_EQ(json["poses"]["kind"], "shots");
+    EXPECT_EQ(json["query"]["question"], "shots");
+    const auto parsed = parse_manifest(json.dump());
+    ASSERT_TRUE(parsed) << parsed.error().detail;
+    EXPECT_EQ(parsed.value().poses.kind, PosesKind::Shots);
+    EXPECT_EQ(parsed.value().query.question, Question::Shots);
+    EXPECT_TRUE(parsed.value().query.first_hits);
+    EXPECT_TRUE(is_same_job(parsed.value(), manifest));
+    EXPECT_FALSE(is_same_job(parsed.value(), all));
+    auto distance = json;
+    distance["query"]["question"] = "distance";
+    distance["query"]["level"] = "any";
+    EXPECT_THAT(parse_manifest(distance.dump()).error().detail, HasSubstr("first hits without"));
+}
+
 TEST(RunManifest, RefusesQueriesThatNoJobAsks) {
     const auto json = nlohmann::json::parse(manifest_json(distance_example()));
     const auto refusal_with = [&](const char* key, const nlohmann::json& value) {
@@ -176,7 +200,8 @@ TEST(RunManifest, RefusesQueriesThatNoJobAsks) {
     };
     EXPECT_EQ(refusal_with("up_to", 0), "taken");
     EXPECT_THAT(refusal_with("up_to", -1), HasSubstr("up_to is out of range"));
-    EXPECT_THAT(refusal_with("question", "shots"), HasSubstr("use a later cdctl"));
+    EXPECT_THAT(refusal_with("question", "motion"), HasSubstr("use a later cdctl"));
+    EXPECT_THAT(refusal_with("question", "shots"), HasSubstr("shots with a clearance, or at"));
     EXPECT_THAT(refusal_with("level", "pairs"), HasSubstr("a distance with a level"));
     EXPECT_THAT(refusal_with("clearance", 1), HasSubstr("a distance with a level, clearance"));
     EXPECT_THAT(refusal_with("maps", true), HasSubstr("maps"));

@@ -79,4 +79,38 @@ TEST(Query, AskedForADistanceHasAnUpToAndIgnoredTrianglesAlone) {
     EXPECT_EQ(problem_with(distance_query(), [](Query& q) { q.limit_pairs = 1; }), more);
 }
 
+TEST(Query, AskedForShotsHasALevelLimitsAndMapsButNoClearance) {
+    Query shots;
+    shots.question = Question::Shots;
+    const std::string misfit = "shots with a clearance, or at another level than count and pairs";
+    for (const Level level : {Level::Count, Level::Pairs}) {
+        shots.level = level;
+        EXPECT_EQ(query_problem(shots), nullptr);
+        EXPECT_EQ(problem_with(shots, [](Query& q) { q.first_hits = true; }), "none");
+        EXPECT_EQ(problem_with(shots, [](Query& q) { q.maps = true; }), "none");
+        EXPECT_EQ(problem_with(shots, [](Query& q) { q.limit_pairs = 1; }), "none");
+        EXPECT_EQ(problem_with(shots, [](Query& q) { q.ignored = {{0, 1, 0, 1}}; }), "none");
+        EXPECT_EQ(problem_with(shots, [](Query& q) { q.clearance = 1; }), misfit);
+        EXPECT_EQ(problem_with(shots, [](Query& q) { q.up_to = 1; }),
+                  "an up_to without the question of the distance");
+    }
+    for (const Level level : {Level::Any, Level::Contacts}) {
+        EXPECT_EQ(problem_with(shots, [&](Query& q) { q.level = level; }), misfit);
+    }
+    Query contacts;
+    for (const Question question : {Question::Contacts, Question::Distance}) {
+        contacts.question = question;
+        EXPECT_EQ(problem_with(contacts, [](Query& q) { q.first_hits = true; }),
+                  "first hits without the question of shots");
+    }
+}
+
+TEST(Query, HasAQuestionThatExists) {
+    Query query;
+    for (const int question : {2, 4, 255}) {
+        query.question = static_cast<Question>(question);
+        EXPECT_STREQ(query_problem(query), "an unknown question") << question;
+    }
+}
+
 } // namespace cd::tests

@@ -53,6 +53,20 @@ TEST(Journal, TheRecordOfAJobHasItsQuestion) {
     EXPECT_FALSE(decode_job(encode_job(job)));
 }
 
+TEST(Journal, TheRecordOfAJobHasItsFirstHits) {
+    JobRecord job{JobId{3}, some_submit(), 7};
+    job.submit.query = some_shots_query();
+    const Bytes record = encode_job(job);
+    const auto read = decode_job(record);
+    ASSERT_TRUE(read) << read.error().detail;
+    EXPECT_EQ(read.value().submit.query.question, Question::Shots);
+    EXPECT_TRUE(read.value().submit.query.first_hits);
+    EXPECT_EQ(read.value().submit.poses, job.submit.poses);
+    expect_no_other_length(record, decode_job);
+    job.submit.query.question = Question::Contacts;
+    EXPECT_FALSE(decode_job(encode_job(job)));
+}
+
 TEST(Journal, CommittedEntriesAreRecovered) {
     const TemporaryFolder folder;
     Sha256 cluster;

@@ -51,7 +51,7 @@ constexpr std::array<Golden, std::variant_size_v<Message>> golden{{
     {"meshes missing", 40, "6a083ddafa5d3162"},
     {"mesh part", 133, "2325c9eac764b872"},
     {"mesh stored", 32, "ae216c2ef5247a37"},
-    {"submit", 516, "f3086696060072ec"},
+    {"submit", 556, "4d2f03a5033d9b20"},
     {"poses part", 153, "1c2dc9b035676d8e"},
     {"poses end", 0, "e3b0c44298fc1c14"},
     {"accepted", 8, "35be322d094f9d15"},
@@ -69,7 +69,7 @@ constexpr std::array<Golden, std::variant_size_v<Message>> golden{{
     {"peer fetched", 21, "81af26b24d9034b4"},
     {"explain", 16, "609f0a17cfd7829b"},
     {"explained", 230, "cc3c00c98726d102"},
-    {"add job", 151, "55f2a5ef0c9c941d"},
+    {"add job", 152, "0c07798150286bbb"},
     {"remove job", 8, "d86e8112f3c4c444"},
     {"results kept", 32, "85f896738b831cb7"},
     {"holding", 72, "e1381bfba176d2ec"},
@@ -86,7 +86,7 @@ constexpr std::array<Golden, std::variant_size_v<Message>> golden{{
     {"contact map query", 9, "39c4bda09747729a"},
     {"contact map", 55, "46a208d4be794e94"},
     {"job query", 8, "6cc16abd70eefb90"},
-    {"job description", 532, "272f1f8f2ba4d1b7"},
+    {"job description", 572, "5b6027f2967fe5bb"},
     {"mesh query", 40, "f7d21511aea24080"},
     {"mesh bytes", 116, "fccdf5c70818c47b"},
     {"poses query", 32, "f1efd35118dc9d45"},
@@ -419,10 +419,27 @@ TEST(Codec, AQueryHasAQuestionThatExistsAndAllowsTheRest) {
     };
     EXPECT_EQ(refusal_with(distance, 1), "");
     EXPECT_THAT(refusal_with(distance, 0), HasSubstr("an up_to without the question"));
-    EXPECT_NE(refusal_with(distance, 2), "");
+    EXPECT_THAT(refusal_with(distance, 2), HasSubstr("an unknown question"));
     EXPECT_EQ(refusal_with(counted, 0), "");
     EXPECT_THAT(refusal_with(counted, 1), HasSubstr("a distance with a level"));
     EXPECT_THAT(refusal_with(limited, 1), HasSubstr("limit_pairs"));
+}
+
+TEST(Codec, FirstHitsBelongToTheQuestionOfShots) {
+    Query all = some_shots_query();
+    all.first_hits = false;
+    AddJob add;
+    add.query = some_shots_query();
+    const Bytes bytes = encode_message(add);
+    const auto read = decode_message(message_type(add), bytes);
+    ASSERT_TRUE(read) << read.error().detail;
+    EXPECT_EQ(std::get<AddJob>(read.value()).query.question, Question::Shots);
+    EXPECT_TRUE(std::get<AddJob>(read.value()).query.first_hits);
+    Query counted = all;
+    counted.question = Question::Contacts;
+    Bytes changed = bytes;
+    changed.at(first_difference(all, counted)) = std::byte{0};
+    EXPECT_THAT(refusal_of(add, changed), HasSubstr("first hits without the question of shots"));
 }
 
 TEST(Codec, AWorkerHasNoMoreThreadsThanThereMayBe) {

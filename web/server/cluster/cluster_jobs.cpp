@@ -250,7 +250,8 @@ Result<std::vector<TriangleContacts>> map_of(ClusterReader& reader,
     const auto map = CD_TRY(unpack_map(answer.map,
                                        {trees[0]->mesh().triangles().size(),
                                         trees[1]->mesh().triangles().size(),
-                                        job.scenarios()}));
+                                        job.scenarios(),
+                                        limits::map_crossings_max}));
     if (body >= map.bodies.size()) {
         return Error{ErrorCode::NotFound, "there is no such body"};
     }

@@ -6,6 +6,7 @@
 #include "common/core/varint.hpp"
 #include "common/job/result/packed_map.hpp"
 #include "common/job/run_scenario.hpp"
+#include "common/shots/line_hit.hpp"
 #include "common/tree/build/build.hpp"
 #include "tests/support/shapes.hpp"
 
@@ -215,6 +216,40 @@ TEST(ContactMap, AListThatIsCutHasAMapOfAllItsPairs) {
         }
     }
     EXPECT_GT(cut, 50u);
+}
+
+TEST(ContactMap, SumsByPartCountListedHitsThatCross) {
+    ScenarioResult result;
+    result.question = Question::Shots;
+    result.kind = ScenarioClass::Contact;
+    result.pair_count = 3;
+    result.pairs = {{0, 0, PairClass::Touch}, {1, 0, PairClass::Touch}, {1, 1, PairClass::Touch}};
+    result.hits = {{1, hit_flag::crosses | hit_flag::front, 0},
+                   {1, hit_flag::front | hit_flag::edge, 0},
+                   {2, hit_flag::crosses | hit_flag::back, 0}};
+    EXPECT_EQ(crossings_of(result).size(), 2u);
+    ContactMapSum sum(std::make_shared<const BodyPartRuns>());
+    sum.add(result, {});
+    const ContactMap map = sum.take();
+    EXPECT_TRUE(map.bodies[0].empty()) << "the query has no maps";
+    ASSERT_EQ(map.parts.pairs.size(), 1u);
+    EXPECT_EQ(map.parts.pairs[0].pairs, 2u);
+    EXPECT_EQ(map.parts.pairs[0].scenarios, 1u);
+    result.hits[0].flags = result.hits[2].flags = 0;
+    sum.add(result, {});
+    EXPECT_TRUE(sum.take().empty()) << "lines that only graze";
+}
+
+TEST(PackedMap, ATriangleMayHaveMoreCrossingsThanScenarios) {
+    ContactMap map;
+    map.bodies[0] = {{2, 9}};
+    map.bodies[1] = {{0, 4}, {3, 5}};
+    ContactMapBounds bounds{3, 4, 1};
+    EXPECT_FALSE(unpack_map(pack_map(map), bounds));
+    bounds.crossings = 8;
+    EXPECT_FALSE(unpack_map(pack_map(map), bounds));
+    bounds.crossings = 9;
+    EXPECT_EQ(unpack_map(pack_map(map), bounds).value(), map);
 }
 
 } // namespace cd::tests

@@ -1,0 +1,100 @@
+#include "client/document/shots_sections.hpp"
+
+#include "common/core/errors.hpp"
+#include "common/core/words.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+#include <span>
+
+namespace cd {
+
+namespace {
+
+constexpr std::size_t parts_max = 100;
+
+} // namespace
+
+Result<ShotsSections>
+ShotsSections::read(const RecordFile& records, const PreparedJob& job, const StopCheck& stop) {
+    const auto given = views_of(job.spec.poses, *job.meshes[0]);
+    const auto views = given ? given : std::make_shared<const ShotViews>();
+    const auto finder = make_finder(*job.meshes[0], job.meshes[1], *views);
+    ShotSums sums(finder, *views, job.spec.unit);
+    ThicknessPictures pictures(finder, views);
+    CD_TRY(records.for_each([&](const KeptRecord& record) -> Status {
+        if (stop && stop()) {
+            return interrupted();
+        }
+        sums.add(record.result);
+        pictures.add(record.result);
+        return Done{};
+    }));
+    ShotsSections sections;
+    sections.unit_ = job.spec.unit;
+    sections.parts_ = sums.parts();
+    sections.directions_ = views->count();
+    for (std::uint32_t i = 0; i < pictures.count(); ++i) {
+        const ShotView& view = views->view(i);
+        View shown;
+        shown.png = CD_TRY(png_bytes(pictures.image(i)));
+        shown.caption = fmt::format("azimuth {:.6g}, elevation {:.6g}: at most {} thick",
+                                    view.azimuth_deg,
+                                    view.elevation_deg,
+                                    sections.length(pictures.largest(i)));
+        sections.views_.push_back(std::move(shown));
+    }
+    return sections;
+}
+
+std::string ShotsSections::length(double value) const {
+    return fmt::format("{:.6g} {}", value, unit_);
+}
+
+Html ShotsSections::parts() const {
+    if (parts_.empty()) {
+        return html_section("Parts that lines cross", paragraph("No line crosses A."));
+    }
+    std::vector<std::vector<Html>> rows{html_texts(
+        {"part", "lines", "crossings", "seen area", "mean thickness", "largest thickness"})};
+    for (const ShotPart& part : std::span(parts_).first(std::min(parts_.size(), parts_max))) {
+        const std::string none = part.is_closed ? "" : "open";
+        rows.push_back(html_texts({short_name(part.name),
+                                   grouped(part.lines),
+                                   grouped(part.crossings),
+                                   part.area ? length(*part.area) + "\u00b2" : "",
+                                   part.thickness ? length((*part.thickness)[0]) : none,
+                                   part.thickness ? length((*part.thickness)[1]) : none}));
+    }
+    Html content = paragraph("The seen area is that of the cells whose line crosses the part, in "
+                             "the mean over all directions. Only parts with a closed surface have "
+                             "a thickness: from where a line enters to where it leaves.");
+    content += html_table(rows, "groups");
+    if (parts_.size() > parts_max) {
+        content += paragraph(counted(parts_.size() - parts_max, "part") + " more in summary.json.");
+    }
+    return html_section("Parts that lines cross", content);
+}
+
+Html ShotsSections::pictures() const {
+    if (views_.empty()) {
+        return {};
+    }
+    Html figures;
+    for (const View& view : views_) {
+        figures += html_figure(view.png, Html::text(view.caption), view.caption);
+    }
+    Html content = paragraph("A as lines from each direction see it. The darker the blue, the "
+                             "thicker are all parts together; grey are surfaces without an "
+                             "inside, white is where no line crosses A." +
+                             (directions_ > views_.size()
+                                  ? " The first " + std::to_string(views_.size()) + " of " +
+                                        counted(directions_, "direction") + "."
+                                  : std::string()));
+    content += Html::element("div", figures, {{"class", "cards"}});
+    return html_section("Thickness", content);
+}
+
+} // namespace cd

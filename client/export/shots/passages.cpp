@@ -1,0 +1,123 @@
+#include "client/export/shots/passages.hpp"
+
+#include "common/geometry/topology.hpp"
+#include "common/shots/line_hit.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <span>
+#include <tuple>
+#include <unordered_map>
+#include <utility>
+
+namespace cd {
+
+namespace {
+
+/// Returns a mesh of some triangles of another one.
+Mesh cut_out(const Mesh& mesh, const std::vector<std::uint32_t>& triangles) {
+    MeshArrays arrays;
+    std::unordered_map<std::uint32_t, std::uint32_t> numbers;
+    for (const std::uint32_t triangle : triangles) {
+        Triangle renumbered{};
+        for (std::size_t corner = 0; corner < renumbered.size(); ++corner) {
+            const std::uint32_t vertex = mesh.triangles()[triangle][corner];
+            const auto next = static_cast<std::uint32_t>(arrays.vertices.size());
+            const auto [number, is_new] = numbers.try_emplace(vertex, next);
+            if (is_new) {
+                arrays.vertices.push_back(mesh.vertices()[vertex]);
+            }
+            renumbered[corner] = number->second;
+        }
+        arrays.triangles.push_back(renumbered);
+    }
+    return Mesh::create(std::move(arrays)).value();
+}
+
+std::vector<bool> closed_parts(const Mesh& mesh, const BodyParts& parts) {
+    std::vector<std::vector<std::uint32_t>> triangles(parts.count());
+    for (std::uint32_t i = 0; i < mesh.triangles().size(); ++i) {
+        triangles[parts.part_of(i)].push_back(i);
+    }
+    std::vector<bool> are_closed;
+    are_closed.reserve(triangles.size());
+    for (const std::vector<std::uint32_t>& of_part : triangles) {
+        are_closed.push_back(!of_part.empty() &&
+                             analyse_topology(cut_out(mesh, of_part)).is_closed());
+    }
+    return are_closed;
+}
+
+/// Returns the places of the hits that cross by line, and of each line in their exact order, which
+/// depth and rank tell; at one point those that leave come first.
+std::vector<std::size_t> crossings_along_lines(const ScenarioResult& result) {
+    std::vector<std::size_t> order;
+    for (std::size_t i = 0; i < result.hits.size(); ++i) {
+        if ((result.hits[i].flags & hit_flag::crosses) != 0) {
+            order.push_back(i);
+        }
+    }
+    const auto key = [&](std::size_t i) {
+        const PairHit& hit = result.hits[i];
+        const bool enters = (hit.flags & hit_flag::back) == 0;
+        return std::tuple(result.pairs[i].b, hit.depth, hit.rank, enters, result.pairs[i].a);
+    };
+    std::ranges::sort(order, {}, key);
+    return order;
+}
+
+} // namespace
+
+PassageFinder::PassageFinder(const Mesh& mesh, std::shared_ptr<const Mesh> lines)
+    : parts_(mesh),
+      are_closed_(closed_parts(mesh, parts_)),
+      boxes_(parts_.count()),
+      lines_(std::move(lines)) {
+    for (std::uint32_t i = 0; i < mesh.triangles().size(); ++i) {
+        for (const Vec3& corner : mesh.corners(i)) {
+            boxes_[parts_.part_of(i)].add(corner);
+        }
+    }
+}
+
+bool PassageFinder::starts_and_ends_outside(std::uint32_t line, std::uint32_t part) const {
+    if (lines_ == nullptr) {
+        return true;
+    }
+    const Aabb& box = boxes_[part];
+    const Corners ends = lines_->corners(line);
+    return std::ranges::none_of(ends, [&](const Vec3& end) {
+        return (end.array() >= box.min.array()).all() && (end.array() <= box.max.array()).all();
+    });
+}
+
+std::shared_ptr<const PassageFinder>
+make_finder(const Mesh& a, const std::shared_ptr<const Mesh>& lines, const ShotViews& views) {
+    const bool is_grid = views.cell_area() > 0;
+    return std::make_shared<const PassageFinder>(a, is_grid ? nullptr : lines);
+}
+
+std::vector<Passage> PassageFinder::passages(const ScenarioResult& result) const {
+    std::vector<Passage> passages;
+    std::unordered_map<std::uint32_t, std::size_t> begun; // By part, of the line at hand.
+    for (const std::size_t i : crossings_along_lines(result)) {
+        const ContactPair& pair = result.pairs[i];
+        if (!passages.empty() && passages.back().line != pair.b) {
+            begun.clear();
+        }
+        const std::uint32_t part = parts_.part_of(pair.a);
+        const Crossing crossing{pair.a, result.hits[i].depth};
+        if (const auto found = begun.find(part); found != begun.end()) {
+            passages[found->second].out = crossing;
+            begun.erase(found);
+            continue;
+        }
+        if (are_closed_[part] && !result.is_cut() && starts_and_ends_outside(pair.b, part)) {
+            begun.emplace(part, passages.size());
+        }
+        passages.push_back({pair.b, part, crossing, std::nullopt});
+    }
+    return passages;
+}
+
+} // namespace cd

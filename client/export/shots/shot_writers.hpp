@@ -1,0 +1,24 @@
+// Writes the hits of lines, one writer per format.
+#pragma once
+
+#include "client/export/result_writer.hpp"
+#include "client/export/shots/passages.hpp"
+#include "common/core/result.hpp"
+
+#include <filesystem>
+#include <memory>
+
+namespace cd {
+
+/// Writes shots.npz: every hit of every line; docs/shots.md describes its arrays.
+[[nodiscard]] std::unique_ptr<ResultWriter> make_shots_npz_writer(const ExportContext& context,
+                                                                  const std::filesystem::path& dir);
+
+/// Writes shotlines.csv: a row for each passage of a line through a part; docs/shots.md describes
+/// its columns. Errors: Io naming the file.
+[[nodiscard]] Result<std::unique_ptr<ResultWriter>>
+make_shotlines_writer(const ExportContext& context,
+                      std::shared_ptr<const PassageFinder> finder,
+                      const std::filesystem::path& dir);
+
+} // namespace cd

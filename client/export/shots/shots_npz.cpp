@@ -1,0 +1,72 @@
+#include "client/export/shots/shot_writers.hpp"
+#include "client/formats/npz.hpp"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace cd {
+
+namespace {
+
+class ShotsNpz final : public ResultWriter {
+  public:
+    ShotsNpz(const ExportContext& context, const std::filesystem::path& path)
+        : file_(path, context.stop),
+          index_(file_.add_array("index", NpyType::U8)),
+          offsets_(file_.add_array("offsets", NpyType::U8)),
+          hits_(file_.add_array("hits", NpyType::U4, 2)),
+          depth_(file_.add_array("depth", NpyType::F8)),
+          flags_(file_.add_array("flags", NpyType::U1)),
+          rank_(file_.add_array("rank", NpyType::U1)) {
+        append(offsets_, std::vector<std::uint64_t>{0});
+    }
+
+    Status add(const ScenarioResult& result) override {
+        std::vector<std::uint32_t> pairs;
+        std::vector<double> depths;
+        std::vector<std::uint8_t> flags;
+        std::vector<std::uint8_t> ranks;
+        for (std::size_t i = 0; i < result.hits.size(); ++i) {
+            pairs.insert(pairs.end(), {result.pairs[i].a, result.pairs[i].b});
+            depths.push_back(result.hits[i].depth);
+            flags.push_back(result.hits[i].flags);
+            ranks.push_back(result.hits[i].rank);
+        }
+        end_ += result.hits.size();
+        append(index_, std::vector<std::uint64_t>{result.index});
+        append(offsets_, std::vector<std::uint64_t>{end_});
+        append(hits_, pairs);
+        append(depth_, depths);
+        append(flags_, flags);
+        append(rank_, ranks);
+        return status_;
+    }
+
+    Status finish() override { return status_ ? file_.finish() : status_; }
+
+  private:
+    template <class T>
+    void append(std::size_t array, const std::vector<T>& values) {
+        status_ = status_ ? file_.append(array, std::span<const T>(values)) : status_;
+    }
+
+    NpzWriter file_;
+    std::size_t index_;
+    std::size_t offsets_;
+    std::size_t hits_;
+    std::size_t depth_;
+    std::size_t flags_;
+    std::size_t rank_;
+    std::uint64_t end_ = 0; ///< Number of hits so far.
+    Status status_ = Done{};
+};
+
+} // namespace
+
+std::unique_ptr<ResultWriter> make_shots_npz_writer(const ExportContext& context,
+                                                    const std::filesystem::path& dir) {
+    return std::make_unique<ShotsNpz>(context, dir / "shots.npz");
+}
+
+} // namespace cd

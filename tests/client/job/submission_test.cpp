@@ -1,0 +1,48 @@
+// Proves that a job of shot lines can be read from its submission.
+#include "client/job/submission.hpp"
+
+#include "client/folder/job_text.hpp"
+#include "common/job/poses/pose_source.hpp"
+#include "tests/support/shapes.hpp"
+
+#include <gtest/gtest.h>
+
+namespace cd::tests {
+
+namespace {
+
+PreparedJob job_of(const std::string& shots) {
+    PreparedJob job;
+    job.spec = parse_job("name = \"rays\"\n[a]\nmesh = \"/a.obj\"\n[shots]\n" + shots, "/job.toml")
+                   .value();
+    job.meshes[0] = job.meshes[1] = share(make_gridded_box(Vec3(1, 1, 1), 1));
+    job.query = job.spec.query;
+    job.poses = make_list_source(std::vector<Scenario>(3));
+    return job;
+}
+
+} // namespace
+
+TEST(Submission, TellsTheLinesOfTheJob) {
+    for (const std::string shots :
+         {"spacing = 0.5\ntile = 16\noffset = [0.25, 0.75]\nazimuth_deg = [0, 270, 4]\n",
+          "spacing = 2\njitter = { seed = 5 }\nelevation_deg = [90, 90, 1]\nfirst = true\n",
+          "file = \"rays.npy\"\nform = \"rays\"\n"}) {
+        SCOPED_TRACE(shots);
+        const PreparedJob job = job_of(shots);
+        const Submit submit = submission_of(job);
+        EXPECT_EQ(submit.poses.kind, PosesKind::Shots);
+        EXPECT_EQ(submit.bodies[1].name, "lines");
+        const auto spec = spec_of(submit);
+        ASSERT_TRUE(spec) << spec.error().detail;
+        EXPECT_EQ(job_text(spec.value()), job_text(job.spec));
+    }
+    Submit submit = submission_of(job_of("spacing = 1\n"));
+    submit.poses.axes.pop_back();
+    EXPECT_EQ(spec_of(submit).error().code, ErrorCode::BadFrame);
+    submit = submission_of(job_of("spacing = 1\n"));
+    submit.poses.shots->spacing = -1;
+    EXPECT_FALSE(spec_of(submit));
+}
+
+} // namespace cd::tests
