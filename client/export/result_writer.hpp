@@ -27,8 +27,8 @@ struct ExportBody {
     std::string name; ///< Name in the job, or else "a" or "b".
     std::string file; ///< Name of the mesh file, for display.
     std::shared_ptr<const Mesh> mesh;
-    bool is_rounded = false; ///< Coordinates were rounded to floats on request.
-    bool is_fixed = false;   ///< In a scene: its pose is the same at all steps.
+    bool is_rounded = false;                     ///< Coordinates were rounded to floats on request.
+    bool is_fixed = false;                       ///< In a scene: its pose is the same at all steps.
     std::shared_ptr<const ShotViews> views = {}; ///< Of the body of lines; null for other bodies.
 };
 

@@ -59,10 +59,11 @@ std::string poses_text(const PoseFileSpec& poses) {
 }
 
 std::string axis_text(std::string_view key, const GridAxis& axis) {
-    return axis == GridAxis{} ? ""
-                              : toml_line(key,
-                                     "[" + toml_number(axis.first) + ", " + toml_number(axis.last) + ", " +
-                                         std::to_string(axis.count) + "]");
+    return axis == GridAxis{}
+               ? ""
+               : toml_line(key,
+                           "[" + toml_number(axis.first) + ", " + toml_number(axis.last) + ", " +
+                               std::to_string(axis.count) + "]");
 }
 
 std::string poses_text(const ShotsSpec& shots) {
@@ -71,8 +72,8 @@ std::string poses_text(const ShotsSpec& shots) {
                (shots.form == LineForm::Rays ? toml_line("form", toml_quoted("rays")) : "");
     }
     const LineGrid& grid = shots.grid;
-    std::string text =
-        toml_line("spacing", toml_number(grid.spacing)) + toml_line("tile", std::to_string(grid.tile));
+    std::string text = toml_line("spacing", toml_number(grid.spacing)) +
+                       toml_line("tile", std::to_string(grid.tile));
     if (grid.jitter_seed) {
         text += toml_line("jitter", "{ seed = " + std::to_string(*grid.jitter_seed) + " }");
     } else if (grid.offset != LineGrid().offset) {

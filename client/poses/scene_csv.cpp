@@ -90,11 +90,11 @@ class SceneRows {
         if (is_new) {
             names_.emplace_back(word);
         }
-        if (names_.size() > limits::scene_bodies_max) {
+        if (names_.size() > limits::bodies_max) {
             return error_in_line(line,
                                  "is of body number " + std::to_string(names_.size()) +
-                                     "; a job has at most " +
-                                     std::to_string(limits::scene_bodies_max) + " bodies");
+                                     "; a job has at most " + std::to_string(limits::bodies_max) +
+                                     " bodies");
         }
         return found->second;
     }

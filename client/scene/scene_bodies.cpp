@@ -74,12 +74,12 @@ class BodyList {
                                 "[bodies] " + spec.name + ": a job has at most " + grouped(most) +
                                     " " + what);
         };
-        if (made_.bodies.size() > limits::scene_bodies_max) {
-            return too_many("bodies; leave some out", limits::scene_bodies_max);
+        if (made_.bodies.size() > limits::bodies_max) {
+            return too_many("bodies; leave some out", limits::bodies_max);
         }
-        if (made_.meshes.size() > limits::scene_meshes_max) {
+        if (made_.meshes.size() > limits::body_meshes_max) {
             return too_many("meshes; instances (count) and bodies with one file share a mesh",
-                            limits::scene_meshes_max);
+                            limits::body_meshes_max);
         }
         return Done{};
     }

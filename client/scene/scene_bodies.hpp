@@ -32,7 +32,7 @@ struct SceneBodies {
 /// Makes the bodies of all entries, in their order: NAME, or NAME.0, NAME.1, ... for instances, or
 /// NAME.PART for each part (`split_mesh`). `meshes` has the mesh of each entry, and equal pointers
 /// for equal files. Errors: BadInput naming the line, for two bodies of one name, for fewer than
-/// two bodies, and above `limits::scene_bodies_max` or `limits::scene_meshes_max`.
+/// two bodies, and above `limits::bodies_max` or `limits::body_meshes_max`.
 [[nodiscard]] Result<SceneBodies> expand_bodies(const SceneSpec& scene,
                                                 std::span<const std::shared_ptr<const Mesh>> meshes,
                                                 const std::filesystem::path& job_file);

@@ -116,7 +116,7 @@ SceneBodySpec read_scene_body(const TomlFields& job,
     body.name = name;
     body.mesh = read_mesh(fields, file);
     body.group = fields.text("group").value_or("");
-    if (const auto count = fields.integer("count", 1, limits::scene_bodies_max)) {
+    if (const auto count = fields.integer("count", 1, limits::bodies_max)) {
         body.count = static_cast<std::uint32_t>(*count);
     }
     body.is_split = fields.word("split", split_words).has_value();

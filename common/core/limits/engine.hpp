@@ -51,8 +51,6 @@ inline constexpr std::uint64_t computed_window_scenarios = 16;
 inline constexpr std::uint64_t computed_windows_max = 128;
 
 // Scenes.
-inline constexpr std::size_t scene_bodies_max = 1u << 14; ///< Bodies of a job.
-inline constexpr std::size_t scene_meshes_max = 1u << 12; ///< Different meshes of a job.
 /// Rules of a job, and pairs of ranges of triangles that they ignore.
 inline constexpr std::size_t scene_rules_max = 1u << 16;
 
