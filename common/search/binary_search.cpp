@@ -74,6 +74,12 @@ void BinarySearch::ignore(std::span<const IgnoredRange> ignored) {
     }
 }
 
+void BinarySearch::set_clearance(double clearance) {
+    CD_CHECK(clearance_);
+    clearance_ = clearance;
+    contacts_.set_clearance(clearance);
+}
+
 /// Returns whether the descent must end; polls `stop_` once in `steps_between_stop_checks` calls.
 bool BinarySearch::must_stop() {
     if (stop_ && ++progress_.steps_unpolled >= steps_between_stop_checks) {

@@ -49,6 +49,10 @@ class ContactSearch {
     /// search, or are replaced.
     virtual void ignore(std::span<const IgnoredRange> ignored) = 0;
 
+    /// Replaces the clearance for what follows; call `restart` afterwards. The options have a
+    /// clearance.
+    virtual void set_clearance(double clearance) = 0;
+
     /// Returns whether any triangle of `a` touches a triangle of `b`. Adds nothing to `contacts()`.
     /// A search may expect its last answer again and try the likely boxes first, so the statistics
     /// depend on earlier calls, but the answer never does.

@@ -26,6 +26,9 @@ class FoundContacts {
     /// Forgets all pairs, and decides later candidates under `poses`.
     void restart(const PosePair& poses);
 
+    /// Replaces the clearance of the options, which have one, for later candidates.
+    void set_clearance(double clearance) { options_.clearance = clearance; }
+
     /// Decides candidates of two bodies, each a TriangleSpan or TriangleBlocks, and adds the
     /// contacts and near pairs. `ids_a` and `ids_b` map the candidates' indices to triangles of the
     /// meshes.

@@ -46,6 +46,12 @@ void WideSearch::ignore(std::span<const IgnoredRange> ignored) {
     }
 }
 
+void WideSearch::set_clearance(double clearance) {
+    CD_CHECK(clearance_);
+    clearance_ = clearance;
+    contacts_.set_clearance(clearance);
+}
+
 void WideSearch::place_near(const PosePair& poses) {
     reach_per_length_ = body_reach(poses, 1);
     near_descent_->restart(b_to_a_, clearance_ ? body_reach(poses, *clearance_) : 0);

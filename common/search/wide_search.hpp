@@ -22,6 +22,7 @@ class WideSearch final : public ContactSearch {
 
     void restart(const PosePair& poses) override;
     void ignore(std::span<const IgnoredRange> ignored) override;
+    void set_clearance(double clearance) override;
     [[nodiscard]] bool any(const TreeView& a, const TreeView& b) override;
     [[nodiscard]] Nearness any_near(const TreeView& a, const TreeView& b) override;
     void collect(const TreeView& a, const TreeView& b) override;

@@ -118,6 +118,22 @@ TEST(NearSearch, AGapThatEqualsTheClearanceIsNear) {
     EXPECT_EQ(expect_agreement(box, box, {Pose{}, translation_pose(1, 0, 0)}, 0), 0u);
 }
 
+TEST(NearSearch, AnotherClearanceHoldsFromTheNextRestart) {
+    const ObbTree box = make_tree(make_gridded_box(Vec3(1, 1, 1), 4));
+    const PosePair poses{Pose{}, translation_pose(1.25, 0, 0)};
+    for (const TreeView& view : forms_of(box)) {
+        const auto search = make_search(view, view, poses, {}, {.clearance = 0});
+        for (const double clearance : {0.0, 0.25, std::nextafter(0.25, 0.0), 1.0, 0.125}) {
+            search->set_clearance(clearance);
+            search->restart(poses);
+            const bool is_near = search->any_near(view, view) != Nearness::Far;
+            EXPECT_EQ(is_near, clearance >= 0.25) << clearance;
+            search->collect(view, view);
+            EXPECT_EQ(search->contacts().near_count() > 0, clearance >= 0.25) << clearance;
+        }
+    }
+}
+
 TEST(NearSearch, AMatrixScalesDistances) {
     const Mesh sphere = make_sphere(2);
     for (const double scale : {0.5, 3.0}) {
