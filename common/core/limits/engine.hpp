@@ -54,6 +54,12 @@ inline constexpr std::uint64_t computed_windows_max = 128;
 /// Rules of a job, and pairs of ranges of triangles that they ignore.
 inline constexpr std::size_t scene_rules_max = 1u << 16;
 
+// Motions.
+/// The time between two keys is halved at most this often.
+inline constexpr unsigned motion_depth_max = 19;
+/// Cells that a search along a motion tests; the answer says up to where it is known.
+inline constexpr std::uint32_t motion_cells_max = 1u << 16;
+
 // Results.
 /// Size of one scenario's record, small enough for a message.
 inline constexpr std::uint64_t result_record_bytes_max = 1ull << 28;
