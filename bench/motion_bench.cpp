@@ -1,0 +1,191 @@
+// Measures the search over cells along motions of one body onto another, and past it.
+//
+//   motion_bench MESH_A MESH_B [--unit-a 1] [--poses FILE | --random 25] [--planes]
+//                [--length 3] [--degrees 30] [--resolution 0.0005] [--clearance X] [--rounds 5]
+//
+// Each pose gives two paths of the given length, on each of which B turns by the given angle about
+// the world's z axis: `onto` ends at the pose, coming from where A's centre is behind B; `past`
+// goes sideways through the pose moved away from A by a fiftieth of B's diagonal. Prints for both
+// kinds, and for each way to end, the mean, median and largest of the paths' least times, the mean
+// number of cells, and a checksum of the answers.
+#include "bench/posed_trees.hpp"
+#include "bench/timed_work.hpp"
+#include "common/geometry/aabb.hpp"
+#include "common/motion/motion_keys.hpp"
+#include "common/motion/tree_questions.hpp"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace cd::bench {
+
+namespace {
+
+struct Options {
+    PosedTreesOptions trees;
+    double length = 3;
+    double degrees = 30;
+    double resolution = 0.0005;
+    std::optional<double> clearance;
+    int rounds = 5;
+};
+
+/// A motion, and what its search has found and cost.
+struct Path {
+    std::string kind;
+    Motion motion;
+    MotionAnswer answer = {};
+    double seconds = std::numeric_limits<double>::infinity();
+};
+
+/// Returns the pose turned about z and moved.
+Pose after(const Pose& pose, double degrees, const Vec3& move) {
+    const double half = degrees * (3.14159265358979323846 / 360);
+    const Quaternion turn{std::cos(half), 0, 0, std::sin(half)};
+    return Pose::from_quaternion(turn * pose.quaternion(), pose.translation() + move);
+}
+
+/// Makes the motions of one pose; its quaternion is of B alone.
+class PathMaker {
+  public:
+    PathMaker(const PosedTrees& trees, const Options& options)
+        : options_(options),
+          center_a_(bounding_box(trees.mesh_a->vertices()).center()),
+          box_b_(bounding_box(trees.mesh_b->vertices())),
+          radii_{body_radius(trees.mesh_a->vertices()), body_radius(trees.mesh_b->vertices())} {}
+
+    [[nodiscard]] Result<std::vector<Path>> paths_of(const PosePair& poses) const {
+        const Vec3 away = (poses.b.apply(box_b_.center()) - center_a_).normalized();
+        const Vec3 sideways = away.unitOrthogonal();
+        const Vec3 beside = box_b_.diagonal() / 50 * away;
+        const double half = options_.length / 2;
+        auto onto = motion_between(
+            poses.a, after(poses.b, -options_.degrees, options_.length * away), poses.b);
+        auto past = motion_between(poses.a,
+                                   after(poses.b, -options_.degrees / 2, beside - half * sideways),
+                                   after(poses.b, options_.degrees / 2, beside + half * sideways));
+        if (!onto || !past) {
+            return onto ? past.error() : onto.error();
+        }
+        return std::vector<Path>{{"onto", onto.value()}, {"past", past.value()}};
+    }
+
+  private:
+    [[nodiscard]] Result<Motion>
+    motion_between(const Pose& a, const Pose& from, const Pose& to) const {
+        const auto keys =
+            round_keys(std::array{PosePair{a, from}, PosePair{a, to}}, radii_, options_.resolution);
+        if (!keys) {
+            return keys.error();
+        }
+        const auto& rounded = keys.value().keys;
+        return Motion::create(rounded[0], rounded[1], radii_, options_.resolution);
+    }
+
+    const Options& options_;
+    Vec3 center_a_;
+    Aabb box_b_;
+    BodyRadii radii_;
+};
+
+void measure(const PosedTrees& trees, const Options& options, std::vector<Path>& paths) {
+    const CellQuestions questions =
+        tree_questions(trees.a.view(), trees.b.view(), {.clearance = options.clearance});
+    for (int round = 0; round < options.rounds; ++round) {
+        for (Path& path : paths) {
+            const double start = processor_seconds();
+            path.answer =
+                search_cells(path.motion, Until::Contact, options.clearance.value_or(0), questions);
+            path.seconds = std::min(path.seconds, processor_seconds() - start);
+        }
+    }
+}
+
+const char* to_text(MotionEnd end) {
+    constexpr std::array names{"free", "contact", "start", "limit"};
+    return names[static_cast<std::size_t>(end)];
+}
+
+/// Prints the row of the paths of one kind that ended in one way, if there are any.
+void print(const std::vector<Path>& paths, const std::string& kind, MotionEnd end) {
+    std::vector<double> seconds;
+    double sum = 0;
+    double cells = 0;
+    Checksum checksum;
+    for (const Path& path : paths) {
+        if (path.kind == kind && path.answer.end == end) {
+            seconds.push_back(path.seconds);
+            sum += path.seconds;
+            cells += path.answer.cells;
+            checksum.add(path.answer.t0);
+            checksum.add(path.answer.t1);
+        }
+    }
+    if (seconds.empty()) {
+        return;
+    }
+    const auto count = static_cast<double>(seconds.size());
+    std::sort(seconds.begin(), seconds.end());
+    std::printf("%-5s %-8s %4.0f paths  mean %8.3f ms  median %8.3f ms  most %8.3f ms  "
+                "cells %8.1f  checksum %.0f\n",
+                kind.c_str(),
+                to_text(end),
+                count,
+                1e3 * sum / count,
+                1e3 * seconds[seconds.size() / 2],
+                1e3 * seconds.back(),
+                cells / count,
+                checksum.value());
+}
+
+int run(const Options& options) {
+    const std::optional<PosedTrees> trees = load(options.trees);
+    if (!trees) {
+        return 1;
+    }
+    const PathMaker maker(*trees, options);
+    std::vector<Path> paths;
+    for (const PosePair& poses : trees->poses) {
+        const auto made = maker.paths_of(poses);
+        if (!made) {
+            std::fprintf(stderr, "%s\n", made.error().detail.c_str());
+            return 1;
+        }
+        paths.insert(paths.end(), made.value().begin(), made.value().end());
+    }
+    measure(*trees, options, paths);
+    for (const char* const kind : {"onto", "past"}) {
+        for (const auto end :
+             {MotionEnd::Contact, MotionEnd::Free, MotionEnd::Start, MotionEnd::Limit}) {
+            print(paths, kind, end);
+        }
+    }
+    return 0;
+}
+
+} // namespace
+
+} // namespace cd::bench
+
+int main(int argc, char** argv) {
+    cd::bench::Options options;
+    options.trees.random = 25;
+    CLI::App app("Measures searches along motions.");
+    options.trees.add_to(app);
+    app.add_option("--length", options.length, "Of each path, in A's unit")->capture_default_str();
+    app.add_option("--degrees", options.degrees, "B's turn on each path")->capture_default_str();
+    app.add_option("--resolution", options.resolution, "In A's unit")->capture_default_str();
+    app.add_option("--clearance", options.clearance, "Without it the event is contact");
+    app.add_option("--rounds", options.rounds, "The least time of each path counts")
+        ->capture_default_str();
+    CLI11_PARSE(app, argc, argv);
+    return cd::bench::run(options);
+}
