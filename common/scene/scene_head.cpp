@@ -2,6 +2,7 @@
 
 #include "common/core/check.hpp"
 #include "common/core/files/bytes.hpp"
+#include "common/core/files/disk_file.hpp"
 
 #include <array>
 
@@ -23,7 +24,7 @@ SceneHead scene_head(std::span<const Sha256> meshes,
     out.put(magic);
     out.put(std::uint64_t{meshes.size()});
     for (std::size_t body = 0; body < meshes.size(); ++body) {
-        out.put_array(std::span<const std::byte>(meshes[body].bytes));
+        put_hash(out, meshes[body]);
         out.put(are_fixed[body]);
     }
     out.put(steps);

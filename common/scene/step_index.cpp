@@ -1,6 +1,7 @@
 #include "common/scene/step_index.hpp"
 
 #include "common/core/check.hpp"
+#include "common/core/errors.hpp"
 #include "common/core/files/compress.hpp"
 #include "common/core/varint.hpp"
 
