@@ -67,7 +67,7 @@ Result<ResultSink> ResultSink::open(SinkOptions options, const ExportContext& co
     const SinkOptions& to = sink.options_;
     if (!to.dir.empty()) {
         CD_TRY(make_directories(to.dir));
-        CD_TRY(check_map_formats(to.formats, context.level, context.maps));
+        CD_TRY(check_map_formats(to.formats, context.map_use()));
         CD_TRY(sink.add_writers());
     }
     if (context.has_hits()) {
@@ -108,8 +108,16 @@ Status ResultSink::add_shot_writers() {
     return Done{};
 }
 
+std::vector<TouchedPart> ResultSink::most_touched() const {
+    std::vector<TouchedPart> touched = groups_.most_touched();
+    for (TouchedPart& part : touched) {
+        part.part = context_.steps ? context_.bodies[part.body].name + "/" + part.part : part.part;
+    }
+    return touched;
+}
+
 RunFindings ResultSink::findings() const {
-    return {groups_.most_touched(),
+    return {most_touched(),
             least_,
             scene_ ? std::optional(scene_->findings()) : std::nullopt,
             shots_ ? shots_->parts() : std::vector<ShotPart>()};
@@ -133,7 +141,9 @@ Status ResultSink::add(const ScenarioResult& result, std::span<const ContactPair
     }
     const std::vector<ContactPair> crossings = crossings_of(result);
     const std::span<const ContactPair> listed = context_.has_hits() ? crossings : result.pairs;
-    waiting_.add(result, found.empty() ? listed : found);
+    if (context_.map_use().has_map()) {
+        waiting_.add(result, found.empty() ? listed : found);
+    }
     if (waiting_.bytes() >= waiting_bytes_max) {
         map_.add(waiting_.take());
     }
@@ -152,7 +162,10 @@ void ResultSink::note_distance(const ScenarioResult& result) {
     }
 }
 
-ContactMap ResultSink::map() {
+std::optional<ContactMap> ResultSink::map() {
+    if (!context_.map_use().has_map()) {
+        return std::nullopt;
+    }
     map_.add(waiting_.take());
     return map_.map();
 }

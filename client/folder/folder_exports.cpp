@@ -76,7 +76,7 @@ Result<std::optional<ContactMap>> map_of(const OpenedRun& run, ResultSink& sink)
     if (query.maps || query.level < Level::Pairs) {
         return run.kept_map();
     }
-    return std::optional(sink.map());
+    return sink.map();
 }
 
 /// Reads the report in summary.json; empty if the file is missing or damaged, which does no harm.

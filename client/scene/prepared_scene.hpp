@@ -6,6 +6,7 @@
 #include "client/spec/job_file.hpp"
 #include "common/core/host/stop_check.hpp"
 #include "common/core/result.hpp"
+#include "common/job/result/merge.hpp"
 #include "common/scene/scene_poses.hpp"
 
 #include <cstdint>

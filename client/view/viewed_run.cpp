@@ -121,7 +121,7 @@ Result<std::unique_ptr<ViewedRun>> ViewedRun::open(OpenedRun& run,
     auto index = CD_TRY(RecordIndex::read(run.records(), job.poses->count(), pool, stop));
     std::unique_ptr<ViewedRun> viewed(new ViewedRun(run, job, std::move(index), std::move(map)));
     const Query& query = viewed->manifest().query;
-    if (!query.maps && query.level >= Level::Pairs) {
+    if (!job.scene && !query.maps && query.level >= Level::Pairs) {
         viewed->map_ = viewed->index_.map();
     }
     CD_TRY(viewed->sum_groups(stop));

@@ -34,8 +34,10 @@ struct Compared {
     [[nodiscard]] bool have_equal_meshes() const {
         return std::ranges::none_of(inputs.bodies, &BodyChange::is_changed);
     }
-    /// True if both runs list pairs.
-    [[nodiscard]] bool lists_pairs() const { return least_level() >= Level::Pairs; }
+    /// True if both runs list pairs of two bodies, whose triangles are compared.
+    [[nodiscard]] bool maps_pairs() const {
+        return least_level() >= Level::Pairs && !later.job.scene;
+    }
     [[nodiscard]] Level least_level() const {
         return std::min(earlier.job.query.level, later.job.query.level);
     }
@@ -157,7 +159,7 @@ struct Differences {
 
 Status compare(Compared& runs, const ScenarioMatch& match, Differences& found) {
     const std::size_t bodies = runs.later.job.meshes.size();
-    const bool lists_pairs = runs.lists_pairs();
+    const bool maps_pairs = runs.maps_pairs();
     const bool have_groups = runs.have_groups();
     return for_each_pair({runs.earlier.run.records(), runs.earlier.job.poses->count()},
                          {runs.later.run.records(), runs.later.job.poses->count()},
@@ -169,7 +171,7 @@ Status compare(Compared& runs, const ScenarioMatch& match, Differences& found) {
                              if (have_groups) {
                                  found.groups.add(pair);
                              }
-                             if (lists_pairs) {
+                             if (maps_pairs) {
                                  found.triangles.add(pair);
                              }
                              return found.scenarios.add(pair);
@@ -186,8 +188,8 @@ Result<bool> add_maps(const Compared& runs, Differences& found) {
     const ScenarioCounts& counts = found.scenarios.counts();
     const bool is_complete =
         counts.only_earlier + counts.only_later == 0 && counts.comparable == counts.in_both;
-    if (runs.lists_pairs() || !is_complete) {
-        return runs.lists_pairs();
+    if (runs.maps_pairs() || !is_complete) {
+        return runs.maps_pairs();
     }
     const bool have_maps = runs.earlier.map && runs.later.map;
     if (have_maps) {

@@ -117,7 +117,7 @@ TEST_F(PoseSpoolTest, RefusesMoreThanWasAnnounced) {
     const Status status = spool->append(pack_scenarios(make_scenarios(11)));
     ASSERT_FALSE(status);
     EXPECT_EQ(status.error().code, ErrorCode::BadInput);
-    EXPECT_EQ(PoseSpool::create(folder_.path(), limits::scenarios_max + 1, 2).error().code,
+    EXPECT_EQ(PoseSpool::create(folder_.path(), {limits::scenarios_max + 1, 2}).error().code,
               ErrorCode::TooLarge);
 }
 
@@ -160,15 +160,15 @@ TEST_F(PoseSpoolTest, ASealedOneComesBack) {
             ASSERT_TRUE(spool->seal(folder_ / "spool/1.poses", Durability::Synced));
             EXPECT_EQ(spool->count(), count);
         }
-        auto spool = PoseSpool::open(folder_ / "spool/1.poses", count, 2);
+        auto spool = PoseSpool::open(folder_ / "spool/1.poses", {count, 2});
         ASSERT_TRUE(spool) << spool.error().detail;
         EXPECT_TRUE(spool.value()->verify());
         EXPECT_EQ(spool.value()->count(), count);
         OrderedPoses poses((std::shared_ptr<const PoseRuns>(std::move(spool.value()))));
         EXPECT_EQ(poses.read_submitted(0, count).value(), scenarios);
-        EXPECT_FALSE(PoseSpool::open(folder_ / "spool/1.poses", count + 1, 2));
+        EXPECT_FALSE(PoseSpool::open(folder_ / "spool/1.poses", {count + 1, 2}));
     }
-    EXPECT_FALSE(PoseSpool::open(folder_ / "spool/2.poses", 1, 2));
+    EXPECT_FALSE(PoseSpool::open(folder_ / "spool/2.poses", {1, 2}));
 }
 
 TEST_F(PoseSpoolTest, VerifyingSeesAPoseThatIsNoPoseBehindRightChecksums) {
@@ -191,7 +191,7 @@ TEST_F(PoseSpoolTest, VerifyingSeesAPoseThatIsNoPoseBehindRightChecksums) {
     sum_up(0, run_bytes, run_bytes + sizeof(std::uint64_t));
     sum_up(run_bytes, text.size() - sizeof(std::uint64_t), text.size() - sizeof(std::uint64_t));
     write_text(path, text);
-    const auto spool = PoseSpool::open(path, 3, 2);
+    const auto spool = PoseSpool::open(path, {3, 2});
     ASSERT_TRUE(spool) << spool.error().detail;
     const Status status = spool.value()->verify();
     ASSERT_FALSE(status);
@@ -211,7 +211,7 @@ TEST_F(PoseSpoolTest, EveryFlippedByteOfASealedOneIsSeen) {
         std::string bad = good;
         bad[byte] = static_cast<char>(bad[byte] ^ 4);
         write_text(path, bad);
-        const auto spool = PoseSpool::open(path, 300, 2);
+        const auto spool = PoseSpool::open(path, {300, 2});
         const Status status = spool ? spool.value()->verify() : Status(spool.error());
         ASSERT_FALSE(status) << "byte " << byte;
         EXPECT_NE(status.error().detail.find("1.poses"), std::string::npos);
