@@ -59,8 +59,8 @@ using TakeResult = std::function<Status(const DoneScenario&)>;
 /// master summed one. Errors: the connection's; from `take`; BadFrame if the results do not match
 /// the digest that the master states for a completed job.
 [[nodiscard]] Result<RunReport> fetch_results(Connection& connection,
-                                              const Query& query,
-                                              const JobStatus& job,
+                                              const PreparedJob& job,
+                                              const JobStatus& status,
                                               const TakeResult& take);
 
 } // namespace cd

@@ -171,8 +171,11 @@ Result<int> perform(const ReportCommand& command) {
         Judge::open(command.judge, command.fail_on, command.master, command.tree_cache, pool));
     InterruptGuard::begin_to_flag(); // From here on, a signal must not leave partial files.
     auto begun = CD_TRY(groups_begun(at_hand, judge));
-    auto overview = CD_TRY(RunOverview::read(
-        at_hand.run.records(), std::move(begun), manifest.poses.count, &InterruptGuard::has_come));
+    auto overview = CD_TRY(RunOverview::read(at_hand.run.records(),
+                                             std::move(begun),
+                                             manifest.poses.count,
+                                             &InterruptGuard::has_come,
+                                             manifest.scene_head()));
     const GroupStatuses statuses = CD_TRY(judge.judge(at_hand, overview.groups()));
     const auto viewer = CD_TRY(make_viewer(command, at_hand, pool));
     CD_TRY(add_pairs(at_hand, overview, command.tree_cache, pool));

@@ -109,7 +109,10 @@ Status ResultSink::add_shot_writers() {
 }
 
 RunFindings ResultSink::findings() const {
-    return {groups_.most_touched(), least_, shots_ ? shots_->parts() : std::vector<ShotPart>()};
+    return {groups_.most_touched(),
+            least_,
+            scene_ ? std::optional(scene_->findings()) : std::nullopt,
+            shots_ ? shots_->parts() : std::vector<ShotPart>()};
 }
 
 Status ResultSink::add(const ScenarioResult& result, std::span<const ContactPair> found) {

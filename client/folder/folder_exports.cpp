@@ -97,9 +97,9 @@ RunReport kept_report(const OpenedRun& run) {
 Result<RunReport>
 write_exports(const OpenedRun& run, const SinkOptions& options, const ExportContext& context) {
     auto sink = CD_TRY(ResultSink::open(options, context));
-    ResultMerger merger(run.manifest().poses.count);
+    ResultMerger merger(run.manifest().poses.count, run.manifest().scene_head());
     CD_TRY(run.records().for_each([&](const KeptRecord& record) {
-        static_cast<void>(merger.add(record.result, sha256(record.bytes)));
+        static_cast<void>(merger.add(record.result, digest_of_record(record.bytes)));
         return sink.add(record.result);
     }));
     auto map = CD_TRY(map_of(run, sink));

@@ -36,6 +36,12 @@ struct ManifestPoses {
     bool has_times = false;
 };
 
+/// What a scene of many bodies has besides its bodies and poses.
+struct ManifestScene {
+    Sha256 head;             ///< The hash of its `SceneHead`.
+    std::uint64_t steps = 0; ///< Number of steps; the file `steps` in the folder has them.
+};
+
 /// Where a run is computed: on this machine or by a master's workers.
 struct ManifestPlace {
     std::uint64_t threads = 0; ///< Number of threads, for a run on this machine.
@@ -83,6 +89,7 @@ struct RunManifest {
     std::string job;        ///< Text of `job_text`, to run the job again.
     std::vector<ManifestBody> bodies;
     ManifestPoses poses;
+    std::optional<ManifestScene> scene; ///< Nothing for a job of two bodies.
     Query query;
     /// Above 0: the run of an earlier version, which left boxes of this size undecided.
     double tolerance = 0;
@@ -90,6 +97,10 @@ struct RunManifest {
     std::vector<std::string> formats;
     std::vector<ManifestFile> files; ///< All files of the folder except run.json.
 
+    /// Returns with what the digest starts; nothing unless the run is of a scene.
+    [[nodiscard]] std::optional<SceneHead> scene_head() const {
+        return scene ? std::optional(SceneHead{scene->head}) : std::nullopt;
+    }
     [[nodiscard]] bool is_complete() const { return outcome.digest.has_value(); }
 };
 

@@ -5,6 +5,7 @@
 #include "client/scene/scene_steps.hpp"
 #include "common/core/check.hpp"
 #include "common/core/errors.hpp"
+#include "common/scene/scene_head.hpp"
 
 #include <utility>
 
@@ -27,6 +28,15 @@ std::vector<PlacedBody> placed(const SceneBodies& scene, const std::vector<bool>
         bodies.push_back({boxes[scene.bodies[i].mesh], are_fixed[i]});
     }
     return bodies;
+}
+
+/// Returns the hash of each body's mesh.
+std::vector<Sha256> hashes_of(const SceneBodies& scene) {
+    std::vector<Sha256> hashes;
+    for (const NamedBody& body : scene.bodies) {
+        hashes.push_back(scene.mesh_of(body).hash());
+    }
+    return hashes;
 }
 
 } // namespace
@@ -52,6 +62,11 @@ Result<PreparedScene> prepare_scene(const JobSpec& spec, bool quiet, const StopC
     append(prepared.warnings, steps.warnings);
     prepared.zeros = std::move(steps.zeros);
     prepared.are_fixed = steps.are_fixed;
+    prepared.head = scene_head(hashes_of(prepared.scene),
+                               prepared.are_fixed,
+                               steps.poses->steps(),
+                               rules.ignored,
+                               prepared.ignored);
     prepared.poses = CD_TRY(ScenePoses::create(
         {placed(prepared.scene, steps.are_fixed), std::move(rules.ignored), reach_of(spec.query)},
         std::move(steps.poses),

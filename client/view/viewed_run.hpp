@@ -86,7 +86,7 @@ class ViewedRun {
     RecordIndex index_;
     std::optional<ContactMap> map_;
     std::optional<GroupsView> groups_; ///< Nothing if they are unknown.
-    PartsOfBodies parts_;
+    std::vector<std::shared_ptr<const NamedParts>> parts_; ///< By body.
     std::mutex mutex_; ///< Held while poses or records are read.
 };
 

@@ -168,6 +168,7 @@ void put_body(ByteWriter& out, const JobBody& body) {
     out.put(body.is_unit_given);
     out.put_text(body.up);
     out.put(body.rounds_to_float);
+    out.put(body.is_fixed);
 }
 
 JobBody get_body(ByteReader& in) {
@@ -179,6 +180,7 @@ JobBody get_body(ByteReader& in) {
     body.is_unit_given = in.get<std::uint8_t>() != 0;
     body.up = in.get_text();
     body.rounds_to_float = in.get<std::uint8_t>() != 0;
+    body.is_fixed = in.get<std::uint8_t>() != 0;
     return body;
 }
 
@@ -264,6 +266,28 @@ bool get_origin(ByteReader& in, PosesOrigin& origin) {
     return is_kind && are_ids;
 }
 
+void put_scene(ByteWriter& out, const std::optional<SceneOrigin>& scene) {
+    out.put(scene.has_value());
+    if (scene) {
+        put_hash(out, scene->head);
+        out.put_text(scene->job);
+        out.put(std::uint64_t{scene->steps.size()});
+        put_bytes(out, scene->steps);
+    }
+}
+
+std::optional<SceneOrigin> get_scene(ByteReader& in) {
+    if (in.get<std::uint8_t>() == 0) {
+        return std::nullopt;
+    }
+    SceneOrigin scene;
+    scene.head = get_hash(in);
+    scene.job = in.get_text();
+    const auto steps = in.get_bytes(in.get<std::uint64_t>());
+    scene.steps.assign(steps.begin(), steps.end());
+    return scene;
+}
+
 } // namespace
 
 Bytes encode_job(const JobRecord& job) {
@@ -294,6 +318,7 @@ Bytes encode_job(const JobRecord& job) {
         out.put_text(line.a);
         out.put_text(line.b);
     }
+    put_scene(out, submit.scene);
     return out.take();
 }
 
@@ -331,6 +356,7 @@ Result<JobRecord> decode_job(std::span<const std::byte> bytes) {
         std::string a = in.get_text();
         job.submit.ignore.push_back({std::move(a), in.get_text()});
     }
+    job.submit.scene = get_scene(in);
     if (!in.complete()) {
         return damaged_row("a job");
     }

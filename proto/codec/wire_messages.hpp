@@ -250,7 +250,7 @@ void serialize(Archive& archive, ClusterOptions& o) {
 
 template <class Archive>
 void serialize(Archive& archive, JobBody& b) {
-    archive(b.mesh, b.name, b.file, b.unit, b.is_unit_given, b.up, b.rounds_to_float);
+    archive(b.mesh, b.name, b.file, b.unit, b.is_unit_given, b.up, b.rounds_to_float, b.is_fixed);
 }
 
 template <class Archive>
@@ -292,9 +292,14 @@ void serialize(Archive& archive, IgnoreLine& l) {
 }
 
 template <class Archive>
+void serialize(Archive& archive, SceneOrigin& s) {
+    archive(s.head, s.job, s.steps);
+}
+
+template <class Archive>
 void serialize(Archive& archive, Submit& m) {
     archive(m.name, m.unit, m.owner, m.priority, m.bodies, m.query, m.cluster, m.poses);
-    archive(m.scenarios, m.grid, m.retention_seconds, m.ignore);
+    archive(m.scenarios, m.grid, m.retention_seconds, m.ignore, m.scene);
 }
 
 template <class Archive>

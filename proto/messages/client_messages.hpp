@@ -55,6 +55,7 @@ struct JobBody {
     bool is_unit_given = false;
     std::string up = {};          ///< "y": the client turned the mesh to z up; "z", empty: no turn.
     bool rounds_to_float = false; ///< True: the client rounded the coordinates to floats.
+    bool is_fixed = false;        ///< In a scene: the body has one pose at all steps.
 
     friend bool operator==(const JobBody&, const JobBody&) = default;
 };
@@ -100,6 +101,16 @@ struct IgnoreLine {
     friend bool operator==(const IgnoreLine&, const IgnoreLine&) = default;
 };
 
+/// What a job of a scene of many bodies has besides its bodies and scenarios, for clients that open
+/// the job again.
+struct SceneOrigin {
+    Sha256 head = {};     ///< The hash of `SceneHead`, with which the job's digest starts.
+    std::string job = {}; ///< Text of the job file.
+    Bytes steps = {};     ///< The steps, packed by the client.
+
+    friend bool operator==(const SceneOrigin&, const SceneOrigin&) = default;
+};
+
 /// A new job. With a grid the Submit is complete and answered by Accepted; otherwise poses follow
 /// in PosesPart, and the master answers PosesEnd with Accepted.
 struct Submit {
@@ -116,7 +127,13 @@ struct Submit {
     /// How long the job is kept after its end, in seconds. 0, or more than the master's own bound:
     /// as long as the master keeps any job.
     std::uint64_t retention_seconds = 0;
-    std::vector<IgnoreLine> ignore = {}; ///< The source of `query.ignored`, for display.
+    std::vector<IgnoreLine> ignore = {};   ///< The source of `query.ignored`, for display.
+    std::optional<SceneOrigin> scene = {}; ///< Set if the scenarios have steps.
+
+    /// Returns with what the job's digest starts; nothing unless the job is a scene.
+    [[nodiscard]] std::optional<SceneHead> scene_head() const {
+        return scene ? std::optional(SceneHead{scene->head}) : std::nullopt;
+    }
 };
 
 /// The next run of a submission's poses, in the order of `pack_in_order`.

@@ -31,6 +31,9 @@ struct Compared {
     [[nodiscard]] bool has_equal_mesh(std::size_t body) const {
         return !inputs.bodies[body].is_changed;
     }
+    [[nodiscard]] bool have_equal_meshes() const {
+        return std::ranges::none_of(inputs.bodies, &BodyChange::is_changed);
+    }
     /// True if both runs list pairs.
     [[nodiscard]] bool lists_pairs() const { return least_level() >= Level::Pairs; }
     [[nodiscard]] Level least_level() const {
@@ -220,8 +223,8 @@ report_of(const Compared& runs, MatchedBy matched_by, bool has_triangles, Differ
 }
 
 Result<ScenarioMatch> match(const Compared& runs) {
-    return match_runs({*runs.earlier.job.poses, runs.earlier.job.labels},
-                      {*runs.later.job.poses, runs.later.job.labels},
+    return match_runs(runs.earlier.matched(),
+                      runs.later.matched(),
                       runs.inputs.are_poses_equal,
                       &InterruptGuard::has_come);
 }
@@ -242,8 +245,7 @@ const char* hint_of(const Compared& runs) {
     const auto is_random = [](const RunAtHand& run) {
         return run.run.manifest().poses.kind == PosesKind::Random;
     };
-    const bool have_equal_bodies = runs.has_equal_mesh(0) && runs.has_equal_mesh(1);
-    return is_random(runs.earlier) && is_random(runs.later) && !have_equal_bodies
+    return is_random(runs.earlier) && is_random(runs.later) && !runs.have_equal_meshes()
                ? "; random poses depend on the bodies: runs of a grid or of one pose file can be "
                  "compared"
                : "";
@@ -278,6 +280,7 @@ Result<int> perform(const DiffCommand& command) {
     };
     auto earlier = CD_TRY(open(command.earlier));
     auto later = CD_TRY(open(command.later));
+    CD_TRY(check_comparable(earlier.run.manifest(), later.run.manifest()));
     Compared runs{earlier, later, changes_between(earlier.run.manifest(), later.run.manifest())};
     if (command.fail_on == DiffFailOn::New) {
         CD_TRY(check_groups(earlier.job.query, earlier.map));
@@ -286,8 +289,7 @@ Result<int> perform(const DiffCommand& command) {
     InterruptGuard::begin_to_flag(); // From here on, a signal must not leave partial files.
     const auto matched = CD_TRY(match(runs));
     auto csv = CD_TRY(csv_file(command));
-    const bool compares_pairs =
-        runs.inputs.query.empty() && runs.has_equal_mesh(0) && runs.has_equal_mesh(1);
+    const bool compares_pairs = runs.inputs.query.empty() && runs.have_equal_meshes();
     Differences found{
         ScenarioDiff(std::move(csv),
                      {compares_pairs, body_names(later), runs.has_near(), runs.has_distance()}),

@@ -2,8 +2,8 @@
 // two runs belong to one job.
 #include "client/folder/run_manifest.hpp"
 
-#include "client/folder/job_text.hpp"
 #include "client/folder/run_folder.hpp"
+#include "client/job/job_text.hpp"
 #include "client/spec/job_file.hpp"
 
 #include <gmock/gmock.h>

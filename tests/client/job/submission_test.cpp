@@ -1,7 +1,7 @@
 // Proves that a job of shot lines can be read from its submission.
 #include "client/job/submission.hpp"
 
-#include "client/folder/job_text.hpp"
+#include "client/job/job_text.hpp"
 #include "common/job/poses/pose_source.hpp"
 #include "tests/support/shapes.hpp"
 

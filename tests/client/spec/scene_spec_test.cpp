@@ -2,7 +2,7 @@
 // the line and what to write instead.
 #include "client/spec/scene_spec.hpp"
 
-#include "client/folder/job_text.hpp"
+#include "client/job/job_text.hpp"
 #include "client/spec/job_file.hpp"
 #include "client/spec/job_options.hpp"
 #include "tests/support/process.hpp"

@@ -32,7 +32,7 @@ std::vector<Scenario> make_scenarios(std::uint64_t count) {
 class PoseSpoolTest : public testing::Test {
   protected:
     std::shared_ptr<PoseSpool> make_spool(std::uint64_t scenarios) {
-        return std::move(PoseSpool::create(folder_ / "spool", scenarios, 2).value());
+        return std::move(PoseSpool::create(folder_ / "spool", {scenarios, 2}).value());
     }
     TemporaryFolder folder_;
 };
@@ -77,7 +77,7 @@ TEST_F(PoseSpoolTest, RefusesRunsThatDoNotContinueAndKeepsNothingOfThem) {
 }
 
 TEST_F(PoseSpoolTest, EachScenarioHasTwoBodiesOfTheJobTheFirstBeforeTheSecond) {
-    const auto spool = std::move(PoseSpool::create(folder_ / "spool", 4, 5).value());
+    const auto spool = std::move(PoseSpool::create(folder_ / "spool", {4, 5}).value());
     auto scenarios = make_scenarios(4);
     const auto refusal_of = [&](std::uint32_t a, std::uint32_t b) {
         auto changed = scenarios;
@@ -93,8 +93,8 @@ TEST_F(PoseSpoolTest, EachScenarioHasTwoBodiesOfTheJobTheFirstBeforeTheSecond) {
     EXPECT_EQ(refusal_of(3, 4), "");
     ASSERT_TRUE(spool->is_complete());
     ASSERT_TRUE(spool->seal(folder_ / "spool/1.poses", Durability::Unsynced));
-    EXPECT_TRUE(PoseSpool::open(folder_ / "spool/1.poses", 4, 5).value()->verify());
-    EXPECT_FALSE(PoseSpool::open(folder_ / "spool/1.poses", 4, 4).value()->verify());
+    EXPECT_TRUE(PoseSpool::open(folder_ / "spool/1.poses", {4, 5}).value()->verify());
+    EXPECT_FALSE(PoseSpool::open(folder_ / "spool/1.poses", {4, 4}).value()->verify());
 }
 
 TEST_F(PoseSpoolTest, AWindowBeginsAnew) {

@@ -76,7 +76,7 @@ PosesView poses_view(const Submit& submit) {
 /// Makes the groups of a job of its sums by part; nothing if they are unknown or too many.
 std::optional<GroupsView>
 groups_view(const ContactMapAnswer& sums, const BodyTrees& trees, const PagedJob& job) {
-    if (!sums.is_asked || !sums.withdrawn.empty()) {
+    if (!sums.is_asked || !sums.withdrawn.empty() || trees.size() != 2) {
         return std::nullopt;
     }
     const auto map = unpack_map(sums.map, any_map(job.scenarios()));

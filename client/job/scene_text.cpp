@@ -1,4 +1,4 @@
-#include "client/folder/scene_text.hpp"
+#include "client/job/scene_text.hpp"
 
 #include "client/spec/toml_text.hpp"
 #include "common/core/check.hpp"
