@@ -75,10 +75,7 @@ Result<RunReport> fetched_report(Connection& connection,
                                  const Query& query,
                                  const JobStatus& status,
                                  std::uint64_t fetched) {
-    RunReport report = report_of(status, query.level);
-    report.limit_pairs = query.limit_pairs;
-    report.clearance = query.clearance;
-    report.maps_all_pairs = query.maps;
+    RunReport report = report_of(status, query);
     report.execution.where = workers_text(connection);
     report.execution.fetched = fetched;
     if (query.maps && status.state == JobState::Done) {
@@ -89,10 +86,10 @@ Result<RunReport> fetched_report(Connection& connection,
 
 } // namespace
 
-RunReport report_of(const JobStatus& job, Level level) {
+RunReport report_of(const JobStatus& job, const Query& query) {
     RunReport report;
     report.summary = job.summary;
-    report.level = level;
+    report.query = query;
     report.digest = job.digest;
     report.execution.seconds = job.seconds;
     report.execution.statistics = job.statistics;

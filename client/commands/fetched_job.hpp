@@ -49,8 +49,8 @@ class FetchedJob {
     LabelColumns labels_; ///< Which labels the job's scenarios have.
 };
 
-/// Makes a report of a job that has ended. `level` is the level of the job.
-[[nodiscard]] RunReport report_of(const JobStatus& job, Level level);
+/// Makes a report of a job that has ended. `query` is the query of the job.
+[[nodiscard]] RunReport report_of(const JobStatus& job, const Query& query);
 
 /// Takes the next result of a job. An error that it returns ends the fetch.
 using TakeResult = std::function<Status(const DoneScenario&)>;

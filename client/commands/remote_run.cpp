@@ -193,10 +193,7 @@ Result<RunReport> fetch_merged(ReusedResults& reused,
 /// Returns the report of a job without scenarios.
 RunReport empty_report(const Query& query) {
     RunReport report;
-    report.level = query.level;
-    report.limit_pairs = query.limit_pairs;
-    report.clearance = query.clearance;
-    report.maps_all_pairs = query.maps;
+    report.query = query;
     if (query.maps) {
         report.map.emplace();
     }

@@ -134,7 +134,7 @@ Status ResultSink::add(const ScenarioResult& result, std::span<const ContactPair
                          std::to_string(body) + ", and the job has " + std::to_string(bodies));
     }
     groups_.add(result);
-    note_distance(result);
+    note_least(result, context_.unit, least_);
     tested_ += result.kind == ScenarioClass::Failed ? 0 : 1;
     if (shots_) {
         shots_->add(result);
@@ -154,12 +154,6 @@ Status ResultSink::add(const ScenarioResult& result, std::span<const ContactPair
         CD_TRY(scene_->add(result));
     }
     return Done{};
-}
-
-void ResultSink::note_distance(const ScenarioResult& result) {
-    if (result.nearest && (!least_ || result.nearest->distance < least_->distance)) {
-        least_ = LeastDistance{result.nearest->distance, result.index, context_.unit};
-    }
 }
 
 std::optional<ContactMap> ResultSink::map() {

@@ -63,7 +63,6 @@ class ResultSink {
     [[nodiscard]] bool has_format(std::string_view format) const;
     [[nodiscard]] Status write_map(const ContactMap& map) const;
     [[nodiscard]] GroupsOrigin groups_origin() const;
-    void note_distance(const ScenarioResult& result);
 
     SinkOptions options_;
     ExportContext context_;

@@ -9,6 +9,7 @@
 #include "common/core/version.hpp"
 #include "common/core/words.hpp"
 #include "common/geometry/aabb.hpp"
+#include "common/geometry/closed_parts.hpp"
 #include "web/server/cluster/cluster_jobs.hpp"
 #include "web/server/scenario_repeat.hpp"
 
@@ -51,12 +52,22 @@ RunView run_view(const RunManifest& manifest, const fs::path& dir) {
             dir.string()};
 }
 
+/// Returns the axes of a grid of poses or of lines; none for other poses.
+std::vector<GridAxis> axes_of(const PosesSpec& poses) {
+    if (const auto* const grid = std::get_if<GridSpec>(&poses)) {
+        return grid->axes;
+    }
+    const auto* const shots = std::get_if<ShotsSpec>(&poses);
+    return shots != nullptr && shots->is_grid()
+               ? std::vector<GridAxis>{shots->azimuth_deg, shots->elevation_deg}
+               : std::vector<GridAxis>();
+}
+
 PosesView poses_view(const ManifestPoses& poses, const JobSpec& spec) {
-    const auto* const grid = std::get_if<GridSpec>(&spec.poses);
     return {poses.kind,
             poses.count,
             poses.file,
-            grid == nullptr ? std::vector<GridAxis>() : grid->axes,
+            axes_of(spec.poses),
             poses.random,
             poses.has_ids,
             poses.has_times,
@@ -255,6 +266,11 @@ Result<std::shared_ptr<const NamedParts>> ViewedRun::parts(std::uint64_t body) c
         return Error{ErrorCode::NotFound, "there is no such body"};
     }
     return parts_[body];
+}
+
+Result<std::vector<bool>> ViewedRun::closed_parts(std::uint64_t body) const {
+    const auto found = CD_TRY(parts(body));
+    return cd::closed_parts(*job_.meshes[body], found->runs);
 }
 
 Result<std::shared_ptr<const ScenarioView>> ViewedRun::scenario(std::uint64_t number,

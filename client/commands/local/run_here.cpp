@@ -29,10 +29,7 @@ struct LocalOutcome : RunOutcome {
 RunReport report_of(const LocalJob& local, const LocalOutcome& outcome) {
     RunReport report;
     report.summary = outcome.summary;
-    report.level = local.job.query.level;
-    report.limit_pairs = local.job.query.limit_pairs;
-    report.clearance = local.job.query.clearance;
-    report.maps_all_pairs = local.job.query.maps;
+    report.query = local.job.query;
     report.digest = outcome.digest;
     report.execution.seconds = outcome.seconds;
     report.execution.reused = outcome.reused;

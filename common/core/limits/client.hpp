@@ -46,6 +46,10 @@ inline constexpr std::uint64_t run_inputs_bytes_max = 1ull << 30;
 /// If the results folder is estimated to become larger, `cdctl run` needs --yes.
 inline constexpr std::uint64_t folder_bytes_unasked_max = 1'000'000'000;
 
+// Watching a job on a master.
+/// Scenarios of a job whose results are read for the least distance, some 100 bytes each.
+inline constexpr std::uint64_t watch_scenarios_max = 1u << 20;
+
 // Groups of contacts.
 /// Connected pieces of a mesh that are parts of their own.
 inline constexpr std::size_t pieces_max = 1000;

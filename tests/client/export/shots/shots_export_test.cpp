@@ -233,4 +233,15 @@ TEST_F(ShotsExport, LevelCountHasNoHits) {
     EXPECT_THAT(text_of("scenarios.csv"), HasSubstr("class,count,hits,cut"));
 }
 
+TEST_F(ShotsExport, TextNamesHitsAndWhatTheyDo) {
+    write({"text"});
+    const std::string text = text_of("results.txt");
+    EXPECT_THAT(text, HasSubstr("  contact  "));
+    EXPECT_THAT(text, HasSubstr(" hits\n"));
+    EXPECT_THAT(text, HasSubstr("  enters at depth "));
+    EXPECT_THAT(text, HasSubstr("  leaves at depth "));
+    EXPECT_THAT(text, testing::Not(HasSubstr("pair")));
+    EXPECT_THAT(text, testing::Not(HasSubstr("proper")));
+}
+
 } // namespace cd::tests
