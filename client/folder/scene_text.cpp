@@ -26,6 +26,9 @@ std::string body_keys(const SceneBodySpec& body) {
     add("unit", body.mesh.unit);
     add("up", body.mesh.up);
     add("precision", body.mesh.rounds_to_float ? "float" : "");
+    if (body.mesh.origin != std::array<double, 3>{}) {
+        text += ", origin = " + toml_list(body.mesh.origin, toml_number);
+    }
     add("group", body.group);
     text += body.count ? ", count = " + std::to_string(*body.count) : "";
     add("split", body.is_split ? "parts" : "");
