@@ -365,6 +365,9 @@ void make_paths_absolute(JobSpec& spec) {
     if (spec.scene->poses) {
         spec.scene->poses->file.path = absolute_path(spec.scene->poses->file.path);
     }
+    if (spec.scene->fcd) {
+        spec.scene->fcd->path = absolute_path(spec.scene->fcd->path);
+    }
 }
 
 void make_paths_absolute(PreparedJob& job) {

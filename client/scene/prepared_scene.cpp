@@ -1,6 +1,7 @@
 #include "client/scene/prepared_scene.hpp"
 
 #include "client/base/slow_note.hpp"
+#include "client/poses/fcd_file.hpp"
 #include "client/scene/scene_meshes.hpp"
 #include "client/scene/scene_steps.hpp"
 #include "common/core/check.hpp"
@@ -39,6 +40,15 @@ std::vector<Sha256> hashes_of(const SceneBodies& scene) {
     return hashes;
 }
 
+/// Reads the vehicles of SUMO; null if the job has none. Errors: those of `read_fcd_file`.
+Result<std::shared_ptr<const Traffic>> read_traffic(const SceneSpec& scene, bool quiet) {
+    if (!scene.fcd) {
+        return std::shared_ptr<const Traffic>();
+    }
+    const SlowNote note("reading " + scene.fcd->path.filename().string() + "...", quiet);
+    return std::make_shared<const Traffic>(CD_TRY(read_fcd_file(*scene.fcd)));
+}
+
 } // namespace
 
 double reach_of(const Query& query) {
@@ -52,13 +62,15 @@ Result<PreparedScene> prepare_scene(const JobSpec& spec, bool quiet, const StopC
     const auto read = CD_TRY(import_meshes(scene, spec.unit, quiet));
     PreparedScene prepared;
     append(prepared.warnings, read.warnings);
-    prepared.scene = CD_TRY(expand_bodies(scene, read.meshes, spec.file));
+    auto traffic = CD_TRY(read_traffic(scene, quiet));
+    prepared.scene =
+        CD_TRY(expand_bodies(scene, read.meshes, spec.file, traffic ? *traffic : Traffic()));
     auto rules = CD_TRY(apply_rules(scene.rules, prepared.scene, spec.file));
     prepared.effects = std::move(rules.effects);
     prepared.ignored = std::move(rules.ranges);
     prepared.ignored_pairs = rules.ignored.count();
     const SlowNote note("reading poses, and pairing the boxes of each step...", quiet);
-    auto steps = CD_TRY(open_steps(scene, prepared.scene, spec.file));
+    auto steps = CD_TRY(open_steps(scene, prepared.scene, spec.file, std::move(traffic)));
     append(prepared.warnings, steps.warnings);
     prepared.zeros = std::move(steps.zeros);
     prepared.are_fixed = steps.are_fixed;

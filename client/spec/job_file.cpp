@@ -205,7 +205,9 @@ void read_job(const toml::table& table, JobSpec& spec) {
             job.refuse("shots", "[shots] is for a job with [a]; leave out [shots], or [bodies]");
         }
         spec.scene = read_scene(job, spec.unit, spec.file);
-        spec.poses = spec.scene->poses ? spec.scene->poses->file : PoseFileSpec{};
+        PoseFileSpec file = spec.scene->poses ? spec.scene->poses->file : PoseFileSpec{};
+        file.path = spec.scene->fcd ? spec.scene->fcd->path : file.path;
+        spec.poses = std::move(file);
     } else {
         read_two_bodies(job, spec);
     }

@@ -85,7 +85,7 @@ class ViewedRun {
     const PreparedJob& job_;
     RecordIndex index_;
     std::optional<ContactMap> map_;
-    std::optional<GroupsView> groups_; ///< Nothing if they are unknown.
+    std::optional<GroupsView> groups_;                     ///< Nothing if they are unknown.
     std::vector<std::shared_ptr<const NamedParts>> parts_; ///< By body.
     std::mutex mutex_; ///< Held while poses or records are read.
 };

@@ -119,6 +119,7 @@ DOORS = {
     r"png\.h": ["client/picture/image.cpp"],
     r"zip\.h": ["client/formats/npz.cpp", "client/formats/zip_file"],
     r"pugixml": ["client/import/foreign/xml"],
+    r"expat\.h": ["client/poses/fcd_xml.cpp"],
     r"zlib\.h": ["client"],
     r"CLI/": ["common/core/host/daemon_options.cpp", "master/config.cpp", "worker/config.cpp", "client"],
     r"toml\+\+/": ["common/core/host/daemon_options.cpp", "client"],

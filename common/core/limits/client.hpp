@@ -34,6 +34,11 @@ inline constexpr std::uint64_t reader_memory_per_file_byte = 512;
 inline constexpr std::uint64_t reader_file_bytes_per_second = 1u << 20;
 inline constexpr int reader_real_seconds_each = 10; ///< Wall clock per second of processor time.
 
+// Traffic of SUMO.
+inline constexpr std::size_t fcd_depth_max = 64; ///< Depth of nested XML elements.
+/// Size of a tag or comment, which is in memory whole.
+inline constexpr std::size_t fcd_markup_bytes_max = 1u << 20;
+
 // Bundles of lines.
 inline constexpr std::uint32_t bundle_side_max = 4096;      ///< Lines along a side of a tile.
 inline constexpr std::uint64_t bundle_poses_max = 1u << 24; ///< Poses of one bundle in a job.

@@ -20,7 +20,7 @@ using testing::HasSubstr;
 
 constexpr const char* good = R"(unit = "cm"
 [bodies]
-truck = { mesh = "truck.glb", group = "traffic", poses = "truck.csv" }
+truck = { mesh = "truck.glb", group = "traffic", poses = "truck.csv", origin = [2.5, 0, -0.5] }
 wall = { mesh = "/abs/wall.stl", unit = "mm", up = "y", pose = [1, 2, 3, 1, 0, 0, 0], quat_order = "wxyz" }
 car = { mesh = "sedan.obj", group = "traffic", count = 500, precision = "float" }
 [bodies.factory]
@@ -75,6 +75,7 @@ TEST(SceneSpec, EveryKeyIsRead) {
     EXPECT_EQ(truck.name, "truck");
     EXPECT_EQ(truck.mesh.path, "folder/truck.glb");
     EXPECT_EQ(truck.group, "traffic");
+    EXPECT_EQ(truck.mesh.origin, (std::array{2.5, 0.0, -0.5}));
     ASSERT_TRUE(truck.poses);
     EXPECT_EQ(truck.poses->path, "folder/truck.csv");
     EXPECT_FALSE(truck.pose);
@@ -181,6 +182,7 @@ TEST(SceneSpec, ABodyHasOneKindOfPose) {
                 HasSubstr("either pose, the same at all steps, or poses"));
     EXPECT_THAT(problem_of_body("quat_order = \"xyzw\""),
                 HasSubstr("quat_order belongs to pose or poses"));
+    EXPECT_THAT(problem_of_body("origin = [1, 2]"), HasSubstr("\"origin\" has to be [x, y, z]"));
     EXPECT_THAT(problem_of_body("poses = \"\""), HasSubstr("poses has to be the name of a file"));
     EXPECT_EQ(problem_of_body("pose = [0,0,0,0,0,0,1], quat_order = \"xyzw\""), "none");
 }
@@ -273,6 +275,7 @@ TEST(SceneSpec, IsWrittenAsAJobFileThatGivesItAgain) {
         EXPECT_EQ(after.bodies[i].mesh.unit, before.bodies[i].mesh.unit);
         EXPECT_EQ(after.bodies[i].mesh.up, before.bodies[i].mesh.up);
         EXPECT_EQ(after.bodies[i].mesh.rounds_to_float, before.bodies[i].mesh.rounds_to_float);
+        EXPECT_EQ(after.bodies[i].mesh.origin, before.bodies[i].mesh.origin);
     }
     EXPECT_EQ(after.poses->body_order, before.poses->body_order);
     EXPECT_EQ(after.poses->nan_is_absent, before.poses->nan_is_absent);
