@@ -90,7 +90,7 @@ Status add_row(TrafficBuilder& builder,
 
 } // namespace
 
-Result<Traffic> read_fcd_csv(std::istream& in, const FcdSpec& spec) {
+Result<RoadTraffic> read_fcd_csv(std::istream& in, const FcdSpec& spec) {
     TrafficBuilder builder(spec);
     std::optional<FcdColumns> columns;
     std::string line;

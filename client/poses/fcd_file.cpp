@@ -11,7 +11,7 @@ namespace cd {
 
 namespace {
 
-Result<Traffic> read_by_ending(const FcdSpec& spec) {
+Result<RoadTraffic> read_by_ending(const FcdSpec& spec) {
     const std::string ending = spec.path.extension().string();
     if (ending != ".xml" && ending != ".csv") {
         return bad_input("the ending '" + ending + "' is not one of .xml, .csv");
@@ -28,7 +28,7 @@ Result<Traffic> read_by_ending(const FcdSpec& spec) {
 
 } // namespace
 
-Result<Traffic> read_fcd_file(const FcdSpec& spec) {
+Result<RoadTraffic> read_fcd_file(const FcdSpec& spec) {
     const std::string name = spec.path.string();
     try {
         auto traffic = CD_TRY(within(name + ": ", read_by_ending(spec)));

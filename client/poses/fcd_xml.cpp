@@ -46,7 +46,7 @@ class FcdParsing {
         XML_SetStartDoctypeDeclHandler(parser_.get(), on_doctype);
     }
 
-    Result<Traffic> run(std::istream& in) {
+    Result<RoadTraffic> run(std::istream& in) {
         std::string piece(bytes_at_once, '\0');
         bool is_last = false;
         while (!is_last) {
@@ -172,7 +172,7 @@ class FcdParsing {
 
 } // namespace
 
-Result<Traffic> read_fcd_xml(std::istream& in, const FcdSpec& spec) {
+Result<RoadTraffic> read_fcd_xml(std::istream& in, const FcdSpec& spec) {
     return FcdParsing(spec).run(in);
 }
 

@@ -20,13 +20,13 @@ struct TrafficVehicle {
 
 /// A vehicle at a step.
 struct TrafficRow {
-    std::uint32_t vehicle = 0; ///< Its index in `Traffic::vehicles`.
+    std::uint32_t vehicle = 0; ///< Its index in `RoadTraffic::vehicles`.
     Quaternion rotation;
     Vec3 position; ///< In the job's unit.
 };
 
 /// All vehicles of a simulation. Memory: some 64 bytes for each vehicle at each step that has it.
-struct Traffic {
+struct RoadTraffic {
     std::string name = {};                     ///< The file's name.
     std::vector<TrafficVehicle> vehicles = {}; ///< In the order of their first rows.
     std::vector<double> times = {};            ///< The time of each step in seconds; they rise.

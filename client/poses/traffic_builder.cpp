@@ -160,7 +160,7 @@ Status TrafficBuilder::check_types() const {
                      "\"skip\"");
 }
 
-Result<Traffic> TrafficBuilder::finish() {
+Result<RoadTraffic> TrafficBuilder::finish() {
     if (made_.times.empty()) {
         return bad_input("has no steps");
     }

@@ -48,7 +48,7 @@ class TrafficBuilder {
     /// Returns all vehicles. A warning names types in the job that no vehicle has. Errors: BadInput
     /// for a file without steps, and naming the types that the job does not name, unless it leaves
     /// them out.
-    [[nodiscard]] Result<Traffic> finish();
+    [[nodiscard]] Result<RoadTraffic> finish();
 
   private:
     [[nodiscard]] Result<std::uint32_t>
@@ -57,7 +57,7 @@ class TrafficBuilder {
     void note_other_type(std::string_view type, std::uint64_t line);
 
     const FcdSpec& spec_;
-    Traffic made_;
+    RoadTraffic made_;
     std::map<std::string, std::uint32_t, std::less<>> numbers_; ///< The index of each vehicle's id.
     std::vector<std::size_t> last_steps_; ///< The last step of each vehicle, counted from 1.
     std::map<std::string, std::uint64_t, std::less<>> seen_types_; ///< With the first line of each.

@@ -41,12 +41,12 @@ std::vector<Sha256> hashes_of(const SceneBodies& scene) {
 }
 
 /// Reads the vehicles of SUMO; null if the job has none. Errors: those of `read_fcd_file`.
-Result<std::shared_ptr<const Traffic>> read_traffic(const SceneSpec& scene, bool quiet) {
+Result<std::shared_ptr<const RoadTraffic>> read_traffic(const SceneSpec& scene, bool quiet) {
     if (!scene.fcd) {
-        return std::shared_ptr<const Traffic>();
+        return std::shared_ptr<const RoadTraffic>();
     }
     const SlowNote note("reading " + scene.fcd->path.filename().string() + "...", quiet);
-    return std::make_shared<const Traffic>(CD_TRY(read_fcd_file(*scene.fcd)));
+    return std::make_shared<const RoadTraffic>(CD_TRY(read_fcd_file(*scene.fcd)));
 }
 
 } // namespace
@@ -64,7 +64,7 @@ Result<PreparedScene> prepare_scene(const JobSpec& spec, bool quiet, const StopC
     append(prepared.warnings, read.warnings);
     auto traffic = CD_TRY(read_traffic(scene, quiet));
     prepared.scene =
-        CD_TRY(expand_bodies(scene, read.meshes, spec.file, traffic ? *traffic : Traffic()));
+        CD_TRY(expand_bodies(scene, read.meshes, spec.file, traffic ? *traffic : RoadTraffic()));
     auto rules = CD_TRY(apply_rules(scene.rules, prepared.scene, spec.file));
     prepared.effects = std::move(rules.effects);
     prepared.ignored = std::move(rules.ranges);

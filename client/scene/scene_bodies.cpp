@@ -16,7 +16,9 @@ namespace {
 /// Collects the bodies of the entries, and each mesh once.
 class BodyList {
   public:
-    BodyList(const SceneSpec& scene, const std::filesystem::path& job_file, const Traffic& traffic)
+    BodyList(const SceneSpec& scene,
+             const std::filesystem::path& job_file,
+             const RoadTraffic& traffic)
         : scene_(scene), job_file_(job_file), traffic_(traffic) {}
 
     Status add_entry(std::uint32_t entry, const std::shared_ptr<const Mesh>& mesh) {
@@ -98,7 +100,7 @@ class BodyList {
 
     const SceneSpec& scene_;
     const std::filesystem::path& job_file_;
-    const Traffic& traffic_;
+    const RoadTraffic& traffic_;
     std::map<std::string, std::uint32_t> entries_; ///< The entry of each body's name.
     std::map<const Mesh*, std::uint32_t> numbers_; ///< The place of each mesh.
     SceneBodies made_;
@@ -109,7 +111,7 @@ class BodyList {
 Result<SceneBodies> expand_bodies(const SceneSpec& scene,
                                   std::span<const std::shared_ptr<const Mesh>> meshes,
                                   const std::filesystem::path& job_file,
-                                  const Traffic& traffic) {
+                                  const RoadTraffic& traffic) {
     CD_CHECK(meshes.size() == scene.bodies.size());
     BodyList list(scene, job_file, traffic);
     for (std::uint32_t entry = 0; entry < scene.bodies.size(); ++entry) {

@@ -38,6 +38,6 @@ struct SceneBodies {
 [[nodiscard]] Result<SceneBodies> expand_bodies(const SceneSpec& scene,
                                                 std::span<const std::shared_ptr<const Mesh>> meshes,
                                                 const std::filesystem::path& job_file,
-                                                const Traffic& traffic = {});
+                                                const RoadTraffic& traffic = {});
 
 } // namespace cd

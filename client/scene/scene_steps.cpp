@@ -28,8 +28,8 @@ struct PoseSources {
     std::vector<OwnPoses> own;
     std::optional<PoseTable> table;          ///< The rows of [poses].
     std::vector<std::uint32_t> table_bodies; ///< The body of each pose in a row of `table`.
-    std::shared_ptr<const Traffic> traffic = nullptr; ///< Null: there are no vehicles.
-    std::vector<std::uint32_t> vehicle_bodies = {};   ///< The body of each vehicle.
+    std::shared_ptr<const RoadTraffic> traffic = nullptr; ///< Null: there are no vehicles.
+    std::vector<std::uint32_t> vehicle_bodies = {};       ///< The body of each vehicle.
     std::uint64_t steps = 1;
     std::vector<double> times = {};
 };
@@ -81,7 +81,7 @@ class StepsOpening {
     StepsOpening(const SceneSpec& spec,
                  const SceneBodies& scene,
                  const std::filesystem::path& job_file,
-                 std::shared_ptr<const Traffic> traffic)
+                 std::shared_ptr<const RoadTraffic> traffic)
         : spec_(spec), scene_(scene), job_file_(job_file), has_pose_(scene.bodies.size(), false) {
         sources_.fixed.resize(scene.bodies.size());
         sources_.traffic = std::move(traffic);
@@ -259,7 +259,7 @@ class StepsOpening {
 Result<OpenedSteps> open_steps(const SceneSpec& spec,
                                const SceneBodies& scene,
                                const std::filesystem::path& job_file,
-                               std::shared_ptr<const Traffic> traffic) {
+                               std::shared_ptr<const RoadTraffic> traffic) {
     return StepsOpening(spec, scene, job_file, std::move(traffic)).run();
 }
 

@@ -31,6 +31,6 @@ struct OpenedSteps {
 [[nodiscard]] Result<OpenedSteps> open_steps(const SceneSpec& spec,
                                              const SceneBodies& scene,
                                              const std::filesystem::path& job_file,
-                                             std::shared_ptr<const Traffic> traffic = nullptr);
+                                             std::shared_ptr<const RoadTraffic> traffic = nullptr);
 
 } // namespace cd

@@ -532,7 +532,7 @@ void add_state(Seeds& seeds) {
         const Pose b = i < 3 ? Pose::from_matrix(Mat3::Identity(), {1, 2, 3}) : Pose();
         scenarios.push_back({i, 0, 1, {Pose(), b}});
     }
-    const auto spool = PoseSpool::create(folder / "spool", scenarios.size(), 2);
+    const auto spool = PoseSpool::create(folder / "spool", {scenarios.size(), 2});
     for (const Bytes& run : pack_in_order(scenarios)) {
         need(bool(spool.value()->append(run)));
     }
