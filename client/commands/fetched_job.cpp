@@ -133,9 +133,9 @@ Status FetchedJob::prepare(const std::filesystem::path& tree_cache) {
         inputs.poses = std::make_unique<RemotePoses>(connection, id, submit.scenarios);
     }
     inputs.ignored = submit.query.ignored;
-    if (submit.scene) {
-        inputs.scene = CD_TRY(
-            scene_of(submit.bodies, submit.scene->steps, submit.scenarios, submit.scene->head));
+    if (submit.poses.scene) {
+        inputs.scene = CD_TRY(scene_of(
+            submit.bodies, submit.poses.scene->steps, submit.scenarios, submit.poses.scene->head));
         for (const JobBody& body : submit.bodies) {
             inputs.names.push_back(body.name);
         }

@@ -110,9 +110,9 @@ InputChanges changes_between(const RunManifest& earlier, const RunManifest& late
     changes.are_poses_equal = earlier.poses.count == later.poses.count && earlier.poses.hash &&
                               earlier.poses.hash == later.poses.hash;
     changes.query = query_changes(earlier.query, later.query, QueryUse::Diff);
-    if (earlier.tolerance != later.tolerance) {
-        changes.query.push_back("tolerance " + exact_text(later.tolerance) + ", was " +
-                                exact_text(earlier.tolerance));
+    if (earlier.outcome.tolerance != later.outcome.tolerance) {
+        changes.query.push_back("tolerance " + exact_text(later.outcome.tolerance) + ", was " +
+                                exact_text(earlier.outcome.tolerance));
     }
     return changes;
 }

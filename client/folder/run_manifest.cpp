@@ -396,7 +396,7 @@ RunManifest read_manifest(const Json& json) {
         throw Refusal{bad_input("the number of poses is out of range")};
     }
     if (json["query"].contains("tolerance")) {
-        manifest.tolerance = number_of(json["query"]["tolerance"]);
+        manifest.outcome.tolerance = number_of(json["query"]["tolerance"]);
     }
     manifest.outcome.answered = value_or<std::uint64_t>(json, "answered", 0);
     manifest.outcome.digest = read_hash(json, "digest");
@@ -447,8 +447,8 @@ std::string manifest_json(const RunManifest& manifest) {
               {"map_digest", hash_json(manifest.outcome.map_digest)},
               {"formats", manifest.formats},
               {"files", files_json(manifest.files)}};
-    if (manifest.tolerance > 0) {
-        json["query"]["tolerance"] = manifest.tolerance;
+    if (manifest.outcome.tolerance > 0) {
+        json["query"]["tolerance"] = manifest.outcome.tolerance;
     }
     if (manifest.scene) {
         json["scene"] = {{"head", to_hex(manifest.scene->head)}, {"steps", manifest.scene->steps}};
@@ -476,12 +476,12 @@ bool is_same_job(const RunManifest& left, const RunManifest& right) {
         return run.scene ? std::optional(run.scene->head) : std::nullopt;
     };
     return same_meshes && head(left) == head(right) && has_same_poses(left.poses, right.poses) &&
-           is_equal(left.query, right.query) && left.tolerance == right.tolerance;
+           is_equal(left.query, right.query) && left.outcome.tolerance == right.outcome.tolerance;
 }
 
 Status check_exact(const RunManifest& manifest) {
-    return manifest.tolerance > 0
-               ? bad_input("the run had a tolerance of " + exact_text(manifest.tolerance) +
+    return manifest.outcome.tolerance > 0
+               ? bad_input("the run had a tolerance of " + exact_text(manifest.outcome.tolerance) +
                            ", which is gone, so no run gives its answers again: run its job file "
                            "without the key tolerance into another folder")
                : Status(Done{});

@@ -78,6 +78,8 @@ struct ManifestOutcome {
     std::optional<Sha256> digest;        ///< Result digest; nothing while scenarios are missing.
     std::optional<Sha256> map_digest;    ///< Digest of the contact map; nothing without one.
     std::optional<ManifestReuse> reused; ///< Nothing if all scenarios were run.
+    /// Above 0: the run of an earlier version, which left boxes of this size undecided.
+    double tolerance = 0;
 };
 
 /// The content of run.json.
@@ -91,8 +93,6 @@ struct RunManifest {
     ManifestPoses poses;
     std::optional<ManifestScene> scene; ///< Nothing for a job of two bodies.
     Query query;
-    /// Above 0: the run of an earlier version, which left boxes of this size undecided.
-    double tolerance = 0;
     ManifestOutcome outcome;
     std::vector<std::string> formats;
     std::vector<ManifestFile> files; ///< All files of the folder except run.json.

@@ -140,7 +140,7 @@ Submit submission_of(const PreparedJob& job) {
         submit.ignore.push_back({escaped(rule.a), escaped(rule.b)});
     }
     if (job.scene) {
-        submit.scene =
+        submit.poses.scene =
             SceneOrigin{job.scene->head.hash, job_text(job.spec), pack_steps(*job.scene->steps)};
     }
     return submit;
@@ -161,8 +161,8 @@ Result<JobScene> scene_of(std::span<const JobBody> bodies,
 }
 
 Result<JobSpec> spec_of(const Submit& submit) {
-    if (submit.scene) {
-        auto scene = CD_TRY(parse_job(submit.scene->job, "the job's description"));
+    if (submit.poses.scene) {
+        auto scene = CD_TRY(parse_job(submit.poses.scene->job, "the job's description"));
         scene.output = {};
         return scene;
     }

@@ -184,6 +184,28 @@ JobBody get_body(ByteReader& in) {
     return body;
 }
 
+void put_scene(ByteWriter& out, const std::optional<SceneOrigin>& scene) {
+    out.put(scene.has_value());
+    if (scene) {
+        put_hash(out, scene->head);
+        out.put_text(scene->job);
+        out.put(std::uint64_t{scene->steps.size()});
+        put_bytes(out, scene->steps);
+    }
+}
+
+std::optional<SceneOrigin> get_scene(ByteReader& in) {
+    if (in.get<std::uint8_t>() == 0) {
+        return std::nullopt;
+    }
+    SceneOrigin scene;
+    scene.head = get_hash(in);
+    scene.job = in.get_text();
+    const auto steps = in.get_bytes(in.get<std::uint64_t>());
+    scene.steps.assign(steps.begin(), steps.end());
+    return scene;
+}
+
 void put_shots(ByteWriter& out, const ShotsOrigin& shots) {
     out.put(shots.spacing);
     out.put(shots.tile);
@@ -227,6 +249,7 @@ void put_origin(ByteWriter& out, const PosesOrigin& origin) {
     }
     out.put(origin.shots.has_value());
     put_shots(out, origin.shots.value_or(ShotsOrigin{}));
+    put_scene(out, origin.scene);
 }
 
 bool get_origin(ByteReader& in, PosesOrigin& origin) {
@@ -263,29 +286,8 @@ bool get_origin(ByteReader& in, PosesOrigin& origin) {
     if (is_shots) {
         origin.shots = shots;
     }
+    origin.scene = get_scene(in);
     return is_kind && are_ids;
-}
-
-void put_scene(ByteWriter& out, const std::optional<SceneOrigin>& scene) {
-    out.put(scene.has_value());
-    if (scene) {
-        put_hash(out, scene->head);
-        out.put_text(scene->job);
-        out.put(std::uint64_t{scene->steps.size()});
-        put_bytes(out, scene->steps);
-    }
-}
-
-std::optional<SceneOrigin> get_scene(ByteReader& in) {
-    if (in.get<std::uint8_t>() == 0) {
-        return std::nullopt;
-    }
-    SceneOrigin scene;
-    scene.head = get_hash(in);
-    scene.job = in.get_text();
-    const auto steps = in.get_bytes(in.get<std::uint64_t>());
-    scene.steps.assign(steps.begin(), steps.end());
-    return scene;
 }
 
 } // namespace
@@ -318,7 +320,6 @@ Bytes encode_job(const JobRecord& job) {
         out.put_text(line.a);
         out.put_text(line.b);
     }
-    put_scene(out, submit.scene);
     return out.take();
 }
 
@@ -356,7 +357,6 @@ Result<JobRecord> decode_job(std::span<const std::byte> bytes) {
         std::string a = in.get_text();
         job.submit.ignore.push_back({std::move(a), in.get_text()});
     }
-    job.submit.scene = get_scene(in);
     if (!in.complete()) {
         return damaged_row("a job");
     }

@@ -15,7 +15,7 @@ constexpr std::uint64_t magic = 0x32'53'4f'50'44'43'00'00; // "\0\0CDPOS2"
 } // namespace
 
 AnnouncedPoses announced_by(const Submit& submit) {
-    return {submit.scenarios, submit.bodies.size(), submit.scene.has_value()};
+    return {submit.scenarios, submit.bodies.size(), submit.poses.scene.has_value()};
 }
 
 Result<std::unique_ptr<PoseSpool>> PoseSpool::create(const std::filesystem::path& directory,

@@ -85,13 +85,13 @@ Status check_origin(const Submit& submit) {
 
 /// Checks what a scene of many bodies tells besides its scenarios.
 Status check_scene(const Submit& submit) {
-    if (!submit.scene) {
+    if (!submit.poses.scene) {
         return Done{};
     }
     if (submit.poses.kind != PosesKind::File) {
         return bad("the poses of a scene come from files");
     }
-    const std::uint64_t bytes = submit.scene->job.size() + submit.scene->steps.size();
+    const std::uint64_t bytes = submit.poses.scene->job.size() + submit.poses.scene->steps.size();
     if (bytes > limits::scene_bytes_max) {
         return Error{ErrorCode::TooLarge,
                      "a scene whose job file and steps take " + std::to_string(bytes) +
@@ -262,7 +262,9 @@ std::uint64_t bulk_bytes(const Submit& submit) {
     for (const IgnoreLine& line : submit.ignore) {
         bytes += line.a.size() + line.b.size();
     }
-    return bytes + (submit.scene ? submit.scene->job.size() + submit.scene->steps.size() : 0);
+    return bytes + (submit.poses.scene
+                        ? submit.poses.scene->job.size() + submit.poses.scene->steps.size()
+                        : 0);
 }
 
 std::uint64_t bulk_bytes(const PosesPart& part) {
@@ -282,9 +284,9 @@ bool drop_bulk(Submit& submit) {
         submit.grid = Bytes();
         is_dropped = true;
     }
-    if (submit.scene) {
-        submit.scene->job = {};
-        submit.scene->steps = {};
+    if (submit.poses.scene) {
+        submit.poses.scene->job = {};
+        submit.poses.scene->steps = {};
         is_dropped = true;
     }
     return is_dropped;

@@ -280,10 +280,15 @@ void serialize(Archive& archive, ShotsOrigin& o) {
 }
 
 template <class Archive>
+void serialize(Archive& archive, SceneOrigin& s) {
+    archive(s.head, s.job, s.steps);
+}
+
+template <class Archive>
 void serialize(Archive& archive, PosesOrigin& o) {
     enumeration(archive, o.kind, PosesKind::Grid, PosesKind::Shots);
     archive(o.random, o.file, o.quat_order, o.of_both_bodies, o.rigid_tolerance, o.labels);
-    archive(o.unit, o.axes, o.shots);
+    archive(o.unit, o.axes, o.shots, o.scene);
 }
 
 template <class Archive>
@@ -292,14 +297,9 @@ void serialize(Archive& archive, IgnoreLine& l) {
 }
 
 template <class Archive>
-void serialize(Archive& archive, SceneOrigin& s) {
-    archive(s.head, s.job, s.steps);
-}
-
-template <class Archive>
 void serialize(Archive& archive, Submit& m) {
     archive(m.name, m.unit, m.owner, m.priority, m.bodies, m.query, m.cluster, m.poses);
-    archive(m.scenarios, m.grid, m.retention_seconds, m.ignore, m.scene);
+    archive(m.scenarios, m.grid, m.retention_seconds, m.ignore);
 }
 
 template <class Archive>

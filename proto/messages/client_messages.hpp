@@ -73,6 +73,16 @@ struct ShotsOrigin {
     friend bool operator==(const ShotsOrigin&, const ShotsOrigin&) = default;
 };
 
+/// What a job of a scene of many bodies has besides its bodies and scenarios, for clients that open
+/// the job again.
+struct SceneOrigin {
+    Sha256 head = {};     ///< The hash of `SceneHead`, with which the job's digest starts.
+    std::string job = {}; ///< Text of the job file.
+    Bytes steps = {};     ///< The steps, packed by the client.
+
+    friend bool operator==(const SceneOrigin&, const SceneOrigin&) = default;
+};
+
 /// The origin of a job's poses, used when the job is opened again.
 struct PosesOrigin {
     PosesKind kind = PosesKind::File;
@@ -89,6 +99,7 @@ struct PosesOrigin {
     /// unknown. Kind Shots: the azimuths and the elevations in degrees.
     std::vector<GridAxis> axes = {};
     std::optional<ShotsOrigin> shots = {}; ///< For kind Shots only.
+    std::optional<SceneOrigin> scene = {}; ///< Set if and only if the scenarios have steps.
 
     friend bool operator==(const PosesOrigin&, const PosesOrigin&) = default;
 };
@@ -99,16 +110,6 @@ struct IgnoreLine {
     std::string b;
 
     friend bool operator==(const IgnoreLine&, const IgnoreLine&) = default;
-};
-
-/// What a job of a scene of many bodies has besides its bodies and scenarios, for clients that open
-/// the job again.
-struct SceneOrigin {
-    Sha256 head = {};     ///< The hash of `SceneHead`, with which the job's digest starts.
-    std::string job = {}; ///< Text of the job file.
-    Bytes steps = {};     ///< The steps, packed by the client.
-
-    friend bool operator==(const SceneOrigin&, const SceneOrigin&) = default;
 };
 
 /// A new job. With a grid the Submit is complete and answered by Accepted; otherwise poses follow
@@ -127,12 +128,11 @@ struct Submit {
     /// How long the job is kept after its end, in seconds. 0, or more than the master's own bound:
     /// as long as the master keeps any job.
     std::uint64_t retention_seconds = 0;
-    std::vector<IgnoreLine> ignore = {};   ///< The source of `query.ignored`, for display.
-    std::optional<SceneOrigin> scene = {}; ///< Set if the scenarios have steps.
+    std::vector<IgnoreLine> ignore = {}; ///< The source of `query.ignored`, for display.
 
     /// Returns with what the job's digest starts; nothing unless the job is a scene.
     [[nodiscard]] std::optional<SceneHead> scene_head() const {
-        return scene ? std::optional(SceneHead{scene->head}) : std::nullopt;
+        return poses.scene ? std::optional(SceneHead{poses.scene->head}) : std::nullopt;
     }
 };
 

@@ -18,7 +18,7 @@ LAYERS = {
     "common/search": ["common/core", "common/distance", "common/geometry", "common/pair", "common/tree"],
     "common/solid": ["common/core", "common/distance", "common/geometry", "common/pair", "common/search", "common/tree"],
     "common/job": ["common/core", "common/distance", "common/geometry", "common/pair", "common/search", "common/shots", "common/solid", "common/tree"],
-    "common/scene": ["common/core", "common/geometry", "common/job"],
+    "common/scene": ["common/core", "common/geometry", "common/job", "common/tree"],
     "proto/identity": [],
     "proto/messages": ["proto/identity"],
     "proto/codec": ["proto/identity", "proto/messages"],

@@ -43,7 +43,7 @@ RunManifest example(PosesKind kind) {
     if (kind == PosesKind::Random) {
         manifest.query.clearance = 0.005;
     } else if (kind == PosesKind::Grid) {
-        manifest.tolerance = 0.1;
+        manifest.outcome.tolerance = 0.1;
     }
     if (kind == PosesKind::Grid) {
         Grid grid;
