@@ -1,7 +1,7 @@
 // The statuses of groups of contacts: computed against a baseline, or said by people.
 #pragma once
 
-#include "client/compare/status_file.hpp"
+#include "client/spec/status_file.hpp"
 #include "client/groups/group_sum.hpp"
 #include "client/groups/groups_csv.hpp"
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "client/scene/scene_bodies.hpp"
-#include "client/spec/part_pattern.hpp"
+#include "client/groups/part_pattern.hpp"
 #include "common/core/result.hpp"
 
 #include <cstdint>

@@ -1,5 +1,5 @@
 // Proves how files of statuses are read, and that mistakes are named with their line.
-#include "client/compare/status_file.hpp"
+#include "client/spec/status_file.hpp"
 
 #include "tests/support/process.hpp"
 

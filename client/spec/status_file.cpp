@@ -1,4 +1,4 @@
-#include "client/compare/status_file.hpp"
+#include "client/spec/status_file.hpp"
 
 #include "client/formats/output_file.hpp"
 #include "client/spec/toml_fields.hpp"
