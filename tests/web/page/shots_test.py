@@ -25,7 +25,7 @@ class Shots(PageTest):
         self.assertEqual(facts["verified"], True)
         self.assertEqual(facts["lines"][0], 64)
         self.assertGreater(facts["lines"][1], 0)
-        self.assertEqual({one["kind"] for one in facts["hits"]}, {"enters", "leaves"})
+        self.assertLessEqual({"enters", "leaves"}, {one["kind"] for one in facts["hits"]})
         self.assertEqual(len(facts["hits"]), min(64, hits))
         self.browser.wait_text(f"contact, {hits} hits")
         self.browser.wait_text("parts hit here")
