@@ -47,7 +47,7 @@ class ShotsExport : public testing::Test {
         for (const ScenarioResult& result : results()) {
             EXPECT_TRUE(files.value().add(result));
         }
-        map_ = files.value().map();
+        map_ = files.value().map().value();
         EXPECT_TRUE(files.value().finish(std::nullopt));
         return files.value().findings();
     }
