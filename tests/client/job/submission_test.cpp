@@ -15,7 +15,7 @@ PreparedJob job_of(const std::string& shots) {
     PreparedJob job;
     job.spec = parse_job("name = \"rays\"\n[a]\nmesh = \"/a.obj\"\n[shots]\n" + shots, "/job.toml")
                    .value();
-    job.meshes[0] = job.meshes[1] = share(make_gridded_box(Vec3(1, 1, 1), 1));
+    job.meshes.assign(2, share(make_gridded_box(Vec3(1, 1, 1), 1)));
     job.query = job.spec.query;
     job.poses = make_list_source(std::vector<Scenario>(3));
     return job;
