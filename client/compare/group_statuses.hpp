@@ -1,9 +1,9 @@
 // The statuses of groups of contacts: computed against a baseline, or said by people.
 #pragma once
 
-#include "client/spec/status_file.hpp"
 #include "client/groups/group_sum.hpp"
 #include "client/groups/groups_csv.hpp"
+#include "client/spec/status_file.hpp"
 
 #include <array>
 #include <cstddef>

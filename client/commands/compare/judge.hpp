@@ -4,8 +4,8 @@
 #include "client/cli/cli.hpp"
 #include "client/commands/run_at_hand.hpp"
 #include "client/compare/group_statuses.hpp"
-#include "client/spec/status_file.hpp"
 #include "client/groups/group_sum.hpp"
+#include "client/spec/status_file.hpp"
 #include "common/core/host/thread_pool.hpp"
 #include "common/core/result.hpp"
 
