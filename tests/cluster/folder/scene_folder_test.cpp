@@ -33,7 +33,7 @@ class SceneFolder : public Cluster {
             for (int ring = 0; ring < 3; ++ring) {
                 const double x = -4 + step + 1.5 * ring;
                 rows += at + "ring." + std::to_string(ring) + time + std::to_string(x) + ",0," +
-                        std::to_string(0.3 * ring) + "\n";
+                        std::to_string(0.55 * ring) + "\n";
             }
             rows += at + "ball" + time + (step == 4 ? "nan,nan,nan\n" : "0,0.5,0\n");
         }
