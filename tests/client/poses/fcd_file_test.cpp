@@ -2,6 +2,8 @@
 // and that files which are none, or hostile, are refused with their line.
 #include "client/poses/fcd_file.hpp"
 
+#include "common/core/limits/client.hpp"
+#include "common/core/limits/engine.hpp"
 #include "tests/support/process.hpp"
 
 #include <gmock/gmock.h>
@@ -159,6 +161,100 @@ TEST(FcdCsv, IsReadAsTheXmlIs) {
     EXPECT_THAT(read_csv("time,id,x\n0,a,1\n").error().detail, HasSubstr("there is no column"));
     EXPECT_THAT(read_csv("time,id,type,x,y,angle\n0,a,truck,1,2\n").error().detail,
                 HasSubstr("line 2: 5 values"));
+}
+
+TEST(FcdXml, TypesWithoutABodyAreNamedWithTheirLines) {
+    EXPECT_EQ(
+        refusal_of(one_step("<vehicle id=\"a\" x=\"1\" y=\"2\" angle=\"0\" type=\"bus\"/>\n"
+                            "<vehicle id=\"b\" x=\"1\" y=\"2\" angle=\"0\" type=\"tram\"/>")),
+        "[poses] fcd types names no body for the vehicle types 'bus' (line 3), 'tram' (line 4); "
+        "name one for each, or leave their vehicles out with other_types = \"skip\"");
+}
+
+TEST(FcdXml, AVehicleKeepsItsBody) {
+    EXPECT_THAT(
+        refusal_of("<fcd-export><timestep time=\"0\">\n<vehicle id=\"a\" x=\"1\" y=\"2\" "
+                   "angle=\"0\" type=\"truck\"/>\n</timestep><timestep time=\"1\">\n"
+                   "<vehicle id=\"a\" x=\"1\" y=\"2\" angle=\"0\" type=\"passenger\"/>\n"
+                   "</timestep></fcd-export>"),
+        HasSubstr("line 4: vehicle 'a' is of body \"car\" here and of \"lorry\" in line 2"));
+}
+
+TEST(FcdXml, IdsAreNamesThatBodiesMayHave) {
+    const auto refusal_of_id = [](const std::string& id) {
+        return refusal_of(
+            one_step("<vehicle id=\"" + id + "\" x=\"1\" y=\"2\" angle=\"0\" type=\"truck\"/>"));
+    };
+    EXPECT_THAT(refusal_of_id(std::string(257, 'x')), HasSubstr("1 to 256 bytes"));
+    EXPECT_EQ(refusal_of_id(std::string(256, 'x')), "taken");
+    EXPECT_THAT(refusal_of_id(""), HasSubstr("1 to 256 bytes"));
+    EXPECT_THAT(refusal_of_id("group:a"), HasSubstr("no body's name begins with"));
+}
+
+TEST(FcdXml, AJobHasABoundOnVehicles) {
+    std::string vehicles;
+    const auto add = [&](std::size_t i) {
+        vehicles += "<vehicle id=\"" + std::to_string(i) +
+                    "\" x=\"1\" y=\"2\" angle=\"0\" type=\"truck\"/>\n";
+    };
+    for (std::size_t i = 0; i < limits::bodies_max; ++i) {
+        add(i);
+    }
+    EXPECT_EQ(refusal_of(one_step(vehicles)), "taken");
+    add(limits::bodies_max);
+    EXPECT_THAT(refusal_of(one_step(vehicles)),
+                HasSubstr("line 16387: has vehicle number 16385; a job has at most"));
+}
+
+TEST(FcdXml, TimesAreSeconds) {
+    EXPECT_THAT(refusal_of("<fcd-export><timestep time=\"00:01:00\"/></fcd-export>"),
+                HasSubstr("time is '00:01:00', not a number of seconds; run sumo with"));
+    EXPECT_THAT(refusal_of("<fcd-export><timestep time=\"2\"/>\n<timestep time=\"1.5\"/>"),
+                HasSubstr("line 2: time 1.5 is not later than 2 of the step before"));
+}
+
+TEST(FcdXml, ATagHasABound) {
+    const auto comment = [](std::size_t bytes) {
+        return "<fcd-export><!--" + std::string(bytes, ' ') +
+               "--><timestep time=\"0\"/></fcd-export>";
+    };
+    EXPECT_EQ(refusal_of(comment(limits::fcd_markup_bytes_max)), "taken");
+    EXPECT_THAT(refusal_of(comment(limits::fcd_markup_bytes_max + (1u << 18))),
+                HasSubstr("line 1: a tag or comment is too long for FCD"));
+}
+
+TEST(FcdCsv, ColumnsAreNamedOnceAndNumbersAreNumbers) {
+    const auto refusal = [](const std::string& text) {
+        const auto read = read_csv(text);
+        return read ? "taken" : read.error().detail;
+    };
+    EXPECT_THAT(refusal("time,id,type,x,y,angle,id\n"),
+                HasSubstr("line 1: column 'id' appears twice"));
+    EXPECT_THAT(refusal("time;id;type;x;y\n"), HasSubstr("no column 'vehicle_angle'"));
+    EXPECT_THAT(refusal("time,id,type,x,y,angle\n;;;;;\n"), HasSubstr("line 2: 1 values"));
+    EXPECT_THAT(refusal("time,id,type,x,y,angle\n,,,,,\n"), HasSubstr("line 2: time is ''"));
+    EXPECT_THAT(refusal("time,id,type,x,y,angle\n0,a,truck,1,inf,0\n"),
+                HasSubstr("line 2: y is 'inf', not a number"));
+    EXPECT_THAT(refusal("time,id,type,x,y,angle\n1,,,,,\n0,,,,,\n"),
+                HasSubstr("line 3: time 0 is not later"));
+    EXPECT_THAT(refusal("# nothing\n"), HasSubstr("no line that names the columns"));
+}
+
+TEST(FcdFile, TheEndingSaysTheFormat) {
+    const TemporaryFolder folder;
+    FcdSpec spec = spec_of_cars();
+    spec.path = folder / "traffic.xml";
+    EXPECT_THAT(read_fcd_file(spec).error().detail, HasSubstr("traffic.xml: cannot be opened"));
+    write_text(spec.path, crossing);
+    const auto read = read_fcd_file(spec);
+    ASSERT_TRUE(read) << read.error().detail;
+    EXPECT_EQ(read.value().name, spec.path.string());
+    EXPECT_EQ(read.value().vehicles.size(), 2u);
+    write_text(spec.path, std::string(crossing).substr(0, 300));
+    EXPECT_THAT(read_fcd_file(spec).error().detail, HasSubstr("traffic.xml: line "));
+    spec.path = folder / "traffic.gz";
+    EXPECT_THAT(read_fcd_file(spec).error().detail,
+                HasSubstr("traffic.gz: the ending '.gz' is not one of .xml, .csv"));
 }
 
 } // namespace cd::tests

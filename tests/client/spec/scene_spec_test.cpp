@@ -232,6 +232,48 @@ TEST(SceneSpec, AFileOfPosesNamesEachBodyOnce) {
                 HasSubstr("rigid_tolerance is negative"));
 }
 
+TEST(SceneSpec, VehiclesOfSumoAreRead) {
+    const std::string text = "unit = \"mm\"\n" + two +
+                             "[poses]\nfcd = { file = \"fcd.xml\", types = { passenger = \"a\", "
+                             "\"truck/trailer\" = \"b\" }, z = -5, other_types = \"skip\" }\n";
+    const auto spec = parse(text);
+    ASSERT_TRUE(spec) << spec.error().detail;
+    const auto again = parse_job(job_text(spec.value()), "job.toml");
+    ASSERT_TRUE(again) << again.error().detail;
+    for (const JobSpec& job : {spec.value(), again.value()}) {
+        EXPECT_FALSE(job.scene->poses);
+        ASSERT_TRUE(job.scene->fcd);
+        const FcdSpec& fcd = *job.scene->fcd;
+        EXPECT_EQ(fcd.path, "folder/fcd.xml");
+        EXPECT_EQ(fcd.types.at("truck/trailer"), "b");
+        EXPECT_EQ(fcd.z, -5);
+        EXPECT_EQ(fcd.length_factor, 1000);
+        EXPECT_TRUE(fcd.skips_other_types);
+    }
+}
+
+TEST(SceneSpec, VehiclesOfSumoHaveBodiesOfTheirOwn) {
+    const auto problem = [](const std::string& keys) {
+        return problem_of(two + "[poses]\nfcd = { file = \"f.xml\", " + keys + " }\n");
+    };
+    EXPECT_THAT(problem("z = 1"), HasSubstr(":5: [poses] fcd: types has to name a body"));
+    EXPECT_THAT(problem("types = {}"), HasSubstr("types has to name a body"));
+    EXPECT_THAT(problem("types = { car = 1 }"), HasSubstr("types has the name of a body"));
+    EXPECT_THAT(problem("types = { car = \"c\" }"),
+                HasSubstr(":5: [poses]: fcd types: no entry of [bodies] is called \"c\""));
+    EXPECT_THAT(problem("types = { car = \"a\" }, other_types = \"all\""),
+                HasSubstr("other_types \"all\" is not known"));
+    EXPECT_EQ(problem("types = { car = \"a\" }"), "none");
+    EXPECT_THAT(problem_of(two + "[poses]\nfcd = { types = { car = \"a\" } }\n"),
+                HasSubstr(":5: [poses] fcd: the key \"file\""));
+    EXPECT_THAT(problem_of(two + "[poses]\nfile = \"p\"\nfcd = { file = \"f\" }\n"),
+                HasSubstr(":5: [poses]: file is for a file of poses; leave out either it or fcd"));
+    EXPECT_THAT(problem_of("[bodies]\na = { mesh = \"m\", count = 2 }\n[poses]\nfcd = { file = "
+                           "\"f\", types = { car = \"a\" } }\n"),
+                HasSubstr(":4: [poses]: fcd types gives the vehicles to \"a\" of line 2, so leave "
+                          "out its count"));
+}
+
 TEST(SceneSpec, ARuleIsAPairOfPatterns) {
     EXPECT_EQ(problem_of_rules("[{ ignore = [\"a\"] }]"),
               "folder/job.toml:5: [rules] order: ignore has to be two names or patterns, such as "
