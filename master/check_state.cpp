@@ -102,7 +102,7 @@ class Check {
         if (job.submit.grid) {
             return;
         }
-        const auto spool = PoseSpool::open(path, job.submit.scenarios, job.submit.bodies.size());
+        const auto spool = PoseSpool::open(path, announced_by(job.submit));
         note(spool ? spool.value()->verify() : Status(spool.error()));
     }
 

@@ -128,8 +128,7 @@ write_results(const PreparedJob& job, const std::vector<Sample>& samples, const 
         CD_TRY(recorder.add(*sample.done));
     }
     CD_TRY(recorder.finish());
-    const bool has_map = job.query.maps || job.query.level >= Level::Pairs;
-    return sink.finish(has_map ? std::optional(sink.map()) : std::nullopt);
+    return sink.finish(sink.map());
 }
 
 Status write_poses(const std::vector<Sample>& samples, const fs::path& folder) {

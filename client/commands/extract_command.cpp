@@ -7,6 +7,7 @@
 #include "client/folder/extracted_case.hpp"
 #include "client/folder/extracted_scenes.hpp"
 #include "client/folder/opened_run.hpp"
+#include "client/folder/scene_pair.hpp"
 #include "client/picture/body_picture.hpp"
 #include "common/core/errors.hpp"
 #include "common/core/host/stop_check.hpp"
@@ -84,6 +85,25 @@ Status write_pictures(const PreparedJob& job,
     return Done{};
 }
 
+/// Writes scenarios of a job of two bodies as 3D scenes or as a case.
+Result<int> write_of_two(const ExtractCommand& command,
+                         const PreparedJob& job,
+                         const CaseScenarios& found,
+                         const std::string& dir,
+                         ThreadPool& pool) {
+    const std::size_t count = found.results.size();
+    if (command.as != "case") {
+        const SceneFormat format = command.as == "vtp" ? SceneFormat::Vtp : SceneFormat::Glb;
+        TreeCache cache(tree_cache_folder(command.tree_cache));
+        CD_TRY(write_scenes(job, found, format, dir, cache, pool, &InterruptGuard::has_come));
+        std::printf("%s in %s\n", counted(count, "scene").c_str(), dir.c_str());
+        return exit_done;
+    }
+    CD_TRY(write_case(job, found, {command.minimal, &InterruptGuard::has_come}, dir, pool));
+    std::printf("%s: cdctl run %s/job.toml\n", counted(count, "scenario").c_str(), dir.c_str());
+    return exit_done;
+}
+
 } // namespace
 
 Result<int> perform(const ExtractCommand& command) {
@@ -107,16 +127,11 @@ Result<int> perform(const ExtractCommand& command) {
         std::printf("%s in %s\n", counted(count, "picture").c_str(), dir.c_str());
         return exit_done;
     }
-    if (command.as != "case") {
-        const SceneFormat format = command.as == "vtp" ? SceneFormat::Vtp : SceneFormat::Glb;
-        TreeCache cache(tree_cache_folder(command.tree_cache));
-        CD_TRY(write_scenes(job, found, format, dir, cache, pool, &InterruptGuard::has_come));
-        std::printf("%s in %s\n", counted(count, "scene").c_str(), dir.c_str());
-        return exit_done;
+    if (job.scene) {
+        auto pair = CD_TRY(pair_of_scene(job, found));
+        return write_of_two(command, pair.job, pair.scenarios, dir, pool);
     }
-    CD_TRY(write_case(job, found, {command.minimal, &InterruptGuard::has_come}, dir, pool));
-    std::printf("%s: cdctl run %s/job.toml\n", counted(count, "scenario").c_str(), dir.c_str());
-    return exit_done;
+    return write_of_two(command, job, found, dir, pool);
 }
 
 } // namespace cd

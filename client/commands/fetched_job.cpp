@@ -41,10 +41,12 @@ class RemotePoses final : public PoseSource {
 
 /// Passes all existing results of a job to `take`, and returns their number. Errors: from `take`;
 /// BadFrame if the results do not match the digest that the master states.
-Result<std::uint64_t>
-fetch_each(Connection& connection, const JobStatus& job, const TakeResult& take) {
+Result<std::uint64_t> fetch_each(Connection& connection,
+                                 const JobStatus& job,
+                                 const std::optional<SceneHead>& scene,
+                                 const TakeResult& take) {
     // The master merges likewise, so a result lost or changed in transit changes the digest.
-    ResultMerger merger(job.summary.total);
+    ResultMerger merger(job.summary.total, scene);
     CD_TRY(connection.fetch(job.job, 0, job.summary.total, [&](const ScenarioResult& result) {
         const DoneScenario done = done_scenario(result, {});
         static_cast<void>(merger.add(done.result, done.digest));
@@ -73,10 +75,7 @@ Result<RunReport> fetched_report(Connection& connection,
                                  const Query& query,
                                  const JobStatus& status,
                                  std::uint64_t fetched) {
-    RunReport report = report_of(status, query.level);
-    report.limit_pairs = query.limit_pairs;
-    report.clearance = query.clearance;
-    report.maps_all_pairs = query.maps;
+    RunReport report = report_of(status, query);
     report.execution.where = workers_text(connection);
     report.execution.fetched = fetched;
     if (query.maps && status.state == JobState::Done) {
@@ -87,10 +86,10 @@ Result<RunReport> fetched_report(Connection& connection,
 
 } // namespace
 
-RunReport report_of(const JobStatus& job, Level level) {
+RunReport report_of(const JobStatus& job, const Query& query) {
     RunReport report;
     report.summary = job.summary;
-    report.level = level;
+    report.query = query;
     report.digest = job.digest;
     report.execution.seconds = job.seconds;
     report.execution.statistics = job.statistics;
@@ -100,11 +99,11 @@ RunReport report_of(const JobStatus& job, Level level) {
 }
 
 Result<RunReport> fetch_results(Connection& connection,
-                                const Query& query,
-                                const JobStatus& job,
+                                const PreparedJob& job,
+                                const JobStatus& status,
                                 const TakeResult& take) {
-    const std::uint64_t fetched = CD_TRY(fetch_each(connection, job, take));
-    return fetched_report(connection, query, job, fetched);
+    const std::uint64_t fetched = CD_TRY(fetch_each(connection, status, scene_head(job), take));
+    return fetched_report(connection, job.query, status, fetched);
 }
 
 Result<FetchedJob> FetchedJob::open(const MasterOptions& master,
@@ -134,6 +133,13 @@ Status FetchedJob::prepare(const std::filesystem::path& tree_cache) {
         inputs.poses = std::make_unique<RemotePoses>(connection, id, submit.scenarios);
     }
     inputs.ignored = submit.query.ignored;
+    if (submit.poses.scene) {
+        inputs.scene = CD_TRY(scene_of(
+            submit.bodies, submit.poses.scene->steps, submit.scenarios, submit.poses.scene->head));
+        for (const JobBody& body : submit.bodies) {
+            inputs.names.push_back(body.name);
+        }
+    }
     ThreadPool pool(1);
     TreeCache cache{std::filesystem::path()};
     auto job = CD_TRY(
@@ -144,8 +150,8 @@ Status FetchedJob::prepare(const std::filesystem::path& tree_cache) {
 
 Result<RunReport> FetchedJob::print(const std::string& output) {
     auto sink = CD_TRY(ResultSink::open({{}, {}, output}, export_context(*prepared_)));
-    auto report = CD_TRY(fetch_results(
-        *job_.connection, prepared_->query, job_.status, [&](const DoneScenario& done) {
+    auto report = CD_TRY(
+        fetch_results(*job_.connection, *prepared_, job_.status, [&](const DoneScenario& done) {
             return sink.add(done.result);
         }));
     CD_TRY(sink.finish(report.map));
@@ -169,8 +175,8 @@ Status FetchedJob::fetch_labels() {
 }
 
 Result<RunReport> FetchedJob::fetch_into(FolderRun& run, const std::string& output) {
-    auto report = CD_TRY(fetch_results(
-        *job_.connection, prepared_->query, job_.status, [&](const DoneScenario& done) {
+    auto report = CD_TRY(
+        fetch_results(*job_.connection, *prepared_, job_.status, [&](const DoneScenario& done) {
             return run.add(done);
         }));
     const std::optional<ContactMap> map = report.map;

@@ -49,8 +49,8 @@ class FetchedJob {
     LabelColumns labels_; ///< Which labels the job's scenarios have.
 };
 
-/// Makes a report of a job that has ended. `level` is the level of the job.
-[[nodiscard]] RunReport report_of(const JobStatus& job, Level level);
+/// Makes a report of a job that has ended. `query` is the query of the job.
+[[nodiscard]] RunReport report_of(const JobStatus& job, const Query& query);
 
 /// Takes the next result of a job. An error that it returns ends the fetch.
 using TakeResult = std::function<Status(const DoneScenario&)>;
@@ -59,8 +59,8 @@ using TakeResult = std::function<Status(const DoneScenario&)>;
 /// master summed one. Errors: the connection's; from `take`; BadFrame if the results do not match
 /// the digest that the master states for a completed job.
 [[nodiscard]] Result<RunReport> fetch_results(Connection& connection,
-                                              const Query& query,
-                                              const JobStatus& job,
+                                              const PreparedJob& job,
+                                              const JobStatus& status,
                                               const TakeResult& take);
 
 } // namespace cd

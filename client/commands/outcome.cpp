@@ -34,6 +34,10 @@ Status check_fail_on(FailOn fail_on, const Query& query) {
         return bad_input(
             "--fail-on cross needs level count or more: any does not tell touch from cross");
     }
+    if (fail_on.cross && !fail_on.touch && query.question == Question::Shots) {
+        return bad_input("--fail-on cross is about bodies: lines that hit are in contact, so give "
+                         "--fail-on touch");
+    }
     if (fail_on.news && query.level < Level::Pairs && !query.maps) {
         return bad_input("--fail-on new is about groups, which need level pairs or contacts, or "
                          "level count with maps = true");

@@ -6,10 +6,13 @@
 #include "client/commands/remote_session.hpp"
 #include "client/report/explain_report.hpp"
 #include "common/core/errors.hpp"
+#include "common/core/limits/client.hpp"
 #include "web/status/cluster_report.hpp"
 
 #include <algorithm>
+#include <cstdint>
 #include <cstdio>
+#include <optional>
 
 namespace cd {
 
@@ -23,22 +26,19 @@ int print(const std::string& text) {
     return exit_done;
 }
 
-/// Guesses the level, which a job's status lacks: only `level any` finds the class `contact`, or
-/// near scenarios without counting their pairs.
-Level level_of(const Summary& summary) {
-    const bool is_any = summary.contact != 0 || (summary.near != 0 && summary.near_pairs == 0);
-    return is_any ? Level::Any : Level::Pairs;
-}
-
-/// Returns the query by which a job's end is judged. A status tells no clearance, so the master is
-/// asked for the job if `fail_on` needs to know.
-Result<Query> judged_query(Connection& connection, const JobStatus& status, FailOn fail_on) {
-    if (fail_on.near) {
-        return CD_TRY(connection.job_description(status.job)).submit.query;
+/// Reads a job's results for its least distance; nothing if the job does not ask for distances, or
+/// has more scenarios than are worth it.
+Result<std::optional<LeastDistance>>
+least_of(Connection& connection, const JobStatus& status, const Submit& job) {
+    std::optional<LeastDistance> least;
+    const std::uint64_t scenarios = status.summary.total;
+    if (job.query.question == Question::Distance && scenarios <= limits::watch_scenarios_max) {
+        CD_TRY(connection.fetch(status.job, 0, scenarios, [&](const ScenarioResult& result) {
+            note_least(result, job.unit, least);
+            return Status(Done{});
+        }));
     }
-    Query query;
-    query.level = level_of(status.summary);
-    return query;
+    return least;
 }
 
 } // namespace
@@ -49,16 +49,17 @@ Result<int> perform(const WatchCommand& command) {
     const auto style = command.only_wait && !command.quiet
                            ? ProgressPrinter::Style::Notes
                            : ProgressPrinter::style_for(command.quiet);
+    const Submit job = CD_TRY(connection->job_description(known.job)).submit;
     const JobStatus status = CD_TRY(watch_job(command.master, connection, known.job, id, style));
-    const Level level = level_of(status.summary);
     if (command.output == "json") {
         print(job_json(status));
     } else if (!command.quiet && !command.only_wait) {
-        print(summary_text(report_of(status, level), {colours_wanted(stdout), command.statistics}));
+        RunReport report = report_of(status, job.query);
+        report.findings.least = CD_TRY(least_of(*connection, status, job));
+        print(summary_text(report, {colours_wanted(stdout), command.statistics}));
     }
     CD_TRY(check_done(status, id));
-    const Query query = CD_TRY(judged_query(*connection, status, command.fail_on));
-    CD_TRY(check_fail_on(command.fail_on, query));
+    CD_TRY(check_fail_on(command.fail_on, job.query));
     return exit_code_of(status.summary, command.fail_on);
 }
 

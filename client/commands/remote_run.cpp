@@ -118,7 +118,7 @@ Result<int> run_there(RemoteRun& run,
 Result<int> run_whole(RemoteRun& run) {
     return run_there(run, run.job, [&](const JobStatus& status) -> Fetch {
         return [&run, status](const TakeResult& take) {
-            return fetch_results(*run.connection, run.job.query, status, take);
+            return fetch_results(*run.connection, run.job, status, take);
         };
     });
 }
@@ -134,6 +134,7 @@ PreparedJob part_of(const PreparedJob& job, std::unique_ptr<PoseSource> poses) {
     part.names = job.names;
     part.meshes = job.meshes;
     part.query = job.query;
+    part.scene = job.scene;
     part.poses = std::move(poses);
     return part;
 }
@@ -156,9 +157,10 @@ Status renumber(PartContacts& contacts, const PoseSubset& rest) {
 Result<RunReport> fetch_merged(ReusedResults& reused,
                                const PoseSubset& rest,
                                const std::shared_ptr<const BodyPartRuns>& parts,
+                               const std::optional<SceneHead>& scene,
                                const Fetch& fetch_rest,
                                const TakeResult& take) {
-    ResultMerger merger(reused.scenarios());
+    ResultMerger merger(reused.scenarios(), scene);
     ContactMapTotal map;
     ReuseMerge merge(
         reused,
@@ -191,10 +193,7 @@ Result<RunReport> fetch_merged(ReusedResults& reused,
 /// Returns the report of a job without scenarios.
 RunReport empty_report(const Query& query) {
     RunReport report;
-    report.level = query.level;
-    report.limit_pairs = query.limit_pairs;
-    report.clearance = query.clearance;
-    report.maps_all_pairs = query.maps;
+    report.query = query;
     if (query.maps) {
         report.map.emplace();
     }
@@ -210,10 +209,11 @@ Result<int> run_rest(RemoteRun& run, EarlierRun& earlier) {
     auto subset = reused.rest(*run.job.poses, 0);
     const PoseSubset& rest = *subset;
     PreparedJob part = part_of(run.job, std::move(subset));
+    // Only jobs of two bodies have maps.
     const auto parts = body_part_runs(*run.job.meshes[0], *run.job.meshes[1]);
     const auto merged = [&](const Fetch& fetch_rest) -> Fetch {
         return [&, fetch_rest](const TakeResult& take) {
-            return fetch_merged(reused, rest, parts, fetch_rest, take);
+            return fetch_merged(reused, rest, parts, scene_head(run.job), fetch_rest, take);
         };
     };
     if (rest.count() == 0) {
@@ -223,7 +223,7 @@ Result<int> run_rest(RemoteRun& run, EarlierRun& earlier) {
     }
     return run_there(run, part, [&](const JobStatus& status) -> Fetch {
         return merged([&run, status](const TakeResult& take) {
-            return fetch_results(*run.connection, run.job.query, status, take);
+            return fetch_results(*run.connection, run.job, status, take);
         });
     });
 }
@@ -234,7 +234,7 @@ Result<int> run_on_master(const RunCommand& command,
                           PreparedJob& job,
                           std::unique_ptr<Connection> connection,
                           EarlierRun* earlier) {
-    make_paths_absolute(job.spec);
+    make_paths_absolute(job);
     RemoteRun run{command, job, std::move(connection), nullptr};
     const auto run_it = [&] {
         return earlier == nullptr ? run_whole(run) : run_rest(run, *earlier);
@@ -259,13 +259,12 @@ Result<int> run_on_master(const RunCommand& command,
 Result<int> perform(const SubmitCommand& command) {
     const InterruptGuard interrupts(InterruptGuard::First::EndsProcess);
     auto spec = CD_TRY(make_job_spec(command.job));
-    CD_TRY(check_two_bodies(spec));
     auto connection = CD_TRY(open_master_for_job(command.master));
     ThreadPool pool(command.threads);
     TreeCache cache(tree_cache_folder(command.tree_cache));
     auto job =
         CD_TRY(prepare_job(std::move(spec), Trees::ForPosesOnly, cache, pool, command.quiet));
-    make_paths_absolute(job.spec);
+    make_paths_absolute(job);
     print_header(job, command.quiet);
     InterruptGuard::begin_to_flag();
     const JobId id = CD_TRY(send_job(*connection, job, command.quiet));

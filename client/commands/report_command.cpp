@@ -124,7 +124,9 @@ Result<GroupSum> groups_begun(const RunAtHand& run, const Judge& judge) {
 /// Gives the worst scenarios of a run that lists no pairs the pairs for their pictures.
 Status
 add_pairs(RunAtHand& run, RunOverview& overview, const std::string& cache, ThreadPool& pool) {
-    if (run.job.query.level >= Level::Pairs || overview.worst().empty()) {
+    const Query& query = run.job.query;
+    const bool has_no_pictures = query.question == Question::Shots || overview.worst().empty();
+    if (query.level >= Level::Pairs || has_no_pictures) {
         return Done{};
     }
     const SlowNote note("running the worst scenarios again for their pictures...", false);
@@ -133,6 +135,13 @@ add_pairs(RunAtHand& run, RunOverview& overview, const std::string& cache, Threa
         run.job.trees = make_body_trees(run.job.meshes, TreeUse{.settles = true}, trees, pool);
     }
     return overview.add_pairs_to_worst(run.job, timing::report_run_max, &InterruptGuard::has_come);
+}
+
+/// Returns the scenarios that the report has pictures of; none of a job of lines, whose pictures
+/// are those of its directions.
+std::vector<ScenarioResult> pictured_of(const RunAtHand& run, const RunOverview& overview) {
+    return run.job.query.question == Question::Shots ? std::vector<ScenarioResult>()
+                                                     : overview.pictured();
 }
 
 /// Writes the report and, if `has_groups`, groups.csv beside it.
@@ -171,13 +180,16 @@ Result<int> perform(const ReportCommand& command) {
         Judge::open(command.judge, command.fail_on, command.master, command.tree_cache, pool));
     InterruptGuard::begin_to_flag(); // From here on, a signal must not leave partial files.
     auto begun = CD_TRY(groups_begun(at_hand, judge));
-    auto overview = CD_TRY(RunOverview::read(
-        at_hand.run.records(), std::move(begun), manifest.poses.count, &InterruptGuard::has_come));
+    auto overview = CD_TRY(RunOverview::read(at_hand.run.records(),
+                                             std::move(begun),
+                                             manifest.poses.count,
+                                             &InterruptGuard::has_come,
+                                             manifest.scene_head()));
     const GroupStatuses statuses = CD_TRY(judge.judge(at_hand, overview.groups()));
     const auto viewer = CD_TRY(make_viewer(command, at_hand, pool));
     CD_TRY(add_pairs(at_hand, overview, command.tree_cache, pool));
     ReportPictures pictures;
-    const std::vector<ScenarioResult> pictured = overview.pictured();
+    const std::vector<ScenarioResult> pictured = pictured_of(at_hand, overview);
     CD_TRY(pictures.draw(at_hand.job, pictured, &InterruptGuard::has_come));
     RunDocument document(manifest, at_hand.job, overview, statuses, pictures);
     document.set_baseline({command.judge.baseline,

@@ -40,7 +40,8 @@ Result<int> results_of_job(const ResultsCommand& command) {
     output.formats = command.formats.empty() ? output.formats : command.formats;
     if (!command.out.empty()) {
         const Query& query = job.prepared().query;
-        CD_TRY(check_map_formats(output.formats, query.level, query.maps));
+        CD_TRY(check_map_formats(output.formats,
+                                 {query.level, query.maps, job.prepared().scene.has_value()}));
     }
     const bool prints = command.out.empty() && command.output == "text";
     const auto report =

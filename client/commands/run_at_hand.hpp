@@ -2,6 +2,7 @@
 #pragma once
 
 #include "client/cli/cli.hpp"
+#include "client/compare/scenario_match.hpp"
 #include "client/folder/opened_run.hpp"
 #include "client/job/prepared_job.hpp"
 #include "common/core/result.hpp"
@@ -20,6 +21,10 @@ struct RunAtHand {
     PreparedJob job;
     std::optional<ContactMap> map; ///< The contact map that the folder keeps, if `RunNeeds::map`.
 
+    /// Returns the scenarios, to match them with those of another run.
+    [[nodiscard]] MatchedRun matched() const {
+        return {*job.poses, job.labels, job.scene.has_value()};
+    }
     /// Returns the sums by part of a run that lists no pairs; null for other runs.
     [[nodiscard]] const PartContacts* sums() const {
         return job.query.level < Level::Pairs && map ? &map->parts : nullptr;

@@ -39,7 +39,6 @@ struct AskedJob {
 Result<AskedJob> asked_job(const JobOptions& options) {
     if (!is_folder(options.file)) {
         auto spec = CD_TRY(make_job_spec(options));
-        CD_TRY(check_two_bodies(spec));
         return AskedJob{std::move(spec), std::nullopt};
     }
     CD_TRY(check_no_inputs(options));
@@ -144,13 +143,6 @@ Status check_size(const RunCommand& command, const PreparedJob& job, ThreadPool&
 }
 
 } // namespace
-
-Status check_two_bodies(const JobSpec& spec) {
-    return spec.scene ? Status(bad_input(spec.file,
-                                         "jobs with [bodies] are checked by `cdctl job check`; "
-                                         "this version does not run them"))
-                      : Status(Done{});
-}
 
 FolderRunOptions folder_options(const FolderFlags& flags) {
     FolderRunOptions options;

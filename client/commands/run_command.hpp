@@ -34,9 +34,6 @@ void print_header(const PreparedJob& job, bool quiet);
 /// Errors: Interrupted.
 [[nodiscard]] Status add_hint(const PreparedJob& job, RunReport& report);
 
-/// Refuses jobs with [bodies]. Errors: BadInput naming the file and the verb that takes them.
-[[nodiscard]] Status check_two_bodies(const JobSpec& spec);
-
 /// Returns the folder options of a local run.
 [[nodiscard]] FolderRunOptions folder_options(const FolderFlags& flags);
 /// Returns the folder options for the results of a job on a master.

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <iterator>
+#include <utility>
 
 namespace cd {
 
@@ -21,8 +22,10 @@ std::uint64_t count_missing(std::vector<std::string> names, std::vector<std::str
     return missing.size();
 }
 
-BodyChange change_between(const ComparedBody& earlier, const ComparedBody& later) {
-    return {earlier.mesh != later.mesh,
+BodyChange
+change_between(std::string name, const ComparedBody& earlier, const ComparedBody& later) {
+    return {std::move(name),
+            earlier.mesh != later.mesh,
             later.parts.size(),
             count_missing(later.parts, earlier.parts),
             count_missing(earlier.parts, later.parts)};
@@ -64,9 +67,9 @@ std::vector<std::string> query_changes(const Query& earlier, const Query& later,
     return changes;
 }
 
-/// Returns "A" or "B" for the first two bodies.
-std::string letter_of(std::size_t body) {
-    return {static_cast<char>('A' + body)};
+/// Returns "A" or "B", or in a scene the body's name.
+std::string name_of(bool is_scene, std::size_t body, const std::string& name) {
+    return is_scene ? name : std::string{static_cast<char>('A' + body)};
 }
 
 /// Returns "B changed (7 parts, 2 new, 1 gone)" for each changed body; empty if none has changed.
@@ -77,8 +80,7 @@ std::string bodies_text(const std::vector<BodyChange>& bodies) {
         if (!body.is_changed) {
             continue;
         }
-        text +=
-            (text.empty() ? "" : ", ") + letter_of(i) + " changed (" + counted(body.parts, "part");
+        text += (text.empty() ? "" : ", ") + body.name + " changed (" + counted(body.parts, "part");
         text += body.parts_new == 0 ? "" : ", " + grouped(body.parts_new) + " new";
         text += body.parts_gone == 0 ? "" : ", " + grouped(body.parts_gone) + " gone";
         text += ")";
@@ -101,16 +103,34 @@ InputChanges changes_between(const RunManifest& earlier, const RunManifest& late
     InputChanges changes;
     for (std::size_t i = 0; i < later.bodies.size(); ++i) {
         changes.bodies.push_back(
-            change_between(compared(earlier.bodies[i]), compared(later.bodies[i])));
+            change_between(name_of(later.scene.has_value(), i, later.bodies[i].name),
+                           compared(earlier.bodies[i]),
+                           compared(later.bodies[i])));
     }
     changes.are_poses_equal = earlier.poses.count == later.poses.count && earlier.poses.hash &&
                               earlier.poses.hash == later.poses.hash;
     changes.query = query_changes(earlier.query, later.query, QueryUse::Diff);
-    if (earlier.tolerance != later.tolerance) {
-        changes.query.push_back("tolerance " + exact_text(later.tolerance) + ", was " +
-                                exact_text(earlier.tolerance));
+    if (earlier.outcome.tolerance != later.outcome.tolerance) {
+        changes.query.push_back("tolerance " + exact_text(later.outcome.tolerance) + ", was " +
+                                exact_text(earlier.outcome.tolerance));
     }
     return changes;
+}
+
+Status check_comparable(const RunManifest& earlier, const RunManifest& later) {
+    if (earlier.bodies.size() != later.bodies.size() ||
+        earlier.scene.has_value() != later.scene.has_value()) {
+        return bad_input("the runs cannot be compared: one has " +
+                         std::to_string(earlier.bodies.size()) + " bodies, the other " +
+                         std::to_string(later.bodies.size()));
+    }
+    for (std::size_t i = 0; later.scene && i < later.bodies.size(); ++i) {
+        if (earlier.bodies[i].name != later.bodies[i].name) {
+            return bad_input("the runs cannot be compared: body " + std::to_string(i) + " was " +
+                             earlier.bodies[i].name + " and is " + later.bodies[i].name);
+        }
+    }
+    return Done{};
 }
 
 std::string changes_text(const InputChanges& changes) {
@@ -122,9 +142,16 @@ std::string changes_text(const InputChanges& changes) {
 
 Status check_reusable(const RunManifest& earlier, const PreparedJob& job) {
     CD_TRY(check_exact(earlier));
+    if (earlier.bodies.size() != job.meshes.size() ||
+        earlier.scene.has_value() != job.scene.has_value()) {
+        return bad_input("nothing can be reused: " + counted(job.meshes.size(), "instance") +
+                         ", was " + counted(earlier.bodies.size(), "instance"));
+    }
     std::vector<BodyChange> bodies;
     for (std::size_t i = 0; i < job.meshes.size(); ++i) {
-        bodies.push_back(change_between(compared(earlier.bodies[i]), compared(*job.meshes[i])));
+        bodies.push_back(change_between(name_of(job.scene.has_value(), i, job.names[i]),
+                                        compared(earlier.bodies[i]),
+                                        compared(*job.meshes[i])));
     }
     const auto query = query_changes(earlier.query, job.query, QueryUse::Reuse);
     std::string text = bodies_text(bodies);

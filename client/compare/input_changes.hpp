@@ -22,6 +22,7 @@ struct ComparedBody {
 /// How a body differs between two runs. Parts are compared by name; of parts with equal names each
 /// counts.
 struct BodyChange {
+    std::string name; ///< "A" or "B"; in a scene the body's name.
     bool is_changed = false;
     std::uint64_t parts = 0;      ///< Parts of the later run's body.
     std::uint64_t parts_new = 0;  ///< Parts that only the later run's body has.
@@ -41,7 +42,12 @@ struct InputChanges {
     std::vector<std::string> query; ///< A phrase for each difference: "level pairs, was count".
 };
 
+/// Both runs have the same number of bodies (`check_comparable`).
 [[nodiscard]] InputChanges changes_between(const RunManifest& earlier, const RunManifest& later);
+
+/// Checks that two runs have as many bodies, and of scenes equal names: results are compared by
+/// body. Errors: BadInput naming the difference.
+[[nodiscard]] Status check_comparable(const RunManifest& earlier, const RunManifest& later);
 
 /// Returns "B changed (7 parts, 2 new), poses equal, query equal".
 [[nodiscard]] std::string changes_text(const InputChanges& changes);

@@ -1,6 +1,7 @@
 #include "client/compare/scenario_keys.hpp"
 
 #include "common/core/files/bytes.hpp"
+#include "common/core/limits/engine.hpp"
 #include "common/job/poses/poses_hash.hpp"
 
 #include <algorithm>
@@ -20,12 +21,16 @@ ScenarioKey first_bytes_of(const Sha256& hash) {
 
 } // namespace
 
-ScenarioKey key_of(const PosePair& poses) {
-    Scenario alone;
-    alone.poses = poses;
+ScenarioKey key_of(const Scenario& scenario) {
     PosesHash hash;
-    hash.add({&alone, 1});
+    hash.add({&scenario, 1});
     return first_bytes_of(hash.finish());
+}
+
+ScenarioKey key_of_step(const Scenario& scenario) {
+    constexpr std::uint32_t bits_of_body = 14;
+    static_assert(limits::bodies_max == 1u << bits_of_body);
+    return {scenario.step.value_or(0), scenario.body_a << bits_of_body | scenario.body_b};
 }
 
 ScenarioKey key_of(std::string_view id) {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "common/core/result.hpp"
-#include "common/geometry/pose.hpp"
+#include "common/job/scenario.hpp"
 
 #include <compare>
 #include <cstddef>
@@ -23,8 +23,11 @@ struct ScenarioKey {
     friend auto operator<=>(const ScenarioKey&, const ScenarioKey&) = default;
 };
 
-/// Returns the key of the poses' forms and numbers, exactly as given, except that -0 is 0.
-[[nodiscard]] ScenarioKey key_of(const PosePair& poses);
+/// Returns the key of the poses' forms and numbers, exactly as given, except that -0 is 0; in a
+/// scene also of the step and the bodies.
+[[nodiscard]] ScenarioKey key_of(const Scenario& scenario);
+/// Returns the step and the bodies of a scene's scenario as a key.
+[[nodiscard]] ScenarioKey key_of_step(const Scenario& scenario);
 [[nodiscard]] ScenarioKey key_of(std::string_view id);
 
 /// A table from keys to scenarios, with 16 bytes for each scenario.

@@ -15,8 +15,11 @@ namespace {
 constexpr std::uint64_t keys_at_once = 4096;
 constexpr std::uint32_t no_scenario = UINT32_MAX;
 
-/// Calls `take` with the key of each scenario's poses, in order.
+using MakeKey = ScenarioKey (*)(const Scenario&);
+
+/// Calls `take` with the key of each scenario, in order.
 Status for_each_key(PoseSource& poses,
+                    MakeKey key,
                     const StopCheck& stop,
                     const std::function<void(const ScenarioKey&)>& take) {
     for (std::uint64_t first = 0; first < poses.count(); first += keys_at_once) {
@@ -26,7 +29,7 @@ Status for_each_key(PoseSource& poses,
         const auto scenarios =
             CD_TRY(poses.read(first, std::min(keys_at_once, poses.count() - first)));
         for (const Scenario& scenario : scenarios) {
-            take(key_of(scenario.poses));
+            take(key(scenario));
         }
     }
     return Done{};
@@ -73,7 +76,7 @@ class ScenarioMatcher {
 };
 
 std::string_view to_text(MatchedBy by) {
-    constexpr std::array<std::string_view, 3> names{"index", "id", "poses"};
+    constexpr std::array<std::string_view, 4> names{"index", "id", "poses", "step and bodies"};
     return names[static_cast<std::size_t>(by)];
 }
 
@@ -108,16 +111,29 @@ void ScenarioMatch::keep_if(std::uint64_t scenarios,
     dropped_ = std::move(dropped);
 }
 
+namespace {
+
+Result<ScenarioMatch> match_keys(MatchedBy by,
+                                 MakeKey key,
+                                 PoseSource& earlier,
+                                 PoseSource& later,
+                                 Repeats repeats,
+                                 const StopCheck& stop) {
+    auto keys = CD_TRY(ScenarioKeys::for_run(earlier.count()));
+    CD_TRY(for_each_key(earlier, key, stop, [&](const ScenarioKey& each) { keys.add(each); }));
+    ScenarioMatcher matcher(by, std::move(keys), repeats);
+    CD_TRY(for_each_key(later, key, stop, [&](const ScenarioKey& each) { matcher.add(each); }));
+    return matcher.take();
+}
+
+} // namespace
+
 Result<ScenarioMatch>
 match_poses(PoseSource& earlier, PoseSource& later, Repeats repeats, const StopCheck& stop) {
     if (earlier.grid() != nullptr && later.grid() != nullptr && *earlier.grid() == *later.grid()) {
         return ScenarioMatch::by_index(later.count());
     }
-    auto keys = CD_TRY(ScenarioKeys::for_run(earlier.count()));
-    CD_TRY(for_each_key(earlier, stop, [&](const ScenarioKey& key) { keys.add(key); }));
-    ScenarioMatcher matcher(MatchedBy::Poses, std::move(keys), repeats);
-    CD_TRY(for_each_key(later, stop, [&](const ScenarioKey& key) { matcher.add(key); }));
-    return matcher.take();
+    return match_keys(MatchedBy::Poses, MakeKey(&key_of), earlier, later, repeats, stop);
 }
 
 Result<ScenarioMatch> match_runs(const MatchedRun& earlier,
@@ -126,6 +142,10 @@ Result<ScenarioMatch> match_runs(const MatchedRun& earlier,
                                  const StopCheck& stop) {
     if (are_poses_equal) {
         return ScenarioMatch::by_index(later.poses.count());
+    }
+    if (earlier.is_scene && later.is_scene) {
+        return match_keys(
+            MatchedBy::Step, &key_of_step, earlier.poses, later.poses, Repeats::Pair, stop);
     }
     if (!has_ids(earlier.labels) || !has_ids(later.labels)) {
         return match_poses(earlier.poses, later.poses, Repeats::Pair, stop);

@@ -15,8 +15,9 @@
 
 namespace cd {
 
-/// By what scenarios are matched: their index, the pose file's ids, or the bits of the poses.
-enum class MatchedBy : std::uint8_t { Index, Id, Poses };
+/// By what scenarios are matched: their index, the pose file's ids, the bits of the poses, or the
+/// step and the two bodies in a scene.
+enum class MatchedBy : std::uint8_t { Index, Id, Poses, Step };
 
 [[nodiscard]] std::string_view to_text(MatchedBy by);
 
@@ -56,6 +57,7 @@ class ScenarioMatch {
 struct MatchedRun {
     PoseSource& poses;
     const PoseLabels& labels;
+    bool is_scene = false;
 };
 
 /// Matches scenarios whose poses have equal forms and numbers, -0 as 0. Equal grids are matched by
@@ -63,8 +65,8 @@ struct MatchedRun {
 [[nodiscard]] Result<ScenarioMatch>
 match_poses(PoseSource& earlier, PoseSource& later, Repeats repeats, const StopCheck& stop);
 
-/// Matches the scenarios of two runs: by index if `are_poses_equal`, else by id if both runs have
-/// ids, else by poses. Errors: as `match_poses`.
+/// Matches the scenarios of two runs: by index if `are_poses_equal`, else by step and bodies if
+/// both are scenes, else by id if both runs have ids, else by poses. Errors: as `match_poses`.
 [[nodiscard]] Result<ScenarioMatch> match_runs(const MatchedRun& earlier,
                                                const MatchedRun& later,
                                                bool are_poses_equal,

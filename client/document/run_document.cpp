@@ -46,8 +46,9 @@ Html RunDocument::verdict() const {
     Html content = Html::element("h1", short_name(manifest_.name));
     const std::optional<double>& clearance = manifest_.query.clearance;
     const std::string distance = clearance ? exact_text(*clearance) + " " + manifest_.unit : "";
-    content +=
-        paragraph(verdict_text(summary, distance), is_clean ? "verdict good" : "verdict bad");
+    content += has_lines() ? paragraph(shots_verdict_text(summary), "verdict good")
+                           : paragraph(verdict_text(summary, distance),
+                                       is_clean ? "verdict good" : "verdict bad");
     content +=
         has_distance() ? paragraph(DistanceSections(names_, manifest_, overview_).least()) : Html();
     std::vector<std::string> head{"separate", "touch", "cross", "inside"};
@@ -55,7 +56,7 @@ Html RunDocument::verdict() const {
                                     grouped(summary.touch),
                                     grouped(summary.cross),
                                     grouped(summary.inside)};
-    if (manifest_.query.question == Question::Shots) {
+    if (has_lines()) {
         head = {"separate", "contact"};
         counts = {grouped(summary.separate), grouped(summary.contact)};
     } else if (manifest_.query.level == Level::Any) {
@@ -66,7 +67,8 @@ Html RunDocument::verdict() const {
         head.emplace_back("near");
         counts.push_back(grouped(summary.near));
     }
-    head.insert(head.end(), {"undecided", "failed", "tested", "pairs of triangles"});
+    head.insert(head.end(),
+                {"undecided", "failed", "tested", has_lines() ? "hits" : "pairs of triangles"});
     counts.insert(counts.end(),
                   {grouped(summary.undecided),
                    grouped(summary.failed),
@@ -187,6 +189,17 @@ Html RunDocument::worst() {
     return html_section("Worst scenarios", content);
 }
 
+Html RunDocument::most_hits() const {
+    if (overview_.worst().empty()) {
+        return {};
+    }
+    std::vector<std::vector<Html>> rows{html_texts({"bundle", "hits"})};
+    for (const ScenarioResult& result : overview_.worst()) {
+        rows.push_back(html_texts({names_.label_of(result.index), grouped(result.pair_count)}));
+    }
+    return html_section("Most hits", html_table(rows, "groups"));
+}
+
 Result<Html> RunDocument::coincidence(const StopCheck& stop) const {
     if (job_.meshes[0]->hash() != job_.meshes[1]->hash()) {
         return Html();
@@ -279,12 +292,12 @@ Result<std::string> RunDocument::html(const StopCheck& stop) {
     body += bodies();
     body += shots_ != nullptr ? shots_->parts() : Html();
     body += shots_ != nullptr ? shots_->pictures() : Html();
-    body += worst();
+    body += has_lines() ? most_hits() : worst();
     body += has_distance() ? distances() : Html();
     body += viewer_ != nullptr ? viewer_->section() : Html();
     GroupSections sections(names_, manifest_, overview_, statuses_);
-    body += sections.matrix();
-    if (manifest_.query.question != Question::Shots) { // Where bundles stand tells nothing.
+    if (!has_lines()) { // Lines are one part, and where bundles stand tells nothing.
+        body += sections.matrix();
         body += CD_TRY(charts(stop));
     }
     body += sections.table();

@@ -52,9 +52,12 @@ class RunDocument {
     [[nodiscard]] Html distances() const;
     [[nodiscard]] Html bodies() const;
     [[nodiscard]] Html worst();
+    /// Returns the table of the bundles of lines with most hits.
+    [[nodiscard]] Html most_hits() const;
     [[nodiscard]] Result<Html> charts(const StopCheck& stop) const;
     [[nodiscard]] Html how_it_ran() const;
 
+    [[nodiscard]] bool has_lines() const { return manifest_.query.question == Question::Shots; }
     [[nodiscard]] bool has_distance() const {
         return manifest_.query.question == Question::Distance;
     }

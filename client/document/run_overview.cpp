@@ -16,10 +16,11 @@ RunOverview::RunOverview(GroupSum groups, std::uint64_t scenarios)
 Result<RunOverview> RunOverview::read(const RecordFile& records,
                                       GroupSum groups,
                                       std::uint64_t scenarios,
-                                      const StopCheck& stop) {
+                                      const StopCheck& stop,
+                                      const std::optional<SceneHead>& scene) {
     const std::size_t bodies = groups.bodies();
     RunOverview overview(std::move(groups), scenarios);
-    ResultMerger merger(scenarios);
+    ResultMerger merger(scenarios, scene);
     CD_TRY(records.for_each([&](const KeptRecord& record) {
         if (stop && stop()) {
             return Status(interrupted());
@@ -30,7 +31,7 @@ Result<RunOverview> RunOverview::read(const RecordFile& records,
                                     "scenario " +
                                     std::to_string(result.index) + " names"));
         }
-        static_cast<void>(merger.add(result, sha256(record.bytes)));
+        static_cast<void>(merger.add(result, digest_of_record(record.bytes)));
         overview.add(result);
         return Status(Done{});
     }));

@@ -34,12 +34,14 @@ class RunOverview {
     /// The class of a scenario without a result, in `classes`.
     static constexpr std::uint8_t no_result = 255;
 
-    /// Reads all records of a run with `scenarios` scenarios, and adds them to `groups`. Errors:
-    /// Io; BadInput for a record that the run cannot have; Interrupted.
-    [[nodiscard]] static Result<RunOverview> read(const RecordFile& records,
-                                                  GroupSum groups,
-                                                  std::uint64_t scenarios,
-                                                  const StopCheck& stop);
+    /// Reads all records of a run with `scenarios` scenarios, and adds them to `groups`. `scene` is
+    /// that of the run. Errors: Io; BadInput for a record that the run cannot have; Interrupted.
+    [[nodiscard]] static Result<RunOverview>
+    read(const RecordFile& records,
+         GroupSum groups,
+         std::uint64_t scenarios,
+         const StopCheck& stop,
+         const std::optional<SceneHead>& scene = std::nullopt);
 
     /// Runs the worst scenarios again, as the page does, and gives them pairs and points. For
     /// runs below `level pairs`, whose records list none. `job` has trees. A scenario whose run

@@ -59,6 +59,15 @@ std::string verdict_text(const Summary& summary, const std::string& clearance) {
            " of " + counted(summary.total, "scenario") + rest;
 }
 
+std::string shots_verdict_text(const Summary& summary) {
+    const std::uint64_t open = summary.total - summary.tested();
+    const std::string rest = open == 0 ? "." : "; " + grouped(open) + " have no answer.";
+    return summary.contact == 0 ? "No line hits A in " + counted(summary.tested(), "bundle") + rest
+                                : "Lines hit A in " + grouped(summary.contact) + " of " +
+                                      counted(summary.total, "bundle") + ", with " +
+                                      counted(summary.pairs, "hit") + rest;
+}
+
 std::vector<std::string>
 untested_texts(const Summary& summary, const Query& query, const std::string& no_groups) {
     std::vector<std::string> texts;
@@ -82,8 +91,9 @@ untested_texts(const Summary& summary, const Query& query, const std::string& no
                            "file below).");
     }
     if (query.level < Level::Pairs) {
-        texts.push_back("The run lists no pairs of triangles (level " +
-                        std::string(asked_level(query)) + ").");
+        const std::string what = query.question == Question::Shots ? "hits" : "pairs of triangles";
+        texts.push_back("The run lists no " + what + " (level " + std::string(asked_level(query)) +
+                        ").");
     }
     if (!no_groups.empty()) {
         texts.push_back("The groups are unknown: " + no_groups + ".");

@@ -237,12 +237,12 @@ Status write_summary(const std::filesystem::path& dir,
         json["traffic"] = traffic_json(*report.execution.traffic);
     }
     json["digest"] = report.digest ? Json(to_hex(*report.digest)) : Json();
-    if (report.limit_pairs != 0) {
-        json["limit_pairs"] = report.limit_pairs;
+    if (report.query.limit_pairs != 0) {
+        json["limit_pairs"] = report.query.limit_pairs;
     }
     if (report.map) {
         json["map_digest"] = to_hex(digest_of(*report.map));
-        json["map_of_listed_pairs"] = report.limit_pairs != 0 && !report.maps_all_pairs;
+        json["map_of_listed_pairs"] = report.query.limit_pairs != 0 && !report.query.maps;
     } else if (!report.map_withdrawn.empty()) {
         json["map_withdrawn"] = report.map_withdrawn;
     }

@@ -67,7 +67,7 @@ Result<ResultSink> ResultSink::open(SinkOptions options, const ExportContext& co
     const SinkOptions& to = sink.options_;
     if (!to.dir.empty()) {
         CD_TRY(make_directories(to.dir));
-        CD_TRY(check_map_formats(to.formats, context.level, context.maps));
+        CD_TRY(check_map_formats(to.formats, context.map_use()));
         CD_TRY(sink.add_writers());
     }
     if (context.has_hits()) {
@@ -108,8 +108,19 @@ Status ResultSink::add_shot_writers() {
     return Done{};
 }
 
+std::vector<TouchedPart> ResultSink::most_touched() const {
+    std::vector<TouchedPart> touched = groups_.most_touched();
+    for (TouchedPart& part : touched) {
+        part.part = context_.steps ? context_.bodies[part.body].name + "/" + part.part : part.part;
+    }
+    return touched;
+}
+
 RunFindings ResultSink::findings() const {
-    return {groups_.most_touched(), least_, shots_ ? shots_->parts() : std::vector<ShotPart>()};
+    return {most_touched(),
+            least_,
+            scene_ ? std::optional(scene_->findings()) : std::nullopt,
+            shots_ ? shots_->parts() : std::vector<ShotPart>()};
 }
 
 Status ResultSink::add(const ScenarioResult& result, std::span<const ContactPair> found) {
@@ -123,14 +134,16 @@ Status ResultSink::add(const ScenarioResult& result, std::span<const ContactPair
                          std::to_string(body) + ", and the job has " + std::to_string(bodies));
     }
     groups_.add(result);
-    note_distance(result);
+    note_least(result, context_.unit, least_);
     tested_ += result.kind == ScenarioClass::Failed ? 0 : 1;
     if (shots_) {
         shots_->add(result);
     }
     const std::vector<ContactPair> crossings = crossings_of(result);
     const std::span<const ContactPair> listed = context_.has_hits() ? crossings : result.pairs;
-    waiting_.add(result, found.empty() ? listed : found);
+    if (context_.map_use().has_map()) {
+        waiting_.add(result, found.empty() ? listed : found);
+    }
     if (waiting_.bytes() >= waiting_bytes_max) {
         map_.add(waiting_.take());
     }
@@ -143,13 +156,10 @@ Status ResultSink::add(const ScenarioResult& result, std::span<const ContactPair
     return Done{};
 }
 
-void ResultSink::note_distance(const ScenarioResult& result) {
-    if (result.nearest && (!least_ || result.nearest->distance < least_->distance)) {
-        least_ = LeastDistance{result.nearest->distance, result.index, context_.unit};
+std::optional<ContactMap> ResultSink::map() {
+    if (!context_.map_use().has_map()) {
+        return std::nullopt;
     }
-}
-
-ContactMap ResultSink::map() {
     map_.add(waiting_.take());
     return map_.map();
 }

@@ -46,8 +46,8 @@ class ResultSink {
     /// the bodies do not have.
     [[nodiscard]] Status finish(const std::optional<ContactMap>& map);
 
-    /// Returns the contact map of all results added; below `level pairs` empty without `found`.
-    [[nodiscard]] ContactMap map();
+    /// Returns the contact map of all results added; nothing if the run has none (`MapUse`).
+    [[nodiscard]] std::optional<ContactMap> map();
     /// Returns the groups of all results added; at `level count` after `finish`.
     [[nodiscard]] const GroupSum& groups() const { return groups_; }
     /// Returns what all results added tell; parts at `level count` after `finish`.
@@ -55,6 +55,7 @@ class ResultSink {
     [[nodiscard]] bool uses_stdout() const { return options_.output != "text"; }
 
   private:
+    [[nodiscard]] std::vector<TouchedPart> most_touched() const;
     ResultSink(SinkOptions options, const ExportContext& context);
 
     [[nodiscard]] Status add_writers();
@@ -62,7 +63,6 @@ class ResultSink {
     [[nodiscard]] bool has_format(std::string_view format) const;
     [[nodiscard]] Status write_map(const ContactMap& map) const;
     [[nodiscard]] GroupsOrigin groups_origin() const;
-    void note_distance(const ScenarioResult& result);
 
     SinkOptions options_;
     ExportContext context_;

@@ -4,6 +4,7 @@
 #include "client/bundle/shot_plan.hpp"
 #include "client/formats/output_file.hpp"
 #include "client/report/report.hpp"
+#include "client/spec/job_file.hpp"
 #include "common/core/host/stop_check.hpp"
 #include "common/core/result.hpp"
 #include "common/geometry/mesh.hpp"
@@ -53,6 +54,7 @@ struct ExportContext {
 
     /// Sets from the query what the context has of it.
     void describe(const Query& query);
+    [[nodiscard]] MapUse map_use() const { return {level, maps, steps != nullptr}; }
     [[nodiscard]] bool has_distance() const { return question == Question::Distance; }
     /// The contact map counts only so many first pairs of each scenario; 0: all pairs.
     [[nodiscard]] std::uint64_t map_pairs() const { return maps ? 0 : limit_pairs; }

@@ -26,6 +26,16 @@ std::string point_text(const Vec3& point) {
     return "  " + exact_text(point.x()) + " " + exact_text(point.y()) + " " + exact_text(point.z());
 }
 
+/// Tells how a line meets a triangle: "enters at depth 3".
+std::string hit_text(const PairHit& hit) {
+    const bool crosses = (hit.flags & hit_flag::crosses) != 0;
+    const bool enters = (hit.flags & hit_flag::front) != 0;
+    return std::string(!crosses ? "grazes"
+                       : enters ? "enters"
+                                : "leaves") +
+           " at depth " + exact_text(hit.depth);
+}
+
 class TextWriter final : public ResultWriter {
   public:
     TextWriter(const ExportContext& context, OutputFile file)
@@ -41,7 +51,8 @@ class TextWriter final : public ResultWriter {
                            std::string(to_text(result.kind));
         if (result.level != Level::Any && result.kind != ScenarioClass::Failed) {
             text += result.kind == ScenarioClass::Undecided ? "  at least " : "  ";
-            text += counted(result.pair_count, "pair");
+            const bool is_shots = result.question == Question::Shots;
+            text += counted(result.pair_count, is_shots ? "hit" : "pair");
             text += result.has_clearance ? ", " + grouped(result.near_count) + " near" : "";
         }
         text += std::string(result.is_cut() ? ", the first " + grouped(result.pairs.size()) : "") +
@@ -74,15 +85,13 @@ class TextWriter final : public ResultWriter {
                                         const std::vector<double>& distances) {
         const ContactPair& pair = result.pairs[number];
         std::string text = "    A " + triangle_text(parts_[result.body_a], pair.a) + "  B " +
-                           triangle_text(parts_[result.body_b], pair.b) + "  " +
-                           std::string(pair_class_name(pair.kind));
+                           triangle_text(parts_[result.body_b], pair.b) + "  ";
+        if (!result.hits.empty()) {
+            return text + hit_text(result.hits[number]) + "\n";
+        }
+        text += pair_class_name(pair.kind);
         if (pair.kind == PairClass::Near && !distances.empty()) {
             text += "  " + exact_text(distances[number]) + " apart";
-        }
-        if (!result.hits.empty()) {
-            const PairHit& hit = result.hits[number];
-            text += "  at depth " + exact_text(hit.depth) +
-                    ((hit.flags & hit_flag::crosses) != 0 ? "" : ", does not cross");
         }
         for_each_point(result, number, [&](const Vec3& point) { text += point_text(point); });
         return text + "\n";

@@ -1,8 +1,8 @@
 #include "client/folder/extracted_case.hpp"
 
-#include "client/folder/job_text.hpp"
 #include "client/formats/csv_rows.hpp"
 #include "client/formats/npz.hpp"
+#include "client/job/job_text.hpp"
 #include "common/core/errors.hpp"
 #include "common/core/files/disk_file.hpp"
 #include "common/core/words.hpp"

@@ -41,14 +41,23 @@ Summary classes_of(const Json& json) {
     return summary;
 }
 
+Query query_of(const Json& json) {
+    Query query;
+    query.level = level_from_text(json.value("level", "")).value_or(Level::Pairs);
+    query.limit_pairs = json.value("limit_pairs", std::uint64_t{0});
+    if (json.contains("clearance")) {
+        query.clearance = json["clearance"].get<double>();
+    }
+    if (json.value("question", "") == "shots") {
+        query.question = Question::Shots;
+    }
+    return query;
+}
+
 RunReport report_of(const Json& json) {
     RunReport report;
     report.summary = classes_of(json);
-    report.level = level_from_text(json.value("level", "")).value_or(Level::Pairs);
-    report.limit_pairs = json.value("limit_pairs", std::uint64_t{0});
-    if (json.contains("clearance")) {
-        report.clearance = json["clearance"].get<double>();
-    }
+    report.query = query_of(json);
     report.execution.seconds = json.value("seconds", 0.0);
     report.execution.resumed_at =
         std::min(json.value("resumed_at", std::uint64_t{0}), report.summary.merged());
@@ -76,7 +85,7 @@ Result<std::optional<ContactMap>> map_of(const OpenedRun& run, ResultSink& sink)
     if (query.maps || query.level < Level::Pairs) {
         return run.kept_map();
     }
-    return std::optional(sink.map());
+    return sink.map();
 }
 
 /// Reads the report in summary.json; empty if the file is missing or damaged, which does no harm.
@@ -88,9 +97,9 @@ RunReport kept_report(const OpenedRun& run) {
 Result<RunReport>
 write_exports(const OpenedRun& run, const SinkOptions& options, const ExportContext& context) {
     auto sink = CD_TRY(ResultSink::open(options, context));
-    ResultMerger merger(run.manifest().poses.count);
+    ResultMerger merger(run.manifest().poses.count, run.manifest().scene_head());
     CD_TRY(run.records().for_each([&](const KeptRecord& record) {
-        static_cast<void>(merger.add(record.result, sha256(record.bytes)));
+        static_cast<void>(merger.add(record.result, digest_of_record(record.bytes)));
         return sink.add(record.result);
     }));
     auto map = CD_TRY(map_of(run, sink));
@@ -98,10 +107,7 @@ write_exports(const OpenedRun& run, const SinkOptions& options, const ExportCont
     RunReport report = kept_report(run);
     report.summary = merger.summary();
     report.digest = merger.digest();
-    report.level = run.manifest().query.level;
-    report.limit_pairs = run.manifest().query.limit_pairs;
-    report.clearance = run.manifest().query.clearance;
-    report.maps_all_pairs = run.manifest().query.maps;
+    report.query = run.manifest().query;
     report.map = std::move(map);
     report.findings = sink.findings();
     report.folder.summary_file = (run.dir() / "summary.json").string();

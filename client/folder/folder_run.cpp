@@ -2,7 +2,7 @@
 
 #include "client/base/interrupt.hpp"
 #include "client/base/shell_word.hpp"
-#include "client/folder/job_text.hpp"
+#include "client/job/job_text.hpp"
 #include "client/job/submission.hpp"
 #include "client/poses/label_file.hpp"
 #include "client/remote/mesh_cache.hpp"
@@ -82,6 +82,9 @@ Result<RunManifest> manifest_of(const PreparedJob& job) {
     }
     manifest.query = job.query;
     manifest.poses = poses_of(job);
+    if (job.scene) {
+        manifest.scene = ManifestScene{job.scene->head.hash, job.scene->steps->steps()};
+    }
     manifest.formats = job.spec.output.formats;
     if (manifest.poses.kind != PosesKind::Random) {
         const auto hash = CD_TRY(hash_of(*job.poses, &InterruptGuard::has_come));
@@ -104,36 +107,6 @@ std::uint64_t bytes_beside_poses(const PreparedJob& job) {
 
 std::uint64_t input_bytes(const PreparedJob& job) {
     return bytes_beside_poses(job) + (job.grid ? 0 : job.poses->count() * scenario_bytes);
-}
-
-std::string absolute_path(const fs::path& path) {
-    std::error_code error;
-    const fs::path whole = path == "-" ? path : fs::absolute(path, error).lexically_normal();
-    return (error ? path : whole).string();
-}
-
-void make_paths_absolute(JobSpec& spec) {
-    for (BodySpec* body : meshes_of(spec)) {
-        body->path = body->path.empty() ? body->path : fs::path(absolute_path(body->path));
-    }
-    if (auto* shots = std::get_if<ShotsSpec>(&spec.poses); shots != nullptr && !shots->is_grid()) {
-        shots->file = absolute_path(shots->file);
-    }
-    if (auto* file = std::get_if<PoseFileSpec>(&spec.poses);
-        file != nullptr && !file->path.empty()) {
-        file->path = absolute_path(file->path);
-    }
-    if (!spec.scene) {
-        return;
-    }
-    for (SceneBodySpec& body : spec.scene->bodies) {
-        if (body.poses) {
-            body.poses->path = absolute_path(body.poses->path);
-        }
-    }
-    if (spec.scene->poses) {
-        spec.scene->poses->file.path = absolute_path(spec.scene->poses->file.path);
-    }
 }
 
 std::string own_command_line() {
@@ -190,13 +163,13 @@ Status FolderRun::open_files(PreparedJob& job) {
 }
 
 Result<ResultMerger> FolderRun::done() const {
-    ResultMerger merger(manifest_.poses.count);
+    ResultMerger merger = merger_of(*job_);
     const auto records = CD_TRY(RecordFile::open_unfinished(folder_.part() / "records"));
     CD_TRY(records.for_each([&](const KeptRecord& record) -> Status {
         if (InterruptGuard::has_come()) {
             return interrupted();
         }
-        const auto added = merger.add(record.result, sha256(record.bytes));
+        const auto added = merger.add(record.result, digest_of_record(record.bytes));
         // Only a local run can be resumed: it writes its results in the order of their indices.
         if (added != ResultMerger::Outcome::Added ||
             merger.summary().merged() != record.result.index + 1) {
@@ -212,12 +185,11 @@ Status FolderRun::keep_inputs() const {
     const fs::path inputs = folder_.out() / "inputs";
     std::error_code error;
     fs::create_directories(inputs / "meshes", error);
-    for (std::size_t i = 0; i < job_->meshes.size(); ++i) {
-        if (i > 0 && job_->meshes[i]->hash() == job_->meshes[0]->hash()) {
-            continue;
+    std::set<Sha256> kept;
+    for (const auto& mesh : job_->meshes) {
+        if (kept.insert(mesh->hash()).second) {
+            CD_TRY(write_mesh_file(mesh_file_path(inputs / "meshes", mesh->hash()), *mesh));
         }
-        const Mesh& mesh = *job_->meshes[i];
-        CD_TRY(write_mesh_file(mesh_file_path(inputs / "meshes", mesh.hash()), mesh));
     }
     if (!job_->labels.is_empty()) {
         CD_TRY(write_labels(inputs / "ids", job_->labels));
@@ -256,10 +228,17 @@ Status FolderRun::finish(RunReport& report,
     fs::remove_all(folder_.out(), error);
     fs::create_directories(folder_.out(), error);
     CD_TRY(recorder_->finish());
+    if (job_->scene) {
+        const Bytes steps = pack_steps(*job_->scene->steps);
+        CD_TRY(write_file(folder_.out() / "steps",
+                          {reinterpret_cast<const char*>(steps.data()), steps.size()}));
+    }
     report.map = CD_TRY(finish_maps(fetched_map));
     const ExportContext context = export_context(*job_);
     const auto records = CD_TRY(RecordFile::open(folder_.part() / "records"));
-    auto sink = CD_TRY(ResultSink::open({folder_.out(), manifest_.formats, output}, context));
+    SinkOptions options{folder_.out(), manifest_.formats, output};
+    options.learn = job_->spec.scene ? job_->spec.scene->rules.learn : std::nullopt;
+    auto sink = CD_TRY(ResultSink::open(std::move(options), context));
     CD_TRY(records.for_each([&](const KeptRecord& record) { return sink.add(record.result); }));
     if (!job_->query.maps && job_->query.level >= Level::Pairs) {
         report.map = sink.map();

@@ -107,12 +107,6 @@ class FolderRun {
 /// Returns a lower bound in bytes for a folder's inputs: `bytes_beside_poses` and the poses.
 [[nodiscard]] std::uint64_t input_bytes(const PreparedJob& job);
 
-/// Returns a path as an absolute one; "-" stays.
-[[nodiscard]] std::string absolute_path(const std::filesystem::path& path);
-
-/// Makes the paths of a job absolute, so that it can be opened from another folder.
-void make_paths_absolute(JobSpec& spec);
-
 /// Returns the command line of this process.
 [[nodiscard]] std::string own_command_line();
 

@@ -4,6 +4,7 @@
 #include "client/folder/run_folder.hpp"
 #include "client/folder/run_recorder.hpp"
 #include "client/import/mesh_import.hpp"
+#include "client/job/submission.hpp"
 #include "client/poses/label_file.hpp"
 #include "client/remote/mesh_cache.hpp"
 #include "common/core/errors.hpp"
@@ -49,12 +50,11 @@ Error damaged(const fs::path& file, const std::string& what) {
 
 /// Imports a body's mesh file. Errors: as `import_mesh`; BadInput if the mesh has changed.
 Result<std::shared_ptr<const Mesh>>
-import_again(const JobSpec& spec, std::size_t body, const Sha256& expected) {
-    const auto options = CD_TRY(import_options(spec, body));
-    const std::string file = spec.bodies[body].path.string();
-    const auto imported = CD_TRY(import_mesh(file, options));
+import_again(const BodySpec& body, const std::string& unit, const Sha256& expected) {
+    const auto options = CD_TRY(import_options(body, unit));
+    const auto imported = CD_TRY(import_mesh(body.path, options));
     if (imported.mesh->hash() != expected) {
-        return changed(file);
+        return changed(body.path.string());
     }
     return imported.mesh;
 }
@@ -78,6 +78,9 @@ Result<OpenedRun> OpenedRun::open(const fs::path& dir) {
 Result<JobSpec> OpenedRun::spec() const {
     auto spec = CD_TRY(parse_job(manifest_.job, dir_ / "run.json"));
     spec.output.dir.clear();
+    if (spec.scene) {
+        return spec;
+    }
     for (std::size_t i = 0; i < spec.bodies.size(); ++i) {
         const ManifestBody& body = manifest_.bodies[i];
         spec.bodies[i].declared_unit = body.is_unit_given ? "" : body.unit;
@@ -103,7 +106,21 @@ Result<std::shared_ptr<const Mesh>> OpenedRun::mesh(std::size_t body) const {
         const auto lines = CD_TRY(lines_of(*shots, *a));
         return lines->hash() == wanted.mesh ? lines : changed_lines(*shots);
     }
-    return import_again(job, body, wanted.mesh);
+    return import_again(
+        manifest_.scene ? spec_of(wanted, body) : job.bodies[body], manifest_.unit, wanted.mesh);
+}
+
+Result<std::optional<JobScene>> OpenedRun::scene() const {
+    if (!manifest_.scene) {
+        return std::optional<JobScene>();
+    }
+    const fs::path path = dir_ / "steps";
+    const std::string bytes = CD_TRY(read_file(path));
+    const std::vector<JobBody> bodies(manifest_.bodies.begin(), manifest_.bodies.end());
+    auto scene = scene_of(
+        bodies, std::as_bytes(std::span(bytes)), manifest_.poses.count, manifest_.scene->head);
+    return scene ? Result<std::optional<JobScene>>(std::move(scene.value()))
+                 : damaged(path, scene.error().detail);
 }
 
 Result<std::unique_ptr<PoseSource>> OpenedRun::kept_poses() const {
@@ -173,6 +190,10 @@ Result<JobInputs> read_inputs(const OpenedRun& run) {
     inputs.poses = CD_TRY(run.kept_poses());
     if (inputs.poses) {
         inputs.labels = CD_TRY(run.kept_labels());
+        inputs.scene = CD_TRY(run.scene());
+    }
+    for (const ManifestBody& body : bodies) {
+        inputs.names.push_back(body.name);
     }
     inputs.ignored = run.manifest().query.ignored;
     return inputs;
@@ -206,8 +227,14 @@ Result<ExportContext> export_context(const OpenedRun& run) {
     for (std::size_t i = 0; i < manifest.bodies.size(); ++i) {
         auto mesh = CD_TRY(run.mesh(i));
         const ManifestBody& body = manifest.bodies[i];
-        context.bodies.push_back(
-            {body.name, fs::path(body.file).filename().string(), std::move(mesh)});
+        context.bodies.push_back({body.name,
+                                  fs::path(body.file).filename().string(),
+                                  std::move(mesh),
+                                  body.rounds_to_float,
+                                  body.is_fixed});
+    }
+    if (auto scene = CD_TRY(run.scene())) {
+        context.steps = scene->steps;
     }
     if (manifest.query.question == Question::Shots) {
         const auto job = CD_TRY(run.spec());

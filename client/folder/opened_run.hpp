@@ -38,6 +38,9 @@ class OpenedRun {
     [[nodiscard]] Result<std::unique_ptr<PoseSource>> kept_poses() const;
     /// Reads the scenario labels that the folder keeps; empty if it keeps none. Errors: Io.
     [[nodiscard]] Result<PoseLabels> kept_labels() const;
+    /// Reads what the run's job has besides its meshes and poses if it is a scene; nothing for two
+    /// bodies. Errors: Io.
+    [[nodiscard]] Result<std::optional<JobScene>> scene() const;
     /// Reads the contact map in the folder; nothing if it has none. Errors: Io.
     [[nodiscard]] Result<std::optional<ContactMap>> kept_map() const;
 

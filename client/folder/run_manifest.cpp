@@ -12,6 +12,8 @@
 #include <array>
 #include <cmath>
 #include <ctime>
+#include <map>
+#include <set>
 
 namespace cd {
 
@@ -22,8 +24,8 @@ using Json = nlohmann::ordered_json;
 constexpr std::uint64_t format_version = 2;
 /// Returns the version of the canonical records (common/job/result/result.hpp). A program that does
 /// not know a clearance or a distance refuses a folder with version 3.
-std::uint64_t record_version(const Query& query) {
-    return query.clearance || query.question != Question::Contacts ? 3 : 2;
+std::uint64_t record_version(const Query& query, bool is_scene) {
+    return is_scene || query.clearance || query.question != Question::Contacts ? 3 : 2;
 }
 /// The names of questions; that of contacts is not written.
 constexpr std::string_view distance_name = "distance";
@@ -85,7 +87,7 @@ Json poses_json(const ManifestPoses& poses) {
 Json query_json(const Query& query) {
     Json ignored = Json::array();
     for (const IgnoredRange& range : query.ignored) {
-        ignored.push_back({{"bodies", {0, 1}},
+        ignored.push_back({{"bodies", {range.body_a, range.body_b}},
                            {"triangles",
                             Json::array({Json::array({range.a_begin, range.a_end}),
                                          Json::array({range.b_begin, range.b_end})})}});
@@ -117,17 +119,26 @@ Json where_json(const ManifestPlace& where) {
     return {{"master", where.master}, {"workers", where.workers}, {"job", where.job}};
 }
 
+/// Lists the parts of each mesh once, with its first body.
 Json bodies_json(const std::vector<ManifestBody>& bodies) {
     Json json = Json::array();
+    std::set<Sha256> known;
     for (const ManifestBody& body : bodies) {
-        json.push_back({{"name", body.name},
-                        {"file", body.file},
-                        {"unit", body.unit},
-                        {"unit_given", body.is_unit_given},
-                        {"up", body.up},
-                        {"precision", body.rounds_to_float ? "float" : "auto"},
-                        {"sha256", to_hex(body.mesh)},
-                        {"parts", body.parts}});
+        Json one({{"name", body.name},
+                  {"file", body.file},
+                  {"unit", body.unit},
+                  {"unit_given", body.is_unit_given},
+                  {"up", body.up},
+                  {"precision", body.rounds_to_float ? "float" : "auto"},
+                  {"sha256", to_hex(body.mesh)},
+                  {"parts", Json::array()}});
+        if (known.insert(body.mesh).second) {
+            one["parts"] = body.parts;
+        }
+        if (body.is_fixed) {
+            one["fixed"] = true;
+        }
+        json.push_back(std::move(one));
     }
     return json;
 }
@@ -181,6 +192,7 @@ std::optional<Sha256> read_hash(const Json& json, const char* key) {
 
 std::vector<ManifestBody> read_bodies(const Json& json) {
     std::vector<ManifestBody> bodies;
+    std::map<Sha256, std::vector<std::string>> parts;
     for (const Json& each : json.at("bodies")) {
         ManifestBody body;
         body.name = value_of<std::string>(each, "name");
@@ -194,13 +206,28 @@ std::vector<ManifestBody> read_bodies(const Json& json) {
             throw Refusal{bad_input("body \"" + body.name + "\" has no SHA-256")};
         }
         body.mesh = *mesh;
-        body.parts = value_or<std::vector<std::string>>(each, "parts", {});
+        body.is_fixed = value_or(each, "fixed", false);
+        parts.emplace(body.mesh, value_or<std::vector<std::string>>(each, "parts", {}));
+        body.parts = parts.at(body.mesh);
         bodies.push_back(std::move(body));
     }
-    if (bodies.size() != 2) {
-        throw Refusal{bad_input("a run of this version has two bodies")};
+    const bool is_scene = json.contains("scene");
+    if (is_scene ? bodies.size() < 2 || bodies.size() > limits::bodies_max : bodies.size() != 2) {
+        throw Refusal{bad_input("the number of bodies is out of range")};
     }
     return bodies;
+}
+
+std::optional<ManifestScene> read_scene(const Json& json) {
+    if (!json.contains("scene")) {
+        return std::nullopt;
+    }
+    const Json& scene = json.at("scene");
+    const auto head = read_hash(scene, "head");
+    if (!head) {
+        throw Refusal{bad_input("the scene has no SHA-256")};
+    }
+    return ManifestScene{*head, value_of<std::uint64_t>(scene, "steps")};
 }
 
 Grid read_grid(const Json& json) {
@@ -256,7 +283,7 @@ ManifestPoses read_poses(const Json& json) {
         poses.rigid_tolerance = number_of(json["rigid_tolerance"]);
     }
     poses.unit = value_or<std::string>(json, "unit", "");
-    if (poses.count == 0 || poses.count > limits::scenarios_max) {
+    if (poses.count > limits::scenarios_max) {
         throw Refusal{bad_input("the number of poses is out of range")};
     }
     return poses;
@@ -267,7 +294,13 @@ IgnoredRange read_ignored(const Json& json) {
     const auto end_of = [&](std::size_t body, std::size_t end) {
         return triangles.at(body).at(end).get<std::uint32_t>();
     };
-    return {end_of(0, 0), end_of(0, 1), end_of(1, 0), end_of(1, 1)};
+    const Json& bodies = json.at("bodies");
+    return {end_of(0, 0),
+            end_of(0, 1),
+            end_of(1, 0),
+            end_of(1, 1),
+            bodies.at(0).get<std::uint32_t>(),
+            bodies.at(1).get<std::uint32_t>()};
 }
 
 std::optional<double> read_length(const Json& query, const char* key) {
@@ -337,7 +370,8 @@ RunManifest read_manifest(const Json& json) {
     }
     RunManifest manifest;
     manifest.query = read_query(json.at("query"));
-    if (value_of<std::uint64_t>(json, "record_version") != record_version(manifest.query)) {
+    if (value_of<std::uint64_t>(json, "record_version") !=
+        record_version(manifest.query, json.contains("scene"))) {
         throw Refusal{
             bad_input("its records are of another version; use the cdctl that wrote them")};
     }
@@ -357,8 +391,12 @@ RunManifest read_manifest(const Json& json) {
     manifest.job = without_tolerance(value_or<std::string>(json, "job", ""));
     manifest.bodies = read_bodies(json);
     manifest.poses = read_poses(json.at("poses"));
+    manifest.scene = read_scene(json);
+    if (manifest.poses.count == 0 && !manifest.scene) {
+        throw Refusal{bad_input("the number of poses is out of range")};
+    }
     if (json["query"].contains("tolerance")) {
-        manifest.tolerance = number_of(json["query"]["tolerance"]);
+        manifest.outcome.tolerance = number_of(json["query"]["tolerance"]);
     }
     manifest.outcome.answered = value_or<std::uint64_t>(json, "answered", 0);
     manifest.outcome.digest = read_hash(json, "digest");
@@ -390,7 +428,7 @@ bool has_same_poses(const ManifestPoses& left, const ManifestPoses& right) {
 
 std::string manifest_json(const RunManifest& manifest) {
     Json json{{"format", format_version},
-              {"record_version", record_version(manifest.query)},
+              {"record_version", record_version(manifest.query, manifest.scene.has_value())},
               {"program", manifest.origin.program},
               {"commit", manifest.origin.commit},
               {"command", manifest.origin.command},
@@ -409,8 +447,11 @@ std::string manifest_json(const RunManifest& manifest) {
               {"map_digest", hash_json(manifest.outcome.map_digest)},
               {"formats", manifest.formats},
               {"files", files_json(manifest.files)}};
-    if (manifest.tolerance > 0) {
-        json["query"]["tolerance"] = manifest.tolerance;
+    if (manifest.outcome.tolerance > 0) {
+        json["query"]["tolerance"] = manifest.outcome.tolerance;
+    }
+    if (manifest.scene) {
+        json["scene"] = {{"head", to_hex(manifest.scene->head)}, {"steps", manifest.scene->steps}};
     }
     if (manifest.outcome.reused) {
         json["reused_from"] = reuse_json(*manifest.outcome.reused);
@@ -431,13 +472,16 @@ Result<RunManifest> parse_manifest(std::string_view text) {
 bool is_same_job(const RunManifest& left, const RunManifest& right) {
     const bool same_meshes =
         std::ranges::equal(left.bodies, right.bodies, {}, &ManifestBody::mesh, &ManifestBody::mesh);
-    return same_meshes && has_same_poses(left.poses, right.poses) &&
-           is_equal(left.query, right.query) && left.tolerance == right.tolerance;
+    const auto head = [](const RunManifest& run) {
+        return run.scene ? std::optional(run.scene->head) : std::nullopt;
+    };
+    return same_meshes && head(left) == head(right) && has_same_poses(left.poses, right.poses) &&
+           is_equal(left.query, right.query) && left.outcome.tolerance == right.outcome.tolerance;
 }
 
 Status check_exact(const RunManifest& manifest) {
-    return manifest.tolerance > 0
-               ? bad_input("the run had a tolerance of " + exact_text(manifest.tolerance) +
+    return manifest.outcome.tolerance > 0
+               ? bad_input("the run had a tolerance of " + exact_text(manifest.outcome.tolerance) +
                            ", which is gone, so no run gives its answers again: run its job file "
                            "without the key tolerance into another folder")
                : Status(Done{});

@@ -36,6 +36,12 @@ struct ManifestPoses {
     bool has_times = false;
 };
 
+/// What a scene of many bodies has besides its bodies and poses.
+struct ManifestScene {
+    Sha256 head;             ///< The hash of its `SceneHead`.
+    std::uint64_t steps = 0; ///< Number of steps; the file `steps` in the folder has them.
+};
+
 /// Where a run is computed: on this machine or by a master's workers.
 struct ManifestPlace {
     std::uint64_t threads = 0; ///< Number of threads, for a run on this machine.
@@ -72,6 +78,8 @@ struct ManifestOutcome {
     std::optional<Sha256> digest;        ///< Result digest; nothing while scenarios are missing.
     std::optional<Sha256> map_digest;    ///< Digest of the contact map; nothing without one.
     std::optional<ManifestReuse> reused; ///< Nothing if all scenarios were run.
+    /// Above 0: the run of an earlier version, which left boxes of this size undecided.
+    double tolerance = 0;
 };
 
 /// The content of run.json.
@@ -83,13 +91,16 @@ struct RunManifest {
     std::string job;        ///< Text of `job_text`, to run the job again.
     std::vector<ManifestBody> bodies;
     ManifestPoses poses;
+    std::optional<ManifestScene> scene; ///< Nothing for a job of two bodies.
     Query query;
-    /// Above 0: the run of an earlier version, which left boxes of this size undecided.
-    double tolerance = 0;
     ManifestOutcome outcome;
     std::vector<std::string> formats;
     std::vector<ManifestFile> files; ///< All files of the folder except run.json.
 
+    /// Returns with what the digest starts; nothing unless the run is of a scene.
+    [[nodiscard]] std::optional<SceneHead> scene_head() const {
+        return scene ? std::optional(SceneHead{scene->head}) : std::nullopt;
+    }
     [[nodiscard]] bool is_complete() const { return outcome.digest.has_value(); }
 };
 

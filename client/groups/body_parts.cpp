@@ -27,10 +27,16 @@ std::vector<std::uint32_t> largest_first(const std::vector<std::uint32_t>& first
     return firsts;
 }
 
+/// Returns whether a mesh is a bundle of lines, each of which would be a piece.
+bool is_of_lines(const Mesh& mesh) {
+    return std::ranges::all_of(mesh.triangles(),
+                               [](const Triangle& triangle) { return triangle[1] == triangle[2]; });
+}
+
 } // namespace
 
 BodyParts::BodyParts(const Mesh& mesh, PartKind kind) {
-    if (kind == PartKind::Named || mesh.parts().size() > 1) {
+    if (kind == PartKind::Named || mesh.parts().size() > 1 || is_of_lines(mesh)) {
         assign_named_parts(mesh);
     } else {
         assign_pieces(mesh);

@@ -27,7 +27,8 @@ enum class PartKind : std::uint8_t {
 /// one, and triangles of no part make up a part `others`. In a mesh with at most one part, parts
 /// are the connected pieces (triangles that share a vertex, by coordinates): `piece 1` has most
 /// triangles, and pieces beyond `limits::pieces_max` together are `others`. A mesh that is one
-/// piece, or of which only named parts count, is one part: its own, or `whole`.
+/// piece or a bundle of lines, or of which only named parts count, is one part: its own, or
+/// `whole`.
 class BodyParts {
   public:
     /// Takes near-linear time in the number of vertices and triangles.

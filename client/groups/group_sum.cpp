@@ -296,12 +296,13 @@ std::vector<Group> GroupSum::groups() const {
 
 std::vector<TouchedPart> GroupSum::most_touched(std::size_t count) const {
     std::vector<TouchedPart> touched;
-    for (const Body& body : bodies_) {
+    for (std::uint32_t number = 0; number < bodies_.size(); ++number) {
+        const Body& body = bodies_[number];
         const BodyParts& parts = *body.parts;
         for (std::size_t i = 0; parts.has_lasting_names() && parts.count() > 1 && i < parts.count();
              ++i) {
             if (body.scenarios[i] != 0) {
-                touched.push_back({parts.name(i), body.scenarios[i]});
+                touched.push_back({parts.name(i), body.scenarios[i], number});
             }
         }
     }

@@ -77,6 +77,7 @@ struct Group {
 struct TouchedPart {
     std::string part;
     std::uint64_t scenarios = 0;
+    std::uint32_t body = 0; ///< Index in the job's list of bodies.
 };
 
 /// Sums groups over the results of a run. Results below `level pairs` list no pairs and add

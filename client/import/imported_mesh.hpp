@@ -5,6 +5,7 @@
 #include "common/core/host/stop_check.hpp"
 #include "common/geometry/mesh.hpp"
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <memory>
@@ -29,7 +30,9 @@ struct ImportOptions {
     /// The job's unit. If the file declares a unit, coordinates are converted from that to the
     /// job's unit, and `unit_factor` is not used. Empty: the file's unit is ignored.
     std::string declared_unit_to = {};
-    bool is_y_up = false;         ///< The file's y becomes z, and its z becomes -y.
+    bool is_y_up = false; ///< The file's y becomes z, and its z becomes -y.
+    /// This point, in the mesh's unit and after the turn of `is_y_up`, becomes the origin.
+    std::array<double, 3> origin = {};
     bool rounds_to_float = false; ///< Each coordinate becomes the nearest float.
     StopCheck is_stopped = {};    ///< Once it returns true, an import in a child process ends.
 };
@@ -64,7 +67,9 @@ inline constexpr const char* nameless_part = "mesh";
 /// and the unit's factor in double and round once to float. In other formats a coordinate is the
 /// double nearest to the number in the file, times the factor; the mesh uses floats if they hold
 /// all coordinates. Equal corners share one vertex, numbered by first use, and unused vertices are
-/// dropped (except in `.npz`). Degenerate and duplicate triangles are kept.
+/// dropped (except in `.npz`). Degenerate and duplicate triangles are kept. An `origin` is
+/// subtracted in double from the coordinates described so far, and rounded once; the mesh again
+/// uses floats if they hold all differences. Vertices that become equal stay apart.
 struct ImportedMesh {
     std::shared_ptr<const Mesh> mesh;
     DeclaredFrame declared;            ///< As in the file; its up axis does not turn the mesh.

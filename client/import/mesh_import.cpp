@@ -58,6 +58,19 @@ void warn_of_coarse_floats(const std::filesystem::path& path, ImportedMesh& impo
     }
 }
 
+/// Returns the arrays of a mesh, to be changed.
+MeshArrays arrays_of(const Mesh& mesh) {
+    return {mesh.vertices(), mesh.triangles(), mesh.parts(), mesh.precision()};
+}
+
+/// Replaces the mesh. Errors: as `Mesh::create`, naming the file.
+Result<ImportedMesh>
+with_arrays(const std::filesystem::path& path, ImportedMesh imported, MeshArrays arrays) {
+    imported.mesh = std::make_shared<const Mesh>(
+        CD_TRY(within(path.string() + ": ", Mesh::create(std::move(arrays)))));
+    return imported;
+}
+
 /// Rounds each coordinate of a mesh once to the nearest float. Triangles keep their numbers and
 /// parts; positions that become equal share one vertex, and vertices that no triangle uses are
 /// dropped. Errors: BadInput naming a triangle with a coordinate that no float holds.
@@ -90,17 +103,25 @@ Result<ImportedMesh> rounded_to_floats(const std::filesystem::path& path, Import
 }
 
 /// Turns y into z and z into -y, exactly. Errors: as `Mesh::create`.
-Result<ImportedMesh> turned_to_z_up(ImportedMesh imported) {
-    MeshArrays arrays{imported.mesh->vertices(),
-                      imported.mesh->triangles(),
-                      imported.mesh->parts(),
-                      imported.mesh->precision()};
+Result<ImportedMesh> turned_to_z_up(const std::filesystem::path& path, ImportedMesh imported) {
+    MeshArrays arrays = arrays_of(*imported.mesh);
     for (Vec3& vertex : arrays.vertices) {
         vertex = Vec3(vertex.x(), 0.0 - vertex.z(), vertex.y()); // The subtraction never gives -0.
     }
-    auto mesh = CD_TRY(Mesh::create(std::move(arrays)));
-    imported.mesh = std::make_shared<const Mesh>(std::move(mesh));
-    return imported;
+    return with_arrays(path, std::move(imported), std::move(arrays));
+}
+
+/// Subtracts a point from all coordinates, each rounded once to double. The mesh uses floats if
+/// they hold all differences. Errors: BadInput naming a vertex whose difference no double holds.
+Result<ImportedMesh> moved_to_origin(const std::filesystem::path& path,
+                                     ImportedMesh imported,
+                                     const std::array<double, 3>& origin) {
+    MeshArrays arrays = arrays_of(*imported.mesh);
+    for (Vec3& vertex : arrays.vertices) {
+        vertex -= Vec3(origin[0], origin[1], origin[2]);
+    }
+    arrays.precision = precision_of(arrays.vertices);
+    return with_arrays(path, std::move(imported), std::move(arrays));
 }
 
 /// Returns the native reader for an extension in lower case, or null.
@@ -187,11 +208,17 @@ Result<ImportedMesh> import_checked(const std::filesystem::path& path,
                                     const ImportOptions& options) {
     CD_TRY(check_file(path));
     auto imported = CD_TRY(import_file(path, options));
+    if (options.is_y_up) {
+        imported = CD_TRY(turned_to_z_up(path, std::move(imported)));
+    }
+    if (options.origin != std::array<double, 3>{}) {
+        imported = CD_TRY(moved_to_origin(path, std::move(imported), options.origin));
+    }
     if (options.rounds_to_float) {
         imported = CD_TRY(rounded_to_floats(path, std::move(imported)));
     }
     warn_of_coarse_floats(path, imported);
-    return options.is_y_up ? turned_to_z_up(std::move(imported)) : std::move(imported);
+    return imported;
 }
 
 } // namespace

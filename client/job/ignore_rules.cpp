@@ -1,5 +1,5 @@
+#include "client/groups/part_pattern.hpp"
 #include "client/job/prepared_job.hpp"
-#include "client/spec/part_pattern.hpp"
 #include "common/core/errors.hpp"
 #include "common/core/words.hpp"
 

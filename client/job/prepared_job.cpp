@@ -17,6 +17,7 @@
 #include "common/geometry/topology.hpp"
 #include "common/job/poses/made_poses.hpp"
 
+#include <filesystem>
 #include <utility>
 
 namespace cd {
@@ -228,7 +229,11 @@ prepare_bodies(PreparedJob job, Trees trees, TreeCache& cache, ThreadPool& pool,
     job.query.ignored = scene.ignored;
     job.zeros = scene.zeros;
     job.header = check_text(job.spec, scene);
-    job.scene = JobScene{scene.scene, scene.are_fixed, scene.poses->steps()};
+    std::vector<BodySpec> files;
+    for (const NamedBody& body : scene.scene.bodies) {
+        files.push_back(job.spec.scene->bodies[body.entry].mesh);
+    }
+    job.scene = JobScene{std::move(files), scene.are_fixed, scene.poses->steps(), scene.head};
     job.poses = std::move(scene.poses);
     if (trees == Trees::Always) {
         const SlowNote note(
@@ -242,6 +247,25 @@ prepare_bodies(PreparedJob job, Trees trees, TreeCache& cache, ThreadPool& pool,
     return job;
 }
 
+/// Prepares a job with [bodies] whose inputs are in memory.
+PreparedJob
+take_bodies(PreparedJob job, Trees trees, TreeCache& cache, ThreadPool& pool, JobInputs given) {
+    job.names = std::move(given.names);
+    job.meshes = std::move(given.meshes);
+    job.query = job.spec.query;
+    job.query.ignored = std::move(given.ignored).value_or(std::vector<IgnoredRange>());
+    job.scene = std::move(given.scene);
+    job.poses = std::move(given.poses);
+    job.header = counted(job.names.size(), "instance") + ", " +
+                 counted(job.scene->steps->steps(), "step") + ", " +
+                 counted(job.poses->count(), "scenario") + "\n";
+    if (trees == Trees::Always) {
+        get_trees(job, trees, cache, pool);
+    }
+    check_points(job);
+    return job;
+}
+
 } // namespace
 
 Result<PreparedJob> prepare_job(
@@ -249,8 +273,8 @@ Result<PreparedJob> prepare_job(
     PreparedJob job;
     job.spec = std::move(spec);
     if (job.spec.scene) {
-        CD_CHECK(given.meshes.empty());
-        return prepare_bodies(std::move(job), trees, cache, pool, quiet);
+        return given.scene ? take_bodies(std::move(job), trees, cache, pool, std::move(given))
+                           : prepare_bodies(std::move(job), trees, cache, pool, quiet);
     }
     job.meshes = std::move(given.meshes);
     const auto notes = CD_TRY(import_bodies(job, quiet));
@@ -300,8 +324,59 @@ Result<ImportOptions> import_options(const JobSpec& spec, std::size_t body) {
 }
 
 const BodySpec& body_spec(const PreparedJob& job, std::size_t body) {
-    return job.scene ? job.spec.scene->bodies[job.scene->bodies.bodies[body].entry].mesh
-                     : job.spec.bodies[body];
+    return job.scene ? job.scene->files[body] : job.spec.bodies[body];
+}
+
+std::optional<SceneHead> scene_head(const PreparedJob& job) {
+    return job.scene ? std::optional(job.scene->head) : std::nullopt;
+}
+
+ResultMerger merger_of(const PreparedJob& job) {
+    return ResultMerger(job.poses->count(), scene_head(job));
+}
+
+std::string absolute_path(const std::filesystem::path& path) {
+    std::error_code error;
+    const std::filesystem::path whole =
+        path == "-" ? path : std::filesystem::absolute(path, error).lexically_normal();
+    return (error ? path : whole).string();
+}
+
+void make_paths_absolute(JobSpec& spec) {
+    for (BodySpec* body : meshes_of(spec)) {
+        body->path =
+            body->path.empty() ? body->path : std::filesystem::path(absolute_path(body->path));
+    }
+    if (auto* shots = std::get_if<ShotsSpec>(&spec.poses); shots != nullptr && !shots->is_grid()) {
+        shots->file = absolute_path(shots->file);
+    }
+    if (auto* file = std::get_if<PoseFileSpec>(&spec.poses);
+        file != nullptr && !file->path.empty()) {
+        file->path = absolute_path(file->path);
+    }
+    if (!spec.scene) {
+        return;
+    }
+    for (SceneBodySpec& body : spec.scene->bodies) {
+        if (body.poses) {
+            body.poses->path = absolute_path(body.poses->path);
+        }
+    }
+    if (spec.scene->poses) {
+        spec.scene->poses->file.path = absolute_path(spec.scene->poses->file.path);
+    }
+    if (spec.scene->fcd) {
+        spec.scene->fcd->path = absolute_path(spec.scene->fcd->path);
+    }
+}
+
+void make_paths_absolute(PreparedJob& job) {
+    make_paths_absolute(job.spec);
+    if (job.scene) {
+        for (BodySpec& file : job.scene->files) {
+            file.path = absolute_path(file.path);
+        }
+    }
 }
 
 ExportContext export_context(const PreparedJob& job) {

@@ -4,7 +4,6 @@
 #include "client/export/result_writer.hpp"
 #include "client/import/imported_mesh.hpp"
 #include "client/report/report.hpp"
-#include "client/scene/scene_bodies.hpp"
 #include "client/spec/job_file.hpp"
 #include "client/trees/tree_cache.hpp"
 #include "common/core/host/thread_pool.hpp"
@@ -12,6 +11,7 @@
 #include "common/job/poses/pose_labels.hpp"
 #include "common/job/poses/pose_source.hpp"
 #include "common/job/query.hpp"
+#include "common/job/result/merge.hpp"
 #include "common/scene/step_index.hpp"
 #include "common/tree/obb_tree.hpp"
 
@@ -26,9 +26,10 @@ namespace cd {
 
 /// What a job with [bodies] has besides its meshes and scenarios.
 struct JobScene {
-    SceneBodies bodies;
+    std::vector<BodySpec> files; ///< The mesh file of each body.
     std::vector<bool> are_fixed; ///< For each body, whether it has one pose at all steps.
     std::shared_ptr<const StepIndex> steps;
+    SceneHead head;
 };
 
 struct PreparedJob {
@@ -56,20 +57,35 @@ struct JobInputs {
     std::vector<std::shared_ptr<const Mesh>> meshes{};  ///< By body; empty: files are imported.
     std::unique_ptr<PoseSource> poses;                  ///< If null, poses are opened or generated.
     PoseLabels labels{};                                ///< Labels of `poses`.
+    std::vector<std::string> names{};                   ///< Of a scene's bodies.
+    std::optional<JobScene> scene{};                    ///< Of a scene whose `poses` are given.
     std::optional<std::vector<IgnoredRange>> ignored{}; ///< If nothing, the job's rules apply.
 };
 
 /// Imports the meshes, resolves ignored triangles, opens or generates the poses, and gets the trees
-/// in the forms that the job needs. A job with [bodies] is prepared from its files alone (`given`
-/// is empty), as by `prepare_scene`. The result is bit-identical for any number of threads and any
-/// cache content. Unless `quiet`, a line on stderr names each step longer than half a second.
-/// Errors: BadInput, NotFound and Io, each naming the file.
+/// in the forms that the job needs. A job with [bodies] is prepared from its files alone, as by
+/// `prepare_scene`, unless `given` has meshes, poses and scene. The result is bit-identical for any
+/// number of threads and any cache content. Unless `quiet`, a line on stderr names each step longer
+/// than half a second. Errors: BadInput, NotFound and Io, each naming the file.
 [[nodiscard]] Result<PreparedJob> prepare_job(JobSpec spec,
                                               Trees trees,
                                               TreeCache& cache,
                                               ThreadPool& pool,
                                               bool quiet = true,
                                               JobInputs given = {});
+
+/// Returns with what the job's digest starts; nothing unless it is a scene.
+[[nodiscard]] std::optional<SceneHead> scene_head(const PreparedJob& job);
+
+/// Returns a merger for the results of all scenarios of the job.
+[[nodiscard]] ResultMerger merger_of(const PreparedJob& job);
+
+/// Returns a path as an absolute one; "-" stays.
+[[nodiscard]] std::string absolute_path(const std::filesystem::path& path);
+
+/// Makes the paths of a job absolute, so that it can be opened from another folder.
+void make_paths_absolute(JobSpec& spec);
+void make_paths_absolute(PreparedJob& job);
 
 /// Returns the mesh of the lines of [shots], which is body B, for the mesh of A. Errors: as
 /// `shot_mesh`.

@@ -1,6 +1,7 @@
 #include "client/job/submission.hpp"
 
 #include "client/base/units.hpp"
+#include "client/job/job_text.hpp"
 #include "common/core/errors.hpp"
 #include "common/core/printable.hpp"
 
@@ -48,6 +49,8 @@ PosesOrigin origin_of(const PosesSpec& spec) {
     return origin;
 }
 
+} // namespace
+
 BodySpec spec_of(const JobBody& body, std::size_t number) {
     BodySpec spec;
     spec.path = body.file;
@@ -57,6 +60,8 @@ BodySpec spec_of(const JobBody& body, std::size_t number) {
     spec.rounds_to_float = body.rounds_to_float;
     return spec;
 }
+
+namespace {
 
 Result<PosesSpec> shots_of(const PosesOrigin& origin) {
     const bool is_grid = origin.file.empty();
@@ -111,6 +116,7 @@ JobBody body_of(const PreparedJob& job, std::size_t body) {
                                               : given.declared_unit;
     told.up = given.up;
     told.rounds_to_float = given.rounds_to_float;
+    told.is_fixed = job.scene && job.scene->are_fixed[body];
     return told;
 }
 
@@ -133,10 +139,33 @@ Submit submission_of(const PreparedJob& job) {
     for (const IgnoreRule& rule : job.spec.ignore) {
         submit.ignore.push_back({escaped(rule.a), escaped(rule.b)});
     }
+    if (job.scene) {
+        submit.poses.scene =
+            SceneOrigin{job.scene->head.hash, job_text(job.spec), pack_steps(*job.scene->steps)};
+    }
     return submit;
 }
 
+Result<JobScene> scene_of(std::span<const JobBody> bodies,
+                          std::span<const std::byte> steps,
+                          std::uint64_t scenarios,
+                          const Sha256& head) {
+    JobScene scene;
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+        scene.files.push_back(spec_of(bodies[i], i));
+        scene.are_fixed.push_back(bodies[i].is_fixed);
+    }
+    scene.steps = CD_TRY(unpack_steps(steps, scenarios));
+    scene.head = {head};
+    return scene;
+}
+
 Result<JobSpec> spec_of(const Submit& submit) {
+    if (submit.poses.scene) {
+        auto scene = CD_TRY(parse_job(submit.poses.scene->job, "the job's description"));
+        scene.output = {};
+        return scene;
+    }
     JobSpec spec;
     if (submit.bodies.size() != spec.bodies.size()) {
         return Error{ErrorCode::BadFrame, "the job has other than two bodies"};

@@ -17,7 +17,7 @@ void DoneBlock::add(const ScenarioResult& result) {
     const std::size_t begin = records_.size() + sizeof(std::uint32_t);
     put_record(records_, result);
     facts_.push_back(facts_of(result));
-    digests_.push_back(sha256(std::span(records_.bytes()).subspan(begin)));
+    digests_.push_back(digest_of_record(std::span(records_.bytes()).subspan(begin)));
 }
 
 void DoneBlock::add(const ScenarioResult& result, std::vector<ContactPair> found) {

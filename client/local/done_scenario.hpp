@@ -24,7 +24,7 @@ struct DoneScenario {
                                                 std::vector<ContactPair> found) {
     DoneScenario done{std::move(result), {}, {}, std::move(found)};
     done.record = encode_result(done.result);
-    done.digest = sha256(done.record);
+    done.digest = digest_of_record(done.record);
     return done;
 }
 

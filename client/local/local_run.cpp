@@ -112,7 +112,8 @@ Result<RunOutcome> run_locally(const TreesByBody& trees,
                                LocalRunOptions options) {
     const auto start = Clock::now();
     auto progress_due = start;
-    ResultMerger merger = std::move(options.done).value_or(ResultMerger(poses.count()));
+    ResultMerger merger =
+        std::move(options.done).value_or(ResultMerger(poses.count(), options.scene));
     const PairStage first_stage = options.first_stage;
     std::atomic<bool> ended = false;
     const ScenarioRunner runner(

@@ -43,6 +43,7 @@ struct LocalRunOptions {
     PairStage first_stage = PairStage::Float;
     /// Results of an earlier run for the first scenarios, which are not run again.
     std::optional<ResultMerger> done;
+    std::optional<SceneHead> scene = {}; ///< For the digest of a scene, unless `done` has it.
 };
 
 /// Runs every scenario of `poses` on the pool's threads with a `ScenarioRunner`. Results and digest

@@ -117,9 +117,9 @@ std::string coloured(const std::string& text, const char* colour, bool colours) 
 
 /// Says that a sum covers only the pairs that are listed; empty if all pairs are listed.
 std::string first_pairs_text(const RunReport& report) {
-    return report.limit_pairs == 0
+    return report.query.limit_pairs == 0
                ? ""
-               : ", of the first " + counted(report.limit_pairs, "pair") + " a scenario";
+               : ", of the first " + counted(report.query.limit_pairs, "pair") + " a scenario";
 }
 
 std::string map_text(const RunReport& report) {
@@ -128,8 +128,8 @@ std::string map_text(const RunReport& report) {
     }
     const auto& [a, b] = report.map->bodies;
     return "  map           " + counted(a.size(), "triangle") + " of A and " + grouped(b.size()) +
-           " of B were in contact" + (report.clearance ? " or near" : "") +
-           (report.maps_all_pairs ? "" : first_pairs_text(report)) + "; digest " +
+           " of B were in contact" + (report.query.clearance ? " or near" : "") +
+           (report.query.maps ? "" : first_pairs_text(report)) + "; digest " +
            to_short_hex(digest_of(*report.map)) + "\n";
 }
 
@@ -138,8 +138,8 @@ std::string most_touched_text(const RunReport& report) {
     std::string text;
     for (const TouchedPart& part : report.findings.most_touched) {
         text += (text.empty() ? "  most touched  " : ", ") + part.part + " " +
-                (report.limit_pairs == 0 ? percent(part.scenarios, report.summary.tested())
-                                         : grouped(part.scenarios));
+                (report.query.limit_pairs == 0 ? percent(part.scenarios, report.summary.tested())
+                                               : grouped(part.scenarios));
     }
     return text.empty() ? text : text + first_pairs_text(report) + "\n";
 }
@@ -208,19 +208,19 @@ std::string classes_text(const RunReport& report, bool colours) {
         const std::string part = name + " " + grouped(count);
         text += "    " + coloured(part, colour, colours && count != 0);
     };
-    if (report.level == Level::Any) {
-        add("contact", summary.contact, red);
-        add("inside", summary.inside, red);
-    } else if (summary.contact != 0) { // At other levels only lines are in contact.
+    if (report.query.question == Question::Shots) {
         add("contact", summary.contact, green);
         text += " (" + counted(summary.pairs, "hit") + ")";
+    } else if (report.query.level == Level::Any) {
+        add("contact", summary.contact, red);
+        add("inside", summary.inside, red);
     } else {
         add("touch", summary.touch, yellow);
         add("cross", summary.cross, red);
         text += summary.pairs == 0 ? "" : " (" + counted(summary.pairs, "pair") + ")";
         add("inside", summary.inside, red);
     }
-    if (report.clearance || summary.near + summary.near_pairs != 0) {
+    if (report.query.clearance || summary.near + summary.near_pairs != 0) {
         add("near", summary.near, yellow);
         text += summary.near_pairs == 0 ? "" : " (" + counted(summary.near_pairs, "pair") + ")";
     }

@@ -75,6 +75,15 @@ struct LeastDistance {
     std::string unit; ///< The job's unit.
 };
 
+/// Replaces `least` by the distance of the result, if that is less; `unit` is the job's.
+inline void note_least(const ScenarioResult& result,
+                       const std::string& unit,
+                       std::optional<LeastDistance>& least) {
+    if (result.nearest && (!least || result.nearest->distance < least->distance)) {
+        least = LeastDistance{result.nearest->distance, result.index, unit};
+    }
+}
+
 /// An episode (body_episodes.hpp) by the names of its bodies.
 struct EpisodeFound {
     std::string body_a;
@@ -122,11 +131,8 @@ struct RunFindings {
 /// The outcome of a run, for the summary.
 struct RunReport {
     Summary summary;
-    Level level = Level::Pairs;
-    std::uint64_t limit_pairs = 0;   ///< Maximum number of pairs in a result; 0: all.
-    std::optional<double> clearance; ///< Of the query, in the job's unit.
-    bool maps_all_pairs = false;     ///< The contact map also counts pairs beyond `limit_pairs`.
-    std::optional<Sha256> digest;    ///< Nothing while scenarios are missing.
+    Query query;                  ///< What the job asks; the ignored ranges may be missing.
+    std::optional<Sha256> digest; ///< Nothing while scenarios are missing.
     RunExecution execution;
     RunFindings findings;
     std::optional<ContactMap> map; ///< The job's contact map, if there is one.

@@ -1,10 +1,12 @@
 #include "client/scene/prepared_scene.hpp"
 
 #include "client/base/slow_note.hpp"
+#include "client/poses/fcd_file.hpp"
 #include "client/scene/scene_meshes.hpp"
 #include "client/scene/scene_steps.hpp"
 #include "common/core/check.hpp"
 #include "common/core/errors.hpp"
+#include "common/scene/scene_head.hpp"
 
 #include <utility>
 
@@ -29,6 +31,24 @@ std::vector<PlacedBody> placed(const SceneBodies& scene, const std::vector<bool>
     return bodies;
 }
 
+/// Returns the hash of each body's mesh.
+std::vector<Sha256> hashes_of(const SceneBodies& scene) {
+    std::vector<Sha256> hashes;
+    for (const NamedBody& body : scene.bodies) {
+        hashes.push_back(scene.mesh_of(body).hash());
+    }
+    return hashes;
+}
+
+/// Reads the vehicles of SUMO; null if the job has none. Errors: those of `read_fcd_file`.
+Result<std::shared_ptr<const RoadTraffic>> read_traffic(const SceneSpec& scene, bool quiet) {
+    if (!scene.fcd) {
+        return std::shared_ptr<const RoadTraffic>();
+    }
+    const SlowNote note("reading " + scene.fcd->path.filename().string() + "...", quiet);
+    return std::make_shared<const RoadTraffic>(CD_TRY(read_fcd_file(*scene.fcd)));
+}
+
 } // namespace
 
 double reach_of(const Query& query) {
@@ -42,16 +62,23 @@ Result<PreparedScene> prepare_scene(const JobSpec& spec, bool quiet, const StopC
     const auto read = CD_TRY(import_meshes(scene, spec.unit, quiet));
     PreparedScene prepared;
     append(prepared.warnings, read.warnings);
-    prepared.scene = CD_TRY(expand_bodies(scene, read.meshes, spec.file));
+    auto traffic = CD_TRY(read_traffic(scene, quiet));
+    prepared.scene =
+        CD_TRY(expand_bodies(scene, read.meshes, spec.file, traffic ? *traffic : RoadTraffic()));
     auto rules = CD_TRY(apply_rules(scene.rules, prepared.scene, spec.file));
     prepared.effects = std::move(rules.effects);
     prepared.ignored = std::move(rules.ranges);
     prepared.ignored_pairs = rules.ignored.count();
     const SlowNote note("reading poses, and pairing the boxes of each step...", quiet);
-    auto steps = CD_TRY(open_steps(scene, prepared.scene, spec.file));
+    auto steps = CD_TRY(open_steps(scene, prepared.scene, spec.file, std::move(traffic)));
     append(prepared.warnings, steps.warnings);
     prepared.zeros = std::move(steps.zeros);
     prepared.are_fixed = steps.are_fixed;
+    prepared.head = scene_head(hashes_of(prepared.scene),
+                               prepared.are_fixed,
+                               steps.poses->steps(),
+                               rules.ignored,
+                               prepared.ignored);
     prepared.poses = CD_TRY(ScenePoses::create(
         {placed(prepared.scene, steps.are_fixed), std::move(rules.ignored), reach_of(spec.query)},
         std::move(steps.poses),

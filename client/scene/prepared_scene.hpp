@@ -6,6 +6,7 @@
 #include "client/spec/job_file.hpp"
 #include "common/core/host/stop_check.hpp"
 #include "common/core/result.hpp"
+#include "common/job/result/merge.hpp"
 #include "common/scene/scene_poses.hpp"
 
 #include <cstdint>
@@ -22,6 +23,7 @@ struct PreparedScene {
     std::vector<IgnoredRange> ignored; ///< Ignored parts of other pairs.
     std::vector<bool> are_fixed;       ///< For each body, whether it has one pose at all steps.
     std::unique_ptr<ScenePoses> poses; ///< The scenarios of all steps.
+    SceneHead head;
     std::vector<std::string> zeros;    ///< Columns missing in [poses], which count as 0.
     std::vector<std::string> warnings; ///< A sentence each, naming the file.
 };

@@ -1,8 +1,8 @@
 // The patterns by which rules name bodies and their parts.
 #pragma once
 
+#include "client/groups/part_pattern.hpp"
 #include "client/scene/scene_bodies.hpp"
-#include "client/spec/part_pattern.hpp"
 #include "common/core/result.hpp"
 
 #include <cstdint>

@@ -16,11 +16,16 @@ namespace {
 /// Collects the bodies of the entries, and each mesh once.
 class BodyList {
   public:
-    BodyList(const SceneSpec& scene, const std::filesystem::path& job_file)
-        : scene_(scene), job_file_(job_file) {}
+    BodyList(const SceneSpec& scene,
+             const std::filesystem::path& job_file,
+             const RoadTraffic& traffic)
+        : scene_(scene), job_file_(job_file), traffic_(traffic) {}
 
     Status add_entry(std::uint32_t entry, const std::shared_ptr<const Mesh>& mesh) {
         const SceneBodySpec& spec = scene_.bodies[entry];
+        if (is_of_vehicles(scene_, spec)) {
+            return add_vehicles(entry, mesh);
+        }
         if (spec.is_split) {
             return add_parts(entry, *mesh);
         }
@@ -36,6 +41,15 @@ class BodyList {
     [[nodiscard]] SceneBodies take() { return std::move(made_); }
 
   private:
+    Status add_vehicles(std::uint32_t entry, const std::shared_ptr<const Mesh>& mesh) {
+        for (const TrafficVehicle& vehicle : traffic_.vehicles) {
+            if (vehicle.body == scene_.bodies[entry].name) {
+                CD_TRY(add_body(entry, vehicle.id, mesh));
+            }
+        }
+        return Done{};
+    }
+
     Status add_parts(std::uint32_t entry, const Mesh& mesh) {
         const SceneBodySpec& spec = scene_.bodies[entry];
         auto parts = CD_TRY(within(spec.mesh.path.string() + ": ", split_mesh(mesh)));
@@ -86,6 +100,7 @@ class BodyList {
 
     const SceneSpec& scene_;
     const std::filesystem::path& job_file_;
+    const RoadTraffic& traffic_;
     std::map<std::string, std::uint32_t> entries_; ///< The entry of each body's name.
     std::map<const Mesh*, std::uint32_t> numbers_; ///< The place of each mesh.
     SceneBodies made_;
@@ -95,9 +110,10 @@ class BodyList {
 
 Result<SceneBodies> expand_bodies(const SceneSpec& scene,
                                   std::span<const std::shared_ptr<const Mesh>> meshes,
-                                  const std::filesystem::path& job_file) {
+                                  const std::filesystem::path& job_file,
+                                  const RoadTraffic& traffic) {
     CD_CHECK(meshes.size() == scene.bodies.size());
-    BodyList list(scene, job_file);
+    BodyList list(scene, job_file, traffic);
     for (std::uint32_t entry = 0; entry < scene.bodies.size(); ++entry) {
         CD_TRY(list.add_entry(entry, meshes[entry]));
     }
@@ -105,8 +121,10 @@ Result<SceneBodies> expand_bodies(const SceneSpec& scene,
     if (made.bodies.size() < 2) {
         return error_in_job(job_file,
                             scene.bodies.front().line,
-                            "[bodies] has one body, \"" + made.bodies.front().name +
-                                "\"; at least two are tested against each other");
+                            (made.bodies.empty()
+                                 ? std::string("[bodies] has no body")
+                                 : "[bodies] has one body, \"" + made.bodies.front().name + "\"") +
+                                "; at least two are tested against each other");
     }
     return made;
 }

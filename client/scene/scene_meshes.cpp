@@ -4,6 +4,7 @@
 #include "client/import/mesh_import.hpp"
 #include "common/core/errors.hpp"
 
+#include <array>
 #include <map>
 #include <tuple>
 #include <utility>
@@ -13,10 +14,10 @@ namespace cd {
 namespace {
 
 /// What a file is read by; equal keys give equal meshes.
-using MeshKey = std::tuple<std::string, std::string, std::string, bool>;
+using MeshKey = std::tuple<std::string, std::string, std::string, bool, std::array<double, 3>>;
 
 MeshKey key_of(const BodySpec& body) {
-    return {body.path.string(), body.unit, body.up, body.rounds_to_float};
+    return {body.path.string(), body.unit, body.up, body.rounds_to_float, body.origin};
 }
 
 } // namespace

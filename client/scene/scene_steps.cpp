@@ -28,6 +28,8 @@ struct PoseSources {
     std::vector<OwnPoses> own;
     std::optional<PoseTable> table;          ///< The rows of [poses].
     std::vector<std::uint32_t> table_bodies; ///< The body of each pose in a row of `table`.
+    std::shared_ptr<const RoadTraffic> traffic = nullptr; ///< Null: there are no vehicles.
+    std::vector<std::uint32_t> vehicle_bodies = {};       ///< The body of each vehicle.
     std::uint64_t steps = 1;
     std::vector<double> times = {};
 };
@@ -54,6 +56,12 @@ class FileSteps final : public StepPoses {
                 poses[sources_.table_bodies[i]] = row[i];
             }
         }
+        if (sources_.traffic) {
+            for (const TrafficRow& row : sources_.traffic->rows_of(step)) {
+                poses[sources_.vehicle_bodies[row.vehicle]] =
+                    Pose::from_quaternion(row.rotation, row.position);
+            }
+        }
         return poses;
     }
 
@@ -72,12 +80,18 @@ class StepsOpening {
   public:
     StepsOpening(const SceneSpec& spec,
                  const SceneBodies& scene,
-                 const std::filesystem::path& job_file)
+                 const std::filesystem::path& job_file,
+                 std::shared_ptr<const RoadTraffic> traffic)
         : spec_(spec), scene_(scene), job_file_(job_file), has_pose_(scene.bodies.size(), false) {
         sources_.fixed.resize(scene.bodies.size());
+        sources_.traffic = std::move(traffic);
+        for (std::uint32_t body = 0; body < scene.bodies.size(); ++body) {
+            numbers_.emplace(scene.bodies[body].name, body);
+        }
     }
 
     Result<OpenedSteps> run() {
+        take_vehicles();
         CD_TRY(open_table());
         for (std::uint32_t entry = 0; entry < spec_.bodies.size(); ++entry) {
             CD_TRY(open_entry(entry));
@@ -99,22 +113,35 @@ class StepsOpening {
         return error_in_job(job_file_, spec.line, "[bodies] " + spec.name + ": " + what);
     }
 
+    /// Finds the bodies of the vehicles, which `expand_bodies` made.
+    void take_vehicles() {
+        if (!sources_.traffic) {
+            return;
+        }
+        for (const TrafficVehicle& vehicle : sources_.traffic->vehicles) {
+            const std::uint32_t body = numbers_.at(vehicle.id);
+            sources_.vehicle_bodies.push_back(body);
+            has_pose_[body] = true;
+        }
+        files_.push_back(
+            {sources_.traffic->name, sources_.traffic->times.size(), sources_.traffic->times});
+        add_warnings(sources_.traffic->warnings);
+    }
+
     /// Opens [poses], and finds the bodies that have rows there.
     Status open_table() {
         if (!spec_.poses) {
             return Done{};
         }
         auto opened = CD_TRY(open_scene_poses(*spec_.poses));
-        std::map<std::string_view, std::uint32_t> numbers;
         std::vector<std::string_view> names;
-        for (std::uint32_t body = 0; body < scene_.bodies.size(); ++body) {
-            numbers.emplace(scene_.bodies[body].name, body);
-            names.push_back(scene_.bodies[body].name);
+        for (const NamedBody& body : scene_.bodies) {
+            names.push_back(body.name);
         }
         const PoseTable& table = opened.table;
         for (std::size_t i = 0; i < table.bodies.size(); ++i) {
-            const auto found = numbers.find(table.bodies[i]);
-            if (found == numbers.end()) {
+            const auto found = numbers_.find(table.bodies[i]);
+            if (found == numbers_.end()) {
                 return bad_input(table.name + ": " + place_of_pose(table, i) + ": no body of " +
                                  "[bodies] is called \"" + table.bodies[i] + "\"" +
                                  suggested(table.bodies[i], names));
@@ -220,6 +247,7 @@ class StepsOpening {
     const SceneSpec& spec_;
     const SceneBodies& scene_;
     const std::filesystem::path& job_file_;
+    std::map<std::string_view, std::uint32_t> numbers_; ///< The index of each body's name.
     std::vector<bool> has_pose_; ///< For each body, whether a source of its poses is known.
     PoseSources sources_;
     std::vector<StepsOfFile> files_;
@@ -228,9 +256,11 @@ class StepsOpening {
 
 } // namespace
 
-Result<OpenedSteps>
-open_steps(const SceneSpec& spec, const SceneBodies& scene, const std::filesystem::path& job_file) {
-    return StepsOpening(spec, scene, job_file).run();
+Result<OpenedSteps> open_steps(const SceneSpec& spec,
+                               const SceneBodies& scene,
+                               const std::filesystem::path& job_file,
+                               std::shared_ptr<const RoadTraffic> traffic) {
+    return StepsOpening(spec, scene, job_file, std::move(traffic)).run();
 }
 
 } // namespace cd

@@ -1,6 +1,7 @@
 // The poses of a scene's bodies at each step, from the job file and the files that it names.
 #pragma once
 
+#include "client/poses/traffic.hpp"
 #include "client/scene/scene_bodies.hpp"
 #include "client/spec/scene_spec.hpp"
 #include "common/core/result.hpp"
@@ -21,12 +22,15 @@ struct OpenedSteps {
 };
 
 /// Opens the poses of all bodies and checks them. A body has its `pose`, a file of its own, or rows
-/// of [poses]; the parts of a split mesh may have none, and are then at the identity. Without poses
+/// of [poses]; the parts of a split mesh may have none, and are then at the identity. The vehicles
+/// of `traffic`, which may be null, are absent at the steps that do not have them. Without poses
 /// that change there is one step.
 ///
 /// Errors: those of `open_pose_file` and `open_scene_poses`; BadInput naming the line and the body,
 /// for a body without a pose or with two, and for files of different numbers of steps or times.
-[[nodiscard]] Result<OpenedSteps>
-open_steps(const SceneSpec& spec, const SceneBodies& scene, const std::filesystem::path& job_file);
+[[nodiscard]] Result<OpenedSteps> open_steps(const SceneSpec& spec,
+                                             const SceneBodies& scene,
+                                             const std::filesystem::path& job_file,
+                                             std::shared_ptr<const RoadTraffic> traffic = nullptr);
 
 } // namespace cd

@@ -43,6 +43,7 @@ Result<ImportOptions> import_options(const BodySpec& body, const std::string& jo
     ImportOptions options{*factor};
     options.declared_unit_to = body.unit.empty() ? job_unit : "";
     options.is_y_up = body.up == "y";
+    options.origin = body.origin;
     options.rounds_to_float = body.rounds_to_float;
     options.is_stopped = &InterruptGuard::has_come;
     return options;

@@ -4,6 +4,7 @@
 #include "client/import/imported_mesh.hpp"
 #include "common/core/result.hpp"
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <string>
@@ -18,6 +19,8 @@ struct BodySpec {
     std::string name;    ///< If empty: in messages the file's name, in exports `export_name`.
     std::string up = {}; ///< "y": the file's y becomes z; "z" or empty: no turn.
     bool rounds_to_float = false; ///< Round coordinates to floats.
+    /// The point of the mesh, in the job's unit and after `up`, that becomes its origin.
+    std::array<double, 3> origin = {};
     /// The unit that the mesh file declares, if `unit` is empty; set when the file is read.
     std::string declared_unit = {};
 };

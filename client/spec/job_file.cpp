@@ -205,7 +205,9 @@ void read_job(const toml::table& table, JobSpec& spec) {
             job.refuse("shots", "[shots] is for a job with [a]; leave out [shots], or [bodies]");
         }
         spec.scene = read_scene(job, spec.unit, spec.file);
-        spec.poses = spec.scene->poses ? spec.scene->poses->file : PoseFileSpec{};
+        PoseFileSpec file = spec.scene->poses ? spec.scene->poses->file : PoseFileSpec{};
+        file.path = spec.scene->fcd ? spec.scene->fcd->path : file.path;
+        spec.poses = std::move(file);
     } else {
         read_two_bodies(job, spec);
     }
@@ -289,16 +291,23 @@ Status check_format(std::string_view format) {
         "\" is not known; this version has text, json, csv, csv-pairs, npz, vtp and glb");
 }
 
-Status check_map_formats(std::span<const std::string> formats, Level level, bool maps) {
-    const bool has_map = maps || level >= Level::Pairs;
+Status check_map_formats(std::span<const std::string> formats, const MapUse& use) {
     for (const std::string& format : formats) {
-        if (!has_map && (format == "vtp" || format == "glb")) {
-            return bad_input("format " + format +
-                             " shows in how many scenarios each triangle is in contact: from level "
-                             "pairs on, or at level count with maps = true (--maps); run the job "
-                             "so, or leave out " +
-                             format);
+        if (use.has_map() || (format != "vtp" && format != "glb")) {
+            continue;
         }
+        if (use.is_scene) {
+            return bad_input("format " + format +
+                             " shows the contact map of two bodies, which a job with [bodies] does "
+                             "not have; leave it out, and draw single scenarios with `cdctl "
+                             "extract --as " +
+                             format + "`");
+        }
+        return bad_input("format " + format +
+                         " shows in how many scenarios each triangle is in contact: from level "
+                         "pairs on, or at level count with maps = true (--maps); run the job "
+                         "so, or leave out " +
+                         format);
     }
     return Done{};
 }

@@ -79,8 +79,16 @@ void keep_each_once(std::vector<std::string>& formats);
 /// Refuses an unknown format. Errors: BadInput naming the known formats.
 [[nodiscard]] Status check_format(std::string_view format);
 
+/// What decides whether a run has a contact map.
+struct MapUse {
+    Level level = Level::Pairs;
+    bool maps = false;     ///< The query has `maps`.
+    bool is_scene = false; ///< Results of many bodies have no contact map.
+
+    [[nodiscard]] bool has_map() const { return !is_scene && (maps || level >= Level::Pairs); }
+};
+
 /// Refuses the formats vtp and glb for a job without a contact map. Errors: BadInput.
-[[nodiscard]] Status
-check_map_formats(std::span<const std::string> formats, Level level, bool maps);
+[[nodiscard]] Status check_map_formats(std::span<const std::string> formats, const MapUse& use);
 
 } // namespace cd

@@ -173,7 +173,8 @@ Status apply(const JobOptions& options, JobSpec& spec) {
     }
     CD_TRY(apply(options.output, spec.output));
     if (!spec.output.dir.empty()) {
-        CD_TRY(check_map_formats(spec.output.formats, spec.query.level, spec.query.maps));
+        CD_TRY(check_map_formats(spec.output.formats,
+                                 {spec.query.level, spec.query.maps, spec.scene.has_value()}));
     }
     return apply(options.cluster, spec);
 }

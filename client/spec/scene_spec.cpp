@@ -60,12 +60,8 @@ std::optional<PoseFileSpec> read_own_poses(const TomlFields& fields,
 }
 
 void check_name(const TomlFields& fields, const std::string& name) {
-    if (name.empty() || name.size() > limits::label_bytes_max) {
-        fields.refuse(
-            "", "a body's name has 1 to " + std::to_string(limits::label_bytes_max) + " bytes");
-    }
-    if (name.starts_with(group_prefix)) {
-        fields.refuse("", "no body's name begins with group:, which names groups in [rules]");
+    if (const auto problem = problem_of_body_name(name)) {
+        fields.refuse("", *problem);
     }
 }
 
@@ -104,6 +100,7 @@ SceneBodySpec read_scene_body(const TomlFields& job,
                              "unit",
                              "up",
                              "precision",
+                             "origin",
                              "group",
                              "count",
                              "split",
@@ -115,6 +112,9 @@ SceneBodySpec read_scene_body(const TomlFields& job,
     SceneBodySpec body;
     body.name = name;
     body.mesh = read_mesh(fields, file);
+    if (const auto origin = fields.numbers("origin", 3, "[x, y, z]")) {
+        body.mesh.origin = {(*origin)[0], (*origin)[1], (*origin)[2]};
+    }
     body.group = fields.text("group").value_or("");
     if (const auto count = fields.integer("count", 1, limits::bodies_max)) {
         body.count = static_cast<std::uint32_t>(*count);
@@ -163,26 +163,43 @@ std::vector<std::string> read_body_order(const TomlFields& poses) {
     return order;
 }
 
-std::optional<ScenePosesSpec> read_scene_poses(const TomlFields& job,
-                                               const std::string& job_unit,
-                                               const std::filesystem::path& job_file) {
-    const toml::table* table = job.table("poses");
-    if (table == nullptr) {
-        return std::nullopt;
-    }
-    for (const std::string_view key : {"grid", "random", "of"}) {
-        if (const toml::node* node = table->get(key)) {
-            job.refuse(*node,
-                       "[poses] " + std::string(key) +
-                           " is for two bodies; with [bodies] give a file that has the columns "
-                           "step and body, or an array (steps, bodies, 7) with body_order");
+/// Refuses keys of [poses] that only a file of poses has.
+void check_fcd_alone(const TomlFields& fields) {
+    for (const std::string_view key :
+         {"file", "unit", "quat_order", "rigid_tolerance", "body_order", "absent"}) {
+        if (fields.has(key)) {
+            fields.refuse(key,
+                          std::string(key) + " is for a file of poses; leave out either it or fcd, "
+                                             "which is in metres and says itself who is there");
         }
     }
-    const TomlFields fields(
-        table,
-        job,
-        "[poses]",
-        {"file", "unit", "quat_order", "rigid_tolerance", "body_order", "absent"});
+}
+
+/// Checks that the bodies of vehicles exist, and that the vehicles give their names and poses.
+void check_vehicles(const TomlFields& poses, const SceneSpec& scene) {
+    std::vector<std::string_view> names;
+    for (const SceneBodySpec& body : scene.bodies) {
+        names.push_back(body.name);
+        if (is_of_vehicles(scene, body) &&
+            (body.count || body.is_split || body.pose || body.poses)) {
+            poses.refuse("fcd",
+                         "fcd types gives the vehicles to \"" + body.name + "\" of line " +
+                             std::to_string(body.line) +
+                             ", so leave out its count, split, pose and poses");
+        }
+    }
+    for (const auto& [type, body] : scene.fcd->types) {
+        if (std::ranges::find(names, body) == names.end()) {
+            poses.refuse("fcd",
+                         "fcd types: no entry of [bodies] is called \"" + body + "\"" +
+                             suggestion(body, names));
+        }
+    }
+}
+
+ScenePosesSpec read_scene_poses(const TomlFields& fields,
+                                const std::string& job_unit,
+                                const std::filesystem::path& job_file) {
     const auto name = fields.text("file");
     if (!name || name->empty()) {
         fields.refuse("file", "the key \"file\" with the name of a file of poses is missing");
@@ -199,8 +216,41 @@ std::optional<ScenePosesSpec> read_scene_poses(const TomlFields& job,
     }
     poses.body_order = read_body_order(fields);
     poses.nan_is_absent = fields.word("absent", absent_words).has_value();
-    poses.line = table->source().begin.line;
     return poses;
+}
+
+/// Reads [poses]: a file of poses, or the vehicles of SUMO.
+void read_poses_table(const TomlFields& job,
+                      const std::string& job_unit,
+                      const std::filesystem::path& job_file,
+                      SceneSpec& scene) {
+    const toml::table* table = job.table("poses");
+    if (table == nullptr) {
+        return;
+    }
+    for (const std::string_view key : {"grid", "random", "of"}) {
+        if (const toml::node* node = table->get(key)) {
+            job.refuse(*node,
+                       "[poses] " + std::string(key) +
+                           " is for two bodies; with [bodies] give a file that has the columns "
+                           "step and body, or an array (steps, bodies, 7) with body_order");
+        }
+    }
+    const TomlFields fields(
+        table,
+        job,
+        "[poses]",
+        {"file", "fcd", "unit", "quat_order", "rigid_tolerance", "body_order", "absent"});
+    const std::uint32_t line = table->source().begin.line;
+    if (fields.has("fcd")) {
+        check_fcd_alone(fields);
+        scene.fcd = read_fcd_spec(fields, job_unit, job_file);
+        scene.fcd->line = line;
+        check_vehicles(fields, scene);
+        return;
+    }
+    scene.poses = read_scene_poses(fields, job_unit, job_file);
+    scene.poses->line = line;
 }
 
 /// Refuses what only a job of two bodies has.
@@ -216,6 +266,22 @@ void check_no_two_bodies(const TomlFields& job) {
 
 } // namespace
 
+std::optional<std::string> problem_of_body_name(std::string_view name) {
+    if (name.empty() || name.size() > limits::label_bytes_max) {
+        return "a body's name has 1 to " + std::to_string(limits::label_bytes_max) + " bytes";
+    }
+    if (name.starts_with(group_prefix)) {
+        return "no body's name begins with group:, which names groups in [rules]";
+    }
+    return std::nullopt;
+}
+
+bool is_of_vehicles(const SceneSpec& scene, const SceneBodySpec& body) {
+    return scene.fcd && std::ranges::any_of(scene.fcd->types, [&](const auto& type) {
+               return type.second == body.name;
+           });
+}
+
 SceneSpec
 read_scene(const TomlFields& job, const std::string& unit, const std::filesystem::path& file) {
     check_no_two_bodies(job);
@@ -227,7 +293,7 @@ read_scene(const TomlFields& job, const std::string& unit, const std::filesystem
     for (const auto& [name, node] : in_file_order(*table)) {
         scene.bodies.push_back(read_scene_body(job, name, *node, file));
     }
-    scene.poses = read_scene_poses(job, unit, file);
+    read_poses_table(job, unit, file, scene);
     scene.rules = read_rules(job);
     return scene;
 }

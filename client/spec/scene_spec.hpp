@@ -2,6 +2,7 @@
 #pragma once
 
 #include "client/spec/body_spec.hpp"
+#include "client/spec/fcd_spec.hpp"
 #include "client/spec/poses_spec.hpp"
 #include "client/spec/rules_spec.hpp"
 #include "common/geometry/pose.hpp"
@@ -10,6 +11,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace cd {
@@ -39,8 +41,15 @@ struct ScenePosesSpec {
 struct SceneSpec {
     std::vector<SceneBodySpec> bodies; ///< In the order of the job file.
     std::optional<ScenePosesSpec> poses = std::nullopt;
+    std::optional<FcdSpec> fcd = std::nullopt; ///< In the place of `poses`.
     RulesSpec rules;
 };
+
+/// Says why no body may have this name: "a body's name has 1 to 256 bytes"; nothing if one may.
+[[nodiscard]] std::optional<std::string> problem_of_body_name(std::string_view name);
+
+/// True if the vehicles of `SceneSpec::fcd` are the bodies of an entry of [bodies].
+[[nodiscard]] bool is_of_vehicles(const SceneSpec& scene, const SceneBodySpec& body);
 
 /// Reads the tables [bodies], [poses] and [rules] of a job. `unit` is the job's, `file` the job
 /// file. Throws a `Refusal`, also for tables and keys that only a job of two bodies has.

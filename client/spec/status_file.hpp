@@ -1,7 +1,7 @@
 // The file of statuses, in which people say what they decided about groups of contacts.
 #pragma once
 
-#include "client/spec/part_pattern.hpp"
+#include "client/groups/part_pattern.hpp"
 #include "common/core/result.hpp"
 
 #include <cstdint>

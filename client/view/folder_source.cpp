@@ -88,6 +88,12 @@ void FolderSource::parts(const std::string& id,
     answer(id, std::move(take), [this, body] { return run_->parts(body); });
 }
 
+void FolderSource::closed_parts(const std::string& id,
+                                std::uint64_t body,
+                                Take<std::vector<bool>> take) {
+    answer(id, std::move(take), [this, body] { return run_->closed_parts(body); });
+}
+
 void FolderSource::scenario(const std::string& id,
                             std::uint64_t number,
                             Take<std::shared_ptr<const ScenarioView>> take) {

@@ -57,6 +57,11 @@ Status take_parts(const ViewedRun& run, const JobView& job, const TakeAnswer& ta
         CD_TRY(take({path, parts_npy(parts->runs)}));
         CD_TRY(take({path + "/names", bytes_of(part_names_json(parts->names))}));
     }
+    if (job.query.question == Question::Shots) {
+        const std::string path = "jobs/" + job.row.id + "/parts/0/closed";
+        const auto are_closed = CD_TRY(run.closed_parts(0));
+        CD_TRY(take({path, closed_npy(are_closed)}));
+    }
     return Done{};
 }
 
@@ -70,7 +75,12 @@ Status take_scenario(const std::string& path,
     BoundedArray pairs = pairs_npy(drawn);
     CD_TRY(take({path + "/pairs", std::move(pairs.npy), pairs.is_cut}));
     BoundedArray points = points_npy(drawn);
-    return take({path + "/points", std::move(points.npy), points.is_cut});
+    CD_TRY(take({path + "/points", std::move(points.npy), points.is_cut}));
+    if (drawn.question != Question::Shots) {
+        return Done{};
+    }
+    BoundedArray hits = hits_npy(drawn);
+    return take({path + "/hits", std::move(hits.npy), hits.is_cut});
 }
 
 } // namespace

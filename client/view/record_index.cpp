@@ -81,7 +81,8 @@ Result<RecordIndex> RecordIndex::read(const RecordFile& records,
         ContactMapSum map;
         if (read) {
             for (const KeptRecord& record : read.value()) {
-                map.add(record.result.pairs);
+                const bool are_hits = record.result.question == Question::Shots;
+                map.add(are_hits ? crossings_of(record.result) : record.result.pairs);
             }
         }
         const std::scoped_lock lock(sums.mutex);

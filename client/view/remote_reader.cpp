@@ -4,6 +4,10 @@
 #include "common/core/errors.hpp"
 #include "common/core/timing/web.hpp"
 
+#include <map>
+#include <utility>
+#include <vector>
+
 namespace cd {
 
 struct RemoteReader::Latest {
@@ -89,23 +93,26 @@ Result<LabelledScenarios> RemoteReader::poses(JobId job, const ScenarioChoice& c
 }
 
 Result<BodyTrees> RemoteReader::trees(const Submit& submit) {
-    if (submit.bodies.size() != 2) {
-        return Error{ErrorCode::BadFrame, "the job has other than two bodies"};
+    Meshes hashes;
+    for (const JobBody& body : submit.bodies) {
+        hashes.push_back(body.mesh);
     }
-    const Meshes hashes{submit.bodies[0].mesh, submit.bodies[1].mesh};
     if (kept_ && kept_->first == hashes) {
         return kept_->second;
     }
-    const auto get = [&](const Sha256& mesh) {
-        return call([&](Connection& connection) { return get_mesh(connection, mesh, meshes_); });
-    };
-    std::vector<std::shared_ptr<const Mesh>> meshes(2);
-    meshes[0] = CD_TRY(get(hashes.first));
-    meshes[1] = hashes.second == hashes.first ? meshes[0] : CD_TRY(get(hashes.second));
+    std::map<Sha256, std::shared_ptr<const Mesh>> known;
+    std::vector<std::shared_ptr<const Mesh>> meshes;
+    for (const Sha256& hash : hashes) {
+        std::shared_ptr<const Mesh>& mesh = known[hash];
+        if (mesh == nullptr) {
+            mesh = CD_TRY(
+                call([&](Connection& connection) { return get_mesh(connection, hash, meshes_); }));
+        }
+        meshes.push_back(mesh);
+    }
     TreeUse use;
     use.settles = true;
-    const auto made = make_body_trees(meshes, use, trees_, building_);
-    kept_.emplace(hashes, BodyTrees(made.begin(), made.end()));
+    kept_.emplace(std::move(hashes), make_body_trees(meshes, use, trees_, building_));
     return kept_->second;
 }
 

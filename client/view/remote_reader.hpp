@@ -14,6 +14,7 @@
 #include <memory>
 #include <optional>
 #include <utility>
+#include <vector>
 
 namespace cd {
 
@@ -45,7 +46,7 @@ class RemoteReader final : public ClusterReader {
   private:
     /// The last status that the master gave, used on the page's thread.
     struct Latest;
-    using Meshes = std::pair<Sha256, Sha256>;
+    using Meshes = std::vector<Sha256>; ///< By body.
 
     /// Calls `ask` with a connection, and drops the connection after an error of the network.
     template <class Ask>

@@ -9,11 +9,13 @@
 #include "common/core/version.hpp"
 #include "common/core/words.hpp"
 #include "common/geometry/aabb.hpp"
+#include "common/geometry/closed_parts.hpp"
 #include "web/server/cluster/cluster_jobs.hpp"
 #include "web/server/scenario_repeat.hpp"
 
 #include <algorithm>
 #include <ctime>
+#include <map>
 #include <span>
 
 namespace cd {
@@ -50,25 +52,49 @@ RunView run_view(const RunManifest& manifest, const fs::path& dir) {
             dir.string()};
 }
 
+/// Returns the axes of a grid of poses or of lines; none for other poses.
+std::vector<GridAxis> axes_of(const PosesSpec& poses) {
+    if (const auto* const grid = std::get_if<GridSpec>(&poses)) {
+        return grid->axes;
+    }
+    const auto* const shots = std::get_if<ShotsSpec>(&poses);
+    return shots != nullptr && shots->is_grid()
+               ? std::vector<GridAxis>{shots->azimuth_deg, shots->elevation_deg}
+               : std::vector<GridAxis>();
+}
+
 PosesView poses_view(const ManifestPoses& poses, const JobSpec& spec) {
-    const auto* const grid = std::get_if<GridSpec>(&spec.poses);
     return {poses.kind,
             poses.count,
             poses.file,
-            grid == nullptr ? std::vector<GridAxis>() : grid->axes,
+            axes_of(spec.poses),
             poses.random,
             poses.has_ids,
             poses.has_times,
             poses.of_both_bodies};
 }
 
-GroupsView groups_view(const std::vector<Group>& groups, std::uint64_t tested) {
+/// Returns the names of a scene's bodies; empty for a job of two bodies.
+std::span<const std::string> scene_names(const PreparedJob& job) {
+    return job.scene ? job.names : std::span<const std::string>();
+}
+
+/// Names a part; in a scene, whose bodies have names, with its body.
+std::string
+part_name(std::span<const std::string> bodies, std::uint32_t body, const std::string& part) {
+    return bodies.empty() ? part : bodies[body] + "/" + part;
+}
+
+/// `names` has the names of a scene's bodies.
+GroupsView groups_view(const std::vector<Group>& groups,
+                       std::uint64_t tested,
+                       std::span<const std::string> names) {
     GroupsView view;
     view.total = groups.size();
     for (const Group& group :
          std::span(groups).first(std::min<std::size_t>(groups.size(), limits::page_groups_max))) {
-        view.rows.push_back({group.part_a,
-                             group.part_b,
+        view.rows.push_back({part_name(names, group.body_a, group.part_a),
+                             part_name(names, group.body_b, group.part_b),
                              group.scenarios,
                              static_cast<double>(group.scenarios) /
                                  static_cast<double>(std::max<std::uint64_t>(tested, 1)),
@@ -106,7 +132,7 @@ Result<std::unique_ptr<ViewedRun>> ViewedRun::open(OpenedRun& run,
     auto index = CD_TRY(RecordIndex::read(run.records(), job.poses->count(), pool, stop));
     std::unique_ptr<ViewedRun> viewed(new ViewedRun(run, job, std::move(index), std::move(map)));
     const Query& query = viewed->manifest().query;
-    if (!query.maps && query.level >= Level::Pairs) {
+    if (!job.scene && !query.maps && query.level >= Level::Pairs) {
         viewed->map_ = viewed->index_.map();
     }
     CD_TRY(viewed->sum_groups(stop));
@@ -117,14 +143,20 @@ Status ViewedRun::sum_groups(const StopCheck& stop) {
     const Query& query = manifest().query;
     const PartKind kind = part_kind(query.level);
     if (!check_groups(query, map_)) {
-        parts_ = {shared_runs(BodyParts(*job_.meshes[0], kind)),
-                  shared_runs(BodyParts(*job_.meshes[1], kind))};
+        std::map<const Mesh*, std::shared_ptr<const NamedParts>> known;
+        for (const auto& mesh : job_.meshes) {
+            std::shared_ptr<const NamedParts>& parts = known[mesh.get()];
+            parts = parts ? parts : shared_runs(BodyParts(*mesh, kind));
+            parts_.push_back(parts);
+        }
         return Done{};
     }
     auto begun = CD_TRY(begin_groups(query, {job_.meshes.begin(), job_.meshes.end()}, map_, kind));
     auto sum = CD_TRY(groups_of(run_.records(), std::move(begun), stop));
-    parts_ = {shared_runs(sum.parts(0)), shared_runs(sum.parts(1))};
-    groups_ = groups_view(sum.groups(), index_.summary().tested());
+    for (std::uint32_t body = 0; body < job_.meshes.size(); ++body) {
+        parts_.push_back(shared_runs(sum.parts(body)));
+    }
+    groups_ = groups_view(sum.groups(), index_.summary().tested(), scene_names(job_));
     return Done{};
 }
 
@@ -236,6 +268,11 @@ Result<std::shared_ptr<const NamedParts>> ViewedRun::parts(std::uint64_t body) c
     return parts_[body];
 }
 
+Result<std::vector<bool>> ViewedRun::closed_parts(std::uint64_t body) const {
+    const auto found = CD_TRY(parts(body));
+    return cd::closed_parts(*job_.meshes[body], found->runs);
+}
+
 Result<std::shared_ptr<const ScenarioView>> ViewedRun::scenario(std::uint64_t number,
                                                                 const StopCheck& stop) {
     if (number >= count()) {
@@ -258,7 +295,10 @@ Result<PartFilter> ViewedRun::filter_of(const NextContact& wanted) const {
                          "its level is " +
                          std::string(to_text(manifest().query.level)));
     }
-    return PartFilter::make(parts_, wanted);
+    if (parts_.size() != 2) {
+        return bad_input("parts are looked for in jobs with two bodies only");
+    }
+    return PartFilter::make({parts_[0], parts_[1]}, wanted);
 }
 
 Result<NextFound> ViewedRun::next(const NextContact& wanted) {

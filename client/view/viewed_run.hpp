@@ -48,6 +48,8 @@ class ViewedRun {
     [[nodiscard]] Result<std::vector<TriangleContacts>> map(std::uint64_t body) const;
     /// Returns the parts of a body as the groups name them. Errors: NotFound for another body.
     [[nodiscard]] Result<std::shared_ptr<const NamedParts>> parts(std::uint64_t body) const;
+    /// Returns which of these parts are closed. Errors: as `parts`.
+    [[nodiscard]] Result<std::vector<bool>> closed_parts(std::uint64_t body) const;
     /// Returns the worst scenarios in contact or near, or the nearest ones, as
     /// `RecordIndex::worst`.
     [[nodiscard]] std::vector<std::uint64_t> worst(std::size_t count) const {
@@ -83,8 +85,8 @@ class ViewedRun {
     const PreparedJob& job_;
     RecordIndex index_;
     std::optional<ContactMap> map_;
-    std::optional<GroupsView> groups_; ///< Nothing if they are unknown.
-    PartsOfBodies parts_;
+    std::optional<GroupsView> groups_;                     ///< Nothing if they are unknown.
+    std::vector<std::shared_ptr<const NamedParts>> parts_; ///< By body.
     std::mutex mutex_; ///< Held while poses or records are read.
 };
 

@@ -13,6 +13,8 @@ namespace cd {
 namespace {
 
 constexpr std::uint8_t version = 2;
+constexpr std::uint8_t forms_scene = 0x10; ///< The scenarios of the run have steps.
+constexpr std::uint8_t forms_max = 0x1f;
 
 /// The form in which a pose is packed. The values are part of the format.
 enum class Form : std::uint8_t { Identity = 0, Translation = 1, Matrix = 2, Quaternion = 3 };
@@ -37,16 +39,21 @@ Form form_of_a(std::uint8_t forms) {
 }
 
 Form form_of_b(std::uint8_t forms) {
-    return static_cast<Form>(forms >> 2);
+    return static_cast<Form>(forms >> 2 & 3);
 }
 
-std::uint8_t forms_of(const PosePair& poses) {
-    return static_cast<std::uint8_t>(static_cast<unsigned>(form_of(poses.a)) |
-                                     static_cast<unsigned>(form_of(poses.b)) << 2);
+bool have_steps(std::uint8_t forms) {
+    return (forms & forms_scene) != 0;
+}
+
+std::uint8_t forms_of(const Scenario& scenario) {
+    return static_cast<std::uint8_t>(static_cast<unsigned>(form_of(scenario.poses.a)) |
+                                     static_cast<unsigned>(form_of(scenario.poses.b)) << 2 |
+                                     (scenario.step ? forms_scene : 0u));
 }
 
 std::size_t bytes_with_forms(std::uint8_t forms) {
-    return sizeof(std::uint32_t) +
+    return sizeof(std::uint32_t) + (have_steps(forms) ? sizeof(std::uint64_t) : 0) +
            sizeof(double) * (numbers_in(form_of_a(forms)) + numbers_in(form_of_b(forms)));
 }
 
@@ -120,7 +127,7 @@ struct RunStart {
 
 RunStart run_start(std::span<const Scenario> scenarios) {
     const Scenario& first = scenarios.front();
-    const std::uint8_t forms = forms_of(first.poses);
+    const std::uint8_t forms = forms_of(first);
     std::uint64_t least = first.index;
     std::uint64_t most = first.index;
     std::size_t length = 1;
@@ -128,8 +135,8 @@ RunStart run_start(std::span<const Scenario> scenarios) {
         const Scenario& next = scenarios[length];
         const std::uint64_t low = std::min(least, next.index);
         const std::uint64_t high = std::max(most, next.index);
-        if (next.body_a != first.body_a || next.body_b != first.body_b ||
-            forms_of(next.poses) != forms || high - low > UINT32_MAX) {
+        if (next.body_a != first.body_a || next.body_b != first.body_b || forms_of(next) != forms ||
+            high - low > UINT32_MAX) {
             break;
         }
         least = low;
@@ -144,7 +151,7 @@ RunStart run_start(std::span<const Scenario> scenarios) {
 // ---- Packing a list -----------------------------------------------------------------------------
 
 std::size_t packed_bytes(const Scenario& scenario) {
-    return bytes_with_forms(forms_of(scenario.poses));
+    return bytes_with_forms(forms_of(scenario));
 }
 
 Bytes pack_scenarios(std::span<const Scenario> scenarios) {
@@ -154,10 +161,13 @@ Bytes pack_scenarios(std::span<const Scenario> scenarios) {
     while (!scenarios.empty()) {
         const auto [length, index_least] = run_start(scenarios);
         const Scenario& first = scenarios.front();
-        const std::uint8_t forms = forms_of(first.poses);
+        const std::uint8_t forms = forms_of(first);
         put_run_header(out, forms, length, first.body_a, first.body_b, index_least);
         for (const Scenario& scenario : scenarios.first(length)) {
             out.put(static_cast<std::uint32_t>(scenario.index - index_least));
+            if (scenario.step) {
+                out.put(*scenario.step);
+            }
             put_pose(out, scenario.poses.a, form_of_a(forms));
             put_pose(out, scenario.poses.b, form_of_b(forms));
         }
@@ -199,7 +209,7 @@ std::optional<PackedScenarios::Run> PackedScenarios::get_run(ByteReader& in) {
     const auto body_a = get_varint(in);
     const auto body_b = get_varint(in);
     const auto index_least = get_varint(in);
-    if (run.forms > 0xf || !length || *length == 0 || !body_a || !body_b || !index_least ||
+    if (run.forms > forms_max || !length || *length == 0 || !body_a || !body_b || !index_least ||
         *body_a > UINT32_MAX || *body_b > UINT32_MAX || *index_least > UINT64_MAX - UINT32_MAX ||
         *length > in.remaining() / bytes_with_forms(run.forms)) {
         return std::nullopt;
@@ -264,6 +274,7 @@ Result<Scenario> PackedScenarios::at(std::uint64_t i) const {
     const Run& run = runs_[run_of(i)];
     ByteReader in(bytes_of(run, i, 1));
     const std::uint64_t index = run.index_least + in.get<std::uint32_t>();
+    const auto step = have_steps(run.forms) ? std::optional(in.get<std::uint64_t>()) : std::nullopt;
     const auto a = get_pose(in, form_of_a(run.forms));
     const auto b = a ? get_pose(in, form_of_b(run.forms)) : std::nullopt;
     if (!b) {
@@ -271,7 +282,7 @@ Result<Scenario> PackedScenarios::at(std::uint64_t i) const {
                      "the pose of body " + std::string(a ? "b" : "a") + " in scenario " +
                          std::to_string(index) + " is not finite or has a zero quaternion"};
     }
-    return Scenario{index, run.body_a, run.body_b, PosePair{*a, *b}};
+    return Scenario{index, run.body_a, run.body_b, PosePair{*a, *b}, step};
 }
 
 Result<std::vector<Scenario>> unpack_scenarios(std::span<const std::byte> bytes,

@@ -24,6 +24,7 @@ void begin_result(const Scenario& scenario, const Query& query, ScenarioResult& 
     result.level = query.level;
     result.has_clearance = query.clearance.has_value();
     result.question = query.question;
+    result.step = scenario.step;
 }
 
 /// Sets the number of pairs found, including pairs not kept, and the class that they determine.

@@ -4,6 +4,7 @@
 #include "common/geometry/pose.hpp"
 
 #include <cstdint>
+#include <optional>
 
 namespace cd {
 
@@ -12,6 +13,8 @@ struct Scenario {
     std::uint32_t body_a = 0; ///< Index of body A in the job's list of bodies.
     std::uint32_t body_b = 1; ///< Is above `body_a`.
     PosePair poses;
+    /// In a scene of many bodies, the number of the step; nothing in other jobs.
+    std::optional<std::uint64_t> step = {};
 
     friend bool operator==(const Scenario&, const Scenario&) = default;
 };

@@ -34,6 +34,10 @@ class PairSet {
     /// Removes a pair, which need not be in the set.
     void remove(BodyPair pair);
 
+    /// Returns the bits of all rows: whether the pair (row, column) is in the set. A row of each
+    /// body begins with a new word.
+    [[nodiscard]] std::span<const std::uint64_t> words() const { return bits_; }
+
   private:
     using Words = std::vector<std::uint64_t>;
 

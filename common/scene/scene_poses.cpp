@@ -155,7 +155,7 @@ Result<std::vector<Scenario>> ScenePoses::read(std::uint64_t first, std::uint64_
         for (std::uint64_t index = next; index < end; ++index) {
             const BodyPair pair = kept_->pairs[index - index_->first_of(number)];
             scenarios.push_back(
-                {index, pair.a, pair.b, {*kept_->poses[pair.a], *kept_->poses[pair.b]}});
+                {index, pair.a, pair.b, {*kept_->poses[pair.a], *kept_->poses[pair.b]}, number});
         }
     }
     return scenarios;

@@ -1,8 +1,14 @@
 #include "common/scene/step_index.hpp"
 
 #include "common/core/check.hpp"
+#include "common/core/errors.hpp"
+#include "common/core/files/compress.hpp"
+#include "common/core/varint.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string>
 #include <utility>
 
 namespace cd {
@@ -45,6 +51,83 @@ std::uint64_t StepIndex::step_of(std::uint64_t scenario) const {
 double StepIndex::time_of(std::uint64_t step) const {
     CD_CHECK(step < ends_.size());
     return times_.empty() ? static_cast<double>(step) : times_[step];
+}
+
+// ---- Packing ------------------------------------------------------------------------------------
+
+namespace {
+
+constexpr std::uint8_t version = 1;
+constexpr int compression_level = 3;
+/// Unpacked steps may have so many bytes: some ten million steps.
+constexpr std::size_t bytes_max = 512u << 20;
+
+Error damaged(const char* what) {
+    return {ErrorCode::BadFrame, std::string("packed steps: ") + what};
+}
+
+/// Reads what became of the pairs of a step. Returns nothing if it is cut short.
+std::optional<StepCoverage> get_coverage(ByteReader& in) {
+    StepCoverage coverage;
+    for (std::uint64_t* number : {&coverage.tested,
+                                  &coverage.apart,
+                                  &coverage.ignored,
+                                  &coverage.fixed,
+                                  &coverage.absent}) {
+        const auto value = get_varint(in);
+        if (!value) {
+            return std::nullopt;
+        }
+        *number = *value;
+    }
+    return coverage;
+}
+
+} // namespace
+
+Bytes pack_steps(const StepIndex& steps) {
+    ByteWriter out;
+    out.put(version);
+    put_varint(out, steps.steps());
+    out.put(!steps.times().empty());
+    for (const StepCoverage& step : steps.coverage()) {
+        for (const std::uint64_t number :
+             {step.tested, step.apart, step.ignored, step.fixed, step.absent}) {
+            put_varint(out, number);
+        }
+    }
+    out.put_array(steps.times());
+    return compress(out.bytes(), compression_level);
+}
+
+Result<std::shared_ptr<const StepIndex>> unpack_steps(std::span<const std::byte> bytes,
+                                                      std::uint64_t scenarios) {
+    const Bytes plain = CD_TRY(decompress(bytes, bytes_max));
+    ByteReader in(plain);
+    if (in.get<std::uint8_t>() != version) {
+        return damaged("unknown version");
+    }
+    const auto count = get_varint(in);
+    const bool have_times = in.get<std::uint8_t>() != 0;
+    if (!count || *count == 0 || *count > in.remaining()) {
+        return damaged("no number of steps");
+    }
+    auto steps = std::make_shared<StepIndex>();
+    for (std::uint64_t i = 0; i < *count; ++i) {
+        const auto coverage = get_coverage(in);
+        if (!coverage || coverage->tested > scenarios - steps->count()) {
+            return damaged("a step that is cut short, or has too many scenarios");
+        }
+        steps->add_step(*coverage);
+    }
+    std::vector<double> times = in.get_array<double>(have_times ? *count : 0);
+    const bool are_finite =
+        std::ranges::all_of(times, [](double time) { return std::isfinite(time); });
+    if (!in.complete() || !are_finite || steps->count() != scenarios) {
+        return damaged("times or scenarios that do not fit");
+    }
+    steps->set_times(std::move(times));
+    return std::shared_ptr<const StepIndex>(std::move(steps));
 }
 
 } // namespace cd

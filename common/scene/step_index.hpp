@@ -1,7 +1,12 @@
 // The steps of a scene: which scenarios belong to each, and what became of all pairs of bodies.
 #pragma once
 
+#include "common/core/files/bytes.hpp"
+#include "common/core/result.hpp"
+
+#include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -41,6 +46,8 @@ class StepIndex {
     [[nodiscard]] std::uint64_t step_of(std::uint64_t scenario) const;
     /// Returns the time of a step, which must exist.
     [[nodiscard]] double time_of(std::uint64_t step) const;
+    /// Returns the time of each step; empty if none are given.
+    [[nodiscard]] std::span<const double> times() const { return times_; }
     /// Returns what became of the pairs of each step.
     [[nodiscard]] std::span<const StepCoverage> coverage() const { return coverage_; }
 
@@ -49,5 +56,15 @@ class StepIndex {
     std::vector<StepCoverage> coverage_;
     std::vector<double> times_;
 };
+
+/// Packs the steps, compressed: version (u8, 1), their number and whether they have times (u8);
+/// for each step the five numbers of `StepCoverage` in their order; then the times (f64). Integers
+/// are varints (varint.hpp) unless marked u8.
+[[nodiscard]] Bytes pack_steps(const StepIndex& steps);
+
+/// Unpacks the bytes of `pack_steps`, which are untrusted. Errors: BadFrame, also for other than
+/// `scenarios` scenarios, and for times that are not finite.
+[[nodiscard]] Result<std::shared_ptr<const StepIndex>>
+unpack_steps(std::span<const std::byte> bytes, std::uint64_t scenarios);
 
 } // namespace cd

@@ -120,8 +120,7 @@ open_poses(const Submit& submit, const std::filesystem::path& path, PoseCheck ch
         }
         return std::make_shared<OrderedPoses>(grid.value());
     }
-    Result<std::unique_ptr<PoseSpool>> spool =
-        PoseSpool::open(path, submit.scenarios, submit.bodies.size());
+    Result<std::unique_ptr<PoseSpool>> spool = PoseSpool::open(path, announced_by(submit));
     if (!spool) {
         return spool.error();
     }

@@ -69,6 +69,9 @@ problem_of_question(const Query& query, const Scenario& scenario, const Scenario
         result.body_b != scenario.body_b) {
         return "is not of the level or bodies asked for";
     }
+    if (result.step != scenario.step) {
+        return "is of another step than its scenario";
+    }
     if (result.question != query.question) {
         return "answers another question than the one asked";
     }
@@ -272,7 +275,7 @@ Result<ContactMap> take_map(const JobMaterial& material,
 
 TakenResult take_result(ScenarioResult result, std::uint64_t position, const JobStatistics& cost) {
     Bytes record = encode_result(result);
-    const Sha256 digest = sha256(record);
+    const Sha256 digest = digest_of_record(record);
     return {std::move(result), position, std::move(record), digest, cost};
 }
 

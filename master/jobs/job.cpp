@@ -15,7 +15,7 @@ MasterJob::MasterJob(JobId job,
     : id(job),
       submit(std::move(submission)),
       times{0, now, 0, now},
-      merged(submit.scenarios),
+      merged(submit.scenarios, submit.scene_head()),
       results(std::move(store)),
       run(std::in_place) {}
 

@@ -13,7 +13,8 @@ MergedResults::PackedFacts MergedResults::pack(const ScenarioFacts& facts) {
             static_cast<std::uint64_t>(facts.kind),
             facts.surfaces_only,
             facts.insides_skipped,
-            facts.is_cut};
+            facts.is_cut,
+            facts.has_distance};
 }
 
 ScenarioFacts MergedResults::facts_of(std::uint64_t scenario) const {
@@ -23,7 +24,8 @@ ScenarioFacts MergedResults::facts_of(std::uint64_t scenario) const {
             facts.insides_skipped != 0,
             facts.is_cut != 0,
             facts.pair_count,
-            scenario < near_counts_.size() ? near_counts_[scenario] : 0};
+            scenario < near_counts_.size() ? near_counts_[scenario] : 0,
+            facts.has_distance != 0};
 }
 
 void MergedResults::set_near_count(std::uint64_t scenario, std::uint64_t count) {

@@ -21,7 +21,9 @@ class MergedResults {
   public:
     using Outcome = ResultMerger::Outcome;
 
-    explicit MergedResults(std::uint64_t scenarios) : merger_(scenarios) {}
+    /// With `scene`, the digest is that of a scene.
+    explicit MergedResults(std::uint64_t scenarios, std::optional<SceneHead> scene = std::nullopt)
+        : merger_(scenarios, scene) {}
     /// Continues with the results in `merged` after a restart. For a running job, call `restore`
     /// for each result. For an ended job, `contributors` are the processes whose results count.
     explicit MergedResults(ResultMerger merged, std::set<InstanceId> contributors = {})
@@ -74,6 +76,7 @@ class MergedResults {
         std::uint64_t surfaces_only : 1;
         std::uint64_t insides_skipped : 1;
         std::uint64_t is_cut : 1;
+        std::uint64_t has_distance : 1;
     };
     [[nodiscard]] static PackedFacts pack(const ScenarioFacts& facts);
     /// Returns the facts of a merged scenario.

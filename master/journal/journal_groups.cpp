@@ -212,7 +212,8 @@ Result<FoundJob> decode_found(const DatabaseJob& row) {
         }
         found.job.end = std::move(end.value());
     }
-    found.job.merger = ResultMerger(found.job.record.submit.scenarios);
+    const Submit& submit = found.job.record.submit;
+    found.job.merger = ResultMerger(submit.scenarios, submit.scene_head());
     return found;
 }
 

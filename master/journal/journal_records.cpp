@@ -168,6 +168,7 @@ void put_body(ByteWriter& out, const JobBody& body) {
     out.put(body.is_unit_given);
     out.put_text(body.up);
     out.put(body.rounds_to_float);
+    out.put(body.is_fixed);
 }
 
 JobBody get_body(ByteReader& in) {
@@ -179,7 +180,30 @@ JobBody get_body(ByteReader& in) {
     body.is_unit_given = in.get<std::uint8_t>() != 0;
     body.up = in.get_text();
     body.rounds_to_float = in.get<std::uint8_t>() != 0;
+    body.is_fixed = in.get<std::uint8_t>() != 0;
     return body;
+}
+
+void put_scene(ByteWriter& out, const std::optional<SceneOrigin>& scene) {
+    out.put(scene.has_value());
+    if (scene) {
+        put_hash(out, scene->head);
+        out.put_text(scene->job);
+        out.put(std::uint64_t{scene->steps.size()});
+        put_bytes(out, scene->steps);
+    }
+}
+
+std::optional<SceneOrigin> get_scene(ByteReader& in) {
+    if (in.get<std::uint8_t>() == 0) {
+        return std::nullopt;
+    }
+    SceneOrigin scene;
+    scene.head = get_hash(in);
+    scene.job = in.get_text();
+    const auto steps = in.get_bytes(in.get<std::uint64_t>());
+    scene.steps.assign(steps.begin(), steps.end());
+    return scene;
 }
 
 void put_shots(ByteWriter& out, const ShotsOrigin& shots) {
@@ -225,6 +249,7 @@ void put_origin(ByteWriter& out, const PosesOrigin& origin) {
     }
     out.put(origin.shots.has_value());
     put_shots(out, origin.shots.value_or(ShotsOrigin{}));
+    put_scene(out, origin.scene);
 }
 
 bool get_origin(ByteReader& in, PosesOrigin& origin) {
@@ -261,6 +286,7 @@ bool get_origin(ByteReader& in, PosesOrigin& origin) {
     if (is_shots) {
         origin.shots = shots;
     }
+    origin.scene = get_scene(in);
     return is_kind && are_ids;
 }
 

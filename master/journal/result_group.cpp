@@ -14,7 +14,9 @@ constexpr const char* what = "a group of results";
 constexpr std::uint8_t flag_surfaces_only = 1;
 constexpr std::uint8_t flag_cut = 2;
 constexpr std::uint8_t flag_insides_skipped = 4;
-constexpr std::uint8_t flags_all = flag_surfaces_only | flag_cut | flag_insides_skipped;
+constexpr std::uint8_t flag_distance = 8;
+constexpr std::uint8_t flags_all =
+    flag_surfaces_only | flag_cut | flag_insides_skipped | flag_distance;
 
 void put_row(ByteWriter& out, const ResultRow& row, std::uint64_t before) {
     put_varint(out, zigzag(static_cast<std::int64_t>(row.scenario - before)));
@@ -22,7 +24,8 @@ void put_row(ByteWriter& out, const ResultRow& row, std::uint64_t before) {
     put_enumeration(out, row.facts.kind);
     const int flags = (row.facts.surfaces_only ? flag_surfaces_only : 0) |
                       (row.facts.is_cut ? flag_cut : 0) |
-                      (row.facts.insides_skipped ? flag_insides_skipped : 0);
+                      (row.facts.insides_skipped ? flag_insides_skipped : 0) |
+                      (row.facts.has_distance ? flag_distance : 0);
     out.put(static_cast<std::uint8_t>(flags));
     put_varint(out, row.facts.pair_count);
     put_varint(out, row.facts.near_count);
@@ -45,6 +48,7 @@ bool get_row(ByteReader& in, ResultRow& row, std::uint64_t before) {
     row.facts.surfaces_only = (flags & flag_surfaces_only) != 0;
     row.facts.insides_skipped = (flags & flag_insides_skipped) != 0;
     row.facts.is_cut = (flags & flag_cut) != 0;
+    row.facts.has_distance = (flags & flag_distance) != 0;
     row.facts.pair_count = *pairs;
     row.facts.near_count = *near;
     return !in.failed();

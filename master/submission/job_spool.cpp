@@ -8,7 +8,7 @@ namespace cd {
 Result<std::shared_ptr<JobSpool>> JobSpool::create(const std::filesystem::path& directory,
                                                    const Submit& submit) {
     auto spool = std::make_shared<JobSpool>();
-    auto poses = PoseSpool::create(directory, submit.scenarios, submit.bodies.size());
+    auto poses = PoseSpool::create(directory, announced_by(submit));
     if (!poses) {
         return poses.error();
     }

@@ -14,9 +14,13 @@ constexpr std::uint64_t magic = 0x32'53'4f'50'44'43'00'00; // "\0\0CDPOS2"
 
 } // namespace
 
+AnnouncedPoses announced_by(const Submit& submit) {
+    return {submit.scenarios, submit.bodies.size(), submit.poses.scene.has_value()};
+}
+
 Result<std::unique_ptr<PoseSpool>> PoseSpool::create(const std::filesystem::path& directory,
-                                                     std::uint64_t scenarios,
-                                                     std::uint64_t bodies) {
+                                                     const AnnouncedPoses& job) {
+    const std::uint64_t scenarios = job.scenarios;
     if (scenarios > limits::scenarios_max) {
         return Error{ErrorCode::TooLarge,
                      "a job of " + std::to_string(scenarios) + " scenarios; at most " +
@@ -29,16 +33,16 @@ Result<std::unique_ptr<PoseSpool>> PoseSpool::create(const std::filesystem::path
     if (!file) {
         return file.error();
     }
-    return std::unique_ptr<PoseSpool>(new PoseSpool(std::move(file.value()), bodies));
+    return std::unique_ptr<PoseSpool>(new PoseSpool(std::move(file.value()), job));
 }
 
-Result<std::unique_ptr<PoseSpool>>
-PoseSpool::open(const std::filesystem::path& path, std::uint64_t scenarios, std::uint64_t bodies) {
-    auto file = SpoolFile::open(path, {{magic}, scenarios});
+Result<std::unique_ptr<PoseSpool>> PoseSpool::open(const std::filesystem::path& path,
+                                                   const AnnouncedPoses& job) {
+    auto file = SpoolFile::open(path, {{magic}, job.scenarios});
     if (!file) {
         return file.error();
     }
-    return std::unique_ptr<PoseSpool>(new PoseSpool(std::move(file.value()), bodies));
+    return std::unique_ptr<PoseSpool>(new PoseSpool(std::move(file.value()), job));
 }
 
 Status PoseSpool::check_run(const PackedScenarios& run,
@@ -53,7 +57,7 @@ Status PoseSpool::check_run(const PackedScenarios& run,
         if (!scenario) {
             return scenario.error();
         }
-        const auto& [index, body_a, body_b, poses] = scenario.value();
+        const auto& [index, body_a, body_b, poses, step] = scenario.value();
         const std::string name = "scenario " + std::to_string(index);
         if (index < window || index - window >= came.size()) {
             return Error{ErrorCode::BadInput,
@@ -63,11 +67,16 @@ Status PoseSpool::check_run(const PackedScenarios& run,
         if (came[index - window]) {
             return Error{ErrorCode::BadInput, name + " comes a second time"};
         }
-        if (!are_bodies_of_job(body_a, body_b, bodies_)) {
+        if (!are_bodies_of_job(body_a, body_b, job_.bodies)) {
             return Error{ErrorCode::BadInput,
                          name + " names bodies " + std::to_string(body_a) + " and " +
                              std::to_string(body_b) + "; the job has 0 to " +
-                             std::to_string(bodies_ - 1) + ", and A comes before B"};
+                             std::to_string(job_.bodies - 1) + ", and A comes before B"};
+        }
+        if (step.has_value() != job_.have_steps) {
+            return Error{
+                ErrorCode::BadInput,
+                name + (step ? " has a step, and the job is no scene" : " of a scene has no step")};
         }
         came[index - window] = true;
     }

@@ -83,6 +83,24 @@ Status check_origin(const Submit& submit) {
     return Done{};
 }
 
+/// Checks what a scene of many bodies tells besides its scenarios.
+Status check_scene(const Submit& submit) {
+    if (!submit.poses.scene) {
+        return Done{};
+    }
+    if (submit.poses.kind != PosesKind::File) {
+        return bad("the poses of a scene come from files");
+    }
+    const std::uint64_t bytes = submit.poses.scene->job.size() + submit.poses.scene->steps.size();
+    if (bytes > limits::scene_bytes_max) {
+        return Error{ErrorCode::TooLarge,
+                     "a scene whose job file and steps take " + std::to_string(bytes) +
+                         " bytes; at most " + std::to_string(limits::scene_bytes_max) +
+                         " are taken: split its steps among several jobs"};
+    }
+    return Done{};
+}
+
 Status check_texts(const Submit& submit) {
     constexpr std::size_t text_max = limits::hello_text_bytes_max;
     for (const JobBody& body : submit.bodies) {
@@ -190,6 +208,9 @@ Status check_submission(const Submit& submit, std::span<const MeshStatus> stored
     if (const Status origin = check_origin(submit); !origin) {
         return origin;
     }
+    if (const Status scene = check_scene(submit); !scene) {
+        return scene;
+    }
     if (submit.priority != 0) {
         return bad("the priority is " + std::to_string(submit.priority) +
                    "; this master takes 0 alone");
@@ -241,7 +262,9 @@ std::uint64_t bulk_bytes(const Submit& submit) {
     for (const IgnoreLine& line : submit.ignore) {
         bytes += line.a.size() + line.b.size();
     }
-    return bytes;
+    return bytes + (submit.poses.scene
+                        ? submit.poses.scene->job.size() + submit.poses.scene->steps.size()
+                        : 0);
 }
 
 std::uint64_t bulk_bytes(const PosesPart& part) {
@@ -259,6 +282,11 @@ bool drop_bulk(Submit& submit) {
     submit.ignore = {};
     if (submit.grid && submit.grid->size() > limits::ended_grid_bytes_max) {
         submit.grid = Bytes();
+        is_dropped = true;
+    }
+    if (submit.poses.scene) {
+        submit.poses.scene->job = {};
+        submit.poses.scene->steps = {};
         is_dropped = true;
     }
     return is_dropped;

@@ -250,7 +250,7 @@ void serialize(Archive& archive, ClusterOptions& o) {
 
 template <class Archive>
 void serialize(Archive& archive, JobBody& b) {
-    archive(b.mesh, b.name, b.file, b.unit, b.is_unit_given, b.up, b.rounds_to_float);
+    archive(b.mesh, b.name, b.file, b.unit, b.is_unit_given, b.up, b.rounds_to_float, b.is_fixed);
 }
 
 template <class Archive>
@@ -280,10 +280,15 @@ void serialize(Archive& archive, ShotsOrigin& o) {
 }
 
 template <class Archive>
+void serialize(Archive& archive, SceneOrigin& s) {
+    archive(s.head, s.job, s.steps);
+}
+
+template <class Archive>
 void serialize(Archive& archive, PosesOrigin& o) {
     enumeration(archive, o.kind, PosesKind::Grid, PosesKind::Shots);
     archive(o.random, o.file, o.quat_order, o.of_both_bodies, o.rigid_tolerance, o.labels);
-    archive(o.unit, o.axes, o.shots);
+    archive(o.unit, o.axes, o.shots, o.scene);
 }
 
 template <class Archive>

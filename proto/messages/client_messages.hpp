@@ -55,6 +55,7 @@ struct JobBody {
     bool is_unit_given = false;
     std::string up = {};          ///< "y": the client turned the mesh to z up; "z", empty: no turn.
     bool rounds_to_float = false; ///< True: the client rounded the coordinates to floats.
+    bool is_fixed = false;        ///< In a scene: the body has one pose at all steps.
 
     friend bool operator==(const JobBody&, const JobBody&) = default;
 };
@@ -70,6 +71,16 @@ struct ShotsOrigin {
     bool are_rays = false; ///< The file has starts and directions, else both ends.
 
     friend bool operator==(const ShotsOrigin&, const ShotsOrigin&) = default;
+};
+
+/// What a job of a scene of many bodies has besides its bodies and scenarios, for clients that open
+/// the job again.
+struct SceneOrigin {
+    Sha256 head = {};     ///< The hash of `SceneHead`, with which the job's digest starts.
+    std::string job = {}; ///< Text of the job file.
+    Bytes steps = {};     ///< The steps, packed by the client.
+
+    friend bool operator==(const SceneOrigin&, const SceneOrigin&) = default;
 };
 
 /// The origin of a job's poses, used when the job is opened again.
@@ -88,6 +99,7 @@ struct PosesOrigin {
     /// unknown. Kind Shots: the azimuths and the elevations in degrees.
     std::vector<GridAxis> axes = {};
     std::optional<ShotsOrigin> shots = {}; ///< For kind Shots only.
+    std::optional<SceneOrigin> scene = {}; ///< Set if and only if the scenarios have steps.
 
     friend bool operator==(const PosesOrigin&, const PosesOrigin&) = default;
 };
@@ -117,6 +129,11 @@ struct Submit {
     /// as long as the master keeps any job.
     std::uint64_t retention_seconds = 0;
     std::vector<IgnoreLine> ignore = {}; ///< The source of `query.ignored`, for display.
+
+    /// Returns with what the job's digest starts; nothing unless the job is a scene.
+    [[nodiscard]] std::optional<SceneHead> scene_head() const {
+        return poses.scene ? std::optional(SceneHead{poses.scene->head}) : std::nullopt;
+    }
 };
 
 /// The next run of a submission's poses, in the order of `pack_in_order`.

@@ -30,7 +30,8 @@ Job make_shots() {
     Job job;
     job.a = std::make_shared<const ObbTree>(build_tree(torus, {}, pool));
     job.b = std::make_shared<const ObbTree>(build_tree(lines, {}, pool));
-    for (const BundlePose& pose : bundle_poses(grid, views, box).value()) {
+    const std::vector<BundlePose> poses = bundle_poses(grid, views, box).value();
+    for (const BundlePose& pose : poses) {
         Scenario scenario;
         scenario.index = job.scenarios.size();
         scenario.poses.b = pose.pose;

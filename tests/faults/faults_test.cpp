@@ -12,8 +12,8 @@
 namespace cd::tests {
 namespace {
 
-constexpr std::uint64_t shards = 10;
-constexpr std::uint64_t seeds_of_shard = 200; // Workers found wrong are rare: some 8.
+constexpr std::uint64_t shards = 5;
+constexpr std::uint64_t seeds_of_shard = 400; // Workers found wrong are rare: 2 to 10 of every 200.
 
 /// `workers` has the meaning of SimulationOptions::workers.
 std::string replay(std::uint64_t seed, std::size_t workers = 0) {
@@ -115,7 +115,7 @@ struct KnownFault {
 class Faults : public testing::TestWithParam<KnownFault> {};
 
 TEST_P(Faults, EveryMutationIsDetected) {
-    constexpr std::uint64_t seeds_tried = 200; // Without a mutation, all these seeds pass.
+    constexpr std::uint64_t seeds_tried = seeds_of_shard; // Without a mutation, all of them pass.
     std::string noticed; // If another problem shows first, the next seeds are tried.
     const auto is_noticed = [&] {
         return noticed.find(GetParam().noticed_as) != std::string::npos;

@@ -5,6 +5,7 @@
 #include "client/import/gltf/gltf_container.hpp"
 #include "client/import/gltf/gltf_document.hpp"
 #include "client/import/mesh_readers.hpp"
+#include "client/poses/fcd_file.hpp"
 #include "client/poses/pose_rows.hpp"
 #include "client/poses/text_poses.hpp"
 #include "client/spec/job_file.hpp"
@@ -14,6 +15,7 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
 #include <sstream>
 #include <utility>
 
@@ -112,6 +114,29 @@ void csv_poses(Input input) {
 void tum_poses(Input input) {
     std::istringstream text(text_of(input));
     use(read_tum_poses(text));
+}
+
+void fcd(Input input) {
+    FcdSpec spec;
+    spec.types = {{"passenger", "car"}};
+    spec.skips_other_types = true;
+    std::istringstream text(text_of(rest_of(input)));
+    const auto read = is_odd(input) ? read_fcd_csv(text, spec) : read_fcd_xml(text, spec);
+    if (!read) {
+        return require_reason(read.error());
+    }
+    const RoadTraffic& traffic = read.value();
+    require(!traffic.times.empty() && traffic.ends.size() == traffic.times.size(),
+            "each step has a time");
+    require(traffic.ends.back() == traffic.rows.size(), "each row is of a step");
+    require(std::ranges::is_sorted(traffic.ends), "the steps are in order");
+    require(std::ranges::adjacent_find(traffic.times, std::ranges::greater_equal()) ==
+                traffic.times.end(),
+            "times rise");
+    for (const TrafficRow& row : traffic.rows) {
+        require(row.vehicle < traffic.vehicles.size(), "each row is of a vehicle");
+        require(Pose::from_quaternion(row.rotation, row.position).is_finite(), "poses are finite");
+    }
 }
 
 void npy(Input input) {

@@ -376,6 +376,16 @@ void add_files(Seeds& seeds) {
     seeds.add("csv_poses",
               "matrices",
               "\0m00,m01,m02,m03,m10,m11,m12,m13,m20,m21,m22,m23\n1,0,0,5,0,1,0,6,0,0,1,7\n"sv);
+    seeds.add(
+        "fcd",
+        "xml",
+        "\0<fcd-export>\n<!-- c --><timestep time=\"0.00\">\n<vehicle id=\"a&amp;b\" x=\"1.5\" "
+        "y=\"-2\" z=\"3\" angle=\"81.83\" type=\"passenger\" slope=\"1\"/><person id=\"p\"/>"
+        "</timestep>\n<timestep time=\"0.20\"/></fcd-export>\n"sv);
+    seeds.add("fcd",
+              "csv",
+              "\1timestep_time;vehicle_angle;vehicle_id;vehicle_type;vehicle_x;vehicle_y\n"
+              "0.00;81.83;a;passenger;1;2\n0.20;;;;;\n0.40;270;a;passenger;1;2\n"sv);
     seeds.add("tum_poses", "tum", "# t x y z\n0.5 1 2 3 0 0 0 1\n1.5 1 2 3 0 0.6 0 0.8\n");
     const std::array<double, 12> pose{1, 0, 0, 5, 0, 1, 0, 6, 0, 0, 1, 7};
     const std::array<std::uint64_t, 3> shape{1, 3, 4};
@@ -532,7 +542,7 @@ void add_state(Seeds& seeds) {
         const Pose b = i < 3 ? Pose::from_matrix(Mat3::Identity(), {1, 2, 3}) : Pose();
         scenarios.push_back({i, 0, 1, {Pose(), b}});
     }
-    const auto spool = PoseSpool::create(folder / "spool", scenarios.size(), 2);
+    const auto spool = PoseSpool::create(folder / "spool", {scenarios.size(), 2});
     for (const Bytes& run : pack_in_order(scenarios)) {
         need(bool(spool.value()->append(run)));
     }

@@ -88,7 +88,7 @@ void pose_spool(Input input) {
         sum_up_spool(bytes, scenarios);
     }
     const MemoryFile file(bytes);
-    auto opened = PoseSpool::open(file.path(), scenarios, 2);
+    auto opened = PoseSpool::open(file.path(), {scenarios, 2});
     if (!opened) {
         return;
     }

@@ -26,6 +26,7 @@ std::span<const Target> targets() {
         Target{"job_file", job_file},
         Target{"csv_poses", csv_poses},
         Target{"tum_poses", tum_poses},
+        Target{"fcd", fcd},
         Target{"npy", npy},
         Target{"npz", npz},
         Target{"gltf", gltf},

@@ -39,6 +39,7 @@ void scenarios(Input input);   ///< Poses one by one, in wire form.
 void job_file(Input input);
 void csv_poses(Input input); ///< Odd first byte: poses of both bodies; then the text.
 void tum_poses(Input input);
+void fcd(Input input); ///< Odd first byte: traffic of SUMO as CSV, else as XML; then the text.
 void npy(Input input);
 void npz(Input input);
 void gltf(Input input); ///< A glTF file or a GLB.

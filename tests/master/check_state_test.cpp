@@ -54,7 +54,7 @@ class CheckState : public testing::Test {
             for (JobBody& body : job.submit.bodies) {
                 body.mesh = mesh_.hash();
             }
-            const auto spool = std::move(PoseSpool::create(folder_ / "jobs", 5, 2).value());
+            const auto spool = std::move(PoseSpool::create(folder_ / "jobs", {5, 2}).value());
             std::vector<Scenario> scenarios(5);
             for (std::uint64_t i = 0; i < 5; ++i) {
                 scenarios[i].index = i;

@@ -40,6 +40,7 @@ BAD_SOURCES = {
 GOOD_PAGES = {
     "README.md": "# A page\n\n[Job](docs/job-file.md#the-job)\n\n| a | cell |\n\n```toml\nname = 1\n```\n",
     "docs/job-file.md": "# Job file\n## The job\n| `name`, `unit` | text |\n### A body\n| `unit` | text |\n",
+    "docs/job-keys.md": "# More keys\n",
     "ARCHITECTURE.md": "[All](docs/job-file.md)\n",
     "CONTRIBUTING.md": "",
     "client/job.cpp": 'TomlFields job(table, "the job", problem, {"name", "unit"});\n'

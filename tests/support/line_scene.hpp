@@ -65,7 +65,8 @@ struct LineScene {
         const ObbTree tree_a = make_tree(*a);
         const ObbTree tree_b = make_tree(*lines);
         std::vector<ScenarioResult> results;
-        for (const BundlePose& pose : shot_poses(spec, box()).value()) {
+        const std::vector<BundlePose> poses = shot_poses(spec, box()).value();
+        for (const BundlePose& pose : poses) {
             Scenario scenario = make_scenario({Pose(), pose.pose});
             scenario.index = results.size();
             results.push_back(run_scenario(tree_a, tree_b, scenario, query).result);

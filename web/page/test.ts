@@ -1,11 +1,11 @@
 /** Tests of the page's parts that need no browser: `npm test`. */
 import { cssColour, isContact, isHit, letterOf, nameOf, numberOf, severity, shownOrder, untested } from "./src/base/classes";
 import { HeldAnswers } from "./src/base/held";
-import { parseMesh } from "./src/base/mesh";
+import { type Mesh, parseMesh } from "./src/base/mesh";
 import { parseNpy } from "./src/base/npy";
 import { readPart, writePart } from "./src/base/part_name";
 import { BodyParts } from "./src/base/parts";
-import { apply, compose, inverse, placementOf } from "./src/base/pose";
+import { apply, compose, coordinateOf, inverse, placementOf } from "./src/base/pose";
 import { jobLink, parseRoute, scenarioLink } from "./src/base/route";
 import type { Scenario, Vec3 } from "./src/base/types";
 import { bytesOf, grouped, percent, shellWord } from "./src/base/words";
@@ -16,12 +16,14 @@ import { Grid, gridCells } from "./src/job/grid";
 import { wilson } from "./src/job/groups";
 import { binsOf } from "./src/job/histogram";
 import { readJobView, startView, writeJobView } from "./src/job/job_view";
+import { mostHitOf } from "./src/job/most_hits";
 import { addRows, bestCoordinates } from "./src/job/poses";
 import { Results } from "./src/job/results";
 import { scenariosOfSlice, windowsOf } from "./src/job/slice";
 import { panned, worstInBins, zoomed } from "./src/job/strip";
 import { highlightsOf, shapesOf } from "./src/viewer/contacts_view";
 import { heatByte } from "./src/viewer/heat";
+import { endsOf, Hits, passagesOf, pointAt, startsAndEndsOutside } from "./src/viewer/hits";
 import { nearestTriangle } from "./src/viewer/pick";
 import { Scenarios } from "./src/viewer/scenarios";
 import { hasPairOf } from "./src/viewer/step";
@@ -169,6 +171,50 @@ const told = (distance: number | null | undefined, least: number | null, up_to: 
 same("a distance is told", told(0.25, 0.25, null), "the bodies are 0.25 m apart");
 same("a bound is told", told(null, null, 2), "more than 2 m apart");
 same("the least distance of near pairs is told", told(undefined, 0.5, null), "nearest triangles 0.5 m apart");
+
+// Line 4 enters and leaves part 0, leaves part 1 where it enters part 0 again, and grazes; line 7 crosses a plate.
+const crossing = { enters: 3, leaves: 5, grazes: 16 };
+const [rows, pairRows] = [
+    [
+        [5, 4, 2, crossing.leaves, 0],
+        [0, 4, 1, crossing.enters, 0],
+        [6, 4, 2, crossing.enters, 0],
+        [1, 4, 3, crossing.leaves, 1],
+        [2, 4, 3, crossing.enters, 0],
+        [3, 4, 2.5, crossing.grazes, 0],
+        [9, 7, 1.5, crossing.leaves, 0],
+    ],
+    (row: number[]) => [row[0], row[1], 3],
+];
+const lineHits = new Hits(
+    Uint32Array.from(rows.flatMap(pairRows)),
+    Float64Array.from(rows.flatMap((row) => row.slice(2))),
+);
+same("hits of a line by depth, rank, and leaving first", lineHits.ofLine(4), [1, 0, 2, 5, 4, 3]);
+same("a line without hits", lineHits.ofLine(5), []);
+same("kinds of hits", [1, 0, 5].map((hit) => lineHits.kindOf(hit)), ["enters", "leaves", "grazes"]);
+same("first hits", [lineHits.shown(true), lineHits.shown(false).length], [[1, 6], 7]);
+const partOfTriangle = (triangle: number) => (triangle < 3 ? 0 : triangle < 9 ? 1 : 2);
+const isClosed = (part: number) => part === 0;
+same(
+    "crossings of closed parts are paired",
+    passagesOf(lineHits, 4, partOfTriangle, isClosed).map(({ part, in: from, out }) => [part, from, out]),
+    [[0, 1, 4], [1, 0, null], [1, 2, null], [0, 3, null]],
+);
+same("an open part has no way through it", passagesOf(lineHits, 7, partOfTriangle, isClosed), [{ part: 2, in: 6, out: null }]);
+const bundle = { vertices: Float64Array.of(3, 0, 0, -1, 0, 0), triangles: Uint32Array.of(0, 1, 1) } as Mesh;
+same("a point of a line", pointAt(endsOf(bundle, 0), 2.5), [0.5, 0, 0]);
+const cube = { vertices: Float64Array.of(0, 0, 0, 1, 0, 0, 0, 1, 1), triangles: Uint32Array.of(0, 1, 2) } as Mesh;
+const cubeParts = new BodyParts(["cube"], [0, 0]);
+same(
+    "ends in the box of a part",
+    [[[-1, 0, 0], [2, 0, 0]], [[-1, 0, 0], [0.5, 0.5, 0.5]]].map((ends) => startsAndEndsOutside(ends as Vec3[], cube, cubeParts, 0)),
+    [true, false],
+);
+const quarter = [0, -1, 0, 5, 1, 0, 0, 6, 0, 0, 1, 7];
+same("lines from the left", [coordinateOf("azimuth", quarter), coordinateOf("elevation", quarter)], [90, 0]);
+same("lines from the right", coordinateOf("azimuth", [0, 1, 0, 0, -1, 0, 0, 0, 0, 0, 1, 0]), 270);
+same("bundles with most hits", mostHitOf(new Results(0, 4, new Uint8Array(4), Uint32Array.of(2, 0, 9, 2))), [2, 0, 3]);
 same("histogram", binsOf(new Uint32Array([0, 1, 2, 3, 4])).map((bin) => bin.count), [1, 2, 1]);
 
 // A grid of 2 x 4: y varies fastest.

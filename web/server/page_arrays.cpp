@@ -58,6 +58,11 @@ Bytes parts_npy(const PartRuns& parts) {
     return npy(NpyType::U4, {parts.runs().size(), 2}, std::span<const std::uint32_t>(rows));
 }
 
+Bytes closed_npy(const std::vector<bool>& are_closed) {
+    const std::vector<std::uint8_t> bytes(are_closed.begin(), are_closed.end());
+    return npy(NpyType::U1, {bytes.size()}, std::span<const std::uint8_t>(bytes));
+}
+
 BoundedArray pairs_npy(const ScenarioResult& result) {
     const std::uint64_t count = std::min<std::uint64_t>(result.pairs.size(), limits::page_rows_max);
     std::vector<std::uint32_t> rows;
@@ -82,6 +87,18 @@ BoundedArray points_npy(const ScenarioResult& result) {
     const std::uint64_t count = rows.size() / 4;
     return {npy(NpyType::F8, {count, 4}, std::span<const double>(rows)),
             count < result.points.size() || result.is_cut()};
+}
+
+BoundedArray hits_npy(const ScenarioResult& result) {
+    const std::uint64_t count = std::min<std::uint64_t>(result.hits.size(), limits::page_rows_max);
+    std::vector<double> rows;
+    rows.reserve(3 * count);
+    for (const PairHit& hit : std::span(result.hits).first(count)) {
+        rows.insert(rows.end(),
+                    {hit.depth, static_cast<double>(hit.flags), static_cast<double>(hit.rank)});
+    }
+    return {npy(NpyType::F8, {count, 3}, std::span<const double>(rows)),
+            count < result.hits.size() || result.is_cut()};
 }
 
 } // namespace cd

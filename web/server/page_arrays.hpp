@@ -9,6 +9,7 @@
 
 #include <cstdint>
 #include <span>
+#include <vector>
 
 namespace cd {
 
@@ -24,6 +25,8 @@ namespace cd {
 [[nodiscard]] Bytes map_npy(std::span<const TriangleContacts> map);
 /// Encodes runs of triangles of one part as u4 (k,2): first triangle, number of the part.
 [[nodiscard]] Bytes parts_npy(const PartRuns& parts);
+/// Encodes which parts of a body are closed as u1 (k,), by their numbers.
+[[nodiscard]] Bytes closed_npy(const std::vector<bool>& are_closed);
 
 /// An array of at most `limits::page_rows_max` rows.
 struct BoundedArray {
@@ -35,5 +38,8 @@ struct BoundedArray {
 /// Encodes shared points, and the nearest points of near pairs, as f8 (k,4): position of the pair
 /// in the list; x, y, z in the world.
 [[nodiscard]] BoundedArray points_npy(const ScenarioResult& result);
+/// Encodes the hit of each listed pair as f8 (m,3): depth, flags (`hit_flag`), rank. There are none
+/// unless B is a bundle of lines.
+[[nodiscard]] BoundedArray hits_npy(const ScenarioResult& result);
 
 } // namespace cd

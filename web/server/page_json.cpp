@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 
 namespace cd {
 
@@ -16,7 +17,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::array<const char*, 6> axis_names{"x", "y", "z", "roll", "pitch", "yaw"};
+constexpr std::array<const char*, 6> grid_axes{"x", "y", "z", "roll", "pitch", "yaw"};
+constexpr std::array<const char*, 2> shot_axes{"azimuth", "elevation"};
 
 std::string compact(const Json& json) {
     return json_text(json, -1);
@@ -87,19 +89,25 @@ Json body_json(const BodyView& body) {
             {"size", {body.size.x(), body.size.y(), body.size.z()}}};
 }
 
-Json poses_json(const PosesView& poses) {
+Json axes_json(const PosesView& poses) {
+    const std::span<const char* const> names =
+        poses.kind == PosesKind::Shots ? std::span<const char* const>(shot_axes) : grid_axes;
     Json axes = Json::array();
-    for (std::size_t i = 0; i < poses.axes.size() && i < axis_names.size(); ++i) {
+    for (std::size_t i = 0; i < poses.axes.size() && i < names.size(); ++i) {
         const GridAxis& axis = poses.axes[i];
-        axes.push_back({{"name", axis_names[i]},
+        axes.push_back({{"name", names[i]},
                         {"first", axis.first},
                         {"last", axis.last},
                         {"count", axis.count}});
     }
+    return axes;
+}
+
+Json poses_json(const PosesView& poses) {
     Json json{{"kind", kind_text(poses.kind)},
               {"count", poses.count},
               {"file", poses.file},
-              {"axes", std::move(axes)},
+              {"axes", axes_json(poses)},
               {"penetration", Json()},
               {"seed", Json()},
               {"has_ids", poses.has_ids},

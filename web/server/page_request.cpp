@@ -31,8 +31,10 @@ constexpr std::array<NamedTopic, 4> array_topics{{{"classes", PageTopic::Classes
                                                   {"poses", PageTopic::Poses}}};
 constexpr std::array<NamedTopic, 2> body_topics{
     {{"map", PageTopic::Map}, {"parts", PageTopic::Parts}}};
-constexpr std::array<NamedTopic, 2> contact_topics{
-    {{"pairs", PageTopic::Pairs}, {"points", PageTopic::Points}}};
+constexpr std::array<NamedTopic, 2> part_topics{
+    {{"names", PageTopic::PartNames}, {"closed", PageTopic::ClosedParts}}};
+constexpr std::array<NamedTopic, 3> contact_topics{
+    {{"pairs", PageTopic::Pairs}, {"points", PageTopic::Points}, {"hits", PageTopic::Hits}}};
 
 std::optional<PageTopic> topic_of(std::string_view name, std::span<const NamedTopic> topics) {
     const auto found = std::ranges::find(topics, name, &NamedTopic::name);
@@ -166,8 +168,8 @@ Status parse_body(std::span<const std::string_view> path,
                   const Parameters& parameters,
                   PageRequest& request) {
     const auto body = path.size() > 1 ? number_in<std::uint64_t>(path[1]) : std::nullopt;
-    const bool asks_names = path.size() == 3 && path[0] == "parts" && path[2] == "names";
-    const auto topic = asks_names         ? std::optional(PageTopic::PartNames)
+    const bool is_of_parts = path.size() == 3 && path[0] == "parts";
+    const auto topic = is_of_parts        ? topic_of(path[2], part_topics)
                        : path.size() == 2 ? topic_of(path[0], body_topics)
                                           : std::nullopt;
     if (!body || !topic) {

@@ -26,9 +26,11 @@ enum class PageTopic : std::uint8_t {
     Map,
     Parts,
     PartNames,
+    ClosedParts,
     Scenario,
     Pairs,
     Points,
+    Hits,
     Next,
     Mesh,
 };

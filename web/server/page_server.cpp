@@ -255,6 +255,9 @@ void PageServer::ask(const PageRequest& request, HttpRespond respond) {
             request.job, request.number, answering<Parts>(respond, [](const Parts& parts) {
                 return json_answer(part_names_json(parts->names));
             }));
+    case PageTopic::ClosedParts:
+        return source_.closed_parts(
+            request.job, request.number, answering<std::vector<bool>>(respond, array(closed_npy)));
     case PageTopic::Scenario:
         return source_.scenario(
             request.job,
@@ -266,6 +269,8 @@ void PageServer::ask(const PageRequest& request, HttpRespond respond) {
         return source_.scenario(request.job, request.number, rows(pairs_npy));
     case PageTopic::Points:
         return source_.scenario(request.job, request.number, rows(points_npy));
+    case PageTopic::Hits:
+        return source_.scenario(request.job, request.number, rows(hits_npy));
     case PageTopic::Next:
         return source_.next(
             request.job, request.next, answering<NextFound>(respond, json(next_json)));

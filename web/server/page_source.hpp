@@ -56,6 +56,9 @@ class PageSource {
     virtual void parts(const std::string& id,
                        std::uint64_t body,
                        Take<std::shared_ptr<const NamedParts>> take) = 0;
+    /// Whether each of these parts is closed by itself (`closed_parts`). Errors: as `parts`.
+    virtual void
+    closed_parts(const std::string& id, std::uint64_t body, Take<std::vector<bool>> take) = 0;
     /// Runs the scenario again.
     virtual void scenario(const std::string& id,
                           std::uint64_t number,

@@ -64,7 +64,9 @@ struct PosesView {
     PosesKind kind = PosesKind::File;
     std::uint64_t count = 0;
     std::string file;
-    std::vector<GridAxis> axes; ///< x, y, z, roll, pitch, yaw, in degrees; empty unless a grid.
+    /// Of a grid x, y, z, roll, pitch, yaw; of a grid of lines azimuth and elevation. Angles are in
+    /// degrees. Empty for other poses.
+    std::vector<GridAxis> axes;
     std::optional<RandomPoses> random;
     bool has_ids = false;
     bool has_times = false;

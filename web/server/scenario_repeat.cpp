@@ -15,18 +15,32 @@ namespace {
 
 /// The query whose results are drawn.
 Query drawing_query(const Query& query) {
-    return {Level::Contacts, limits::page_rows_max, query.ignored, false, query.clearance};
+    Query drawn{Level::Contacts, limits::page_rows_max, query.ignored, false, query.clearance};
+    if (query.question == Question::Shots) {
+        drawn.level = Level::Pairs;
+        drawn.question = query.question;
+        drawn.first_hits = query.first_hits;
+    }
+    return drawn;
 }
 
 /// True if a run with the job's query has all that is drawn.
 bool is_drawable(const Query& query, const ScenarioResult& result) {
-    return query.question == Question::Distance
-               ? !is_contact(result.kind) || result.nearest
-               : query.level == Level::Contacts && query.limit_pairs == 0;
+    switch (query.question) {
+    case Question::Distance:
+        return !is_contact(result.kind) || result.nearest;
+    case Question::Shots:
+        return query.level == Level::Pairs && query.limit_pairs == 0;
+    case Question::Contacts:
+        break;
+    }
+    return query.level == Level::Contacts && query.limit_pairs == 0;
 }
 
 std::string answer_text(const ScenarioResult& result) {
-    return std::string(to_text(result.kind)) + " with " + counted(result.pair_count, "pair") +
+    const bool is_shots = result.question == Question::Shots;
+    return std::string(to_text(result.kind)) + " with " +
+           counted(result.pair_count, is_shots ? "hit" : "pair") +
            (result.has_clearance ? " and " + counted(result.near_count, "near pair") : "") +
            (result.nearest ? " at distance " + exact_text(result.nearest->distance) : "");
 }
@@ -83,6 +97,7 @@ ScenarioView repeat_scenario(const TreesByBody& trees,
         view.result->point_offsets = {};
         view.result->points = {};
         view.result->near_distances = {};
+        view.result->hits = {};
     }
     std::optional<ScenarioRun> again;
     if (view.verify_note.empty()) {

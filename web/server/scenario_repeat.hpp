@@ -14,8 +14,9 @@ namespace cd {
 
 /// Runs a scenario with the job's query, whose record must equal the stored one byte by byte, and,
 /// unless that was exact at `level contacts`, once so with at most `limits::page_rows_max` pairs.
-/// With the question of the distance, bodies that share no point are drawn with their nearest pair.
-/// `record` is the stored result; without one, or if it says Failed, nothing is compared. After
+/// With the question of the distance, bodies that share no point are drawn with their nearest pair;
+/// of lines the hits are drawn, at `level pairs`, and of each line only the first if the job asks
+/// so. `record` is the stored result; without one, or if it says Failed, nothing is compared. After
 /// `stop`, the view has no contacts and says so, and that it was not verified.
 [[nodiscard]] ScenarioView repeat_scenario(const TreesByBody& trees,
                                            const Query& query,

@@ -31,8 +31,13 @@ struct Compared {
     [[nodiscard]] bool has_equal_mesh(std::size_t body) const {
         return !inputs.bodies[body].is_changed;
     }
-    /// True if both runs list pairs.
-    [[nodiscard]] bool lists_pairs() const { return least_level() >= Level::Pairs; }
+    [[nodiscard]] bool have_equal_meshes() const {
+        return std::ranges::none_of(inputs.bodies, &BodyChange::is_changed);
+    }
+    /// True if both runs list pairs of two bodies, whose triangles are compared.
+    [[nodiscard]] bool maps_pairs() const {
+        return least_level() >= Level::Pairs && !later.job.scene;
+    }
     [[nodiscard]] Level least_level() const {
         return std::min(earlier.job.query.level, later.job.query.level);
     }
@@ -154,7 +159,7 @@ struct Differences {
 
 Status compare(Compared& runs, const ScenarioMatch& match, Differences& found) {
     const std::size_t bodies = runs.later.job.meshes.size();
-    const bool lists_pairs = runs.lists_pairs();
+    const bool maps_pairs = runs.maps_pairs();
     const bool have_groups = runs.have_groups();
     return for_each_pair({runs.earlier.run.records(), runs.earlier.job.poses->count()},
                          {runs.later.run.records(), runs.later.job.poses->count()},
@@ -166,7 +171,7 @@ Status compare(Compared& runs, const ScenarioMatch& match, Differences& found) {
                              if (have_groups) {
                                  found.groups.add(pair);
                              }
-                             if (lists_pairs) {
+                             if (maps_pairs) {
                                  found.triangles.add(pair);
                              }
                              return found.scenarios.add(pair);
@@ -183,8 +188,8 @@ Result<bool> add_maps(const Compared& runs, Differences& found) {
     const ScenarioCounts& counts = found.scenarios.counts();
     const bool is_complete =
         counts.only_earlier + counts.only_later == 0 && counts.comparable == counts.in_both;
-    if (runs.lists_pairs() || !is_complete) {
-        return runs.lists_pairs();
+    if (runs.maps_pairs() || !is_complete) {
+        return runs.maps_pairs();
     }
     const bool have_maps = runs.earlier.map && runs.later.map;
     if (have_maps) {
@@ -220,8 +225,8 @@ report_of(const Compared& runs, MatchedBy matched_by, bool has_triangles, Differ
 }
 
 Result<ScenarioMatch> match(const Compared& runs) {
-    return match_runs({*runs.earlier.job.poses, runs.earlier.job.labels},
-                      {*runs.later.job.poses, runs.later.job.labels},
+    return match_runs(runs.earlier.matched(),
+                      runs.later.matched(),
                       runs.inputs.are_poses_equal,
                       &InterruptGuard::has_come);
 }
@@ -242,8 +247,7 @@ const char* hint_of(const Compared& runs) {
     const auto is_random = [](const RunAtHand& run) {
         return run.run.manifest().poses.kind == PosesKind::Random;
     };
-    const bool have_equal_bodies = runs.has_equal_mesh(0) && runs.has_equal_mesh(1);
-    return is_random(runs.earlier) && is_random(runs.later) && !have_equal_bodies
+    return is_random(runs.earlier) && is_random(runs.later) && !runs.have_equal_meshes()
                ? "; random poses depend on the bodies: runs of a grid or of one pose file can be "
                  "compared"
                : "";
@@ -278,6 +282,7 @@ Result<int> perform(const DiffCommand& command) {
     };
     auto earlier = CD_TRY(open(command.earlier));
     auto later = CD_TRY(open(command.later));
+    CD_TRY(check_comparable(earlier.run.manifest(), later.run.manifest()));
     Compared runs{earlier, later, changes_between(earlier.run.manifest(), later.run.manifest())};
     if (command.fail_on == DiffFailOn::New) {
         CD_TRY(check_groups(earlier.job.query, earlier.map));
@@ -286,8 +291,7 @@ Result<int> perform(const DiffCommand& command) {
     InterruptGuard::begin_to_flag(); // From here on, a signal must not leave partial files.
     const auto matched = CD_TRY(match(runs));
     auto csv = CD_TRY(csv_file(command));
-    const bool compares_pairs =
-        runs.inputs.query.empty() && runs.has_equal_mesh(0) && runs.has_equal_mesh(1);
+    const bool compares_pairs = runs.inputs.query.empty() && runs.have_equal_meshes();
     Differences found{
         ScenarioDiff(std::move(csv),
                      {compares_pairs, body_names(later), runs.has_near(), runs.has_distance()}),

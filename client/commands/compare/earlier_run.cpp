@@ -15,8 +15,15 @@ namespace {
 /// Returns the inputs of an earlier run of a job: its poses, and the job's meshes, which are equal.
 Result<JobInputs> inputs_like(const PreparedJob& job, const OpenedRun& earlier) {
     CD_TRY(check_reusable(earlier.manifest(), job));
-    auto poses = CD_TRY(earlier.kept_poses());
-    return JobInputs{job.meshes, std::move(poses), {}, job.query.ignored};
+    JobInputs inputs;
+    inputs.meshes = job.meshes;
+    inputs.poses = CD_TRY(earlier.kept_poses());
+    inputs.ignored = job.query.ignored;
+    inputs.names = job.names;
+    if (inputs.poses) {
+        inputs.scene = CD_TRY(earlier.scene());
+    }
+    return inputs;
 }
 
 } // namespace

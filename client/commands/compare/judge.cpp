@@ -32,11 +32,10 @@ std::vector<std::string> names_in(const RunAtHand& run) {
 
 /// Compares all groups of two runs, scenario by scenario.
 Result<std::vector<ChangedGroup>> changed_groups(RunAtHand& earlier, RunAtHand& later) {
+    CD_TRY(check_comparable(earlier.run.manifest(), later.run.manifest()));
     const InputChanges inputs = changes_between(earlier.run.manifest(), later.run.manifest());
-    const ScenarioMatch match = CD_TRY(match_runs({*earlier.job.poses, earlier.job.labels},
-                                                  {*later.job.poses, later.job.labels},
-                                                  inputs.are_poses_equal,
-                                                  &InterruptGuard::has_come));
+    const ScenarioMatch match = CD_TRY(match_runs(
+        earlier.matched(), later.matched(), inputs.are_poses_equal, &InterruptGuard::has_come));
     GroupDiff groups(meshes_in(earlier),
                      meshes_in(later),
                      part_kind(std::min(earlier.job.query.level, later.job.query.level)));

@@ -29,10 +29,7 @@ struct LocalOutcome : RunOutcome {
 RunReport report_of(const LocalJob& local, const LocalOutcome& outcome) {
     RunReport report;
     report.summary = outcome.summary;
-    report.level = local.job.query.level;
-    report.limit_pairs = local.job.query.limit_pairs;
-    report.clearance = local.job.query.clearance;
-    report.maps_all_pairs = local.job.query.maps;
+    report.query = local.job.query;
     report.digest = outcome.digest;
     report.execution.seconds = outcome.seconds;
     report.execution.reused = outcome.reused;
@@ -54,6 +51,7 @@ Result<RunOutcome> run_with_progress(const LocalJob& local,
                                      const std::function<void()>& tick) {
     ProgressPrinter progress(ProgressPrinter::style_for(local.command.quiet));
     options.first_stage = local.command.host.first_stage.value_or(PairStage::Float);
+    options.scene = scene_head(local.job);
     const std::uint64_t resumed = options.done ? options.done->summary().merged() : 0;
     const RunObserver observer{
         take,
@@ -124,11 +122,7 @@ Result<LocalOutcome> run_or_reuse(const LocalJob& local,
     }
     auto reused = CD_TRY(local.earlier->results_for(local.job, local.command.quiet));
     count_reused(reused.count());
-    return run_rest(local,
-                    reused,
-                    std::move(done).value_or(ResultMerger(local.job.poses->count())),
-                    take,
-                    tick);
+    return run_rest(local, reused, std::move(done).value_or(merger_of(local.job)), take, tick);
 }
 
 Error without_results(const Error& error) {

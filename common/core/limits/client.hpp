@@ -34,6 +34,11 @@ inline constexpr std::uint64_t reader_memory_per_file_byte = 512;
 inline constexpr std::uint64_t reader_file_bytes_per_second = 1u << 20;
 inline constexpr int reader_real_seconds_each = 10; ///< Wall clock per second of processor time.
 
+// Traffic of SUMO.
+inline constexpr std::size_t fcd_depth_max = 64; ///< Depth of nested XML elements.
+/// Size of a tag or comment, which is in memory whole.
+inline constexpr std::size_t fcd_markup_bytes_max = 1u << 20;
+
 // Bundles of lines.
 inline constexpr std::uint32_t bundle_side_max = 4096;      ///< Lines along a side of a tile.
 inline constexpr std::uint64_t bundle_poses_max = 1u << 24; ///< Poses of one bundle in a job.
@@ -45,6 +50,10 @@ inline constexpr std::uint64_t tree_cache_bytes_max = 4ull << 30;
 inline constexpr std::uint64_t run_inputs_bytes_max = 1ull << 30;
 /// If the results folder is estimated to become larger, `cdctl run` needs --yes.
 inline constexpr std::uint64_t folder_bytes_unasked_max = 1'000'000'000;
+
+// Watching a job on a master.
+/// Scenarios of a job whose results are read for the least distance, some 100 bytes each.
+inline constexpr std::uint64_t watch_scenarios_max = 1u << 20;
 
 // Groups of contacts.
 /// Connected pieces of a mesh that are parts of their own.

@@ -71,6 +71,8 @@ inline constexpr std::size_t authors_kept_max = 1u << 18;
 /// Pairs that a result may count, so that the count has 56 bits. Bodies with more pairs of
 /// triangles never have so many in contact or near.
 inline constexpr std::uint64_t result_pairs_max = (1ull << 56) - 1;
+/// Size of the job file and the packed steps of a scene, in memory and in the journal.
+inline constexpr std::size_t scene_bytes_max = 8u << 20;
 /// Size of a job's grid, in memory and in the journal.
 inline constexpr std::size_t grid_bytes_max = 8u << 20;
 /// A larger grid is dropped from memory when its job ends.

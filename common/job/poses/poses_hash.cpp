@@ -25,8 +25,15 @@ Pose without_minus_zero(const Pose& pose) {
     return Pose::from_quaternion({q.w + 0.0, q.x + 0.0, q.y + 0.0, q.z + 0.0}, translation);
 }
 
-/// Writes the form of A's pose, the form of B's pose, then the doubles of both.
-void put_numbers(ByteWriter& out, const PosePair& poses) {
+/// Writes the form of A's pose, the form of B's pose, then the doubles of both. In a scene the
+/// step and the bodies come first.
+void put_numbers(ByteWriter& out, const Scenario& scenario) {
+    const PosePair& poses = scenario.poses;
+    if (scenario.step) {
+        out.put(*scenario.step);
+        out.put(scenario.body_a);
+        out.put(scenario.body_b);
+    }
     Scenario alone;
     alone.poses = {without_minus_zero(poses.a), without_minus_zero(poses.b)};
     const Bytes packed = pack_scenarios({&alone, 1});
@@ -42,7 +49,7 @@ void put_numbers(ByteWriter& out, const PosePair& poses) {
 void PosesHash::add(std::span<const Scenario> scenarios) {
     ByteWriter out;
     for (const Scenario& scenario : scenarios) {
-        put_numbers(out, scenario.poses);
+        put_numbers(out, scenario);
     }
     stream_.update(out.bytes());
 }

@@ -10,10 +10,12 @@ ScenarioFacts facts_of(const ScenarioResult& result) {
             result.insides_skipped,
             result.is_cut(),
             result.pair_count,
-            result.near_count};
+            result.near_count,
+            result.nearest.has_value()};
 }
 
-ResultMerger::ResultMerger(std::uint64_t scenarios) {
+ResultMerger::ResultMerger(std::uint64_t scenarios, std::optional<SceneHead> scene)
+    : scene_(scene) {
     summary_.total = scenarios;
 }
 
@@ -37,9 +39,13 @@ ResultMerger::add(std::uint64_t index, const ScenarioFacts& facts, const Sha256&
     if (index >= digests_.size()) {
         digests_.resize(index + 1);
         merged_.resize(index + 1);
+        tell_.resize(scene_ ? index + 1 : 0);
     }
     digests_[index] = digest;
     merged_[index] = true;
+    if (scene_) {
+        tell_[index] = facts.tells();
+    }
     count(facts);
     return Outcome::Added;
 }
@@ -97,6 +103,7 @@ const Sha256& ResultMerger::digest_of(std::uint64_t index) const {
 
 void ResultMerger::close() {
     digests_ = {};
+    tell_ = {};
 }
 
 std::optional<Sha256> ResultMerger::digest() const {
@@ -105,7 +112,16 @@ std::optional<Sha256> ResultMerger::digest() const {
     }
     CD_CHECK(is_open() && digests_.size() == summary_.total);
     Sha256Stream stream;
-    stream.update(std::as_bytes(std::span<const Sha256>(digests_)));
+    if (!scene_) {
+        stream.update(std::as_bytes(std::span<const Sha256>(digests_)));
+        return stream.finish();
+    }
+    stream.update(scene_->hash.bytes);
+    for (std::size_t i = 0; i < digests_.size(); ++i) {
+        if (tell_[i]) {
+            stream.update(digests_[i].bytes);
+        }
+    }
     return stream.finish();
 }
 

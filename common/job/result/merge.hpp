@@ -47,16 +47,29 @@ struct ScenarioFacts {
     bool is_cut = false;
     std::uint64_t pair_count = 0;
     std::uint64_t near_count = 0;
+    bool has_distance = false; ///< With Question::Distance: there is a distance.
+
+    /// Whether the result says more than that the bodies are separate.
+    [[nodiscard]] bool tells() const { return kind != ScenarioClass::Separate || has_distance; }
 
     friend bool operator==(const ScenarioFacts&, const ScenarioFacts&) = default;
 };
 [[nodiscard]] ScenarioFacts facts_of(const ScenarioResult& result);
 
+/// Starts the digest of a scene of many bodies (docs/formats.md): a hash of all that decides which
+/// pairs of bodies each step tests.
+struct SceneHead {
+    Sha256 hash;
+
+    friend bool operator==(const SceneHead&, const SceneHead&) = default;
+};
+
 /// Merges results idempotently: the first result of a scenario counts, and later results are
 /// compared with the first. Memory: one hash for each scenario up to the highest one merged.
 class ResultMerger {
   public:
-    explicit ResultMerger(std::uint64_t scenarios);
+    /// With `scene`, the digest is that of a scene.
+    explicit ResultMerger(std::uint64_t scenarios, std::optional<SceneHead> scene = std::nullopt);
 
     enum class Outcome : std::uint8_t {
         Added,    ///< The first result of this scenario.
@@ -80,7 +93,8 @@ class ResultMerger {
     [[nodiscard]] const Summary& summary() const { return summary_; }
 
     /// Returns SHA-256 over the scenarios' digests in submitted order, or nothing until all are
-    /// merged.
+    /// merged. The digest of a scene is over its head and the digests of the results that tell
+    /// something (`ScenarioFacts::tells`), so that it does not depend on the broad phase.
     [[nodiscard]] std::optional<Sha256> digest() const;
 
     /// Frees the memory of the hashes. Afterwards `add`, `remove`, `digest_of` and `digest` may not
@@ -95,6 +109,8 @@ class ResultMerger {
     // The vectors grow to the highest merged index, so that a job's claimed size costs no memory.
     std::vector<Sha256> digests_;
     std::vector<bool> merged_;
+    std::vector<bool> tell_; ///< Of a scene: whether the result tells something.
+    std::optional<SceneHead> scene_;
     Summary summary_;
 };
 

@@ -22,11 +22,14 @@ constexpr std::uint8_t version = 3;
 constexpr std::uint8_t flag_clearance = 1;
 constexpr std::uint8_t flag_surfaces_only = 1;
 constexpr std::uint8_t flag_insides_skipped = 2;
+constexpr std::uint8_t flag_scene = 4;
 constexpr std::size_t head_bytes = 28;
 /// What version 3 adds to the head: the question and the step.
 constexpr std::size_t question_bytes = 1 + sizeof(std::uint64_t);
-/// What version 3 adds for contacts: more flags and the near pairs' number.
-constexpr std::size_t clearance_bytes = 1 + sizeof(std::uint64_t);
+/// Places of the index and of the flags in version 3.
+constexpr std::size_t index_offset = 2;
+constexpr std::size_t flags_offset = 20;
+constexpr std::size_t near_count_bytes = sizeof(std::uint64_t);
 constexpr std::uint64_t pair_bytes = 2 * sizeof(std::uint32_t) + 1;
 constexpr std::uint64_t point_bytes = 3 * sizeof(double);
 /// The intersection of two triangles is at most a hexagon.
@@ -64,13 +67,19 @@ void put_shared_points(ByteWriter& out, const ScenarioResult& result) {
 }
 
 std::uint8_t version_of(const ScenarioResult& result) {
-    return result.has_clearance || result.question != Question::Contacts ? version
-                                                                         : version_contacts;
+    const bool is_plain =
+        !result.has_clearance && result.question == Question::Contacts && !result.step;
+    return is_plain ? version_contacts : version;
+}
+
+/// Whether the head has the byte of more flags, which tells a clearance.
+bool has_more_flags(const ScenarioResult& result) {
+    return version_of(result) == version && result.question == Question::Contacts;
 }
 
 std::size_t bytes_of_head(const ScenarioResult& result) {
     return head_bytes + (version_of(result) == version ? question_bytes : 0) +
-           (result.has_clearance ? clearance_bytes : 0);
+           (has_more_flags(result) ? 1 : 0) + (result.has_clearance ? near_count_bytes : 0);
 }
 
 /// Returns the exact number of bytes of a record.
@@ -102,7 +111,7 @@ Error bad(const char* what) {
 /// Writes the head of a record in one piece, for speed: at `level count` the head is the whole
 /// record, and the master writes a million records per second.
 void put_head(ByteWriter& out, const ScenarioResult& result) {
-    std::array<std::uint8_t, head_bytes + question_bytes + clearance_bytes> head;
+    std::array<std::uint8_t, head_bytes + question_bytes + 1 + near_count_bytes> head;
     std::uint8_t* to = head.data();
     const auto put = [&](auto value) {
         std::memcpy(to, &value, sizeof value);
@@ -118,13 +127,16 @@ void put_head(ByteWriter& out, const ScenarioResult& result) {
     put(static_cast<std::uint8_t>(result.level));
     put(static_cast<std::uint8_t>(result.kind));
     put(static_cast<std::uint8_t>((result.surfaces_only ? flag_surfaces_only : 0) |
-                                  (result.insides_skipped ? flag_insides_skipped : 0)));
+                                  (result.insides_skipped ? flag_insides_skipped : 0) |
+                                  (result.step ? flag_scene : 0)));
     put(result.pair_count);
     if (version_of(result) == version) {
-        put(std::uint64_t{0});
+        put(result.step.value_or(0));
+    }
+    if (has_more_flags(result)) {
+        put(static_cast<std::uint8_t>(result.has_clearance ? flag_clearance : 0));
     }
     if (result.has_clearance) {
-        put(flag_clearance);
         put(result.near_count);
     }
     const auto bytes = static_cast<std::size_t>(to - head.data());
@@ -162,20 +174,26 @@ void put_body(ByteWriter& out, const ScenarioResult& result) {
     }
 }
 
-Status get_clearance(ByteReader& in, ScenarioResult& result) {
+/// Reads what version 3 adds behind the head of contacts, which have that version only in a scene
+/// or with a clearance.
+Status get_more_flags(ByteReader& in, ScenarioResult& result) {
     const auto flags = in.get<std::uint8_t>();
-    result.near_count = in.get<std::uint64_t>();
+    result.has_clearance = flags == flag_clearance;
+    result.near_count = result.has_clearance ? in.get<std::uint64_t>() : 0;
     if (in.failed()) {
         return bad("cut short");
     }
-    return flags == flag_clearance ? Status(Done{}) : bad("unknown flag");
+    if (flags > flag_clearance) {
+        return bad("unknown flag");
+    }
+    return result.has_clearance || result.step ? Status(Done{}) : bad("version 3 without need");
 }
 
-/// Reads version and question. Contacts have version 3 only with a clearance.
-Status get_question(ByteReader& in, ScenarioResult& result) {
+/// Reads version and question. Returns the version.
+Result<std::uint8_t> get_question(ByteReader& in, ScenarioResult& result) {
     const auto from_version = in.get<std::uint8_t>();
     if (from_version == version_contacts) {
-        return Done{};
+        return from_version;
     }
     const auto question = in.get<std::uint8_t>();
     result.question = static_cast<Question>(question);
@@ -185,12 +203,20 @@ Status get_question(ByteReader& in, ScenarioResult& result) {
     if (from_version != version || !is_known) {
         return bad("unknown version or question");
     }
-    result.has_clearance = result.question == Question::Contacts;
-    return Done{};
+    return from_version;
+}
+
+/// Reads the step, which is 0 unless the result is of a scene.
+Status get_step(ByteReader& in, bool is_of_scene, ScenarioResult& result) {
+    const auto step = in.get<std::uint64_t>();
+    if (is_of_scene) {
+        result.step = step;
+    }
+    return is_of_scene || step == 0 ? Status(Done{}) : bad("a step outside a scene");
 }
 
 Status get_head(ByteReader& in, ScenarioResult& result) {
-    CD_TRY(get_question(in, result));
+    const std::uint8_t from_version = CD_TRY(get_question(in, result));
     result.index = in.get<std::uint64_t>();
     result.body_a = in.get<std::uint32_t>();
     result.body_b = in.get<std::uint32_t>();
@@ -201,19 +227,21 @@ Status get_head(ByteReader& in, ScenarioResult& result) {
     if (in.failed()) {
         return bad("cut short");
     }
+    const std::uint8_t states = flags & ~flag_scene;
+    const bool is_of_scene = (flags & flag_scene) != 0;
     if (level > static_cast<std::uint8_t>(Level::Contacts) || kind >= class_names.size() ||
-        flags > flag_insides_skipped) {
+        states > flag_insides_skipped || (is_of_scene && from_version != version)) {
         return bad("unknown level, class or flag");
     }
     result.level = static_cast<Level>(level);
     result.kind = static_cast<ScenarioClass>(kind);
     result.surfaces_only = (flags & flag_surfaces_only) != 0;
     result.insides_skipped = (flags & flag_insides_skipped) != 0;
-    if (version_of(result) == version && in.get<std::uint64_t>() != 0) {
-        return bad("unknown step");
-    }
-    if (result.has_clearance) {
-        CD_TRY(get_clearance(in, result));
+    if (from_version == version) {
+        CD_TRY(get_step(in, is_of_scene, result));
+        if (result.question == Question::Contacts) {
+            CD_TRY(get_more_flags(in, result));
+        }
     }
     if (result.kind == ScenarioClass::Undecided) {
         result.distance_bound = in.get<double>();
@@ -360,6 +388,7 @@ void fail_above_limit(ScenarioResult& result, std::uint64_t bytes_max) {
     failed.level = result.level;
     failed.has_clearance = result.has_clearance;
     failed.question = result.question;
+    failed.step = result.step;
     failed.kind = ScenarioClass::Failed;
     failed.failure = std::to_string(result.pair_count + result.near_count) +
                      " pairs are too many for one result; set limit_pairs, or ask for level count";
@@ -380,8 +409,23 @@ std::optional<std::size_t> bytes_before_pairs(std::span<const std::byte> record)
     return record.size() - in.remaining();
 }
 
+Sha256 digest_of_record(std::span<const std::byte> record) {
+    const bool is_of_scene =
+        record.size() > flags_offset && std::to_integer<std::uint8_t>(record[0]) == version &&
+        (std::to_integer<std::uint8_t>(record[flags_offset]) & flag_scene) != 0;
+    if (!is_of_scene) {
+        return sha256(record);
+    }
+    constexpr std::array<std::byte, sizeof(std::uint64_t)> index_of_all{};
+    Sha256Stream stream;
+    stream.update(record.first(index_offset));
+    stream.update(index_of_all);
+    stream.update(record.subspan(index_offset + index_of_all.size()));
+    return stream.finish();
+}
+
 Sha256 digest_of(const ScenarioResult& result) {
-    return sha256(encode_result(result));
+    return digest_of_record(encode_result(result));
 }
 
 } // namespace cd

@@ -52,6 +52,8 @@ struct ScenarioHead {
     bool surfaces_only = false;   ///< A body is open, so containment is not decided.
     bool insides_skipped = false; ///< Ignored pairs leave parts whose containment is not decided.
     bool has_clearance = false;   ///< The query has a clearance, so near pairs are in the result.
+    /// In a scene of many bodies, the number of the step; nothing in other jobs.
+    std::optional<std::uint64_t> step = {};
 };
 
 struct ScenarioResult : ScenarioHead {
@@ -93,13 +95,14 @@ struct ScenarioResult : ScenarioHead {
 
 /// Encodes the canonical record, little-endian. Statistics, times and hosts are never part of it.
 ///
-///     u8 version: 3 with a clearance or another question than contacts, else 2
+///     u8 version: 3 in a scene, with a clearance or another question than contacts; else 2
 ///     version 3:        u8 question
 ///     u64 index    u32 body_a    u32 body_b    u8 level    u8 class
-///     u8 flags (bit 0: surfaces only, bit 1: insides skipped; never both)
+///     u8 flags (bit 0: surfaces only, bit 1: insides skipped; never both; bit 2: of a scene)
 ///       u64 pair_count
-///     version 3:        u64 step = 0
-///     version 3, question contacts: u8 more flags (bit 0: clearance); u64 near_count
+///     version 3:        u64 step; 0 unless of a scene
+///     version 3, question contacts: u8 more flags (bit 0: clearance)
+///     with a clearance: u64 near_count
 ///     class undecided:  f64 distance_bound
 ///     class failed:     u32 length, characters of the reason; the record ends here
 ///     level >= pairs:   u32 n; n x u32 triangles of A; n x u32 triangles of B; n x u8 class
@@ -131,7 +134,10 @@ void put_record(ByteWriter& out, const ScenarioResult& result);
 /// answers.
 void fail_above_limit(ScenarioResult& result, std::uint64_t bytes_max);
 
-/// Returns SHA-256 of the canonical record.
+/// Returns SHA-256 of a canonical record. In a scene the index counts as 0, so that the digests do
+/// not depend on which other pairs of bodies have scenarios.
+[[nodiscard]] Sha256 digest_of_record(std::span<const std::byte> record);
+/// Returns the digest of the result's canonical record.
 [[nodiscard]] Sha256 digest_of(const ScenarioResult& result);
 
 } // namespace cd

@@ -390,7 +390,7 @@ TEST_F(Diff, ARecordBeyondTheScenariosIsAnError) {
 TEST_F(Diff, TheTextShowsTwentyGroupsOfAState) {
     DiffReport report;
     report.inputs.bodies.resize(2);
-    report.inputs.bodies[1] = {true, 7, 2, 1};
+    report.inputs.bodies[1] = {"B", true, 7, 2, 1};
     report.inputs.are_poses_equal = true;
     report.bodies = {"a", "b"};
     report.has_groups = true;

@@ -63,9 +63,10 @@ TEST(ScenarioMatch, PosesOfEqualNumbersInAnotherFormDiffer) {
     quaternion.b = Pose::from_quaternion({}, {1, 2, 3});
     PosePair of_a;
     of_a.a = matrix.b;
-    EXPECT_NE(key_of(matrix), key_of(quaternion));
-    EXPECT_NE(key_of(matrix), key_of(of_a));
-    EXPECT_EQ(key_of(matrix), key_of(PosePair{Pose(), translation_pose(1, 2, 3)}));
+    EXPECT_NE(key_of(make_scenario(matrix)), key_of(make_scenario(quaternion)));
+    EXPECT_NE(key_of(make_scenario(matrix)), key_of(make_scenario(of_a)));
+    EXPECT_EQ(key_of(make_scenario(matrix)),
+              key_of(make_scenario({Pose(), translation_pose(1, 2, 3)})));
 }
 
 TEST(ScenarioMatch, AgreesWithASlowTwin) {

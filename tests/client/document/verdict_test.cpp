@@ -89,4 +89,21 @@ TEST(Verdict, NamesWhatWasNotTested) {
                             "The groups are unknown: groups need pairs."));
 }
 
+TEST(Verdict, LinesHitInBundles) {
+    Summary summary;
+    summary.total = 5;
+    summary.separate = 5;
+    EXPECT_EQ(shots_verdict_text(summary), "No line hits A in 5 bundles.");
+    summary.separate = 2;
+    summary.contact = 2;
+    summary.pairs = 1234;
+    EXPECT_EQ(shots_verdict_text(summary),
+              "Lines hit A in 2 of 5 bundles, with 1 234 hits; 1 have no answer.");
+    Query query;
+    query.question = Question::Shots;
+    query.level = Level::Count;
+    EXPECT_THAT(untested_texts(summary, query, ""),
+                testing::Contains("The run lists no hits (level count)."));
+}
+
 } // namespace cd::tests

@@ -188,7 +188,7 @@ TEST_F(NearExport, TheSummaryHasTheClearanceAndTheNearScenarios) {
     EXPECT_EQ(summary["near_pairs"], 40);
     const auto read = read_summary(dir_ / "summary.json");
     ASSERT_TRUE(read) << read.error().detail;
-    EXPECT_EQ(read.value().clearance, 0.25);
+    EXPECT_EQ(read.value().query.clearance, 0.25);
     EXPECT_EQ(read.value().summary.near, 2u);
     EXPECT_EQ(read.value().summary.near_pairs, 40u);
     context_.clearance.reset();

@@ -2,8 +2,8 @@
 // two runs belong to one job.
 #include "client/folder/run_manifest.hpp"
 
-#include "client/folder/job_text.hpp"
 #include "client/folder/run_folder.hpp"
+#include "client/job/job_text.hpp"
 #include "client/spec/job_file.hpp"
 
 #include <gmock/gmock.h>
@@ -43,7 +43,7 @@ RunManifest example(PosesKind kind) {
     if (kind == PosesKind::Random) {
         manifest.query.clearance = 0.005;
     } else if (kind == PosesKind::Grid) {
-        manifest.tolerance = 0.1;
+        manifest.outcome.tolerance = 0.1;
     }
     if (kind == PosesKind::Grid) {
         Grid grid;

@@ -107,4 +107,13 @@ TEST(BodyParts, RunsGiveEachTriangleItsPart) {
     EXPECT_EQ(BodyParts(boxes(3)).by_runs().runs.runs().size(), 3u);
 }
 
+TEST(BodyParts, ABundleOfLinesIsOnePart) {
+    const Mesh lines = make_mesh({Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(1, 1, 0)},
+                                 {{0, 1, 1}, {2, 3, 3}});
+    const BodyParts parts(with_parts(lines, {{"lines", 0, 2}}));
+    ASSERT_EQ(parts.count(), 1u);
+    EXPECT_EQ(parts.name(0), "lines");
+    EXPECT_TRUE(parts.has_lasting_names());
+}
+
 } // namespace cd::tests

@@ -124,6 +124,37 @@ TEST(MeshImport, AppliesTheUnitInDouble) {
     EXPECT_EQ(mesh_of(imported).precision(), Precision::Double);
 }
 
+TEST(MeshImport, TheOriginIsSubtractedInDoubleAfterUnitAndTurn) {
+    const TemporaryFolder folder;
+    write_text(folder / "one.obj", "v 0 0 0\nv 3.3 0 0\nv 0 7.7 0.5\nf 1 2 3\n");
+    ImportOptions options{0.0254};
+    options.is_y_up = true;
+    options.origin = {0.1, -0.2, 0.3};
+    const auto imported = import_mesh(folder / "one.obj", options);
+    const Mesh& mesh = mesh_of(imported);
+    EXPECT_EQ(mesh.vertices()[1], Vec3(0.0254 * 3.3 - 0.1, 0.2, -0.3));
+    EXPECT_EQ(mesh.vertices()[2], Vec3(-0.1, -(0.0254 * 0.5) + 0.2, 0.0254 * 7.7 - 0.3));
+    EXPECT_EQ(mesh.precision(), Precision::Double);
+    options.rounds_to_float = true;
+    const auto rounded = import_mesh(folder / "one.obj", options);
+    EXPECT_EQ(mesh_of(rounded).vertices()[1].x(), static_cast<float>(0.0254 * 3.3 - 0.1));
+    EXPECT_EQ(mesh_of(rounded).precision(), Precision::Float);
+}
+
+TEST(MeshImport, AMeshOfFloatsKeepsThemIfTheyHoldAllDifferences) {
+    const TemporaryFolder folder;
+    write_text(folder / "one.obj", "v 0 0 0\nv 3 0 0\nv 0 7 0\nf 1 2 3\n");
+    ImportOptions options;
+    options.origin = {1.5, 0, 0};
+    EXPECT_EQ(mesh_of(import_mesh(folder / "one.obj", options)).precision(), Precision::Float);
+    options.origin = {0.1, 0, 0};
+    EXPECT_EQ(mesh_of(import_mesh(folder / "one.obj", options)).precision(), Precision::Double);
+    options.origin = {-1.7e308, 0, 0};
+    write_text(folder / "one.obj", "v 0 0 0\nv 1e308 0 0\nv 0 7 0\nf 1 2 3\n");
+    EXPECT_THAT(import_mesh(folder / "one.obj", options).error().detail,
+                HasSubstr("one.obj: vertex 1 has a coordinate that is not finite"));
+}
+
 TEST(MeshImport, AUnitThatMakesACoordinateInfiniteIsRefusedByFace) {
     const TemporaryFolder folder;
     write_text(folder / "far.obj", "v 0 0 0\nv 1e308 0 0\nv 0 1 0\nf 1 2 3\n");

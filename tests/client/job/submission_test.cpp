@@ -1,7 +1,7 @@
 // Proves that a job of shot lines can be read from its submission.
 #include "client/job/submission.hpp"
 
-#include "client/folder/job_text.hpp"
+#include "client/job/job_text.hpp"
 #include "common/job/poses/pose_source.hpp"
 #include "tests/support/shapes.hpp"
 
@@ -15,7 +15,7 @@ PreparedJob job_of(const std::string& shots) {
     PreparedJob job;
     job.spec = parse_job("name = \"rays\"\n[a]\nmesh = \"/a.obj\"\n[shots]\n" + shots, "/job.toml")
                    .value();
-    job.meshes[0] = job.meshes[1] = share(make_gridded_box(Vec3(1, 1, 1), 1));
+    job.meshes.assign(2, share(make_gridded_box(Vec3(1, 1, 1), 1)));
     job.query = job.spec.query;
     job.poses = make_list_source(std::vector<Scenario>(3));
     return job;

@@ -195,7 +195,9 @@ TEST(Connection, OtherPosesFollowInCoherentOrderAndToTheEnd) {
     }
     const auto source = make_list_source(scenarios);
 
-    const auto job = open(master)->submit(Submit{}, *source);
+    Submit submit;
+    submit.bodies.resize(2);
+    const auto job = open(master)->submit(submit, *source);
 
     ASSERT_TRUE(job) << job.error().detail;
     EXPECT_EQ(master.received_of<Submit>()[0].scenarios, scenarios.size());

@@ -117,7 +117,7 @@ TEST(Report, TheSummaryCountsNearScenariosOfAClearance) {
     RunReport report;
     report.summary = example_summary();
     EXPECT_THAT(summary_text(report), Not(HasSubstr("near")));
-    report.clearance = 0.005;
+    report.query.clearance = 0.005;
     EXPECT_THAT(summary_text(report), HasSubstr("inside 100    near 0    failed 0"));
     report.summary.near = 12;
     report.summary.near_pairs = 3'400;
@@ -184,7 +184,7 @@ TEST(Report, TheSummaryTellsOfPreparationResumptionAndItsFile) {
 TEST(Report, CutListsGiveNoShareOfTriangles) {
     RunReport report;
     report.summary = example_summary();
-    report.limit_pairs = 3;
+    report.query.limit_pairs = 3;
     report.findings.most_touched = {{"front_bumper", 6'100}, {"door", 7}};
     report.map.emplace();
     report.map->bodies[0].push_back({5, 2});
@@ -195,23 +195,52 @@ TEST(Report, CutListsGiveNoShareOfTriangles) {
     EXPECT_THAT(text,
                 HasSubstr("1 triangle of A and 0 of B were in contact, of the first 3 pairs a "
                           "scenario; digest "));
-    report.maps_all_pairs = true; // Counts by part stay limited.
+    report.query.maps = true; // Counts by part stay limited.
     text = summary_text(report);
     EXPECT_THAT(text, HasSubstr("1 triangle of A and 0 of B were in contact; digest "));
-    report.clearance = 0.01;
+    report.query.clearance = 0.01;
     EXPECT_THAT(summary_text(report), HasSubstr("0 of B were in contact or near; digest "));
     EXPECT_THAT(text, HasSubstr("door 7, of the first 3 pairs a scenario"));
 }
 
 TEST(Report, LevelAnyKnowsContactAndInside) {
     RunReport report;
-    report.level = Level::Any;
+    report.query.level = Level::Any;
     report.summary.total = 4;
     report.summary.separate = 1;
     report.summary.contact = 2;
     report.summary.inside = 1;
     EXPECT_THAT(summary_text(report),
                 HasSubstr("separate  1    contact 2    inside 1    failed 0"));
+}
+
+TEST(Report, LinesAreSeparateOrInContactWithHits) {
+    RunReport report;
+    report.query.question = Question::Shots;
+    report.summary.total = 4;
+    report.summary.separate = 4;
+    EXPECT_THAT(summary_text(report),
+                HasSubstr("separate  4    contact 0 (0 hits)    failed 0    tested 4 of 4"));
+    report.summary.separate = 3;
+    report.summary.contact = 1;
+    report.summary.pairs = 5;
+    EXPECT_THAT(summary_text(report), HasSubstr("separate  3    contact 1 (5 hits)    failed 0"));
+}
+
+TEST(Report, TheLeastDistanceIsOfTheFirstScenarioThatHasIt) {
+    std::optional<LeastDistance> least;
+    ScenarioResult result;
+    note_least(result, "m", least);
+    EXPECT_FALSE(least) << "the result has no distance";
+    for (const double distance : {0.5, 0.25, 0.25, 1.0}) {
+        result.nearest = NearestWitness{distance, 0, 0};
+        note_least(result, "m", least);
+        ++result.index;
+    }
+    ASSERT_TRUE(least);
+    EXPECT_EQ(least->distance, 0.25);
+    EXPECT_EQ(least->scenario, 1u);
+    EXPECT_EQ(least->unit, "m");
 }
 
 TEST(Report, StatisticsSayWhatWasVisitedAndAtWhatPrecision) {

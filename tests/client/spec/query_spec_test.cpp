@@ -2,7 +2,7 @@
 // which conflict with it are refused with their line.
 #include "client/spec/query_spec.hpp"
 
-#include "client/folder/job_text.hpp"
+#include "client/job/job_text.hpp"
 #include "client/spec/job_options.hpp"
 #include "tests/support/process.hpp"
 

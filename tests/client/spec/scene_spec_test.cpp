@@ -2,7 +2,7 @@
 // the line and what to write instead.
 #include "client/spec/scene_spec.hpp"
 
-#include "client/folder/job_text.hpp"
+#include "client/job/job_text.hpp"
 #include "client/spec/job_file.hpp"
 #include "client/spec/job_options.hpp"
 #include "tests/support/process.hpp"
@@ -20,7 +20,7 @@ using testing::HasSubstr;
 
 constexpr const char* good = R"(unit = "cm"
 [bodies]
-truck = { mesh = "truck.glb", group = "traffic", poses = "truck.csv" }
+truck = { mesh = "truck.glb", group = "traffic", poses = "truck.csv", origin = [2.5, 0, -0.5] }
 wall = { mesh = "/abs/wall.stl", unit = "mm", up = "y", pose = [1, 2, 3, 1, 0, 0, 0], quat_order = "wxyz" }
 car = { mesh = "sedan.obj", group = "traffic", count = 500, precision = "float" }
 [bodies.factory]
@@ -75,6 +75,7 @@ TEST(SceneSpec, EveryKeyIsRead) {
     EXPECT_EQ(truck.name, "truck");
     EXPECT_EQ(truck.mesh.path, "folder/truck.glb");
     EXPECT_EQ(truck.group, "traffic");
+    EXPECT_EQ(truck.mesh.origin, (std::array{2.5, 0.0, -0.5}));
     ASSERT_TRUE(truck.poses);
     EXPECT_EQ(truck.poses->path, "folder/truck.csv");
     EXPECT_FALSE(truck.pose);
@@ -181,6 +182,7 @@ TEST(SceneSpec, ABodyHasOneKindOfPose) {
                 HasSubstr("either pose, the same at all steps, or poses"));
     EXPECT_THAT(problem_of_body("quat_order = \"xyzw\""),
                 HasSubstr("quat_order belongs to pose or poses"));
+    EXPECT_THAT(problem_of_body("origin = [1, 2]"), HasSubstr("\"origin\" has to be [x, y, z]"));
     EXPECT_THAT(problem_of_body("poses = \"\""), HasSubstr("poses has to be the name of a file"));
     EXPECT_EQ(problem_of_body("pose = [0,0,0,0,0,0,1], quat_order = \"xyzw\""), "none");
 }
@@ -230,6 +232,48 @@ TEST(SceneSpec, AFileOfPosesNamesEachBodyOnce) {
                 HasSubstr("rigid_tolerance is negative"));
 }
 
+TEST(SceneSpec, VehiclesOfSumoAreRead) {
+    const std::string text = "unit = \"mm\"\n" + two +
+                             "[poses]\nfcd = { file = \"fcd.xml\", types = { passenger = \"a\", "
+                             "\"truck/trailer\" = \"b\" }, z = -5, other_types = \"skip\" }\n";
+    const auto spec = parse(text);
+    ASSERT_TRUE(spec) << spec.error().detail;
+    const auto again = parse_job(job_text(spec.value()), "job.toml");
+    ASSERT_TRUE(again) << again.error().detail;
+    for (const JobSpec& job : {spec.value(), again.value()}) {
+        EXPECT_FALSE(job.scene->poses);
+        ASSERT_TRUE(job.scene->fcd);
+        const FcdSpec& fcd = *job.scene->fcd;
+        EXPECT_EQ(fcd.path, "folder/fcd.xml");
+        EXPECT_EQ(fcd.types.at("truck/trailer"), "b");
+        EXPECT_EQ(fcd.z, -5);
+        EXPECT_EQ(fcd.length_factor, 1000);
+        EXPECT_TRUE(fcd.skips_other_types);
+    }
+}
+
+TEST(SceneSpec, VehiclesOfSumoHaveBodiesOfTheirOwn) {
+    const auto problem = [](const std::string& keys) {
+        return problem_of(two + "[poses]\nfcd = { file = \"f.xml\", " + keys + " }\n");
+    };
+    EXPECT_THAT(problem("z = 1"), HasSubstr(":5: [poses] fcd: types has to name a body"));
+    EXPECT_THAT(problem("types = {}"), HasSubstr("types has to name a body"));
+    EXPECT_THAT(problem("types = { car = 1 }"), HasSubstr("types has the name of a body"));
+    EXPECT_THAT(problem("types = { car = \"c\" }"),
+                HasSubstr(":5: [poses]: fcd types: no entry of [bodies] is called \"c\""));
+    EXPECT_THAT(problem("types = { car = \"a\" }, other_types = \"all\""),
+                HasSubstr("other_types \"all\" is not known"));
+    EXPECT_EQ(problem("types = { car = \"a\" }"), "none");
+    EXPECT_THAT(problem_of(two + "[poses]\nfcd = { types = { car = \"a\" } }\n"),
+                HasSubstr(":5: [poses] fcd: the key \"file\""));
+    EXPECT_THAT(problem_of(two + "[poses]\nfile = \"p\"\nfcd = { file = \"f\" }\n"),
+                HasSubstr(":5: [poses]: file is for a file of poses; leave out either it or fcd"));
+    EXPECT_THAT(problem_of("[bodies]\na = { mesh = \"m\", count = 2 }\n[poses]\nfcd = { file = "
+                           "\"f\", types = { car = \"a\" } }\n"),
+                HasSubstr(":4: [poses]: fcd types gives the vehicles to \"a\" of line 2, so leave "
+                          "out its count"));
+}
+
 TEST(SceneSpec, ARuleIsAPairOfPatterns) {
     EXPECT_EQ(problem_of_rules("[{ ignore = [\"a\"] }]"),
               "folder/job.toml:5: [rules] order: ignore has to be two names or patterns, such as "
@@ -273,6 +317,7 @@ TEST(SceneSpec, IsWrittenAsAJobFileThatGivesItAgain) {
         EXPECT_EQ(after.bodies[i].mesh.unit, before.bodies[i].mesh.unit);
         EXPECT_EQ(after.bodies[i].mesh.up, before.bodies[i].mesh.up);
         EXPECT_EQ(after.bodies[i].mesh.rounds_to_float, before.bodies[i].mesh.rounds_to_float);
+        EXPECT_EQ(after.bodies[i].mesh.origin, before.bodies[i].mesh.origin);
     }
     EXPECT_EQ(after.poses->body_order, before.poses->body_order);
     EXPECT_EQ(after.poses->nan_is_absent, before.poses->nan_is_absent);

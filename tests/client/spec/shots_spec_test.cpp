@@ -2,7 +2,7 @@
 // go together with them is refused where it stands, and that the text of a job reads the same.
 #include "client/spec/shots_spec.hpp"
 
-#include "client/folder/job_text.hpp"
+#include "client/job/job_text.hpp"
 #include "client/job/submission.hpp"
 #include "client/spec/job_options.hpp"
 

@@ -112,6 +112,26 @@ TEST_F(Held, AnswersAreThoseOfTheServerAtAnyLevel) {
     }
 }
 
+TEST_F(Held, LinesHaveTheirHitsAndClosedParts) {
+    for (const std::string query : {"level = \"count\"\n", "level = \"pairs\"\n"}) {
+        auto run = view_lines(query);
+        const auto answers = answers_of(*run, folder_origin(*run));
+        const bool has_map = query.find("pairs") != query.npos;
+        EXPECT_EQ(answers.size(), 2u + 2 + 5 + (has_map ? 2 : 0) + 3 * 4) << query;
+        const auto texts = texts_of(answers);
+        EXPECT_TRUE(texts.contains("jobs/folder/parts/0/closed"));
+        const auto job = nlohmann::json::parse(texts.at("jobs/folder"));
+        EXPECT_EQ(job.at("question"), "shots");
+        EXPECT_EQ(job.at("poses").at("kind"), "shots");
+        EXPECT_EQ(job.at("poses").at("axes").at(0).at("name"), "azimuth");
+        EXPECT_EQ(job.at("poses").at("axes").at(0).at("count"), 2);
+        Server server(std::move(run));
+        for (const HeldAnswer& each : answers) {
+            EXPECT_TRUE(each.bytes == server.ask(each.path).bytes) << query << each.path;
+        }
+    }
+}
+
 TEST_F(Held, AMeshHasTheHashOfItsPath) {
     auto run = view("level = \"pairs\"\n");
     std::size_t meshes = 0;

@@ -39,14 +39,20 @@ class Viewed : public testing::Test {
                    "[a]\nmesh = \"a.obj\"\n[b]\nmesh = \"b.obj\"\n[poses]\n"
                    "grid = { x = [-2, 6, 100], yaw_deg = [0, 40, 2] }\n[query]\n" +
                        query);
-        RunCommand run;
-        run.job.file = folder_ / "job.toml";
-        run.job.output.dir = folder_ / "out";
-        run.job.output.formats = {"csv"};
-        run.folder.overwrite = true;
-        run.quiet = true;
-        EXPECT_TRUE(perform(run));
-        return open();
+        return run_job();
+    }
+
+    /// Runs lines through two spheres, from the front and from the left.
+    std::unique_ptr<ViewedRun> view_lines(const std::string& query) {
+        const Mesh part = make_sphere(1);
+        write_text(folder_ / "a.obj",
+                   part_text("left", part, 0, 1) +
+                       part_text("right", part, 4, 1 + part.vertices().size()));
+        write_text(folder_ / "job.toml",
+                   "[a]\nmesh = \"a.obj\"\n[shots]\nspacing = 0.25\ntile = 8\n"
+                   "azimuth_deg = [0, 90, 2]\n[query]\n" +
+                       query);
+        return run_job();
     }
 
     /// Opens the run again; what was opened before is no longer valid.
@@ -65,6 +71,18 @@ class Viewed : public testing::Test {
     ThreadPool pool_{2};
 
   private:
+    /// Runs the job file, and opens the run.
+    std::unique_ptr<ViewedRun> run_job() {
+        RunCommand run;
+        run.job.file = folder_ / "job.toml";
+        run.job.output.dir = folder_ / "out";
+        run.job.output.formats = {"csv"};
+        run.folder.overwrite = true;
+        run.quiet = true;
+        EXPECT_TRUE(perform(run));
+        return open();
+    }
+
     /// Returns a mesh, moved along x, as a part of an OBJ file, or as more of the part before if it
     /// has no name; `first` is its first vertex's number.
     static std::string

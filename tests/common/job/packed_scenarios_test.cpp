@@ -37,6 +37,9 @@ std::vector<Scenario> mixed_scenarios(std::mt19937_64& random, std::size_t count
         Scenario scenario =
             make_scenario({pose_of_any_form(random), pose_of_any_form(random)}, index);
         scenario.body_b = random() % 8 == 0 ? 7u : 1u;
+        if (random() % 4 == 0) {
+            scenario.step = random();
+        }
         scenarios.push_back(scenario);
         index = random() % 4 == 0 ? random() >> 1 : index + 1;
     }

@@ -147,7 +147,8 @@ Expected by_brute_force(const RandomScene& scene) {
                     {expected.scenarios.size(),
                      pair.a,
                      pair.b,
-                     {*scene.steps[step][pair.a], *scene.steps[step][pair.b]}});
+                     {*scene.steps[step][pair.a], *scene.steps[step][pair.b]},
+                     step});
             }
         }
         expected.coverage.push_back({fates[Fate::Tested],

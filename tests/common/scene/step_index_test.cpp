@@ -3,8 +3,11 @@
 #include "common/scene/step_index.hpp"
 
 #include "tests/support/rounds.hpp"
+#include "tests/support/shapes.hpp"
 
 #include <gtest/gtest.h>
+
+#include <algorithm>
 
 namespace cd::tests {
 
@@ -35,6 +38,58 @@ TEST(StepIndex, HasTheGivenTimesOrCountsTheSteps) {
     index.set_times({0.5, 2.25});
     EXPECT_EQ(index.time_of(0), 0.5);
     EXPECT_EQ(index.time_of(1), 2.25);
+}
+
+namespace {
+
+StepIndex some_steps(SeededRandom& random) {
+    StepIndex index;
+    const std::uint64_t steps = 1 + random() % 20;
+    for (std::uint64_t step = 0; step < steps; ++step) {
+        index.add_step({random() % 300, random() % 70000, random(), random() % 2, 0});
+    }
+    if (random() % 2 == 0) {
+        std::vector<double> times;
+        for (std::uint64_t step = 0; step < steps; ++step) {
+            times.push_back(uniform(random, -1, 1));
+        }
+        index.set_times(std::move(times));
+    }
+    return index;
+}
+
+bool are_equal(const StepIndex& left, const StepIndex& right) {
+    return std::ranges::equal(left.coverage(), right.coverage()) &&
+           std::ranges::equal(left.times(), right.times());
+}
+
+} // namespace
+
+TEST(PackedSteps, ComeBackAsTheyWere) {
+    for (SeededRandom random : seeds(100)) {
+        const StepIndex index = some_steps(random);
+        const Bytes packed = pack_steps(index);
+        const auto unpacked = unpack_steps(packed, index.count());
+        ASSERT_TRUE(unpacked) << unpacked.error().detail;
+        EXPECT_TRUE(are_equal(*unpacked.value(), index));
+        EXPECT_EQ(unpacked.value()->count(), index.count());
+        EXPECT_FALSE(unpack_steps(packed, index.count() + 1));
+        EXPECT_FALSE(index.count() > 0 && unpack_steps(packed, index.count() - 1));
+    }
+}
+
+TEST(PackedSteps, RefuseDamage) {
+    for (SeededRandom random : seeds(200)) {
+        const StepIndex index = some_steps(random);
+        Bytes packed = pack_steps(index);
+        EXPECT_FALSE(
+            unpack_steps(std::span(packed).first(random() % packed.size()), index.count()));
+        packed[random() % packed.size()] = static_cast<std::byte>(random());
+        const auto unpacked = unpack_steps(packed, index.count());
+        if (unpacked) {
+            EXPECT_EQ(unpacked.value()->count(), index.count());
+        }
+    }
 }
 
 } // namespace cd::tests

@@ -32,7 +32,7 @@ std::vector<Scenario> make_scenarios(std::uint64_t count) {
 class PoseSpoolTest : public testing::Test {
   protected:
     std::shared_ptr<PoseSpool> make_spool(std::uint64_t scenarios) {
-        return std::move(PoseSpool::create(folder_ / "spool", scenarios, 2).value());
+        return std::move(PoseSpool::create(folder_ / "spool", {scenarios, 2}).value());
     }
     TemporaryFolder folder_;
 };
@@ -77,7 +77,7 @@ TEST_F(PoseSpoolTest, RefusesRunsThatDoNotContinueAndKeepsNothingOfThem) {
 }
 
 TEST_F(PoseSpoolTest, EachScenarioHasTwoBodiesOfTheJobTheFirstBeforeTheSecond) {
-    const auto spool = std::move(PoseSpool::create(folder_ / "spool", 4, 5).value());
+    const auto spool = std::move(PoseSpool::create(folder_ / "spool", {4, 5}).value());
     auto scenarios = make_scenarios(4);
     const auto refusal_of = [&](std::uint32_t a, std::uint32_t b) {
         auto changed = scenarios;
@@ -93,8 +93,8 @@ TEST_F(PoseSpoolTest, EachScenarioHasTwoBodiesOfTheJobTheFirstBeforeTheSecond) {
     EXPECT_EQ(refusal_of(3, 4), "");
     ASSERT_TRUE(spool->is_complete());
     ASSERT_TRUE(spool->seal(folder_ / "spool/1.poses", Durability::Unsynced));
-    EXPECT_TRUE(PoseSpool::open(folder_ / "spool/1.poses", 4, 5).value()->verify());
-    EXPECT_FALSE(PoseSpool::open(folder_ / "spool/1.poses", 4, 4).value()->verify());
+    EXPECT_TRUE(PoseSpool::open(folder_ / "spool/1.poses", {4, 5}).value()->verify());
+    EXPECT_FALSE(PoseSpool::open(folder_ / "spool/1.poses", {4, 4}).value()->verify());
 }
 
 TEST_F(PoseSpoolTest, AWindowBeginsAnew) {
@@ -117,7 +117,7 @@ TEST_F(PoseSpoolTest, RefusesMoreThanWasAnnounced) {
     const Status status = spool->append(pack_scenarios(make_scenarios(11)));
     ASSERT_FALSE(status);
     EXPECT_EQ(status.error().code, ErrorCode::BadInput);
-    EXPECT_EQ(PoseSpool::create(folder_.path(), limits::scenarios_max + 1, 2).error().code,
+    EXPECT_EQ(PoseSpool::create(folder_.path(), {limits::scenarios_max + 1, 2}).error().code,
               ErrorCode::TooLarge);
 }
 
@@ -160,15 +160,15 @@ TEST_F(PoseSpoolTest, ASealedOneComesBack) {
             ASSERT_TRUE(spool->seal(folder_ / "spool/1.poses", Durability::Synced));
             EXPECT_EQ(spool->count(), count);
         }
-        auto spool = PoseSpool::open(folder_ / "spool/1.poses", count, 2);
+        auto spool = PoseSpool::open(folder_ / "spool/1.poses", {count, 2});
         ASSERT_TRUE(spool) << spool.error().detail;
         EXPECT_TRUE(spool.value()->verify());
         EXPECT_EQ(spool.value()->count(), count);
         OrderedPoses poses((std::shared_ptr<const PoseRuns>(std::move(spool.value()))));
         EXPECT_EQ(poses.read_submitted(0, count).value(), scenarios);
-        EXPECT_FALSE(PoseSpool::open(folder_ / "spool/1.poses", count + 1, 2));
+        EXPECT_FALSE(PoseSpool::open(folder_ / "spool/1.poses", {count + 1, 2}));
     }
-    EXPECT_FALSE(PoseSpool::open(folder_ / "spool/2.poses", 1, 2));
+    EXPECT_FALSE(PoseSpool::open(folder_ / "spool/2.poses", {1, 2}));
 }
 
 TEST_F(PoseSpoolTest, VerifyingSeesAPoseThatIsNoPoseBehindRightChecksums) {
@@ -191,7 +191,7 @@ TEST_F(PoseSpoolTest, VerifyingSeesAPoseThatIsNoPoseBehindRightChecksums) {
     sum_up(0, run_bytes, run_bytes + sizeof(std::uint64_t));
     sum_up(run_bytes, text.size() - sizeof(std::uint64_t), text.size() - sizeof(std::uint64_t));
     write_text(path, text);
-    const auto spool = PoseSpool::open(path, 3, 2);
+    const auto spool = PoseSpool::open(path, {3, 2});
     ASSERT_TRUE(spool) << spool.error().detail;
     const Status status = spool.value()->verify();
     ASSERT_FALSE(status);
@@ -211,7 +211,7 @@ TEST_F(PoseSpoolTest, EveryFlippedByteOfASealedOneIsSeen) {
         std::string bad = good;
         bad[byte] = static_cast<char>(bad[byte] ^ 4);
         write_text(path, bad);
-        const auto spool = PoseSpool::open(path, 300, 2);
+        const auto spool = PoseSpool::open(path, {300, 2});
         const Status status = spool ? spool.value()->verify() : Status(spool.error());
         ASSERT_FALSE(status) << "byte " << byte;
         EXPECT_NE(status.error().detail.find("1.poses"), std::string::npos);

@@ -33,8 +33,8 @@ struct Golden {
     std::string_view hash;
 };
 constexpr std::array<Golden, std::variant_size_v<Message>> golden{{
-    {"hello", 95, "6134c4581f934737"},
-    {"welcome", 116, "4e07d093a8f1a9a1"},
+    {"hello", 95, "27a77c490bda2afc"},
+    {"welcome", 116, "63ad32bf6aa268ad"},
     {"failure", 17, "b9807aeea9fe9795"},
     {"heartbeat", 105, "83c163ab958245e5"},
     {"add tree", 81, "396e36e8490fc0d5"},
@@ -51,7 +51,7 @@ constexpr std::array<Golden, std::variant_size_v<Message>> golden{{
     {"meshes missing", 40, "6a083ddafa5d3162"},
     {"mesh part", 133, "2325c9eac764b872"},
     {"mesh stored", 32, "ae216c2ef5247a37"},
-    {"submit", 556, "4d2f03a5033d9b20"},
+    {"submit", 559, "79546435d6f6b6a8"},
     {"poses part", 153, "1c2dc9b035676d8e"},
     {"poses end", 0, "e3b0c44298fc1c14"},
     {"accepted", 8, "35be322d094f9d15"},
@@ -86,7 +86,7 @@ constexpr std::array<Golden, std::variant_size_v<Message>> golden{{
     {"contact map query", 9, "39c4bda09747729a"},
     {"contact map", 55, "46a208d4be794e94"},
     {"job query", 8, "6cc16abd70eefb90"},
-    {"job description", 572, "5b6027f2967fe5bb"},
+    {"job description", 575, "d19d3eb4bd343261"},
     {"mesh query", 40, "f7d21511aea24080"},
     {"mesh bytes", 116, "fccdf5c70818c47b"},
     {"poses query", 32, "f1efd35118dc9d45"},

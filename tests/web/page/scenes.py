@@ -156,6 +156,17 @@ class Scenes:
         poses = self.poses("distances", "x", rows)
         return self.run("distances", *self.bodies(), "--poses", poses, "--level", "distance")
 
+    def shots(self):
+        """Lines from the front and from the left through the box of two parts."""
+        self.bodies()
+        job = self.job(
+            "shots",
+            'name = "shots"\nunit = "m"\n[a]\nmesh = "a.obj"\n'
+            "[shots]\nspacing = 0.25\ntile = 8\nazimuth_deg = [0, 90, 2]\n"
+            '[query]\nlevel = "pairs"\n[output]\nformats = ["csv", "csv-pairs", "npz"]\n',
+        )
+        return self.run("shots", job)
+
     def random(self):
         return self.run("random", *self.bodies(), "--random", 300, "--seed", 1, "--level", "contacts")
 

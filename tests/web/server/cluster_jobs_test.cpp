@@ -36,6 +36,7 @@ class FakeReader final : public ClusterReader {
     [[nodiscard]] Result<JobDescription> description(JobId /*job*/) override {
         JobDescription description;
         description.submit.query.level = Level::Pairs;
+        description.submit.bodies.resize(2);
         return description;
     }
     [[nodiscard]] Result<LabelledScenarios> poses(JobId /*job*/,

@@ -36,6 +36,9 @@ TEST(PageRequests, EachRouteHasItsTopic) {
     EXPECT_EQ(parsed("jobs/j/distances?sample=7").topic, PageTopic::Distances);
     EXPECT_EQ(parsed("jobs/j/poses?sample=7").topic, PageTopic::Poses);
     EXPECT_EQ(parsed("jobs/j/map/1").topic, PageTopic::Map);
+    EXPECT_EQ(parsed("jobs/j/parts/1/names").topic, PageTopic::PartNames);
+    EXPECT_EQ(parsed("jobs/j/parts/0/closed").topic, PageTopic::ClosedParts);
+    EXPECT_EQ(parsed("jobs/j/scenarios/5/hits").topic, PageTopic::Hits);
     EXPECT_EQ(parsed("jobs/j/map/1").number, 1u);
     EXPECT_EQ(parsed("jobs/j/parts/1").topic, PageTopic::Parts);
     EXPECT_EQ(parsed("jobs/j/parts/1").number, 1u);

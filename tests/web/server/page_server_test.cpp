@@ -4,6 +4,7 @@
 
 #include "common/core/files/npy_header.hpp"
 #include "common/core/limits/web.hpp"
+#include "common/shots/line_hit.hpp"
 #include "tests/support/near_results.hpp"
 #include "web/server/page_assets.hpp"
 
@@ -89,6 +90,11 @@ class FakeSource final : public PageSource {
             return std::make_shared<const NamedParts>(
                 NamedParts{PartRuns::create({{0, 1}, {7, 0}}).value(), {"hood", "<b>"}});
         });
+    }
+    void closed_parts(const std::string& id,
+                      std::uint64_t /*body*/,
+                      Take<std::vector<bool>> take) override {
+        answer(id, std::move(take), [] { return std::vector<bool>{true, false}; });
     }
     void scenario(const std::string& id,
                   std::uint64_t number,
@@ -244,6 +250,22 @@ TEST_F(PageAnswers, AScenarioTellsItsDistance) {
     const auto json = of_job("/scenarios/3").json();
     EXPECT_EQ(json.at("distance"), 0.25);
     EXPECT_EQ(json.at("witness"), nlohmann::json::parse("[3,7]"));
+}
+
+TEST_F(PageAnswers, HitsOfLinesAreDepthFlagsAndRank) {
+    EXPECT_THAT(of_job("/parts/0/closed").values<std::uint8_t>(), ElementsAre(1, 0));
+    EXPECT_THAT(of_job("/scenarios/3/hits").shape(), ElementsAre(0, 3)) << "nothing is drawn";
+    ScenarioResult drawn;
+    drawn.question = Question::Shots;
+    drawn.pairs = {{3, 7, PairClass::Proper}, {4, 7, PairClass::Proper}};
+    drawn.pair_count = 2;
+    drawn.hits = {{0.5, hit_flag::crosses | hit_flag::front, 0}, {0.75, hit_flag::corner, 1}};
+    source_.view_->drawn = std::make_shared<const ScenarioResult>(drawn);
+    EXPECT_THAT(of_job("/scenarios/3/hits").values<double>(), ElementsAre(0.5, 3, 0, 0.75, 16, 1));
+    EXPECT_EQ(of_job("/scenarios/3/hits").header("X-Cut"), "");
+    drawn.pair_count = 5;
+    source_.view_->drawn = std::make_shared<const ScenarioResult>(drawn);
+    EXPECT_EQ(of_job("/scenarios/3/hits").header("X-Cut"), "true");
 }
 
 TEST_F(PageAnswers, AScenarioTellsItsRecordAndWhatIsDrawn) {

@@ -1,8 +1,9 @@
-// Proves that repeating a scenario of a distance job gives the same record, and that the page gets
-// its nearest pair to draw.
+// Proves that repeating a scenario of a distance or of lines gives the same record, and that the
+// page gets its nearest pair, or its hits, to draw.
 #include "web/server/scenario_repeat.hpp"
 
 #include "common/job/run_scenario.hpp"
+#include "common/shots/line_hit.hpp"
 #include "tests/support/shapes.hpp"
 #include "tests/support/trees.hpp"
 
@@ -64,6 +65,97 @@ TEST_F(DrawnDistance, NothingIsDrawnBeyondTheBound) {
     ASSERT_NE(view.drawn, nullptr) << view.draw_note;
     EXPECT_TRUE(view.drawn->pairs.empty());
     EXPECT_FALSE(view.result->nearest);
+}
+
+namespace {
+
+/// Two lines along x through a box about the origin, and one beside it.
+class DrawnLines : public testing::Test {
+  protected:
+    DrawnLines() {
+        query_.level = Level::Pairs;
+        query_.question = Question::Shots;
+    }
+
+    /// Runs the scenario, and repeats it with its record.
+    [[nodiscard]] ScenarioView repeat() const {
+        const Scenario scenario;
+        const ScenarioRun first =
+            ScenarioRunner(box_, lines_, query_, PairStage::Float, {}).run(scenario);
+        const KeptRecord record{encode_result(first.result), first.result};
+        return repeat_scenario({box_, lines_}, query_, scenario, record, {});
+    }
+
+    const ObbTree box_ = make_tree(make_box({1, 1, 1}));
+    const ObbTree lines_ = make_tree(make_mesh({Vec3(-2, 0.25, 0.125),
+                                                Vec3(2, 0.25, 0.125),
+                                                Vec3(-2, 0.125, 0.25),
+                                                Vec3(2, 0.125, 0.25),
+                                                Vec3(-2, 3, 3),
+                                                Vec3(2, 3, 3)},
+                                               {{0, 1, 1}, {2, 3, 3}, {4, 5, 5}}));
+    Query query_;
+};
+
+} // namespace
+
+TEST_F(DrawnLines, HitsAreDrawnAndVerified) {
+    const ScenarioView view = repeat();
+    EXPECT_EQ(view.verified, true) << view.verify_note;
+    EXPECT_EQ(view.listed, 4u);
+    EXPECT_TRUE(view.result->hits.empty()) << "the head alone is kept";
+    ASSERT_NE(view.drawn, nullptr) << view.draw_note;
+    ASSERT_EQ(view.drawn->hits.size(), 4u);
+    EXPECT_EQ(view.drawn->hits.size(), view.drawn->pairs.size());
+    for (const PairHit& hit : view.drawn->hits) {
+        const bool enters = (hit.flags & hit_flag::front) != 0;
+        EXPECT_EQ(hit.depth, enters ? 1.5 : 2.5);
+    }
+}
+
+TEST_F(DrawnLines, AJobThatListsNoHitsIsRunAgainForThem) {
+    query_.level = Level::Count;
+    const ScenarioView view = repeat();
+    EXPECT_EQ(view.verified, true) << view.verify_note;
+    EXPECT_EQ(view.result->pair_count, 4u);
+    EXPECT_EQ(view.listed, 0u);
+    ASSERT_NE(view.drawn, nullptr) << view.draw_note;
+    EXPECT_EQ(view.drawn->question, Question::Shots);
+    EXPECT_EQ(view.drawn->hits.size(), 4u);
+}
+
+TEST_F(DrawnLines, ACutListIsDrawnWhole) {
+    query_.limit_pairs = 1;
+    const ScenarioView view = repeat();
+    EXPECT_EQ(view.verified, true) << view.verify_note;
+    EXPECT_EQ(view.listed, 1u);
+    ASSERT_NE(view.drawn, nullptr) << view.draw_note;
+    EXPECT_EQ(view.drawn->hits.size(), 4u);
+}
+
+TEST_F(DrawnLines, FirstHitsAreDrawnAloneIfTheJobAsksForThem) {
+    query_.first_hits = true;
+    for (const Level level : {Level::Count, Level::Pairs}) {
+        query_.level = level;
+        const ScenarioView view = repeat();
+        EXPECT_EQ(view.verified, true) << view.verify_note;
+        ASSERT_NE(view.drawn, nullptr) << view.draw_note;
+        ASSERT_EQ(view.drawn->hits.size(), 2u);
+        EXPECT_EQ(view.drawn->hits[0].depth, 1.5);
+        EXPECT_EQ(view.drawn->hits[1].depth, 1.5);
+    }
+}
+
+TEST_F(DrawnLines, ARecordOfOtherHitsIsNotVerified) {
+    const Scenario scenario;
+    ScenarioResult other =
+        ScenarioRunner(box_, lines_, query_, PairStage::Float, {}).run(scenario).result;
+    other.hits[0].depth = 1.25;
+    const KeptRecord record{encode_result(other), other};
+    const ScenarioView view = repeat_scenario({box_, lines_}, query_, scenario, record, {});
+    EXPECT_EQ(view.verified, false);
+    EXPECT_EQ(view.verify_note,
+              "the record says contact with 4 hits, a second run here contact with 4 hits");
 }
 
 } // namespace cd::tests

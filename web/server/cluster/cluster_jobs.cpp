@@ -4,6 +4,7 @@
 #include "common/core/limits/web.hpp"
 #include "common/core/words.hpp"
 #include "common/geometry/aabb.hpp"
+#include "common/geometry/closed_parts.hpp"
 #include "common/geometry/part_runs.hpp"
 #include "common/job/result/packed_map.hpp"
 #include "common/job/result/severity.hpp"
@@ -75,7 +76,7 @@ PosesView poses_view(const Submit& submit) {
 /// Makes the groups of a job of its sums by part; nothing if they are unknown or too many.
 std::optional<GroupsView>
 groups_view(const ContactMapAnswer& sums, const BodyTrees& trees, const PagedJob& job) {
-    if (!sums.is_asked || !sums.withdrawn.empty()) {
+    if (!sums.is_asked || !sums.withdrawn.empty() || trees.size() != 2) {
         return std::nullopt;
     }
     const auto map = unpack_map(sums.map, any_map(job.scenarios()));
@@ -266,6 +267,14 @@ parts_of(ClusterReader& reader, const PagedJob& job, std::uint64_t body) {
         return Error{ErrorCode::NotFound, "there is no such body"};
     }
     return shared_parts(*trees[body]);
+}
+
+Result<std::vector<bool>>
+closed_parts_of(ClusterReader& reader, const PagedJob& job, std::uint64_t body) {
+    const auto parts = CD_TRY(parts_of(reader, job, body));
+    const auto description = CD_TRY(reader.description(job.status.job));
+    const auto trees = CD_TRY(reader.trees(description.submit));
+    return closed_parts(trees[body]->mesh(), parts->runs);
 }
 
 Result<NextFound> next_of(ClusterReader& reader,

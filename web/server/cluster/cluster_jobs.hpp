@@ -45,6 +45,9 @@ poses_of(ClusterReader& reader, const PagedJob& job, const ScenarioChoice& choic
 /// Errors: NotFound for a body that the job does not have.
 [[nodiscard]] Result<std::shared_ptr<const NamedParts>>
 parts_of(ClusterReader& reader, const PagedJob& job, std::uint64_t body);
+/// Returns which of these parts are closed. Errors: as `parts_of`.
+[[nodiscard]] Result<std::vector<bool>>
+closed_parts_of(ClusterReader& reader, const PagedJob& job, std::uint64_t body);
 /// Looks at most `limits::page_scenarios_max` scenarios far.
 [[nodiscard]] Result<NextFound> next_of(ClusterReader& reader,
                                         const RecordReader& records,

@@ -231,6 +231,16 @@ void ClusterSource::parts(const std::string& id,
     });
 }
 
+void ClusterSource::closed_parts(const std::string& id,
+                                 std::uint64_t body,
+                                 Take<std::vector<bool>> take) {
+    with_job(id, std::move(take), [this, body](PagedJob job, Take<std::vector<bool>> then) {
+        read(std::move(then), [&reader = parts_.reader, body, job = std::move(job)] {
+            return closed_parts_of(reader, job, body);
+        });
+    });
+}
+
 void ClusterSource::scenario(const std::string& id,
                              std::uint64_t number,
                              Take<std::shared_ptr<const ScenarioView>> take) {

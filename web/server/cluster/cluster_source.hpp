@@ -57,6 +57,8 @@ class ClusterSource final : public PageSource {
     void parts(const std::string& id,
                std::uint64_t body,
                Take<std::shared_ptr<const NamedParts>> take) override;
+    void
+    closed_parts(const std::string& id, std::uint64_t body, Take<std::vector<bool>> take) override;
     void scenario(const std::string& id,
                   std::uint64_t number,
                   Take<std::shared_ptr<const ScenarioView>> take) override;

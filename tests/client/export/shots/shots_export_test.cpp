@@ -47,7 +47,7 @@ class ShotsExport : public testing::Test {
         for (const ScenarioResult& result : results()) {
             EXPECT_TRUE(files.value().add(result));
         }
-        map_ = files.value().map();
+        map_ = files.value().map().value_or(ContactMap());
         EXPECT_TRUE(files.value().finish(std::nullopt));
         return files.value().findings();
     }
@@ -203,10 +203,11 @@ TEST_F(ShotsExport, PartsHaveTheirAreaAndThickness) {
     EXPECT_EQ(parts["plate"].crossings, 16u);
     EXPECT_FALSE(parts["plate"].thickness);
     EXPECT_FALSE(parts["plate"].is_closed);
+    EXPECT_THAT(
+        summary_text(report),
+        HasSubstr("second: crossed 32 times by 16 lines, seen area 1.00 m^2, thickness 1.00 m"));
     EXPECT_THAT(summary_text(report),
-                HasSubstr("second: crossed 32 times by 16 lines, seen area 1 m^2, thickness 1 m"));
-    EXPECT_THAT(summary_text(report),
-                HasSubstr("plate: crossed 16 times by 16 lines, seen area 1 "
+                HasSubstr("plate: crossed 16 times by 16 lines, seen area 1.00 "
                           "m^2, not closed: no thickness"));
     ASSERT_TRUE(write_summary(dir_, context_, report));
     const auto summary = nlohmann::json::parse(text_of("summary.json"));
@@ -231,6 +232,17 @@ TEST_F(ShotsExport, LevelCountHasNoHits) {
     EXPECT_FALSE(fs::exists(dir_ / "shotlines.csv"));
     EXPECT_FALSE(fs::exists(dir_ / "shots.npz"));
     EXPECT_THAT(text_of("scenarios.csv"), HasSubstr("class,count,hits,cut"));
+}
+
+TEST_F(ShotsExport, TextNamesHitsAndWhatTheyDo) {
+    write({"text"});
+    const std::string text = text_of("results.txt");
+    EXPECT_THAT(text, HasSubstr("  contact  "));
+    EXPECT_THAT(text, HasSubstr(" hits\n"));
+    EXPECT_THAT(text, HasSubstr("  enters at depth "));
+    EXPECT_THAT(text, HasSubstr("  leaves at depth "));
+    EXPECT_THAT(text, testing::Not(HasSubstr("pair")));
+    EXPECT_THAT(text, testing::Not(HasSubstr("proper")));
 }
 
 } // namespace cd::tests

@@ -175,8 +175,8 @@ TEST(NearRecord, RefusesFieldsOutOfRange) {
     EXPECT_THAT(refusal_of_byte(result, 0, 4), HasSubstr("version"));
     EXPECT_THAT(refusal_of_byte(result, question_place, 2), HasSubstr("question"));
     EXPECT_THAT(refusal_of_byte(result, class_place, 8), HasSubstr("unknown level, class"));
-    EXPECT_THAT(refusal_of_byte(result, step_place, 1), HasSubstr("unknown step"));
-    EXPECT_THAT(refusal_of_byte(result, more_flags_place, 0), HasSubstr("unknown flag"));
+    EXPECT_THAT(refusal_of_byte(result, step_place, 1), HasSubstr("step outside a scene"));
+    EXPECT_THAT(refusal_of_byte(result, more_flags_place, 0), HasSubstr("version 3 without need"));
     EXPECT_THAT(refusal_of_byte(result, more_flags_place, 3), HasSubstr("unknown flag"));
     EXPECT_THAT(refusal_of_byte(result, encode_result(result).size() - 1, 5),
                 HasSubstr("class of a pair"));

@@ -23,8 +23,13 @@ export class BodyParts {
         return low;
     }
 
+    /** Returns the number of a triangle's part. */
+    partOf(triangle: number): number {
+        return this.runs[2 * this.runOf(triangle) + 1];
+    }
+
     nameOf(triangle: number): string {
-        return this.names[this.runs[2 * this.runOf(triangle) + 1]] ?? "";
+        return this.names[this.partOf(triangle)] ?? "";
     }
 
     /** Whether a triangle is of the part with this name; an empty name stands for all. */
@@ -43,6 +48,12 @@ export class BodyParts {
         }
         return place;
     }
+}
+
+/** Gets which parts of a body are closed by themselves: a byte each, 0 or 1. */
+export async function getClosedParts(job: string, body: number): Promise<Uint8Array> {
+    const closed = await getArray(`jobs/${encodeURIComponent(job)}/parts/${body}/closed`);
+    return closed.values as Uint8Array;
 }
 
 export async function getParts(job: string, body: number): Promise<BodyParts> {

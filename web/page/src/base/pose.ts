@@ -48,7 +48,9 @@ export interface Placement {
 }
 
 export const placementKeys = ["x", "y", "z", "roll", "pitch", "yaw", "distance"] as const;
-export type Coordinate = (typeof placementKeys)[number];
+/** Where the lines of a bundle come from, in degrees (docs/shots.md). */
+export const shotKeys = ["azimuth", "elevation"] as const;
+export type Coordinate = (typeof placementKeys)[number] | (typeof shotKeys)[number];
 
 const degrees = 180 / Math.PI;
 
@@ -69,6 +71,12 @@ export function coordinateOf(key: Coordinate, p: ArrayLike<number>, at = 0): num
             return Math.atan2(p[at + 4], p[at]) * degrees;
         case "distance":
             return Math.hypot(p[at + 3], p[at + 7], p[at + 11]);
+        case "azimuth": {
+            const angle = Math.atan2(p[at + 4], p[at]) * degrees;
+            return angle < -1e-9 ? angle + 360 : Math.max(0, angle);
+        }
+        case "elevation":
+            return Math.asin(Math.max(-1, Math.min(1, p[at + 8]))) * degrees;
     }
 }
 
@@ -77,5 +85,5 @@ export function placementOf(p: ArrayLike<number>): Placement {
 }
 
 export function isAngle(axis: string): boolean {
-    return axis === "roll" || axis === "pitch" || axis === "yaw";
+    return ["roll", "pitch", "yaw", ...shotKeys].includes(axis);
 }

@@ -108,7 +108,7 @@ export interface Group {
 }
 
 export interface Poses {
-    kind: "grid" | "file" | "random";
+    kind: "grid" | "file" | "random" | "shots";
     count: number;
     file?: string;
     axes: Axis[] | null;
@@ -150,8 +150,10 @@ export interface Job {
     limit_pairs: number;
     /** Null in a job that does not ask for near pairs. */
     clearance: number | null;
-    /** Only in a job that asks how far the bodies are apart. */
-    question?: "distance";
+    /** Only in a job that asks how far the bodies are apart, or what lines hit. */
+    question?: "distance" | "shots";
+    /** In a job of lines: of each line, only the first hit that crosses counts. */
+    first_hits?: boolean;
     /** Then: bodies farther apart have no distance; null: all that share no point have one. */
     up_to?: number | null;
     maps: boolean;
@@ -201,4 +203,19 @@ export interface Scenario {
 /** Whether a job asks how far the bodies are apart. */
 export function asksDistance(job: Pick<Job, "question">): boolean {
     return job.question === "distance";
+}
+
+/** Whether body B of a job is a bundle of lines, and the job asks what they hit. */
+export function asksShots(job: Pick<Job, "question">): boolean {
+    return job.question === "shots";
+}
+
+/** Whether a job's lines are a grid, whose bundles stand in directions; else they are those of a file. */
+export function hasDirections(job: Pick<Job, "question" | "poses">): boolean {
+    return asksShots(job) && (job.poses.axes ?? []).length > 0;
+}
+
+/** The word for what scenarios are counted by. */
+export function countNoun(job: Pick<Job, "question">): string {
+    return asksShots(job) ? "hit" : "pair";
 }

@@ -1,7 +1,7 @@
 import { numberOf } from "../base/classes";
 import { writePart } from "../base/part_name";
 import { scenarioLink } from "../base/route";
-import { bodyNames, type Group, type Job } from "../base/types";
+import { asksShots, bodyNames, type Group, type Job } from "../base/types";
 import { grouped, percent } from "../base/words";
 import { ClassMark, Name, Panel } from "../ui/small";
 import { type Column, Table } from "../ui/table";
@@ -44,7 +44,26 @@ const nearColumn: Column<Group> = {
     isNumber: true,
 };
 
+/** The columns of parts that lines hit. */
+function shotColumns(job: Job): Column<Group>[] {
+    return [
+        { key: "a", title: "part", cell: (g) => <Name text={g.a} />, value: (g) => g.a },
+        { key: "scenarios", title: "in bundles", cell: (g) => grouped(g.scenarios), value: (g) => g.scenarios, isNumber: true },
+        { key: "pairs", title: "hits", cell: (g) => grouped(g.pairs), value: (g) => g.pairs, isNumber: true },
+        {
+            key: "worst",
+            title: "most hits",
+            cell: (g) => <a href={worstLink(job, g)}>#{grouped(g.worst)}</a>,
+            value: (g) => g.worst_pairs,
+            isNumber: true,
+        },
+    ];
+}
+
 function columnsOf(job: Job): Column<Group>[] {
+    if (asksShots(job)) {
+        return shotColumns(job);
+    }
     return [
         { key: "a", title: "part of A", cell: (g) => <Name text={g.a} />, value: (g) => g.a },
         { key: "b", title: "part of B", cell: (g) => <Name text={g.b} />, value: (g) => g.b },
@@ -69,18 +88,19 @@ function columnsOf(job: Job): Column<Group>[] {
 export function Groups({ job, groups }: { job: Job; groups: Group[] }) {
     const total = job.groups_total ?? groups.length;
     const isCut = total > groups.length;
-    const title = job.clearance === null ? "parts in contact" : "parts in contact or near";
+    const hasLines = asksShots(job);
+    const title = hasLines ? "parts hit" : job.clearance === null ? "parts in contact" : "parts in contact or near";
     return (
         <Panel
             title={title}
-            note={isCut ? `the ${grouped(groups.length)} in most poses, of ${grouped(total)}` : ""}
+            note={isCut ? `the ${grouped(groups.length)} in most ${hasLines ? "bundles" : "poses"}, of ${grouped(total)}` : ""}
         >
             <Table
                 caption={title}
                 columns={columnsOf(job)}
                 rows={groups}
                 rowKey={(group) => `${group.a}\n${group.b}`}
-                empty={job.clearance === null ? "no part is in contact" : "no part is in contact or near"}
+                empty={`no part is ${hasLines ? "hit" : job.clearance === null ? "in contact" : "in contact or near"}`}
             />
         </Panel>
     );

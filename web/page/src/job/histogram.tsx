@@ -1,5 +1,5 @@
 import { useMemo } from "preact/hooks";
-import type { Job } from "../base/types";
+import { asksShots, countNoun, type Job } from "../base/types";
 import { compact, counted, grouped } from "../base/words";
 import { Panel } from "../ui/small";
 import type { Results } from "./results";
@@ -73,15 +73,16 @@ export function Histogram({ job, results }: { job: Job; results: Results }) {
     if (bins.length === 0) {
         return null;
     }
+    const [noun, place] = [countNoun(job), asksShots(job) ? "bundle" : "scenario"];
     return (
         <Panel
-            title="pairs a scenario"
-            note={`scenarios in contact${job.clearance === null ? "" : " or near"}, both axes logarithmic${results.isExact ? "" : ", of the sample"}`}
+            title={`${noun}s a ${place}`}
+            note={`${place}s in contact${job.clearance === null ? "" : " or near"}, both axes logarithmic${results.isExact ? "" : ", of the sample"}`}
         >
             <Bars
-                label="histogram of pairs a scenario"
+                label={`histogram of ${noun}s a ${place}`}
                 bars={bins.map((bin) => ({
-                    about: `${grouped(bin.first)} to ${grouped(bin.last)} pairs`,
+                    about: `${grouped(bin.first)} to ${grouped(bin.last)} ${noun}s`,
                     foot: compact(bin.first),
                     count: bin.count,
                 }))}

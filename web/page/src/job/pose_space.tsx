@@ -1,8 +1,8 @@
 import { useEffect, useMemo, useState } from "preact/hooks";
-import { type Coordinate, placementKeys } from "../base/pose";
+import type { Coordinate } from "../base/pose";
 import { goTo, scenarioLink } from "../base/route";
 import { tellFacts } from "../base/facts";
-import type { Job, Source } from "../base/types";
+import { asksShots, countNoun, hasDirections, type Job, type Source } from "../base/types";
 import { grouped, percent } from "../base/words";
 import { useReloaded } from "../ui/hooks";
 import { Notice, Panel } from "../ui/small";
@@ -10,7 +10,7 @@ import { type Grid, gridCells, gridOf } from "./grid";
 import type { JobView } from "./job_view";
 import type { PlotModel } from "./plot_model";
 import { PosePlot } from "./pose_plot";
-import { bestCoordinates, chooseCoordinates, keepsAllCoordinates, loadCoordinates } from "./poses";
+import { bestCoordinates, chooseCoordinates, keepsAllCoordinates, keysOf, loadCoordinates } from "./poses";
 import { masterMax, type Results } from "./results";
 import { pointsMax, scatterOf } from "./scatter";
 import { loadSlice, scenariosOfSlice, sliceWindowsMax, windowsOf } from "./slice";
@@ -134,16 +134,16 @@ function GridSpace(props: SpaceProps & { grid: Grid }) {
     );
 }
 
-function isCoordinate(name: string): name is Coordinate {
-    return (placementKeys as readonly string[]).includes(name);
+function isCoordinate(name: string, keys: readonly Coordinate[]): name is Coordinate {
+    return (keys as readonly string[]).includes(name);
 }
 
 /** The coordinates that a view names, or else those that differ most; with their values. */
 function useCloud({ source, job, view }: SpaceProps, tell: (share: number) => void) {
-    const named = isCoordinate(view.x) && isCoordinate(view.y) ? ([view.x, view.y] as const) : null;
+    const named = isCoordinate(view.x, keysOf(job)) && isCoordinate(view.y, keysOf(job)) ? ([view.x, view.y] as const) : null;
     const keepsAll = keepsAllCoordinates(source, job);
     const chosen = useReloaded(named || keepsAll ? null : job.job, 0, (signal) => chooseCoordinates(job, signal));
-    const keys = keepsAll ? placementKeys : (named ?? chosen.value);
+    const keys = keepsAll ? keysOf(job) : (named ?? chosen.value);
     const loaded = useReloaded(keys && keys.join(" "), 0, (signal) =>
         loadCoordinates(source, job, keys ?? [], signal, tell),
     );
@@ -156,10 +156,10 @@ function CloudSpace(props: SpaceProps) {
     const { job, results, change } = props;
     const [share, tell] = useState(0);
     const { drawn, all, error } = useCloud(props, tell);
-    const [x, y] = drawn ?? ["x", "y"];
+    const [x, y] = drawn ?? keysOf(job);
     const [xs, ys] = [all?.get(x), all?.get(y)];
     const model = useMemo(
-        () => (xs && ys ? scatterOf(results, [x, xs], [y, ys], job.unit) : null),
+        () => (xs && ys ? scatterOf(results, [x, xs], [y, ys], job.unit, countNoun(job)) : null),
         [results, x, y, xs, ys],
     );
     useSpotFacts(model);
@@ -169,12 +169,12 @@ function CloudSpace(props: SpaceProps) {
         job.poses.penetration ? "poses pushed to contact" : "",
     ];
     return (
-        <Panel title="pose space" note={note.filter((text) => text !== "").join(", ")}>
+        <Panel title={hasDirections(job) ? "directions" : "pose space"} note={note.filter((text) => text !== "").join(", ")}>
             {error && <Notice kind="bad">{error}</Notice>}
             <div class="controls">
-                <Choice label="across" value={x} all={placementKeys} choose={(name) => change({ x: name, y })} />
-                <Choice label="up" value={y} all={placementKeys} choose={(name) => change({ x, y: name })} />
-                <span class="note">of B in A's frame</span>
+                <Choice label="across" value={x} all={keysOf(job)} choose={(name) => change({ x: name, y })} />
+                <Choice label="up" value={y} all={keysOf(job)} choose={(name) => change({ x, y: name })} />
+                <span class="note">{hasDirections(job) ? "where the lines come from" : "of B in A's frame"}</span>
             </div>
             {model ? (
                 <PosePlot model={model} open={(scenario) => goTo(scenarioLink(job.job, scenario))} />
@@ -188,5 +188,8 @@ function CloudSpace(props: SpaceProps) {
 /** The poses in space: cells of a grid, points of a file or of random poses. */
 export function PoseSpace(props: SpaceProps) {
     const grid = useMemo(() => gridOf(props.job), [props.job.job]);
+    if (asksShots(props.job) && !hasDirections(props.job)) {
+        return null; // All lines of a file stand in one pose.
+    }
     return grid ? <GridSpace {...props} grid={grid} /> : <CloudSpace {...props} />;
 }

@@ -1,7 +1,7 @@
 /** Coordinates of the poses of a file or of random ones: B in A's frame. */
 import { getArray } from "../base/api";
-import { compose, type Coordinate, coordinateOf, inverse, isAngle, placementKeys } from "../base/pose";
-import type { Job, Source } from "../base/types";
+import { compose, type Coordinate, coordinateOf, inverse, isAngle, placementKeys, shotKeys } from "../base/pose";
+import { hasDirections, type Job, type Source } from "../base/types";
 import { canBeExact, masterMax, pathOf, sampleSize } from "./results";
 
 /** Up to this many scenarios all coordinates are kept, beyond it those that are drawn. */
@@ -9,6 +9,11 @@ const allKeysMax = 1 << 20;
 
 /** Element i belongs to element i of the job's results. */
 export type Coordinates = ReadonlyMap<Coordinate, Float64Array>;
+
+/** Returns the coordinates that the poses of a job are shown by. */
+export function keysOf(job: Job): readonly Coordinate[] {
+    return hasDirections(job) ? shotKeys : placementKeys;
+}
 
 /** Adds the coordinates of rows of 12 or 24 numbers, the first of which becomes element `first`. */
 export function addRows(into: Coordinates, rows: ArrayLike<number>, width: number, first: number): void {
@@ -55,15 +60,14 @@ export function bestCoordinates(all: Coordinates): [Coordinate, Coordinate] {
         const [low, high] = boundsOf(all.get(key) ?? new Float64Array(1));
         return (high - low) * (isAngle(key) ? 1e-6 : 1);
     };
-    const [first, second] = placementKeys
-        .filter((key) => key !== "distance")
-        .sort((a, b) => spread(b) - spread(a));
-    return placementKeys.indexOf(first) < placementKeys.indexOf(second) ? [first, second] : [second, first];
+    const keys = [...all.keys()];
+    const [first, second] = keys.filter((key) => key !== "distance").sort((a, b) => spread(b) - spread(a));
+    return keys.indexOf(first) < keys.indexOf(second) ? [first, second] : [second, first];
 }
 
 /** Chooses what to draw of a long job, by an even sample of its poses. */
 export async function chooseCoordinates(job: Job, signal: AbortSignal): Promise<[Coordinate, Coordinate]> {
-    return bestCoordinates(await loadSample(job, placementKeys, signal));
+    return bestCoordinates(await loadSample(job, keysOf(job), signal));
 }
 
 /** Whether all coordinates are loaded at once, rather than those that are drawn. */

@@ -28,12 +28,13 @@ class Points implements PlotModel {
         private readonly py: Float64Array,
         readonly x: PlotAxis,
         readonly y: PlotAxis,
+        private readonly noun: string,
     ) {
         this.order = Uint32Array.from(px, (_, i) => i).sort((a, b) => this.rank(a) - this.rank(b) || a - b);
     }
 
     private rank(point: number): number {
-        return severity(this.kind(point));
+        return severity(this.kind(point)) + this.results.countAt(point) / 2 ** 32;
     }
 
     private kind(point: number): number {
@@ -65,7 +66,7 @@ class Points implements PlotModel {
             const share = i === 0 ? this.px[point] : this.py[point];
             return `${axis.title} ${short(axis.first + share * (axis.last - axis.first))}${axis.unit}`;
         });
-        const pairs = count > 0 ? `, ${grouped(count)} pairs` : "";
+        const pairs = count > 0 ? `, ${grouped(count)} ${this.noun}s` : "";
         return {
             scenario,
             text: `#${scenario} ${nameOf(this.kind(point))}${pairs} at ${place.join(", ")}`,
@@ -115,6 +116,7 @@ export function scatterOf(
     [xKey, xValues]: readonly [Coordinate, Float64Array],
     [yKey, yValues]: readonly [Coordinate, Float64Array],
     unit: string,
+    noun = "pair",
 ): PlotModel {
     const [x, y] = [axisOf(xKey, xValues, unit), axisOf(yKey, yValues, unit)];
     const share = (axis: PlotAxis, value: number) => (value - axis.first) / (axis.last - axis.first);
@@ -122,7 +124,7 @@ export function scatterOf(
     if (count <= pointsMax) {
         const along = (axis: PlotAxis, values: Float64Array) =>
             values.subarray(0, count).map((value) => share(axis, value));
-        return new Points(results, along(x, xValues), along(y, yValues), x, y);
+        return new Points(results, along(x, xValues), along(y, yValues), x, y, noun);
     }
     const cells = new Cells(results, x, y, cellsAside, cellsAside, true, () => "");
     const cellOf = (axis: PlotAxis, value: number) => Math.floor(share(axis, value) * cellsAside);

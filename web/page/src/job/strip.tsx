@@ -2,8 +2,8 @@ import { useEffect, useMemo, useRef, useState } from "preact/hooks";
 import { cssColour, heightOf, nameOf, untested } from "../base/classes";
 import { tellFacts } from "../base/facts";
 import { goTo, scenarioLink } from "../base/route";
-import type { Job, Source } from "../base/types";
-import { grouped, short } from "../base/words";
+import { asksShots, type Job, type Source } from "../base/types";
+import { counted, grouped, short } from "../base/words";
 import { useReloaded, useTheme } from "../ui/hooks";
 import { Notice, Panel } from "../ui/small";
 import type { JobView } from "./job_view";
@@ -204,9 +204,10 @@ export function Strip(props: {
     const element = bin >= 0 ? worst[bin] : -1;
     const distance = element >= 0 ? results.distanceAt(element) : null;
     const apart = distance === null ? "" : `, ${short(distance, 6)} ${job.unit} apart`;
+    const hits = element >= 0 && asksShots(job) ? `, ${counted(results.countAt(element), "hit")}` : "";
     const said =
         element >= 0
-            ? `#${results.scenarioAt(element)} ${nameOf(results.classes[element])}${apart}, the worst of this bin`
+            ? `#${results.scenarioAt(element)} ${nameOf(results.classes[element])}${apart}${hits}, the ${hits ? "most" : "worst"} of this bin`
             : "drag to zoom, click to open";
     return (
         <Panel

@@ -2,13 +2,14 @@ import { useEffect, useMemo, useState } from "preact/hooks";
 import { classNames, near, shownOrder } from "../base/classes";
 import { tellFacts } from "../base/facts";
 import { forgetNotes, jobLink, noteLinkSoon, type Route, scenarioLink } from "../base/route";
-import { asksDistance, type Body, type Job, type Source } from "../base/types";
+import { asksDistance, asksShots, type Body, countNoun, hasDirections, type Job, type Source } from "../base/types";
 import { bytes, counted, duration, fileName, grouped, percent, rate, shellWord, short } from "../base/words";
 import { Distances } from "../job/distances";
 import { Episodes } from "../job/episodes";
 import { Groups } from "../job/groups";
 import { Histogram } from "../job/histogram";
 import { type JobView, readJobView, writeJobView } from "../job/job_view";
+import { MostHits } from "../job/most_hits";
 import { PoseSpace } from "../job/pose_space";
 import type { Results } from "../job/results";
 import { Strip } from "../job/strip";
@@ -34,9 +35,27 @@ function nearText(job: Job): string {
     return ` In ${counted(job.near, "scenario")} without contact the bodies are ${apart}, with ${counted(job.near_pairs, "near pair")}.`;
 }
 
-function Verdict({ job }: { job: Job }) {
+/** What the verdict says of contacts. */
+function contactText(job: Job): string {
     const contacts = contactsOf(job);
+    const noun = asksShots(job) ? "bundle" : "scenario";
     const all = job.done === job.scenarios ? "" : ` tested so far, of ${grouped(job.scenarios)}`;
+    const share = percent(contacts / Math.max(1, job.done));
+    const are = contacts === 1 ? "is" : "are";
+    const tested = `${counted(job.done, noun)}${all}`;
+    if (asksShots(job)) {
+        const hits = job.first_hits ? `${counted(job.pairs, "line")} that cross A` : counted(job.pairs, "hit");
+        return contacts === 0
+            ? `No line hits anything in ${tested}.`
+            : `${grouped(contacts)} of ${tested} ${are} hit (${share}), with ${hits}.`;
+    }
+    const pairs = asksDistance(job) ? "" : `, with ${counted(job.pairs, "pair")} of triangles`;
+    return contacts === 0
+        ? `No contact in ${tested}.`
+        : `${grouped(contacts)} of ${tested} ${are} in contact (${share})${pairs}.`;
+}
+
+function Verdict({ job }: { job: Job }) {
     return (
         <div class="verdict">
             <h1>
@@ -45,19 +64,14 @@ function Verdict({ job }: { job: Job }) {
                 {!isOver(job) && <Progress done={job.done} total={job.scenarios} />}
             </h1>
             <p class="sentence">
-                {contacts === 0
-                    ? `No contact in ${counted(job.done, "scenario")}${all}.`
-                    : `${grouped(contacts)} of ${counted(job.done, "scenario")}${all} ${
-                          contacts === 1 ? "is" : "are"
-                      } in contact (${percent(contacts / Math.max(1, job.done))})${
-                          asksDistance(job) ? "" : `, with ${counted(job.pairs, "pair")} of triangles`
-                      }.`}
+                {contactText(job)}
                 {nearText(job)}
             </p>
             <p class="counts">
                 {shownOrder.map((kind) => {
                     const name = classNames[kind];
-                    const always = name === "separate" || name === "cross" || name === "failed";
+                    const usual = asksShots(job) ? "contact" : "cross";
+                    const always = name === "separate" || name === usual || name === "failed";
                     return (
                         <ClassCount
                             key={name}
@@ -88,10 +102,10 @@ function Caveats({ job }: { job: Job }) {
         );
     }
     if (job.cut > 0) {
-        said.push(`The list of pairs ends at ${grouped(job.limit_pairs)} in ${counted(job.cut, "scenario")}; counts are true.`);
+        said.push(`The list of ${countNoun(job)}s ends at ${grouped(job.limit_pairs)} in ${counted(job.cut, "scenario")}; counts are true.`);
     }
     if (job.map_pairs > 0) {
-        said.push(`The heat map counts the first ${grouped(job.map_pairs)} pairs of a scenario.`);
+        said.push(`The heat map counts the first ${grouped(job.map_pairs)} ${countNoun(job)}s of a scenario.`);
     }
     return said.length === 0 ? null : <p class="caveats">{said.join(" ")}</p>;
 }
@@ -121,8 +135,31 @@ function BodyCard({ body, letter, unit }: { body: Body; letter: string; unit: st
     );
 }
 
+/** The card of a body that is a bundle of lines. */
+function LinesCard({ job, body }: { job: Job; body: Body }) {
+    const axes = (job.poses.axes ?? []).map((axis) => `${axis.name} ${grouped(axis.count)}`);
+    return (
+        <div class="card">
+            <b class="letter">B</b>
+            <div>
+                <Name text={body.name} />
+                <div class="note">
+                    {counted(body.triangles, "line")}
+                    {hasDirections(job) ? " a bundle" : ""}
+                </div>
+                <div class="note">
+                    {hasDirections(job) ? `directions ${axes.join(" × ")}` : `file ${fileName(job.poses.file ?? "")}`}
+                </div>
+            </div>
+        </div>
+    );
+}
+
 function posesText(job: Job): string {
     const { poses } = job;
+    if (poses.kind === "shots") {
+        return hasDirections(job) ? "bundles of lines" : "lines of a file";
+    }
     if (poses.kind === "grid") {
         const axes = (poses.axes ?? []).filter((axis) => axis.count > 1);
         return `grid ${axes.map((axis) => `${axis.name} ${grouped(axis.count)}`).join(" × ")}`;
@@ -147,6 +184,7 @@ function PosesCard({ job }: { job: Job }) {
                 </div>
                 <div class="note">
                     level {asksDistance(job) ? "distance" : job.level}
+                    {job.first_hits && ", the first hit of each line"}
                     {typeof job.up_to === "number" && `, up to ${short(job.up_to, 6)} ${job.unit}`}
                     {job.clearance !== null && `, clearance ${short(job.clearance, 6)} ${job.unit}`}
                     {job.ignored > 0 && `, ${counted(job.ignored, "range")} ignored`}
@@ -245,9 +283,13 @@ export function JobScreen({ source, route }: { source: Source; route: Route }) {
             {job.paused && <Notice kind="warn">paused: {job.paused}</Notice>}
             <Verdict job={job} />
             <div class="cards">
-                {job.bodies.map((body, i) => (
-                    <BodyCard key={i} body={body} letter={i === 0 ? "A" : i === 1 ? "B" : String(i)} unit={job.unit} />
-                ))}
+                {job.bodies.map((body, i) =>
+                    asksShots(job) && i === 1 ? (
+                        <LinesCard key={i} job={job} body={body} />
+                    ) : (
+                        <BodyCard key={i} body={body} letter={i === 0 ? "A" : i === 1 ? "B" : String(i)} unit={job.unit} />
+                    ),
+                )}
                 <PosesCard job={job} />
                 <a class="card go" href={scenarioLink(job.job, worst)}>
                     see it in 3D
@@ -264,6 +306,11 @@ export function JobScreen({ source, route }: { source: Source; route: Route }) {
                     {asksDistance(job) && (
                         <div class="two">
                             <Distances job={job} results={results} />
+                        </div>
+                    )}
+                    {asksShots(job) && (
+                        <div class="two">
+                            <MostHits job={job} results={results} />
                         </div>
                     )}
                     <div class="two">

@@ -2,13 +2,14 @@ import { useCallback, useEffect, useMemo, useRef, useState } from "preact/hooks"
 import type { PartNames } from "../base/part_name";
 import { getParts } from "../base/parts";
 import { forgetNotes, goTo, noteLink, noteLinkSoon, type Route, scenarioLink } from "../base/route";
-import { bodyNames, type Job, type Source } from "../base/types";
+import { asksShots, bodyNames, type Job, type Source } from "../base/types";
 import { grouped, shellWord } from "../base/words";
 import { usePolled, useTitle } from "../ui/hooks";
 import { KeyHelp, useKeys, viewerKeys } from "../ui/keys";
 import { Command, Notice } from "../ui/small";
 import { type Bounds, CopyLink, ViewControls } from "../viewer/controls";
 import { ContactLegend, HeatLegend, nearMeaning } from "../viewer/legend";
+import { HitLegend, LineHits } from "../viewer/line_hits";
 import { type Model, trianglesMax } from "../viewer/model";
 import { Picture } from "../viewer/picture";
 import { PartPairs, Picked, PoseText } from "../viewer/side";
@@ -108,6 +109,9 @@ function JobViewer({ source, route, report, job }: ScreenProps & { job: Job }) {
         scenarioLink(route.job, number, writeState({ ...state, camera }, names.bodies));
     // As it is seen: with the camera, unless whoever opens the scenario anew would see it so.
     const linkHere = () => linkTo(scenario, state.camera ?? viewer?.ownView ?? null);
+    const hasLines = asksShots(job);
+    const pickedLine = hasLines && state.pick?.body === 1 ? state.pick.triangle : null;
+    const alone = hasLines ? "as files" : "as a case of its own";
     const isTooLarge = trianglesOf(job) > trianglesMax;
     const draws = !isTooLarge && drawing.error === "";
     useEffect(() => {
@@ -240,7 +244,10 @@ function JobViewer({ source, route, report, job }: ScreenProps & { job: Job }) {
                     <div class="stage">
                         <p class="wait">
                             {grouped(trianglesOf(job))} triangles: above {grouped(trianglesMax)} this page does not draw.
-                            The exports have it all: <code>cdctl extract {run} {String(scenario)} --out case</code>
+                            The exports have it all:{" "}
+                            <code>
+                                cdctl extract {run} {String(scenario)} --out {hasLines ? "scene --as vtp" : "case"}
+                            </code>
                         </p>
                     </div>
                 ) : (
@@ -262,14 +269,30 @@ function JobViewer({ source, route, report, job }: ScreenProps & { job: Job }) {
                                 state={state}
                                 bounds={bounds}
                                 hasMap={job.maps}
+                                lines={{ areDrawn: hasLines, hasAllHits: hasLines && job.first_hits !== true }}
                                 change={change}
                                 fit={fit}
                                 goToContact={goToContact}
                             />
-                            {state.mode === "heat" && heat ? <HeatLegend heat={heat} job={job} /> : <ContactLegend near={nearMeaning(job)} />}
+                            {state.mode === "heat" && heat ? (
+                                <HeatLegend heat={heat} job={job} />
+                            ) : hasLines ? (
+                                <HitLegend />
+                            ) : (
+                                <ContactLegend near={nearMeaning(job)} />
+                            )}
                         </>
                     )}
-                    {state.pick && model && (
+                    {pickedLine !== null && model && contacts && (
+                        <LineHits
+                            line={pickedLine}
+                            job={job}
+                            model={model}
+                            contacts={contacts}
+                            drop={() => change({ pick: null })}
+                        />
+                    )}
+                    {state.pick && pickedLine === null && model && (
                         <Picked
                             pick={state.pick}
                             model={model}
@@ -288,9 +311,9 @@ function JobViewer({ source, route, report, job }: ScreenProps & { job: Job }) {
                         />
                     )}
                     {contacts && <PoseText job={job} contacts={contacts} />}
-                    <section aria-label="as a case of its own">
-                        <h2>as a case of its own</h2>
-                        <Command text={`cdctl extract ${run} ${scenario} --out case`} />
+                    <section aria-label={alone}>
+                        <h2>{alone}</h2>
+                        <Command text={`cdctl extract ${run} ${scenario} --out ${hasLines ? "scene --as vtp" : "case"}`} />
                     </section>
                 </aside>
             </div>

@@ -88,6 +88,8 @@ export function ViewControls(props: {
     state: ViewState;
     bounds: Bounds;
     hasMap: boolean;
+    /** Whether B is a bundle of lines, and whether the job has hits beyond their first ones. */
+    lines: { areDrawn: boolean; hasAllHits: boolean };
     change: (part: Partial<ViewState>) => void;
     fit: () => void;
     goToContact: () => void;
@@ -107,14 +109,17 @@ export function ViewControls(props: {
             <Radio title="show" name="mode" value={state.mode} all={modes} choose={(mode) => change({ mode })} />
             <Radio title="ghost" name="ghost" value={state.ghost} all={ghosts} choose={(ghost) => change({ ghost })} />
             <Check text="through walls" isOn={state.throughWalls} turn={(throughWalls) => change({ throughWalls })} />
-            <Check text="segments and points" isOn={state.lines} turn={(lines) => change({ lines })} />
+            {props.lines.hasAllHits && (
+                <Check text="first hits only" isOn={state.onlyFirst} turn={(onlyFirst) => change({ onlyFirst })} />
+            )}
+            <Check text={props.lines.areDrawn ? "lines and hits" : "segments and points"} isOn={state.lines} turn={(lines) => change({ lines })} />
             <SectionPlane state={state} bounds={props.bounds} change={change} />
             <div class="buttons">
                 <button type="button" onClick={props.fit} title="f">
                     fit
                 </button>
                 <button type="button" onClick={props.goToContact} title="c">
-                    go to the contact
+                    go to the {props.lines.areDrawn ? "hits" : "contact"}
                 </button>
             </div>
         </section>

@@ -1,5 +1,5 @@
 import { cssColour, near } from "../base/classes";
-import { asksDistance, type Job } from "../base/types";
+import { asksDistance, asksShots, type Job } from "../base/types";
 import { grouped, percent } from "../base/words";
 import { viridisAt } from "./heat";
 import type { Heat } from "./model";
@@ -22,7 +22,7 @@ function stateOf(job: Job): string {
 /** The colours of the heat map with counts and shares. */
 export function HeatLegend({ heat, job }: { heat: Heat; job: Job }) {
     if (heat.most === 0) {
-        return <p class="note">no triangle was {stateOf(job)}</p>;
+        return <p class="note">no triangle was {asksShots(job) ? "crossed" : stateOf(job)}</p>;
     }
     const [width, height] = [264, 10];
     const position = (count: number) => (heat.most <= 1 ? 0 : (Math.log(count) / Math.log(heat.most)) * width);
@@ -58,13 +58,14 @@ export function HeatLegend({ heat, job }: { heat: Heat; job: Job }) {
                             y={height + 27}
                             class={i === 0 ? "begin" : i === ticks.length - 1 ? "end" : ""}
                         >
-                            {percent(tick / Math.max(1, job.done))}
+                            {asksShots(job) ? "" : percent(tick / Math.max(1, job.done))}
                         </text>
                     </g>
                 ))}
             </svg>
             <figcaption class="note">
-                scenarios in which a triangle is {stateOf(job)}, logarithmic
+                {asksShots(job) ? "how often lines cross a triangle" : `scenarios in which a triangle is ${stateOf(job)}`},
+                logarithmic
                 {job.map_pairs > 0 && `, of the first ${grouped(job.map_pairs)} pairs`}; plain: never
             </figcaption>
         </figure>

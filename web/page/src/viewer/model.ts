@@ -1,8 +1,8 @@
 /** What the viewer needs before its first picture: meshes and parts of both bodies; and heat maps. */
 import { ApiError, getArray } from "../base/api";
 import { getMesh, type Mesh } from "../base/mesh";
-import { type BodyParts, getParts } from "../base/parts";
-import type { Job } from "../base/types";
+import { type BodyParts, getClosedParts, getParts } from "../base/parts";
+import { asksShots, type Job } from "../base/types";
 import { countsByTriangle } from "./heat";
 
 /** Above this the page does not draw. */
@@ -11,6 +11,8 @@ export const trianglesMax = 8_000_000;
 export interface Model {
     meshes: [Mesh, Mesh];
     parts: [BodyParts, BodyParts];
+    /** Which parts of A are closed, a byte each; null in a job without lines. */
+    closed: Uint8Array | null;
     /** Milliseconds until both were read and checked. */
     milliseconds: number;
 }
@@ -23,7 +25,8 @@ async function load(job: Job): Promise<Model> {
     const first = getMesh(a);
     const parts = Promise.all([getParts(job.job, 0), getParts(job.job, 1)]);
     const meshes = await Promise.all([first, a === b ? first : getMesh(b)]);
-    return { meshes, parts: await parts, milliseconds: performance.now() - begin };
+    const closed = asksShots(job) ? await getClosedParts(job.job, 0) : null;
+    return { meshes, parts: await parts, closed, milliseconds: performance.now() - begin };
 }
 
 /** Loads meshes and parts of a job; those of the last job are kept. */

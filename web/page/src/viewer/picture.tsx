@@ -1,6 +1,6 @@
 import type { RefObject } from "preact";
 import { useRef } from "preact/hooks";
-import type { Job } from "../base/types";
+import { asksShots, countNoun, type Job } from "../base/types";
 import { fileName, grouped } from "../base/words";
 import { Name } from "../ui/small";
 import type { Contacts } from "./scenario_loader";
@@ -44,7 +44,7 @@ export function Picture({ job, scenario, contacts, canvas, viewer, waits, root, 
                 ref={canvas}
                 tabIndex={0}
                 role="img"
-                aria-label={`scenario ${scenario}: ${contacts?.scenario.class ?? ""}, ${contacts?.scenario.count ?? 0} pairs${contacts?.scenario.near_count ? `, ${contacts.scenario.near_count} near` : ""}`}
+                aria-label={`scenario ${scenario}: ${contacts?.scenario.class ?? ""}, ${contacts?.scenario.count ?? 0} ${countNoun(job)}s${contacts?.scenario.near_count ? `, ${contacts.scenario.near_count} near` : ""}`}
                 onKeyDown={(event) => {
                     if (event.key === "Enter") {
                         pick(viewer?.pickMiddle(event.shiftKey) ?? null);
@@ -59,7 +59,7 @@ export function Picture({ job, scenario, contacts, canvas, viewer, waits, root, 
             {waits && <p class="wait over">reading {grouped(trianglesOf(job))} triangles…</p>}
             <div class="corner">
                 <span class="swatch a" /> A <Name text={fileName(job.bodies[0].file)} /> <span class="swatch b" /> B{" "}
-                <Name text={fileName(job.bodies[1].file)} />
+                <Name text={asksShots(job) ? job.bodies[1].name : fileName(job.bodies[1].file)} />
                 <span class="note">drawn in single precision</span>
             </div>
         </div>

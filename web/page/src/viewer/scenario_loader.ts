@@ -1,6 +1,7 @@
 /** Gets scenarios one at a time; while one is under way only the last wish is remembered. */
 import { ApiError, getArray, getJson, isAbort, pause } from "../base/api";
 import type { Scenario } from "../base/types";
+import { Hits } from "./hits";
 
 export interface Contacts {
     scenario: Scenario;
@@ -8,6 +9,8 @@ export interface Contacts {
     pairs: Uint32Array;
     /** Rows of pair, x, y, z in the world. */
     points: Float64Array;
+    /** What the lines of B hit; null in a job without lines. */
+    hits: Hits | null;
     /** Whether the server left out pairs or points beyond its limit. */
     isCut: boolean;
 }
@@ -19,6 +22,7 @@ export class ScenarioLoader {
 
     constructor(
         private readonly job: string,
+        private readonly hasLines: boolean,
         private readonly show: (contacts: Contacts) => void,
         private readonly fail: (scenario: number, error: unknown) => void,
     ) {}
@@ -64,14 +68,23 @@ export class ScenarioLoader {
         const signal = this.stop.signal;
         const scenario = await getJson<Scenario>(path, signal);
         if (scenario.class === null || scenario.exact_pairs === 0) {
-            return { scenario, pairs: new Uint32Array(), points: new Float64Array(), isCut: false };
+            const pairs = new Uint32Array();
+            const hits = this.hasLines ? new Hits(pairs, new Float64Array()) : null;
+            return { scenario, pairs, points: new Float64Array(), hits, isCut: false };
         }
         const pairs = await getArray(`${path}/pairs`, signal);
+        const rows = pairs.values as Uint32Array;
+        if (this.hasLines) {
+            const found = await getArray(`${path}/hits`, signal);
+            const hits = new Hits(rows, found.values as Float64Array);
+            return { scenario, pairs: rows, points: new Float64Array(), hits, isCut: pairs.cut };
+        }
         const points = await getArray(`${path}/points`, signal);
         return {
             scenario,
-            pairs: pairs.values as Uint32Array,
+            pairs: rows,
             points: points.values as Float64Array,
+            hits: null,
             isCut: pairs.cut || points.cut,
         };
     }

@@ -1,7 +1,7 @@
 import { useMemo } from "preact/hooks";
 import type { BodyParts } from "../base/parts";
-import { isAngle, placementKeys, placementOf, relativePose } from "../base/pose";
-import type { Job, Pose } from "../base/types";
+import { coordinateOf, isAngle, placementKeys, placementOf, relativePose, shotKeys } from "../base/pose";
+import { asksShots, countNoun, hasDirections, type Job, type Pose } from "../base/types";
 import { counted, grouped, percent, short } from "../base/words";
 import { Name } from "../ui/small";
 import { nearPair } from "./contacts_view";
@@ -49,7 +49,12 @@ export function PartPairs(props: {
     if (all.length === 0 && !state.partA && !state.partB) {
         return null;
     }
-    const title = all.some((pair) => pair.near > 0) ? "parts in contact or near here" : "parts in contact here";
+    const hasLines = props.contacts.hits !== null;
+    const title = hasLines
+        ? "parts hit here"
+        : all.some((pair) => pair.near > 0)
+          ? "parts in contact or near here"
+          : "parts in contact here";
     const isChosen = (pair: PartPair) => state.partA === pair.a && state.partB === pair.b;
     return (
         <section aria-label={title}>
@@ -63,7 +68,13 @@ export function PartPairs(props: {
                             onClick={() => (isChosen(pair) ? props.choose("", "") : props.choose(pair.a, pair.b))}
                         >
                             <span>
-                                <Name text={pair.a} /> <i>×</i> <Name text={pair.b} />
+                                <Name text={pair.a} />
+                                {!hasLines && (
+                                    <>
+                                        {" "}
+                                        <i>×</i> <Name text={pair.b} />
+                                    </>
+                                )}
                             </span>
                             <b>
                                 {grouped(pair.count)}
@@ -120,9 +131,11 @@ export function Picked(props: {
                 <p>
                     {pick.body === 0 ? "A" : "B"} triangle <b>{grouped(pick.triangle)}</b>
                     , <Name text={parts.nameOf(pick.triangle)} /> {grouped(parts.placeOf(pick.triangle))}
-                    ; in {counted(pairs, "pair")} here
+                    ; in {counted(pairs, countNoun(job))} here
                     {scenarios !== undefined &&
-                        `; in ${grouped(scenarios)} of ${counted(job.done, "pose")} (${percent(scenarios / Math.max(1, job.done))})`}
+                        (asksShots(job)
+                            ? `; crossed ${counted(scenarios, "time")} in all`
+                            : `; in ${grouped(scenarios)} of ${counted(job.done, "pose")} (${percent(scenarios / Math.max(1, job.done))})`)}
                 </p>
             ) : (
                 <p>the mesh has no triangle {grouped(pick.triangle)}</p>
@@ -149,9 +162,26 @@ function MatrixTable({ pose, title }: { pose: Pose; title: string }) {
     );
 }
 
+/** Azimuth and elevation of a bundle of lines. */
+export function directionText(pose: ArrayLike<number>): string {
+    return shotKeys.map((key) => `${key} ${short(coordinateOf(key, pose), 5)}°`).join("  ");
+}
+
 /** Where B is in A's frame, as numbers and as matrices with all digits. */
 export function PoseText({ job, contacts }: { job: Job; contacts: Contacts }) {
     const relative = relativePose(contacts.scenario);
+    if (hasDirections(job)) {
+        return (
+            <section aria-label="direction">
+                <h2>where the lines come from</h2>
+                <p>{directionText(relative)}</p>
+                <details>
+                    <summary>matrix</summary>
+                    <MatrixTable pose={relative} title="the bundle in A's frame" />
+                </details>
+            </section>
+        );
+    }
     const placement = placementOf(relative);
     const said = placementKeys
         .filter((key) => key !== "distance" && (!isAngle(key) || Math.abs(placement[key]) > 1e-9))

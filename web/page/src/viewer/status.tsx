@@ -1,5 +1,5 @@
 import { numberOf } from "../base/classes";
-import type { Job, Scenario } from "../base/types";
+import { countNoun, type Job, type Scenario } from "../base/types";
 import { counted, grouped, short } from "../base/words";
 import { ClassMark, Name, Notice } from "../ui/small";
 import type { Model } from "./model";
@@ -54,15 +54,16 @@ export function distanceText(job: Pick<Job, "unit" | "up_to">, scenario: Scenari
 export function ScenarioStatus({ job, contacts }: { job: Job; contacts: Contacts }) {
     const { scenario } = contacts;
     const kind = numberOf(scenario.class);
-    const count = scenario.class !== null && scenario.count > 0 ? counted(scenario.count, "pair") : "";
+    const count = scenario.class !== null && scenario.count > 0 ? counted(scenario.count, countNoun(job)) : "";
     const nearCount = scenario.near_count > 0 ? counted(scenario.near_count, "near pair") : "";
     const said = [
         distanceText(job, scenario),
+        job.first_hits ? "the first hit of each line" : "",
         kind === 3 ? "one body is inside the other: g changes the ghost" : "",
         scenario.id !== null ? `id ${scenario.id}` : "",
         scenario.time !== null ? `t ${short(scenario.time, 6)}` : "",
-        contacts.isCut ? `drawn: the first ${grouped(contacts.pairs.length / 3)} pairs` : "",
-        scenario.cut ? `list of pairs cut at ${grouped(scenario.listed)}` : "",
+        contacts.isCut ? `drawn: the first ${grouped(contacts.pairs.length / 3)} ${countNoun(job)}s` : "",
+        scenario.cut ? `list of ${countNoun(job)}s cut at ${grouped(scenario.listed)}` : "",
         scenario.surfaces_only ? "surfaces only: a body is open" : "",
         scenario.insides_skipped ? "containment not tested: triangles are ignored" : "",
         scenario.distance_bound !== null && scenario.distance_bound > 0

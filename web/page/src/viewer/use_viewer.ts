@@ -3,7 +3,7 @@ import type { RefObject } from "preact";
 import { useEffect, useRef, useState } from "preact/hooks";
 import { messageOf } from "../base/api";
 import { onTheme } from "../base/theme";
-import type { Job } from "../base/types";
+import { asksShots, type Job } from "../base/types";
 import { loadHeat, loadModel, type Heat, type Model, trianglesMax } from "./model";
 import { type Contacts, ScenarioLoader } from "./scenario_loader";
 import type { ViewState } from "./view_state";
@@ -60,7 +60,7 @@ export function useContacts(job: Job | undefined, scenario: number) {
         if (!job) {
             return;
         }
-        loader.current = new ScenarioLoader(job.job, setContacts, (number, error) =>
+        loader.current = new ScenarioLoader(job.job, asksShots(job), setContacts, (number, error) =>
             setFailed({ scenario: number, error: messageOf(error) }),
         );
         return () => loader.current?.close();

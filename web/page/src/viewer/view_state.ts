@@ -31,6 +31,8 @@ export interface ViewState {
     partB: string;
     pick: Pick | null;
     seek: Seek;
+    /** Of each line, only the first hit that crosses is shown. */
+    onlyFirst: boolean;
 }
 
 export const startState: ViewState = {
@@ -44,6 +46,7 @@ export const startState: ViewState = {
     partB: "",
     pick: null,
     seek: "contact",
+    onlyFirst: false,
 };
 
 function numbersOf(text: string | null, count: number): number[] | null {
@@ -98,6 +101,7 @@ export function readState(query: URLSearchParams, names: PartNames): ViewState {
         partB,
         pick: readPick(query.get("pick")),
         seek: seek === "near" || seek === "either" ? seek : "contact",
+        onlyFirst: query.get("first") === "1",
     };
 }
 
@@ -137,6 +141,9 @@ export function writeState(state: ViewState, bodies: readonly [string, string]):
     }
     if (state.seek !== startState.seek) {
         query.seek = state.seek;
+    }
+    if (state.onlyFirst) {
+        query.first = "1";
     }
     return query;
 }

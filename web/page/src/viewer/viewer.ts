@@ -5,17 +5,20 @@ import { apply, inverse, relativePose } from "../base/pose";
 import { styleColour } from "../base/theme";
 import type { Pose, Vec3 } from "../base/types";
 import { BodyView } from "./body_view";
-import { ContactsView, type Highlight, highlightsOf } from "./contacts_view";
+import { ContactsView, type Highlight, highlightsOf, proper } from "./contacts_view";
 import { heatBytes } from "./heat";
+import type { HitKind, Hits } from "./hits";
 import type { Model } from "./model";
 import { nearestTriangle, type Ray } from "./pick";
 import { PickMark } from "./pick_mark";
 import type { Contacts } from "./scenario_loader";
+import { ShotsView } from "./shots_view";
 import { clipPlane, Stage } from "./stage";
 import { isSameView, type Pick, type ViewState } from "./view_state";
 
 const grey: Rgb = [186, 190, 196];
 const blue: Rgb = [100, 138, 186];
+const linePixels = 8; // How near to a hit a click picks its line.
 const identity: Pose = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0];
 
 /**
@@ -28,6 +31,7 @@ export class Viewer {
     /** How many lines between nearest points are drawn. */
     gaps = 0;
     private readonly contactsView = new ContactsView();
+    private readonly shotsView: ShotsView | null;
     private readonly mark = new PickMark();
     private readonly origin: Vec3;
     private readonly parts: readonly [BodyParts, BodyParts];
@@ -40,7 +44,7 @@ export class Viewer {
 
     constructor(
         private readonly canvas: HTMLCanvasElement,
-        { meshes, parts }: Model,
+        { meshes, parts, closed }: Model,
         moved: () => void,
         drawn: () => void,
     ) {
@@ -48,6 +52,7 @@ export class Viewer {
         this.parts = parts;
         this.bodies = [new BodyView(meshes[0], grey), new BodyView(meshes[1], blue)];
         this.origin = meshes[0].centre;
+        this.shotsView = closed ? new ShotsView(meshes[1]) : null;
         this.refreshTheme();
     }
 
@@ -83,6 +88,10 @@ export class Viewer {
             return;
         }
         const { pairs, points, scenario } = this.contacts;
+        if (this.contacts.hits && this.shotsView) {
+            this.refreshHits(this.contacts, this.contacts.hits, this.shotsView, state);
+            return;
+        }
         const isShown = (a: number, b: number) => this.isShown(state, a, b);
         this.highlights = highlightsOf(pairs, isShown);
         const corners = [this.bodies[0].corners, this.bodies[1].corners] as const;
@@ -92,6 +101,16 @@ export class Viewer {
         );
     }
 
+    /** Shows lines and hits; of the highlighted triangles only the places matter, they are not drawn. */
+    private refreshHits({ scenario }: Contacts, hits: Hits, view: ShotsView, state: ViewState): void {
+        const shown = hits
+            .shown(state.onlyFirst)
+            .filter((hit) => this.isShown(state, hits.triangleOf(hit), hits.lineOf(hit)));
+        this.highlights = [new Map(shown.map((hit) => [hits.triangleOf(hit), proper])), new Map()];
+        const pose = relativePose(scenario);
+        view.show(hits, shown, (point) => apply(pose, point).map((value, i) => value - this.origin[i]) as Vec3);
+    }
+
     /** Shows `state`; only its camera is left alone, which `view` sets. */
     setState(state: ViewState): void {
         const old = this.state;
@@ -99,7 +118,7 @@ export class Viewer {
         if (old && isSameView(old, state)) {
             return;
         }
-        if (old && (old.partA !== state.partA || old.partB !== state.partB)) {
+        if (old && (old.partA !== state.partA || old.partB !== state.partB || old.onlyFirst !== state.onlyFirst)) {
             this.refreshContacts(state);
         }
         this.applyState(state);
@@ -116,6 +135,10 @@ export class Viewer {
         this.contactsView.clip(planes);
         this.contactsView.group.visible = state.mode === "contacts";
         this.contactsView.lines.visible = state.lines;
+        if (this.shotsView) {
+            this.shotsView.clip(planes);
+            this.shotsView.group.visible = state.mode === "contacts" && state.lines;
+        }
         this.mark.show(state.pick && this.bodies[state.pick.body].corners, state.pick, this.matrices);
         this.arrange(state);
     }
@@ -129,7 +152,7 @@ export class Viewer {
         const [a, b] = this.bodies;
         const solid = { objects: [a.solid, b.solid], forgetsDepth: false };
         const contacts = {
-            objects: [this.contactsView.group],
+            objects: [this.contactsView.group, ...(this.shotsView ? [this.shotsView.group] : [])],
             forgetsDepth: state.throughWalls,
         };
         const ghost = { objects: [a.ghost, b.ghost], forgetsDepth: false };
@@ -148,7 +171,7 @@ export class Viewer {
     /** Returns the ball about both bodies, in the coordinates of the stage. */
     private ballAround(): Sphere {
         const ball = new Sphere(new Vector3(), this.bodies[0].radius);
-        return ball.union(new Sphere(this.centreOfB(), this.bodies[1].radius));
+        return this.shotsView ? ball : ball.union(new Sphere(this.centreOfB(), this.bodies[1].radius));
     }
 
     private isInView(): boolean {
@@ -160,7 +183,8 @@ export class Viewer {
     /** Looks at both bodies; from the first direction if `fresh`. */
     fit(fresh: boolean): void {
         this.fitted = this.ballAround();
-        const corners = this.bodies.flatMap((body, i) => body.boxCorners(this.matrices[i]));
+        const seen = this.shotsView ? this.bodies.slice(0, 1) : this.bodies; // Lines begin far away.
+        const corners = seen.flatMap((body, i) => body.boxCorners(this.matrices[i]));
         const box = new Box3().setFromPoints(corners.map((corner) => new Vector3(...corner)));
         this.stage.fit(box.getCenter(new Vector3()).toArray() as Vec3, corners, fresh);
         this.freshAt = this.stage.isAtStart ? (this.contacts?.scenario.index ?? -1) : -1;
@@ -220,6 +244,10 @@ export class Viewer {
      * body, else of the ghost. With `prefersGhost` the ghost comes first.
      */
     pickAt(x: number, y: number, prefersGhost: boolean): Pick | null {
+        const line = this.lineAt(x, y);
+        if (line !== null) {
+            return { body: 1, triangle: line };
+        }
         const ray = this.stage.rayAt(x, y);
         const ghosts = [0, 1].filter((body) => this.bodies[body].ghost.visible);
         const solids = [0, 1].filter((body) => this.bodies[body].solid.visible);
@@ -232,6 +260,24 @@ export class Viewer {
             this.pickAmong(ray, solids) ??
             this.pickAmong(ray, ghosts)
         );
+    }
+
+    /** Returns the line whose hit is drawn at a pixel; null if there is none. */
+    private lineAt(x: number, y: number): number | null {
+        const hits = this.contacts?.hits;
+        if (!hits || !this.shotsView?.group.visible) {
+            return null;
+        }
+        let least = linePixels;
+        let found: number | null = null;
+        for (const { hit, at } of this.shotsView.points) {
+            const [px, py] = this.stage.pixelOf(at);
+            const away = Math.hypot(px - x, py - y);
+            if (away < least) {
+                [least, found] = [away, hits.lineOf(hit)];
+            }
+        }
+        return found;
     }
 
     private pickAmong(ray: Ray, bodies: readonly number[], onlyContacts = false): Pick | null {
@@ -268,6 +314,21 @@ export class Viewer {
         );
     }
 
+    /** How many lines are drawn, and how many of them hit something. */
+    get lines(): [number, number] {
+        return this.shotsView?.lines ?? [0, 0];
+    }
+
+    /** Returns line, kind and pixel of the first hits that are drawn. */
+    hitPixels(count: number): { line: number; kind: HitKind; pixel: [number, number] }[] {
+        const hits = this.contacts?.hits;
+        return (hits ? (this.shotsView?.points.slice(0, count) ?? []) : []).map(({ hit, at }) => ({
+            line: hits?.lineOf(hit) ?? -1,
+            kind: hits?.kindOf(hit) ?? "grazes",
+            pixel: this.stage.pixelOf(at),
+        }));
+    }
+
     /** The triangles that are highlighted, of A and of B, in rising order. */
     get highlighted(): [number[], number[]] {
         return this.highlights.map((one) => [...one.keys()].sort((a, b) => a - b)) as [number[], number[]];
@@ -287,6 +348,7 @@ export class Viewer {
     dispose(): void {
         this.bodies.forEach((body) => body.dispose());
         this.contactsView.dispose();
+        this.shotsView?.dispose();
         this.mark.dispose();
         this.stage.dispose();
     }

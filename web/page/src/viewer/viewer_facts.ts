@@ -43,6 +43,8 @@ export function useViewerFacts(values: {
                     trianglesDrawn: viewer?.bodies.map((body) => body.triangles) ?? [0, 0],
                     highlighted: viewer?.highlighted ?? [[], []],
                     gaps: viewer?.gaps ?? 0,
+                    lines: viewer?.lines ?? [0, 0],
+                    hits: (viewer?.hitPixels(64) ?? []).map((one) => ({ ...one, pixel: onPage(one.pixel) })),
                     shaChecked: model?.meshes.map((mesh) => mesh.checked),
                     meshMilliseconds: model?.milliseconds,
                     firstFrameMilliseconds: drawing.firstFrame.current,

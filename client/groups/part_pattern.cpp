@@ -1,4 +1,4 @@
-#include "client/spec/part_pattern.hpp"
+#include "client/groups/part_pattern.hpp"
 
 #include <fnmatch.h>
 

@@ -1,4 +1,4 @@
-#include "client/folder/scene_text.hpp"
+#include "client/job/scene_text.hpp"
 
 #include "client/spec/toml_text.hpp"
 #include "common/core/check.hpp"
@@ -26,6 +26,9 @@ std::string body_keys(const SceneBodySpec& body) {
     add("unit", body.mesh.unit);
     add("up", body.mesh.up);
     add("precision", body.mesh.rounds_to_float ? "float" : "");
+    if (body.mesh.origin != std::array<double, 3>{}) {
+        text += ", origin = " + toml_list(body.mesh.origin, toml_number);
+    }
     add("group", body.group);
     text += body.count ? ", count = " + std::to_string(*body.count) : "";
     add("split", body.is_split ? "parts" : "");
@@ -54,6 +57,17 @@ std::string poses_table(const ScenePosesSpec& poses) {
     return text;
 }
 
+std::string fcd_table(const FcdSpec& fcd) {
+    std::string types;
+    for (const auto& [type, body] : fcd.types) {
+        types += (types.empty() ? "" : ", ") + toml_quoted(type) + " = " + toml_quoted(body);
+    }
+    std::string text = "{ file = " + toml_quoted(fcd.path.string()) + ", types = { " + types + " }";
+    text += fcd.z != 0 ? ", z = " + toml_number(fcd.z) : "";
+    text += fcd.skips_other_types ? ", other_types = " + toml_quoted("skip") : "";
+    return "\n[poses]\n" + toml_line("fcd", text + " }");
+}
+
 std::string rules_table(const RulesSpec& rules) {
     if (rules.order.empty() && !rules.learn) {
         return {};
@@ -78,6 +92,7 @@ std::string scene_text(const SceneSpec& scene) {
         text += toml_line(toml_quoted(body.name), "{ " + body_keys(body) + " }");
     }
     text += scene.poses ? poses_table(*scene.poses) : "";
+    text += scene.fcd ? fcd_table(*scene.fcd) : "";
     return text + rules_table(scene.rules);
 }
 
