@@ -7,6 +7,7 @@
 #include "client/trees/body_trees.hpp"
 #include "common/core/errors.hpp"
 #include "common/core/files/disk_file.hpp"
+#include "common/job/answer_poses.hpp"
 #include "common/job/result/drawn_witness.hpp"
 #include "common/job/run_scenario.hpp"
 
@@ -41,7 +42,8 @@ class SceneRunner {
         const SubtreePair whole{trees_[0]->view(), trees_[1]->view()};
         const Query& query = known.nearest ? of_run_ : query_;
         KeptSearch& kept = known.nearest ? nearest_ : contacts_;
-        ScenarioRun done = run_on_subtrees(kept, {&whole, 1}, scenario, query, options_);
+        ScenarioRun done =
+            run_on_subtrees(kept, {&whole, 1}, at_answer(scenario, known), query, options_);
         if (done.is_stopped) {
             return interrupted();
         }

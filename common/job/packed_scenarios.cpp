@@ -13,8 +13,10 @@ namespace cd {
 namespace {
 
 constexpr std::uint8_t version = 2;
-constexpr std::uint8_t forms_scene = 0x10; ///< The scenarios of the run have steps.
-constexpr std::uint8_t forms_max = 0x1f;
+constexpr std::uint8_t forms_scene = 0x10;  ///< The scenarios of the run have steps.
+constexpr std::uint8_t forms_motion = 0x20; ///< They are motions.
+constexpr std::uint8_t forms_rests = 0x40;  ///< They are motions, and A rests.
+constexpr std::uint8_t forms_max = 0x7f;
 
 /// The form in which a pose is packed. The values are part of the format.
 enum class Form : std::uint8_t { Identity = 0, Translation = 1, Matrix = 2, Quaternion = 3 };
@@ -46,15 +48,39 @@ bool have_steps(std::uint8_t forms) {
     return (forms & forms_scene) != 0;
 }
 
+bool are_motions(std::uint8_t forms) {
+    return (forms & forms_motion) != 0;
+}
+
+bool rests_a(std::uint8_t forms) {
+    return (forms & forms_rests) != 0;
+}
+
+/// Whether forms of motions make sense; all other forms do.
+bool are_consistent(std::uint8_t forms) {
+    const bool are_turns =
+        form_of_a(forms) == Form::Quaternion && form_of_b(forms) == Form::Quaternion;
+    return are_motions(forms) ? are_turns : !rests_a(forms);
+}
+
 std::uint8_t forms_of(const Scenario& scenario) {
+    const bool rests = scenario.to && scenario.to->a == scenario.poses.a;
     return static_cast<std::uint8_t>(static_cast<unsigned>(form_of(scenario.poses.a)) |
                                      static_cast<unsigned>(form_of(scenario.poses.b)) << 2 |
-                                     (scenario.step ? forms_scene : 0u));
+                                     (scenario.step ? forms_scene : 0u) |
+                                     (scenario.to ? forms_motion : 0u) |
+                                     (rests ? forms_rests : 0u));
+}
+
+/// Returns how many doubles the end of a motion takes.
+std::size_t numbers_at_end(std::uint8_t forms) {
+    return are_motions(forms) ? numbers_in(Form::Quaternion) * (rests_a(forms) ? 1 : 2) : 0;
 }
 
 std::size_t bytes_with_forms(std::uint8_t forms) {
     return sizeof(std::uint32_t) + (have_steps(forms) ? sizeof(std::uint64_t) : 0) +
-           sizeof(double) * (numbers_in(form_of_a(forms)) + numbers_in(form_of_b(forms)));
+           sizeof(double) * (numbers_in(form_of_a(forms)) + numbers_in(form_of_b(forms)) +
+                             numbers_at_end(forms));
 }
 
 void put_pose(ByteWriter& out, const Pose& pose, Form form) {
@@ -100,6 +126,12 @@ std::optional<Pose> get_pose(ByteReader& in, Form form) {
     const Pose pose = form == Form::Quaternion ? Pose::from_quaternion(q, translation)
                                                : Pose::from_matrix(matrix, translation);
     return pose.is_finite() ? std::optional(pose) : std::nullopt;
+}
+
+Error bad_pose(const char* body, std::uint64_t index) {
+    return {ErrorCode::BadInput,
+            std::string("the pose of body ") + body + " in scenario " + std::to_string(index) +
+                " is not finite or has a zero quaternion"};
 }
 
 Error bad_frame(const char* what) {
@@ -170,6 +202,12 @@ Bytes pack_scenarios(std::span<const Scenario> scenarios) {
             }
             put_pose(out, scenario.poses.a, form_of_a(forms));
             put_pose(out, scenario.poses.b, form_of_b(forms));
+            if (scenario.to && !rests_a(forms)) {
+                put_pose(out, scenario.to->a, Form::Quaternion);
+            }
+            if (scenario.to) {
+                put_pose(out, scenario.to->b, Form::Quaternion);
+            }
         }
         scenarios = scenarios.subspan(length);
     }
@@ -209,7 +247,7 @@ std::optional<PackedScenarios::Run> PackedScenarios::get_run(ByteReader& in) {
     const auto body_a = get_varint(in);
     const auto body_b = get_varint(in);
     const auto index_least = get_varint(in);
-    if (run.forms > forms_max || !length || *length == 0 || !body_a || !body_b || !index_least ||
+    if (run.forms > forms_max || !are_consistent(run.forms) || !length || *length == 0 || !body_a || !body_b || !index_least ||
         *body_a > UINT32_MAX || *body_b > UINT32_MAX || *index_least > UINT64_MAX - UINT32_MAX ||
         *length > in.remaining() / bytes_with_forms(run.forms)) {
         return std::nullopt;
@@ -278,11 +316,18 @@ Result<Scenario> PackedScenarios::at(std::uint64_t i) const {
     const auto a = get_pose(in, form_of_a(run.forms));
     const auto b = a ? get_pose(in, form_of_b(run.forms)) : std::nullopt;
     if (!b) {
-        return Error{ErrorCode::BadInput,
-                     "the pose of body " + std::string(a ? "b" : "a") + " in scenario " +
-                         std::to_string(index) + " is not finite or has a zero quaternion"};
+        return bad_pose(a ? "b" : "a", index);
     }
-    return Scenario{index, run.body_a, run.body_b, PosePair{*a, *b}, step};
+    Scenario scenario{index, run.body_a, run.body_b, PosePair{*a, *b}, step};
+    if (are_motions(run.forms)) {
+        const auto to_a = rests_a(run.forms) ? a : get_pose(in, Form::Quaternion);
+        const auto to_b = to_a ? get_pose(in, Form::Quaternion) : std::nullopt;
+        if (!to_b) {
+            return bad_pose(to_a ? "b" : "a", index);
+        }
+        scenario.to = PosePair{*to_a, *to_b};
+    }
+    return scenario;
 }
 
 Result<std::vector<Scenario>> unpack_scenarios(std::span<const std::byte> bytes,

@@ -21,9 +21,35 @@ std::optional<Level> level_from_text(std::string_view text) {
     return std::nullopt;
 }
 
+namespace {
+
+const char* problem_of_distance(const Query& query) {
+    const bool asks_more =
+        query.level != Level::Any || query.clearance || query.maps || query.limit_pairs != 0;
+    return asks_more ? "a distance with a level, clearance, maps or limit_pairs" : nullptr;
+}
+
+const char* problem_of_motion(const Query& query) {
+    if (!query.motion || !std::isfinite(query.motion->resolution) ||
+        !(query.motion->resolution > 0) || query.motion->until > Until::End) {
+        return "a motion without a resolution above 0";
+    }
+    const bool is_level = query.level == Level::Any || query.level == Level::Pairs;
+    return is_level && !query.maps ? nullptr
+                                   : "a motion with maps, or at another level than any and pairs";
+}
+
+const char* problem_of_shots(const Query& query) {
+    const bool is_level = query.level == Level::Count || query.level == Level::Pairs;
+    return is_level && !query.clearance
+               ? nullptr
+               : "shots with a clearance, or at another level than count and pairs";
+}
+
+} // namespace
+
 const char* query_problem(const Query& query) {
-    if (query.question != Question::Contacts && query.question != Question::Distance &&
-        query.question != Question::Shots) {
+    if (query.question > Question::Shots) {
         return "an unknown question";
     }
     if (query.clearance && !is_clearance(*query.clearance)) {
@@ -38,16 +64,23 @@ const char* query_problem(const Query& query) {
     if (query.first_hits && query.question != Question::Shots) {
         return "first hits without the question of shots";
     }
-    if (query.question != Question::Distance) {
-        const bool is_level = query.level == Level::Count || query.level == Level::Pairs;
-        if (query.question == Question::Shots && (!is_level || query.clearance)) {
-            return "shots with a clearance, or at another level than count and pairs";
-        }
-        return query.up_to ? "an up_to without the question of the distance" : nullptr;
+    if (query.up_to && query.question != Question::Distance) {
+        return "an up_to without the question of the distance";
     }
-    const bool asks_more =
-        query.level != Level::Any || query.clearance || query.maps || query.limit_pairs != 0;
-    return asks_more ? "a distance with a level, clearance, maps or limit_pairs" : nullptr;
+    if (query.motion && query.question != Question::Motion) {
+        return "a resolution without the question of motions";
+    }
+    switch (query.question) {
+    case Question::Contacts:
+        return nullptr;
+    case Question::Distance:
+        return problem_of_distance(query);
+    case Question::Motion:
+        return problem_of_motion(query);
+    case Question::Shots:
+        return problem_of_shots(query);
+    }
+    return nullptr;
 }
 
 } // namespace cd

@@ -1,6 +1,7 @@
 // The question that a job answers for every scenario.
 #pragma once
 
+#include "common/motion/motion_outcome.hpp"
 #include "common/tree/ignored_range.hpp"
 
 #include <array>
@@ -31,7 +32,18 @@ inline constexpr std::array<std::string_view, 4> level_names{"any", "count", "pa
 enum class Question : std::uint8_t {
     Contacts = 0, ///< Which triangles touch, or are near, in the detail of the level.
     Distance = 1, ///< How far the bodies are from each other, at level any.
+    Motion = 2,   ///< When bodies that move are free of each other, at levels any and pairs.
     Shots = 3,    ///< Where the lines of body B meet A, at levels count and pairs.
+};
+
+/// What a job asks of every motion.
+struct MotionQuery {
+    /// How far the bodies may move against each other in a cell of time that stays open, in the
+    /// job's unit; positive and finite.
+    double resolution = 0;
+    Until until = Until::Contact;
+
+    friend bool operator==(const MotionQuery&, const MotionQuery&) = default;
 };
 
 struct Query {
@@ -51,6 +63,8 @@ struct Query {
     std::optional<double> up_to = std::nullopt;
     /// Of each line, only the first hit that crosses counts; only with Question::Shots.
     bool first_hits = false;
+    /// With Question::Motion, and only then.
+    std::optional<MotionQuery> motion = std::nullopt;
 };
 
 /// Whether a number may be a query's clearance: it is finite and at least 0.
@@ -60,9 +74,10 @@ struct Query {
 
 /// Returns what no job may ask in this query: a question that does not exist, a clearance or an
 /// up_to that is no length, an up_to of contacts, a distance with a level above any, a clearance,
-/// maps or limit_pairs, shots at another level than count and pairs or with a clearance, first hits
-/// of another question, or ignored ranges that are not in order. Null if there is nothing. All that
-/// read a query from bytes that others wrote call this.
+/// maps or limit_pairs, motions at another level than any and pairs, with maps or without a
+/// resolution, shots at another level than count and pairs or with a clearance, first hits or a
+/// resolution of another question, or ignored ranges that are not in order. Null if there is
+/// nothing. All that read a query from bytes that others wrote call this.
 [[nodiscard]] const char* query_problem(const Query& query);
 
 } // namespace cd

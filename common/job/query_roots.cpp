@@ -1,5 +1,8 @@
 #include "common/job/query_roots.hpp"
 
+#include "common/core/errors.hpp"
+#include "common/job/run_motion.hpp"
+
 #include <algorithm>
 #include <limits>
 
@@ -20,8 +23,15 @@ double reach_of(const TreeTop& a, const TreeTop& b, const Scenario& scenario, co
 
 } // namespace
 
-Result<CollidingRoots>
-query_roots(const TreeTop& a, const TreeTop& b, const Scenario& scenario, const Query& query) {
+Result<CollidingRoots> query_roots(const TreeTop& a,
+                                   const TreeTop& b,
+                                   const Scenario& scenario,
+                                   const Query& query,
+                                   const BodyRadii& radii) {
+    if (query.question == Question::Motion) {
+        const Motion motion = CD_TRY(motion_of(scenario, query, radii));
+        return colliding_roots(a, b, motion.at_middle({}), reach_of_motion(motion, query));
+    }
     return colliding_roots(a, b, scenario.poses, reach_of(a, b, scenario, query));
 }
 

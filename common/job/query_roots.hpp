@@ -4,16 +4,21 @@
 #include "common/core/result.hpp"
 #include "common/job/query.hpp"
 #include "common/job/scenario.hpp"
+#include "common/motion/motion_bound.hpp"
 #include "common/tree/cut.hpp"
 
 namespace cd {
 
 /// Returns the pairs of roots under which the answer of a scenario is found, from the upper trees
-/// of its bodies: those that may touch, be within the clearance, or have the nearest pair. If the
+/// of its bodies: those that may touch, be within the clearance, have the nearest pair, or come
+/// within the clearance at any time of a motion (`radii` are those of its bodies). If the
 /// query asks for a distance without `up_to` and ignores triangles of the bodies, these are all
 /// pairs of roots, since the triangles that bound the distance may be ignored. Errors: as
-/// `colliding_roots`.
-[[nodiscard]] Result<CollidingRoots>
-query_roots(const TreeTop& a, const TreeTop& b, const Scenario& scenario, const Query& query);
+/// `colliding_roots`; BadInput for a motion that is none.
+[[nodiscard]] Result<CollidingRoots> query_roots(const TreeTop& a,
+                                                 const TreeTop& b,
+                                                 const Scenario& scenario,
+                                                 const Query& query,
+                                                 const BodyRadii& radii = {});
 
 } // namespace cd

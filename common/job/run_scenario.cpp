@@ -1,6 +1,7 @@
 #include "common/job/run_scenario.hpp"
 
 #include "common/core/limits/engine.hpp"
+#include "common/job/run_motion.hpp"
 #include "common/job/run_shots.hpp"
 #include "common/job/settle.hpp"
 #include "common/search/contact_search.hpp"
@@ -234,6 +235,9 @@ SearchOptions search_options(const Query& query, const RunOptions& options) {
     search.keep_corners = query.level == Level::Contacts || (is_shots && needs_hits(query));
     search.pairs_max = pairs_worth_keeping(query);
     search.clearance = query.clearance;
+    if (query.question == Question::Motion && !search.clearance) {
+        search.clearance = 0; // Set anew for each cell.
+    }
     if (query.question == Question::Distance) {
         search.nearest_up_to = query.up_to.value_or(std::numeric_limits<double>::infinity());
     }
@@ -241,6 +245,44 @@ SearchOptions search_options(const Query& query, const RunOptions& options) {
     search.decision = options.decision;
     search.stop = options.stop;
     return search;
+}
+
+/// Runs a motion; at level pairs also finds the pairs at its event. Returns false if `stop` ended
+/// the run.
+bool find_moving(ContactSearch& search,
+                 std::span<const SubtreePair> pairs,
+                 const Scenario& scenario,
+                 const Query& query,
+                 const RunOptions& options,
+                 ScenarioRun& run) {
+    const Result<Motion> motion = motion_of(scenario, query, options.radii);
+    if (!motion) {
+        run.result = failed_result(scenario, query, motion.error());
+        return true;
+    }
+    if (!find_motion(search, pairs, motion.value(), scenario, query, options, run)) {
+        return false;
+    }
+    const bool lists_pairs = query.level == Level::Pairs && run.result.motion->event();
+    return !lists_pairs || find_pairs(pairs, scenario, query, options.stop, search, run);
+}
+
+/// Returns the run of a scenario without colliding roots.
+ScenarioRun run_apart(const Scenario& scenario, const Query& query, const RunOptions& options) {
+    ScenarioRun run;
+    begin_result(scenario, query, run.result);
+    if (query.level == Level::Contacts) {
+        run.result.point_offsets.push_back(0);
+    }
+    if (query.question == Question::Motion) {
+        const Result<Motion> motion = motion_of(scenario, query, options.radii);
+        if (!motion) {
+            run.result = failed_result(scenario, query, motion.error());
+            return run;
+        }
+        note_free_motion(motion.value(), query, run.result);
+    }
+    return run;
 }
 
 /// Returns false if `stop` ended a computation after the search.
@@ -253,6 +295,9 @@ bool find_answer(KeptSearch& kept,
     ContactSearch& search = *kept.search;
     if (query.question == Question::Shots) {
         return find_shots(kept, pairs, scenario, query, options, run);
+    }
+    if (query.question == Question::Motion) {
+        return find_moving(search, pairs, scenario, query, options, run);
     }
     switch (query.level) {
     case Level::Any:
@@ -292,15 +337,12 @@ ScenarioRun run_on_subtrees(KeptSearch& kept,
                             const Scenario& scenario,
                             const Query& query,
                             const RunOptions& options) {
-    ScenarioRun run;
-    begin_result(scenario, query, run.result);
     kept.touching.reset();
     if (pairs.empty()) {
-        if (query.level == Level::Contacts) {
-            run.result.point_offsets.push_back(0);
-        }
-        return run;
+        return run_apart(scenario, query, options);
     }
+    ScenarioRun run;
+    begin_result(scenario, query, run.result);
     const auto ignored = ignored_of(query.ignored, scenario.body_a, scenario.body_b);
     if (kept.search) {
         kept.search->ignore(ignored);
@@ -314,7 +356,7 @@ ScenarioRun run_on_subtrees(KeptSearch& kept,
     if (report.is_stopped || !is_whole) {
         return stopped_run(scenario, query);
     }
-    run.statistics = report.statistics;
+    run.statistics += report.statistics;
     fail_above_limit(run.result, limits::result_record_bytes_max);
     return run;
 }
@@ -334,13 +376,15 @@ ScenarioRunner::ScenarioRunner(TreesByBody trees,
     : trees_(std::move(trees)),
       query_(query),
       options_{{{first_stage, stop, false}, {first_stage, stop, true}}},
+      radii_(radii_for(trees_, query_)),
       settler_(trees_, query.ignored) {}
 
 ScenarioRun ScenarioRunner::run_with_kept(const Scenario& scenario, KeptSearch& kept) const {
     const ObbTree& a = trees_.a_of(scenario);
     const ObbTree& b = trees_.b_of(scenario);
     const bool are_closed = a.topology().is_closed() && b.topology().is_closed();
-    const RunOptions& options = options_[are_closed ? 1 : 0];
+    RunOptions options = options_[are_closed ? 1 : 0];
+    options.radii = radii_of(radii_, scenario);
     const SubtreePair whole{a.view(), b.view()};
     ScenarioRun run = run_on_subtrees(kept, {&whole, 1}, scenario, query_, options);
     if (!run.is_stopped) {

@@ -9,6 +9,8 @@
 #include "common/job/settle.hpp"
 #include "common/job/statistics.hpp"
 #include "common/job/trees_by_body.hpp"
+#include "common/motion/motion_bound.hpp"
+#include "common/search/subtree_pair.hpp"
 #include "common/tree/obb_tree.hpp"
 
 #include <array>
@@ -31,22 +33,17 @@ struct ScenarioRun {
     bool is_stopped = false;
 };
 
-/// The two subtrees below a colliding pair of distribution roots.
-struct SubtreePair {
-    TreeView a;
-    TreeView b;
-};
-
 struct RunOptions {
     /// Skips the stages of the pair decision before this one, which changes no answer.
     PairStage first_stage = PairStage::Float;
     StopCheck stop = {};       ///< Polled throughout the run; true ends the run.
     bool keep_touches = false; ///< Keeps touching pairs at `level count`, for `Settler`.
     PairDecision decision = PairDecision::Exact;
+    BodyRadii radii = {}; ///< Of the scenario's bodies; used only with Question::Motion.
 };
 
 /// Finds the contacts under the given pairs of subtrees (paper, 6.4.2, steps 1 to 3). Without pairs
-/// the scenario is separate. The caller keeps the subtrees alive. The result does not depend on the
+/// the scenario is separate, or the motion free. The caller keeps the subtrees alive. The result does not depend on the
 /// order of the pairs, nor on how the trees are cut.
 ///
 /// At `level any` the search ends at the first contact, and the class is contact; without one it is
@@ -99,6 +96,7 @@ class ScenarioRunner {
     TreesByBody trees_;
     const Query& query_;
     std::array<RunOptions, 2> options_; ///< [1]: for scenarios of two closed bodies.
+    std::vector<double> radii_;         ///< Of each body, with Question::Motion; else empty.
     Settler settler_;
 };
 

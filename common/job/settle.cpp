@@ -1,5 +1,6 @@
 #include "common/job/settle.hpp"
 
+#include "common/job/answer_poses.hpp"
 #include "common/search/contact_search.hpp"
 #include "common/solid/containment.hpp"
 #include "common/solid/penetration.hpp"
@@ -162,10 +163,18 @@ SettleStatistics Settler::settle_closed(const Scenario& scenario,
 InsideStatistics Settler::settle(const Scenario& scenario,
                                  ScenarioResult& result,
                                  const SettleOptions& options) const {
-    using Clock = std::chrono::steady_clock;
     if (result.kind == ScenarioClass::Failed || result.question == Question::Shots) {
         return {};
     }
+    return result.question == Question::Motion
+               ? settle_at(at_answer(scenario, result), result, options)
+               : settle_at(scenario, result, options);
+}
+
+InsideStatistics Settler::settle_at(const Scenario& scenario,
+                                    ScenarioResult& result,
+                                    const SettleOptions& options) const {
+    using Clock = std::chrono::steady_clock;
     const bool is_closed = are_closed(scenario.body_a, scenario.body_b);
     result.surfaces_only = !is_closed;
     result.insides_skipped = is_closed && !ignored_in(scenario).empty() &&

@@ -25,12 +25,13 @@ struct SettleOptions {
     /// All pairs of the scenario, sorted, if the result does not list all pairs; empty if unknown.
     std::span<const ContactPair> touches = {};
     StopCheck stop = {}; ///< True ends `settle` early; the class is then meaningless.
-    /// The scenario's `relative_pose`; null if `settle` has to compute it.
+    /// The `relative_pose` of the answer's poses; null if `settle` has to compute it.
     const RelativePose* b_to_a = nullptr;
 };
 
 /// Refines the class of results of `run_on_subtrees` with the whole bodies (docs/formats.md).
-/// Results of Question::Shots stay as they are. The pairs of a result name triangles of the
+/// Results of Question::Shots stay as they are. Those of motions are settled under the poses of
+/// their answer (`poses_of_answer`). The pairs of a result name triangles of the
 /// scenario's two bodies. One settler serves all scenarios of a job.
 ///
 /// If one of the two bodies is open, only `surfaces_only` is set. For two closed bodies the class
@@ -88,6 +89,10 @@ class Settler {
     /// Returns false only if neither body can lie in the other: their boxes are apart, or no probe
     /// of either body is in the box of the other body.
     [[nodiscard]] bool may_be_inside(const Scenario& scenario, const RelativePose* b_to_a) const;
+    /// Settles with the scenario's poses those of the answer.
+    [[nodiscard]] InsideStatistics settle_at(const Scenario& scenario,
+                                             ScenarioResult& result,
+                                             const SettleOptions& options) const;
     [[nodiscard]] SettleStatistics settle_closed(const Scenario& scenario,
                                                  ScenarioResult& result,
                                                  const SettleOptions& options) const;

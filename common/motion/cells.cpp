@@ -26,6 +26,7 @@ class CellSearch {
   public:
     CellSearch(const Motion& motion, Until until, double clearance, const CellQuestions& questions)
         : motion_(motion), until_(until), clearance_(clearance), questions_(questions) {
+        answer_.until = until;
         answer_.depth = motion.depth();
     }
 

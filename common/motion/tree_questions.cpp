@@ -1,35 +1,40 @@
 #include "common/motion/tree_questions.hpp"
 
-#include "common/search/contact_search.hpp"
-
-#include <memory>
-#include <optional>
 #include <utility>
 
 namespace cd {
 
-CellQuestions tree_questions(const TreeView& a,
-                             const TreeView& b,
-                             const SearchOptions& options,
-                             std::span<const IgnoredRange> ignored) {
-    const std::optional<double> clearance = options.clearance;
-    SearchOptions with_clearance = options;
-    with_clearance.clearance = clearance.value_or(0);
-    const std::shared_ptr<ContactSearch> search =
-        make_search(a, b, PosePair{}, ignored, with_clearance);
-    const auto is_within = [=](const PosePair& poses, double distance) {
-        search->set_clearance(distance);
-        search->restart(poses);
-        return search->any_near(a, b) != Nearness::Far;
-    };
-    const auto is_event = [=](const PosePair& poses) {
-        if (clearance) {
-            return is_within(poses, *clearance);
+template <class IsFound>
+bool TreeQuestions::ask(const PosePair& poses, double clearance, const IsFound& is_found) {
+    search_.set_clearance(clearance);
+    search_.restart(poses);
+    bool has_found = !pairs_.empty() && is_found(pairs_[last_]);
+    for (std::size_t i = 0; i < pairs_.size() && !has_found; ++i) {
+        if (i != last_ && is_found(pairs_[i])) {
+            has_found = true;
+            last_ = i;
         }
-        search->restart(poses);
-        return search->any(a, b);
-    };
-    return {is_within, is_event, options.stop};
+    }
+    statistics_ += search_.report().statistics;
+    return has_found;
+}
+
+bool TreeQuestions::is_within(const PosePair& poses, double distance) {
+    return ask(poses, distance, [&](const SubtreePair& pair) {
+        return search_.any_near(pair.a, pair.b) != Nearness::Far;
+    });
+}
+
+bool TreeQuestions::is_contact(const PosePair& poses) {
+    return ask(poses, clearance_.value_or(0), [&](const SubtreePair& pair) {
+        return search_.any(pair.a, pair.b);
+    });
+}
+
+CellQuestions TreeQuestions::for_cells(StopCheck stop) {
+    return {[this](const PosePair& poses, double distance) { return is_within(poses, distance); },
+            [this](const PosePair& poses) { return is_event(poses); },
+            std::move(stop)};
 }
 
 } // namespace cd

@@ -4,6 +4,7 @@
 #include "common/core/limits/engine.hpp"
 #include "common/job/packed_scenarios.hpp"
 #include "common/job/query_roots.hpp"
+#include "common/job/run_motion.hpp"
 #include "common/job/run_scenario.hpp"
 #include "common/job/settle.hpp"
 #include "master/dispatch/cost_model.hpp"
@@ -27,14 +28,17 @@ Analysis analyse_uncounted(const AnalysisInput& input, const Scenario& scenario)
     // The root of an upper tree is the whole body's box, so this descent includes the broad phase.
     const TreeTop& top_a = *input.tops.at(scenario.body_a);
     const TreeTop& top_b = *input.tops.at(scenario.body_b);
-    Result<CollidingRoots> roots = query_roots(top_a, top_b, scenario, input.query);
+    RunOptions options;
+    options.radii = radii_of(input.radii, scenario);
+    Result<CollidingRoots> roots =
+        query_roots(top_a, top_b, scenario, input.query, options.radii);
     if (!roots) {
         analysis.finished = failed_result(scenario, input.query, roots.error());
         return analysis;
     }
     analysis.cost.search.box_tests = roots.value().box_tests;
     if (roots.value().pairs.empty()) {
-        analysis.finished = run_on_subtrees({}, scenario, input.query).result;
+        analysis.finished = run_on_subtrees({}, scenario, input.query, options).result;
         analysis.cost.inside = input.settler->settle(scenario, *analysis.finished);
     } else {
         analysis.pairs = std::move(roots.value().pairs);

@@ -1,5 +1,6 @@
 #include "master/compute/job_geometry.hpp"
 
+#include "common/job/run_motion.hpp"
 #include "common/job/settle.hpp"
 #include "master/geometry/depth_choice.hpp"
 #include "master/journal/job_map.hpp"
@@ -75,6 +76,7 @@ StoreResult<JobGeometry> StoredGeometry::prepare(const Submit& submit) {
     JobMaterial material;
     material.trees = trees.value();
     material.query = submit.query;
+    material.radii = radii_for(TreesByBody(material.trees), submit.query);
     material.settler =
         std::make_shared<const Settler>(TreesByBody(material.trees), submit.query.ignored);
     if (sums_contacts(submit)) {
@@ -82,6 +84,7 @@ StoreResult<JobGeometry> StoredGeometry::prepare(const Submit& submit) {
     }
     made.analysis.trees = material.trees;
     made.analysis.query = submit.query;
+    made.analysis.radii = material.radii;
     made.analysis.settler = material.settler;
     for (const auto& cut : cuts.value()) {
         made.cuts.push_back(cut);

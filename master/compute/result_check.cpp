@@ -7,6 +7,7 @@
 #include "common/job/settle.hpp"
 #include "master/base/mutation.hpp"
 #include "master/compute/hit_check.hpp"
+#include "master/compute/motion_check.hpp"
 
 #include <algorithm>
 #include <optional>
@@ -79,8 +80,10 @@ problem_of_question(const Query& query, const Scenario& scenario, const Scenario
         return result.has_clearance ? "has a clearance that was not asked for"
                                     : "lacks the clearance asked for";
     }
-    return result.kind == ScenarioClass::Undecided ? "is undecided, which no query allows"
-                                                   : nullptr;
+    const bool may_be_undecided = query.question == Question::Motion;
+    return result.kind == ScenarioClass::Undecided && !may_be_undecided
+               ? "is undecided, which its query does not allow"
+               : nullptr;
 }
 
 /// Returns what is wrong with the pairs and numbers of a decoded result; null if nothing.
@@ -137,6 +140,9 @@ const char* problem_of_result(const JobMaterial& material,
     problem = problem != nullptr ? problem : problem_of_pairs(material, result);
     if (problem == nullptr && result.question == Question::Shots) {
         return problem_of_hits(material, result);
+    }
+    if (problem == nullptr && result.question == Question::Motion) {
+        return problem_of_motion(material, scenario, result);
     }
     return problem != nullptr ? problem : problem_of_distance(material, result);
 }

@@ -27,6 +27,7 @@ struct JobMaterial {
     std::shared_ptr<const Settler> settler; ///< Settles results; made for `trees`.
     /// The parts by which contacts are summed; null if they are not (`sums_contacts`).
     std::shared_ptr<const BodyPartRuns> parts = {};
+    std::vector<double> radii = {}; ///< Of each body, in a job of motions; else empty.
 
     [[nodiscard]] std::uint64_t triangles_of(std::uint32_t body) const {
         return trees[body]->mesh().triangles().size();

@@ -35,6 +35,11 @@ void put_query(ByteWriter& out, const Query& query) {
     put_enumeration(out, query.question);
     put_optional(out, query.up_to);
     out.put(query.first_hits);
+    out.put(std::uint8_t{query.motion ? std::uint8_t{1} : std::uint8_t{0}});
+    if (query.motion) {
+        out.put(query.motion->resolution);
+        put_enumeration(out, query.motion->until);
+    }
 }
 
 bool get_query(ByteReader& in, Query& query) {
@@ -61,7 +66,13 @@ bool get_query(ByteReader& in, Query& query) {
     const bool is_question = get_enumeration(in, query.question, Question::Shots);
     query.up_to = get_optional<double>(in);
     query.first_hits = in.get<std::uint8_t>() != 0;
-    return is_question && query_problem(query) == nullptr;
+    bool is_motion = true;
+    if (in.get<std::uint8_t>() != 0) {
+        MotionQuery& motion = query.motion.emplace();
+        motion.resolution = in.get<double>();
+        is_motion = get_enumeration(in, motion.until, Until::End);
+    }
+    return is_question && is_motion && query_problem(query) == nullptr;
 }
 
 void put_cluster(ByteWriter& out, const ClusterOptions& cluster) {

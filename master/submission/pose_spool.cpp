@@ -15,7 +15,10 @@ constexpr std::uint64_t magic = 0x32'53'4f'50'44'43'00'00; // "\0\0CDPOS2"
 } // namespace
 
 AnnouncedPoses announced_by(const Submit& submit) {
-    return {submit.scenarios, submit.bodies.size(), submit.poses.scene.has_value()};
+    return {submit.scenarios,
+            submit.bodies.size(),
+            submit.poses.scene.has_value(),
+            submit.query.question == Question::Motion};
 }
 
 Result<std::unique_ptr<PoseSpool>> PoseSpool::create(const std::filesystem::path& directory,
@@ -57,7 +60,7 @@ Status PoseSpool::check_run(const PackedScenarios& run,
         if (!scenario) {
             return scenario.error();
         }
-        const auto& [index, body_a, body_b, poses, step] = scenario.value();
+        const auto& [index, body_a, body_b, poses, step, to] = scenario.value();
         const std::string name = "scenario " + std::to_string(index);
         if (index < window || index - window >= came.size()) {
             return Error{ErrorCode::BadInput,
@@ -77,6 +80,11 @@ Status PoseSpool::check_run(const PackedScenarios& run,
             return Error{
                 ErrorCode::BadInput,
                 name + (step ? " has a step, and the job is no scene" : " of a scene has no step")};
+        }
+        if (to.has_value() != job_.are_motions) {
+            return Error{ErrorCode::BadInput,
+                         name + (to ? " moves, and the job asks for no motions"
+                                    : " of a job of motions does not move")};
         }
         came[index - window] = true;
     }

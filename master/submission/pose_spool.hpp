@@ -21,6 +21,7 @@ struct AnnouncedPoses {
     std::uint64_t scenarios = 0;
     std::uint64_t bodies = 2; ///< Number of the job's bodies.
     bool have_steps = false;  ///< The job is a scene: each scenario has a step.
+    bool are_motions = false; ///< Each scenario has poses to move to.
 };
 
 /// Returns what a submission announces.
@@ -43,7 +44,8 @@ class PoseSpool final : public PoseRuns {
     /// all that are left. Each has an index in the run's window that is not used yet. An error
     /// leaves the file unchanged. Errors: as `unpack_scenarios`; BadInput for another number of
     /// scenarios, an index that is used or outside the window, bodies that the job cannot have
-    /// (`are_bodies_of_job`), or a step outside a scene or none in one; Io.
+    /// (`are_bodies_of_job`), or a step or a second pair of poses that the job's scenarios do not
+    /// have, or lack; Io.
     [[nodiscard]] Status append(const Bytes& packed);
 
     /// Finishes the file after the last scenarios and renames it to `path`, which is in its folder.

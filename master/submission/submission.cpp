@@ -74,6 +74,9 @@ Status check_origin(const Submit& submit) {
     if (are_shots && submit.query.question != Question::Shots) {
         return bad("a job with lines asks for their hits, and not for anything else");
     }
+    if (submit.query.question == Question::Motion && submit.grid) {
+        return bad("motions are between keys, not on a grid");
+    }
     const std::size_t axes = are_shots ? shot_axes : grid_axes;
     if (!submit.poses.axes.empty() && submit.poses.axes.size() != axes) {
         return bad(

@@ -12,11 +12,17 @@ void serialize(Archive& archive, Id<Tag>& id) {
 }
 
 template <class Archive>
+void serialize(Archive& archive, MotionQuery& motion) {
+    archive(motion.resolution);
+    enumeration(archive, motion.until, Until::Contact, Until::End);
+}
+
+template <class Archive>
 void serialize(Archive& archive, Query& query) {
     enumeration(archive, query.level, Level::Any, Level::Contacts);
     archive(query.limit_pairs, query.ignored, query.maps, query.clearance);
     enumeration(archive, query.question, Question::Contacts, Question::Shots);
-    archive(query.up_to, query.first_hits);
+    archive(query.up_to, query.first_hits, query.motion);
 }
 
 template <class Archive>
@@ -115,7 +121,7 @@ void serialize(Archive& archive, WorkUnit& m) {
 
 template <class Archive>
 void serialize(Archive& archive, AddJob& m) {
-    archive(m.job, m.trees, m.query, m.grid, m.parts);
+    archive(m.job, m.trees, m.query, m.grid, m.parts, m.radii);
 }
 
 template <class Archive>

@@ -64,6 +64,8 @@ struct AddJob {
     std::optional<Bytes> grid; ///< `encode_grid`; empty for a job with a list of poses.
     /// The runs of each body's parts, for a job that sums contacts by part; else empty.
     std::vector<std::vector<PartRun>> parts = {};
+    /// The radius of each body (`body_radius`) for a job of motions; else empty.
+    std::vector<double> radii = {};
 };
 
 /// Frees the job and drops its waiting and running scenarios. Its trees may stay.

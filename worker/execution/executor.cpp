@@ -54,6 +54,7 @@ std::optional<FinishedScenarios> execute(const ReadyScenario& ready, const StopC
     }
     RunOptions options;
     options.stop = stop;
+    options.radii = ready.radii;
     const ScenarioRun run = run_on_subtrees(pairs, ready.scenario, *ready.query, options);
     if (run.is_stopped) {
         return std::nullopt;

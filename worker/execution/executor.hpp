@@ -2,6 +2,7 @@
 #pragma once
 
 #include "common/core/host/thread_pool.hpp"
+#include "common/motion/motion_bound.hpp"
 #include "proto/channel/asio.hpp"
 #include "worker/execution/walk.hpp"
 
@@ -47,6 +48,7 @@ class Executor {
 struct ReadyScenario {
     Scenario scenario;
     std::shared_ptr<const Query> query;
+    BodyRadii radii;                           ///< In a job of motions.
     std::shared_ptr<const BodyPartRuns> parts; ///< Null: contacts are not summed by part.
     std::vector<RootPair> pairs;
     std::vector<RootIndex> roots_a; ///< Distinct, ascending.

@@ -4,6 +4,7 @@
 #include "common/core/timing/worker.hpp"
 #include "common/job/packed_scenarios.hpp"
 #include "common/job/result/packed_records.hpp"
+#include "common/job/run_motion.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -118,6 +119,7 @@ ReadyScenario Task::ready(std::size_t scenario, const SubtreeCache& cache) const
     ReadyScenario ready;
     ready.scenario = scenarios_.at(scenario);
     ready.query = {job_, &job_->query};
+    ready.radii = radii_of(job_->radii, ready.scenario);
     ready.parts = job_->parts;
     ready.pairs.assign(pairs.begin(), pairs.end());
     ready.roots_a = roots_of_a(pairs);

@@ -2,6 +2,7 @@
 
 #include "common/core/limits/engine.hpp"
 #include "common/job/query_roots.hpp"
+#include "common/job/run_motion.hpp"
 #include "common/job/run_scenario.hpp"
 
 #include <algorithm>
@@ -44,8 +45,7 @@ class Walker {
         ++scenario_;
         turn_to(scenario);
         if (touching_ && gather({&*touching_, 1})) {
-            const ScenarioRun run =
-                run_on_subtrees(*search_, pairs_, scenario, walk_.job->query, options);
+            const ScenarioRun run = run_on_pairs(scenario, options);
             if (run.is_stopped || run.result.kind == ScenarioClass::Contact) {
                 return add(run);
             }
@@ -99,7 +99,11 @@ class Walker {
     /// Returns false if stopped.
     bool run_on_roots(std::size_t which, const Scenario& scenario, const RunOptions& options) {
         Result<CollidingRoots> roots =
-            query_roots(a_.tree->top(), b_.tree->top(), scenario, walk_.job->query);
+            query_roots(a_.tree->top(),
+                        b_.tree->top(),
+                        scenario,
+                        walk_.job->query,
+                        radii_of(walk_.job->radii, scenario));
         FinishedScenarios& finished = walked_.finished;
         if (!roots) {
             finished.add(encode_result(failed_result(scenario, walk_.job->query, roots.error())));
@@ -110,13 +114,18 @@ class Walker {
             walked_.waiting.push_back({which, std::move(roots.value().pairs)});
             return true;
         }
-        const ScenarioRun run =
-            run_on_subtrees(*search_, pairs_, scenario, walk_.job->query, options);
+        const ScenarioRun run = run_on_pairs(scenario, options);
         touching_.reset();
         if (search_->touching && can_expect_touch()) {
             touching_ = roots.value().pairs[*search_->touching];
         }
         return add(run);
+    }
+
+    /// Runs a scenario on the pairs gathered.
+    [[nodiscard]] ScenarioRun run_on_pairs(const Scenario& scenario, RunOptions options) {
+        options.radii = radii_of(walk_.job->radii, scenario);
+        return run_on_subtrees(*search_, pairs_, scenario, walk_.job->query, options);
     }
 
     /// Adds a scenario's result. Returns false if stopped.

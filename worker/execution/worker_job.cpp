@@ -1,5 +1,6 @@
 #include "worker/execution/worker_job.hpp"
 
+#include <algorithm>
 #include <utility>
 
 namespace cd {
@@ -40,6 +41,13 @@ Result<std::shared_ptr<const BodyPartRuns>> parts_of(std::vector<std::vector<Par
     return std::shared_ptr<const BodyPartRuns>(std::move(parts));
 }
 
+/// Whether each body has a radius in a job of motions, and none has one in other jobs.
+bool are_radii(const std::vector<double>& radii, const Query& query, std::size_t bodies) {
+    const std::size_t expected = query.question == Question::Motion ? bodies : 0;
+    return radii.size() == expected &&
+           std::ranges::all_of(radii, [](double radius) { return radius >= 0; });
+}
+
 } // namespace
 
 Result<std::shared_ptr<const WorkerJob>> make_worker_job(AddJob add, const SubtreeCache& cache) {
@@ -61,8 +69,15 @@ Result<std::shared_ptr<const WorkerJob>> make_worker_job(AddJob add, const Subtr
     if (!parts) {
         return Error{ErrorCode::BadFrame, name + "has " + parts.error().detail};
     }
-    WorkerJob job{
-        add.job, std::move(add.trees), std::move(add.query), {}, std::move(parts.value())};
+    if (!are_radii(add.radii, add.query, add.trees.size())) {
+        return Error{ErrorCode::BadFrame, name + "lacks the radius of a body, or has one too many"};
+    }
+    WorkerJob job{add.job,
+                  std::move(add.trees),
+                  std::move(add.query),
+                  {},
+                  std::move(parts.value()),
+                  std::move(add.radii)};
     if (add.grid) {
         Result<Grid> grid = decode_grid(*add.grid);
         if (!grid) {

@@ -38,6 +38,7 @@ struct WorkerJob {
     Query query;
     std::optional<Grid> grid;
     std::shared_ptr<const BodyPartRuns> parts; ///< Null: contacts are not summed by part.
+    std::vector<double> radii; ///< Of each body, in a job of motions; else empty.
     /// Scenarios that need no answer from any task.
     std::shared_ptr<DroppedScenarios> dropped = std::make_shared<DroppedScenarios>();
 
@@ -49,8 +50,8 @@ struct WorkerJob {
 };
 
 /// Makes a job of the master's message. Errors: BadFrame for fewer than two bodies, an unknown
-/// tree, trees of different forms, an invalid grid, invalid parts, or parts of other than two
-/// bodies.
+/// tree, trees of different forms, an invalid grid, invalid parts, parts of other than two bodies,
+/// or a motion without the radius of each body.
 [[nodiscard]] Result<std::shared_ptr<const WorkerJob>> make_worker_job(AddJob add,
                                                                        const SubtreeCache& cache);
 

@@ -72,9 +72,14 @@ std::uint8_t version_of(const ScenarioResult& result) {
     return is_plain ? version_contacts : version;
 }
 
+/// Whether results of this question may have a clearance.
+bool may_have_clearance(Question question) {
+    return question == Question::Contacts || question == Question::Motion;
+}
+
 /// Whether the head has the byte of more flags, which tells a clearance.
 bool has_more_flags(const ScenarioResult& result) {
-    return version_of(result) == version && result.question == Question::Contacts;
+    return version_of(result) == version && may_have_clearance(result.question);
 }
 
 std::size_t bytes_of_head(const ScenarioResult& result) {
@@ -92,8 +97,9 @@ std::uint64_t bytes_of_record(const ScenarioResult& result) {
     if (result.question == Question::Distance) {
         return head + bytes_of_witness(result.nearest);
     }
+    const std::uint64_t motion = result.motion ? bytes_of_motion(*result.motion) : 0;
     if (result.level < Level::Pairs) {
-        return head;
+        return head + motion;
     }
     const std::uint64_t pairs = sizeof(std::uint32_t) + pair_bytes * result.pairs.size();
     const std::uint64_t points =
@@ -101,7 +107,7 @@ std::uint64_t bytes_of_record(const ScenarioResult& result) {
             ? 0
             : result.pairs.size() + point_bytes * (result.pairs.size() + result.points.size()) +
                   sizeof(double) * result.near_distances.size();
-    return head + pairs + points + hit_bytes * result.hits.size();
+    return head + pairs + points + hit_bytes * result.hits.size() + motion;
 }
 
 Error bad(const char* what) {
@@ -168,14 +174,18 @@ void put_body(ByteWriter& out, const ScenarioResult& result) {
         put_hits(out, result.hits);
         return;
     }
+    if (result.question == Question::Motion) {
+        put_motion(out, result.motion.value());
+        return;
+    }
     if (result.level >= Level::Contacts) {
         put_shared_points(out, result);
         put_numbers(out, result.near_distances);
     }
 }
 
-/// Reads what version 3 adds behind the head of contacts, which have that version only in a scene
-/// or with a clearance.
+/// Reads what version 3 adds behind the head of contacts and motions. Contacts have that version
+/// only in a scene or with a clearance.
 Status get_more_flags(ByteReader& in, ScenarioResult& result) {
     const auto flags = in.get<std::uint8_t>();
     result.has_clearance = flags == flag_clearance;
@@ -186,7 +196,9 @@ Status get_more_flags(ByteReader& in, ScenarioResult& result) {
     if (flags > flag_clearance) {
         return bad("unknown flag");
     }
-    return result.has_clearance || result.step ? Status(Done{}) : bad("version 3 without need");
+    const bool is_needed =
+        result.has_clearance || result.step || result.question != Question::Contacts;
+    return is_needed ? Status(Done{}) : bad("version 3 without need");
 }
 
 /// Reads version and question. Returns the version.
@@ -197,10 +209,7 @@ Result<std::uint8_t> get_question(ByteReader& in, ScenarioResult& result) {
     }
     const auto question = in.get<std::uint8_t>();
     result.question = static_cast<Question>(question);
-    const bool is_known = result.question == Question::Contacts ||
-                          result.question == Question::Distance ||
-                          result.question == Question::Shots;
-    if (from_version != version || !is_known) {
+    if (from_version != version || result.question > Question::Shots) {
         return bad("unknown version or question");
     }
     return from_version;
@@ -239,7 +248,7 @@ Status get_head(ByteReader& in, ScenarioResult& result) {
     result.insides_skipped = (flags & flag_insides_skipped) != 0;
     if (from_version == version) {
         CD_TRY(get_step(in, is_of_scene, result));
-        if (result.question == Question::Contacts) {
+        if (may_have_clearance(result.question)) {
             CD_TRY(get_more_flags(in, result));
         }
     }
@@ -328,6 +337,9 @@ Status get_body(ByteReader& in, ScenarioResult& result) {
     if (result.question == Question::Shots) {
         return get_hits(in, result.pairs.size(), result.hits);
     }
+    if (result.question == Question::Motion) {
+        return get_motion(in, result.motion.emplace());
+    }
     if (result.level >= Level::Contacts) {
         CD_TRY(get_shared_points(in, result));
         CD_TRY(get_near_distances(in, result));
@@ -377,6 +389,7 @@ void fail_above_limit(ScenarioResult& result, std::uint64_t bytes_max) {
                                 point_bytes * (result.point_origins.size() + result.points.size()) +
                                 sizeof(double) * result.near_distances.size() +
                                 hit_bytes * result.hits.size() +
+                                (result.motion ? bytes_of_motion(*result.motion) : 0) +
                                 sizeof(std::uint32_t) * result.point_offsets.size();
     if (bytes <= bytes_max) {
         return;

@@ -6,6 +6,7 @@
 #include "common/core/result.hpp"
 #include "common/geometry/types.hpp"
 #include "common/job/query.hpp"
+#include "common/job/result/motion_record.hpp"
 #include "common/job/result/nearest_witness.hpp"
 #include "common/job/result/pair_hit.hpp"
 #include "common/search/contact_pair.hpp"
@@ -21,14 +22,16 @@
 namespace cd {
 
 /// The class of a scenario (docs/formats.md). `level any` reports Contact for Touch and Cross, and
-/// Question::Shots for any hit.
+/// Question::Shots for any hit. Of a motion it is the class at the instant of the event; without
+/// one, Undecided, or if the bodies are free throughout, their class at the motion's begin.
 enum class ScenarioClass : std::uint8_t {
     Separate = 0,
     Touch = 1,
     Cross = 2,
     Inside = 3,
     Contact = 4,
-    Undecided = 5, ///< Only of earlier versions, under a tolerance: some boxes were not tested.
+    Undecided = 5, ///< Of a motion: open parts, and no instant with the event. Of contacts only in
+                   ///< files of earlier versions, under a tolerance: some boxes were not tested.
     Failed = 6,
     Near = 7, ///< No contact, but a pair of triangles is at most the query's clearance apart.
 };
@@ -57,12 +60,12 @@ struct ScenarioHead {
 };
 
 struct ScenarioResult : ScenarioHead {
-    /// Number of all pairs in contact, even if `pairs` is cut off; 0 at `level any`. If the class
-    /// is Undecided, the number of proven pairs, which need not be all.
+    /// Number of all pairs in contact, even if `pairs` is cut off; 0 at `level any`. If contacts are
+    /// Undecided, the number of proven pairs, which need not be all.
     std::uint64_t pair_count = 0;
     /// For class Undecided, an upper bound on the distance of the two bodies in the world, in the
-    /// job's units: 0 if a contact is proven although other boxes stay undecided. May be infinite.
-    /// For other classes 0.
+    /// job's unit; of a motion, on their distance at some time of every open part, or infinity if
+    /// the search ended early. 0 if a contact is proven, and for other classes.
     double distance_bound = 0;
     /// Number of all pairs of class Near, even if `pairs` is cut off; 0 at `level any`.
     std::uint64_t near_count = 0;
@@ -85,6 +88,8 @@ struct ScenarioResult : ScenarioHead {
     std::optional<NearestWitness> nearest;
     /// With Question::Shots, for each pair in `pairs` its hit.
     std::vector<PairHit> hits;
+    /// With Question::Motion, unless the scenario failed. `pairs` are those at its event.
+    std::optional<MotionOutcome> motion;
 
     std::string failure; ///< Reason for class Failed, which has no pairs.
 
@@ -101,7 +106,7 @@ struct ScenarioResult : ScenarioHead {
 ///     u8 flags (bit 0: surfaces only, bit 1: insides skipped; never both; bit 2: of a scene)
 ///       u64 pair_count
 ///     version 3:        u64 step; 0 unless of a scene
-///     version 3, question contacts: u8 more flags (bit 0: clearance)
+///     version 3, questions contacts and motion: u8 more flags (bit 0: clearance)
 ///     with a clearance: u64 near_count
 ///     class undecided:  f64 distance_bound
 ///     class failed:     u32 length, characters of the reason; the record ends here
@@ -110,6 +115,7 @@ struct ScenarioResult : ScenarioHead {
 ///     origins;
 ///                       points x 3 f64; version 3: f64 distance of each near pair
 ///     question shots:   at level pairs: n f64 depths; n u8 flags; n u8 ranks
+///     question motion:  the bytes of `put_motion`
 ///     question distance, whose level is any: u8 1 if there is a distance, else 0; if 1: f64
 ///                       distance; u32 triangle of A; u32 triangle of B; u8 feature; 3 f64 origin;
 ///                       3 f64 point of A; 3 f64 point of B

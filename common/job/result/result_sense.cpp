@@ -43,6 +43,31 @@ Status check_distance(const ScenarioResult& result) {
     return Done{};
 }
 
+/// Checks that class and outcome of a motion fit.
+Status check_motion(const ScenarioResult& result) {
+    if (result.question != Question::Motion) {
+        return Done{};
+    }
+    if (result.level != Level::Any && result.level != Level::Pairs) {
+        return bad("a motion at another level than any and pairs");
+    }
+    if (result.kind == ScenarioClass::Failed) {
+        return Done{};
+    }
+    const MotionOutcome& motion = result.motion.value();
+    const bool has_event = motion.event().has_value();
+    const bool is_free = !has_event && !motion.has_open_run() && motion.end != MotionEnd::Limit;
+    bool fits = has_event;
+    if (result.kind == ScenarioClass::Separate) {
+        fits = is_free;
+    } else if (result.kind == ScenarioClass::Undecided) {
+        fits = !has_event && !is_free && result.pair_count == 0;
+    } else if (result.kind == ScenarioClass::Inside) {
+        fits = is_free || (has_event && result.has_clearance);
+    }
+    return fits ? Status(Done{}) : bad("a motion that does not fit the class");
+}
+
 /// Checks a record of hits: some make a contact, and none are more than are counted.
 Status check_shots(const ScenarioResult& result) {
     const bool is_level = result.level == Level::Count || result.level == Level::Pairs;
@@ -81,6 +106,7 @@ Status check_sense(const ScenarioResult& result) {
     }
     CD_TRY(check_near(result));
     CD_TRY(check_distance(result));
+    CD_TRY(check_motion(result));
     if (result.pair_count > 0 && result.distance_bound > 0) {
         return bad("a distance between bodies in contact");
     }

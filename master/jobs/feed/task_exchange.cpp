@@ -90,6 +90,9 @@ void TaskExchange::add_job_to(Worker& worker, const MasterJob& job) {
     if (const Grid* grid = job.run->poses->grid()) {
         add.grid = encode_grid(*grid);
     }
+    if (work.material != nullptr) {
+        add.radii = work.material->radii;
+    }
     if (work.material != nullptr && work.material->parts != nullptr) {
         for (const PartRuns& body : *work.material->parts) {
             add.parts.push_back(body.runs());
