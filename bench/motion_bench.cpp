@@ -97,13 +97,15 @@ class PathMaker {
 };
 
 void measure(const PosedTrees& trees, const Options& options, std::vector<Path>& paths) {
-    const CellQuestions questions =
-        tree_questions(trees.a.view(), trees.b.view(), {.clearance = options.clearance});
+    const SubtreePair whole{trees.a.view(), trees.b.view()};
+    const double clearance = options.clearance.value_or(0);
+    const auto search = make_search(whole.a, whole.b, PosePair{}, {}, {.clearance = clearance});
+    TreeQuestions tree_questions(*search, {&whole, 1}, options.clearance);
+    const CellQuestions questions = tree_questions.for_cells();
     for (int round = 0; round < options.rounds; ++round) {
         for (Path& path : paths) {
             const double start = processor_seconds();
-            path.answer =
-                search_cells(path.motion, Until::Contact, options.clearance.value_or(0), questions);
+            path.answer = search_cells(path.motion, Until::Contact, clearance, questions);
             path.seconds = std::min(path.seconds, processor_seconds() - start);
         }
     }

@@ -40,11 +40,20 @@ struct MovingBodies {
                              resolution)) {}
 };
 
+/// Searches a motion of two whole trees.
+MotionAnswer answer_of(const SubtreePair& trees,
+                       const Motion& motion,
+                       Until until,
+                       std::optional<double> clearance) {
+    const auto search =
+        make_search(trees.a, trees.b, PosePair{}, {}, {.clearance = clearance.value_or(0)});
+    TreeQuestions questions(*search, {&trees, 1}, clearance);
+    return search_cells(motion, until, clearance.value_or(0), questions.for_cells());
+}
+
 MotionAnswer
 answer_of(const MovingBodies& bodies, Until until, std::optional<double> clearance = {}) {
-    const CellQuestions questions =
-        tree_questions(bodies.a.view(), bodies.b.view(), {.clearance = clearance});
-    return search_cells(bodies.motion, until, clearance.value_or(0), questions);
+    return answer_of({bodies.a.view(), bodies.b.view()}, bodies.motion, until, clearance);
 }
 
 /// Decides the event at all 2^K + 1 instants.
@@ -357,9 +366,8 @@ TEST(MotionSearch, BothTreeFormsGiveOneAnswer) {
                               1e-2);
     std::vector<MotionAnswer> answers;
     for (std::size_t form = 0; form < 2; ++form) {
-        const auto questions =
-            tree_questions(forms_of(bodies.a)[form], forms_of(bodies.b)[form], {.clearance = 0.1});
-        answers.push_back(search_cells(bodies.motion, Until::End, 0.1, questions));
+        const SubtreePair trees{forms_of(bodies.a)[form], forms_of(bodies.b)[form]};
+        answers.push_back(answer_of(trees, bodies.motion, Until::End, 0.1));
     }
     EXPECT_EQ(answers[0].runs, answers[1].runs);
     EXPECT_EQ(answers[0].cells, answers[1].cells);
