@@ -50,6 +50,16 @@ inline Query some_shots_query() {
     return query;
 }
 
+inline Query some_motion_query() {
+    Query query;
+    query.level = Level::Pairs;
+    query.limit_pairs = 13;
+    query.clearance = 0.5;
+    query.question = Question::Motion;
+    query.motion = MotionQuery{0.25, Until::End};
+    return query;
+}
+
 inline QueryStatistics some_statistics() {
     QueryStatistics statistics;
     statistics.box_tests = 13;
@@ -249,9 +259,10 @@ inline std::vector<Message> sample_messages() {
                   {{WorkerId{1}, "node-1", true, false, 13, 0.5, 14, 15, 1, 2, 3, 4, 5, 6}}},
         AddJob{JobId{2},
                {TreeId{3}, TreeId{4}},
-               some_distance_query(),
+               some_motion_query(),
                some_bytes(9),
-               {{{0, 1}, {7, 0}}, {{0, 0}}}},
+               {{{0, 1}, {7, 0}}, {{0, 0}}},
+               {1.5, 2.5}},
         RemoveJob{JobId{2}},
         ResultsKept{{3, 5, 4}},
         Holding{{some_hash(1), some_hash(2)}},

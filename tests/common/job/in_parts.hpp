@@ -2,6 +2,7 @@
 #pragma once
 
 #include "common/job/query_roots.hpp"
+#include "common/job/run_motion.hpp"
 #include "common/job/run_scenario.hpp"
 #include "common/job/settle.hpp"
 #include "common/tree/cut.hpp"
@@ -35,14 +36,18 @@ decoded_parts(const ObbTree& tree, std::uint32_t depth, SubtreeForm form) {
                                                  std::mt19937_64& random) {
     const std::vector<Subtree> parts_a = decoded_parts(a, depths[0], form);
     const std::vector<Subtree> parts_b = decoded_parts(b, depths[1], form);
+    RunOptions options;
+    options.radii = radii_of(radii_for(TreesByBody(a, b), query), scenario);
     auto roots =
-        query_roots(cut_tree(a, depths[0]), cut_tree(b, depths[1]), scenario, query).value().pairs;
+        query_roots(cut_tree(a, depths[0]), cut_tree(b, depths[1]), scenario, query, options.radii)
+            .value()
+            .pairs;
     std::shuffle(roots.begin(), roots.end(), random);
     std::vector<SubtreePair> parts;
     for (const RootPair& pair : roots) {
         parts.push_back({parts_a[pair.a].view(), parts_b[pair.b].view()});
     }
-    ScenarioResult result = run_on_subtrees(parts, scenario, query).result;
+    ScenarioResult result = run_on_subtrees(parts, scenario, query, options).result;
     (void)Settler(a, b, query.ignored).settle(scenario, result);
     return result;
 }

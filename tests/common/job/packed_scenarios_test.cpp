@@ -40,6 +40,11 @@ std::vector<Scenario> mixed_scenarios(std::mt19937_64& random, std::size_t count
         if (random() % 4 == 0) {
             scenario.step = random();
         }
+        if (random() % 4 == 0) {
+            scenario.poses = {make_pose(random, 3.0), make_pose(random, 3.0)};
+            scenario.to = PosePair{random() % 2 == 0 ? scenario.poses.a : make_pose(random, 3.0),
+                                   make_pose(random, 3.0)};
+        }
         scenarios.push_back(scenario);
         index = random() % 4 == 0 ? random() >> 1 : index + 1;
     }

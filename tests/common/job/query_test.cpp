@@ -79,6 +79,32 @@ TEST(Query, AskedForADistanceHasAnUpToAndIgnoredTrianglesAlone) {
     EXPECT_EQ(problem_with(distance_query(), [](Query& q) { q.limit_pairs = 1; }), more);
 }
 
+TEST(Query, AskedForMotionsHasAResolutionAndListsPairsAtMost) {
+    Query motion;
+    motion.question = Question::Motion;
+    motion.motion = MotionQuery{0.5, Until::Free};
+    const std::string misfit = "a motion with maps, or at another level than any and pairs";
+    for (const Level level : {Level::Any, Level::Pairs}) {
+        motion.level = level;
+        EXPECT_EQ(query_problem(motion), nullptr);
+        EXPECT_EQ(problem_with(motion, [](Query& q) { q.clearance = 0.1; }), "none");
+        EXPECT_EQ(problem_with(motion, [](Query& q) { q.limit_pairs = 7; }), "none");
+        EXPECT_EQ(problem_with(motion, [](Query& q) { q.maps = true; }), misfit);
+        EXPECT_EQ(problem_with(motion, [](Query& q) { q.up_to = 1; }),
+                  "an up_to without the question of the distance");
+    }
+    for (const Level level : {Level::Count, Level::Contacts}) {
+        EXPECT_EQ(problem_with(motion, [&](Query& q) { q.level = level; }), misfit);
+    }
+    const std::string none = "a motion without a resolution above 0";
+    EXPECT_EQ(problem_with(motion, [](Query& q) { q.motion.reset(); }), none);
+    for (const double resolution : {0.0, -1.0, HUGE_VAL, std::nan("")}) {
+        EXPECT_EQ(problem_with(motion, [&](Query& q) { q.motion->resolution = resolution; }), none);
+    }
+    EXPECT_EQ(problem_with({}, [](Query& q) { q.motion = MotionQuery{0.5}; }),
+              "a resolution without the question of motions");
+}
+
 TEST(Query, AskedForShotsHasALevelLimitsAndMapsButNoClearance) {
     Query shots;
     shots.question = Question::Shots;
@@ -107,7 +133,7 @@ TEST(Query, AskedForShotsHasALevelLimitsAndMapsButNoClearance) {
 
 TEST(Query, HasAQuestionThatExists) {
     Query query;
-    for (const int question : {2, 4, 255}) {
+    for (const int question : {4, 7, 255}) {
         query.question = static_cast<Question>(question);
         EXPECT_STREQ(query_problem(query), "an unknown question") << question;
     }

@@ -170,7 +170,7 @@ TEST_F(ResultIntake, RefusesWhatWasNotAskedFor) {
     EXPECT_THAT(refusal(other_level), HasSubstr("not of the level or bodies"));
     ScenarioResult undecided = result;
     undecided.kind = ScenarioClass::Undecided;
-    EXPECT_THAT(refusal(undecided), HasSubstr("is undecided, which no query allows"));
+    EXPECT_THAT(refusal(undecided), HasSubstr("is undecided, which its query does not allow"));
 }
 
 TEST_F(ResultIntake, ChecksAResultByItsOwnBodies) {

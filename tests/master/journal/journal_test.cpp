@@ -67,6 +67,21 @@ TEST(Journal, TheRecordOfAJobHasItsFirstHits) {
     EXPECT_FALSE(decode_job(encode_job(job)));
 }
 
+TEST(Journal, TheRecordOfAJobHasItsMotion) {
+    JobRecord job{JobId{3}, some_submit(), 7};
+    job.submit.query = some_motion_query();
+    const Bytes record = encode_job(job);
+    const auto read = decode_job(record);
+    ASSERT_TRUE(read) << read.error().detail;
+    EXPECT_EQ(read.value().submit.query.question, Question::Motion);
+    EXPECT_EQ(read.value().submit.query.motion, job.submit.query.motion);
+    expect_no_other_length(record, decode_job);
+    job.submit.query.motion->resolution = 0;
+    EXPECT_FALSE(decode_job(encode_job(job)));
+    job.submit.query.motion.reset();
+    EXPECT_FALSE(decode_job(encode_job(job)));
+}
+
 TEST(Journal, CommittedEntriesAreRecovered) {
     const TemporaryFolder folder;
     Sha256 cluster;

@@ -419,10 +419,26 @@ TEST(Codec, AQueryHasAQuestionThatExistsAndAllowsTheRest) {
     };
     EXPECT_EQ(refusal_with(distance, 1), "");
     EXPECT_THAT(refusal_with(distance, 0), HasSubstr("an up_to without the question"));
-    EXPECT_THAT(refusal_with(distance, 2), HasSubstr("an unknown question"));
+    EXPECT_THAT(refusal_with(distance, 2), HasSubstr("an up_to without the question"));
     EXPECT_EQ(refusal_with(counted, 0), "");
     EXPECT_THAT(refusal_with(counted, 1), HasSubstr("a distance with a level"));
     EXPECT_THAT(refusal_with(limited, 1), HasSubstr("limit_pairs"));
+}
+
+TEST(Codec, AResolutionIsPositiveAndFinite) {
+    AddJob add;
+    Submit submit;
+    add.query = submit.query = some_motion_query();
+    add.query.motion->resolution = submit.query.motion->resolution = 1234.5678;
+    for (const Message& message : Messages{add, submit, JobDescription{JobId{8}, 9, submit}}) {
+        for (const double resolution : {5e-324, 1.7e308}) {
+            EXPECT_TRUE(is_taken_with(message, 1234.5678, resolution)) << resolution;
+        }
+        for (const double resolution :
+             {0.0, -1.0, std::nan(""), std::numeric_limits<double>::infinity()}) {
+            EXPECT_FALSE(is_taken_with(message, 1234.5678, resolution)) << resolution;
+        }
+    }
 }
 
 TEST(Codec, FirstHitsBelongToTheQuestionOfShots) {
