@@ -49,11 +49,11 @@ class CellSearch {
 
   private:
     struct Waiting {
-        Cell cell;
+        TimeCell cell;
         double bound_of_parent;
     };
 
-    void visit(const Cell& cell, double bound) {
+    void visit(const TimeCell& cell, double bound) {
         const double within = sum_above(bound, clearance_);
         // A sum that overflows proves nothing.
         const bool may_meet =
@@ -68,20 +68,20 @@ class CellSearch {
             answer_.open_within = std::max(answer_.open_within, within);
             add_open(cell);
         } else {
-            const Cell left{cell.level + 1, 2 * cell.index};
+            const TimeCell left{cell.level + 1, 2 * cell.index};
             waiting_.push_back({{left.level, left.index + 1}, bound});
             waiting_.push_back({left, bound});
         }
     }
 
-    void add_free(const Cell& cell) {
+    void add_free(const TimeCell& cell) {
         extend(CellState::Free, cell);
         is_done_ = until_ == Until::Free;
     }
 
     /// Decides the event at both ends of an open leaf. A free leaf before it proves that there is
     /// none at their common end; an open one has asked already.
-    void add_open(const Cell& cell) {
+    void add_open(const TimeCell& cell) {
         if (cell.index == 0 && is_event(0)) {
             note_start();
         }
@@ -126,7 +126,7 @@ class CellSearch {
     }
 
     /// Appends a leaf to the runs, and returns its end.
-    std::uint32_t extend(CellState state, const Cell& cell) {
+    std::uint32_t extend(CellState state, const TimeCell& cell) {
         const unsigned above = answer_.depth - cell.level;
         if (answer_.runs.empty() || answer_.runs.back().state != state) {
             answer_.runs.push_back({state, cell.index << above, 0});

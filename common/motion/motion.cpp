@@ -56,7 +56,7 @@ PosePair Motion::at(std::uint32_t index, unsigned level) const {
     return {pose_at(a_, tau), pose_at(b_, tau)};
 }
 
-PosePair Motion::at_middle(const Cell& cell) const {
+PosePair Motion::at_middle(const TimeCell& cell) const {
     return at(2 * cell.index + 1, cell.level + 1);
 }
 

@@ -31,13 +31,13 @@ class Motion {
     /// Returns the exact poses at tau = index / 2^level, where the level is at most K + 1.
     [[nodiscard]] PosePair at(std::uint32_t index, unsigned level) const;
     /// Returns the exact poses at the cell's middle.
-    [[nodiscard]] PosePair at_middle(const Cell& cell) const;
+    [[nodiscard]] PosePair at_middle(const TimeCell& cell) const;
 
     /// Returns M of the whole motion: how far a point of A and one of B can move against each other
     /// between tau = 1/2 and any other time.
     [[nodiscard]] double bound() const;
     /// Returns M of a cell (`cell_bound`).
-    [[nodiscard]] double bound(const Cell& cell, double bound_of_parent) const {
+    [[nodiscard]] double bound(const TimeCell& cell, double bound_of_parent) const {
         return cell_bound(a_, b_, radii_, cell, bound_of_parent);
     }
 

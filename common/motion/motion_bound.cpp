@@ -46,7 +46,7 @@ struct Turning {
     double scale = 0;     ///< O, a bound of |omega| that errors are relative to.
 };
 
-Turning turning_in(const Cell& cell, const BodyPath& path) {
+Turning turning_in(const TimeCell& cell, const BodyPath& path) {
     const double h = cell.half_width();
     const Quaternion q = pose_at(path, cell.middle()).quaternion();
     const Quaternion rate = minus(path.q1, path.q0);
@@ -101,11 +101,11 @@ double bound_in_frame(const RelativeMotion& motion,
 
 } // namespace
 
-double Cell::middle() const {
+double TimeCell::middle() const {
     return std::ldexp(2.0 * index + 1, -static_cast<int>(level) - 1);
 }
 
-double Cell::half_width() const {
+double TimeCell::half_width() const {
     return std::ldexp(1.0, -static_cast<int>(level) - 1);
 }
 
@@ -122,7 +122,7 @@ double body_radius(std::span<const Vec3> vertices) {
 double cell_bound(const BodyPath& a,
                   const BodyPath& b,
                   const BodyRadii& radii,
-                  const Cell& cell,
+                  const TimeCell& cell,
                   double bound_of_parent) {
     const double tau = cell.middle();
     const RelativeMotion motion{cell.half_width(),

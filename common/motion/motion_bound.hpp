@@ -52,7 +52,7 @@
 namespace cd {
 
 /// The part [index, index + 1] / 2^level of a motion's time.
-struct Cell {
+struct TimeCell {
     unsigned level = 0;
     std::uint32_t index = 0;
 
@@ -77,7 +77,7 @@ struct BodyRadii {
 [[nodiscard]] double cell_bound(const BodyPath& a,
                                 const BodyPath& b,
                                 const BodyRadii& radii,
-                                const Cell& cell,
+                                const TimeCell& cell,
                                 double bound_of_parent);
 
 } // namespace cd

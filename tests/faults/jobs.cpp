@@ -4,6 +4,7 @@
 #include "common/core/limits/master.hpp"
 #include "common/job/poses/pose_source.hpp"
 #include "common/job/run_scenario.hpp"
+#include "common/motion/motion_keys.hpp"
 #include "master/journal/job_map.hpp"
 #include "tests/faults/world.hpp"
 #include "tests/support/parts.hpp"
@@ -40,6 +41,13 @@ Query of_distance() {
 Query of_lines() {
     Query query = at_level(Level::Count, true);
     query.question = Question::Shots;
+    return query;
+}
+
+Query of_motions(Level level) {
+    Query query = at_level(level);
+    query.question = Question::Motion;
+    query.motion = MotionQuery{0.05, Until::Contact};
     return query;
 }
 
@@ -84,6 +92,9 @@ struct Known {
         add_list(torus, box, 60, with_clearance(Level::Count, 0.2));
         add_list(sphere, box, 60, of_distance());
         add_list(torus, upload(some_lines()), 60, of_lines());
+        add_motions(torus, sphere, 40, of_motions(Level::Any));
+        add_motions(sphere, box, 20, of_motions(Level::Pairs));
+        add_scene({torus, box, sphere, torus}, 20, at_level(Level::Pairs));
     }
 
     Sha256 upload(const Mesh& mesh) {
@@ -144,14 +155,70 @@ struct Known {
         jobs.push_back(make(std::move(submit), std::move(scenarios)));
     }
 
+    /// Moves B from each random pose to the next.
+    void add_motions(const Sha256& a, const Sha256& b, std::uint64_t count, const Query& query) {
+        Submit submit;
+        submit.bodies = {{a}, {b}};
+        submit.query = query;
+        submit.scenarios = count;
+        std::vector<PosePair> poses;
+        for (std::uint64_t index = 0; index <= count; ++index) {
+            std::mt19937_64 random(index);
+            const Quaternion turn{1, 0, 0, 0.1 * static_cast<double>(index % 5)};
+            poses.push_back({Pose::from_quaternion({}, Vec3::Zero()),
+                             Pose::from_quaternion(turn, make_pose(random, 3).translation())});
+        }
+        const auto radius = [&](const Sha256& mesh) {
+            return body_radius(store->tree(mesh).value()->mesh().vertices());
+        };
+        const auto keys =
+            round_keys(poses, {radius(a), radius(b)}, query.motion->resolution).value().keys;
+        std::vector<Scenario> scenarios(count);
+        for (std::uint64_t index = 0; index < count; ++index) {
+            scenarios[index].index = index;
+            scenarios[index].poses = keys[index];
+            scenarios[index].to = keys[index + 1];
+        }
+        jobs.push_back(make(std::move(submit), std::move(scenarios)));
+    }
+
+    /// Tests all pairs of bodies at each step, at random poses.
+    void add_scene(const std::vector<Sha256>& bodies, std::uint64_t steps, const Query& query) {
+        Submit submit;
+        for (const Sha256& body : bodies) {
+            submit.bodies.push_back({body});
+        }
+        submit.query = query;
+        submit.poses.scene.emplace();
+        std::vector<Scenario> scenarios;
+        for (std::uint64_t step = 0; step < steps; ++step) {
+            std::mt19937_64 random(step);
+            std::vector<Pose> poses;
+            for (std::size_t body = 0; body < bodies.size(); ++body) {
+                poses.push_back(make_pose(random, 2));
+            }
+            for (std::uint32_t a = 0; a < bodies.size(); ++a) {
+                for (std::uint32_t b = a + 1; b < bodies.size(); ++b) {
+                    scenarios.push_back(
+                        {scenarios.size(), a, b, PosePair{poses[a], poses[b]}, step});
+                }
+            }
+        }
+        submit.scenarios = scenarios.size();
+        jobs.push_back(make(std::move(submit), std::move(scenarios)));
+    }
+
     KnownJob make(Submit submit, std::vector<Scenario> scenarios) {
         submit.name = "job " + std::to_string(jobs.size());
-        const auto a = store->tree(submit.bodies[0].mesh).value();
-        const auto b = store->tree(submit.bodies[1].mesh).value();
+        BodyTrees trees;
+        for (const JobBody& body : submit.bodies) {
+            trees.push_back(store->tree(body.mesh).value());
+        }
+        const ScenarioRunner runner(TreesByBody(trees), submit.query);
         std::vector<Sha256> digests;
         std::vector<std::vector<ContactPair>> pairs;
         for (const Scenario& scenario : scenarios) {
-            const ScenarioRun run = run_scenario(*a, *b, scenario, submit.query);
+            const ScenarioRun run = runner.run(scenario);
             digests.push_back(digest_of(run.result));
             if (sums_contacts(submit)) {
                 pairs.push_back(submit.query.maps ? run.found : run.result.pairs);
@@ -161,7 +228,7 @@ struct Known {
                 std::move(scenarios),
                 std::move(digests),
                 std::move(pairs),
-                body_part_runs(a->mesh(), b->mesh())};
+                body_part_runs(trees[0]->mesh(), trees[1]->mesh())};
     }
 };
 
@@ -221,8 +288,12 @@ void keep_known_blocks() {
 }
 
 Sha256 digest_of_lost(const KnownJob& job, std::uint64_t index) {
+    const Scenario& scenario = job.scenarios.at(index);
     ScenarioResult result;
     result.index = index;
+    result.body_a = scenario.body_a;
+    result.body_b = scenario.body_b;
+    result.step = scenario.step;
     result.level = job.submit.query.level;
     result.question = job.submit.query.question;
     result.has_clearance = job.submit.query.clearance.has_value();

@@ -15,9 +15,28 @@ bool concerns(unsigned liar, std::uint64_t scenario) {
     return (mixed >> 32) % Lies::liars_max == liar;
 }
 
+/// Returns a result of a motion to its first contact that has it at the motion's begin.
+ScenarioResult in_contact_at_start(ScenarioResult result) {
+    const bool lists_pairs = result.level == Level::Pairs;
+    result.kind = lists_pairs ? ScenarioClass::Touch : ScenarioClass::Contact;
+    result.pair_count = lists_pairs ? 1 : 0;
+    result.pairs.clear();
+    result.distance_bound = 0;
+    result.motion->end = MotionEnd::Start;
+    result.motion->t0 = 0;
+    result.motion->t1 = 0;
+    result.motion->runs.clear();
+    return result;
+}
+
 /// Returns nothing if a wrong result would be noticed at once.
 std::optional<ScenarioResult> falsified(ScenarioResult truth) {
-    if (truth.nearest) {
+    if (truth.motion) {
+        if (truth.motion->end == MotionEnd::Start) {
+            return std::nullopt;
+        }
+        truth = in_contact_at_start(std::move(truth));
+    } else if (truth.nearest) {
         truth.nearest->distance /= 2;
     } else if (truth.level == Level::Any && truth.kind == ScenarioClass::Separate) {
         truth.kind = ScenarioClass::Contact;

@@ -31,6 +31,7 @@ bool is_drawable(const Query& query, const ScenarioResult& result) {
         return !is_contact(result.kind) || result.nearest;
     case Question::Shots:
         return query.level == Level::Pairs && query.limit_pairs == 0;
+    case Question::Motion:
     case Question::Contacts:
         break;
     }

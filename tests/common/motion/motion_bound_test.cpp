@@ -140,7 +140,7 @@ void check_meeting(const MeetingBodies& bodies,
     double bound = infinity;
     for (unsigned level = 0; level < 8; ++level) {
         const auto index = static_cast<std::uint32_t>(meeting.instant >> (instants_level - level));
-        const Cell cell{level, index};
+        const TimeCell cell{level, index};
         bound = cell_bound(bodies.a, bodies.b, bodies.radii, cell, bound);
         const ExactLength at_middle = apart(2 * std::uint64_t{index} + 1, level + 1);
         for (const ExactLength& other : {at_meeting, apart(index, level)}) {
@@ -186,7 +186,7 @@ TEST(MotionBound, IsNotMuchLargerThanItMustBe) {
     }
 }
 
-double bound_of(const Keys& keys, const BodyRadii& radii, const Cell& cell) {
+double bound_of(const Keys& keys, const BodyRadii& radii, const TimeCell& cell) {
     const Keys rounded = on_grid(keys);
     const BodyPath a = path_between(rounded.from.a, rounded.to.a).value();
     const BodyPath b = path_between(rounded.from.b, rounded.to.b).value();
