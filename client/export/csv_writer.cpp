@@ -17,7 +17,8 @@ class ScenariosCsvWriter final : public ResultWriter {
           steps_(context.steps),
           has_near_(context.clearance.has_value()),
           has_distance_(context.has_distance()),
-          has_hits_(context.question == Question::Shots) {
+          has_hits_(context.question == Question::Shots),
+          times_(context.has_motions() ? std::optional(context.times) : std::nullopt) {
         for (const ExportBody& body : context.bodies) {
             names_.push_back(csv_field(body.name));
         }
@@ -41,6 +42,9 @@ class ScenariosCsvWriter final : public ResultWriter {
         }
         if (has_hits_) {
             row_.add(",", result.pair_count);
+        }
+        if (times_) {
+            add_motion(result);
         }
         row_.add(",", yes_or_no[result.is_cut() ? 1 : 0], ",");
         if (result.kind == ScenarioClass::Undecided) {
@@ -86,6 +90,17 @@ class ScenariosCsvWriter final : public ResultWriter {
         }
     }
 
+    /// Adds a comma before each column of a motion.
+    void add_motion(const ScenarioResult& result) {
+        row_.add(",", result.motion ? to_text(result.motion->end) : "", ",");
+        const auto times = times_->bracket(result);
+        if (times) {
+            row_.add(times->first, ",", times->second);
+        } else {
+            row_.add(",");
+        }
+    }
+
     [[nodiscard]] std::string header_once() {
         if (has_header_) {
             return {};
@@ -94,7 +109,7 @@ class ScenariosCsvWriter final : public ResultWriter {
         return std::string(steps_ ? "step,time,body_a,body_b,scenario" : "scenario,body_a,body_b") +
                ",class,count," + (has_near_ ? "near_count," : "") +
                (has_distance_ ? "distance,triangle_a,triangle_b,ax,ay,az,bx,by,bz," : "") +
-               (has_hits_ ? "hits," : "") +
+               (has_hits_ ? "hits," : "") + (times_ ? "end,t0,t1," : "") +
                "cut,distance_bound,surfaces_only,insides_skipped,failure\n";
     }
 
@@ -105,6 +120,7 @@ class ScenariosCsvWriter final : public ResultWriter {
     bool has_near_;
     bool has_distance_;
     bool has_hits_;
+    std::optional<MotionTimes> times_; ///< Of motions.
     bool has_header_ = false;
 };
 

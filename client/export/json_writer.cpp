@@ -67,6 +67,9 @@ class JsonWriter final : public ResultWriter {
         if (context_.has_distance()) {
             add_nearest(result.nearest, line);
         }
+        if (context_.has_motions()) {
+            line["motion"] = motion_json(result);
+        }
         line["surfaces_only"] = result.surfaces_only;
         line["insides_skipped"] = result.insides_skipped;
         if (result.kind == ScenarioClass::Undecided) {
@@ -86,6 +89,29 @@ class JsonWriter final : public ResultWriter {
     Status finish() override { return file_.commit(); }
 
   private:
+    /// Returns what is proven of a motion; null if it failed.
+    [[nodiscard]] Json motion_json(const ScenarioResult& result) const {
+        if (!result.motion) {
+            return {};
+        }
+        const auto times = context_.times.bracket(result);
+        Json runs = Json::array();
+        for (const CellRun& run : result.motion->runs) {
+            Json row{{"state", run.state == CellState::Free ? "free" : "open"},
+                     {"from", context_.times.at(result, run.first)},
+                     {"to", context_.times.at(result, run.end())}};
+            if (run.has_event()) {
+                row["event"] = {context_.times.at(result, run.event_first),
+                                context_.times.at(result, run.event_last)};
+            }
+            runs.push_back(std::move(row));
+        }
+        return {{"end", to_text(result.motion->end)},
+                {"t0", times ? Json(times->first) : Json()},
+                {"t1", times ? Json(times->second) : Json()},
+                {"runs", std::move(runs)}};
+    }
+
     static void add_pairs(const ScenarioResult& result, Json& line) {
         Json pairs = Json::array();
         Json points = Json::array();
@@ -224,6 +250,9 @@ Status write_summary(const std::filesystem::path& dir,
     }
     if (context.question == Question::Shots) {
         add_shots(report, json);
+    }
+    if (context.has_motions()) {
+        json["question"] = "motion";
     }
     if (report.execution.reused != 0) {
         json["reused"] = report.execution.reused;

@@ -22,6 +22,7 @@ enum class NpzNeed : std::uint8_t {
     Nearest,   ///< The question of the distance.
     Offsets,   ///< That question, and exact points.
     Steps,     ///< A scene.
+    Motion,    ///< The question of motions.
 };
 
 /// An array of results.npz; docs/formats.md describes each.
@@ -34,7 +35,7 @@ struct NpzColumn {
 };
 
 /// The arrays in the order of the archive.
-constexpr std::array<NpzColumn, 24> columns{
+constexpr std::array<NpzColumn, 30> columns{
     {{"index", NpyType::U8},
      {"body_a", NpyType::U4},
      {"body_b", NpyType::U4},
@@ -58,7 +59,13 @@ constexpr std::array<NpzColumn, 24> columns{
      {"witness_points", NpyType::F8, 3, NpzNeed::Nearest, 2},
      {"witness_origin", NpyType::F8, 3, NpzNeed::Offsets},
      {"witness_offsets", NpyType::F8, 3, NpzNeed::Offsets, 2},
-     {"step", NpyType::U8, 0, NpzNeed::Steps}}};
+     {"step", NpyType::U8, 0, NpzNeed::Steps},
+     {"end", NpyType::U1, 0, NpzNeed::Motion},
+     {"depth", NpyType::U1, 0, NpzNeed::Motion},
+     {"t0", NpyType::U4, 0, NpzNeed::Motion},
+     {"t1", NpyType::U4, 0, NpzNeed::Motion},
+     {"run_offsets", NpyType::U8, 0, NpzNeed::Motion},
+     {"runs", NpyType::U4, 5, NpzNeed::Motion}}};
 constexpr std::size_t offsets = 8;
 constexpr std::size_t pairs = 9;
 constexpr std::size_t pair_class = 10;
@@ -75,6 +82,12 @@ constexpr std::size_t nearest_points = 20;
 constexpr std::size_t witness_origin = 21;
 constexpr std::size_t witness_offsets = 22;
 constexpr std::size_t scene_step = 23;
+constexpr std::size_t motion_end = 24;
+constexpr std::size_t motion_depth = 25;
+constexpr std::size_t motion_t0 = 26;
+constexpr std::size_t motion_t1 = 27;
+constexpr std::size_t run_offsets = 28;
+constexpr std::size_t motion_runs = 29;
 
 /// The place of an array that the archive does not have.
 constexpr std::size_t no_place = columns.size();
@@ -100,6 +113,8 @@ bool is_met(NpzNeed need, const ExportContext& context) {
         return context.has_distance() && context.exact_points;
     case NpzNeed::Steps:
         return context.steps != nullptr;
+    case NpzNeed::Motion:
+        return context.has_motions();
     }
     return true;
 }
@@ -117,7 +132,7 @@ class NpzResults final : public ResultWriter {
                 places_[i] = place++;
             }
         }
-        for (const std::size_t array : {offsets, point_offsets}) {
+        for (const std::size_t array : {offsets, point_offsets, run_offsets}) {
             if (has(array)) {
                 put(array, std::uint64_t{0});
             }
@@ -154,6 +169,9 @@ class NpzResults final : public ResultWriter {
         }
         if (has(scene_step)) {
             put(scene_step, steps_->step_of(result.index));
+        }
+        if (has(motion_end)) {
+            add_motion(result);
         }
         return status_;
     }
@@ -209,6 +227,28 @@ class NpzResults final : public ResultWriter {
         }
     }
 
+    /// Adds what is proven of a motion; zeros and no runs if it failed. Scenario i has the runs
+    /// [run_offsets[i], run_offsets[i + 1]): state, first, count, first and last with the event.
+    void add_motion(const ScenarioResult& result) {
+        const MotionOutcome motion = result.motion.value_or(MotionOutcome{});
+        put(motion_end, static_cast<std::uint8_t>(motion.end));
+        put(motion_depth, static_cast<std::uint8_t>(motion.depth));
+        put(motion_t0, motion.t0);
+        put(motion_t1, motion.t1);
+        std::vector<std::uint32_t> rows;
+        for (const CellRun& run : motion.runs) {
+            rows.insert(rows.end(),
+                        {static_cast<std::uint32_t>(run.state),
+                         run.first,
+                         run.count,
+                         run.event_first,
+                         run.event_last});
+        }
+        append(motion_runs, rows);
+        runs_end_ += motion.runs.size();
+        put(run_offsets, runs_end_);
+    }
+
     static std::vector<double> numbers_of(const std::vector<Vec3>& vectors) {
         std::vector<double> numbers;
         for (const Vec3& v : vectors) {
@@ -231,6 +271,7 @@ class NpzResults final : public ResultWriter {
     std::array<std::size_t, columns.size()> places_{}; ///< In the archive, of each of `columns`.
     std::uint64_t pairs_end_ = 0;
     std::uint64_t points_end_ = 0;
+    std::uint64_t runs_end_ = 0;
     Status status_ = Done{};
 };
 

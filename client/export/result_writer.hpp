@@ -2,6 +2,7 @@
 #pragma once
 
 #include "client/bundle/shot_plan.hpp"
+#include "client/export/motion_times.hpp"
 #include "client/formats/output_file.hpp"
 #include "client/report/report.hpp"
 #include "client/spec/job_file.hpp"
@@ -45,9 +46,10 @@ struct ExportContext {
     /// With a clearance, files also have what is known of near pairs.
     std::optional<double> clearance = std::nullopt;
     /// With the question of the distance, files also have the nearest points; with that of shots,
-    /// the hits.
+    /// the hits; with that of motions, what is proven of each.
     Question question = Question::Contacts;
     std::optional<double> up_to = std::nullopt; ///< Bodies farther apart have no distance.
+    MotionTimes times;                          ///< Of motions.
     /// Of a scene, the steps of its scenarios; null for a job of two bodies.
     std::shared_ptr<const StepIndex> steps = nullptr;
     StopCheck stop; ///< Once it returns true, writing fails with Interrupted.
@@ -56,6 +58,7 @@ struct ExportContext {
     void describe(const Query& query);
     [[nodiscard]] MapUse map_use() const { return {level, maps, steps != nullptr}; }
     [[nodiscard]] bool has_distance() const { return question == Question::Distance; }
+    [[nodiscard]] bool has_motions() const { return question == Question::Motion; }
     /// The contact map counts only so many first pairs of each scenario; 0: all pairs.
     [[nodiscard]] std::uint64_t map_pairs() const { return maps ? 0 : limit_pairs; }
     /// True if results list the hits of lines.

@@ -5,6 +5,7 @@
 #include "common/job/result/drawn_witness.hpp"
 #include "common/shots/line_hit.hpp"
 
+#include <cmath>
 #include <optional>
 
 namespace cd {
@@ -36,10 +37,28 @@ std::string hit_text(const PairHit& hit) {
            " at depth " + exact_text(hit.depth);
 }
 
+/// Whether a result of contacts, which an earlier version wrote, is undecided.
+bool is_undecided_contact(const ScenarioResult& result) {
+    return result.kind == ScenarioClass::Undecided && result.question == Question::Contacts;
+}
+
+/// Tells the bound of an undecided result; empty if nothing bounds the distance.
+std::string bound_text(const ScenarioResult& result) {
+    if (std::isinf(result.distance_bound)) {
+        return is_undecided_contact(result) ? "  at most inf apart" : "";
+    }
+    const std::string bound = exact_text(result.distance_bound);
+    return is_undecided_contact(result) ? "  at most " + bound + " apart"
+                                        : "  open where at most " + bound + " apart";
+}
+
 class TextWriter final : public ResultWriter {
   public:
     TextWriter(const ExportContext& context, OutputFile file)
-        : steps_(context.steps), up_to_(context.up_to), file_(std::move(file)) {
+        : steps_(context.steps),
+          up_to_(context.up_to),
+          times_(context.times),
+          file_(std::move(file)) {
         for (const ExportBody& body : context.bodies) {
             parts_.emplace_back(body.mesh);
             names_.push_back(valid_utf8(body.name));
@@ -50,16 +69,14 @@ class TextWriter final : public ResultWriter {
         std::string text = std::to_string(result.index) + "  " + place_text(result) +
                            std::string(to_text(result.kind));
         if (result.level != Level::Any && result.kind != ScenarioClass::Failed) {
-            text += result.kind == ScenarioClass::Undecided ? "  at least " : "  ";
+            text += is_undecided_contact(result) ? "  at least " : "  ";
             const bool is_shots = result.question == Question::Shots;
             text += counted(result.pair_count, is_shots ? "hit" : "pair");
             text += result.has_clearance ? ", " + grouped(result.near_count) + " near" : "";
         }
         text += std::string(result.is_cut() ? ", the first " + grouped(result.pairs.size()) : "") +
-                (result.kind == ScenarioClass::Undecided
-                     ? "  at most " + exact_text(result.distance_bound) + " apart"
-                     : "") +
-                nearest_text(result) + (result.surfaces_only ? "  surfaces only" : "") +
+                (result.kind == ScenarioClass::Undecided ? bound_text(result) : "") +
+                motion_text(result) + nearest_text(result) + (result.surfaces_only ? "  surfaces only" : "") +
                 (result.insides_skipped ? "  containment not tested" : "") +
                 (result.failure.empty() ? "" : "  " + result.failure) + "\n";
         const std::vector<double> distances =
@@ -78,6 +95,12 @@ class TextWriter final : public ResultWriter {
         return steps_ ? "step " + std::to_string(steps_->step_of(result.index)) + "  " +
                             names_[result.body_a] + "  " + names_[result.body_b] + "  "
                       : "";
+    }
+
+    /// Says what is proven of a motion.
+    [[nodiscard]] std::string motion_text(const ScenarioResult& result) const {
+        const std::string text = result.motion ? times_.text(result) : "";
+        return text.empty() ? text : "  " + text;
     }
 
     [[nodiscard]] std::string pair_text(const ScenarioResult& result,
@@ -116,6 +139,7 @@ class TextWriter final : public ResultWriter {
     std::vector<std::string> names_;         ///< Of each body.
     std::shared_ptr<const StepIndex> steps_; ///< Null for a job of two bodies.
     std::optional<double> up_to_;
+    MotionTimes times_;
     OutputFile file_;
 };
 

@@ -48,8 +48,11 @@ Query query_of(const Json& json) {
     if (json.contains("clearance")) {
         query.clearance = json["clearance"].get<double>();
     }
-    if (json.value("question", "") == "shots") {
+    const std::string question = json.value("question", "");
+    if (question == "shots") {
         query.question = Question::Shots;
+    } else if (question == "motion") {
+        query.question = Question::Motion;
     }
     return query;
 }

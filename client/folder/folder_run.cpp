@@ -34,6 +34,7 @@ ManifestPoses poses_of(const PreparedJob& job) {
     poses.count = job.poses->count();
     poses.has_ids = job.labels.columns().ids != IdKind::None;
     poses.has_times = job.labels.columns().has_times;
+    poses.has_end_times = job.labels.columns().has_end_times;
     if (job.grid) {
         poses.kind = PosesKind::Grid;
         poses.grid = job.grid;

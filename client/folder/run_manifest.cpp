@@ -1,6 +1,7 @@
 #include "client/folder/run_manifest.hpp"
 
 #include "client/spec/job_file.hpp"
+#include "client/spec/motion_spec.hpp"
 #include "common/core/errors.hpp"
 #include "common/core/limits/engine.hpp"
 #include "common/core/words.hpp"
@@ -29,6 +30,7 @@ std::uint64_t record_version(const Query& query, bool is_scene) {
 }
 /// The names of questions; that of contacts is not written.
 constexpr std::string_view distance_name = "distance";
+constexpr std::string_view motion_name = "motion";
 constexpr std::string_view shots_name = "shots";
 constexpr std::array<std::string_view, 4> kind_names{"grid", "file", "random", "shots"};
 
@@ -67,6 +69,9 @@ Json poses_json(const ManifestPoses& poses) {
               {"sha256", hash_json(poses.hash)},
               {"ids", poses.has_ids},
               {"times", poses.has_times}};
+    if (poses.has_end_times) {
+        json["end_times"] = true;
+    }
     if (poses.grid) {
         json["grid"] = grid_json(*poses.grid);
     }
@@ -101,6 +106,11 @@ Json query_json(const Query& query) {
     }
     if (query.question == Question::Distance) {
         json["question"] = distance_name;
+    }
+    if (query.motion) {
+        json["question"] = motion_name;
+        json["resolution"] = query.motion->resolution;
+        json["until"] = to_text(query.motion->until);
     }
     if (query.question == Question::Shots) {
         json["question"] = shots_name;
@@ -260,6 +270,7 @@ ManifestPoses read_poses(const Json& json) {
     poses.hash = read_hash(json, "sha256");
     poses.has_ids = value_or(json, "ids", false);
     poses.has_times = value_or(json, "times", false);
+    poses.has_end_times = value_or(json, "end_times", false);
     if (poses.kind == PosesKind::Grid) {
         poses.grid = read_grid(json.at("grid"));
         if (poses.grid->count() != poses.count) {
@@ -315,10 +326,22 @@ std::optional<double> read_length(const Json& query, const char* key) {
 }
 
 Question read_question(std::string_view name) {
-    if (name != distance_name && name != shots_name) {
-        throw Refusal{bad_input("it has a question that is not known; use a later cdctl")};
+    for (const auto& [known, question] : {std::pair(distance_name, Question::Distance),
+                                          std::pair(motion_name, Question::Motion),
+                                          std::pair(shots_name, Question::Shots)}) {
+        if (name == known) {
+            return question;
+        }
     }
-    return name == shots_name ? Question::Shots : Question::Distance;
+    throw Refusal{bad_input("it has a question that is not known; use a later cdctl")};
+}
+
+MotionQuery read_motion(const Json& query) {
+    const auto word = std::ranges::find(until_words, value_of<std::string>(query, "until"));
+    if (word == until_words.end()) {
+        throw Refusal{bad_input("the end of its motions is not known")};
+    }
+    return {number_of(query.at("resolution")), static_cast<Until>(word - until_words.begin())};
 }
 
 Query read_query(const Json& json) {
@@ -335,6 +358,9 @@ Query read_query(const Json& json) {
     if (json.contains("question")) {
         query.question = read_question(value_of<std::string>(json, "question"));
         query.first_hits = value_or(json, "first_hits", false);
+    }
+    if (query.question == Question::Motion) {
+        query.motion = read_motion(json);
     }
     if (const char* problem = query_problem(query)) {
         throw Refusal{bad_input(std::string("its query is ") + problem)};

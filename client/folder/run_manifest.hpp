@@ -34,6 +34,7 @@ struct ManifestPoses {
     std::string unit;                      ///< Unit of translations in the pose file.
     bool has_ids = false;
     bool has_times = false;
+    bool has_end_times = false; ///< Of motions whose poses have times.
 };
 
 /// What a scene of many bodies has besides its bodies and poses.

@@ -1,6 +1,7 @@
 #include "client/job/job_text.hpp"
 
 #include "client/job/scene_text.hpp"
+#include "client/spec/motion_spec.hpp"
 #include "client/spec/query_spec.hpp"
 #include "client/spec/toml_text.hpp"
 #include "common/core/words.hpp"
@@ -96,9 +97,16 @@ std::string two_bodies_text(const JobSpec& spec) {
            std::visit([](const auto& poses) { return poses_text(poses); }, spec.poses);
 }
 
+std::string motion_text(const MotionQuery& motion) {
+    return "\n[motion]\n" + toml_line("resolution", toml_number(motion.resolution)) +
+           (motion.until == Until::Contact ? ""
+                                           : toml_line("until", toml_quoted(to_text(motion.until))));
+}
+
 std::string query_text(const JobSpec& spec) {
     const Query& query = spec.query;
-    std::string text = "\n[query]\n" + toml_line("level", toml_quoted(asked_level(query)));
+    std::string text = query.motion ? motion_text(*query.motion) : "";
+    text += "\n[query]\n" + toml_line("level", toml_quoted(asked_level(query)));
     text += query.clearance ? toml_line("clearance", toml_number(*query.clearance)) : "";
     text += query.up_to ? toml_line("up_to", toml_number(*query.up_to)) : "";
     text +=

@@ -5,6 +5,7 @@
 #include "client/base/units.hpp"
 #include "client/import/mesh_import.hpp"
 #include "client/job/clearance_warning.hpp"
+#include "client/job/job_motions.hpp"
 #include "client/poses/pose_file.hpp"
 #include "client/scene/prepared_scene.hpp"
 #include "client/scene/scene_check.hpp"
@@ -184,6 +185,22 @@ Status make_poses(PreparedJob& job, ThreadPool& pool, bool quiet) {
     return Done{};
 }
 
+/// Replaces the poses of a job by the motions from each to the next.
+Status make_motions(PreparedJob& job, const MotionQuery& motion) {
+    const auto& file = std::get<PoseFileSpec>(job.spec.poses);
+    const std::string place =
+        file.path == "-" ? "standard input: " : file.path.string() + ": ";
+    auto made = CD_TRY(within(
+        place,
+        make_motions(
+            *job.poses, job.labels, *job.meshes[0], *job.meshes[1], motion.resolution)));
+    job.poses = std::move(made.poses);
+    job.labels = std::move(made.labels);
+    job.warnings.push_back("note: keys of motions are rounded to a grid: " +
+                           moved_text(made.moved, job.spec.unit));
+    return Done{};
+}
+
 void describe(PreparedJob& job, const BodyNotes& notes) {
     std::array<BodyLine, 2> lines;
     for (std::size_t i = 0; i < 2; ++i) {
@@ -291,6 +308,9 @@ Result<PreparedJob> prepare_job(
         job.labels = std::move(given.labels);
     } else if (!makes_poses) {
         CD_TRY(make_poses(job, pool, quiet));
+        if (job.query.motion) {
+            CD_TRY(make_motions(job, *job.query.motion));
+        }
     }
     if (trees == Trees::Always || makes_poses) {
         const SlowNote note("building trees of " + job.names[0] + " and " + job.names[1] + "...",
@@ -396,6 +416,9 @@ ExportContext export_context(const PreparedJob& job) {
                                   i == 1 ? views_of(job.spec.poses, *job.meshes[0]) : nullptr});
     }
     context.steps = job.scene ? job.scene->steps : nullptr;
+    if (job.query.motion) {
+        context.times = MotionTimes(std::make_shared<const PoseLabels>(job.labels));
+    }
     return context;
 }
 

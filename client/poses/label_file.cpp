@@ -16,8 +16,43 @@ namespace {
 
 using CsvRow = std::vector<std::string>;
 
-std::string header_of(const LabelColumns& columns) {
-    return columns.ids == IdKind::None ? "t" : columns.has_times ? "id,t" : "id";
+constexpr std::string_view end_header = "t_end";
+
+CsvRow header_of(const LabelColumns& columns) {
+    CsvRow header;
+    if (columns.ids != IdKind::None) {
+        header.emplace_back("id");
+    }
+    if (columns.has_times) {
+        header.emplace_back("t");
+    }
+    if (columns.has_end_times) {
+        header.emplace_back(end_header);
+    }
+    return header;
+}
+
+std::string row_text(const CsvRow& row) {
+    std::string text;
+    for (const std::string& field : row) {
+        text += (&field == &row.front() ? "" : ",") + field;
+    }
+    return text;
+}
+
+/// Adds the times of a row from its field number `field` on. Returns false if one is no number.
+bool add_times(const CsvRow& row, std::size_t field, PoseLabels& labels) {
+    for (std::vector<double>* times : {&labels.times, &labels.end_times}) {
+        if (field == row.size()) {
+            return true;
+        }
+        const auto time = number_in<double>(row[field++]);
+        if (!time || !std::isfinite(*time)) {
+            return false;
+        }
+        times->push_back(*time);
+    }
+    return true;
 }
 
 /// Reads a row of fields that `csv_field` wrote. Returns false at the end of the file.
@@ -47,8 +82,9 @@ bool read_row(std::istream& in, CsvRow& row) {
 
 std::uint64_t label_bytes(const PoseLabels& labels) {
     constexpr std::uint64_t number_bytes = 25; // The length of the longest double and a separator.
-    const std::uint64_t numbers = labels.integers.size() + labels.times.size();
-    std::uint64_t bytes = sizeof "id,t" + number_bytes * numbers;
+    const std::uint64_t numbers =
+        labels.integers.size() + labels.times.size() + labels.end_times.size();
+    std::uint64_t bytes = sizeof "id,t,t_end" + number_bytes * numbers;
     for (const std::string& text : labels.texts) {
         bytes += csv_field(text).size() + 1;
     }
@@ -57,20 +93,23 @@ std::uint64_t label_bytes(const PoseLabels& labels) {
 
 Status write_labels(const std::filesystem::path& path, const PoseLabels& labels) {
     const LabelColumns columns = labels.columns();
-    auto file = CD_TRY(RowFile::create(path, header_of(columns) + "\n"));
+    auto file = CD_TRY(RowFile::create(path, row_text(header_of(columns)) + "\n"));
     const std::size_t rows =
         std::max({labels.integers.size(), labels.texts.size(), labels.times.size()});
     for (std::size_t i = 0; i < rows; ++i) {
-        std::string row;
+        CsvRow row;
         if (columns.ids != IdKind::None) {
-            row = columns.ids == IdKind::Integer ? std::to_string(labels.integers[i])
-                                                 : csv_field(labels.texts[i]);
+            row.push_back(columns.ids == IdKind::Integer ? std::to_string(labels.integers[i])
+                                                         : csv_field(labels.texts[i]));
         }
         if (columns.has_times) {
-            row += (row.empty() && columns.ids == IdKind::None ? "" : ",") +
-                   exact_text(labels.times[i]);
+            row.push_back(exact_text(labels.times[i]));
         }
-        CD_TRY(file.add(std::string_view(row), "\n"));
+        if (columns.has_end_times) {
+            row.push_back(exact_text(labels.end_times[i]));
+        }
+        const std::string text = row_text(row);
+        CD_TRY(file.add(std::string_view(text), "\n"));
     }
     return file.commit();
 }
@@ -84,19 +123,17 @@ Result<PoseLabels> read_labels(const std::filesystem::path& path) {
     CsvRow row;
     static_cast<void>(read_row(in, header));
     const bool has_ids = header.front() == "id";
-    const bool has_times = header.back() == "t";
-    bool is_good = header.size() == (has_ids ? 1u : 0u) + (has_times ? 1u : 0u);
+    const bool has_ends = header.back() == end_header;
+    const bool has_times = has_ends || header.back() == "t";
+    LabelColumns columns{has_ids ? IdKind::Text : IdKind::None, has_times, has_ends};
+    bool is_good = header == header_of(columns);
     PoseLabels labels;
     while (is_good && read_row(in, row)) {
         is_good = row.size() == header.size();
         if (is_good && has_ids) {
             add_pose_id(labels, row.front());
         }
-        if (is_good && has_times) {
-            const auto time = number_in<double>(row.back());
-            is_good = time && std::isfinite(*time);
-            labels.times.push_back(time.value_or(0));
-        }
+        is_good = is_good && add_times(row, has_ids ? 1 : 0, labels);
     }
     return is_good ? Result(std::move(labels))
                    : Error{ErrorCode::Io, path.string() + " is damaged"};

@@ -93,7 +93,8 @@ Status take_poses(const JobPoses& part,
     const auto fits = [&](std::size_t labels) { return labels == 0 || labels == part.count; };
     const PoseLabels& labels = part.labels;
     if (scenarios.size() != part.count || !fits(labels.integers.size()) ||
-        !fits(labels.texts.size()) || !fits(labels.times.size())) {
+        !fits(labels.texts.size()) || !fits(labels.times.size()) ||
+        !fits(labels.end_times.size())) {
         return other_poses();
     }
     for (std::uint64_t i = 0; i < part.count; ++i) {

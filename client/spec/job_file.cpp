@@ -2,6 +2,7 @@
 
 #include "client/base/units.hpp"
 #include "client/formats/output_file.hpp"
+#include "client/spec/motion_spec.hpp"
 #include "client/spec/query_spec.hpp"
 #include "client/spec/shots_spec.hpp"
 #include "client/spec/toml_fields.hpp"
@@ -195,6 +196,7 @@ void read_job(const toml::table& table, JobSpec& spec) {
                           "poses",
                           "rules",
                           "shots",
+                          "motion",
                           "query",
                           "output",
                           "cluster"});
@@ -210,6 +212,12 @@ void read_job(const toml::table& table, JobSpec& spec) {
         spec.poses = std::move(file);
     } else {
         read_two_bodies(job, spec);
+    }
+    read_motion(job, spec.query);
+    if (spec.query.motion && !std::holds_alternative<PoseFileSpec>(spec.poses)) {
+        job.refuse("motion",
+                   "a motion leads from each pose of a file to the next; grids and random poses "
+                   "have no order: give [poses] a file, or leave out [motion]");
     }
     read_query(job, spec);
     read_output(job, spec);

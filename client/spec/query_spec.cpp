@@ -27,6 +27,26 @@ std::optional<QueryConflict> conflict_of_shots(const Query& query) {
     return std::nullopt;
 }
 
+std::optional<QueryConflict> conflict_of_motion(const Query& query) {
+    if (query.question != Question::Motion ||
+        (query.level != Level::Any && query.level != Level::Pairs)) {
+        return QueryConflict{"level",
+                             "motions of [motion] are asked at level any or pairs; set one of "
+                             "these"};
+    }
+    if (query.up_to) {
+        return QueryConflict{"up_to",
+                             "up_to belongs to level distance, which motions do not have; leave "
+                             "out up_to"};
+    }
+    if (query.maps) {
+        return QueryConflict{"maps",
+                             "a motion has the contacts of one instant alone, which maps do not "
+                             "count; leave out maps, or leave out [motion]"};
+    }
+    return std::nullopt;
+}
+
 } // namespace
 
 std::string_view asked_level(const Query& query) {
@@ -41,7 +61,9 @@ bool set_asked_level(std::string_view word, Query& query) {
     }
     query.level = *level;
     if (query.question != Question::Shots) {
-        query.question = is_distance ? Question::Distance : Question::Contacts;
+        query.question = is_distance    ? Question::Distance
+                         : query.motion ? Question::Motion
+                                        : Question::Contacts;
     }
     return true;
 }
@@ -49,6 +71,9 @@ bool set_asked_level(std::string_view word, Query& query) {
 std::optional<QueryConflict> conflict_in(const Query& query) {
     if (query.question == Question::Shots) {
         return conflict_of_shots(query);
+    }
+    if (query.motion) {
+        return conflict_of_motion(query);
     }
     if (query.question != Question::Distance) {
         return query.up_to ? std::optional(QueryConflict{

@@ -18,9 +18,9 @@ inline constexpr std::array<std::string_view, 5> asked_levels{
 /// Returns the word for what a query asks.
 [[nodiscard]] std::string_view asked_level(const Query& query);
 
-/// Sets the level and the question that `word` stands for; the question of shots stays, and with
-/// the word of the distance it has a level that `conflict_in` refuses. Returns false if it is none
-/// of `asked_levels`.
+/// Sets the level and the question that `word` stands for. The question of shots stays, and with
+/// the word of the distance it has a level that `conflict_in` refuses; so does the distance of a
+/// query with a motion. Returns false if it is none of `asked_levels`.
 [[nodiscard]] bool set_asked_level(std::string_view word, Query& query);
 
 /// A key of [query] that does not go together with the level.
@@ -30,8 +30,8 @@ struct QueryConflict {
 };
 
 /// Returns the first key that the query may not have: clearance, limit_pairs and maps of a
-/// distance, another level than count and pairs and a clearance of shots, and up_to of anything
-/// but a distance.
+/// distance, another level than count and pairs and a clearance of shots, another level than any
+/// and pairs and maps of motions, and up_to of anything but a distance.
 [[nodiscard]] std::optional<QueryConflict> conflict_in(const Query& query);
 
 /// Refuses maps at `level any`. Errors: BadInput.

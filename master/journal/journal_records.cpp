@@ -251,6 +251,7 @@ void put_origin(ByteWriter& out, const PosesOrigin& origin) {
     put_optional(out, origin.rigid_tolerance);
     put_enumeration(out, origin.labels.ids);
     out.put(origin.labels.has_times);
+    out.put(origin.labels.has_end_times);
     out.put_text(origin.unit);
     out.put(std::uint64_t{origin.axes.size()});
     for (const GridAxis& axis : origin.axes) {
@@ -280,6 +281,7 @@ bool get_origin(ByteReader& in, PosesOrigin& origin) {
     origin.rigid_tolerance = get_optional<double>(in);
     const bool are_ids = get_enumeration(in, origin.labels.ids, IdKind::Text);
     origin.labels.has_times = in.get<std::uint8_t>() != 0;
+    origin.labels.has_end_times = in.get<std::uint8_t>() != 0;
     origin.unit = in.get_text();
     const auto axes = in.get<std::uint64_t>();
     if (!may_hold(in, axes, sizeof(GridAxis))) {

@@ -14,7 +14,7 @@ namespace cd {
 
 namespace {
 
-constexpr std::uint64_t magic = 0x31'42'41'4c'44'43'00'00; // "\0\0CDLAB1"
+constexpr std::uint64_t magic = 0x32'42'41'4c'44'43'00'00; // "\0\0CDLAB2"
 
 Bytes encode(const PoseLabels& labels) {
     ByteWriter out;
@@ -23,6 +23,7 @@ Bytes encode(const PoseLabels& labels) {
         out.put_text(text);
     }
     out.put_array(std::span<const double>(labels.times));
+    out.put_array(std::span<const double>(labels.end_times));
     return out.take();
 }
 
@@ -38,11 +39,16 @@ bool decode(std::span<const std::byte> bytes,
         labels.texts.push_back(in.get_text());
     }
     labels.times = in.get_array<double>(columns.has_times ? scenarios : 0);
+    labels.end_times = in.get_array<double>(columns.has_end_times ? scenarios : 0);
     return in.complete();
 }
 
 SpoolFile::Content content_of(LabelColumns columns, std::uint64_t scenarios) {
-    return {{magic, static_cast<std::uint64_t>(columns.ids), columns.has_times}, scenarios};
+    return {{magic,
+             static_cast<std::uint64_t>(columns.ids),
+             columns.has_times,
+             columns.has_end_times},
+            scenarios};
 }
 
 } // namespace

@@ -267,12 +267,12 @@ void serialize(Archive& archive, RandomPoses& r) {
 template <class Archive>
 void serialize(Archive& archive, LabelColumns& c) {
     enumeration(archive, c.ids, IdKind::None, IdKind::Text);
-    archive(c.has_times);
+    archive(c.has_times, c.has_end_times);
 }
 
 template <class Archive>
 void serialize(Archive& archive, PoseLabels& l) {
-    archive(l.integers, l.texts, l.times);
+    archive(l.integers, l.texts, l.times, l.end_times);
 }
 
 template <class Archive>

@@ -43,30 +43,43 @@ std::optional<std::int64_t> to_integer(std::string_view text) {
 bool LabelColumns::fit(const PoseLabels& labels, std::size_t scenarios) const {
     return labels.integers.size() == (ids == IdKind::Integer ? scenarios : 0) &&
            labels.texts.size() == (ids == IdKind::Text ? scenarios : 0) &&
-           labels.times.size() == (has_times ? scenarios : 0);
+           labels.times.size() == (has_times ? scenarios : 0) &&
+           labels.end_times.size() == (has_end_times ? scenarios : 0);
 }
 
 LabelColumns PoseLabels::columns() const {
     const IdKind ids = !integers.empty() ? IdKind::Integer
                        : !texts.empty()  ? IdKind::Text
                                          : IdKind::None;
-    return {ids, !times.empty()};
+    return {ids, !times.empty(), !end_times.empty()};
 }
 
 PoseLabels PoseLabels::slice(std::size_t first, std::size_t count) const {
     return {slice_of(integers, first, count),
             slice_of(texts, first, count),
-            slice_of(times, first, count)};
+            slice_of(times, first, count),
+            slice_of(end_times, first, count)};
 }
 
 void PoseLabels::append(const PoseLabels& next) {
     append_to(integers, next.integers);
     append_to(texts, next.texts);
     append_to(times, next.times);
+    append_to(end_times, next.end_times);
+}
+
+double PoseLabels::time_at(std::size_t scenario, double tau) const {
+    if (end_times.empty()) {
+        return static_cast<double>(scenario) + tau;
+    }
+    return times[scenario] + tau * (end_times[scenario] - times[scenario]);
 }
 
 PoseLabels PoseLabels::moved_to(const std::vector<std::size_t>& places) const {
-    return {moved(integers, places), moved(texts, places), moved(times, places)};
+    return {moved(integers, places),
+            moved(texts, places),
+            moved(times, places),
+            moved(end_times, places)};
 }
 
 void add_pose_id(PoseLabels& labels, std::string_view id) {

@@ -25,8 +25,8 @@ Pose without_minus_zero(const Pose& pose) {
     return Pose::from_quaternion({q.w + 0.0, q.x + 0.0, q.y + 0.0, q.z + 0.0}, translation);
 }
 
-/// Writes the form of A's pose, the form of B's pose, then the doubles of both. In a scene the
-/// step and the bodies come first.
+/// Writes the form of A's pose, the form of B's pose, then the doubles of both; of a motion the
+/// same of the poses at its end. In a scene the step and the bodies come first.
 void put_numbers(ByteWriter& out, const Scenario& scenario) {
     const PosePair& poses = scenario.poses;
     if (scenario.step) {
@@ -42,6 +42,11 @@ void put_numbers(ByteWriter& out, const Scenario& scenario) {
     out.put(static_cast<std::uint8_t>(forms & 3u));
     out.put(static_cast<std::uint8_t>(forms >> 2u));
     put_bytes(out, std::span(packed).subspan(numbers_offset));
+    if (scenario.to) {
+        Scenario end;
+        end.poses = *scenario.to;
+        put_numbers(out, end);
+    }
 }
 
 } // namespace

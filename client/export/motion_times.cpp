@@ -1,0 +1,61 @@
+#include "client/export/motion_times.hpp"
+
+#include "common/core/words.hpp"
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+namespace cd {
+
+namespace {
+
+constexpr std::array<std::string_view, 4> end_words{"free", "contact", "start", "limit"};
+
+/// Whether the bodies stay free of the event for all of the time.
+bool is_free_throughout(const MotionOutcome& motion) {
+    return motion.end == MotionEnd::Free && !motion.event();
+}
+
+} // namespace
+
+std::string_view to_text(MotionEnd end) {
+    return end_words[static_cast<std::size_t>(end)];
+}
+
+double MotionTimes::at(const ScenarioResult& result, std::uint32_t instant) const {
+    const double tau = std::ldexp(instant, -static_cast<int>(result.motion->depth));
+    return labels_ ? labels_->time_at(result.index, tau)
+                   : PoseLabels().time_at(result.index, tau);
+}
+
+std::optional<std::pair<double, double>> MotionTimes::bracket(const ScenarioResult& result) const {
+    if (!result.motion || is_free_throughout(*result.motion)) {
+        return std::nullopt;
+    }
+    return std::pair(at(result, result.motion->t0), at(result, result.motion->t1));
+}
+
+std::string MotionTimes::text(const ScenarioResult& result) const {
+    const auto times = bracket(result);
+    if (!times) {
+        return result.motion && !result.motion->has_open_run() ? "free" : "";
+    }
+    const MotionOutcome& motion = *result.motion;
+    const std::string begin = "t " + exact_text(times->first);
+    const std::string end = exact_text(times->second);
+    if (motion.until == Until::Free && motion.end == MotionEnd::Free) {
+        return "free from t " + end + " on";
+    }
+    if (!motion.event()) {
+        return "known up to t " + end;
+    }
+    const std::string event = result.kind == ScenarioClass::Near ? "near" : "in contact";
+    if (motion.until == Until::Free) {
+        return event + " at " + begin + ", not free up to t " + end;
+    }
+    return times->first == times->second ? event + " at " + begin
+                                         : "first " + event + " between " + begin + " and " + end;
+}
+
+} // namespace cd

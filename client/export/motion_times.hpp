@@ -1,0 +1,41 @@
+// When a motion's bodies meet or part, in the time of its poses.
+#pragma once
+
+#include "common/job/poses/pose_labels.hpp"
+#include "common/job/result/result.hpp"
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+
+namespace cd {
+
+/// Returns the word for how a motion ended: free, contact, start or limit.
+[[nodiscard]] std::string_view to_text(MotionEnd end);
+
+/// Turns instants of motions into the poses' time.
+class MotionTimes {
+  public:
+    /// `labels` are those of all scenarios; null: scenario i lasts from i to i + 1.
+    explicit MotionTimes(std::shared_ptr<const PoseLabels> labels = nullptr)
+        : labels_(std::move(labels)) {}
+
+    /// Returns the time of an instant of the scenario's motion.
+    [[nodiscard]] double at(const ScenarioResult& result, std::uint32_t instant) const;
+
+    /// Returns t0 and t1: the bracket of the event, or for a search for the way out the event and
+    /// when the bodies are free. If the search ended early, when. Nothing if the bodies are free of
+    /// the event throughout, and for a failed motion.
+    [[nodiscard]] std::optional<std::pair<double, double>>
+    bracket(const ScenarioResult& result) const;
+
+    /// Says what is proven: "contact between t 0.25 and 0.26", "free from t 0.4 on".
+    [[nodiscard]] std::string text(const ScenarioResult& result) const;
+
+  private:
+    std::shared_ptr<const PoseLabels> labels_;
+};
+
+} // namespace cd

@@ -1,0 +1,36 @@
+// Makes the motions of a job from its poses: one from each pose to the next.
+#pragma once
+
+#include "common/core/result.hpp"
+#include "common/geometry/mesh.hpp"
+#include "common/job/poses/pose_labels.hpp"
+#include "common/job/poses/pose_source.hpp"
+#include "common/motion/motion_keys.hpp"
+
+#include <memory>
+#include <string>
+
+namespace cd {
+
+/// The motions between consecutive poses. Scenario i leads from pose i to pose i + 1.
+struct JobMotions {
+    std::unique_ptr<PoseSource> poses;
+    PoseLabels labels; ///< The ids of the poses at the motions' begins, and both times.
+    BodyRadii moved;   ///< How far rounding has moved points of A and of B (RoundedKeys), at most.
+};
+
+/// Reads all poses, rounds them as keys (motion_keys.hpp), and makes the motions between them. The
+/// labels are those of the poses. `resolution` is that of the query. Errors: BadInput, which names
+/// the pose by its number from 0, for fewer than two poses, times that do not rise, and as
+/// `round_keys`; those of `poses`.
+[[nodiscard]] Result<JobMotions> make_motions(PoseSource& poses,
+                                              const PoseLabels& labels,
+                                              const Mesh& a,
+                                              const Mesh& b,
+                                              double resolution);
+
+/// Says by how much rounding has moved the bodies: "rounding moved the bodies by at most 2.3e-13
+/// and 1.1e-12 m".
+[[nodiscard]] std::string moved_text(const BodyRadii& moved, const std::string& unit);
+
+} // namespace cd
