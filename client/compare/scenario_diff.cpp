@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <tuple>
 #include <vector>
 
@@ -67,6 +68,19 @@ bool answer_for_distance(const ScenarioResult& was, const ScenarioResult& is) {
     return was.question == Question::Distance && is.question == Question::Distance;
 }
 
+/// True if both motions ended alike, at the same times between their poses.
+bool has_same_bracket(const ScenarioResult& was, const ScenarioResult& is) {
+    if (!was.motion || !is.motion) {
+        return true;
+    }
+    const auto time = [](const MotionOutcome& motion, std::uint32_t instant) {
+        return std::ldexp(instant, -static_cast<int>(motion.depth));
+    };
+    return was.motion->end == is.motion->end &&
+           time(*was.motion, was.motion->t0) == time(*is.motion, is.motion->t0) &&
+           time(*was.motion, was.motion->t1) == time(*is.motion, is.motion->t1);
+}
+
 bool answer_for_shots(const ScenarioResult& was, const ScenarioResult& is) {
     return was.question == Question::Shots && is.question == Question::Shots;
 }
@@ -116,6 +130,9 @@ std::string_view ScenarioDiff::change_of(const PairedResult& pair) const {
     }
     if (answer_for_distance(was, is) && distance_bits(was) != distance_bits(is)) {
         return "distance";
+    }
+    if (!has_same_bracket(was, is)) {
+        return "bracket";
     }
     if (was.has_clearance != is.has_clearance) {
         return "";

@@ -374,6 +374,11 @@ Status check_expressible(const PreparedJob& job, const CaseScenarios& given) {
         return bad_input("a case has poses of two bodies, and this run has lines: write a job with "
                          "one direction of [shots], or draw the scenarios with --as vtp or glb");
     }
+    if (job.query.motion) {
+        return bad_input("a case has poses, and this run has motions between them: write a job "
+                         "with the two poses and [motion], or draw the bodies at the event with "
+                         "--as vtp or glb");
+    }
     for (const ScenarioResult& result : given.results) {
         if (result.kind == ScenarioClass::Failed) {
             // A failure's text contains the number of its scenario, which a case would
