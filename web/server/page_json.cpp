@@ -153,6 +153,9 @@ void add_question(Json& json, const Query& query) {
     } else if (query.question == Question::Shots) {
         json["question"] = "shots";
         json["first_hits"] = query.first_hits;
+    } else if (query.motion) {
+        json["question"] = "motion";
+        json["resolution"] = query.motion->resolution;
     }
 }
 
@@ -164,6 +167,30 @@ void add_distance(Json& json, const ScenarioView& scenario) {
     const std::optional<NearestWitness>& nearest = scenario.result->nearest;
     json["distance"] = nearest ? Json(nearest->distance) : Json();
     json["witness"] = nearest ? Json{nearest->a, nearest->b} : Json();
+}
+
+/// Adds what is proven of a motion, if the record answers for one. Instants are shares of its time.
+void add_motion(Json& json, const ScenarioView& scenario) {
+    if (!scenario.result || !scenario.result->motion) {
+        return;
+    }
+    const MotionOutcome& motion = *scenario.result->motion;
+    const auto share = [&](std::uint32_t instant) {
+        return std::ldexp(instant, -static_cast<int>(motion.depth));
+    };
+    Json runs = Json::array();
+    for (const CellRun& run : motion.runs) {
+        runs.push_back({run.state == CellState::Open ? "open" : "free",
+                        share(run.first),
+                        share(run.end()),
+                        run.has_event() ? Json(share(run.event_first)) : Json(),
+                        run.has_event() ? Json(share(run.event_last)) : Json()});
+    }
+    const auto event = motion.event();
+    json["motion"] = {{"t0", share(motion.t0)},
+                      {"t1", share(motion.t1)},
+                      {"event", event ? Json(share(*event)) : Json()},
+                      {"runs", std::move(runs)}};
 }
 
 void add_result(Json& json, const ScenarioView& scenario) {
@@ -272,6 +299,7 @@ std::string scenario_json(std::uint64_t number, const ScenarioView& scenario) {
     json["exact_pairs"] = scenario.drawn != nullptr ? scenario.drawn->pairs.size() : 0;
     json["least_distance"] = or_null(least_distance(scenario));
     add_distance(json, scenario);
+    add_motion(json, scenario);
     return compact(json);
 }
 

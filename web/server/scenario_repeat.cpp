@@ -2,6 +2,7 @@
 
 #include "common/core/limits/web.hpp"
 #include "common/core/words.hpp"
+#include "common/job/answer_poses.hpp"
 #include "common/job/result/drawn_witness.hpp"
 #include "common/job/run_scenario.hpp"
 
@@ -32,6 +33,7 @@ bool is_drawable(const Query& query, const ScenarioResult& result) {
     case Question::Shots:
         return query.level == Level::Pairs && query.limit_pairs == 0;
     case Question::Motion:
+        return false;
     case Question::Contacts:
         break;
     }
@@ -67,7 +69,8 @@ std::string reason_not_to_compare(const std::optional<KeptRecord>& record) {
     if (!record) {
         return "it has no result yet";
     }
-    if (record->result.kind == ScenarioClass::Undecided) {
+    if (record->result.kind == ScenarioClass::Undecided &&
+        record->result.question == Question::Contacts) {
         return "an earlier version left it undecided, which no run does again";
     }
     return record->result.kind == ScenarioClass::Failed ? "it failed in the run" : "";
@@ -108,8 +111,13 @@ ScenarioView repeat_scenario(const TreesByBody& trees,
     if (!again && query.question == Question::Distance) {
         again = run(trees, query, scenario, stop);
     }
+    if (!again && query.motion) {
+        again = run(trees, query, scenario, stop);
+    }
     if (!again || (!again->is_stopped && !is_drawable(query, again->result))) {
-        again = run(trees, drawing_query(query), scenario, stop);
+        const Scenario drawn = again ? at_answer(scenario, again->result) : scenario;
+        view.poses = drawn.poses;
+        again = run(trees, drawing_query(query), drawn, stop);
     }
     view.draw_note = reason_not_to_draw(*again);
     if (view.draw_note.empty()) {

@@ -45,8 +45,10 @@ Scenario moving(const ObbTree& a, const ObbTree& b, const PosePair& from, const 
 
 /// Moves B along x past or onto A, which rests.
 Scenario along_x(const ObbTree& a, const ObbTree& b, double from, double to, double y = 0) {
-    return moving(
-        a, b, {moved_pose({}), moved_pose({from, y, 0})}, {moved_pose({}), moved_pose({to, y, 0})});
+    return moving(a,
+                  b,
+                  {moved_pose(Vec3::Zero()), moved_pose({from, y, 0})},
+                  {moved_pose(Vec3::Zero()), moved_pose({to, y, 0})});
 }
 
 std::vector<ContactPair> pairs_at(const ObbTree& a, const ObbTree& b, const PosePair& poses) {
@@ -163,7 +165,7 @@ TEST(MotionScenario, PassingWithinTheResolutionIsUndecidedWithItsBound) {
 
 TEST(MotionScenario, ThatDoesNotMoveFails) {
     const ObbTree box = make_tree(make_box(Vec3(1, 1, 1)));
-    const Scenario rests = make_scenario({moved_pose({}), moved_pose({3, 0, 0})}, 4);
+    const Scenario rests = make_scenario({moved_pose(Vec3::Zero()), moved_pose({3, 0, 0})}, 4);
     const ScenarioResult result =
         run_scenario(box, box, rests, motion_query(Level::Any, Until::Contact)).result;
     EXPECT_EQ(result.kind, ScenarioClass::Failed);

@@ -163,7 +163,7 @@ TEST(DistanceRecord, RefusesEveryTruncation) {
 
 TEST(DistanceRecord, RefusesFieldsOutOfRange) {
     EXPECT_THAT(refusal_of_byte(apart(), 0, 4), HasSubstr("version"));
-    EXPECT_THAT(refusal_of_byte(apart(), question_place, 2), HasSubstr("question"));
+    EXPECT_THAT(refusal_of_byte(apart(), question_place, 4), HasSubstr("question"));
     EXPECT_THAT(refusal_of_byte(apart(), class_place, 8), HasSubstr("unknown level, class"));
     EXPECT_THAT(refusal_of_byte(apart(), step_place, 1), HasSubstr("step outside a scene"));
     EXPECT_THAT(refusal_of_byte(apart(), has_distance_place, 2), HasSubstr("flag of a distance"));

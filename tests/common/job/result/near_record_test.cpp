@@ -173,7 +173,7 @@ TEST(NearRecord, RefusesEveryTruncation) {
 TEST(NearRecord, RefusesFieldsOutOfRange) {
     const ScenarioResult result = cross_at_level_pairs();
     EXPECT_THAT(refusal_of_byte(result, 0, 4), HasSubstr("version"));
-    EXPECT_THAT(refusal_of_byte(result, question_place, 2), HasSubstr("question"));
+    EXPECT_THAT(refusal_of_byte(result, question_place, 4), HasSubstr("question"));
     EXPECT_THAT(refusal_of_byte(result, class_place, 8), HasSubstr("unknown level, class"));
     EXPECT_THAT(refusal_of_byte(result, step_place, 1), HasSubstr("step outside a scene"));
     EXPECT_THAT(refusal_of_byte(result, more_flags_place, 0), HasSubstr("version 3 without need"));

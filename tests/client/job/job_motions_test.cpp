@@ -1,0 +1,107 @@
+// Proves that poses become motions from each to the next, with their ids and times, and that keys
+// between which there is no motion are refused by their number.
+#include "client/job/job_motions.hpp"
+
+#include "common/motion/motion.hpp"
+#include "tests/support/motions.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <vector>
+
+namespace cd::tests {
+
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+constexpr double resolution = 0.125;
+
+std::unique_ptr<PoseSource> source_of(const std::vector<Pose>& of_b) {
+    std::vector<Scenario> scenarios(of_b.size());
+    for (std::size_t i = 0; i < of_b.size(); ++i) {
+        scenarios[i].index = i;
+        scenarios[i].poses.b = of_b[i];
+    }
+    return make_list_source(std::move(scenarios));
+}
+
+Result<JobMotions> motions_of(const std::vector<Pose>& of_b, const PoseLabels& labels = {}) {
+    const auto poses = source_of(of_b);
+    return make_motions(
+        *poses, labels, make_box(Vec3(1, 1, 1)), make_box(Vec3(1, 2, 3)), resolution);
+}
+
+std::string problem_with(const std::vector<Pose>& of_b, const PoseLabels& labels = {}) {
+    const auto made = motions_of(of_b, labels);
+    return made ? "none" : made.error().detail;
+}
+
+std::vector<Pose> some_keys() {
+    return {moved_pose(Vec3(3, 0, 0)),
+            turned_pose(30, Vec3(0, 0, 1), Vec3(0, 0.1, 0)),
+            turned_pose(90, Vec3(0, 0, 1), Vec3(0, 4, 0))};
+}
+
+} // namespace
+
+TEST(JobMotions, LeadFromEachPoseToTheNext) {
+    const auto made = motions_of(some_keys());
+    ASSERT_TRUE(made) << made.error().detail;
+    ASSERT_EQ(made.value().poses->count(), 2u);
+    const auto scenarios = made.value().poses->read(0, 2);
+    ASSERT_TRUE(scenarios);
+    const BodyRadii radii{body_radius(make_box(Vec3(1, 1, 1)).vertices()),
+                          body_radius(make_box(Vec3(1, 2, 3)).vertices())};
+    for (std::size_t i = 0; i < 2; ++i) {
+        const Scenario& scenario = scenarios.value()[i];
+        EXPECT_EQ(scenario.index, i);
+        ASSERT_TRUE(scenario.to);
+        EXPECT_TRUE(Motion::create(scenario.poses, *scenario.to, radii, resolution));
+        EXPECT_NEAR(
+            (scenario.poses.b.translation() - some_keys()[i].translation()).norm(), 0, 1e-9);
+    }
+    EXPECT_EQ(*scenarios.value()[0].to, scenarios.value()[1].poses);
+    EXPECT_LT(made.value().moved.b, 1e-9);
+    EXPECT_TRUE(made.value().labels.is_empty());
+}
+
+TEST(JobMotions, HaveTheTimesOfBothPoses) {
+    PoseLabels labels;
+    labels.texts = {"start", "middle", "end"};
+    labels.times = {0.5, 1.5, 4};
+    const auto made = motions_of(some_keys(), labels);
+    ASSERT_TRUE(made) << made.error().detail;
+    const PoseLabels& of_motions = made.value().labels;
+    EXPECT_THAT(of_motions.texts, ElementsAre("start", "middle"));
+    EXPECT_THAT(of_motions.times, ElementsAre(0.5, 1.5));
+    EXPECT_THAT(of_motions.end_times, ElementsAre(1.5, 4));
+    EXPECT_TRUE(of_motions.columns().fit(of_motions, 2));
+    EXPECT_EQ(of_motions.time_at(1, 0.5), 2.75);
+    EXPECT_EQ(PoseLabels().time_at(7, 0.25), 7.25);
+}
+
+TEST(JobMotions, RefuseKeysWithoutAMotionByTheirNumber) {
+    EXPECT_THAT(problem_with({moved_pose(Vec3(1, 0, 0))}), HasSubstr("one pose alone"));
+    EXPECT_THAT(problem_with({moved_pose(Vec3(3, 0, 0)),
+                              moved_pose(Vec3(2, 0, 0)),
+                              turned_pose(180, Vec3(0, 0, 1))}),
+                HasSubstr("key 2: "));
+    const Pose squeezed = Pose::from_matrix(2 * Mat3::Identity(), Vec3::Zero());
+    EXPECT_THAT(problem_with({moved_pose(Vec3(3, 0, 0)), squeezed}), HasSubstr("key 1: "));
+    PoseLabels labels;
+    labels.times = {0, 2, 2};
+    EXPECT_THAT(problem_with(some_keys(), labels), HasSubstr("key 2: its time 2 is not after 2"));
+    // A motion of a thousand kilometres at this resolution has too many parts.
+    EXPECT_THAT(problem_with({moved_pose(Vec3(1e6, 0, 0)), moved_pose(Vec3(-1e6, 0, 0))}),
+                HasSubstr("key 1: "));
+}
+
+TEST(JobMotions, SayHowFarRoundingMovesTheBodies) {
+    EXPECT_EQ(moved_text({2.5e-13, 0}, "mm"),
+              "rounding moved the bodies by at most 2.5e-13 and 0 mm");
+}
+
+} // namespace cd::tests
