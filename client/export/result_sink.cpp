@@ -59,7 +59,7 @@ ResultSink::ResultSink(SinkOptions options, const ExportContext& context)
     : options_(std::move(options)),
       context_(context),
       groups_(meshes_of(context), part_kind(context.level)),
-      waiting_(context.maps ? body_part_runs(*context.bodies[0].mesh, *context.bodies[1].mesh)
+      waiting_(context.listed.maps ? body_part_runs(*context.bodies[0].mesh, *context.bodies[1].mesh)
                             : nullptr) {}
 
 Result<ResultSink> ResultSink::open(SinkOptions options, const ExportContext& context) {
@@ -179,7 +179,7 @@ Status ResultSink::write_map(const ContactMap& map) const {
 
 GroupsOrigin ResultSink::groups_origin() const {
     GroupsOrigin origin{
-        {}, tested_, context_.limit_pairs, groups_.left_out(), context_.clearance.has_value()};
+        {}, tested_, context_.listed.limit_pairs, groups_.left_out(), context_.clearance.has_value()};
     for (const ExportBody& body : context_.bodies) {
         origin.bodies.push_back(body.name);
     }

@@ -32,8 +32,7 @@ std::string plain_file_name(const std::string& name) {
 
 void ExportContext::describe(const Query& query) {
     level = query.level;
-    limit_pairs = query.limit_pairs;
-    maps = query.maps;
+    listed = {query.limit_pairs, query.maps};
     clearance = query.clearance;
     question = query.question;
     up_to = query.up_to;

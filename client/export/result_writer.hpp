@@ -34,14 +34,19 @@ struct ExportBody {
     std::shared_ptr<const ShotViews> views = {}; ///< Of the body of lines; null for other bodies.
 };
 
+/// Which pairs of triangles are told.
+struct ListedPairs {
+    std::uint64_t limit_pairs = 0; ///< A result lists at most this many pairs; 0: all.
+    bool maps = false;             ///< The job has a contact map also at `level count`.
+};
+
 /// What exports say about the job besides its results.
 struct ExportContext {
     std::string job;
     std::string unit;
     Level level = Level::Pairs;
     std::vector<ExportBody> bodies; ///< A result names a body by its index here.
-    std::uint64_t limit_pairs = 0;  ///< A result lists at most this many pairs; 0: all.
-    bool maps = false;              ///< The job has a contact map also at `level count`.
+    ListedPairs listed;             ///< Which pairs results and maps have.
     bool exact_points = false;      ///< NPZ: also points at full precision, relative to origins.
     /// With a clearance, files also have what is known of near pairs.
     std::optional<double> clearance = std::nullopt;
@@ -56,11 +61,11 @@ struct ExportContext {
 
     /// Sets from the query what the context has of it.
     void describe(const Query& query);
-    [[nodiscard]] MapUse map_use() const { return {level, maps, steps != nullptr}; }
+    [[nodiscard]] MapUse map_use() const { return {level, listed.maps, steps != nullptr}; }
     [[nodiscard]] bool has_distance() const { return question == Question::Distance; }
     [[nodiscard]] bool has_motions() const { return question == Question::Motion; }
     /// The contact map counts only so many first pairs of each scenario; 0: all pairs.
-    [[nodiscard]] std::uint64_t map_pairs() const { return maps ? 0 : limit_pairs; }
+    [[nodiscard]] std::uint64_t map_pairs() const { return listed.maps ? 0 : listed.limit_pairs; }
     /// True if results list the hits of lines.
     [[nodiscard]] bool has_hits() const {
         return question == Question::Shots && level >= Level::Pairs;

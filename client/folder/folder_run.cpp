@@ -32,9 +32,8 @@ constexpr std::uint64_t scenario_bytes = 64;
 ManifestPoses poses_of(const PreparedJob& job) {
     ManifestPoses poses;
     poses.count = job.poses->count();
-    poses.has_ids = job.labels.columns().ids != IdKind::None;
-    poses.has_times = job.labels.columns().has_times;
-    poses.has_end_times = job.labels.columns().has_end_times;
+    const LabelColumns columns = job.labels.columns();
+    poses.labels = {columns.ids != IdKind::None, columns.has_times, columns.has_end_times};
     if (job.grid) {
         poses.kind = PosesKind::Grid;
         poses.grid = job.grid;

@@ -147,10 +147,10 @@ Result<PoseLabels> OpenedRun::kept_labels() const {
     }
     const ManifestPoses& poses = manifest_.poses;
     LabelColumns columns = labels.value().columns();
-    columns.has_times = poses.has_times;
-    columns.has_end_times = poses.has_end_times;
+    columns.has_times = poses.labels.times;
+    columns.has_end_times = poses.labels.end_times;
     const bool is_whole =
-        (columns.ids != IdKind::None) == poses.has_ids && columns.fit(labels.value(), poses.count);
+        (columns.ids != IdKind::None) == poses.labels.ids && columns.fit(labels.value(), poses.count);
     return is_whole ? std::move(labels) : damaged(path, "ids or times are missing");
 }
 

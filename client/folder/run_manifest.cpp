@@ -1,7 +1,7 @@
 #include "client/folder/run_manifest.hpp"
 
 #include "client/spec/job_file.hpp"
-#include "client/spec/motion_spec.hpp"
+#include "client/spec/query_spec.hpp"
 #include "common/core/errors.hpp"
 #include "common/core/limits/engine.hpp"
 #include "common/core/words.hpp"
@@ -67,9 +67,9 @@ Json poses_json(const ManifestPoses& poses) {
     Json json{{"kind", to_text(poses.kind)},
               {"count", poses.count},
               {"sha256", hash_json(poses.hash)},
-              {"ids", poses.has_ids},
-              {"times", poses.has_times}};
-    if (poses.has_end_times) {
+              {"ids", poses.labels.ids},
+              {"times", poses.labels.times}};
+    if (poses.labels.end_times) {
         json["end_times"] = true;
     }
     if (poses.grid) {
@@ -268,9 +268,9 @@ ManifestPoses read_poses(const Json& json) {
     poses.kind = static_cast<PosesKind>(kind - kind_names.begin());
     poses.count = value_of<std::uint64_t>(json, "count");
     poses.hash = read_hash(json, "sha256");
-    poses.has_ids = value_or(json, "ids", false);
-    poses.has_times = value_or(json, "times", false);
-    poses.has_end_times = value_or(json, "end_times", false);
+    poses.labels.ids = value_or(json, "ids", false);
+    poses.labels.times = value_or(json, "times", false);
+    poses.labels.end_times = value_or(json, "end_times", false);
     if (poses.kind == PosesKind::Grid) {
         poses.grid = read_grid(json.at("grid"));
         if (poses.grid->count() != poses.count) {

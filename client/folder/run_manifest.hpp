@@ -20,6 +20,13 @@ struct ManifestBody : JobBody {
     std::vector<std::string> parts = {};
 };
 
+/// Which columns the labels of the poses have.
+struct ManifestLabels {
+    bool ids = false;
+    bool times = false;
+    bool end_times = false; ///< Of motions whose poses have times.
+};
+
 struct ManifestPoses {
     PosesKind kind = PosesKind::File;
     std::uint64_t count = 0;
@@ -32,9 +39,7 @@ struct ManifestPoses {
     bool of_both_bodies = false;           ///< As in `PoseFileSpec`.
     std::optional<double> rigid_tolerance; ///< As in `PoseFileSpec`.
     std::string unit;                      ///< Unit of translations in the pose file.
-    bool has_ids = false;
-    bool has_times = false;
-    bool has_end_times = false; ///< Of motions whose poses have times.
+    ManifestLabels labels;
 };
 
 /// What a scene of many bodies has besides its bodies and poses.

@@ -1,7 +1,6 @@
 #include "client/job/job_text.hpp"
 
 #include "client/job/scene_text.hpp"
-#include "client/spec/motion_spec.hpp"
 #include "client/spec/query_spec.hpp"
 #include "client/spec/toml_text.hpp"
 #include "common/core/words.hpp"

@@ -2,7 +2,6 @@
 
 #include "client/base/units.hpp"
 #include "client/formats/output_file.hpp"
-#include "client/spec/motion_spec.hpp"
 #include "client/spec/query_spec.hpp"
 #include "client/spec/shots_spec.hpp"
 #include "client/spec/toml_fields.hpp"
@@ -92,6 +91,35 @@ void read_query(const TomlFields& job, JobSpec& spec) {
         fields.refuse("level", scene.error().detail);
     }
     read_ignore(fields, spec);
+}
+
+/// Reads [motion], if the job has it, which sets the question of the query.
+void read_motion(const TomlFields& job, Query& query) {
+    const toml::table* table = job.table("motion");
+    if (table == nullptr) {
+        return;
+    }
+    if (job.has("shots")) {
+        job.refuse("motion", "lines of [shots] do not move; leave out [motion], or [shots]");
+    }
+    const TomlFields fields(table, job, "[motion]", {"resolution", "until"});
+    MotionQuery motion;
+    const auto resolution = fields.number("resolution");
+    if (!resolution) {
+        fields.refuse("",
+                      "resolution is missing: the length, in the job's unit, below which a part of "
+                      "the motion may stay open");
+    }
+    if (!(*resolution > 0)) {
+        fields.refuse("resolution", "resolution is a length above 0, in the job's unit");
+    }
+    motion.resolution = *resolution;
+    if (const auto word = fields.word("until", until_words)) {
+        const auto place = std::ranges::find(until_words, *word) - until_words.begin();
+        motion.until = static_cast<Until>(place);
+    }
+    query.question = Question::Motion;
+    query.motion = motion;
 }
 
 void read_output(const TomlFields& job, JobSpec& spec) {

@@ -5,6 +5,7 @@
 #include "common/job/query.hpp"
 
 #include <array>
+#include <cstddef>
 #include <optional>
 #include <string_view>
 
@@ -14,6 +15,13 @@ namespace cd {
 /// question of its own at level any.
 inline constexpr std::array<std::string_view, 5> asked_levels{
     "any", "count", "pairs", "contacts", "distance"};
+
+/// The words of the key `until` of [motion], in the order of `Until`.
+inline constexpr std::array<std::string_view, 3> until_words{"contact", "free", "end"};
+
+[[nodiscard]] constexpr std::string_view to_text(Until until) {
+    return until_words[static_cast<std::size_t>(until)];
+}
 
 /// Returns the word for what a query asks.
 [[nodiscard]] std::string_view asked_level(const Query& query);

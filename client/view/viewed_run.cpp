@@ -69,8 +69,8 @@ PosesView poses_view(const ManifestPoses& poses, const JobSpec& spec) {
             poses.file,
             axes_of(spec.poses),
             poses.random,
-            poses.has_ids,
-            poses.has_times,
+            poses.labels.ids,
+            poses.labels.times,
             poses.of_both_bodies};
 }
 

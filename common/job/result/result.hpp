@@ -6,7 +6,7 @@
 #include "common/core/result.hpp"
 #include "common/geometry/types.hpp"
 #include "common/job/query.hpp"
-#include "common/job/result/motion_record.hpp"
+#include "common/motion/outcome_bytes.hpp"
 #include "common/job/result/nearest_witness.hpp"
 #include "common/job/result/pair_hit.hpp"
 #include "common/search/contact_pair.hpp"

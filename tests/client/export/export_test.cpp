@@ -133,8 +133,8 @@ TEST_F(Export, LevelCountHasNoPairs) {
 }
 
 TEST_F(Export, GroupsOfListedPairsHaveNoShare) {
-    context_.limit_pairs = 2;
-    context_.maps = true;
+    context_.listed.limit_pairs = 2;
+    context_.listed.maps = true;
     write({"csv"}, Level::Pairs);
     EXPECT_THAT(text_of("groups.csv"), HasSubstr("\na,right,b,whole,touch,1,,1,1,1,1,1,"));
 }

@@ -112,7 +112,7 @@ TEST_F(Glb, TrianglesAreSortedIntoSixteenMaterialsOnALogScale) {
 }
 
 TEST_F(Glb, AMapOfListedPairsSaysSoInItsLegend) {
-    context_.limit_pairs = 5;
+    context_.listed.limit_pairs = 5;
     ContactMap map;
     map.bodies[1] = {{3, 7}};
     ASSERT_TRUE(write_glb_bodies(map, 10, folder_.path(), context_));

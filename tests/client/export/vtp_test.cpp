@@ -160,7 +160,7 @@ TEST_F(Vtp, LevelPairsHasNoPoints) {
 }
 
 TEST_F(Vtp, AMapOfListedPairsHasNoShare) {
-    context_.limit_pairs = 2;
+    context_.listed.limit_pairs = 2;
     ASSERT_TRUE(write());
     const VtpArrays a = read_vtp(dir_ / "a.vtp");
     EXPECT_FALSE(a.has("share"));
@@ -176,9 +176,9 @@ TEST_F(Vtp, AJobWithoutAMapIsRefused) {
             ASSERT_FALSE(refused);
             EXPECT_THAT(refused.error().detail, HasSubstr("at level count with maps = true"));
         }
-        context_.maps = true;
+        context_.listed.maps = true;
         EXPECT_TRUE(ResultSink::open({dir_, {format}}, context_));
-        context_.maps = false;
+        context_.listed.maps = false;
     }
 }
 

@@ -1,10 +1,9 @@
 // Proves that [motion] sets the question of a job, that what does not go together with it is
 // refused where it stands, and that the text of a job reads the same.
-#include "client/spec/motion_spec.hpp"
-
 #include "client/job/job_text.hpp"
 #include "client/job/submission.hpp"
 #include "client/spec/job_options.hpp"
+#include "client/spec/query_spec.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

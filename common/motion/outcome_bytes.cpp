@@ -1,4 +1,4 @@
-#include "common/job/result/motion_record.hpp"
+#include "common/motion/outcome_bytes.hpp"
 
 #include "common/core/errors.hpp"
 
