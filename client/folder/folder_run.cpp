@@ -42,6 +42,8 @@ ManifestPoses poses_of(const PreparedJob& job) {
         poses.random = *random;
     } else if (std::holds_alternative<ShotsSpec>(job.spec.poses)) {
         poses.kind = PosesKind::Shots;
+    } else if (std::holds_alternative<CurveSpec>(job.spec.poses)) {
+        poses.kind = PosesKind::Curve;
     } else if (const auto* file = std::get_if<PoseFileSpec>(&job.spec.poses)) {
         poses.file = absolute_path(file->path);
         poses.quat_order = file->quat_order;

@@ -32,7 +32,7 @@ std::uint64_t record_version(const Query& query, bool is_scene) {
 constexpr std::string_view distance_name = "distance";
 constexpr std::string_view motion_name = "motion";
 constexpr std::string_view shots_name = "shots";
-constexpr std::array<std::string_view, 4> kind_names{"grid", "file", "random", "shots"};
+constexpr std::array<std::string_view, 5> kind_names{"grid", "file", "random", "shots", "curve"};
 
 std::string_view to_text(PosesKind kind) {
     return kind_names[static_cast<std::size_t>(kind)];

@@ -3,8 +3,10 @@
 #include "common/core/errors.hpp"
 #include "common/core/words.hpp"
 #include "common/job/poses/made_poses.hpp"
+#include "common/motion/motion.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <utility>
 #include <vector>
@@ -51,11 +53,8 @@ std::string short_number(double value) {
 
 } // namespace
 
-Result<JobMotions> make_motions(PoseSource& poses,
-                                const PoseLabels& labels,
-                                const Mesh& a,
-                                const Mesh& b,
-                                double resolution) {
+Result<JobMotions> make_motions(
+    PoseSource& poses, const PoseLabels& labels, const Mesh& a, const Mesh& b, double resolution) {
     if (poses.count() < 2) {
         return bad_input("there is one pose alone; a motion leads from one pose to the next, so "
                          "give two or more");
@@ -72,6 +71,42 @@ Result<JobMotions> make_motions(PoseSource& poses,
         scenarios[i].index = i;
         scenarios[i].poses = rounded.keys[i];
         scenarios[i].to = rounded.keys[i + 1];
+    }
+    made.poses = make_list_source(std::move(scenarios));
+    return made;
+}
+
+Result<InsertedPoses> make_steps(
+    PoseSource& poses, const PoseLabels& labels, const Mesh& a, const Mesh& b, double max_step) {
+    // A part of the time has a bound of half the way between the poses at its ends.
+    const double resolution = max_step / 2;
+    const auto motions = CD_TRY(make_motions(poses, labels, a, b, resolution));
+    const BodyRadii radii{body_radius(a.vertices()), body_radius(b.vertices())};
+    const std::uint64_t count = motions.poses->count();
+    InsertedPoses made;
+    std::vector<Scenario> scenarios;
+    const auto add = [&](const PosePair& at, std::size_t motion, double tau) {
+        scenarios.push_back({scenarios.size(), 0, 1, at});
+        if (!motions.labels.end_times.empty()) {
+            made.labels.times.push_back(motions.labels.time_at(motion, tau));
+        }
+    };
+    for (std::uint64_t i = 0; i < count; ++i) {
+        const auto read = CD_TRY(motions.poses->read(i, 1));
+        const Motion motion = CD_TRY(Motion::create(read[0].poses, *read[0].to, radii, resolution));
+        const std::uint32_t parts = 1u << motion.depth();
+        if (scenarios.size() + parts > step_poses_max) {
+            return Error{ErrorCode::TooLarge,
+                         "steps of at most " + exact_text(max_step) + " take more than " +
+                             grouped(step_poses_max) +
+                             " poses; take larger steps, or [motion], which needs none"};
+        }
+        for (std::uint32_t j = 0; j < parts; ++j) {
+            add(motion.at(j, motion.depth()), i, std::ldexp(j, -static_cast<int>(motion.depth())));
+        }
+        if (i + 1 == count) {
+            add(*read[0].to, i, 1);
+        }
     }
     made.poses = make_list_source(std::move(scenarios));
     return made;

@@ -23,11 +23,23 @@ struct JobMotions {
 /// labels are those of the poses. `resolution` is that of the query. Errors: BadInput, which names
 /// the pose by its number from 0, for fewer than two poses, times that do not rise, and as
 /// `round_keys`; those of `poses`.
-[[nodiscard]] Result<JobMotions> make_motions(PoseSource& poses,
-                                              const PoseLabels& labels,
-                                              const Mesh& a,
-                                              const Mesh& b,
-                                              double resolution);
+[[nodiscard]] Result<JobMotions> make_motions(
+    PoseSource& poses, const PoseLabels& labels, const Mesh& a, const Mesh& b, double resolution);
+
+/// Poses with others inserted between them, and the times of all if the given ones have times.
+struct InsertedPoses {
+    std::unique_ptr<PoseSource> poses;
+    PoseLabels labels;
+};
+
+/// The most poses that `make_steps` makes.
+inline constexpr std::uint64_t step_poses_max = 1'000'000;
+
+/// Inserts poses on the motions between consecutive poses, until no point of one body moves farther
+/// than `max_step` against the other from one pose to the next. Errors: as `make_motions`; TooLarge
+/// for more than `step_poses_max` poses.
+[[nodiscard]] Result<InsertedPoses> make_steps(
+    PoseSource& poses, const PoseLabels& labels, const Mesh& a, const Mesh& b, double max_step);
 
 /// Says by how much rounding has moved the bodies: "rounding moved the bodies by at most 2.3e-13
 /// and 1.1e-12 m".

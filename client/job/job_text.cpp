@@ -58,6 +58,11 @@ std::string poses_text(const PoseFileSpec& poses) {
                        : "");
 }
 
+std::string poses_text(const CurveSpec& curve) {
+    return curve.text + "\n" +
+           (curve.unit.empty() ? "" : toml_line("unit", toml_quoted(curve.unit)));
+}
+
 std::string axis_text(std::string_view key, const GridAxis& axis) {
     return axis == GridAxis{}
                ? ""
@@ -93,18 +98,20 @@ std::string two_bodies_text(const JobSpec& spec) {
         return a + shots_text(*shots, spec.query);
     }
     return a + body_text(spec.bodies[1], "b") + "\n[poses]\n" +
-           std::visit([](const auto& poses) { return poses_text(poses); }, spec.poses);
+           std::visit([](const auto& poses) { return poses_text(poses); }, spec.poses) +
+           (spec.max_step ? toml_line("max_step", toml_number(*spec.max_step)) : "");
 }
 
-std::string motion_text(const MotionQuery& motion) {
+std::string motion_text(const MotionQuery& motion, const std::optional<double>& chord) {
+    const bool is_usual = motion.until == Until::Contact;
     return "\n[motion]\n" + toml_line("resolution", toml_number(motion.resolution)) +
-           (motion.until == Until::Contact ? ""
-                                           : toml_line("until", toml_quoted(to_text(motion.until))));
+           (is_usual ? "" : toml_line("until", toml_quoted(to_text(motion.until)))) +
+           (chord ? toml_line("chord", toml_number(*chord)) : "");
 }
 
 std::string query_text(const JobSpec& spec) {
     const Query& query = spec.query;
-    std::string text = query.motion ? motion_text(*query.motion) : "";
+    std::string text = query.motion ? motion_text(*query.motion, spec.chord) : "";
     text += "\n[query]\n" + toml_line("level", toml_quoted(asked_level(query)));
     text += query.clearance ? toml_line("clearance", toml_number(*query.clearance)) : "";
     text += query.up_to ? toml_line("up_to", toml_number(*query.up_to)) : "";

@@ -38,6 +38,10 @@ PosesOrigin origin_of(const PosesSpec& spec) {
     } else if (const auto* shots = std::get_if<ShotsSpec>(&spec)) {
         origin.kind = PosesKind::Shots;
         set_origin(*shots, origin);
+    } else if (const auto* curve = std::get_if<CurveSpec>(&spec)) {
+        origin.kind = PosesKind::Curve;
+        origin.file = curve->text;
+        origin.unit = curve->unit;
     } else {
         const auto& file = std::get<PoseFileSpec>(spec);
         origin.file = escaped(file.path.string());
@@ -93,6 +97,10 @@ Result<PosesSpec> poses_of(const Submit& submit) {
     }
     if (origin.kind == PosesKind::Shots) {
         return shots_of(origin);
+    }
+    if (origin.kind == PosesKind::Curve) {
+        auto curve = CD_TRY(parse_curve(origin.file, origin.unit, submit.unit));
+        return PosesSpec(std::move(curve));
     }
     PoseFileSpec file{
         origin.file, origin.quat_order, origin.of_both_bodies, origin.rigid_tolerance};

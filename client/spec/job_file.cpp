@@ -11,6 +11,7 @@
 #include "common/core/words.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace cd {
@@ -94,7 +95,7 @@ void read_query(const TomlFields& job, JobSpec& spec) {
 }
 
 /// Reads [motion], if the job has it, which sets the question of the query.
-void read_motion(const TomlFields& job, Query& query) {
+void read_motion(const TomlFields& job, JobSpec& spec) {
     const toml::table* table = job.table("motion");
     if (table == nullptr) {
         return;
@@ -102,7 +103,7 @@ void read_motion(const TomlFields& job, Query& query) {
     if (job.has("shots")) {
         job.refuse("motion", "lines of [shots] do not move; leave out [motion], or [shots]");
     }
-    const TomlFields fields(table, job, "[motion]", {"resolution", "until"});
+    const TomlFields fields(table, job, "[motion]", {"resolution", "until", "chord"});
     MotionQuery motion;
     const auto resolution = fields.number("resolution");
     if (!resolution) {
@@ -118,8 +119,45 @@ void read_motion(const TomlFields& job, Query& query) {
         const auto place = std::ranges::find(until_words, *word) - until_words.begin();
         motion.until = static_cast<Until>(place);
     }
-    query.question = Question::Motion;
-    query.motion = motion;
+    spec.chord = read_length(fields, "chord");
+    if (spec.chord && *spec.chord == 0) {
+        fields.refuse("chord", "chord is a length above 0, in the job's unit");
+    }
+    if (spec.chord && !std::holds_alternative<CurveSpec>(spec.poses)) {
+        fields.refuse(
+            "chord", "chord is for line, arc, screw and drive; keys of a file are the path itself");
+    }
+    spec.query.question = Question::Motion;
+    spec.query.motion = motion;
+}
+
+/// Reads the key `max_step` of [poses], and checks what kinds of poses have an order.
+void read_order(const TomlFields& job, JobSpec& spec) {
+    const bool is_curve = std::holds_alternative<CurveSpec>(spec.poses);
+    const bool has_order = is_curve || std::holds_alternative<PoseFileSpec>(spec.poses);
+    if (spec.query.motion && !has_order) {
+        job.refuse("motion",
+                   "a motion leads from each pose to the next; grids and random poses have no "
+                   "order: give [poses] a file, line, arc, screw or drive, or leave out [motion]");
+    }
+    const toml::table* const table = job.table("poses");
+    const toml::node* const step = table == nullptr ? nullptr : table->get("max_step");
+    if (step != nullptr) {
+        spec.max_step = step->value<double>();
+        if (!spec.max_step || !(*spec.max_step > 0) || !std::isfinite(*spec.max_step)) {
+            job.refuse(*step, "max_step is a length above 0, in the job's unit");
+        }
+        if (spec.query.motion || !has_order) {
+            job.refuse(*step,
+                       "max_step inserts poses between those of a file or a curve; leave it out "
+                       "with [motion], which needs none, and with poses of another kind");
+        }
+    }
+    if (is_curve && !spec.query.motion && !spec.max_step) {
+        job.refuse("poses",
+                   "a curve has no poses of its own: add [motion] to prove when the bodies meet on "
+                   "it, or max_step = LENGTH to test poses along it");
+    }
 }
 
 void read_output(const TomlFields& job, JobSpec& spec) {
@@ -241,11 +279,12 @@ void read_job(const toml::table& table, JobSpec& spec) {
     } else {
         read_two_bodies(job, spec);
     }
-    read_motion(job, spec.query);
-    if (spec.query.motion && !std::holds_alternative<PoseFileSpec>(spec.poses)) {
+    read_motion(job, spec);
+    if (!spec.scene) {
+        read_order(job, spec);
+    } else if (spec.query.motion) {
         job.refuse("motion",
-                   "a motion leads from each pose of a file to the next; grids and random poses "
-                   "have no order: give [poses] a file, or leave out [motion]");
+                   "[motion] is for two bodies; for many test poses with a clearance of the step");
     }
     read_query(job, spec);
     read_output(job, spec);

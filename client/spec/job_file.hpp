@@ -42,6 +42,11 @@ struct JobSpec {
     PosesSpec poses = RandomPoses{};
     std::optional<SceneSpec> scene; ///< The bodies, poses and rules of a job with [bodies].
     Query query; ///< Without `Query::ignored`, which follows from `ignore` and the meshes.
+    /// Of motions along a curve: how far the keys may be from it. The clearance grows by it, so
+    /// that what is proven holds for the curve.
+    std::optional<double> chord;
+    /// Without motions: poses are inserted until nothing moves farther from one to the next.
+    std::optional<double> max_step;
     std::vector<IgnoreRule> ignore;
     OutputSpec output;
     ClusterOptions cluster;

@@ -2,6 +2,8 @@
 #pragma once
 
 #include "client/bundle/shot_plan.hpp"
+#include "client/curves/pose_curve.hpp"
+#include "common/core/result.hpp"
 #include "common/job/poses/pose_source.hpp"
 
 #include <array>
@@ -41,12 +43,17 @@ struct GridSpec {
 };
 
 /// [shots] gives the poses of its bundle, and the bundle is body B.
-using PosesSpec = std::variant<PoseFileSpec, GridSpec, RandomPoses, ShotsSpec>;
+using PosesSpec = std::variant<PoseFileSpec, GridSpec, RandomPoses, ShotsSpec, CurveSpec>;
 
 /// Reads the table [poses] of a job with two bodies. `unit` is the job's, `file` the job file.
 /// Throws a `Refusal`.
 [[nodiscard]] PosesSpec
 read_poses(const TomlFields& job, const std::string& unit, const std::filesystem::path& file);
+
+/// Reads a curve from its line in a job file, such as "line = { ... }", with lengths in `unit` of a
+/// job in `job_unit`. Errors: BadInput.
+[[nodiscard]] Result<CurveSpec>
+parse_curve(const std::string& text, const std::string& unit, const std::string& job_unit);
 
 /// True if the least and most penetration are in order and within 0 to 1.
 [[nodiscard]] bool is_penetration(const RandomPoses& random);

@@ -1,5 +1,6 @@
 #include "client/spec/toml_fields.hpp"
 
+#include "client/spec/toml_text.hpp"
 #include "common/core/errors.hpp"
 
 #include <algorithm>
@@ -19,6 +20,25 @@ std::optional<double> finite_number(const toml::node& node) {
     }
     const std::optional<double> value = node.value<double>();
     return value && std::isfinite(*value) ? value : std::nullopt;
+}
+
+/// Writes a value of numbers, texts, arrays and tables in one line.
+std::string inline_text(const toml::node& node) {
+    if (const toml::table* const table = node.as_table()) {
+        std::string text;
+        for (const auto& [key, value] : *table) {
+            text +=
+                (text.empty() ? "" : ", ") + std::string(key.str()) + " = " + inline_text(value);
+        }
+        return "{ " + text + " }";
+    }
+    if (const toml::array* const array = node.as_array()) {
+        return toml_list(*array, inline_text);
+    }
+    if (const auto text = node.value_exact<std::string>()) {
+        return toml_quoted(*text);
+    }
+    return toml_number(finite_number(node).value_or(0));
 }
 
 } // namespace
@@ -123,6 +143,10 @@ const toml::array* TomlFields::array(std::string_view key) const {
         wrong_type(key, "an array");
     }
     return value;
+}
+
+std::string TomlFields::line_of(std::string_view key) const {
+    return std::string(key) + " = " + inline_text(*table_.get(key));
 }
 
 std::optional<std::vector<double>>

@@ -52,6 +52,11 @@ class TomlFields {
     [[nodiscard]] std::optional<bool> boolean(std::string_view key) const;
     [[nodiscard]] const toml::table* table(std::string_view key) const;
     [[nodiscard]] const toml::array* array(std::string_view key) const;
+    [[nodiscard]] bool is_array(std::string_view key) const {
+        return has(key) && table_.get(key)->is_array();
+    }
+    /// Returns the line "key = value" of a key that exists.
+    [[nodiscard]] std::string line_of(std::string_view key) const;
     /// Returns exactly `count` finite numbers of an array; `shape` describes them in the error.
     [[nodiscard]] std::optional<std::vector<double>>
     numbers(std::string_view key, std::size_t count, std::string_view shape) const;

@@ -265,7 +265,7 @@ void put_origin(ByteWriter& out, const PosesOrigin& origin) {
 }
 
 bool get_origin(ByteReader& in, PosesOrigin& origin) {
-    const bool is_kind = get_enumeration(in, origin.kind, PosesKind::Shots);
+    const bool is_kind = get_enumeration(in, origin.kind, PosesKind::Curve);
     const bool is_random = in.get<std::uint8_t>() != 0;
     RandomPoses random;
     random.count = in.get<std::uint64_t>();

@@ -60,7 +60,7 @@ struct JobBody {
     friend bool operator==(const JobBody&, const JobBody&) = default;
 };
 
-enum class PosesKind : std::uint8_t { Grid = 0, File = 1, Random = 2, Shots = 3 };
+enum class PosesKind : std::uint8_t { Grid = 0, File = 1, Random = 2, Shots = 3, Curve = 4 };
 
 /// The table [shots] of a job, beside its directions and its file.
 struct ShotsOrigin {
@@ -87,7 +87,9 @@ struct SceneOrigin {
 struct PosesOrigin {
     PosesKind kind = PosesKind::File;
     std::optional<RandomPoses> random = {}; ///< For kind Random only.
-    std::string file = {};       ///< Path of poses, "-": standard input; for kind Shots of lines.
+    /// Path of poses, "-": standard input; for kind Shots of lines; for kind Curve the curve, as in
+    /// the job file.
+    std::string file = {};
     std::string quat_order = {}; ///< "xyzw" or "wxyz"; empty: the file's own order.
     bool of_both_bodies = false; ///< True: the file has poses of A and B, else of B.
     /// How far a matrix or quaternion of the file may be from a rotation; empty: the default.

@@ -64,6 +64,7 @@ ORDERED = {
         "picture": [],
         "import": [],
         "bundle": [],
+        "curves": [],
         "spec": ["messages"],
         "trees": [],
         "poses": [],

@@ -30,7 +30,7 @@ std::string_view kind_text(PageOrigin::Kind kind) {
 }
 
 std::string_view kind_text(PosesKind kind) {
-    constexpr std::array<std::string_view, 4> names{"grid", "file", "random", "shots"};
+    constexpr std::array<std::string_view, 5> names{"grid", "file", "random", "shots", "curve"};
     return names[static_cast<std::size_t>(kind)];
 }
 

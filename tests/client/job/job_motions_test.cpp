@@ -8,6 +8,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <vector>
 
 namespace cd::tests {
@@ -97,6 +98,41 @@ TEST(JobMotions, RefuseKeysWithoutAMotionByTheirNumber) {
     // A motion of a thousand kilometres at this resolution has too many parts.
     EXPECT_THAT(problem_with({moved_pose(Vec3(1e6, 0, 0)), moved_pose(Vec3(-1e6, 0, 0))}),
                 HasSubstr("key 1: "));
+}
+
+TEST(JobMotions, StepsMoveNoVertexFartherThanAsked) {
+    const Mesh body = make_box(Vec3(1, 2, 3));
+    PoseLabels labels;
+    labels.times = {0, 1, 3};
+    for (const double max_step : {1.0, 0.01}) {
+        const auto keys = source_of(some_keys());
+        const auto made = make_steps(*keys, labels, make_box(Vec3(1, 1, 1)), body, max_step);
+        ASSERT_TRUE(made) << made.error().detail;
+        const std::uint64_t count = made.value().poses->count();
+        ASSERT_EQ(made.value().labels.times.size(), count);
+        EXPECT_EQ(made.value().labels.times.back(), 3);
+        const auto scenarios = made.value().poses->read(0, count);
+        ASSERT_TRUE(scenarios);
+        double largest = 0;
+        for (std::size_t i = 0; i + 1 < count; ++i) {
+            const Pose& from = scenarios.value()[i].poses.b;
+            const Pose& to = scenarios.value()[i + 1].poses.b;
+            EXPECT_FALSE(scenarios.value()[i].to);
+            EXPECT_LT(made.value().labels.times[i], made.value().labels.times[i + 1]);
+            for (const Vec3& vertex : body.vertices()) {
+                const Vec3 moved = to.rotation() * vertex + to.translation() -
+                                   (from.rotation() * vertex + from.translation());
+                largest = std::max(largest, moved.norm());
+            }
+        }
+        EXPECT_LE(largest, max_step);
+        EXPECT_GT(largest, max_step / 8) << "not far more poses than needed";
+    }
+    const auto keys = source_of(some_keys());
+    const auto many = make_steps(*keys, {}, make_box(Vec3(1, 1, 1)), body, 1e-5);
+    ASSERT_FALSE(many);
+    EXPECT_EQ(many.error().code, ErrorCode::TooLarge);
+    EXPECT_THAT(many.error().detail, HasSubstr("take larger steps"));
 }
 
 TEST(JobMotions, SayHowFarRoundingMovesTheBodies) {

@@ -151,8 +151,9 @@ TEST(JobFile, PosesMayHaveAUnitOfTheirOwn) {
     EXPECT_EQ(spec.grid.position[0], (GridAxis{-100, 200, 4}));
     EXPECT_EQ(spec.axes[0], (GridAxis{-1, 2, 4})) << "as the job says it";
     EXPECT_EQ(spec.unit, "m");
-    EXPECT_THAT(problem_with("[poses]\nunit = \"mm\"\nrandom = { n = 10 }\n"),
-                HasSubstr("job.toml:6: [poses]: unit belongs to poses from a file or a grid"));
+    EXPECT_THAT(
+        problem_with("[poses]\nunit = \"mm\"\nrandom = { n = 10 }\n"),
+        HasSubstr("job.toml:6: [poses]: unit belongs to poses from a file, a grid or a curve"));
 }
 
 TEST(JobFile, UnknownKeysNameTheLineAndTheNearestKey) {

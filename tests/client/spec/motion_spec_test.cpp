@@ -92,7 +92,7 @@ TEST(MotionSpec, RefusesWhatDoesNotGoTogetherWithIt) {
     for (const std::string poses :
          {"[poses]\nrandom = { n = 5 }\n", "[poses]\ngrid = { x = [0, 1, 2] }\n"}) {
         EXPECT_THAT(problem_in(parse_job(bodies + poses + "[motion]\n" + motion, "job.toml")),
-                    HasSubstr("job.toml:7: the job: a motion leads from each pose of a file"));
+                    HasSubstr("job.toml:7: the job: a motion leads from each pose"));
     }
     EXPECT_THAT(
         problem_in(parse_job("[a]\nmesh = \"a.obj\"\n[shots]\nspacing = 1\n[motion]\n" + motion,

@@ -108,7 +108,7 @@ export interface Group {
 }
 
 export interface Poses {
-    kind: "grid" | "file" | "random" | "shots";
+    kind: "grid" | "file" | "random" | "shots" | "curve";
     count: number;
     file?: string;
     axes: Axis[] | null;
@@ -151,7 +151,7 @@ export interface Job {
     /** Null in a job that does not ask for near pairs. */
     clearance: number | null;
     /** Only in a job that asks how far the bodies are apart, or what lines hit. */
-    question?: "distance" | "shots";
+    question?: "distance" | "shots" | "motion";
     /** In a job of lines: of each line, only the first hit that crosses counts. */
     first_hits?: boolean;
     /** Then: bodies farther apart have no distance; null: all that share no point have one. */

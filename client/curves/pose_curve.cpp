@@ -1,0 +1,76 @@
+#include "client/curves/pose_curve.hpp"
+
+#include "common/core/errors.hpp"
+#include "common/core/words.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace cd {
+
+namespace {
+
+constexpr double pi = 3.14159265358979323846;
+
+Quaternion rotation_by(const Vec3& turned) {
+    const double angle = turned.norm();
+    if (angle == 0) {
+        return {};
+    }
+    const Vec3 v = turned * (std::sin(angle / 2) / angle);
+    return {std::cos(angle / 2), v.x(), v.y(), v.z()};
+}
+
+/// Returns the largest acceleration of the origin.
+double acceleration_of(const CurvePhase& phase) {
+    if (!phase.pivot) {
+        return phase.acceleration.norm();
+    }
+    return phase.spin.norm() * phase.spin.cross(phase.from - *phase.pivot).norm();
+}
+
+/// Returns the number of equal parts of a phase.
+double parts_of(const CurvePhase& phase, double radius, double off_max) {
+    const double turned = phase.spin.norm() * phase.seconds;
+    const double bent = acceleration_of(phase) * phase.seconds * phase.seconds / 8;
+    const double paced = 0.005 * turned * turned * turned * radius;
+    // Each of the two errors gets half of what is allowed.
+    return std::ceil(std::max(
+        {1.0, turned / (pi / 2), std::sqrt(2 * bent / off_max), std::cbrt(2 * paced / off_max)}));
+}
+
+} // namespace
+
+Pose CurvePhase::at(double time) const {
+    const Quaternion turned = rotation_by(spin * time);
+    Vec3 place = from + velocity * time + acceleration * (time * time / 2);
+    if (pivot) {
+        const Pose about = Pose::from_quaternion(turned, Vec3::Zero());
+        place = *pivot + about.rotation() * (from - *pivot) + velocity * time;
+    }
+    return Pose::from_quaternion(turned * turn, place);
+}
+
+Result<CurveKeys> keys_along(const std::vector<CurvePhase>& phases, double radius, double off_max) {
+    CurveKeys keys;
+    double begin = 0;
+    for (const CurvePhase& phase : phases) {
+        const double parts = parts_of(phase, radius, off_max);
+        if (!(parts + static_cast<double>(keys.poses.size()) < curve_keys_max)) {
+            return Error{ErrorCode::TooLarge,
+                         "the curve takes more than " + exact_text(curve_keys_max) +
+                             " keys to stay within " + exact_text(off_max) +
+                             "; allow more, or cut the curve in pieces"};
+        }
+        // The first key of a later phase is the last one of the phase before.
+        for (double i = keys.poses.empty() ? 0 : 1; i <= parts; ++i) {
+            const double time = i == parts ? phase.seconds : phase.seconds * (i / parts);
+            keys.poses.push_back(phase.at(time));
+            keys.times.push_back(begin + time);
+        }
+        begin += phase.seconds;
+    }
+    return keys;
+}
+
+} // namespace cd
