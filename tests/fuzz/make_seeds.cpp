@@ -6,6 +6,7 @@
 #include "client/formats/npy.hpp"
 #include "client/formats/npz.hpp"
 #include "client/poses/label_file.hpp"
+#include "client/spec/query_spec.hpp"
 #include "common/core/files/compress.hpp"
 #include "common/core/files/disk_file.hpp"
 #include "common/core/host/thread_pool.hpp"
@@ -35,6 +36,7 @@
 #include "tests/client/import/gltf_text.hpp"
 #include "tests/fuzz/sample_mesh.hpp"
 #include "tests/proto/sample_messages.hpp"
+#include "tests/support/motions.hpp"
 #include "tests/support/process.hpp"
 #include "tests/support/shapes.hpp"
 #include "tests/support/trees.hpp"
@@ -205,10 +207,41 @@ void add_shots(Seeds& seeds, const ObbTree& body) {
     }
 }
 
+/// Adds motions of one body past and onto another.
+void add_motions(Seeds& seeds, const ObbTree& a, const ObbTree& b) {
+    const BodyRadii radii{body_radius(a.mesh().vertices()), body_radius(b.mesh().vertices())};
+    const auto at = [](double x, double y) {
+        return PosePair{tests::moved_pose(Vec3::Zero()), tests::moved_pose(Vec3(x, y, 0))};
+    };
+    constexpr double resolution = 0.25;
+    const auto keys =
+        round_keys(std::array{at(4, 0), at(0.5, 0), at(4, 4), at(-4, 4)}, radii, resolution);
+    for (const Until until : {Until::Contact, Until::Free, Until::End}) {
+        for (std::size_t i = 0; i < 3; ++i) {
+            Query query;
+            query.level = i == 0 ? Level::Pairs : Level::Any;
+            query.question = Question::Motion;
+            query.motion = MotionQuery{resolution, until};
+            query.clearance = i == 1 ? std::optional(0.125) : std::nullopt;
+            Scenario scenario;
+            scenario.poses = keys.value().keys[i];
+            scenario.to = keys.value().keys[i + 1];
+            const Bytes record = encode_result(run_scenario(a, b, scenario, query).result);
+            seeds.add("result",
+                      "motion_" + std::string(to_text(until)) + "_" + std::to_string(i),
+                      record);
+            seeds.add("scenarios",
+                      "motion_" + std::to_string(i),
+                      pack_scenarios(std::span(&scenario, 1)));
+        }
+    }
+}
+
 void add_blocks_and_records(Seeds& seeds) {
     const ObbTree a = tests::make_tree(tests::make_torus(1.0, 0.4, 8, 6));
     const ObbTree b = tests::make_tree(tests::make_sphere(1));
     add_shots(seeds, a);
+    add_motions(seeds, a, b);
     for (const std::uint32_t depth : {0u, 2u}) {
         const std::uint32_t root = cut_nodes(a, depth).front();
         const std::string name = "depth_" + std::to_string(depth);
@@ -361,7 +394,22 @@ level = "count"
 maps = true
 )";
 
+constexpr std::string_view motion_job_text = R"([a]
+mesh = "a.obj"
+[b]
+mesh = "b.obj"
+[poses]
+drive = [ { start = [0, 0, 0], velocity = [12, 0, 0], seconds = 2 }, { spin_deg = [0, 0, 9], seconds = 1 } ]
+[motion]
+resolution = 0.5
+until = "free"
+chord = 0.25
+[query]
+level = "any"
+)";
+
 void add_files(Seeds& seeds) {
+    seeds.add("job_file", "motion", motion_job_text);
     seeds.add("job_file", "all", job_text);
     seeds.add("job_file", "grid", grid_job_text);
     seeds.add("job_file", "distance", distance_job_text);
@@ -604,6 +652,8 @@ void add_folders(Seeds& seeds) {
     seeds.add("run_json", "distance", manifest_json(manifest));
     manifest.query = tests::some_shots_query();
     seeds.add("run_json", "shots", manifest_json(manifest));
+    manifest.query = tests::some_motion_query();
+    seeds.add("run_json", "motion", manifest_json(manifest));
     manifest.query = contacts;
     manifest.poses = {};
     manifest.poses.count = 4;
