@@ -13,7 +13,8 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// Returns the least K with 2^-K bound <= resolution.
+} // namespace
+
 Result<unsigned> depth_for(double bound, double resolution) {
     for (unsigned depth = 0; depth <= limits::motion_depth_max; ++depth) {
         if (std::ldexp(bound, -static_cast<int>(depth)) <= resolution) {
@@ -24,8 +25,6 @@ Result<unsigned> depth_for(double bound, double resolution) {
                  "the bodies move too far between two keys for this resolution; insert keys, or "
                  "raise the resolution"};
 }
-
-} // namespace
 
 Result<unsigned>
 motion_depth(const PosePair& from, const PosePair& to, const BodyRadii& radii, double resolution) {

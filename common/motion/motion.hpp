@@ -8,6 +8,10 @@
 
 namespace cd {
 
+/// Returns the least K with 2^-K M <= `resolution`, which is positive. Errors: TooLarge if K
+/// exceeds `limits::motion_depth_max`.
+[[nodiscard]] Result<unsigned> depth_for(double bound, double resolution);
+
 /// Returns K, the least number of halvings after which M of the whole motion between two keys is at
 /// most `resolution`, a length in the job's unit. The keys may be on too fine a grid. Errors:
 /// BadInput for a resolution that is not positive and finite, and for keys without a path

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace cd {
 
@@ -137,6 +138,15 @@ double cell_bound(const BodyPath& a,
         bound = each < bound ? each : bound; // Never NaN.
     }
     return bound;
+}
+
+double movement_bound(const BodyPath& path, double radius) {
+    // The bound in the world of this body and a point at rest.
+    const TimeCell whole;
+    const RelativeMotion motion{whole.half_width(), path.c1 - path.c0, Vec3::Zero()};
+    const double bound =
+        bound_in_world(motion, turning_in(whole, path), {Vec3::Zero()}, {radius, 0});
+    return std::isnan(bound) ? std::numeric_limits<double>::infinity() : bound;
 }
 
 } // namespace cd

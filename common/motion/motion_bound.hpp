@@ -80,4 +80,10 @@ struct BodyRadii {
                                 const TimeCell& cell,
                                 double bound_of_parent);
 
+/// Returns an upper bound on how far a vertex of a body is, at any time of its path, from where it
+/// is at tau = 1/2, in the job's unit: |c'| / 2 and what it turns. M of the whole motion of two
+/// bodies is at most the sum of their bounds, within 2^-40 of that. Infinite where numbers
+/// overflow; never NaN. The path has exact poses at tau = 1/2.
+[[nodiscard]] double movement_bound(const BodyPath& path, double radius);
+
 } // namespace cd

@@ -61,33 +61,6 @@ double frobenius(const Mat3& m) {
     return std::sqrt(square);
 }
 
-/// Returns the key with a quaternion of norm 1, within roundings.
-Result<Pose> unit_key(const Pose& given) {
-    if (!given.is_finite()) {
-        return bad_input("a key of a motion has a number that is not finite");
-    }
-    if (given.kind() == Pose::Kind::Quaternion) {
-        const Quaternion& q = given.quaternion();
-        return Pose::from_quaternion(unit({q.w, q.x, q.y, q.z}), given.translation());
-    }
-    const Components q = quaternion_of(given.matrix());
-    const bool is_zero = std::ranges::all_of(q, [](double x) { return x == 0; });
-    const Pose key = Pose::from_quaternion(is_zero ? Quaternion{} : unit(q), given.translation());
-    if (!(frobenius(key.rotation() - given.matrix()) <= key_matrix_off_max)) {
-        return bad_input("the matrix of a key is no rotation; motions are of rigid bodies");
-    }
-    return key;
-}
-
-/// Bounds how far a point of a body moves if `given` becomes `rounded`. Both rotations err by at
-/// most 16 u in an entry; 2^-46 covers these and the roundings here.
-double moved_at_most(const Pose& given, const Pose& rounded, double radius) {
-    const double turned = frobenius(rounded.rotation() - given.rotation()) + 0x1p-46;
-    const Vec3 shift = rounded.translation() - given.translation(); // Exact.
-    const double shifted = std::abs(shift.x()) + std::abs(shift.y()) + std::abs(shift.z());
-    return (1 + 0x1p-40) * (turned * radius + shifted);
-}
-
 std::string place_of(std::size_t key) {
     return "key " + std::to_string(key) + ": ";
 }
@@ -118,6 +91,31 @@ largest_depth(std::span<const PosePair> keys, const BodyRadii& radii, double res
 }
 
 } // namespace
+
+Result<Pose> unit_key(const Pose& given) {
+    if (!given.is_finite()) {
+        return bad_input("a key of a motion has a number that is not finite");
+    }
+    if (given.kind() == Pose::Kind::Quaternion) {
+        const Quaternion& q = given.quaternion();
+        return Pose::from_quaternion(unit({q.w, q.x, q.y, q.z}), given.translation());
+    }
+    const Components q = quaternion_of(given.matrix());
+    const bool is_zero = std::ranges::all_of(q, [](double x) { return x == 0; });
+    const Pose key = Pose::from_quaternion(is_zero ? Quaternion{} : unit(q), given.translation());
+    if (!(frobenius(key.rotation() - given.matrix()) <= key_matrix_off_max)) {
+        return bad_input("the matrix of a key is no rotation; motions are of rigid bodies");
+    }
+    return key;
+}
+
+double moved_at_most(const Pose& given, const Pose& rounded, double radius) {
+    // Both rotations err by at most 16 u in an entry; 2^-46 covers these and the roundings here.
+    const double turned = frobenius(rounded.rotation() - given.rotation()) + 0x1p-46;
+    const Vec3 shift = rounded.translation() - given.translation(); // Exact.
+    const double shifted = std::abs(shift.x()) + std::abs(shift.y()) + std::abs(shift.z());
+    return (1 + 0x1p-40) * (turned * radius + shifted);
+}
 
 Result<RoundedKeys>
 round_keys(std::span<const PosePair> given, const BodyRadii& radii, double resolution) {

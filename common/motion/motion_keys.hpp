@@ -13,6 +13,14 @@ namespace cd {
 /// A matrix whose distance from its rounded rotation (Frobenius norm) exceeds this is no key.
 inline constexpr double key_matrix_off_max = 0x1p-10;
 
+/// Returns the key with a quaternion of norm 1, within roundings. A matrix becomes the quaternion
+/// of nearly the same rotation. Errors: BadInput for a matrix that is no rotation within
+/// `key_matrix_off_max`, and for numbers that are not finite.
+[[nodiscard]] Result<Pose> unit_key(const Pose& given);
+
+/// Bounds how far a point of a body moves if its pose `given` becomes the key `rounded`.
+[[nodiscard]] double moved_at_most(const Pose& given, const Pose& rounded, double radius);
+
 /// Keys from which motions are made, and what the rounding has changed.
 struct RoundedKeys {
     std::vector<PosePair> keys; ///< All of kind Quaternion, on one grid.

@@ -236,6 +236,32 @@ TEST(MotionBound, AtMostHalfOfTheCellAbove) {
     }
 }
 
+TEST(MovementBound, OfTwoBodiesTogetherIsAtLeastTheBoundOfTheirMotion) {
+    for (const Kind kind : kinds) {
+        SCOPED_TRACE(static_cast<int>(kind));
+        for (SeededRandom random : seeds(raised(100))) {
+            const Keys keys = on_grid(make_keys(kind, random));
+            const BodyPath a = path_between(keys.from.a, keys.to.a).value();
+            const BodyPath b = path_between(keys.from.b, keys.to.b).value();
+            const BodyRadii radii{uniform(random, 0, 2), uniform(random, 0, 2)};
+            const double sum = movement_bound(a, radii.a) + movement_bound(b, radii.b);
+            EXPECT_LE(cell_bound(a, b, radii, {}, infinity), (1 + 0x1p-40) * sum);
+        }
+    }
+}
+
+TEST(MovementBound, IsHalfAWayOrTheArcOfTheRadius) {
+    const BodyPath moved = path_between(moved_pose({1, 2, 3}), moved_pose({4, 6, 3})).value();
+    EXPECT_NEAR(movement_bound(moved, 100), 2.5, 1e-9);
+    const Pose rest = moved_pose({0, 0, 0});
+    const BodyPath turned = path_between(rest, turned_pose(2, Vec3(0, 0, 1))).value();
+    const double arc = 3.14159265358979323846 / 180;
+    EXPECT_GE(movement_bound(turned, 10), 10 * arc);
+    EXPECT_LE(movement_bound(turned, 10), 10 * arc * 1.001);
+    EXPECT_EQ(movement_bound(turned, infinity), infinity);
+    EXPECT_EQ(movement_bound(path_between(rest, rest).value(), infinity), infinity);
+}
+
 TEST(BodyRadius, BoundsEveryVertex) {
     const std::vector<Vec3> points{{3, 4, 0}, {1, 1, 1}, {0, 0, 0}};
     EXPECT_GE(body_radius(points), 5);
