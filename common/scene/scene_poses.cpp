@@ -1,10 +1,16 @@
 #include "common/scene/scene_poses.hpp"
 
 #include "common/core/check.hpp"
+#include "common/core/errors.hpp"
 #include "common/core/limits/engine.hpp"
 #include "common/core/words.hpp"
+#include "common/motion/motion.hpp"
+#include "common/scene/scene_keys.hpp"
+#include "common/scene/swept_box.hpp"
+#include "common/scene/world_box.hpp"
 
 #include <algorithm>
+#include <string>
 #include <utility>
 
 namespace cd {
@@ -36,6 +42,16 @@ std::vector<std::uint32_t> present_bodies(const PosesOfStep& poses) {
     return present;
 }
 
+/// Takes the poses of bodies away that are absent at one of two steps.
+void keep_common(PosesOfStep& from, PosesOfStep& to) {
+    for (std::size_t body = 0; body < from.size(); ++body) {
+        if (!from[body] || !to[body]) {
+            from[body].reset();
+            to[body].reset();
+        }
+    }
+}
+
 } // namespace
 
 ScenePoses::ScenePoses(Scene scene, std::unique_ptr<StepPoses> poses)
@@ -50,13 +66,31 @@ ScenePoses::ScenePoses(Scene scene, std::unique_ptr<StepPoses> poses)
 Result<std::unique_ptr<ScenePoses>>
 ScenePoses::create(Scene scene, std::unique_ptr<StepPoses> poses, const StopCheck& stop) {
     std::unique_ptr<ScenePoses> made(new ScenePoses(std::move(scene), std::move(poses)));
-    const Status counted = made->count_steps(stop);
-    return counted ? Result(std::move(made)) : counted.error();
+    CD_TRY(made->take_keys(stop));
+    CD_TRY(made->count_steps(stop));
+    return made;
+}
+
+/// With motions, replaces the poses by keys.
+Status ScenePoses::take_keys(const StopCheck& stop) {
+    if (!scene_.resolution) {
+        return Done{};
+    }
+    if (poses_->steps() < 2) {
+        return bad_input("there is one step alone; a motion leads from one step to the next, so "
+                         "give poses for two or more");
+    }
+    auto keys =
+        CD_TRY(SceneKeys::create(std::move(poses_), scene_.bodies, *scene_.resolution, stop));
+    moved_ = keys->moved();
+    poses_ = std::move(keys);
+    return Done{};
 }
 
 Status ScenePoses::count_steps(const StopCheck& stop) {
     StepIndex index;
-    for (std::uint64_t number = 0; number < poses_->steps(); ++number) {
+    const std::uint64_t steps = poses_->steps() - (scene_.resolution ? 1 : 0);
+    for (std::uint64_t number = 0; number < steps; ++number) {
         if (stop && stop()) {
             return interrupted();
         }
@@ -64,6 +98,7 @@ Status ScenePoses::count_steps(const StopCheck& stop) {
         if (!step) {
             return step.error();
         }
+        CD_TRY(check_motions(step.value()));
         index.add_step(covered_by(step.value()));
         if (index.count() > limits::scenarios_max) {
             return Error{ErrorCode::TooLarge,
@@ -94,32 +129,66 @@ StepCoverage ScenePoses::covered_by(const Step& step) const {
     return coverage;
 }
 
-Result<ScenePoses::Step> ScenePoses::read_step(std::uint64_t number) {
-    auto poses = poses_->read(number);
-    if (!poses) {
-        return poses.error();
+/// Refuses motions that would need more halvings than any may have.
+Status ScenePoses::check_motions(const Step& step) const {
+    if (!scene_.resolution) {
+        return Done{};
     }
-    CD_CHECK(poses.value().size() == scene_.bodies.size());
-    for (std::size_t body = 0; body < scene_.bodies.size(); ++body) {
-        CD_CHECK(poses.value()[body] || !scene_.bodies[body].is_fixed);
+    for (const BodyPair pair : step.pairs) {
+        const PlacedBody& a = scene_.bodies[pair.a];
+        const PlacedBody& b = scene_.bodies[pair.b];
+        const auto depth = motion_depth({*step.poses[pair.a], *step.poses[pair.b]},
+                                        {*step.to[pair.a], *step.to[pair.b]},
+                                        {a.radius, b.radius},
+                                        *scene_.resolution);
+        if (!depth) {
+            return Error{depth.error().code,
+                         "step " + std::to_string(step.number) + ": " + a.name + " and " + b.name +
+                             ": " + depth.error().detail};
+        }
     }
-    std::vector<BodyPair> pairs = pairs_of(number, poses.value());
-    return Step{number, std::move(poses.value()), std::move(pairs)};
+    return Done{};
 }
 
-std::vector<BodyPair> ScenePoses::pairs_of(std::uint64_t step, const PosesOfStep& poses) const {
-    const std::vector<std::uint32_t> present = present_bodies(poses);
+Result<ScenePoses::Step> ScenePoses::read_step(std::uint64_t number) {
+    Step step;
+    step.number = number;
+    step.poses = CD_TRY(poses_->read(number));
+    CD_CHECK(step.poses.size() == scene_.bodies.size());
+    for (std::size_t body = 0; body < scene_.bodies.size(); ++body) {
+        CD_CHECK(step.poses[body] || !scene_.bodies[body].is_fixed);
+    }
+    if (scene_.resolution) {
+        step.to = CD_TRY(poses_->read(number + 1));
+        keep_common(step.poses, step.to);
+    }
+    step.pairs = CD_TRY(pairs_of(step));
+    return step;
+}
+
+Result<WorldBox> ScenePoses::box_of(const Step& step, std::uint32_t body) const {
+    // Of two points within reach, the middle is at most half the reach away from both. Halving
+    // rounds only numbers far below the bounds of rounding errors in the box.
+    const double margin = 0.5 * scene_.reach;
+    const PlacedBody& placed = scene_.bodies[body];
+    if (step.to.empty()) {
+        return world_box(placed.box, *step.poses[body], margin);
+    }
+    const BodyPath path = CD_TRY(path_between(*step.poses[body], *step.to[body]));
+    return swept_box({placed.box, placed.radius, path}, margin);
+}
+
+Result<std::vector<BodyPair>> ScenePoses::pairs_of(const Step& step) const {
+    const std::vector<std::uint32_t> present = present_bodies(step.poses);
     std::vector<WorldBox> boxes;
     boxes.reserve(present.size());
     for (const std::uint32_t body : present) {
-        // Of two points within reach, the middle is at most half the reach away from both. Halving
-        // rounds only numbers far below the bounds of rounding errors in the box.
-        boxes.push_back(world_box(scene_.bodies[body].box, *poses[body], 0.5 * scene_.reach));
+        boxes.push_back(CD_TRY(box_of(step, body)));
     }
     std::vector<BodyPair> pairs;
     for (const BodyPair found : overlapping_pairs(boxes)) {
         const BodyPair pair{present[found.a], present[found.b]};
-        if (is_tested(step, pair)) {
+        if (is_tested(step.number, pair)) {
             pairs.push_back(pair);
         }
     }
@@ -130,6 +199,16 @@ bool ScenePoses::is_tested(std::uint64_t step, BodyPair pair) const {
     const bool is_settled =
         step > 0 && scene_.bodies[pair.a].is_fixed && scene_.bodies[pair.b].is_fixed;
     return !is_settled && !scene_.ignored.has(pair);
+}
+
+Scenario ScenePoses::scenario_of(const Step& step, std::uint64_t index) const {
+    const BodyPair pair = step.pairs[index - index_->first_of(step.number)];
+    Scenario scenario{
+        index, pair.a, pair.b, {*step.poses[pair.a], *step.poses[pair.b]}, step.number};
+    if (!step.to.empty()) {
+        scenario.to = PosePair{*step.to[pair.a], *step.to[pair.b]};
+    }
+    return scenario;
 }
 
 Result<std::vector<Scenario>> ScenePoses::read(std::uint64_t first, std::uint64_t count) {
@@ -153,9 +232,7 @@ Result<std::vector<Scenario>> ScenePoses::read(std::uint64_t first, std::uint64_
         }
         const std::uint64_t end = std::min(index_->end_of(number), first + count);
         for (std::uint64_t index = next; index < end; ++index) {
-            const BodyPair pair = kept_->pairs[index - index_->first_of(number)];
-            scenarios.push_back(
-                {index, pair.a, pair.b, {*kept_->poses[pair.a], *kept_->poses[pair.b]}, number});
+            scenarios.push_back(scenario_of(*kept_, index));
         }
     }
     return scenarios;

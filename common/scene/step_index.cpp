@@ -28,7 +28,7 @@ void StepIndex::add_step(const StepCoverage& coverage) {
 }
 
 void StepIndex::set_times(std::vector<double> times) {
-    CD_CHECK(times.empty() || times.size() == ends_.size());
+    CD_CHECK(times.empty() || times.size() == ends_.size() || times.size() == ends_.size() + 1);
     times_ = std::move(times);
 }
 
@@ -51,6 +51,14 @@ std::uint64_t StepIndex::step_of(std::uint64_t scenario) const {
 double StepIndex::time_of(std::uint64_t step) const {
     CD_CHECK(step < ends_.size());
     return times_.empty() ? static_cast<double>(step) : times_[step];
+}
+
+double StepIndex::time_at(std::uint64_t step, double tau) const {
+    CD_CHECK(step < ends_.size());
+    if (times_.size() <= ends_.size()) {
+        return time_of(step) + tau;
+    }
+    return times_[step] + tau * (times_[step + 1] - times_[step]);
 }
 
 // ---- Packing ------------------------------------------------------------------------------------
@@ -83,13 +91,27 @@ std::optional<StepCoverage> get_coverage(ByteReader& in) {
     return coverage;
 }
 
+/// Kinds of times: that of each step, and also that of the last one's end.
+constexpr std::uint8_t with_begins = 1;
+constexpr std::uint8_t with_end = 2;
+
+std::uint8_t times_kind(const StepIndex& steps) {
+    return steps.times().empty()                   ? 0
+           : steps.times().size() == steps.steps() ? with_begins
+                                                   : with_end;
+}
+
+std::size_t times_in(std::uint8_t kind, std::uint64_t steps) {
+    return kind == 0 ? 0 : steps + (kind == with_end ? 1 : 0);
+}
+
 } // namespace
 
 Bytes pack_steps(const StepIndex& steps) {
     ByteWriter out;
     out.put(version);
     put_varint(out, steps.steps());
-    out.put(!steps.times().empty());
+    out.put(times_kind(steps));
     for (const StepCoverage& step : steps.coverage()) {
         for (const std::uint64_t number :
              {step.tested, step.apart, step.ignored, step.fixed, step.absent}) {
@@ -108,8 +130,8 @@ Result<std::shared_ptr<const StepIndex>> unpack_steps(std::span<const std::byte>
         return damaged("unknown version");
     }
     const auto count = get_varint(in);
-    const bool have_times = in.get<std::uint8_t>() != 0;
-    if (!count || *count == 0 || *count > in.remaining()) {
+    const auto kind = in.get<std::uint8_t>();
+    if (!count || *count == 0 || *count > in.remaining() || kind > with_end) {
         return damaged("no number of steps");
     }
     auto steps = std::make_shared<StepIndex>();
@@ -120,7 +142,7 @@ Result<std::shared_ptr<const StepIndex>> unpack_steps(std::span<const std::byte>
         }
         steps->add_step(*coverage);
     }
-    std::vector<double> times = in.get_array<double>(have_times ? *count : 0);
+    std::vector<double> times = in.get_array<double>(times_in(kind, *count));
     const bool are_finite =
         std::ranges::all_of(times, [](double time) { return std::isfinite(time); });
     if (!in.complete() || !are_finite || steps->count() != scenarios) {

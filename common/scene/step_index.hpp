@@ -31,8 +31,8 @@ class StepIndex {
   public:
     /// Appends a step. It has as many scenarios as pairs that are tested, which may be none.
     void add_step(const StepCoverage& coverage);
-    /// Sets the time of each step, in the unit of the user's file. Empty: the times are 0, 1, 2,
-    /// ...
+    /// Sets the time of each step, in the unit of the user's file, and of motions also that of the
+    /// last one's end. Empty: the times are 0, 1, 2, ...
     void set_times(std::vector<double> times);
 
     [[nodiscard]] std::uint64_t steps() const { return ends_.size(); }
@@ -46,7 +46,10 @@ class StepIndex {
     [[nodiscard]] std::uint64_t step_of(std::uint64_t scenario) const;
     /// Returns the time of a step, which must exist.
     [[nodiscard]] double time_of(std::uint64_t step) const;
-    /// Returns the time of each step; empty if none are given.
+    /// Returns the time at `tau` in [0, 1] of a step that is a motion; its end is the begin of the
+    /// next.
+    [[nodiscard]] double time_at(std::uint64_t step, double tau) const;
+    /// Returns the times as they were set.
     [[nodiscard]] std::span<const double> times() const { return times_; }
     /// Returns what became of the pairs of each step.
     [[nodiscard]] std::span<const StepCoverage> coverage() const { return coverage_; }
@@ -57,9 +60,10 @@ class StepIndex {
     std::vector<double> times_;
 };
 
-/// Packs the steps, compressed: version (u8, 1), their number and whether they have times (u8);
-/// for each step the five numbers of `StepCoverage` in their order; then the times (f64). Integers
-/// are varints (varint.hpp) unless marked u8.
+/// Packs the steps, compressed: version (u8, 1), their number and which times they have (u8: 0
+/// none, 1 that of each step, 2 also that of the last one's end); for each step the five numbers of
+/// `StepCoverage` in their order; then the times (f64). Integers are varints (varint.hpp) unless
+/// marked u8.
 [[nodiscard]] Bytes pack_steps(const StepIndex& steps);
 
 /// Unpacks the bytes of `pack_steps`, which are untrusted. Errors: BadFrame, also for other than

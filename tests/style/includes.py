@@ -19,7 +19,7 @@ LAYERS = {
     "common/motion": ["common/core", "common/geometry", "common/pair", "common/search", "common/tree"],
     "common/solid": ["common/core", "common/distance", "common/geometry", "common/pair", "common/search", "common/tree"],
     "common/job": ["common/core", "common/distance", "common/geometry", "common/motion", "common/pair", "common/search", "common/shots", "common/solid", "common/tree"],
-    "common/scene": ["common/core", "common/geometry", "common/job", "common/tree"],
+    "common/scene": ["common/core", "common/geometry", "common/job", "common/motion", "common/tree"],
     "proto/identity": [],
     "proto/messages": ["proto/identity"],
     "proto/codec": ["proto/identity", "proto/messages"],

@@ -5,6 +5,7 @@
 #include "common/scene/scene_poses.hpp"
 
 #include "common/search/brute_force.hpp"
+#include "tests/common/scene/listed_steps.hpp"
 #include "tests/support/rounds.hpp"
 #include "tests/support/shapes.hpp"
 
@@ -17,18 +18,6 @@
 namespace cd::tests {
 
 namespace {
-
-/// The poses of all steps, in memory.
-class ListedSteps final : public StepPoses {
-  public:
-    explicit ListedSteps(std::vector<PosesOfStep> steps) : steps_(std::move(steps)) {}
-
-    std::uint64_t steps() const override { return steps_.size(); }
-    Result<PosesOfStep> read(std::uint64_t step) override { return steps_[step]; }
-
-  private:
-    std::vector<PosesOfStep> steps_;
-};
 
 /// A scene whose rules, meshes and poses are at hand.
 struct RandomScene {

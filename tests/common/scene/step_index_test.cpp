@@ -2,12 +2,14 @@
 
 #include "common/scene/step_index.hpp"
 
+#include "common/core/files/compress.hpp"
 #include "tests/support/rounds.hpp"
 #include "tests/support/shapes.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 
 namespace cd::tests {
 
@@ -40,6 +42,19 @@ TEST(StepIndex, HasTheGivenTimesOrCountsTheSteps) {
     EXPECT_EQ(index.time_of(1), 2.25);
 }
 
+TEST(StepIndex, MotionsLastUntilTheNextStepBegins) {
+    StepIndex index;
+    index.add_step({1});
+    index.add_step({1});
+    EXPECT_EQ(index.time_at(1, 0.25), 1.25);
+    index.set_times({0.5, 2.5, 3.5});
+    EXPECT_EQ(index.time_at(0, 0), 0.5);
+    EXPECT_EQ(index.time_at(0, 0.25), 1.0);
+    EXPECT_EQ(index.time_at(0, 1), index.time_of(1));
+    EXPECT_EQ(index.time_at(1, 0.75), 3.25);
+    EXPECT_EQ(index.time_at(1, 1), 3.5);
+}
+
 namespace {
 
 StepIndex some_steps(SeededRandom& random) {
@@ -50,7 +65,9 @@ StepIndex some_steps(SeededRandom& random) {
     }
     if (random() % 2 == 0) {
         std::vector<double> times;
-        for (std::uint64_t step = 0; step < steps; ++step) {
+        // Of motions also the last one's end has a time.
+        const std::uint64_t count = steps + random() % 2;
+        for (std::uint64_t step = 0; step < count; ++step) {
             times.push_back(uniform(random, -1, 1));
         }
         index.set_times(std::move(times));
@@ -76,6 +93,24 @@ TEST(PackedSteps, ComeBackAsTheyWere) {
         EXPECT_FALSE(unpack_steps(packed, index.count() + 1));
         EXPECT_FALSE(index.count() > 0 && unpack_steps(packed, index.count() - 1));
     }
+}
+
+TEST(PackedSteps, RefuseTimesOfAnotherKind) {
+    // Version 1, one step without pairs, times of a kind that does not exist.
+    const auto packed = [](std::uint8_t kind) {
+        ByteWriter out;
+        for (const std::uint8_t byte : {std::uint8_t{1}, std::uint8_t{1}, kind}) {
+            out.put(byte);
+        }
+        out.put_array(std::span<const std::uint8_t>(std::array<std::uint8_t, 5>{}));
+        out.put_array(std::span<const double>(std::array<double, 2>{0, 1}));
+        return compress(out.bytes(), 3);
+    };
+    const auto with_end = unpack_steps(packed(2), 0);
+    ASSERT_TRUE(with_end) << with_end.error().detail;
+    EXPECT_EQ(with_end.value()->time_at(0, 0.5), 0.5);
+    EXPECT_FALSE(unpack_steps(packed(1), 0)) << "one number too many";
+    EXPECT_FALSE(unpack_steps(packed(3), 0));
 }
 
 TEST(PackedSteps, RefuseDamage) {
