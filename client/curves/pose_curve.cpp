@@ -3,6 +3,8 @@
 #include "common/core/errors.hpp"
 #include "common/core/words.hpp"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
 
@@ -27,6 +29,18 @@ double acceleration_of(const CurvePhase& phase) {
         return phase.acceleration.norm();
     }
     return phase.spin.norm() * phase.spin.cross(phase.from - *phase.pivot).norm();
+}
+
+/// Bounds how far roundings move a point of the body in `CurvePhase::at`. Each of the lengths below
+/// passes fewer than 64 roundings, and the angle of the turn passes some, by which its lever moves.
+double rounding_of(const CurvePhase& phase, double radius) {
+    const double turned = phase.spin.norm() * phase.seconds;
+    const double lever = phase.pivot ? radius + (phase.from - *phase.pivot).norm() : radius;
+    const double pivot = phase.pivot ? phase.pivot->norm() : 0;
+    const double reach = phase.from.norm() + pivot + phase.velocity.norm() * phase.seconds +
+                         phase.acceleration.norm() * phase.seconds * phase.seconds +
+                         (1 + turned) * lever;
+    return 0x1p-47 * reach;
 }
 
 /// Returns the number of equal parts of a phase.
@@ -55,7 +69,12 @@ Result<CurveKeys> keys_along(const std::vector<CurvePhase>& phases, double radiu
     CurveKeys keys;
     double begin = 0;
     for (const CurvePhase& phase : phases) {
-        const double parts = parts_of(phase, radius, off_max);
+        const double rounding = rounding_of(phase, radius);
+        if (!(rounding <= off_max / 8)) {
+            return bad_input("numbers of 64 bits do not tell the curve within " +
+                             exact_text(off_max) + "; allow at least " + exact_text(8 * rounding));
+        }
+        const double parts = parts_of(phase, radius, (1 - grid_share) * off_max - rounding);
         if (!(parts + static_cast<double>(keys.poses.size()) < curve_keys_max)) {
             return Error{ErrorCode::TooLarge,
                          "the curve takes more than " + exact_text(curve_keys_max) +

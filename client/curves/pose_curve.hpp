@@ -42,16 +42,22 @@ struct CurveKeys {
 /// The most keys of a curve.
 inline constexpr double curve_keys_max = 1e6;
 
+/// The share of the distance from a curve that is left for the rounding of keys to a grid.
+inline constexpr double grid_share = 0.25;
+
 /// Makes keys at equal times of each phase, as many as it takes that the motion from each to the
 /// next (common/motion/body_path.hpp) keeps every point of B within `off_max` of the curve, at all
-/// times. `radius` is B's (`body_radius`). `off_max` is above 0.
+/// times, even if the keys are then rounded to a grid (motion_keys.hpp) and that moves the motion
+/// by up to `grid_share` of it. `radius` is B's (`body_radius`). `off_max` is above 0.
 ///
 /// Between keys h seconds apart the motion errs by at most |c''| h^2 / 8 in the position, with c''
 /// the largest acceleration of the origin, since a chord is linear in time. It turns about the
 /// same axis at another pace: for a turn of delta <= pi/2, the angle 2 atan2(tau s, 1 - tau + tau
 /// c) with s, c the sine and cosine of delta/2 differs from tau delta by at most 0.005 delta^3. So
 /// no point is farther off than the sum of |c''| h^2 / 8 and 0.005 delta^3 times the radius.
-/// Errors: TooLarge for more than `curve_keys_max` keys.
+/// Roundings in `CurvePhase::at` add less than 2^-47 times all lengths from which the place of a
+/// point is computed. Errors: BadInput if that is more than an eighth of `off_max`; TooLarge for
+/// more than `curve_keys_max` keys.
 [[nodiscard]] Result<CurveKeys>
 keys_along(const std::vector<CurvePhase>& phases, double radius, double off_max);
 

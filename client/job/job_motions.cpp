@@ -30,15 +30,15 @@ Result<std::vector<PosePair>> read_all(PoseSource& poses) {
     return keys;
 }
 
-/// Returns the labels of the motions from those of the poses. Errors: BadInput for times that do
-/// not rise.
-Result<PoseLabels> labels_of_motions(const PoseLabels& labels, std::size_t motions) {
+/// Returns the labels of the motions from those of the poses, whose places `name` tells. Errors:
+/// BadInput for times that do not rise.
+Result<PoseLabels>
+labels_of_motions(const PoseLabels& labels, std::size_t motions, const NameKey& name) {
     PoseLabels made = labels.slice(0, motions);
     for (std::size_t i = 0; i < motions && !labels.times.empty(); ++i) {
         if (!(labels.times[i] < labels.times[i + 1])) {
-            return bad_input("key " + std::to_string(i + 1) + ": its time " +
-                             exact_text(labels.times[i + 1]) + " is not after " +
-                             exact_text(labels.times[i]) + " of the key before");
+            return bad_input(name(i + 1) + ": the time " + exact_text(labels.times[i + 1]) +
+                             " is not after " + exact_text(labels.times[i]) + " of " + name(i));
         }
         made.end_times.push_back(labels.times[i + 1]);
     }
@@ -51,21 +51,33 @@ std::string short_number(double value) {
     return text;
 }
 
-} // namespace
+/// Returns how far motions change at most if their keys are rounded to a grid.
+///
+/// Rounding moves each component of a quaternion by at most 2^(bits-53), so q(tau) by at most
+/// 2^(bits-52). |q(tau)| is at least cos(22.5 degrees), so the body turns by less than
+/// 2^(bits-50.8) more or less. c(tau) moves by no more than its ends do, which `moved` covers.
+BodyRadii moved_between(const RoundedKeys& rounded, const BodyRadii& radii) {
+    const double turned = std::ldexp(1.0, static_cast<int>(rounded.bits) - 50);
+    return {rounded.moved.a + turned * radii.a, rounded.moved.b + turned * radii.b};
+}
 
-Result<JobMotions> make_motions(
-    PoseSource& poses, const PoseLabels& labels, const Mesh& a, const Mesh& b, double resolution) {
-    if (poses.count() < 2) {
+/// Makes the motions between poses that have been read from `source`, which names their places.
+Result<JobMotions> motions_between(const std::vector<PosePair>& given,
+                                   const PoseSource& source,
+                                   const PoseLabels& labels,
+                                   const BodyRadii& radii,
+                                   double resolution) {
+    if (given.size() < 2) {
         return bad_input("there is one pose alone; a motion leads from one pose to the next, so "
                          "give two or more");
     }
-    const auto given = CD_TRY(read_all(poses));
-    const BodyRadii radii{body_radius(a.vertices()), body_radius(b.vertices())};
-    const auto rounded = CD_TRY(round_keys(given, radii, resolution));
+    const NameKey name = [&](std::size_t key) { return source.place_of(key); };
+    const auto rounded = CD_TRY(round_keys(given, radii, resolution, name));
     const std::size_t count = rounded.keys.size() - 1;
     JobMotions made;
-    made.labels = CD_TRY(labels_of_motions(labels, count));
+    made.labels = CD_TRY(labels_of_motions(labels, count, name));
     made.moved = rounded.moved;
+    made.moved_between = moved_between(rounded, radii);
     std::vector<Scenario> scenarios(count);
     for (std::size_t i = 0; i < count; ++i) {
         scenarios[i].index = i;
@@ -76,13 +88,44 @@ Result<JobMotions> make_motions(
     return made;
 }
 
+Error too_many_steps(double max_step) {
+    return {ErrorCode::TooLarge,
+            "steps of at most " + exact_text(max_step) + " take more than " +
+                grouped(step_poses_max) +
+                " poses; take larger steps, or [motion], which needs none"};
+}
+
+BodyRadii radii_of(const Mesh& a, const Mesh& b) {
+    return {body_radius(a.vertices()), body_radius(b.vertices())};
+}
+
+} // namespace
+
+Result<JobMotions> make_motions(
+    PoseSource& poses, const PoseLabels& labels, const Mesh& a, const Mesh& b, double resolution) {
+    const auto given = CD_TRY(read_all(poses));
+    return motions_between(given, poses, labels, radii_of(a, b), resolution);
+}
+
 Result<InsertedPoses> make_steps(
     PoseSource& poses, const PoseLabels& labels, const Mesh& a, const Mesh& b, double max_step) {
-    // A part of the time has a bound of half the way between the poses at its ends.
-    const double resolution = max_step / 2;
-    const auto motions = CD_TRY(make_motions(poses, labels, a, b, resolution));
-    const BodyRadii radii{body_radius(a.vertices()), body_radius(b.vertices())};
-    const std::uint64_t count = motions.poses->count();
+    // A part of the time has a bound of half the way between the poses at its ends. An eighth of
+    // the way is left for the rounding of the poses between which others are inserted.
+    const double resolution = max_step * (7.0 / 16);
+    const auto given = CD_TRY(read_all(poses));
+    const BodyRadii radii = radii_of(a, b);
+    auto made_motions = motions_between(given, poses, labels, radii, resolution);
+    if (!made_motions && made_motions.error().code == ErrorCode::TooLarge) {
+        return too_many_steps(max_step);
+    }
+    const auto motions = CD_TRY(std::move(made_motions));
+    const double moved = motions.moved.a + motions.moved.b;
+    if (!(moved <= max_step / 16)) {
+        return bad_input("max_step = " + exact_text(max_step) +
+                         " is too small: rounding moves the "
+                         "bodies by up to " +
+                         short_number(moved));
+    }
     InsertedPoses made;
     std::vector<Scenario> scenarios;
     const auto add = [&](const PosePair& at, std::size_t motion, double tau) {
@@ -91,23 +134,19 @@ Result<InsertedPoses> make_steps(
             made.labels.times.push_back(motions.labels.time_at(motion, tau));
         }
     };
-    for (std::uint64_t i = 0; i < count; ++i) {
+    for (std::size_t i = 0; i + 1 < given.size(); ++i) {
         const auto read = CD_TRY(motions.poses->read(i, 1));
         const Motion motion = CD_TRY(Motion::create(read[0].poses, *read[0].to, radii, resolution));
         const std::uint32_t parts = 1u << motion.depth();
         if (scenarios.size() + parts > step_poses_max) {
-            return Error{ErrorCode::TooLarge,
-                         "steps of at most " + exact_text(max_step) + " take more than " +
-                             grouped(step_poses_max) +
-                             " poses; take larger steps, or [motion], which needs none"};
+            return too_many_steps(max_step);
         }
-        for (std::uint32_t j = 0; j < parts; ++j) {
+        add(given[i], i, 0);
+        for (std::uint32_t j = 1; j < parts; ++j) {
             add(motion.at(j, motion.depth()), i, std::ldexp(j, -static_cast<int>(motion.depth())));
         }
-        if (i + 1 == count) {
-            add(*read[0].to, i, 1);
-        }
     }
+    add(given.back(), given.size() - 2, 1);
     made.poses = make_list_source(std::move(scenarios));
     return made;
 }

@@ -5,7 +5,7 @@
 #include "client/base/units.hpp"
 #include "client/import/mesh_import.hpp"
 #include "client/job/clearance_warning.hpp"
-#include "client/job/job_motions.hpp"
+#include "client/job/job_path.hpp"
 #include "client/poses/pose_file.hpp"
 #include "client/scene/prepared_scene.hpp"
 #include "client/scene/scene_check.hpp"
@@ -124,7 +124,7 @@ std::string poses_text(const PosesSpec& spec, const std::vector<std::string>& ze
         return views_text(*shots);
     }
     if (const auto* curve = std::get_if<CurveSpec>(&spec)) {
-        return "keys along a " + curve->text.substr(0, curve->text.find(' '));
+        return "keys along the curve \"" + curve->text.substr(0, curve->text.find(' ')) + "\"";
     }
     const Grid& grid = std::get<GridSpec>(spec).grid;
     constexpr std::array<const char*, 3> positions{"x", "y", "z"};
@@ -158,30 +158,6 @@ Status make_shots(PreparedJob& job, const ShotsSpec& spec) {
     return Done{};
 }
 
-/// Returns how far keys may be from a curve: the job's chord, or else an eighth of the length by
-/// which motions or poses are resolved.
-double off_curve_max(const JobSpec& spec) {
-    const double usual = spec.query.motion ? spec.query.motion->resolution : *spec.max_step;
-    return spec.chord.value_or(usual / 8);
-}
-
-/// Makes the keys of a curve.
-Status make_keys(PreparedJob& job, const CurveSpec& curve) {
-    const double off_max = off_curve_max(job.spec);
-    auto keys = CD_TRY(keys_along(curve.phases, body_radius(job.meshes[1]->vertices()), off_max));
-    std::vector<Scenario> scenarios(keys.poses.size());
-    for (std::size_t i = 0; i < scenarios.size(); ++i) {
-        scenarios[i].index = i;
-        scenarios[i].poses.b = keys.poses[i];
-    }
-    job.poses = make_list_source(std::move(scenarios));
-    job.labels.times = std::move(keys.times);
-    job.warnings.push_back("note: " + counted(job.poses->count(), "key") +
-                           " of the curve, within " + exact_text(off_max) + " " + job.spec.unit +
-                           (job.spec.chord ? ", by which the clearance grows" : " of it"));
-    return Done{};
-}
-
 Status make_poses(PreparedJob& job, ThreadPool& pool, bool quiet) {
     if (const auto* spec = std::get_if<GridSpec>(&job.spec.poses)) {
         job.grid = spec->grid;
@@ -212,38 +188,6 @@ Status make_poses(PreparedJob& job, ThreadPool& pool, bool quiet) {
     for (const std::string& warning : file.warnings) {
         job.warnings.push_back("warning: " + warning);
     }
-    return Done{};
-}
-
-/// Names the poses in errors about their order.
-std::string place_of_poses(const PosesSpec& poses) {
-    const auto* const file = std::get_if<PoseFileSpec>(&poses);
-    if (file == nullptr) {
-        return "the curve: ";
-    }
-    return file->path == "-" ? "standard input: " : file->path.string() + ": ";
-}
-
-/// Inserts poses between those of a job.
-Status make_steps(PreparedJob& job, double max_step) {
-    auto made = CD_TRY(
-        within(place_of_poses(job.spec.poses),
-               make_steps(*job.poses, job.labels, *job.meshes[0], *job.meshes[1], max_step)));
-    job.poses = std::move(made.poses);
-    job.labels = std::move(made.labels);
-    return Done{};
-}
-
-/// Replaces the poses of a job by the motions from each to the next.
-Status make_motions(PreparedJob& job, const MotionQuery& motion) {
-    const std::string place = place_of_poses(job.spec.poses);
-    auto made = CD_TRY(within(
-        place,
-        make_motions(*job.poses, job.labels, *job.meshes[0], *job.meshes[1], motion.resolution)));
-    job.poses = std::move(made.poses);
-    job.labels = std::move(made.labels);
-    job.warnings.push_back("note: keys of motions are rounded to a grid: " +
-                           moved_text(made.moved, job.spec.unit));
     return Done{};
 }
 
@@ -347,7 +291,7 @@ Result<PreparedJob> prepare_job(
     job.query = job.spec.query;
     job.query.ignored = std::move(ignored);
     if (job.spec.chord) {
-        job.query.clearance = job.query.clearance.value_or(0) + *job.spec.chord;
+        job.query.clearance = with_chord(job.query.clearance.value_or(0), *job.spec.chord);
     }
     // Only random poses need trees.
     const bool makes_poses = !given.poses && std::holds_alternative<RandomPoses>(job.spec.poses);
@@ -357,11 +301,7 @@ Result<PreparedJob> prepare_job(
         job.labels = std::move(given.labels);
     } else if (!makes_poses) {
         CD_TRY(make_poses(job, pool, quiet));
-        if (job.query.motion) {
-            CD_TRY(make_motions(job, *job.query.motion));
-        } else if (job.spec.max_step) {
-            CD_TRY(make_steps(job, *job.spec.max_step));
-        }
+        CD_TRY(make_path(job));
     }
     if (trees == Trees::Always || makes_poses) {
         const SlowNote note("building trees of " + job.names[0] + " and " + job.names[1] + "...",

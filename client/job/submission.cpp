@@ -5,6 +5,7 @@
 #include "common/core/errors.hpp"
 #include "common/core/printable.hpp"
 
+#include <cmath>
 #include <utility>
 
 namespace cd {
@@ -24,6 +25,12 @@ void set_origin(const ShotsSpec& spec, PosesOrigin& origin) {
         shots.are_rays = spec.form == LineForm::Rays;
     }
     origin.shots = shots;
+}
+
+void set_origin(const JobSpec& spec, PosesOrigin& origin) {
+    if (spec.max_step || spec.chord) {
+        origin.path = PathOrigin{spec.max_step, spec.chord, spec.query.clearance};
+    }
 }
 
 PosesOrigin origin_of(const PosesSpec& spec) {
@@ -110,6 +117,21 @@ Result<PosesSpec> poses_of(const Submit& submit) {
     return PosesSpec(std::move(file));
 }
 
+bool is_length(const std::optional<double>& length) {
+    return !length || (*length > 0 && std::isfinite(*length));
+}
+
+/// Sets what a job says of the path between its poses.
+Status set_path(const PathOrigin& path, JobSpec& spec) {
+    if (!is_length(path.max_step) || !is_length(path.chord)) {
+        return Error{ErrorCode::BadFrame, "the job has a path with a length that is not above 0"};
+    }
+    spec.max_step = path.max_step;
+    spec.chord = path.chord;
+    spec.query.clearance = path.clearance;
+    return Done{};
+}
+
 } // namespace
 
 JobBody body_of(const PreparedJob& job, std::size_t body) {
@@ -140,6 +162,7 @@ Submit submission_of(const PreparedJob& job) {
     submit.query = job.query;
     submit.cluster = job.spec.cluster;
     submit.poses = origin_of(job.spec.poses);
+    set_origin(job.spec, submit.poses);
     submit.scenarios = job.poses->count();
     if (job.grid) {
         submit.grid = encode_grid(*job.grid);
@@ -187,6 +210,9 @@ Result<JobSpec> spec_of(const Submit& submit) {
     spec.poses = std::move(poses);
     spec.query = submit.query;
     spec.query.ignored.clear();
+    if (submit.poses.path) {
+        CD_TRY(set_path(*submit.poses.path, spec));
+    }
     for (const IgnoreLine& line : submit.ignore) {
         spec.ignore.push_back({line.a, line.b});
     }

@@ -116,6 +116,17 @@ class TableSource final : public PoseSource {
         return scenarios;
     }
 
+    [[nodiscard]] std::string place_of(std::uint64_t scenario) const override {
+        const std::size_t each = table_.poses_each();
+        const std::vector<std::uint64_t>& lines = table_.lines;
+        if (lines.empty()) {
+            return fmt::format("row {}", scenario);
+        }
+        return each == 1
+                   ? fmt::format("line {}", lines[scenario])
+                   : fmt::format("lines {} and {}", lines[2 * scenario], lines[2 * scenario + 1]);
+    }
+
   private:
     PoseTable table_;
     std::mutex mutex_; ///< Guards the position in the file.

@@ -61,16 +61,12 @@ double frobenius(const Mat3& m) {
     return std::sqrt(square);
 }
 
-std::string place_of(std::size_t key) {
-    return "key " + std::to_string(key) + ": ";
-}
-
 /// Returns all keys with quaternions of norm 1.
-Result<std::vector<PosePair>> unit_keys(std::span<const PosePair> given) {
+Result<std::vector<PosePair>> unit_keys(std::span<const PosePair> given, const NameKey& name) {
     std::vector<PosePair> keys;
     keys.reserve(given.size());
     for (const PosePair& pair : given) {
-        const std::string place = place_of(keys.size());
+        const std::string place = name(keys.size()) + ": ";
         const Pose a = CD_TRY(within(place, unit_key(pair.a)));
         const Pose b = CD_TRY(within(place, unit_key(pair.b)));
         keys.push_back({a, b});
@@ -79,12 +75,14 @@ Result<std::vector<PosePair>> unit_keys(std::span<const PosePair> given) {
 }
 
 /// Returns the largest depth of a motion from one key to the next.
-Result<unsigned>
-largest_depth(std::span<const PosePair> keys, const BodyRadii& radii, double resolution) {
+Result<unsigned> largest_depth(std::span<const PosePair> keys,
+                               const BodyRadii& radii,
+                               double resolution,
+                               const NameKey& name) {
     unsigned depth = 0;
     for (std::size_t i = 0; i + 1 < keys.size(); ++i) {
-        const unsigned each =
-            CD_TRY(within(place_of(i + 1), motion_depth(keys[i], keys[i + 1], radii, resolution)));
+        const unsigned each = CD_TRY(
+            within(name(i + 1) + ": ", motion_depth(keys[i], keys[i + 1], radii, resolution)));
         depth = std::max(depth, each);
     }
     return depth;
@@ -117,9 +115,15 @@ double moved_at_most(const Pose& given, const Pose& rounded, double radius) {
     return (1 + 0x1p-40) * (turned * radius + shifted);
 }
 
-Result<RoundedKeys>
-round_keys(std::span<const PosePair> given, const BodyRadii& radii, double resolution) {
-    const auto keys = CD_TRY(unit_keys(given));
+std::string name_of_key(std::size_t key) {
+    return "key " + std::to_string(key);
+}
+
+Result<RoundedKeys> round_keys(std::span<const PosePair> given,
+                               const BodyRadii& radii,
+                               double resolution,
+                               const NameKey& name) {
+    const auto keys = CD_TRY(unit_keys(given, name));
     KeyGrid grid;
     for (const PosePair& pair : keys) {
         grid.exponent = std::max({grid.exponent,
@@ -137,7 +141,7 @@ round_keys(std::span<const PosePair> given, const BodyRadii& radii, double resol
         for (const PosePair& pair : keys) {
             rounded.keys.push_back({grid.rounded(pair.a), grid.rounded(pair.b)});
         }
-        const unsigned depth = CD_TRY(largest_depth(rounded.keys, radii, resolution));
+        const unsigned depth = CD_TRY(largest_depth(rounded.keys, radii, resolution, name));
         bits_needed = depth + 1;
     }
     for (std::size_t i = 0; i < given.size(); ++i) {

@@ -5,7 +5,10 @@
 #include "common/geometry/pose.hpp"
 #include "common/motion/motion_bound.hpp"
 
+#include <cstddef>
+#include <functional>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace cd {
@@ -29,13 +32,21 @@ struct RoundedKeys {
     BodyRadii moved;
 };
 
+/// Names a key in errors, from its number from 0: "line 7".
+using NameKey = std::function<std::string(std::size_t key)>;
+
+/// Returns "key 3".
+[[nodiscard]] std::string name_of_key(std::size_t key);
+
 /// Rounds keys once, so that motions from each to the next have exact poses (KeyGrid). Matrices
 /// become the quaternions of nearly the same rotation. Depends on the arguments alone.
 ///
-/// `radii` and `resolution` are those of the motions (`Motion::create`). Errors, with the key's
-/// number from 0: BadInput for a matrix that is no rotation within `key_matrix_off_max` and for
-/// numbers that are not finite; those of `Motion::create`.
-[[nodiscard]] Result<RoundedKeys>
-round_keys(std::span<const PosePair> given, const BodyRadii& radii, double resolution);
+/// `radii` and `resolution` are those of the motions (`Motion::create`). Errors begin with the name
+/// of the key, or of the later of two: BadInput for a matrix that is no rotation within
+/// `key_matrix_off_max` and for numbers that are not finite; those of `Motion::create`.
+[[nodiscard]] Result<RoundedKeys> round_keys(std::span<const PosePair> given,
+                                             const BodyRadii& radii,
+                                             double resolution,
+                                             const NameKey& name = name_of_key);
 
 } // namespace cd

@@ -237,6 +237,23 @@ ShotsOrigin get_shots(ByteReader& in) {
     return shots;
 }
 
+void put_path(ByteWriter& out, const std::optional<PathOrigin>& given) {
+    out.put(given.has_value());
+    const PathOrigin path = given.value_or(PathOrigin{});
+    put_optional(out, path.max_step);
+    put_optional(out, path.chord);
+    put_optional(out, path.clearance);
+}
+
+std::optional<PathOrigin> get_path(ByteReader& in) {
+    const bool is_path = in.get<std::uint8_t>() != 0;
+    PathOrigin path;
+    path.max_step = get_optional<double>(in);
+    path.chord = get_optional<double>(in);
+    path.clearance = get_optional<double>(in);
+    return is_path ? std::optional(path) : std::nullopt;
+}
+
 void put_origin(ByteWriter& out, const PosesOrigin& origin) {
     put_enumeration(out, origin.kind);
     out.put(origin.random.has_value());
@@ -262,6 +279,7 @@ void put_origin(ByteWriter& out, const PosesOrigin& origin) {
     out.put(origin.shots.has_value());
     put_shots(out, origin.shots.value_or(ShotsOrigin{}));
     put_scene(out, origin.scene);
+    put_path(out, origin.path);
 }
 
 bool get_origin(ByteReader& in, PosesOrigin& origin) {
@@ -300,6 +318,7 @@ bool get_origin(ByteReader& in, PosesOrigin& origin) {
         origin.shots = shots;
     }
     origin.scene = get_scene(in);
+    origin.path = get_path(in);
     return is_kind && are_ids;
 }
 

@@ -291,10 +291,15 @@ void serialize(Archive& archive, SceneOrigin& s) {
 }
 
 template <class Archive>
+void serialize(Archive& archive, PathOrigin& o) {
+    archive(o.max_step, o.chord, o.clearance);
+}
+
+template <class Archive>
 void serialize(Archive& archive, PosesOrigin& o) {
     enumeration(archive, o.kind, PosesKind::Grid, PosesKind::Curve);
     archive(o.random, o.file, o.quat_order, o.of_both_bodies, o.rigid_tolerance, o.labels);
-    archive(o.unit, o.axes, o.shots, o.scene);
+    archive(o.unit, o.axes, o.shots, o.scene, o.path);
 }
 
 template <class Archive>

@@ -83,6 +83,15 @@ struct SceneOrigin {
     friend bool operator==(const SceneOrigin&, const SceneOrigin&) = default;
 };
 
+/// How a job makes the path between its poses, beside [motion].
+struct PathOrigin {
+    std::optional<double> max_step = {}; ///< The key of [poses].
+    std::optional<double> chord = {}; ///< The key of [motion]; the query's clearance has it, too.
+    std::optional<double> clearance = {}; ///< The job's, to which `chord` was added.
+
+    friend bool operator==(const PathOrigin&, const PathOrigin&) = default;
+};
+
 /// The origin of a job's poses, used when the job is opened again.
 struct PosesOrigin {
     PosesKind kind = PosesKind::File;
@@ -102,6 +111,7 @@ struct PosesOrigin {
     std::vector<GridAxis> axes = {};
     std::optional<ShotsOrigin> shots = {}; ///< For kind Shots only.
     std::optional<SceneOrigin> scene = {}; ///< Set if and only if the scenarios have steps.
+    std::optional<PathOrigin> path = {};   ///< Set if the job has `max_step` or `chord`.
 
     friend bool operator==(const PosesOrigin&, const PosesOrigin&) = default;
 };

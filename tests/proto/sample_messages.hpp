@@ -159,7 +159,9 @@ inline Submit some_submit() {
                     {IdKind::Text, true},
                     "mm",
                     {{-1, 2, 3}},
-                    ShotsOrigin{0.5, 64, {0.25, 0.75}, 9, true}};
+                    ShotsOrigin{0.5, 64, {0.25, 0.75}, 9, true},
+                    std::nullopt,
+                    PathOrigin{0.125, 0.5, std::nullopt}};
     submit.scenarios = 1000;
     submit.grid = some_bytes(9);
     submit.retention_seconds = 86400;

@@ -1,6 +1,7 @@
 #include "common/job/poses/pose_labels.hpp"
 
 #include <charconv>
+#include <cmath>
 #include <optional>
 #include <system_error>
 
@@ -72,7 +73,7 @@ double PoseLabels::time_at(std::size_t scenario, double tau) const {
     if (end_times.empty()) {
         return static_cast<double>(scenario) + tau;
     }
-    return times[scenario] + tau * (end_times[scenario] - times[scenario]);
+    return std::lerp(times[scenario], end_times[scenario], tau);
 }
 
 PoseLabels PoseLabels::moved_to(const std::vector<std::size_t>& places) const {

@@ -27,8 +27,9 @@ struct LabelColumns {
     friend bool operator==(const LabelColumns&, const LabelColumns&) = default;
 };
 
-/// The columns `id` and `t` of consecutive scenarios, and `t_end` of motions. A column that the pose file lacks is empty;
-/// any other has one entry per scenario. Ids are either all integers or all texts.
+/// The columns `id` and `t` of consecutive scenarios, and `t_end` of motions. A column that the
+/// pose file lacks is empty; any other has one entry per scenario. Ids are either all integers or
+/// all texts.
 struct PoseLabels {
     std::vector<std::int64_t> integers;
     std::vector<std::string> texts;

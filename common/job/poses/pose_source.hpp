@@ -13,6 +13,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace cd {
@@ -35,6 +36,11 @@ class PoseSource {
                                                              std::uint64_t count) = 0;
     /// Returns the grid that gives the scenarios' poses; null if the poses are no grid.
     [[nodiscard]] virtual const Grid* grid() const { return nullptr; }
+    /// Names the place of an existing scenario's poses, for messages: "line 2" or "row 0" of a
+    /// file, else "pose 0".
+    [[nodiscard]] virtual std::string place_of(std::uint64_t scenario) const {
+        return "pose " + std::to_string(scenario);
+    }
 };
 
 /// `count` evenly spaced values from `first` to `last`, both included; a count of 1 gives `first`.

@@ -117,10 +117,36 @@ TEST(PoseCurve, PhasesFollowEachOther) {
     EXPECT_NEAR((end.rotation() * Vec3(1, 0, 0) - Vec3(0, 1, 0)).norm(), 0, 1e-15);
 }
 
+TEST(PoseCurve, PartOfTheDistanceIsLeftForTheGrid) {
+    const Mesh body = make_box(Vec3(1, 2, 3));
+    const double radius = body_radius(body.vertices());
+    for (const CurvePhase& phase : {arc(), screw(), drive()}) {
+        const auto keys = keys_along({phase}, radius, 1e-3);
+        ASSERT_TRUE(keys);
+        const double error = largest_error(phase, keys.value(), body);
+        EXPECT_LE(error, (1 - grid_share) * 1e-3);
+        EXPECT_GT(error, 1e-4) << "not far more keys than needed";
+    }
+}
+
 TEST(PoseCurve, TooManyKeysAreRefused) {
-    const auto keys = keys_along({drive()}, 1, 1e-30);
+    CurvePhase fast;
+    fast.spin = Vec3(0, 0, 2e6);
+    const auto keys = keys_along({fast}, 1, 1);
     ASSERT_FALSE(keys);
     EXPECT_EQ(keys.error().code, ErrorCode::TooLarge);
+}
+
+TEST(PoseCurve, LessThanTheRoundingOfNumbersIsRefused) {
+    for (const CurvePhase& phase : {arc(), screw(), drive()}) {
+        const auto keys = keys_along({phase}, 1, 1e-15);
+        ASSERT_FALSE(keys);
+        EXPECT_EQ(keys.error().code, ErrorCode::BadInput);
+    }
+    CurvePhase far;
+    far.from = Vec3(1e9, 0, 0);
+    EXPECT_FALSE(keys_along({far}, 1, 1e-5));
+    EXPECT_TRUE(keys_along({far}, 1, 1e-4));
 }
 
 } // namespace cd::tests

@@ -1,7 +1,8 @@
 // Proves that poses become motions from each to the next, with their ids and times, and that keys
-// between which there is no motion are refused by their number.
+// between which there is no motion are refused by their place.
 #include "client/job/job_motions.hpp"
 
+#include "common/motion/body_path.hpp"
 #include "common/motion/motion.hpp"
 #include "tests/support/motions.hpp"
 
@@ -9,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <random>
 #include <vector>
 
 namespace cd::tests {
@@ -84,20 +86,21 @@ TEST(JobMotions, HaveTheTimesOfBothPoses) {
     EXPECT_EQ(PoseLabels().time_at(7, 0.25), 7.25);
 }
 
-TEST(JobMotions, RefuseKeysWithoutAMotionByTheirNumber) {
+TEST(JobMotions, RefuseKeysWithoutAMotionByTheirPlace) {
     EXPECT_THAT(problem_with({moved_pose(Vec3(1, 0, 0))}), HasSubstr("one pose alone"));
     EXPECT_THAT(problem_with({moved_pose(Vec3(3, 0, 0)),
                               moved_pose(Vec3(2, 0, 0)),
                               turned_pose(180, Vec3(0, 0, 1))}),
-                HasSubstr("key 2: "));
+                HasSubstr("pose 2: "));
     const Pose squeezed = Pose::from_matrix(2 * Mat3::Identity(), Vec3::Zero());
-    EXPECT_THAT(problem_with({moved_pose(Vec3(3, 0, 0)), squeezed}), HasSubstr("key 1: "));
+    EXPECT_THAT(problem_with({moved_pose(Vec3(3, 0, 0)), squeezed}), HasSubstr("pose 1: "));
     PoseLabels labels;
     labels.times = {0, 2, 2};
-    EXPECT_THAT(problem_with(some_keys(), labels), HasSubstr("key 2: its time 2 is not after 2"));
+    EXPECT_THAT(problem_with(some_keys(), labels),
+                HasSubstr("pose 2: the time 2 is not after 2 of pose 1"));
     // A motion of a thousand kilometres at this resolution has too many parts.
     EXPECT_THAT(problem_with({moved_pose(Vec3(1e6, 0, 0)), moved_pose(Vec3(-1e6, 0, 0))}),
-                HasSubstr("key 1: "));
+                HasSubstr("pose 1: "));
 }
 
 TEST(JobMotions, StepsMoveNoVertexFartherThanAsked) {
@@ -113,6 +116,13 @@ TEST(JobMotions, StepsMoveNoVertexFartherThanAsked) {
         EXPECT_EQ(made.value().labels.times.back(), 3);
         const auto scenarios = made.value().poses->read(0, count);
         ASSERT_TRUE(scenarios);
+        for (const Pose& given : some_keys()) {
+            EXPECT_EQ(std::ranges::count_if(
+                          scenarios.value(),
+                          [&](const Scenario& scenario) { return scenario.poses.b == given; }),
+                      1)
+                << "the given poses stay";
+        }
         double largest = 0;
         for (std::size_t i = 0; i + 1 < count; ++i) {
             const Pose& from = scenarios.value()[i].poses.b;
@@ -133,6 +143,40 @@ TEST(JobMotions, StepsMoveNoVertexFartherThanAsked) {
     ASSERT_FALSE(many);
     EXPECT_EQ(many.error().code, ErrorCode::TooLarge);
     EXPECT_THAT(many.error().detail, HasSubstr("take larger steps"));
+}
+
+TEST(JobMotions, StepsBelowTheRoundingOfPosesAreRefused) {
+    const auto keys = source_of({moved_pose(Vec3(1e6, 0, 0)), moved_pose(Vec3(1e6, 1e-9, 0))});
+    const auto made = make_steps(*keys, {}, make_box(Vec3(1, 1, 1)), make_box(Vec3(1, 1, 1)), 1e-9);
+    ASSERT_FALSE(made);
+    EXPECT_EQ(made.error().code, ErrorCode::BadInput);
+    EXPECT_THAT(made.error().detail, HasSubstr("max_step = 1e-09 is too small"));
+}
+
+TEST(JobMotions, BetweenKeysMotionsAreAsNearAsTheySay) {
+    const double radius = body_radius(make_box(Vec3(1, 2, 3)).vertices());
+    std::mt19937_64 random(7);
+    double nearest = 1;
+    for (int round = 0; round < 200; ++round) {
+        const Pose from = turned_pose(uniform(random, 0, 360), random_axis(random));
+        const Quaternion turn =
+            turned_pose(uniform(random, 0, 90), random_axis(random)).quaternion();
+        const Pose to = Pose::from_quaternion(turn * from.quaternion(), random_point(random, 5));
+        const auto made = motions_of({from, to});
+        ASSERT_TRUE(made) << made.error().detail;
+        const Scenario scenario = made.value().poses->read(0, 1).value()[0];
+        const BodyPath rounded = path_between(scenario.poses.b, scenario.to->b).value();
+        const BodyPath given = path_between(from, to).value();
+        for (int step = 0; step <= 16; ++step) {
+            const Pose l = pose_at(rounded, step / 16.0);
+            const Pose r = pose_at(given, step / 16.0);
+            const double off = (l.rotation() - r.rotation()).norm() * radius +
+                               (l.translation() - r.translation()).norm();
+            EXPECT_LE(off, made.value().moved_between.b) << round;
+            nearest = std::min(nearest, 1 - off / made.value().moved_between.b);
+        }
+    }
+    EXPECT_LT(nearest, 0.99) << "the bound is not far too large";
 }
 
 TEST(JobMotions, SayHowFarRoundingMovesTheBodies) {

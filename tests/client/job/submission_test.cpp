@@ -1,4 +1,4 @@
-// Proves that a job of shot lines can be read from its submission.
+// Proves that jobs of shot lines, and of paths between poses, can be read from their submission.
 #include "client/job/submission.hpp"
 
 #include "client/job/job_text.hpp"
@@ -43,6 +43,35 @@ TEST(Submission, TellsTheLinesOfTheJob) {
     submit = submission_of(job_of("spacing = 1\n"));
     submit.poses.shots->spacing = -1;
     EXPECT_FALSE(spec_of(submit));
+}
+
+TEST(Submission, TellsThePathBetweenPoses) {
+    const std::string bodies = "name = \"way\"\n[a]\nmesh = \"/a.obj\"\n[b]\nmesh = \"/b.obj\"\n";
+    const std::string line = "[poses]\nline = { from = [0, 0, 0], to = [1, 0, 0] }\n";
+    const std::string motion = "[motion]\nresolution = 0.5\nchord = 0.3\n";
+    for (const std::string& text : {line + "max_step = 0.1\n",
+                                    std::string("[poses]\nfile = \"/keys.csv\"\nmax_step = 0.1\n"),
+                                    line + motion,
+                                    line + motion + "[query]\nclearance = 0.1\n"}) {
+        SCOPED_TRACE(text);
+        PreparedJob job;
+        job.spec = parse_job(bodies + text, "/job.toml").value();
+        job.meshes.assign(2, share(make_gridded_box(Vec3(1, 1, 1), 1)));
+        job.poses = make_list_source(std::vector<Scenario>(3));
+        job.query = job.spec.query;
+        if (job.spec.chord) {
+            job.query.clearance = job.query.clearance.value_or(0) + *job.spec.chord;
+        }
+        Submit submit = submission_of(job);
+        EXPECT_EQ(submit.query.clearance, job.query.clearance);
+        const auto spec = spec_of(submit);
+        ASSERT_TRUE(spec) << spec.error().detail;
+        EXPECT_EQ(job_text(spec.value()), job_text(job.spec));
+        EXPECT_TRUE(parse_job(job_text(spec.value()), "/job.toml"));
+        ASSERT_TRUE(submit.poses.path);
+        submit.poses.path->max_step = -1;
+        EXPECT_EQ(spec_of(submit).error().code, ErrorCode::BadFrame);
+    }
 }
 
 } // namespace cd::tests

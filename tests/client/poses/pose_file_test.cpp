@@ -151,6 +151,23 @@ TEST_F(PoseFile, CsvTakesMatricesAndEulerAngles) {
     EXPECT_LT((euler[0].poses.b.apply(Vec3(1, 0, 0)) - Vec3(0, 1, 0)).norm(), 1e-15);
 }
 
+TEST_F(PoseFile, ScenariosAreNamedByTheirPlace) {
+    const auto place_of = [&](const std::string& name, bool both) {
+        PoseFileSpec s = spec(name);
+        s.of_both_bodies = both;
+        auto opened = open_pose_file(s);
+        return opened ? opened.value().source->place_of(1) : opened.error().detail;
+    };
+    write_text(folder_ / "p.csv", "# a comment\nx,y\n\n1,2\n\n3,4\n");
+    EXPECT_EQ(place_of("p.csv", false), "line 6");
+    write_text(folder_ / "both.csv", "scenario,body,x\n1,b,4\n0,a,1\n1,a,3\n0,b,2\n");
+    EXPECT_EQ(place_of("both.csv", true), "lines 4 and 2");
+    std::vector<double> twice = turned;
+    twice.insert(twice.end(), turned.begin(), turned.end());
+    write_npy("p.npy", {2, 4, 4}, twice);
+    EXPECT_EQ(place_of("p.npy", false), "row 1");
+}
+
 TEST_F(PoseFile, CsvOfBothBodiesComesInAnyOrder) {
     write_text(folder_ / "both.csv",
                "scenario,body,x,y,z,qx,qy,qz,qw\n1,b,4,0,0,0,0,0,1\n0,a,1,0,0,0,0,0,1\n"

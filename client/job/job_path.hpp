@@ -1,0 +1,22 @@
+// Makes the poses of a job with a curve, with motions, or with poses inserted between its own.
+#pragma once
+
+#include "client/job/prepared_job.hpp"
+#include "client/spec/poses_spec.hpp"
+#include "common/core/result.hpp"
+
+namespace cd {
+
+/// Makes the keys of a curve the poses of a job, with their times as labels, and says how far they
+/// are from it. Errors: as `keys_along`.
+[[nodiscard]] Status make_keys(PreparedJob& job, const CurveSpec& curve);
+
+/// Replaces the poses of a job by the motions from each to the next, or inserts poses between them,
+/// if the job has [motion] or `max_step`. Errors: as `make_motions` and `make_steps`, with the
+/// place; BadInput for a chord that does not cover the rounding of the keys.
+[[nodiscard]] Status make_path(PreparedJob& job);
+
+/// Returns the sum of a clearance and a chord, rounded up.
+[[nodiscard]] double with_chord(double clearance, double chord);
+
+} // namespace cd
