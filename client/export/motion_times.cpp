@@ -25,8 +25,10 @@ std::string_view to_text(MotionEnd end) {
 
 double MotionTimes::at(const ScenarioResult& result, std::uint32_t instant) const {
     const double tau = std::ldexp(instant, -static_cast<int>(result.motion->depth));
-    return labels_ ? labels_->time_at(result.index, tau)
-                   : PoseLabels().time_at(result.index, tau);
+    if (steps_) {
+        return steps_->time_at(steps_->step_of(result.index), tau);
+    }
+    return labels_ ? labels_->time_at(result.index, tau) : PoseLabels().time_at(result.index, tau);
 }
 
 std::optional<std::pair<double, double>> MotionTimes::bracket(const ScenarioResult& result) const {

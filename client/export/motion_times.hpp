@@ -3,6 +3,7 @@
 
 #include "common/job/poses/pose_labels.hpp"
 #include "common/job/result/result.hpp"
+#include "common/scene/step_index.hpp"
 
 #include <memory>
 #include <optional>
@@ -21,6 +22,8 @@ class MotionTimes {
     /// `labels` are those of all scenarios; null: scenario i lasts from i to i + 1.
     explicit MotionTimes(std::shared_ptr<const PoseLabels> labels = nullptr)
         : labels_(std::move(labels)) {}
+    /// Those of a scene, whose motions last from step to step.
+    explicit MotionTimes(std::shared_ptr<const StepIndex> steps) : steps_(std::move(steps)) {}
 
     /// Returns the time of an instant of the scenario's motion.
     [[nodiscard]] double at(const ScenarioResult& result, std::uint32_t instant) const;
@@ -36,6 +39,7 @@ class MotionTimes {
 
   private:
     std::shared_ptr<const PoseLabels> labels_;
+    std::shared_ptr<const StepIndex> steps_; ///< Null unless of a scene.
 };
 
 } // namespace cd

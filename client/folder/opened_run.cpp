@@ -149,8 +149,8 @@ Result<PoseLabels> OpenedRun::kept_labels() const {
     LabelColumns columns = labels.value().columns();
     columns.has_times = poses.labels.times;
     columns.has_end_times = poses.labels.end_times;
-    const bool is_whole =
-        (columns.ids != IdKind::None) == poses.labels.ids && columns.fit(labels.value(), poses.count);
+    const bool is_whole = (columns.ids != IdKind::None) == poses.labels.ids &&
+                          columns.fit(labels.value(), poses.count);
     return is_whole ? std::move(labels) : damaged(path, "ids or times are missing");
 }
 
@@ -236,6 +236,9 @@ Result<ExportContext> export_context(const OpenedRun& run) {
     }
     if (auto scene = CD_TRY(run.scene())) {
         context.steps = scene->steps;
+        context.times = MotionTimes(scene->steps);
+    } else if (context.has_motions()) {
+        context.times = MotionTimes(std::make_shared<const PoseLabels>(CD_TRY(run.kept_labels())));
     }
     if (manifest.query.question == Question::Shots) {
         const auto job = CD_TRY(run.spec());

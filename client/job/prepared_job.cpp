@@ -232,6 +232,9 @@ prepare_bodies(PreparedJob job, Trees trees, TreeCache& cache, ThreadPool& pool,
     for (const std::string& warning : scene.warnings) {
         job.warnings.push_back("warning: " + warning);
     }
+    if (const auto moved = scene.poses->moved()) {
+        job.warnings.push_back("note: " + keys_text(*moved, job.spec.unit));
+    }
     job.query = job.spec.query;
     job.query.ignored = scene.ignored;
     job.zeros = scene.zeros;
@@ -408,7 +411,8 @@ ExportContext export_context(const PreparedJob& job) {
     }
     context.steps = job.scene ? job.scene->steps : nullptr;
     if (job.query.motion) {
-        context.times = MotionTimes(std::make_shared<const PoseLabels>(job.labels));
+        context.times = job.scene ? MotionTimes(job.scene->steps)
+                                  : MotionTimes(std::make_shared<const PoseLabels>(job.labels));
     }
     return context;
 }

@@ -6,7 +6,9 @@
 #include "client/scene/scene_steps.hpp"
 #include "common/core/check.hpp"
 #include "common/core/errors.hpp"
+#include "common/motion/motion_bound.hpp"
 #include "common/scene/scene_head.hpp"
+#include "common/scene/swept_box.hpp"
 
 #include <utility>
 
@@ -18,17 +20,34 @@ void append(std::vector<std::string>& to, const std::vector<std::string>& from) 
     to.insert(to.end(), from.begin(), from.end());
 }
 
-/// Places the bodies of a scene by the boxes of their meshes.
+/// Places the bodies of a scene by the boxes and radii of their meshes.
 std::vector<PlacedBody> placed(const SceneBodies& scene, const std::vector<bool>& are_fixed) {
-    std::vector<Aabb> boxes;
+    std::vector<PlacedBody> of_meshes;
     for (const auto& mesh : scene.meshes) {
-        boxes.push_back(bounding_box(mesh->vertices()));
+        of_meshes.push_back({bounding_box(mesh->vertices()), false, body_radius(mesh->vertices())});
     }
     std::vector<PlacedBody> bodies;
     for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
-        bodies.push_back({boxes[scene.bodies[i].mesh], are_fixed[i]});
+        bodies.push_back(of_meshes[scene.bodies[i].mesh]);
+        bodies.back().is_fixed = are_fixed[i];
+        bodies.back().name = scene.bodies[i].name;
     }
     return bodies;
+}
+
+/// Returns how many steps are tested, of so many that have poses: motions lead from each to the
+/// next.
+std::uint64_t steps_tested(const Query& query, std::uint64_t steps) {
+    return query.motion ? steps - 1 : steps;
+}
+
+/// Returns the bodies of a scene, which pairs are tested, and how its query asks about them.
+Scene scene_of(std::vector<PlacedBody> bodies, PairSet ignored, const Query& query) {
+    Scene scene{std::move(bodies), std::move(ignored), reach_of(query)};
+    if (query.motion) {
+        scene.resolution = query.motion->resolution;
+    }
+    return scene;
 }
 
 /// Returns the hash of each body's mesh.
@@ -52,6 +71,9 @@ Result<std::shared_ptr<const RoadTraffic>> read_traffic(const SceneSpec& scene, 
 } // namespace
 
 double reach_of(const Query& query) {
+    if (query.motion) {
+        return reach_of_motions(query.clearance.value_or(0), query.motion->resolution);
+    }
     return query.question == Question::Distance ? query.up_to.value_or(0)
                                                 : query.clearance.value_or(0);
 }
@@ -71,16 +93,21 @@ Result<PreparedScene> prepare_scene(const JobSpec& spec, bool quiet, const StopC
     prepared.ignored_pairs = rules.ignored.count();
     const SlowNote note("reading poses, and pairing the boxes of each step...", quiet);
     auto steps = CD_TRY(open_steps(scene, prepared.scene, spec.file, std::move(traffic)));
+    if (spec.query.motion && steps.poses->steps() < 2) {
+        return bad_input(spec.file,
+                         "[motion] leads from one step to the next; give the bodies poses for two "
+                         "steps or more, or leave out [motion]");
+    }
     append(prepared.warnings, steps.warnings);
     prepared.zeros = std::move(steps.zeros);
     prepared.are_fixed = steps.are_fixed;
     prepared.head = scene_head(hashes_of(prepared.scene),
                                prepared.are_fixed,
-                               steps.poses->steps(),
+                               steps_tested(spec.query, steps.poses->steps()),
                                rules.ignored,
                                prepared.ignored);
     prepared.poses = CD_TRY(ScenePoses::create(
-        {placed(prepared.scene, steps.are_fixed), std::move(rules.ignored), reach_of(spec.query)},
+        scene_of(placed(prepared.scene, steps.are_fixed), std::move(rules.ignored), spec.query),
         std::move(steps.poses),
         stop));
     const std::uint64_t count = prepared.poses->steps()->steps();

@@ -29,7 +29,7 @@ struct PreparedScene {
 };
 
 /// Returns how far apart bodies may be so that the query asks about them: its clearance or `up_to`,
-/// or 0.
+/// or 0; of motions as `reach_of_motions`.
 [[nodiscard]] double reach_of(const Query& query);
 
 /// Imports the meshes of a job with [bodies], makes its bodies, applies its rules, opens its poses

@@ -4,6 +4,8 @@
 #include "client/scene/rule_pattern.hpp"
 #include "common/core/words.hpp"
 
+#include <fmt/core.h>
+
 #include <cstdint>
 #include <vector>
 
@@ -71,11 +73,17 @@ std::string rules_text(const RulesSpec& rules, const PreparedScene& prepared) {
 
 } // namespace
 
+std::string keys_text(double moved, const std::string& unit) {
+    return "keys of motions are rounded to a grid: rounding moved no body by more than " +
+           fmt::format("{:.2g} {}", moved, unit);
+}
+
 std::string check_text(const JobSpec& spec, const PreparedScene& prepared) {
     const ScenePoses& poses = *prepared.poses;
     return entries_text(*spec.scene, prepared.scene) + rules_text(spec.scene->rules, prepared) +
-           counted(poses.steps()->steps(), "step") + ", " + counted(poses.count(), "scenario") +
-           ":\n" + coverage_text(poses, prepared.scene, "  ");
+           counted(poses.steps()->steps(), "step") + (poses.moved() ? " of motion, " : ", ") +
+           counted(poses.count(), "scenario") + ":\n" + coverage_text(poses, prepared.scene, "  ") +
+           (poses.moved() ? "  " + keys_text(*poses.moved(), spec.unit) + "\n" : "");
 }
 
 } // namespace cd

@@ -282,9 +282,6 @@ void read_job(const toml::table& table, JobSpec& spec) {
     read_motion(job, spec);
     if (!spec.scene) {
         read_order(job, spec);
-    } else if (spec.query.motion) {
-        job.refuse("motion",
-                   "[motion] is for two bodies; for many test poses with a clearance of the step");
     }
     read_query(job, spec);
     read_output(job, spec);

@@ -138,6 +138,17 @@ TEST(MotionTimes, AreThoseOfThePoses) {
     EXPECT_EQ(MotionTimes().bracket(hitting(6)), std::pair(6.25, 6.5));
 }
 
+TEST(MotionTimes, OfASceneAreThoseOfItsSteps) {
+    const auto steps = std::make_shared<StepIndex>();
+    steps->add_step({2});
+    steps->add_step({1});
+    EXPECT_EQ(MotionTimes(steps).bracket(hitting(1)), std::pair(0.25, 0.5));
+    EXPECT_EQ(MotionTimes(steps).bracket(hitting(2)), std::pair(1.25, 1.5));
+    steps->set_times({10, 12, 16});
+    EXPECT_EQ(MotionTimes(steps).bracket(hitting(1)), std::pair(10.5, 11.0));
+    EXPECT_EQ(MotionTimes(steps).text(hitting(2)), "first in contact between t 13 and 14");
+}
+
 TEST_F(MotionExport, RowsHaveTheEndAndTheBracket) {
     const std::string csv = text_of("scenarios.csv");
     EXPECT_THAT(csv, HasSubstr("class,count,end,t0,t1,cut,distance_bound"));

@@ -45,13 +45,14 @@ class FcdScene : public testing::Test {
         write_text(folder_ / "fcd.xml", crossing());
     }
 
-    /// Prepares a job with these further entries of [bodies].
-    Result<PreparedScene> prepared(const std::string& bodies = "") {
+    /// Prepares a job with these further entries of [bodies] and tables.
+    Result<PreparedScene> prepared(const std::string& bodies = "", const std::string& tables = "") {
         write_text(
             folder_ / "job.toml",
             "[bodies]\ncar = { mesh = \"box.obj\", origin = [6, 0, 0], group = \"traffic\" }\n" +
                 bodies +
-                "[poses]\nfcd = { file = \"fcd.xml\", types = { passenger = \"car\" } }\n");
+                "[poses]\nfcd = { file = \"fcd.xml\", types = { passenger = \"car\" } }\n" +
+                tables);
         const auto spec = read_job_file(folder_ / "job.toml");
         return spec ? prepare_scene(spec.value(), true) : spec.error();
     }
@@ -90,6 +91,29 @@ TEST_F(FcdScene, TwoVehiclesArePairedWhereTheyMeet) {
         steps.push_back(poses.steps()->step_of(i));
     }
     EXPECT_THAT(steps, ElementsAre(5, 6));
+}
+
+TEST_F(FcdScene, VehiclesThatJumpPastEachOtherArePairedByMotionsAlone) {
+    write_text(
+        folder_ / "fcd.xml",
+        "<fcd-export>\n<timestep time=\"0\">\n"
+        "<vehicle id=\"e\" x=\"0\" y=\"0\" angle=\"90\" type=\"passenger\"/>\n"
+        "<vehicle id=\"w\" x=\"20\" y=\"1\" angle=\"270\" type=\"passenger\"/>\n</timestep>\n"
+        "<timestep time=\"1\">\n"
+        "<vehicle id=\"e\" x=\"20\" y=\"0\" angle=\"90\" type=\"passenger\"/>\n"
+        "<vehicle id=\"w\" x=\"0\" y=\"1\" angle=\"270\" type=\"passenger\"/>\n</timestep>\n"
+        "</fcd-export>\n");
+    const auto at_rest = prepared();
+    ASSERT_TRUE(at_rest) << at_rest.error().detail;
+    EXPECT_EQ(at_rest.value().poses->count(), 0u);
+    const auto moving = prepared("", "[motion]\nresolution = 0.01\n");
+    ASSERT_TRUE(moving) << moving.error().detail;
+    EXPECT_EQ(moving.value().poses->steps()->steps(), 1u);
+    const auto scenarios = moving.value().poses->read(0, 1);
+    ASSERT_TRUE(scenarios);
+    ASSERT_TRUE(scenarios.value()[0].to);
+    EXPECT_EQ(scenarios.value()[0].to->a.translation(), Vec3(20, 0, 0));
+    EXPECT_EQ(scenarios.value()[0].step, 0u);
 }
 
 TEST_F(FcdScene, AVehicleMayNotHaveTheNameOfAnotherBody) {
