@@ -58,7 +58,7 @@ double StepIndex::time_at(std::uint64_t step, double tau) const {
     if (times_.size() <= ends_.size()) {
         return time_of(step) + tau;
     }
-    return times_[step] + tau * (times_[step + 1] - times_[step]);
+    return std::lerp(times_[step], times_[step + 1], tau);
 }
 
 // ---- Packing ------------------------------------------------------------------------------------

@@ -1,9 +1,12 @@
 """Traffic of SUMO as scenes of cdctl: real vehicles at a crossing of Debian's sumo-tools.
 
-make(folder, meshes) runs SUMO with a fixed seed and writes two jobs into the folder: plain.toml, and
-collided.toml with two collisions put in. Another version of SUMO drives otherwise, so nothing here
-depends on where a vehicle is: it looks for two places where vehicles are alone.
+make(folder, meshes) runs SUMO with a fixed seed and writes jobs into the folder: plain.toml;
+collided.toml with two collisions put in; and jumped.toml with a car that jumps past another between
+two steps. motion-plain.toml and motion-jumped.toml ask the same about motions between the steps.
+Another version of SUMO drives otherwise, so nothing here depends on where a vehicle is: it looks for
+places where vehicles are alone.
 """
+import copy
 import math
 import pathlib
 import subprocess
@@ -17,6 +20,10 @@ SECONDS_A_STEP = 0.1
 COLLISION_STEPS = 3
 WANTED_STEPS = (1200, 2400)  # Each collision is at the first possible step from one of these on.
 ALONE_METRES = 40.0  # No vehicle is longer than 10 m.
+JUMP_WANTED_STEP = 600
+JUMP_METRES = 15.0  # Before and behind the other car at the two steps.
+CAR_METRES = 4.8895  # From the front of sedan.obj to its back.
+JUMPER = "jumper"
 
 BODIES = """[bodies]
 car = {{ mesh = "{meshes}/sedan.obj", origin = [2.4121, 0, -0.208582], group = "traffic" }}
@@ -25,6 +32,9 @@ lorry = {{ mesh = "{meshes}/man_kat1_8x8.glb", origin = [1.312396, 0, -0.63], gr
 fcd = {{ file = "{name}.xml", types = {{ passenger = "car", truck = "lorry" }} }}
 [query]
 level = "any"
+"""
+MOTION = """[motion]
+resolution = 0.05
 """
 
 
@@ -87,19 +97,52 @@ def collide(steps, first):
     return first, first + COLLISION_STEPS - 1, frozenset(ids[:2])
 
 
+def ahead(vehicle, metres):
+    """The place so far ahead of a vehicle's front, as attributes."""
+    x, y = place(vehicle)
+    angle = math.radians(float(vehicle.get("angle")))
+    return {"x": f"{x + metres * math.sin(angle):.4f}", "y": f"{y + metres * math.cos(angle):.4f}"}
+
+
+def jump(steps, first):
+    """Puts a car behind another at a step, and in front of it at the next one; nobody else is near.
+    Returns that step and the other's id. None if no car is alone and drives straight on."""
+    two = steps[first:first + 2]
+    here, there = ({v.get("id"): v for v in step.findall("vehicle")} for step in two)
+    for struck in sorted(set(alone(two[:1], 0)) & set(alone(two[1:], 0))):
+        car = here[struck]
+        if car.get("type") == "passenger" and car.get("angle") == there[struck].get("angle"):
+            for step, vehicle, metres in ((two[0], car, -JUMP_METRES), (two[1], there[struck], JUMP_METRES)):
+                ElementTree.SubElement(step, "vehicle", {**vehicle.attrib, **ahead(vehicle, metres), "id": JUMPER})
+            return first, struck
+    return None
+
+
+def first_found(put_in, steps, wanted):
+    """What `put_in` does at the first possible step from a wanted one on."""
+    return next(filter(None, (put_in(steps, first) for first in range(wanted, wanted + 1000))))
+
+
+def write_job(folder, meshes, name, traffic, more=""):
+    (folder / f"{name}.toml").write_text(BODIES.format(meshes=meshes, name=traffic) + more)
+
+
 def make(folder, meshes):
-    """Returns the two collisions that collided.toml has and plain.toml does not."""
+    """Returns the two collisions that collided.toml has and plain.toml does not, and the jump: its step
+    and the id of the car that is jumped past."""
     traffic = drive(folder)
     steps = traffic.getroot().findall("timestep")
     vehicles = {v.get("id") for v in traffic.getroot().iter("vehicle")}
     assert len(steps) == STEPS, f"SUMO made {len(steps)} steps"
     assert len(vehicles) == VEHICLES, f"SUMO let {len(vehicles)} vehicles drive"
-    collisions = set()
-    for wanted in WANTED_STEPS:
-        found = next(filter(None, (collide(steps, first) for first in range(wanted, wanted + 1000))))
-        collisions.add(found)
+    jumped = copy.deepcopy(traffic)
+    jump_found = first_found(jump, jumped.getroot().findall("timestep"), JUMP_WANTED_STEP)
+    jumped.write(folder / "jumped.xml")
+    collisions = {first_found(collide, steps, wanted) for wanted in WANTED_STEPS}
     assert len(collisions) == len(WANTED_STEPS)
     traffic.write(folder / "collided.xml")
-    for name in ("plain", "collided"):
-        (folder / f"{name}.toml").write_text(BODIES.format(meshes=meshes, name=name))
-    return collisions
+    for name in ("plain", "collided", "jumped"):
+        write_job(folder, meshes, name, name)
+    for name in ("plain", "jumped"):
+        write_job(folder, meshes, f"motion-{name}", name, MOTION)
+    return collisions, jump_found

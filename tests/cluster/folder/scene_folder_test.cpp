@@ -109,6 +109,55 @@ TEST_F(SceneFolder, OnThreeWorkersHasTheDigestAndTheFilesOfOneProcess) {
     }
 }
 
+TEST_F(SceneFolder, MotionsOnThreeWorkersHaveTheDigestAndTheFilesOfOneProcess) {
+    start_worker();
+    start_worker();
+    start_worker();
+    const std::string motion = "\n[motion]\nresolution = 0.02\nuntil = ";
+    int number = 0;
+    for (const std::string& query : {"level = \"any\"" + motion + "\"contact\"",
+                                     "level = \"pairs\"" + motion + "\"contact\"",
+                                     "level = \"pairs\"\nclearance = 0.25" + motion + "\"end\"",
+                                     "level = \"any\"" + motion + "\"free\""}) {
+        SCOPED_TRACE(query);
+        write_job(query, "order = [ { ignore = [\"ring.0\", \"ring.1\"] } ]");
+        const std::string here = "here" + std::to_string(number);
+        const std::string there = "there" + std::to_string(number++);
+        const auto one = run_into(here);
+        const auto other = run_into(there, {"--master", master_->address()});
+        EXPECT_EQ(one["digest"], other["digest"]);
+        EXPECT_EQ(one["scene"], other["scene"]);
+        EXPECT_EQ(one["scene"]["steps"], 8) << "there are poses for nine steps";
+        for (const char* file : {"scenarios.csv", "episodes.csv", "coverage.csv", "results.npz"}) {
+            EXPECT_EQ(read(here, file), read(there, file)) << file;
+        }
+        const auto summary = read_json(here, "summary.json");
+        EXPECT_EQ(summary["failed"], 0);
+        EXPECT_GT(summary["separate"].get<int>(), 0);
+        EXPECT_GT(summary["total"].get<int>(), summary["separate"].get<int>());
+        const Ran verified = cdctl_here({"verify", folder_ / here});
+        EXPECT_EQ(verified.exit_code, 0) << verified.output << verified.errors;
+    }
+}
+
+TEST_F(SceneFolder, MotionsAreRunAgainAndListedWithTheTimesOfTheirSteps) {
+    write_job("level = \"any\"\n[motion]\nresolution = 0.02");
+    const auto manifest = run_into("out");
+    const std::string rows = read("out", "scenarios.csv");
+    EXPECT_THAT(rows, HasSubstr("end,t0,t1"));
+    const Ran listed = cdctl_here({"results", folder_ / "out", "-o", "csv"});
+    EXPECT_EQ(listed.output, rows);
+    const auto again = run_into("again", {"--reuse", folder_ / "out"});
+    EXPECT_EQ(again["digest"], manifest["digest"]);
+    EXPECT_EQ(again["reused_from"]["scenarios"], manifest["poses"]["count"]);
+    const std::string digest = manifest["digest"].get<std::string>().substr(0, 16);
+    EXPECT_EQ(digest_of(cdctl_here({"run", folder_ / "out"})), digest);
+    fs::remove_all(folder_ / "out" / "inputs");
+    EXPECT_EQ(digest_of(cdctl_here({"run", folder_ / "out"})), digest) << "files are read again";
+    write_job("level = \"any\"");
+    EXPECT_NE(run_into("at_rest")["digest"], manifest["digest"]);
+}
+
 TEST_F(SceneFolder, ResultsWritesTheFolderThatRunWrites) {
     start_worker();
     write_job("level = \"pairs\"", "order = [ { ignore = [\"group:rings\", \"wall\"] } ]");
