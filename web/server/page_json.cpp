@@ -1,6 +1,7 @@
 #include "web/server/page_json.hpp"
 
 #include "common/core/timing/web.hpp"
+#include "web/server/motion_json.hpp"
 #include "web/status/cluster_report.hpp"
 #include "web/status/table.hpp"
 
@@ -145,7 +146,7 @@ Json group_json(const GroupView& group) {
             {"worst_near", group.worst_near}};
 }
 
-/// Adds what only jobs that ask for the distance have.
+/// Adds what only jobs that ask another question than contacts have.
 void add_question(Json& json, const Query& query) {
     if (query.question == Question::Distance) {
         json["question"] = "distance";
@@ -153,6 +154,9 @@ void add_question(Json& json, const Query& query) {
     } else if (query.question == Question::Shots) {
         json["question"] = "shots";
         json["first_hits"] = query.first_hits;
+    } else if (query.question == Question::Motion && query.motion) {
+        json["question"] = "motion";
+        json["motion"] = motion_query_json(*query.motion);
     }
 }
 
@@ -164,6 +168,19 @@ void add_distance(Json& json, const ScenarioView& scenario) {
     const std::optional<NearestWitness>& nearest = scenario.result->nearest;
     json["distance"] = nearest ? Json(nearest->distance) : Json();
     json["witness"] = nearest ? Json{nearest->a, nearest->b} : Json();
+}
+
+/// Adds what is proven of a motion, if the record is of one.
+void add_motion(Json& json, const ScenarioView& scenario) {
+    if (!scenario.result || !scenario.result->motion || !scenario.to) {
+        return;
+    }
+    const PosePair& from = scenario.poses;
+    const PosePair& to = *scenario.to;
+    const auto is_key = [](const Pose& pose) { return pose.kind() == Pose::Kind::Quaternion; };
+    if (is_key(from.a) && is_key(from.b) && is_key(to.a) && is_key(to.b)) {
+        json["motion"] = motion_json(*scenario.result, {from, to});
+    }
 }
 
 void add_result(Json& json, const ScenarioView& scenario) {
@@ -272,6 +289,7 @@ std::string scenario_json(std::uint64_t number, const ScenarioView& scenario) {
     json["exact_pairs"] = scenario.drawn != nullptr ? scenario.drawn->pairs.size() : 0;
     json["least_distance"] = or_null(least_distance(scenario));
     add_distance(json, scenario);
+    add_motion(json, scenario);
     return compact(json);
 }
 

@@ -20,6 +20,10 @@ Query drawing_query(const Query& query) {
         drawn.level = Level::Pairs;
         drawn.question = query.question;
         drawn.first_hits = query.first_hits;
+    } else if (query.question == Question::Motion) {
+        drawn.level = Level::Pairs;
+        drawn.question = query.question;
+        drawn.motion = query.motion;
     }
     return drawn;
 }
@@ -30,6 +34,7 @@ bool is_drawable(const Query& query, const ScenarioResult& result) {
     case Question::Distance:
         return !is_contact(result.kind) || result.nearest;
     case Question::Shots:
+    case Question::Motion:
         return query.level == Level::Pairs && query.limit_pairs == 0;
     case Question::Contacts:
         break;
@@ -37,11 +42,18 @@ bool is_drawable(const Query& query, const ScenarioResult& result) {
     return query.level == Level::Contacts && query.limit_pairs == 0;
 }
 
+/// Says what is proven of a motion: " in [3, 4] of 2^9 with 2 runs".
+std::string motion_text(const MotionOutcome& motion) {
+    return " in [" + std::to_string(motion.t0) + ", " + std::to_string(motion.t1) + "] of 2^" +
+           std::to_string(motion.depth) + " with " + counted(motion.runs.size(), "run");
+}
+
 std::string answer_text(const ScenarioResult& result) {
     const bool is_shots = result.question == Question::Shots;
     return std::string(to_text(result.kind)) + " with " +
            counted(result.pair_count, is_shots ? "hit" : "pair") +
            (result.has_clearance ? " and " + counted(result.near_count, "near pair") : "") +
+           (result.motion ? motion_text(*result.motion) : "") +
            (result.nearest ? " at distance " + exact_text(result.nearest->distance) : "");
 }
 
@@ -66,7 +78,7 @@ std::string reason_not_to_compare(const std::optional<KeptRecord>& record) {
     if (!record) {
         return "it has no result yet";
     }
-    if (record->result.kind == ScenarioClass::Undecided) {
+    if (record->result.kind == ScenarioClass::Undecided && !record->result.motion) {
         return "an earlier version left it undecided, which no run does again";
     }
     return record->result.kind == ScenarioClass::Failed ? "it failed in the run" : "";
@@ -88,6 +100,7 @@ ScenarioView repeat_scenario(const TreesByBody& trees,
                              const StopCheck& stop) {
     ScenarioView view;
     view.poses = scenario.poses;
+    view.to = scenario.to;
     view.verify_note = reason_not_to_compare(record);
     if (record) {
         view.result = record->result;
