@@ -4,7 +4,8 @@
 
 #include <array>
 #include <cmath>
-#include <string_view>
+#include <cstddef>
+#include <optional>
 
 namespace cd {
 
@@ -14,10 +15,6 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::array<std::string_view, 3> until_names{"contact", "free", "end"};
 constexpr std::array<std::string_view, 4> end_names{"free", "contact", "start", "limit"};
-
-std::string_view until_text(Until until) {
-    return until_names[static_cast<std::size_t>(until)];
-}
 
 Json run_json(const CellRun& run) {
     const bool has_event = run.has_event();
@@ -40,8 +37,8 @@ Json keys_json(const PosePair& poses) {
 
 } // namespace
 
-Json motion_query_json(const MotionQuery& query) {
-    return {{"resolution", query.resolution}, {"until", until_text(query.until)}};
+std::string_view until_text(Until until) {
+    return until_names[static_cast<std::size_t>(until)];
 }
 
 Json motion_json(const ScenarioResult& result, const MotionKeys& keys) {

@@ -1,22 +1,17 @@
 // What is proven of a motion, as JSON.
 #pragma once
 
-#include "common/geometry/pose.hpp"
-#include "common/job/query.hpp"
 #include "common/job/result/result.hpp"
+#include "web/server/page_values.hpp"
 
 #include <nlohmann/json_fwd.hpp>
 
+#include <string_view>
+
 namespace cd {
 
-/// The poses at a motion's begin and end.
-struct MotionKeys {
-    PosePair from;
-    PosePair to;
-};
-
-/// Returns `resolution`, in the job's unit, and `until` of a job of motions.
-[[nodiscard]] nlohmann::ordered_json motion_query_json(const MotionQuery& query);
+/// Returns the word for what a search along a motion is for: contact, free or end.
+[[nodiscard]] std::string_view until_text(Until until);
 
 /// Returns the outcome of a result that has one: `end`, `until`, `depth`, `t0`, `t1`, `event` (null
 /// without one), `bound` (in the job's unit; null if it is not known) and `runs`, each with

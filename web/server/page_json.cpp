@@ -154,9 +154,10 @@ void add_question(Json& json, const Query& query) {
     } else if (query.question == Question::Shots) {
         json["question"] = "shots";
         json["first_hits"] = query.first_hits;
-    } else if (query.question == Question::Motion && query.motion) {
+    } else if (query.motion) {
         json["question"] = "motion";
-        json["motion"] = motion_query_json(*query.motion);
+        json["resolution"] = query.motion->resolution;
+        json["until"] = until_text(query.motion->until);
     }
 }
 
@@ -172,14 +173,13 @@ void add_distance(Json& json, const ScenarioView& scenario) {
 
 /// Adds what is proven of a motion, if the record is of one.
 void add_motion(Json& json, const ScenarioView& scenario) {
-    if (!scenario.result || !scenario.result->motion || !scenario.to) {
+    if (!scenario.result || !scenario.result->motion || !scenario.keys) {
         return;
     }
-    const PosePair& from = scenario.poses;
-    const PosePair& to = *scenario.to;
+    const auto& [from, to] = *scenario.keys;
     const auto is_key = [](const Pose& pose) { return pose.kind() == Pose::Kind::Quaternion; };
     if (is_key(from.a) && is_key(from.b) && is_key(to.a) && is_key(to.b)) {
-        json["motion"] = motion_json(*scenario.result, {from, to});
+        json["motion"] = motion_json(*scenario.result, *scenario.keys);
     }
 }
 

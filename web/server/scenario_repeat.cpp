@@ -2,6 +2,7 @@
 
 #include "common/core/limits/web.hpp"
 #include "common/core/words.hpp"
+#include "common/job/answer_poses.hpp"
 #include "common/job/result/drawn_witness.hpp"
 #include "common/job/run_scenario.hpp"
 
@@ -20,10 +21,6 @@ Query drawing_query(const Query& query) {
         drawn.level = Level::Pairs;
         drawn.question = query.question;
         drawn.first_hits = query.first_hits;
-    } else if (query.question == Question::Motion) {
-        drawn.level = Level::Pairs;
-        drawn.question = query.question;
-        drawn.motion = query.motion;
     }
     return drawn;
 }
@@ -34,8 +31,9 @@ bool is_drawable(const Query& query, const ScenarioResult& result) {
     case Question::Distance:
         return !is_contact(result.kind) || result.nearest;
     case Question::Shots:
-    case Question::Motion:
         return query.level == Level::Pairs && query.limit_pairs == 0;
+    case Question::Motion:
+        return false;
     case Question::Contacts:
         break;
     }
@@ -100,7 +98,9 @@ ScenarioView repeat_scenario(const TreesByBody& trees,
                              const StopCheck& stop) {
     ScenarioView view;
     view.poses = scenario.poses;
-    view.to = scenario.to;
+    if (scenario.to) {
+        view.keys = MotionKeys{scenario.poses, *scenario.to};
+    }
     view.verify_note = reason_not_to_compare(record);
     if (record) {
         view.result = record->result;
@@ -117,11 +117,13 @@ ScenarioView repeat_scenario(const TreesByBody& trees,
         again = run(trees, query, scenario, stop);
         compare(*again, *record, view);
     }
-    if (!again && query.question == Question::Distance) {
+    if (!again && (query.question == Question::Distance || query.motion)) {
         again = run(trees, query, scenario, stop);
     }
     if (!again || (!again->is_stopped && !is_drawable(query, again->result))) {
-        again = run(trees, drawing_query(query), scenario, stop);
+        const Scenario drawn = again ? at_answer(scenario, again->result) : scenario;
+        view.poses = drawn.poses;
+        again = run(trees, drawing_query(query), drawn, stop);
     }
     view.draw_note = reason_not_to_draw(*again);
     if (view.draw_note.empty()) {

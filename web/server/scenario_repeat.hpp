@@ -16,9 +16,9 @@ namespace cd {
 /// unless that was exact at `level contacts`, once so with at most `limits::page_rows_max` pairs.
 /// With the question of the distance, bodies that share no point are drawn with their nearest pair;
 /// of lines the hits are drawn, at `level pairs`, and of each line only the first if the job asks
-/// so. Of a motion the pairs at its event are drawn, at `level pairs`. `record` is the stored
-/// result; without one, or if it says Failed, nothing is compared. After `stop`, the view has no
-/// contacts and says so, and that it was not verified.
+/// so. Motions are drawn at their event, or at their begin, and have these poses. `record` is the
+/// stored result; without one, or if it says Failed, nothing is compared. After `stop`, the view
+/// has no contacts and says so, and that it was not verified.
 [[nodiscard]] ScenarioView repeat_scenario(const TreesByBody& trees,
                                            const Query& query,
                                            const Scenario& scenario,

@@ -1,5 +1,5 @@
 // Proves that repeating a scenario of a distance, of lines or of a motion gives the same record,
-// and that the page gets its nearest pair, its hits, or the pairs at its event to draw.
+// and that the page gets its nearest pair, its hits, or the contacts at its event to draw.
 #include "web/server/scenario_repeat.hpp"
 
 #include "common/job/run_scenario.hpp"
@@ -187,18 +187,21 @@ class DrawnMotion : public testing::Test {
 
 } // namespace
 
-TEST_F(DrawnMotion, ThePairsAtTheEventAreDrawnAtBothLevels) {
+TEST_F(DrawnMotion, TheContactsAtTheEventAreDrawnAtBothLevels) {
     for (const Level level : {Level::Any, Level::Pairs}) {
         query_.level = level;
         const ScenarioView view = repeat(-2);
         EXPECT_EQ(view.verified, true) << view.verify_note;
         ASSERT_TRUE(view.result->motion);
         EXPECT_EQ(view.result->motion->end, MotionEnd::Contact);
-        ASSERT_TRUE(view.to);
-        EXPECT_EQ(view.to->b.translation(), Vec3(0, 0, 0));
+        ASSERT_TRUE(view.keys);
+        EXPECT_EQ(view.keys->from.b.translation(), Vec3(2, 0, 0));
+        EXPECT_EQ(view.keys->to.b.translation(), Vec3(0, 0, 0));
+        EXPECT_EQ(view.poses.b.translation(), Vec3(1, 0, 0)) << "at the event";
         ASSERT_NE(view.drawn, nullptr) << view.draw_note;
         EXPECT_FALSE(view.drawn->pairs.empty());
         EXPECT_EQ(view.drawn->pairs.size(), view.drawn->pair_count);
+        EXPECT_FALSE(view.drawn->points.empty());
     }
 }
 

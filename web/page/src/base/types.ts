@@ -152,8 +152,9 @@ export interface Job {
     clearance: number | null;
     /** Only in a job that asks how far the bodies are apart, what lines hit, or when bodies meet. */
     question?: "distance" | "shots" | "motion";
-    /** In a job of motions: how near open parts are, and what the search is for. */
-    motion?: { resolution: number; until: Until };
+    /** In a job of motions: how far bodies move in an open part at most, and what the search is for. */
+    resolution?: number;
+    until?: Until;
     /** In a job of lines: of each line, only the first hit that crosses counts. */
     first_hits?: boolean;
     /** Then: bodies farther apart have no distance; null: all that share no point have one. */

@@ -291,7 +291,7 @@ function JobViewer({ source, route, report, job }: ScreenProps & { job: Job }) {
                                 lines={{
                                     areDrawn: hasLines,
                                     hasAllHits: hasLines && job.first_hits !== true,
-                                    name: asksMotion(job) ? "path" : hasLines ? "lines and hits" : "segments and points",
+                                    name: asksMotion(job) ? "path, segments and points" : hasLines ? "lines and hits" : "segments and points",
                                 }}
                                 change={change}
                                 fit={fit}
@@ -302,7 +302,7 @@ function JobViewer({ source, route, report, job }: ScreenProps & { job: Job }) {
                             ) : hasLines ? (
                                 <HitLegend />
                             ) : (
-                                <ContactLegend near={nearMeaning(job)} hasPoints={!asksMotion(job)} />
+                                <ContactLegend near={nearMeaning(job)} />
                             )}
                         </>
                     )}

@@ -1,5 +1,5 @@
 import { cssColour, near } from "../base/classes";
-import { asksDistance, asksMotion, asksShots, type Job } from "../base/types";
+import { asksDistance, asksShots, type Job } from "../base/types";
 import { grouped, percent } from "../base/words";
 import { viridisAt } from "./heat";
 import type { Heat } from "./model";
@@ -78,13 +78,11 @@ export function nearMeaning(job: Job): string {
         ? "the nearest triangles: the line joins their nearest points"
         : job.clearance === null
           ? ""
-          : asksMotion(job)
-            ? "near: at most the clearance apart"
-            : "near: the line joins the nearest points";
+          : "near: the line joins the nearest points";
 }
 
-/** The colours of triangles, and of what they share unless that is not drawn; unless `near` is empty also those of near pairs. */
-export function ContactLegend({ near: meaning, hasPoints }: { near: string; hasPoints: boolean }) {
+/** The colours of triangles and lines; unless `near` is empty also those of near pairs. */
+export function ContactLegend({ near: meaning }: { near: string }) {
     return (
         <ul class="legend plain">
             <li>
@@ -99,15 +97,13 @@ export function ContactLegend({ near: meaning, hasPoints }: { near: string; hasP
                 </svg>
                 touch or coplanar: outlined
             </li>
-            {hasPoints && (
-                <li>
-                    <svg viewBox="0 0 14 12" aria-hidden="true">
-                        <path d="M1 9 11 4" class="thick" />
-                        <circle cx={12} cy={4} r={2} />
-                    </svg>
-                    what they share
-                </li>
-            )}
+            <li>
+                <svg viewBox="0 0 14 12" aria-hidden="true">
+                    <path d="M1 9 11 4" class="thick" />
+                    <circle cx={12} cy={4} r={2} />
+                </svg>
+                what they share
+            </li>
             {meaning && (
                 <li>
                     <svg viewBox="0 0 14 12" aria-hidden="true">
