@@ -7,7 +7,7 @@ import { readPart, writePart } from "./src/base/part_name";
 import { BodyParts } from "./src/base/parts";
 import { apply, compose, coordinateOf, inverse, placementOf } from "./src/base/pose";
 import { jobLink, parseRoute, scenarioLink } from "./src/base/route";
-import type { Scenario, Vec3 } from "./src/base/types";
+import type { Motion, Scenario, Vec3 } from "./src/base/types";
 import { bytesOf, grouped, percent, shellWord } from "./src/base/words";
 import { distanceBinsOf, nearestOf } from "./src/job/distances";
 import { episodesOf } from "./src/job/episodes";
@@ -21,6 +21,8 @@ import { addRows, bestCoordinates } from "./src/job/poses";
 import { Results } from "./src/job/results";
 import { scenariosOfSlice, windowsOf } from "./src/job/slice";
 import { panned, worstInBins, zoomed } from "./src/job/strip";
+import { knowledgeCss } from "./src/motion/colours";
+import { hasContactsAt, intervalsOf, knowledgeAt, motionText, pathOf, poseBetween, shownPose, timeText } from "./src/motion/motion";
 import { highlightsOf, shapesOf } from "./src/viewer/contacts_view";
 import { heatByte } from "./src/viewer/heat";
 import { endsOf, Hits, passagesOf, pointAt, startsAndEndsOutside } from "./src/viewer/hits";
@@ -124,12 +126,13 @@ const seen = {
     partB: "\u202e<img>",
     pick: { body: 1 as const, triangle: 12 },
     seek: "near" as const,
+    tau: 0.3125,
 };
 const link = scenarioLink("j-1", 7, writeState(seen, van.bodies));
 const all = { ...van, hasA: () => true };
 same("a link holds all that is seen", readState(parseRoute(link).query, all), seen);
 same("a plain view has a plain link", scenarioLink("j-1", 7, writeState(startState, van.bodies)), "#/jobs/j-1/7");
-const wrong = new URLSearchParams("mode=x&clip=w:1&cam=1,2&pick=c:1&ghost=q&seek=x");
+const wrong = new URLSearchParams("mode=x&clip=w:1&cam=1,2&pick=c:1&ghost=q&seek=x&tau=2");
 same("values that mean nothing are ignored", readState(wrong, all), startState);
 same("a part that A lacks is one of B", readState(new URLSearchParams("part=post"), van).partB, "post");
 same("of two parts the second is of B", readState(new URLSearchParams("part=x&with=x"), all).partB, "x");
@@ -216,6 +219,76 @@ same("lines from the left", [coordinateOf("azimuth", quarter), coordinateOf("ele
 same("lines from the right", coordinateOf("azimuth", [0, 1, 0, 0, -1, 0, 0, 0, 0, 0, 1, 0]), 270);
 same("bundles with most hits", mostHitOf(new Results(0, 4, new Uint8Array(4), Uint32Array.of(2, 0, 9, 2))), [2, 0, 3]);
 same("histogram", binsOf(new Uint32Array([0, 1, 2, 3, 4])).map((bin) => bin.count), [1, 2, 1]);
+
+// A body's path, whose second key is negated to go the short way; the numbers are those of `pose_at` in C++.
+const [keyFrom, keyTo] = [[1, 0, 0, 0, 1, 2, 3], [-0.5, 0.25, -0.5, -0.75, 4, -2, 3.5]];
+const onPath = (tau: number) => poseBetween(keyFrom, keyTo, tau).map((value) => value.toFixed(14));
+same("the pose at a time between two keys", onPath(0.3125), [
+    ...[0.80097979179424372, -0.52663808940600121, 0.28475199020208208, 1.9375],
+    ...[0.46540110226576853, 0.84690753214941827, 0.25719534598897736, 0.75],
+    ...[-0.37660747091243113, -0.073484384568279243, 0.92345376607470908, 3.15625],
+].map((value) => value.toFixed(14)));
+same("the pose at the second key", onPath(1), [
+    ...[-4 / 9, -8 / 9, 1 / 9, 4, 4 / 9, -1 / 9, 8 / 9, -2, -7 / 9, 4 / 9, 4 / 9, 3.5],
+].map((value) => value.toFixed(14)));
+
+// Motions: the bodies meet within the fourth leaf of eight, and again in the last one.
+const rest = [1, 0, 0, 0, 0, 0, 0];
+const slide: Motion = {
+    ...{ end: "contact", until: "end", depth: 3, t0: 2, t1: 3, event: 3, bound: null },
+    runs: [
+        { state: "free", first: 0, count: 2, event_first: null, event_last: null },
+        { state: "open", first: 2, count: 3, event_first: 3, event_last: 4 },
+        { state: "free", first: 5, count: 1, event_first: null, event_last: null },
+        { state: "open", first: 6, count: 1, event_first: null, event_last: null },
+    ],
+    from: { a: rest, b: [1, 0, 0, 0, 2, 0, 0] },
+    to: { a: rest, b: [1, 0, 0, 0, -2, 0, 0] },
+};
+const slideIntervals = intervalsOf(slide);
+same("the parts of a motion's time", slideIntervals.map(({ from, to, kind }) => [8 * from, 8 * to, kind]), [
+    ...[[0, 2, "free"], [2, 3, "open"], [3, 4, "event"], [4, 5, "open"]],
+    ...[[5, 6, "free"], [6, 7, "open"], [7, 8, "unknown"]],
+]);
+same("what is known of a time", [0, 2, 2.5, 3, 4, 4.5, 5.5, 7.5].map((one) => knowledgeAt(slideIntervals, one / 8)), [
+    ...["free", "open", "open", "event", "event", "open", "free", "unknown"],
+]);
+const toContact: Motion = {
+    ...slide,
+    until: "contact",
+    runs: [slide.runs[0], { state: "open", first: 2, count: 1, event_first: 3, event_last: 3 }],
+};
+same("an event at an instant", intervalsOf(toContact).map(({ from, to, kind }) => [8 * from, 8 * to, kind]), [
+    ...[[0, 2, "free"], [2, 3, "open"], [3, 3, "event"], [3, 8, "unknown"]],
+]);
+same("the path of an instant is a point", pathOf(toContact).map(({ points, kind }) => [points.length, kind]), [
+    ...[[17, "free"], [9, "open"], [1, "event"], [41, "unknown"]],
+]);
+same("the ends of a path", [pathOf(slide)[0].points[0], pathOf(slide)[6].points.at(-1)], [[2, 0, 0], [-2, 0, 0]]);
+const away: Motion = { ...slide, end: "free", event: null, t0: 8, t1: 8, runs: [{ ...slide.runs[0], count: 8 }] };
+const undecidedMotion: Motion = { ...away, runs: [{ ...slide.runs[3], first: 0, count: 8 }] };
+const wayOut: Motion = { ...slide, until: "free", end: "free", t0: 4, t1: 5, event: 4 };
+same("motions are told", [slide, away, undecidedMotion, wayOut].map((one) => motionText(one, false)), [
+    "first in contact between 0.25 and 0.375 of the way",
+    "free throughout",
+    "not decided where open",
+    "free from 0.625 of the way on",
+]);
+same("a bracket of near bodies", motionText({ ...slide, t0: 3 }, true), "near at 0.375 of the way");
+same("contacts belong to the event", [0.375, 0.4].map((tau) => timeText(slide, false, tau)), [
+    "at 0.375 of the way: in contact; the event, contacts are drawn",
+    "at 0.4 of the way: in contact; contacts are drawn at the event only",
+]);
+same("no event", timeText(undecidedMotion, false, 0.5), "at 0.5 of the way: open: not decided; no contacts to draw");
+const atBegin = { pose_a: turn, pose_b: turn };
+same("contacts that are shown", [null, 0.375, 0.5].map((tau) => hasContactsAt({ ...atBegin, motion: slide }, tau)), [true, true, false]);
+same("contacts without a motion", hasContactsAt(atBegin, 0.5), true);
+same("a motion starts at its event", [null, 0, 1].map((tau) => shownPose({ ...atBegin, motion: slide }, tau)[3]), [0.5, 2, -2]);
+const both3 = { ...slide, from: { ...slide.from, a: [1, 0, 0, 0, 0, 4, 0] }, to: { ...slide.to, a: [1, 0, 0, 0, 0, 8, 0] } };
+same("both bodies move", shownPose({ ...atBegin, motion: both3 }, 0.5).filter((_, i) => i % 4 === 3), [0, -6, 0]);
+same("what is known has a colour", new Set((["free", "open", "event", "unknown"] as const).map((kind) => knowledgeCss(kind, false))).size, 4);
+same("open is undecided", knowledgeCss("open", true), cssColour(numberOf("undecided")));
+same("events are red or orange", [false, true].map((isNear) => knowledgeCss("event", isNear)), [cssColour(2), cssColour(numberOf("near"))]);
 
 // A grid of 2 x 4: y varies fastest.
 const axis = (name: string, count: number) => ({ name, first: 0, last: count - 1, count });

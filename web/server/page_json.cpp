@@ -1,6 +1,7 @@
 #include "web/server/page_json.hpp"
 
 #include "common/core/timing/web.hpp"
+#include "web/server/motion_json.hpp"
 #include "web/status/cluster_report.hpp"
 #include "web/status/table.hpp"
 
@@ -145,7 +146,7 @@ Json group_json(const GroupView& group) {
             {"worst_near", group.worst_near}};
 }
 
-/// Adds what only jobs that ask for the distance have.
+/// Adds what only jobs that ask another question than contacts have.
 void add_question(Json& json, const Query& query) {
     if (query.question == Question::Distance) {
         json["question"] = "distance";
@@ -156,6 +157,7 @@ void add_question(Json& json, const Query& query) {
     } else if (query.motion) {
         json["question"] = "motion";
         json["resolution"] = query.motion->resolution;
+        json["until"] = until_text(query.motion->until);
     }
 }
 
@@ -169,28 +171,16 @@ void add_distance(Json& json, const ScenarioView& scenario) {
     json["witness"] = nearest ? Json{nearest->a, nearest->b} : Json();
 }
 
-/// Adds what is proven of a motion, if the record answers for one. Instants are shares of its time.
+/// Adds what is proven of a motion, if the record is of one.
 void add_motion(Json& json, const ScenarioView& scenario) {
-    if (!scenario.result || !scenario.result->motion) {
+    if (!scenario.result || !scenario.result->motion || !scenario.keys) {
         return;
     }
-    const MotionOutcome& motion = *scenario.result->motion;
-    const auto share = [&](std::uint32_t instant) {
-        return std::ldexp(instant, -static_cast<int>(motion.depth));
-    };
-    Json runs = Json::array();
-    for (const CellRun& run : motion.runs) {
-        runs.push_back({run.state == CellState::Open ? "open" : "free",
-                        share(run.first),
-                        share(run.end()),
-                        run.has_event() ? Json(share(run.event_first)) : Json(),
-                        run.has_event() ? Json(share(run.event_last)) : Json()});
+    const auto& [from, to] = *scenario.keys;
+    const auto is_key = [](const Pose& pose) { return pose.kind() == Pose::Kind::Quaternion; };
+    if (is_key(from.a) && is_key(from.b) && is_key(to.a) && is_key(to.b)) {
+        json["motion"] = motion_json(*scenario.result, *scenario.keys);
     }
-    const auto event = motion.event();
-    json["motion"] = {{"t0", share(motion.t0)},
-                      {"t1", share(motion.t1)},
-                      {"event", event ? Json(share(*event)) : Json()},
-                      {"runs", std::move(runs)}};
 }
 
 void add_result(Json& json, const ScenarioView& scenario) {

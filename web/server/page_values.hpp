@@ -132,17 +132,25 @@ struct PoseRows {
     void add(const PosePair& poses);
 };
 
+/// The poses at a motion's begin and end.
+struct MotionKeys {
+    PosePair from;
+    PosePair to;
+};
+
 /// One scenario: its record, and what running it again gave.
 struct ScenarioView {
     /// The stored result without its lists; nothing if there is none yet.
     std::optional<ScenarioResult> result;
-    std::uint64_t listed = 0; ///< Pairs that the stored result lists.
-    PosePair poses;
-    std::string id; ///< The pose file's id; empty without one.
+    std::uint64_t listed = 0;       ///< Pairs that the stored result lists.
+    PosePair poses;                 ///< Of a motion at its event, or at its begin.
+    std::optional<MotionKeys> keys; ///< Of a motion.
+    std::string id;                 ///< The pose file's id; empty without one.
     std::optional<double> time;
     std::optional<bool> verified; ///< Whether a second run gave equal bytes; nothing: not compared.
     std::string verify_note;      ///< Why it was not compared, or what differs.
-    /// Pairs and points of an exact run at level contacts, perhaps not all; null if it failed.
+    /// Pairs and points of an exact run at level contacts, perhaps not all; of a motion those at
+    /// its event. Null if it failed.
     std::shared_ptr<const ScenarioResult> drawn;
     std::string draw_note; ///< Why nothing is drawn; empty if `drawn` is set.
 };

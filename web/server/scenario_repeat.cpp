@@ -40,11 +40,18 @@ bool is_drawable(const Query& query, const ScenarioResult& result) {
     return query.level == Level::Contacts && query.limit_pairs == 0;
 }
 
+/// Says what is proven of a motion: " in [3, 4] of 2^9 with 2 runs".
+std::string motion_text(const MotionOutcome& motion) {
+    return " in [" + std::to_string(motion.t0) + ", " + std::to_string(motion.t1) + "] of 2^" +
+           std::to_string(motion.depth) + " with " + counted(motion.runs.size(), "run");
+}
+
 std::string answer_text(const ScenarioResult& result) {
     const bool is_shots = result.question == Question::Shots;
     return std::string(to_text(result.kind)) + " with " +
            counted(result.pair_count, is_shots ? "hit" : "pair") +
            (result.has_clearance ? " and " + counted(result.near_count, "near pair") : "") +
+           (result.motion ? motion_text(*result.motion) : "") +
            (result.nearest ? " at distance " + exact_text(result.nearest->distance) : "");
 }
 
@@ -69,8 +76,7 @@ std::string reason_not_to_compare(const std::optional<KeptRecord>& record) {
     if (!record) {
         return "it has no result yet";
     }
-    if (record->result.kind == ScenarioClass::Undecided &&
-        record->result.question == Question::Contacts) {
+    if (record->result.kind == ScenarioClass::Undecided && !record->result.motion) {
         return "an earlier version left it undecided, which no run does again";
     }
     return record->result.kind == ScenarioClass::Failed ? "it failed in the run" : "";
@@ -92,6 +98,9 @@ ScenarioView repeat_scenario(const TreesByBody& trees,
                              const StopCheck& stop) {
     ScenarioView view;
     view.poses = scenario.poses;
+    if (scenario.to) {
+        view.keys = MotionKeys{scenario.poses, *scenario.to};
+    }
     view.verify_note = reason_not_to_compare(record);
     if (record) {
         view.result = record->result;
@@ -108,10 +117,7 @@ ScenarioView repeat_scenario(const TreesByBody& trees,
         again = run(trees, query, scenario, stop);
         compare(*again, *record, view);
     }
-    if (!again && query.question == Question::Distance) {
-        again = run(trees, query, scenario, stop);
-    }
-    if (!again && query.motion) {
+    if (!again && (query.question == Question::Distance || query.motion)) {
         again = run(trees, query, scenario, stop);
     }
     if (!again || (!again->is_stopped && !is_drawable(query, again->result))) {

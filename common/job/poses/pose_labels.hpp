@@ -36,7 +36,7 @@ struct PoseLabels {
     std::vector<double> times; ///< Values of the file, in its unit of time.
     /// For motions between poses with times: the time of the pose at each motion's end. `times`
     /// has that of its begin.
-    std::vector<double> end_times;
+    std::vector<double> end_times = {};
 
     [[nodiscard]] LabelColumns columns() const;
     [[nodiscard]] bool is_empty() const { return columns().is_empty(); }

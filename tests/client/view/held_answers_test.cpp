@@ -132,6 +132,29 @@ TEST_F(Held, LinesHaveTheirHitsAndClosedParts) {
     }
 }
 
+TEST_F(Held, MotionsHaveTheirRunsAndKeys) {
+    auto run = view_motions("level = \"any\"\n");
+    const PageOrigin origin = folder_origin(*run);
+    std::vector<HeldAnswer> answers;
+    const auto take = [&](const HeldAnswer& answer) {
+        answers.push_back(answer);
+        return Status(Done{});
+    };
+    EXPECT_TRUE(for_each_answer(*run, origin, std::vector<std::uint64_t>{0, 1}, take, never()));
+    const auto texts = texts_of(answers);
+    EXPECT_EQ(nlohmann::json::parse(texts.at("jobs/folder")).at("question"), "motion");
+    const auto free = nlohmann::json::parse(texts.at("jobs/folder/scenarios/0"));
+    EXPECT_EQ(free.at("verified"), true);
+    EXPECT_TRUE(free.at("motion").at("event").is_null());
+    const auto met = nlohmann::json::parse(texts.at("jobs/folder/scenarios/1"));
+    EXPECT_EQ(met.at("verified"), true);
+    EXPECT_FALSE(met.at("motion").at("event").is_null());
+    EXPECT_GT(met.at("motion").at("runs").size(), 1u);
+    EXPECT_EQ(met.at("motion").at("from").at("b").at(4), 4.0);
+    EXPECT_EQ(met.at("motion").at("to").at("b").at(4), 0.0);
+    EXPECT_GT(met.at("exact_pairs").get<int>(), 0);
+}
+
 TEST_F(Held, AMeshHasTheHashOfItsPath) {
     auto run = view("level = \"pairs\"\n");
     std::size_t meshes = 0;

@@ -55,6 +55,18 @@ class Viewed : public testing::Test {
         return run_job();
     }
 
+    /// Runs two motions of a ball: beside a sphere, and into it.
+    std::unique_ptr<ViewedRun> view_motions(const std::string& query) {
+        write_text(folder_ / "a.obj", part_text("left", make_sphere(1), 0, 1));
+        write_text(folder_ / "b.obj", part_text("ball", make_torus(0.5, 0.2, 12, 8), 0, 1));
+        write_text(folder_ / "keys.csv", "x\n6\n4\n0\n");
+        write_text(folder_ / "job.toml",
+                   "[a]\nmesh = \"a.obj\"\n[b]\nmesh = \"b.obj\"\n[poses]\nfile = \"keys.csv\"\n"
+                   "[motion]\nresolution = 0.01\nuntil = \"end\"\n[query]\n" +
+                       query);
+        return run_job();
+    }
+
     /// Opens the run again; what was opened before is no longer valid.
     [[nodiscard]] std::unique_ptr<ViewedRun> open() {
         const InterruptGuard interrupts(InterruptGuard::First::EndsProcess);

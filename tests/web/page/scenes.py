@@ -156,6 +156,18 @@ class Scenes:
         poses = self.poses("distances", "x", rows)
         return self.run("distances", *self.bodies(), "--poses", poses, "--level", "distance")
 
+    def motions(self):
+        """A small box that stays away from a large one, then meets it at x = 1.3, halfway, and stays in it."""
+        self.bodies()
+        self.poses("keys", "x", [(4,), (2.3,), (0.3,), (0.3,)])
+        job = self.job(
+            "motions",
+            'name = "motions"\nunit = "m"\n[a]\nmesh = "a.obj"\n[b]\nmesh = "b.obj"\n'
+            '[poses]\nfile = "keys.csv"\n[motion]\nresolution = 0.01\nuntil = "end"\n'
+            '[query]\nlevel = "pairs"\n[output]\nformats = ["csv"]\n',
+        )
+        return self.run("motions", job)
+
     def shots(self):
         """Lines from the front and from the left through the box of two parts."""
         self.bodies()

@@ -1,9 +1,10 @@
-// Proves that repeating a scenario of a distance or of lines gives the same record, and that the
-// page gets its nearest pair, or its hits, to draw.
+// Proves that repeating a scenario of a distance, of lines or of a motion gives the same record,
+// and that the page gets its nearest pair, its hits, or the contacts at its event to draw.
 #include "web/server/scenario_repeat.hpp"
 
 #include "common/job/run_scenario.hpp"
 #include "common/shots/line_hit.hpp"
+#include "tests/support/motions.hpp"
 #include "tests/support/shapes.hpp"
 #include "tests/support/trees.hpp"
 
@@ -156,6 +157,84 @@ TEST_F(DrawnLines, ARecordOfOtherHitsIsNotVerified) {
     EXPECT_EQ(view.verified, false);
     EXPECT_EQ(view.verify_note,
               "the record says contact with 4 hits, a second run here contact with 4 hits");
+}
+
+namespace {
+
+/// A box with edges of length 1 that moves along x, from 2 beside another one.
+class DrawnMotion : public testing::Test {
+  protected:
+    DrawnMotion() {
+        query_.level = Level::Any;
+        query_.question = Question::Motion;
+        query_.motion = MotionQuery{0x1p-8, Until::Contact};
+    }
+
+    /// Runs a motion by `way` along x and to y, and repeats it with its record.
+    [[nodiscard]] ScenarioView repeat(double way, double y = 0) const {
+        Scenario scenario;
+        scenario.poses = {moved_pose({0, 0, 0}), moved_pose({2, y, 0})};
+        scenario.to = PosePair{moved_pose({0, 0, 0}), moved_pose({2 + way, y, 0})};
+        const ScenarioRun first =
+            ScenarioRunner(tree_, tree_, query_, PairStage::Float, {}).run(scenario);
+        const KeptRecord record{encode_result(first.result), first.result};
+        return repeat_scenario({tree_, tree_}, query_, scenario, record, {});
+    }
+
+    const ObbTree tree_ = make_tree(make_box({1, 1, 1}));
+    Query query_;
+};
+
+} // namespace
+
+TEST_F(DrawnMotion, TheContactsAtTheEventAreDrawnAtBothLevels) {
+    for (const Level level : {Level::Any, Level::Pairs}) {
+        query_.level = level;
+        const ScenarioView view = repeat(-2);
+        EXPECT_EQ(view.verified, true) << view.verify_note;
+        ASSERT_TRUE(view.result->motion);
+        EXPECT_EQ(view.result->motion->end, MotionEnd::Contact);
+        ASSERT_TRUE(view.keys);
+        EXPECT_EQ(view.keys->from.b.translation(), Vec3(2, 0, 0));
+        EXPECT_EQ(view.keys->to.b.translation(), Vec3(0, 0, 0));
+        EXPECT_EQ(view.poses.b.translation(), Vec3(1, 0, 0)) << "at the event";
+        ASSERT_NE(view.drawn, nullptr) << view.draw_note;
+        EXPECT_FALSE(view.drawn->pairs.empty());
+        EXPECT_EQ(view.drawn->pairs.size(), view.drawn->pair_count);
+        EXPECT_FALSE(view.drawn->points.empty());
+    }
+}
+
+TEST_F(DrawnMotion, AFreeMotionHasNoPairs) {
+    const ScenarioView view = repeat(2);
+    EXPECT_EQ(view.verified, true) << view.verify_note;
+    EXPECT_EQ(view.result->kind, ScenarioClass::Separate);
+    ASSERT_NE(view.drawn, nullptr) << view.draw_note;
+    EXPECT_TRUE(view.drawn->pairs.empty());
+}
+
+TEST_F(DrawnMotion, AnUndecidedMotionIsVerified) {
+    query_.motion->resolution = 0.5;
+    // The boxes slide past each other, nearer than the resolution.
+    const ScenarioView view = repeat(-4, 1.0625);
+    EXPECT_EQ(view.result->kind, ScenarioClass::Undecided);
+    EXPECT_EQ(view.verified, true) << view.verify_note;
+    ASSERT_NE(view.drawn, nullptr) << view.draw_note;
+}
+
+TEST_F(DrawnMotion, ARecordOfAnotherBracketIsNotVerified) {
+    Scenario scenario;
+    scenario.poses = {moved_pose({0, 0, 0}), moved_pose({2, 0, 0})};
+    scenario.to = PosePair{moved_pose({0, 0, 0}), moved_pose({0, 0, 0})};
+    ScenarioResult other =
+        ScenarioRunner(tree_, tree_, query_, PairStage::Float, {}).run(scenario).result;
+    other.motion->t1 += 1;
+    const KeptRecord record{encode_result(other), other};
+    const ScenarioView view = repeat_scenario({tree_, tree_}, query_, scenario, record, {});
+    EXPECT_EQ(view.verified, false);
+    EXPECT_NE(view.verify_note.find("a second run here contact with 0 pairs in ["),
+              std::string::npos)
+        << view.verify_note;
 }
 
 } // namespace cd::tests

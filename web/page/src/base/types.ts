@@ -150,8 +150,11 @@ export interface Job {
     limit_pairs: number;
     /** Null in a job that does not ask for near pairs. */
     clearance: number | null;
-    /** Only in a job that asks how far the bodies are apart, or what lines hit. */
+    /** Only in a job that asks how far the bodies are apart, what lines hit, or when bodies meet. */
     question?: "distance" | "shots" | "motion";
+    /** In a job of motions: how far bodies move in an open part at most, and what the search is for. */
+    resolution?: number;
+    until?: Until;
     /** In a job of lines: of each line, only the first hit that crosses counts. */
     first_hits?: boolean;
     /** Then: bodies farther apart have no distance; null: all that share no point have one. */
@@ -172,6 +175,36 @@ export interface Job {
     folder: string;
     groups: Group[] | null;
     groups_total?: number;
+}
+
+export type Until = "contact" | "free" | "end";
+
+/** A quaternion w, x, y, z of any length, and a position in the world. */
+export type MotionKey = readonly number[];
+
+/** Consecutive leaves of a motion, in units of 2^-depth of its time. */
+export interface MotionRun {
+    state: "free" | "open";
+    first: number;
+    count: number;
+    /** The first and last instant with the event; null if there is none. */
+    event_first: number | null;
+    event_last: number | null;
+}
+
+/** What is proven of a motion. Instants are in units of 2^-depth of its time. */
+export interface Motion {
+    end: "free" | "contact" | "start" | "limit";
+    until: Until;
+    depth: number;
+    t0: number;
+    t1: number;
+    event: number | null;
+    /** In the job's unit; null if it is not known. */
+    bound: number | null;
+    runs: MotionRun[];
+    from: { a: MotionKey; b: MotionKey };
+    to: { a: MotionKey; b: MotionKey };
 }
 
 export interface Scenario {
@@ -198,11 +231,18 @@ export interface Scenario {
     least_distance: number | null;
     /** Only if the job asks for it; null in contact, or farther apart than asked for. */
     distance?: number | null;
+    /** Only of a motion that did not fail. */
+    motion?: Motion;
 }
 
 /** Whether a job asks how far the bodies are apart. */
 export function asksDistance(job: Pick<Job, "question">): boolean {
     return job.question === "distance";
+}
+
+/** Whether a job's scenarios are motions. */
+export function asksMotion(job: Pick<Job, "question">): boolean {
+    return job.question === "motion";
 }
 
 /** Whether body B of a job is a bundle of lines, and the job asks what they hit. */

@@ -2,8 +2,9 @@ import { useCallback, useEffect, useMemo, useRef, useState } from "preact/hooks"
 import type { PartNames } from "../base/part_name";
 import { getParts } from "../base/parts";
 import { forgetNotes, goTo, noteLink, noteLinkSoon, type Route, scenarioLink } from "../base/route";
-import { asksShots, bodyNames, type Job, type Source } from "../base/types";
+import { asksMotion, asksShots, bodyNames, type Job, type Source } from "../base/types";
 import { grouped, shellWord } from "../base/words";
+import { TimeLine } from "../motion/time_line";
 import { usePolled, useTitle } from "../ui/hooks";
 import { KeyHelp, useKeys, viewerKeys } from "../ui/keys";
 import { Command, Notice } from "../ui/small";
@@ -106,7 +107,11 @@ function JobViewer({ source, route, report, job }: ScreenProps & { job: Job }) {
         }
     }, [model]);
     const linkTo = (number: number, camera: number[] | null) =>
-        scenarioLink(route.job, number, writeState({ ...state, camera }, names.bodies));
+        scenarioLink(
+            route.job,
+            number,
+            writeState({ ...state, camera, tau: number === scenario ? state.tau : null }, names.bodies),
+        );
     // As it is seen: with the camera, unless whoever opens the scenario anew would see it so.
     const linkHere = () => linkTo(scenario, state.camera ?? viewer?.ownView ?? null);
     const hasLines = asksShots(job);
@@ -123,7 +128,10 @@ function JobViewer({ source, route, report, job }: ScreenProps & { job: Job }) {
 
     const scenarios = useMemo(() => new Scenarios(job.scenarios, report?.scenarios), [job, report]);
     const place = scenarios.placeOf(scenario);
-    const move = (to: number) => setScenario(scenarios.at(to));
+    const move = (to: number) => {
+        setScenario(scenarios.at(to));
+        change({ tau: null });
+    };
     useEffect(() => {
         if (!isPlaying || contacts?.scenario.index !== scenario) {
             return;
@@ -178,6 +186,7 @@ function JobViewer({ source, route, report, job }: ScreenProps & { job: Job }) {
         "]": () => moveClip(1),
         f: fit,
         c: goToContact,
+        e: () => change({ tau: null }),
         "Shift+ArrowRight": () => viewer?.stage.turn(turnStep, 0),
         "Shift+ArrowLeft": () => viewer?.stage.turn(-turnStep, 0),
         "Shift+ArrowUp": () => viewer?.stage.turn(0, turnStep),
@@ -251,16 +260,26 @@ function JobViewer({ source, route, report, job }: ScreenProps & { job: Job }) {
                         </p>
                     </div>
                 ) : (
-                    <Picture
-                        job={job}
-                        scenario={scenario}
-                        contacts={contacts}
-                        canvas={canvas}
-                        viewer={viewer}
-                        waits={!viewer && !error}
-                        root={report?.root}
-                        pick={pick}
-                    />
+                    <div class="stage-column">
+                        <Picture
+                            job={job}
+                            scenario={scenario}
+                            contacts={contacts}
+                            canvas={canvas}
+                            viewer={viewer}
+                            waits={!viewer && !error}
+                            root={report?.root}
+                            pick={pick}
+                        />
+                        {contacts?.scenario.motion && (
+                            <TimeLine
+                                scenario={contacts.scenario}
+                                motion={contacts.scenario.motion}
+                                tau={state.tau}
+                                choose={(tau) => change({ tau })}
+                            />
+                        )}
+                    </div>
                 )}
                 <aside class="side">
                     {draws && (
@@ -269,7 +288,11 @@ function JobViewer({ source, route, report, job }: ScreenProps & { job: Job }) {
                                 state={state}
                                 bounds={bounds}
                                 hasMap={job.maps}
-                                lines={{ areDrawn: hasLines, hasAllHits: hasLines && job.first_hits !== true }}
+                                lines={{
+                                    areDrawn: hasLines,
+                                    hasAllHits: hasLines && job.first_hits !== true,
+                                    name: asksMotion(job) ? "path, segments and points" : hasLines ? "lines and hits" : "segments and points",
+                                }}
                                 change={change}
                                 fit={fit}
                                 goToContact={goToContact}
@@ -310,7 +333,7 @@ function JobViewer({ source, route, report, job }: ScreenProps & { job: Job }) {
                             choose={(partA, partB) => change({ partA, partB })}
                         />
                     )}
-                    {contacts && <PoseText job={job} contacts={contacts} />}
+                    {contacts && <PoseText job={job} contacts={contacts} tau={state.tau} />}
                     <section aria-label={alone}>
                         <h2>{alone}</h2>
                         <Command text={`cdctl extract ${run} ${scenario} --out ${hasLines ? "scene --as vtp" : "case"}`} />

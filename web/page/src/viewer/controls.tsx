@@ -88,8 +88,8 @@ export function ViewControls(props: {
     state: ViewState;
     bounds: Bounds;
     hasMap: boolean;
-    /** Whether B is a bundle of lines, and whether the job has hits beyond their first ones. */
-    lines: { areDrawn: boolean; hasAllHits: boolean };
+    /** Whether B is a bundle of lines, whether the job has hits beyond their first ones, and what `l` hides. */
+    lines: { areDrawn: boolean; hasAllHits: boolean; name: string };
     change: (part: Partial<ViewState>) => void;
     fit: () => void;
     goToContact: () => void;
@@ -112,7 +112,7 @@ export function ViewControls(props: {
             {props.lines.hasAllHits && (
                 <Check text="first hits only" isOn={state.onlyFirst} turn={(onlyFirst) => change({ onlyFirst })} />
             )}
-            <Check text={props.lines.areDrawn ? "lines and hits" : "segments and points"} isOn={state.lines} turn={(lines) => change({ lines })} />
+            <Check text={props.lines.name} isOn={state.lines} turn={(lines) => change({ lines })} />
             <SectionPlane state={state} bounds={props.bounds} change={change} />
             <div class="buttons">
                 <button type="button" onClick={props.fit} title="f">

@@ -1,8 +1,9 @@
 import { useMemo } from "preact/hooks";
 import type { BodyParts } from "../base/parts";
-import { coordinateOf, isAngle, placementKeys, placementOf, relativePose, shotKeys } from "../base/pose";
+import { coordinateOf, isAngle, placementKeys, placementOf, shotKeys } from "../base/pose";
 import { asksShots, countNoun, hasDirections, type Job, type Pose } from "../base/types";
 import { counted, grouped, percent, short } from "../base/words";
+import { shownPose, shownPoses } from "../motion/motion";
 import { Name } from "../ui/small";
 import { nearPair } from "./contacts_view";
 import type { Heat, Model } from "./model";
@@ -168,8 +169,8 @@ export function directionText(pose: ArrayLike<number>): string {
 }
 
 /** Where B is in A's frame, as numbers and as matrices with all digits. */
-export function PoseText({ job, contacts }: { job: Job; contacts: Contacts }) {
-    const relative = relativePose(contacts.scenario);
+export function PoseText({ job, contacts, tau }: { job: Job; contacts: Contacts; tau: number | null }) {
+    const relative = shownPose(contacts.scenario, tau);
     if (hasDirections(job)) {
         return (
             <section aria-label="direction">
@@ -186,7 +187,7 @@ export function PoseText({ job, contacts }: { job: Job; contacts: Contacts }) {
     const said = placementKeys
         .filter((key) => key !== "distance" && (!isAngle(key) || Math.abs(placement[key]) > 1e-9))
         .map((key) => `${key} ${short(placement[key], 5)}${isAngle(key) ? "°" : ""}`);
-    const { pose_a, pose_b } = contacts.scenario;
+    const { pose_a, pose_b } = shownPoses(contacts.scenario, tau);
     return (
         <section aria-label="pose">
             <h2>B in A's frame</h2>

@@ -33,6 +33,8 @@ export interface ViewState {
     seek: Seek;
     /** Of each line, only the first hit that crosses is shown. */
     onlyFirst: boolean;
+    /** The time in a motion that is shown, 0 to 1; null: that of the event. */
+    tau: number | null;
 }
 
 export const startState: ViewState = {
@@ -47,6 +49,7 @@ export const startState: ViewState = {
     pick: null,
     seek: "contact",
     onlyFirst: false,
+    tau: null,
 };
 
 function numbersOf(text: string | null, count: number): number[] | null {
@@ -64,6 +67,11 @@ function readClip(text: string | null): Clip | null {
 function readPick(text: string | null): Pick | null {
     const found = /^([ab]):(\d+)$/.exec(text ?? "");
     return found ? { body: found[1] === "a" ? 0 : 1, triangle: Number(found[2]) } : null;
+}
+
+function readTau(text: string | null): number | null {
+    const tau = Number(text);
+    return text && tau >= 0 && tau <= 1 ? tau : null;
 }
 
 /** Reads the parts of A and B; of two that name no body, the second is of B. */
@@ -102,6 +110,7 @@ export function readState(query: URLSearchParams, names: PartNames): ViewState {
         pick: readPick(query.get("pick")),
         seek: seek === "near" || seek === "either" ? seek : "contact",
         onlyFirst: query.get("first") === "1",
+        tau: readTau(query.get("tau")),
     };
 }
 
@@ -144,6 +153,9 @@ export function writeState(state: ViewState, bodies: readonly [string, string]):
     }
     if (state.onlyFirst) {
         query.first = "1";
+    }
+    if (state.tau !== null) {
+        query.tau = String(state.tau);
     }
     return query;
 }

@@ -4,6 +4,8 @@ import type { BodyParts } from "../base/parts";
 import { apply, inverse, relativePose } from "../base/pose";
 import { styleColour } from "../base/theme";
 import type { Pose, Vec3 } from "../base/types";
+import { hasContactsAt, pathOf, shownPose } from "../motion/motion";
+import { PathView } from "../motion/path_view";
 import { BodyView } from "./body_view";
 import { ContactsView, type Highlight, highlightsOf, proper } from "./contacts_view";
 import { heatBytes } from "./heat";
@@ -32,6 +34,7 @@ export class Viewer {
     gaps = 0;
     private readonly contactsView = new ContactsView();
     private readonly shotsView: ShotsView | null;
+    private readonly pathView = new PathView();
     private readonly mark = new PickMark();
     private readonly origin: Vec3;
     private readonly parts: readonly [BodyParts, BodyParts];
@@ -62,17 +65,34 @@ export class Viewer {
 
     show(contacts: Contacts, state: ViewState): void {
         this.contacts = contacts;
-        this.matrices = [
-            this.bodies[0].place(identity, this.origin),
-            this.bodies[1].place(relativePose(contacts.scenario), this.origin),
-        ];
-        this.stage.setRadius(this.centreOfB().length() + this.bodies[1].radius + this.bodies[0].radius);
+        this.placeBodies(contacts, state);
+        this.showPath(contacts);
+        this.stage.setRadius(this.reachOfB() + this.bodies[1].radius + this.bodies[0].radius);
         this.refreshContacts(state);
         this.state = state;
         this.applyState(state);
         if (!state.camera && !this.isInView()) {
             this.fit(this.fitted === null);
         }
+    }
+
+    private placeBodies({ scenario }: Contacts, state: ViewState): void {
+        this.matrices = [
+            this.bodies[0].place(identity, this.origin),
+            this.bodies[1].place(shownPose(scenario, state.tau), this.origin),
+        ];
+    }
+
+    private showPath({ scenario }: Contacts): void {
+        const pieces = scenario.motion ? pathOf(scenario.motion) : [];
+        this.pathView.show(pieces, this.origin, scenario.class === "near");
+    }
+
+    /** How far from A's centre B's centre is, or comes on its path at most. */
+    private reachOfB(): number {
+        const away = Math.hypot(...this.bodies[1].mesh.centre);
+        const onPath = this.pathView.points.map((point) => Math.hypot(...point) + away);
+        return Math.max(this.centreOfB().length(), ...onPath);
     }
 
     private centreOfB(): Vector3 {
@@ -92,7 +112,8 @@ export class Viewer {
             this.refreshHits(this.contacts, this.contacts.hits, this.shotsView, state);
             return;
         }
-        const isShown = (a: number, b: number) => this.isShown(state, a, b);
+        const areOfTime = hasContactsAt(scenario, state.tau);
+        const isShown = (a: number, b: number) => areOfTime && this.isShown(state, a, b);
         this.highlights = highlightsOf(pairs, isShown);
         const corners = [this.bodies[0].corners, this.bodies[1].corners] as const;
         this.contactsView.show(corners, this.highlights, this.matrices);
@@ -118,6 +139,10 @@ export class Viewer {
         if (old && isSameView(old, state)) {
             return;
         }
+        if (old && old.tau !== state.tau && this.contacts) {
+            this.placeBodies(this.contacts, state);
+            this.refreshContacts(state);
+        }
         if (old && (old.partA !== state.partA || old.partB !== state.partB || old.onlyFirst !== state.onlyFirst)) {
             this.refreshContacts(state);
         }
@@ -135,6 +160,8 @@ export class Viewer {
         this.contactsView.clip(planes);
         this.contactsView.group.visible = state.mode === "contacts";
         this.contactsView.lines.visible = state.lines;
+        this.pathView.clip(planes);
+        this.pathView.group.visible = state.lines;
         if (this.shotsView) {
             this.shotsView.clip(planes);
             this.shotsView.group.visible = state.mode === "contacts" && state.lines;
@@ -152,7 +179,7 @@ export class Viewer {
         const [a, b] = this.bodies;
         const solid = { objects: [a.solid, b.solid], forgetsDepth: false };
         const contacts = {
-            objects: [this.contactsView.group, ...(this.shotsView ? [this.shotsView.group] : [])],
+            objects: [this.contactsView.group, this.pathView.group, ...(this.shotsView ? [this.shotsView.group] : [])],
             forgetsDepth: state.throughWalls,
         };
         const ghost = { objects: [a.ghost, b.ghost], forgetsDepth: false };
@@ -171,6 +198,7 @@ export class Viewer {
     /** Returns the ball about both bodies, in the coordinates of the stage. */
     private ballAround(): Sphere {
         const ball = new Sphere(new Vector3(), this.bodies[0].radius);
+        this.pathView.points.forEach((point) => ball.expandByPoint(new Vector3(...point)));
         return this.shotsView ? ball : ball.union(new Sphere(this.centreOfB(), this.bodies[1].radius));
     }
 
@@ -184,7 +212,7 @@ export class Viewer {
     fit(fresh: boolean): void {
         this.fitted = this.ballAround();
         const seen = this.shotsView ? this.bodies.slice(0, 1) : this.bodies; // Lines begin far away.
-        const corners = seen.flatMap((body, i) => body.boxCorners(this.matrices[i]));
+        const corners = [...seen.flatMap((body, i) => body.boxCorners(this.matrices[i])), ...this.pathView.points];
         const box = new Box3().setFromPoints(corners.map((corner) => new Vector3(...corner)));
         this.stage.fit(box.getCenter(new Vector3()).toArray() as Vec3, corners, fresh);
         this.freshAt = this.stage.isAtStart ? (this.contacts?.scenario.index ?? -1) : -1;
@@ -329,6 +357,12 @@ export class Viewer {
         }));
     }
 
+    /** How many pieces of a path are drawn, and where B's centre is in A's frame. */
+    get motion(): { pieces: number; centre: number[] } {
+        const centre = this.centreOfB().toArray();
+        return { pieces: this.pathView.group.children.length, centre: centre.map((value, i) => value + this.origin[i]) };
+    }
+
     /** The triangles that are highlighted, of A and of B, in rising order. */
     get highlighted(): [number[], number[]] {
         return this.highlights.map((one) => [...one.keys()].sort((a, b) => a - b)) as [number[], number[]];
@@ -349,6 +383,7 @@ export class Viewer {
         this.bodies.forEach((body) => body.dispose());
         this.contactsView.dispose();
         this.shotsView?.dispose();
+        this.pathView.dispose();
         this.mark.dispose();
         this.stage.dispose();
     }

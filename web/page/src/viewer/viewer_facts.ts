@@ -1,6 +1,7 @@
 import { useEffect, useRef } from "preact/hooks";
 import { tellFacts } from "../base/facts";
 import type { Vec3 } from "../base/types";
+import { eventOf, intervalsOf, startOf } from "../motion/motion";
 import type { Model } from "./model";
 import type { Contacts } from "./scenario_loader";
 import type { Drawing } from "./use_viewer";
@@ -44,6 +45,12 @@ export function useViewerFacts(values: {
                     highlighted: viewer?.highlighted ?? [[], []],
                     gaps: viewer?.gaps ?? 0,
                     lines: viewer?.lines ?? [0, 0],
+                    motion: contacts?.scenario.motion && {
+                        tau: state.tau ?? startOf(contacts.scenario.motion),
+                        event: eventOf(contacts.scenario.motion),
+                        intervals: intervalsOf(contacts.scenario.motion),
+                        ...viewer?.motion,
+                    },
                     hits: (viewer?.hitPixels(64) ?? []).map((one) => ({ ...one, pixel: onPage(one.pixel) })),
                     shaChecked: model?.meshes.map((mesh) => mesh.checked),
                     meshMilliseconds: model?.milliseconds,
