@@ -43,6 +43,13 @@ ComparedBody compared(const Mesh& mesh) {
     return body;
 }
 
+/// Says what is asked of motions: "until contact with resolution 0.01".
+std::string motion_text(const std::optional<MotionQuery>& motion) {
+    return motion ? "until " + std::string(to_text(motion->until)) + " with resolution " +
+                        exact_text(motion->resolution)
+                  : "none";
+}
+
 std::vector<std::string> query_changes(const Query& earlier, const Query& later, QueryUse use) {
     std::vector<std::string> changes;
     const auto add = [&](const char* name, const std::string& was, const std::string& is) {
@@ -57,6 +64,7 @@ std::vector<std::string> query_changes(const Query& earlier, const Query& later,
     add("clearance", length_text(earlier.clearance), length_text(later.clearance));
     add("up_to", length_text(earlier.up_to), length_text(later.up_to));
     add("first", earlier.first_hits ? "true" : "false", later.first_hits ? "true" : "false");
+    add("motion", motion_text(earlier.motion), motion_text(later.motion));
     add("limit_pairs", std::to_string(earlier.limit_pairs), std::to_string(later.limit_pairs));
     if (earlier.ignored != later.ignored) {
         changes.emplace_back("other triangles ignored");

@@ -440,7 +440,8 @@ bool is_equal(const Query& left, const Query& right) {
     return left.level == right.level && left.limit_pairs == right.limit_pairs &&
            left.maps == right.maps && left.ignored == right.ignored &&
            left.clearance == right.clearance && left.question == right.question &&
-           left.up_to == right.up_to && left.first_hits == right.first_hits;
+           left.up_to == right.up_to && left.first_hits == right.first_hits &&
+           left.motion == right.motion;
 }
 
 bool has_same_poses(const ManifestPoses& left, const ManifestPoses& right) {

@@ -190,6 +190,34 @@ TEST(RunManifest, KeepsTheQuestionOfShots) {
     EXPECT_THAT(parse_manifest(distance.dump()).error().detail, HasSubstr("first hits without"));
 }
 
+TEST(RunManifest, KeepsTheQuestionOfMotions) {
+    RunManifest manifest = example(PosesKind::File);
+    manifest.query.level = Level::Pairs;
+    manifest.query.question = Question::Motion;
+    manifest.query.motion = MotionQuery{0.25, Until::Free};
+    const auto json = nlohmann::json::parse(manifest_json(manifest));
+    EXPECT_EQ(json["record_version"], 3);
+    EXPECT_EQ(json["query"]["question"], "motion");
+    EXPECT_EQ(json["query"]["resolution"], 0.25);
+    EXPECT_EQ(json["query"]["until"], "free");
+    const auto parsed = parse_manifest(json.dump());
+    ASSERT_TRUE(parsed) << parsed.error().detail;
+    EXPECT_EQ(parsed.value().query.motion, manifest.query.motion);
+    EXPECT_TRUE(is_same_job(parsed.value(), manifest));
+    for (const MotionQuery other : {MotionQuery{0.5, Until::Free}, MotionQuery{0.25, Until::End}}) {
+        manifest.query.motion = other;
+        EXPECT_FALSE(is_same_job(parsed.value(), manifest)) << other.resolution;
+    }
+    auto damaged = json;
+    damaged["query"]["until"] = "noon";
+    EXPECT_THAT(parse_manifest(damaged.dump()).error().detail, HasSubstr("end of its motions"));
+    damaged["query"].erase("until");
+    EXPECT_FALSE(parse_manifest(damaged.dump()));
+    damaged = json;
+    damaged["query"]["resolution"] = 0;
+    EXPECT_THAT(parse_manifest(damaged.dump()).error().detail, HasSubstr("resolution"));
+}
+
 TEST(RunManifest, RefusesQueriesThatNoJobAsks) {
     const auto json = nlohmann::json::parse(manifest_json(distance_example()));
     const auto refusal_with = [&](const char* key, const nlohmann::json& value) {
@@ -200,8 +228,8 @@ TEST(RunManifest, RefusesQueriesThatNoJobAsks) {
     };
     EXPECT_EQ(refusal_with("up_to", 0), "taken");
     EXPECT_THAT(refusal_with("up_to", -1), HasSubstr("up_to is out of range"));
-    EXPECT_THAT(refusal_with("question", "motion"), HasSubstr("use a later cdctl"));
-    EXPECT_THAT(refusal_with("question", "shots"), HasSubstr("shots with a clearance, or at"));
+    EXPECT_THAT(refusal_with("question", "volume"), HasSubstr("use a later cdctl"));
+    EXPECT_THAT(refusal_with("question", "shots"), HasSubstr("an up_to without"));
     EXPECT_THAT(refusal_with("level", "pairs"), HasSubstr("a distance with a level"));
     EXPECT_THAT(refusal_with("clearance", 1), HasSubstr("a distance with a level, clearance"));
     EXPECT_THAT(refusal_with("maps", true), HasSubstr("maps"));
