@@ -6,12 +6,14 @@
 #include "client/export/contact_scene.hpp"
 #include "client/folder/extracted_case.hpp"
 #include "client/folder/extracted_scenes.hpp"
+#include "client/folder/motion_case.hpp"
 #include "client/folder/opened_run.hpp"
 #include "client/folder/scene_pair.hpp"
 #include "client/picture/body_picture.hpp"
 #include "common/core/errors.hpp"
 #include "common/core/host/stop_check.hpp"
 #include "common/core/words.hpp"
+#include "common/job/answer_poses.hpp"
 #include "common/job/result/drawn_witness.hpp"
 
 #include <cstdio>
@@ -47,6 +49,7 @@ Result<Range> parse_range(const std::string& text, std::uint64_t count) {
     return Range{*first, *last};
 }
 
+/// Reads scenarios and their results. Motions are at rest under the poses of their answers.
 Result<CaseScenarios> read_case(OpenedRun& run, PreparedJob& job, const Range& range) {
     CaseScenarios found;
     found.scenarios = CD_TRY(job.poses->read(range.first, range.last - range.first + 1));
@@ -57,6 +60,8 @@ Result<CaseScenarios> read_case(OpenedRun& run, PreparedJob& job, const Range& r
                          "the run has no result of scenario " + std::to_string(index)};
         }
         found.results.push_back(record->result);
+        Scenario& scenario = found.scenarios[index - range.first];
+        scenario = at_answer(scenario, record->result);
     }
     return found;
 }
@@ -87,18 +92,19 @@ Status write_pictures(const PreparedJob& job,
 
 /// Writes scenarios of a job of two bodies as 3D scenes or as a case.
 Result<int> write_of_two(const ExtractCommand& command,
-                         const PreparedJob& job,
-                         const CaseScenarios& found,
+                         PreparedJob& job,
+                         CaseScenarios& found,
                          const std::string& dir,
                          ThreadPool& pool) {
     const std::size_t count = found.results.size();
+    TreeCache cache(tree_cache_folder(command.tree_cache));
     if (command.as != "case") {
         const SceneFormat format = command.as == "vtp" ? SceneFormat::Vtp : SceneFormat::Glb;
-        TreeCache cache(tree_cache_folder(command.tree_cache));
         CD_TRY(write_scenes(job, found, format, dir, cache, pool, &InterruptGuard::has_come));
         std::printf("%s in %s\n", counted(count, "scene").c_str(), dir.c_str());
         return exit_done;
     }
+    CD_TRY(rest_at_answers(job, found, cache, pool, &InterruptGuard::has_come));
     CD_TRY(write_case(job, found, {command.minimal, &InterruptGuard::has_come}, dir, pool));
     std::printf("%s: cdctl run %s/job.toml\n", counted(count, "scenario").c_str(), dir.c_str());
     return exit_done;
@@ -118,7 +124,7 @@ Result<int> perform(const ExtractCommand& command) {
         CD_TRY(check_exact(run.manifest()));
     }
     const Range range = CD_TRY(parse_range(command.scenarios, job.poses->count()));
-    const CaseScenarios found = CD_TRY(read_case(run, job, range));
+    CaseScenarios found = CD_TRY(read_case(run, job, range));
     InterruptGuard::begin_to_flag(); // From here on, a signal must not leave partial files.
     const std::string dir = command.out.empty() ? "scenario-" + command.scenarios : command.out;
     const std::size_t count = found.results.size();

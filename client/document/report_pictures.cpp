@@ -4,6 +4,7 @@
 #include "common/core/errors.hpp"
 #include "common/core/files/disk_file.hpp"
 #include "common/core/limits/client.hpp"
+#include "common/job/answer_poses.hpp"
 
 #include <cstdint>
 #include <string>
@@ -28,7 +29,7 @@ Status for_each_scenario(const PreparedJob& job,
         CD_TRY(take(result,
                     pictured(*job.meshes[result.body_a],
                              *job.meshes[result.body_b],
-                             scenario.front().poses,
+                             poses_of_answer(scenario.front(), result),
                              result.pairs)));
     }
     return Done{};

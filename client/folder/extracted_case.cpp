@@ -3,6 +3,7 @@
 #include "client/formats/csv_rows.hpp"
 #include "client/formats/npz.hpp"
 #include "client/job/job_text.hpp"
+#include "common/core/check.hpp"
 #include "common/core/errors.hpp"
 #include "common/core/files/disk_file.hpp"
 #include "common/core/words.hpp"
@@ -374,11 +375,7 @@ Status check_expressible(const PreparedJob& job, const CaseScenarios& given) {
         return bad_input("a case has poses of two bodies, and this run has lines: write a job with "
                          "one direction of [shots], or draw the scenarios with --as vtp or glb");
     }
-    if (job.query.motion) {
-        return bad_input("a case has poses, and this run has motions between them: write a job "
-                         "with the two poses and [motion], or draw the bodies at the event with "
-                         "--as vtp or glb");
-    }
+    CD_CHECK(!job.query.motion); // See `rest_at_answers`.
     for (const ScenarioResult& result : given.results) {
         if (result.kind == ScenarioClass::Failed) {
             // A failure's text contains the number of its scenario, which a case would

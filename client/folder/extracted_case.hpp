@@ -32,6 +32,8 @@ struct CaseOptions {
 /// It runs the scenarios here for the expected results, and writes ids.csv, which maps triangles to
 /// their numbers in the run.
 ///
+/// The job has no motions (`rest_at_answers`).
+///
 /// Errors: Io; Interrupted; BadInput for a job that such files cannot express (ignored triangles
 /// that no rule names, poses in several forms), for a failed scenario, and for a folder with the
 /// job.toml of another job; with `minimal` also if a body keeps no triangle, and if a result

@@ -2,6 +2,7 @@
 #include "client/document/report_pictures.hpp"
 
 #include "common/core/limits/client.hpp"
+#include "tests/support/motions.hpp"
 #include "tests/support/process.hpp"
 #include "tests/support/shapes.hpp"
 
@@ -81,6 +82,22 @@ TEST(ReportPictures, EqualTheirGoldenFiles) {
     expect_golden(pictures.bodies()[1], "sphere.png");
     expect_golden(pictures.scenarios()[0], "scenario-0.png");
     expect_golden(pictures.scenarios()[1], "scenario-1.png");
+}
+
+TEST(ReportPictures, ShowMotionsAtTheirEvent) {
+    PreparedJob job = two_poses();
+    Scenario moving = job.poses->read(0, 1).value().front();
+    moving.poses.a = moved_pose({0, 0, 0});
+    moving.poses.b = moved_pose({3, 0.5, 0});
+    moving.to = PosePair{moving.poses.a, moved_pose({0, 0, 0})};
+    job.poses = make_list_source({moving});
+    ScenarioResult result = two_results()[0];
+    result.motion =
+        MotionOutcome{Until::Contact, 2, MotionEnd::Contact, 1, 2, {{CellState::Open, 0, 2, 2, 2}}};
+    ReportPictures pictures;
+    ASSERT_TRUE(pictures.draw(job, {result}, {}));
+    EXPECT_EQ(pixels_of(pictures.scenarios()[0]).size(), 480u * 300 * 3);
+    expect_golden(pictures.scenarios()[0], "scenario-0.png"); // Half of the way.
 }
 
 TEST(ReportPictures, AFolderGetsLargeOnes) {
