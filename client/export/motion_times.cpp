@@ -38,6 +38,20 @@ std::optional<std::pair<double, double>> MotionTimes::bracket(const ScenarioResu
     return std::pair(at(result, result.motion->t0), at(result, result.motion->t1));
 }
 
+std::optional<FirstEvent> MotionTimes::event(const ScenarioResult& result) const {
+    const auto times = bracket(result);
+    if (!times || !result.motion->event()) {
+        return std::nullopt;
+    }
+    FirstEvent event{FirstEvent::Kind::Contact, result.index, times->first, times->second};
+    if (result.motion->until == Until::Free) {
+        event.kind = FirstEvent::Kind::Free;
+        return result.motion->end == MotionEnd::Free ? std::optional(event) : std::nullopt;
+    }
+    event.kind = result.kind == ScenarioClass::Near ? FirstEvent::Kind::Near : event.kind;
+    return event;
+}
+
 std::string MotionTimes::text(const ScenarioResult& result) const {
     const auto times = bracket(result);
     if (!times) {

@@ -1,6 +1,7 @@
 // When a motion's bodies meet or part, in the time of its poses.
 #pragma once
 
+#include "client/report/first_event.hpp"
 #include "common/job/poses/pose_labels.hpp"
 #include "common/job/result/result.hpp"
 #include "common/scene/step_index.hpp"
@@ -33,6 +34,10 @@ class MotionTimes {
     /// the event throughout, and for a failed motion.
     [[nodiscard]] std::optional<std::pair<double, double>>
     bracket(const ScenarioResult& result) const;
+
+    /// Returns what the motion leads to: the event, or for a search for the way out that the bodies
+    /// are free. Nothing if that is not known.
+    [[nodiscard]] std::optional<FirstEvent> event(const ScenarioResult& result) const;
 
     /// Says what is proven: "contact between t 0.25 and 0.26", "free from t 0.4 on".
     [[nodiscard]] std::string text(const ScenarioResult& result) const;

@@ -59,8 +59,9 @@ ResultSink::ResultSink(SinkOptions options, const ExportContext& context)
     : options_(std::move(options)),
       context_(context),
       groups_(meshes_of(context), part_kind(context.level)),
-      waiting_(context.listed.maps ? body_part_runs(*context.bodies[0].mesh, *context.bodies[1].mesh)
-                            : nullptr) {}
+      waiting_(context.listed.maps
+                   ? body_part_runs(*context.bodies[0].mesh, *context.bodies[1].mesh)
+                   : nullptr) {}
 
 Result<ResultSink> ResultSink::open(SinkOptions options, const ExportContext& context) {
     ResultSink sink(std::move(options), context);
@@ -120,7 +121,8 @@ RunFindings ResultSink::findings() const {
     return {most_touched(),
             least_,
             scene_ ? std::optional(scene_->findings()) : std::nullopt,
-            shots_ ? shots_->parts() : std::vector<ShotPart>()};
+            shots_ ? shots_->parts() : std::vector<ShotPart>(),
+            first_event_};
 }
 
 Status ResultSink::add(const ScenarioResult& result, std::span<const ContactPair> found) {
@@ -135,6 +137,7 @@ Status ResultSink::add(const ScenarioResult& result, std::span<const ContactPair
     }
     groups_.add(result);
     note_least(result, context_.unit, least_);
+    keep_first(context_.times.event(result), first_event_);
     tested_ += result.kind == ScenarioClass::Failed ? 0 : 1;
     if (shots_) {
         shots_->add(result);
@@ -178,8 +181,11 @@ Status ResultSink::write_map(const ContactMap& map) const {
 }
 
 GroupsOrigin ResultSink::groups_origin() const {
-    GroupsOrigin origin{
-        {}, tested_, context_.listed.limit_pairs, groups_.left_out(), context_.clearance.has_value()};
+    GroupsOrigin origin{{},
+                        tested_,
+                        context_.listed.limit_pairs,
+                        groups_.left_out(),
+                        context_.clearance.has_value()};
     for (const ExportBody& body : context_.bodies) {
         origin.bodies.push_back(body.name);
     }

@@ -72,6 +72,7 @@ class ResultSink {
     ContactMapSum waiting_;    ///< Sum over the latest results, not yet in `map_`.
     ContactMapTotal map_;
     std::optional<LeastDistance> least_;
+    std::optional<FirstEvent> first_event_;
     std::optional<SceneLog> scene_; ///< Nothing for a job of two bodies.
     std::optional<ShotSums> shots_; ///< For results that list hits of lines.
 };

@@ -348,6 +348,7 @@ std::string summary_text(const RunReport& report, const SummaryStyle& style) {
         "\n";
     text += classes_text(report, style.colours);
     text += least_text(report);
+    text += first_event_line(report.findings.first_event);
     text += scene_text(report);
     text += shots_text(report);
     if (report.execution.reused != 0) {
@@ -366,7 +367,9 @@ std::string summary_text(const RunReport& report, const SummaryStyle& style) {
     note(summary.cut, "cut lists", "limit_pairs was reached; the counts are true");
     note(summary.undecided,
          "undecided   ",
-         "an earlier version left small boxes; pairs are those proven, not all");
+         report.query.motion
+             ? "parts of the time stay open; a smaller resolution decides more"
+             : "an earlier version left small boxes; pairs are those proven, not all");
     if (!report.hint.empty()) {
         text += "  hint          " + report.hint + "\n";
     }

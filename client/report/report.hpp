@@ -2,6 +2,7 @@
 #pragma once
 
 #include "client/groups/group_sum.hpp"
+#include "client/report/first_event.hpp"
 #include "common/geometry/mesh.hpp"
 #include "common/geometry/topology.hpp"
 #include "common/job/result/contact_map.hpp"
@@ -126,6 +127,8 @@ struct RunFindings {
     std::optional<SceneFindings> scene; ///< Of a job with many bodies.
     /// With hits of lines: the parts that most lines cross first.
     std::vector<ShotPart> shots = {};
+    /// Of motions; of equal times the first scenario.
+    std::optional<FirstEvent> first_event = {};
 };
 
 /// The outcome of a run, for the summary.

@@ -101,6 +101,7 @@ class MotionExport : public testing::Test {
             EXPECT_TRUE(files.value().add(result));
         }
         EXPECT_TRUE(files.value().finish(std::nullopt));
+        first_event_ = files.value().findings().first_event;
     }
 
     [[nodiscard]] std::string text_of(const std::string& name) const {
@@ -108,6 +109,7 @@ class MotionExport : public testing::Test {
     }
 
     const TemporaryFolder folder_;
+    std::optional<FirstEvent> first_event_;
 };
 
 } // namespace
@@ -138,6 +140,27 @@ TEST(MotionTimes, AreThoseOfThePoses) {
     EXPECT_EQ(MotionTimes().bracket(hitting(6)), std::pair(6.25, 6.5));
 }
 
+TEST(MotionTimes, TellTheEventOrTheWayOut) {
+    const MotionTimes times = context().times;
+    const auto contact = times.event(hitting(0));
+    ASSERT_TRUE(contact);
+    EXPECT_EQ(contact->kind, FirstEvent::Kind::Contact);
+    EXPECT_EQ(std::pair(contact->from, contact->to), std::pair(2.5, 5.0));
+    const auto out = times.event(leaving(2));
+    ASSERT_TRUE(out);
+    EXPECT_EQ(out->kind, FirstEvent::Kind::Free);
+    EXPECT_EQ(out->scenario, 2u);
+    EXPECT_EQ(time_text(*out), "from t 27.5 on");
+    ScenarioResult near = hitting(1);
+    near.kind = ScenarioClass::Near;
+    EXPECT_EQ(times.event(near)->kind, FirstEvent::Kind::Near);
+    ScenarioResult stuck = leaving(2);
+    stuck.motion->end = MotionEnd::Contact;
+    for (const ScenarioResult& none : {passing(1), undecided(3), failed(4), stuck}) {
+        EXPECT_FALSE(times.event(none)) << none.index;
+    }
+}
+
 TEST(MotionTimes, OfASceneAreThoseOfItsSteps) {
     const auto steps = std::make_shared<StepIndex>();
     steps->add_step({2});
@@ -164,6 +187,12 @@ TEST_F(MotionExport, RowsHaveTheEndAndTheBracket) {
     EXPECT_THAT(json, HasSubstr("\"end\":\"contact\",\"t0\":2.5,\"t1\":5.0"));
     EXPECT_THAT(json,
                 HasSubstr("{\"state\":\"open\",\"from\":2.5,\"to\":5.0,\"event\":[5.0,5.0]}"));
+}
+
+TEST_F(MotionExport, TheFirstEventIsFound) {
+    ASSERT_TRUE(first_event_);
+    EXPECT_EQ(first_event_->scenario, 0u);
+    EXPECT_EQ(time_text(*first_event_), "between t 2.5 and 5");
 }
 
 TEST_F(MotionExport, ArchivesHaveEachRun) {

@@ -133,6 +133,43 @@ TEST(Report, TheSummaryNamesTheScenarioOfLeastDistance) {
     EXPECT_THAT(summary_text(report), HasSubstr("\n  least apart   0.00123 m in scenario 4 711\n"));
 }
 
+TEST(Report, TheSummaryNamesTheFirstEventOfMotions) {
+    RunReport report;
+    report.summary = example_summary();
+    EXPECT_THAT(summary_text(report), Not(HasSubstr("  first ")));
+    report.findings.first_event = FirstEvent{FirstEvent::Kind::Contact, 4'711, 2.5, 5};
+    EXPECT_THAT(summary_text(report),
+                HasSubstr("\n  first contact between t 2.5 and 5 in scenario 4 711\n"));
+    report.findings.first_event = FirstEvent{FirstEvent::Kind::Near, 3, 5, 5};
+    EXPECT_THAT(summary_text(report), HasSubstr("\n  first near    at t 5 in scenario 3\n"));
+    report.findings.first_event = FirstEvent{FirstEvent::Kind::Free, 3, 2.5, 5};
+    EXPECT_THAT(summary_text(report), HasSubstr("\n  first free    from t 5 on in scenario 3\n"));
+}
+
+TEST(Report, TheFirstEventIsTheOneProvenFirst) {
+    std::optional<FirstEvent> first;
+    keep_first(std::nullopt, first);
+    EXPECT_FALSE(first);
+    keep_first(FirstEvent{FirstEvent::Kind::Contact, 7, 2, 4}, first);
+    keep_first(FirstEvent{FirstEvent::Kind::Contact, 8, 3, 4}, first);
+    EXPECT_EQ(first->scenario, 7u);
+    keep_first(FirstEvent{FirstEvent::Kind::Contact, 9, 2.5, 3.5}, first);
+    keep_first(std::nullopt, first);
+    EXPECT_EQ(first->scenario, 9u);
+}
+
+TEST(Report, UndecidedSaysWhatStaysOpen) {
+    RunReport report;
+    report.summary = example_summary();
+    report.summary.undecided = 3;
+    EXPECT_THAT(summary_text(report),
+                HasSubstr("undecided     in 3 scenarios: an earlier version left small boxes"));
+    report.query.question = Question::Motion;
+    report.query.motion = MotionQuery{0.01};
+    EXPECT_THAT(summary_text(report),
+                HasSubstr("undecided     in 3 scenarios: parts of the time stay open"));
+}
+
 TEST(Report, WhatWasNotTestedIsNotCalledDone) {
     RunReport report;
     report.summary = example_summary();
