@@ -8,6 +8,7 @@
 #include "client/commands/run_at_hand.hpp"
 #include "client/compare/group_statuses.hpp"
 #include "client/document/embedded_viewer.hpp"
+#include "client/document/motion/motion_sections.hpp"
 #include "client/document/report_pictures.hpp"
 #include "client/document/run_document.hpp"
 #include "client/document/run_overview.hpp"
@@ -110,6 +111,16 @@ Result<std::optional<ShotsSections>> read_lines_of(RunAtHand& run) {
     return sections;
 }
 
+/// Reads what is proven of motions; nothing for a run without.
+Result<std::optional<MotionSections>> read_motions_of(const RunAtHand& run) {
+    std::optional<MotionSections> sections;
+    if (run.job.query.motion) {
+        sections =
+            CD_TRY(MotionSections::read(run.run.records(), run.job, &InterruptGuard::has_come));
+    }
+    return sections;
+}
+
 /// Begins the sum of a run's groups, or an empty one if they are unknown. Errors: BadInput if they
 /// are unknown, but there is a baseline to compare with.
 Result<GroupSum> groups_begun(const RunAtHand& run, const Judge& judge) {
@@ -205,6 +216,10 @@ Result<int> perform(const ReportCommand& command) {
     const std::optional<ShotsSections> shots = CD_TRY(read_lines_of(at_hand));
     if (shots) {
         document.set_shots(*shots);
+    }
+    const std::optional<MotionSections> motions = CD_TRY(read_motions_of(at_hand));
+    if (motions) {
+        document.set_motions(*motions);
     }
     const std::string html = CD_TRY(document.html(&InterruptGuard::has_come));
     CD_TRY(check_size(html.size(), command));

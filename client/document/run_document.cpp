@@ -51,6 +51,7 @@ Html RunDocument::verdict() const {
                                        is_clean ? "verdict good" : "verdict bad");
     content +=
         has_distance() ? paragraph(DistanceSections(names_, manifest_, overview_).least()) : Html();
+    content += motions_ != nullptr ? paragraph(motions_->verdict(names_)) : Html();
     std::vector<std::string> head{"separate", "touch", "cross", "inside"};
     std::vector<std::string> counts{grouped(summary.separate),
                                     grouped(summary.touch),
@@ -160,6 +161,7 @@ Html RunDocument::worst() {
             names_.label_of(result.index) + ", " + std::string(to_text(result.kind));
         words += result.level == Level::Any ? "" : ", " + counted(result.pair_count, "pair");
         words += result.near_count == 0 ? "" : ", " + grouped(result.near_count) + " near";
+        words += motions_ != nullptr ? ", " + motions_->text(result) : "";
         words += is_unmarked(result) ? "; not marked, since running it again failed or took more "
                                        "than " +
                                            std::to_string(timing::report_run_max.count()) + " s"
@@ -242,8 +244,9 @@ Result<Html> RunDocument::charts(const StopCheck& stop) const {
             return html_section("Pose space", content);
         }
     } else if (classes.size() > 1) {
-        content +=
-            paragraph("Where B's origin is in A's frame. Each cell shows its worst scenario.");
+        content += paragraph(std::string("Where B's origin is in A's frame") +
+                             (motions_ != nullptr ? " when a motion begins" : "") +
+                             ". Each cell shows its worst scenario.");
         const auto map = CD_TRY(ClassChart::of_poses(*job_.poses, manifest_.unit, classes, stop));
         content += map.svg();
     }
@@ -292,6 +295,7 @@ Result<std::string> RunDocument::html(const StopCheck& stop) {
     body += bodies();
     body += shots_ != nullptr ? shots_->parts() : Html();
     body += shots_ != nullptr ? shots_->pictures() : Html();
+    body += motions_ != nullptr ? motions_->lines(names_) : Html();
     body += has_lines() ? most_hits() : worst();
     body += has_distance() ? distances() : Html();
     body += viewer_ != nullptr ? viewer_->section() : Html();
@@ -305,7 +309,8 @@ Result<std::string> RunDocument::html(const StopCheck& stop) {
     body += html_section("How it ran", how_it_ran());
     body += viewer_ != nullptr ? viewer_->answers() : Html();
     return Html::document("cdcluster: " + short_name(manifest_.name),
-                          report_style + ClassChart::style_sheet(),
+                          report_style + ClassChart::style_sheet() +
+                              (motions_ != nullptr ? TimeStrip::style_sheet() : ""),
                           body,
                           viewer_ != nullptr ? viewer_->script() : "");
 }

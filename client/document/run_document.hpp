@@ -6,6 +6,7 @@
 #include "client/document/embedded_viewer.hpp"
 #include "client/document/group_sections.hpp"
 #include "client/document/html.hpp"
+#include "client/document/motion/motion_sections.hpp"
 #include "client/document/report_pictures.hpp"
 #include "client/document/run_names.hpp"
 #include "client/document/run_overview.hpp"
@@ -43,6 +44,8 @@ class RunDocument {
     void set_viewer(const EmbeddedViewer& viewer) { viewer_ = &viewer; }
     /// Adds what a run tells of shot lines. It outlives the object.
     void set_shots(const ShotsSections& shots) { shots_ = &shots; }
+    /// Adds what a run tells of motions. It outlives the object.
+    void set_motions(const MotionSections& motions) { motions_ = &motions; }
     /// Returns the report as an HTML document, below 5 MB without the viewer. Reads all poses.
     /// Errors: from reading poses; Interrupted.
     [[nodiscard]] Result<std::string> html(const StopCheck& stop);
@@ -74,6 +77,7 @@ class RunDocument {
     std::string no_groups_;
     const EmbeddedViewer* viewer_ = nullptr;
     const ShotsSections* shots_ = nullptr;
+    const MotionSections* motions_ = nullptr;
 };
 
 } // namespace cd

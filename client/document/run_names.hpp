@@ -17,16 +17,26 @@ class RunNames {
     RunNames(const RunManifest& manifest, const PoseLabels& labels)
         : manifest_(manifest), labels_(labels) {}
 
-    /// Returns a scenario's number with its id and time: "#17, id left, t 0.5".
-    [[nodiscard]] std::string label_of(std::uint64_t scenario) const {
+    /// Returns a scenario's number with its id: "#17, id left".
+    [[nodiscard]] std::string name_of(std::uint64_t scenario) const {
         std::string text = "#" + std::to_string(scenario);
         if (scenario < labels_.integers.size()) {
             text += ", id " + std::to_string(labels_.integers[scenario]);
         } else if (scenario < labels_.texts.size()) {
             text += ", id " + short_name(labels_.texts[scenario]);
         }
+        return text;
+    }
+
+    /// Returns a scenario's name with its time: "#17, id left, t 0.5", of a motion "#17, t 0.5 to
+    /// 1".
+    [[nodiscard]] std::string label_of(std::uint64_t scenario) const {
+        std::string text = name_of(scenario);
         if (scenario < labels_.times.size()) {
             text += ", t " + exact_text(labels_.times[scenario]);
+        }
+        if (scenario < labels_.end_times.size()) {
+            text += " to " + exact_text(labels_.end_times[scenario]);
         }
         return text;
     }

@@ -30,12 +30,26 @@ std::string kinds_text(const Summary& summary) {
     return text;
 }
 
+/// Says which scenarios are neither in contact nor free: "; 2 have no answer, 1 is undecided."
+std::string rest_text(const Summary& summary) {
+    const std::uint64_t missing = summary.total - summary.tested();
+    std::string text;
+    if (missing != 0) {
+        text = "; " + grouped(missing) + (missing == 1 ? " has no answer" : " have no answer");
+    }
+    if (summary.undecided != 0) {
+        text += (text.empty() ? "; " : ", ") + grouped(summary.undecided) +
+                (summary.undecided == 1 ? " is undecided" : " are undecided");
+    }
+    return text + ".";
+}
+
 } // namespace
 
 std::string verdict_text(const Summary& summary, const std::string& clearance) {
     const std::uint64_t contacts = contacts_of(summary);
-    const std::uint64_t open = summary.total - summary.tested() + summary.undecided;
-    const std::string rest = open == 0 ? "." : "; " + grouped(open) + " have no answer.";
+    const std::string rest = rest_text(summary);
+    const bool is_whole = summary.tested() == summary.total && summary.undecided == 0;
     if (contacts != 0) {
         return "The bodies are in contact in " + grouped(contacts) + " of " +
                counted(summary.total, "scenario") + " (" + kinds_text(summary) + ")" +
@@ -45,13 +59,13 @@ std::string verdict_text(const Summary& summary, const std::string& clearance) {
                rest;
     }
     if (summary.near != 0) {
-        return std::string(open == 0 ? "No contact" : "No contact was found") +
+        return std::string(is_whole ? "No contact" : "No contact was found") +
                ", but the bodies are at most " + clearance + " apart in " + grouped(summary.near) +
                " of " + counted(summary.total, "scenario") + rest;
     }
     const std::string separate =
         clearance.empty() ? "separate" : "more than " + clearance + " apart";
-    if (open == 0) {
+    if (is_whole) {
         return "No contact: the bodies are " + separate + " in all of " +
                counted(summary.total, "scenario") + ".";
     }
@@ -60,8 +74,7 @@ std::string verdict_text(const Summary& summary, const std::string& clearance) {
 }
 
 std::string shots_verdict_text(const Summary& summary) {
-    const std::uint64_t open = summary.total - summary.tested();
-    const std::string rest = open == 0 ? "." : "; " + grouped(open) + " have no answer.";
+    const std::string rest = rest_text(summary);
     return summary.contact == 0 ? "No line hits A in " + counted(summary.tested(), "bundle") + rest
                                 : "Lines hit A in " + grouped(summary.contact) + " of " +
                                       counted(summary.total, "bundle") + ", with " +
@@ -78,7 +91,9 @@ untested_texts(const Summary& summary, const Query& query, const std::string& no
     };
     add(summary.total - summary.merged(), "without a result");
     add(summary.failed, "failed, without an answer");
-    add(summary.undecided, "undecided, since an earlier version left small boxes untested");
+    add(summary.undecided,
+        query.motion ? "undecided, since parts of the time stay open at this resolution"
+                     : "undecided, since an earlier version left small boxes untested");
     add(summary.surfaces_only,
         "a body is open, so it was not tested whether one body is inside the other");
     add(summary.insides_skipped,

@@ -24,7 +24,7 @@ TEST(Verdict, SaysHowManyScenariosAreInContact) {
               "The bodies are in contact in 10 of 1 200 scenarios (cross 9, touch 1).");
     summary.touch = 0;
     EXPECT_EQ(verdict_text(summary),
-              "The bodies are in contact in 9 of 1 200 scenarios (cross 9); 1 have no answer.");
+              "The bodies are in contact in 9 of 1 200 scenarios (cross 9); 1 has no answer.");
 }
 
 TEST(Verdict, IsCleanOnlyIfEverythingWasTested) {
@@ -35,7 +35,7 @@ TEST(Verdict, IsCleanOnlyIfEverythingWasTested) {
     summary.separate = 4;
     EXPECT_THAT(verdict_text(summary), HasSubstr("No contact was found"));
     summary.undecided = 1;
-    EXPECT_THAT(verdict_text(summary), HasSubstr("in 4 of 5 scenarios; 1 have no answer."));
+    EXPECT_THAT(verdict_text(summary), HasSubstr("in 4 of 5 scenarios; 1 is undecided."));
 }
 
 TEST(Verdict, SaysWhichBodiesAreOnlyNear) {
@@ -59,7 +59,7 @@ TEST(Verdict, SaysWhichBodiesAreOnlyNear) {
     summary.separate = 1199;
     EXPECT_EQ(verdict_text(summary, "0.005 m"),
               "No contact was found: the bodies are more than 0.005 m apart in 1 199 of 1 200 "
-              "scenarios; 1 have no answer.");
+              "scenarios; 1 has no answer.");
 }
 
 TEST(Verdict, NamesWhatWasNotTested) {
@@ -89,6 +89,28 @@ TEST(Verdict, NamesWhatWasNotTested) {
                             "The groups are unknown: groups need pairs."));
 }
 
+TEST(Verdict, TellsUndecidedMotionsFromMissingAnswers) {
+    Summary summary;
+    summary.total = 9;
+    summary.separate = 3;
+    summary.contact = 2;
+    summary.undecided = 2;
+    EXPECT_EQ(verdict_text(summary),
+              "The bodies are in contact in 2 of 9 scenarios (contact 2); 2 have no answer, 2 are "
+              "undecided.");
+    summary.separate = 5;
+    EXPECT_THAT(verdict_text(summary), HasSubstr("(contact 2); 2 are undecided."));
+    Query query;
+    query.level = Level::Pairs;
+    EXPECT_THAT(untested_texts(summary, query, ""),
+                ElementsAre(HasSubstr("2 scenarios: undecided, since an earlier version")));
+    query.question = Question::Motion;
+    query.motion = MotionQuery{0.01};
+    EXPECT_THAT(untested_texts(summary, query, ""),
+                ElementsAre("2 scenarios: undecided, since parts of the time stay open at this "
+                            "resolution"));
+}
+
 TEST(Verdict, LinesHitInBundles) {
     Summary summary;
     summary.total = 5;
@@ -98,7 +120,7 @@ TEST(Verdict, LinesHitInBundles) {
     summary.contact = 2;
     summary.pairs = 1234;
     EXPECT_EQ(shots_verdict_text(summary),
-              "Lines hit A in 2 of 5 bundles, with 1 234 hits; 1 have no answer.");
+              "Lines hit A in 2 of 5 bundles, with 1 234 hits; 1 has no answer.");
     Query query;
     query.question = Question::Shots;
     query.level = Level::Count;
