@@ -68,9 +68,16 @@ bool answer_for_distance(const ScenarioResult& was, const ScenarioResult& is) {
     return was.question == Question::Distance && is.question == Question::Distance;
 }
 
-/// True if both motions ended alike, at the same times between their poses.
+bool is_free_throughout(const MotionOutcome& motion) {
+    return !motion.event() && motion.end == MotionEnd::Free;
+}
+
+/// True if both motions ended alike, at the same times between their poses. The bracket of a way
+/// out is not compared with that of a contact.
 bool has_same_bracket(const ScenarioResult& was, const ScenarioResult& is) {
-    if (!was.motion || !is.motion) {
+    if (!was.motion || !is.motion ||
+        (was.motion->until == Until::Free) != (is.motion->until == Until::Free) ||
+        (is_free_throughout(*was.motion) && is_free_throughout(*is.motion))) {
         return true;
     }
     const auto time = [](const MotionOutcome& motion, std::uint32_t instant) {
