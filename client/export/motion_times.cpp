@@ -52,10 +52,19 @@ std::optional<FirstEvent> MotionTimes::event(const ScenarioResult& result) const
     return event;
 }
 
+/// Says where a motion without an event is free; empty if some of its time is open. A search for
+/// the way out ends where the bodies are free first.
+std::string MotionTimes::free_text(const ScenarioResult& result) const {
+    if (result.motion->until == Until::Free) {
+        return "free at t " + exact_text(at(result, result.motion->t1));
+    }
+    return result.motion->has_open_run() ? "" : "free";
+}
+
 std::string MotionTimes::text(const ScenarioResult& result) const {
     const auto times = bracket(result);
     if (!times) {
-        return result.motion && !result.motion->has_open_run() ? "free" : "";
+        return result.motion ? free_text(result) : "";
     }
     const MotionOutcome& motion = *result.motion;
     const std::string begin = "t " + exact_text(times->first);

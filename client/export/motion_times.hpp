@@ -43,6 +43,8 @@ class MotionTimes {
     [[nodiscard]] std::string text(const ScenarioResult& result) const;
 
   private:
+    [[nodiscard]] std::string free_text(const ScenarioResult& result) const;
+
     std::shared_ptr<const PoseLabels> labels_;
     std::shared_ptr<const StepIndex> steps_; ///< Null unless of a scene.
 };

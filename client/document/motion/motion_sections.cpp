@@ -145,7 +145,8 @@ std::string MotionSections::about() const {
         return text;
     }
     text += " Of " + counted(motions_, "motion") + ", " + grouped(motions_ - told_) +
-            " are free throughout and have no line.";
+            (until_ == Until::Free ? " are free when they begin" : " are free throughout") +
+            " and have no line.";
     return told_ <= lines_.size()
                ? text
                : text + " The first " + grouped(lines_.size()) + " of the others are shown.";

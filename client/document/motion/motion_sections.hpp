@@ -69,7 +69,7 @@ class MotionSections {
 
     std::string unit_;
     std::optional<Until> until_; ///< What is asked of each motion.
-    bool shows_all_;             ///< Motions that are free throughout have lines, too.
+    bool shows_all_;             ///< Motions without an event have lines, too.
     MotionTimes times_;
     std::uint64_t motions_ = 0; ///< That did not fail.
     std::uint64_t told_ = 0;    ///< Of these, those that lines may tell of.

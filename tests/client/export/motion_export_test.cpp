@@ -138,6 +138,11 @@ TEST(MotionTimes, AreThoseOfThePoses) {
     unfinished.motion->t0 = unfinished.motion->t1 = 3;
     EXPECT_EQ(times.text(unfinished), "known up to t 37.5");
     EXPECT_EQ(MotionTimes().bracket(hitting(6)), std::pair(6.25, 6.5));
+    ScenarioResult begins_free = passing(1);
+    begins_free.motion->until = Until::Free;
+    begins_free.motion->t0 = begins_free.motion->t1 = 0;
+    EXPECT_EQ(times.text(begins_free), "free at t 10");
+    EXPECT_EQ(times.bracket(begins_free), std::nullopt);
 }
 
 TEST(MotionTimes, TellTheEventOrTheWayOut) {
