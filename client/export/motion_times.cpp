@@ -48,7 +48,7 @@ std::optional<FirstEvent> MotionTimes::event(const ScenarioResult& result) const
         event.kind = FirstEvent::Kind::Free;
         return result.motion->end == MotionEnd::Free ? std::optional(event) : std::nullopt;
     }
-    event.kind = result.kind == ScenarioClass::Near ? FirstEvent::Kind::Near : event.kind;
+    event.kind = is_near_event(result) ? FirstEvent::Kind::Near : event.kind;
     return event;
 }
 
@@ -75,7 +75,7 @@ std::string MotionTimes::text(const ScenarioResult& result) const {
     if (!motion.event()) {
         return "known up to t " + end;
     }
-    const std::string event = result.kind == ScenarioClass::Near ? "near" : "in contact";
+    const std::string event = is_near_event(result) ? "near" : "in contact";
     if (motion.until == Until::Free) {
         return event + " at " + begin + ", not free up to t " + end;
     }

@@ -17,6 +17,12 @@ namespace cd {
 /// Returns the word for how a motion ended: free, contact, start or limit.
 [[nodiscard]] std::string_view to_text(MotionEnd end);
 
+/// Whether the event of a motion that has one is that the bodies are near: they do not touch, but
+/// one may be inside the other.
+[[nodiscard]] inline bool is_near_event(const ScenarioResult& result) {
+    return result.kind == ScenarioClass::Near || result.kind == ScenarioClass::Inside;
+}
+
 /// Turns instants of motions into the poses' time.
 class MotionTimes {
   public:

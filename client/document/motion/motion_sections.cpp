@@ -72,7 +72,7 @@ Status MotionSections::add(const ScenarioResult& result, const PreparedJob& job)
     lines_.push_back({result.index,
                       job.scene ? job.names[result.body_a] + " x " + job.names[result.body_b] : "",
                       {times_.at(result, 0), times_.at(result, 1u << motion.depth)},
-                      TimeStrip(motion, result.kind == ScenarioClass::Near),
+                      TimeStrip(motion, is_near_event(result)),
                       text(result),
                       CD_TRY(moved_text(result, job))});
     return Done{};

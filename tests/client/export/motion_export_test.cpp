@@ -126,6 +126,8 @@ TEST(MotionTimes, AreThoseOfThePoses) {
     ScenarioResult start = of_motion(1, ScenarioClass::Near);
     start.motion->end = MotionEnd::Start;
     EXPECT_EQ(times.text(start), "near at t 10");
+    start.kind = ScenarioClass::Inside; // With a clearance.
+    EXPECT_EQ(times.text(start), "near at t 10");
     ScenarioResult stuck = leaving(2);
     stuck.motion->end = MotionEnd::Contact;
     stuck.motion->runs = {{CellState::Open, 0, 4, 0, 4}};
@@ -158,6 +160,8 @@ TEST(MotionTimes, TellTheEventOrTheWayOut) {
     EXPECT_EQ(time_text(*out), "from t 27.5 on");
     ScenarioResult near = hitting(1);
     near.kind = ScenarioClass::Near;
+    EXPECT_EQ(times.event(near)->kind, FirstEvent::Kind::Near);
+    near.kind = ScenarioClass::Inside;
     EXPECT_EQ(times.event(near)->kind, FirstEvent::Kind::Near);
     ScenarioResult stuck = leaving(2);
     stuck.motion->end = MotionEnd::Contact;
