@@ -73,7 +73,9 @@ TEST_F(Cluster, MotionsHaveTheAnswersOfOneProcessWhoeverAnalyses) {
                 EXPECT_EQ(status.summary.failed, 0u);
                 const Summary& summary = status.summary;
                 EXPECT_GT(summary.separate + summary.inside, 2u);
-                EXPECT_GT(summary.contact + summary.touch + summary.cross + summary.near, 10u);
+                // Few of them begin in contact, from which a search for the way out tells more.
+                EXPECT_GT(summary.contact + summary.touch + summary.cross + summary.near,
+                          until == Until::Free ? 2u : 10u);
             }
         }
     }

@@ -6,7 +6,6 @@ two steps. motion-plain.toml and motion-jumped.toml ask the same about motions b
 Another version of SUMO drives otherwise, so nothing here depends on where a vehicle is: it looks for
 places where vehicles are alone.
 """
-import copy
 import math
 import pathlib
 import subprocess
@@ -118,6 +117,12 @@ def jump(steps, first):
     return None
 
 
+def take_out(steps, name):
+    for step in steps:
+        for vehicle in step.findall(f"vehicle[@id='{name}']"):
+            step.remove(vehicle)
+
+
 def first_found(put_in, steps, wanted):
     """What `put_in` does at the first possible step from a wanted one on."""
     return next(filter(None, (put_in(steps, first) for first in range(wanted, wanted + 1000))))
@@ -135,9 +140,9 @@ def make(folder, meshes):
     vehicles = {v.get("id") for v in traffic.getroot().iter("vehicle")}
     assert len(steps) == STEPS, f"SUMO made {len(steps)} steps"
     assert len(vehicles) == VEHICLES, f"SUMO let {len(vehicles)} vehicles drive"
-    jumped = copy.deepcopy(traffic)
-    jump_found = first_found(jump, jumped.getroot().findall("timestep"), JUMP_WANTED_STEP)
-    jumped.write(folder / "jumped.xml")
+    jump_found = first_found(jump, steps, JUMP_WANTED_STEP)
+    traffic.write(folder / "jumped.xml")
+    take_out(steps, JUMPER)
     collisions = {first_found(collide, steps, wanted) for wanted in WANTED_STEPS}
     assert len(collisions) == len(WANTED_STEPS)
     traffic.write(folder / "collided.xml")

@@ -228,8 +228,9 @@ TEST(RunManifest, RefusesQueriesThatNoJobAsks) {
     };
     EXPECT_EQ(refusal_with("up_to", 0), "taken");
     EXPECT_THAT(refusal_with("up_to", -1), HasSubstr("up_to is out of range"));
-    EXPECT_THAT(refusal_with("question", "volume"), HasSubstr("use a later cdctl"));
-    EXPECT_THAT(refusal_with("question", "shots"), HasSubstr("an up_to without"));
+    EXPECT_THAT(refusal_with("question", "penetration"), HasSubstr("use a later cdctl"));
+    EXPECT_THAT(refusal_with("question", "motion"), HasSubstr("\"until\" is missing"));
+    EXPECT_THAT(refusal_with("question", "shots"), HasSubstr("an up_to without the question"));
     EXPECT_THAT(refusal_with("level", "pairs"), HasSubstr("a distance with a level"));
     EXPECT_THAT(refusal_with("clearance", 1), HasSubstr("a distance with a level, clearance"));
     EXPECT_THAT(refusal_with("maps", true), HasSubstr("maps"));

@@ -83,7 +83,9 @@ TEST_F(MotionScene, HasMotionsFromEachStepToTheNext) {
     // Without [motion] the three steps are tested, and car.0 meets nobody.
     const PreparedScene at_rest = prepared("");
     EXPECT_EQ(at_rest.poses->steps()->steps(), 3u);
-    for (const Scenario& scenario : at_rest.poses->read(0, at_rest.poses->count()).value()) {
+    const auto resting = at_rest.poses->read(0, at_rest.poses->count()).value();
+    EXPECT_FALSE(resting.empty());
+    for (const Scenario& scenario : resting) {
         EXPECT_NE(scenario.body_a, 0u);
         EXPECT_FALSE(scenario.to);
     }
@@ -149,7 +151,7 @@ TEST_F(MotionScene, WhatIsNoMotionIsRefused) {
                 AllOf(HasSubstr("job.toml: [motion] leads from one step to the next"),
                       HasSubstr("two steps or more")));
     write_text(folder_ / "poses.csv",
-               "step,body,x,yaw\n0,car.0,0,0\n0,car.1,2,0\n0,car.2,4,0\n"
+               "step,body,x,yaw_rad\n0,car.0,0,0\n0,car.1,2,0\n0,car.2,4,0\n"
                "1,car.0,0,0\n1,car.1,2,3.141592653589793\n1,car.2,4,0\n");
     EXPECT_THAT(problem_of(motion),
                 HasSubstr("step 0: car.1: two keys of a motion are turned by 180 degrees"));
