@@ -3,6 +3,7 @@
 #include "client/bundle/line_file.hpp"
 
 #include "common/core/files/npy_header.hpp"
+#include "tests/support/process.hpp"
 #include "tests/support/rounds.hpp"
 #include "tests/support/shapes.hpp"
 
@@ -23,18 +24,6 @@ namespace {
 
 using testing::HasSubstr;
 
-std::filesystem::path write_rows(const std::vector<double>& numbers, std::uint64_t columns) {
-    const std::filesystem::path path = std::filesystem::path(testing::TempDir()) / "rays.npy";
-    std::ofstream out(path, std::ios::binary);
-    const Bytes header =
-        make_npy_header(NpyType::F8, std::array{numbers.size() / columns, columns});
-    out.write(reinterpret_cast<const char*>(header.data()),
-              static_cast<std::streamsize>(header.size()));
-    out.write(reinterpret_cast<const char*>(numbers.data()),
-              static_cast<std::streamsize>(numbers.size() * sizeof(double)));
-    return path;
-}
-
 Aabb unit_box() {
     Aabb box;
     box.add(Vec3(0, 0, 0));
@@ -42,16 +31,32 @@ Aabb unit_box() {
     return box;
 }
 
+/// Reads `numbers` back from an NPY file of `columns` numbers a row.
+Result<std::vector<LineEnds>>
+read_rows(const std::vector<double>& numbers, std::uint64_t columns, LineForm form) {
+    const TemporaryFolder folder;
+    const std::filesystem::path path = folder / "rays.npy";
+    std::ofstream out(path, std::ios::binary);
+    const Bytes header =
+        make_npy_header(NpyType::F8, std::array{numbers.size() / columns, columns});
+    out.write(reinterpret_cast<const char*>(header.data()),
+              static_cast<std::streamsize>(header.size()));
+    out.write(reinterpret_cast<const char*>(numbers.data()),
+              static_cast<std::streamsize>(numbers.size() * sizeof(double)));
+    out.close();
+    return read_lines(path, form, unit_box());
+}
+
 std::string refusal_of_rows(const std::vector<double>& numbers, LineForm form) {
-    const auto lines = read_lines(write_rows(numbers, 6), form, unit_box());
+    const auto lines = read_rows(numbers, 6, form);
     return lines ? "taken" : lines.error().detail;
 }
 
 } // namespace
 
 TEST(LineFile, EndsAreTakenLiterally) {
-    const auto path = write_rows({0.1, 0.2, 0.3, 1, 2, 3, 7, 8, 9, 7, 8, 10}, 6);
-    const auto lines = read_lines(path, LineForm::Ends, unit_box()).value();
+    const auto lines =
+        read_rows({0.1, 0.2, 0.3, 1, 2, 3, 7, 8, 9, 7, 8, 10}, 6, LineForm::Ends).value();
     ASSERT_EQ(lines.size(), 2u);
     EXPECT_EQ(lines[0].p, Vec3(0.1, 0.2, 0.3));
     EXPECT_EQ(lines[0].q, Vec3(1, 2, 3));
@@ -63,9 +68,13 @@ TEST(LineFile, RaysEndBehindTheBox) {
         const Vec3 start = random_point(random, 10);
         Vec3 direction = random_point(random, 1);
         direction *= std::ldexp(1.0, static_cast<int>(random() % 40) - 20);
-        const auto path = write_rows(
-            {start.x(), start.y(), start.z(), direction.x(), direction.y(), direction.z()}, 6);
-        const LineEnds line = read_lines(path, LineForm::Rays, unit_box()).value().front();
+        const LineEnds line =
+            read_rows(
+                {start.x(), start.y(), start.z(), direction.x(), direction.y(), direction.z()},
+                6,
+                LineForm::Rays)
+                .value()
+                .front();
         EXPECT_EQ(line.p, start);
         const Vec3 along = line.q - line.p;
         const double length = along.norm();
@@ -81,7 +90,7 @@ TEST(LineFile, ManyRowsAreAllRead) {
     for (int i = 0; i < 10'000; ++i) {
         numbers.insert(numbers.end(), {1.0 * i, 0, 0, 0, 1.0 * i, 1});
     }
-    const auto lines = read_lines(write_rows(numbers, 6), LineForm::Ends, unit_box()).value();
+    const auto lines = read_rows(numbers, 6, LineForm::Ends).value();
     ASSERT_EQ(lines.size(), 10'000u);
     EXPECT_EQ(lines.back().q, Vec3(0, 9999, 1));
     EXPECT_EQ(line_mesh(lines).value().triangles().size(), 10'000u);
@@ -101,7 +110,7 @@ TEST(LineFile, RefusesWhatIsNoLineAndNamesTheRow) {
     EXPECT_THAT(refusal_of_rows({0, 0, 0, 1, 0, 0, 1, 2, 3, 1, 2, 3}, LineForm::Ends),
                 HasSubstr("row 1: a line without a direction"));
     EXPECT_THAT(refusal_of_rows({}, LineForm::Ends), HasSubstr("0 lines"));
-    const auto odd = read_lines(write_rows({1, 2, 3, 4, 5, 6, 7}, 7), LineForm::Ends, unit_box());
+    const auto odd = read_rows({1, 2, 3, 4, 5, 6, 7}, 7, LineForm::Ends);
     EXPECT_THAT(odd.error().detail, HasSubstr("(1, 7)"));
     EXPECT_EQ(read_lines("/none.npy", LineForm::Ends, unit_box()).error().code,
               ErrorCode::NotFound);
