@@ -2,26 +2,30 @@
 //
 //   motion_bench MESH_A MESH_B [--unit-a 1] [--poses FILE | --random 25] [--planes]
 //                [--length 3] [--degrees 30] [--resolution 0.0005] [--clearance X] [--rounds 5]
+//                [--cut DEPTH]
 //
 // Each pose gives two paths of the given length, on each of which B turns by the given angle about
 // the world's z axis: `onto` ends at the pose, coming from where A's centre is behind B; `past`
 // goes sideways through the pose moved away from A by a fiftieth of B's diagonal. Prints for both
 // kinds, and for each way to end, the mean, median and largest of the paths' least times, the mean
-// number of cells, and a checksum of the answers.
+// number of cells, and a checksum of the answers, which does not depend on --cut.
 #include "bench/posed_trees.hpp"
 #include "bench/timed_work.hpp"
 #include "common/geometry/aabb.hpp"
 #include "common/motion/motion_keys.hpp"
 #include "common/motion/tree_questions.hpp"
+#include "tests/support/cut_pairs.hpp"
 
 #include <Eigen/Geometry>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <cstdio>
 #include <limits>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -36,6 +40,7 @@ struct Options {
     double resolution = 0.0005;
     std::optional<double> clearance;
     int rounds = 5;
+    std::uint32_t cut = 0;
 };
 
 /// A motion, and what its search has found and cost.
@@ -98,9 +103,13 @@ class PathMaker {
 
 void measure(const PosedTrees& trees, const Options& options, std::vector<Path>& paths) {
     const SubtreePair whole{trees.a.view(), trees.b.view()};
+    const tests::CutPairs cut(trees.a, trees.b, options.cut);
+    const std::span<const SubtreePair> pairs =
+        options.cut == 0 ? std::span(&whole, 1) : std::span(cut.pairs());
     const double clearance = options.clearance.value_or(0);
-    const auto search = make_search(whole.a, whole.b, PosePair{}, {}, {.clearance = clearance});
-    TreeQuestions tree_questions(*search, {&whole, 1}, options.clearance);
+    const auto search =
+        make_search(pairs[0].a, pairs[0].b, PosePair{}, {}, {.clearance = clearance});
+    TreeQuestions tree_questions(*search, pairs, options.clearance);
     const CellQuestions questions = tree_questions.for_cells();
     for (int round = 0; round < options.rounds; ++round) {
         for (Path& path : paths) {
@@ -186,6 +195,8 @@ int main(int argc, char** argv) {
     app.add_option("--degrees", options.degrees, "B's turn on each path")->capture_default_str();
     app.add_option("--resolution", options.resolution, "In A's unit")->capture_default_str();
     app.add_option("--clearance", options.clearance, "Without it the event is contact");
+    app.add_option("--cut", options.cut, "Cut both trees at this depth, as for workers; 0: whole")
+        ->capture_default_str();
     app.add_option("--rounds", options.rounds, "The least time of each path counts")
         ->capture_default_str();
     CLI11_PARSE(app, argc, argv);

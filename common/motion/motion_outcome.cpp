@@ -17,8 +17,8 @@ bool are_runs(const MotionOutcome& outcome) {
         if (run.first != begin || run.count == 0 || run.count > left || before == run.state) {
             return false;
         }
-        const bool has_none = run.event_first == CellRun{}.event_first &&
-                              run.event_last == CellRun{}.event_last;
+        const bool has_none =
+            run.event_first == CellRun{}.event_first && run.event_last == CellRun{}.event_last;
         const bool is_inside = run.state == CellState::Open && run.has_event() &&
                                run.event_first >= run.first && run.event_last <= run.end();
         if (!has_none && !is_inside) {
@@ -44,9 +44,7 @@ Conclusion conclude_free(const MotionOutcome& outcome, bool is_whole) {
                                     outcome.runs.rend(),
                                     [](const CellRun& run) { return run.has_event(); });
     Conclusion found;
-    found.end = is_free    ? MotionEnd::Free
-                : is_whole ? MotionEnd::Contact
-                           : MotionEnd::Limit;
+    found.end = is_free ? MotionEnd::Free : is_whole ? MotionEnd::Contact : MotionEnd::Limit;
     found.t1 = is_free ? last.first : last.end();
     found.t0 = event == outcome.runs.rend() ? found.t1 : event->event_last;
     return found;

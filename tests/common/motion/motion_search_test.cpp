@@ -4,6 +4,7 @@
 #include "common/motion/cells.hpp"
 #include "common/motion/tree_questions.hpp"
 #include "common/search/contact_search.hpp"
+#include "tests/support/cut_pairs.hpp"
 #include "tests/support/motions.hpp"
 #include "tests/support/rounds.hpp"
 #include "tests/support/trees.hpp"
@@ -13,8 +14,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace cd::tests {
@@ -40,20 +43,21 @@ struct MovingBodies {
                              resolution)) {}
 };
 
-/// Searches a motion of two whole trees.
-MotionAnswer answer_of(const SubtreePair& trees,
+/// Searches a motion by pairs of subtrees that hold all pairs of triangles.
+MotionAnswer answer_of(std::span<const SubtreePair> pairs,
                        const Motion& motion,
                        Until until,
                        std::optional<double> clearance) {
     const auto search =
-        make_search(trees.a, trees.b, PosePair{}, {}, {.clearance = clearance.value_or(0)});
-    TreeQuestions questions(*search, {&trees, 1}, clearance);
+        make_search(pairs[0].a, pairs[0].b, PosePair{}, {}, {.clearance = clearance.value_or(0)});
+    TreeQuestions questions(*search, pairs, clearance);
     return search_cells(motion, until, clearance.value_or(0), questions.for_cells());
 }
 
 MotionAnswer
 answer_of(const MovingBodies& bodies, Until until, std::optional<double> clearance = {}) {
-    return answer_of({bodies.a.view(), bodies.b.view()}, bodies.motion, until, clearance);
+    const SubtreePair whole{bodies.a.view(), bodies.b.view()};
+    return answer_of({&whole, 1}, bodies.motion, until, clearance);
 }
 
 /// Decides the event at all 2^K + 1 instants.
@@ -126,12 +130,26 @@ void expect_agreement(const MovingBodies& bodies,
     }
 }
 
+/// Compares the answer of cut trees with that of whole ones.
+void expect_cut_agreement(const MovingBodies& bodies,
+                          const MotionAnswer& whole,
+                          std::optional<double> clearance) {
+    for (const std::uint32_t depth : {1u, 3u}) {
+        const CutPairs cut(bodies.a, bodies.b, depth);
+        const MotionAnswer answer = answer_of(cut.pairs(), bodies.motion, Until::End, clearance);
+        EXPECT_EQ(answer.runs, whole.runs) << "cut at depth " << depth;
+        EXPECT_EQ(answer.cells, whole.cells);
+        EXPECT_EQ(answer.open_within, whole.open_within);
+    }
+}
+
 /// Checks everything that is said of the motion, and returns the whole answer.
 MotionAnswer checked_answer(const MovingBodies& bodies, std::optional<double> clearance = {}) {
     const std::vector<bool> events = events_of(bodies, clearance);
     const MotionAnswer whole = answer_of(bodies, Until::End, clearance);
     expect_true_runs(bodies, whole, events, clearance.value_or(0));
     expect_agreement(bodies, whole, clearance);
+    expect_cut_agreement(bodies, whole, clearance);
     const auto first = std::ranges::find(events, true) - events.begin();
     if (whole.end == MotionEnd::Free) {
         return whole;
@@ -367,11 +385,33 @@ TEST(MotionSearch, BothTreeFormsGiveOneAnswer) {
     std::vector<MotionAnswer> answers;
     for (std::size_t form = 0; form < 2; ++form) {
         const SubtreePair trees{forms_of(bodies.a)[form], forms_of(bodies.b)[form]};
-        answers.push_back(answer_of(trees, bodies.motion, Until::End, 0.1));
+        answers.push_back(answer_of({&trees, 1}, bodies.motion, Until::End, 0.1));
     }
     EXPECT_EQ(answers[0].runs, answers[1].runs);
     EXPECT_EQ(answers[0].cells, answers[1].cells);
     EXPECT_EQ(answers[0].end, MotionEnd::Contact);
+}
+
+// Most pairs of parts are far from each other in a cell that is not free, and are not asked about
+// in its parts.
+TEST(MotionSearch, DropsPairsThatAreFarInACell) {
+    const MovingBodies bodies(
+        unit_box(), unit_box(), b_at({1.0001, -0.3, 0}), b_at({1.0001, 0.3, 0}), 1e-3);
+    const CutPairs cut(bodies.a, bodies.b, 4);
+    const auto search =
+        make_search(cut.pairs()[0].a, cut.pairs()[0].b, PosePair{}, {}, {.clearance = 0});
+    TreeQuestions questions(*search, cut.pairs(), {});
+    const CellQuestions dropping = questions.for_cells();
+    CellQuestions keeping = dropping;
+    keeping.enter = {};
+    keeping.halve = {};
+    const auto tests_of = [&](const CellQuestions& asked) {
+        const std::uint64_t before = questions.statistics().box_tests;
+        EXPECT_EQ(search_cells(bodies.motion, Until::End, 0, asked).end, MotionEnd::Free);
+        return questions.statistics().box_tests - before;
+    };
+    const std::uint64_t without = tests_of(keeping);
+    EXPECT_LT(2 * tests_of(dropping), without);
 }
 
 TEST(MotionSearch, AgreesWithAllInstantsOnRandomMotions) {
