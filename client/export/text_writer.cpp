@@ -76,7 +76,8 @@ class TextWriter final : public ResultWriter {
         }
         text += std::string(result.is_cut() ? ", the first " + grouped(result.pairs.size()) : "") +
                 (result.kind == ScenarioClass::Undecided ? bound_text(result) : "") +
-                motion_text(result) + nearest_text(result) + (result.surfaces_only ? "  surfaces only" : "") +
+                motion_text(result) + nearest_text(result) +
+                (result.surfaces_only ? "  surfaces only" : "") +
                 (result.insides_skipped ? "  containment not tested" : "") +
                 (result.failure.empty() ? "" : "  " + result.failure) + "\n";
         const std::vector<double> distances =

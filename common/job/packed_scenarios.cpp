@@ -65,11 +65,10 @@ bool are_consistent(std::uint8_t forms) {
 
 std::uint8_t forms_of(const Scenario& scenario) {
     const bool rests = scenario.to && scenario.to->a == scenario.poses.a;
-    return static_cast<std::uint8_t>(static_cast<unsigned>(form_of(scenario.poses.a)) |
-                                     static_cast<unsigned>(form_of(scenario.poses.b)) << 2 |
-                                     (scenario.step ? forms_scene : 0u) |
-                                     (scenario.to ? forms_motion : 0u) |
-                                     (rests ? forms_rests : 0u));
+    return static_cast<std::uint8_t>(
+        static_cast<unsigned>(form_of(scenario.poses.a)) |
+        static_cast<unsigned>(form_of(scenario.poses.b)) << 2 | (scenario.step ? forms_scene : 0u) |
+        (scenario.to ? forms_motion : 0u) | (rests ? forms_rests : 0u));
 }
 
 /// Returns how many doubles the end of a motion takes.
@@ -247,8 +246,9 @@ std::optional<PackedScenarios::Run> PackedScenarios::get_run(ByteReader& in) {
     const auto body_a = get_varint(in);
     const auto body_b = get_varint(in);
     const auto index_least = get_varint(in);
-    if (run.forms > forms_max || !are_consistent(run.forms) || !length || *length == 0 || !body_a || !body_b || !index_least ||
-        *body_a > UINT32_MAX || *body_b > UINT32_MAX || *index_least > UINT64_MAX - UINT32_MAX ||
+    if (run.forms > forms_max || !are_consistent(run.forms) || !length || *length == 0 || !body_a ||
+        !body_b || !index_least || *body_a > UINT32_MAX || *body_b > UINT32_MAX ||
+        *index_least > UINT64_MAX - UINT32_MAX ||
         *length > in.remaining() / bytes_with_forms(run.forms)) {
         return std::nullopt;
     }

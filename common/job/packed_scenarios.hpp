@@ -21,10 +21,10 @@ namespace cd {
 /// whose indices differ by less than 2^32. A run: forms (u8: A's in bits 0-1, B's in 2-3; bit 4: of
 /// a scene; bit 5: motions; bit 6: motions in which A rests), length, body_a, body_b and the least
 /// index; then for each scenario its index minus the least (u32), in a scene its step (u64), the
-/// doubles of A's pose and of B's, and of a motion those of A's pose at its end, unless A rests, and
-/// of B's. Forms: 0 identity, 1 translation, 2 matrix (rows, then translation), 3 quaternion (w x y
-/// z, then translation); motions have quaternions. Integers are varints (varint.hpp) unless marked
-/// u8 or u32.
+/// doubles of A's pose and of B's, and of a motion those of A's pose at its end, unless A rests,
+/// and of B's. Forms: 0 identity, 1 translation, 2 matrix (rows, then translation), 3 quaternion (w
+/// x y z, then translation); motions have quaternions. Integers are varints (varint.hpp) unless
+/// marked u8 or u32.
 [[nodiscard]] Bytes pack_scenarios(std::span<const Scenario> scenarios);
 
 /// Returns the number of bytes that the scenario takes in a run of `pack_scenarios`.

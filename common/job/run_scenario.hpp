@@ -43,8 +43,8 @@ struct RunOptions {
 };
 
 /// Finds the contacts under the given pairs of subtrees (paper, 6.4.2, steps 1 to 3). Without pairs
-/// the scenario is separate, or the motion free. The caller keeps the subtrees alive. The result does not depend on the
-/// order of the pairs, nor on how the trees are cut.
+/// the scenario is separate, or the motion free. The caller keeps the subtrees alive. The result
+/// does not depend on the order of the pairs, nor on how the trees are cut.
 ///
 /// At `level any` the search ends at the first contact, and the class is contact; without one it is
 /// separate. At other levels the class is cross if any pair is proper, touch if there are pairs and

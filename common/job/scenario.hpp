@@ -12,7 +12,7 @@ struct Scenario {
     std::uint64_t index = 0;  ///< Index in the job as submitted, from 0.
     std::uint32_t body_a = 0; ///< Index of body A in the job's list of bodies.
     std::uint32_t body_b = 1; ///< Is above `body_a`.
-    PosePair poses; ///< With Question::Motion: at the motion's begin.
+    PosePair poses;           ///< With Question::Motion: at the motion's begin.
     /// In a scene of many bodies, the number of the step; nothing in other jobs.
     std::optional<std::uint64_t> step = {};
     /// With Question::Motion, the poses at the motion's end; these and `poses` are keys on one grid

@@ -90,9 +90,8 @@ class Settler {
     /// of either body is in the box of the other body.
     [[nodiscard]] bool may_be_inside(const Scenario& scenario, const RelativePose* b_to_a) const;
     /// Settles with the scenario's poses those of the answer.
-    [[nodiscard]] InsideStatistics settle_at(const Scenario& scenario,
-                                             ScenarioResult& result,
-                                             const SettleOptions& options) const;
+    [[nodiscard]] InsideStatistics
+    settle_at(const Scenario& scenario, ScenarioResult& result, const SettleOptions& options) const;
     [[nodiscard]] SettleStatistics settle_closed(const Scenario& scenario,
                                                  ScenarioResult& result,
                                                  const SettleOptions& options) const;

@@ -30,8 +30,7 @@ Analysis analyse_uncounted(const AnalysisInput& input, const Scenario& scenario)
     const TreeTop& top_b = *input.tops.at(scenario.body_b);
     RunOptions options;
     options.radii = radii_of(input.radii, scenario);
-    Result<CollidingRoots> roots =
-        query_roots(top_a, top_b, scenario, input.query, options.radii);
+    Result<CollidingRoots> roots = query_roots(top_a, top_b, scenario, input.query, options.radii);
     if (!roots) {
         analysis.finished = failed_result(scenario, input.query, roots.error());
         return analysis;

@@ -44,7 +44,7 @@ struct AnalysisInput {
     BodyTrees trees;
     std::vector<std::shared_ptr<const TreeTop>> tops; ///< The upper tree of each body's cut.
     Query query;
-    std::vector<double> radii = {}; ///< Of each body, in a job of motions; else empty.
+    std::vector<double> radii = {};         ///< Of each body, in a job of motions; else empty.
     std::shared_ptr<const Settler> settler; ///< Settles scenarios; made for `trees`.
     std::shared_ptr<OrderedPoses> poses;    ///< Several threads may call `read` at once.
     /// In a simulation without trees, replaces the descent and sets `bytes`. Thread-safe.

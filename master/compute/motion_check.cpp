@@ -14,8 +14,7 @@ const char* problem_of_motion(const JobMaterial& material,
         return nullptr; // It failed.
     }
     const Query& query = material.query;
-    const Result<Motion> motion =
-        motion_of(scenario, query, radii_of(material.radii, scenario));
+    const Result<Motion> motion = motion_of(scenario, query, radii_of(material.radii, scenario));
     if (!motion) {
         return "has an outcome of a motion that is none";
     }

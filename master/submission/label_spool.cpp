@@ -44,11 +44,9 @@ bool decode(std::span<const std::byte> bytes,
 }
 
 SpoolFile::Content content_of(LabelColumns columns, std::uint64_t scenarios) {
-    return {{magic,
-             static_cast<std::uint64_t>(columns.ids),
-             columns.has_times,
-             columns.has_end_times},
-            scenarios};
+    return {
+        {magic, static_cast<std::uint64_t>(columns.ids), columns.has_times, columns.has_end_times},
+        scenarios};
 }
 
 } // namespace

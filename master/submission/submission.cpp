@@ -271,10 +271,9 @@ std::uint64_t bulk_bytes(const Submit& submit) {
 }
 
 std::uint64_t bulk_bytes(const PosesPart& part) {
-    std::uint64_t bytes = part.scenarios.size() +
-                          part.labels.integers.size() * sizeof(std::int64_t) +
-                          (part.labels.times.size() + part.labels.end_times.size()) *
-                              sizeof(double);
+    std::uint64_t bytes =
+        part.scenarios.size() + part.labels.integers.size() * sizeof(std::int64_t) +
+        (part.labels.times.size() + part.labels.end_times.size()) * sizeof(double);
     for (const std::string& text : part.labels.texts) {
         bytes += text.size();
     }

@@ -98,12 +98,11 @@ class Walker {
     /// Finds the colliding roots and runs the scenario, or records that it waits for subtrees.
     /// Returns false if stopped.
     bool run_on_roots(std::size_t which, const Scenario& scenario, const RunOptions& options) {
-        Result<CollidingRoots> roots =
-            query_roots(a_.tree->top(),
-                        b_.tree->top(),
-                        scenario,
-                        walk_.job->query,
-                        radii_of(walk_.job->radii, scenario));
+        Result<CollidingRoots> roots = query_roots(a_.tree->top(),
+                                                   b_.tree->top(),
+                                                   scenario,
+                                                   walk_.job->query,
+                                                   radii_of(walk_.job->radii, scenario));
         FinishedScenarios& finished = walked_.finished;
         if (!roots) {
             finished.add(encode_result(failed_result(scenario, walk_.job->query, roots.error())));

@@ -38,7 +38,7 @@ struct WorkerJob {
     Query query;
     std::optional<Grid> grid;
     std::shared_ptr<const BodyPartRuns> parts; ///< Null: contacts are not summed by part.
-    std::vector<double> radii; ///< Of each body, in a job of motions; else empty.
+    std::vector<double> radii;                 ///< Of each body, in a job of motions; else empty.
     /// Scenarios that need no answer from any task.
     std::shared_ptr<DroppedScenarios> dropped = std::make_shared<DroppedScenarios>();
 

@@ -6,9 +6,9 @@
 #include "common/core/result.hpp"
 #include "common/geometry/types.hpp"
 #include "common/job/query.hpp"
-#include "common/motion/outcome_bytes.hpp"
 #include "common/job/result/nearest_witness.hpp"
 #include "common/job/result/pair_hit.hpp"
+#include "common/motion/outcome_bytes.hpp"
 #include "common/search/contact_pair.hpp"
 
 #include <cstddef>
@@ -60,8 +60,8 @@ struct ScenarioHead {
 };
 
 struct ScenarioResult : ScenarioHead {
-    /// Number of all pairs in contact, even if `pairs` is cut off; 0 at `level any`. If contacts are
-    /// Undecided, the number of proven pairs, which need not be all.
+    /// Number of all pairs in contact, even if `pairs` is cut off; 0 at `level any`. If contacts
+    /// are Undecided, the number of proven pairs, which need not be all.
     std::uint64_t pair_count = 0;
     /// For class Undecided, an upper bound on the distance of the two bodies in the world, in the
     /// job's unit; of a motion, on their distance at some time of every open part, or infinity if
