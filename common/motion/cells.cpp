@@ -55,12 +55,9 @@ class CellSearch {
 
     void visit(const TimeCell& cell, double bound) {
         const double within = sum_above(bound, clearance_);
-        const PosePair middle = motion_.at_middle(cell);
-        if (questions_.enter) {
-            questions_.enter(cell.level);
-        }
         // A sum that overflows proves nothing.
-        const bool may_meet = !std::isfinite(within) || questions_.is_within(middle, within);
+        const bool may_meet =
+            !std::isfinite(within) || questions_.is_within(motion_.at_middle(cell), within);
         poll_stop();
         if (is_done_) {
             return;
@@ -71,17 +68,10 @@ class CellSearch {
             answer_.open_within = std::max(answer_.open_within, within);
             add_open(cell);
         } else {
-            halve(cell, bound, middle, within);
+            const TimeCell left{cell.level + 1, 2 * cell.index};
+            waiting_.push_back({{left.level, left.index + 1}, bound});
+            waiting_.push_back({left, bound});
         }
-    }
-
-    void halve(const TimeCell& cell, double bound, const PosePair& middle, double within) {
-        if (questions_.halve) {
-            questions_.halve(middle, within);
-        }
-        const TimeCell left{cell.level + 1, 2 * cell.index};
-        waiting_.push_back({{left.level, left.index + 1}, bound});
-        waiting_.push_back({left, bound});
     }
 
     void add_free(const TimeCell& cell) {

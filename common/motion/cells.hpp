@@ -23,12 +23,6 @@ struct CellQuestions {
     /// Whether the event holds.
     std::function<bool(const PosePair&)> is_event;
     StopCheck stop = {}; ///< Polled after every answer, which is ignored once this is true.
-    /// Called before the questions about a cell of this level, which is a part of the cell that was
-    /// halved last on the level above. May be empty.
-    std::function<void(unsigned)> enter = {};
-    /// Called where the entered cell is halved, with the poses at its middle and M + d0. What is
-    /// farther apart there is farther apart than d0 in all of the cell. May be empty.
-    std::function<void(const PosePair&, double)> halve = {};
 };
 
 /// The outcome of a search along a motion, with its bound and its cost. In an open run the bodies

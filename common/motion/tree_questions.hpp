@@ -1,11 +1,4 @@
 // Answers a motion's questions by searches of two bodies.
-//
-// Bodies on a cluster are cut into many subtrees. Where a cell is halved, the pairs of subtrees
-// that are far apart in all of it are dropped for its parts. This changes no answer: let such a
-// pair be farther apart than d (1 + 2^-21) at the middle of a cell, with d >= M + d0. At the middle
-// of a part that k halvings make, the pair has come at most M (1 - 2^-k) nearer, and M' of the part
-// is at most M 2^-k. So the pair is farther apart than M' + d0 + d 2^-21 there, more than what
-// rounding adds to M' + d0. Nor does the event hold for it at any time of the cell.
 #pragma once
 
 #include "common/motion/cells.hpp"
@@ -13,7 +6,7 @@
 #include "common/search/subtree_pair.hpp"
 #include "common/tree/query_statistics.hpp"
 
-#include <cstdint>
+#include <cstddef>
 #include <optional>
 #include <span>
 #include <vector>
@@ -27,10 +20,16 @@ class TreeQuestions {
     /// contact. Search and pairs outlive this object.
     TreeQuestions(ContactSearch& search,
                   std::span<const SubtreePair> pairs,
-                  std::optional<double> clearance);
+                  std::optional<double> clearance)
+        : search_(search), pairs_(pairs), clearance_(clearance) {}
 
+    /// Whether the bodies are at most this far apart.
+    [[nodiscard]] bool is_within(const PosePair& poses, double distance);
     /// Whether the bodies touch.
     [[nodiscard]] bool is_contact(const PosePair& poses);
+    [[nodiscard]] bool is_event(const PosePair& poses) {
+        return clearance_ ? is_within(poses, *clearance_) : is_contact(poses);
+    }
 
     /// Returns these questions for `search_cells`, which polls `stop`. This object outlives them.
     [[nodiscard]] CellQuestions for_cells(StopCheck stop = {});
@@ -39,22 +38,13 @@ class TreeQuestions {
     [[nodiscard]] const QueryStatistics& statistics() const { return statistics_; }
 
   private:
-    /// Numbers of pairs. The one that answered yes last is the first: it mostly does so again.
-    using Live = std::vector<std::uint32_t>;
-
-    [[nodiscard]] bool is_within(const PosePair& poses, double distance);
-    [[nodiscard]] bool is_event(const PosePair& poses);
-    void halve(const PosePair& poses, double distance);
-
-    void prepare(const PosePair& poses, double clearance);
     template <class IsFound>
-    bool ask(const PosePair& poses, double clearance, Live& live, const IsFound& is_found);
+    bool ask(const PosePair& poses, double clearance, const IsFound& is_found);
 
     ContactSearch& search_;
     std::span<const SubtreePair> pairs_;
     std::optional<double> clearance_;
-    std::vector<Live> live_; ///< By level: the pairs that may be near in the cell of that level.
-    unsigned level_ = 0;     ///< Of the entered cell.
+    std::size_t last_ = 0; ///< The pair that answered yes last; it mostly does so again.
     QueryStatistics statistics_;
 };
 

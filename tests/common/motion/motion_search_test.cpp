@@ -392,28 +392,6 @@ TEST(MotionSearch, BothTreeFormsGiveOneAnswer) {
     EXPECT_EQ(answers[0].end, MotionEnd::Contact);
 }
 
-// Most pairs of parts are far from each other in a cell that is not free, and are not asked about
-// in its parts.
-TEST(MotionSearch, DropsPairsThatAreFarInACell) {
-    const MovingBodies bodies(
-        unit_box(), unit_box(), b_at({1.0001, -0.3, 0}), b_at({1.0001, 0.3, 0}), 1e-3);
-    const CutPairs cut(bodies.a, bodies.b, 4);
-    const auto search =
-        make_search(cut.pairs()[0].a, cut.pairs()[0].b, PosePair{}, {}, {.clearance = 0});
-    TreeQuestions questions(*search, cut.pairs(), {});
-    const CellQuestions dropping = questions.for_cells();
-    CellQuestions keeping = dropping;
-    keeping.enter = {};
-    keeping.halve = {};
-    const auto tests_of = [&](const CellQuestions& asked) {
-        const std::uint64_t before = questions.statistics().box_tests;
-        EXPECT_EQ(search_cells(bodies.motion, Until::End, 0, asked).end, MotionEnd::Free);
-        return questions.statistics().box_tests - before;
-    };
-    const std::uint64_t without = tests_of(keeping);
-    EXPECT_LT(2 * tests_of(dropping), without);
-}
-
 TEST(MotionSearch, AgreesWithAllInstantsOnRandomMotions) {
     std::uint64_t contacts = 0;
     constexpr std::uint64_t rounds = 30;
