@@ -15,12 +15,12 @@ bool concerns(unsigned liar, std::uint64_t scenario) {
     return (mixed >> 32) % Lies::liars_max == liar;
 }
 
-/// Returns a result of a motion to its first contact that has it at the motion's begin.
+/// Returns a result of a motion to its first contact that has it at the motion's begin. It lists
+/// the same pairs, so that sums of the listed pairs stay right.
 ScenarioResult in_contact_at_start(ScenarioResult result) {
-    const bool lists_pairs = result.level == Level::Pairs;
-    result.kind = lists_pairs ? ScenarioClass::Touch : ScenarioClass::Contact;
-    result.pair_count = lists_pairs ? 1 : 0;
-    result.pairs.clear();
+    if (result.level == Level::Any) {
+        result.kind = ScenarioClass::Contact;
+    }
     result.distance_bound = 0;
     result.motion->end = MotionEnd::Start;
     result.motion->t0 = 0;
@@ -32,7 +32,8 @@ ScenarioResult in_contact_at_start(ScenarioResult result) {
 /// Returns nothing if a wrong result would be noticed at once.
 std::optional<ScenarioResult> falsified(ScenarioResult truth) {
     if (truth.motion) {
-        if (truth.motion->end == MotionEnd::Start) {
+        const bool lists_none = truth.level == Level::Pairs && truth.pairs.empty();
+        if (truth.motion->end == MotionEnd::Start || lists_none) {
             return std::nullopt;
         }
         truth = in_contact_at_start(std::move(truth));
