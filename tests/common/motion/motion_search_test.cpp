@@ -328,6 +328,29 @@ TEST(MotionSearch, HeadOnVehiclesThatJumpPastEachOtherCollide) {
     EXPECT_GE(answer.t1, impact - 1e-6);
 }
 
+// Both boxes move, each towards the other, and signed bounds of their motions would cancel out:
+// FCL's conservative advancement misses such contacts (its issue 555).
+TEST(MotionSearch, BoxesThatMoveTowardsEachOtherMeet) {
+    const Mesh upper = make_box_between({-1, -1, 3}, {1, 1, 5});
+    const Mesh lower = make_box_between({-1, -1, -5}, {1, 1, -3});
+    for (const Vec3& axis : {Vec3(0, 0, 1), Vec3(0, 1, 0), Vec3(1, 1, 0)}) {
+        const Pose turned = turned_pose(90, axis);
+        const Vec3 up = turned.apply(Vec3(0, 0, 1));
+        const auto at_height = [&](double height) {
+            return Pose::from_quaternion(turned.quaternion(), height * up);
+        };
+        const MovingBodies bodies(
+            upper, lower, {at_height(0), at_height(0)}, {at_height(-4), at_height(4)}, 1e-3);
+        const MotionAnswer answer = checked_answer(bodies);
+        EXPECT_EQ(answer.end, MotionEnd::Contact);
+        // Faces that are 6 apart meet after 3 of 4.
+        const double impact = std::ldexp(0.75, static_cast<int>(answer.depth));
+        EXPECT_LE(answer.t0, impact + 1e-6);
+        EXPECT_GE(answer.t1, impact - 1e-6);
+        EXPECT_LE(answer.t1 - answer.t0, 3u);
+    }
+}
+
 TEST(MotionSearch, ALongSlideIsFree) {
     const MovingBodies bodies(
         make_box(Vec3(6, 1, 1)), unit_box(), b_at({-1, 0, 1.001}), b_at({1, 0, 1.001}), 5e-4);
