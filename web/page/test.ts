@@ -22,7 +22,7 @@ import { Results } from "./src/job/results";
 import { scenariosOfSlice, windowsOf } from "./src/job/slice";
 import { panned, worstInBins, zoomed } from "./src/job/strip";
 import { knowledgeCss } from "./src/motion/colours";
-import { hasContactsAt, intervalsOf, knowledgeAt, motionText, pathOf, poseBetween, shownPose, timeText } from "./src/motion/motion";
+import { hasContactsAt, intervalsOf, isNearEvent, knowledgeAt, motionText, pathOf, poseBetween, shownPose, timeText } from "./src/motion/motion";
 import { highlightsOf, shapesOf } from "./src/viewer/contacts_view";
 import { heatByte } from "./src/viewer/heat";
 import { endsOf, Hits, passagesOf, pointAt, startsAndEndsOutside } from "./src/viewer/hits";
@@ -420,6 +420,8 @@ same("shares", [percent(0.061), percent(0), percent(0.00001)], ["6.1\u202f%", "0
 same("a part of a whole", bytesOf(1.8 * 2 ** 30, 4 * 2 ** 30), "1.8 of 4.00\u202fGiB");
 same("a tiny part of a whole", bytesOf(2048, 2 ** 30), "2.00\u202fKiB of 1.00\u202fGiB");
 same("a word for the shell", [shellWord("/tmp/out"), shellWord("it's here")], ["/tmp/out", "'it'\\''s here'"]);
+
+same("near events", (["near", "inside", "cross", null] as const).map((one) => isNearEvent({ class: one })), [true, true, false, false]);
 
 if (failures > 0) {
     throw new Error(`${failures} failed`);

@@ -4,7 +4,7 @@ import type { BodyParts } from "../base/parts";
 import { apply, inverse, relativePose } from "../base/pose";
 import { styleColour } from "../base/theme";
 import type { Pose, Vec3 } from "../base/types";
-import { hasContactsAt, pathOf, shownPose } from "../motion/motion";
+import { hasContactsAt, isNearEvent, pathOf, shownPose } from "../motion/motion";
 import { PathView } from "../motion/path_view";
 import { BodyView } from "./body_view";
 import { ContactsView, type Highlight, highlightsOf, proper } from "./contacts_view";
@@ -85,7 +85,7 @@ export class Viewer {
 
     private showPath({ scenario }: Contacts): void {
         const pieces = scenario.motion ? pathOf(scenario.motion) : [];
-        this.pathView.show(pieces, this.origin, scenario.class === "near");
+        this.pathView.show(pieces, this.origin, isNearEvent(scenario));
     }
 
     /** How far from A's centre B's centre is, or comes on its path at most. */
