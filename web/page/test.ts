@@ -1,4 +1,6 @@
 /** Tests of the page's parts that need no browser: `npm test`. */
+import "./test_scene";
+import { finish, refuses, same } from "./test_tools";
 import { cssColour, isContact, isHit, letterOf, nameOf, numberOf, severity, shownOrder, untested } from "./src/base/classes";
 import { HeldAnswers } from "./src/base/held";
 import { type Mesh, parseMesh } from "./src/base/mesh";
@@ -22,7 +24,7 @@ import { Results } from "./src/job/results";
 import { scenariosOfSlice, windowsOf } from "./src/job/slice";
 import { panned, worstInBins, zoomed } from "./src/job/strip";
 import { knowledgeCss } from "./src/motion/colours";
-import { hasContactsAt, intervalsOf, isNearEvent, knowledgeAt, motionText, pathOf, poseBetween, shownPose, timeText } from "./src/motion/motion";
+import { hasContactsAt, intervalsOf, knowledgeAt, motionText, pathOf, poseBetween, shownPose, timeText } from "./src/motion/motion";
 import { highlightsOf, shapesOf } from "./src/viewer/contacts_view";
 import { heatByte } from "./src/viewer/heat";
 import { endsOf, Hits, passagesOf, pointAt, startsAndEndsOutside } from "./src/viewer/hits";
@@ -31,26 +33,6 @@ import { Scenarios } from "./src/viewer/scenarios";
 import { hasPairOf } from "./src/viewer/step";
 import { distanceText } from "./src/viewer/status";
 import { readState, startState, writeState } from "./src/viewer/view_state";
-
-let failures = 0;
-
-function same(name: string, found: unknown, expected: unknown): void {
-    const [one, other] = [JSON.stringify(found), JSON.stringify(expected)];
-    if (one !== other) {
-        failures += 1;
-        console.log(`FAILED ${name}: ${one} is not ${other}`);
-    }
-}
-
-function refuses(name: string, action: () => unknown): void {
-    try {
-        action();
-    } catch {
-        return;
-    }
-    failures += 1;
-    console.log(`FAILED ${name}: was accepted`);
-}
 
 function npy(type: string, shape: string, data: ArrayBuffer): ArrayBuffer {
     const text = `{'descr': '${type}', 'fortran_order': False, 'shape': (${shape}), }`.padEnd(117) + "\n";
@@ -421,9 +403,4 @@ same("a part of a whole", bytesOf(1.8 * 2 ** 30, 4 * 2 ** 30), "1.8 of 4.00\u202
 same("a tiny part of a whole", bytesOf(2048, 2 ** 30), "2.00\u202fKiB of 1.00\u202fGiB");
 same("a word for the shell", [shellWord("/tmp/out"), shellWord("it's here")], ["/tmp/out", "'it'\\''s here'"]);
 
-same("near events", (["near", "inside", "cross", null] as const).map((one) => isNearEvent({ class: one })), [true, true, false, false]);
-
-if (failures > 0) {
-    throw new Error(`${failures} failed`);
-}
-console.log("all of the page's parts do what they say");
+finish();
