@@ -121,7 +121,8 @@ same("of two parts the second is of B", readState(new URLSearchParams("part=x&wi
 same("no such screen", parseRoute("#/jobs/j-1/x").screen, "none");
 
 // Links of a job's screen.
-const view = { x: "yaw", y: "x", at: { z: -0.5, roll: 1e-7 }, window: [3, 90] as const };
+const filter = { body: "car.3", steps: [4, 9] as const };
+const view = { x: "yaw", y: "x", at: { z: -0.5, roll: 1e-7 }, window: [3, 90] as const, filter };
 same("a job's link holds all that is seen", readJobView(parseRoute(jobLink("j-1", writeJobView(view))).query), view);
 same("a plain job has a plain link", jobLink("j-1", writeJobView(startView)), "#/jobs/j-1");
 const odd = new URLSearchParams("at=z:,y,:1,x:1e999&from=9&to=3");

@@ -8,15 +8,16 @@ import { useReloaded, useTheme } from "../ui/hooks";
 import { Notice, Panel } from "../ui/small";
 import type { JobView } from "./job_view";
 import { canBeExact, exactMax, loadResults, type Results } from "./results";
+import { writeFilter } from "../scene/filter";
 import { styleColour } from "../base/theme";
 
 const binsMax = 1024;
 
 type Range = readonly [number, number];
 
-/** Returns the scenarios that a view shows, of a job that may have fewer. */
-function windowWithin(window: Range | null, total: number): Range {
-    return window && window[0] < total ? [window[0], Math.min(total, window[1])] : [0, total];
+/** Returns the scenarios that a view shows, of a job that may have fewer; `all` without a window. */
+function windowWithin(window: Range | null, total: number, all: Range): Range {
+    return window && window[0] < total ? [window[0], Math.min(total, window[1])] : all;
 }
 
 function exactNote(source: Source): string {
@@ -105,7 +106,7 @@ export function panned([first, end]: Range, mark: number, total: number): Range 
 
 /** The classes of a window, exact where the source gives so many; else those of the whole job. */
 function useWindow(source: Source, job: Job, whole: Results, [first, end]: Range): { results: Results; error: string } {
-    const isAsked = !whole.isExact && canBeExact(source, first, end);
+    const isAsked = whole.isSample && canBeExact(source, first, end);
     const exact = useReloaded(isAsked ? `${first} ${end}` : null, whole, (signal) =>
         loadResults(source, job, first, end, signal),
     );
@@ -117,6 +118,8 @@ export function Strip(props: {
     source: Source;
     job: Job;
     results: Results;
+    /** The scenarios that are shown at first; all if left out. */
+    range?: Range;
     view: JobView;
     change: (part: Partial<JobView>) => void;
 }) {
@@ -127,7 +130,8 @@ export function Strip(props: {
     const [mark, setMark] = useState(-1); // A scenario; -1: none.
     const [size, setSize] = useState(0);
     const theme = useTheme();
-    const range: Range = windowWithin(props.view.window, total);
+    const all: Range = props.range ?? [0, total];
+    const range: Range = windowWithin(props.view.window, total, all);
     const [first, end] = range;
     const { results, error } = useWindow(source, job, props.results, range);
     const worst = useMemo(() => worstInBins(results, first, end), [results, first, end]);
@@ -154,7 +158,7 @@ export function Strip(props: {
         [results, worst, mark],
     );
 
-    const show = ([from, to]: Range) => props.change({ window: from === 0 && to === total ? null : [from, to] });
+    const show = ([from, to]: Range) => props.change({ window: from === all[0] && to === all[1] ? null : [from, to] });
     const share = (event: PointerEvent) => {
         const box = (event.currentTarget as HTMLElement).getBoundingClientRect();
         return Math.min(1, Math.max(0, (event.clientX - box.left) / box.width));
@@ -162,7 +166,7 @@ export function Strip(props: {
     const scenarioUnder = (position: number) => firstOf(Math.min(bins - 1, Math.floor(position * bins)));
     const open = (one: number) => {
         if (worst[one] >= 0) {
-            goTo(scenarioLink(job.job, results.scenarioAt(worst[one])));
+            goTo(scenarioLink(job.job, results.scenarioAt(worst[one]), writeFilter(props.view.filter)));
         }
     };
     const release = () => {
@@ -192,7 +196,7 @@ export function Strip(props: {
         "+": () => zoom(true),
         "-": () => zoom(false),
         Enter: () => open(bin),
-        Escape: () => show([0, total]),
+        Escape: () => show(all),
     };
     const press = (event: KeyboardEvent) => {
         const action = event.ctrlKey || event.altKey || event.metaKey ? undefined : keys[event.key];
@@ -213,7 +217,7 @@ export function Strip(props: {
         <Panel
             title="scenarios in order"
             wide
-            note={results.isExact ? "" : `a sample of ${grouped(results.classes.length)}; ${exactNote(source)}`}
+            note={!results.isSample ? "" : `a sample of ${grouped(results.classes.length)}; ${exactNote(source)}`}
         >
             {error && <Notice kind="bad">{error}</Notice>}
             <canvas
@@ -240,7 +244,7 @@ export function Strip(props: {
                 <span class="readout">{said}</span>
                 <span>
                     {props.view.window && (
-                        <button type="button" class="quiet" onClick={() => show([0, total])}>
+                        <button type="button" class="quiet" onClick={() => show(all)}>
                             show all
                         </button>
                     )}{" "}
