@@ -20,8 +20,12 @@ function windowWithin(window: Range | null, total: number, all: Range): Range {
     return window && window[0] < total ? [window[0], Math.min(total, window[1])] : all;
 }
 
-function exactNote(source: Source): string {
-    return `windows of at most ${grouped(exactMax(source))} are exact`;
+function noteOf(source: Source, results: Results, chosenOf: number): string {
+    if (chosenOf > 0) {
+        return `${grouped(results.classes.length)} of a sample of ${grouped(chosenOf)}`;
+    }
+    const exact = `windows of at most ${grouped(exactMax(source))} are exact`;
+    return results.isSample ? `a sample of ${grouped(results.classes.length)}; ${exact}` : "";
 }
 
 /** How many bars show something, for tests. */
@@ -120,6 +124,8 @@ export function Strip(props: {
     results: Results;
     /** The scenarios that are shown at first; all if left out. */
     range?: Range;
+    /** Of how many scenarios, a sample, those of `results` were chosen; 0: of all. */
+    chosenOf?: number;
     view: JobView;
     change: (part: Partial<JobView>) => void;
 }) {
@@ -217,7 +223,7 @@ export function Strip(props: {
         <Panel
             title="scenarios in order"
             wide
-            note={!results.isSample ? "" : `a sample of ${grouped(results.classes.length)}; ${exactNote(source)}`}
+            note={noteOf(source, results, props.chosenOf ?? 0)}
         >
             {error && <Notice kind="bad">{error}</Notice>}
             <canvas

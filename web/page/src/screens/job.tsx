@@ -16,7 +16,7 @@ import { Strip } from "../job/strip";
 import { useResults } from "../job/use_results";
 import { BodiesPanel } from "../scene/bodies_panel";
 import { SceneEpisodes } from "../scene/episodes_panel";
-import { type SceneFilter, writeFilter } from "../scene/filter";
+import { isFiltered, type SceneFilter, writeFilter } from "../scene/filter";
 import { meshRows, SceneCard } from "../scene/scene_card";
 import { type Filtered, useFiltered } from "../scene/use_filtered";
 import { useSteps } from "../scene/use_scene";
@@ -328,6 +328,7 @@ export function JobScreen({ source, route }: { source: Source; route: Route }) {
                         source={source}
                         job={job}
                         results={filtered.results ?? results}
+                        chosenOf={isFiltered(view.filter) && filtered.rows?.areAll === false ? filtered.rows.count : 0}
                         {...(range && range[0] < range[1] ? { range } : {})}
                         view={view}
                         change={change}
