@@ -76,6 +76,18 @@ void FolderSource::poses(const std::string& id, const ScenarioChoice& choice, Ta
     answer(id, std::move(take), [this, choice] { return run_->poses(choice); });
 }
 
+void FolderSource::bodies(const std::string& id,
+                          const ScenarioChoice& choice,
+                          Take<std::vector<ScenePlace>> take) {
+    answer(id, std::move(take), [this, choice] { return run_->places(choice); });
+}
+
+void FolderSource::steps(const std::string& id,
+                         const ScenarioChoice& choice,
+                         Take<std::vector<StepRow>> take) {
+    answer(id, std::move(take), [this, choice] { return run_->steps(choice); });
+}
+
 void FolderSource::map(const std::string& id,
                        std::uint64_t body,
                        Take<std::vector<TriangleContacts>> take) {

@@ -8,10 +8,11 @@
 #include "common/core/limits/web.hpp"
 #include "common/core/version.hpp"
 #include "common/core/words.hpp"
-#include "common/geometry/aabb.hpp"
 #include "common/geometry/closed_parts.hpp"
 #include "web/server/cluster/cluster_jobs.hpp"
 #include "web/server/scenario_repeat.hpp"
+#include "web/server/scene/body_filter.hpp"
+#include "web/server/scene/scene_rows.hpp"
 
 #include <algorithm>
 #include <ctime>
@@ -112,16 +113,6 @@ std::shared_ptr<const NamedParts> shared_runs(const BodyParts& parts) {
     return std::make_shared<const NamedParts>(parts.by_runs());
 }
 
-BodyView body_view(const JobBody& body, const Mesh& mesh, const ObbTree& tree) {
-    return {body,
-            mesh.triangles().size(),
-            mesh.parts().size(),
-            tree.topology().is_closed(),
-            mesh.canonical_bytes().size(),
-            mesh.precision(),
-            bounding_box(mesh.vertices()).size()};
-}
-
 } // namespace
 
 Result<std::unique_ptr<ViewedRun>> ViewedRun::open(OpenedRun& run,
@@ -191,11 +182,15 @@ JobView ViewedRun::view(const std::string& id) const {
     const RunManifest& run = manifest();
     JobView view{row(id), run.unit, run.query, {}, poses_view(run.poses, job_.spec), {}, {}, {}};
     for (std::size_t i = 0; i < run.bodies.size(); ++i) {
-        view.bodies.push_back(body_view(run.bodies[i], *job_.meshes[i], *job_.trees[i]));
+        view.bodies.push_back(body_view(run.bodies[i], *job_.trees[i]));
     }
     view.map = {map_.has_value(), run.query.maps ? 0 : run.query.limit_pairs};
     view.run = run_view(run, folder());
     view.groups = groups_;
+    if (job_.scene) {
+        view.steps = job_.scene->steps->steps();
+        view.poses.of_both_bodies = true;
+    }
     return view;
 }
 
@@ -239,17 +234,44 @@ Result<std::optional<KeptRecord>> ViewedRun::find_record(std::uint64_t scenario)
 
 Result<PoseRows> ViewedRun::poses(const ScenarioChoice& choice) {
     CD_TRY(choice.check(count(), limits::page_scenarios_max));
-    PoseRows rows{manifest().poses.of_both_bodies ? std::size_t{2} : 1, {}};
+    PoseRows rows{has_both_poses() ? std::size_t{2} : 1, {}};
     rows.numbers.reserve(12 * rows.poses_each * choice.size());
+    CD_TRY(for_each_chosen(choice, [&](const std::vector<Scenario>& scenarios) -> Status {
+        for (const Scenario& scenario : scenarios) {
+            rows.add(scenario.poses);
+        }
+        return Done{};
+    }));
+    return rows;
+}
+
+Status ViewedRun::for_each_chosen(const ScenarioChoice& choice,
+                                  const std::function<Status(const std::vector<Scenario>&)>& take) {
     const std::uint64_t step = choice.sample != 0 ? 1 : poses_at_once;
     for (std::uint64_t i = 0; i < choice.size(); i += step) {
         const std::uint64_t part = std::min(step, choice.size() - i);
         const auto scenarios = CD_TRY(read_poses(choice.at(i, count()), part));
-        for (const Scenario& scenario : scenarios) {
-            rows.add(scenario.poses);
-        }
+        CD_TRY(take(scenarios));
     }
-    return rows;
+    return Done{};
+}
+
+Result<std::vector<ScenePlace>> ViewedRun::places(const ScenarioChoice& choice) {
+    CD_TRY(choice.check(count(), limits::page_scenarios_max));
+    if (!job_.scene) {
+        return no_scene();
+    }
+    std::vector<ScenePlace> places;
+    CD_TRY(for_each_chosen(choice, [&](const std::vector<Scenario>& scenarios) -> Status {
+        const auto some = CD_TRY(scene_places(scenarios));
+        places.insert(places.end(), some.begin(), some.end());
+        return Done{};
+    }));
+    return places;
+}
+
+Result<std::vector<StepRow>> ViewedRun::steps(const ScenarioChoice& choice) const {
+    return job_.scene ? step_rows(*job_.scene->steps, choice) : no_scene();
 }
 
 Result<std::vector<TriangleContacts>> ViewedRun::map(std::uint64_t body) const {
@@ -283,6 +305,7 @@ Result<std::shared_ptr<const ScenarioView>> ViewedRun::scenario(std::uint64_t nu
     ScenarioView view =
         repeat_scenario(TreesByBody(job_.trees), job_.query, scenarios.front(), record, stop);
     add_label(job_.labels, number, view);
+    add_step_time(job_.scene ? job_.scene->steps.get() : nullptr, view);
     return std::make_shared<const ScenarioView>(std::move(view));
 }
 
@@ -303,14 +326,16 @@ Result<PartFilter> ViewedRun::filter_of(const NextContact& wanted) const {
 
 Result<NextFound> ViewedRun::next(const NextContact& wanted) {
     const auto filter = CD_TRY(filter_of(wanted));
+    const auto of_body = CD_TRY(BodyFilter::make(job_.names, wanted.body));
     Status status = Done{};
     const auto fits = [&](std::uint64_t scenario) {
-        if (filter.is_empty()) {
+        if (filter.is_empty() && of_body.is_empty()) {
             return true;
         }
         const auto record = find_record(scenario);
         status = record ? Status(Done{}) : record.error();
-        return !record || (record.value() && filter.passes(record.value()->result));
+        return !record || (record.value() && of_body.passes(record.value()->result) &&
+                           filter.passes(record.value()->result));
     };
     const auto found = index_.next(wanted, fits);
     return status ? Result(NextFound{found, std::nullopt}) : status.error();

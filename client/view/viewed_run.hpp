@@ -11,6 +11,7 @@
 #include "web/server/part_filter.hpp"
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -44,6 +45,10 @@ class ViewedRun {
     /// Each scenario's distance; NaN without one.
     [[nodiscard]] Result<std::vector<double>> distances(const ScenarioChoice& choice) const;
     [[nodiscard]] Result<PoseRows> poses(const ScenarioChoice& choice);
+    /// Returns the step and the bodies of each scenario. Errors: NotFound unless it is a scene.
+    [[nodiscard]] Result<std::vector<ScenePlace>> places(const ScenarioChoice& choice);
+    /// Returns the chosen steps. Errors: NotFound unless the run is of a scene; as `step_rows`.
+    [[nodiscard]] Result<std::vector<StepRow>> steps(const ScenarioChoice& choice) const;
     /// Returns a body's contact map. Errors: NotFound without a map or a body.
     [[nodiscard]] Result<std::vector<TriangleContacts>> map(std::uint64_t body) const;
     /// Returns the parts of a body as the groups name them. Errors: NotFound for another body.
@@ -58,8 +63,8 @@ class ViewedRun {
     /// Runs a scenario again. `stop` ends it.
     [[nodiscard]] Result<std::shared_ptr<const ScenarioView>> scenario(std::uint64_t number,
                                                                        const StopCheck& stop);
-    /// Finds the next scenario in contact or near, as asked for. Errors: BadInput if parts are
-    /// asked for that the run does not have, or if the run lists no pairs.
+    /// Finds the next scenario in contact or near, as asked for. Errors: BadInput if a body or
+    /// parts are asked for that the run does not have, or parts if the run lists no pairs.
     [[nodiscard]] Result<NextFound> next(const NextContact& wanted);
     /// Returns the mesh of a body; null if no body has it.
     [[nodiscard]] std::shared_ptr<const Mesh> mesh(const Sha256& mesh) const;
@@ -78,6 +83,13 @@ class ViewedRun {
     [[nodiscard]] Result<PartFilter> filter_of(const NextContact& wanted) const;
     [[nodiscard]] Result<std::vector<Scenario>> read_poses(std::uint64_t first,
                                                            std::uint64_t count);
+    /// Calls `take` with the chosen scenarios in order, some at a time.
+    [[nodiscard]] Status
+    for_each_chosen(const ScenarioChoice& choice,
+                    const std::function<Status(const std::vector<Scenario>&)>& take);
+    [[nodiscard]] bool has_both_poses() const {
+        return manifest().poses.of_both_bodies || job_.scene.has_value();
+    }
     [[nodiscard]] Result<std::optional<KeptRecord>> find_record(std::uint64_t scenario);
     [[nodiscard]] double seconds() const;
 

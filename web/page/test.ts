@@ -1,4 +1,6 @@
 /** Tests of the page's parts that need no browser: `npm test`. */
+import "./test_scene";
+import { finish, refuses, same } from "./test_tools";
 import { cssColour, isContact, isHit, letterOf, nameOf, numberOf, severity, shownOrder, untested } from "./src/base/classes";
 import { HeldAnswers } from "./src/base/held";
 import { type Mesh, parseMesh } from "./src/base/mesh";
@@ -31,26 +33,6 @@ import { Scenarios } from "./src/viewer/scenarios";
 import { hasPairOf } from "./src/viewer/step";
 import { distanceText } from "./src/viewer/status";
 import { readState, startState, writeState } from "./src/viewer/view_state";
-
-let failures = 0;
-
-function same(name: string, found: unknown, expected: unknown): void {
-    const [one, other] = [JSON.stringify(found), JSON.stringify(expected)];
-    if (one !== other) {
-        failures += 1;
-        console.log(`FAILED ${name}: ${one} is not ${other}`);
-    }
-}
-
-function refuses(name: string, action: () => unknown): void {
-    try {
-        action();
-    } catch {
-        return;
-    }
-    failures += 1;
-    console.log(`FAILED ${name}: was accepted`);
-}
 
 function npy(type: string, shape: string, data: ArrayBuffer): ArrayBuffer {
     const text = `{'descr': '${type}', 'fortran_order': False, 'shape': (${shape}), }`.padEnd(117) + "\n";
@@ -139,7 +121,8 @@ same("of two parts the second is of B", readState(new URLSearchParams("part=x&wi
 same("no such screen", parseRoute("#/jobs/j-1/x").screen, "none");
 
 // Links of a job's screen.
-const view = { x: "yaw", y: "x", at: { z: -0.5, roll: 1e-7 }, window: [3, 90] as const };
+const filter = { body: "car.3", steps: [4, 9] as const };
+const view = { x: "yaw", y: "x", at: { z: -0.5, roll: 1e-7 }, window: [3, 90] as const, filter };
 same("a job's link holds all that is seen", readJobView(parseRoute(jobLink("j-1", writeJobView(view))).query), view);
 same("a plain job has a plain link", jobLink("j-1", writeJobView(startView)), "#/jobs/j-1");
 const odd = new URLSearchParams("at=z:,y,:1,x:1e999&from=9&to=3");
@@ -421,7 +404,4 @@ same("a part of a whole", bytesOf(1.8 * 2 ** 30, 4 * 2 ** 30), "1.8 of 4.00\u202
 same("a tiny part of a whole", bytesOf(2048, 2 ** 30), "2.00\u202fKiB of 1.00\u202fGiB");
 same("a word for the shell", [shellWord("/tmp/out"), shellWord("it's here")], ["/tmp/out", "'it'\\''s here'"]);
 
-if (failures > 0) {
-    throw new Error(`${failures} failed`);
-}
-console.log("all of the page's parts do what they say");
+finish();

@@ -40,6 +40,25 @@ Bytes poses_npy(const PoseRows& poses) {
                                  : npy(NpyType::F8, {scenarios, poses.poses_each, 12}, numbers);
 }
 
+Bytes bodies_npy(std::span<const ScenePlace> places) {
+    std::vector<std::uint32_t> rows;
+    rows.reserve(3 * places.size());
+    for (const ScenePlace& each : places) {
+        // A scene has at most some ten million steps (`unpack_steps`).
+        rows.insert(rows.end(), {static_cast<std::uint32_t>(each.step), each.body_a, each.body_b});
+    }
+    return npy(NpyType::U4, {places.size(), 3}, std::span<const std::uint32_t>(rows));
+}
+
+Bytes steps_npy(std::span<const StepRow> steps) {
+    std::vector<double> rows;
+    rows.reserve(2 * steps.size());
+    for (const StepRow& each : steps) {
+        rows.insert(rows.end(), {static_cast<double>(each.first), each.time});
+    }
+    return npy(NpyType::F8, {steps.size(), 2}, std::span<const double>(rows));
+}
+
 Bytes map_npy(std::span<const TriangleContacts> map) {
     std::vector<std::uint64_t> rows;
     rows.reserve(2 * map.size());

@@ -21,6 +21,10 @@ namespace cd {
 [[nodiscard]] Bytes distances_npy(std::span<const double> distances);
 /// Encodes poses as f8 (n,12), or (n,2,12) if there are two a scenario.
 [[nodiscard]] Bytes poses_npy(const PoseRows& poses);
+/// Encodes steps and bodies of scenarios as u4 (n,3): step, number of body A, of body B.
+[[nodiscard]] Bytes bodies_npy(std::span<const ScenePlace> places);
+/// Encodes steps as f8 (n,2): first scenario, time.
+[[nodiscard]] Bytes steps_npy(std::span<const StepRow> steps);
 /// Encodes a body's contact map as u8 (k,2): triangle, scenarios.
 [[nodiscard]] Bytes map_npy(std::span<const TriangleContacts> map);
 /// Encodes runs of triangles of one part as u4 (k,2): first triangle, number of the part.

@@ -87,7 +87,9 @@ Json body_json(const BodyView& body) {
             {"closed", or_null(body.is_closed)},
             {"bytes", body.bytes},
             {"precision", body.precision == Precision::Float ? "float" : "double"},
-            {"size", {body.size.x(), body.size.y(), body.size.z()}}};
+            {"size", {body.size.x(), body.size.y(), body.size.z()}},
+            {"low", {body.low.x(), body.low.y(), body.low.z()}},
+            {"fixed", body.body.is_fixed}};
 }
 
 Json axes_json(const PosesView& poses) {
@@ -183,6 +185,14 @@ void add_motion(Json& json, const ScenarioView& scenario) {
     }
 }
 
+/// Adds to which step and which bodies a scenario of a scene belongs.
+void add_place(Json& json, const ScenarioView& scenario) {
+    if (scenario.scene) {
+        json["step"] = scenario.scene->step;
+        json["bodies"] = {scenario.scene->body_a, scenario.scene->body_b};
+    }
+}
+
 void add_result(Json& json, const ScenarioView& scenario) {
     const ScenarioResult none;
     const ScenarioResult& result = scenario.result ? *scenario.result : none;
@@ -265,6 +275,9 @@ std::string job_view_json(const JobView& job) {
         json["bodies"].push_back(body_json(body));
     }
     json["poses"] = poses_json(job.poses);
+    if (job.steps) {
+        json["steps"] = *job.steps;
+    }
     json["groups"] = Json();
     json["groups_total"] = job.groups ? job.groups->total : 0;
     if (job.groups) {
@@ -281,6 +294,7 @@ std::string scenario_json(std::uint64_t number, const ScenarioView& scenario) {
     add_result(json, scenario);
     json["id"] = scenario.id.empty() ? Json() : Json(scenario.id);
     json["time"] = or_null(scenario.time);
+    add_place(json, scenario);
     json["pose_a"] = pose_rows(scenario.poses.a);
     json["pose_b"] = pose_rows(scenario.poses.b);
     json["verified"] = or_null(scenario.verified);

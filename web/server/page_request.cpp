@@ -25,10 +25,12 @@ constexpr std::array<NamedTopic, 4> plain_topics{{{"source", PageTopic::Source},
                                                   {"cluster", PageTopic::Cluster},
                                                   {"history", PageTopic::History},
                                                   {"jobs", PageTopic::Jobs}}};
-constexpr std::array<NamedTopic, 4> array_topics{{{"classes", PageTopic::Classes},
+constexpr std::array<NamedTopic, 6> array_topics{{{"classes", PageTopic::Classes},
                                                   {"counts", PageTopic::Counts},
                                                   {"distances", PageTopic::Distances},
-                                                  {"poses", PageTopic::Poses}}};
+                                                  {"poses", PageTopic::Poses},
+                                                  {"bodies", PageTopic::Bodies},
+                                                  {"steps", PageTopic::Steps}}};
 constexpr std::array<NamedTopic, 2> body_topics{
     {{"map", PageTopic::Map}, {"parts", PageTopic::Parts}}};
 constexpr std::array<NamedTopic, 2> part_topics{
@@ -103,7 +105,7 @@ Result<ScenarioChoice> choice_of(const Parameters& parameters) {
         CD_TRY(allow_only(parameters, std::array<std::string_view, 1>{"sample"}));
         choice.sample = CD_TRY(number_of(parameters, "sample"));
         if (choice.sample == 0) {
-            return bad_input("a sample has at least one scenario");
+            return bad_input("a sample is not empty");
         }
         return choice;
     }
@@ -126,7 +128,8 @@ Result<NextContact::Kind> next_kind_of(const Parameters& parameters) {
 
 Result<NextContact> next_of(const Parameters& parameters) {
     CD_TRY(allow_only(
-        parameters, std::array<std::string_view, 5>{"from", "step", "part_a", "part_b", "class"}));
+        parameters,
+        std::array<std::string_view, 6>{"from", "step", "part_a", "part_b", "class", "body"}));
     NextContact next;
     next.from = CD_TRY(number_of(parameters, "from"));
     const std::string* const step = find(parameters, "step");
@@ -136,8 +139,10 @@ Result<NextContact> next_of(const Parameters& parameters) {
     next.is_backwards = step != nullptr && *step == "-1";
     const std::string* const part_a = find(parameters, "part_a");
     const std::string* const part_b = find(parameters, "part_b");
+    const std::string* const body = find(parameters, "body");
     next.part_a = part_a == nullptr ? "" : *part_a;
     next.part_b = part_b == nullptr ? "" : *part_b;
+    next.body = body == nullptr ? "" : *body;
     next.kind = CD_TRY(next_kind_of(parameters));
     return next;
 }
@@ -207,15 +212,16 @@ bool NextContact::has_class(std::uint8_t value) const {
            (kind != Kind::Contact && scenario == ScenarioClass::Near);
 }
 
-Status ScenarioChoice::check(std::uint64_t total, std::uint64_t count_max) const {
+Status
+ScenarioChoice::check(std::uint64_t total, std::uint64_t count_max, std::string_view noun) const {
     if (sample > limits::page_sample_max) {
-        return bad_input("a sample has at most " + grouped(limits::page_sample_max) + " scenarios");
+        return bad_input("a sample has at most " + counted(limits::page_sample_max, noun));
     }
     if (sample == 0 && count > count_max) {
-        return bad_input("at most " + grouped(count_max) + " scenarios at a time");
+        return bad_input("at most " + counted(count_max, noun) + " at a time");
     }
     if (sample == 0 && (first > total || count > total - first)) {
-        return bad_input("the job has " + counted(total, "scenario"));
+        return bad_input("the job has " + counted(total, noun));
     }
     return Done{};
 }

@@ -23,6 +23,8 @@ enum class PageTopic : std::uint8_t {
     Counts,
     Distances,
     Poses,
+    Bodies,
+    Steps,
     Map,
     Parts,
     PartNames,
@@ -35,7 +37,7 @@ enum class PageTopic : std::uint8_t {
     Mesh,
 };
 
-/// Scenarios of a job: a range, or a sample of evenly spaced ones.
+/// Scenarios of a job, or steps: a range, or a sample of evenly spaced ones.
 struct ScenarioChoice {
     std::uint64_t first = 0;
     std::uint64_t count = 0;
@@ -46,8 +48,10 @@ struct ScenarioChoice {
     [[nodiscard]] std::uint64_t at(std::uint64_t i, std::uint64_t total) const {
         return sample != 0 ? sampled_scenario(i, sample, total) : first + i;
     }
-    /// Errors: BadInput if the range exceeds `count_max` or the job, or the sample its bound.
-    [[nodiscard]] Status check(std::uint64_t total, std::uint64_t count_max) const;
+    /// `noun` says what is chosen, for messages. Errors: BadInput if the range exceeds `count_max`
+    /// or the job, or the sample its bound.
+    [[nodiscard]] Status
+    check(std::uint64_t total, std::uint64_t count_max, std::string_view noun = "scenario") const;
 };
 
 /// Describes the next scenario in contact, or near, after or before a scenario.
@@ -60,6 +64,8 @@ struct NextContact {
     std::string part_a = {};
     std::string part_b = {};
     Kind kind = Kind::Contact;
+    /// Only scenarios of this body, by its name or number; empty: any body.
+    std::string body = {};
 
     /// True if a scenario of this class may be meant. `value` is a `ScenarioClass` or `no_class`.
     [[nodiscard]] bool has_class(std::uint8_t value) const;
@@ -73,7 +79,7 @@ struct PageRequest {
     PageTopic topic = PageTopic::Source;
     std::string job;          ///< Id of the job, for the topics about one.
     std::uint64_t number = 0; ///< The scenario, or the body of a map or of parts.
-    ScenarioChoice choice;    ///< For classes, counts, distances and poses.
+    ScenarioChoice choice;    ///< For arrays of scenarios or steps.
     NextContact next;
     Sha256 mesh;
 };

@@ -241,6 +241,14 @@ void PageServer::ask(const PageRequest& request, HttpRespond respond) {
     case PageTopic::Poses:
         return source_.poses(
             request.job, request.choice, answering<PoseRows>(respond, array(poses_npy)));
+    case PageTopic::Bodies:
+        return source_.bodies(request.job,
+                              request.choice,
+                              answering<std::vector<ScenePlace>>(respond, array(bodies_npy)));
+    case PageTopic::Steps:
+        return source_.steps(request.job,
+                             request.choice,
+                             answering<std::vector<StepRow>>(respond, array(steps_npy)));
     case PageTopic::Map:
         return source_.map(request.job,
                            request.number,

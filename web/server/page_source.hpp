@@ -50,6 +50,13 @@ class PageSource {
                            Take<std::vector<double>> take) = 0;
     virtual void
     poses(const std::string& id, const ScenarioChoice& choice, Take<PoseRows> take) = 0;
+    /// Each scenario's step and bodies. Errors: NotFound for a job that is no scene.
+    virtual void bodies(const std::string& id,
+                        const ScenarioChoice& choice,
+                        Take<std::vector<ScenePlace>> take) = 0;
+    /// The chosen steps. Errors: NotFound for a job that is no scene.
+    virtual void
+    steps(const std::string& id, const ScenarioChoice& choice, Take<std::vector<StepRow>> take) = 0;
     virtual void
     map(const std::string& id, std::uint64_t body, Take<std::vector<TriangleContacts>> take) = 0;
     /// The parts of a body as the job's groups name them. Errors: NotFound for another body.

@@ -58,6 +58,7 @@ struct BodyView {
     std::uint64_t bytes = 0;                      ///< Size of the canonical form.
     Precision precision = Precision::Double;
     Vec3 size = Vec3::Zero(); ///< Size of the box around the mesh, in its own axes.
+    Vec3 low = Vec3::Zero();  ///< The corner of that box with the least coordinates.
 };
 
 struct PosesView {
@@ -120,7 +121,25 @@ struct JobView {
     PosesView poses;
     MapView map;
     RunView run;
-    std::optional<GroupsView> groups; ///< Nothing if unknown.
+    std::optional<GroupsView> groups;                  ///< Nothing if unknown.
+    std::optional<std::uint64_t> steps = std::nullopt; ///< Number of the steps of a scene.
+};
+
+/// Where a scenario of a scene belongs: its step, and the numbers of its two bodies.
+struct ScenePlace {
+    std::uint64_t step = 0;
+    std::uint32_t body_a = 0;
+    std::uint32_t body_b = 1;
+
+    friend bool operator==(const ScenePlace&, const ScenePlace&) = default;
+};
+
+/// A step of a scene.
+struct StepRow {
+    std::uint64_t first = 0; ///< Its first scenario; without one, that of the next step.
+    double time = 0;
+
+    friend bool operator==(const StepRow&, const StepRow&) = default;
 };
 
 /// Poses for drawing, rounded: for each scenario the rows of [R t], 12 numbers. One pose a
@@ -147,6 +166,7 @@ struct ScenarioView {
     std::optional<MotionKeys> keys; ///< Of a motion.
     std::string id;                 ///< The pose file's id; empty without one.
     std::optional<double> time;
+    std::optional<ScenePlace> scene; ///< Of a scene.
     std::optional<bool> verified; ///< Whether a second run gave equal bytes; nothing: not compared.
     std::string verify_note;      ///< Why it was not compared, or what differs.
     /// Pairs and points of an exact run at level contacts, perhaps not all; of a motion those at

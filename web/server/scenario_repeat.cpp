@@ -98,6 +98,9 @@ ScenarioView repeat_scenario(const TreesByBody& trees,
                              const StopCheck& stop) {
     ScenarioView view;
     view.poses = scenario.poses;
+    if (scenario.step) {
+        view.scene = ScenePlace{*scenario.step, scenario.body_a, scenario.body_b};
+    }
     if (scenario.to) {
         view.keys = MotionKeys{scenario.poses, *scenario.to};
     }

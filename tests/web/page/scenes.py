@@ -168,6 +168,46 @@ class Scenes:
         )
         return self.run("motions", job)
 
+    def crossing_job(self):
+        """Writes a job of six bodies of four meshes over six steps; returns its file. Two cars drive towards one
+        another, a cart crosses their way; a pole, a wall and the floor are fixed."""
+        wheel = [(x, y, z - 0.5) for x, y, z in box((0.3, 0.55, 0.2))[0]]
+        write_obj(self.root / "car.obj", [("body", *box((1, 0.5, 0.4))), ("wheel", wheel, BOX_FACES)])
+        write_obj(self.root / "post.obj", [("post", *box((0.2, 0.2, 2)))])
+        write_obj(self.root / "wall.obj", [("wall", *box((0.2, 4, 1)))])
+        write_obj(self.root / "floor.obj", [("floor", *box((8, 6, 0.1)))])
+        rows = []
+        for step in range(6):
+            places = [("car.0", step - 5, 0.3), ("car.1", 4 - step, -0.2), ("cart", 1, round(3 - 0.6 * step, 1))]
+            rows += [(step, 0.5 * step, name, x, y, 0.8) for name, x, y in places]
+        self.poses("crossing", "step,t,body,x,y,z", rows)
+        fixed = lambda mesh, *place: f'{{ mesh = "{mesh}.obj", pose = {[*place, 0, 0, 0, 1]}, quat_order = "xyzw" }}'
+        return self.job(
+            "crossing",
+            'name = "crossing"\nunit = "m"\n[bodies]\ncar = { mesh = "car.obj", count = 2 }\n'
+            f'cart = {{ mesh = "post.obj" }}\nwall = {fixed("wall", 3, 0, 1)}\n'
+            f'pole = {fixed("post", -2, 0.5, 1)}\nfloor = {fixed("floor", 0, 0, -0.2)}\n'
+            '[poses]\nfile = "crossing.csv"\n[query]\nlevel = "pairs"\n[output]\nformats = ["csv", "csv-pairs"]\n',
+        )
+
+    def crossing(self):
+        return self.run("crossing", self.crossing_job())
+
+    def crowd(self, count):
+        """So many boxes on a floor, at one step."""
+        write_obj(self.root / "brick.obj", [("brick", *box((0.3, 0.3, 0.3)))])
+        write_obj(self.root / "floor.obj", [("floor", *box((8, 6, 0.1)))])
+        rows = [(0, f"brick.{i}", i % 15 - 7, i // 15 % 11 - 5, 0.35) for i in range(count)]
+        self.poses("crowd", "step,body,x,y,z", rows)
+        job = self.job(
+            "crowd",
+            f'unit = "m"\n[bodies]\nbrick = {{ mesh = "brick.obj", count = {count} }}\n'
+            'floor = { mesh = "floor.obj", pose = [0, 0, 0, 0, 0, 0, 1], quat_order = "xyzw" }\n'
+            '[poses]\nfile = "crowd.csv"\n[rules]\norder = [ { ignore = ["brick.*", "brick.*"] } ]\n'
+            '[query]\nlevel = "pairs"\n',
+        )
+        return self.run("crowd", job)
+
     def shots(self):
         """Lines from the front and from the left through the box of two parts."""
         self.bodies()

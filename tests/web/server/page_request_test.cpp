@@ -35,6 +35,8 @@ TEST(PageRequests, EachRouteHasItsTopic) {
     EXPECT_EQ(parsed("jobs/j/counts?sample=7").topic, PageTopic::Counts);
     EXPECT_EQ(parsed("jobs/j/distances?sample=7").topic, PageTopic::Distances);
     EXPECT_EQ(parsed("jobs/j/poses?sample=7").topic, PageTopic::Poses);
+    EXPECT_EQ(parsed("jobs/j/bodies?first=2&count=3").topic, PageTopic::Bodies);
+    EXPECT_EQ(parsed("jobs/j/steps?sample=7").topic, PageTopic::Steps);
     EXPECT_EQ(parsed("jobs/j/map/1").topic, PageTopic::Map);
     EXPECT_EQ(parsed("jobs/j/parts/1/names").topic, PageTopic::PartNames);
     EXPECT_EQ(parsed("jobs/j/parts/0/closed").topic, PageTopic::ClosedParts);
@@ -64,6 +66,8 @@ TEST(PageRequests, ARangeASampleAndASearchAreRead) {
     EXPECT_EQ(next.part_a, "a/b c");
     EXPECT_EQ(next.part_b, "d e");
     EXPECT_FALSE(parsed("jobs/j/scenarios/next?from=0").next.is_backwards);
+    EXPECT_EQ(parsed("jobs/j/scenarios/next?from=0").next.body, "");
+    EXPECT_EQ(parsed("jobs/j/scenarios/next?from=0&body=car.3%2Fx").next.body, "car.3/x");
     EXPECT_EQ(next.kind, NextContact::Kind::Contact);
     EXPECT_EQ(parsed("jobs/j/scenarios/next?from=9&class=near").next.kind, NextContact::Kind::Near);
     EXPECT_EQ(parsed("jobs/j/scenarios/next?from=9&class=either").next.kind,
@@ -99,6 +103,7 @@ TEST(PageRequests, OtherTargetsAreNoRoutes) {
                                      "/api/v1/jobs/",
                                      "/api/v1/jobs/j/",
                                      "/api/v1/jobs/j/map",
+                                     "/api/v1/jobs/j/bodies/1",
                                      "/api/v1/jobs/j/map/x",
                                      "/api/v1/jobs/j/map/0/names",
                                      "/api/v1/jobs/j/parts/names",
@@ -123,6 +128,8 @@ TEST(PageRequests, AParameterThatIsMissingUnknownOrInvalidIsRefused) {
                                      "classes?sample=4&first=0",
                                      "classes?first=0&count=1&x=2",
                                      "classes?first=%3",
+                                     "bodies",
+                                     "steps?step=3",
                                      "scenarios/next",
                                      "scenarios/next?from=0&step=2",
                                      "scenarios/next?from=0&part_a=%zz",

@@ -75,6 +75,16 @@ class FakeSource final : public PageSource {
             return rows;
         });
     }
+    void bodies(const std::string& id,
+                const ScenarioChoice& /*choice*/,
+                Take<std::vector<ScenePlace>> take) override {
+        answer(id, std::move(take), [] { return std::vector<ScenePlace>{{4, 1, 3}, {5, 0, 2}}; });
+    }
+    void steps(const std::string& id,
+               const ScenarioChoice& /*choice*/,
+               Take<std::vector<StepRow>> take) override {
+        answer(id, std::move(take), [] { return std::vector<StepRow>{{0, 0.5}, {7, 1.25}}; });
+    }
     void map(const std::string& id,
              std::uint64_t body,
              Take<std::vector<TriangleContacts>> take) override {
@@ -236,6 +246,10 @@ TEST_F(PageAnswers, ArraysAreInNumpysFormat) {
     EXPECT_THAT(of_job("/parts/0").shape(), ElementsAre(2, 2));
     EXPECT_THAT(of_job("/parts/0").values<std::uint32_t>(), ElementsAre(0, 1, 7, 0));
     EXPECT_THAT(of_job("/map/1").shape(), ElementsAre(1, 2));
+    const Answered bodies = of_job("/bodies?first=0&count=2");
+    EXPECT_THAT(bodies.shape(), ElementsAre(2, 3));
+    EXPECT_THAT(bodies.values<std::uint32_t>(), ElementsAre(4, 1, 3, 5, 0, 2));
+    EXPECT_THAT(of_job("/steps?first=0&count=2").values<double>(), ElementsAre(0, 0.5, 7, 1.25));
     EXPECT_THAT(of_job("/map/1").values<std::uint64_t>(), ElementsAre(5, 6));
 }
 
@@ -250,6 +264,16 @@ TEST_F(PageAnswers, AScenarioTellsItsDistance) {
     const auto json = of_job("/scenarios/3").json();
     EXPECT_EQ(json.at("distance"), 0.25);
     EXPECT_EQ(json.at("witness"), nlohmann::json::parse("[3,7]"));
+}
+
+TEST_F(PageAnswers, AScenarioOfASceneTellsItsStepAndBodies) {
+    EXPECT_FALSE(of_job("/scenarios/3").json().contains("bodies"));
+    source_.view_->scene = ScenePlace{7, 2, 5};
+    source_.view_->time = 3.5;
+    const auto json = of_job("/scenarios/3").json();
+    EXPECT_EQ(json["step"], 7);
+    EXPECT_EQ(json["time"], 3.5);
+    EXPECT_EQ(json["bodies"], (nlohmann::json{2, 5}));
 }
 
 TEST_F(PageAnswers, HitsOfLinesAreDepthFlagsAndRank) {

@@ -10,6 +10,8 @@
 #include "common/job/result/severity.hpp"
 #include "web/server/part_filter.hpp"
 #include "web/server/scenario_repeat.hpp"
+#include "web/server/scene/body_filter.hpp"
+#include "web/server/scene/scene_rows.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -50,17 +52,6 @@ Status for_each_chosen(const RecordReader& records,
     });
 }
 
-BodyView body_view(const JobBody& body, const ObbTree& tree) {
-    const Mesh& mesh = tree.mesh();
-    return {body,
-            mesh.triangles().size(),
-            mesh.parts().size(),
-            tree.topology().is_closed(),
-            mesh.canonical_bytes().size(),
-            mesh.precision(),
-            bounding_box(mesh.vertices()).size()};
-}
-
 PosesView poses_view(const Submit& submit) {
     const PosesOrigin& poses = submit.poses;
     return {poses.kind,
@@ -70,7 +61,7 @@ PosesView poses_view(const Submit& submit) {
             poses.random,
             poses.labels.ids != IdKind::None,
             poses.labels.has_times,
-            poses.of_both_bodies};
+            poses.of_both_bodies || poses.scene};
 }
 
 /// Makes the groups of a job of its sums by part; nothing if they are unknown or too many.
@@ -135,6 +126,18 @@ filter_of(ClusterReader& reader, const PagedJob& job, const NextContact& wanted)
     return PartFilter::make({shared_parts(*trees[0]), shared_parts(*trees[1])}, wanted);
 }
 
+Result<BodyFilter>
+body_filter_of(ClusterReader& reader, const PagedJob& job, const NextContact& wanted) {
+    std::vector<std::string> names;
+    if (!wanted.body.empty()) {
+        const auto description = CD_TRY(reader.description(job.status.job));
+        for (const JobBody& body : description.submit.bodies) {
+            names.push_back(body.name);
+        }
+    }
+    return BodyFilter::make(names, wanted.body);
+}
+
 /// A range of scenarios to look through.
 struct Window {
     std::uint64_t first = 0;
@@ -175,6 +178,10 @@ Result<JobView> view_of(ClusterReader& reader, const PagedJob& job, const Contac
     view.poses = poses_view(submit);
     view.map.exists = submit.query.maps && job.status.state == JobState::Done;
     view.run.where = counted(job.workers, "worker");
+    const auto steps = CD_TRY(steps_of(submit));
+    if (steps != nullptr) {
+        view.steps = steps->steps();
+    }
     const auto trees = reader.trees(submit);
     for (std::size_t i = 0; i < submit.bodies.size(); ++i) {
         view.bodies.push_back(trees && i < trees.value().size()
@@ -228,12 +235,30 @@ Result<PoseRows>
 poses_of(ClusterReader& reader, const PagedJob& job, const ScenarioChoice& choice) {
     CD_TRY(choice.check(job.scenarios(), limits::page_scenarios_max));
     const auto description = CD_TRY(reader.description(job.status.job));
-    PoseRows rows{description.submit.poses.of_both_bodies ? std::size_t{2} : 1, {}};
+    PoseRows rows{poses_view(description.submit).of_both_bodies ? std::size_t{2} : 1, {}};
     const LabelledScenarios read = CD_TRY(reader.poses(job.status.job, choice));
     for (const Scenario& scenario : read.scenarios) {
         rows.add(scenario.poses);
     }
     return rows;
+}
+
+Result<std::vector<ScenePlace>>
+places_of(ClusterReader& reader, const PagedJob& job, const ScenarioChoice& choice) {
+    CD_TRY(choice.check(job.scenarios(), limits::page_scenarios_max));
+    const auto description = CD_TRY(reader.description(job.status.job));
+    if (!description.submit.poses.scene) {
+        return no_scene();
+    }
+    const LabelledScenarios read = CD_TRY(reader.poses(job.status.job, choice));
+    return scene_places(read.scenarios);
+}
+
+Result<std::vector<StepRow>>
+steps_of(ClusterReader& reader, const PagedJob& job, const ScenarioChoice& choice) {
+    const auto description = CD_TRY(reader.description(job.status.job));
+    const auto steps = CD_TRY(steps_of(description.submit));
+    return steps == nullptr ? no_scene() : step_rows(*steps, choice);
 }
 
 Result<std::vector<TriangleContacts>> map_of(ClusterReader& reader,
@@ -282,6 +307,7 @@ Result<NextFound> next_of(ClusterReader& reader,
                           const PagedJob& job,
                           const NextContact& wanted) {
     const auto filter = CD_TRY(filter_of(reader, job, wanted));
+    const auto of_body = CD_TRY(body_filter_of(reader, job, wanted));
     std::uint64_t done = 0;
     for (Window window = window_after(wanted, job.scenarios(), done); window.count != 0;
          window = window_after(wanted, job.scenarios(), done)) {
@@ -290,7 +316,8 @@ Result<NextFound> next_of(ClusterReader& reader,
         CD_TRY(records(choice, [&](std::uint64_t, const ScenarioResult& result) {
             const bool is_better = !found || wanted.is_backwards;
             const auto kind = static_cast<std::uint8_t>(result.kind);
-            if (is_better && wanted.has_class(kind) && filter.passes(result)) {
+            if (is_better && wanted.has_class(kind) && of_body.passes(result) &&
+                filter.passes(result)) {
                 found = result.index;
             }
             return Status(Done{});
@@ -318,6 +345,7 @@ Result<ScenarioInputs> inputs_of(ClusterReader& reader,
     auto read = CD_TRY(reader.poses(job.status.job, one));
     inputs.scenario = read.scenarios.front();
     inputs.labels = std::move(read.labels);
+    inputs.steps = CD_TRY(steps_of(description.submit));
     CD_TRY(records(one, [&](std::uint64_t, const ScenarioResult& result) {
         inputs.record = KeptRecord{encode_result(result), result};
         return Status(Done{});
@@ -329,7 +357,21 @@ std::shared_ptr<const ScenarioView> run_again(const ScenarioInputs& inputs, cons
     ScenarioView view = repeat_scenario(
         TreesByBody(inputs.trees), inputs.query, inputs.scenario, inputs.record, stop);
     add_label(inputs.labels, 0, view);
+    add_step_time(inputs.steps.get(), view);
     return std::make_shared<const ScenarioView>(std::move(view));
+}
+
+BodyView body_view(const JobBody& body, const ObbTree& tree) {
+    const Mesh& mesh = tree.mesh();
+    const Aabb box = bounding_box(mesh.vertices());
+    return {body,
+            mesh.triangles().size(),
+            mesh.parts().size(),
+            tree.topology().is_closed(),
+            mesh.canonical_bytes().size(),
+            mesh.precision(),
+            box.size(),
+            box.is_empty() ? Vec3(Vec3::Zero()) : box.min};
 }
 
 void add_label(const PoseLabels& labels, std::uint64_t place, ScenarioView& view) {

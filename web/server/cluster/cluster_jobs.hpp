@@ -5,6 +5,7 @@
 #include "common/core/result.hpp"
 #include "common/geometry/part_runs.hpp"
 #include "common/job/result/record_file.hpp"
+#include "common/scene/step_index.hpp"
 #include "web/server/cluster/cluster_reader.hpp"
 #include "web/server/page_values.hpp"
 
@@ -37,6 +38,12 @@ counts_of(const RecordReader& records, const PagedJob& job, const ScenarioChoice
 distances_of(const RecordReader& records, const PagedJob& job, const ScenarioChoice& choice);
 [[nodiscard]] Result<PoseRows>
 poses_of(ClusterReader& reader, const PagedJob& job, const ScenarioChoice& choice);
+/// Errors: NotFound if the job is no scene.
+[[nodiscard]] Result<std::vector<ScenePlace>>
+places_of(ClusterReader& reader, const PagedJob& job, const ScenarioChoice& choice);
+/// Errors: NotFound if the job is no scene.
+[[nodiscard]] Result<std::vector<StepRow>>
+steps_of(ClusterReader& reader, const PagedJob& job, const ScenarioChoice& choice);
 /// Errors: NotFound if the job has no map.
 [[nodiscard]] Result<std::vector<TriangleContacts>> map_of(ClusterReader& reader,
                                                            const PagedJob& job,
@@ -59,7 +66,8 @@ struct ScenarioInputs {
     Query query;
     BodyTrees trees;
     Scenario scenario;
-    PoseLabels labels; ///< Of this scenario.
+    PoseLabels labels;                      ///< Of this scenario.
+    std::shared_ptr<const StepIndex> steps; ///< Of a scene; else null.
     std::optional<KeptRecord> record;
 };
 /// Errors: NotFound if the job has no such scenario; those of reading.
@@ -68,9 +76,12 @@ struct ScenarioInputs {
                                                const PagedJob& job,
                                                std::uint64_t scenario);
 
-/// Runs the scenario again (`repeat_scenario`), and adds its labels.
+/// Runs the scenario again (`repeat_scenario`), and adds its labels and time.
 [[nodiscard]] std::shared_ptr<const ScenarioView> run_again(const ScenarioInputs& inputs,
                                                             const StopCheck& stop);
+
+/// Describes a body of a job.
+[[nodiscard]] BodyView body_view(const JobBody& body, const ObbTree& tree);
 
 /// Sets a view's id and time to label `place` of the labels, if they have it.
 void add_label(const PoseLabels& labels, std::uint64_t place, ScenarioView& view);

@@ -197,6 +197,28 @@ void ClusterSource::poses(const std::string& id,
     });
 }
 
+void ClusterSource::bodies(const std::string& id,
+                           const ScenarioChoice& choice,
+                           Take<std::vector<ScenePlace>> take) {
+    using Places = Take<std::vector<ScenePlace>>;
+    with_job(id, std::move(take), [this, choice](PagedJob job, Places then) {
+        read(std::move(then), [&reader = parts_.reader, choice, job = std::move(job)] {
+            return places_of(reader, job, choice);
+        });
+    });
+}
+
+void ClusterSource::steps(const std::string& id,
+                          const ScenarioChoice& choice,
+                          Take<std::vector<StepRow>> take) {
+    using Rows = Take<std::vector<StepRow>>;
+    with_job(id, std::move(take), [this, choice](PagedJob job, Rows then) {
+        read(std::move(then), [&reader = parts_.reader, choice, job = std::move(job)] {
+            return steps_of(reader, job, choice);
+        });
+    });
+}
+
 void ClusterSource::map(const std::string& id,
                         std::uint64_t body,
                         Take<std::vector<TriangleContacts>> take) {

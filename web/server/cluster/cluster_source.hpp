@@ -51,6 +51,12 @@ class ClusterSource final : public PageSource {
                    const ScenarioChoice& choice,
                    Take<std::vector<double>> take) override;
     void poses(const std::string& id, const ScenarioChoice& choice, Take<PoseRows> take) override;
+    void bodies(const std::string& id,
+                const ScenarioChoice& choice,
+                Take<std::vector<ScenePlace>> take) override;
+    void steps(const std::string& id,
+               const ScenarioChoice& choice,
+               Take<std::vector<StepRow>> take) override;
     void map(const std::string& id,
              std::uint64_t body,
              Take<std::vector<TriangleContacts>> take) override;

@@ -86,11 +86,21 @@ export interface Body {
     bytes: number;
     precision: string;
     size: number[];
+    /** The corner of the box with the least coordinates. */
+    low: number[];
+    /** Whether the body has one pose at all steps of a scene. */
+    fixed: boolean;
 }
 
-/** The names of a job's two bodies. */
-export function bodyNames(job: { bodies: readonly Body[] }): [string, string] {
-    return [job.bodies[0]?.name ?? "", job.bodies[1]?.name ?? ""];
+/** The numbers of two bodies of a job, the first of which is A. */
+export type BodyPair = readonly [number, number];
+
+/** The bodies of every scenario of a job that is no scene. */
+export const firstPair: BodyPair = [0, 1];
+
+/** The names of two bodies of a job. */
+export function bodyNames(job: { bodies: readonly Body[] }, [a, b]: BodyPair = firstPair): [string, string] {
+    return [job.bodies[a]?.name ?? "", job.bodies[b]?.name ?? ""];
 }
 
 export interface Group {
@@ -157,6 +167,8 @@ export interface Job {
     until?: Until;
     /** In a job of lines: of each line, only the first hit that crosses counts. */
     first_hits?: boolean;
+    /** In a job of a scene: how many steps it has. */
+    steps?: number;
     /** Then: bodies farther apart have no distance; null: all that share no point have one. */
     up_to?: number | null;
     maps: boolean;
@@ -220,6 +232,9 @@ export interface Scenario {
     failure: string;
     id: string | null;
     time: number | null;
+    /** In a job of a scene: the step, and the two bodies. */
+    step?: number;
+    bodies?: BodyPair;
     pose_a: Pose;
     pose_b: Pose;
     verified: boolean | null;
@@ -248,6 +263,16 @@ export function asksMotion(job: Pick<Job, "question">): boolean {
 /** Whether body B of a job is a bundle of lines, and the job asks what they hit. */
 export function asksShots(job: Pick<Job, "question">): boolean {
     return job.question === "shots";
+}
+
+/** Whether a job is a scene: each scenario is of two bodies of many, at one step. */
+export function isScene(job: Pick<Job, "steps">): boolean {
+    return job.steps !== undefined;
+}
+
+/** Returns the numbers of a scenario's bodies. */
+export function pairOf({ bodies }: Pick<Scenario, "bodies">): BodyPair {
+    return bodies ?? firstPair;
 }
 
 /** Whether a job's lines are a grid, whose bundles stand in directions; else they are those of a file. */

@@ -1,7 +1,7 @@
 import { useMemo } from "preact/hooks";
 import { isHit } from "../base/classes";
 import { scenarioLink } from "../base/route";
-import type { Job } from "../base/types";
+import { isScene, type Job } from "../base/types";
 import { counted, grouped } from "../base/words";
 import { ClassMark, Panel } from "../ui/small";
 import { Table } from "../ui/table";
@@ -39,7 +39,7 @@ export function episodesOf(results: Results): { count: number; listed: Episode[]
 
 /** Episodes of a trajectory: where contacts begin and end; in a job with a clearance also what is near. */
 export function Episodes({ job, results }: { job: Job; results: Results }) {
-    const isShown = job.poses.kind === "file" && results.isExact;
+    const isShown = job.poses.kind === "file" && results.isExact && !isScene(job);
     const episodes = useMemo(() => (isShown ? episodesOf(results) : null), [results, isShown]);
     if (!episodes) {
         return null;

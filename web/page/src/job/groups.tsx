@@ -1,7 +1,7 @@
 import { numberOf } from "../base/classes";
 import { writePart } from "../base/part_name";
 import { scenarioLink } from "../base/route";
-import { asksShots, bodyNames, type Group, type Job } from "../base/types";
+import { asksShots, bodyNames, isScene, type Group, type Job } from "../base/types";
 import { grouped, percent } from "../base/words";
 import { ClassMark, Name, Panel } from "../ui/small";
 import { type Column, Table } from "../ui/table";
@@ -32,6 +32,9 @@ function Share({ group, job }: { group: Group; job: Job }) {
 
 /** Opens the worst scenario of a group, with its contacts alone. */
 function worstLink(job: Job, { a, b, worst }: Group): string {
+    if (isScene(job)) {
+        return scenarioLink(job.job, worst); // The names of parts hold those of their bodies.
+    }
     const bodies = bodyNames(job);
     return scenarioLink(job.job, worst, { part: writePart(0, a, bodies), with: writePart(1, b, bodies) });
 }

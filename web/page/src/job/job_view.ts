@@ -1,3 +1,5 @@
+import { isFiltered, noFilter, readFilter, type SceneFilter, writeFilter } from "../scene/filter";
+
 /** All that is seen of a job's screen, as the query of a link. */
 export interface JobView {
     /** The names of the axes across and up; empty: the page chooses. */
@@ -7,9 +9,11 @@ export interface JobView {
     at: Readonly<Record<string, number>>;
     /** Scenarios [first, end) of the strip; null: all. */
     window: readonly [number, number] | null;
+    /** Which scenarios of a scene are meant. */
+    filter: SceneFilter;
 }
 
-export const startView: JobView = { x: "", y: "", at: {}, window: null };
+export const startView: JobView = { x: "", y: "", at: {}, window: null, filter: noFilter };
 
 function readValues(text: string | null): Record<string, number> {
     const pairs = (text ?? "").split(",").map((pair) => /^(\w+):(-?[\d.]+(?:e[-+]?\d+)?)$/i.exec(pair));
@@ -31,6 +35,7 @@ export function readJobView(query: URLSearchParams): JobView {
         y: query.get("y") ?? "",
         at: readValues(query.get("at")),
         window: readWindow(query.get("from"), query.get("to")),
+        filter: readFilter(query),
     };
 }
 
@@ -48,6 +53,9 @@ export function writeJobView(view: JobView): Record<string, string> {
     if (view.window) {
         query.from = String(view.window[0]);
         query.to = String(view.window[1] - 1);
+    }
+    if (isFiltered(view.filter)) {
+        Object.assign(query, writeFilter(view.filter));
     }
     return query;
 }

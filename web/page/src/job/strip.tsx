@@ -8,19 +8,24 @@ import { useReloaded, useTheme } from "../ui/hooks";
 import { Notice, Panel } from "../ui/small";
 import type { JobView } from "./job_view";
 import { canBeExact, exactMax, loadResults, type Results } from "./results";
+import { writeFilter } from "../scene/filter";
 import { styleColour } from "../base/theme";
 
 const binsMax = 1024;
 
 type Range = readonly [number, number];
 
-/** Returns the scenarios that a view shows, of a job that may have fewer. */
-function windowWithin(window: Range | null, total: number): Range {
-    return window && window[0] < total ? [window[0], Math.min(total, window[1])] : [0, total];
+/** Returns the scenarios that a view shows, of a job that may have fewer; `all` without a window. */
+function windowWithin(window: Range | null, total: number, all: Range): Range {
+    return window && window[0] < total ? [window[0], Math.min(total, window[1])] : all;
 }
 
-function exactNote(source: Source): string {
-    return `windows of at most ${grouped(exactMax(source))} are exact`;
+function noteOf(source: Source, results: Results, chosenOf: number): string {
+    if (chosenOf > 0) {
+        return `${grouped(results.classes.length)} of a sample of ${grouped(chosenOf)}`;
+    }
+    const exact = `windows of at most ${grouped(exactMax(source))} are exact`;
+    return results.isSample ? `a sample of ${grouped(results.classes.length)}; ${exact}` : "";
 }
 
 /** How many bars show something, for tests. */
@@ -105,7 +110,7 @@ export function panned([first, end]: Range, mark: number, total: number): Range 
 
 /** The classes of a window, exact where the source gives so many; else those of the whole job. */
 function useWindow(source: Source, job: Job, whole: Results, [first, end]: Range): { results: Results; error: string } {
-    const isAsked = !whole.isExact && canBeExact(source, first, end);
+    const isAsked = whole.isSample && canBeExact(source, first, end);
     const exact = useReloaded(isAsked ? `${first} ${end}` : null, whole, (signal) =>
         loadResults(source, job, first, end, signal),
     );
@@ -117,6 +122,10 @@ export function Strip(props: {
     source: Source;
     job: Job;
     results: Results;
+    /** The scenarios that are shown at first; all if left out. */
+    range?: Range;
+    /** Of how many scenarios, a sample, those of `results` were chosen; 0: of all. */
+    chosenOf?: number;
     view: JobView;
     change: (part: Partial<JobView>) => void;
 }) {
@@ -127,7 +136,8 @@ export function Strip(props: {
     const [mark, setMark] = useState(-1); // A scenario; -1: none.
     const [size, setSize] = useState(0);
     const theme = useTheme();
-    const range: Range = windowWithin(props.view.window, total);
+    const all: Range = props.range ?? [0, total];
+    const range: Range = windowWithin(props.view.window, total, all);
     const [first, end] = range;
     const { results, error } = useWindow(source, job, props.results, range);
     const worst = useMemo(() => worstInBins(results, first, end), [results, first, end]);
@@ -154,7 +164,7 @@ export function Strip(props: {
         [results, worst, mark],
     );
 
-    const show = ([from, to]: Range) => props.change({ window: from === 0 && to === total ? null : [from, to] });
+    const show = ([from, to]: Range) => props.change({ window: from === all[0] && to === all[1] ? null : [from, to] });
     const share = (event: PointerEvent) => {
         const box = (event.currentTarget as HTMLElement).getBoundingClientRect();
         return Math.min(1, Math.max(0, (event.clientX - box.left) / box.width));
@@ -162,7 +172,7 @@ export function Strip(props: {
     const scenarioUnder = (position: number) => firstOf(Math.min(bins - 1, Math.floor(position * bins)));
     const open = (one: number) => {
         if (worst[one] >= 0) {
-            goTo(scenarioLink(job.job, results.scenarioAt(worst[one])));
+            goTo(scenarioLink(job.job, results.scenarioAt(worst[one]), writeFilter(props.view.filter)));
         }
     };
     const release = () => {
@@ -192,7 +202,7 @@ export function Strip(props: {
         "+": () => zoom(true),
         "-": () => zoom(false),
         Enter: () => open(bin),
-        Escape: () => show([0, total]),
+        Escape: () => show(all),
     };
     const press = (event: KeyboardEvent) => {
         const action = event.ctrlKey || event.altKey || event.metaKey ? undefined : keys[event.key];
@@ -213,7 +223,7 @@ export function Strip(props: {
         <Panel
             title="scenarios in order"
             wide
-            note={results.isExact ? "" : `a sample of ${grouped(results.classes.length)}; ${exactNote(source)}`}
+            note={noteOf(source, results, props.chosenOf ?? 0)}
         >
             {error && <Notice kind="bad">{error}</Notice>}
             <canvas
@@ -240,7 +250,7 @@ export function Strip(props: {
                 <span class="readout">{said}</span>
                 <span>
                     {props.view.window && (
-                        <button type="button" class="quiet" onClick={() => show([0, total])}>
+                        <button type="button" class="quiet" onClick={() => show(all)}>
                             show all
                         </button>
                     )}{" "}

@@ -70,6 +70,14 @@ export function shownPose(scenario: Posed, tau: number | null): Pose {
     return relativePose(shownPoses(scenario, tau));
 }
 
+/**
+ * Whether the event of a motion is that the bodies are near: they are inside one another only without
+ * contact, so that the event of a motion of class inside is one of a clearance.
+ */
+export function isNearEvent({ class: kind }: Pick<Scenario, "class">): boolean {
+    return kind === "near" || kind === "inside";
+}
+
 /** Whether a scenario's contacts are those of the shown time. */
 export function hasContactsAt({ motion }: Posed, tau: number | null): boolean {
     return !motion || tau === null || tau === startOf(motion);

@@ -1,6 +1,6 @@
 import type { Motion, Scenario } from "../base/types";
 import { knowledgeCss } from "./colours";
-import { eventOf, intervalsOf, type Knowledge, startOf, tauOf, timeText } from "./motion";
+import { eventOf, intervalsOf, isNearEvent, type Knowledge, startOf, tauOf, timeText } from "./motion";
 
 const [width, height] = [1000, 14];
 const leastWidth = 4; // Of an instant.
@@ -66,7 +66,7 @@ export function TimeLine(props: {
     choose: (tau: number | null) => void;
 }) {
     const { motion, choose } = props;
-    const isNear = props.scenario.class === "near";
+    const isNear = isNearEvent(props.scenario);
     const tau = props.tau ?? startOf(motion);
     const text = timeText(motion, isNear, tau);
     return (

@@ -2,7 +2,7 @@ import { useEffect, useMemo, useState } from "preact/hooks";
 import { classNames, near, shownOrder } from "../base/classes";
 import { tellFacts } from "../base/facts";
 import { forgetNotes, jobLink, noteLinkSoon, type Route, scenarioLink } from "../base/route";
-import { asksDistance, asksShots, type Body, countNoun, hasDirections, type Job, type Source } from "../base/types";
+import { asksDistance, asksShots, type Body, countNoun, hasDirections, isScene, type Job, type Source } from "../base/types";
 import { bytes, counted, duration, fileName, grouped, percent, rate, shellWord, short } from "../base/words";
 import { Distances } from "../job/distances";
 import { Episodes } from "../job/episodes";
@@ -14,6 +14,12 @@ import { PoseSpace } from "../job/pose_space";
 import type { Results } from "../job/results";
 import { Strip } from "../job/strip";
 import { useResults } from "../job/use_results";
+import { BodiesPanel } from "../scene/bodies_panel";
+import { SceneEpisodes } from "../scene/episodes_panel";
+import { isFiltered, type SceneFilter, writeFilter } from "../scene/filter";
+import { meshRows, SceneCard } from "../scene/scene_card";
+import { type Filtered, useFiltered } from "../scene/use_filtered";
+import { useSteps } from "../scene/use_scene";
 import { usePolled, useTitle } from "../ui/hooks";
 import { jobKeys, KeyHelp, useKeys } from "../ui/keys";
 import { ClassCount, Command, Name, Notice, Progress } from "../ui/small";
@@ -177,10 +183,10 @@ function PosesCard({ job }: { job: Job }) {
         <div class="card">
             <b class="letter">×</b>
             <div>
-                <span>{counted(job.poses.count, "pose")}</span>
+                <span>{job.steps === undefined ? counted(job.poses.count, "pose") : counted(job.steps, "step")}</span>
                 <div class="note">
-                    {posesText(job)}
-                    {job.poses.of_both_bodies ? ", of both bodies" : ""}
+                    {isScene(job) ? counted(job.scenarios, "scenario") : posesText(job)}
+                    {job.poses.of_both_bodies && !isScene(job) ? ", of both bodies" : ""}
                 </div>
                 <div class="note">
                     level {asksDistance(job) ? "distance" : job.level}
@@ -205,9 +211,11 @@ function HowItRan({ job }: { job: Job }) {
         ["command", job.command],
         ["program", [job.program, job.commit].filter((text) => text !== "").join(", commit ")],
         ["digest", job.digest ?? ""],
-        ...job.bodies.map(
-            (body): [string, string] => [`mesh ${body.name}`, `${body.sha256} (${bytes(body.bytes)}), ${body.file}`],
-        ),
+        ...(isScene(job)
+            ? meshRows(job, 20)
+            : job.bodies.map(
+                  (body): [string, string] => [`mesh ${body.name}`, `${body.sha256} (${bytes(body.bytes)}), ${body.file}`],
+              )),
     ];
     const place = job.folder ? shellWord(job.folder) : job.job;
     const had = (job.formats ?? []).length > 0 ? `the folder has ${job.formats?.join(", ")}; more:` : "";
@@ -233,7 +241,7 @@ function HowItRan({ job }: { job: Job }) {
     );
 }
 
-function useJobFacts(job: Job | undefined, results: Results | null): void {
+function useJobFacts(job: Job | undefined, results: Results | null, { rows, results: shown }: Filtered): void {
     useEffect(
         () =>
             tellFacts("job", () => ({
@@ -241,9 +249,11 @@ function useJobFacts(job: Job | undefined, results: Results | null): void {
                 job: job?.job,
                 done: job?.done,
                 isExact: results?.isExact,
+                rows: rows?.count,
+                shown: shown && Array.from(shown.classes.subarray(0, 64), (_, i) => shown.scenarioAt(i)),
                 tested: results?.classes.reduce((sum, kind) => sum + (kind === 255 ? 0 : 1), 0),
             })),
-        [job, results],
+        [job, results, rows, shown],
     );
 }
 
@@ -265,16 +275,21 @@ export function JobScreen({ source, route }: { source: Source; route: Route }) {
     const [helps, setHelps] = useState(false);
     const { value: job, error } = usePolled<Job>(`jobs/${encodeURIComponent(id)}`, 1, (one) => !isOver(one));
     const { results, error: resultsError } = useResults(source, job);
-    const worst = useMemo(() => results?.worst() ?? 0, [results]);
+    const filtered = useFiltered(job, results, view.filter);
+    const { steps } = useSteps(job);
+    const worst = useMemo(() => filtered.results?.worst() ?? 0, [filtered.results]);
     useTitle(job ? job.name || id : id);
-    useJobFacts(job, results);
+    useJobFacts(job, results, filtered);
     useKeys({ "?": () => setHelps(true) });
     if (!job) {
         return error ? <Notice kind="bad">{error}</Notice> : <p class="wait">asking for {id}…</p>;
     }
+    const problem = error || resultsError || filtered.error;
+    const range = steps && view.filter.steps ? steps.rangeOf(...steps.within(view.filter.steps)) : undefined;
+    const filterBy = (filter: SceneFilter) => change({ filter, window: null });
     return (
         <>
-            {(error || resultsError) && <Notice kind="bad">{error || resultsError}</Notice>}
+            {problem && <Notice kind="bad">{problem}</Notice>}
             {job.failure && (
                 <Notice kind="bad">
                     failed: <Name text={job.failure} />
@@ -283,15 +298,16 @@ export function JobScreen({ source, route }: { source: Source; route: Route }) {
             {job.paused && <Notice kind="warn">paused: {job.paused}</Notice>}
             <Verdict job={job} />
             <div class="cards">
-                {job.bodies.map((body, i) =>
+                {isScene(job) && <SceneCard job={job} />}
+                {(isScene(job) ? [] : job.bodies).map((body, i) =>
                     asksShots(job) && i === 1 ? (
                         <LinesCard key={i} job={job} body={body} />
                     ) : (
-                        <BodyCard key={i} body={body} letter={i === 0 ? "A" : i === 1 ? "B" : String(i)} unit={job.unit} />
+                        <BodyCard key={i} body={body} letter={i === 0 ? "A" : "B"} unit={job.unit} />
                     ),
                 )}
                 <PosesCard job={job} />
-                <a class="card go" href={scenarioLink(job.job, worst)}>
+                <a class="card go" href={scenarioLink(job.job, worst, writeFilter(view.filter))}>
                     see it in 3D
                 </a>
             </div>
@@ -299,10 +315,24 @@ export function JobScreen({ source, route }: { source: Source; route: Route }) {
             {results ? (
                 <>
                     <div class="two">
-                        <PoseSpace source={source} job={job} results={results} view={view} change={change} />
+                        {!isScene(job) ? (
+                            <PoseSpace source={source} job={job} results={results} view={view} change={change} />
+                        ) : filtered.rows ? (
+                            <BodiesPanel job={job} rows={filtered.rows} filter={view.filter} change={filterBy} />
+                        ) : (
+                            <p class="wait">reading the bodies of the scenarios…</p>
+                        )}
                         {job.groups ? <Groups job={job} groups={job.groups} /> : <Histogram job={job} results={results} />}
                     </div>
-                    <Strip source={source} job={job} results={results} view={view} change={change} />
+                    <Strip
+                        source={source}
+                        job={job}
+                        results={filtered.results ?? results}
+                        chosenOf={isFiltered(view.filter) && filtered.rows?.areAll === false ? filtered.rows.count : 0}
+                        {...(range && range[0] < range[1] ? { range } : {})}
+                        view={view}
+                        change={change}
+                    />
                     {asksDistance(job) && (
                         <div class="two">
                             <Distances job={job} results={results} />
@@ -315,7 +345,11 @@ export function JobScreen({ source, route }: { source: Source; route: Route }) {
                     )}
                     <div class="two">
                         {job.groups && <Histogram job={job} results={results} />}
-                        <Episodes job={job} results={results} />
+                        {filtered.rows ? (
+                            <SceneEpisodes job={job} rows={filtered.rows} />
+                        ) : (
+                            <Episodes job={job} results={results} />
+                        )}
                     </div>
                 </>
             ) : (

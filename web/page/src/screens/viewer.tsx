@@ -2,8 +2,12 @@ import { useCallback, useEffect, useMemo, useRef, useState } from "preact/hooks"
 import type { PartNames } from "../base/part_name";
 import { getParts } from "../base/parts";
 import { forgetNotes, goTo, noteLink, noteLinkSoon, type Route, scenarioLink } from "../base/route";
-import { asksMotion, asksShots, bodyNames, type Job, type Source } from "../base/types";
+import { asksMotion, asksShots, bodyNames, firstPair, isScene, type Job, pairOf, type Source } from "../base/types";
 import { grouped, shellWord } from "../base/words";
+import { isFiltered, noFilter } from "../scene/filter";
+import { FilterNote, StepControls } from "../scene/step_controls";
+import { StepPairs } from "../scene/step_pairs";
+import { useOthers, useStepBodies, useSteps, useStepTo } from "../scene/use_scene";
 import { TimeLine } from "../motion/time_line";
 import { usePolled, useTitle } from "../ui/hooks";
 import { KeyHelp, useKeys, viewerKeys } from "../ui/keys";
@@ -11,7 +15,7 @@ import { Command, Notice } from "../ui/small";
 import { type Bounds, CopyLink, ViewControls } from "../viewer/controls";
 import { ContactLegend, HeatLegend, nearMeaning } from "../viewer/legend";
 import { HitLegend, LineHits } from "../viewer/line_hits";
-import { type Model, trianglesMax } from "../viewer/model";
+import { type Model, trianglesMax, trianglesOf } from "../viewer/model";
 import { Picture } from "../viewer/picture";
 import { PartPairs, Picked, PoseText } from "../viewer/side";
 import { Scrub, soughtName, ViewerHead } from "../viewer/scrub";
@@ -19,7 +23,7 @@ import { Trust } from "../viewer/status";
 import { Scenarios } from "../viewer/scenarios";
 import { nextContact, nextHeldContact } from "../viewer/step";
 import { type FindNext, useContactSearch } from "../viewer/use_search";
-import { trianglesOf, useContacts, useDrawing, useHeat, useModel } from "../viewer/use_viewer";
+import { useContacts, useDrawing, useHeat, useModel } from "../viewer/use_viewer";
 import { type Pick, readParts, readState, type ViewState, writeState } from "../viewer/view_state";
 import { useViewerFacts } from "../viewer/viewer_facts";
 
@@ -28,7 +32,7 @@ const turnStep = Math.PI / 24;
 const moveStep = 0.05; // Of the distance between eye and target.
 
 function boundsOf(model: Model | null, job: Job): Bounds {
-    const size = job.bodies[1]?.size ?? [0, 0, 0];
+    const size = job.bodies[model?.bodies[1] ?? 1]?.size ?? [0, 0, 0];
     const reach = Math.hypot(size[0], size[1], size[2]) / 2;
     const mesh = model?.meshes[0];
     const bound = (axis: number): [number, number] =>
@@ -60,17 +64,20 @@ export function ViewerScreen(props: ScreenProps) {
 }
 
 function JobViewer({ source, route, report, job }: ScreenProps & { job: Job }) {
-    const { value: model, error: modelError } = useModel(job);
+    const [scenario, setScenario] = useState(route.scenario);
+    const { value: onlyModel, error: modelError } = useModel(job);
+    const { contacts, error: scenarioError } = useContacts(job, scenario);
+    const hasSteps = isScene(job);
+    const model = hasSteps ? (contacts?.model ?? null) : onlyModel;
+    const pair = contacts ? pairOf(contacts.scenario) : firstPair;
     const names = useMemo(
         (): PartNames => ({
-            bodies: bodyNames(job),
+            bodies: bodyNames(job, pair),
             hasA: (part) => model?.parts[0].names.includes(part) ?? true,
         }),
         [model],
     );
-    const [scenario, setScenario] = useState(route.scenario);
     const [state, setState] = useState(() => readState(route.query, names));
-    const { contacts, error: scenarioError } = useContacts(job, scenario);
     const { value: heat, error: heatError } = useHeat(
         job,
         model,
@@ -82,9 +89,13 @@ function JobViewer({ source, route, report, job }: ScreenProps & { job: Job }) {
     const change = useCallback((part: Partial<ViewState>) => setState((old) => ({ ...old, ...part })), []);
     const drawing = useDrawing(canvas, model, contacts, state, heat, (camera) => change({ camera }));
     const { viewer } = drawing;
+    const { steps, error: stepsError } = useSteps(report ? undefined : job);
+    const { bodies: stepBodies, error: stepError } = useStepBodies(job, steps, contacts);
+    const others = useOthers(job, viewer, contacts, stepBodies);
+    const [listed, setListed] = useState(""); // Bodies whose pairs are listed.
     const bounds = useMemo(() => boundsOf(model, job), [model, job]);
     useTitle(report ? null : `#${scenario} ${job.name}`);
-    useViewerFacts({ model, contacts, state, drawing, scenario, canvas });
+    useViewerFacts({ model, contacts, state, drawing, scenario, canvas, step: stepBodies, others });
 
     const look = () => {
         if (viewer && state.camera) {
@@ -93,17 +104,24 @@ function JobViewer({ source, route, report, job }: ScreenProps & { job: Job }) {
     };
     // A link that was followed, or the browser's back and forward.
     const [arrivals, setArrivals] = useState(0);
+    const isFromLink = useRef(true); // Not by a step or a search from another scenario.
+    const sought = useRef(-1);
     useEffect(() => {
+        isFromLink.current = route.scenario !== sought.current;
+        sought.current = -1;
         setScenario(route.scenario);
         setState(readState(route.query, names));
         setArrivals((old) => old + 1);
     }, [route]);
     useEffect(look, [viewer, arrivals]);
-    // Whose part a link names without a body is known with the meshes.
+    // Whose part a link names without a body is known with the meshes. Other bodies have other parts.
     useEffect(() => {
-        if (model) {
+        if (model && isFromLink.current) {
             const [partA, partB] = readParts(route.query, names);
             change({ partA, partB });
+            look();
+        } else if (model) {
+            change({ partA: "", partB: "", pick: null, camera: null });
         }
     }, [model]);
     const linkTo = (number: number, camera: number[] | null) =>
@@ -117,7 +135,8 @@ function JobViewer({ source, route, report, job }: ScreenProps & { job: Job }) {
     const hasLines = asksShots(job);
     const pickedLine = hasLines && state.pick?.body === 1 ? state.pick.triangle : null;
     const alone = hasLines ? "as files" : "as a case of its own";
-    const isTooLarge = trianglesOf(job) > trianglesMax;
+    const isKnown = !hasSteps || contacts !== null;
+    const isTooLarge = isKnown && trianglesOf(job, pair) > trianglesMax;
     const draws = !isTooLarge && drawing.error === "";
     useEffect(() => {
         if (model || isTooLarge) {
@@ -129,27 +148,35 @@ function JobViewer({ source, route, report, job }: ScreenProps & { job: Job }) {
     const scenarios = useMemo(() => new Scenarios(job.scenarios, report?.scenarios), [job, report]);
     const place = scenarios.placeOf(scenario);
     const move = (to: number) => {
+        isFromLink.current = false;
         setScenario(scenarios.at(to));
         change({ tau: null });
     };
+    const stepTo = useStepTo(job, steps, contacts, state.filter, move);
     useEffect(() => {
         if (!isPlaying || contacts?.scenario.index !== scenario) {
             return;
         }
-        if (place + 1 >= scenarios.count) {
+        const step = contacts.scenario.step ?? 0;
+        const next = steps ? steps.nearest(step + 1, 1) : place + 1;
+        if (steps ? next <= step : next >= scenarios.count) {
             setPlaying(false);
             return;
         }
-        const timer = setTimeout(() => move(place + 1), playPause);
+        const timer = setTimeout(() => (steps ? stepTo(next, 1) : move(next)), playPause);
         return () => clearTimeout(timer);
     }, [isPlaying, contacts, scenario]);
 
     const partsOfBodies = async () => model?.parts ?? Promise.all([getParts(job.job, 0), getParts(job.job, 1)]);
+    const within = steps && state.filter.steps ? steps.rangeOf(...steps.within(state.filter.steps)) : undefined;
+    // Parts are those of one pair of bodies, and a search in a scene is over all pairs.
+    const wanted = hasSteps ? { ...state, partA: "", partB: "" } : state;
     const find: FindNext = (step, signal, tell) =>
         report && model
-            ? nextHeldContact({ job, from: scenario, step }, report.scenarios, state, model.parts)
-            : nextContact({ job, from: scenario, step, signal, tell }, state, partsOfBodies);
+            ? nextHeldContact({ job, from: scenario, step }, report.scenarios, wanted, model.parts)
+            : nextContact({ job, from: scenario, step, signal, tell, ...(within ? { within } : {}) }, wanted, partsOfBodies);
     const openFound = (found: number) => {
+        sought.current = found;
         noteLink(linkHere());
         goTo(linkTo(found, state.camera));
     };
@@ -174,6 +201,7 @@ function JobViewer({ source, route, report, job }: ScreenProps & { job: Job }) {
             change({ clip: { ...state.clip, at } });
         }
     };
+    const stepNow = contacts?.scenario.step ?? 0;
     const drawingKeys: Record<string, () => void> = {
         " ": () => setPlaying(!isPlaying),
         h: () => change({ mode: state.mode === "heat" || !job.maps ? "contacts" : "heat" }),
@@ -203,6 +231,7 @@ function JobViewer({ source, route, report, job }: ScreenProps & { job: Job }) {
         p: () => search.start(-1),
         ArrowRight: () => move(place + 1),
         ArrowLeft: () => move(place - 1),
+        ...(steps ? { ".": () => stepTo(stepNow + 1, 1), ",": () => stepTo(stepNow - 1, -1) } : {}),
         ...(draws ? drawingKeys : {}),
         Escape: search.stop,
         "?": () => setHelps(true),
@@ -212,7 +241,7 @@ function JobViewer({ source, route, report, job }: ScreenProps & { job: Job }) {
     useKeys(keys, report?.root);
 
     const run = job.folder ? shellWord(job.folder) : source.kind === "folder" ? shellWord(source.name) : job.job;
-    const error = modelError || drawing.error || scenarioError || (state.mode === "heat" ? heatError : "");
+    const error = modelError || drawing.error || scenarioError || stepsError || stepError || (state.mode === "heat" ? heatError : "");
     return (
         <div class="viewer">
             <ViewerHead
@@ -248,11 +277,13 @@ function JobViewer({ source, route, report, job }: ScreenProps & { job: Job }) {
                     ?
                 </button>
             </Scrub>
+            {steps && contacts && <StepControls steps={steps} step={stepNow} stepTo={stepTo} />}
+            {isFiltered(state.filter) && <FilterNote filter={state.filter} drop={() => change({ filter: noFilter })} />}
             <div class="stage-row">
                 {isTooLarge ? (
                     <div class="stage">
                         <p class="wait">
-                            {grouped(trianglesOf(job))} triangles: above {grouped(trianglesMax)} this page does not draw.
+                            {grouped(trianglesOf(job, pair))} triangles: above {grouped(trianglesMax)} this page does not draw.
                             The exports have it all:{" "}
                             <code>
                                 cdctl extract {run} {String(scenario)} --out {hasLines ? "scene --as vtp" : "case"}
@@ -270,6 +301,7 @@ function JobViewer({ source, route, report, job }: ScreenProps & { job: Job }) {
                             waits={!viewer && !error}
                             root={report?.root}
                             pick={pick}
+                            pickOther={(body) => setListed(job.bodies[body].name)}
                         />
                         {contacts?.scenario.motion && (
                             <TimeLine
@@ -288,6 +320,7 @@ function JobViewer({ source, route, report, job }: ScreenProps & { job: Job }) {
                                 state={state}
                                 bounds={bounds}
                                 hasMap={job.maps}
+                                hasOthers={steps !== null}
                                 lines={{
                                     areDrawn: hasLines,
                                     hasAllHits: hasLines && job.first_hits !== true,
@@ -325,6 +358,17 @@ function JobViewer({ source, route, report, job }: ScreenProps & { job: Job }) {
                             drop={() => change({ pick: null })}
                         />
                     )}
+                    {stepBodies && (
+                        <StepPairs
+                            job={job}
+                            step={stepBodies}
+                            scenario={scenario}
+                            others={others}
+                            text={listed}
+                            setText={setListed}
+                            open={move}
+                        />
+                    )}
                     {contacts && model && (
                         <PartPairs
                             contacts={contacts}
@@ -340,7 +384,7 @@ function JobViewer({ source, route, report, job }: ScreenProps & { job: Job }) {
                     </section>
                 </aside>
             </div>
-            {helps && <KeyHelp title="Keys of the viewer" keys={viewerKeys(draws)} close={() => setHelps(false)} />}
+            {helps && <KeyHelp title="Keys of the viewer" keys={viewerKeys(draws, steps !== null)} close={() => setHelps(false)} />}
         </div>
     );
 }

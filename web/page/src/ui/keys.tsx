@@ -8,6 +8,8 @@ const stepKeys: KeyTable = [
     ["esc", "end a search for the next contact"],
 ];
 
+const sceneKeys: KeyTable = [[", .", "previous and next step, at best of the same two bodies"]];
+
 const drawingKeys: KeyTable = [
     ["space", "play, stop"],
     ["h", "heat map, contacts"],
@@ -28,8 +30,8 @@ const drawingKeys: KeyTable = [
 ];
 
 /** The keys of the viewer; those that act on the drawing only where it draws. */
-export function viewerKeys(draws: boolean): KeyTable {
-    return [...stepKeys, ...(draws ? drawingKeys : []), ["?", "these keys"]];
+export function viewerKeys(draws: boolean, hasSteps: boolean): KeyTable {
+    return [...stepKeys, ...(hasSteps ? sceneKeys : []), ...(draws ? drawingKeys : []), ["?", "these keys"]];
 }
 
 export const jobKeys: KeyTable = [

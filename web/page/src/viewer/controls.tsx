@@ -88,6 +88,8 @@ export function ViewControls(props: {
     state: ViewState;
     bounds: Bounds;
     hasMap: boolean;
+    /** Whether a scene's other bodies can be shown. */
+    hasOthers: boolean;
     /** Whether B is a bundle of lines, whether the job has hits beyond their first ones, and what `l` hides. */
     lines: { areDrawn: boolean; hasAllHits: boolean; name: string };
     change: (part: Partial<ViewState>) => void;
@@ -113,6 +115,7 @@ export function ViewControls(props: {
                 <Check text="first hits only" isOn={state.onlyFirst} turn={(onlyFirst) => change({ onlyFirst })} />
             )}
             <Check text={props.lines.name} isOn={state.lines} turn={(lines) => change({ lines })} />
+            {props.hasOthers && <Check text="other bodies" isOn={state.others} turn={(others) => change({ others })} />}
             <SectionPlane state={state} bounds={props.bounds} change={change} />
             <div class="buttons">
                 <button type="button" onClick={props.fit} title="f">

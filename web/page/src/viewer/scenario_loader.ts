@@ -2,6 +2,7 @@
 import { ApiError, getArray, getJson, isAbort, pause } from "../base/api";
 import type { Scenario } from "../base/types";
 import { Hits } from "./hits";
+import type { Model } from "./model";
 
 export interface Contacts {
     scenario: Scenario;
@@ -13,6 +14,8 @@ export interface Contacts {
     hits: Hits | null;
     /** Whether the server left out pairs or points beyond its limit. */
     isCut: boolean;
+    /** In a job of a scene the two bodies; null if they are not drawn, or in other jobs. */
+    model: Model | null;
 }
 
 export class ScenarioLoader {
@@ -23,6 +26,7 @@ export class ScenarioLoader {
     constructor(
         private readonly job: string,
         private readonly hasLines: boolean,
+        private readonly modelOf: (scenario: Scenario) => Promise<Model | null>,
         private readonly show: (contacts: Contacts) => void,
         private readonly fail: (scenario: number, error: unknown) => void,
     ) {}
@@ -65,8 +69,13 @@ export class ScenarioLoader {
 
     private async load(number: number): Promise<Contacts> {
         const path = `jobs/${encodeURIComponent(this.job)}/scenarios/${number}`;
+        const scenario = await getJson<Scenario>(path, this.stop.signal);
+        const [contacts, model] = await Promise.all([this.loadContacts(path, scenario), this.modelOf(scenario)]);
+        return { ...contacts, model };
+    }
+
+    private async loadContacts(path: string, scenario: Scenario): Promise<Omit<Contacts, "model">> {
         const signal = this.stop.signal;
-        const scenario = await getJson<Scenario>(path, signal);
         if (scenario.class === null || scenario.exact_pairs === 0) {
             const pairs = new Uint32Array();
             const hits = this.hasLines ? new Hits(pairs, new Float64Array()) : null;

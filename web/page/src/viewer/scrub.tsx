@@ -1,12 +1,22 @@
 import type { ComponentChildren } from "preact";
 import { jobLink } from "../base/route";
-import type { Job } from "../base/types";
+import { bodyNames, isScene, type Job, pairOf } from "../base/types";
 import { Name } from "../ui/small";
 import type { Contacts } from "./scenario_loader";
 import type { Scenarios } from "./scenarios";
 import { ScenarioStatus } from "./status";
 import type { ContactSearch } from "./use_search";
 import type { Seek } from "./view_state";
+
+/** The names of a scene's two bodies. */
+function PairNames({ job, contacts }: { job: Job; contacts: Contacts }) {
+    const [a, b] = bodyNames(job, pairOf(contacts.scenario));
+    return (
+        <b class="pair-names">
+            <Name text={a} /> <i>×</i> <Name text={b} />
+        </b>
+    );
+}
 
 /** The job's name, the scenario's number, and what came of it. */
 export function ViewerHead(props: {
@@ -36,6 +46,7 @@ export function ViewerHead(props: {
                     />
                 </label>
             </h1>
+            {props.contacts && isScene(job) && <PairNames job={job} contacts={props.contacts} />}
             {props.contacts && <ScenarioStatus job={job} contacts={props.contacts} />}
         </div>
     );

@@ -1,7 +1,7 @@
 import { numberOf } from "../base/classes";
 import { countNoun, type Job, type Scenario } from "../base/types";
 import { counted, grouped, short } from "../base/words";
-import { motionText } from "../motion/motion";
+import { isNearEvent, motionText } from "../motion/motion";
 import { ClassMark, Name, Notice } from "../ui/small";
 import type { Model } from "./model";
 import type { Contacts } from "./scenario_loader";
@@ -59,7 +59,7 @@ export function ScenarioStatus({ job, contacts }: { job: Job; contacts: Contacts
     const nearCount = scenario.near_count > 0 ? counted(scenario.near_count, "near pair") : "";
     const said = [
         distanceText(job, scenario),
-        scenario.motion ? motionText(scenario.motion, scenario.class === "near") : "",
+        scenario.motion ? motionText(scenario.motion, isNearEvent(scenario)) : "",
         job.first_hits ? "the first hit of each line" : "",
         kind === 3 ? "one body is inside the other: g changes the ghost" : "",
         scenario.id !== null ? `id ${scenario.id}` : "",

@@ -7,7 +7,7 @@ import { nearPair } from "./contacts_view";
 import type { ViewState } from "./view_state";
 
 /** What is sought, and the parts of A and B that are wanted; an empty name stands for all. */
-type Wanted = Pick<ViewState, "partA" | "partB" | "seek">;
+type Wanted = Pick<ViewState, "partA" | "partB" | "seek"> & { filter?: { body: string } };
 type PartsOfBodies = readonly [BodyParts, BodyParts];
 
 /** One search: from a scenario, up (1) or down (-1), until `signal` ends it; `tell` hears how far it came. */
@@ -17,6 +17,8 @@ export interface Search {
     step: 1 | -1;
     signal: AbortSignal;
     tell: (scenario: number) => void;
+    /** Only scenarios [first, end) are sought; all if left out. */
+    within?: readonly [number, number];
 }
 
 interface Found {
@@ -32,7 +34,12 @@ function path(job: string, rest: string): string {
 }
 
 /** Lets the server look through the records. Returns null at the job's end. */
-async function nextRecorded({ job, from, step, signal, tell }: Search, wanted: Wanted): Promise<number | null> {
+async function nextRecorded(search: Search, wanted: Wanted): Promise<number | null> {
+    const { job, step, signal, tell } = search;
+    const [first, end] = search.within ?? [0, Infinity];
+    // A search does not look at the scenario from which it begins.
+    const from = step > 0 ? Math.max(search.from, first - 1) : Math.min(search.from, end);
+    const isBeyond = (scenario: number) => (step > 0 ? scenario >= end : scenario < first);
     const query = new URLSearchParams({ from: String(from), step: String(step) });
     if (wanted.seek !== "contact") {
         query.set("class", wanted.seek);
@@ -43,10 +50,16 @@ async function nextRecorded({ job, from, step, signal, tell }: Search, wanted: W
     if (wanted.partB) {
         query.set("part_b", wanted.partB);
     }
+    if (wanted.filter?.body) {
+        query.set("body", wanted.filter.body);
+    }
     for (;;) {
         const found = await getJson<Found>(path(job.job, `next?${query}`), signal);
         if (found.index !== null || found.searched_to === null) {
-            return found.index;
+            return found.index === null || isBeyond(found.index) ? null : found.index;
+        }
+        if (isBeyond(found.searched_to)) {
+            return null;
         }
         tell(found.searched_to);
         query.set("from", String(found.searched_to));

@@ -3,8 +3,8 @@ import type { RefObject } from "preact";
 import { useEffect, useRef, useState } from "preact/hooks";
 import { messageOf } from "../base/api";
 import { onTheme } from "../base/theme";
-import { asksShots, type Job } from "../base/types";
-import { loadHeat, loadModel, type Heat, type Model, trianglesMax } from "./model";
+import { asksShots, isScene, type Job, pairOf, type Scenario } from "../base/types";
+import { type Heat, isTooLarge, loadHeat, loadModel, loadPair, type Model, trianglesMax, trianglesOf } from "./model";
 import { type Contacts, ScenarioLoader } from "./scenario_loader";
 import type { ViewState } from "./view_state";
 import { Viewer } from "./viewer";
@@ -14,15 +14,12 @@ interface Loaded<T> {
     error: string;
 }
 
-export function trianglesOf(job: Job): number {
-    return job.bodies.reduce((sum, body) => sum + body.triangles, 0);
-}
-
+/** Loads the bodies of a job that is no scene. */
 export function useModel(job: Job | undefined): Loaded<Model> {
     const [loaded, setLoaded] = useState<Loaded<Model>>({ value: null, error: "" });
     useEffect(() => {
         let isCurrent = true;
-        if (job && trianglesOf(job) <= trianglesMax) {
+        if (job && !isScene(job) && !isTooLarge(job)) {
             loadModel(job).then(
                 (value) => isCurrent && setLoaded({ value, error: "" }),
                 (error) => isCurrent && setLoaded({ value: null, error: messageOf(error) }),
@@ -51,6 +48,12 @@ export function useHeat(job: Job | undefined, model: Model | null, isNeeded: boo
     return loaded;
 }
 
+/** Loads the two bodies of a scene's scenario; null if they have too many triangles. */
+async function modelOf(job: Job, scenario: Scenario): Promise<Model | null> {
+    const pair = pairOf(scenario);
+    return isScene(job) && trianglesOf(job, pair) <= trianglesMax ? loadPair(job, pair) : null;
+}
+
 /** The scenario that was loaded last, and why the wanted one could not be. */
 export function useContacts(job: Job | undefined, scenario: number) {
     const [contacts, setContacts] = useState<Contacts | null>(null);
@@ -60,8 +63,12 @@ export function useContacts(job: Job | undefined, scenario: number) {
         if (!job) {
             return;
         }
-        loader.current = new ScenarioLoader(job.job, asksShots(job), setContacts, (number, error) =>
-            setFailed({ scenario: number, error: messageOf(error) }),
+        loader.current = new ScenarioLoader(
+            job.job,
+            asksShots(job),
+            (one) => modelOf(job, one),
+            setContacts,
+            (number, error) => setFailed({ scenario: number, error: messageOf(error) }),
         );
         return () => loader.current?.close();
     }, [job?.job]);
@@ -121,8 +128,14 @@ export function useDrawing(
         return () => {
             forget();
             made.dispose();
+            setViewer(null);
         };
-    }, [model]);
+    }, [model !== null]);
+    useEffect(() => {
+        if (viewer && model) {
+            viewer.use(model);
+        }
+    }, [viewer, model]);
     useEffect(() => {
         if (viewer && contacts) {
             viewer.show(contacts, state);

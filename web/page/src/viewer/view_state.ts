@@ -1,5 +1,6 @@
 /** All that is seen in the viewer, as the query of a link. */
 import { type PartNames, readPart, writePart } from "../base/part_name";
+import { isFiltered, noFilter, readFilter, type SceneFilter, writeFilter } from "../scene/filter";
 
 export type Mode = "contacts" | "heat";
 export type Ghost = "a" | "b" | "none";
@@ -35,6 +36,10 @@ export interface ViewState {
     onlyFirst: boolean;
     /** The time in a motion that is shown, 0 to 1; null: that of the event. */
     tau: number | null;
+    /** Whether the other bodies of a scene's step are drawn. */
+    others: boolean;
+    /** Which scenarios of a scene next and previous find. */
+    filter: SceneFilter;
 }
 
 export const startState: ViewState = {
@@ -50,6 +55,8 @@ export const startState: ViewState = {
     seek: "contact",
     onlyFirst: false,
     tau: null,
+    others: true,
+    filter: noFilter,
 };
 
 function numbersOf(text: string | null, count: number): number[] | null {
@@ -111,6 +118,8 @@ export function readState(query: URLSearchParams, names: PartNames): ViewState {
         seek: seek === "near" || seek === "either" ? seek : "contact",
         onlyFirst: query.get("first") === "1",
         tau: readTau(query.get("tau")),
+        others: query.get("others") !== "0",
+        filter: readFilter(query),
     };
 }
 
@@ -156,6 +165,12 @@ export function writeState(state: ViewState, bodies: readonly [string, string]):
     }
     if (state.tau !== null) {
         query.tau = String(state.tau);
+    }
+    if (!state.others) {
+        query.others = "0";
+    }
+    if (isFiltered(state.filter)) {
+        Object.assign(query, writeFilter(state.filter));
     }
     return query;
 }

@@ -1,19 +1,20 @@
 import { Box3, Matrix4, Sphere, Vector3 } from "three";
 import type { Rgb } from "../base/classes";
-import type { BodyParts } from "../base/parts";
 import { apply, inverse, relativePose } from "../base/pose";
 import { styleColour } from "../base/theme";
 import type { Pose, Vec3 } from "../base/types";
-import { hasContactsAt, pathOf, shownPose } from "../motion/motion";
+import { hasContactsAt, isNearEvent, pathOf, shownPose, shownPoses } from "../motion/motion";
 import { PathView } from "../motion/path_view";
 import { BodyView } from "./body_view";
 import { ContactsView, type Highlight, highlightsOf, proper } from "./contacts_view";
 import { heatBytes } from "./heat";
 import type { HitKind, Hits } from "./hits";
 import type { Model } from "./model";
-import { nearestTriangle, type Ray } from "./pick";
+import type { Ray } from "./pick";
 import { PickMark } from "./pick_mark";
+import { ballOf, boxAround, hiddenBy, pickAmong } from "./picking";
 import type { Contacts } from "./scenario_loader";
+import { type OtherBody, OthersView } from "../scene/others_view";
 import { ShotsView } from "./shots_view";
 import { clipPlane, Stage } from "./stage";
 import { isSameView, type Pick, type ViewState } from "./view_state";
@@ -23,40 +24,81 @@ const blue: Rgb = [100, 138, 186];
 const linePixels = 8; // How near to a hit a click picks its line.
 const identity: Pose = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0];
 
+function bodiesOf({ meshes }: Model): [BodyView, BodyView] {
+    return [new BodyView(meshes[0], grey), new BodyView(meshes[1], blue)];
+}
+
+function shotsOf({ meshes, closed }: Model): ShotsView | null {
+    return closed ? new ShotsView(meshes[1]) : null;
+}
+
 /**
- * Both bodies and their contacts, drawn in A's frame about the centre of A's box. Poses are composed
- * in double; what the graphics card gets is single precision.
+ * Both bodies and their contacts, drawn in A's frame about the centre of A's box; of a scene also the other
+ * bodies of the step. Poses are composed in double; what the graphics card gets is single precision.
  */
 export class Viewer {
     readonly stage: Stage;
-    readonly bodies: [BodyView, BodyView];
+    bodies: [BodyView, BodyView];
     /** How many lines between nearest points are drawn. */
     gaps = 0;
+    readonly others = new OthersView();
     private readonly contactsView = new ContactsView();
-    private readonly shotsView: ShotsView | null;
+    private shotsView: ShotsView | null;
     private readonly pathView = new PathView();
     private readonly mark = new PickMark();
-    private readonly origin: Vec3;
-    private readonly parts: readonly [BodyParts, BodyParts];
     private matrices: [Matrix4, Matrix4] = [new Matrix4(), new Matrix4()];
     private highlights: [Highlight, Highlight] = [new Map(), new Map()];
     private contacts: Contacts | null = null;
     private state: ViewState | null = null;
     private fitted: Sphere | null = null; // What the view was fitted to.
+    private isOtherPair = false;
+    private radius = 1; // Of the ball about the origin that holds both bodies.
     private freshAt = -1; // The scenario that, opened anew, would be seen as it is.
 
     constructor(
         private readonly canvas: HTMLCanvasElement,
-        { meshes, parts, closed }: Model,
+        private model: Model,
         moved: () => void,
         drawn: () => void,
     ) {
         this.stage = new Stage(canvas, moved, drawn);
-        this.parts = parts;
-        this.bodies = [new BodyView(meshes[0], grey), new BodyView(meshes[1], blue)];
-        this.origin = meshes[0].centre;
-        this.shotsView = closed ? new ShotsView(meshes[1]) : null;
+        this.bodies = bodiesOf(model);
+        this.shotsView = shotsOf(model);
         this.refreshTheme();
+    }
+
+    /** Draws two other bodies from the next scenario on, which is fitted into the view. */
+    use(model: Model): void {
+        if (model === this.model) {
+            return;
+        }
+        [...this.bodies, this.shotsView].forEach((view) => view?.dispose());
+        this.model = model;
+        this.bodies = bodiesOf(model);
+        this.shotsView = shotsOf(model);
+        this.others.bodies = [];
+        [this.fitted, this.isOtherPair] = [null, true];
+    }
+
+    /** Draws these bodies, posed in the world, beside the pair. */
+    showOthers(others: readonly OtherBody[]): void {
+        this.others.bodies = others;
+        this.placeOthers();
+        this.stage.draw();
+    }
+
+    private placeOthers(): void {
+        if (this.contacts && this.state) {
+            this.others.place(inverse(shownPoses(this.contacts.scenario, this.state.tau).pose_a), this.origin);
+        }
+        this.stage.setRadius(Math.max(this.radius, this.others.reach));
+    }
+
+    /** Returns the number of the faint body at a pixel at which no triangle of the pair is; null if there is none. */
+    otherAt(x: number, y: number): number | null {
+        const isFree = this.others.group.visible && this.pickAt(x, y, false) === null;
+        const ray = this.stage.rayAt(x, y);
+        return isFree ? this.others.bodyAt(ray, hiddenBy(this.state?.clip, this.origin, ray)) : null;
     }
 
     refreshTheme(): void {
@@ -67,13 +109,15 @@ export class Viewer {
         this.contacts = contacts;
         this.placeBodies(contacts, state);
         this.showPath(contacts);
-        this.stage.setRadius(this.reachOfB() + this.bodies[1].radius + this.bodies[0].radius);
+        this.radius = this.reachOfB() + this.bodies[1].radius + this.bodies[0].radius;
         this.refreshContacts(state);
         this.state = state;
+        this.placeOthers();
         this.applyState(state);
-        if (!state.camera && !this.isInView()) {
+        if (this.isOtherPair || (!state.camera && !this.isInView())) {
             this.fit(this.fitted === null);
         }
+        this.isOtherPair = false;
     }
 
     private placeBodies({ scenario }: Contacts, state: ViewState): void {
@@ -84,8 +128,7 @@ export class Viewer {
     }
 
     private showPath({ scenario }: Contacts): void {
-        const pieces = scenario.motion ? pathOf(scenario.motion) : [];
-        this.pathView.show(pieces, this.origin, scenario.class === "near");
+        this.pathView.show(scenario.motion ? pathOf(scenario.motion) : [], this.origin, isNearEvent(scenario));
     }
 
     /** How far from A's centre B's centre is, or comes on its path at most. */
@@ -95,12 +138,18 @@ export class Viewer {
         return Math.max(this.centreOfB().length(), ...onPath);
     }
 
+    /** The point of A's frame about which all is drawn. */
+    private get origin(): Vec3 {
+        return this.model.meshes[0].centre;
+    }
+
     private centreOfB(): Vector3 {
         return new Vector3().setFromMatrixPosition(this.matrices[1]);
     }
 
     private isShown(state: ViewState, a: number, b: number): boolean {
-        return this.parts[0].isOf(a, state.partA) && this.parts[1].isOf(b, state.partB);
+        const [partsA, partsB] = this.model.parts;
+        return partsA.isOf(a, state.partA) && partsB.isOf(b, state.partB);
     }
 
     private refreshContacts(state: ViewState): void {
@@ -141,6 +190,7 @@ export class Viewer {
         }
         if (old && old.tau !== state.tau && this.contacts) {
             this.placeBodies(this.contacts, state);
+            this.placeOthers();
             this.refreshContacts(state);
         }
         if (old && (old.partA !== state.partA || old.partB !== state.partB || old.onlyFirst !== state.onlyFirst)) {
@@ -160,6 +210,8 @@ export class Viewer {
         this.contactsView.clip(planes);
         this.contactsView.group.visible = state.mode === "contacts";
         this.contactsView.lines.visible = state.lines;
+        this.others.clip(planes);
+        this.others.group.visible = state.others;
         this.pathView.clip(planes);
         this.pathView.group.visible = state.lines;
         if (this.shotsView) {
@@ -174,7 +226,7 @@ export class Viewer {
         return this.state === state;
     }
 
-    /** Solid bodies, contacts, ghost; contacts through walls come last, without the others' depths. */
+    /** Solid bodies, contacts, ghost, faint bodies; contacts through walls come last, without the others' depths. */
     private arrange(state: ViewState): void {
         const [a, b] = this.bodies;
         const solid = { objects: [a.solid, b.solid], forgetsDepth: false };
@@ -183,9 +235,10 @@ export class Viewer {
             forgetsDepth: state.throughWalls,
         };
         const ghost = { objects: [a.ghost, b.ghost], forgetsDepth: false };
+        const others = { objects: [this.others.group], forgetsDepth: false };
         const mark = { objects: [this.mark.group], forgetsDepth: true };
         this.stage.setLayers(
-            state.throughWalls ? [solid, ghost, contacts, mark] : [solid, contacts, ghost, mark],
+            state.throughWalls ? [solid, ghost, others, contacts, mark] : [solid, contacts, ghost, others, mark],
         );
     }
 
@@ -203,8 +256,7 @@ export class Viewer {
     }
 
     private isInView(): boolean {
-        const ball = this.ballAround();
-        const fitted = this.fitted;
+        const [ball, fitted] = [this.ballAround(), this.fitted];
         return fitted !== null && fitted.center.distanceTo(ball.center) + ball.radius <= fitted.radius * 1.001;
     }
 
@@ -220,32 +272,13 @@ export class Viewer {
 
     /** Looks at the triangles of A in contact; at all if there are none. */
     goToContact(): void {
-        const corners = this.bodies[0].corners;
-        const centre = new Vector3();
-        for (const triangle of this.highlights[0].keys()) {
-            centre.add(this.middleOf(corners, triangle));
-        }
-        const count = this.highlights[0].size;
-        if (count === 0) {
+        if (this.highlights[0].size === 0) {
             this.fit(false);
             return;
         }
-        centre.divideScalar(count);
-        let radius = 0;
-        for (const triangle of this.highlights[0].keys()) {
-            radius = Math.max(radius, this.middleOf(corners, triangle).distanceTo(centre));
-        }
+        const { centre, radius } = ballOf(this.bodies[0].corners, [...this.highlights[0].keys()]);
         const least = Math.min(this.bodies[0].radius, this.bodies[1].radius) / 12;
-        const box = new Sphere(centre, Math.max(radius, least)).getBoundingBox(new Box3());
-        const around = [box.min, box.max].flatMap(({ x, z }) =>
-            [box.min, box.max].map(({ y }): Vec3 => [x, y, z]),
-        );
-        this.stage.fit(centre.toArray() as Vec3, around, false);
-    }
-
-    private middleOf(corners: Float32Array, triangle: number): Vector3 {
-        const [a, b, c] = [0, 3, 6].map((at) => new Vector3().fromArray(corners, 9 * triangle + at));
-        return a.add(b).add(c).divideScalar(3);
+        this.stage.fit(centre.toArray() as Vec3, boxAround(centre, Math.max(radius, least)), false);
     }
 
     /** The camera in A's frame: eye and target, six numbers. */
@@ -309,37 +342,13 @@ export class Viewer {
     }
 
     private pickAmong(ray: Ray, bodies: readonly number[], onlyContacts = false): Pick | null {
-        let least = Infinity;
-        let pick: Pick | null = null;
-        for (const body of bodies) {
-            const triangles = onlyContacts ? [...this.highlights[body].keys()] : null;
-            const hit = this.hit(ray, body, triangles);
-            if (hit && hit.distance < least) {
-                least = hit.distance;
-                pick = { body: body as 0 | 1, triangle: triangles ? triangles[hit.triangle] : hit.triangle };
-            }
-        }
-        return pick;
-    }
-
-    private hit(ray: Ray, body: number, triangles: readonly number[] | null) {
-        const back = this.matrices[body].clone().invert();
-        const origin = new Vector3(...ray.origin).applyMatrix4(back);
-        const direction = new Vector3(...ray.direction).transformDirection(back);
-        let corners = this.bodies[body].corners;
-        if (triangles) {
-            const chosen = new Float32Array(9 * triangles.length);
-            triangles.forEach((one, i) => chosen.set(corners.subarray(9 * one, 9 * one + 9), 9 * i));
-            corners = chosen;
-        }
-        const clip = this.state?.clip;
-        const axis = clip ? "xyz".indexOf(clip.axis) : 0;
-        const limit = clip ? clip.at - this.origin[axis] : Infinity;
-        return nearestTriangle(
-            corners,
-            { origin: origin.toArray() as Vec3, direction: direction.toArray() as Vec3 },
-            (distance) => ray.origin[axis] + distance * ray.direction[axis] > limit,
-        );
+        const targets = bodies.map((body) => ({
+            body: body as 0 | 1,
+            corners: this.bodies[body].corners,
+            matrix: this.matrices[body],
+            triangles: onlyContacts ? [...this.highlights[body].keys()] : null,
+        }));
+        return pickAmong(ray, targets, hiddenBy(this.state?.clip, this.origin, ray));
     }
 
     /** How many lines are drawn, and how many of them hit something. */
@@ -384,6 +393,7 @@ export class Viewer {
         this.contactsView.dispose();
         this.shotsView?.dispose();
         this.pathView.dispose();
+        this.others.dispose();
         this.mark.dispose();
         this.stage.dispose();
     }

@@ -2,6 +2,8 @@ import { useEffect, useRef } from "preact/hooks";
 import { tellFacts } from "../base/facts";
 import type { Vec3 } from "../base/types";
 import { eventOf, intervalsOf, startOf } from "../motion/motion";
+import type { Others } from "../scene/use_scene";
+import type { StepBodies } from "../scene/step_bodies";
 import type { Model } from "./model";
 import type { Contacts } from "./scenario_loader";
 import type { Drawing } from "./use_viewer";
@@ -15,13 +17,15 @@ export function useViewerFacts(values: {
     drawing: Drawing;
     scenario: number;
     canvas: { current: HTMLCanvasElement | null };
+    step: StepBodies | null;
+    others: Others;
 }): void {
     const now = useRef(values);
     now.current = values;
     useEffect(
         () =>
             tellFacts("viewer", () => {
-                const { model, contacts, state, drawing, scenario, canvas } = now.current;
+                const { model, contacts, state, drawing, scenario, canvas, step, others } = now.current;
                 const viewer = drawing.viewer;
                 const box = canvas.current?.getBoundingClientRect();
                 const onPage = ([x, y]: [number, number]) => [x + (box?.left ?? 0), y + (box?.top ?? 0)];
@@ -50,6 +54,19 @@ export function useViewerFacts(values: {
                         event: eventOf(contacts.scenario.motion),
                         intervals: intervalsOf(contacts.scenario.motion),
                         ...viewer?.motion,
+                    },
+                    scene: contacts?.scenario.bodies && {
+                        step: contacts.scenario.step,
+                        time: contacts.scenario.time,
+                        bodies: contacts.scenario.bodies,
+                        stepRead: step?.step ?? null,
+                        others: viewer?.others.group.visible ? viewer.others.bodies.length : 0,
+                        form: others.form,
+                        filter: state.filter,
+                        centres: (viewer?.others.centres ?? []).map((one) => ({
+                            ...one,
+                            pixel: onPage(viewer?.pixelOf(one.centre) ?? [0, 0]),
+                        })),
                     },
                     hits: (viewer?.hitPixels(64) ?? []).map((one) => ({ ...one, pixel: onPage(one.pixel) })),
                     shaChecked: model?.meshes.map((mesh) => mesh.checked),

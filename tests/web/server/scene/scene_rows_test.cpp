@@ -1,0 +1,71 @@
+// Proves that steps have their first scenarios and times, and scenarios their steps and bodies.
+#include "web/server/scene/scene_rows.hpp"
+
+#include "common/core/limits/web.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace cd::tests {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+/// Three steps, the second without scenarios.
+StepIndex three_steps() {
+    StepIndex steps;
+    steps.add_step({2});
+    steps.add_step({0});
+    steps.add_step({1});
+    steps.set_times({0.5, 1, 2.5});
+    return steps;
+}
+
+} // namespace
+
+TEST(SceneRows, AStepHasItsFirstScenarioAndItsTime) {
+    const StepIndex steps = three_steps();
+    EXPECT_THAT(step_rows(steps, {0, 3}).value(),
+                ElementsAre(StepRow{0, 0.5}, StepRow{2, 1}, StepRow{2, 2.5}));
+    EXPECT_THAT(step_rows(steps, {2, 1}).value(), ElementsAre(StepRow{2, 2.5}));
+    EXPECT_THAT(step_rows(steps, {0, 0, 2}).value(), ElementsAre(StepRow{0, 0.5}, StepRow{2, 1}));
+    const auto beyond = step_rows(steps, {2, 2});
+    ASSERT_FALSE(beyond);
+    EXPECT_EQ(beyond.error().detail, "the job has 3 steps");
+    EXPECT_FALSE(step_rows(steps, {0, limits::page_scenarios_max + 1}));
+}
+
+TEST(SceneRows, AScenarioHasItsStepAndItsBodies) {
+    const std::vector<Scenario> scenarios{{0, 1, 3, {}, 4}, {1, 0, 2, {}, 5}};
+    EXPECT_THAT(scene_places(scenarios).value(),
+                ElementsAre(ScenePlace{4, 1, 3}, ScenePlace{5, 0, 2}));
+    const std::vector<Scenario> damaged{{0, 1, 3, {}, {}}};
+    ASSERT_FALSE(scene_places(damaged));
+    EXPECT_EQ(scene_places(damaged).error().code, ErrorCode::BadFrame);
+}
+
+TEST(SceneRows, AViewGetsTheTimeOfItsStep) {
+    const StepIndex steps = three_steps();
+    ScenarioView view;
+    add_step_time(&steps, view);
+    EXPECT_FALSE(view.time) << "of no scene";
+    view.scene = ScenePlace{2, 0, 1};
+    add_step_time(nullptr, view);
+    EXPECT_FALSE(view.time);
+    add_step_time(&steps, view);
+    EXPECT_EQ(view.time, 2.5);
+}
+
+TEST(SceneRows, ASubmittedSceneHasItsSteps) {
+    Submit submit;
+    submit.scenarios = 3;
+    EXPECT_EQ(steps_of(submit).value(), nullptr);
+    submit.poses.scene.emplace();
+    submit.poses.scene->steps = pack_steps(three_steps());
+    EXPECT_EQ(steps_of(submit).value()->steps(), 3u);
+    submit.scenarios = 4;
+    EXPECT_FALSE(steps_of(submit)) << "steps of another job";
+}
+
+} // namespace cd::tests

@@ -1,0 +1,109 @@
+/** One step of a scene: its scenarios, and where the bodies that take part in them are. */
+import { getArray } from "../base/api";
+import type { Body, Job, Pose } from "../base/types";
+import type { Steps } from "./steps";
+
+/** So many scenarios of a step are read. */
+const readMax = 65536;
+/** Above so many other bodies, or triangles in all, boxes are drawn instead of meshes. */
+export const othersMax = 200;
+export const drawnTrianglesMax = 8_000_000;
+
+export interface StepBodies {
+    step: number;
+    /** The step's first scenario. */
+    first: number;
+    /** Rows of step, body A, body B: one for each scenario. */
+    rows: ArrayLike<number>;
+    /** The class of each scenario. */
+    classes: ArrayLike<number>;
+    /** The pose in the world of each body that takes part, by its number. */
+    poses: ReadonlyMap<number, Pose>;
+    /** Whether the step has more scenarios than were read. */
+    isCut: boolean;
+}
+
+/** Returns the poses of bodies from rows of step, A, B and of 24 numbers: the poses of A and of B. */
+export function posesOf(rows: ArrayLike<number>, numbers: ArrayLike<number>): Map<number, Pose> {
+    const poses = new Map<number, Pose>();
+    for (let i = 0; 3 * i < rows.length; ++i) {
+        for (const side of [0, 1]) {
+            const body = rows[3 * i + 1 + side];
+            if (!poses.has(body)) {
+                poses.set(body, Array.from({ length: 12 }, (_, k) => numbers[24 * i + 12 * side + k]));
+            }
+        }
+    }
+    return poses;
+}
+
+function chosen(job: Job, what: string, first: number, count: number, signal: AbortSignal) {
+    return getArray(`jobs/${encodeURIComponent(job.job)}/${what}?first=${first}&count=${count}`, signal);
+}
+
+export async function loadStep(job: Job, steps: Steps, step: number, signal: AbortSignal): Promise<StepBodies> {
+    const [first, end] = steps.rangeOf(step);
+    const count = Math.min(readMax, end - first);
+    const [rows, classes, poses] = await Promise.all(
+        ["bodies", "classes", "poses"].map((what) => chosen(job, what, first, count, signal)),
+    );
+    return {
+        step,
+        first,
+        rows: rows.values,
+        classes: classes.values,
+        poses: posesOf(rows.values, poses.values),
+        isCut: count < end - first,
+    };
+}
+
+/**
+ * Returns the place of the row that is wanted most: of this pair, else of the wanted body, else the first.
+ */
+export function bestRow(rows: ArrayLike<number>, [a, b]: readonly [number, number], wanted: number): number {
+    let ofBody = -1;
+    for (let i = 0; 3 * i < rows.length; ++i) {
+        const [one, other] = [rows[3 * i + 1], rows[3 * i + 2]];
+        if (one === a && other === b) {
+            return i;
+        }
+        if (ofBody < 0 && (one === wanted || other === wanted)) {
+            ofBody = i;
+        }
+    }
+    return Math.max(0, ofBody);
+}
+
+/** Returns the scenario of a step that is opened when one comes from a scenario of `pair`. */
+export async function scenarioOfStep(
+    job: Job,
+    steps: Steps,
+    step: number,
+    pair: readonly [number, number],
+    wanted: number,
+    signal: AbortSignal,
+): Promise<number> {
+    const [first, end] = steps.rangeOf(step);
+    const rows = await chosen(job, "bodies", first, Math.min(readMax, end - first), signal);
+    return first + bestRow(rows.values, pair, wanted);
+}
+
+/** Returns the bodies of a step that are not of the pair, in rising order. */
+export function othersOf({ poses }: Pick<StepBodies, "poses">, pair: readonly [number, number]): number[] {
+    return [...poses.keys()].filter((body) => !pair.includes(body)).sort((a, b) => a - b);
+}
+
+export type OthersForm = "meshes" | "boxes" | "none";
+
+/** Returns how other bodies are drawn beside a pair. */
+export function formOf(
+    bodies: readonly Pick<Body, "triangles">[],
+    pair: readonly [number, number],
+    others: readonly number[],
+): OthersForm {
+    if (others.length === 0) {
+        return "none";
+    }
+    const triangles = [...pair, ...others].reduce((sum, body) => sum + bodies[body].triangles, 0);
+    return others.length > othersMax || triangles > drawnTrianglesMax ? "boxes" : "meshes";
+}

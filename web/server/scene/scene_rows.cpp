@@ -1,0 +1,48 @@
+#include "web/server/scene/scene_rows.hpp"
+
+#include "common/core/errors.hpp"
+#include "common/core/limits/web.hpp"
+
+namespace cd {
+
+Result<std::vector<ScenePlace>> scene_places(std::span<const Scenario> scenarios) {
+    std::vector<ScenePlace> places;
+    places.reserve(scenarios.size());
+    for (const Scenario& scenario : scenarios) {
+        if (!scenario.step) {
+            return Error{ErrorCode::BadFrame, "a scenario of the scene has no step"};
+        }
+        places.push_back({*scenario.step, scenario.body_a, scenario.body_b});
+    }
+    return places;
+}
+
+Result<std::vector<StepRow>> step_rows(const StepIndex& steps, const ScenarioChoice& choice) {
+    CD_TRY(choice.check(steps.steps(), limits::page_scenarios_max, "step"));
+    std::vector<StepRow> rows;
+    rows.reserve(choice.size());
+    for (std::uint64_t i = 0; i < choice.size(); ++i) {
+        const std::uint64_t step = choice.at(i, steps.steps());
+        rows.push_back({steps.first_of(step), steps.time_of(step)});
+    }
+    return rows;
+}
+
+Result<std::shared_ptr<const StepIndex>> steps_of(const Submit& submit) {
+    if (!submit.poses.scene) {
+        return std::shared_ptr<const StepIndex>();
+    }
+    return unpack_steps(submit.poses.scene->steps, submit.scenarios);
+}
+
+void add_step_time(const StepIndex* steps, ScenarioView& view) {
+    if (steps != nullptr && view.scene && view.scene->step < steps->steps()) {
+        view.time = steps->time_of(view.scene->step);
+    }
+}
+
+Error no_scene() {
+    return {ErrorCode::NotFound, "the job is no scene: it has two bodies and no steps"};
+}
+
+} // namespace cd
