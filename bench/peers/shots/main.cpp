@@ -21,7 +21,7 @@ struct Options {
     std::filesystem::path out = "shots";
     ShotSceneOptions scenes;
     ShotContestOptions contest;
-    unsigned limit_seconds = 60;
+    unsigned limit_seconds = 300;
 };
 
 std::vector<ShotEngine> all_engines([[maybe_unused]] std::vector<std::string>& missing) {
@@ -95,8 +95,10 @@ void run(const Options& options) {
                  "ours_wrong"});
     for (const ShotTarget& target : shot_targets(options.scenes)) {
         add_scene(grid_scene(target, options.scenes.lines), engines, options.contest, csv);
-        add_scene(vertex_scene(target, options.scenes.lines), engines, options.contest, csv);
-        add_scene(edge_scene(target, options.scenes.lines), engines, options.contest, csv);
+        add_scene(
+            vertex_scene(target, options.scenes.lines_on_features), engines, options.contest, csv);
+        add_scene(
+            edge_scene(target, options.scenes.lines_on_features), engines, options.contest, csv);
     }
 }
 
@@ -111,7 +113,11 @@ int main(int argc, char** argv) {
     app.add_option("--out", options.out, "Folder for the CSV files");
     app.add_option("--models", options.scenes.models, "Folder of the mesh files");
     app.add_option("--only", options.scenes.only, "Bodies with this in their names");
-    app.add_option("--lines", options.scenes.lines, "Lines of a grid's side, and of other kinds")
+    app.add_option("--lines", options.scenes.lines, "Lines of a grid on each side")
+        ->check(CLI::Range(1, 1000000));
+    app.add_option("--on-features",
+                   options.scenes.lines_on_features,
+                   "Lines through vertices, and through middles of edges")
         ->check(CLI::Range(1, 1000000));
     app.add_option("--sphere", options.scenes.sphere_subdivisions, "Subdivisions of the sphere")
         ->check(CLI::Range(0, 8));

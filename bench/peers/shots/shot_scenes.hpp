@@ -12,10 +12,11 @@
 namespace cd::bench {
 
 struct ShotSceneOptions {
-    std::filesystem::path models; ///< Folder of the mesh files.
-    std::uint32_t lines = 100000; ///< Of a grid on each side; of other kinds together.
-    int sphere_subdivisions = 6;  ///< Of the generated sphere.
-    std::string only;             ///< Bodies with this in their names.
+    std::filesystem::path models;            ///< Folder of the mesh files.
+    std::uint32_t lines = 100000;            ///< Of a grid on each side.
+    std::uint32_t lines_on_features = 10000; ///< Through vertices, and through edges.
+    int sphere_subdivisions = 6;             ///< Of the generated sphere.
+    std::string only;                        ///< Bodies with this in their names.
 };
 
 /// A body of the comparison, with its coordinates rounded to floats.
