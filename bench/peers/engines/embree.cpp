@@ -1,16 +1,15 @@
 // Embree's collision of two scenes of boxes. It cannot transform scenes, so each pose needs new
 // boxes of B and a refit of its tree (measured several times as fast as any rebuild, search
 // included). It has no triangle test, so it uses our exact one: the comparison is of the search.
+#include "bench/peers/engines/embree_handles.hpp"
 #include "bench/peers/engines/peers.hpp"
 #include "common/core/check.hpp"
-
-#include <embree3/rtcore.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
-#include <type_traits>
+#include <memory>
 
 namespace cd::bench {
 
@@ -34,14 +33,6 @@ FloatBox box_around(const Vec3& p, const Vec3& q, const Vec3& r, double slack) {
     }
     return box;
 }
-
-struct Release {
-    void operator()(RTCDevice device) const { rtcReleaseDevice(device); }
-    void operator()(RTCScene scene) const { rtcReleaseScene(scene); }
-    void operator()(RTCGeometry geometry) const { rtcReleaseGeometry(geometry); }
-};
-template <class Handle>
-using Owned = std::unique_ptr<std::remove_pointer_t<Handle>, Release>;
 
 /// The boxes of a mesh's triangles as a scene of one geometry.
 class BoxScene {
@@ -89,8 +80,8 @@ class BoxScene {
     }
 
     std::vector<FloatBox> boxes_;
-    Owned<RTCScene> scene_;
-    Owned<RTCGeometry> geometry_;
+    EmbreeOwned<RTCScene> scene_;
+    EmbreeOwned<RTCGeometry> geometry_;
 };
 
 class EmbreeMeshEngine final : public MeshEngine {
@@ -151,7 +142,7 @@ class EmbreeMeshEngine final : public MeshEngine {
 
     std::shared_ptr<const Mesh> mesh_a_;
     std::shared_ptr<const Mesh> mesh_b_;
-    Owned<RTCDevice> device_;
+    EmbreeOwned<RTCDevice> device_;
     std::unique_ptr<BoxScene> a_;
     std::unique_ptr<BoxScene> b_;
     std::vector<Vec3> moved_; ///< B's vertices in A's frame.

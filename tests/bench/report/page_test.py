@@ -25,16 +25,29 @@ def answers(**changed):
     row = {"engine": "cdcluster, certified", "suite": "corpus", "category": "random", "ending": "done",
            **{count: 0 for count in COUNTS}, "separate": 10, "touch": 10, "coplanar": 10, "proper": 10}
     theirs = {**row, "engine": "another", "invented": 3}
+    return written_page("answers", {"pairs": [{**row, **changed}, theirs]}, "ANSWERS.md", "abc")
+
+
+def shots(**changed):
+    """The exit status of a page of shot lines, one row of ours and one of another engine."""
+    row = {"body": "sphere", "kind": "grid", "closed": "yes", "engine": "cdcluster", "ending": "done",
+           "lines": 10, "hits": 20, "lines_per_s": 1e6, "ratio": 1, "missing": 0, "doubled": 0,
+           "wrong_lines": 0, "odd_lines": 0, "judged": 0, "ours_wrong": 0}
+    theirs = {**row, "engine": "Embree robust", "ratio": 2.5, "missing": 7, "odd_lines": 7}
+    return written_page("shots", {"shots": [{**row, **changed}, theirs]}, "RESULTS.md", "2.5 (7 / 0 / 7)")
+
+
+def written_page(kind, tables, name, expected):
+    """The exit status of a page of these tables, which must have the expected text."""
     with tempfile.TemporaryDirectory() as folder:
-        for name, rows in (("pairs", [{**row, **changed}, theirs]),
-                           ("machine", [{"what": "commit", "value": "abc"}])):
-            with open(pathlib.Path(folder, name + ".csv"), "w", newline="", encoding="utf-8") as file:
+        for table, rows in {**tables, "machine": [{"what": "commit", "value": "abc"}]}.items():
+            with open(pathlib.Path(folder, table + ".csv"), "w", newline="", encoding="utf-8") as file:
                 writer = csv.DictWriter(file, rows[0].keys())
                 writer.writeheader()
                 writer.writerows(rows)
-        done = subprocess.run([sys.executable, "-B", REPORT / "page.py", "answers", folder],
+        done = subprocess.run([sys.executable, "-B", REPORT / "page.py", kind, folder],
                               capture_output=True, check=False)
-        assert pathlib.Path(folder, "ANSWERS.md").read_text(encoding="utf-8").count("abc") == 1
+        assert expected in pathlib.Path(folder, name).read_text(encoding="utf-8")
         return done.returncode
 
 
@@ -50,6 +63,12 @@ class Page(unittest.TestCase):
 
     def test_a_run_without_ours_is_refused(self):
         self.assertEqual(answers(engine="a third"), 1)
+
+    def test_a_wrong_line_of_ours_is_refused(self):
+        self.assertEqual(shots(), 0)
+        self.assertEqual(shots(ours_wrong=1), 1)
+        self.assertEqual(shots(odd_lines=1), 1)
+        self.assertEqual(shots(odd_lines=1, closed="no"), 0)
 
     def test_a_summary_has_60_lines_and_cells_of_25_words(self):
         self.assertEqual(page.broken_rules("a\n" * 60 + f"| {'b ' * 25} |"), ["61 lines, more than 60"])
