@@ -9,18 +9,17 @@
 // goes sideways through the pose moved away from A by a fiftieth of B's diagonal. Prints for both
 // kinds, and for each way to end, the mean, median and largest of the paths' least times, the mean
 // number of cells, and a checksum of the answers, which does not depend on --cut.
+#include "common/motion/motion.hpp"
+
+#include "bench/motion_paths.hpp"
 #include "bench/posed_trees.hpp"
 #include "bench/timed_work.hpp"
-#include "common/geometry/aabb.hpp"
-#include "common/motion/motion_keys.hpp"
+#include "common/core/errors.hpp"
 #include "common/motion/tree_questions.hpp"
 #include "tests/support/cut_pairs.hpp"
 
-#include <Eigen/Geometry>
-
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstdint>
 #include <cstdio>
 #include <limits>
@@ -35,9 +34,7 @@ namespace {
 
 struct Options {
     PosedTreesOptions trees;
-    double length = 3;
-    double degrees = 30;
-    double resolution = 0.0005;
+    MotionPathOptions paths;
     std::optional<double> clearance;
     int rounds = 5;
     std::uint32_t cut = 0;
@@ -51,55 +48,17 @@ struct Path {
     double seconds = std::numeric_limits<double>::infinity();
 };
 
-/// Returns the pose turned about z and moved.
-Pose after(const Pose& pose, double degrees, const Vec3& move) {
-    const double half = degrees * (3.14159265358979323846 / 360);
-    const Quaternion turn{std::cos(half), 0, 0, std::sin(half)};
-    return Pose::from_quaternion(turn * pose.quaternion(), pose.translation() + move);
+Status add_paths(const MotionPaths& maker,
+                 const PosePair& poses,
+                 double resolution,
+                 std::vector<Path>& paths) {
+    const std::vector<KeyedPath> keyed = CD_TRY(maker.paths_of(poses));
+    for (const KeyedPath& path : keyed) {
+        paths.push_back(
+            {path.kind, CD_TRY(Motion::create(path.from, path.to, maker.radii(), resolution))});
+    }
+    return Done{};
 }
-
-/// Makes the motions of one pose; its quaternion is of B alone.
-class PathMaker {
-  public:
-    PathMaker(const PosedTrees& trees, const Options& options)
-        : options_(options),
-          center_a_(bounding_box(trees.mesh_a->vertices()).center()),
-          box_b_(bounding_box(trees.mesh_b->vertices())),
-          radii_{body_radius(trees.mesh_a->vertices()), body_radius(trees.mesh_b->vertices())} {}
-
-    [[nodiscard]] Result<std::vector<Path>> paths_of(const PosePair& poses) const {
-        const Vec3 away = (poses.b.apply(box_b_.center()) - center_a_).normalized();
-        const Vec3 sideways = away.unitOrthogonal();
-        const Vec3 beside = box_b_.diagonal() / 50 * away;
-        const double half = options_.length / 2;
-        auto onto = motion_between(
-            poses.a, after(poses.b, -options_.degrees, options_.length * away), poses.b);
-        auto past = motion_between(poses.a,
-                                   after(poses.b, -options_.degrees / 2, beside - half * sideways),
-                                   after(poses.b, options_.degrees / 2, beside + half * sideways));
-        if (!onto || !past) {
-            return onto ? past.error() : onto.error();
-        }
-        return std::vector<Path>{{"onto", onto.value()}, {"past", past.value()}};
-    }
-
-  private:
-    [[nodiscard]] Result<Motion>
-    motion_between(const Pose& a, const Pose& from, const Pose& to) const {
-        const auto keys =
-            round_keys(std::array{PosePair{a, from}, PosePair{a, to}}, radii_, options_.resolution);
-        if (!keys) {
-            return keys.error();
-        }
-        const auto& rounded = keys.value().keys;
-        return Motion::create(rounded[0], rounded[1], radii_, options_.resolution);
-    }
-
-    const Options& options_;
-    Vec3 center_a_;
-    Aabb box_b_;
-    BodyRadii radii_;
-};
 
 void measure(const PosedTrees& trees, const Options& options, std::vector<Path>& paths) {
     const SubtreePair whole{trees.a.view(), trees.b.view()};
@@ -162,15 +121,14 @@ int run(const Options& options) {
     if (!trees) {
         return 1;
     }
-    const PathMaker maker(*trees, options);
+    const MotionPaths maker(*trees->mesh_a, *trees->mesh_b, options.paths);
     std::vector<Path> paths;
     for (const PosePair& poses : trees->poses) {
-        const auto made = maker.paths_of(poses);
-        if (!made) {
-            std::fprintf(stderr, "%s\n", made.error().detail.c_str());
+        const Status added = add_paths(maker, poses, options.paths.resolution, paths);
+        if (!added) {
+            std::fprintf(stderr, "%s\n", added.error().detail.c_str());
             return 1;
         }
-        paths.insert(paths.end(), made.value().begin(), made.value().end());
     }
     measure(*trees, options, paths);
     for (const char* const kind : {"onto", "past"}) {
@@ -191,9 +149,11 @@ int main(int argc, char** argv) {
     options.trees.random = 25;
     CLI::App app("Measures searches along motions.");
     options.trees.add_to(app);
-    app.add_option("--length", options.length, "Of each path, in A's unit")->capture_default_str();
-    app.add_option("--degrees", options.degrees, "B's turn on each path")->capture_default_str();
-    app.add_option("--resolution", options.resolution, "In A's unit")->capture_default_str();
+    app.add_option("--length", options.paths.length, "Of each path, in A's unit")
+        ->capture_default_str();
+    app.add_option("--degrees", options.paths.degrees, "B's turn on each path")
+        ->capture_default_str();
+    app.add_option("--resolution", options.paths.resolution, "In A's unit")->capture_default_str();
     app.add_option("--clearance", options.clearance, "Without it the event is contact");
     app.add_option("--cut", options.cut, "Cut both trees at this depth, as for workers; 0: whole")
         ->capture_default_str();

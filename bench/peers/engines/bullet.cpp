@@ -1,4 +1,5 @@
 // Bullet's GImpact, in floats: the steps of its collision algorithm for two meshes.
+#include "bench/peers/engines/bullet_values.hpp"
 #include "bench/peers/engines/peers.hpp"
 
 #include <BulletCollision/CollisionShapes/btTriangleIndexVertexArray.h>
@@ -7,11 +8,6 @@
 namespace cd::bench {
 
 namespace {
-
-btVector3 vector(const Vec3& p) {
-    return {
-        static_cast<btScalar>(p.x()), static_cast<btScalar>(p.y()), static_cast<btScalar>(p.z())};
-}
 
 bool meet(btPrimitiveTriangle& a, btPrimitiveTriangle& b, GIM_TRIANGLE_CONTACT& contact) {
     a.buildTriPlane();
@@ -25,7 +21,7 @@ struct BulletPairTest {
     [[nodiscard]] btPrimitiveTriangle triangle(const Corners& t) const {
         btPrimitiveTriangle made;
         for (std::size_t i = 0; i < 3; ++i) {
-            made.m_vertices[i] = vector(t[i]);
+            made.m_vertices[i] = bullet_vector(t[i]);
         }
         made.m_margin = margin;
         return made;
@@ -85,21 +81,6 @@ struct BulletMesh {
     }
 };
 
-btTransform transform(const Pose& pose) {
-    const Mat3 r = pose.rotation();
-    const auto entry = [&](int i, int j) { return static_cast<btScalar>(r(i, j)); };
-    return btTransform(btMatrix3x3(entry(0, 0),
-                                   entry(0, 1),
-                                   entry(0, 2),
-                                   entry(1, 0),
-                                   entry(1, 1),
-                                   entry(1, 2),
-                                   entry(2, 0),
-                                   entry(2, 1),
-                                   entry(2, 2)),
-                       vector(pose.translation()));
-}
-
 class BulletMeshEngine final : public MeshEngine {
   public:
     void load(const std::shared_ptr<const Mesh>& a, const std::shared_ptr<const Mesh>& b) override {
@@ -108,8 +89,8 @@ class BulletMeshEngine final : public MeshEngine {
     }
 
     MeshAnswer ask(const PosePair& poses, Level level) override {
-        const btTransform to_world_a = transform(poses.a);
-        const btTransform to_world_b = transform(poses.b);
+        const btTransform to_world_a = bullet_transform(poses.a);
+        const btTransform to_world_b = bullet_transform(poses.b);
         btPairSet boxes;
         btGImpactBoxSet::find_collision(
             a_->shape->getBoxSet(), to_world_a, b_->shape->getBoxSet(), to_world_b, boxes);

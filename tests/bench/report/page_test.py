@@ -37,6 +37,24 @@ def shots(**changed):
     return written_page("shots", {"shots": [{**row, **changed}, theirs]}, "RESULTS.md", "2.5 (7 / 0 / 7)")
 
 
+def motions(**changed):
+    """The exit status of a page of motions, one row of ours and one of another engine."""
+    row = {"scene": "two boxes", "kind": "onto, straight", "engine": "cdcluster", "paths": 10,
+           "impacts": 10, "undecided": 0, "unanswered": 0, "missed": 0, "invented": 0, "mean_ms": 1,
+           "median_ms": 1, "off_median": 0, "off_early": 0, "off_late": 0}
+    theirs = {**row, "engine": "FCL", "impacts": 4, "missed": 6}
+    return written_page("motions", {"motions": [{**row, **changed}, theirs]}, "RESULTS.md",
+                        "1 / 1; 6 / 0 / 0 of 10; 0 / 0 / 0")
+
+
+def scenes(**changed):
+    """The exit status of a page of scenes, one row of ours and one of another engine."""
+    row = {"scene": "town", "bodies": 1000, "engine": "cdcluster", "ending": "done", "steps": 5,
+           "mean_ms": 0.1, "median_ms": 0.1, "ratio": 1, "pairs": 82, "missing": 0}
+    theirs = {**row, "engine": "FCL", "ratio": 4, "pairs": 120}
+    return written_page("scenes", {"scenes": [{**row, **changed}, theirs]}, "RESULTS.md", "4 x; 120 (0)")
+
+
 def written_page(kind, tables, name, expected):
     """The exit status of a page of these tables, which must have the expected text."""
     with tempfile.TemporaryDirectory() as folder:
@@ -69,6 +87,15 @@ class Page(unittest.TestCase):
         self.assertEqual(shots(ours_wrong=1), 1)
         self.assertEqual(shots(odd_lines=1), 1)
         self.assertEqual(shots(odd_lines=1, closed="no"), 0)
+
+    def test_a_missed_impact_of_ours_is_refused(self):
+        self.assertEqual(motions(), 0)
+        self.assertEqual(motions(impacts=9), 1)
+        self.assertEqual(motions(unanswered=1), 1)
+
+    def test_a_missing_pair_of_ours_is_refused(self):
+        self.assertEqual(scenes(), 0)
+        self.assertEqual(scenes(missing=1), 1)
 
     def test_a_summary_has_60_lines_and_cells_of_25_words(self):
         self.assertEqual(page.broken_rules("a\n" * 60 + f"| {'b ' * 25} |"), ["61 lines, more than 60"])
