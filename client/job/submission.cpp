@@ -65,7 +65,11 @@ PosesOrigin origin_of(const PosesSpec& spec) {
 BodySpec spec_of(const JobBody& body, std::size_t number) {
     BodySpec spec;
     spec.path = body.file;
-    spec.name = body.name == export_name({}, number) ? "" : body.name;
+    // Only the two bodies of [a] and [b] have names by default.
+    const JobSpec unnamed;
+    const bool is_default =
+        number < unnamed.bodies.size() && body.name == export_name(unnamed, number);
+    spec.name = is_default ? "" : body.name;
     (body.is_unit_given ? spec.unit : spec.declared_unit) = body.unit;
     spec.up = body.up;
     spec.rounds_to_float = body.rounds_to_float;

@@ -1,4 +1,5 @@
-// Proves that jobs of shot lines, and of paths between poses, can be read from their submission.
+// Proves that jobs of shot lines, of paths between poses and of many bodies can be read from their
+// submission.
 #include "client/job/submission.hpp"
 
 #include "client/job/job_text.hpp"
@@ -43,6 +44,17 @@ TEST(Submission, TellsTheLinesOfTheJob) {
     submit = submission_of(job_of("spacing = 1\n"));
     submit.poses.shots->spacing = -1;
     EXPECT_FALSE(spec_of(submit));
+}
+
+TEST(Submission, OnlyTheTwoBodiesOfAJobHaveNamesByDefault) {
+    JobBody body;
+    body.name = "a";
+    EXPECT_EQ(spec_of(body, 0).name, "");
+    for (std::size_t number = 1; number < 500; ++number) {
+        EXPECT_EQ(spec_of(body, number).name, "a") << "of body " << number << " of a scene";
+    }
+    body.name = "b";
+    EXPECT_EQ(spec_of(body, 1).name, "");
 }
 
 TEST(Submission, TellsThePathBetweenPoses) {

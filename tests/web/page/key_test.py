@@ -17,7 +17,7 @@ class Keys(PageTest):
     keyboard_test.py and long_job_test.py."""
 
     rows = [
-        "n, p", "← →", "esc", "space", "h", "g", "x", "l", "s", "[ ]", "f", "c",
+        "n, p", "← →", "esc", "space", "h", "g", "x", "l", "s", "[ ]", "f", "c", "e",
         "shift ← → ↑ ↓", "shift W A S D", "+ −", "enter", "drag, wheel", "click", "?",
     ]  # fmt: skip
 
