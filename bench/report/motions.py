@@ -44,7 +44,8 @@ def scenes_section(data):
                      *(theirs(next(iter(select(data["motions"], engine=peer, **where)), None))
                        for peer in peers)])
     note = ("Ours: mean and median of a path in ms. Others: these; impacts missed (ours has proven contact), "
-            "invented (ours has proven the path free), and crashes or hangs, of the paths tried; how far "
+            "invented (ours has proven the path free), and crashes or times beyond the "
+            "limit (by the clock, with the building of trees: a busy machine has more), of the paths tried; how far "
             "outside of the proven bracket of ours their times are, times the path's length: median, most "
             "early (below 0), most late, in thousandths of the unit (mm of vehicles).")
     return f"## Paths\n{note}\n\n" + table(
