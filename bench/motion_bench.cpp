@@ -8,12 +8,12 @@
 // goes sideways through the pose moved away from A by a fiftieth of B's diagonal. Prints for both
 // kinds, and for each way to end, the mean, median and largest of the paths' least times, the mean
 // number of cells, and a checksum of the answers.
-#include "common/core/errors.hpp"
 #include "common/motion/motion.hpp"
 
 #include "bench/motion_paths.hpp"
 #include "bench/posed_trees.hpp"
 #include "bench/timed_work.hpp"
+#include "common/core/errors.hpp"
 #include "common/motion/tree_questions.hpp"
 
 #include <algorithm>

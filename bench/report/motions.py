@@ -55,8 +55,9 @@ def scenes_section(data):
 def engines_section(_):
     return ("FCL's conservative advancement takes no error and no number of iterations for meshes; naive is "
             "its default, which tests samples of the path. The body that moves is FCL's first: of two boxes "
-            "of which the second moves, conservative advancement misses the impact. Bullet sweeps convex hulls, so its impacts of "
-            "vehicles are those of other bodies. With a turn, the peers' paths differ from ours by 0.6 mrad.\n")
+            "of which the second moves, conservative advancement misses the impact. Bullet sweeps "
+            "convex hulls, so its impacts of vehicles are those of other bodies. "
+            "With a turn, the peers' paths differ from ours by 0.6 mrad.\n")
 
 
 def faults(data):
