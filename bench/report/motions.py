@@ -44,7 +44,8 @@ def scenes_section(data):
                      *(theirs(next(iter(select(data["motions"], engine=peer, **where)), None))
                        for peer in peers)])
     note = ("Ours: mean and median of a path in ms. Others: these; impacts missed (ours has proven contact), "
-            "invented (ours has proven the path free), and crashes or hangs, of the paths tried; how far "
+            "invented (ours has proven the path free), and crashes or times beyond the "
+            "limit (by the clock, with the building of trees: a busy machine has more), of the paths tried; how far "
             "outside of the proven bracket of ours their times are, times the path's length: median, most "
             "early (below 0), most late, in thousandths of the unit (mm of vehicles).")
     return f"## Paths\n{note}\n\n" + table(
@@ -53,8 +54,10 @@ def scenes_section(data):
 
 def engines_section(_):
     return ("FCL's conservative advancement takes no error and no number of iterations for meshes; naive is "
-            "its default, which tests samples of the path. Bullet sweeps convex hulls, so its impacts of "
-            "vehicles are those of other bodies. With a turn, the peers' paths differ from ours by 0.6 mrad.\n")
+            "its default, which tests samples of the path. The body that moves is FCL's first: of two boxes "
+            "of which the second moves, conservative advancement misses the impact. Bullet sweeps "
+            "convex hulls, so its impacts of vehicles are those of other bodies. "
+            "With a turn, the peers' paths differ from ours by 0.6 mrad.\n")
 
 
 def faults(data):

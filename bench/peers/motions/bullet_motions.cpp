@@ -40,12 +40,12 @@ class BulletMotionBodies final : public MotionBodies {
         world_.addCollisionObject(&object_);
     }
 
-    /// Body A rests where a path begins: Bullet sweeps one body.
+    /// Bullet sweeps one body, so B moves in A's frame: no path turns A.
     Impact find(const KeyedPath& path) override {
-        object_.setWorldTransform(bullet_transform(path.from.a));
-        world_.updateSingleAabb(&object_);
-        const btTransform from = bullet_transform(path.from.b);
-        const btTransform to = bullet_transform(path.to.b);
+        const btTransform from =
+            bullet_transform(path.from.a).inverseTimes(bullet_transform(path.from.b));
+        const btTransform to =
+            bullet_transform(path.to.a).inverseTimes(bullet_transform(path.to.b));
         btCollisionWorld::ClosestConvexResultCallback closest(from.getOrigin(), to.getOrigin());
         world_.convexSweepTest(b_.get(), from, to, closest);
         const double time = closest.m_closestHitFraction;

@@ -42,22 +42,22 @@ MotionScene motions_of(const Scene& bodies) {
     return scene;
 }
 
-/// Returns paths of B along z, and of A against it, beside each other by up to `beside` in x and y.
-MotionScene
-towards_each_other(MotionScene scene, const char* kind, double beside, std::size_t count) {
+/// Adds paths of B along z, and of A against it by a share of the way, beside each other by up to 1
+/// in x and y.
+void add_encounters(const char* kind, double share_of_a, std::size_t count, MotionScene& scene) {
     const BodyRadii radii{body_radius(scene.a->vertices()), body_radius(scene.b->vertices())};
     std::mt19937_64 random(1);
+    const double way_a = 0.5 * share_of_a * scene.length;
+    const double way_b = 0.5 * scene.length - way_a;
     for (std::size_t i = 0; i < count; ++i) {
-        const Vec3 moved(
-            tests::uniform(random, -beside, beside), tests::uniform(random, -beside, beside), 0);
-        const auto at = [&](double z) { return Pose::from_quaternion({}, moved + Vec3(0, 0, z)); };
-        scene.paths.push_back(checked(keyed_path(kind,
-                                                 {Pose(), at(-scene.length / 2)},
-                                                 {Pose(), at(scene.length / 2)},
-                                                 radii,
-                                                 scene.resolution)));
+        const Vec3 beside(tests::uniform(random, -1, 1), tests::uniform(random, -1, 1), 0);
+        const auto poses = [&](double time) {
+            return PosePair{Pose::from_quaternion({}, Vec3(0, 0, -time * way_a)),
+                            Pose::from_quaternion({}, beside + Vec3(0, 0, time * way_b))};
+        };
+        scene.paths.push_back(
+            checked(keyed_path(kind, poses(-1), poses(1), radii, scene.resolution)));
     }
-    return scene;
 }
 
 /// Two boxes of side 2 whose meshes stand apart along z.
@@ -68,7 +68,8 @@ MotionScene two_boxes(std::size_t count) {
                       0.001,
                       16,
                       {}};
-    return towards_each_other(std::move(scene), "onto, straight", 1, count);
+    add_encounters("both, straight", 0.5, count, scene);
+    return scene;
 }
 
 MotionScene thin_wall(std::size_t count) {
@@ -79,7 +80,8 @@ MotionScene thin_wall(std::size_t count) {
         0.001,
         10,
         {}};
-    return towards_each_other(std::move(scene), "through, straight", 1, count);
+    add_encounters("through, straight", 0, count, scene);
+    return scene;
 }
 
 } // namespace
