@@ -7,6 +7,7 @@
 #include "client/job/submission.hpp"
 #include "client/poses/label_file.hpp"
 #include "client/remote/mesh_cache.hpp"
+#include "client/scene/mesh_split.hpp"
 #include "common/core/errors.hpp"
 #include "common/core/words.hpp"
 #include "common/job/poses/poses_hash.hpp"
@@ -46,6 +47,23 @@ Result<std::shared_ptr<const Mesh>> changed_lines(const ShotsSpec& shots) {
 Error damaged(const fs::path& file, const std::string& what) {
     return {ErrorCode::Io,
             file.string() + " is damaged: " + what + "; run the job again with --fresh"};
+}
+
+/// Imports the mesh file of a body of a scene. Returns the whole mesh if that is expected, else the
+/// meshes of all its parts, one of which may be. Errors: as `import_mesh` and `split_mesh`.
+Result<std::vector<std::shared_ptr<const Mesh>>>
+whole_or_parts(const BodySpec& body, const std::string& unit, const Sha256& expected) {
+    const auto options = CD_TRY(import_options(body, unit));
+    const auto imported = CD_TRY(import_mesh(body.path, options));
+    if (imported.mesh->hash() == expected) {
+        return std::vector{imported.mesh};
+    }
+    std::vector<std::shared_ptr<const Mesh>> meshes;
+    const auto parts = CD_TRY(split_mesh(*imported.mesh));
+    for (const PartMesh& part : parts) {
+        meshes.push_back(part.mesh);
+    }
+    return meshes;
 }
 
 /// Imports a body's mesh file. Errors: as `import_mesh`; BadInput if the mesh has changed.
@@ -88,26 +106,56 @@ Result<JobSpec> OpenedRun::spec() const {
     return spec;
 }
 
-Result<std::shared_ptr<const Mesh>> OpenedRun::mesh(std::size_t body) const {
-    const ManifestBody& wanted = manifest_.bodies[body];
+Result<std::vector<std::shared_ptr<const Mesh>>> OpenedRun::meshes() const {
+    std::map<Sha256, std::shared_ptr<const Mesh>> known;
+    std::vector<std::shared_ptr<const Mesh>> meshes;
+    for (std::size_t body = 0; body < manifest_.bodies.size(); ++body) {
+        const ManifestBody& wanted = manifest_.bodies[body];
+        if (!known.contains(wanted.mesh)) {
+            if (const auto kept = CD_TRY(kept_mesh(wanted))) {
+                known.emplace(wanted.mesh, kept);
+            } else if (manifest_.scene) {
+                const auto imported =
+                    CD_TRY(whole_or_parts(spec_of(wanted, body), manifest_.unit, wanted.mesh));
+                for (const auto& each : imported) {
+                    known.emplace(each->hash(), each);
+                }
+            } else {
+                known.emplace(wanted.mesh, CD_TRY(mesh_again(body, meshes)));
+            }
+        }
+        const auto mesh = known.find(wanted.mesh);
+        if (mesh == known.end()) {
+            return changed(wanted.file);
+        }
+        meshes.push_back(mesh->second);
+    }
+    return meshes;
+}
+
+Result<std::shared_ptr<const Mesh>> OpenedRun::kept_mesh(const ManifestBody& wanted) const {
     auto kept =
         read_mesh_file(mesh_file_path(dir_ / "inputs" / "meshes", wanted.mesh), wanted.mesh);
     if (kept) {
         return kept;
     }
-    if (kept.error().code != ErrorCode::NotFound) {
-        return Error{kept.error().code,
-                     kept.error().detail + "; remove it to import " + wanted.file +
-                         " again, or run the job again with --fresh"};
+    if (kept.error().code == ErrorCode::NotFound) {
+        return std::shared_ptr<const Mesh>();
     }
+    return Error{kept.error().code,
+                 kept.error().detail + "; remove it to import " + wanted.file +
+                     " again, or run the job again with --fresh"};
+}
+
+Result<std::shared_ptr<const Mesh>>
+OpenedRun::mesh_again(std::size_t body, std::span<const std::shared_ptr<const Mesh>> before) const {
+    const Sha256& wanted = manifest_.bodies[body].mesh;
     const auto job = CD_TRY(spec());
     if (const auto* shots = std::get_if<ShotsSpec>(&job.poses); shots != nullptr && body == 1) {
-        const auto a = CD_TRY(mesh(0));
-        const auto lines = CD_TRY(lines_of(*shots, *a));
-        return lines->hash() == wanted.mesh ? lines : changed_lines(*shots);
+        const auto lines = CD_TRY(lines_of(*shots, *before[0]));
+        return lines->hash() == wanted ? lines : changed_lines(*shots);
     }
-    return import_again(
-        manifest_.scene ? spec_of(wanted, body) : job.bodies[body], manifest_.unit, wanted.mesh);
+    return import_again(job.bodies[body], manifest_.unit, wanted);
 }
 
 Result<std::optional<JobScene>> OpenedRun::scene() const {
@@ -179,21 +227,13 @@ bool is_folder(const std::string& argument) {
 
 Result<JobInputs> read_inputs(const OpenedRun& run) {
     JobInputs inputs;
-    const auto& bodies = run.manifest().bodies;
-    std::map<Sha256, std::shared_ptr<const Mesh>> known;
-    for (std::size_t body = 0; body < bodies.size(); ++body) {
-        std::shared_ptr<const Mesh>& mesh = known[bodies[body].mesh];
-        if (mesh == nullptr) {
-            mesh = CD_TRY(run.mesh(body));
-        }
-        inputs.meshes.push_back(mesh);
-    }
+    inputs.meshes = CD_TRY(run.meshes());
     inputs.poses = CD_TRY(run.kept_poses());
     if (inputs.poses) {
         inputs.labels = CD_TRY(run.kept_labels());
         inputs.scene = CD_TRY(run.scene());
     }
-    for (const ManifestBody& body : bodies) {
+    for (const ManifestBody& body : run.manifest().bodies) {
         inputs.names.push_back(body.name);
     }
     inputs.ignored = run.manifest().query.ignored;
@@ -225,12 +265,12 @@ Result<ExportContext> export_context(const OpenedRun& run) {
     context.unit = manifest.unit;
     context.describe(manifest.query);
     context.stop = &InterruptGuard::has_come;
+    const auto meshes = CD_TRY(run.meshes());
     for (std::size_t i = 0; i < manifest.bodies.size(); ++i) {
-        auto mesh = CD_TRY(run.mesh(i));
         const ManifestBody& body = manifest.bodies[i];
         context.bodies.push_back({body.name,
                                   fs::path(body.file).filename().string(),
-                                  std::move(mesh),
+                                  meshes[i],
                                   body.rounds_to_float,
                                   body.is_fixed});
     }

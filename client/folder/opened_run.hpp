@@ -11,8 +11,10 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace cd {
 
@@ -31,9 +33,10 @@ class OpenedRun {
     /// Returns the job as if read from its job file, without an output folder. Errors: BadInput if
     /// run.json holds a job that no job file can express.
     [[nodiscard]] Result<JobSpec> spec() const;
-    /// Returns the mesh of a body as it was tested: the copy in the folder, or else the file that
-    /// run.json names. Errors: NotFound, Io; BadInput if that file has changed since the run.
-    [[nodiscard]] Result<std::shared_ptr<const Mesh>> mesh(std::size_t body) const;
+    /// Returns the mesh of each body as it was tested: the copy in the folder, or else the file
+    /// that run.json names, or a part of it. Bodies of one mesh share it, and a file is imported
+    /// once. Errors: NotFound, Io; BadInput if a file has changed since the run.
+    [[nodiscard]] Result<std::vector<std::shared_ptr<const Mesh>>> meshes() const;
     /// Opens the poses that the folder keeps; null if it keeps none. Errors: Io.
     [[nodiscard]] Result<std::unique_ptr<PoseSource>> kept_poses() const;
     /// Reads the scenario labels that the folder keeps; empty if it keeps none. Errors: Io.
@@ -47,6 +50,13 @@ class OpenedRun {
   private:
     OpenedRun(std::filesystem::path dir, RunManifest manifest, RecordFile records)
         : dir_(std::move(dir)), manifest_(std::move(manifest)), records_(std::move(records)) {}
+
+    /// Reads the copy of a mesh in the folder; null if there is none. Errors: Io.
+    [[nodiscard]] Result<std::shared_ptr<const Mesh>> kept_mesh(const ManifestBody& wanted) const;
+    /// Makes the mesh of one of two bodies again; `before` has those of the bodies before it.
+    /// Errors: as `meshes`.
+    [[nodiscard]] Result<std::shared_ptr<const Mesh>>
+    mesh_again(std::size_t body, std::span<const std::shared_ptr<const Mesh>> before) const;
 
     std::filesystem::path dir_;
     RunManifest manifest_;
@@ -73,7 +83,7 @@ class OpenedRun {
                                                 ThreadPool& pool,
                                                 bool quiet = true);
 
-/// Returns the names, meshes and query for exports of a run. Errors: as `OpenedRun::mesh`.
+/// Returns the names, meshes and query for exports of a run. Errors: as `OpenedRun::meshes`.
 [[nodiscard]] Result<ExportContext> export_context(const OpenedRun& run);
 
 } // namespace cd

@@ -189,23 +189,23 @@ TEST_F(FolderRunTest, FilesAreNotAddedToARunThatReplacedTheirs) {
 
 TEST_F(FolderRunTest, ADamagedMeshIsImportedAgainOnceItIsRemovedOrWrittenByAFreshRun) {
     run_into("out");
-    const auto mesh = [&] { return OpenedRun::open(folder_ / "out").value().mesh(0); };
+    const auto meshes = [&] { return OpenedRun::open(folder_ / "out").value().meshes(); };
     const fs::path copy =
         mesh_file_path(folder_ / "out" / "inputs" / "meshes", manifest("out").bodies[0].mesh);
     write_text(copy, "damaged");
     const std::string refusal =
         copy.string() + " is damaged: it has another SHA-256; remove it to import " +
         (folder_ / "a.obj").string() + " again, or run the job again with --fresh";
-    EXPECT_EQ(mesh().error().detail, refusal);
+    EXPECT_EQ(meshes().error().detail, refusal);
     FolderRunOptions options;
     options.folder.fresh = true;
     run_into("out", options);
-    EXPECT_TRUE(mesh());
+    EXPECT_TRUE(meshes());
 
     write_text(copy, "damaged");
-    EXPECT_EQ(mesh().error().detail, refusal);
+    EXPECT_EQ(meshes().error().detail, refusal);
     fs::remove(copy);
-    EXPECT_TRUE(mesh());
+    EXPECT_TRUE(meshes());
 }
 
 TEST_F(FolderRunTest, TheRateOfAResumedRunCountsWhatWasRunThen) {

@@ -198,6 +198,28 @@ TEST_F(SceneFolder, CanBeVerifiedRunAgainReusedAndReported) {
     EXPECT_EQ(digest_of(cdctl_here({"run", folder_ / "out"})), digest) << "files are read again";
 }
 
+TEST_F(SceneFolder, WithoutInputsTheFileOfASplitMeshIsReadAgain) {
+    write_text(folder_ / "two.obj",
+               "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\no floor\nf 1 2 3\no side\nf 1 2 4\n");
+    write_text(folder_ / "job.toml",
+               "[bodies]\nhall = { mesh = \"two.obj\", split = \"parts\" }\n"
+               "ball = { mesh = \"ball.obj\", pose = [0, 0, 0, 0, 0, 0, 1], quat_order = \"xyzw\" "
+               "}\n[query]\nlevel = \"pairs\"\n");
+    const auto manifest = run_into("out", {"--no-inputs"});
+    EXPECT_FALSE(fs::exists(folder_ / "out" / "inputs"));
+    ASSERT_EQ(manifest["bodies"].size(), 3u);
+    const std::string digest = manifest["digest"].get<std::string>().substr(0, 16);
+    const Ran verified = cdctl_here({"verify", folder_ / "out"});
+    EXPECT_EQ(verified.exit_code, 0) << verified.output << verified.errors;
+    EXPECT_EQ(digest_of(cdctl_here({"run", folder_ / "out"})), digest);
+
+    write_text(folder_ / "two.obj",
+               "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 2\no floor\nf 1 2 3\no side\nf 1 2 4\n");
+    const Ran changed = cdctl_here({"verify", folder_ / "out"});
+    EXPECT_EQ(changed.exit_code, 2);
+    EXPECT_THAT(changed.errors, HasSubstr("two.obj has changed since the run"));
+}
+
 TEST_F(SceneFolder, RunsOfOtherPosesAreComparedByStepAndBodies) {
     write_job("level = \"pairs\"");
     run_into("old");
