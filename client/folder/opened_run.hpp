@@ -34,8 +34,8 @@ class OpenedRun {
     /// run.json holds a job that no job file can express.
     [[nodiscard]] Result<JobSpec> spec() const;
     /// Returns the mesh of each body as it was tested: the copy in the folder, or else the file
-    /// that run.json names, or a part of it. Bodies of one mesh share it, and a file is imported
-    /// once. Errors: NotFound, Io; BadInput if a file has changed since the run.
+    /// that run.json names, or a part of it. Bodies of one mesh share it, and all parts of a file
+    /// come from one import. Errors: NotFound, Io; BadInput if a file has changed since the run.
     [[nodiscard]] Result<std::vector<std::shared_ptr<const Mesh>>> meshes() const;
     /// Opens the poses that the folder keeps; null if it keeps none. Errors: Io.
     [[nodiscard]] Result<std::unique_ptr<PoseSource>> kept_poses() const;
