@@ -1,7 +1,7 @@
 // Measures shot lines through a mesh: the search for the triangles that lines touch, and the exact
 // decision of each hit.
 //
-//   engine_shots_bench MESH [--unit 1] [--lines 128] [--rounds 3]
+//   engine_shots_bench MESH [--unit 1] [--lines 128] [--rounds 3] [--only front]
 //
 // Lines are those of one bundle of lines x lines: as a grid from the front, as a grid from an odd
 // direction, and through the mesh's vertices. Prints for each kind the least time of some rounds:
@@ -36,6 +36,7 @@ struct Options {
     double unit = 1;
     std::uint32_t lines = 128;
     int rounds = 3;
+    std::string only;
 };
 
 /// Lines, and where they are.
@@ -185,6 +186,9 @@ int run(const Options& options) {
     ThreadPool pool;
     const ObbTree body = build_tree(mesh, {}, pool);
     for (const Kind& kind : kinds_of(*mesh, options)) {
+        if (kind.name.find(options.only) == std::string::npos) {
+            continue;
+        }
         measure(*mesh, body, kind, options.rounds);
     }
     return 0;
@@ -201,6 +205,7 @@ int main(int argc, char** argv) {
     app.add_option("--unit", options.unit, "What coordinates are multiplied by");
     app.add_option("--lines", options.lines, "Lines along a side of the bundle")
         ->capture_default_str();
+    app.add_option("--only", options.only, "Kinds of lines with this in their names");
     app.add_option("--rounds", options.rounds, "The least time counts")->capture_default_str();
     CLI11_PARSE(app, argc, argv);
     return cd::bench::run(options);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "common/core/limits/engine.hpp"
+#include "common/job/shots/bundle_shots.hpp"
 #include "common/search/contact_search.hpp"
 #include "common/shots/segment_hit.hpp"
 
@@ -19,7 +20,8 @@ struct KeptSearch {
     std::unique_ptr<ContactSearch> search; ///< Created by the first scenario with a pair.
     /// Index of the pair in which the last run at `level any` found a contact; empty without one.
     std::optional<std::size_t> touching;
-    std::optional<SegmentHit> lines; ///< With Question::Shots; created by the first hit.
+    std::optional<BundleShots> bundles; ///< With Question::Shots; created by the first scenario.
+    std::optional<SegmentHit> lines;    ///< With Question::Shots; created by the first hit.
 };
 
 /// One search for each pair of trees, of at most `limits::searches_kept_max` pairs: those used

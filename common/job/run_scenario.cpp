@@ -2,8 +2,8 @@
 
 #include "common/core/limits/engine.hpp"
 #include "common/job/run_motion.hpp"
-#include "common/job/run_shots.hpp"
 #include "common/job/settle.hpp"
+#include "common/job/shots/run_shots.hpp"
 #include "common/search/contact_search.hpp"
 
 #include <algorithm>

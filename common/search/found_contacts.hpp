@@ -71,6 +71,9 @@ class FoundContacts {
     /// Returns whether any added contact is proper.
     [[nodiscard]] bool has_proper() const { return has_proper_; }
 
+    /// Returns how many pairs are kept at most, as the options say.
+    [[nodiscard]] std::uint64_t pairs_max() const { return options_.pairs_max; }
+
     /// Sorts the pairs, each with its corners, and keeps the first `pairs_max`.
     void sort();
 

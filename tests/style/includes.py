@@ -13,7 +13,7 @@ LAYERS = {
     "common/geometry": ["common/core"],
     "common/pair": ["common/core", "common/geometry"],
     "common/distance": ["common/core", "common/geometry", "common/pair"],
-    "common/shots": ["common/core", "common/distance", "common/geometry", "common/pair"],
+    "common/shots": ["common/core", "common/distance", "common/geometry", "common/pair", "common/tree"],
     "common/tree": ["common/core", "common/geometry", "common/pair"],
     "common/search": ["common/core", "common/distance", "common/geometry", "common/pair", "common/tree"],
     "common/motion": ["common/core", "common/geometry", "common/pair", "common/search", "common/tree"],
@@ -126,7 +126,7 @@ DOORS = {
     r"CLI/": ["common/core/host/daemon_options.cpp", "master/config.cpp", "worker/config.cpp", "client"],
     r"toml\+\+/": ["common/core/host/daemon_options.cpp", "client"],
     r"nlohmann/": ["client", "web"],
-    r"hwy/": ["common/geometry", "common/pair", "common/distance", "common/scene", "common/tree", "common/search/contact_pair"],
+    r"hwy/": ["common/geometry", "common/pair", "common/distance", "common/scene", "common/shots", "common/tree", "common/search/contact_pair"],
     r"fcl/": [],
 }
 # So many .cpp files of the programs and of proto/ may see these, through any number of headers. Each

@@ -9,8 +9,8 @@
 #define CD_CROSSING_TRIANGLES_INL_HPP
 #endif
 
+#include "common/pair/numbers/double_double_lanes-inl.hpp"
 #include "common/pair/points/crossing/crossing_kernel.hpp"
-#include "common/pair/points/crossing/crossing_numbers-inl.hpp"
 #include "common/pair/stages/double_double/double_double_local.hpp"
 
 #include <hwy/highway.h>
@@ -19,6 +19,9 @@ HWY_BEFORE_NAMESPACE();
 namespace cd {
 namespace HWY_NAMESPACE {
 namespace crossing {
+
+using namespace double_double_lanes;
+using double_double_lanes::choose;
 
 constexpr std::size_t lanes = hn::MaxLanes(Doubles());
 static_assert(CornersOfMany::pairs % lanes == 0);

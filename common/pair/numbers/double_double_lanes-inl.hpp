@@ -3,11 +3,11 @@
 // every target.
 
 // Highway's include guard: once per target.
-#if defined(CD_CROSSING_NUMBERS_INL_HPP) == defined(HWY_TARGET_TOGGLE)
-#ifdef CD_CROSSING_NUMBERS_INL_HPP
-#undef CD_CROSSING_NUMBERS_INL_HPP
+#if defined(CD_DOUBLE_DOUBLE_LANES_INL_HPP) == defined(HWY_TARGET_TOGGLE)
+#ifdef CD_DOUBLE_DOUBLE_LANES_INL_HPP
+#undef CD_DOUBLE_DOUBLE_LANES_INL_HPP
 #else
-#define CD_CROSSING_NUMBERS_INL_HPP
+#define CD_DOUBLE_DOUBLE_LANES_INL_HPP
 #endif
 
 #include <hwy/highway.h>
@@ -15,7 +15,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace cd {
 namespace HWY_NAMESPACE {
-namespace crossing {
+namespace double_double_lanes {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
@@ -143,7 +143,7 @@ HWY_INLINE Vector cross(const Vector& l, const Vector& r) {
             l.at[0] * r.at[1] - l.at[1] * r.at[0]};
 }
 
-} // namespace crossing
+} // namespace double_double_lanes
 } // namespace HWY_NAMESPACE
 } // namespace cd
 HWY_AFTER_NAMESPACE();

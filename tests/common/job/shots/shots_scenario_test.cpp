@@ -6,6 +6,7 @@
 #include "common/shots/line_hit.hpp"
 #include "tests/common/job/in_parts.hpp"
 #include "tests/support/brink_boxes.hpp"
+#include "tests/support/bundle_cases.hpp"
 #include "tests/support/rounds.hpp"
 #include "tests/support/scenarios.hpp"
 #include "tests/support/shot_oracle.hpp"
@@ -273,6 +274,50 @@ TEST(ShotsScenario, TheFirstStageChangesNoRecord) {
             EXPECT_EQ(encode_result(runner.run(scenario).result), record);
         }
     }
+}
+
+TEST(ShotsScenario, BundlesOfParallelLinesAreDecidedAsOthersAre) {
+    std::uint64_t hits = 0;
+    for (SeededRandom random : seeds(raised(24))) {
+        const ObbTree a =
+            make_tree(random() % 2 == 0 ? make_sphere(2) : make_gridded_box(Vec3(2, 3, 2), 3));
+        const double jitter = random() % 2 == 0 ? 0 : 0.9;
+        const ObbTree b =
+            make_tree(mesh_of(grid_lines(random, random() % 3, {11, 8}, 0.25, jitter, {5, -5})));
+        Query query = shots_query(random() % 4 == 0 ? Level::Count : Level::Pairs);
+        query.first_hits = random() % 3 == 0;
+        query.maps = random() % 3 == 0;
+        if (random() % 2 == 0) {
+            query.ignored = {{5, 20, 0, 88}};
+        }
+        // The second scenario finds the lines of the first one.
+        const ScenarioRunner in_bundles(a, b, query);
+        const ScenarioRunner one_by_one(a, b, query, PairStage::DoubleDouble);
+        ScenarioSession session(in_bundles);
+        for (int i = 0; i < 2; ++i) {
+            const Scenario scenario = make_scenario({make_pose(random, 0.2), bundle_pose(random)});
+            const ScenarioRun run = session.run(scenario);
+            const ScenarioRun expected = one_by_one.run(scenario);
+            ASSERT_EQ(encode_result(run.result), encode_result(expected.result));
+            EXPECT_EQ(run.found, expected.found);
+            hits += run.result.pair_count;
+        }
+    }
+    EXPECT_GT(hits, 2000u);
+}
+
+TEST(ShotsScenario, MostHitsOfABundleAreProvenInDoubles) {
+    const ObbTree a = make_tree(make_sphere(3));
+    std::mt19937_64 random(1);
+    const ObbTree b = make_tree(mesh_of(grid_lines(random, 0, {20, 20}, 0.1, 0, {5, -5})));
+    const Query query = shots_query();
+    const ScenarioRun run =
+        run_scenario(a, b, make_scenario({Pose(), make_pose(random, 0.1)}), query);
+    EXPECT_GT(run.result.pair_count, 500u);
+    EXPECT_GT(run.statistics.decisions[PairStage::Double], run.result.pair_count);
+    EXPECT_EQ(run.statistics.decisions.total(), run.statistics.decisions[PairStage::Double]);
+    EXPECT_EQ(run.statistics.triangle_tests, run.statistics.decisions.total());
+    EXPECT_GT(run.statistics.box_tests, 0u);
 }
 
 } // namespace cd::tests

@@ -1,6 +1,8 @@
-#include "common/job/run_shots.hpp"
+#include "common/job/shots/run_shots.hpp"
 
+#include "common/job/shots/bundle_shots.hpp"
 #include "common/shots/segment_hit.hpp"
+#include "common/tree/ignored_range.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -83,17 +85,34 @@ struct Shots {
         return true;
     }
 
-    /// Removes the pairs that are not kept.
-    void remove_others() {
-        std::size_t count = 0;
+    /// Removes the pairs that are not kept, and adds hits that are known already, sorted like
+    /// pairs.
+    void merge(std::span<const LineShot> known) {
+        std::vector<ContactPair> all_pairs;
+        std::vector<PairHit> all_hits;
+        all_pairs.reserve(pairs.size() + known.size());
+        all_hits.reserve(pairs.size() + known.size());
+        auto next = known.begin();
+        const auto add_known_before = [&](const ContactPair* pair) {
+            for (; next != known.end(); ++next) {
+                const ContactPair one{next->triangle, next->line, PairClass::Touch};
+                if (pair != nullptr && *pair < one) {
+                    return;
+                }
+                all_pairs.push_back(one);
+                all_hits.push_back(next->hit);
+            }
+        };
         for (std::size_t i = 0; i < pairs.size(); ++i) {
             if (are_kept[i]) {
-                pairs[count] = pairs[i];
-                hits[count++] = hits[i];
+                add_known_before(&pairs[i]);
+                all_pairs.push_back(pairs[i]);
+                all_hits.push_back(hits[i]);
             }
         }
-        pairs.resize(count);
-        hits.resize(count);
+        add_known_before(nullptr);
+        pairs = std::move(all_pairs);
+        hits = std::move(all_hits);
     }
 
     [[nodiscard]] std::vector<ContactPair> crossings() const {
@@ -130,6 +149,26 @@ void list_hits(Shots& shots, const Query& query, ScenarioResult& result) {
     result.hits = std::move(shots.hits);
 }
 
+/// Finds the hits under all pairs. Returns false if `stop` ended that.
+bool collect(KeptSearch& kept, std::span<const SubtreePair> pairs, const RunOptions& options) {
+    using Collected = BundleShots::Collected;
+    // Doubles decide bundles, so that a later first stage leaves nothing to them.
+    const bool tries_bundles =
+        options.first_stage <= PairStage::Double && options.decision == PairDecision::Exact;
+    for (const SubtreePair& pair : pairs) {
+        const Collected collected =
+            tries_bundles ? kept.bundles->collect(pair, kept.search->contacts(), options.stop)
+                          : Collected::None;
+        if (collected == Collected::Stopped) {
+            return false;
+        }
+        if (collected == Collected::None) {
+            kept.search->collect(pair.a, pair.b);
+        }
+    }
+    return true;
+}
+
 } // namespace
 
 bool needs_hits(const Query& query) {
@@ -142,21 +181,28 @@ bool find_shots(KeptSearch& kept,
                 const Query& query,
                 const RunOptions& options,
                 ScenarioRun& run) {
-    for (const SubtreePair& pair : pairs) {
-        kept.search->collect(pair.a, pair.b);
+    BundleShots& bundles = kept.bundles ? *kept.bundles : kept.bundles.emplace();
+    bundles.restart(scenario.poses,
+                    ignored_of(query.ignored, scenario.body_a, scenario.body_b),
+                    needs_hits(query));
+    if (!collect(kept, pairs, options)) {
+        return false;
     }
+    run.statistics += bundles.statistics();
     FoundContacts& found = kept.search->contacts();
+    const std::uint64_t count = bundles.count() + found.count();
     if (!needs_hits(query)) {
-        set_count(found.count(), run.result);
+        set_count(count, run.result);
         return true;
     }
+    if (count > found.pairs_max()) {
+        run.result = too_many(count, scenario, query);
+        return true;
+    }
+    const std::span<const LineShot> known = bundles.settle(found, query.first_hits);
     found.sort();
     Shots shots;
     shots.pairs = found.take_pairs();
-    if (shots.pairs.size() != found.count()) {
-        run.result = too_many(found.count(), scenario, query);
-        return true;
-    }
     shots.corners = found.corners();
     if (kept.lines) {
         kept.lines->restart(scenario.poses);
@@ -166,7 +212,7 @@ bool find_shots(KeptSearch& kept,
     if (!shots.find(*kept.lines, query.first_hits, options.stop)) {
         return false;
     }
-    shots.remove_others();
+    shots.merge(known);
     set_count(shots.pairs.size(), run.result);
     if (query.maps) {
         run.found = shots.crossings();

@@ -1,0 +1,68 @@
+// Hits of bundles of parallel lines, proven in doubles and double-double, many at a time.
+#pragma once
+
+#include "common/core/host/stop_check.hpp"
+#include "common/geometry/pose.hpp"
+#include "common/job/result/pair_hit.hpp"
+#include "common/search/found_contacts.hpp"
+#include "common/search/subtree_pair.hpp"
+#include "common/tree/ignored_range.hpp"
+#include "common/tree/query_statistics.hpp"
+
+#include <cstdint>
+#include <memory>
+#include <span>
+
+namespace cd {
+
+/// A triangle and a line that hits it, with the hit.
+struct LineShot {
+    std::uint32_t triangle = 0; ///< Index in A's mesh.
+    std::uint32_t line = 0;     ///< Index in B's mesh.
+    PairHit hit;
+};
+
+/// Finds the hits of one scenario whose bundles are of parallel lines, as far as that is simple:
+/// lines that pass through the inside of each triangle they meet, at depths that round apart. All
+/// others are left to `SegmentHit`. Keeps scratch memory between scenarios.
+class BundleShots {
+  public:
+    /// Multiplies all error bounds by `bound_scale`, for tests: see BundleSearch.
+    explicit BundleShots(double bound_scale = 1);
+    BundleShots(BundleShots&&) noexcept;
+    BundleShots& operator=(BundleShots&&) noexcept;
+    ~BundleShots();
+
+    /// Starts a scenario. Without depths, hits are only counted. `ignored` outlives the scenario.
+    void restart(const PosePair& poses, std::span<const IgnoredRange> ignored, bool needs_depths);
+
+    /// What `collect` has done.
+    enum class Collected : std::uint8_t {
+        All,     ///< All hits are either counted here or in `found`.
+        None,    ///< Nothing: the poses, the trees or the lines do not suit.
+        Stopped, ///< Some; the rest is not known.
+    };
+    /// Finds the hits under a pair of subtrees, which live until the scenario's end. Decides pairs
+    /// that doubles leave open in `found`, under the same poses, and adds the contacts to it.
+    [[nodiscard]] Collected
+    collect(const SubtreePair& pair, FoundContacts& found, const StopCheck& stop);
+
+    /// Returns the number of hits of `collect` that are not in `found`.
+    [[nodiscard]] std::uint64_t count() const;
+
+    /// Moves hits to `found` that need SegmentHit: all of a line of which `found` has a contact, of
+    /// which a depth is unknown, or of which two depths round alike. Returns the others, sorted by
+    /// triangle and line; with `only_first`, the first one of each line. Valid until `restart`. To
+    /// be called once, after `collect` with depths, and only if no hit was dropped, which happens
+    /// above `found.pairs_max()`.
+    [[nodiscard]] std::span<const LineShot> settle(FoundContacts& found, bool only_first);
+
+    /// Returns the statistics since `restart`.
+    [[nodiscard]] QueryStatistics statistics() const;
+
+  private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
+} // namespace cd

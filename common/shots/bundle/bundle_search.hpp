@@ -1,0 +1,90 @@
+// Finds where lines of a bundle pass through triangles: descends A's tree and asks each box and
+// triangle which lines its shadow holds.
+#pragma once
+
+#include "common/pair/triangle_pair.hpp"
+#include "common/shots/bundle/bundle_frame.hpp"
+#include "common/shots/bundle/bundle_kernel.hpp"
+#include "common/shots/bundle/parallel_lines.hpp"
+#include "common/tree/wide/wide_node.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace cd {
+
+/// A line that passes through the inside of a triangle, with both its ends outside of the plane.
+struct LinePass {
+    std::uint32_t triangle = 0; ///< Slot of A.
+    std::uint32_t line = 0;     ///< Place among the lines.
+    std::uint8_t flags = 0;     ///< `hit_flag::crosses` and the side.
+
+    friend bool operator==(const LinePass&, const LinePass&) = default;
+};
+
+/// The search projects A along the lines. A line that is at a positive distance from the shadows of
+/// a triangle's edges, by the signs of three turns, passes through it or misses it; doubles prove
+/// nearly all signs, with the bound of `turn_error`. Pairs that stay open are left to the caller.
+class BundleSearch {
+  public:
+    /// Multiplies the error bound of turns by `bound_scale`. Answers are right only from 1 on;
+    /// tests use less to show that the bound is needed.
+    explicit BundleSearch(double bound_scale = 1) : bound_scale_(bound_scale) {}
+
+    /// Starts to look for `lines`, which belong to B, in A's tree. Returns false if the poses do
+    /// not suit; the lines and the tree must live until the search is done. Keeps scratch memory.
+    [[nodiscard]] bool start(const WideView& a, const ParallelLines& lines, const PosePair& poses);
+
+    [[nodiscard]] bool is_done() const { return stack_.empty() && waiting_.empty(); }
+
+    /// Some pairs of triangles and lines, valid until the next call.
+    struct Found {
+        std::span<const LinePass> passes;
+        std::span<const Candidate> open; ///< Pairs of slots of A and B that may meet.
+    };
+    /// Continues the search until it has found some pairs or is done. Never tells a pair twice.
+    [[nodiscard]] Found next();
+
+    /// Returns the number of boxes tested since construction.
+    [[nodiscard]] std::uint64_t box_tests() const { return box_tests_; }
+    /// Returns the number of pairs of triangles and lines decided since construction; open ones do
+    /// not count.
+    [[nodiscard]] std::uint64_t line_tests() const { return line_tests_; }
+
+  private:
+    /// A leaf some of whose triangles may meet lines.
+    struct Leaf {
+        const WideNode* node = nullptr;
+        std::uint32_t triangles = 0; ///< Bit mask.
+    };
+    /// Leaves wait for their triangles to arrive from memory.
+    static constexpr std::size_t waiting_most = 4;
+
+    [[nodiscard]] std::uint32_t children_of(const WideNode& node) const;
+    void visit(const WideNode& node);
+    void test_leaf(const Leaf& leaf);
+    void test_triangle(std::uint32_t slot, const BlockCorners& corners);
+    void add(std::uint32_t slot, bool is_between, const MarkedLines& marked);
+
+    double bound_scale_;
+    WideView a_;
+    const ParallelLines* lines_ = nullptr;
+    LinesAcross across_; ///< Of the lines.
+    std::optional<BundleFrame> frame_;
+    std::vector<std::uint32_t> stack_;
+    std::vector<Leaf> waiting_; ///< At most `waiting_most`, the oldest first.
+    BlockAcross placed_;        ///< The vertices of the leaf that is tested.
+    std::vector<LinePass> passes_;
+    std::vector<Candidate> open_;
+    std::uint64_t box_tests_ = 0;
+    std::uint64_t line_tests_ = 0;
+};
+
+/// Bounds the error of a turn from a corner over the next one around a line, in doubles, where all
+/// corners are within `across` of the line, the sum of the bounds for both axes, and err by `error`
+/// in each coordinate.
+[[nodiscard]] double turn_error(double across, double error);
+
+} // namespace cd

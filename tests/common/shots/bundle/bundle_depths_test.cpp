@@ -1,0 +1,157 @@
+// Proves that depths of bundles are those of SegmentHit, rounded once, and that the bounds are
+// needed.
+#include "common/shots/bundle/bundle_depths.hpp"
+
+#include "common/shots/segment_hit.hpp"
+#include "tests/support/bundle_cases.hpp"
+#include "tests/support/distance_oracle.hpp"
+#include "tests/support/rounds.hpp"
+#include "tests/support/shapes.hpp"
+#include "tests/support/shot_oracle.hpp"
+#include "tests/support/trees.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+namespace cd::tests {
+
+namespace {
+
+struct Judged {
+    int proven = 0;
+    int unproven = 0;
+    int wrong = 0;
+};
+
+/// Calls `judge(triangle, line, depth)` for the lines of a case that pass through a triangle's
+/// inside.
+template <class Judge>
+void for_each_depth(const BundleCase& c, double bound_scale, const Judge& judge) {
+    const ObbTree tree = make_tree(mesh_of(c.lines));
+    ParallelLines lines;
+    if (tree.view().wide.nodes.empty() || !lines.assign(tree.view().wide) ||
+        !BundleDepths::suits(c.poses)) {
+        return;
+    }
+    BundleDepths depths(bound_scale);
+    depths.restart(c.poses, lines);
+    SegmentHit exact(c.poses, HitStage::Integer);
+    const LineRows rows = lines.rows();
+    for (std::uint32_t place = 0; place < lines.slots().size(); ++place) {
+        const Segment& line = c.lines[tree.view().wide.triangles.ids[lines.slots()[place]]];
+        for (std::uint32_t i = 0; i < c.body.triangles().size(); ++i) {
+            const Corners t = c.body.corners(i);
+            const auto flags = exact.flags(t, line);
+            if (flags && (*flags & hit_flag::crosses) != 0 &&
+                (*flags & (hit_flag::edge | hit_flag::corner)) == 0) {
+                depths.add(t, {rows.across[0][place], rows.across[1][place]});
+                judge(t, line, depths.take()[0]);
+            }
+        }
+    }
+}
+
+void count(const BundleCase& c, double bound_scale, Judged& judged) {
+    for_each_depth(c, bound_scale, [&](const Corners& t, const Segment& line, double depth) {
+        if (std::isnan(depth)) {
+            ++judged.unproven;
+            return;
+        }
+        const auto truth = oracle_hit(t, line, c.poses);
+        const mpq_class exact = truth->lambda * mpq_class(oracle_length(line));
+        ++judged.proven;
+        judged.wrong += depth == oracle_nearest(exact) ? 0 : 1;
+    });
+}
+
+Judged judged_depths(double bound_scale, std::uint64_t rounds) {
+    Judged judged;
+    for (const std::string& kind : bundle_kinds()) {
+        for (SeededRandom random : seeds(rounds)) {
+            count(make_bundle_case(kind, random), bound_scale, judged);
+        }
+    }
+    for (SeededRandom random : seeds(20 * rounds)) {
+        BundleCase c{make_sphere(1), {}, {make_pose(random, 0.3), make_pose(random, 0.3)}};
+        c.lines = grid_lines(random, random() % 3, {4, 4}, 0.3, 1, {3, -3});
+        count(c, bound_scale, judged);
+    }
+    return judged;
+}
+
+} // namespace
+
+TEST(BundleDepths, AreRoundedOnce) {
+    const Judged judged = judged_depths(1, raised(5));
+    EXPECT_EQ(judged.wrong, 0);
+    EXPECT_GT(judged.proven, 2000);
+    EXPECT_LT(judged.unproven, judged.proven / 10);
+}
+
+TEST(BundleDepths, BoundsThatAreScaledDownAreCaught) {
+    EXPECT_GT(judged_depths(0x1p-26, 5).wrong, 0);
+}
+
+TEST(BundleDepths, MidwayBetweenTwoDoublesIsRoundedToEven) {
+    // The way from 16 to 1 + 2^-52 takes one bit more than a double has.
+    int midway = 0;
+    for (const double step : {0x1p-52, 0x1p-50, 0x3p-52}) {
+        for (const bool is_turned : {false, true}) {
+            const double x = 1 + step;
+            BundleCase c{make_mesh({Vec3(x, -1, -1), Vec3(x, 1, -1), Vec3(x, 0, 1)}, {{0, 1, 2}}),
+                         {{Vec3(16, 0.1, 0.2), Vec3(-16, 0.1, 0.2)}},
+                         {}};
+            if (is_turned) {
+                c.poses.a = c.poses.b = Pose::from_quaternion({1, 1, 0, 0}, Vec3(4, 0.5, -1));
+            }
+            for_each_depth(c, 1, [&](const Corners& t, const Segment& line, double depth) {
+                const auto truth = oracle_hit(t, line, c.poses);
+                EXPECT_EQ(depth, oracle_nearest(truth->lambda * mpq_class(32)));
+                ++midway;
+            });
+        }
+    }
+    EXPECT_EQ(midway, 6);
+}
+
+TEST(BundleDepths, AreTheSameOnEveryTarget) {
+    std::mt19937_64 random(1);
+    BundleCase c{make_sphere(2), {}, {make_pose(random, 0.3), make_pose(random, 0.3)}};
+    c.lines = grid_lines(random, 0, {5, 5}, 0.3, 1, {3, -3});
+    std::vector<double> expected;
+    for_each_depth(
+        c, 1, [&](const Corners&, const Segment&, double depth) { expected.push_back(depth); });
+    EXPECT_GT(expected.size(), 20u);
+    on_every_target([&](SimdTarget) {
+        std::vector<double> found;
+        for_each_depth(
+            c, 1, [&](const Corners&, const Segment&, double depth) { found.push_back(depth); });
+        EXPECT_EQ(found, expected);
+    });
+}
+
+TEST(BundleDepths, ManyAreTakenAtOnce) {
+    std::mt19937_64 random(1);
+    const ObbTree tree = make_tree(mesh_of(grid_lines(random, 0, {8, 8}, 0.1, 0, {3, -3})));
+    ParallelLines lines;
+    ASSERT_TRUE(lines.assign(tree.view().wide));
+    BundleDepths depths;
+    depths.restart({}, lines);
+    std::size_t count = 0;
+    while (!depths.is_full()) {
+        const double x = -2 + 0.0625 * static_cast<double>(count);
+        depths.add({Vec3(x, -9, -9), Vec3(x, 9, -9), Vec3(x, 0, 18)},
+                   {lines.rows().across[0][count], lines.rows().across[1][count]});
+        ++count;
+    }
+    const std::span<const double> taken = depths.take();
+    ASSERT_EQ(taken.size(), count);
+    for (std::size_t i = 0; i < count; ++i) {
+        EXPECT_EQ(taken[i], 5 - 0.0625 * static_cast<double>(i));
+    }
+    EXPECT_TRUE(depths.take().empty());
+}
+
+} // namespace cd::tests
